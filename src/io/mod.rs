@@ -187,8 +187,10 @@ pub(crate) mod tests {
     /// Why it is refused.
     #[track_caller]
     pub(crate) fn refusal(name: &str, content: impl AsRef<[u8]>) -> String {
-        let refusal = read_bytes(name, content.as_ref());
-        refusal.expect_err("nothing to read").to_string()
+        match read_bytes(name, content.as_ref()) {
+            Ok(reading) => panic!("{name} was read: {:?}", reading.notes),
+            Err(why) => why.to_string(),
+        }
     }
 
     /// What its spectra are called.
@@ -196,11 +198,15 @@ pub(crate) mod tests {
         reading.spectra.iter().map(|s| s.name.as_str()).collect()
     }
 
+    /// Whether one of some notes has these words in it.
+    pub(crate) fn has(notes: &[String], words: &str) -> bool {
+        notes.iter().any(|note| note.contains(words))
+    }
+
     /// That these words are in one of some notes.
     #[track_caller]
     pub(crate) fn assert_told(notes: &[String], words: &str) {
-        let is_told = notes.iter().any(|note| note.contains(words));
-        assert!(is_told, "{words} is not in {notes:?}");
+        assert!(has(notes, words), "{words} is not in {notes:?}");
     }
 
     #[test]

@@ -18,6 +18,8 @@
 //! The Fourier `a0` is the paper's, halved in the series; the cosine `c0` is not. A Fourier series
 //! whose last sine was dropped is written with a zero in its place.
 
+use std::fmt;
+
 use serde::{Deserialize, Serialize};
 
 use crate::spectrum::{Band, Basis, Composite, Kind, Series, Spike};
@@ -66,7 +68,7 @@ struct File {
     written_by: String,
 }
 
-#[derive(Default, Serialize, Deserialize)]
+#[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Coefficients {
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -91,7 +93,8 @@ fn sniff(input: &Input) -> Confidence {
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
-    let file = parse(input, text)?;
+    let file: File = serde_json::from_str(text).map_err(|e| json_error(input, &e))?;
+    let file = composite_of(file, input.stem()).map_err(|why| why.of(input))?;
     Ok(Reading {
         notes: vec![in_words(&file.composite, &file.widths_nm)],
         composites: vec![file],
@@ -118,8 +121,39 @@ pub fn in_words(composite: &Composite, widths_nm: &[f64]) -> String {
     )
 }
 
-fn parse(input: &Input, text: &str) -> Result<CompositeFile, ReadError> {
-    let file: File = serde_json::from_str(text).map_err(|e| json_error(input, &e))?;
+/// Why something is no composite.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CompositeError {
+    /// What stands there.
+    pub found: String,
+    /// What should.
+    pub expected: String,
+}
+
+impl CompositeError {
+    pub(super) fn new(found: impl Into<String>, expected: impl Into<String>) -> Self {
+        Self {
+            found: found.into(),
+            expected: expected.into(),
+        }
+    }
+
+    /// The same as a refusal of a file.
+    pub(super) fn of(self, input: &Input) -> ReadError {
+        input.error(self.found, self.expected)
+    }
+}
+
+impl fmt::Display for CompositeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "found {}, expected {}", self.found, self.expected)
+    }
+}
+
+impl std::error::Error for CompositeError {}
+
+/// What a file holds; `stem` is what a composite without a name is called.
+fn composite_of(file: File, stem: &str) -> Result<CompositeFile, CompositeError> {
     let File {
         format,
         version,
@@ -129,59 +163,53 @@ fn parse(input: &Input, text: &str) -> Result<CompositeFile, ReadError> {
         spikes,
         unit,
         source,
-        name,
+        mut name,
         kind,
         scale_in_force: _,
         written_by: _,
     } = file;
     if format != FORMAT_WORD {
-        return Err(input.error(format!("format \"{format}\""), format!("\"{FORMAT_WORD}\"")));
+        let found = format!("format \"{format}\"");
+        return Err(CompositeError::new(found, format!("\"{FORMAT_WORD}\"")));
     }
     let [first, last] = VERSIONS;
     if !VERSIONS.contains(&version) {
         let expected = format!("version {first} or {last}");
-        return Err(input.error(format!("version {version}"), expected));
+        return Err(CompositeError::new(format!("version {version}"), expected));
     }
-    let band = Band::new(min, max)
-        .map_err(|error| input.error(format!("range_nm [{min}, {max}]"), error.to_string()))?;
-    let coefficients = prefix_order(basis, coefficients)
-        .map_err(|(found, expected)| input.error(found, expected))?;
+    let band = Band::new(min, max).map_err(|error| {
+        CompositeError::new(format!("range_nm [{min}, {max}]"), error.to_string())
+    })?;
+    let coefficients = prefix_order(basis, coefficients)?;
     let lines = spikes.into_iter().map(|line| {
         let Line { at_nm, weight, .. } = line;
         let width_nm = line.fwhm_nm.filter(|_| version == last);
         (Spike { at_nm, weight }, width_nm.unwrap_or(0.0))
     });
-    let (composite, widths_nm) = checked_lines(band, basis, coefficients, lines.collect())
-        .map_err(|(found, expected)| input.error(found, expected))?;
+    let (composite, widths_nm) = checked(band, basis, coefficients, lines.collect())?;
+    if name.is_empty() {
+        stem.clone_into(&mut name);
+    }
     Ok(CompositeFile {
         composite,
         widths_nm,
         unit,
         source,
-        name: if name.is_empty() {
-            input.stem().to_owned()
-        } else {
-            name
-        },
+        name,
         kind: kind.unwrap_or(Kind::Light),
     })
 }
 
-fn prefix_order(
-    basis: Basis,
-    coefficients: Coefficients,
-) -> Result<Vec<f64>, (String, &'static str)> {
+fn prefix_order(basis: Basis, coefficients: Coefficients) -> Result<Vec<f64>, CompositeError> {
     let Coefficients { a, b, c } = coefficients;
-    match (basis, a, b, c) {
-        (Basis::Cosine, None, None, Some(c)) => Ok(c),
+    let expected = match (basis, a, b, c) {
+        (Basis::Cosine, None, None, Some(c)) => return Ok(c),
         (Basis::Fourier, Some(a), b, None) => {
             let b = b.unwrap_or_default();
             // One sine less is a series whose last sine was dropped.
             if a.is_empty() || (a.len() != b.len() + 1 && a.len() != b.len() + 2) {
-                return Err((
-                    format!("{} numbers in a and {} in b", a.len(), b.len()),
-                    "one more in a than in b",
-                ));
+                let found = format!("{} numbers in a and {} in b", a.len(), b.len());
+                return Err(CompositeError::new(found, "one more in a than in b"));
             }
             let mut all = vec![a[0]];
             let mut sines = b.iter();
@@ -189,76 +217,34 @@ fn prefix_order(
                 all.push(*cosine);
                 all.extend(sines.next());
             }
-            Ok(all)
+            return Ok(all);
         }
-        (Basis::Cosine, ..) => Err((
-            "other coefficients with the cosine basis".to_owned(),
-            "{\"c\": [...]}",
-        )),
-        (Basis::Fourier, ..) => Err((
-            "other coefficients with the fourier basis".to_owned(),
-            "{\"a\": [...], \"b\": [...]}",
-        )),
-    }
-}
-
-/// A composite of numbers that make sense: at least one coefficient and no more than the band
-/// carries, everything below 1e30 (what is computed from it stays finite), spikes put in rising order.
-pub(crate) fn checked(
-    band: Band,
-    basis: Basis,
-    coefficients: Vec<f64>,
-    mut spikes: Vec<Spike>,
-) -> Result<Composite, (String, String)> {
-    let most = 2 * Basis::highest_order(band) + 1;
-    if coefficients.is_empty() || coefficients.len() > most {
-        return Err((
-            format!("{} coefficients", coefficients.len()),
-            format!("1 to {most} on this range"),
-        ));
-    }
-    if let Some(odd) = coefficients.iter().find(|c| !is_measured(**c)) {
-        return Err((
-            format!("the coefficient {odd}"),
-            "a number below 1e30".into(),
-        ));
-    }
-    for spike in &spikes {
-        if !is_measured(spike.at_nm) || spike.at_nm <= 0.0 || !is_measured(spike.weight) {
-            return Err((
-                format!("a spike of {} at {} nm", spike.weight, spike.at_nm),
-                "a wavelength above 0 and a weight below 1e30".to_owned(),
-            ));
-        }
-    }
-    if !spikes.is_sorted_by(|x, y| x.at_nm <= y.at_nm) {
-        spikes.sort_by(|x, y| x.at_nm.total_cmp(&y.at_nm));
-    }
-    Ok(Composite {
-        smooth: Series {
-            band,
-            basis,
-            coefficients,
-        },
-        spikes,
-    })
+        (Basis::Cosine, ..) => "{\"c\": [...]}",
+        (Basis::Fourier, ..) => "{\"a\": [...], \"b\": [...]}",
+    };
+    let found = format!("other coefficients with the {} basis", basis.word());
+    Err(CompositeError::new(found, expected))
 }
 
 /// The widest line that is believed, nm.
 const WIDEST_NM: f64 = 1000.0;
 
-/// [`checked`] of lines with their widths, which are put in order with them; the widths are empty
-/// where all are ideal.
-pub(crate) fn checked_lines(
+/// A composite of numbers that make sense, and the widths of its lines, empty where all are ideal:
+/// at least one coefficient and no more than the band carries, everything below 1e30 (what is
+/// computed from it stays finite), lines put in rising order with their widths.
+pub(super) fn checked(
     band: Band,
     basis: Basis,
     coefficients: Vec<f64>,
     mut lines: Vec<(Spike, f64)>,
-) -> Result<(Composite, Vec<f64>), (String, String)> {
+) -> Result<(Composite, Vec<f64>), CompositeError> {
     let is_width = |width: &f64| (0.0..=WIDEST_NM).contains(width);
     if let Some((_, odd)) = lines.iter().find(|(_, width)| !is_width(width)) {
         let expected = format!("a width of 0 to {WIDEST_NM} nm");
-        return Err((format!("a line {odd} nm wide"), expected));
+        return Err(CompositeError::new(
+            format!("a line {odd} nm wide"),
+            expected,
+        ));
     }
     if !lines.is_sorted_by(|(x, _), (y, _)| x.at_nm <= y.at_nm) {
         lines.sort_by(|(x, _), (y, _)| x.at_nm.total_cmp(&y.at_nm));
@@ -267,7 +253,30 @@ pub(crate) fn checked_lines(
     if widths.iter().all(|width| *width == 0.0) {
         widths.clear();
     }
-    Ok((checked(band, basis, coefficients, spikes)?, widths))
+    let most = 2 * Basis::highest_order(band) + 1;
+    if coefficients.is_empty() || coefficients.len() > most {
+        let found = format!("{} coefficients", coefficients.len());
+        let expected = format!("1 to {most} on this range");
+        return Err(CompositeError::new(found, expected));
+    }
+    if let Some(odd) = coefficients.iter().find(|c| !is_measured(**c)) {
+        let found = format!("the coefficient {odd}");
+        return Err(CompositeError::new(found, "a number below 1e30"));
+    }
+    for Spike { at_nm, weight } in &spikes {
+        if !is_measured(*at_nm) || *at_nm <= 0.0 || !is_measured(*weight) {
+            return Err(CompositeError::new(
+                format!("a spike of {weight} at {at_nm} nm"),
+                "a wavelength above 0 and a weight below 1e30",
+            ));
+        }
+    }
+    let smooth = Series {
+        band,
+        basis,
+        coefficients,
+    };
+    Ok((Composite { smooth, spikes }, widths))
 }
 
 /// A composite as JSON.
@@ -284,48 +293,31 @@ pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
         kind,
     } = file;
     let smooth = &composite.smooth;
-    let finite = smooth.coefficients.iter().all(|c| c.is_finite())
-        && composite
-            .spikes
-            .iter()
-            .all(|s| s.at_nm.is_finite() && s.weight.is_finite())
-        && widths_nm.iter().all(|width| width.is_finite());
-    if !finite || smooth.coefficients.is_empty() {
+    let spikes = composite.spikes.iter().flat_map(|s| [s.at_nm, s.weight]);
+    let numbers = smooth.coefficients.iter().chain(widths_nm).copied();
+    if !numbers.chain(spikes).all(f64::is_finite) || smooth.coefficients.is_empty() {
         return Err(WriteError::new(
             name,
             "found a coefficient or spike that is not finite, expected numbers",
         ));
     }
-    let coefficients = match smooth.basis {
-        Basis::Fourier => {
-            let (a, b) = smooth.a_b();
-            Coefficients {
-                a: Some(a),
-                b: Some(b),
-                c: None,
-            }
-        }
-        Basis::Cosine => Coefficients {
-            c: Some(smooth.coefficients.clone()),
-            ..Coefficients::default()
-        },
+    let (ab, c) = match smooth.basis {
+        Basis::Fourier => (Some(smooth.a_b()), None),
+        Basis::Cosine => (None, Some(smooth.coefficients.clone())),
+    };
+    let (a, b) = ab.unzip();
+    let line = |(i, spike): (usize, &Spike)| Line {
+        at_nm: spike.at_nm,
+        weight: spike.weight,
+        fwhm_nm: widths_nm.get(i).copied().filter(|width| *width > 0.0),
     };
     let file = File {
         format: FORMAT_WORD.to_owned(),
         version: VERSIONS[usize::from(!widths_nm.is_empty())],
         range_nm: [smooth.band.min_nm(), smooth.band.max_nm()],
         basis: smooth.basis,
-        coefficients,
-        spikes: composite
-            .spikes
-            .iter()
-            .enumerate()
-            .map(|(i, s)| Line {
-                at_nm: s.at_nm,
-                weight: s.weight,
-                fwhm_nm: widths_nm.get(i).copied().filter(|width| *width > 0.0),
-            })
-            .collect(),
+        coefficients: Coefficients { a, b, c },
+        spikes: composite.spikes.iter().enumerate().map(line).collect(),
         unit: unit.clone(),
         source: source.clone(),
         name: name.clone(),
@@ -333,8 +325,7 @@ pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
         scale_in_force: "as measured".to_owned(),
         written_by: format!("Spectral Explorer {}", env!("CARGO_PKG_VERSION")),
     };
-    match serde_json::to_string_pretty(&file) {
-        Ok(text) => Ok(text + "\n"),
-        Err(error) => Err(WriteError::new(name, error.to_string())),
-    }
+    let text = serde_json::to_string_pretty(&file);
+    text.map(|text| text + "\n")
+        .map_err(|error| WriteError::new(name, error.to_string()))
 }

@@ -48,11 +48,7 @@ const CUSTOM: &str = "CustomSpectrum";
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
     let is_cxf = head.contains("colorexchangeformat.com") || head.contains(":CxF ");
-    if head.starts_with('<') && (is_cxf || head.contains("<CxF")) {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    Confidence::certain_if(head.starts_with('<') && (is_cxf || head.contains("<CxF")))
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
@@ -87,13 +83,10 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             .or_else(|| xml::attribute(object, "Id"))
             .unwrap_or(input.stem());
         let points = read_spectrum(input, node, &ranges, (name, *kind), &mut reading)?;
+        let too_many = || input.error("far more spectra than its size allows", budget::WORDS);
         left = left
             .checked_sub(SPECTRUM_BYTES + 32 * points)
-            .ok_or_else(|| {
-                input
-                    .error("far more spectra than its size allows", budget::WORDS)
-                    .at_line(xml::line(node))
-            })?;
+            .ok_or_else(|| too_many().at_line(xml::line(node)))?;
     }
     if reading.spectra.is_empty() {
         let found = match reading.notes.first() {
@@ -130,21 +123,14 @@ fn read_spectrum(
         xml::attribute(node, name).or_else(|| range.and_then(|r| xml::attribute(*r, name)))
     };
     let positive = |name: &str, text: &str| {
-        number::number(text, false)
-            .filter(|x| x.is_finite() && *x > 0.0)
-            .ok_or_else(|| {
-                input
-                    .error(format!("{name}={}", quoted(text)), "a wavelength in nm")
-                    .at_line(at())
-            })
+        let number = number::number(text, false).filter(|x| x.is_finite() && *x > 0.0);
+        let found = || format!("{name}={}", quoted(text));
+        number.ok_or_else(|| input.error(found(), "a wavelength in nm").at_line(at()))
     };
     let start = told("StartWL").ok_or_else(|| {
-        input
-            .error(
-                format!("<{}> without StartWL", node.tag_name().name()),
-                "StartWL=\"nm\" there or in its ColorSpecification",
-            )
-            .at_line(at())
+        let found = format!("<{}> without StartWL", node.tag_name().name());
+        let expected = "StartWL=\"nm\" there or in its ColorSpecification";
+        input.error(found, expected).at_line(at())
     })?;
     let start = positive("StartWL", start)?;
     let mut notes = Vec::new();
@@ -155,21 +141,17 @@ fn read_spectrum(
             10.0
         }
     };
-    let mut values = Vec::new();
-    for word in node.text().unwrap_or("").split_whitespace() {
-        values.push(number::number(word, false).ok_or_else(|| {
-            input
-                .error(quoted(word), "numbers with blanks between them")
-                .at_line(at())
-        })?);
-    }
+    let value = |word: &str| {
+        let refusal = || input.error(quoted(word), "numbers with blanks between them");
+        number::number(word, false).ok_or_else(|| refusal().at_line(at()))
+    };
+    let words = node.text().unwrap_or("").split_whitespace();
+    let values: Vec<f64> = words.map(value).collect::<Result<_, _>>()?;
     if values.len() < 2 {
-        let count = values.len();
-        let values = many::many(count, "value", "values");
-        reading.notes.push(format!(
-            "{name}: {values}, too few for a spectrum: left out"
-        ));
-        return Ok(count);
+        let found = many::many(values.len(), "value", "values");
+        let note = format!("{name}: {found}, too few for a spectrum: left out");
+        reading.notes.push(note);
+        return Ok(values.len());
     }
     let nm: Vec<f64> = (0..values.len()).map(|i| start + i as f64 * step).collect();
     let mut raw = RawSpectrum::known(name, &nm, values, Decision::of_format(kind), "");
@@ -182,8 +164,8 @@ fn read_spectrum(
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::io::read_bytes;
+    use crate::io::tests::{read, refusal};
+    use crate::spectrum::Kind;
 
     const XML: &str = "<?xml version=\"1.0\"?>\n<cc:CxF xmlns:cc=\"http://colorexchangeformat.com/CxF3-core\">\n\
         <cc:Resources><cc:ObjectCollection>\n<cc:Object Name=\"Sky\" Id=\"c1\"><cc:ColorValues>\n\
@@ -196,25 +178,20 @@ mod tests {
 
     #[test]
     fn spectra_take_their_grid_from_themselves_or_their_specification() {
-        let reading = read_bytes("a.cxf", XML.as_bytes()).expect("spectra");
-        assert_eq!(reading.spectra[0].samples.nm(), [400.0, 410.0, 420.0]);
-        assert_eq!(reading.spectra[0].kind, Kind::Reflectance);
-        assert_eq!(reading.spectra[1].samples.nm(), [380.0, 385.0]);
-        assert_eq!(reading.spectra[1].name, "Lamp");
-        assert_eq!(reading.spectra[1].kind, Kind::Light);
+        let [sky, lamp] = &read("a.cxf", XML).spectra[..] else {
+            panic!("two spectra");
+        };
+        assert_eq!(sky.samples.nm(), [400.0, 410.0, 420.0]);
+        assert_eq!(sky.kind, Kind::Reflectance);
+        assert_eq!(lamp.samples.nm(), [380.0, 385.0]);
+        assert_eq!((&*lamp.name, lamp.kind), ("Lamp", Kind::Light));
     }
 
     #[test]
     fn what_is_missing_or_wrong_is_said_by_its_line() {
-        let said = |text: &str| {
-            read_bytes("a.cxf", text.as_bytes())
-                .unwrap_err()
-                .to_string()
-        };
-        assert!(
-            said(&XML.replace(" StartWL=\"400\"", ""))
-                .contains("line 5: found <ReflectanceSpectrum> without")
-        );
+        let said = |text: &str| refusal("a.cxf", text);
+        let without = said(&XML.replace(" StartWL=\"400\"", ""));
+        assert!(without.contains("line 5: found <ReflectanceSpectrum> without"));
         assert!(said(&XML.replace("0.2", "much")).contains("line 5: found \"much\""));
         assert!(said(&XML.replace("Spectrum", "Lab")).contains("a CxF file without spectra"));
         let crowded = format!("<CxF {}/>", "a='1' ".repeat(300));

@@ -37,11 +37,7 @@ const DESCRIPTION: &str = "description.xml";
 const SHARE: f64 = 0.2;
 
 fn sniff(input: &Input) -> Confidence {
-    if seems_to_hold(input.bytes, DESCRIPTION) {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    Confidence::certain_if(seems_to_hold(input.bytes, DESCRIPTION))
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
@@ -110,13 +106,9 @@ fn read_measurement(
     for point in xml::children(node, "MeasurementPoint") {
         let get = |name: &str| {
             let text = xml::attribute(point, name).unwrap_or("");
-            number::number(text, false)
-                .filter(|x| x.is_finite())
-                .ok_or_else(|| {
-                    input
-                        .error(quoted(text), format!("a number as {name}=\"...\""))
-                        .at_line(xml::line(point))
-                })
+            let number = number::number(text, false).filter(|x| x.is_finite());
+            let refusal = || input.error(quoted(text), format!("a number as {name}=\"...\""));
+            number.ok_or_else(|| refusal().at_line(xml::line(point)))
         };
         nm.push(get("WaveLength")?);
         values.push(get("Energy")?);
@@ -126,17 +118,13 @@ fn read_measurement(
     raw.known.scale = KnownScale::Fractions;
     interpret(raw, input, reading).map_err(|refusal| refusal.at_line(xml::line(node)))?;
     reading.keep_scale_to_notes();
-    let mut notes = Vec::new();
-    for (name, what) in [
+    let notes = [
         ("Physical", "dimmer at"),
         ("LuminousIntensity", "luminous intensity"),
         ("Transmission", "transmission"),
-    ] {
-        if let Some(text) = xml::attribute(node, name) {
-            notes.push(format!("{what} {text}"));
-        }
-    }
-    Ok(notes)
+    ];
+    let notes = notes.map(|(name, what)| Some(format!("{what} {}", xml::attribute(node, name)?)));
+    Ok(notes.into_iter().flatten().collect())
 }
 
 /// The wheel slots by the filters in them, the first of each.
@@ -157,7 +145,7 @@ fn slots<'a>(root: Node<'a, '_>) -> HashMap<&'a str, &'a str> {
 mod tests {
     use super::*;
     use crate::io::decode::archive::zipped;
-    use crate::io::read_bytes;
+    use crate::io::tests::{has, read, refusal};
 
     const XML: &str = "<?xml version=\"1.0\"?>\n<GDTF DataVersion=\"1.1\">\n\
         <FixtureType Name=\"Spot\">\n<Wheels><Wheel><Slot Name=\"Warm\" Filter=\"CTO\"/></Wheel></Wheels>\n\
@@ -177,7 +165,7 @@ mod tests {
 
     #[test]
     fn emitters_and_filters_give_a_spectrum_a_measurement() {
-        let reading = read_bytes("a.gdtf", &fixture(XML)).expect("spectra");
+        let reading = read("a.gdtf", fixture(XML));
         let names: Vec<_> = reading.spectra.iter().map(|s| &*s.name).collect();
         assert_eq!(
             names,
@@ -186,16 +174,13 @@ mod tests {
         assert_eq!(reading.spectra[0].samples.nm(), [600.0, 610.5]);
         let filter = &reading.spectra[2];
         assert_eq!((filter.kind, filter.scale), (Kind::Transmittance, 0.01));
-        assert!(filter.notes.iter().any(|n| n == "in the wheel as Warm"));
-        assert!(reading.notes.iter().any(|n| n.starts_with("1 emitters")));
+        assert!(has(&filter.notes, "in the wheel as Warm"));
+        assert!(has(&reading.notes, "1 emitters"));
     }
 
     #[test]
     fn a_fixture_without_spectra_and_a_wrong_number_are_said() {
-        let said = |xml: &str| {
-            let refusal = read_bytes("a.gdtf", &fixture(xml)).unwrap_err();
-            refusal.to_string()
-        };
+        let said = |xml: &str| refusal("a.gdtf", fixture(xml));
         assert!(said("<GDTF/>").contains("without measurements"));
         let wrong = said(&XML.replace("\"0.5\"", "\"much\""));
         assert_eq!(
@@ -209,7 +194,7 @@ mod tests {
     fn a_bomb_is_refused_by_what_comes_out_of_it() {
         let bomb = fixture(&" ".repeat(64 << 20));
         assert!(bomb.len() < 1 << 20);
-        let said = read_bytes("a.gdtf", &bomb).unwrap_err().to_string();
+        let said = refusal("a.gdtf", bomb);
         assert!(said.contains("unfolds to far more than its size"), "{said}");
     }
 }

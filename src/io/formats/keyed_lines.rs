@@ -44,24 +44,20 @@ const SETTINGS: [&str; 14] = [
     "average",
 ];
 
-/// A key and its values.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Setting<'a> {
-    /// Line in the file, from 1.
-    pub line: usize,
-    /// The key, quotes removed.
-    pub key: &'a str,
-    /// The values, quotes removed.
-    pub values: Vec<&'a str>,
+/// A key and its values, quotes removed.
+#[derive(Clone, Debug)]
+struct Setting<'a> {
+    key: &'a str,
+    values: Vec<&'a str>,
     /// Whether the key names a setting of the instrument rather than a result.
-    pub of_instrument: bool,
+    of_instrument: bool,
 }
 
 /// What a file of keys and values holds.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct KeyedLines<'a> {
     /// Lines whose key is no wavelength.
-    pub settings: Vec<Setting<'a>>,
+    settings: Vec<Setting<'a>>,
     /// Wavelengths of the points, nm.
     pub nm: Vec<f64>,
     /// Line of each point.
@@ -70,22 +66,12 @@ pub(crate) struct KeyedLines<'a> {
     pub columns: usize,
     /// `columns` values a point; NaN where one is missing.
     pub values: Vec<f64>,
-    /// Whether decimals are marked by commas.
     pub decimal_comma: bool,
-}
-
-/// A value of a point that is no number.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct BadValue {
-    /// Line in the file, from 1.
-    pub line: usize,
-    /// What stands there.
-    pub text: String,
 }
 
 /// The wavelength that a key tells, unit included; the unit of the value may stand behind it in
 /// brackets (`380nm(umol/m2s)`).
-pub(crate) fn point_nm(key: &str) -> Option<f64> {
+fn point_nm(key: &str) -> Option<f64> {
     let nm = key.split_once('(').map_or(key, |(nm, _)| nm);
     label_nm(nm.trim())
         .filter(|(_, says_nm)| *says_nm)
@@ -136,45 +122,6 @@ fn unquoted(cell: &str) -> &str {
 }
 
 impl<'a> KeyedLines<'a> {
-    /// Splits a text.
-    ///
-    /// # Errors
-    /// [`BadValue`] for a point whose value is a word.
-    pub(crate) fn of(text: &'a str) -> Result<Self, BadValue> {
-        let mark = mark_of_points(text);
-        let mut out = Self {
-            decimal_comma: mark.1,
-            ..Self::default()
-        };
-        let (mark, comma) = mark;
-        let mut cells = Vec::new();
-        for (line, content) in lines(text) {
-            let content = content.trim_matches(' ');
-            if content.trim().is_empty() {
-                continue;
-            }
-            split(content, mark, &mut cells);
-            let key = unquoted(cells[0]);
-            if cells.len() == 1 {
-                out.setting(line, key, Vec::new());
-                continue;
-            }
-            let Some(nm) = point_nm(key) else {
-                let values = cells[1..].iter().take(MOST_COLUMNS);
-                out.setting(line, key, values.map(|cell| unquoted(cell)).collect());
-                continue;
-            };
-            // Comma between key and value and in the value: 0,000012 is one number.
-            if comma && mark == ',' && !content.contains('"') {
-                let rest = content.split_once(mark).map_or("", |(_, rest)| rest);
-                out.point(line, nm, &[rest], comma)?;
-            } else {
-                out.point(line, nm, &cells[1..], comma)?;
-            }
-        }
-        Ok(out)
-    }
-
     /// Splits the text of a meter's file.
     ///
     /// # Errors
@@ -185,25 +132,52 @@ impl<'a> KeyedLines<'a> {
         text: &'a str,
         none: [&str; 2],
     ) -> Result<Self, ReadError> {
-        let found = Self::of(text).map_err(|bad| {
-            input
-                .error(quoted(&bad.text), "a number behind the wavelength")
-                .at_line(bad.line)
-        })?;
-        if found.nm.len() < 2 {
+        let (mark, decimal_comma) = mark_of_points(text);
+        let mut out = Self {
+            decimal_comma,
+            ..Self::default()
+        };
+        let mut cells = Vec::new();
+        for (line, content) in lines(text) {
+            let content = content.trim_matches(' ');
+            if content.trim().is_empty() {
+                continue;
+            }
+            split(content, mark, &mut cells);
+            let key = unquoted(cells[0]);
+            if cells.len() == 1 {
+                out.setting(key, Vec::new());
+                continue;
+            }
+            let Some(nm) = point_nm(key) else {
+                let values = cells[1..].iter().take(MOST_COLUMNS);
+                out.setting(key, values.map(|cell| unquoted(cell)).collect());
+                continue;
+            };
+            // Comma between key and value and in the value: 0,000012 is one number.
+            let behind = [content.split_once(mark).map_or("", |(_, behind)| behind)];
+            let values = match decimal_comma && mark == ',' && !content.contains('"') {
+                true => &behind[..],
+                false => &cells[1..],
+            };
+            out.point(line, nm, values).map_err(|word| {
+                let expected = "a number behind the wavelength";
+                input.error(quoted(word), expected).at_line(line)
+            })?;
+        }
+        if out.nm.len() < 2 {
             return Err(input.error(none[0], none[1]));
         }
-        Ok(found)
+        Ok(out)
     }
 
-    fn setting(&mut self, line: usize, key: &'a str, mut values: Vec<&'a str>) {
+    fn setting(&mut self, key: &'a str, mut values: Vec<&'a str>) {
         while values.last().is_some_and(|v| v.is_empty()) {
             values.pop();
         }
         if self.settings.len() < MOST_SETTINGS {
             let lower: String = key.chars().take(16).collect::<String>().to_lowercase();
             self.settings.push(Setting {
-                line,
                 key,
                 values,
                 of_instrument: SETTINGS.iter().any(|word| lower.starts_with(word)),
@@ -211,7 +185,8 @@ impl<'a> KeyedLines<'a> {
         }
     }
 
-    fn point(&mut self, line: usize, nm: f64, cells: &[&str], comma: bool) -> Result<(), BadValue> {
+    /// Takes a point; the value that is a word where one is.
+    fn point<'c>(&mut self, line: usize, nm: f64, cells: &[&'c str]) -> Result<(), &'c str> {
         if self.nm.is_empty() {
             self.columns = used(cells).clamp(1, MOST_COLUMNS);
         }
@@ -219,16 +194,13 @@ impl<'a> KeyedLines<'a> {
         self.lines.push(kept_line(line));
         let before = self.values.len();
         for cell in cells.iter().take(self.columns) {
-            let text = || (*cell).to_owned();
-            let value = number::parse(unquoted(cell), comma).value();
-            self.values
-                .push(value.ok_or_else(|| BadValue { line, text: text() })?);
+            let value = number::parse(unquoted(cell), self.decimal_comma).value();
+            self.values.push(value.ok_or(*cell)?);
         }
         self.values.resize(before + self.columns, f64::NAN);
         Ok(())
     }
 
-    /// The values of one column.
     pub(crate) fn column(&self, column: usize) -> Vec<f64> {
         self.values
             .iter()
@@ -358,10 +330,14 @@ fn mark_of_points(text: &str) -> (char, bool) {
 mod tests {
     use super::*;
 
+    fn split_up(text: &str) -> Result<KeyedLines<'_>, ReadError> {
+        KeyedLines::of_meter(&Input::new("a.csv", b""), text, ["nothing", "points"])
+    }
+
     #[test]
     fn settings_and_points_are_told_apart() {
         let found =
-            KeyedLines::of("Model Name\tX\nCCT\t5198.5\n380nm\t0.5\n381nm\t0.25\nR1\t9\n").unwrap();
+            split_up("Model Name\tX\nCCT\t5198.5\n380nm\t0.5\n381nm\t0.25\nR1\t9\n").unwrap();
         assert_eq!(found.nm, [380.0, 381.0]);
         assert_eq!(found.values, [0.5, 0.25]);
         assert_eq!(found.get("cct"), Some("5198.5"));
@@ -389,18 +365,11 @@ mod tests {
                 vec![0.5, 0.25],
             ),
         ] {
-            let found = KeyedLines::of(text).unwrap();
+            let found = split_up(text).unwrap();
             assert_eq!(found.columns, columns, "{text}");
-            let same = found
-                .values
-                .iter()
-                .zip(&values)
-                .all(|(a, b)| a == b || a.is_nan() && b.is_nan());
-            assert!(
-                same && found.values.len() == values.len(),
-                "{text} {:?}",
-                found.values
-            );
+            // A gap is equal to nothing, and its words are.
+            let (found, values) = (format!("{:?}", found.values), format!("{values:?}"));
+            assert_eq!(found, values, "{text}");
         }
     }
 
@@ -408,7 +377,7 @@ mod tests {
     fn a_comma_inside_of_quotes_belongs_to_the_value() {
         let text = "Title,\"A, B\"\nIlluminance [lx],\"1,234.5\"\nMemo,5\" lamp, old\n\
                     Spectral Data 380[nm],0.5\nSpectral Data 381[nm],\"0.25\"\n";
-        let found = KeyedLines::of(text).unwrap();
+        let found = split_up(text).unwrap();
         assert_eq!(found.get("Title"), Some("A, B"));
         assert_eq!(found.get("Memo"), Some("5\" lamp"));
         assert_eq!(found.values, [0.5, 0.25]);
@@ -418,7 +387,7 @@ mod tests {
 
     #[test]
     fn a_word_in_a_point_is_an_error_with_its_line() {
-        let bad = KeyedLines::of("380nm\t1\n381nm\tabc\n").unwrap_err();
-        assert_eq!((bad.line, bad.text.as_str()), (2, "abc"));
+        let bad = split_up("380nm\t1\n381nm\tabc\n").unwrap_err();
+        assert_eq!((bad.line, bad.found.as_str()), (Some(2), "\"abc\""));
     }
 }

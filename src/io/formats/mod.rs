@@ -74,6 +74,13 @@ fn pair(row: &str, cell: impl Fn(&str) -> Option<f64>) -> Result<(f64, f64), &st
     Ok((cell(x).ok_or(x)?, cell(y).ok_or(y)?))
 }
 
+/// The least and the greatest of some numbers, gaps passed over.
+fn extent(numbers: &[f64]) -> (f64, f64) {
+    let none = (f64::INFINITY, f64::NEG_INFINITY);
+    let wider = |(low, high): (f64, f64), x: &f64| (low.min(*x), high.max(*x));
+    numbers.iter().fold(none, wider)
+}
+
 /// A file format that the program knows.
 #[derive(Clone, Copy)]
 pub struct Format {

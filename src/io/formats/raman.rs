@@ -29,6 +29,7 @@ use crate::io::table::scan::scan;
 use crate::io::table::titles::Titles;
 use crate::io::text::dialect::Dialect;
 use crate::io::text::lines;
+use crate::io::text::words::holds_any;
 use crate::io::{Input, ReadError, Reading};
 
 /// Raman text.
@@ -55,9 +56,6 @@ const SHIFTS: [&str; 9] = [
     "relative 1/cm",
 ];
 
-/// What a reader of shifts asks for where no laser is named.
-const NEEDS_LASER: &str = "wavelengths, or the laser's wavelength in the header";
-
 fn headers(text: &str) -> impl Iterator<Item = &str> {
     lines(text)
         .take(HEADER_LINES)
@@ -65,12 +63,13 @@ fn headers(text: &str) -> impl Iterator<Item = &str> {
         .filter(|line| line.len() <= 400 && line.contains(|c: char| c.is_alphabetic()))
 }
 
+fn lower_headers(text: &str) -> impl Iterator<Item = String> {
+    headers(text).map(str::to_lowercase)
+}
+
 /// Whether a header names shifts and no wavelengths beside them.
 fn names_shifts(head: &str) -> bool {
-    headers(head).any(|line| {
-        let lower = line.to_lowercase();
-        SHIFTS.iter().any(|word| lower.contains(word)) && !lower.contains("wavelength")
-    })
+    lower_headers(head).any(|line| holds_any(&line, &SHIFTS) && !line.contains("wavelength"))
 }
 
 /// Whether a header as Horiba's LabSpec writes it counts its first axis in 1/cm: shifts from the
@@ -83,9 +82,7 @@ fn counts_shifts(head: &str) -> bool {
 
 /// Whether a text holds the unit of a shift.
 fn is_per_cm(text: &str) -> bool {
-    ["1/cm", "1/CM", "cm-1", "cm-¹", "cm⁻¹", "cm^-1"]
-        .iter()
-        .any(|unit| text.contains(unit))
+    holds_any(text, &["1/cm", "1/CM", "cm-1", "cm-¹", "cm⁻¹", "cm^-1"])
 }
 
 /// Whether LabSpec's range is one of shifts (`#Range (cm-1):`): it has no other wave numbers. The
@@ -115,24 +112,17 @@ fn says_raman(head: &str) -> bool {
         matches!(&*key, "datatype" | "filetype" | "technique")
             && value.to_lowercase().contains("raman")
     });
-    says && !headers(head).any(|line| {
-        let lower = line.to_lowercase();
-        let is_laser = ["laser", "excitation", "raman wavelength"]
-            .iter()
-            .any(|word| lower.contains(word));
-        !is_laser && ["wavelength", "nanomet"].iter().any(|w| lower.contains(w))
+    says && !lower_headers(head).any(|line| {
+        let is_laser = holds_any(&line, &["laser", "excitation", "raman wavelength"]);
+        !is_laser && holds_any(&line, &["wavelength", "nanomet"])
     })
 }
 
 /// Whether a file is one of the RRUFF project's Raman spectra: those of infrared light and X-rays
 /// say what they are.
 fn is_rruff(head: &str, name: &str) -> bool {
-    let is_other = |text: &str| {
-        let text = text.to_lowercase();
-        ["infrared", "x-ray", "xray", "powder"]
-            .iter()
-            .any(|word| text.contains(word))
-    };
+    let others = ["infrared", "x-ray", "xray", "powder"];
+    let is_other = |text: &str| holds_any(&text.to_lowercase(), &others);
     let named = |word: &str| keys(head).find(|(key, _)| key == word);
     head.starts_with("##")
         && named("rruffid").is_some()
@@ -177,10 +167,7 @@ fn sniff(input: &Input) -> Confidence {
 
 /// Whether a header names wavelengths.
 fn names_nm(head: &str) -> bool {
-    headers(head).any(|line| {
-        let lower = line.to_lowercase();
-        lower.contains("wavelength") || lower.contains("nm")
-    })
+    lower_headers(head).any(|line| holds_any(&line, &["wavelength", "nm"]))
 }
 
 /// Numbers with the column of shifts among them.
@@ -198,29 +185,29 @@ fn tables_of(text: &str, dialect: Dialect) -> (Vec<Shifts<'_>>, Vec<String>) {
             notes.push(pick::lines_left_out(&table.block));
             continue;
         }
-        let (block, titles) = (table.block, table.titles);
-        match table.layout {
+        let axis = match table.layout {
             // What rises beside shifts below zero looks more like wavelengths than they do.
-            _ if leads(&block) => found.push((block, titles, 0)),
-            Layout::Column(axis) => found.push((block, titles, axis)),
-            _ => {}
-        }
+            _ if leads(&table.block) => 0,
+            Layout::Column(axis) => axis,
+            _ => continue,
+        };
+        found.push(Shifts {
+            block: table.block,
+            titles: table.titles,
+            axis,
+        });
     }
     if found.is_empty() {
         // Shifts from zero or below are no wavelengths to the finder of tables.
         let blocks = scan(text, dialect).unwrap_or_default();
         let longest = blocks.into_iter().filter(leads).max_by_key(Block::rows);
-        found.extend(longest.map(|block| {
-            let titles = Titles::of(&block, dialect);
-            (block, titles, 0)
+        found.extend(longest.map(|block| Shifts {
+            titles: Titles::of(&block, dialect),
+            block,
+            axis: 0,
         }));
     }
-    let shifts = |(block, titles, axis)| Shifts {
-        block,
-        titles,
-        axis,
-    };
-    (found.into_iter().map(shifts).collect(), notes)
+    (found, notes)
 }
 
 /// Whether the first column of a block can be one of shifts.
@@ -249,12 +236,11 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             "the spectrum of one point: #Wave and #Intensity",
         ));
     }
-    let Some(laser) = laser::decided(input, headers(text)) else {
-        return Err(input.error(
-            "Raman shifts (1/cm) from a laser that is not named",
-            NEEDS_LASER,
-        ));
-    };
+    let laser = laser::decided(input, headers(text)).ok_or_else(|| {
+        let found = "Raman shifts (1/cm) from a laser that is not named";
+        let expected = "wavelengths, or the laser's wavelength in the header";
+        input.error(found, expected)
+    })?;
     let look = pick::look(text, input.choices.delimiter);
     let dialect = look.dialect;
     let (mut tables, mut notes) = tables_of(look.seen, dialect);
@@ -325,118 +311,115 @@ fn add(
 
 #[cfg(test)]
 mod tests {
+    use crate::io::tests::{read, refusal};
     use crate::io::text::units::WavelengthUnit;
-    use crate::io::{Choices, read_bytes, read_bytes_as};
+    use crate::io::{Choices, read_bytes_as};
 
     #[test]
     fn shifts_from_a_known_laser_become_wavelengths() {
         let rows = "100.5\t10\n200.5\t20\n300.5\t30\n400.5\t40\n";
-        for (name, text) in [
-            ("Neon_iR785_x.txt", rows.to_owned()),
+        let titles = "Raman shift (cm-1)\tIntensity\n";
+        for (name, header) in [
+            ("Neon_iR785_x.txt", ""),
+            ("a.txt", &*format!("Laser wavelength: 785 nm\n{titles}")),
             (
                 "a.txt",
-                format!("Laser wavelength: 785 nm\nRaman shift (cm-1)\tIntensity\n{rows}"),
+                "#Laser=\t785.0\n#AxisType[1]=\tSpectr\n#AxisUnit[1]=\t1/cm\n",
             ),
+            ("a.txt", "#Laser=\t785nm_edge\r\n#Raman shift\r\n"),
+            // Its power is not its wavelength.
             (
                 "a.txt",
-                format!("#Laser=\t785.0\n#AxisType[1]=\tSpectr\n#AxisUnit[1]=\t1/cm\n{rows}"),
+                &format!("Laser power: 300 mW\nLaser wavelength: 785 nm\n{titles}"),
             ),
-            (
-                "a.txt",
-                format!(
-                    "#Laser=\t785nm_edge\r\n#Raman shift\r\n{}",
-                    rows.replace('\n', "\r\n")
-                ),
-            ),
+            ("a.txt", &format!("Laser: 300 mW, 785 nm\n{titles}")),
+            ("a.txt", &format!("Laser power 300\nLaser 785\n{titles}")),
         ] {
-            let reading = read_bytes(name, text.as_bytes()).unwrap();
+            let ends = if header.contains('\r') { "\r\n" } else { "\n" };
+            let text = format!("{header}{}", rows.replace('\n', ends));
+            let reading = read(name, &text);
             assert_eq!(reading.format, "Raman text", "{text}");
             let want = 1e7 / (1e7 / 785.0 - 100.5);
-            assert_eq!(reading.spectra[0].samples.first_nm(), want);
-            assert!(
-                reading
-                    .guesses
-                    .iter()
-                    .any(|g| g.chosen == "Raman shift from 785 nm")
-            );
+            assert_eq!(reading.spectra[0].samples.first_nm(), want, "{text}");
+            let mut chosen = reading.guesses.iter().map(|guess| &*guess.chosen);
+            assert!(chosen.any(|chosen| chosen == "Raman shift from 785 nm"));
         }
     }
 
     #[test]
     fn an_unknown_laser_is_refused_and_wavelengths_beside_are_taken() {
-        let why = read_bytes("a.txt", b"Raman shift\tCounts\n100\t1\n200\t2\n300\t3\n");
         assert_eq!(
-            why.unwrap_err().to_string(),
+            refusal("a.txt", "Raman shift\tCounts\n100\t1\n200\t2\n300\t3\n"),
             "a.txt: found Raman shifts (1/cm) from a laser that is not named, expected wavelengths, or the laser's wavelength in the header"
         );
         let both = "Wavelength (nm)\tRaman Shift\tCounts\n400\t1\t1\n500\t2\t2\n600\t3\t3\n";
-        assert_eq!(
-            read_bytes("a.txt", both.as_bytes()).unwrap().format,
-            "plain columns"
-        );
-    }
-
-    /// What a file is refused with.
-    fn refusal(name: &str, text: &str) -> String {
-        read_bytes(name, text.as_bytes()).unwrap_err().to_string()
-    }
-
-    const UNKNOWN_LASER: &str = "Raman shifts (1/cm) from a laser that is not named";
-
-    #[test]
-    fn makers_headers_of_shifts_without_a_laser_are_refused() {
-        let rows = "200.5 10\n201.5 20\n202.5 15\n203.5 30\n";
-        for (header, mark) in [
-            ("DATA TYPE,RAMAN SPECTRUM\nXUNITS,1/CM\nXYDATA\n", ","),
-            ("[Data]\nXAxisUnit\tYAxisUnit\nrel. 1/cm\tCCD cts\n", "\t"),
-            ("#Acq. time (s):\t15\n#Range (cm-1):\t200 - 204\n", "\t"),
-            ("#Wave\t\t#Intensity\r\n", "\t"),
-            ("##NAMES=Stone\n##RRUFFID=R1\n", ","),
-            (
-                "##NAMES=Stone\n##RRUFFID=R1\n##ORIENTATION=Laser parallel to c* (3 0 0)\n",
-                ",",
-            ),
-        ] {
-            let text = format!("{header}{}", rows.replace(' ', mark));
-            let why = refusal("a.txt", &text);
-            assert!(why.contains(UNKNOWN_LASER), "{header}: {why}");
-        }
+        assert_eq!(read("a.txt", both).format, "plain columns");
     }
 
     #[test]
-    fn makers_headers_that_name_the_laser_are_read() {
+    fn makers_headers_of_shifts_are_read_where_they_name_the_laser() {
         let rows = "200.5 10\n201.5 20\n202.5 15\n203.5 30\n";
+        let rruff = "##NAMES=Stone\n##RRUFFID=R1\n";
         for (header, mark, laser) in [
-            ("#Range (cm-1):\t200 - 204\n#Laser:\t785\n", "\t", 785.0),
-            ("#Range (cm-¹)=\t200...204\n#Laser=\t532nm\n", "\t", 532.0),
+            ("DATA TYPE,RAMAN SPECTRUM\nXUNITS,1/CM\nXYDATA\n", ",", None),
             (
-                "##NAMES=Stone\n##RRUFFID=R1\n##ORIENTATION=Laser parallel to c* (300 0 0)\n\
-                 ##FILETYPE=Raman Processed\n##RAMAN WAVELENGTH=514\n",
+                "[Data]\nXAxisUnit\tYAxisUnit\nrel. 1/cm\tCCD cts\n",
+                "\t",
+                None,
+            ),
+            (
+                "#Acq. time (s):\t15\n#Range (cm-1):\t200 - 204\n",
+                "\t",
+                None,
+            ),
+            ("#Wave\t\t#Intensity\r\n", "\t", None),
+            (rruff, ",", None),
+            (
+                &*format!("{rruff}##ORIENTATION=Laser parallel to c* (3 0 0)\n"),
+                ",",
+                None,
+            ),
+            (
+                "#Range (cm-1):\t200 - 204\n#Laser:\t785\n",
+                "\t",
+                Some(785.0),
+            ),
+            (
+                "#Range (cm-¹)=\t200...204\n#Laser=\t532nm\n",
+                "\t",
+                Some(532.0),
+            ),
+            (
+                &format!(
+                    "{rruff}##ORIENTATION=Laser parallel to c* (300 0 0)\n\
+                     ##FILETYPE=Raman Processed\n##RAMAN WAVELENGTH=514\n"
+                ),
                 ", ",
-                514.0,
+                Some(514.0),
             ),
             (
                 "##NAME=Stone\n##RRUFFID=R1\n##LASER_WAVELENGTH=532\n",
                 ",",
-                532.0,
+                Some(532.0),
             ),
         ] {
             let text = format!("{header}{}", rows.replace(' ', mark));
-            let reading = read_bytes("a.txt", text.as_bytes()).expect(header);
+            let Some(laser) = laser else {
+                let why = refusal("a.txt", &text);
+                let unknown = "Raman shifts (1/cm) from a laser that is not named";
+                assert!(why.contains(unknown), "{header}: {why}");
+                continue;
+            };
+            let reading = read("a.txt", text);
             assert_eq!(reading.format, "Raman text", "{header}");
             let spectrum = &reading.spectra[0];
-            let want = 1e7 / (1e7 / laser - 200.5);
+            let want: f64 = 1e7 / (1e7 / laser - 200.5);
             assert_eq!(spectrum.samples.first_nm(), want, "{header}");
-            let name = if header.starts_with("##") {
-                "Stone"
-            } else {
-                "a"
-            };
-            assert_eq!(spectrum.name, name);
+            let is_rruff = header.starts_with("##");
+            assert_eq!(spectrum.name, if is_rruff { "Stone" } else { "a" });
         }
         let named = "Stone__R1__Raman__532__0.txt";
-        let text = "##NAMES=Stone\n##RRUFFID=R1\n200.5, 1\n201.5, 3\n202.5, 2\n";
-        assert!(read_bytes(named, text.as_bytes()).is_ok());
+        read(named, format!("{rruff}200.5, 1\n201.5, 3\n202.5, 2\n"));
     }
 
     #[test]
@@ -444,10 +427,7 @@ mod tests {
         let text = "#X\t\t#Y\t\t#Wave\t\t#Intensity\n-1.5\t2\t302\t5\n-1.5\t2\t301\t6\n\
                     -1.5\t2\t300\t7\n0\t2\t302\t8\n0\t2\t301\t8\n0\t2\t300\t7\n";
         let why = refusal("a.txt", text);
-        assert!(
-            why.contains("a Raman map or series of several points"),
-            "{why}"
-        );
+        assert!(why.contains("a Raman map or series of several points"));
     }
 
     #[test]
@@ -473,8 +453,7 @@ mod tests {
                 .map(|i| format!("{}\t{}\n", first + 50.0 * f64::from(i), 10 + i % 3))
                 .collect();
             let text = format!("Laser: 785 nm\nRaman shift (1/cm)\tCounts\n{rows}");
-            let reading = read_bytes("a.txt", text.as_bytes()).expect("shifts");
-            let samples = &reading.spectra[0].samples;
+            let samples = &read("a.txt", text).spectra[0].samples;
             assert_eq!(samples.len(), 6);
             assert!((samples.first_nm() - 1e7 / (1e7 / 785.0 - first)).abs() < 1e-9);
         }

@@ -19,8 +19,8 @@ use exr::meta::MetaData;
 use exr::meta::attribute::AttributeValue;
 use exr::prelude::{ReadChannels, ReadLayers, read as exr_reader};
 
+use crate::spectrum::Kind;
 use crate::spectrum::cube::{Cube, Interleave, Layout, Number};
-use crate::spectrum::{Kind, SpectralImage};
 
 use super::spectral_image::{self, RawImage};
 use super::{Confidence, Format};
@@ -44,11 +44,7 @@ pub(crate) const FORMAT: Format = Format {
 const LIGHT_NM_HZ: f64 = 299_792_458.0 * 1e9;
 
 fn sniff(input: &Input) -> Confidence {
-    if input.bytes.starts_with(b"\x76\x2f\x31\x01") {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    Confidence::certain_if(input.bytes.starts_with(b"\x76\x2f\x31\x01"))
 }
 
 /// What a channel holds.
@@ -62,7 +58,6 @@ enum Channel {
     Factor(f64),
     /// Light of one wavelength that comes back at another.
     Reradiated,
-    /// Anything else.
     Other,
 }
 
@@ -127,18 +122,11 @@ fn wavelength_nm(label: &str) -> Option<f64> {
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
-    let broken = || input.error("a broken OpenEXR image", "one that can be decoded");
-    let about = |error: exr::error::Error| {
-        input.error(
-            format!("a broken OpenEXR image ({error})"),
-            "one that can be decoded",
-        )
-    };
-    let head = guarded(|| MetaData::read_from_buffered(Cursor::new(input.bytes), false))
-        .ok_or_else(broken)?
-        .map_err(about)?;
+    let head = decoded(input, || {
+        MetaData::read_from_buffered(Cursor::new(input.bytes), false)
+    })?;
     check(input, &head)?;
-    let image = guarded(|| {
+    let image = decoded(input, || {
         exr_reader()
             .no_deep_data()
             .largest_resolution_level()
@@ -147,17 +135,14 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             .all_attributes()
             .non_parallel()
             .from_buffered(Cursor::new(input.bytes))
-    })
-    .ok_or_else(broken)?
-    .map_err(about)?;
+    })?;
 
     let mut reading = Reading::default();
     let several = image.layer_data.len() > 1;
     for (number, layer) in image.layer_data.iter().enumerate() {
-        let part = if several {
-            format!(", layer {}", number + 1)
-        } else {
-            String::new()
+        let part = match several {
+            true => format!(", layer {}", number + 1),
+            false => String::new(),
         };
         for kind in [Kind::Light, Kind::Reflectance] {
             read_layer(input, &image, layer, &part, kind, &mut reading)?;
@@ -169,9 +154,23 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     Ok(reading)
 }
 
+/// What the parser of others makes of the file.
+fn decoded<T>(
+    input: &Input,
+    decode: impl FnOnce() -> exr::error::Result<T>,
+) -> Result<T, ReadError> {
+    let why = match guarded(decode) {
+        Some(Ok(decoded)) => return Ok(decoded),
+        Some(Err(error)) => format!(" ({error})"),
+        None => String::new(),
+    };
+    let found = format!("a broken OpenEXR image{why}");
+    Err(input.error(found, "one that can be decoded"))
+}
+
 /// Refuses what is no spectral image, or would take too much memory.
 fn check(input: &Input, head: &MetaData) -> Result<(), ReadError> {
-    let mut spectral = 0_usize;
+    let mut names: Vec<String> = Vec::new();
     let mut memory = 0_usize;
     for header in &head.headers {
         if header.deep {
@@ -181,27 +180,16 @@ fn check(input: &Input, head: &MetaData) -> Result<(), ReadError> {
         let channels = header.channels.list.len();
         // Decoded samples, the copy that is kept, and a block on its way.
         memory = memory.saturating_add(pixels.saturating_mul(channels).saturating_mul(8));
-        let named = header.channels.list.iter();
-        spectral += named
-            .filter(|channel| {
-                let channel = channel_of(&channel.name.to_string());
-                matches!(channel, Channel::Light(_) | Channel::Factor(_))
-            })
-            .count();
+        let channels = header.channels.list.iter();
+        names.extend(channels.map(|channel| channel.name.to_string()));
     }
-    if spectral < 2 {
-        let names: Vec<String> = head
-            .headers
-            .iter()
-            .flat_map(|header| header.channels.list.iter())
-            .take(6)
-            .map(|channel| channel.name.to_string())
-            .collect();
+    let is_spectral =
+        |name: &&String| matches!(channel_of(name), Channel::Light(_) | Channel::Factor(_));
+    if names.iter().filter(is_spectral).count() < 2 {
+        names.truncate(6);
+        let names = quoted(&names.join(" "));
         return Err(input.error(
-            format!(
-                "an OpenEXR image of the channels {}",
-                quoted(&names.join(" "))
-            ),
+            format!("an OpenEXR image of the channels {names}"),
             "two or more spectral channels such as \"S0.380,0nm\" or \"T.380,0nm\"",
         ));
     }
@@ -234,59 +222,48 @@ fn read_layer(
     kind: Kind,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
-    let channels: Vec<(Channel, &AnyChannel<FlatSamples>)> = layer
-        .channel_data
-        .list
-        .iter()
-        .map(|channel| (channel_of(&channel.name.to_string()), channel))
-        .collect();
-    let count = |kind: Channel| channels.iter().filter(|(c, _)| *c == kind).count();
-    let (reradiated, polarised) = (count(Channel::Reradiated), count(Channel::Polarised));
-    let mut bands: Vec<(f64, &AnyChannel<FlatSamples>)> = channels
-        .iter()
-        .filter_map(|(channel, samples)| match (channel, kind) {
+    let (mut reradiated, mut polarised) = (0, 0);
+    let mut bands: Vec<(f64, &AnyChannel<FlatSamples>)> = Vec::new();
+    for channel in &layer.channel_data.list {
+        match (channel_of(&channel.name.to_string()), kind) {
             (Channel::Light(nm), Kind::Light) | (Channel::Factor(nm), Kind::Reflectance) => {
-                Some((*nm, *samples))
+                bands.push((nm, channel));
             }
-            _ => None,
-        })
-        .collect();
+            (Channel::Reradiated, Kind::Reflectance) => reradiated += 1,
+            (Channel::Polarised, Kind::Light) => polarised += 1,
+            _ => {}
+        }
+    }
     bands.sort_by(|a, b| a.0.total_cmp(&b.0));
     bands.dedup_by(|later, earlier| later.0 == earlier.0);
     if bands.len() < 2 {
         return Ok(());
     }
     let mut notes = Vec::new();
-    if kind == Kind::Reflectance && reradiated > 0 {
+    if reradiated > 0 {
         notes.push(format!(
             "bispectral: {reradiated} channels of fluorescence left out, the diagonal read"
         ));
     }
-    if kind == Kind::Light && polarised > 0 {
+    if polarised > 0 {
         notes.push(format!("{polarised} channels of polarisation left out"));
     }
-    let size = (layer.size.0, layer.size.1);
-    let cube = cube_of(size, &bands).map_err(|why| input.error(why, "a whole image"))?;
+    let cube = cube_of((layer.size.0, layer.size.1), &bands)
+        .map_err(|why| input.error(why, "a whole image"))?;
     let unit = match kind {
         Kind::Light => words_of(image, layer, "emissiveUnits").unwrap_or_default(),
         _ => "fraction".to_owned(),
     };
-    let both = if kind == Kind::Reflectance && !reading.images.is_empty() {
-        ", reflectance"
-    } else {
-        ""
+    let both = match kind == Kind::Reflectance && !reading.images.is_empty() {
+        true => ", reflectance",
+        false => "",
     };
     let raw = RawImage {
-        image: SpectralImage {
-            name: format!("{}{part}{both}", input.stem()),
-            kind,
-            unit: String::new(),
-            scale: 1.0,
-            bandwidth_nm: None,
-            cube,
-            notes,
-            source: input.name.clone(),
-        },
+        name: format!("{}{part}{both}", input.stem()),
+        source: input.name.clone(),
+        bandwidth_nm: None,
+        cube,
+        notes,
         known: Known {
             kind: Some(Decision::of_format(kind)),
             unit: Some(unit),
@@ -296,12 +273,7 @@ fn read_layer(
         axis: None,
         against: None,
     };
-    let one = spectral_image::reading(raw, reading.images.len(), &input.choices);
-    reading.spectra.extend(one.spectra);
-    reading.facts.extend(one.facts);
-    reading.images.extend(one.images);
-    reading.images_understood.extend(one.images_understood);
-    reading.notes.extend(one.notes);
+    spectral_image::add(raw, &input.choices, reading);
     Ok(())
 }
 
@@ -326,11 +298,7 @@ fn cube_of(
             }
         }
     }
-    let places: Vec<(f64, usize)> = bands
-        .iter()
-        .enumerate()
-        .map(|(index, (nm, _))| (*nm, index))
-        .collect();
+    let places: Vec<(f64, usize)> = bands.iter().map(|(nm, _)| *nm).zip(0..).collect();
     let layout = Layout {
         first_byte: 0,
         number: Number::F32,
@@ -345,7 +313,7 @@ fn cube_of(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::read_bytes;
+    use crate::io::tests::{has, read, refusal};
     use exr::prelude::{
         AnyChannels, Encoding, Image, Layer, LayerAttributes, SmallVec, WritableImage,
     };
@@ -398,19 +366,13 @@ mod tests {
     #[test]
     fn patches_become_spectra_and_a_picture_an_image() {
         let names = ["B", "T.500,0nm", "T.400,0nm", "T.400,0nm.500,0nm"];
-        let reading = read_bytes("p.exr", &exr((3, 2), &names)).expect("patches");
+        let reading = read("p.exr", exr((3, 2), &names));
         assert_eq!(reading.spectra.len(), 6);
         assert_eq!(reading.spectra[4].name, "p, row 1 column 1");
         assert_eq!(reading.spectra[4].samples.values(), [42.0, 41.0]);
         assert_eq!(reading.spectra[0].kind, Kind::Reflectance);
-        assert!(
-            reading
-                .notes
-                .iter()
-                .any(|n| n.contains("1 channels of fluorescence"))
-        );
-        let picture = read_bytes("q.exr", &exr((30, 20), &["S0.400,0nm", "S0.500,0nm"]));
-        let picture = picture.expect("a picture");
+        assert!(has(&reading.notes, "1 channels of fluorescence"));
+        let picture = read("q.exr", exr((30, 20), &["S0.400,0nm", "S0.500,0nm"]));
         assert_eq!((picture.spectra.len(), picture.images.len()), (0, 1));
         assert_eq!(picture.images[0].kind, Kind::Light);
         assert_eq!(picture.images[0].cube.value(29, 19, 1), 5991.0);
@@ -418,9 +380,8 @@ mod tests {
 
     #[test]
     fn a_picture_without_spectra_is_refused_by_its_channels() {
-        let said = read_bytes("a.exr", &exr((4, 4), &["B", "G", "R"])).unwrap_err();
         assert_eq!(
-            said.to_string(),
+            refusal("a.exr", exr((4, 4), &["B", "G", "R"])),
             "a.exr: found an OpenEXR image of the channels \"B G R\", expected two or more \
              spectral channels such as \"S0.380,0nm\" or \"T.380,0nm\""
         );

@@ -22,8 +22,14 @@ const PIXELS_LOOKED_AT: usize = 400;
 
 /// An image as its reader found it.
 pub(crate) struct RawImage {
-    /// The image in the file's own numbers.
-    pub image: SpectralImage,
+    pub name: String,
+    pub source: String,
+    /// The median width of its bands, nm, where the file tells.
+    pub bandwidth_nm: Option<f64>,
+    /// Its pixels in the file's own numbers.
+    pub cube: Cube,
+    /// What its reader has to say about it, a sentence each.
+    pub notes: Vec<String>,
     /// What its format knows of the values.
     pub known: Known,
     /// What was decided about its wavelengths, and another unit that the file names for them.
@@ -87,14 +93,19 @@ pub(crate) fn sample(cube: &Cube) -> Vec<f64> {
         .collect()
 }
 
-/// The reading of one image, which is the file's `index`-th.
-pub(crate) fn reading(raw: RawImage, index: usize, choices: &Choices) -> Reading {
+/// Decides what a file leaves open about an image and adds it to a reading.
+pub(crate) fn add(raw: RawImage, choices: &Choices, reading: &mut Reading) {
     let RawImage {
-        mut image,
+        name,
+        source,
+        bandwidth_nm,
+        cube,
+        mut notes,
         known,
         axis,
         against,
     } = raw;
+    let index = reading.images.len();
     let of_it = choices.each_image.get(&index).copied().unwrap_or_default();
     let chosen = OfOne {
         kind: of_it.kind.or(choices.kind),
@@ -106,36 +117,46 @@ pub(crate) fn reading(raw: RawImage, index: usize, choices: &Choices) -> Reading
         scale,
         unit,
         against_choice,
-    } = Meant::of(known, chosen, || sample(&image.cube));
-    (image.kind, image.scale, image.unit) = (kind.value, scale, unit);
-    let is_guess = counted.as_ref().is_some_and(Decision::is_guess);
+    } = Meant::of(known, chosen, || sample(&cube));
+    notes.insert(0, line_of(&cube, kind.value));
     let decisions = Decisions {
         axis,
         kind,
         counted,
     };
-    let remarks = [
-        Some(against_choice.unwrap_or(Remark::Kind)),
-        is_guess.then_some(Remark::Counted),
-    ];
-    let said = remarks.into_iter().flatten();
-    let said = said.filter_map(|remark| remark.words(&decisions, against.as_deref()));
-    image.notes.extend(said);
-    let line = line_of(&image);
-    image.notes.insert(0, line);
-    let mut reading = Reading {
-        notes: image.notes.clone(),
-        images_understood: vec![decisions.clone()],
-        ..Reading::default()
+    let of_kind = against_choice.unwrap_or(Remark::Kind);
+    notes.extend(guesses_in_words(&decisions, of_kind, against.as_deref()));
+    reading.notes.extend(notes.iter().cloned());
+    let image = SpectralImage {
+        name,
+        kind: decisions.kind.value,
+        unit,
+        scale,
+        bandwidth_nm,
+        cube,
+        notes,
+        source,
     };
-    add_patches(&image, &decisions, against.as_ref(), &mut reading);
+    add_patches(&image, &decisions, against.as_ref(), reading);
+    reading.images_understood.push(decisions);
     reading.images.push(image);
-    reading
+}
+
+/// What had to be guessed of all pixels or spectra of a file, or what else is said of their kind.
+pub(crate) fn guesses_in_words(
+    decisions: &Decisions,
+    of_kind: Remark,
+    against: Option<&str>,
+) -> Vec<String> {
+    let counted = decisions.counted.as_ref();
+    let counted = counted.filter(|counted| counted.is_guess());
+    let remarks = [Some(of_kind), counted.map(|_| Remark::Counted)];
+    let words = |remark: Remark| remark.words(decisions, against);
+    remarks.into_iter().flatten().filter_map(words).collect()
 }
 
 /// One line about an image.
-fn line_of(image: &SpectralImage) -> String {
-    let cube = &image.cube;
+fn line_of(cube: &Cube, kind: Kind) -> String {
     format!(
         "image of {} x {} pixels, {} bands, {:.1}-{:.1} nm, {}, {} of memory",
         cube.width(),
@@ -143,7 +164,7 @@ fn line_of(image: &SpectralImage) -> String {
         cube.nm().len(),
         cube.nm()[0],
         cube.nm()[cube.nm().len() - 1],
-        image.kind.word(),
+        kind.word(),
         budget::in_words(cube.memory()),
     )
 }

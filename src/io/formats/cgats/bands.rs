@@ -19,7 +19,6 @@ const ROUNDED_NM: f64 = 0.5 + 1e-6;
 pub(super) struct Bands {
     /// What their labels have in common: `SPEC_`, `nm`.
     pub word: String,
-    /// Column of each band.
     pub columns: Vec<usize>,
     /// Wavelengths that the labels tell, nm.
     pub labels: Vec<f64>,

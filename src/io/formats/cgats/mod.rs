@@ -45,7 +45,7 @@ pub(crate) const FORMAT: Format = Format {
 };
 
 /// Most spectra that one file may hold: each takes memory of its own beside its numbers.
-pub(crate) const MOST_SPECTRA: usize = 20_000;
+const MOST_SPECTRA: usize = 20_000;
 
 /// First words of files of the family.
 const FIRST_WORDS: [&str; 9] = [
@@ -68,16 +68,12 @@ fn sniff(input: &Input) -> Confidence {
     let begins = head
         .lines()
         .any(|line| line.trim_start().starts_with("BEGIN_DATA_FORMAT"));
-    if begins
-        || known
-            && (head.contains("BEGIN_DATA")
-                || head.contains("KEYWORD")
-                || head.contains("DESCRIPTOR"))
-    {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    let has_word = || {
+        ["BEGIN_DATA", "KEYWORD", "DESCRIPTOR"]
+            .iter()
+            .any(|w| head.contains(w))
+    };
+    Confidence::certain_if(begins || known && has_word())
 }
 
 /// Fields that name a set, the best first.
@@ -94,16 +90,11 @@ const NAMES: [&str; 8] = [
 
 fn name(input: &Input, table: &CgatsTable, set: usize, several: bool) -> String {
     let given = NAMES.iter().find_map(|field| {
-        let at = table
-            .fields
-            .iter()
-            .position(|f| f.eq_ignore_ascii_case(field))?;
+        let mut fields = table.fields.iter();
+        let at = fields.position(|f| f.eq_ignore_ascii_case(field))?;
         let at = table.word_columns.iter().position(|c| *c == at)?;
-        table
-            .words
-            .get(set * table.word_columns.len() + at)
-            .map(|w| w.trim())
-            .filter(|w| !w.is_empty())
+        let word = table.words.get(set * table.word_columns.len() + at)?.trim();
+        (!word.is_empty()).then_some(word)
     });
     match given {
         Some(word) if word.contains(|c: char| c.is_alphabetic()) => word.to_owned(),
@@ -127,39 +118,28 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             .copied()
             .collect();
         numbers.sort_unstable();
-        let words = fields
-            .iter()
-            .enumerate()
-            .filter(|(_, f)| NAMES.iter().any(|n| f.eq_ignore_ascii_case(n)))
-            .map(|(i, _)| i)
-            .take(NAMES.len())
-            .collect();
-        (numbers, words)
+        let is_name = |at: &usize| NAMES.iter().any(|n| fields[*at].eq_ignore_ascii_case(n));
+        let words = (0..fields.len()).filter(is_name).take(NAMES.len());
+        (numbers, words.collect())
     };
     let tables = tables::tables(input, text, &wanted)?;
     let mut reading = Reading::default();
-    let several_tables = tables
-        .iter()
-        .filter(|t| !t.number_columns.is_empty())
-        .count()
-        > 1;
+    let has_spectra = |table: &&CgatsTable| !table.number_columns.is_empty();
+    let several_tables = tables.iter().filter(has_spectra).count() > 1;
     for (index, table) in tables.iter().enumerate() {
         let groups = bands(&table.fields, table.number("SPECTRAL_BANDS"));
         let several_groups = groups.len() > 1;
         if reading.spectra.len() + groups.len() * table.sets() > MOST_SPECTRA {
-            return Err(input.error(
-                format!("more than {MOST_SPECTRA} spectra"),
-                "a smaller file",
-            ));
+            let found = format!("more than {MOST_SPECTRA} spectra");
+            return Err(input.error(found, "a smaller file"));
         }
         for group in &groups {
             read_group(input, table, group, several_groups, &mut reading)?;
         }
         reading.notes.extend(table.notes.iter().cloned());
         if several_tables && !groups.is_empty() {
-            reading
-                .notes
-                .push(format!("table {}: {} sets", index + 1, table.sets()));
+            let note = format!("table {}: {} sets", index + 1, table.sets());
+            reading.notes.push(note);
         }
     }
     if reading.spectra.is_empty() {
@@ -223,46 +203,33 @@ impl Sets {
     }
 }
 
-/// What `SPECTRAL_NORM` says, and what of it makes sense.
-struct Norm {
-    stated: Option<f64>,
-    good: Option<f64>,
+/// Sizes of `SPECTRAL_NORM` that make sense.
+const SENSIBLE_NORMS: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
+
+/// The factor to the values.
+fn scale(norm: Option<f64>, table: &CgatsTable, group: &Bands) -> KnownScale {
+    match norm.filter(|norm| SENSIBLE_NORMS.contains(norm)) {
+        Some(norm) if norm != 1.0 => KnownScale::Stated(1.0 / norm),
+        Some(_) if table.is_own() => KnownScale::Stated(1.0),
+        _ if group.word.to_uppercase().starts_with("SPECTRAL_PCT") => KnownScale::Stated(0.01),
+        _ => KnownScale::Open,
+    }
 }
 
-impl Norm {
-    fn of(table: &CgatsTable) -> Self {
-        let stated = table.number("SPECTRAL_NORM");
-        let good = stated.filter(|n| (1e-9..=1e9).contains(n));
-        Self { stated, good }
-    }
-
-    /// The factor to the values.
-    fn scale(&self, table: &CgatsTable, group: &Bands) -> KnownScale {
-        match self.good {
-            Some(norm) if norm != 1.0 => KnownScale::Stated(1.0 / norm),
-            Some(_) if table.is_own() => KnownScale::Stated(1.0),
-            _ if group.word.to_uppercase().starts_with("SPECTRAL_PCT") => KnownScale::Stated(0.01),
-            _ => KnownScale::Open,
+/// Words about the norm for the line of provenance, and a note, where there are any: per cent of a
+/// factor are worth a note of their own.
+fn norm_in_words(norm: Option<f64>, kind: Kind) -> (Option<String>, Option<String>) {
+    let Some(norm) = norm.filter(|norm| *norm != 1.0) else {
+        return (None, None);
+    };
+    let divided = format!("divided by SPECTRAL_NORM {norm}");
+    match () {
+        () if !SENSIBLE_NORMS.contains(&norm) => {
+            let note = format!("SPECTRAL_NORM {norm} makes no sense and was passed over");
+            (None, Some(note))
         }
-    }
-
-    /// Words for the line of provenance, and a note, where there are any: per cent of a factor
-    /// are worth a note of their own.
-    fn words(&self, kind: Kind) -> (Option<String>, Option<String>) {
-        match (self.good, self.stated) {
-            (Some(1.0), _) | (None, None) => (None, None),
-            (Some(norm), _) => {
-                let said = Some(format!("divided by SPECTRAL_NORM {norm}"));
-                match kind.is_factor() && norm == 100.0 {
-                    true => (None, said),
-                    false => (said, None),
-                }
-            }
-            (None, Some(bad)) => {
-                let note = format!("SPECTRAL_NORM {bad} makes no sense and was passed over");
-                (None, Some(note))
-            }
-        }
+        () if kind.is_factor() && norm == 100.0 => (None, Some(divided)),
+        () => (Some(divided), None),
     }
 }
 
@@ -277,11 +244,11 @@ fn read_group(
         return Ok(());
     };
     let found = quantity(input, table, group, &sets.values);
-    let norm = Norm::of(table);
-    let (divided, of_norm) = norm.words(found.kind.value);
-    let comma = table.decimal_comma.then(|| "decimal comma".to_owned());
-    let unit = match (found.kind.value, found.unit.as_str()) {
-        (Kind::Light, "") if norm.good.is_some_and(|n| n != 1.0) => "relative",
+    let norm = table.number("SPECTRAL_NORM");
+    let scale = scale(norm, table, group);
+    let (divided, of_norm) = norm_in_words(norm, found.kind.value);
+    let unit = match (found.kind.value, found.unit) {
+        (Kind::Light, "") if divided.is_some() => "relative",
         (_, unit) => unit,
     };
     let several = sets.values.len() > 1;
@@ -293,16 +260,16 @@ fn read_group(
         let nm = sets.axes.get(set).unwrap_or(&sets.axes[0]);
         let kind = found.kind.clone();
         let mut spectrum = RawSpectrum::known(name, nm, values, kind, unit);
-        spectrum.known.scale = norm.scale(table, group);
+        spectrum.known.scale = scale.clone();
         spectrum.lines = sets.lines.get(set..=set).unwrap_or(&[]);
-        spectrum.how = [&divided, &comma].into_iter().flatten().cloned().collect();
+        spectrum.how.extend(divided.clone());
         let notes = [&sets.note, &found.note, &of_norm].into_iter().flatten();
         spectrum.notes = notes.cloned().collect();
         if let Some(source) = table.key("SOURCE").filter(|_| table.is_own()) {
             spectrum.source = Some(source.to_owned());
             spectrum.before = table.key("NOTES").unwrap_or("");
         }
-        interpret(spectrum, input, reading)?;
+        interpret(spectrum.with_comma(table.decimal_comma), input, reading)?;
     }
     reading.notes.extend(sets.note);
     Ok(())
@@ -312,49 +279,37 @@ fn read_group(
 fn nothing_in(input: &Input, tables: &[CgatsTable]) -> ReadError {
     const EXPECTED: &str = "columns of a spectrum such as SPEC_380, nm380 or SPECTRAL_NM380";
     let measured = tables.iter().find(|t| t.kind != "CAL");
-    let Some(table) = measured.or(tables.first()) else {
-        let what = match input.head().split_whitespace().next() {
-            Some("CCMX") => "an Argyll colorimeter matrix (.ccmx) and no spectral columns",
-            Some("CAL") => "an Argyll calibration and no spectral columns",
-            _ => "a CGATS header without a table and no spectral columns",
-        };
-        return input.error(what, EXPECTED);
-    };
-    let mut fields: Vec<&str> = table.fields.iter().take(8).copied().collect();
-    if table.fields.len() > fields.len() {
-        fields.push("...");
-    }
-    let what = match table.kind {
+    let table = measured.or(tables.first());
+    let first = || input.head().split_whitespace().next().unwrap_or("");
+    let what = match table.map_or_else(first, |table| table.kind) {
         "CCMX" => "an Argyll colorimeter matrix (.ccmx)",
         "CAL" => "an Argyll calibration",
+        _ if table.is_none() => "a CGATS header without a table",
         _ => "a CGATS table",
     };
-    let joined: String = fields.join(" ").chars().take(120).collect();
-    let has_columns = !table.number_columns.is_empty();
-    let found = if has_columns {
-        format!("{what} with spectral columns and no sets in it")
-    } else {
-        format!(
-            "{what} of {} sets with no spectral columns ({joined})",
-            table.sets()
-        )
+    let Some(table) = table else {
+        return input.error(format!("{what} and no spectral columns"), EXPECTED);
     };
-    input
-        .error(
-            found,
-            if has_columns {
-                "at least one set of data"
-            } else {
-                EXPECTED
-            },
-        )
-        .at_line(table.format_line)
+    let refusal = if table.number_columns.is_empty() {
+        let mut fields: Vec<&str> = table.fields.iter().take(8).copied().collect();
+        if table.fields.len() > fields.len() {
+            fields.push("...");
+        }
+        let fields: String = fields.join(" ").chars().take(120).collect();
+        let sets = table.sets();
+        let found = format!("{what} of {sets} sets with no spectral columns ({fields})");
+        input.error(found, EXPECTED)
+    } else {
+        let found = format!("{what} with spectral columns and no sets in it");
+        input.error(found, "at least one set of data")
+    };
+    refusal.at_line(table.format_line)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::read_bytes;
+    use crate::io::tests::{self as told, has};
 
     fn sp(header: &str, fields: &str, data: &str) -> String {
         format!(
@@ -363,12 +318,15 @@ mod tests {
     }
 
     fn reading(text: &str) -> Reading {
-        read_bytes("x.sp", text.as_bytes()).unwrap()
+        told::read("x.sp", text)
     }
 
     fn refusal(text: &str) -> String {
-        read_bytes("x.sp", text.as_bytes()).unwrap_err().to_string()
+        told::refusal("x.sp", text)
     }
+
+    /// The labels of three bands.
+    const THREE: &str = "SPEC_380 SPEC_390 SPEC_400";
 
     const GRID: &str =
         "SPECTRAL_BANDS \"3\"\nSPECTRAL_START_NM \"380.0\"\nSPECTRAL_END_NM \"400.0\"";
@@ -377,7 +335,7 @@ mod tests {
     fn a_norm_is_the_scale_and_the_type_is_the_kind() {
         let text = sp(
             &format!("MEAS_TYPE \"REFLECTIVE\"\nSPECTRAL_NORM \"100.0\"\n{GRID}"),
-            "SPEC_380 SPEC_390 SPEC_400",
+            THREE,
             "3.5 4.5 5.5",
         );
         let found = reading(&text);
@@ -398,60 +356,48 @@ mod tests {
             text.replace("SPEC_", "SPECTRAL_"),
             text.replace("SPECT   ", "CGATS.17"),
         ] {
-            assert_eq!(
-                reading(&text).spectra[0].samples,
-                spectrum.samples,
-                "{text}"
-            );
+            let samples = &reading(&text).spectra[0].samples;
+            assert_eq!(*samples, spectrum.samples, "{text}");
         }
     }
 
     #[test]
     fn light_has_argylls_unit() {
         for (kind, unit) in [("EMISSION", "mW m-2 sr-1 nm-1"), ("AMBIENT", "mW m-2 nm-1")] {
-            let text = sp(
-                &format!("MEAS_TYPE \"{kind}\"\nSPECTRAL_NORM \"1.0\""),
-                "SPEC_380 SPEC_390 SPEC_400",
-                "3 4 5",
-            );
-            assert_eq!(reading(&text).spectra[0].unit, unit);
+            let header = format!("MEAS_TYPE \"{kind}\"\nSPECTRAL_NORM \"1.0\"");
+            let found = reading(&sp(&header, THREE, "3 4 5"));
+            assert_eq!(found.spectra[0].unit, unit);
         }
     }
 
     #[test]
     fn rounded_labels_yield_to_the_header_and_a_wrong_header_to_the_labels() {
         let header = "SPECTRAL_BANDS \"4\"\nSPECTRAL_START_NM \"370.0\"\nSPECTRAL_END_NM \"380.0\"";
-        let rounded = reading(&sp(
-            header,
-            "SPEC_370 SPEC_373 SPEC_377 SPEC_380",
-            "1 2 3 4",
-        ));
-        assert_eq!(rounded.spectra[0].samples.nm()[1], 370.0 + 10.0 / 3.0);
-        assert!(
-            rounded
-                .notes
-                .iter()
-                .any(|n| n.contains("header's") && n.contains("believed"))
-        );
-        let lies = reading(&sp(
-            header,
-            "SPEC_355 SPEC_360 SPEC_365 SPEC_370",
-            "1 2 3 4",
-        ));
-        assert_eq!(lies.spectra[0].samples.first_nm(), 355.0);
-        assert!(
-            lies.notes.iter().any(|n| n.contains("labels are believed")),
-            "{:?}",
-            lies.notes
-        );
-        let fewer = reading(&sp(header, "SPEC_370 SPEC_375 SPEC_380", "1 2 3"));
-        assert_eq!(fewer.spectra[0].samples.nm(), [370.0, 375.0, 380.0]);
-        assert!(
-            fewer
-                .notes
-                .iter()
-                .any(|n| n.contains("columns are believed"))
-        );
+        let third = 10.0 / 3.0;
+        for (labels, data, nm, note) in [
+            (
+                "SPEC_370 SPEC_373 SPEC_377 SPEC_380",
+                "1 2 3 4",
+                &[370.0, 370.0 + third, 370.0 + 2.0 * third, 380.0][..],
+                "the header's SPECTRAL_BANDS 4 from 370 to 380 nm is believed",
+            ),
+            (
+                "SPEC_355 SPEC_360 SPEC_365 SPEC_370",
+                "1 2 3 4",
+                &[355.0, 360.0, 365.0, 370.0],
+                "labels are believed",
+            ),
+            (
+                "SPEC_370 SPEC_375 SPEC_380",
+                "1 2 3",
+                &[370.0, 375.0, 380.0],
+                "columns are believed",
+            ),
+        ] {
+            let found = reading(&sp(header, labels, data));
+            assert_eq!(found.spectra[0].samples.nm(), nm);
+            assert!(has(&found.notes, note), "{:?}", found.notes);
+        }
     }
 
     #[test]
@@ -470,17 +416,14 @@ mod tests {
 
     #[test]
     fn several_tables_and_several_spectra_a_set_are_read() {
-        let one = sp("", "SAMPLE_ID SPEC_380 SPEC_390 SPEC_400", "A1 0.1 0.2 0.3");
+        let one = sp("", &format!("SAMPLE_ID {THREE}"), "A1 0.1 0.2 0.3");
         let two = sp(
             "",
             "SAMPLE_ID SPEC_380_M0 SPEC_390_M0 SPEC_400_M0 SPEC_380_M1 SPEC_390_M1 SPEC_400_M1",
             "B1 1 2 3 4 5 6",
         );
-        let names: Vec<String> = reading(&(one + &two))
-            .spectra
-            .into_iter()
-            .map(|s| s.name)
-            .collect();
+        let found = reading(&(one + &two));
+        let names: Vec<&str> = found.spectra.iter().map(|s| &*s.name).collect();
         assert_eq!(names, ["A1", "B1, SPEC_M0", "B1, SPEC_M1"]);
     }
 
@@ -505,13 +448,12 @@ mod tests {
             refusal(&sp("", "SAMPLE_ID RGB_R RGB_G", "1 2 3")),
             "x.sp, line 5: found a CGATS table of 1 sets with no spectral columns (SAMPLE_ID RGB_R RGB_G), expected columns of a spectrum such as SPEC_380, nm380 or SPECTRAL_NM380"
         );
-        let fields = "SPEC_380 SPEC_390 SPEC_400";
         assert_eq!(
-            refusal(&sp("", fields, "1 2 3\n1 abc 3")),
+            refusal(&sp("", THREE, "1 2 3\n1 abc 3")),
             "x.sp, line 11: found \"abc\", expected a number for SPEC_390"
         );
         assert_eq!(
-            refusal(&sp("", fields, "1 2 3\n1 2\n1 2 3")),
+            refusal(&sp("", THREE, "1 2 3\n1 2\n1 2 3")),
             "x.sp, line 11: found 2 cells, expected 3, one for each field"
         );
         assert_eq!(
@@ -523,22 +465,10 @@ mod tests {
 
     #[test]
     fn a_file_cut_off_behind_a_whole_row_is_read_and_it_is_said() {
-        let text = sp(
-            "NUMBER_OF_SETS 3",
-            "SPEC_380 SPEC_390 SPEC_400",
-            "1 2 3\n4 5 6",
-        );
-        let found = reading(text.split("END_DATA\n").next().unwrap_or(""));
-        assert!(!found.spectra.is_empty() || found.notes.is_empty());
-        let cut = text.trim_end().strip_suffix("END_DATA").unwrap();
-        let found = reading(cut);
+        let text = sp("NUMBER_OF_SETS 3", THREE, "1 2 3\n4 5 6");
+        let found = reading(text.trim_end().strip_suffix("END_DATA").unwrap());
         assert_eq!(found.spectra.len(), 2);
-        assert!(found.notes.iter().any(|n| n.contains("END_DATA")));
-        assert!(
-            found
-                .notes
-                .iter()
-                .any(|n| n.contains("NUMBER_OF_SETS says 3"))
-        );
+        assert!(has(&found.notes, "END_DATA"));
+        assert!(has(&found.notes, "NUMBER_OF_SETS says 3"));
     }
 }

@@ -9,20 +9,27 @@ use crate::io::reading::decision::Decision;
 use crate::spectrum::Kind;
 
 /// A kind, the unit of a light, and what is to be said of it.
-pub(super) struct Quantity {
-    /// What the values stand for.
+pub(super) struct Quantity<'a> {
     pub kind: Decision<Kind>,
-    /// Of a light.
-    pub unit: String,
-    /// What is to be said of it.
+    pub unit: &'a str,
     pub note: Option<String>,
 }
 
-impl From<Decision<Kind>> for Quantity {
+impl<'a> Quantity<'a> {
+    /// One that the file states.
+    fn stated(kind: Kind, unit: &'a str) -> Self {
+        Self {
+            unit,
+            ..Decision::of_format(kind).into()
+        }
+    }
+}
+
+impl From<Decision<Kind>> for Quantity<'_> {
     fn from(kind: Decision<Kind>) -> Self {
         Self {
             kind,
-            unit: String::new(),
+            unit: "",
             note: None,
         }
     }
@@ -64,27 +71,26 @@ const SAMPLES: [&str; 7] = [
 
 /// What the values of a table are: as its keywords state, else as labels, descriptions or the
 /// file's name tell, else by their size.
-pub(super) fn quantity(
+pub(super) fn quantity<'a>(
     input: &Input,
-    table: &CgatsTable,
+    table: &CgatsTable<'a>,
     group: &Bands,
     values: &[Vec<f64>],
-) -> Quantity {
-    stated_quantity(table)
-        .or_else(|| kind_of_labels(group).map(Quantity::from))
-        .or_else(|| kind_of_measurement(table).map(Quantity::from))
-        .or_else(|| kind_of_description(table).map(Quantity::from))
-        .unwrap_or_else(|| kind_of_rest(input, table, values).into())
+) -> Quantity<'a> {
+    stated_quantity(table).unwrap_or_else(|| {
+        kind_of_labels(group)
+            .or_else(|| kind_of_measurement(table))
+            .or_else(|| kind_of_description(table))
+            .unwrap_or_else(|| kind_of_rest(input, table, values))
+            .into()
+    })
 }
 
 /// What keywords state.
-fn stated_quantity(table: &CgatsTable) -> Option<Quantity> {
+fn stated_quantity<'a>(table: &CgatsTable<'a>) -> Option<Quantity<'a>> {
     let own = table.key("KIND").filter(|_| table.is_own());
     if let Some(kind) = own.and_then(|word| Kind::ALL.into_iter().find(|k| k.word() == word)) {
-        return Some(Quantity {
-            unit: table.key("UNIT").unwrap_or_default().to_owned(),
-            ..Decision::of_format(kind).into()
-        });
+        return Some(Quantity::stated(kind, table.key("UNIT").unwrap_or("")));
     }
     let argyll = table.number("SPECTRAL_NORM").is_none_or(|norm| norm == 1.0)
         && table
@@ -95,27 +101,22 @@ fn stated_quantity(table: &CgatsTable) -> Option<Quantity> {
             && let Some((kind, unit)) = stated_kind(value)
         {
             let unit = if argyll { unit } else { "" };
-            let note = (!unit.is_empty())
-                .then(|| format!("{unit} is Argyll's unit; the file states none"));
+            let note = || format!("{unit} is Argyll's unit; the file states none");
             return Some(Quantity {
-                kind: Decision::of_format(kind),
-                unit: unit.to_owned(),
-                note,
+                note: (!unit.is_empty()).then(note),
+                ..Quantity::stated(kind, unit)
             });
         }
     }
     if table.kind == "CCSS" {
-        return Some(Quantity {
-            unit: "relative".to_owned(),
-            ..Decision::of_format(Kind::Light).into()
-        });
+        return Some(Quantity::stated(Kind::Light, "relative"));
     }
     let kind = match table.key("DEVICE_CLASS")? {
         "DISPLAY" => Kind::Light,
         "OUTPUT" | "INPUT" => Kind::Reflectance,
         _ => return None,
     };
-    Some(Decision::of_format(kind).into())
+    Some(Quantity::stated(kind, ""))
 }
 
 /// What the labels of the columns tell.
@@ -183,11 +184,11 @@ fn kind_of_rest(input: &Input, table: &CgatsTable, values: &[Vec<f64>]) -> Decis
     };
     // Several patches of a chart with per cent, by a program that is not Argyll.
     let is_chart = values.len() > 1 && table.kind.starts_with("CGATS") && all_in(-1.0, 130.0);
-    let (kind, because) = if is_chart && !all_in(-0.05, 1.3) {
-        let because = "nothing states it; several sets with values of 0..100";
-        (Kind::Reflectance, because)
-    } else if all_in(-0.05, 1.3) {
+    let (kind, because) = if all_in(-0.05, 1.3) {
         let because = "nothing states it; all values lie in 0..1";
+        (Kind::Reflectance, because)
+    } else if is_chart {
+        let because = "nothing states it; several sets with values of 0..100";
         (Kind::Reflectance, because)
     } else {
         (Kind::Light, "nothing states it")

@@ -24,7 +24,6 @@ pub(super) struct CgatsTable<'a> {
     pub kind: &'a str,
     /// Keywords and values, quotes removed, in file order.
     pub keys: Vec<(&'a str, &'a str)>,
-    /// The names of the columns.
     pub fields: Vec<&'a str>,
     /// Line of `BEGIN_DATA_FORMAT`, from 1.
     pub format_line: usize,
@@ -38,14 +37,12 @@ pub(super) struct CgatsTable<'a> {
     pub words: Vec<&'a str>,
     /// First line of each set, from 1.
     pub lines: Vec<u32>,
-    /// Whether decimals are marked by commas.
     pub decimal_comma: bool,
     /// What is odd, a sentence each.
     pub notes: Vec<String>,
 }
 
 impl<'a> CgatsTable<'a> {
-    /// Number of sets.
     pub(super) fn sets(&self) -> usize {
         self.lines.len()
     }
@@ -207,10 +204,8 @@ impl<'a> Walk<'a, '_, '_> {
                 if open.fields.is_empty() {
                     // A further table may go on with the fields of the one before.
                     let Some(before) = self.done.last() else {
-                        return Err(self
-                            .input
-                            .error("BEGIN_DATA", "BEGIN_DATA_FORMAT before it")
-                            .at_line(line));
+                        let expected = "BEGIN_DATA_FORMAT before it";
+                        return Err(self.input.error("BEGIN_DATA", expected).at_line(line));
                     };
                     open.fields.clone_from(&before.fields);
                     open.number_columns.clone_from(&before.number_columns);
@@ -256,7 +251,7 @@ impl<'a> Walk<'a, '_, '_> {
         let fields = self.open.fields.len();
         if self.pending.is_empty() {
             if cells(content, fields, row) {
-                return take_row(self.input, row, line, &mut self.open);
+                return self.take_row(row, line);
             }
             if row.len() > fields {
                 return Err(self.row_error(row.len(), line));
@@ -272,7 +267,7 @@ impl<'a> Walk<'a, '_, '_> {
         self.pending.append(row);
         if self.pending.len() == fields {
             let whole = std::mem::take(&mut self.pending);
-            return take_row(self.input, &whole, self.pending_line, &mut self.open);
+            return self.take_row(&whole, self.pending_line);
         }
         Ok(())
     }
@@ -319,39 +314,35 @@ impl<'a> Walk<'a, '_, '_> {
             if let Some(says) = table.number(key)
                 && says != found as f64
             {
-                table
-                    .notes
-                    .push(format!("{key} says {says} and there are {found} {what}"));
+                let note = format!("{key} says {says} and there are {found} {what}");
+                table.notes.push(note);
             }
         }
         self.done.push(table);
     }
-}
 
-fn take_row<'a>(
-    input: &Input,
-    row: &[&'a str],
-    line: usize,
-    open: &mut CgatsTable<'a>,
-) -> Result<(), ReadError> {
-    for column in &open.number_columns {
-        let cell = row[*column];
-        let value = match number::parse(cell, open.decimal_comma).value() {
-            Some(value) => value,
-            None => match number::parse(cell, !open.decimal_comma) {
-                Cell::Number(value) => {
-                    open.decimal_comma |= cell.contains(',');
-                    value
-                }
-                _ => {
-                    let expected = format!("a number for {}", open.fields[*column]);
-                    return Err(input.error(quoted(cell), expected).at_line(line));
-                }
-            },
-        };
-        open.numbers.push(value);
+    /// Takes the cells of a whole row.
+    fn take_row(&mut self, row: &[&'a str], line: usize) -> Result<(), ReadError> {
+        let open = &mut self.open;
+        for column in &open.number_columns {
+            let cell = row[*column];
+            let value = match number::parse(cell, open.decimal_comma).value() {
+                Some(value) => value,
+                None => match number::parse(cell, !open.decimal_comma) {
+                    Cell::Number(value) => {
+                        open.decimal_comma |= cell.contains(',');
+                        value
+                    }
+                    _ => {
+                        let expected = format!("a number for {}", open.fields[*column]);
+                        return Err(self.input.error(quoted(cell), expected).at_line(line));
+                    }
+                },
+            };
+            open.numbers.push(value);
+        }
+        open.words.extend(open.word_columns.iter().map(|c| row[*c]));
+        open.lines.push(kept_line(line));
+        Ok(())
     }
-    open.words.extend(open.word_columns.iter().map(|c| row[*c]));
-    open.lines.push(kept_line(line));
-    Ok(())
 }

@@ -28,26 +28,15 @@ pub struct Header {
     pub big_endian: bool,
     /// What runs fastest.
     pub interleave: Interleave,
-    fields: HashMap<String, Field>,
-}
-
-/// A value and the line on which it starts.
-#[derive(Debug)]
-struct Field {
-    line: usize,
-    value: String,
+    /// Values and the lines on which they start.
+    fields: HashMap<String, (usize, String)>,
 }
 
 impl Header {
     /// A field's text, without braces; keys are lower case.
     pub fn text(&self, key: &str) -> Option<&str> {
-        let value = self.fields.get(key)?.value.trim();
+        let value = self.fields.get(key)?.1.trim();
         (!value.is_empty()).then_some(value)
-    }
-
-    /// The line of a field, or the first of the file.
-    pub fn line(&self, key: &str) -> usize {
-        self.fields.get(key).map_or(1, |field| field.line)
     }
 
     /// The items of a field in braces.
@@ -89,6 +78,25 @@ impl Header {
         }
     }
 
+    /// A whole number; `otherwise` where the field may be missing and is.
+    fn count(&self, key: &str, otherwise: Option<usize>) -> Result<usize, ReadError> {
+        let Some(text) = self.text(key) else {
+            let expected = format!("a line \"{key} = number\"");
+            let missing = || ReadError::new(&self.file, format!("no \"{key}\""), expected);
+            return otherwise.ok_or_else(missing);
+        };
+        let expected = format!("a whole number as \"{key}\"");
+        text.parse()
+            .map_err(|_| self.error(key, quoted(text), expected))
+    }
+
+    /// What the data file holds, in words.
+    pub(super) fn numbers_in_words(&self) -> String {
+        let bytes = self.number.bytes();
+        let [samples, lines, bands] = [self.samples, self.lines, self.bands];
+        format!("{samples} x {lines} x {bands} numbers of {bytes} bytes")
+    }
+
     /// Whether the data are spectra one after the other rather than an image.
     pub fn is_library(&self) -> bool {
         let kind = self.text("file type").unwrap_or("").to_lowercase();
@@ -99,14 +107,15 @@ impl Header {
         kind.contains("spectral library") || without_word
     }
 
-    /// An error at a field.
+    /// An error at a field, or at the first line where there is none.
     pub fn error(
         &self,
         key: &str,
         found: impl Into<String>,
         expected: impl Into<String>,
     ) -> ReadError {
-        ReadError::new(&self.file, found, expected).at_line(self.line(key))
+        let line = self.fields.get(key).map_or(1, |(line, _)| *line);
+        ReadError::new(&self.file, found, expected).at_line(line)
     }
 }
 
@@ -118,23 +127,14 @@ pub(super) fn split(text: &str) -> Vec<&str> {
     loop {
         let item = rest.trim_start();
         let quote = item.chars().next().filter(|c| matches!(c, '"' | '\''));
-        let quoted = quote.and_then(|quote| {
-            let (inside, after) = closed(&item[1..], quote)?;
-            Some((inside, after))
+        let quoted = quote.and_then(|quote| closed(&item[1..], quote));
+        let (one, after) = quoted.unwrap_or_else(|| match item.split_once(',') {
+            Some((one, after)) => (one, Some(after)),
+            None => (item, None),
         });
-        let next = if let Some((inside, after)) = quoted {
-            items.push(inside.trim());
-            after
-        } else {
-            let (one, after) = match item.split_once(',') {
-                Some((one, after)) => (one, Some(after)),
-                None => (item, None),
-            };
-            items.push(one.trim());
-            after
-        };
-        match next {
-            Some(next) => rest = next,
+        items.push(one.trim());
+        match after {
+            Some(after) => rest = after,
             None => return items,
         }
     }
@@ -159,9 +159,6 @@ fn closed(text: &str, quote: char) -> Option<(&str, Option<&str>)> {
 }
 
 /// Reads a header.
-///
-/// # Errors
-/// [`ReadError`] with the line at fault.
 pub(super) fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
     let fields = fields(file, text)?;
     let mut header = Header {
@@ -175,44 +172,32 @@ pub(super) fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
         interleave: Interleave::Bands,
         fields,
     };
-    let count = |key: &str, otherwise: Option<usize>| {
-        let Some(text) = header.text(key) else {
-            return otherwise.ok_or_else(|| {
-                ReadError::new(
-                    file,
-                    format!("no \"{key}\""),
-                    format!("a line \"{key} = number\""),
-                )
-            });
-        };
-        text.parse::<usize>()
-            .map_err(|_| header.error(key, quoted(text), format!("a whole number as \"{key}\"")))
-    };
-    let samples = count("samples", None)?;
-    let lines = count("lines", None)?;
-    let bands = count("bands", Some(1))?;
-    let offset = count("header offset", Some(0))?;
-    let data_type = count("data type", None)?;
-    let byte_order = count("byte order", Some(0))?;
-    let number = number_of(data_type).ok_or_else(|| {
+    header.samples = header.count("samples", None)?;
+    header.lines = header.count("lines", None)?;
+    header.bands = header.count("bands", Some(1))?;
+    header.offset = header.count("header offset", Some(0))?;
+    let data_type = header.count("data type", None)?;
+    let byte_order = header.count("byte order", Some(0))?;
+    header.number = number_of(data_type).ok_or_else(|| {
         let found = match data_type {
             6 | 9 => "complex numbers (data type 6 or 9)".to_owned(),
             other => format!("data type {other}"),
         };
-        header.error(
-            "data type",
-            found,
-            "data type 1, 2, 3, 4, 5, 12, 13, 14 or 15",
-        )
+        let expected = "data type 1, 2, 3, 4, 5, 12, 13, 14 or 15";
+        header.error("data type", found, expected)
     })?;
     let word = header.text("interleave").unwrap_or("bsq").to_lowercase();
-    let interleave = match &*word {
+    header.interleave = match &*word {
         "bsq" => Interleave::Bands,
         "bil" => Interleave::Lines,
         "bip" => Interleave::Pixels,
         _ => return Err(header.error("interleave", quoted(&word), "bsq, bil or bip")),
     };
-    for (key, value) in [("samples", samples), ("lines", lines), ("bands", bands)] {
+    for (key, value) in [
+        ("samples", header.samples),
+        ("lines", header.lines),
+        ("bands", header.bands),
+    ] {
         if value == 0 {
             return Err(header.error(key, format!("{key} = 0"), "1 or more"));
         }
@@ -220,30 +205,22 @@ pub(super) fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
     if byte_order > 1 {
         return Err(header.error("byte order", format!("byte order = {byte_order}"), "0 or 1"));
     }
-    if header
-        .text("file compression")
-        .is_some_and(|word| word != "0")
-    {
-        return Err(header.error(
-            "file compression",
-            "compressed data",
-            "data that are not compressed; unpack them with ENVI or GDAL first",
-        ));
+    let compression = "file compression";
+    if header.text(compression).is_some_and(|word| word != "0") {
+        let expected = "data that are not compressed; unpack them with ENVI or GDAL first";
+        return Err(header.error(compression, "compressed data", expected));
     }
-    header.samples = samples;
-    header.lines = lines;
-    header.bands = bands;
-    header.offset = offset;
-    header.number = number;
     header.big_endian = byte_order == 1;
-    header.interleave = interleave;
     Ok(header)
 }
 
-fn fields(file: &str, text: &str) -> Result<HashMap<String, Field>, ReadError> {
-    let mut fields: HashMap<String, Field> = HashMap::new();
+fn fields(file: &str, text: &str) -> Result<HashMap<String, (usize, String)>, ReadError> {
+    let mut fields = HashMap::new();
     // A field costs its text and about 200 bytes of book-keeping.
     let most = budget::of(text.len()) / 400;
+    let refusal = |line: usize, found: &str, expected: &str| {
+        ReadError::new(file, found, expected).at_line(line)
+    };
     let mut rows = lines(text).skip(1);
     while let Some((line, row)) = rows.next() {
         let trimmed = row.trim();
@@ -251,37 +228,29 @@ fn fields(file: &str, text: &str) -> Result<HashMap<String, Field>, ReadError> {
             continue;
         }
         let Some((key, value)) = trimmed.split_once('=') else {
-            return Err(ReadError::new(file, quoted(trimmed), "\"key = value\"").at_line(line));
+            return Err(refusal(line, &quoted(trimmed), "\"key = value\""));
         };
         let mut value = value.trim().to_owned();
         if let Some(inside) = value.strip_prefix('{') {
-            let mut inside = inside.to_owned();
-            let mut closed = inside.contains('}');
-            while !closed {
-                let Some((_, more)) = rows.next() else {
-                    return Err(ReadError::new(
-                        file,
-                        format!("{} with no closing brace", quoted(key.trim())),
-                        "a closing brace",
-                    )
-                    .at_line(line));
-                };
+            let (mut inside, mut rest) = (String::new(), inside);
+            let end = loop {
+                if let Some((last, _)) = rest.split_once('}') {
+                    break last;
+                }
+                inside.push_str(rest);
                 inside.push(' ');
-                inside.push_str(more);
-                closed = more.contains('}');
-            }
-            let end = inside.find('}').unwrap_or(inside.len());
-            inside.truncate(end);
-            value = inside;
+                let open = || format!("{} with no closing brace", quoted(key.trim()));
+                let next = rows.next();
+                (_, rest) = next.ok_or_else(|| refusal(line, &open(), "a closing brace"))?;
+            };
+            value = inside + end;
         }
         if fields.len() >= most {
-            return Err(ReadError::new(file, "too many fields", "an ENVI header").at_line(line));
+            return Err(refusal(line, "too many fields", "an ENVI header"));
         }
         let key = key.split_whitespace().collect::<Vec<_>>().join(" ");
         // The first of two fields of one name counts.
-        fields
-            .entry(key.to_lowercase())
-            .or_insert(Field { line, value });
+        fields.entry(key.to_lowercase()).or_insert((line, value));
     }
     Ok(fields)
 }

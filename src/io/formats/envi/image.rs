@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use crate::spectrum::cube::{Cube, CubeError, Layout};
-use crate::spectrum::{Kind, SpectralImage};
 
 use super::header::Header;
 use super::library::short;
@@ -56,21 +55,17 @@ pub(super) fn read(
         .rsplit_once('.')
         .map_or(data_name, |(stem, _)| stem);
     let (nm, stored): (Vec<f64>, Vec<usize>) = channels.bands.into_iter().unzip();
-    let image = SpectralImage {
+    let raw = RawImage {
         name: stem.to_owned(),
-        kind: Kind::Light,
-        unit: String::new(),
-        scale: 1.0,
+        source: data_name.to_owned(),
         bandwidth_nm: meaning::bandwidth_nm(header, &nm, &stored),
         cube,
         notes,
-        source: data_name.to_owned(),
-    };
-    let raw = RawImage {
-        image,
         known,
         axis: Some(channels.axis),
         against: channels.against,
     };
-    Ok(spectral_image::reading(raw, 0, choices))
+    let mut reading = Reading::default();
+    spectral_image::add(raw, choices, &mut reading);
+    Ok(reading)
 }

@@ -1,9 +1,10 @@
 //! An ENVI spectral library: `lines` spectra of `samples` channels.
 
-use crate::spectrum::cube::{bytes_of, is_missing};
+use crate::spectrum::cube::is_missing;
 
 use super::header::Header;
-use super::meaning;
+use super::{all_bytes, meaning};
+use crate::io::formats::spectral_image::guesses_in_words;
 use crate::io::interpret::raw::{RawAxis, RawSpectrum};
 use crate::io::many::many;
 use crate::io::reading::remark::Remark;
@@ -30,8 +31,7 @@ pub(super) fn read(
     input: &Input,
 ) -> Result<Reading, ReadError> {
     let (channels, count) = (header.samples, header.lines);
-    let size = bytes_of(channels, count, header.bands, header.number);
-    let need = size.and_then(|size| size.checked_add(header.offset));
+    let need = all_bytes(header);
     if header.bands != 1 {
         let found = format!("a library with bands = {}", header.bands);
         return Err(header.error("bands", found, "bands = 1"));
@@ -77,8 +77,10 @@ pub(super) fn read(
             .iter()
             .map(|(_, channel)| value(index, *channel))
             .collect();
-        let name = names.get(index).filter(|name| !name.is_empty());
-        let name = name.map_or_else(|| format!("spectrum {}", index + 1), |n| (*n).to_owned());
+        let name = match names.get(index) {
+            Some(name) if !name.is_empty() => (*name).to_owned(),
+            _ => format!("spectrum {}", index + 1),
+        };
         let raw = RawSpectrum {
             axis: RawAxis::Nm(&nm, Some(axis.axis.clone())),
             known: known.clone(),
@@ -109,45 +111,22 @@ pub(super) fn read(
     reading.notes.extend(odd);
     reading.notes.extend(axis.notes);
     reading.notes.extend(of_values);
-    reading.notes.extend(guesses_in_words(&reading));
+    // What had to be guessed of the first spectrum, and of all others with it.
+    let first = reading.facts.first().map(|facts| &facts.decisions);
+    let guessed = first.map(|first| guesses_in_words(first, Remark::Kind, None));
+    reading.notes.extend(guessed.into_iter().flatten());
     Ok(reading)
 }
 
 /// What is odd about a library: spectra without numbers, names that are not one for each of
 /// `count` spectra, bytes that are left over.
 fn oddities(empty: usize, names: usize, count: usize, left_over: usize) -> Vec<String> {
-    let mut odd = Vec::new();
-    if empty > 0 {
-        odd.push(format!(
-            "{empty} spectra with fewer than 2 numbers left out"
-        ));
-    }
-    if names > 0 && names != count {
-        odd.push(format!("{names} names for {count} spectra"));
-    }
-    if left_over > 0 {
-        odd.push(format!(
-            "{left_over} bytes behind the last spectrum passed over"
-        ));
-    }
-    odd
-}
-
-/// What had to be guessed of the first spectrum, and of all others with it.
-fn guesses_in_words(reading: &Reading) -> Vec<String> {
-    let Some(facts) = reading.facts.first() else {
-        return Vec::new();
-    };
-    let counted = facts
-        .decisions
-        .counted
-        .as_ref()
-        .filter(|counted| counted.is_guess());
-    [Some(Remark::Kind), counted.map(|_| Remark::Counted)]
-        .into_iter()
-        .flatten()
-        .filter_map(|remark| remark.words(&facts.decisions, None))
-        .collect()
+    let odd = [
+        (empty > 0).then(|| format!("{empty} spectra with fewer than 2 numbers left out")),
+        (names > 0 && names != count).then(|| format!("{names} names for {count} spectra")),
+        (left_over > 0).then(|| format!("{left_over} bytes behind the last spectrum passed over")),
+    ];
+    odd.into_iter().flatten().collect()
 }
 
 /// The refusal of data that end too early.
@@ -156,11 +135,8 @@ pub(super) fn short(header: &Header, found: usize, data_name: &str) -> ReadError
         data_name,
         format!("{found} bytes"),
         format!(
-            "{} x {} x {} numbers of {} bytes after {} bytes, as {} says",
-            header.samples,
-            header.lines,
-            header.bands,
-            header.number.bytes(),
+            "{} after {} bytes, as {} says",
+            header.numbers_in_words(),
             header.offset,
             header.file
         ),

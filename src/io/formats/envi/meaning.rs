@@ -3,16 +3,16 @@
 use crate::spectrum::Kind;
 
 use super::header::Header;
-use crate::io::ReadError;
 use crate::io::error::quoted;
+use crate::io::formats::extent;
 use crate::io::interpret::axis::{self, Axis};
-use crate::io::interpret::factor_scale::KnownScale;
-use crate::io::interpret::factor_scale::{by_size, largest, or_large};
+use crate::io::interpret::factor_scale::{KnownScale, by_size, largest, or_large};
 use crate::io::interpret::kinds;
 use crate::io::interpret::raw::Known;
 use crate::io::reading::decision::{AxisDecision, Decision, Origin};
 use crate::io::reading::remark::{taken_as, unit_words};
 use crate::io::text::units::WavelengthUnit;
+use crate::io::{ReadError, many::many};
 
 /// The channels to read and what was done to find them.
 #[derive(Debug)]
@@ -46,18 +46,10 @@ pub fn channels(
     }
     let mut notes = Vec::new();
     let title = header.text("wavelength units").unwrap_or("");
-    let range = axis
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| {
-            (lo.min(*x), hi.max(*x))
-        });
     let word = title.to_lowercase();
     if chosen.is_none() && ["hz", "index"].iter().any(|other| word.contains(other)) {
-        return Err(header.error(
-            "wavelength units",
-            quoted(title),
-            "nanometers, micrometers, angstroms or wavenumber",
-        ));
+        let expected = "nanometers, micrometers, angstroms or wavenumber";
+        return Err(header.error("wavelength units", quoted(title), expected));
     }
     let (mut found, against) = match chosen {
         Some(unit) => (Decision::chosen(unit), None),
@@ -66,7 +58,7 @@ pub fn channels(
             header: &[],
             says_nm: false,
             is_dpt: false,
-            range,
+            range: extent(&axis),
         }),
     };
     let unit = found.value;
@@ -87,11 +79,9 @@ pub fn channels(
     drop_bad(header, &mut bands, &mut notes)?;
     put_in_order(&mut bands, &mut notes);
     if bands.len() < 2 {
-        return Err(header.error(
-            "wavelength",
-            format!("{} good channels", bands.len()),
-            "at least 2 at different wavelengths above 0",
-        ));
+        let found = format!("{} good channels", bands.len());
+        let expected = "at least 2 at different wavelengths above 0";
+        return Err(header.error("wavelength", found, expected));
     }
     Ok(Chosen {
         bands,
@@ -112,19 +102,17 @@ fn drop_bad(
         return Ok(());
     }
     if good.len() != bands.len() {
+        let (entries, channels) = (good.len(), bands.len());
         notes.push(format!(
-            "the bad bands list has {} entries for {} channels: passed over",
-            good.len(),
-            bands.len()
+            "the bad bands list has {entries} entries for {channels} channels: passed over"
         ));
         return Ok(());
     }
     let before = bands.len();
     bands.retain(|(_, channel)| good[*channel] != 0.0);
-    match before - bands.len() {
-        0 => {}
-        1 => notes.push("1 bad band dropped".to_owned()),
-        n => notes.push(format!("{n} bad bands dropped")),
+    let dropped = before - bands.len();
+    if dropped > 0 {
+        notes.push(many(dropped, "bad band dropped", "bad bands dropped"));
     }
     Ok(())
 }
@@ -137,11 +125,10 @@ fn put_in_order(bands: &mut Vec<(f64, usize)>, notes: &mut Vec<String>) {
         notes.push("channels put in order of rising wavelength".to_owned());
     }
     bands.dedup_by(|later, earlier| later.0 == earlier.0);
-    match before - bands.len() {
-        0 => {}
-        n => notes.push(format!(
-            "{n} channels of no or of a doubled wavelength dropped"
-        )),
+    let dropped = before - bands.len();
+    if dropped > 0 {
+        let note = format!("{dropped} channels of no or of a doubled wavelength dropped");
+        notes.push(note);
     }
 }
 
@@ -222,18 +209,12 @@ fn kind_of_values(
         .collect();
     let lines: Vec<(usize, &str)> = words.iter().map(|w| (1, w.as_str())).collect();
     let found = kinds::kind(title, &kinds::FromHeader::of(&lines), data_name, sample);
-    if has_factor {
-        // Transmittances are scaled by the same key.
-        let is_factor = !found.is_guess() && found.value.is_factor();
-        let kind = if is_factor {
-            found.value
-        } else {
-            Kind::Reflectance
-        };
-        return Decision::of_format(kind);
-    }
-    if !found.is_guess() {
+    // Transmittances are scaled by the same key.
+    if !found.is_guess() && (found.value.is_factor() || !has_factor) {
         return Decision::of_format(found.value);
+    }
+    if has_factor {
+        return Decision::of_format(Kind::Reflectance);
     }
     // Radiances come as counts beyond 20 000 or with their unit; reflectances mostly as fractions or
     // times 10 000.

@@ -27,6 +27,7 @@ use std::path::{Path, PathBuf};
 use crate::spectrum::cube::{Number, bytes_of};
 
 use super::{Confidence, Format};
+use crate::io::input::name_of;
 use crate::io::{Input, ReadError, Reading, text};
 
 pub use header::Header;
@@ -55,11 +56,8 @@ fn sniff(input: &Input) -> Confidence {
     let may_be_data = input.text().is_none()
         || !input.name.contains('.')
         || DATA_EXTENSIONS.iter().any(|e| input.has_extension(e));
-    if may_be_data && input.path.as_deref().and_then(pair::header_of).is_some() {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    let has_header = || input.path.as_deref().and_then(pair::header_of).is_some();
+    Confidence::certain_if(may_be_data && has_header())
 }
 
 fn is_header(input: &Input) -> bool {
@@ -67,39 +65,26 @@ fn is_header(input: &Input) -> bool {
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
-    if is_header(input) {
+    let path = input.path.as_deref();
+    let (header, name, data): (Header, String, Cow<[u8]>) = if is_header(input) {
         let header = header::parse(&input.name, &input.needs_text()?.text)?;
-        let path = input.path.as_deref().ok_or_else(|| {
-            input.error(
-                "an ENVI header by itself",
-                "its data file beside it in the same folder",
-            )
-        })?;
-        let need = data_bytes(&header)?;
-        let data = pair::data_of(path, &header, need)?;
-        return read_pair(&header, data.bytes.into(), &data.name, input);
-    }
-    let header = input
-        .path
-        .as_deref()
-        .and_then(pair::header_of)
-        .ok_or_else(|| input.error("ENVI data by itself", "its header .hdr beside it"))?;
-    let header = pair::read_header(&header)?;
-    data_bytes(&header)?;
-    read_pair(&header, input.bytes.into(), &input.name, input)
-}
-
-fn read_pair(
-    header: &Header,
-    data: Cow<[u8]>,
-    data_name: &str,
-    input: &Input,
-) -> Result<Reading, ReadError> {
+        let beside = "its data file beside it in the same folder";
+        let path = path.ok_or_else(|| input.error("an ENVI header by itself", beside))?;
+        let (name, bytes) = pair::data_of(path, &header, data_bytes(&header)?)?;
+        (header, name, bytes.into())
+    } else {
+        let header = path
+            .and_then(pair::header_of)
+            .ok_or_else(|| input.error("ENVI data by itself", "its header .hdr beside it"))?;
+        let header = pair::read_header(&header)?;
+        data_bytes(&header)?;
+        (header, input.name.clone(), input.bytes.into())
+    };
     if header.is_library() {
         let file_bytes = data.len() + input.bytes.len();
-        library::read(header, &data, data_name, file_bytes, input)
+        library::read(&header, &data, &name, file_bytes, input)
     } else {
-        image::read(header, data.into_owned(), data_name, &input.choices)
+        image::read(&header, data.into_owned(), &name, &input.choices)
     }
 }
 
@@ -139,20 +124,17 @@ pub struct Needs {
 /// # Errors
 /// [`ReadError`] when there is no header, or it is not right.
 pub fn needs(path: &Path) -> Result<Needs, ReadError> {
-    let header_path = if path
+    let is_header = path
         .extension()
-        .is_some_and(|e| e.eq_ignore_ascii_case("hdr"))
-    {
-        path.to_owned()
-    } else {
-        pair::header_of(path).ok_or_else(|| {
-            ReadError::new(
-                &crate::io::input::name_of(path),
-                "no ENVI header beside it",
-                "a header .hdr of the same name",
-            )
-        })?
+        .is_some_and(|e| e.eq_ignore_ascii_case("hdr"));
+    let header_path = match is_header {
+        true => Some(path.to_owned()),
+        false => pair::header_of(path),
     };
+    let header_path = header_path.ok_or_else(|| {
+        let (found, expected) = ("no ENVI header beside it", "a header .hdr of the same name");
+        ReadError::new(&name_of(path), found, expected)
+    })?;
     let header = pair::read_header(&header_path)?;
     let bytes = data_bytes(&header)?;
     let (width, height, bands) = if header.is_library() {
@@ -178,17 +160,8 @@ pub fn all_bytes(header: &Header) -> Option<usize> {
 fn data_bytes(header: &Header) -> Result<usize, ReadError> {
     let bytes = all_bytes(header).filter(|bytes| *bytes as u64 <= text::MOST_BYTES);
     bytes.ok_or_else(|| {
-        header.error(
-            "samples",
-            format!(
-                "{} x {} x {} numbers of {} bytes",
-                header.samples,
-                header.lines,
-                header.bands,
-                header.number.bytes()
-            ),
-            "at most 512 MiB of data",
-        )
+        let expected = "at most 512 MiB of data";
+        header.error("samples", header.numbers_in_words(), expected)
     })
 }
 

@@ -18,29 +18,23 @@ const DATA_ENDINGS: [&str; 15] = [
 /// Most bytes of a header.
 const MOST_HEADER_BYTES: u64 = 64 << 20;
 
-/// A data file.
-pub(super) struct Data {
-    /// Its name, for messages.
-    pub name: String,
-    /// Its content.
-    pub bytes: Vec<u8>,
-}
-
 /// The ENVI header that belongs to a data file: `a.sli.hdr` or `a.hdr` beside `a.sli`.
 pub fn header_of(data: &Path) -> Option<PathBuf> {
-    let longer = |ending: &str| {
-        let mut name = data.as_os_str().to_owned();
-        name.push(ending);
-        PathBuf::from(name)
-    };
     [
-        longer(".hdr"),
+        longer(data, ".hdr"),
         data.with_extension("hdr"),
-        longer(".HDR"),
+        longer(data, ".HDR"),
         data.with_extension("HDR"),
     ]
     .into_iter()
     .find(|path| path != data && path.is_file() && starts_as_header(path))
+}
+
+/// A path with more behind it.
+fn longer(path: &Path, ending: &str) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(ending);
+    name.into()
 }
 
 /// Whether a file begins as an ENVI header does.
@@ -61,11 +55,15 @@ pub fn read_header(path: &Path) -> Result<Header, ReadError> {
     header::parse(&name, &text::decode(&bytes).text)
 }
 
-/// The data that belong to a header of which `need` bytes are announced.
+/// The data that belong to a header of which `need` bytes are announced, and their file's name.
 ///
 /// # Errors
 /// [`ReadError`] when there is none, or it cannot be read.
-pub(super) fn data_of(path: &Path, header: &Header, need: usize) -> Result<Data, ReadError> {
+pub(super) fn data_of(
+    path: &Path,
+    header: &Header,
+    need: usize,
+) -> Result<(String, Vec<u8>), ReadError> {
     let chosen = place_of_data(path, need).ok_or_else(|| {
         ReadError::new(
             &header.file,
@@ -76,23 +74,17 @@ pub(super) fn data_of(path: &Path, header: &Header, need: usize) -> Result<Data,
             ),
         )
     })?;
-    Ok(Data {
-        name: name_of(&chosen),
-        bytes: read_file(&chosen, MOST_BYTES, "at most 512 MiB in one file")?,
-    })
+    let bytes = read_file(&chosen, MOST_BYTES, "at most 512 MiB in one file")?;
+    Ok((name_of(&chosen), bytes))
 }
 
 /// The data file beside a header of which `need` bytes are announced. Of several files with
 /// fitting names the first that is large enough is taken.
 pub fn place_of_data(path: &Path, need: usize) -> Option<PathBuf> {
     let stem = path.with_extension("");
-    let candidates = DATA_ENDINGS.iter().flat_map(|ending| {
-        [(*ending).to_owned(), ending.to_uppercase()].map(|ending| {
-            let mut name = stem.clone().into_os_string();
-            name.push(ending);
-            PathBuf::from(name)
-        })
-    });
+    let candidates = DATA_ENDINGS
+        .iter()
+        .flat_map(|ending| [longer(&stem, ending), longer(&stem, &ending.to_uppercase())]);
     let mut there = candidates.filter(|candidate| candidate != path && candidate.is_file());
     let first = there.next()?;
     let large = |path: &PathBuf| fs::metadata(path).is_ok_and(|about| about.len() >= need as u64);

@@ -4,7 +4,8 @@ use std::fs;
 use std::path::PathBuf;
 
 use super::*;
-use crate::io::{Choices, Counted, Guessed, Reading, read_bytes, read_path, read_path_as};
+use crate::io::tests::{self as told, has};
+use crate::io::{Choices, Counted, Guessed, read_path, read_path_as};
 use crate::spectrum::Kind;
 
 /// A folder with the files given.
@@ -70,33 +71,21 @@ fn either_file_of_a_library_opens_it_and_every_spectrum_has_its_name() {
             assert_eq!(names, ["red brick", "blue  tile"]);
             let first = &reading.spectra[0];
             assert_eq!(first.samples.nm(), [400.0, 500.0, 700.0]);
-            let own: Vec<f64> = first
-                .samples
-                .values()
-                .iter()
-                .map(|v| v / first.scale)
-                .collect();
-            for (own, file) in own.iter().zip([100.0, 200.0, 400.0]) {
-                assert!((own - file).abs() < 1e-9);
+            for (value, file) in first.samples.values().iter().zip([100.0, 200.0, 400.0]) {
+                assert!((value / first.scale - file).abs() < 1e-9);
             }
             assert_eq!((first.kind, first.scale), (Kind::Reflectance, 1e-3));
             assert!(reading.guesses.is_empty(), "{:?}", reading.guesses);
-            assert!(reading.notes.iter().any(|n| n == "1 bad band dropped"));
+            assert!(has(&reading.notes, "1 bad band dropped"));
         }
     }
 }
 
-fn cube(interleave: &str) -> Reading {
-    let folder = folder(&[
-        ("b.img.hdr", cube_header(interleave).as_bytes()),
-        ("b.img", &cube_data()),
-    ]);
-    read_path(&folder.path().join("b.img")).expect("a cube")
-}
-
 #[test]
 fn a_cube_is_an_image_whose_pixels_and_regions_are_spectra() {
-    let reading = cube("bip");
+    let (header, data) = (cube_header("bip"), cube_data());
+    let folder = folder(&[("b.img.hdr", header.as_bytes()), ("b.img", &data)]);
+    let reading = read_path(&folder.path().join("b.img")).expect("a cube");
     assert!(reading.spectra.is_empty());
     let image = &reading.images[0];
     assert_eq!((image.cube.width(), image.cube.height()), (20, 10));
@@ -107,7 +96,7 @@ fn a_cube_is_an_image_whose_pixels_and_regions_are_spectra() {
     assert_eq!(image.mean().expect("a mean").samples.len(), 3);
     assert_eq!((image.kind, image.scale), (Kind::Reflectance, 1.0));
     assert!(reading.notes[0].starts_with("image of 20 x 10 pixels, 3 bands"));
-    assert!(reading.notes.iter().any(|n| n.starts_with("taken as nm")));
+    assert!(has(&reading.notes, "taken as nm"));
 }
 
 #[test]
@@ -132,9 +121,7 @@ fn an_unknown_unit_is_a_guess() {
 
 #[test]
 fn what_is_wrong_with_a_pair_is_said_by_file_and_line() {
-    let alone = read_bytes("a.hdr", LIBRARY.as_bytes())
-        .unwrap_err()
-        .to_string();
+    let alone = told::refusal("a.hdr", LIBRARY);
     assert!(alone.contains("an ENVI header by itself"), "{alone}");
     let data = library_data();
     let said = |header: &str, data: &[u8]| {
@@ -168,14 +155,11 @@ fn a_library_of_countless_tiny_spectra_is_refused_before_it_fills_memory() {
 
 #[test]
 fn a_cube_of_half_a_thousand_pixels_square_opens_at_once() {
-    let header = "ENVI\nsamples = 512\nlines = 512\nbands = 31\ndata type = 12\ninterleave = bil\n\
-        wavelength units = Nanometers\nwavelength = {"
-        .to_owned()
-        + &(0..31)
-            .map(|i| (400 + 10 * i).to_string())
-            .collect::<Vec<_>>()
-            .join(",")
-        + "}\n";
+    let nm: String = (0..31).map(|i| format!("{},", 400 + 10 * i)).collect();
+    let header = format!(
+        "ENVI\nsamples = 512\nlines = 512\nbands = 31\ndata type = 12\ninterleave = bil\n\
+         wavelength units = Nanometers\nwavelength = {{{nm}}}\n"
+    );
     let data = vec![1; 512 * 512 * 31 * 2];
     let folder = folder(&[("big.hdr", header.as_bytes()), ("big.bil", &data)]);
     let start = std::time::Instant::now();
@@ -201,14 +185,12 @@ fn small_library(more: &str, values: &[f32]) -> Reading {
 }
 
 #[test]
-fn a_scale_factor_goes_for_transmittances_too() {
+fn keys_of_a_header_tell_of_its_values() {
+    // A scale factor goes for transmittances too.
     let words = "z plot titles = {Wavelength, Transmittance}\nreflectance scale factor = 100";
     let glass = &small_library(words, &[50.0, 60.0, 70.0]).spectra[0];
     assert_eq!((glass.kind, glass.scale), (Kind::Transmittance, 0.01));
-}
-
-#[test]
-fn the_number_for_nothing_measured_is_that_of_single_precision() {
+    // The number for nothing measured is that of single precision.
     let values = [0.1, -1.1, 0.3, 0.2, 0.3, 0.4];
     let reading = small_library("data ignore value = -1.1", &values);
     assert_eq!(reading.spectra[0].samples.nm(), [400.0, 600.0]);
@@ -225,10 +207,8 @@ fn names_in_quotes_keep_their_commas() {
 
 #[test]
 fn what_a_person_says_of_an_image_and_of_one_spectrum_is_heard() {
-    let folder = folder(&[
-        ("a.hdr", cube_header("bip").as_bytes()),
-        ("a.img", &cube_data()),
-    ]);
+    let (header, data) = (cube_header("bip"), cube_data());
+    let folder = folder(&[("a.hdr", header.as_bytes()), ("a.img", &data)]);
     let path = folder.path().join("a.hdr");
     let guessed = read_path(&path).expect("a cube");
     assert!(guessed.is_doubtful(), "nothing states what it is");
@@ -242,5 +222,5 @@ fn what_a_person_says_of_an_image_and_of_one_spectrum_is_heard() {
     assert_eq!((image.kind, image.scale), (Kind::Transmittance, 0.01));
     assert!(!said.is_doubtful(), "{:?}", said.images_understood);
     assert!(said.notes[0].contains("transmittance"), "{:?}", said.notes);
-    assert!(!said.notes.iter().any(|n| n.contains("nothing states it")));
+    assert!(!has(&said.notes, "nothing states it"));
 }

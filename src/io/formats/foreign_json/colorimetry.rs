@@ -19,12 +19,10 @@ pub(super) fn read_colorimetry(
     value: &Value,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
-    let axis = value.get("wavelength_axis").ok_or_else(|| {
-        input.error(
-            "no \"wavelength_axis\"",
-            "one with \"values_nm\" or \"range_nm\"",
-        )
-    })?;
+    let expected = "one with \"values_nm\" or \"range_nm\"";
+    let axis = value
+        .get("wavelength_axis")
+        .ok_or_else(|| input.error("no \"wavelength_axis\"", expected))?;
     let values = value
         .pointer("/spectral_data/values")
         .ok_or_else(|| input.error("no \"spectral_data\"", "one with \"values\""))?;
@@ -34,12 +32,7 @@ pub(super) fn read_colorimetry(
     } else {
         range(input, axis, values.len())?
     };
-    if nm.len() != values.len() {
-        return Err(input.error(
-            format!("{} wavelengths and {} values", nm.len(), values.len()),
-            "one value for each wavelength",
-        ));
-    }
+    check_counts(input, nm.len(), values.len())?;
     let stated = word(value, "/metadata/measurement_type").unwrap_or("");
     let kind = match stated.to_lowercase().as_str() {
         "sensitivity" => Some(Kind::Weighting),
@@ -53,15 +46,20 @@ pub(super) fn read_colorimetry(
         .unwrap_or(input.stem());
     let found = JsonSpectrum {
         name: name.to_owned(),
-        kind: kind.unwrap_or(Kind::Light),
-        kind_stated: kind.is_some(),
-        unit: word(value, "/spectral_data/unit").unwrap_or("").to_owned(),
+        kind,
+        unit: word(value, "/spectral_data/unit").unwrap_or(""),
         percent,
-        source: word(value, "/metadata/description")
-            .unwrap_or(&input.name)
-            .to_owned(),
+        source: word(value, "/metadata/description").unwrap_or(&input.name),
     };
     add(input, found, &nm, values, reading)
+}
+
+fn check_counts(input: &Input, wavelengths: usize, values: usize) -> Result<(), ReadError> {
+    if wavelengths == values {
+        return Ok(());
+    }
+    let found = format!("{wavelengths} wavelengths and {values} values");
+    Err(input.error(found, "one value for each wavelength"))
 }
 
 /// The wavelengths of a range for some values: no more are made than there are values.
@@ -76,30 +74,18 @@ fn range(input: &Input, axis: &Value, values: usize) -> Result<Vec<f64>, ReadErr
     let steps = ((end - start) / interval).round();
     // The negated test also refuses a step of zero, which makes the count infinite or no number.
     if !(1.0..MOST_SAMPLES as f64).contains(&steps) {
-        return Err(input.error(
-            format!(
-                "a range of {} to {} nm in steps of {}",
-                shortest(start),
-                shortest(end),
-                shortest(interval)
-            ),
-            "at least one step and at most 10,000,000",
-        ));
+        let [start, end, interval] = [start, end, interval].map(shortest);
+        let found = format!("a range of {start} to {end} nm in steps of {interval}");
+        return Err(input.error(found, "at least one step and at most 10,000,000"));
     }
-    if steps as usize + 1 != values {
-        return Err(input.error(
-            format!("{} wavelengths and {values} values", steps as usize + 1),
-            "one value for each wavelength",
-        ));
-    }
-    Ok((0..=steps as usize)
-        .map(|i| start + i as f64 * interval)
-        .collect())
+    check_counts(input, steps as usize + 1, values)?;
+    let at = |i: usize| start + i as f64 * interval;
+    Ok((0..=steps as usize).map(at).collect())
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::io::read_bytes;
+    use crate::io::tests::read;
     use crate::spectrum::Kind;
 
     #[test]
@@ -110,19 +96,12 @@ mod tests {
              "spectral_data":{"scale":"percent","values":[10,20,30]}},
             {"id":"b","metadata":{"measurement_type":"irradiance"},
              "wavelength_axis":{"values_nm":[400,405.5]},"spectral_data":{"values":[1,2]}}]}"#;
-        let spectra = read_bytes("a.json", text.as_bytes()).unwrap().spectra;
-        assert_eq!(
-            (spectra[0].name.as_str(), spectra[0].kind),
-            ("Tile", Kind::Reflectance)
-        );
-        assert_eq!(
-            (spectra[0].scale, spectra[0].samples.last_nm()),
-            (0.01, 420.0)
-        );
-        assert_eq!(
-            (spectra[1].name.as_str(), spectra[1].kind),
-            ("b", Kind::Light)
-        );
-        assert_eq!(spectra[1].samples.values(), [1.0, 2.0]);
+        let [tile, other] = &read("a.json", text).spectra[..] else {
+            panic!("two spectra");
+        };
+        assert_eq!((&*tile.name, tile.kind), ("Tile", Kind::Reflectance));
+        assert_eq!((tile.scale, tile.samples.last_nm()), (0.01, 420.0));
+        assert_eq!((&*other.name, other.kind), ("b", Kind::Light));
+        assert_eq!(other.samples.values(), [1.0, 2.0]);
     }
 }

@@ -7,25 +7,29 @@ use crate::spectrum::Kind;
 use super::spectrum::{JsonSpectrum, add, numbers, word};
 use crate::io::error::quoted;
 use crate::io::interpret::kinds;
+use crate::io::text::number;
 use crate::io::{Input, ReadError, Reading};
 
 /// Most channels of a rawtoaces file; a camera has three.
 const MOST_CHANNELS: usize = 100;
 
-/// Wavelengths of a table's keys with their places in it, in rising order.
-fn wavelengths(input: &Input, table: &Map<String, Value>) -> Result<Vec<(f64, usize)>, ReadError> {
+/// Wavelengths of a table's keys in rising order, and their places in it.
+fn wavelengths(
+    input: &Input,
+    table: &Map<String, Value>,
+) -> Result<(Vec<f64>, Vec<usize>), ReadError> {
     // Keys are in the order of the parser, which need not be that of the numbers.
     let mut order = table
         .keys()
         .enumerate()
         .map(|(index, key)| {
-            let nm = crate::io::text::number::number(key.trim(), false).filter(|v| v.is_finite());
+            let nm = number::number(key.trim(), false).filter(|v| v.is_finite());
             nm.map(|nm| (nm, index))
                 .ok_or_else(|| input.error(quoted(key), "a wavelength in nm as key"))
         })
         .collect::<Result<Vec<_>, _>>()?;
     order.sort_by(|a, b| a.0.total_cmp(&b.0));
-    Ok(order)
+    Ok(order.into_iter().unzip())
 }
 
 /// Adds the channels of a rawtoaces file to a reading.
@@ -38,7 +42,7 @@ pub(super) fn read_rawtoaces(
     main: &Map<String, Value>,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
-    let order = wavelengths(input, main)?;
+    let (nm, places) = wavelengths(input, main)?;
     let rows = main
         .values()
         .map(|row| numbers(input, row, "\"main\""))
@@ -46,10 +50,8 @@ pub(super) fn read_rawtoaces(
     let width = rows.iter().map(Vec::len).max().unwrap_or(0);
     // Each is gone through with every wavelength, also where most rows are empty.
     if width > MOST_CHANNELS {
-        return Err(input.error(
-            format!("{width} channels"),
-            format!("at most {MOST_CHANNELS} channels"),
-        ));
+        let expected = format!("at most {MOST_CHANNELS} channels");
+        return Err(input.error(format!("{width} channels"), expected));
     }
     let names: Vec<&str> = value
         .pointer("/spectral_data/index/main")
@@ -58,34 +60,23 @@ pub(super) fn read_rawtoaces(
         .unwrap_or_default();
     let title = word(value, "/header/description").unwrap_or(input.stem());
     let unit = word(value, "/spectral_data/units").unwrap_or("");
-    let nm: Vec<f64> = order.iter().map(|(nm, _)| *nm).collect();
     for column in 0..width {
-        let values: Vec<f64> = order
-            .iter()
-            .map(|(_, row)| rows[*row].get(column).copied().unwrap_or(f64::NAN))
-            .collect();
+        let cell = |row: &usize| rows[*row].get(column).copied().unwrap_or(f64::NAN);
+        let values = places.iter().map(cell).collect();
         let channel = names.get(column).copied().unwrap_or("");
         let kind = kinds::kind_of_title(channel)
             .filter(|_| width == 1)
-            .or(if width == 3 {
-                Some(Kind::Weighting)
-            } else {
-                None
-            })
+            .or((width == 3).then_some(Kind::Weighting))
             .or_else(|| kinds::kind_of_words(title));
         let found = JsonSpectrum {
-            name: if width == 1 {
-                title.to_owned()
-            } else {
-                format!("{title} {channel}")
+            name: match width {
+                1 => title.to_owned(),
+                _ => format!("{title} {channel}"),
             },
-            kind: kind.unwrap_or(Kind::Light),
-            kind_stated: kind.is_some(),
-            unit: unit.to_owned(),
+            kind,
+            unit,
             percent: unit.to_lowercase().contains("percent").then_some(true),
-            source: word(value, "/header/laboratory")
-                .unwrap_or(&input.name)
-                .to_owned(),
+            source: word(value, "/header/laboratory").unwrap_or(&input.name),
         };
         add(input, found, &nm, values, reading)?;
     }
@@ -102,11 +93,10 @@ pub(super) fn read_tobes(
     spd: &Map<String, Value>,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
-    let order = wavelengths(input, spd)?;
+    let (nm, places) = wavelengths(input, spd)?;
     let list = Value::Array(spd.values().cloned().collect());
     let unordered = numbers(input, &list, "\"spd\"")?;
-    let values: Vec<f64> = order.iter().map(|(_, row)| unordered[*row]).collect();
-    let nm: Vec<f64> = order.iter().map(|(nm, _)| *nm).collect();
+    let values = places.iter().map(|place| unordered[*place]).collect();
     let name = root
         .get("name")
         .and_then(Value::as_str)
@@ -117,32 +107,28 @@ pub(super) fn read_tobes(
         .and_then(Value::as_str);
     let found = JsonSpectrum {
         name: name.unwrap_or(input.stem()).to_owned(),
-        kind: Kind::Light,
-        kind_stated: true,
-        unit: unit.unwrap_or("").to_owned(),
+        kind: Some(Kind::Light),
+        unit: unit.unwrap_or(""),
         percent: None,
-        source: input.name.clone(),
+        source: &input.name,
     };
     add(input, found, &nm, values, reading)
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::io::read_bytes;
+    use crate::io::tests::read;
     use crate::spectrum::Kind;
 
     #[test]
     fn rawtoaces_and_tobes_use_wavelengths_as_keys_in_any_order() {
         let text = r#"{"header":{"description":"Tungsten"},"spectral_data":{"units":"relative",
             "index":{"main":["power"]},"data":{"main":{"1000":[3.0],"380":[1.0],"400":[2.0]}}}}"#;
-        let spectra = read_bytes("a.json", text.as_bytes()).unwrap().spectra;
-        assert_eq!(spectra[0].samples.values(), [1.0, 2.0, 3.0]);
-        assert_eq!(
-            (spectra[0].name.as_str(), spectra[0].kind),
-            ("Tungsten", Kind::Light)
-        );
-        let text = br#"{"status":"normal","spd":{"340":0.0,"1000":0.5}}"#;
-        let spectra = read_bytes("b.json", text).unwrap().spectra;
-        assert_eq!(spectra[0].samples.nm(), [340.0, 1000.0]);
+        let lamp = &read("a.json", text).spectra[0];
+        assert_eq!(lamp.samples.values(), [1.0, 2.0, 3.0]);
+        assert_eq!((&*lamp.name, lamp.kind), ("Tungsten", Kind::Light));
+        let text = r#"{"status":"normal","spd":{"340":0.0,"1000":0.5}}"#;
+        let samples = &read("b.json", text).spectra[0].samples;
+        assert_eq!(samples.nm(), [340.0, 1000.0]);
     }
 }

@@ -53,13 +53,28 @@ fn sniff(input: &Input) -> Confidence {
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*without_nan(&input.needs_long_text()?.text);
     let mut reading = Reading::default();
-    if !has_known_keys(text) || !read_known(input, &any_json(input, text)?, &mut reading)? {
-        return read_plain(input, &json_tree::of(input, text)?);
+    let is_known =
+        has_known_keys(text) && read_known(input, &any_json(input, text)?, &mut reading)?;
+    let found = if is_known {
+        "JSON with no spectrum in it".to_owned()
+    } else {
+        let tree = json_tree::of(input, text)?;
+        plain::read(input, &tree, &mut reading)?;
+        in_words(&tree)
+    };
+    match reading.spectra.is_empty() {
+        true => Err(input.error(found, KNOWN)),
+        false => Ok(reading),
     }
-    if reading.spectra.is_empty() {
-        return Err(input.error("JSON with no spectrum in it", KNOWN));
-    }
-    Ok(reading)
+}
+
+/// What JSON of no program in particular is.
+fn in_words(tree: &Tree) -> String {
+    let Some(root) = tree.object() else {
+        return "a JSON list with no wavelengths in it".to_owned();
+    };
+    let keys: Vec<&str> = root.iter().take(3).map(|(key, _)| key.as_str()).collect();
+    format!("JSON with the keys {}", quoted(&keys.join(", ")))
 }
 
 /// The text with `null` for the numbers that JSON cannot write and many programs do: `NaN`,
@@ -77,7 +92,7 @@ fn without_nan(text: &str) -> Cow<'_, str> {
     while at < bytes.len() {
         let number = ["NaN", "-Infinity", "Infinity"]
             .into_iter()
-            .find(|number| !is_word && text.as_bytes()[at..].starts_with(number.as_bytes()));
+            .find(|number| !is_word && bytes[at..].starts_with(number.as_bytes()));
         match (bytes[at], number) {
             (_, Some(number)) => {
                 out.push_str(&text[kept..at]);
@@ -108,33 +123,9 @@ struct Keys {
 /// Whether a text is one object with a key of a known program, told without keeping any of it.
 fn has_known_keys(text: &str) -> bool {
     serde_json::from_str::<Keys>(text).is_ok_and(|keys| {
-        let Keys {
-            spectral_data,
-            spd,
-            spectra,
-            spectrum,
-        } = keys;
-        [spectral_data, spd, spectra, spectrum]
-            .iter()
-            .any(Option::is_some)
+        let known = [keys.spectral_data, keys.spd, keys.spectra, keys.spectrum];
+        known.iter().any(Option::is_some)
     })
-}
-
-/// Reads JSON of no program in particular.
-fn read_plain(input: &Input, tree: &Tree) -> Result<Reading, ReadError> {
-    let mut reading = Reading::default();
-    plain::read(input, tree, &mut reading)?;
-    if !reading.spectra.is_empty() {
-        return Ok(reading);
-    }
-    let found = match tree.object() {
-        Some(root) => {
-            let keys: Vec<&str> = root.iter().take(3).map(|(key, _)| key.as_str()).collect();
-            format!("JSON with the keys {}", quoted(&keys.join(", ")))
-        }
-        None => "a JSON list with no wavelengths in it".to_owned(),
-    };
-    Err(input.error(found, KNOWN))
 }
 
 /// Reads JSON of a program that is known; `false` where it is of none.
@@ -148,6 +139,8 @@ fn read_known(input: &Input, value: &Value, reading: &mut Reading) -> Result<boo
     let spectrum = value
         .get("spectrum")
         .filter(|s| s.get("spectral_data").is_some());
+    let has = |key: &str| value.get(key).is_some();
+    let itself = (has("wavelength_axis") && has("spectral_data")).then_some(value);
     if let Some(main) = main.and_then(Value::as_object) {
         keyed::read_rawtoaces(input, value, main, reading)?;
     } else if let (Some(spd), Some(root)) = (spd.filter(|spd| is_keyed(spd)), value.as_object()) {
@@ -156,10 +149,8 @@ fn read_known(input: &Input, value: &Value, reading: &mut Reading) -> Result<boo
         for spectrum in spectra {
             colorimetry::read_colorimetry(input, spectrum, reading)?;
         }
-    } else if let Some(spectrum) = spectrum {
+    } else if let Some(spectrum) = spectrum.or(itself) {
         colorimetry::read_colorimetry(input, spectrum, reading)?;
-    } else if value.get("wavelength_axis").is_some() && value.get("spectral_data").is_some() {
-        colorimetry::read_colorimetry(input, value, reading)?;
     } else {
         return Ok(false);
     }
@@ -175,14 +166,13 @@ fn is_keyed(object: &Map<String, Value>) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use crate::io::read_bytes;
+    use crate::io::tests::{read, refusal};
 
     #[test]
     fn numbers_that_json_cannot_write_are_gaps_and_words_stay() {
         let text = r#"{"name": "a \" NaN", "wavelengths": [380, 390, 400, 410],
             "values": [1, NaN, -Infinity, 4]}"#;
-        let reading = read_bytes("a.json", text.as_bytes()).unwrap();
-        let spectrum = &reading.spectra[0];
+        let spectrum = &read("a.json", text).spectra[0];
         assert_eq!(spectrum.samples.nm(), [380.0, 410.0]);
         assert_eq!(spectrum.name, "a \" NaN");
     }
@@ -205,10 +195,8 @@ mod tests {
                 "steps of 0",
             ),
         ] {
-            let refusal = read_bytes("a.json", text.as_bytes())
-                .unwrap_err()
-                .to_string();
-            assert!(refusal.contains(words), "{refusal}");
+            let said = refusal("a.json", text);
+            assert!(said.contains(words), "{said}");
         }
     }
 }

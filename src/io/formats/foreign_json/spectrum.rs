@@ -12,45 +12,35 @@ use crate::io::reading::decision::Decision;
 use crate::io::{Input, ReadError, Reading};
 
 /// What is known of a spectrum before its numbers are put in order.
-pub(crate) struct JsonSpectrum {
-    /// What to call it.
+pub(super) struct JsonSpectrum<'a> {
     pub name: String,
-    /// What it is.
-    pub kind: Kind,
-    /// Whether the file says so.
-    pub kind_stated: bool,
-    /// Unit of its values.
-    pub unit: String,
+    /// What it is, where the file says.
+    pub kind: Option<Kind>,
+    pub unit: &'a str,
     /// Whether a factor is per cent, where the file says.
     pub percent: Option<bool>,
-    /// Where it comes from.
-    pub source: String,
+    pub source: &'a str,
 }
 
 /// Adds a spectrum to a reading.
-///
-/// # Errors
-/// [`ReadError`] when the numbers are no spectrum.
-pub(crate) fn add(
+pub(super) fn add(
     input: &Input,
     found: JsonSpectrum,
     nm: &[f64],
     values: Vec<f64>,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
-    let kind = match found.kind_stated {
-        true => Decision::of_format(found.kind),
-        false => Decision::guessed(found.kind, false, "nothing states it"),
-    };
-    let mut raw = RawSpectrum::known(found.name, nm, values, kind, &found.unit);
+    let unstated = || Decision::guessed(Kind::Light, false, "nothing states it");
+    let kind = found.kind.map_or_else(unstated, Decision::of_format);
+    let is_factor = kind.value.is_factor();
+    let mut raw = RawSpectrum::known(found.name, nm, values, kind, found.unit);
     raw.known.scale = match found.percent {
         // What is no share of a whole has no per cent.
-        Some(true) if found.kind.is_factor() => KnownScale::Stated(0.01),
-        Some(true) => KnownScale::Open,
+        Some(true) if is_factor => KnownScale::Stated(0.01),
         Some(false) => KnownScale::Stated(1.0),
-        None => KnownScale::Open,
+        Some(true) | None => KnownScale::Open,
     };
-    raw.source = Some(found.source);
+    raw.source = Some(found.source.to_owned());
     interpret(raw, input, reading)?;
     reading.keep_scale_to_notes();
     Ok(())
@@ -63,9 +53,6 @@ pub(crate) fn word<'a>(value: &'a Value, pointer: &str) -> Option<&'a str> {
 }
 
 /// A list of numbers; `null` stands for a missing one.
-///
-/// # Errors
-/// [`ReadError`] for anything else in the list.
 pub(crate) fn numbers(input: &Input, list: &Value, what: &str) -> Result<Vec<f64>, ReadError> {
     let list = list
         .as_array()

@@ -133,9 +133,6 @@ impl<'a> Block<'a> {
     }
 
     /// A record's number; `None` where it is missing.
-    ///
-    /// # Errors
-    /// [`ReadError`] when it is no number.
     pub(crate) fn number(
         &self,
         input: &Input,
@@ -148,12 +145,10 @@ impl<'a> Block<'a> {
         let number = number::number(text, decimal_comma)
             .or_else(|| number::number(text, false))
             .filter(|x| x.is_finite());
-        match number {
-            Some(number) => Ok(Some(number)),
-            None => Err(input
-                .error(quoted(text), format!("a number as ##{label}="))
-                .at_line(self.line_of(label))),
-        }
+        let refusal = || input.error(quoted(text), format!("a number as ##{label}="));
+        number
+            .map(Some)
+            .ok_or_else(|| refusal().at_line(self.line_of(label)))
     }
 
     /// The record with the block's numbers.
@@ -161,23 +156,20 @@ impl<'a> Block<'a> {
     /// # Errors
     /// [`ReadError`] when there is none, or one of a form that is no spectrum.
     pub(crate) fn data(&self, input: &Input) -> Result<&Data<'a>, ReadError> {
-        if let Some((line, _)) = self.records.get("NTUPLES") {
-            let found = "NTUPLES (several variables)";
-            return Err(input
-                .error(found, "##XYDATA= or ##XYPOINTS=")
-                .at_line(*line));
+        const EXPECTED: &str = "##XYDATA= or ##XYPOINTS=";
+        let peaks = "a curve in ##XYDATA= or ##XYPOINTS=";
+        for (label, found, expected) in [
+            ("NTUPLES", "NTUPLES (several variables)", EXPECTED),
+            ("PEAKTABLE", "a table of peaks", peaks),
+        ] {
+            if let Some((line, _)) = self.records.get(label) {
+                return Err(input.error(found, expected).at_line(*line));
+            }
         }
-        if let Some((line, _)) = self.records.get("PEAKTABLE") {
-            let found = "a table of peaks";
-            return Err(input
-                .error(found, "a curve in ##XYDATA= or ##XYPOINTS=")
-                .at_line(*line));
-        }
-        self.data.as_ref().ok_or_else(|| {
-            input
-                .error("a block without data", "##XYDATA= or ##XYPOINTS=")
-                .at_line(self.line)
-        })
+        let nothing = || input.error("a block without data", EXPECTED);
+        self.data
+            .as_ref()
+            .ok_or_else(|| nothing().at_line(self.line))
     }
 
     /// Whether numbers mark their decimals by commas: a limit or a factor does, or the first row

@@ -16,7 +16,9 @@ pub(crate) mod blocks;
 pub(crate) mod packed;
 pub(crate) mod pairs;
 
-use super::{Confidence, Format};
+use crate::spectrum::Kind;
+
+use super::{Confidence, Format, extent};
 use crate::io::error::quoted;
 use crate::io::interpret::heading::Heading;
 use crate::io::interpret::raw::{RawSpectrum, Scale};
@@ -53,13 +55,9 @@ fn sniff(input: &Input) -> Confidence {
         let line = line.trim();
         !line.is_empty() && !line.starts_with("$$")
     });
-    match first.and_then(blocks::label_of) {
-        Some((label, _)) if matches!(&*label, "TITLE" | "JCAMPDX" | "JCAMPCS") => {
-            Confidence::Certain
-        }
-        Some(_) if head.to_uppercase().contains("JCAMP") => Confidence::Certain,
-        Some(_) | None => Confidence::No,
-    }
+    Confidence::certain_if(first.and_then(blocks::label_of).is_some_and(|(label, _)| {
+        matches!(&*label, "TITLE" | "JCAMPDX" | "JCAMPCS") || head.to_uppercase().contains("JCAMP")
+    }))
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
@@ -78,57 +76,44 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         }
     }
     if reading.spectra.is_empty() {
-        return Err(match refusals.into_iter().next() {
-            Some(refusal) => refusal,
-            None => input.error(
-                "a JCAMP-DX file without data",
-                "a block with ##XYDATA= or ##XYPOINTS=",
-            ),
-        });
+        let expected = "a block with ##XYDATA= or ##XYPOINTS=";
+        let nothing = || input.error("a JCAMP-DX file without data", expected);
+        return Err(refusals.into_iter().next().unwrap_or_else(nothing));
     }
-    for ReadError {
-        line,
-        found,
-        expected,
-        ..
-    } in refusals.into_iter().take(20)
-    {
-        let place = line.map_or(String::new(), |line| format!(" at line {line}"));
+    for why in refusals.iter().take(20) {
+        let place = why
+            .line
+            .map_or(String::new(), |line| format!(" at line {line}"));
+        let (found, expected) = (&why.found, &why.expected);
         let note = format!("block{place} left out: found {found}, expected {expected}");
         reading.notes.push(note);
     }
     Ok(reading)
 }
 
-/// Whether a block names the unit of its wavelengths; it may leave it open.
+/// The unit that a block names for its wavelengths; it may leave it open.
 ///
 /// # Errors
 /// [`ReadError`] for a spectrum over something else.
-fn names_unit(
+fn unit_of(
     input: &Input,
     block: &Block,
     x_units: &str,
     data_type: &str,
-) -> Result<bool, ReadError> {
+) -> Result<Option<WavelengthUnit>, ReadError> {
     if data_type.to_lowercase().contains("raman") {
-        return Err(input
-            .error(
-                "a Raman spectrum (shifts from its laser's line)",
-                "a spectrum over wavelengths",
-            )
-            .at_line(block.line));
+        let found = "a Raman spectrum (shifts from its laser's line)";
+        let refusal = input.error(found, "a spectrum over wavelengths");
+        return Err(refusal.at_line(block.line));
     }
-    let is_open =
-        ["", "arbitrary units", "unknown", "none"].contains(&x_units.to_lowercase().as_str());
-    if WavelengthUnit::of_title(x_units).is_none() && !is_open {
-        return Err(input
-            .error(
-                format!("{} on the x axis", quoted(x_units)),
-                "NANOMETERS, MICROMETERS or 1/CM",
-            )
-            .at_line(block.line_of("XUNITS")));
+    let unit = WavelengthUnit::of_title(x_units);
+    let open = ["", "arbitrary units", "unknown", "none"];
+    if unit.is_none() && !open.contains(&x_units.to_lowercase().as_str()) {
+        let found = format!("{} on the x axis", quoted(x_units));
+        let refusal = input.error(found, "NANOMETERS, MICROMETERS or 1/CM");
+        return Err(refusal.at_line(block.line_of("XUNITS")));
     }
-    Ok(!is_open)
+    Ok(unit)
 }
 
 /// Reads the spectrum of one block; returns its number of points.
@@ -142,15 +127,14 @@ fn read_block(
     let x_units = block.text("XUNITS").unwrap_or("");
     let y_units = y_units(block);
     let data_type = block.text("DATATYPE").unwrap_or("");
-    let names_unit = names_unit(input, block, x_units, data_type)?;
+    let unit = unit_of(input, block, x_units, data_type)?;
     let decimal_comma = block.has_decimal_comma(data);
     let mut notes = Vec::new();
-    let points = if data.is_pairs {
-        pairs::read(input, block, data, decimal_comma, most_points, &mut notes)
-    } else {
-        packed::read(input, block, data, decimal_comma, most_points, &mut notes)
-    }?;
-    let (axis, values) = points;
+    let read = match data.is_pairs {
+        true => pairs::read,
+        false => packed::read,
+    };
+    let (axis, values) = read(input, block, data, decimal_comma, most_points, &mut notes)?;
     let count = axis.len();
     if let Some(announced) = block.number(input, "NPOINTS", decimal_comma)?
         && announced != count as f64
@@ -159,10 +143,9 @@ fn read_block(
     }
 
     let range = extent(&axis);
-    let told = WavelengthUnit::of_title(x_units);
     let not_wave_numbers =
-        told == Some(WavelengthUnit::PerCentimetre) && range.0 >= LOW_NM && range.1 <= HIGH_NM;
-    let axis_title = match names_unit && !not_wave_numbers {
+        unit == Some(WavelengthUnit::PerCentimetre) && range.0 >= LOW_NM && range.1 <= HIGH_NM;
+    let axis_title = match unit.is_some() && !not_wave_numbers {
         true => x_units,
         false => "",
     };
@@ -175,12 +158,12 @@ fn read_block(
     let of_spread = [y_units, data_type, block.text("TITLE").unwrap_or("")]
         .into_iter()
         .find(|text| kinds::is_spread(text));
-    let kind = of_spread.map_or_else(
-        || kinds::kind_of_title(y_units),
-        |_| Some(crate::spectrum::Kind::Other),
-    );
+    let kind = match of_spread {
+        Some(_) => Some(Kind::Other),
+        None => kinds::kind_of_title(y_units),
+    };
     let highest = extent(&values).1;
-    let counts = kind.is_some_and(crate::spectrum::Kind::is_factor) && highest > ABSURD_PERCENT;
+    let counts = kind.is_some_and(Kind::is_factor) && highest > ABSURD_PERCENT;
     let title = match of_spread {
         Some(spread) => spread,
         None if counts => "counts",
@@ -189,11 +172,8 @@ fn read_block(
     let header = (kind.is_none() && !y_units.is_empty()).then_some((block.line, y_units));
     let index = reading.spectra.len();
     let name = block.text("TITLE").unwrap_or(input.stem()).to_owned();
-    let (scale, heading, at) = (
-        Scale::new(&axis),
-        Heading::of(header.as_slice()),
-        [data.line as u32],
-    );
+    let (scale, at) = (Scale::new(&axis), [data.line as u32]);
+    let heading = Heading::of(header.as_slice());
     let raw = RawSpectrum {
         title: title.to_owned(),
         lines: &at,
@@ -227,15 +207,6 @@ fn y_units<'b>(block: &'b Block) -> &'b str {
         "A" | "AU" | "EXTINCTION" => "ABSORBANCE",
         other => other,
     }
-}
-
-fn extent(numbers: &[f64]) -> (f64, f64) {
-    numbers
-        .iter()
-        .filter(|x| !x.is_nan())
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| {
-            (lo.min(*x), hi.max(*x))
-        })
 }
 
 #[cfg(test)]

@@ -59,31 +59,22 @@ pub(crate) fn read(
             .line(row, line, check_follows, decimal_comma)
             .map_err(|trouble| match trouble {
                 Trouble::TooMany => too_many(input, line),
-                Trouble::At(at) => input
-                    .error(
-                        quoted(row.get(at..).unwrap_or(row)),
-                        "an abscissa and ordinates, plain or packed",
-                    )
-                    .at_line(line),
+                Trouble::At(at) => {
+                    let found = quoted(row.get(at..).unwrap_or(row));
+                    let expected = "an abscissa and ordinates, plain or packed";
+                    input.error(found, expected).at_line(line)
+                }
             })?;
     }
-    let Unpacked {
-        values,
-        starts,
-        wrong,
-        ..
-    } = unpacked;
-    if let Some((line, count)) = wrong {
+    let mut starts = unpacked.starts;
+    if let Some((line, count)) = unpacked.wrong {
         notes.push(format!(
             "{count} of {} checks at line starts are wrong, the first at line {line}",
             starts.len()
         ));
     }
-    let values: Vec<f64> = values.iter().map(|y| y * y_factor).collect();
-    let starts: Vec<(usize, f64, usize)> = starts
-        .into_iter()
-        .map(|(line, x, index)| (line, x * x_factor, index))
-        .collect();
+    starts.iter_mut().for_each(|(_, x, _)| *x *= x_factor);
+    let values: Vec<f64> = unpacked.values.iter().map(|y| y * y_factor).collect();
     let grid = Grid {
         first: get("FIRSTX")?,
         last: get("LASTX")?,
@@ -141,16 +132,12 @@ impl Grid {
             );
             return turned.axis(starts, count, notes);
         }
-        let first = self
-            .first
-            .or(starts.first().map(|s| s.1))
-            .unwrap_or(f64::NAN);
+        let first = self.first.or(starts.first().map(|start| start.1));
+        let first = first.unwrap_or(f64::NAN);
         let steps = count.saturating_sub(1) as f64;
         let complete = self.announced.is_none_or(|n| n == count as f64);
-        let by_ends = self
-            .last
-            .filter(|_| complete)
-            .map(|last| (last - first) / steps);
+        let last = self.last.filter(|_| complete);
+        let by_ends = last.map(|last| (last - first) / steps);
         let by_announced = match (self.last, self.announced) {
             (Some(last), Some(n)) if n > 1.0 => Some((last - first) / (n - 1.0)),
             _ => None,
@@ -166,7 +153,7 @@ impl Grid {
             .unwrap_or(f64::NAN);
         let mut axis: Vec<f64> = (0..count).map(|i| first + i as f64 * step).collect();
         // The last abscissa is stated: rounding of the step does not move it.
-        if let (Some(_), Some(last), Some(end)) = (by_ends, self.last, axis.last_mut()) {
+        if let (Some(last), Some(end)) = (last, axis.last_mut()) {
             *end = last;
         }
         // Writers round the abscissas at line starts, mostly to fewer digits than the step has.
@@ -218,7 +205,7 @@ impl Unpacked {
         let bytes = row.as_bytes();
         let is_gap = |b: u8| b.is_ascii_whitespace() || b == b';' || (b == b',' && !decimal_comma);
         let mut at = 0;
-        let mut abscissa = None;
+        let mut has_abscissa = false;
         let mut last: Option<(Form, f64)> = None;
         let mut checking = check_follows;
         while at < bytes.len() {
@@ -228,7 +215,7 @@ impl Unpacked {
                 continue;
             }
             if byte == b'?' {
-                self.push(f64::NAN)?;
+                self.put(Form::Value, f64::NAN)?;
                 last = Some((Form::Value, f64::NAN));
                 (at, checking) = (at + 1, false);
                 continue;
@@ -246,11 +233,11 @@ impl Unpacked {
                 continue;
             }
             let (form, value, past) = number_at(row, at, decimal_comma).ok_or(Trouble::At(at))?;
-            if abscissa.is_none() {
-                if form != Some(Form::Value) && form.is_some() {
+            if !has_abscissa {
+                if form == Some(Form::Difference) {
                     return Err(Trouble::At(at));
                 }
-                abscissa = Some(value);
+                has_abscissa = true;
                 let index = self.values.len() - usize::from(check_follows);
                 self.starts.push((line, value, index));
                 at = past;
@@ -274,10 +261,6 @@ impl Unpacked {
             Form::Value => value,
             Form::Difference => self.values.last().copied().unwrap_or(0.0) + value,
         };
-        self.push(value)
-    }
-
-    fn push(&mut self, value: f64) -> Result<(), Trouble> {
         if self.values.len() >= self.most_points {
             return Err(Trouble::TooMany);
         }
@@ -287,15 +270,14 @@ impl Unpacked {
 
     /// Compares the ordinate at a line's start with the last one.
     fn check(&mut self, value: f64, line: usize) {
-        let found = self.values.last().copied().unwrap_or(f64::NAN);
         // Ordinates are whole numbers; half of one is rounding.
-        if (found - value).abs() > 0.5 {
+        if let Some(last) = self.values.last_mut()
+            && (*last - value).abs() > 0.5
+        {
+            // The stated ordinate is right: an error does not run on.
+            *last = value;
             let (first, count) = self.wrong.unwrap_or((line, 0));
             self.wrong = Some((first, count + 1));
-            // The stated ordinate is right: an error does not run on.
-            if let Some(last) = self.values.last_mut() {
-                *last = value;
-            }
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Stories about files of our own.
 
 use super::*;
-use crate::io::{Guessed, read_bytes};
-use crate::spectrum::Kind;
+use crate::io::Guessed;
+use crate::io::tests::{self as told, has};
 
 fn file(head: &str, data: &str) -> String {
     format!(
@@ -12,14 +12,11 @@ fn file(head: &str, data: &str) -> String {
 }
 
 fn read(text: &str) -> Reading {
-    read_bytes("a.jdx", text.as_bytes()).expect("a spectrum")
+    told::read("a.jdx", text)
 }
 
 fn refusal(text: &str) -> String {
-    read_bytes("a.jdx", text.as_bytes())
-        .map(|r| r.notes)
-        .unwrap_err()
-        .to_string()
+    told::refusal("a.jdx", text)
 }
 
 fn values(text: &str) -> Vec<f64> {
@@ -39,9 +36,10 @@ fn plain_and_packed_forms_of_the_same_numbers_read_alike() {
         "400@J0%%J8\n408B8l1O%",
     ] {
         let text = file(HEAD, &format!("##XYDATA= (X++(Y..Y))\n{data}"));
-        assert_eq!(values(&text), Y, "{data}");
-        assert_eq!(read(&text).spectra[0].samples.nm()[7], 414.0);
-        assert_eq!(read(&text).spectra[0].kind, Kind::Absorbance);
+        let spectrum = &read(&text).spectra[0];
+        assert_eq!(spectrum.samples.values(), Y, "{data}");
+        assert_eq!(spectrum.samples.nm()[7], 414.0);
+        assert_eq!(spectrum.kind, Kind::Absorbance);
     }
 }
 
@@ -54,15 +52,10 @@ fn abscissas_beside_the_numbers_are_believed_before_the_labels() {
     let reading = read(&text);
     let samples = &reading.spectra[0].samples;
     assert_eq!((samples.first_nm(), samples.last_nm()), (400.0, 480.0));
-    assert_eq!(
-        samples.values(),
-        [90.0, 80.0, 70.0, 60.0, 50.0, 40.0, 30.0, 20.0, 10.0]
-    );
+    let turned = [90.0, 80.0, 70.0, 60.0, 50.0, 40.0, 30.0, 20.0, 10.0];
+    assert_eq!(samples.values(), turned);
     let notes = &reading.spectra[0].notes;
-    assert!(
-        notes.iter().any(|n| n.contains("the wrong way round")),
-        "{notes:?}"
-    );
+    assert!(has(notes, "the wrong way round"), "{notes:?}");
 }
 
 #[test]
@@ -70,16 +63,10 @@ fn differences_are_checked_at_line_starts() {
     // 28 - 31 = -3, + 6 = 3, + 0.
     let good = file(HEAD, "##XYDATA= (X++(Y..Y))\n400@J0%TJ8\n408B8l1O%\n414C");
     assert_eq!(values(&good), Y);
-    assert!(
-        !read(&good).spectra[0]
-            .notes
-            .iter()
-            .any(|n| n.contains("checks"))
-    );
-    let bad = good.replace("B8", "B9");
-    let notes = &read(&bad).spectra[0].notes;
-    let note = notes.iter().find(|n| n.contains("checks")).expect("a note");
-    assert!(note.contains("the first at line 13"), "{note}");
+    assert!(!has(&read(&good).spectra[0].notes, "checks"));
+    let notes = &read(&good.replace("B8", "B9")).spectra[0].notes;
+    let note = "checks at line starts are wrong, the first at line 13";
+    assert!(has(notes, note), "{notes:?}");
 }
 
 #[test]
@@ -103,15 +90,23 @@ fn the_example_of_the_standard_unpacks() {
 
 #[test]
 fn pairs_may_have_decimal_commas_and_any_number_on_a_line() {
-    for data in [
-        "400.5, 0.1\n401.0, 0.2\n401.5, 0.3",
-        "400.5 0.1; 401 0.2; 401.5 0.3",
-        "400,5 0,1\n401,0 0,2\n401,5 0,3",
-        "400.5,0.1 401,0.2\n401.5 $$ broken\n0.3",
+    let points = ("##NPOINTS= 3", [400.5, 401.0, 401.5], [0.1, 0.2, 0.3]);
+    let head = "##XFACTOR= 1.0\n##YFACTOR= 1.0\n##FIRSTX= 400,5\n##LASTX= 402,25\n##FIRSTY= 12,75";
+    let commas = (head, [400.5, 401.0, 402.25], [12.75, -3.0, 0.01]);
+    for ((head, nm, values), data) in [
+        (points, "400.5, 0.1\n401.0, 0.2\n401.5, 0.3"),
+        (points, "400.5 0.1; 401 0.2; 401.5 0.3"),
+        (points, "400,5 0,1\n401,0 0,2\n401,5 0,3"),
+        (points, "400.5,0.1 401,0.2\n401.5 $$ broken\n0.3"),
+        // A comma may part numbers whose decimals are commas too.
+        (commas, "400,5, 12,75\n401, -3\n402,25, 1E-2"),
+        (commas, "400,5,12,75\n401, -3,0\n402,25,0,01"),
+        (commas, "400,5 12,75; 401 -3; 402,25 0,01"),
     ] {
-        let text = file("##NPOINTS= 3", &format!("##XYPOINTS= (XY..XY)\n{data}"));
-        assert_eq!(values(&text), [0.1, 0.2, 0.3], "{data}");
-        assert_eq!(read(&text).spectra[0].samples.first_nm(), 400.5);
+        let text = file(head, &format!("##XYPOINTS= (XY..XY)\n{data}"));
+        let samples = &read(&text).spectra[0].samples;
+        assert_eq!(samples.nm(), nm, "{data}");
+        assert_eq!(samples.values(), values, "{data}");
     }
 }
 
@@ -127,7 +122,7 @@ fn every_block_of_a_link_gives_a_spectrum_and_what_does_not_is_said() {
     assert_eq!(reading.spectra.len(), 2);
     assert_eq!(reading.spectra[1].kind, Kind::Transmittance);
     assert_eq!(reading.spectra[1].scale, 0.01);
-    assert!(reading.notes.iter().any(|n| n.contains("a table of peaks")));
+    assert!(has(&reading.notes, "a table of peaks"));
 }
 
 #[test]
@@ -156,18 +151,10 @@ fn counts_are_no_transmittance_whatever_the_label_says() {
 #[test]
 fn numbers_that_do_not_agree_are_noted() {
     let head = HEAD.replace("NPOINTS= 8", "NPOINTS= 15");
-    let text = file(
-        &head,
-        "##XYDATA= (X++(Y..Y))\n400 0 10 10 10 28\n405 -3 3 3",
-    );
-    let spectrum = &read(&text).spectra[0];
+    let data = "##XYDATA= (X++(Y..Y))\n400 0 10 10 10 28\n405 -3 3 3";
+    let spectrum = &read(&file(&head, data)).spectra[0];
     assert_eq!(spectrum.samples.nm()[1], 401.0);
-    assert!(
-        spectrum
-            .notes
-            .iter()
-            .any(|n| n == "NPOINTS says 15, found 8 points")
-    );
+    assert!(has(&spectrum.notes, "NPOINTS says 15, found 8 points"));
 }
 
 #[test]
@@ -178,27 +165,9 @@ fn what_is_no_spectrum_is_refused_in_words() {
     assert!(refusal("##TITLE= a\n##DATA TYPE= LINK\n##END=").contains("without data"));
     let word = refusal(&file(HEAD, "##XYDATA= (X++(Y..Y))\n400 1 !x 2"));
     assert!(word.contains("line 12: found \"!x 2\""), "{word}");
-    let html = read_bytes("a.dx", b"<br />\n<b>Warning</b>: fopen").unwrap_err();
-    assert!(html.to_string().contains("web page"));
-}
-
-#[test]
-fn a_few_letters_do_not_unfold_into_millions_of_points() {
+    let html = told::refusal("a.dx", "<br />\n<b>Warning</b>: fopen");
+    assert!(html.contains("web page"));
+    // A few letters do not unfold into millions of points.
     let text = file(HEAD, "##XYDATA= (X++(Y..Y))\n400A1S99999999999999999999");
     assert!(refusal(&text).contains("far more points than the file has text"));
-}
-
-#[test]
-fn a_comma_may_part_numbers_whose_decimals_are_commas_too() {
-    let head = "##XFACTOR= 1.0\n##YFACTOR= 1.0\n##FIRSTX= 400,5\n##LASTX= 402,25\n##FIRSTY= 12,75";
-    for data in [
-        "400,5, 12,75\n401, -3\n402,25, 1E-2",
-        "400,5,12,75\n401, -3,0\n402,25,0,01",
-        "400,5 12,75; 401 -3; 402,25 0,01",
-    ] {
-        let text = file(head, &format!("##XYPOINTS= (XY..XY)\n{data}"));
-        let samples = &read(&text).spectra[0].samples;
-        assert_eq!(samples.nm(), [400.5, 401.0, 402.25], "{data}");
-        assert_eq!(samples.values(), [12.75, -3.0, 0.01], "{data}");
-    }
 }

@@ -3,6 +3,7 @@
 
 use crate::io::Input;
 use crate::io::reading::decision::Decision;
+use crate::io::text::words::holds_any;
 
 /// Lasers that Raman spectrometers have, nm: from deep ultraviolet to infrared.
 const LASERS_NM: std::ops::RangeInclusive<f64> = 220.0..=1100.0;
@@ -25,12 +26,11 @@ pub(super) fn of_name(name: &str) -> Option<f64> {
     let rruff = name.match_indices("__Raman__");
     horiba.chain(rruff).find_map(|(at, word)| {
         let before = name[..at].chars().next_back();
-        let before = before.filter(|_| word == "iR");
         let digits: String = name[at + word.len()..]
             .chars()
             .take_while(char::is_ascii_digit)
             .collect();
-        let apart = before.is_none_or(|c| !c.is_alphanumeric());
+        let apart = word != "iR" || before.is_none_or(|c| !c.is_alphanumeric());
         digits
             .parse()
             .ok()
@@ -40,59 +40,46 @@ pub(super) fn of_name(name: &str) -> Option<f64> {
 
 /// The laser in a header line: `Laser wavelength: 785 nm`, `#Laser=785nm_edge`.
 pub(super) fn of_header<'a>(headers: impl Iterator<Item = &'a str>) -> Option<f64> {
-    let named: Vec<Laser> = headers.flat_map(lasers_of_line).collect();
-    let by_unit = named.iter().find(|laser| laser.says_nm);
-    by_unit.or(named.first()).map(|laser| laser.nm)
+    let named: Vec<(f64, bool)> = headers.flat_map(lasers_of_line).collect();
+    let by_unit = named.iter().find(|(_, says_nm)| *says_nm);
+    by_unit.or(named.first()).map(|(nm, _)| *nm)
 }
 
-/// A number behind the word "laser".
-struct Laser {
-    nm: f64,
-    /// Whether it is said to be a wavelength.
-    says_nm: bool,
-}
-
-/// The numbers of a header line that may be a laser's wavelength: not its power or its share.
-fn lasers_of_line(line: &str) -> Vec<Laser> {
+/// The numbers of a header line that may be a laser's wavelength, not its power or its share, and
+/// whether they are said to be one.
+fn lasers_of_line(line: &str) -> Vec<(f64, bool)> {
     let lower = line.to_lowercase();
-    let word = [
+    let words = [
         "laser",
         "excitation",
         "raman wavelength",
         "raman_wavelength",
     ];
-    let Some(at) = word.iter().find_map(|word| lower.find(word)) else {
+    let Some(at) = words.iter().find_map(|word| lower.find(word)) else {
         return Vec::new();
     };
     // RRUFF's crystals lie somehow to the beam: "Laser parallel to c* (0 0 1)".
-    if lower.contains("orientation") || lower.contains("parallel") {
+    if holds_any(&lower, &["orientation", "parallel"]) {
         return Vec::new();
     }
     let is_number = |c: char| c.is_ascii_digit() || c == '.';
-    let names_wavelength = lower.contains("wavelength") || lower.contains("lambda");
-    let names_other = ["power", "attenuation", "exposure"]
-        .iter()
-        .any(|word| lower.contains(word));
+    let names_wavelength = holds_any(&lower, &["wavelength", "lambda"]);
+    let names_other = holds_any(&lower, &["power", "attenuation", "exposure"]);
     let mut lasers = Vec::new();
     let mut rest = &lower[at..];
     while let Some(from) = rest.find(is_number) {
         rest = &rest[from..];
         let end = rest.find(|c| !is_number(c)).unwrap_or(rest.len());
         let (number, behind) = rest.split_at(end);
-        let unit = behind.trim_start();
-        let counts_other = ["mw", "w", "%", "µw", "s", "ms"]
-            .iter()
-            .any(|other| word_of(unit) == *other);
-        let says_nm = word_of(unit).starts_with("nm");
+        let unit = word_of(behind.trim_start());
+        let counts_other = ["mw", "w", "%", "µw", "s", "ms"].contains(&unit);
+        let says_nm = unit.starts_with("nm");
         if let Ok(nm) = number.parse::<f64>()
             && LASERS_NM.contains(&nm)
             && nm != 1000.0
             && (says_nm || !counts_other && !names_other)
         {
-            lasers.push(Laser {
-                nm,
-                says_nm: says_nm || names_wavelength,
-            });
+            lasers.push((nm, says_nm || names_wavelength));
         }
         rest = behind;
     }
@@ -105,24 +92,4 @@ fn word_of(text: &str) -> &str {
         .find(|c: char| !(c.is_alphabetic() || c == '%'))
         .unwrap_or(text.len());
     &text[..end]
-}
-
-#[cfg(test)]
-mod tests {
-    use crate::io::read_bytes;
-
-    #[test]
-    fn the_lasers_power_is_not_its_wavelength() {
-        let rows = "100.5\t10\n200.5\t20\n300.5\t30\n400.5\t40\n";
-        for header in [
-            "Laser power: 300 mW\nLaser wavelength: 785 nm\n",
-            "Laser: 300 mW, 785 nm\n",
-            "Laser power 300\nLaser 785\n",
-        ] {
-            let text = format!("{header}Raman shift (cm-1)\tIntensity\n{rows}");
-            let reading = read_bytes("a.txt", text.as_bytes()).unwrap();
-            let first = reading.spectra[0].samples.first_nm();
-            assert!((790.0..800.0).contains(&first), "{header}: {first}");
-        }
-    }
 }

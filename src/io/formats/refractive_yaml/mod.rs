@@ -43,18 +43,10 @@ fn sniff(input: &Input) -> Confidence {
         (text.contains("type: tabulated") || text.contains("type: formula"))
             && text.lines().any(|line| line.trim_end() == "DATA:")
     };
-    match input.text() {
-        Some(_) if is_ours(input.head()) => Confidence::Certain,
-        // Long references may stand before the data.
-        Some(text) if input.has_extension("yml") || input.has_extension("yaml") => {
-            if is_ours(&text.text) {
-                Confidence::Certain
-            } else {
-                Confidence::No
-            }
-        }
-        Some(_) | None => Confidence::No,
-    }
+    // Long references may stand before the data.
+    let is_named = || input.has_extension("yml") || input.has_extension("yaml");
+    let is_whole = || input.text().is_some_and(|text| is_ours(&text.text));
+    Confidence::certain_if(is_ours(input.head()) || is_named() && is_whole())
 }
 
 /// The file, as far as it is read.
@@ -84,37 +76,33 @@ struct Data {
 
 /// The file as YAML.
 fn parse(input: &Input, text: &str) -> Result<File, ReadError> {
-    let parsed = match parse_strictly(text) {
+    parse_strictly(text).or_else(|first| {
         // The site's own reader is more lenient about text in quotes.
-        Some(Err(first)) => match quoted_text::indented(text).map(|text| parse_strictly(&text)) {
-            Some(second @ Some(Ok(_))) => second,
-            _ => Some(Err(first)),
-        },
-        parsed => parsed,
-    };
-    match parsed {
-        Some(Ok(file)) => Ok(file),
-        Some(Err(why)) => Err(input.error(
-            format!("broken YAML ({why})"),
-            "REFERENCES, COMMENTS and DATA as refractiveindex.info writes them",
-        )),
-        None => Err(input.error("broken YAML", "YAML of refractiveindex.info")),
-    }
+        let second = quoted_text::indented(text).filter(|_| first.is_some());
+        let second = second.and_then(|text| parse_strictly(&text).ok());
+        second.ok_or_else(|| match first {
+            Some(why) => input.error(
+                format!("broken YAML ({why})"),
+                "REFERENCES, COMMENTS and DATA as refractiveindex.info writes them",
+            ),
+            None => input.error("broken YAML", "YAML of refractiveindex.info"),
+        })
+    })
 }
 
-/// What the parser makes of a text, or the first line of its complaint.
-fn parse_strictly(text: &str) -> Option<Result<File, String>> {
+/// What the parser makes of a text, or the first line of its complaint; none where it breaks off.
+fn parse_strictly(text: &str) -> Result<File, Option<String>> {
     let mut limits = serde_saphyr::Budget::default();
     limits.max_recorded_anchor_bytes = 1 << 20;
     limits.max_total_scalar_bytes = budget::of(text.len()) / 4;
     limits.max_nodes = 20_000;
     let mut options = serde_saphyr::Options::default();
     options.budget = Some(limits);
-    let parsed = guarded(|| serde_saphyr::from_str_with_options::<File>(text, options))?;
-    Some(parsed.map_err(|error| {
+    let parsed = guarded(|| serde_saphyr::from_str_with_options::<File>(text, options));
+    parsed.ok_or(None)?.map_err(|error| {
         let why = error.to_string();
-        why.lines().next().unwrap_or("").to_owned()
-    }))
+        Some(why.lines().next().unwrap_or("").to_owned())
+    })
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
@@ -130,71 +118,46 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         about.push(format!("comment in the file: {}", plain(&file.comments)));
     }
     let mut reading = Reading::default();
+    let mut push = |(name, kind): (String, Kind), samples: &Sampled, notes| {
+        let (kind, values) = (Decision::of_format(kind), samples.values().to_vec());
+        let mut raw = RawSpectrum::known(name, samples.nm(), values, kind, "");
+        raw.notes = notes;
+        raw.source = Some(source.clone());
+        interpret(raw, input, &mut reading)
+    };
     let (mut n, mut k): (Option<Sampled>, Option<Sampled>) = (None, None);
-    let has_table_of_n = file.data.iter().any(|data| tabulates_n(&data.r#type));
-    let is_beside = |data: &&Data| has_table_of_n && is_formula(&data.r#type);
-    let (beside, first): (Vec<&Data>, Vec<&Data>) = file.data.iter().partition(is_beside);
-    let first = first.into_iter().map(|data| (data, false));
-    let beside = beside.into_iter().map(|data| (data, true));
-    for (data, is_beside) in first.chain(beside) {
+    // A formula beside a table of n comes last.
+    let tabulates_n = |data: &Data| matches!(data.r#type.trim(), "tabulated n" | "tabulated nk");
+    let has_table_of_n = file.data.iter().any(tabulates_n);
+    let is_beside = |data: &Data| has_table_of_n && data.r#type.trim().starts_with("formula");
+    let mut all: Vec<(bool, &Data)> = file.data.iter().map(|d| (is_beside(d), d)).collect();
+    all.sort_by_key(|(is_beside, _)| *is_beside);
+    for (is_beside, data) in all {
         for (letter, samples, mut notes) in read_data(input, text, data)? {
             notes.extend(about.iter().cloned());
             let kept = if letter == 'n' { &mut n } else { &mut k };
             let mut name = format!("{} {letter}", input.stem());
             if is_beside {
                 name += &format!(" by {}", data.r#type.trim());
-                notes.push(
-                    "the file holds n as a table too, from which the rest is computed".into(),
-                );
+                let note = "the file holds n as a table too, from which the rest is computed";
+                notes.push(note.to_owned());
             } else {
                 kept.get_or_insert_with(|| samples.clone());
             }
-            let of_n_or_k = (name, Kind::Other);
-            push(input, &mut reading, of_n_or_k, &samples, notes, &source)?;
+            push((name, Kind::Other), &samples, notes)?;
         }
     }
-    if let Some(n) = &n {
-        let (samples, how) = reflectance(n, k.as_ref());
-        if let Some(samples) = samples {
-            let mut notes = vec![how.to_owned()];
-            notes.extend(about);
-            let name = format!("{} reflectance", input.stem());
-            let of_surface = (name, Kind::Reflectance);
-            push(input, &mut reading, of_surface, &samples, notes, &source)?;
-        }
+    if let Some((samples, how)) = n.and_then(|n| reflectance(&n, k.as_ref())) {
+        let mut notes = vec![how.to_owned()];
+        notes.extend(about);
+        let name = format!("{} reflectance", input.stem());
+        push((name, Kind::Reflectance), &samples, notes)?;
     }
     if reading.spectra.is_empty() {
-        return Err(input.error(
-            "no data",
-            "tabulated nk, tabulated n, tabulated k or a formula",
-        ));
+        let expected = "tabulated nk, tabulated n, tabulated k or a formula";
+        return Err(input.error("no data", expected));
     }
     Ok(reading)
-}
-
-fn is_formula(kind: &str) -> bool {
-    kind.trim().starts_with("formula")
-}
-
-/// Whether data of a kind hold n as a table.
-fn tabulates_n(kind: &str) -> bool {
-    matches!(kind.trim(), "tabulated n" | "tabulated nk")
-}
-
-fn push(
-    input: &Input,
-    reading: &mut Reading,
-    (name, kind): (String, Kind),
-    samples: &Sampled,
-    notes: Vec<String>,
-    source: &str,
-) -> Result<(), ReadError> {
-    let kind = Decision::of_format(kind);
-    let values = samples.values().to_vec();
-    let mut raw = RawSpectrum::known(name, samples.nm(), values, kind, "");
-    raw.notes = notes;
-    raw.source = Some(source.to_owned());
-    interpret(raw, input, reading)
 }
 
 /// Spectra of one table or formula: 'n' or 'k', and what was done.
@@ -204,24 +167,18 @@ fn read_data(
     data: &Data,
 ) -> Result<Vec<(char, Sampled, Vec<String>)>, ReadError> {
     let kind = data.r#type.trim();
-    let letters = match kind {
-        "tabulated nk" => "nk",
-        "tabulated n" => "n",
-        "tabulated k" => "k",
+    let formula = kind.strip_prefix("formula ");
+    let letters = match (kind, formula.and_then(|number| number.trim().parse().ok())) {
+        ("tabulated nk", _) => "nk",
+        ("tabulated n", _) => "n",
+        ("tabulated k", _) => "k",
+        (_, Some(number @ 1..=9)) => {
+            let (samples, notes) = read_formula(input, data, number)?;
+            return Ok(vec![('n', samples, notes)]);
+        }
         _ => {
-            let number = kind
-                .strip_prefix("formula ")
-                .and_then(|n| n.trim().parse().ok());
-            return match number {
-                Some(number @ 1..=9) => {
-                    let (samples, notes) = read_formula(input, data, number)?;
-                    Ok(vec![('n', samples, notes)])
-                }
-                _ => Err(input.error(
-                    format!("data of the type {}", quoted(kind)),
-                    "tabulated nk, tabulated n, tabulated k or formula 1 to 9",
-                )),
-            };
+            let expected = "tabulated nk, tabulated n, tabulated k or formula 1 to 9";
+            return Err(input.error(format!("data of the type {}", quoted(kind)), expected));
         }
     };
     let rows = rows(input, text, &data.data, letters.len() + 1)?;
@@ -229,11 +186,8 @@ fn read_data(
     let mut found = Vec::new();
     for (place, letter) in letters.chars().enumerate() {
         let values: Vec<f64> = rows.iter().map(|row| row[place + 1]).collect();
-        let cleaned = curve::clean(&nm, &values)
-            .map_err(|trouble| input.error(trouble.found, trouble.expected))?;
-        let mut notes = in_words(&cleaned.remarks);
-        notes.push("wavelengths converted from um".to_owned());
-        found.push((letter, cleaned.samples, notes));
+        let (samples, notes) = clean(input, &nm, &values, "wavelengths converted from um".into())?;
+        found.push((letter, samples, notes));
     }
     Ok(found)
 }
@@ -246,18 +200,13 @@ fn rows(input: &Input, text: &str, table: &str, width: usize) -> Result<Vec<[f64
             continue;
         }
         let mut numbers = [0.0; 3];
-        let mut count = 0;
-        for cell in row.split_whitespace() {
-            match (number::number(cell, false), numbers.get_mut(count)) {
-                (Some(number), Some(slot)) => *slot = number,
-                _ => count = usize::MAX - 1,
-            }
-            count = count.saturating_add(1);
-            if count > 3 {
-                break;
-            }
-        }
-        if count != width {
+        let mut cells = row.split_whitespace();
+        let is_whole = numbers[..width].iter_mut().all(|slot| {
+            let number = cells.next().and_then(|cell| number::number(cell, false));
+            *slot = number.unwrap_or(0.0);
+            number.is_some()
+        });
+        if !is_whole || cells.next().is_some() {
             let error = input.error(quoted(row), format!("{width} numbers"));
             let at = lines(text).find(|(_, line)| line.trim() == row);
             return Err(match at {
@@ -303,20 +252,26 @@ fn read_formula(
         .iter()
         .map(|nm| formula::index(number, &coefficients, nm / 1000.0))
         .collect();
-    let cleaned = curve::clean(&nm, &values)
-        .map_err(|trouble| input.error(trouble.found, trouble.expected))?;
-    let mut notes = in_words(&cleaned.remarks);
-    notes.push(format!("n computed from dispersion formula {number} {how}"));
-    Ok((cleaned.samples, notes))
+    let how = format!("n computed from dispersion formula {number} {how}");
+    clean(input, &nm, &values, how)
 }
 
-/// What was done to put points in order.
-fn in_words(remarks: &[Remark]) -> Vec<String> {
-    remarks.iter().map(Remark::to_string).collect()
+/// The curve of some points, and what was done to get it.
+fn clean(
+    input: &Input,
+    nm: &[f64],
+    values: &[f64],
+    how: String,
+) -> Result<(Sampled, Vec<String>), ReadError> {
+    let cleaned =
+        curve::clean(nm, values).map_err(|trouble| input.error(trouble.found, trouble.expected))?;
+    let notes = cleaned.remarks.iter().map(Remark::to_string);
+    Ok((cleaned.samples, notes.chain([how]).collect()))
 }
 
-/// Reflectance at normal incidence from air, and how it came about.
-fn reflectance(n: &Sampled, k: Option<&Sampled>) -> (Option<Sampled>, &'static str) {
+/// Reflectance at normal incidence from air, and how it came about; `None` where n and k have too
+/// few wavelengths in common.
+fn reflectance(n: &Sampled, k: Option<&Sampled>) -> Option<(Sampled, &'static str)> {
     let inside = |nm: f64| k.is_none_or(|k| nm >= k.first_nm() && nm <= k.last_nm());
     let points = n
         .nm()
@@ -335,7 +290,7 @@ fn reflectance(n: &Sampled, k: Option<&Sampled>) -> (Option<Sampled>, &'static s
     } else {
         "computed from n alone (no k in the file): ((n-1)/(n+1))^2, one face, normal incidence"
     };
-    (Sampled::new(nm, values).ok(), how)
+    Some((Sampled::new(nm, values).ok()?, how))
 }
 
 /// Text without tags and line ends.
@@ -356,7 +311,7 @@ fn plain(html: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::read_bytes;
+    use crate::io::tests::{has, read, refusal};
 
     const YAML: &str = "REFERENCES: |\n    A. Author.\n    <i>Metals</i> (1972)\nCOMMENTS: |\n    Warm\n\
         DATA:\n  - type: tabulated nk\n    data: |\n        0.5 1.5 0\n        0.6 1.0 2.0\n";
@@ -367,7 +322,7 @@ mod tests {
 
     #[test]
     fn n_and_k_and_the_reflectance_between_them_are_read() {
-        let reading = read_bytes("Au.yml", YAML.as_bytes()).expect("a table");
+        let reading = read("Au.yml", YAML);
         let names: Vec<_> = reading.spectra.iter().map(|s| &*s.name).collect();
         assert_eq!(names, ["Au n", "Au k", "Au reflectance"]);
         assert_eq!(reading.spectra[0].samples.nm(), [500.0, 600.0]);
@@ -376,12 +331,8 @@ mod tests {
         // Glass of n 1.5 sends 4 % back; n 1, k 2 sends 4 / 8.
         assert!((reflected[0] - 0.04).abs() < 1e-15 && (reflected[1] - 0.5).abs() < 1e-15);
         assert_eq!(reading.spectra[0].source, "A. Author. Metals (1972)");
-        assert!(
-            reading.spectra[2]
-                .notes
-                .iter()
-                .any(|n| n.starts_with("computed"))
-        );
+        let notes = &reading.spectra[2].notes;
+        assert!(has(notes, "computed from n and k"), "{notes:?}");
     }
 
     #[test]
@@ -390,7 +341,7 @@ mod tests {
             "formula 1\n    wavelength_range: 0.4 0.7\n    coefficients: 0 1.03961212 0.0774641 \
              0.231792344 0.141484 1.01046945 10.176475",
         );
-        let reading = read_bytes("bk7.yml", text.as_bytes()).expect("a formula");
+        let reading = read("bk7.yml", text);
         let n = &reading.spectra[0].samples;
         assert_eq!((n.len(), n.first_nm(), n.last_nm()), (301, 400.0, 700.0));
         // Schott N-BK7 at 587.6 nm.
@@ -401,68 +352,42 @@ mod tests {
     #[test]
     fn a_formula_for_the_far_infrared_is_sampled_to_its_end() {
         let text = formula("formula 5\n    wavelength_range: 6 22.5\n    coefficients: 1.5 0.1 -2");
-        let reading = read_bytes("ir.yml", text.as_bytes()).expect("a formula");
-        let n = &reading.spectra[0].samples;
-        assert_eq!(
-            (n.first_nm(), n.last_nm(), n.len()),
-            (6000.0, 22500.0, 1651)
-        );
-        let notes = reading.spectra[0].notes.join("; ");
-        assert!(
-            notes.contains("in steps of 10 nm beyond 5000 nm"),
-            "{notes}"
-        );
-        let far = formula("formula 5\n    wavelength_range: 5 2000\n    coefficients: 1.5");
-        let far = read_bytes("far.yml", far.as_bytes()).expect("a formula");
-        let notes = far.spectra[0].notes.join("; ");
-        assert!(notes.contains("not sampled beyond 1000000 nm"), "{notes}");
+        let spectrum = &read("ir.yml", text).spectra[0];
+        let n = &spectrum.samples;
+        let ends = (n.first_nm(), n.last_nm(), n.len());
+        assert_eq!(ends, (6000.0, 22500.0, 1651));
+        let notes = &spectrum.notes;
+        assert!(has(notes, "in steps of 10 nm beyond 5000 nm"), "{notes:?}");
     }
 
     #[test]
     fn quoted_text_may_go_on_at_the_start_of_a_line() {
         let text = "REFERENCES: \"1) A \\\"quoted\\\" author.\n\nDATA: of others\"\nCOMMENTS: 'it''s\n\
                     warm' # said\nDATA:\n  - type: tabulated n\n    data: |\n        0.5 1.5\n        0.6 1.4\n";
-        let reading = read_bytes("q.yml", text.as_bytes()).expect("a table");
-        let first = &reading.spectra[0];
+        let first = &read("q.yml", text).spectra[0];
         assert_eq!(first.source, "1) A \"quoted\" author. DATA: of others");
-        assert!(
-            first
-                .notes
-                .contains(&"comment in the file: it's warm".to_owned())
-        );
-        let broken = text.replace("0.6 1.4", "0.6 1.4 x");
-        let why = read_bytes("q.yml", broken.as_bytes()).unwrap_err();
-        assert!(why.to_string().starts_with("q.yml, line 10:"), "{why}");
+        assert!(has(&first.notes, "comment in the file: it's warm"));
+        let why = refusal("q.yml", text.replace("0.6 1.4", "0.6 1.4 x"));
+        assert!(why.starts_with("q.yml, line 10:"), "{why}");
     }
 
     #[test]
     fn a_table_of_n_counts_more_than_a_formula_beside_it() {
         let text = "DATA:\n  - type: formula 5\n    wavelength_range: 0.4 0.7\n    coefficients: 3\n  \
                     - type: tabulated nk\n    data: |\n        0.5 1.5 0\n        0.6 1.5 0\n";
-        let reading = read_bytes("p.yml", text.as_bytes()).expect("both");
+        let reading = read("p.yml", text);
         let names: Vec<_> = reading.spectra.iter().map(|s| &*s.name).collect();
         assert_eq!(names, ["p n", "p k", "p n by formula 5", "p reflectance"]);
         assert!((reading.spectra[3].samples.values()[0] - 0.04).abs() < 1e-12);
-        assert!(
-            reading.spectra[2]
-                .notes
-                .iter()
-                .any(|n| n.contains("as a table too"))
-        );
+        assert!(has(&reading.spectra[2].notes, "as a table too"));
     }
 
     #[test]
     fn what_is_wrong_is_said() {
-        let said = |text: &str| {
-            read_bytes("a.yml", text.as_bytes())
-                .unwrap_err()
-                .to_string()
-        };
+        let said = |text: &str| refusal("a.yml", text);
         let wrong = said(&YAML.replace("0.6 1.0 2.0", "0.6 1.0"));
-        assert_eq!(
-            wrong,
-            "a.yml, line 10: found \"0.6 1.0\", expected 3 numbers"
-        );
+        let told = "a.yml, line 10: found \"0.6 1.0\", expected 3 numbers";
+        assert_eq!(wrong, told);
         assert!(said(&formula("formula 12")).contains("data of the type \"formula 12\""));
         let range = said(&formula("formula 5\n    coefficients: 1 2 3"));
         assert!(range.contains("a wavelength range of 0 numbers"), "{range}");
@@ -476,6 +401,6 @@ mod tests {
                 &format!("{other}: &{other} [*{one},*{one},*{one},*{one},*{one},*{one},*{one}]\n");
         }
         bomb += "DATA:\n  - type: tabulated n\n    data: *i\n";
-        assert!(read_bytes("a.yml", bomb.as_bytes()).is_err());
+        refusal("a.yml", bomb);
     }
 }

@@ -23,14 +23,13 @@ const CELLS_A_KEY: usize = 8;
 const MOST_AXES: usize = 8;
 
 /// Wavelengths and the lists of values beside them.
+#[derive(Default)]
 pub(super) struct Lists<'a> {
     /// The key above the wavelengths, its words set apart.
     pub axis_title: String,
     /// Whether a number has "nm" behind it.
     pub says_nm: bool,
-    /// The wavelengths.
     pub axis: Vec<f64>,
-    /// The lists of values.
     pub columns: Vec<Column<'a>>,
 }
 
@@ -42,6 +41,16 @@ pub(super) struct Column<'a> {
     pub name: Option<Cow<'a, str>>,
     /// As many as there are wavelengths; NaN where one is missing.
     pub values: Vec<f64>,
+}
+
+impl<'a> Column<'a> {
+    fn new(title: &'a str, values: Vec<f64>) -> Self {
+        Self {
+            title,
+            name: None,
+            values,
+        }
+    }
 }
 
 /// Wavelengths, listed or given by their ends, and the lists as long beside and below.
@@ -86,21 +95,16 @@ fn beside(object: &Object, at: usize) -> Option<Lists<'_>> {
 fn of_range(object: &Object) -> Option<Lists<'_>> {
     let ends = Ends::of(object);
     let beside = object.iter().find_map(|(_, value)| numbers(value));
-    ends.lengths(beside.map(|list| list.len()))
-        .into_iter()
-        .find_map(|length| {
-            let columns = lists_beside(object.iter(), length);
-            let found = !columns.is_empty();
-            found.then(|| {
-                let (axis_title, axis) = ends.axis(length);
-                Lists {
-                    axis_title,
-                    says_nm: false,
-                    axis,
-                    columns,
-                }
-            })
-        })
+    let lengths = ends.lengths(beside.map(|list| list.len())).into_iter();
+    let mut tables = lengths.map(|length| (length, lists_beside(object.iter(), length)));
+    let (length, columns) = tables.find(|(_, columns)| !columns.is_empty())?;
+    let (axis_title, axis) = ends.axis(length);
+    Some(Lists {
+        axis_title,
+        axis,
+        columns,
+        ..Lists::default()
+    })
 }
 
 /// Whether the last word of a key says that numbers under it may be wavelengths.
@@ -146,9 +150,8 @@ fn gather<'a>(
         let is_axis_too = is_axis(key) && !is_x(key);
         if values.len() == length && !is_axis_too {
             columns.push(Column {
-                title: key,
                 name: name.map(Cow::from),
-                values,
+                ..Column::new(key, values)
             });
         }
         return;
@@ -194,16 +197,11 @@ pub(super) fn of_keys(object: &Object) -> Option<Lists<'_>> {
     // Keys may stand in the order of their letters.
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     let (axis, values) = points.into_iter().unzip();
-    let column = Column {
-        title: "",
-        name: None,
-        values,
-    };
     Some(Lists {
-        axis_title: String::new(),
         says_nm: object.iter().all(|(key, _)| key.trim_end().ends_with("nm")),
         axis,
-        columns: vec![column],
+        columns: vec![Column::new("", values)],
+        ..Lists::default()
     })
 }
 
@@ -236,22 +234,23 @@ pub(super) fn of_points(value: &Tree) -> Vec<Lists<'_>> {
     }
 }
 
-/// The key of wavelengths among those of a point that hold numbers.
-fn axis_key<'a>(keys: &[&'a str]) -> Option<&'a str> {
-    let axis = keys.iter().find(|key| is_axis(key) && !is_x(key));
-    axis.or_else(|| keys.iter().find(|key| is_axis(key)))
-        .copied()
+/// The keys of a point that hold numbers, and which of them has the wavelengths.
+fn keys_of(point: &Object) -> Option<(Vec<&str>, usize)> {
+    let numbers = point
+        .iter()
+        .filter(|(_, value)| one_number(value).is_some());
+    let keys: Vec<&str> = numbers.map(|(key, _)| key.as_str()).collect();
+    let axis = keys.iter().position(|key| is_axis(key) && !is_x(key));
+    let axis = axis.or_else(|| keys.iter().position(|key| is_axis(key)))?;
+    Some((keys, axis))
 }
 
 /// The key whose words or numbers part points into samples, each with wavelengths that rise or fall
 /// throughout, and the samples; `None` where all points do so together.
 fn by_sample<'a>(points: &[&'a Object]) -> Option<(&'a str, Vec<Sample<'a>>)> {
     let first = points.first()?;
-    let numbers = first
-        .iter()
-        .filter(|(_, value)| one_number(value).is_some());
-    let keys: Vec<&str> = numbers.map(|(key, _)| key.as_str()).collect();
-    let axis = axis_key(&keys)?;
+    let (keys, axis) = keys_of(first)?;
+    let axis = keys[axis];
     let runs = |points: &[&Object]| {
         let nm = points.iter().map(|point| one_number(get(point, axis)?));
         let nm: Option<Vec<f64>> = nm.collect();
@@ -288,21 +287,12 @@ type Sample<'a> = (Cow<'a, str>, Vec<&'a Object>);
 
 fn of_objects<'a>(points: &[&'a Object]) -> Option<Lists<'a>> {
     let first = points.first().filter(|_| points.len() > 1)?;
-    let numbers = first
-        .iter()
-        .filter(|(_, value)| one_number(value).is_some());
-    let keys: Vec<&str> = numbers.map(|(key, _)| key.as_str()).collect();
-    let axis = axis_key(&keys)?;
-    let axis_at = keys.iter().position(|key| *key == axis)?;
+    let (keys, axis_at) = keys_of(first)?;
     let entries: usize = points.iter().map(|point| point.len()).sum();
     if keys.len() < 2 || keys.len() * points.len() > CELLS_A_KEY * entries {
         return None;
     }
-    let places: HashMap<&str, usize> = keys
-        .iter()
-        .enumerate()
-        .map(|(at, key)| (*key, at))
-        .collect();
+    let places: HashMap<&str, usize> = keys.iter().copied().zip(0..).collect();
     let mut columns = vec![vec![f64::NAN; points.len()]; keys.len()];
     let mut says_nm_too = false;
     for (row, point) in points.iter().enumerate() {
@@ -313,22 +303,15 @@ fn of_objects<'a>(points: &[&'a Object]) -> Option<Lists<'a>> {
             }
         }
     }
-    let axis = std::mem::take(&mut columns[axis_at]);
-    let others = keys
-        .iter()
-        .zip(columns)
-        .enumerate()
-        .filter(|(at, _)| *at != axis_at);
-    let columns = others.map(|(_, (key, values))| Column {
-        title: key,
-        name: None,
-        values,
-    });
+    let axis_title = spaced(keys[axis_at]);
+    let columns = keys.into_iter().zip(columns);
+    let mut columns: Vec<Column> = columns.map(|(key, list)| Column::new(key, list)).collect();
+    let axis = columns.remove(axis_at).values;
     Some(Lists {
-        axis_title: spaced(keys[axis_at]),
+        axis_title,
         says_nm: says_nm_too,
         axis,
-        columns: columns.collect(),
+        columns,
     })
 }
 
@@ -344,15 +327,10 @@ pub(super) fn of_rows(list: &[Tree]) -> Option<Lists<'_>> {
     if !rises || axis.iter().any(|nm| *nm <= 0.0) || rows.iter().any(|row| row.len() != width) {
         return None;
     }
-    let columns = (1..width).map(|at| Column {
-        title: "",
-        name: None,
-        values: rows.iter().map(|row| row[at]).collect(),
-    });
+    let column = |at| Column::new("", rows.iter().map(|row| row[at]).collect());
     Some(Lists {
-        axis_title: String::new(),
-        says_nm: false,
         axis,
-        columns: columns.collect(),
+        columns: (1..width).map(column).collect(),
+        ..Lists::default()
     })
 }

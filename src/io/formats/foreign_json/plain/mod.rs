@@ -38,9 +38,6 @@ const MOST_BYTES_READ: usize = 1 << 19;
 const NEAREST_BYTES: usize = 60;
 
 /// Adds all spectra that a JSON value holds; none where it holds no wavelengths.
-///
-/// # Errors
-/// [`ReadError`] when numbers beside wavelengths are no spectrum.
 pub(super) fn read(input: &Input, value: &Tree, reading: &mut Reading) -> Result<(), ReadError> {
     let mut finder = Finder {
         input,
@@ -69,42 +66,23 @@ impl Finder<'_, '_, '_> {
         let Some(depth) = depth.checked_sub(1) else {
             return Ok(());
         };
-        match value {
-            Tree::Object(object) => self.look_in_object(value, object, depth),
-            Tree::List(list) => {
-                let mut tables = of_points(value);
-                if tables.is_empty() {
-                    tables.extend(of_rows(list));
-                }
-                match tables.is_empty() {
-                    true => list.iter().try_for_each(|inner| self.look(inner, depth)),
-                    false => tables.into_iter().try_for_each(|lists| self.add(lists)),
-                }
-            }
-            _ => Ok(()),
-        }
-    }
-
-    fn look_in_object(
-        &mut self,
-        value: &Tree,
-        object: &Object,
-        depth: usize,
-    ) -> Result<(), ReadError> {
         let outside = (self.words.len(), self.bytes);
-        for line in words_of(object) {
-            self.push(line);
-        }
-        let mut tables: Vec<Lists> = of_lists(object).into_iter().collect();
-        if tables.is_empty() {
-            tables = of_points(value);
-        }
-        if tables.is_empty() {
-            tables.extend(of_keys(object));
-        }
-        let outcome = match tables.is_empty() {
-            true => self.look_below(object, depth),
-            false => tables.into_iter().try_for_each(|lists| self.add(lists)),
+        let tables = match value {
+            Tree::Object(object) => {
+                words_of(object).for_each(|line| self.push(line));
+                tables_in(value, object)
+            }
+            Tree::List(list) => match of_points(value) {
+                tables if tables.is_empty() => of_rows(list).into_iter().collect(),
+                tables => tables,
+            },
+            _ => return Ok(()),
+        };
+        let outcome = match value {
+            _ if !tables.is_empty() => tables.into_iter().try_for_each(|lists| self.add(lists)),
+            Tree::Object(object) => self.look_below(object, depth),
+            Tree::List(list) => list.iter().try_for_each(|inner| self.look(inner, depth)),
+            _ => Ok(()),
         };
         self.forget(outside);
         outcome
@@ -188,6 +166,18 @@ impl Finder<'_, '_, '_> {
     }
 }
 
+/// The tables that an object holds in one of the ways that JSON has for them.
+fn tables_in<'a>(value: &'a Tree, object: &'a Object) -> Vec<Lists<'a>> {
+    let mut tables: Vec<Lists> = of_lists(object).into_iter().collect();
+    if tables.is_empty() {
+        tables = of_points(value);
+    }
+    if tables.is_empty() {
+        tables.extend(of_keys(object));
+    }
+    tables
+}
+
 /// Whether columns are a camera's or a display's red, green and blue: then R is no reflectance.
 fn are_channels(columns: &[Column]) -> bool {
     [["r", "red"], ["g", "green"], ["b", "blue"]]
@@ -204,13 +194,10 @@ fn are_channels(columns: &[Column]) -> bool {
 /// What the title of a channel says of its values: `red_ssf` is a camera's sensitivity.
 fn title_of_channel(title: &str) -> &'static str {
     let title = title.to_lowercase();
-    let is_sensitivity = ["ssf", "sensitiv", "respons", "qe"]
-        .iter()
-        .any(|w| title.contains(w));
-    if is_sensitivity {
-        "spectral sensitivity"
-    } else {
-        ""
+    let words = ["ssf", "sensitiv", "respons", "qe"];
+    match words.iter().any(|word| title.contains(word)) {
+        true => "spectral sensitivity",
+        false => "",
     }
 }
 
@@ -231,11 +218,12 @@ fn words_of(object: &Object) -> impl Iterator<Item = String> {
 
 #[cfg(test)]
 mod tests {
-    use crate::io::{Reading, read_bytes};
+    use crate::io::Reading;
+    use crate::io::tests::{self as told, refusal};
     use crate::spectrum::Kind;
 
     fn read(text: &str) -> Reading {
-        read_bytes("a.json", text.as_bytes()).expect("spectra")
+        told::read("a.json", text)
     }
 
     fn names(reading: &Reading) -> Vec<&str> {
@@ -248,10 +236,7 @@ mod tests {
             r#"{"name":"Lamp A","unit":"W/m2/nm","wavelengths":[380,390,400],"values":[1,null,3]}"#,
         );
         let spectrum = &one.spectra[0];
-        assert_eq!(
-            (spectrum.name.as_str(), spectrum.kind),
-            ("Lamp A", Kind::Light)
-        );
+        assert_eq!((&*spectrum.name, spectrum.kind), ("Lamp A", Kind::Light));
         assert_eq!(spectrum.unit, "W/m2/nm");
         assert_eq!(spectrum.samples.nm(), [380.0, 400.0]);
         let two = read(r#"{"data":{"wavelength_um":[0.4,0.5],"reflectance":[0.1,0.2],"n":7}}"#);
@@ -280,6 +265,11 @@ mod tests {
             r#"{"390":2.5,"380":1}"#,
             r#"{"lamp":{"390nm":2.5,"380nm":1}}"#,
             r#"{"points":[{"nm":390,"v":2.5},{"nm":380,"v":1}]}"#,
+            // Keys that count rows are no wavelengths.
+            r#"{"wavelength":{"0":380,"1":390},"value":{"0":1,"1":2.5}}"#,
+            r#"{"0":{"wavelength":380,"value":1},"1":{"wavelength":390,"value":2.5}}"#,
+            // One object a line, and a number with its unit.
+            "{\"wavelength\":\"380 nm\",\"v\":1}\n{\"wavelength\":\"390 nm\",\"v\":2.5}\n",
         ] {
             let reading = read(text);
             assert_eq!(reading.spectra.len(), 1, "{text}");
@@ -287,6 +277,11 @@ mod tests {
             assert_eq!(samples.nm(), [380.0, 390.0], "{text}");
             assert_eq!(samples.values(), [1.0, 2.5], "{text}");
         }
+        refusal("a.json", r#"{"value":{"0":1,"1":2.5,"2":3}}"#);
+        let broken = refusal("a.json", "{\"nm\":380}\n{\"nm\":390}\n{\"x\" 5}");
+        assert!(broken.contains("line 3"), "{broken}");
+        let spectra = "{\"name\":\"A\",\"nm\":[380,390],\"v\":[1,2]}\n{\"name\":\"B\",\"nm\":[400,410],\"v\":[3,4]}";
+        assert_eq!(names(&read(spectra)), ["A", "B"]);
     }
 
     #[test]
@@ -312,8 +307,7 @@ mod tests {
             r#""bands":[380,420,11]"#,
             r#""domain":[380,420]"#,
         ] {
-            let text = format!(r#"{{"values":[1,2,3,4,5],{axis}}}"#);
-            assert!(read_bytes("a.json", text.as_bytes()).is_err(), "{axis}");
+            refusal("a.json", format!(r#"{{"values":[1,2,3,4,5],{axis}}}"#));
         }
         let several = read(
             r#"{"spectra":[{"name":"A","bands":[400,430,10],"values":[1,2,3,4]},
@@ -352,31 +346,6 @@ mod tests {
     }
 
     #[test]
-    fn keys_that_count_rows_are_no_wavelengths() {
-        for text in [
-            r#"{"wavelength":{"0":380,"1":390},"value":{"0":1,"1":2.5}}"#,
-            r#"{"0":{"wavelength":380,"value":1},"1":{"wavelength":390,"value":2.5}}"#,
-        ] {
-            let samples = &read(text).spectra[0].samples;
-            assert_eq!(samples.nm(), [380.0, 390.0], "{text}");
-            assert_eq!(samples.values(), [1.0, 2.5], "{text}");
-        }
-        let counted = br#"{"value":{"0":1,"1":2.5,"2":3}}"#;
-        assert!(read_bytes("a.json", counted).is_err());
-    }
-
-    #[test]
-    fn one_object_a_line_and_numbers_with_their_unit_are_read() {
-        let lines = "{\"wavelength\":\"380 nm\",\"v\":1}\n{\"wavelength\":\"390 nm\",\"v\":2.5}\n";
-        let reading = read(lines);
-        assert_eq!(reading.spectra[0].samples.nm(), [380.0, 390.0]);
-        let spectra = "{\"name\":\"A\",\"nm\":[380,390],\"v\":[1,2]}\n{\"name\":\"B\",\"nm\":[400,410],\"v\":[3,4]}";
-        assert_eq!(names(&read(spectra)), ["A", "B"]);
-        let broken = read_bytes("a.json", format!("{lines}{{\"x\" 5}}").as_bytes()).unwrap_err();
-        assert!(broken.to_string().contains("line 3"), "{broken}");
-    }
-
-    #[test]
     fn keys_above_tables_are_names_in_the_order_of_the_file() {
         for text in [
             r#"{"D65":{"wavelength":[400,410],"values":[1,2]},"A":{"wavelength":[400,410],"values":[3,4]}}"#,
@@ -401,9 +370,9 @@ mod tests {
             "[1,2,3]",
             "[[5,1],[3,2],[4,4]]",
         ] {
-            assert!(read_bytes("a.json", text.as_bytes()).is_err(), "{text}");
+            refusal("a.json", text);
         }
-        let trouble = read_bytes("a.json", br#"{"wl":[-380,370],"v":[1,2]}"#).unwrap_err();
-        assert!(trouble.to_string().contains("-380 nm"), "{trouble}");
+        let trouble = refusal("a.json", r#"{"wl":[-380,370],"v":[1,2]}"#);
+        assert!(trouble.contains("-380 nm"), "{trouble}");
     }
 }

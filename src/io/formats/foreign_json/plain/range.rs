@@ -6,7 +6,7 @@
 //! ```
 
 use super::keys::{is_axis, one_number, spaced};
-use crate::io::decode::json_tree::{Object, Tree};
+use crate::io::decode::json_tree::Tree;
 
 /// Ends of light where no key says that they are wavelengths, nm.
 const PLAUSIBLE_NM: std::ops::RangeInclusive<f64> = 150.0..=50_000.0;
@@ -26,14 +26,6 @@ pub(super) struct Ends {
     /// Whether the ends have keys of their own.
     are_apart: bool,
     unit: Option<&'static str>,
-}
-
-/// What a number is to an axis.
-enum Role {
-    Start,
-    End,
-    Step,
-    Count,
 }
 
 /// Words in a key that say that it is about wavelengths.
@@ -61,22 +53,9 @@ fn words(key: &str) -> Vec<String> {
     words.filter(|w| !w.is_empty()).map(str::to_owned).collect()
 }
 
-fn role(words: &[String]) -> Option<Role> {
-    let is_left = |word: &&str| !ABOUT.contains(word) && !FILLING.contains(word);
-    let left: Vec<&str> = words.iter().map(String::as_str).filter(is_left).collect();
-    Some(match left.join(" ").as_str() {
-        "start" | "from" | "first" | "min" | "minimum" | "begin" => Role::Start,
-        "end" | "to" | "last" | "max" | "maximum" | "stop" => Role::End,
-        "step" | "interval" | "increment" | "delta" | "spacing" | "step size" => Role::Step,
-        "n" | "count" | "points" | "num" | "num points" | "number points" => Role::Count,
-        "" if words.last().is_some_and(|word| word == "bands") => Role::Count,
-        _ => return None,
-    })
-}
-
 impl Ends {
     /// What an object says of an axis.
-    pub(super) fn of(object: &Object) -> Self {
+    pub(super) fn of<'o>(object: impl IntoIterator<Item = &'o (String, Tree)>) -> Self {
         let mut ends = Self::default();
         for (key, value) in object {
             ends.look(key, value);
@@ -96,7 +75,9 @@ impl Ends {
                 }
             }
             Tree::Object(inner) if is_range || is_axis(key) => {
-                let inner_ends = Self::of_flat(inner);
+                // Nothing is looked for further down.
+                let is_number = |entry: &&(String, Tree)| matches!(entry.1, Tree::Number(_));
+                let inner_ends = Self::of(inner.iter().filter(is_number));
                 if inner_ends.start.is_some() && self.start.is_none() {
                     *self = inner_ends;
                     self.names_wavelengths |= is_axis(key);
@@ -107,25 +88,21 @@ impl Ends {
         }
     }
 
-    /// As [`Ends::of`], without looking further down.
-    fn of_flat(object: &Object) -> Self {
-        let mut ends = Self::default();
-        for (key, value) in object {
-            if let Tree::Number(number) = value {
-                ends.number(&words(key), *number);
-            }
-        }
-        ends
-    }
-
+    /// Takes a number for what its key says that it is to an axis.
     fn number(&mut self, words: &[String], number: f64) {
-        let Some(role) = role(words) else { return };
-        let is_end = matches!(role, Role::Start | Role::End);
-        let place = match role {
-            Role::Start => &mut self.start,
-            Role::End => &mut self.end,
-            Role::Step => &mut self.step,
-            Role::Count => &mut self.count,
+        let is_left = |word: &&str| !ABOUT.contains(word) && !FILLING.contains(word);
+        let left: Vec<&str> = words.iter().map(String::as_str).filter(is_left).collect();
+        let (is_end, place) = match left.join(" ").as_str() {
+            "start" | "from" | "first" | "min" | "minimum" | "begin" => (true, &mut self.start),
+            "end" | "to" | "last" | "max" | "maximum" | "stop" => (true, &mut self.end),
+            "step" | "interval" | "increment" | "delta" | "spacing" | "step size" => {
+                (false, &mut self.step)
+            }
+            "n" | "count" | "points" | "num" | "num points" | "number points" => {
+                (false, &mut self.count)
+            }
+            "" if words.last().is_some_and(|word| word == "bands") => (false, &mut self.count),
+            _ => return,
         };
         place.get_or_insert(number);
         if is_end {
