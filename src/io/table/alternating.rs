@@ -1,10 +1,10 @@
 //! One number a line: wavelengths and values by turns, as Macam radiometers write them.
 
+use super::row_order::{may_be_wavelengths, runs_one_way};
 use crate::io::interpret::heading::Heading;
 use crate::io::interpret::interpret;
 use crate::io::interpret::raw::{RawSpectrum, Scale};
 use crate::io::text::number::{self, Cell};
-use crate::io::text::units::WavelengthUnit;
 use crate::io::text::{kept_line, lines};
 use crate::io::{Input, ReadError, Reading};
 
@@ -29,51 +29,37 @@ pub(crate) struct Pairs<'a> {
     pub decimal_comma: bool,
 }
 
-/// The longest run of lines with one number each, its first line, and the lines before it.
-#[derive(Default)]
-struct Lone<'a> {
-    header: Vec<(usize, &'a str)>,
-    numbers: Vec<f64>,
-    lines: Vec<u32>,
-}
+/// The lines above the longest run of lines with one number each, and that run with its lines.
+type Lone<'a> = (Vec<(usize, &'a str)>, Vec<(u32, f64)>);
 
 fn longest_run(text: &str, decimal_comma: bool) -> Lone<'_> {
     let mut best = Lone::default();
-    let mut run = Lone::default();
-    for (line, content) in lines(text) {
-        let content = content.trim();
-        if content.is_empty() {
-            continue;
-        }
+    let (mut header, mut run) = Lone::default();
+    let trimmed = lines(text).map(|(line, content)| (line, content.trim()));
+    for (line, content) in trimmed.filter(|(_, content)| !content.is_empty()) {
         if let Cell::Number(value) = number::parse(content, decimal_comma) {
-            run.numbers.push(value);
-            run.lines.push(kept_line(line));
+            run.push((kept_line(line), value));
             continue;
         }
-        let mut header = Vec::new();
-        if run.numbers.len() > best.numbers.len() {
-            best = std::mem::take(&mut run);
-        } else {
-            header = std::mem::take(&mut run.header);
-            run = Lone::default();
+        if run.len() > best.1.len() {
+            best = (std::mem::take(&mut header), std::mem::take(&mut run));
         }
+        run.clear();
         if header.len() < 50 {
             header.push((line, content));
         }
-        run.header = header;
     }
-    if run.numbers.len() > best.numbers.len() {
-        run
-    } else {
-        best
+    if run.len() > best.1.len() {
+        best = (header, run);
     }
+    best
 }
 
 /// How many lines hold one number each, and the first of them; `None` when hardly any do.
 pub(crate) fn lone_numbers(text: &str) -> Option<(usize, usize)> {
-    let run = longest_run(text, false);
-    let first = *run.lines.first()?;
-    (run.numbers.len() >= FEWEST_POINTS).then_some((run.numbers.len(), first as usize))
+    let (_, run) = longest_run(text, false);
+    let (first, _) = run.first()?;
+    (run.len() >= FEWEST_POINTS).then_some((run.len(), *first as usize))
 }
 
 /// Wavelengths and values by turns, if the text holds them.
@@ -82,40 +68,23 @@ pub(crate) fn find(text: &str) -> Option<Pairs<'_>> {
         return None;
     }
     [false, true].into_iter().find_map(|decimal_comma| {
-        let run = longest_run(text, decimal_comma);
+        let (header, run) = longest_run(text, decimal_comma);
         // An odd count has one number of a header in front (a count, a scan number).
-        let skip = run.numbers.len() % 2;
-        let numbers = || run.numbers.iter().skip(skip);
-        // Wavelengths alone, without values between them.
-        let pairs = || numbers().zip(numbers().skip(1));
-        if pairs().all(|(a, b)| a < b) || pairs().all(|(a, b)| a > b) {
-            return None;
-        }
-        let axis: Vec<f64> = run.numbers.iter().skip(skip).step_by(2).copied().collect();
-        let rising = axis.windows(2).all(|p| p[1] > p[0]);
-        let falling = axis.windows(2).all(|p| p[1] < p[0]);
-        let (first, last) = (*axis.first()?, *axis.last()?);
-        WavelengthUnit::of_range(first.min(last), first.max(last))?;
-        if axis.len() < FEWEST_POINTS || !(rising || falling) {
-            return None;
-        }
-        Some(Pairs {
-            values: run
-                .numbers
-                .iter()
-                .skip(skip + 1)
-                .step_by(2)
-                .copied()
-                .collect(),
-            lines: run
-                .lines
-                .iter()
-                .skip(skip + 1)
-                .step_by(2)
-                .copied()
-                .collect(),
-            header: run.header,
+        let run = &run[run.len() % 2..];
+        let numbers: Vec<f64> = run.iter().map(|(_, number)| *number).collect();
+        let axis: Vec<f64> = numbers.iter().step_by(2).copied().collect();
+        // What runs one way as a whole is wavelengths alone, without values between them.
+        let is_one = axis.len() >= FEWEST_POINTS && may_be_wavelengths(&axis);
+        (is_one && !runs_one_way(&numbers)).then(|| Pairs {
+            header,
             axis,
+            values: numbers.into_iter().skip(1).step_by(2).collect(),
+            lines: run
+                .iter()
+                .skip(1)
+                .step_by(2)
+                .map(|(line, _)| *line)
+                .collect(),
             decimal_comma,
         })
     })

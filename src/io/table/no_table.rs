@@ -21,30 +21,10 @@ pub(crate) fn refusal(input: &Input, text: &str, why: NoTable) -> ReadError {
         NoTable::TooMany(too_much) => too_many(input, too_much),
         NoTable::Bad(bad) => bad.refusal(input),
         NoTable::NoWavelengths {
-            below: Some((line, found)),
-            ..
-        } => input
-            .error(format!("{found} in column 1"), "wavelengths above zero")
-            .at_line(line),
-        NoTable::NoWavelengths {
             line,
-            step_back: None,
-            ..
-        } => input
-            .error(
-                "numbers with no wavelengths among them",
-                "a column or row of wavelengths that rises or falls throughout",
-            )
-            .at_line(line),
-        NoTable::NoWavelengths {
-            step_back: Some((line, found, after)),
-            ..
-        } => input
-            .error(
-                format!("{found} after {after} in column 1"),
-                "wavelengths that rise or fall throughout",
-            )
-            .at_line(line),
+            found,
+            expected,
+        } => input.error(found, expected).at_line(line),
         NoTable::NoRows => no_rows(input, text),
     }
 }
@@ -120,15 +100,10 @@ fn is_row(line: &str) -> bool {
 }
 
 /// The refusal of tables whose every column or row (`of`) has next to no values.
-pub(crate) fn too_sparse(input: &Input, of: &str, line: Option<usize>) -> ReadError {
-    let refusal = input.error(
-        format!("fewer than two values in every {of}"),
-        "at least two values of a spectrum",
-    );
-    match line {
-        Some(line) => refusal.at_line(line),
-        None => refusal,
-    }
+pub(crate) fn too_sparse(input: &Input, of: &str, line: usize) -> ReadError {
+    let found = format!("fewer than two values in every {of}");
+    let refusal = input.error(found, "at least two values of a spectrum");
+    refusal.at_line(line)
 }
 
 /// The refusal of a column of wavelengths, from 0, that a table of `width` does not have.

@@ -5,11 +5,12 @@ use super::block::{
 };
 use super::head::with_rows_above;
 use super::layout::{self, Layout};
-use super::scan::{TooMuch, scan, scan_behind, scan_start};
+use super::row_order::{may_be_wavelengths, runs_one_way, steps_up_and_down};
+use super::scan::{TooMuch, scan, scan_start};
 use super::titles::Titles;
 use crate::io::text::dialect::{Delimiter, Dialect};
 use crate::io::text::first_line;
-use crate::io::text::units::{WavelengthUnit, names_wavelength};
+use crate::io::text::units::names_wavelength;
 
 /// How much text decides the dialect, in bytes: many times the longest header.
 const SAMPLE_BYTES: usize = 256 * 1024;
@@ -50,13 +51,9 @@ pub(crate) enum NoTable {
     Bad(BadCell),
     /// Numbers from this line on, but no wavelengths among them.
     NoWavelengths {
-        /// First line of the longest block.
         line: usize,
-        /// Where a first column that looks like wavelengths steps back: line, number, and the
-        /// number before it.
-        step_back: Option<(usize, f64, f64)>,
-        /// Where one that runs through is not above zero: line and number.
-        below: Option<(usize, f64)>,
+        found: String,
+        expected: &'static str,
     },
     /// No two lines of two numbers.
     NoRows,
@@ -192,19 +189,12 @@ fn score(blocks: &[Block], dialect: Dialect) -> (usize, usize) {
 /// # Errors
 /// [`NoTable`] when there is none, or one is broken by a word.
 pub(crate) fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoTable> {
-    let blocks = scan(text, dialect).map_err(NoTable::TooMany)?;
-    let Some(longest) = blocks.iter().map(Block::rows).max() else {
+    let blocks = scan(text, 0, dialect).map_err(NoTable::TooMany)?;
+    // Of equally long ones the first.
+    let Some(block) = blocks.iter().rev().max_by_key(|block| block.rows()) else {
         return Err(NoTable::NoRows);
     };
-    let no_wavelengths =
-        blocks
-            .iter()
-            .find(|block| block.rows() == longest)
-            .map_or(NoTable::NoRows, |block| NoTable::NoWavelengths {
-                line: block.lines[0] as usize,
-                step_back: step_back(block),
-                below: not_above_zero(block),
-            });
+    let (longest, no_wavelengths) = (block.rows(), no_wavelengths(block));
     let mut tables: Vec<Table> = Vec::new();
     let (mut left_out, mut above) = (Vec::new(), Vec::new());
     for (mut block, notes) in joined(blocks, text, dialect)? {
@@ -259,22 +249,11 @@ fn begins_with_titles(block: &Block, dialect: Dialect) -> bool {
     if block.rows() < 3 || !column[0].is_nan() {
         return false;
     }
-    let cells = block.first_cells(dialect);
-    let first = cells
-        .first()
-        .map_or("", |cell| cell.trim_matches(['"', ' ']));
-    if !first.is_empty() && !names_wavelength(first) {
-        return false;
-    }
-    let is_axis = |numbers: &[f64]| {
-        let (Some(low), Some(high)) = (numbers.first(), numbers.last()) else {
-            return false;
-        };
-        (numbers.is_sorted_by(|a, b| a < b) || numbers.is_sorted_by(|a, b| a > b))
-            && WavelengthUnit::of_range(low.min(*high), low.max(*high)).is_some()
-    };
-    let row = block.row(0);
-    is_axis(&column[1..]) && !(block.width > block.rows() && is_axis(&row[1..]))
+    let cells = dialect.cells(block.first_row());
+    let first = cells.first().map(|cell| cell.trim_matches(['"', ' ']));
+    first.is_none_or(|first| first.is_empty() || names_wavelength(first))
+        && may_be_wavelengths(&column[1..])
+        && !(block.width > block.rows() && may_be_wavelengths(&block.row(0)[1..]))
 }
 
 /// What is said of a block that is not read.
@@ -294,7 +273,7 @@ pub(crate) fn blocks_behind(
     lines: usize,
     dialect: Dialect,
 ) -> Result<Vec<(Block<'_>, Vec<String>)>, NoTable> {
-    let found = scan_behind(text, lines, dialect).map_err(NoTable::TooMany)?;
+    let found = scan(text, lines, dialect).map_err(NoTable::TooMany)?;
     let blocks = joined(found, text, dialect)?;
     match blocks.is_empty() {
         true => Err(NoTable::NoRows),
@@ -302,27 +281,33 @@ pub(crate) fn blocks_behind(
     }
 }
 
-/// The first number of a first column that rises or falls throughout which is no wavelength.
-fn not_above_zero(block: &Block) -> Option<(usize, f64)> {
+/// What keeps the first column of a block from being wavelengths: a number that is not above zero
+/// where they run through, or the first step against the way that most go where they lie right.
+fn no_wavelengths(block: &Block) -> NoTable {
     let axis = block.column(0);
-    let runs = axis.is_sorted_by(|a, b| a < b) || axis.is_sorted_by(|a, b| a > b);
-    let at = axis.iter().position(|x| runs && *x <= 0.0)?;
-    (!block.counts_rows(0)).then_some((block.lines[at] as usize, axis[at]))
-}
-
-/// The first step against the way that most steps of the first column go, if its numbers lie
-/// where wavelengths lie.
-fn step_back(block: &Block) -> Option<(usize, f64, f64)> {
-    let axis = block.column(0);
-    if !axis.iter().all(|v| (100.0..=20_000.0).contains(v)) {
-        return None;
+    let why = |row: usize, found, expected| NoTable::NoWavelengths {
+        line: block.lines[row] as usize,
+        found,
+        expected,
+    };
+    let below = axis.iter().position(|x| *x <= 0.0);
+    if let Some(at) = below.filter(|_| runs_one_way(axis) && !block.counts_rows(0)) {
+        let found = format!("{} in column 1", axis[at]);
+        return why(at, found, "wavelengths above zero");
     }
-    let up = axis.windows(2).filter(|p| p[1] > p[0]).count();
-    let down = axis.windows(2).filter(|p| p[1] < p[0]).count();
-    let at = axis
-        .windows(2)
-        .position(|p| if up >= down { p[1] < p[0] } else { p[1] > p[0] })?;
-    Some((block.lines[at + 1] as usize, axis[at + 1], axis[at]))
+    let (up, down) = steps_up_and_down(axis);
+    let is_back = |p: &[f64]| if up >= down { p[1] < p[0] } else { p[1] > p[0] };
+    let are_right = || axis.iter().all(|v| (100.0..=20_000.0).contains(v));
+    if let Some(at) = axis.windows(2).position(is_back).filter(|_| are_right()) {
+        let found = format!("{} after {} in column 1", axis[at + 1], axis[at]);
+        return why(at + 1, found, "wavelengths that rise or fall throughout");
+    }
+    let found = "numbers with no wavelengths among them".to_owned();
+    why(
+        0,
+        found,
+        "a column or row of wavelengths that rises or falls throughout",
+    )
 }
 
 /// A block, what was passed over to get it, and the rows with a word that it was broken by.
@@ -374,10 +359,9 @@ fn joined<'a>(
         }
         last.append(block);
     }
-    for Joined {
-        block, notes, bad, ..
-    } in &mut out
-    {
+    let mut tables = Vec::with_capacity(out.len());
+    for joined in out {
+        let (mut block, mut notes, mut bad) = (joined.block, joined.notes, joined.bad);
         let behind = std::mem::take(&mut block.behind);
         let left = block.take_lines(&behind, (text, dialect));
         notes.extend(no_rows(&behind, &left.numbers));
@@ -387,9 +371,9 @@ fn joined<'a>(
             return Err(NoTable::Bad(bad.swap_remove(0)));
         }
         notes.extend(bad.iter().map(|row| row.left_out("row")));
+        tables.push((block, notes));
     }
-    let parts = |Joined { block, notes, .. }| (block, notes);
-    Ok(out.into_iter().map(parts).collect())
+    Ok(tables)
 }
 
 /// What is said of those lines at these places that are no rows: a sentence for each run of them.
@@ -436,11 +420,7 @@ mod tests {
                 .map(|i| row.replacen("380", &(380 + i).to_string(), 1) + "\n")
                 .collect();
             let found = look(&text, None).dialect;
-            assert_eq!(
-                (found.delimiter, found.decimal_comma),
-                (delimiter, comma),
-                "{row}"
-            );
+            assert_eq!(found, Dialect::new(delimiter, comma), "{row}");
         }
     }
 
@@ -469,23 +449,16 @@ mod tests {
 
     #[test]
     fn a_word_in_any_row_is_an_error_also_in_the_first_and_the_last() {
-        let rows = ["380,1", "381,2", "382,3", "383,4", "384,5"];
-        for at in 0..rows.len() {
-            let mut text = String::from("nm,value\n");
-            for (row, content) in rows.iter().enumerate() {
-                text += if row == at { "38" } else { content };
-                text += if row == at {
-                    content[2..3].as_ref()
-                } else {
-                    ""
-                };
-                text += if row == at { ",1.234.5\n" } else { "\n" };
-            }
+        for (at, word) in (0..5).map(|at| (at, "1.234.5")).chain([(2, "abc")]) {
+            let mut rows = ["nm,value", "380,1", "381,2", "382,3", "383,4", "384,5"];
+            let bad = format!("38{at},{word}");
+            rows[at + 1] = &bad;
+            let text = rows.join("\n") + "\n";
             let found = tables(&text, look(&text, None).dialect);
             let Err(NoTable::Bad(bad)) = found else {
                 panic!("row {at}: {found:?}");
             };
-            assert_eq!((bad.line, bad.text.as_str()), (at + 2, "1.234.5"));
+            assert_eq!((bad.line, bad.column, &*bad.text), (at + 2, 1, word));
         }
     }
 
@@ -498,21 +471,7 @@ mod tests {
             text += &format!("{nm} 0.5 0.25\n");
         }
         let tables = tables(&text, look(&text, None).dialect).unwrap();
-        assert!(
-            tables[0]
-                .block
-                .header
-                .iter()
-                .any(|(_, line)| line.starts_with("Irradiance"))
-        );
-    }
-
-    #[test]
-    fn a_word_where_a_number_should_be_is_an_error_with_its_line() {
-        let text = "380,1\n385,2\n390,3\n395,abc\n400,5\n405,6\n";
-        let Err(NoTable::Bad(bad)) = tables(text, look(text, None).dialect) else {
-            panic!("an error expected");
-        };
-        assert_eq!((bad.line, bad.column, bad.text.as_str()), (4, 1, "abc"));
+        let mut header = tables[0].block.header.iter();
+        assert!(header.any(|(_, line)| line.starts_with("Irradiance")));
     }
 }

@@ -50,9 +50,7 @@ pub(crate) fn put_right(block: &mut Block, axis: usize, values: &[usize]) -> Vec
 /// Whether a column without a title is one of wavelengths in random order: numbers in the range of
 /// nanometres, all at one step.
 pub(crate) fn are_shuffled_nanometres(numbers: &[f64]) -> bool {
-    let (low, high) = numbers.iter().fold((f64::INFINITY, 0.0), |(low, high), x| {
-        (x.min(low), x.max(high))
-    });
+    let (low, high) = extent(numbers);
     WavelengthUnit::of_range(low, high) == Some(WavelengthUnit::Nanometre)
         && is_shuffled(numbers)
         && sorted_steps(numbers).is_some_and(|steps| {
@@ -70,6 +68,26 @@ fn sorted_steps(numbers: &[f64]) -> Option<Vec<f64>> {
     steps.sort_by(f64::total_cmp);
     // Not a number is not above zero either.
     (steps.first()? > &0.0 && steps.last()?.is_finite()).then_some(steps)
+}
+
+/// Whether numbers rise throughout, or fall.
+pub(super) fn runs_one_way(numbers: &[f64]) -> bool {
+    numbers.is_sorted_by(|a, b| a < b) || numbers.is_sorted_by(|a, b| a > b)
+}
+
+/// Whether numbers run one way in a range of wavelengths.
+pub(super) fn may_be_wavelengths(numbers: &[f64]) -> bool {
+    let (Some(first), Some(last)) = (numbers.first(), numbers.last()) else {
+        return false;
+    };
+    runs_one_way(numbers) && WavelengthUnit::of_range(first.min(*last), first.max(*last)).is_some()
+}
+
+/// The least of some numbers and the greatest; gaps do not matter.
+pub(super) fn extent(numbers: &[f64]) -> (f64, f64) {
+    let ends = (f64::INFINITY, f64::NEG_INFINITY);
+    let wider = |(low, high): (f64, f64), v: &f64| (low.min(*v), high.max(*v));
+    numbers.iter().fold(ends, wider)
 }
 
 /// How many steps go up, and down.

@@ -38,23 +38,11 @@ pub(crate) enum TooMuch {
     Blocks { line: usize, found: usize },
 }
 
-/// All blocks of at least two rows in a text, in its order.
+/// All blocks of at least two rows in a text that stands behind a number of lines of its file.
 ///
 /// # Errors
 /// [`TooMuch`] when the text holds more numbers than the program keeps.
-pub(crate) fn scan(text: &str, dialect: Dialect) -> Result<Vec<Block<'_>>, TooMuch> {
-    scan_behind(text, 0, dialect)
-}
-
-/// As [`scan`], for what stands in a file behind a number of lines.
-///
-/// # Errors
-/// As [`scan`].
-pub(crate) fn scan_behind(
-    text: &str,
-    lines: usize,
-    dialect: Dialect,
-) -> Result<Vec<Block<'_>>, TooMuch> {
+pub(crate) fn scan(text: &str, lines: usize, dialect: Dialect) -> Result<Vec<Block<'_>>, TooMuch> {
     let mut scanner = Scanner::new(text, lines, dialect);
     scanner.run()?;
     Ok(scanner.blocks)
@@ -288,8 +276,9 @@ impl<'a> Scanner<'a> {
             return Ok(());
         }
         self.held -= block.width;
+        let row = (block.lines[0] as usize, block.first_row());
         let after = std::mem::replace(&mut self.header, block.header);
-        push_header(&mut self.header, block.lines[0] as usize, block.first_row);
+        push_header(&mut self.header, row.0, row.1);
         self.header.extend(after);
         // Else it would grow with every single row.
         trim(&mut self.header);
@@ -326,24 +315,17 @@ fn before_comment(line: &str) -> Option<&str> {
 }
 
 fn looks_like_row(kinds: &[Cell]) -> bool {
-    let (mut numbers, mut gaps, mut texts) = (0, 0, 0);
-    let mut first_gap_or_empty = 0;
+    let (mut numbers, mut gaps, mut empty, mut texts) = (0, 0, 0, 0);
     for kind in kinds {
         match kind {
-            Cell::Number(_) | Cell::Percent(_) | Cell::Nanometres(_) | Cell::WithUnit(_) => {
-                numbers += 1;
-            }
             Cell::Gap => gaps += 1,
-            Cell::Empty => first_gap_or_empty += 1,
+            Cell::Empty => empty += 1,
             Cell::Text => texts += 1,
+            _ => numbers += 1,
         }
     }
     // A wavelength with nothing but empty cells behind it is a row with every value missing.
-    let lone = numbers == 1
-        && texts == 0
-        && first_gap_or_empty > 0
-        && kinds.len() > 1
-        && matches!(kinds[0], Cell::Number(_));
+    let lone = numbers == 1 && texts == 0 && empty > 0 && matches!(kinds[0], Cell::Number(_));
     texts <= numbers && (numbers + gaps >= 2 && numbers >= 1 || lone)
 }
 
@@ -365,36 +347,26 @@ fn trim(header: &mut Vec<(usize, &str)>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::table::block::BadCell;
 
-    const COMMA: Dialect = Dialect {
-        delimiter: Delimiter::Comma,
-        decimal_comma: false,
-    };
+    const COMMA: Dialect = Dialect::new(Delimiter::Comma, false);
 
     fn blocks(text: &str) -> Vec<Block<'_>> {
-        scan(text, COMMA).unwrap_or_default()
+        scan(text, 0, COMMA).unwrap_or_default()
     }
 
     #[test]
-    fn words_around_a_block_are_its_header() {
+    fn words_around_a_block_are_its_header_and_between_blocks_divide_them() {
         let found = blocks("Lamp A\n# note\nIndex,13,14\nnm,a,b\n380,1,2\n\n385,3,4\n");
         assert_eq!(found.len(), 1);
         assert_eq!(found[0].values, [[380.0, 385.0], [1.0, 3.0], [2.0, 4.0]]);
         assert_eq!(found[0].lines, [5, 7]);
-        assert_eq!(
-            found[0].header,
-            [
-                (1, "Lamp A"),
-                (2, "note"),
-                (3, "Index,13,14"),
-                (4, "nm,a,b")
-            ]
-        );
-    }
-
-    #[test]
-    fn words_between_blocks_divide_them() {
+        let header = [
+            (1, "Lamp A"),
+            (2, "note"),
+            (3, "Index,13,14"),
+            (4, "nm,a,b"),
+        ];
+        assert_eq!(found[0].header, header);
         let found = blocks("380,1\n385,2\nSecond\n380,3\n385,4\n");
         assert_eq!(found.len(), 2);
         assert_eq!(found[1].header, [(3, "Second")]);
@@ -427,15 +399,10 @@ mod tests {
         assert_eq!(found.len(), 1);
         assert_eq!(found[0].rows(), 5);
         assert_eq!(found[0].columns[1].numbers, 3);
-        assert_eq!(
-            found[0].bad,
-            [BadCell {
-                line: 4,
-                column: 1,
-                text: "abc".to_owned(),
-                certain: true,
-            }]
-        );
+        let bad: Vec<_> = found[0].bad.iter().collect();
+        assert_eq!(bad.len(), 1);
+        assert_eq!((bad[0].line, bad[0].column, &*bad[0].text), (4, 1, "abc"));
+        assert!(bad[0].certain);
     }
 
     #[test]
@@ -451,40 +418,29 @@ mod tests {
         let found =
             blocks("380,1\n385,2\n390,3\n395,4\n400,NaN\n\n405, 6 \r\n410,\"7\"\n# c\n415,8");
         assert_eq!(found.len(), 1);
-        let values = &found[0].values;
-        assert_eq!(
-            values[0],
-            [380.0, 385.0, 390.0, 395.0, 400.0, 405.0, 410.0, 415.0]
-        );
-        assert_eq!(values[1][..4], [1.0, 2.0, 3.0, 4.0]);
-        assert!(values[1][4].is_nan());
-        assert_eq!(values[1][5..], [6.0, 7.0, 8.0]);
+        let nm = [380.0, 385.0, 390.0, 395.0, 400.0, 405.0, 410.0, 415.0];
+        assert_eq!(found[0].values[0], nm);
+        assert_eq!(found[0].values[1][..4], [1.0, 2.0, 3.0, 4.0]);
+        assert!(found[0].values[1][4].is_nan());
+        assert_eq!(found[0].values[1][5..], [6.0, 7.0, 8.0]);
         assert_eq!(found[0].lines, [1, 2, 3, 4, 5, 7, 8, 10]);
-        assert_eq!(
-            (found[0].columns[0].numbers, found[0].columns[1].numbers),
-            (8, 7)
-        );
+        let numbers = |column: usize| found[0].columns[column].numbers;
+        assert_eq!((numbers(0), numbers(1)), (8, 7));
     }
 
     #[test]
     fn a_million_columns_are_too_many() {
         let row = "1,".repeat(1_000_000);
         let text = format!("{row}\n{row}\n");
-        let found = scan(&text, COMMA).map(|blocks| blocks.len());
-        let too_many = TooMuch::Columns {
-            line: 1,
-            found: 1_000_001,
-        };
-        assert_eq!(found, Err(too_many));
+        let found = |text, dialect| scan(text, 0, dialect).map(|blocks| blocks.len());
+        let too_many = |found| Err(TooMuch::Columns { line: 1, found });
+        assert_eq!(found(&text, COMMA), too_many(1_000_001));
         // Titles are cells as numbers are; words of a text are not.
         let titles = "a,".repeat(MOST_COLUMNS);
-        assert!(matches!(scan(&titles, COMMA), Err(TooMuch::Columns { .. })));
+        assert_eq!(found(&titles, COMMA), too_many(MOST_COLUMNS + 1));
         let words = titles.replace(',', " ") + "\n380 1\n385 2\n";
-        let blanks = Dialect {
-            delimiter: Delimiter::Space,
-            ..COMMA
-        };
-        assert_eq!(scan(&words, blanks).map(|blocks| blocks.len()), Ok(1));
+        let blanks = Dialect::new(Delimiter::Space, false);
+        assert_eq!(found(&words, blanks), Ok(1));
     }
 
     #[test]

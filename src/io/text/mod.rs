@@ -143,12 +143,7 @@ pub(super) fn first_line(text: &str) -> Option<(&str, &str)> {
     }) else {
         return Some((text, ""));
     };
-    let past = end
-        + if text[end..].starts_with("\r\n") {
-            2
-        } else {
-            1
-        };
+    let past = end + 1 + usize::from(text[end..].starts_with("\r\n"));
     Some((&text[..end], &text[past..]))
 }
 

@@ -161,14 +161,14 @@ pub(crate) fn unit_behind(cell: &str) -> Option<&str> {
 /// `1,630.3` with a point, `1 630,3` or `1'630.3` with either. Without decimals only the apostrophe
 /// tells: `1,630` may be a number below two.
 fn in_thousands(cell: &str, decimal_comma: bool) -> Option<f64> {
+    if cell.len() > 40 {
+        return None;
+    }
     let (mark, other) = if decimal_comma {
         (',', '.')
     } else {
         ('.', ',')
     };
-    if cell.len() > 40 {
-        return None;
-    }
     let separator = cell
         .chars()
         .find(|c| [other, ' ', '\u{a0}', '\u{202f}', '\'', '’'].contains(c))?;
@@ -177,9 +177,7 @@ fn in_thousands(cell: &str, decimal_comma: bool) -> Option<f64> {
         None if ['\'', '’'].contains(&separator) => (cell, ""),
         None => return None,
     };
-    let fits = is_grouped(whole.trim_start_matches(['-', '+']), separator)
-        && is_digits(decimals)
-        && cell.len() <= 40;
+    let fits = is_grouped(whole.trim_start_matches(['-', '+']), separator) && is_digits(decimals);
     let plain: String = whole.chars().filter(|c| *c != separator).collect();
     fits.then(|| format!("{plain}.{decimals}0").parse().ok())?
 }
@@ -209,11 +207,7 @@ pub(crate) fn number(cell: &str, decimal_comma: bool) -> Option<f64> {
         return cell.parse().ok();
     }
     let Some(comma) = bytes.iter().position(|b| *b == b',') else {
-        return if bytes.contains(&b'.') {
-            None
-        } else {
-            cell.parse().ok()
-        };
+        return cell.parse().ok().filter(|_| !bytes.contains(&b'.'));
     };
     let mut buffer = [0u8; 64];
     let copy = buffer.get_mut(..bytes.len())?;
