@@ -91,9 +91,6 @@ pub(crate) fn find(text: &str) -> Option<Pairs<'_>> {
 }
 
 /// Reads pairs as a spectrum.
-///
-/// # Errors
-/// [`ReadError`] when they are none.
 pub(crate) fn read(input: &Input, pairs: &Pairs) -> Result<Reading, ReadError> {
     let (scale, heading) = (Scale::new(&pairs.axis), Heading::of(&pairs.header));
     let raw = RawSpectrum {
@@ -104,9 +101,6 @@ pub(crate) fn read(input: &Input, pairs: &Pairs) -> Result<Reading, ReadError> {
 }
 
 /// The reading of a file whose one spectrum is such pairs.
-///
-/// # Errors
-/// [`ReadError`] when they are none.
 pub(crate) fn alone(raw: RawSpectrum, input: &Input) -> Result<Reading, ReadError> {
     let mut reading = Reading::default();
     interpret(raw, input, &mut reading)?;

@@ -1,5 +1,7 @@
 //! Blocks of numbers in a text, as [`scan`](super::scan) finds them.
 
+use std::borrow::Borrow;
+
 use crate::io::error::quoted;
 use crate::io::text::dialect::{Dialect, used};
 use crate::io::text::number::{Cell, unit_behind};
@@ -24,8 +26,9 @@ pub(crate) fn most_left_out(rows: usize) -> usize {
 }
 
 /// Whether values are a spectrum's: two at least that are not missing.
-pub(crate) fn has_values(values: impl Iterator<Item = f64>) -> bool {
-    values.filter(|value| !value.is_nan()).nth(1).is_some()
+pub(crate) fn has_values<V: Borrow<f64>>(values: impl IntoIterator<Item = V>) -> bool {
+    let mut filled = values.into_iter().filter(|value| !value.borrow().is_nan());
+    filled.nth(1).is_some()
 }
 
 /// What one column of a block holds.

@@ -31,9 +31,8 @@ struct Rows<'a> {
     values: &'a [usize],
     run: Range<usize>,
     part: String,
-    /// Spectra of the whole table, and of its groups before this one.
+    /// Spectra of the whole table.
     columns: usize,
-    before: usize,
     /// Names from a line above the titles; empty where none tells columns apart.
     above: &'a [String],
     /// Whether the columns are a camera's R, G and B.
@@ -44,9 +43,6 @@ struct Rows<'a> {
 
 /// Adds the spectra of columns, each group of them beside its wavelengths. `part` tells the table
 /// apart from others of the file.
-///
-/// # Errors
-/// [`ReadError`] when numbers are no spectrum, or spectra are too many.
 pub(crate) fn read_groups(
     file: &File,
     table: &mut Table,
@@ -66,18 +62,18 @@ pub(crate) fn read_groups(
     let mut before = 0;
     for group in groups {
         let mut values = group.values.clone();
-        let named = match groups {
-            [_] => samples::together(&mut table.block, file.dialect, group.axis, &group.values),
-            _ => None,
-        };
-        if groups.len() == 1 && named.is_none() {
-            no_single_points(file, table, group.axis)?;
-            let said = row_order::put_right(&mut table.block, group.axis, &group.values);
-            reading.notes.extend(said);
-        }
-        let rows = match groups {
-            [_] => table.block.rows(),
-            _ => rows_of(table, group),
+        let (rows, named) = match groups {
+            [_] => {
+                let block = &mut table.block;
+                let named = samples::together(block, file.dialect, group.axis, &group.values);
+                if named.is_none() {
+                    no_single_points(file, table, group.axis)?;
+                    let said = row_order::put_right(&mut table.block, group.axis, &group.values);
+                    reading.notes.extend(said);
+                }
+                (table.block.rows(), named)
+            }
+            _ => (rows_of(table, group), None),
         };
         let axis = table.block.column(group.axis)[..rows].to_vec();
         let runs: Vec<(Range<usize>, Option<String>)> = match named {
@@ -100,17 +96,10 @@ pub(crate) fn read_groups(
             None => layout::runs(&axis).into_iter().map(|r| (r, None)).collect(),
         };
         let several = runs.len() > 1;
-        let has_values_in = |column: &[f64], run: &Range<usize>| {
-            let values = column[run.clone()].iter();
-            has_values(values.copied())
-        };
         let columns_read = values.iter().map(|column| table.block.column(*column));
-        let spectra = columns_read.map(|of| {
-            runs.iter()
-                .filter(|(run, _)| has_values_in(of, run))
-                .count()
-        });
-        check_room(file.input, reading.spectra.len() + spectra.sum::<usize>())?;
+        let filled =
+            columns_read.flat_map(|of| runs.iter().filter(|run| has_values(&of[run.0.clone()])));
+        check_room(file.input, reading.spectra.len() + filled.count())?;
         for (number, (run, sample)) in runs.into_iter().enumerate() {
             let rows = Rows {
                 axis_column: group.axis,
@@ -123,8 +112,7 @@ pub(crate) fn read_groups(
                     part.to_owned()
                 },
                 columns: columns - (group.values.len() - values.len()),
-                before,
-                above: &above,
+                above: above.get(before..).unwrap_or(&[]),
                 is_rgb,
                 sample: sample.as_deref(),
             };
@@ -146,19 +134,19 @@ fn no_single_points(file: &File, table: &Table, axis: usize) -> Result<(), ReadE
         "another name in every row ({}) and wavelengths that go to and fro",
         roles::shown(&table.titles, names)
     );
-    let error = file
-        .input
-        .error(found, "several wavelengths of each spectrum");
-    Err(error.at_line(table.block.lines[0] as usize))
+    let expected = "several wavelengths of each spectrum";
+    let line = table.block.lines[0] as usize;
+    Err(file.input.error(found, expected).at_line(line))
 }
 
 /// Rows of a table beside another, without those below its end.
 fn rows_of(table: &Table, group: &Group) -> usize {
-    let columns = || group.values.iter().chain([&group.axis]);
-    (0..table.block.rows())
-        .rev()
-        .find(|row| columns().any(|column| !table.block.column(*column)[*row].is_nan()))
-        .map_or(0, |row| row + 1)
+    let is_filled = |row: usize| {
+        let mut columns = group.values.iter().chain([&group.axis]);
+        columns.any(|column| !table.block.column(*column)[row].is_nan())
+    };
+    let last = (0..table.block.rows()).rposition(is_filled);
+    last.map_or(0, |row| row + 1)
 }
 
 fn read_columns(
@@ -183,12 +171,12 @@ fn read_columns(
         } else {
             of_column[rows.run.clone()].to_vec()
         };
-        let name = match rows.above.get(rows.before + number) {
+        let name = match rows.above.get(number) {
             Some(name) => name.clone(),
             None => column_name(titles, *column, rows.columns),
         };
         // A column that is empty in this part of the table is no spectrum; others still are.
-        if values.len() > 1 && !has_values(of_column.iter().copied()) {
+        if values.len() > 1 && !has_values(&of_column) {
             reading.notes.push(no_table::empty_column(*column));
             continue;
         }

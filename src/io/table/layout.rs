@@ -55,8 +55,20 @@ const TRACED_REVERSALS: usize = 50;
 /// What nanometres in random order score: less than any that rise or fall.
 const SHUFFLED: u32 = 1;
 
-/// What numbers in the range of nanometres score, and every axis that is titled so.
-const CLEAR: u32 = 4;
+/// What numbers in the range of nanometres score, and every axis that is titled so: what is asked
+/// of a few rows beside a long table.
+pub(crate) const CLEAR: u32 = 4;
+
+/// Some tables begin with zeros or end with one that are no wavelengths.
+fn without_zero_ends(numbers: &[f64]) -> &[f64] {
+    let counts = |v: &f64| !v.is_nan() && *v != 0.0;
+    let first = numbers.iter().position(counts).unwrap_or(numbers.len());
+    let behind = numbers.iter().rposition(counts).map_or(first, |at| at + 1);
+    match numbers[behind..].iter().filter(|v| **v == 0.0).count() {
+        1 => &numbers[first..behind],
+        _ => &numbers[first..],
+    }
+}
 
 /// How sure a sequence of numbers is a wavelength axis: 0 is no.
 fn strength(numbers: &[f64], most_reversals: usize) -> u32 {
@@ -64,28 +76,14 @@ fn strength(numbers: &[f64], most_reversals: usize) -> u32 {
     let mut max = f64::NEG_INFINITY;
     let (mut count, mut up, mut down, mut ones) = (0usize, 0usize, 0usize, 0usize);
     let mut last = f64::NAN;
-    let mut look = |v: f64| {
+    for v in without_zero_ends(numbers).iter().filter(|v| !v.is_nan()) {
         count += 1;
-        min = min.min(v);
-        max = max.max(v);
-        up += usize::from(v > last);
-        down += usize::from(v < last);
-        ones += usize::from(v - last == 1.0);
-        last = v;
-    };
-    // Some tables begin or end with a zero that is no wavelength.
-    let (mut begun, mut zeros) = (false, 0);
-    for v in numbers.iter().copied().filter(|v| !v.is_nan()) {
-        if v == 0.0 {
-            zeros += usize::from(begun);
-            continue;
-        }
-        begun = true;
-        (0..std::mem::take(&mut zeros)).for_each(|_| look(0.0));
-        look(v);
-    }
-    if zeros > 1 {
-        (0..zeros).for_each(|_| look(0.0));
+        min = min.min(*v);
+        max = max.max(*v);
+        up += usize::from(*v > last);
+        down += usize::from(*v < last);
+        ones += usize::from(*v - last == 1.0);
+        last = *v;
     }
     let reversals = up.min(down);
     // Numbers that hardly ever change are readings, unless a title says otherwise.
@@ -98,7 +96,7 @@ fn strength(numbers: &[f64], most_reversals: usize) -> u32 {
     }
     let counts_rows = ones + 1 == count && min <= 1.0 && min.fract() == 0.0;
     match WavelengthUnit::of_range(min, max) {
-        Some(WavelengthUnit::Nanometre) => 4,
+        Some(WavelengthUnit::Nanometre) => CLEAR,
         Some(WavelengthUnit::PerCentimetre) => 3,
         Some(_) if !counts_rows => 2,
         None if looks_like_metres(min, max) => 2,
@@ -106,19 +104,8 @@ fn strength(numbers: &[f64], most_reversals: usize) -> u32 {
     }
 }
 
-/// The block's layout, or `None` when it holds no wavelengths.
-pub(crate) fn of(block: &Block, titles: &Titles, dialect: Dialect) -> Option<Layout> {
-    with_strength(block, titles, dialect).map(|(layout, _)| layout)
-}
-
-/// The layout of a block where its numbers or titles say clearly that they are wavelengths: what
-/// is asked of a few rows beside a long table.
-pub(crate) fn clear(block: &Block, titles: &Titles, dialect: Dialect) -> Option<Layout> {
-    let (layout, strength) = with_strength(block, titles, dialect)?;
-    (strength >= CLEAR).then_some(layout)
-}
-
-fn with_strength(block: &Block, titles: &Titles, dialect: Dialect) -> Option<(Layout, u32)> {
+/// The block's layout and how sure it is, or `None` when it holds no wavelengths.
+pub(crate) fn of(block: &Block, titles: &Titles, dialect: Dialect) -> Option<(Layout, u32)> {
     let (down, down_strength) = wavelength_column(block, titles);
     let along = wavelength_row(block).or_else(|| wavelength_header(block, dialect));
     let surer = along.filter(|(_, strength)| {
@@ -226,12 +213,8 @@ pub(crate) fn runs(axis: &[f64]) -> Vec<Range<usize>> {
     let (mut start, mut low, mut high) = (0, f64::INFINITY, f64::NEG_INFINITY);
     let mut rising = None;
     let mut last = f64::NAN;
-    for (row, v) in axis
-        .iter()
-        .copied()
-        .enumerate()
-        .filter(|(_, v)| !v.is_nan() && *v != 0.0)
-    {
+    let rows = axis.iter().copied().enumerate();
+    for (row, v) in rows.filter(|(_, v)| !v.is_nan() && *v != 0.0) {
         let against = match rising {
             Some(true) => last - v,
             Some(false) => v - last,
@@ -251,8 +234,7 @@ pub(crate) fn runs(axis: &[f64]) -> Vec<Range<usize>> {
     runs.push(start..axis.len());
     if are_apart(axis, &runs) {
         // One curve in several pieces, as people trace them from a plot.
-        runs.clear();
-        runs.push(0..axis.len());
+        runs = std::iter::once(0..axis.len()).collect();
     }
     runs
 }
@@ -274,7 +256,7 @@ mod tests {
         let dialect = Dialect::new(Delimiter::Comma, false);
         let blocks = scan(text, 0, dialect).unwrap();
         let block = &blocks[0];
-        of(block, &Titles::of(block, dialect), dialect)
+        of(block, &Titles::of(block, dialect), dialect).map(|found| found.0)
     }
 
     #[test]
@@ -315,15 +297,5 @@ mod tests {
             "id,380 nm,390 nm,400 nm,410 nm,420 nm\nred,.1,.2,.3,.4,.5\nblue,.5,.4,.3,.2,.1\n";
         let along = rows(text);
         assert_eq!((along.first, along.says_nm), (1, true));
-    }
-
-    #[test]
-    fn a_range_listed_twice_is_two_tables_and_an_overlap_is_one() {
-        let runs_with = |again: Range<u16>| {
-            let axis = (0..10).chain(again).map(|i| 380.0 + 5.0 * f64::from(i));
-            runs(&axis.collect::<Vec<f64>>())
-        };
-        assert_eq!(runs_with(0..10), [0..10, 10..20]);
-        assert_eq!(runs_with(8..20).len(), 1);
     }
 }

@@ -86,9 +86,6 @@ impl<'a> Look<'a> {
     }
 
     /// All tables of the text. Where a look at its first part saw none, its rest is not gone over.
-    ///
-    /// # Errors
-    /// As [`tables`].
     pub(crate) fn tables(&self) -> Result<Vec<Table<'a>>, NoTable> {
         let found = tables(self.seen, self.dialect);
         if found.is_ok() && self.is_part() {
@@ -185,9 +182,6 @@ fn score(blocks: &[Block], dialect: Dialect) -> (usize, usize) {
 }
 
 /// All tables of a text in a dialect.
-///
-/// # Errors
-/// [`NoTable`] when there is none, or one is broken by a word.
 pub(crate) fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoTable> {
     let blocks = scan(text, 0, dialect).map_err(NoTable::TooMany)?;
     // Of equally long ones the first.
@@ -208,22 +202,19 @@ pub(crate) fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoT
         let keyed = Titles::of_keys(&mut block, dialect);
         let titles = keyed.unwrap_or_else(|| Titles::of(&block, dialect));
         let is_short = block.rows() * SHORTEST_SHARE < longest;
-        let layout = if !is_short {
-            layout::of(&block, &titles, dialect)
-        } else if block.rows() >= FEWEST_SHORT_ROWS {
-            layout::clear(&block, &titles, dialect)
-        } else {
-            None
-        };
-        match layout {
-            Some(layout) => tables.push(Table {
-                block,
-                titles,
-                layout,
-                notes,
-                is_short,
-            }),
-            None => {
+        let may_be = !is_short || block.rows() >= FEWEST_SHORT_ROWS;
+        let layout = may_be.then(|| layout::of(&block, &titles, dialect));
+        match layout.flatten() {
+            Some((layout, strength)) if !is_short || strength >= layout::CLEAR => {
+                tables.push(Table {
+                    block,
+                    titles,
+                    layout,
+                    notes,
+                    is_short,
+                })
+            }
+            _ => {
                 left_out.push(lines_left_out(&block));
                 // Times or angles over the columns: what stands above them is the next block's
                 // header.
@@ -258,16 +249,12 @@ fn begins_with_titles(block: &Block, dialect: Dialect) -> bool {
 
 /// What is said of a block that is not read.
 pub(crate) fn lines_left_out(block: &Block) -> String {
-    let (first, last) = (block.lines.first(), block.lines.last());
-    let line = |line: Option<&u32>| line.copied().unwrap_or_default();
-    format!("lines {} to {} left out", line(first), line(last))
+    let (first, last) = (block.lines[0], block.lines[block.rows() - 1]);
+    format!("lines {first} to {last} left out")
 }
 
 /// The blocks of a text that is known to be one table behind a number of lines of its file, and
 /// what was passed over in each.
-///
-/// # Errors
-/// [`NoTable`] when its rows are none, or one is broken by a word.
 pub(crate) fn blocks_behind(
     text: &str,
     lines: usize,
@@ -275,10 +262,9 @@ pub(crate) fn blocks_behind(
 ) -> Result<Vec<(Block<'_>, Vec<String>)>, NoTable> {
     let found = scan(text, lines, dialect).map_err(NoTable::TooMany)?;
     let blocks = joined(found, text, dialect)?;
-    match blocks.is_empty() {
-        true => Err(NoTable::NoRows),
-        false => Ok(blocks),
-    }
+    (!blocks.is_empty())
+        .then_some(blocks)
+        .ok_or(NoTable::NoRows)
 }
 
 /// What keeps the first column of a block from being wavelengths: a number that is not above zero
@@ -303,11 +289,8 @@ fn no_wavelengths(block: &Block) -> NoTable {
         return why(at + 1, found, "wavelengths that rise or fall throughout");
     }
     let found = "numbers with no wavelengths among them".to_owned();
-    why(
-        0,
-        found,
-        "a column or row of wavelengths that rises or falls throughout",
-    )
+    let expected = "a column or row of wavelengths that rises or falls throughout";
+    why(0, found, expected)
 }
 
 /// A block, what was passed over to get it, and the rows with a word that it was broken by.

@@ -19,9 +19,6 @@ use crate::io::{Guessed, Input, OpenQuestion, ReadError, Reading};
 
 /// The spectra of all tables of a text; how their cells are set apart is found where it is not
 /// known, and not told.
-///
-/// # Errors
-/// [`ReadError`] when there is no table.
 pub(crate) fn read_tables(
     input: &Input,
     text: &str,
@@ -152,9 +149,6 @@ fn read_table(
 
 /// Refuses words among the numbers of the columns that count, and a table without values. Where a
 /// column is all numbers but for a word or two, these are gaps, and said.
-///
-/// # Errors
-/// [`ReadError`] with the line at fault.
 pub(crate) fn without_words(
     input: &Input,
     block: &Block,

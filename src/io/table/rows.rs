@@ -14,9 +14,6 @@ use crate::io::text::units::names_wavelength;
 use crate::io::{ReadError, Reading};
 
 /// Adds the spectra of such a table to a reading.
-///
-/// # Errors
-/// [`ReadError`] for a word among the numbers, or numbers that are no spectrum.
 pub(crate) fn read_rows(
     file: &File,
     table: &Table,

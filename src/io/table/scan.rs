@@ -39,25 +39,37 @@ pub(crate) enum TooMuch {
 }
 
 /// All blocks of at least two rows in a text that stands behind a number of lines of its file.
-///
-/// # Errors
-/// [`TooMuch`] when the text holds more numbers than the program keeps.
 pub(crate) fn scan(text: &str, lines: usize, dialect: Dialect) -> Result<Vec<Block<'_>>, TooMuch> {
-    let mut scanner = Scanner::new(text, lines, dialect);
-    scanner.run()?;
-    Ok(scanner.blocks)
+    let (blocks, end) = scan_as_far(text, lines, dialect);
+    end.map(|()| blocks)
 }
 
-/// The first blocks of a text: as many as a scan takes.
-///
-/// # Errors
-/// [`TooMuch`] of another kind than too many blocks.
+/// The first blocks of a text: as many as a scan takes, so that they are never too many.
 pub(crate) fn scan_start(text: &str, dialect: Dialect) -> Result<Vec<Block<'_>>, TooMuch> {
-    let mut scanner = Scanner::new(text, 0, dialect);
-    match scanner.run() {
-        Ok(()) | Err(TooMuch::Blocks { .. }) => Ok(scanner.blocks),
-        Err(too_much) => Err(too_much),
+    match scan_as_far(text, 0, dialect) {
+        (blocks, Ok(()) | Err(TooMuch::Blocks { .. })) => Ok(blocks),
+        (_, Err(too_much)) => Err(too_much),
     }
+}
+
+/// The blocks of a text as far as they are kept, and why no further.
+fn scan_as_far(text: &str, line: usize, dialect: Dialect) -> (Vec<Block<'_>>, Result<(), TooMuch>) {
+    let mut scanner = Scanner {
+        dialect,
+        rest: text,
+        line,
+        blocks: Vec::new(),
+        header: Vec::new(),
+        open: None,
+        cells: Vec::new(),
+        kinds: Vec::new(),
+        held: 0,
+        beside: 0,
+        // The spectra that become of them take the other half.
+        most_beside: budget::of(text.len()) / 2,
+    };
+    let end = scanner.run();
+    (scanner.blocks, end)
 }
 
 /// A scan on its way through a text.
@@ -83,23 +95,6 @@ struct Scanner<'a> {
 }
 
 impl<'a> Scanner<'a> {
-    fn new(text: &'a str, lines: usize, dialect: Dialect) -> Self {
-        Self {
-            dialect,
-            rest: text,
-            line: lines,
-            blocks: Vec::new(),
-            header: Vec::new(),
-            open: None,
-            cells: Vec::new(),
-            kinds: Vec::new(),
-            held: 0,
-            beside: 0,
-            // The spectra that become of them take the other half.
-            most_beside: budget::of(text.len()) / 2,
-        }
-    }
-
     fn run(&mut self) -> Result<(), TooMuch> {
         let mut plain = PlainRow::new(self.dialect);
         loop {
@@ -399,18 +394,22 @@ mod tests {
         assert_eq!(found.len(), 1);
         assert_eq!(found[0].rows(), 5);
         assert_eq!(found[0].columns[1].numbers, 3);
-        let bad: Vec<_> = found[0].bad.iter().collect();
-        assert_eq!(bad.len(), 1);
-        assert_eq!((bad[0].line, bad[0].column, &*bad[0].text), (4, 1, "abc"));
-        assert!(bad[0].certain);
+        let [bad] = &found[0].bad[..] else {
+            panic!("one word: {:?}", found[0].bad);
+        };
+        assert_eq!((bad.line, bad.column, &*bad.text), (4, 1, "abc"));
+        assert!(bad.certain);
     }
 
     #[test]
     fn a_remark_that_only_some_rows_have_does_not_break_the_table() {
-        let found = blocks("380,1,\n381,2,peak\n382,3,\n383,4,\n");
-        assert_eq!((found.len(), found[0].rows()), (1, 4));
-        let found = blocks("0,380,0.1,0.2\n1,390,0.2,0.3\n2,400,0.3,\n3,410,0.4,0.5\n");
-        assert_eq!((found.len(), found[0].rows()), (1, 4));
+        for text in [
+            "380,1,\n381,2,peak\n382,3,\n383,4,\n",
+            "0,380,0.1,0.2\n1,390,0.2,0.3\n2,400,0.3,\n3,410,0.4,0.5\n",
+        ] {
+            let found = blocks(text);
+            assert_eq!((found.len(), found[0].rows()), (1, 4));
+        }
     }
 
     #[test]
@@ -472,11 +471,5 @@ mod tests {
         let found = blocks(&text);
         assert_eq!(found.len(), 1);
         assert_eq!(found[0].header.len(), HEADER_LINES);
-    }
-
-    #[test]
-    fn a_row_gone_wrong_is_remembered_where_it_ends_a_block() {
-        let found = blocks("380,1\n385,2\n390,3\n395,abc\n400,5\n405,6\n");
-        assert_eq!(found[0].ended_by.as_ref().map(|b| b.line), Some(4));
     }
 }
