@@ -21,7 +21,6 @@ pub(crate) struct Pairs<'a> {
     header: Vec<(usize, &'a str)>,
     /// Wavelengths in the file's unit.
     pub axis: Vec<f64>,
-    /// As many values.
     pub values: Vec<f64>,
     /// Line of each value.
     pub lines: Vec<u32>,

@@ -55,7 +55,6 @@ pub(crate) struct BadCell {
     pub line: usize,
     /// Column, from 0.
     pub column: usize,
-    /// The word.
     pub text: String,
     /// Whether its line is a row beyond doubt: its first number carries the column on.
     pub certain: bool,
@@ -108,7 +107,6 @@ pub(crate) struct Block<'a> {
     pub values: Vec<Vec<f64>>,
     /// Line of each row, from 1.
     pub lines: Vec<u32>,
-    /// One entry a column.
     pub columns: Vec<Column>,
     /// Words among numbers, at most one a column (the first).
     pub bad: Vec<BadCell>,

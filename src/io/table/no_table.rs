@@ -79,10 +79,12 @@ fn no_rows(input: &Input, text: &str) -> ReadError {
         };
         return input.error(found, A_TABLE).at_line(1);
     };
-    let found = match is_part {
-        true => format!("no table in {size} after {}", quoted(first)),
-        false => format!("no table after {}", quoted(first)),
+    let of_part = if is_part {
+        format!(" in {size}")
+    } else {
+        String::new()
     };
+    let found = format!("no table{of_part} after {}", quoted(first));
     input.error(found, A_TABLE).at_line(line)
 }
 
@@ -139,10 +141,9 @@ mod tests {
                 row("nm", "a") + &rows,
                 "x".to_owned() + &mark.repeat(70_000),
             ] {
-                assert_eq!(
-                    refusal(&text).to_string(),
-                    "a.csv, line 1: found 70001 columns, expected at most 65536 columns"
-                );
+                let said = refusal(&text).to_string();
+                let expected = "found 70001 columns, expected at most 65536 columns";
+                assert_eq!(said, format!("a.csv, line 1: {expected}"));
             }
         }
         let blanks = "1 ".repeat(70_000);
@@ -179,10 +180,8 @@ mod tests {
         let two = refusal("500,1\n505,1,2\n").found;
         assert!(two.starts_with("rows of numbers"), "{two}");
         let rows: String = (0..20).map(|i| format!("{},1.5\n", 5 * i - 5)).collect();
-        assert_eq!(
-            refusal(&rows).to_string(),
-            "a.csv, line 1: found -5 in column 1, expected wavelengths above zero"
-        );
+        let expected = "a.csv, line 1: found -5 in column 1, expected wavelengths above zero";
+        assert_eq!(refusal(&rows).to_string(), expected);
     }
 
     #[test]

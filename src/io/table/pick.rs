@@ -30,11 +30,8 @@ const FEWEST_SHORT_ROWS: usize = 3;
 /// A block with its titles and layout.
 #[derive(Clone, Debug)]
 pub(crate) struct Table<'a> {
-    /// The numbers.
     pub block: Block<'a>,
-    /// What stands above them.
     pub titles: Titles,
-    /// Where the wavelengths are.
     pub layout: Layout,
     /// What was passed over to get it, a sentence each.
     pub notes: Vec<String>,
@@ -64,7 +61,6 @@ pub(crate) enum NoTable {
 pub(crate) struct Look<'a> {
     /// How its table is written, if it has one.
     pub dialect: Dialect,
-    /// The whole text.
     pub text: &'a str,
     /// The part of it that was looked at and holds no wavelengths; all of it where some were found.
     pub seen: &'a str,

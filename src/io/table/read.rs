@@ -43,6 +43,14 @@ pub(crate) fn read_tables(
     let file = File { input, dialect };
     check_room(input, tables.len())?;
     let left_out = without_false_tables(&file, &mut tables);
+    if let Some(column) = input.choices.axis_column {
+        for table in tables.iter_mut().filter(|table| !table.is_short) {
+            if column >= table.block.width {
+                return Err(no_table::no_such_column(input, table.block.width, column));
+            }
+            table.layout = Layout::Column(column);
+        }
+    }
     let mut reading = Reading {
         notes: left_out,
         table: tables.iter().find(|t| !t.is_short).map(|table| TableFound {
@@ -58,17 +66,6 @@ pub(crate) fn read_tables(
         ..Reading::default()
     };
     let several = tables.len() > 1;
-    if let Some(column) = input.choices.axis_column {
-        for table in tables.iter_mut().filter(|table| !table.is_short) {
-            if column >= table.block.width {
-                return Err(no_table::no_such_column(input, table.block.width, column));
-            }
-            table.layout = Layout::Column(column);
-        }
-        if let Some(found) = &mut reading.table {
-            found.axis_column = Some(column);
-        }
-    }
     for (number, table) in tables.iter_mut().enumerate() {
         let part = if several {
             format!(", table {}", number + 1)

@@ -25,7 +25,6 @@ impl LeftOut {
         move |column| Self { column, why }
     }
 
-    /// What is said of it.
     pub(crate) fn words(&self, titles: &Titles) -> String {
         format!("{} {}", shown(titles, self.column), self.why)
     }
@@ -34,9 +33,7 @@ impl LeftOut {
 /// A column of wavelengths and the columns with values at them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Group {
-    /// The column of wavelengths.
     pub axis: usize,
-    /// Columns that are spectra.
     pub values: Vec<usize>,
 }
 
@@ -391,29 +388,21 @@ mod tests {
     }
 
     #[test]
-    fn whole_numbers_below_zero_beside_measured_ones_are_a_setting() {
+    fn a_setting_and_one_number_before_every_wavelength_are_no_spectra() {
         let (columns, notes) = values("250;0.51;-10\n251;0.52;-10\n252;0.6;-9\n");
         assert_eq!(columns, [1]);
         assert!(notes[0].contains("a setting"), "{notes:?}");
         assert_eq!(values("250;1;-10\n251;2;-9\n252;3;-8\n").0, [1, 2]);
-    }
-
-    #[test]
-    fn one_number_before_every_wavelength_is_no_spectrum() {
         let (columns, notes) = found("210;290;1\n210;291;2\n210;292;5\n", 1);
         assert_eq!(columns, [2]);
         assert!(notes[0].contains("one number throughout"), "{notes:?}");
     }
 
     #[test]
-    fn a_spread_is_no_spectrum_but_a_sample_alone_is() {
+    fn a_spread_is_no_spectrum_but_a_sample_alone_and_a_name_with_its_word_are() {
         assert_eq!(values("nm;T;Std.Dev.\n300;1;0.1\n301;2;0.1\n").0, [1]);
         assert_eq!(values("nm;Sample\n300;1\n301;2\n").0, [1]);
         assert_eq!(values("nm;leaf;FWHM;sd\n300;1;5;2\n301;2;5;1\n").0, [1]);
-    }
-
-    #[test]
-    fn a_name_with_a_word_of_spreads_in_it_is_a_spectrum() {
         let text = "nm;Std A;Std D65;Other\n300;1;2;3\n301;2;3;4\n";
         assert_eq!(values(text).0, [1, 2, 3]);
         assert_eq!(values("nm;std\n300;1\n301;2\n").0, [1]);

@@ -428,21 +428,6 @@ mod tests {
     }
 
     #[test]
-    fn a_million_columns_are_too_many() {
-        let row = "1,".repeat(1_000_000);
-        let text = format!("{row}\n{row}\n");
-        let found = |text, dialect| scan(text, 0, dialect).map(|blocks| blocks.len());
-        let too_many = |found| Err(TooMuch::Columns { line: 1, found });
-        assert_eq!(found(&text, COMMA), too_many(1_000_001));
-        // Titles are cells as numbers are; words of a text are not.
-        let titles = "a,".repeat(MOST_COLUMNS);
-        assert_eq!(found(&titles, COMMA), too_many(MOST_COLUMNS + 1));
-        let words = titles.replace(',', " ") + "\n380 1\n385 2\n";
-        let blanks = Dialect::new(Delimiter::Space, false);
-        assert_eq!(found(&words, blanks), Ok(1));
-    }
-
-    #[test]
     fn a_block_keeps_no_room_for_rows_that_did_not_come() {
         let row = "380,1\n";
         let short = format!("{}x\n", row.repeat(5)).repeat(100);

@@ -190,21 +190,13 @@ mod tests {
     }
 
     #[test]
-    fn titles_and_a_line_of_units_below_them_are_found() {
-        let found = titles(
-            "Wave ;Dark ;Transmittance\n[nm] ;[counts] ;[%]\n\n300;3;1.5\n301;2;2.5\n",
-            Delimiter::Semicolon,
-        );
+    fn titles_and_a_line_of_units_below_them_in_brackets_or_plain_are_found() {
+        let text = "Wave ;Dark ;Transmittance\n[nm] ;[counts] ;[%]\n\n300;3;1.5\n301;2;2.5\n";
+        let found = titles(text, Delimiter::Semicolon);
         assert_eq!(found.names, ["Wave", "Dark", "Transmittance"]);
         assert_eq!(found.units, ["[nm]", "[counts]", "[%]"]);
-    }
-
-    #[test]
-    fn a_line_of_plain_units_stands_below_the_titles() {
-        let found = titles(
-            "Wavelength;Irradiance;R\nnm;W/m^2/nm;%\n300;3;1.5\n301;2;2.5\n",
-            Delimiter::Semicolon,
-        );
+        let text = "Wavelength;Irradiance;R\nnm;W/m^2/nm;%\n300;3;1.5\n301;2;2.5\n";
+        let found = titles(text, Delimiter::Semicolon);
         assert_eq!(found.names, ["Wavelength", "Irradiance", "R"]);
         assert_eq!(found.units, ["nm", "W/m^2/nm", "%"]);
         let alone = titles("nm;W/m2\n300;3\n301;2\n", Delimiter::Semicolon);
@@ -213,10 +205,8 @@ mod tests {
 
     #[test]
     fn numbered_columns_take_the_word_before_them() {
-        let found = titles(
-            "Irradiance [uW],\nIndex,13,14,\nName,,,\n[nm],\n327.1,3.7,3.8\n329,3.5,3.6\n",
-            Delimiter::Comma,
-        );
+        let text = "Irradiance [uW],\nIndex,13,14,\nName,,,\n[nm],\n327.1,3.7,3.8\n329,3.5,3.6\n";
+        let found = titles(text, Delimiter::Comma);
         assert_eq!(found.names, ["Index", "Index 13", "Index 14"]);
     }
 
@@ -240,17 +230,11 @@ mod tests {
     }
 
     #[test]
-    fn a_table_with_row_names_has_one_title_less() {
+    fn row_names_have_no_title_and_wide_gaps_set_titles_of_several_words_apart() {
         let found = titles("nm lamp\n1 380 0.5\n2 385 0.6\n", Delimiter::Space);
         assert_eq!(found.names, ["", "nm", "lamp"]);
-    }
-
-    #[test]
-    fn titles_of_several_words_are_set_apart_by_wide_gaps() {
-        let found = titles(
-            "Wave length   Value of it\n380 0.5\n385 0.6\n",
-            Delimiter::Space,
-        );
+        let text = "Wave length   Value of it\n380 0.5\n385 0.6\n";
+        let found = titles(text, Delimiter::Space);
         assert_eq!(found.names, ["Wave length", "Value of it"]);
     }
 }
