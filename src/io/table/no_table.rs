@@ -34,12 +34,10 @@ fn too_many(input: &Input, too_much: TooMuch) -> ReadError {
         TooMuch::Cells { line } => input
             .error("more than 64 million numbers", "a smaller table")
             .at_line(line),
-        TooMuch::Columns { line, found } => input
-            .error(
-                format!("{found} columns"),
-                format!("at most {MOST_COLUMNS} columns"),
-            )
-            .at_line(line),
+        TooMuch::Columns { line, found } => {
+            let most = format!("at most {MOST_COLUMNS} columns");
+            input.error(format!("{found} columns"), most).at_line(line)
+        }
         TooMuch::Blocks { line, found } => input
             .error(format!("{found} tables of a few rows each"), budget::WORDS)
             .at_line(line),
@@ -52,12 +50,9 @@ fn no_rows(input: &Input, text: &str) -> ReadError {
     let size = budget::in_words(start.len());
     if let Some((count, line)) = alternating::lone_numbers(start) {
         let more = if is_part { "more than " } else { "" };
-        return input
-            .error(
-                format!("{more}{count} lines of one number each"),
-                "a wavelength beside each value",
-            )
-            .at_line(line);
+        let found = format!("{more}{count} lines of one number each");
+        let error = input.error(found, "a wavelength beside each value");
+        return error.at_line(line);
     }
     if let Some((line, long)) = lines(start).find(|(_, line)| line.len() > LONG_LINE) {
         let found = format!("a line of {}", budget::in_words(long.len()));

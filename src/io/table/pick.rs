@@ -1,8 +1,6 @@
 //! Chooses the dialect of a text table and finds its tables.
 
-use super::block::{
-    BadCell, Block, LONGEST_BREAK, carries_on, most_left_out, row_gone_wrong_above,
-};
+use super::block::{BadCell, Block, LONGEST_BREAK, most_left_out, row_gone_wrong_above};
 use super::head::with_rows_above;
 use super::layout::{self, Layout};
 use super::row_order::{may_be_wavelengths, runs_one_way, steps_up_and_down};
@@ -371,11 +369,9 @@ fn no_rows(lines: &[(usize, &str)], places: &[usize]) -> Vec<String> {
 
 /// Whether `next` continues `block`: as wide, close behind, and its first column carries on.
 fn goes_on(block: &Block, next: &Block) -> bool {
-    if block.width != next.width || next.header.len() > LONGEST_BREAK {
-        return false;
-    }
-    let end = block.rows() - 1;
-    carries_on(block.first(end - 1), block.first(end), next.first(0))
+    block.width == next.width
+        && next.header.len() <= LONGEST_BREAK
+        && block.goes_on_with(next.first(0))
 }
 
 #[cfg(test)]

@@ -32,10 +32,8 @@ pub(crate) fn put_right(block: &mut Block, axis: usize, values: &[usize]) -> Vec
             )
         });
         let said = said.collect();
-        let kept: Vec<usize> = (0..block.rows())
-            .filter(|row| stray.binary_search(row).is_err())
-            .collect();
-        block.arrange(&kept);
+        let kept = (0..block.rows()).filter(|row| stray.binary_search(row).is_err());
+        block.arrange(&kept.collect::<Vec<_>>());
         return said;
     }
     if !is_shuffled(numbers) {

@@ -111,9 +111,7 @@ const MOST_COUNTED: usize = 20;
 
 /// Whether a column may number samples.
 fn is_counted(values: &[f64]) -> bool {
-    let first = values.first();
-    first.is_some_and(|first| values.iter().any(|v| v != first))
-        && values.iter().all(|v| v.fract() == 0.0)
+    values.iter().any(|v| *v != values[0]) && values.iter().all(|v| v.fract() == 0.0)
 }
 
 /// Whether wavelengths, two at least, rise throughout, or fall.

@@ -100,9 +100,8 @@ fn cells_for(line: &str, dialect: Dialect, block: &Block, row_names: bool) -> Op
         cells.extend(line.split(apart).map(str::trim).filter(|c| !c.is_empty()));
     }
     let filled = used(&cells);
-    let bracketed = cells
-        .first()
-        .is_some_and(|c| c.starts_with('[') && names_wavelength(c));
+    let is_bracketed = |cell: &&str| cell.starts_with('[') && names_wavelength(cell);
+    let bracketed = cells.first().is_some_and(is_bracketed);
     let whole = cells.len() >= width && filled <= width.max(1);
     // Tables written with row names have no title above the first column.
     let one_less = filled + 1 == width && filled >= 2;
@@ -115,12 +114,8 @@ fn cells_for(line: &str, dialect: Dialect, block: &Block, row_names: bool) -> Op
     if one_less && cells.len() < width && row_names {
         titles.push(String::new());
     }
-    titles.extend(
-        cells
-            .iter()
-            .take(filled)
-            .map(|c| c.trim_matches('"').trim().to_owned()),
-    );
+    let bare = |cell: &&str| cell.trim_matches('"').trim().to_owned();
+    titles.extend(cells.iter().take(filled).map(bare));
     // Nobody knows which column has none: two titles of several may have run into one.
     if one_less && !row_names && block.columns[width - 1].numbers > 0 && width > 2 {
         titles.truncate(1);

@@ -210,6 +210,10 @@ pub(crate) fn is_of_lengths(title: &str) -> bool {
     STARTS.iter().any(|word| title.starts_with(word))
 }
 
+/// Quantities that are axes where they are counted in a unit of theirs only: "Energy" alone is
+/// mostly what a lamp emits.
+const QUANTITIES: [&str; 3] = ["frequency", "energy", "photon energy"];
+
 /// Whether a column's title says that it is the wavelength axis: by its first word or its last, but
 /// not by what stands in brackets behind another (`S(lambda)`).
 pub(crate) fn names_wavelength(title: &str) -> bool {
@@ -231,9 +235,6 @@ pub(crate) fn names_wavelength(title: &str) -> bool {
         "wl ",
     ];
     const ENDS: [&str; 3] = ["wvl", "wavelength", "wavenumber"];
-    // Energies and frequencies are axes where they are counted in a unit of theirs only: "Energy"
-    // alone is mostly what a lamp emits.
-    const OTHERS: [&str; 3] = ["frequency", "energy", "photon energy"];
     let title = title.trim().trim_matches(['"', '#', '[', ']', '(', ')']);
     let title = title.to_lowercase();
     let name = without_brackets(&title);
@@ -242,7 +243,7 @@ pub(crate) fn names_wavelength(title: &str) -> bool {
         || ENDS
             .iter()
             .any(|word| name.ends_with(word) && holds(name, &format!("|{word}|")))
-        || OTHERS.iter().any(|word| title.starts_with(word))
+        || QUANTITIES.iter().any(|word| title.starts_with(word))
             && WavelengthUnit::of_title(&title).is_some_and(|unit| !unit.is_length())
 }
 
@@ -285,7 +286,6 @@ pub(crate) fn unknown_unit(title: &str) -> Option<String> {
     if WavelengthUnit::of_title(title).is_some() {
         return None;
     }
-    const QUANTITIES: [&str; 3] = ["frequency", "energy", "photon energy"];
     // Where a wavelength was measured, and what else is no unit.
     const HARMLESS: [&str; 7] = ["air", "vacuum", "vac", "vac.", "x", "lambda", "λ"];
     let title = title.trim();
