@@ -305,12 +305,7 @@ fn joined<'a>(
     for mut block in blocks {
         let above = row_gone_wrong_above(&block, text, dialect);
         let goes_on_with = out.last_mut().filter(|last| goes_on(&last.block, &block));
-        let Some(Joined {
-            block: last,
-            notes,
-            bad,
-        }) = goes_on_with
-        else {
+        let Some(last) = goes_on_with else {
             let (block, left) = with_rows_above(block, text, dialect);
             out.push(Joined {
                 bad: above.filter(|_| left.is_empty()).into_iter().collect(),
@@ -322,9 +317,10 @@ fn joined<'a>(
             });
             continue;
         };
-        let between = last.ended_by.take().or(above);
+        let between = last.block.ended_by.take().or(above);
         let lines = std::mem::take(&mut block.header);
-        let left = last.take_lines(&lines, (text, dialect));
+        let left = last.block.take_lines(&lines, (text, dialect));
+        let (notes, bad) = (&mut last.notes, &mut last.bad);
         match between {
             Some(row) if lines.len() == 1 => bad.push(row),
             Some(row) if left.words.is_empty() || left.all.len() > left.words.len() => {
@@ -334,7 +330,7 @@ fn joined<'a>(
             None if lines.is_empty() => notes.push("the table is interrupted once".to_owned()),
             None => notes.extend(no_rows(&lines, &left.all)),
         }
-        last.append(block);
+        last.block.append(block);
     }
     let mut tables = Vec::with_capacity(out.len());
     for joined in out {
@@ -356,15 +352,14 @@ fn joined<'a>(
 /// What is said of those lines at these places that are no rows: a sentence for each run of them.
 fn no_rows(lines: &[(usize, &str)], places: &[usize]) -> Vec<String> {
     let runs = places.chunk_by(|a, b| a + 1 == *b);
-    runs.map(|run| match (lines[run[0]].0, lines[run[run.len() - 1]].0) {
-        (first, last) if first == last => {
-            format!("line {first} is no row of the table and was left out")
+    let said = runs.map(|run| {
+        let (first, last) = (lines[run[0]].0, lines[run[run.len() - 1]].0);
+        match first == last {
+            true => format!("line {first} is no row of the table and was left out"),
+            false => format!("lines {first} to {last} are no rows of the table and were left out"),
         }
-        (first, last) => {
-            format!("lines {first} to {last} are no rows of the table and were left out")
-        }
-    })
-    .collect()
+    });
+    said.collect()
 }
 
 /// Whether `next` continues `block`: as wide, close behind, and its first column carries on.
@@ -416,10 +411,8 @@ mod tests {
         let tables = tables(text, look(text, None).dialect).unwrap();
         assert_eq!(tables.len(), 1);
         assert_eq!(tables[0].block.rows(), 5);
-        assert_eq!(
-            tables[0].notes,
-            ["line 4 is no row of the table and was left out"]
-        );
+        let said = "line 4 is no row of the table and was left out";
+        assert_eq!(tables[0].notes, [said]);
     }
 
     #[test]

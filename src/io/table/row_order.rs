@@ -90,13 +90,9 @@ pub(super) fn extent(numbers: &[f64]) -> (f64, f64) {
 
 /// How many steps go up, and down.
 pub(super) fn steps_up_and_down(numbers: &[f64]) -> (usize, usize) {
-    let steps = numbers.windows(2);
-    steps.fold((0, 0), |(up, down), pair| {
-        (
-            up + usize::from(pair[1] > pair[0]),
-            down + usize::from(pair[1] < pair[0]),
-        )
-    })
+    let up = numbers.windows(2).filter(|pair| pair[1] > pair[0]).count();
+    let down = numbers.windows(2).filter(|pair| pair[1] < pair[0]).count();
+    (up, down)
 }
 
 /// Whether all numbers differ, run to and fro, and lie evenly enough to be one table.

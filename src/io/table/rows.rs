@@ -126,11 +126,8 @@ mod tests {
         let spectra = read_bytes("a.csv", text.as_bytes()).unwrap().spectra;
         assert!(spectra.iter().all(|s| s.kind == Kind::Reflectance));
         let text = "wavelength,400,410,420,430,440\nRefl %,10,20,30,40,50\n";
-        let spectra = read_bytes("a.csv", text.as_bytes()).unwrap().spectra;
-        assert_eq!(
-            (spectra[0].kind, spectra[0].scale),
-            (Kind::Reflectance, 0.01)
-        );
+        let leaf = &read_bytes("a.csv", text.as_bytes()).unwrap().spectra[0];
+        assert_eq!((leaf.kind, leaf.scale), (Kind::Reflectance, 0.01));
     }
 
     #[test]

@@ -183,13 +183,8 @@ mod tests {
         );
         assert_eq!(names(&one), ["leaf", "soil"]);
         assert_eq!(one.spectra[1].samples.values(), [0.4, 0.5, 0.6]);
-        assert!(
-            one.notes
-                .iter()
-                .any(|n| n == "column 1 (sample) tells the spectra apart"),
-            "{:?}",
-            one.notes
-        );
+        let said = "column 1 (sample) tells the spectra apart".to_owned();
+        assert!(one.notes.contains(&said), "{:?}", one.notes);
     }
 
     #[test]

@@ -52,8 +52,7 @@ impl WavelengthUnit {
         Self::Metre,
     ];
 
-    /// The unit's sign: `nm`, `um`, `Å`, `1/cm`, `eV`, `pm`, `meV`, `THz`, `GHz`,
-    /// `m`.
+    /// The unit's sign: `nm`, `um`, `Å`, `1/cm`, `eV`, `pm`, `meV`, `THz`, `GHz`, `m`.
     pub fn word(self) -> &'static str {
         match self {
             Self::Nanometre => "nm",
