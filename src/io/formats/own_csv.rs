@@ -100,11 +100,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         read_block(input, &own, block, &mut reading)?;
     }
     if reading.spectra.is_empty() {
-        return Err(no_table::too_sparse(
-            input,
-            "column",
-            Some(lines_before + 1),
-        ));
+        return Err(no_table::too_sparse(input, "column", lines_before + 1));
     }
     reading.notes.push(DIALECT.words());
     Ok(reading)

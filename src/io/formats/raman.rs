@@ -199,7 +199,7 @@ fn tables_of(text: &str, dialect: Dialect) -> (Vec<Shifts<'_>>, Vec<String>) {
     }
     if found.is_empty() {
         // Shifts from zero or below are no wavelengths to the finder of tables.
-        let blocks = scan(text, dialect).unwrap_or_default();
+        let blocks = scan(text, 0, dialect).unwrap_or_default();
         let longest = blocks.into_iter().filter(leads).max_by_key(Block::rows);
         found.extend(longest.map(|block| Shifts {
             titles: Titles::of(&block, dialect),
@@ -285,7 +285,7 @@ fn add(
         .iter()
         .map(|shift| 1e7 / (1e7 / laser.value - shift))
         .collect();
-    let (values, _) = value_columns(block, &table.titles, axis);
+    let (values, _) = value_columns(block, &table.titles, axis, &[axis]);
     let is_used = |column| column == axis || values.contains(&column);
     if let Some(bad) = block.bad.iter().find(|bad| is_used(bad.column)) {
         return Err(bad.refusal(input));

@@ -1,10 +1,10 @@
 //! One number a line: wavelengths and values by turns, as Macam radiometers write them.
 
+use super::row_order::{may_be_wavelengths, runs_one_way};
 use crate::io::interpret::heading::Heading;
 use crate::io::interpret::interpret;
 use crate::io::interpret::raw::{RawSpectrum, Scale};
 use crate::io::text::number::{self, Cell};
-use crate::io::text::units::WavelengthUnit;
 use crate::io::text::{kept_line, lines};
 use crate::io::{Input, ReadError, Reading};
 
@@ -21,7 +21,6 @@ pub(crate) struct Pairs<'a> {
     header: Vec<(usize, &'a str)>,
     /// Wavelengths in the file's unit.
     pub axis: Vec<f64>,
-    /// As many values.
     pub values: Vec<f64>,
     /// Line of each value.
     pub lines: Vec<u32>,
@@ -29,51 +28,37 @@ pub(crate) struct Pairs<'a> {
     pub decimal_comma: bool,
 }
 
-/// The longest run of lines with one number each, its first line, and the lines before it.
-#[derive(Default)]
-struct Lone<'a> {
-    header: Vec<(usize, &'a str)>,
-    numbers: Vec<f64>,
-    lines: Vec<u32>,
-}
+/// The lines above the longest run of lines with one number each, and that run with its lines.
+type Lone<'a> = (Vec<(usize, &'a str)>, Vec<(u32, f64)>);
 
 fn longest_run(text: &str, decimal_comma: bool) -> Lone<'_> {
     let mut best = Lone::default();
-    let mut run = Lone::default();
-    for (line, content) in lines(text) {
-        let content = content.trim();
-        if content.is_empty() {
-            continue;
-        }
+    let (mut header, mut run) = Lone::default();
+    let trimmed = lines(text).map(|(line, content)| (line, content.trim()));
+    for (line, content) in trimmed.filter(|(_, content)| !content.is_empty()) {
         if let Cell::Number(value) = number::parse(content, decimal_comma) {
-            run.numbers.push(value);
-            run.lines.push(kept_line(line));
+            run.push((kept_line(line), value));
             continue;
         }
-        let mut header = Vec::new();
-        if run.numbers.len() > best.numbers.len() {
-            best = std::mem::take(&mut run);
-        } else {
-            header = std::mem::take(&mut run.header);
-            run = Lone::default();
+        if run.len() > best.1.len() {
+            best = (std::mem::take(&mut header), std::mem::take(&mut run));
         }
+        run.clear();
         if header.len() < 50 {
             header.push((line, content));
         }
-        run.header = header;
     }
-    if run.numbers.len() > best.numbers.len() {
-        run
-    } else {
-        best
+    if run.len() > best.1.len() {
+        best = (header, run);
     }
+    best
 }
 
 /// How many lines hold one number each, and the first of them; `None` when hardly any do.
 pub(crate) fn lone_numbers(text: &str) -> Option<(usize, usize)> {
-    let run = longest_run(text, false);
-    let first = *run.lines.first()?;
-    (run.numbers.len() >= FEWEST_POINTS).then_some((run.numbers.len(), first as usize))
+    let (_, run) = longest_run(text, false);
+    let (first, _) = run.first()?;
+    (run.len() >= FEWEST_POINTS).then_some((run.len(), *first as usize))
 }
 
 /// Wavelengths and values by turns, if the text holds them.
@@ -82,49 +67,29 @@ pub(crate) fn find(text: &str) -> Option<Pairs<'_>> {
         return None;
     }
     [false, true].into_iter().find_map(|decimal_comma| {
-        let run = longest_run(text, decimal_comma);
+        let (header, run) = longest_run(text, decimal_comma);
         // An odd count has one number of a header in front (a count, a scan number).
-        let skip = run.numbers.len() % 2;
-        let numbers = || run.numbers.iter().skip(skip);
-        // Wavelengths alone, without values between them.
-        let pairs = || numbers().zip(numbers().skip(1));
-        if pairs().all(|(a, b)| a < b) || pairs().all(|(a, b)| a > b) {
-            return None;
-        }
-        let axis: Vec<f64> = run.numbers.iter().skip(skip).step_by(2).copied().collect();
-        let rising = axis.windows(2).all(|p| p[1] > p[0]);
-        let falling = axis.windows(2).all(|p| p[1] < p[0]);
-        let (first, last) = (*axis.first()?, *axis.last()?);
-        WavelengthUnit::of_range(first.min(last), first.max(last))?;
-        if axis.len() < FEWEST_POINTS || !(rising || falling) {
-            return None;
-        }
-        Some(Pairs {
-            values: run
-                .numbers
-                .iter()
-                .skip(skip + 1)
-                .step_by(2)
-                .copied()
-                .collect(),
-            lines: run
-                .lines
-                .iter()
-                .skip(skip + 1)
-                .step_by(2)
-                .copied()
-                .collect(),
-            header: run.header,
+        let run = &run[run.len() % 2..];
+        let numbers: Vec<f64> = run.iter().map(|(_, number)| *number).collect();
+        let axis: Vec<f64> = numbers.iter().step_by(2).copied().collect();
+        // What runs one way as a whole is wavelengths alone, without values between them.
+        let is_one = axis.len() >= FEWEST_POINTS && may_be_wavelengths(&axis);
+        (is_one && !runs_one_way(&numbers)).then(|| Pairs {
+            header,
             axis,
+            values: numbers.into_iter().skip(1).step_by(2).collect(),
+            lines: run
+                .iter()
+                .skip(1)
+                .step_by(2)
+                .map(|(line, _)| *line)
+                .collect(),
             decimal_comma,
         })
     })
 }
 
 /// Reads pairs as a spectrum.
-///
-/// # Errors
-/// [`ReadError`] when they are none.
 pub(crate) fn read(input: &Input, pairs: &Pairs) -> Result<Reading, ReadError> {
     let (scale, heading) = (Scale::new(&pairs.axis), Heading::of(&pairs.header));
     let raw = RawSpectrum {
@@ -135,9 +100,6 @@ pub(crate) fn read(input: &Input, pairs: &Pairs) -> Result<Reading, ReadError> {
 }
 
 /// The reading of a file whose one spectrum is such pairs.
-///
-/// # Errors
-/// [`ReadError`] when they are none.
 pub(crate) fn alone(raw: RawSpectrum, input: &Input) -> Result<Reading, ReadError> {
     let mut reading = Reading::default();
     interpret(raw, input, &mut reading)?;
@@ -155,11 +117,9 @@ mod tests {
     fn wavelengths_and_values_by_turns_are_read() {
         let text = "@19/5/1997\n#No Title\n 2.5E+02\n 0.0\n 2.51E+02\n 0.5\n 2.52E+02\n 1.0\n 2.53E+02\n 0.5\n 2.54E+02\n 0.25\n";
         let reading = read_bytes("a.DTA", text.as_bytes()).unwrap();
-        assert_eq!(reading.spectra[0].samples.nm()[4], 254.0);
-        assert_eq!(
-            reading.spectra[0].samples.values(),
-            [0.0, 0.5, 1.0, 0.5, 0.25]
-        );
+        let samples = &reading.spectra[0].samples;
+        assert_eq!(samples.nm()[4], 254.0);
+        assert_eq!(samples.values(), [0.0, 0.5, 1.0, 0.5, 0.25]);
     }
 
     #[test]
@@ -174,12 +134,8 @@ mod tests {
     #[test]
     fn values_without_wavelengths_are_refused_in_words() {
         let text = "Record 1\n".to_owned() + &"0.5\n0.6\n0.4\n".repeat(5);
-        let refusal = read_bytes("a.txt", text.as_bytes())
-            .unwrap_err()
-            .to_string();
-        assert_eq!(
-            refusal,
-            "a.txt, line 2: found 15 lines of one number each, expected a wavelength beside each value"
-        );
+        let refusal = read_bytes("a.txt", text.as_bytes()).unwrap_err();
+        let said = "found 15 lines of one number each, expected a wavelength beside each value";
+        assert_eq!(refusal.to_string(), format!("a.txt, line 2: {said}"));
     }
 }

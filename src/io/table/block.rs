@@ -1,8 +1,10 @@
 //! Blocks of numbers in a text, as [`scan`](super::scan) finds them.
 
+use std::borrow::Borrow;
+
 use crate::io::error::quoted;
 use crate::io::text::dialect::{Dialect, used};
-use crate::io::text::number::{self, Cell};
+use crate::io::text::number::{Cell, unit_behind};
 use crate::io::text::{first_line, kept_line, lines};
 use crate::io::{Input, ReadError};
 
@@ -21,6 +23,12 @@ pub(crate) fn most_left_out(rows: usize) -> usize {
         return 0;
     }
     (rows / 50).max(1)
+}
+
+/// Whether values are a spectrum's: two at least that are not missing.
+pub(crate) fn has_values<V: Borrow<f64>>(values: impl IntoIterator<Item = V>) -> bool {
+    let mut filled = values.into_iter().filter(|value| !value.borrow().is_nan());
+    filled.nth(1).is_some()
 }
 
 /// What one column of a block holds.
@@ -47,13 +55,22 @@ pub(crate) struct BadCell {
     pub line: usize,
     /// Column, from 0.
     pub column: usize,
-    /// The word.
     pub text: String,
     /// Whether its line is a row beyond doubt: its first number carries the column on.
     pub certain: bool,
 }
 
 impl BadCell {
+    fn of(line: usize, column: usize, cells: &[&str], certain: bool) -> Self {
+        let text = cells[column].to_owned();
+        Self {
+            line,
+            column,
+            text,
+            certain,
+        }
+    }
+
     /// The refusal for a word among numbers.
     pub(crate) fn refusal(&self, input: &Input) -> ReadError {
         let expected = format!("a number in column {}", self.column + 1);
@@ -90,7 +107,6 @@ pub(crate) struct Block<'a> {
     pub values: Vec<Vec<f64>>,
     /// Line of each row, from 1.
     pub lines: Vec<u32>,
-    /// One entry a column.
     pub columns: Vec<Column>,
     /// Words among numbers, at most one a column (the first).
     pub bad: Vec<BadCell>,
@@ -98,8 +114,6 @@ pub(crate) struct Block<'a> {
     pub ended_by: Option<BadCell>,
     /// The first lines behind the last block of a text.
     pub behind: Vec<(usize, &'a str)>,
-    /// Text of the first row, which returns to the header when the block stays a single row.
-    pub first_row: &'a str,
     /// The text from the first row on, and that row's line.
     from: (usize, &'a str),
     /// Plain rows that the columns have not counted yet.
@@ -119,7 +133,6 @@ impl<'a> Block<'a> {
             bad: Vec::new(),
             ended_by: None,
             behind: Vec::new(),
-            first_row: first_line(from.1).map_or("", |(row, _)| row.trim_ascii()),
             from,
             uncounted: 0,
         }
@@ -134,11 +147,9 @@ impl<'a> Block<'a> {
         OF_A_BLOCK + OF_A_COLUMN * self.width + lines
     }
 
-    /// The cells of the first row.
-    pub(crate) fn first_cells(&self, dialect: Dialect) -> Vec<&'a str> {
-        let mut cells = Vec::new();
-        dialect.split(self.first_row, &mut cells);
-        cells
+    /// Text of the first row, which returns to the header when the block stays a single row.
+    pub(crate) fn first_row(&self) -> &'a str {
+        first_line(self.from.1).map_or("", |(row, _)| row.trim_ascii())
     }
 
     /// The lines of the rows as they stand in the text, while the rows stand in its order.
@@ -160,7 +171,7 @@ impl<'a> Block<'a> {
             column.texts = column.texts.saturating_sub(usize::from(!is_number));
         }
         self.bad.retain(|bad| bad.line != line);
-        self.header.push((line, self.first_row));
+        self.header.push((line, self.first_row()));
     }
 
     /// Leaves these rows, in this order.
@@ -171,12 +182,10 @@ impl<'a> Block<'a> {
         self.lines = order.iter().map(|row| self.lines[*row]).collect();
     }
 
-    /// Number of rows.
     pub(crate) fn rows(&self) -> usize {
         self.lines.len()
     }
 
-    /// One row's numbers.
     pub(crate) fn row(&self, row: usize) -> Vec<f64> {
         self.values.iter().map(|column| column[row]).collect()
     }
@@ -186,20 +195,21 @@ impl<'a> Block<'a> {
         self.values[0][row]
     }
 
-    /// One column's numbers from top to bottom.
     pub(crate) fn column(&self, column: usize) -> &[f64] {
         &self.values[column]
     }
 
     /// Whether a column counts the rows, from 0 or 1.
     pub(crate) fn counts_rows(&self, column: usize) -> bool {
-        let first = self.values[column][0];
-        (first == 0.0 || first == 1.0)
-            && self
-                .column(column)
-                .iter()
-                .enumerate()
-                .all(|(row, v)| *v == first + row as f64)
+        let values = self.column(column);
+        let first = values[0];
+        let mut numbered = values.iter().enumerate();
+        (first == 0.0 || first == 1.0) && numbered.all(|(row, v)| *v == first + row as f64)
+    }
+
+    /// Whether rows begin with a name or a count.
+    pub(crate) fn has_row_names(&self) -> bool {
+        self.columns[0].numbers == 0 || self.counts_rows(0)
     }
 
     /// Whether a column holds one number in every row.
@@ -228,14 +238,9 @@ impl<'a> Block<'a> {
         (text, dialect): (&str, Dialect),
     ) -> LeftLines {
         let mut left = LeftLines::default();
-        let mut cells = Vec::new();
         let lines = lines.iter().enumerate();
         for (at, (line, content)) in lines.filter(|(_, line)| is_no_comment(text, line.1)) {
-            dialect.split(content, &mut cells);
-            let kinds = cells.iter();
-            let kinds: Vec<Cell> = kinds
-                .map(|cell| number::parse(cell, dialect.decimal_comma))
-                .collect();
+            let (cells, kinds) = dialect.cells_and_kinds(content);
             let goes_on = matches!(kinds[..], [Cell::Number(nm), ..] if self.goes_on_with(nm));
             let are_numbers = goes_on && !kinds.contains(&Cell::Text);
             if are_numbers && used(&cells) <= self.width {
@@ -256,6 +261,18 @@ impl<'a> Block<'a> {
         for column in &mut self.values {
             column.reserve(rows);
         }
+    }
+
+    /// The first word of a row that stands in a column of numbers.
+    fn word_among_numbers(
+        &self,
+        line: usize,
+        (cells, kinds): (&[&str], &[Cell]),
+        certain: bool,
+    ) -> Option<BadCell> {
+        let mut columns = kinds.iter().zip(&self.columns);
+        let column = columns.position(|(kind, of)| *kind == Cell::Text && of.numbers > 0)?;
+        Some(BadCell::of(line, column, cells, certain))
     }
 
     /// Adds the rows of a block that goes on with this one.
@@ -308,7 +325,7 @@ impl<'a> Block<'a> {
         for (column, (stats, values)) in columns.enumerate() {
             let mut kind = kinds.get(column).copied().unwrap_or(Cell::Empty);
             if let Cell::WithUnit(_) = kind {
-                let unit = cells.get(column).and_then(|cell| number::unit_behind(cell));
+                let unit = cells.get(column).and_then(|cell| unit_behind(cell));
                 match (&stats.unit, unit) {
                     (None, unit) => stats.unit = unit.map(str::to_owned),
                     // Not the column's unit: its number counts something else.
@@ -316,32 +333,14 @@ impl<'a> Block<'a> {
                     _ => {}
                 }
             }
-            let value = match kind {
-                Cell::Number(v) => v,
-                Cell::Percent(v) => {
-                    stats.percents += 1;
-                    v
-                }
-                Cell::Nanometres(v) => {
-                    stats.nanometres += 1;
-                    v
-                }
-                Cell::WithUnit(v) => v,
-                Cell::Empty | Cell::Gap => f64::NAN,
-                Cell::Text => {
-                    stats.texts += 1;
-                    if stats.numbers > 0 && !stats.has_bad {
-                        stats.has_bad = true;
-                        self.bad.push(BadCell {
-                            line,
-                            column,
-                            text: cells[column].to_owned(),
-                            certain: true,
-                        });
-                    }
-                    f64::NAN
-                }
-            };
+            stats.percents += usize::from(matches!(kind, Cell::Percent(_)));
+            stats.nanometres += usize::from(matches!(kind, Cell::Nanometres(_)));
+            stats.texts += usize::from(kind == Cell::Text);
+            if kind == Cell::Text && stats.numbers > 0 && !stats.has_bad {
+                stats.has_bad = true;
+                self.bad.push(BadCell::of(line, column, cells, true));
+            }
+            let value = kind.value().unwrap_or(f64::NAN);
             stats.numbers += usize::from(!value.is_nan());
             values.push(value);
         }
@@ -361,29 +360,14 @@ pub(crate) fn row_gone_wrong(
     if used(cells) != block.width || block.rows() < 2 {
         return None;
     }
-    let column = kinds
-        .iter()
-        .zip(&block.columns)
-        .position(|(kind, column)| matches!(kind, Cell::Text) && column.numbers > 0)?;
+    let is_number = |kind: &Cell| matches!(kind, Cell::Number(_) | Cell::Nanometres(_));
     let certain = match kinds[0] {
-        Cell::Number(first) | Cell::Nanometres(first) => {
-            if !block.goes_on_with(first) {
-                return None;
-            }
-            true
-        }
+        Cell::Number(first) | Cell::Nanometres(first) if block.goes_on_with(first) => true,
         Cell::Text if cells[0].contains(|c: char| c.is_ascii_digit()) => false,
         _ => return None,
     };
-    kinds
-        .iter()
-        .any(|kind| matches!(kind, Cell::Number(_) | Cell::Nanometres(_)))
-        .then(|| BadCell {
-            line,
-            column,
-            text: cells[column].to_owned(),
-            certain,
-        })
+    let word = block.word_among_numbers(line, (cells, kinds), certain);
+    word.filter(|_| kinds.iter().any(is_number))
 }
 
 /// Whether `next` follows two numbers of a column: the same way on, and by no more than a few
@@ -412,24 +396,9 @@ pub(crate) fn row_gone_wrong_above(block: &Block, text: &str, dialect: Dialect) 
     if !is_no_comment(text, content) {
         return None;
     }
-    let mut cells = Vec::new();
-    dialect.split(content, &mut cells);
-    let Cell::Number(first) = number::parse(cells[..].first()?, dialect.decimal_comma) else {
-        return None;
-    };
-    if used(&cells) != block.width || !carries_on(block.first(1), block.first(0), first) {
-        return None;
-    }
-    let column = cells
-        .iter()
-        .zip(&block.columns)
-        .position(|(cell, column)| {
-            matches!(number::parse(cell, dialect.decimal_comma), Cell::Text) && column.numbers > 0
-        })?;
-    Some(BadCell {
-        line: *line,
-        column,
-        text: cells[column].to_owned(),
-        certain: true,
-    })
+    let (cells, kinds) = dialect.cells_and_kinds(content);
+    let goes_on = |first| carries_on(block.first(1), block.first(0), first);
+    let is_row = used(&cells) == block.width
+        && matches!(kinds[..], [Cell::Number(first), ..] if goes_on(first));
+    is_row.then(|| block.word_among_numbers(*line, (&cells, &kinds), true))?
 }

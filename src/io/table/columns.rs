@@ -4,7 +4,7 @@
 use std::collections::HashSet;
 use std::ops::Range;
 
-use super::block::Block;
+use super::block::{Block, has_values};
 use super::pick::Table;
 use super::roles::{self, Group, LeftOut};
 use super::titles::Titles;
@@ -26,13 +26,13 @@ pub(crate) struct File<'a, 'i> {
 
 /// Rows under one column of wavelengths.
 struct Rows<'a> {
+    axis_column: usize,
     axis: &'a [f64],
-    group: &'a Group,
+    values: &'a [usize],
     run: Range<usize>,
     part: String,
-    /// Spectra of the whole table, and of its groups before this one.
+    /// Spectra of the whole table.
     columns: usize,
-    before: usize,
     /// Names from a line above the titles; empty where none tells columns apart.
     above: &'a [String],
     /// Whether the columns are a camera's R, G and B.
@@ -43,9 +43,6 @@ struct Rows<'a> {
 
 /// Adds the spectra of columns, each group of them beside its wavelengths. `part` tells the table
 /// apart from others of the file.
-///
-/// # Errors
-/// [`ReadError`] when numbers are no spectrum, or spectra are too many.
 pub(crate) fn read_groups(
     file: &File,
     table: &mut Table,
@@ -54,68 +51,70 @@ pub(crate) fn read_groups(
     mut left_out: Vec<LeftOut>,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
-    let all: Vec<usize> = groups
-        .iter()
-        .flat_map(|g| g.values.iter().copied())
-        .collect();
+    let all: Vec<usize> = groups.iter().flat_map(|g| g.values.clone()).collect();
     let columns = all.len();
     let heading = Heading::of(&table.block.header).shared_by(columns);
     let are_pairs = groups.len() == columns;
     let above = names_above(&table.block, file.dialect, (&table.titles, are_pairs), &all);
+    let above = above.unwrap_or_default();
     let is_rgb = are_rgb(&table.titles, &all);
     let mut told_apart = Vec::new();
     let mut before = 0;
     for group in groups {
-        let mut of_samples = group.clone();
-        let named = match groups {
-            [_] => samples::together(&mut table.block, file.dialect, group.axis, &group.values),
-            _ => None,
-        };
-        if groups.len() == 1 && named.is_none() {
-            no_single_points(file, table, group.axis)?;
-            let said = row_order::put_right(&mut table.block, group.axis, &group.values);
-            reading.notes.extend(said);
-        }
-        let rows = match groups {
-            [_] => table.block.rows(),
-            _ => rows_of(table, group),
+        let mut values = group.values.clone();
+        let (rows, named) = match groups {
+            [_] => {
+                let block = &mut table.block;
+                let named = samples::together(block, file.dialect, group.axis, &group.values);
+                if named.is_none() {
+                    no_single_points(file, table, group.axis)?;
+                    let said = row_order::put_right(&mut table.block, group.axis, &group.values);
+                    reading.notes.extend(said);
+                }
+                (table.block.rows(), named)
+            }
+            _ => (rows_of(table, group), None),
         };
         let axis = table.block.column(group.axis)[..rows].to_vec();
-        let (runs, names): (Vec<_>, Vec<_>) = match named {
+        let runs: Vec<(Range<usize>, Option<String>)> = match named {
             Some((columns, samples)) => {
                 left_out.retain(|other| !columns.contains(&other.column));
                 let shown = columns.iter().map(|c| roles::shown(&table.titles, *c));
                 let shown: Vec<String> = shown.collect();
                 let tell = if shown.len() == 1 { "tells" } else { "tell" };
                 told_apart.push(format!("{} {tell} the spectra apart", shown.join(" and ")));
-                of_samples.values.retain(|column| !columns.contains(column));
-                names_of_samples(table, columns[0], samples).unzip()
+                values.retain(|column| !columns.contains(column));
+                // A number is no name without the title above it.
+                let title = match table.block.columns[columns[0]].numbers {
+                    0 => "",
+                    _ => table.titles.names[columns[0]].trim(),
+                };
+                let named = |name| Some(format!("{title} {name}").trim().to_owned());
+                let runs = samples.into_iter().map(|(name, run)| (run, named(name)));
+                runs.collect()
             }
-            None => layout::runs(&axis).into_iter().map(|r| (r, None)).unzip(),
+            None => layout::runs(&axis).into_iter().map(|r| (r, None)).collect(),
         };
         let several = runs.len() > 1;
-        let spectra: usize = of_samples
-            .values
-            .iter()
-            .map(|column| with_values(table.block.column(*column), &runs))
-            .sum();
-        check_room(file.input, reading.spectra.len() + spectra)?;
-        for (number, run) in runs.into_iter().enumerate() {
-            let sample = names[number].as_deref();
+        let columns_read = values.iter().map(|column| table.block.column(*column));
+        let filled =
+            columns_read.flat_map(|of| runs.iter().filter(|run| has_values(&of[run.0.clone()])));
+        check_room(file.input, reading.spectra.len() + filled.count())?;
+        for (number, (run, sample)) in runs.into_iter().enumerate() {
             let rows = Rows {
+                axis_column: group.axis,
                 axis: &axis,
-                group: &of_samples,
+                values: &values,
                 run,
                 part: if several && sample.is_none() {
                     format!("{part}, part {}", number + 1)
                 } else {
                     part.to_owned()
                 },
-                columns: columns - (group.values.len() - of_samples.values.len()),
-                before,
-                above: &above,
+                columns: columns - (group.values.len() - values.len()),
+                above: above.get(before..).unwrap_or(&[]),
                 is_rgb,
-                sample,
+                sample: sample.as_deref(),
             };
             read_columns(file, table, &heading, &rows, reading)?;
         }
@@ -135,47 +134,19 @@ fn no_single_points(file: &File, table: &Table, axis: usize) -> Result<(), ReadE
         "another name in every row ({}) and wavelengths that go to and fro",
         roles::shown(&table.titles, names)
     );
-    let error = file
-        .input
-        .error(found, "several wavelengths of each spectrum");
-    Err(error.at_line(table.block.lines[0] as usize))
-}
-
-/// The rows of each sample, and its name: what a column says of it, behind the column's title where
-/// that is a number.
-fn names_of_samples(
-    table: &Table,
-    column: usize,
-    samples: Vec<samples::Sample>,
-) -> impl Iterator<Item = (Range<usize>, Option<String>)> + use<> {
-    let is_number = table.block.columns[column].numbers > 0;
-    let title = if is_number {
-        format!("{} ", table.titles.names[column].trim())
-    } else {
-        String::new()
-    };
-    samples.into_iter().map(move |sample| {
-        let name = format!("{title}{}", sample.name).trim().to_owned();
-        (sample.rows, Some(name))
-    })
+    let expected = "several wavelengths of each spectrum";
+    let line = table.block.lines[0] as usize;
+    Err(file.input.error(found, expected).at_line(line))
 }
 
 /// Rows of a table beside another, without those below its end.
 fn rows_of(table: &Table, group: &Group) -> usize {
-    let columns = || group.values.iter().chain([&group.axis]);
-    (0..table.block.rows())
-        .rev()
-        .find(|row| columns().any(|column| !table.block.column(*column)[*row].is_nan()))
-        .map_or(0, |row| row + 1)
-}
-
-/// How many of some runs of rows hold two values at least.
-fn with_values(column: &[f64], runs: &[Range<usize>]) -> usize {
-    let has_values = |run: &&Range<usize>| {
-        let values = column[Range::clone(run)].iter();
-        values.filter(|v| !v.is_nan()).nth(1).is_some()
+    let is_filled = |row: usize| {
+        let mut columns = group.values.iter().chain([&group.axis]);
+        columns.any(|column| !table.block.column(*column)[row].is_nan())
     };
-    runs.iter().filter(has_values).count()
+    let last = (0..table.block.rows()).rposition(is_filled);
+    last.map_or(0, |row| row + 1)
 }
 
 fn read_columns(
@@ -186,9 +157,9 @@ fn read_columns(
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
     let Table { block, titles, .. } = table;
-    let values = &rows.group.values;
-    let says_nm = block.columns[rows.group.axis].nanometres > 0;
-    let axis_title = titles.whole(rows.group.axis);
+    let values = rows.values;
+    let says_nm = block.columns[rows.axis_column].nanometres > 0;
+    let axis_title = titles.whole(rows.axis_column);
     let stem = heading.name.unwrap_or(file.input.stem());
     let is_whole = rows.run.len() == block.rows();
     let scale = Scale::new(&rows.axis[rows.run.clone()]);
@@ -200,12 +171,12 @@ fn read_columns(
         } else {
             of_column[rows.run.clone()].to_vec()
         };
-        let name = match rows.above.get(rows.before + number) {
+        let name = match rows.above.get(number) {
             Some(name) => name.clone(),
             None => column_name(titles, *column, rows.columns),
         };
         // A column that is empty in this part of the table is no spectrum; others still are.
-        if values.len() > 1 && of_column.iter().filter(|v| !v.is_nan()).nth(1).is_none() {
+        if values.len() > 1 && !has_values(&of_column) {
             reading.notes.push(no_table::empty_column(*column));
             continue;
         }
@@ -235,44 +206,34 @@ fn read_columns(
 
 /// Names of columns that all have one title, or where each has wavelengths of its own a title that
 /// only says what is measured, from the line above their titles: a sample's name over its values, or
-/// over the wavelengths to the left of them. Empty where none tells them apart.
+/// over the wavelengths to the left of them. `None` where none tells them apart.
 fn names_above(
     block: &Block,
     dialect: Dialect,
     (titles, are_pairs): (&Titles, bool),
     values: &[usize],
-) -> Vec<String> {
+) -> Option<Vec<String>> {
     let title = |column: &usize| titles.names[*column].trim();
-    let (Some(first), true) = (values.first(), values.len() > 1) else {
-        return Vec::new();
-    };
+    let first = title(values.first()?);
     let tells_nothing =
-        |column: &usize| title(column) == title(first) || are_pairs && is_generic(title(column));
-    if title(first).is_empty() || !values.iter().all(tells_nothing) {
-        return Vec::new();
+        |column: &usize| title(column) == first || are_pairs && is_generic(title(column));
+    if values.len() < 2 || first.is_empty() || !values.iter().all(tells_nothing) {
+        return None;
     }
-    let mut cells = Vec::new();
     let mut lines = block.header.iter().rev().map(|(_, line)| *line).take(6);
-    if !lines.any(|line| line.contains(title(first))) {
-        return Vec::new();
-    }
-    let Some(line) = lines.next() else {
-        return Vec::new();
-    };
-    dialect.split(line, &mut cells);
+    lines.find(|line| line.contains(first))?;
+    let cells = dialect.cells(lines.next()?);
     let mut left = 0;
     let mut names: Vec<String> = Vec::with_capacity(values.len());
     let mut seen = HashSet::new();
     for column in values {
         let over = (left..=*column).rev().filter_map(|at| cells.get(at));
         let mut filled = over.map(|cell| cell.trim().trim_matches('"').trim());
-        match filled.find(|cell| !cell.is_empty()) {
-            Some(name) if seen.insert(name) => names.push(name.to_owned()),
-            _ => return Vec::new(),
-        }
+        let name = filled.find(|cell| !cell.is_empty())?;
+        names.push(seen.insert(name).then(|| name.to_owned())?);
         left = column + 1;
     }
-    names
+    Some(names)
 }
 
 /// Whether columns are a camera's or a display's R, G and B: then R is no reflectance.

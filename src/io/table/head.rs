@@ -3,7 +3,7 @@
 
 use super::block::{Block, carries_on, is_no_comment, place_in};
 use crate::io::text::dialect::{Dialect, used};
-use crate::io::text::number::{self, Cell};
+use crate::io::text::number::Cell;
 
 /// Most lines above a block that are looked at.
 const MOST_LINES: usize = 40;
@@ -16,16 +16,14 @@ pub(crate) fn with_rows_above<'a>(
     text: &'a str,
     dialect: Dialect,
 ) -> (Block<'a>, Vec<(usize, &'a str)>) {
-    let mut cells = Vec::new();
-    let parse = |cell: &&str| number::parse(cell, dialect.decimal_comma);
     let (mut before, mut last) = (block.first(1), block.first(0));
-    // From the lowest up: whether each line is a row, and how many reach up to a whole one.
+    // From the lowest line up, and how many of them reach up to a whole row.
     let (mut rows, mut whole) = (Vec::new(), 0);
     let header = block.header.iter().copied();
-    let lines: Vec<_> = header.filter(|line| is_no_comment(text, line.1)).collect();
-    for (_, content) in lines.iter().rev().take(MOST_LINES) {
-        dialect.split(content, &mut cells);
-        let kinds: Vec<Cell> = cells.iter().map(parse).collect();
+    let lines = header.clone().rev();
+    let lines = lines.filter(|line| is_no_comment(text, line.1));
+    for (line, content) in lines.take(MOST_LINES) {
+        let (cells, kinds) = dialect.cells_and_kinds(content);
         let nm = match kinds.first() {
             Some(Cell::Number(nm) | Cell::Nanometres(nm)) if carries_on(before, last, *nm) => *nm,
             _ => break,
@@ -36,31 +34,29 @@ pub(crate) fn with_rows_above<'a>(
             break;
         }
         (before, last) = (last, nm);
-        rows.push(used <= block.width);
+        let is_row = used <= block.width;
+        rows.push(((line, content), is_row, cells, kinds));
         if used == block.width {
             whole = rows.len();
         }
     }
     rows.truncate(whole);
-    let taken = rows.iter().filter(|is_row| **is_row).count();
-    if 2 * taken < rows.len() || rows.is_empty() {
+    rows.reverse();
+    let taken = rows.iter().filter(|(_, is_row, ..)| *is_row).count();
+    let Some(((first_line, first_row), ..)) = rows.first().filter(|_| 2 * taken >= rows.len())
+    else {
         return (block, Vec::new());
-    }
-    let lines = &lines[lines.len() - rows.len()..];
-    let (first_line, first_row) = lines[0];
-    let header = block.header.iter().copied();
-    let header = header.take_while(|(line, _)| *line < first_line).collect();
+    };
+    let header = header.take_while(|(line, _)| line < first_line).collect();
     let from = &text[place_in(text, first_row)..];
-    let mut table = Block::new(header, block.width, (first_line, from));
+    let mut table = Block::new(header, block.width, (*first_line, from));
     let mut left = Vec::new();
-    for ((line, content), is_row) in lines.iter().zip(rows.into_iter().rev()) {
-        if !is_row {
-            left.push((*line, *content));
-            continue;
+    for (line, is_row, cells, kinds) in &rows {
+        if *is_row {
+            table.push(line.0, cells, kinds);
+        } else {
+            left.push(*line);
         }
-        dialect.split(content, &mut cells);
-        let kinds: Vec<Cell> = cells.iter().map(parse).collect();
-        table.push(*line, &cells, &kinds);
     }
     table.append(block);
     (table, left)

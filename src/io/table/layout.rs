@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::block::Block;
-use super::row_order::are_shuffled_nanometres;
+use super::row_order::{are_shuffled_nanometres, extent, runs_one_way};
 use super::titles::Titles;
 use crate::io::text::dialect::{Dialect, used};
 use crate::io::text::number::label_nm;
@@ -17,17 +17,21 @@ pub(crate) enum Layout {
     /// Down a column, one spectrum in each other column.
     Column(usize),
     /// Along a row, one spectrum in each row.
-    Row {
-        /// The first column with a wavelength; names may stand before it.
-        first: usize,
-        /// The wavelengths in the file's unit, one each column from `first` on.
-        axis: Vec<f64>,
-        /// The first row of values: 1 when the wavelengths are the block's first row, 0 when they
-        /// stand in the header.
-        from_row: usize,
-        /// Whether the axis says by itself that it counts nanometres.
-        says_nm: bool,
-    },
+    Row(AlongRow),
+}
+
+/// Wavelengths along a row.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct AlongRow {
+    /// The first column with a wavelength; names may stand before it.
+    pub first: usize,
+    /// The wavelengths in the file's unit, one each column from `first` on.
+    pub axis: Vec<f64>,
+    /// The first row of values: 1 when the wavelengths are the block's first row, 0 when they
+    /// stand in the header.
+    pub from_row: usize,
+    /// Whether the axis says by itself that it counts nanometres.
+    pub says_nm: bool,
 }
 
 /// Fewest wavelengths in a row that make a table of spectra in rows.
@@ -51,37 +55,35 @@ const TRACED_REVERSALS: usize = 50;
 /// What nanometres in random order score: less than any that rise or fall.
 const SHUFFLED: u32 = 1;
 
-/// What numbers in the range of nanometres score, and every axis that is titled so.
-const CLEAR: u32 = 4;
+/// What numbers in the range of nanometres score, and every axis that is titled so: what is asked
+/// of a few rows beside a long table.
+pub(crate) const CLEAR: u32 = 4;
+
+/// Some tables begin with zeros or end with one that are no wavelengths.
+fn without_zero_ends(numbers: &[f64]) -> &[f64] {
+    let counts = |v: &f64| !v.is_nan() && *v != 0.0;
+    let first = numbers.iter().position(counts).unwrap_or(numbers.len());
+    let behind = numbers.iter().rposition(counts).map_or(first, |at| at + 1);
+    match numbers[behind..].iter().filter(|v| **v == 0.0).count() {
+        1 => &numbers[first..behind],
+        _ => &numbers[first..],
+    }
+}
 
 /// How sure a sequence of numbers is a wavelength axis: 0 is no.
-fn strength(values: impl Iterator<Item = f64> + Clone, most_reversals: usize) -> u32 {
+fn strength(numbers: &[f64], most_reversals: usize) -> u32 {
     let mut min = f64::INFINITY;
     let mut max = f64::NEG_INFINITY;
     let (mut count, mut up, mut down, mut ones) = (0usize, 0usize, 0usize, 0usize);
     let mut last = f64::NAN;
-    let mut look = |v: f64| {
+    for v in without_zero_ends(numbers).iter().filter(|v| !v.is_nan()) {
         count += 1;
-        min = min.min(v);
-        max = max.max(v);
-        up += usize::from(v > last);
-        down += usize::from(v < last);
-        ones += usize::from(v - last == 1.0);
-        last = v;
-    };
-    // Some tables begin or end with a zero that is no wavelength.
-    let (mut begun, mut zeros) = (false, 0);
-    for v in values.filter(|v| !v.is_nan()) {
-        if v == 0.0 {
-            zeros += usize::from(begun);
-            continue;
-        }
-        begun = true;
-        (0..std::mem::take(&mut zeros)).for_each(|_| look(0.0));
-        look(v);
-    }
-    if zeros > 1 {
-        (0..zeros).for_each(|_| look(0.0));
+        min = min.min(*v);
+        max = max.max(*v);
+        up += usize::from(*v > last);
+        down += usize::from(*v < last);
+        ones += usize::from(*v - last == 1.0);
+        last = *v;
     }
     let reversals = up.min(down);
     // Numbers that hardly ever change are readings, unless a title says otherwise.
@@ -94,7 +96,7 @@ fn strength(values: impl Iterator<Item = f64> + Clone, most_reversals: usize) ->
     }
     let counts_rows = ones + 1 == count && min <= 1.0 && min.fract() == 0.0;
     match WavelengthUnit::of_range(min, max) {
-        Some(WavelengthUnit::Nanometre) => 4,
+        Some(WavelengthUnit::Nanometre) => CLEAR,
         Some(WavelengthUnit::PerCentimetre) => 3,
         Some(_) if !counts_rows => 2,
         None if looks_like_metres(min, max) => 2,
@@ -102,68 +104,47 @@ fn strength(values: impl Iterator<Item = f64> + Clone, most_reversals: usize) ->
     }
 }
 
-/// The block's layout, or `None` when it holds no wavelengths.
-pub(crate) fn of(block: &Block, titles: &Titles, dialect: Dialect) -> Option<Layout> {
-    with_strength(block, titles, dialect).map(|(layout, _)| layout)
-}
-
-/// The layout of a block where its numbers or titles say clearly that they are wavelengths: what
-/// is asked of a few rows beside a long table.
-pub(crate) fn clear(block: &Block, titles: &Titles, dialect: Dialect) -> Option<Layout> {
-    let (layout, strength) = with_strength(block, titles, dialect)?;
-    (strength >= CLEAR).then_some(layout)
-}
-
-fn with_strength(block: &Block, titles: &Titles, dialect: Dialect) -> Option<(Layout, u32)> {
+/// The block's layout and how sure it is, or `None` when it holds no wavelengths.
+pub(crate) fn of(block: &Block, titles: &Titles, dialect: Dialect) -> Option<(Layout, u32)> {
     let (down, down_strength) = wavelength_column(block, titles);
     let along = wavelength_row(block).or_else(|| wavelength_header(block, dialect));
-    match along {
-        Some((layout, along_strength))
-            if along_strength > down_strength
-                || along_strength == down_strength && block.width > block.rows() =>
-        {
-            Some((layout, along_strength))
-        }
-        _ => (down_strength > 0).then_some((Layout::Column(down), down_strength)),
+    let surer = along.filter(|(_, strength)| {
+        *strength > down_strength || *strength == down_strength && block.width > block.rows()
+    });
+    match surer {
+        Some((along, strength)) => Some((Layout::Row(along), strength)),
+        None => (down_strength > 0).then_some((Layout::Column(down), down_strength)),
     }
 }
 
 fn wavelength_column(block: &Block, titles: &Titles) -> (usize, u32) {
     let mut best = (0, 0);
     let mut is_one_number = false;
-    for column in 0..block.width {
+    // Columns far to the right are not searched, so that a wide table stays cheap.
+    for column in 0..block.width.min(17) {
         let stats = &block.columns[column];
-        // Columns far to the right are not searched, so that a wide table stays cheap.
-        if column > 16 {
-            continue;
-        }
-        let titled = names_wavelength(titles.names.get(column).map_or("", String::as_str))
-            || names_wavelength(titles.units.get(column).map_or("", String::as_str));
+        let titled =
+            names_wavelength(&titles.names[column]) || names_wavelength(&titles.units[column]);
         if !titled && names_another_quantity(&titles.whole(column)) {
             continue;
         }
         // Detectors reach beyond the range that was calibrated: only a title is worth more then.
-        let filled = if titled { FILLED_TITLED } else { FILLED };
+        let (filled, most_reversals) = match titled {
+            true => (FILLED_TITLED, TRACED_REVERSALS),
+            false => (FILLED, FEW_REVERSALS),
+        };
         if (stats.numbers as f64) < filled * block.rows() as f64 {
             continue;
         }
-        let most_reversals = if titled {
-            TRACED_REVERSALS
-        } else {
-            FEW_REVERSALS
-        };
         let numbers = block.column(column);
-        let by_values = match strength(numbers.iter().copied(), most_reversals) {
+        let by_values = match strength(numbers, most_reversals) {
             0 if column == 0 && !titled && are_shuffled_nanometres(numbers) => SHUFFLED,
             found => found,
         };
         // One line at many times: no other column is its wavelengths.
         is_one_number |= titled && block.is_constant(column);
-        let score = match (by_values, titled || stats.nanometres * 2 > stats.numbers) {
-            (0, _) => 0,
-            (s, true) => s + 10,
-            (s, false) => s,
-        };
+        let says_so = titled || stats.nanometres * 2 > stats.numbers;
+        let score = by_values + if by_values > 0 && says_so { 10 } else { 0 };
         if score > best.1 {
             best = (column, score);
         }
@@ -173,69 +154,56 @@ fn wavelength_column(block: &Block, titles: &Titles) -> (usize, u32) {
     }
     let is_titled = best.1 > 10;
     if is_one_number && !is_titled {
-        return (0, 0);
+        (0, 0)
+    } else {
+        best
     }
-    best
 }
 
 /// Wavelengths along the first row of the block: `wavelength, 380, 385, ...`.
-fn wavelength_row(block: &Block) -> Option<(Layout, u32)> {
+fn wavelength_row(block: &Block) -> Option<(AlongRow, u32)> {
     let row = &block.row(0);
     let first = row.iter().position(|v| !v.is_nan())?;
     let last = row.iter().rposition(|v| !v.is_nan())?;
-    let axis = &row[first..=last];
-    let strength = strength_of_row(axis)?;
-    let says_nm = block.columns[first].nanometres > 0;
-    Some((
-        Layout::Row {
-            first,
-            axis: axis.to_vec(),
-            from_row: 1,
-            says_nm,
-        },
-        strength,
-    ))
+    let axis = row[first..=last].to_vec();
+    let strength = strength_of_row(&axis)?;
+    let along = AlongRow {
+        first,
+        axis,
+        from_row: 1,
+        says_nm: block.columns[first].nanometres > 0,
+    };
+    Some((along, strength))
 }
 
 /// Wavelengths in titles with a common word: `R_400, R_410, ...` or `400 nm, 410 nm, ...`.
-fn wavelength_header(block: &Block, dialect: Dialect) -> Option<(Layout, u32)> {
-    let mut cells = Vec::new();
-    for (_, line) in block.header.iter().rev().take(3) {
-        dialect.split(line, &mut cells);
+fn wavelength_header(block: &Block, dialect: Dialect) -> Option<(AlongRow, u32)> {
+    block.header.iter().rev().take(3).find_map(|(_, line)| {
+        let cells = dialect.cells(line);
         let labels: Vec<_> = cells[..used(&cells)].iter().map(|c| label_nm(c)).collect();
         if labels.len() != block.width {
-            continue;
+            return None;
         }
-        let Some(before) = labels
+        let first = labels
             .iter()
             .rposition(Option::is_none)
-            .map(|i| i + 1)
-            .or(Some(0))
-        else {
-            continue;
+            .map_or(0, |at| at + 1);
+        let (axis, say_nm): (Vec<f64>, Vec<bool>) =
+            labels.into_iter().skip(first).flatten().unzip();
+        let strength = strength_of_row(&axis)?;
+        let along = AlongRow {
+            first,
+            axis,
+            from_row: 0,
+            says_nm: !say_nm.contains(&false),
         };
-        let axis: Vec<f64> = labels[before..].iter().flatten().map(|l| l.0).collect();
-        if let Some(strength) = strength_of_row(&axis) {
-            let says_nm = labels[before..].iter().flatten().all(|l| l.1);
-            return Some((
-                Layout::Row {
-                    first: before,
-                    axis,
-                    from_row: 0,
-                    says_nm,
-                },
-                strength,
-            ));
-        }
-    }
-    None
+        Some((along, strength))
+    })
 }
 
 fn strength_of_row(axis: &[f64]) -> Option<u32> {
-    let rising = axis.windows(2).all(|p| p[1] > p[0]);
-    let falling = axis.windows(2).all(|p| p[1] < p[0]);
-    let found = strength(axis.iter().copied(), FEW_REVERSALS);
-    (axis.len() >= FEWEST_IN_A_ROW && (rising || falling) && found >= 2).then_some(found)
+    let found = strength(axis, FEW_REVERSALS);
+    (axis.len() >= FEWEST_IN_A_ROW && runs_one_way(axis) && found >= 2).then_some(found)
 }
 
 /// Rows of a wavelength column from one jump back to the start to the next: a file that lists the
@@ -245,12 +213,8 @@ pub(crate) fn runs(axis: &[f64]) -> Vec<Range<usize>> {
     let (mut start, mut low, mut high) = (0, f64::INFINITY, f64::NEG_INFINITY);
     let mut rising = None;
     let mut last = f64::NAN;
-    for (row, v) in axis
-        .iter()
-        .copied()
-        .enumerate()
-        .filter(|(_, v)| !v.is_nan() && *v != 0.0)
-    {
+    let rows = axis.iter().copied().enumerate();
+    for (row, v) in rows.filter(|(_, v)| !v.is_nan() && *v != 0.0) {
         let against = match rising {
             Some(true) => last - v,
             Some(false) => v - last,
@@ -270,22 +234,14 @@ pub(crate) fn runs(axis: &[f64]) -> Vec<Range<usize>> {
     runs.push(start..axis.len());
     if are_apart(axis, &runs) {
         // One curve in several pieces, as people trace them from a plot.
-        runs.clear();
-        runs.push(0..axis.len());
+        runs = std::iter::once(0..axis.len()).collect();
     }
     runs
 }
 
 /// Whether no two runs share wavelengths.
 fn are_apart(axis: &[f64], runs: &[Range<usize>]) -> bool {
-    let mut spans: Vec<(f64, f64)> = runs
-        .iter()
-        .map(|run| {
-            let numbers = || axis[run.clone()].iter().copied().filter(|v| !v.is_nan());
-            let low = numbers().fold(f64::INFINITY, f64::min);
-            (low, numbers().fold(f64::NEG_INFINITY, f64::max))
-        })
-        .collect();
+    let mut spans: Vec<(f64, f64)> = runs.iter().map(|run| extent(&axis[run.clone()])).collect();
     spans.sort_by(|a, b| a.0.total_cmp(&b.0));
     spans.windows(2).all(|pair| pair[0].1 <= pair[1].0)
 }
@@ -297,19 +253,21 @@ mod tests {
     use crate::io::text::dialect::Delimiter;
 
     fn layout(text: &str) -> Option<Layout> {
-        let dialect = Dialect {
-            delimiter: Delimiter::Comma,
-            decimal_comma: false,
-        };
-        let blocks = scan(text, dialect).unwrap();
+        let dialect = Dialect::new(Delimiter::Comma, false);
+        let blocks = scan(text, 0, dialect).unwrap();
         let block = &blocks[0];
-        of(block, &Titles::of(block, dialect), dialect)
+        of(block, &Titles::of(block, dialect), dialect).map(|found| found.0)
     }
 
     #[test]
-    fn wavelengths_stand_behind_a_column_that_counts_rows() {
-        let text = "0,380,1.5\n1,385,1.6\n2,390,1.7\n";
-        assert_eq!(layout(text), Some(Layout::Column(1)));
+    fn wavelengths_stand_behind_a_column_that_counts_rows_and_under_a_title() {
+        for text in [
+            "0,380,1.5\n1,385,1.6\n2,390,1.7\n",
+            "counts,nm\n500,380\n510,385\n520,390\n",
+        ] {
+            assert_eq!(layout(text), Some(Layout::Column(1)));
+        }
+        assert_eq!(layout("1,2\n3,1\n2,7\n1,0\n"), None);
     }
 
     #[test]
@@ -320,69 +278,24 @@ mod tests {
         assert_eq!(layout(&titled), Some(Layout::Column(0)));
     }
 
-    #[test]
-    fn a_titled_column_wins() {
-        let text = "counts,nm\n500,380\n510,385\n520,390\n";
-        assert_eq!(layout(text), Some(Layout::Column(1)));
-    }
-
-    /// First column, wavelengths and first row of spectra in rows.
-    fn rows(text: &str) -> (usize, Vec<f64>, usize) {
+    fn rows(text: &str) -> AlongRow {
         match layout(text) {
-            Some(Layout::Row {
-                first,
-                axis,
-                from_row,
-                ..
-            }) => (first, axis, from_row),
+            Some(Layout::Row(along)) => along,
             _ => panic!("spectra in rows expected"),
         }
     }
 
     #[test]
-    fn wavelengths_in_the_first_row_make_spectra_in_rows() {
+    fn wavelengths_in_the_first_row_or_in_labels_make_spectra_in_rows() {
         let text = "wavelength,380,385,390,395,400\n1,.1,.2,.3,.2,.1\n2,.2,.3,.4,.3,.2\n";
-        let (first, axis, from_row) = rows(text);
-        assert_eq!((first, axis[4], from_row), (1, 400.0, 1));
-    }
-
-    #[test]
-    fn wavelengths_in_labels_make_spectra_in_rows() {
+        let along = rows(text);
+        assert_eq!((along.first, along.axis[4], along.from_row), (1, 400.0, 1));
         let text = "name,R_400,R_410,R_420,R_430,R_440\nred,1,2,3,4,5\nblue,2,3,4,5,6\n";
-        let (first, axis, from_row) = rows(text);
-        assert_eq!((first, axis[0], from_row), (1, 400.0, 0));
-    }
-
-    #[test]
-    fn wavelengths_with_their_unit_in_the_first_row_are_along_it() {
+        let along = rows(text);
+        assert_eq!((along.first, along.axis[0], along.from_row), (1, 400.0, 0));
         let text =
             "id,380 nm,390 nm,400 nm,410 nm,420 nm\nred,.1,.2,.3,.4,.5\nblue,.5,.4,.3,.2,.1\n";
-        assert!(matches!(
-            layout(text),
-            Some(Layout::Row {
-                first: 1,
-                says_nm: true,
-                ..
-            })
-        ));
-    }
-
-    #[test]
-    fn numbers_without_wavelengths_have_no_layout() {
-        assert_eq!(layout("1,2\n3,1\n2,7\n1,0\n"), None);
-    }
-
-    #[test]
-    fn a_range_listed_twice_is_two_tables_and_an_overlap_is_one() {
-        let twice: Vec<f64> = (0..10)
-            .chain(0..10)
-            .map(|i| 380.0 + 5.0 * f64::from(i))
-            .collect();
-        assert_eq!(runs(&twice), [0..10, 10..20]);
-        let overlap: Vec<f64> = (0..10)
-            .chain(8..20)
-            .map(|i| 380.0 + 5.0 * f64::from(i))
-            .collect();
-        assert_eq!(runs(&overlap).len(), 1);
+        let along = rows(text);
+        assert_eq!((along.first, along.says_nm), (1, true));
     }
 }

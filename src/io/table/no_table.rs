@@ -21,30 +21,10 @@ pub(crate) fn refusal(input: &Input, text: &str, why: NoTable) -> ReadError {
         NoTable::TooMany(too_much) => too_many(input, too_much),
         NoTable::Bad(bad) => bad.refusal(input),
         NoTable::NoWavelengths {
-            below: Some((line, found)),
-            ..
-        } => input
-            .error(format!("{found} in column 1"), "wavelengths above zero")
-            .at_line(line),
-        NoTable::NoWavelengths {
             line,
-            step_back: None,
-            ..
-        } => input
-            .error(
-                "numbers with no wavelengths among them",
-                "a column or row of wavelengths that rises or falls throughout",
-            )
-            .at_line(line),
-        NoTable::NoWavelengths {
-            step_back: Some((line, found, after)),
-            ..
-        } => input
-            .error(
-                format!("{found} after {after} in column 1"),
-                "wavelengths that rise or fall throughout",
-            )
-            .at_line(line),
+            found,
+            expected,
+        } => input.error(found, expected).at_line(line),
         NoTable::NoRows => no_rows(input, text),
     }
 }
@@ -54,12 +34,10 @@ fn too_many(input: &Input, too_much: TooMuch) -> ReadError {
         TooMuch::Cells { line } => input
             .error("more than 64 million numbers", "a smaller table")
             .at_line(line),
-        TooMuch::Columns { line, found } => input
-            .error(
-                format!("{found} columns"),
-                format!("at most {MOST_COLUMNS} columns"),
-            )
-            .at_line(line),
+        TooMuch::Columns { line, found } => {
+            let most = format!("at most {MOST_COLUMNS} columns");
+            input.error(format!("{found} columns"), most).at_line(line)
+        }
         TooMuch::Blocks { line, found } => input
             .error(format!("{found} tables of a few rows each"), budget::WORDS)
             .at_line(line),
@@ -72,12 +50,9 @@ fn no_rows(input: &Input, text: &str) -> ReadError {
     let size = budget::in_words(start.len());
     if let Some((count, line)) = alternating::lone_numbers(start) {
         let more = if is_part { "more than " } else { "" };
-        return input
-            .error(
-                format!("{more}{count} lines of one number each"),
-                "a wavelength beside each value",
-            )
-            .at_line(line);
+        let found = format!("{more}{count} lines of one number each");
+        let error = input.error(found, "a wavelength beside each value");
+        return error.at_line(line);
     }
     if let Some((line, long)) = lines(start).find(|(_, line)| line.len() > LONG_LINE) {
         let found = format!("a line of {}", budget::in_words(long.len()));
@@ -99,10 +74,12 @@ fn no_rows(input: &Input, text: &str) -> ReadError {
         };
         return input.error(found, A_TABLE).at_line(1);
     };
-    let found = match is_part {
-        true => format!("no table in {size} after {}", quoted(first)),
-        false => format!("no table after {}", quoted(first)),
+    let of_part = if is_part {
+        format!(" in {size}")
+    } else {
+        String::new()
     };
+    let found = format!("no table{of_part} after {}", quoted(first));
     input.error(found, A_TABLE).at_line(line)
 }
 
@@ -120,15 +97,10 @@ fn is_row(line: &str) -> bool {
 }
 
 /// The refusal of tables whose every column or row (`of`) has next to no values.
-pub(crate) fn too_sparse(input: &Input, of: &str, line: Option<usize>) -> ReadError {
-    let refusal = input.error(
-        format!("fewer than two values in every {of}"),
-        "at least two values of a spectrum",
-    );
-    match line {
-        Some(line) => refusal.at_line(line),
-        None => refusal,
-    }
+pub(crate) fn too_sparse(input: &Input, of: &str, line: usize) -> ReadError {
+    let found = format!("fewer than two values in every {of}");
+    let refusal = input.error(found, "at least two values of a spectrum");
+    refusal.at_line(line)
 }
 
 /// The refusal of a column of wavelengths, from 0, that a table of `width` does not have.
@@ -164,10 +136,9 @@ mod tests {
                 row("nm", "a") + &rows,
                 "x".to_owned() + &mark.repeat(70_000),
             ] {
-                assert_eq!(
-                    refusal(&text).to_string(),
-                    "a.csv, line 1: found 70001 columns, expected at most 65536 columns"
-                );
+                let said = refusal(&text).to_string();
+                let expected = "found 70001 columns, expected at most 65536 columns";
+                assert_eq!(said, format!("a.csv, line 1: {expected}"));
             }
         }
         let blanks = "1 ".repeat(70_000);
@@ -204,10 +175,8 @@ mod tests {
         let two = refusal("500,1\n505,1,2\n").found;
         assert!(two.starts_with("rows of numbers"), "{two}");
         let rows: String = (0..20).map(|i| format!("{},1.5\n", 5 * i - 5)).collect();
-        assert_eq!(
-            refusal(&rows).to_string(),
-            "a.csv, line 1: found -5 in column 1, expected wavelengths above zero"
-        );
+        let expected = "a.csv, line 1: found -5 in column 1, expected wavelengths above zero";
+        assert_eq!(refusal(&rows).to_string(), expected);
     }
 
     #[test]

@@ -1,15 +1,14 @@
 //! Chooses the dialect of a text table and finds its tables.
 
-use super::block::{
-    BadCell, Block, LONGEST_BREAK, carries_on, most_left_out, row_gone_wrong_above,
-};
+use super::block::{BadCell, Block, LONGEST_BREAK, most_left_out, row_gone_wrong_above};
 use super::head::with_rows_above;
 use super::layout::{self, Layout};
-use super::scan::{TooMuch, scan, scan_behind, scan_start};
+use super::row_order::{may_be_wavelengths, runs_one_way, steps_up_and_down};
+use super::scan::{TooMuch, scan, scan_start};
 use super::titles::Titles;
 use crate::io::text::dialect::{Delimiter, Dialect};
 use crate::io::text::first_line;
-use crate::io::text::units::{WavelengthUnit, names_wavelength};
+use crate::io::text::units::names_wavelength;
 
 /// How much text decides the dialect, in bytes: many times the longest header.
 const SAMPLE_BYTES: usize = 256 * 1024;
@@ -29,11 +28,8 @@ const FEWEST_SHORT_ROWS: usize = 3;
 /// A block with its titles and layout.
 #[derive(Clone, Debug)]
 pub(crate) struct Table<'a> {
-    /// The numbers.
     pub block: Block<'a>,
-    /// What stands above them.
     pub titles: Titles,
-    /// Where the wavelengths are.
     pub layout: Layout,
     /// What was passed over to get it, a sentence each.
     pub notes: Vec<String>,
@@ -50,13 +46,9 @@ pub(crate) enum NoTable {
     Bad(BadCell),
     /// Numbers from this line on, but no wavelengths among them.
     NoWavelengths {
-        /// First line of the longest block.
         line: usize,
-        /// Where a first column that looks like wavelengths steps back: line, number, and the
-        /// number before it.
-        step_back: Option<(usize, f64, f64)>,
-        /// Where one that runs through is not above zero: line and number.
-        below: Option<(usize, f64)>,
+        found: String,
+        expected: &'static str,
     },
     /// No two lines of two numbers.
     NoRows,
@@ -67,7 +59,6 @@ pub(crate) enum NoTable {
 pub(crate) struct Look<'a> {
     /// How its table is written, if it has one.
     pub dialect: Dialect,
-    /// The whole text.
     pub text: &'a str,
     /// The part of it that was looked at and holds no wavelengths; all of it where some were found.
     pub seen: &'a str,
@@ -89,9 +80,6 @@ impl<'a> Look<'a> {
     }
 
     /// All tables of the text. Where a look at its first part saw none, its rest is not gone over.
-    ///
-    /// # Errors
-    /// As [`tables`].
     pub(crate) fn tables(&self) -> Result<Vec<Table<'a>>, NoTable> {
         let found = tables(self.seen, self.dialect);
         if found.is_ok() && self.is_part() {
@@ -188,23 +176,13 @@ fn score(blocks: &[Block], dialect: Dialect) -> (usize, usize) {
 }
 
 /// All tables of a text in a dialect.
-///
-/// # Errors
-/// [`NoTable`] when there is none, or one is broken by a word.
 pub(crate) fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoTable> {
-    let blocks = scan(text, dialect).map_err(NoTable::TooMany)?;
-    let Some(longest) = blocks.iter().map(Block::rows).max() else {
+    let blocks = scan(text, 0, dialect).map_err(NoTable::TooMany)?;
+    // Of equally long ones the first.
+    let Some(block) = blocks.iter().rev().max_by_key(|block| block.rows()) else {
         return Err(NoTable::NoRows);
     };
-    let no_wavelengths =
-        blocks
-            .iter()
-            .find(|block| block.rows() == longest)
-            .map_or(NoTable::NoRows, |block| NoTable::NoWavelengths {
-                line: block.lines[0] as usize,
-                step_back: step_back(block),
-                below: not_above_zero(block),
-            });
+    let (longest, no_wavelengths) = (block.rows(), no_wavelengths(block));
     let mut tables: Vec<Table> = Vec::new();
     let (mut left_out, mut above) = (Vec::new(), Vec::new());
     for (mut block, notes) in joined(blocks, text, dialect)? {
@@ -218,22 +196,19 @@ pub(crate) fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoT
         let keyed = Titles::of_keys(&mut block, dialect);
         let titles = keyed.unwrap_or_else(|| Titles::of(&block, dialect));
         let is_short = block.rows() * SHORTEST_SHARE < longest;
-        let layout = if !is_short {
-            layout::of(&block, &titles, dialect)
-        } else if block.rows() >= FEWEST_SHORT_ROWS {
-            layout::clear(&block, &titles, dialect)
-        } else {
-            None
-        };
-        match layout {
-            Some(layout) => tables.push(Table {
-                block,
-                titles,
-                layout,
-                notes,
-                is_short,
-            }),
-            None => {
+        let may_be = !is_short || block.rows() >= FEWEST_SHORT_ROWS;
+        let layout = may_be.then(|| layout::of(&block, &titles, dialect));
+        match layout.flatten() {
+            Some((layout, strength)) if !is_short || strength >= layout::CLEAR => {
+                tables.push(Table {
+                    block,
+                    titles,
+                    layout,
+                    notes,
+                    is_short,
+                })
+            }
+            _ => {
                 left_out.push(lines_left_out(&block));
                 // Times or angles over the columns: what stands above them is the next block's
                 // header.
@@ -259,70 +234,57 @@ fn begins_with_titles(block: &Block, dialect: Dialect) -> bool {
     if block.rows() < 3 || !column[0].is_nan() {
         return false;
     }
-    let cells = block.first_cells(dialect);
-    let first = cells
-        .first()
-        .map_or("", |cell| cell.trim_matches(['"', ' ']));
-    if !first.is_empty() && !names_wavelength(first) {
-        return false;
-    }
-    let is_axis = |numbers: &[f64]| {
-        let (Some(low), Some(high)) = (numbers.first(), numbers.last()) else {
-            return false;
-        };
-        (numbers.is_sorted_by(|a, b| a < b) || numbers.is_sorted_by(|a, b| a > b))
-            && WavelengthUnit::of_range(low.min(*high), low.max(*high)).is_some()
-    };
-    let row = block.row(0);
-    is_axis(&column[1..]) && !(block.width > block.rows() && is_axis(&row[1..]))
+    let cells = dialect.cells(block.first_row());
+    let first = cells.first().map(|cell| cell.trim_matches(['"', ' ']));
+    first.is_none_or(|first| first.is_empty() || names_wavelength(first))
+        && may_be_wavelengths(&column[1..])
+        && !(block.width > block.rows() && may_be_wavelengths(&block.row(0)[1..]))
 }
 
 /// What is said of a block that is not read.
 pub(crate) fn lines_left_out(block: &Block) -> String {
-    let (first, last) = (block.lines.first(), block.lines.last());
-    let line = |line: Option<&u32>| line.copied().unwrap_or_default();
-    format!("lines {} to {} left out", line(first), line(last))
+    let (first, last) = (block.lines[0], block.lines[block.rows() - 1]);
+    format!("lines {first} to {last} left out")
 }
 
 /// The blocks of a text that is known to be one table behind a number of lines of its file, and
 /// what was passed over in each.
-///
-/// # Errors
-/// [`NoTable`] when its rows are none, or one is broken by a word.
 pub(crate) fn blocks_behind(
     text: &str,
     lines: usize,
     dialect: Dialect,
 ) -> Result<Vec<(Block<'_>, Vec<String>)>, NoTable> {
-    let found = scan_behind(text, lines, dialect).map_err(NoTable::TooMany)?;
+    let found = scan(text, lines, dialect).map_err(NoTable::TooMany)?;
     let blocks = joined(found, text, dialect)?;
-    match blocks.is_empty() {
-        true => Err(NoTable::NoRows),
-        false => Ok(blocks),
-    }
+    (!blocks.is_empty())
+        .then_some(blocks)
+        .ok_or(NoTable::NoRows)
 }
 
-/// The first number of a first column that rises or falls throughout which is no wavelength.
-fn not_above_zero(block: &Block) -> Option<(usize, f64)> {
+/// What keeps the first column of a block from being wavelengths: a number that is not above zero
+/// where they run through, or the first step against the way that most go where they lie right.
+fn no_wavelengths(block: &Block) -> NoTable {
     let axis = block.column(0);
-    let runs = axis.is_sorted_by(|a, b| a < b) || axis.is_sorted_by(|a, b| a > b);
-    let at = axis.iter().position(|x| runs && *x <= 0.0)?;
-    (!block.counts_rows(0)).then_some((block.lines[at] as usize, axis[at]))
-}
-
-/// The first step against the way that most steps of the first column go, if its numbers lie
-/// where wavelengths lie.
-fn step_back(block: &Block) -> Option<(usize, f64, f64)> {
-    let axis = block.column(0);
-    if !axis.iter().all(|v| (100.0..=20_000.0).contains(v)) {
-        return None;
+    let why = |row: usize, found, expected| NoTable::NoWavelengths {
+        line: block.lines[row] as usize,
+        found,
+        expected,
+    };
+    let below = axis.iter().position(|x| *x <= 0.0);
+    if let Some(at) = below.filter(|_| runs_one_way(axis) && !block.counts_rows(0)) {
+        let found = format!("{} in column 1", axis[at]);
+        return why(at, found, "wavelengths above zero");
     }
-    let up = axis.windows(2).filter(|p| p[1] > p[0]).count();
-    let down = axis.windows(2).filter(|p| p[1] < p[0]).count();
-    let at = axis
-        .windows(2)
-        .position(|p| if up >= down { p[1] < p[0] } else { p[1] > p[0] })?;
-    Some((block.lines[at + 1] as usize, axis[at + 1], axis[at]))
+    let (up, down) = steps_up_and_down(axis);
+    let is_back = |p: &[f64]| if up >= down { p[1] < p[0] } else { p[1] > p[0] };
+    let are_right = || axis.iter().all(|v| (100.0..=20_000.0).contains(v));
+    if let Some(at) = axis.windows(2).position(is_back).filter(|_| are_right()) {
+        let found = format!("{} after {} in column 1", axis[at + 1], axis[at]);
+        return why(at + 1, found, "wavelengths that rise or fall throughout");
+    }
+    let found = "numbers with no wavelengths among them".to_owned();
+    let expected = "a column or row of wavelengths that rises or falls throughout";
+    why(0, found, expected)
 }
 
 /// A block, what was passed over to get it, and the rows with a word that it was broken by.
@@ -343,12 +305,7 @@ fn joined<'a>(
     for mut block in blocks {
         let above = row_gone_wrong_above(&block, text, dialect);
         let goes_on_with = out.last_mut().filter(|last| goes_on(&last.block, &block));
-        let Some(Joined {
-            block: last,
-            notes,
-            bad,
-        }) = goes_on_with
-        else {
+        let Some(last) = goes_on_with else {
             let (block, left) = with_rows_above(block, text, dialect);
             out.push(Joined {
                 bad: above.filter(|_| left.is_empty()).into_iter().collect(),
@@ -360,9 +317,10 @@ fn joined<'a>(
             });
             continue;
         };
-        let between = last.ended_by.take().or(above);
+        let between = last.block.ended_by.take().or(above);
         let lines = std::mem::take(&mut block.header);
-        let left = last.take_lines(&lines, (text, dialect));
+        let left = last.block.take_lines(&lines, (text, dialect));
+        let (notes, bad) = (&mut last.notes, &mut last.bad);
         match between {
             Some(row) if lines.len() == 1 => bad.push(row),
             Some(row) if left.words.is_empty() || left.all.len() > left.words.len() => {
@@ -372,12 +330,11 @@ fn joined<'a>(
             None if lines.is_empty() => notes.push("the table is interrupted once".to_owned()),
             None => notes.extend(no_rows(&lines, &left.all)),
         }
-        last.append(block);
+        last.block.append(block);
     }
-    for Joined {
-        block, notes, bad, ..
-    } in &mut out
-    {
+    let mut tables = Vec::with_capacity(out.len());
+    for joined in out {
+        let (mut block, mut notes, mut bad) = (joined.block, joined.notes, joined.bad);
         let behind = std::mem::take(&mut block.behind);
         let left = block.take_lines(&behind, (text, dialect));
         notes.extend(no_rows(&behind, &left.numbers));
@@ -387,32 +344,29 @@ fn joined<'a>(
             return Err(NoTable::Bad(bad.swap_remove(0)));
         }
         notes.extend(bad.iter().map(|row| row.left_out("row")));
+        tables.push((block, notes));
     }
-    let parts = |Joined { block, notes, .. }| (block, notes);
-    Ok(out.into_iter().map(parts).collect())
+    Ok(tables)
 }
 
 /// What is said of those lines at these places that are no rows: a sentence for each run of them.
 fn no_rows(lines: &[(usize, &str)], places: &[usize]) -> Vec<String> {
     let runs = places.chunk_by(|a, b| a + 1 == *b);
-    runs.map(|run| match (lines[run[0]].0, lines[run[run.len() - 1]].0) {
-        (first, last) if first == last => {
-            format!("line {first} is no row of the table and was left out")
+    let said = runs.map(|run| {
+        let (first, last) = (lines[run[0]].0, lines[run[run.len() - 1]].0);
+        match first == last {
+            true => format!("line {first} is no row of the table and was left out"),
+            false => format!("lines {first} to {last} are no rows of the table and were left out"),
         }
-        (first, last) => {
-            format!("lines {first} to {last} are no rows of the table and were left out")
-        }
-    })
-    .collect()
+    });
+    said.collect()
 }
 
 /// Whether `next` continues `block`: as wide, close behind, and its first column carries on.
 fn goes_on(block: &Block, next: &Block) -> bool {
-    if block.width != next.width || next.header.len() > LONGEST_BREAK {
-        return false;
-    }
-    let end = block.rows() - 1;
-    carries_on(block.first(end - 1), block.first(end), next.first(0))
+    block.width == next.width
+        && next.header.len() <= LONGEST_BREAK
+        && block.goes_on_with(next.first(0))
 }
 
 #[cfg(test)]
@@ -436,11 +390,7 @@ mod tests {
                 .map(|i| row.replacen("380", &(380 + i).to_string(), 1) + "\n")
                 .collect();
             let found = look(&text, None).dialect;
-            assert_eq!(
-                (found.delimiter, found.decimal_comma),
-                (delimiter, comma),
-                "{row}"
-            );
+            assert_eq!(found, Dialect::new(delimiter, comma), "{row}");
         }
     }
 
@@ -461,31 +411,22 @@ mod tests {
         let tables = tables(text, look(text, None).dialect).unwrap();
         assert_eq!(tables.len(), 1);
         assert_eq!(tables[0].block.rows(), 5);
-        assert_eq!(
-            tables[0].notes,
-            ["line 4 is no row of the table and was left out"]
-        );
+        let said = "line 4 is no row of the table and was left out";
+        assert_eq!(tables[0].notes, [said]);
     }
 
     #[test]
     fn a_word_in_any_row_is_an_error_also_in_the_first_and_the_last() {
-        let rows = ["380,1", "381,2", "382,3", "383,4", "384,5"];
-        for at in 0..rows.len() {
-            let mut text = String::from("nm,value\n");
-            for (row, content) in rows.iter().enumerate() {
-                text += if row == at { "38" } else { content };
-                text += if row == at {
-                    content[2..3].as_ref()
-                } else {
-                    ""
-                };
-                text += if row == at { ",1.234.5\n" } else { "\n" };
-            }
+        for (at, word) in (0..5).map(|at| (at, "1.234.5")).chain([(2, "abc")]) {
+            let mut rows = ["nm,value", "380,1", "381,2", "382,3", "383,4", "384,5"];
+            let bad = format!("38{at},{word}");
+            rows[at + 1] = &bad;
+            let text = rows.join("\n") + "\n";
             let found = tables(&text, look(&text, None).dialect);
             let Err(NoTable::Bad(bad)) = found else {
                 panic!("row {at}: {found:?}");
             };
-            assert_eq!((bad.line, bad.text.as_str()), (at + 2, "1.234.5"));
+            assert_eq!((bad.line, bad.column, &*bad.text), (at + 2, 1, word));
         }
     }
 
@@ -498,21 +439,7 @@ mod tests {
             text += &format!("{nm} 0.5 0.25\n");
         }
         let tables = tables(&text, look(&text, None).dialect).unwrap();
-        assert!(
-            tables[0]
-                .block
-                .header
-                .iter()
-                .any(|(_, line)| line.starts_with("Irradiance"))
-        );
-    }
-
-    #[test]
-    fn a_word_where_a_number_should_be_is_an_error_with_its_line() {
-        let text = "380,1\n385,2\n390,3\n395,abc\n400,5\n405,6\n";
-        let Err(NoTable::Bad(bad)) = tables(text, look(text, None).dialect) else {
-            panic!("an error expected");
-        };
-        assert_eq!((bad.line, bad.column, bad.text.as_str()), (4, 1, "abc"));
+        let mut header = tables[0].block.header.iter();
+        assert!(header.any(|(_, line)| line.starts_with("Irradiance")));
     }
 }

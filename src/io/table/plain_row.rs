@@ -73,32 +73,26 @@ impl PlainRow {
         if separator == Some(self.mark) {
             return None;
         }
-        let mut at = match separator {
-            Some(_) => blanks(bytes, 0),
-            None => blanks_and_tabs(bytes, 0),
+        let blanks = |from| match separator {
+            Some(_) => past(bytes, from, |byte| byte == b' '),
+            None => past(bytes, from, |byte| matches!(byte, b' ' | b'\t')),
         };
+        let mut at = blanks(0);
         let (last, others) = self.row.split_last_mut()?;
         let (last_shape, shapes) = self.shapes.split_last_mut()?;
         for (cell, shape) in others.iter_mut().zip(shapes) {
             let (value, past) = cell_at(bytes, at, self.mark, shape)?;
             *cell = value;
+            let behind = blanks(past);
             at = match separator {
-                Some(mark) => {
-                    let behind = blanks(bytes, past);
-                    if bytes.get(behind) != Some(&mark) {
-                        return None;
-                    }
-                    blanks(bytes, behind + 1)
-                }
-                None => Some(blanks_and_tabs(bytes, past)).filter(|behind| *behind > past)?,
+                Some(mark) if bytes.get(behind) == Some(&mark) => blanks(behind + 1),
+                None if behind > past => behind,
+                _ => return None,
             };
         }
         let (value, past) = cell_at(bytes, at, self.mark, last_shape)?;
         *last = value;
-        let behind = match separator {
-            Some(_) => blanks(bytes, past),
-            None => blanks_and_tabs(bytes, past),
-        };
+        let behind = blanks(past);
         let end = match bytes.get(behind) {
             None => behind,
             Some(b'\n') => behind + 1,
@@ -110,20 +104,23 @@ impl PlainRow {
     }
 }
 
-fn blanks(bytes: &[u8], from: usize) -> usize {
+/// The place behind all bytes of a kind.
+#[inline(always)]
+fn past(bytes: &[u8], from: usize, is_one: impl Fn(u8) -> bool) -> usize {
     let mut at = from;
-    while bytes.get(at) == Some(&b' ') {
+    while bytes.get(at).is_some_and(|byte| is_one(*byte)) {
         at += 1;
     }
     at
 }
 
-fn blanks_and_tabs(bytes: &[u8], from: usize) -> usize {
-    let mut at = from;
-    while matches!(bytes.get(at), Some(b' ' | b'\t')) {
-        at += 1;
+/// Whether a minus stands at a place, and the place behind it or behind a plus.
+fn sign(bytes: &[u8], at: usize) -> (bool, usize) {
+    match bytes.get(at) {
+        Some(b'-') => (true, at + 1),
+        Some(b'+') => (false, at + 1),
+        _ => (false, at),
     }
-    at
 }
 
 /// As [`plain`], first in the shape of the cell above.
@@ -183,11 +180,7 @@ impl Shape {
 /// must look.
 #[inline(never)]
 fn plain(bytes: &[u8], from: usize, mark: u8) -> Option<(f64, usize, Shape)> {
-    let mut at = from;
-    let is_negative = bytes.get(at) == Some(&b'-');
-    if is_negative || bytes.get(at) == Some(&b'+') {
-        at += 1;
-    }
+    let (is_negative, mut at) = sign(bytes, from);
     let mut shape = Shape::default();
     let (whole, places, past) = match short(bytes, at, mark) {
         Some((whole, places, past)) => {
@@ -351,14 +344,9 @@ fn all_joined(moved: u64) -> u64 {
 }
 
 fn exponent(bytes: &[u8], from: usize) -> Option<(i32, usize)> {
-    let mut at = from;
-    let is_negative = bytes.get(at) == Some(&b'-');
-    if is_negative || bytes.get(at) == Some(&b'+') {
-        at += 1;
-    }
+    let (is_negative, first) = sign(bytes, from);
     let mut size = 0;
-    let first = at;
-    at = figures(bytes, at, &mut size);
+    let at = figures(bytes, first, &mut size);
     if at == first || at - first > 4 {
         return None;
     }
@@ -374,36 +362,25 @@ mod tests {
     use crate::io::text::dialect::Delimiter;
     use crate::io::text::number::{Cell, parse};
 
-    fn dialect(delimiter: Delimiter, decimal_comma: bool) -> Dialect {
-        Dialect {
-            delimiter,
-            decimal_comma,
-        }
+    fn read(text: &str, dialect: Dialect, width: usize) -> Option<(Vec<f64>, usize)> {
+        let mut reader = PlainRow::new(dialect);
+        let row = reader.read(text, width);
+        row.map(|(row, past)| (row.to_vec(), past))
     }
 
-    fn read(
-        text: &str,
-        delimiter: Delimiter,
-        comma: bool,
-        width: usize,
-    ) -> Option<(Vec<f64>, usize)> {
-        let mut reader = PlainRow::new(dialect(delimiter, comma));
-        reader
-            .read(text, width)
-            .map(|(row, past)| (row.to_vec(), past))
-    }
+    const COMMA: Dialect = Dialect::new(Delimiter::Comma, false);
 
     #[test]
     fn a_plain_row_ends_where_its_line_does() {
-        let comma = |text, width| read(text, Delimiter::Comma, false, width);
-        assert_eq!(comma("380,0.5\n385", 2), Some((vec![380.0, 0.5], 8)));
-        assert_eq!(
-            comma(" 380 , -.5e1 \r\nx", 2),
-            Some((vec![380.0, -5.0], 15))
-        );
-        assert_eq!(comma("380,1", 2), Some((vec![380.0, 1.0], 5)));
-        let space = |text| read(text, Delimiter::Space, true, 2);
-        assert_eq!(space("\t380,5   0,25\r385"), Some((vec![380.5, 0.25], 14)));
+        let space = Dialect::new(Delimiter::Space, true);
+        for (dialect, text, row, past) in [
+            (COMMA, "380,0.5\n385", [380.0, 0.5], 8),
+            (COMMA, " 380 , -.5e1 \r\nx", [380.0, -5.0], 15),
+            (COMMA, "380,1", [380.0, 1.0], 5),
+            (space, "\t380,5   0,25\r385", [380.5, 0.25], 14),
+        ] {
+            assert_eq!(read(text, dialect, 2), Some((row.to_vec(), past)));
+        }
     }
 
     #[test]
@@ -427,7 +404,7 @@ mod tests {
             "380,--1\n",
             "380,1e\n",
         ] {
-            assert_eq!(read(text, Delimiter::Comma, false, 2), None, "{text:?}");
+            assert_eq!(read(text, COMMA, 2), None, "{text:?}");
         }
     }
 
@@ -464,7 +441,7 @@ mod tests {
                 cell.push_str(&format!("e{exponent}"));
             }
             let row = format!("{cell};1\n");
-            if let Some((row, _)) = read(&row, Delimiter::Semicolon, comma, 2) {
+            if let Some((row, _)) = read(&row, Dialect::new(Delimiter::Semicolon, comma), 2) {
                 let Cell::Number(slow) = parse(&cell, comma) else {
                     return Err(TestCaseError::fail(format!("{cell} is no number")));
                 };
@@ -479,11 +456,12 @@ mod tests {
             ),
             behind in prop::sample::select(vec!["", " ", "e", ".", "x"]),
         ) {
-            let mut reader = PlainRow::new(dialect(Delimiter::Semicolon, false));
+            let dialect = Dialect::new(Delimiter::Semicolon, false);
+            let mut reader = PlainRow::new(dialect);
             for cell in cells {
                 let row = format!("{cell}{behind};{cell}\n");
                 let below = reader.read(&row, 2).map(|(row, past)| (row.to_vec(), past));
-                prop_assert_eq!(below, read(&row, Delimiter::Semicolon, false, 2), "{}", row);
+                prop_assert_eq!(below, read(&row, dialect, 2), "{}", row);
             }
         }
     }

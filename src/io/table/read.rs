@@ -10,7 +10,7 @@ use super::columns::{File, read_groups};
 use super::layout::Layout;
 use super::pick::{self, Look, NoTable, Table};
 use super::roles;
-use super::rows::{AlongRow, read_rows};
+use super::rows::read_rows;
 use super::{alternating, no_table};
 use crate::io::interpret::check_room;
 use crate::io::reading::TableFound;
@@ -19,9 +19,6 @@ use crate::io::{Guessed, Input, OpenQuestion, ReadError, Reading};
 
 /// The spectra of all tables of a text; how their cells are set apart is found where it is not
 /// known, and not told.
-///
-/// # Errors
-/// [`ReadError`] when there is no table.
 pub(crate) fn read_tables(
     input: &Input,
     text: &str,
@@ -46,13 +43,21 @@ pub(crate) fn read_tables(
     let file = File { input, dialect };
     check_room(input, tables.len())?;
     let left_out = without_false_tables(&file, &mut tables);
+    if let Some(column) = input.choices.axis_column {
+        for table in tables.iter_mut().filter(|table| !table.is_short) {
+            if column >= table.block.width {
+                return Err(no_table::no_such_column(input, table.block.width, column));
+            }
+            table.layout = Layout::Column(column);
+        }
+    }
     let mut reading = Reading {
         notes: left_out,
         table: tables.iter().find(|t| !t.is_short).map(|table| TableFound {
             dialect,
             axis_column: match table.layout {
                 Layout::Column(column) => Some(column),
-                Layout::Row { .. } => None,
+                Layout::Row(_) => None,
             },
             width: table.block.width,
             first_line: table.block.lines[0] as usize,
@@ -61,17 +66,6 @@ pub(crate) fn read_tables(
         ..Reading::default()
     };
     let several = tables.len() > 1;
-    if let Some(column) = input.choices.axis_column {
-        for table in tables.iter_mut().filter(|table| !table.is_short) {
-            if column >= table.block.width {
-                return Err(no_table::no_such_column(input, table.block.width, column));
-            }
-            table.layout = Layout::Column(column);
-        }
-        if let Some(found) = &mut reading.table {
-            found.axis_column = Some(column);
-        }
-    }
     for (number, table) in tables.iter_mut().enumerate() {
         let part = if several {
             format!(", table {}", number + 1)
@@ -82,16 +76,12 @@ pub(crate) fn read_tables(
     }
     // Columns and rows that are nearly empty were left out; here that was all of them.
     if reading.spectra.is_empty() {
-        let of = match tables.first().map(|table| &table.layout) {
-            Some(Layout::Row { .. }) => "row",
-            _ => "column",
+        let of = match tables[0].layout {
+            Layout::Row(_) => "row",
+            Layout::Column(_) => "column",
         };
-        let first = tables.first().and_then(|table| table.block.lines.first());
-        return Err(no_table::too_sparse(
-            input,
-            of,
-            first.map(|line| *line as usize),
-        ));
+        let first = tables[0].block.lines[0] as usize;
+        return Err(no_table::too_sparse(input, of, first));
     }
     Ok(reading)
 }
@@ -122,38 +112,23 @@ fn read_table(
     let doubt = titles_short_of_cells(table, file.dialect);
     match &table.layout {
         Layout::Column(wavelength) => {
-            let wavelength = *wavelength;
-            let (groups, left_out) = roles::groups(&table.block, &table.titles, wavelength);
-            let columns = groups.iter().flat_map(|group| &group.values);
-            let axes = groups.iter().map(|group| group.axis);
-            let used: Vec<usize> = columns.copied().chain(axes).chain([wavelength]).collect();
-            let has_values = groups.iter().any(|group| !group.values.is_empty());
-            let is_used = |column| used.contains(&column);
+            let (groups, left_out) = roles::groups(&table.block, &table.titles, *wavelength);
+            let values: Vec<usize> = groups.iter().flat_map(|g| g.values.clone()).collect();
+            let is_axis = |column| groups.iter().any(|group| group.axis == column);
+            let is_used =
+                |column| column == *wavelength || is_axis(column) || values.contains(&column);
+            let has_values = !values.is_empty();
             let said = without_words(file.input, &table.block, is_used, has_values)?;
             reading.notes.extend(said);
             if let Some(found) = &mut reading.table
                 && found.values.is_empty()
                 && !table.is_short
             {
-                let values = groups.iter().flat_map(|group| &group.values);
-                found.values = values.copied().collect();
+                found.values = values;
             }
             read_groups(file, table, &groups, part, left_out, reading)?;
         }
-        Layout::Row {
-            first,
-            axis,
-            from_row,
-            says_nm,
-        } => {
-            let row = AlongRow {
-                first: *first,
-                axis,
-                from_row: *from_row,
-                says_nm: *says_nm,
-            };
-            read_rows(file.input, file.dialect, table, &row, reading)?;
-        }
+        Layout::Row(along) => read_rows(file, table, along, reading)?,
     }
     if let Some(because) = doubt
         && first < reading.spectra.len()
@@ -171,9 +146,6 @@ fn read_table(
 
 /// Refuses words among the numbers of the columns that count, and a table without values. Where a
 /// column is all numbers but for a word or two, these are gaps, and said.
-///
-/// # Errors
-/// [`ReadError`] with the line at fault.
 pub(crate) fn without_words(
     input: &Input,
     block: &Block,
@@ -204,14 +176,12 @@ pub(crate) fn without_words(
 fn titles_short_of_cells(table: &Table, dialect: Dialect) -> Option<String> {
     let block = &table.block;
     let (line, titles) = block.header.last()?;
-    let mut cells = Vec::new();
-    dialect.split(titles, &mut cells);
+    let cells = dialect.cells(titles);
     let count = used(&cells);
     let is_title = |cell: &&str| cell.contains(char::is_alphabetic);
-    let has_row_names = block.columns[0].numbers == 0 || block.counts_rows(0);
     (dialect.delimiter == Delimiter::Comma
         && !dialect.decimal_comma
-        && !has_row_names
+        && !block.has_row_names()
         && (2..block.width).contains(&count)
         && cells[..count].iter().all(is_title)
         && block.columns[count..]

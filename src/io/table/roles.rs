@@ -1,6 +1,7 @@
 //! Which columns of a table are spectra and which are something beside them.
 
 use super::block::Block;
+use super::row_order::{extent, runs_one_way};
 use super::titles::Titles;
 use crate::io::interpret::kinds::kind_of_title;
 use crate::io::text::units::{BESIDE, WavelengthUnit, names_wavelength};
@@ -12,58 +13,27 @@ pub(crate) struct LeftOut {
     /// Its place, from 0.
     pub column: usize,
     /// What it is instead.
-    pub why: Why,
+    why: &'static str,
 }
 
-/// What a column is that is no spectrum.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Why {
-    /// Words.
-    Words,
-    /// Numbers of the rows.
-    Counter,
-    /// One number in every row.
-    Constant,
-    /// A setting of each point.
-    Setting,
-    /// Wavelengths that nothing stands under.
-    SecondAxis,
-    /// A reading that the values beside it were made of.
-    Raw,
-    /// What repeated measurements differ by.
-    Spread,
-    /// What was noted beside the values, such as a time or a temperature.
-    Beside,
-    /// The wavelengths of the columns behind it: these are read.
-    Wavelengths,
-}
+/// What is said of wavelengths that nothing stands under.
+const SECOND_AXIS: &str = "is a second axis and was left out";
 
 impl LeftOut {
-    /// What is said of it.
+    /// A column is left out for this reason.
+    fn for_being(why: &'static str) -> impl Fn(usize) -> Self {
+        move |column| Self { column, why }
+    }
+
     pub(crate) fn words(&self, titles: &Titles) -> String {
-        let why = match self.why {
-            Why::Words => "holds words and was left out",
-            Why::Counter => "counts the rows and was left out",
-            Why::Constant => "is one number throughout and was left out",
-            Why::Setting => {
-                "holds whole numbers below zero throughout, a setting, and was left out"
-            }
-            Why::SecondAxis => "is a second axis and was left out",
-            Why::Raw => "is a raw reading and was left out",
-            Why::Spread => "is a spread and was left out",
-            Why::Beside => "is no spectrum by its title and was left out",
-            Why::Wavelengths => "holds the wavelengths of the columns behind it",
-        };
-        format!("{} {why}", shown(titles, self.column))
+        format!("{} {}", shown(titles, self.column), self.why)
     }
 }
 
 /// A column of wavelengths and the columns with values at them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Group {
-    /// The column of wavelengths.
     pub axis: usize,
-    /// Columns that are spectra.
     pub values: Vec<usize>,
 }
 
@@ -77,7 +47,7 @@ pub(crate) fn groups(
     wavelength: usize,
 ) -> (Vec<Group>, Vec<LeftOut>) {
     let axes = axes(block, titles, wavelength);
-    let (values, mut left_out) = roles(block, titles, wavelength, &axes);
+    let (values, mut left_out) = value_columns(block, titles, wavelength, &axes);
     let mut of_axis = vec![Vec::new(); axes.len()];
     for column in values {
         let before = axes.partition_point(|axis| *axis < column);
@@ -89,22 +59,11 @@ pub(crate) fn groups(
         .filter(|(_, values)| !values.is_empty())
         .map(|(axis, values)| Group { axis, values })
         .collect();
-    let others = groups.iter().filter(|group| group.axis != wavelength);
-    left_out.extend(others.map(|group| LeftOut {
-        column: group.axis,
-        why: Why::Wavelengths,
-    }));
+    let others = groups.iter().map(|group| group.axis);
+    let others = others.filter(|axis| *axis != wavelength);
+    let axis = LeftOut::for_being("holds the wavelengths of the columns behind it");
+    left_out.extend(others.map(axis));
     (groups, left_out)
-}
-
-/// Columns that are spectra under one column of wavelengths, and why others were left out, a
-/// sentence each.
-pub(crate) fn value_columns(
-    block: &Block,
-    titles: &Titles,
-    wavelength: usize,
-) -> (Vec<usize>, Vec<LeftOut>) {
-    roles(block, titles, wavelength, &[wavelength])
 }
 
 /// A column by its place and title, for notes.
@@ -117,7 +76,8 @@ pub(crate) fn shown(titles: &Titles, column: usize) -> String {
     }
 }
 
-fn roles(
+/// Columns that are spectra beside columns of wavelengths (`axes`), and why others were left out.
+pub(crate) fn value_columns(
     block: &Block,
     titles: &Titles,
     wavelength: usize,
@@ -132,22 +92,22 @@ fn roles(
         let mut leave_out = |why| left_out.push(LeftOut { column, why });
         if stats.numbers == 0 {
             if stats.texts > 0 {
-                leave_out(Why::Words);
+                leave_out("holds words and was left out");
             }
         } else if column < wavelength && (block.counts_rows(column) || is_counter(&title)) {
-            leave_out(Why::Counter);
+            leave_out("counts the rows and was left out");
         } else if column < wavelength && title.is_empty() && block.is_constant(column) {
-            leave_out(Why::Constant);
+            leave_out("is one number throughout and was left out");
         } else if title.is_empty() && is_setting(block, column, wavelength) {
-            leave_out(Why::Setting);
+            leave_out("holds whole numbers below zero throughout, a setting, and was left out");
         } else if is_spread(&title) {
             spreads.push(column);
         } else if names_axis_beside(&title, titles, wavelength)
             || holds(&title.to_lowercase(), "raman shift")
         {
-            leave_out(Why::SecondAxis);
+            leave_out(SECOND_AXIS);
         } else if raw_beside.binary_search(&column).is_ok() {
-            leave_out(Why::Raw);
+            leave_out("is a raw reading and was left out");
         } else {
             values.push(column);
         }
@@ -155,20 +115,15 @@ fn roles(
     if values.is_empty() {
         values = spreads;
     } else {
-        left_out.extend(spreads.into_iter().map(|column| LeftOut {
-            column,
-            why: Why::Spread,
-        }));
+        let spread = LeftOut::for_being("is a spread and was left out");
+        left_out.extend(spreads.into_iter().map(spread));
     }
     let (beside, others): (Vec<usize>, Vec<usize>) = values
         .iter()
         .partition(|column| is_beside(titles, **column, &values));
     if !others.is_empty() {
-        let left = beside.into_iter().map(|column| LeftOut {
-            column,
-            why: Why::Beside,
-        });
-        left_out.extend(left);
+        let no_spectrum = LeftOut::for_being("is no spectrum by its title and was left out");
+        left_out.extend(beside.into_iter().map(no_spectrum));
         values = others;
     }
     // "AxisUnit = nm" above the values is no second axis: there is nothing else that they could be.
@@ -179,7 +134,7 @@ fn roles(
                 && names_wavelength(&titles.whole(*column))
         };
         values.extend((0..block.width).find(second_axis));
-        left_out.retain(|column| column.why != Why::SecondAxis);
+        left_out.retain(|column| column.why != SECOND_AXIS);
     }
     // The ratio before the readings that it was made of, where all are kept.
     let made_of = |column: &usize| {
@@ -248,7 +203,11 @@ fn ends_in_length(title: &str) -> bool {
 fn axes(block: &Block, titles: &Titles, wavelength: usize) -> Vec<usize> {
     let title = titles.whole(wavelength).to_lowercase();
     let is_axis = |column: &usize| {
-        let runs = || runs_one_way(block.column(*column));
+        let runs = || {
+            let numbers = block.column(*column).iter().copied();
+            let numbers: Vec<f64> = numbers.filter(|v| !v.is_nan()).collect();
+            numbers.len() >= 2 && runs_one_way(&numbers)
+        };
         let other = titles.whole(*column);
         // Under the same title it is one even where a wavelength was mistyped or stands twice.
         *column == wavelength
@@ -278,20 +237,11 @@ fn axes(block: &Block, titles: &Titles, wavelength: usize) -> Vec<usize> {
     kept
 }
 
-/// Whether numbers rise or fall throughout; gaps do not matter.
-fn runs_one_way(column: &[f64]) -> bool {
-    let numbers = || column.iter().filter(|v| !v.is_nan());
-    let pairs = || numbers().zip(numbers().skip(1));
-    numbers().count() >= 2 && (pairs().all(|(a, b)| a < b) || pairs().all(|(a, b)| a > b))
-}
-
 /// Whether two columns hold the same wavelengths: the same numbers in one unit, or in two units to
 /// the rounding of a table.
 fn are_same_points(block: &Block, titles: &Titles, one: usize, other: usize) -> bool {
     let unit = |column: usize| {
-        let numbers = || block.column(column).iter().filter(|v| !v.is_nan());
-        let low = numbers().copied().fold(f64::INFINITY, f64::min);
-        let high = numbers().copied().fold(f64::NEG_INFINITY, f64::max);
+        let (low, high) = extent(block.column(column));
         WavelengthUnit::of_title(&titles.whole(column))
             .or_else(|| WavelengthUnit::of_range(low, high))
             .unwrap_or(WavelengthUnit::Nanometre)
@@ -346,8 +296,9 @@ fn beside_processed(titles: &Titles, wavelength: usize) -> Vec<usize> {
     {
         return others[..readings.len()].to_vec();
     }
-    let raw = |column: usize| {
-        let title = titles.whole(column).to_lowercase();
+    let title = |column: &usize| titles.whole(*column).to_lowercase();
+    let raw = |column: &usize| {
+        let title = title(column);
         let word = title.split([' ', '[', '(', '.']).next().unwrap_or("");
         matches!(
             word,
@@ -355,28 +306,19 @@ fn beside_processed(titles: &Titles, wavelength: usize) -> Vec<usize> {
         ) && (kind_of_title(&title).is_none() || title.contains("counts"))
             && !title.contains("subtracted")
     };
-    let raws: Vec<usize> = others.iter().copied().filter(|c| raw(*c)).collect();
-    let processed = others.iter().any(|c| {
-        let title = titles.whole(*c);
-        !raw(*c) && (kind_of_title(&title).is_some() || is_processed(&title))
-    });
-    if processed {
+    let (raws, others): (Vec<usize>, Vec<usize>) = others.into_iter().partition(raw);
+    let is_result = |title: String| kind_of_title(&title).is_some() || is_processed(&title);
+    if others.iter().any(|c| is_result(titles.whole(*c))) {
         return raws;
     }
     // A sample in counts beside what was measured without it.
-    let is_sample = |column: &usize| {
-        let title = titles.whole(*column).to_lowercase();
-        title.starts_with("sample") || title.starts_with("scope")
-    };
-    let (samples, others): (Vec<usize>, Vec<usize>) = raws.into_iter().partition(is_sample);
-    let has_dark = others
-        .iter()
-        .any(|column| titles.whole(*column).to_lowercase().starts_with("dark"));
-    if samples.len() == 1 && has_dark {
-        others
-    } else {
-        Vec::new()
+    let starts = |column: &usize, word| title(column).starts_with(word);
+    let is_sample = |column: &usize| starts(column, "sample") || starts(column, "scope");
+    let (samples, mut others): (Vec<usize>, Vec<usize>) = raws.into_iter().partition(is_sample);
+    if samples.len() != 1 || !others.iter().any(|column| starts(column, "dark")) {
+        others.clear();
     }
+    others
 }
 
 /// Whether a title says no more than that its column is the result.
@@ -390,19 +332,16 @@ mod tests {
     use crate::io::table::scan::scan;
     use crate::io::text::dialect::{Delimiter, Dialect};
 
+    const DIALECT: Dialect = Dialect::new(Delimiter::Semicolon, false);
+
     fn values(text: &str) -> (Vec<usize>, Vec<String>) {
         found(text, 0)
     }
 
     fn found(text: &str, wavelength: usize) -> (Vec<usize>, Vec<String>) {
-        let dialect = Dialect {
-            delimiter: Delimiter::Semicolon,
-            decimal_comma: false,
-        };
-        let blocks = scan(text, dialect).unwrap();
-        let block = &blocks[0];
-        let titles = Titles::of(block, dialect);
-        let (values, left_out) = value_columns(block, &titles, wavelength);
+        let block = &scan(text, 0, DIALECT).unwrap()[0];
+        let titles = Titles::of(block, DIALECT);
+        let (values, left_out) = value_columns(block, &titles, wavelength, &[wavelength]);
         let words = left_out.iter().map(|column| column.words(&titles));
         (values, words.collect())
     }
@@ -444,50 +383,32 @@ mod tests {
     #[test]
     fn a_number_of_a_detector_element_is_no_spectrum_and_a_line_of_units_no_second_axis() {
         let text = "Chan.#;Wvl;Refl\n0;350;0.5\n7;351;0.4\n";
-        let dialect = Dialect {
-            delimiter: Delimiter::Semicolon,
-            decimal_comma: false,
-        };
-        let blocks = scan(text, dialect).unwrap();
-        let titles = Titles::of(&blocks[0], dialect);
-        assert_eq!(value_columns(&blocks[0], &titles, 1).0, [2]);
+        assert_eq!(found(text, 1).0, [2]);
         assert_eq!(values("Unit;nm\n300;1\n301;2\n").0, [1]);
     }
 
     #[test]
-    fn whole_numbers_below_zero_beside_measured_ones_are_a_setting() {
+    fn a_setting_and_one_number_before_every_wavelength_are_no_spectra() {
         let (columns, notes) = values("250;0.51;-10\n251;0.52;-10\n252;0.6;-9\n");
         assert_eq!(columns, [1]);
         assert!(notes[0].contains("a setting"), "{notes:?}");
         assert_eq!(values("250;1;-10\n251;2;-9\n252;3;-8\n").0, [1, 2]);
-    }
-
-    #[test]
-    fn one_number_before_every_wavelength_is_no_spectrum() {
         let (columns, notes) = found("210;290;1\n210;291;2\n210;292;5\n", 1);
         assert_eq!(columns, [2]);
         assert!(notes[0].contains("one number throughout"), "{notes:?}");
     }
 
     #[test]
-    fn a_spread_is_no_spectrum_but_a_sample_alone_is() {
+    fn a_spread_is_no_spectrum_but_a_sample_alone_and_a_name_with_its_word_are() {
         assert_eq!(values("nm;T;Std.Dev.\n300;1;0.1\n301;2;0.1\n").0, [1]);
         assert_eq!(values("nm;Sample\n300;1\n301;2\n").0, [1]);
         assert_eq!(values("nm;leaf;FWHM;sd\n300;1;5;2\n301;2;5;1\n").0, [1]);
-    }
-
-    #[test]
-    fn a_name_with_a_word_of_spreads_in_it_is_a_spectrum() {
-        assert_eq!(
-            values("nm;Std A;Std D65;Other\n300;1;2;3\n301;2;3;4\n").0,
-            [1, 2, 3]
-        );
+        let text = "nm;Std A;Std D65;Other\n300;1;2;3\n301;2;3;4\n";
+        assert_eq!(values(text).0, [1, 2, 3]);
         assert_eq!(values("nm;std\n300;1\n301;2\n").0, [1]);
         assert_eq!(values("nm;A;A std\n300;1;0.1\n301;2;0.1\n").0, [1]);
-        assert_eq!(
-            values("nm;A;Uncertainty (k=2)\n300;1;0.1\n301;2;0.1\n").0,
-            [1]
-        );
+        let text = "nm;A;Uncertainty (k=2)\n300;1;0.1\n301;2;0.1\n";
+        assert_eq!(values(text).0, [1]);
     }
 
     #[test]
@@ -499,41 +420,30 @@ mod tests {
     }
 
     fn sides(text: &str) -> Vec<(usize, Vec<usize>)> {
-        let dialect = Dialect {
-            delimiter: Delimiter::Semicolon,
-            decimal_comma: false,
-        };
-        let blocks = scan(text, dialect).unwrap();
-        let block = &blocks[0];
-        let (groups, _) = groups(block, &Titles::of(block, dialect), 0);
+        let block = &scan(text, 0, DIALECT).unwrap()[0];
+        let (groups, _) = groups(block, &Titles::of(block, DIALECT), 0);
         groups.into_iter().map(|g| (g.axis, g.values)).collect()
     }
 
     #[test]
     fn tables_side_by_side_keep_their_own_wavelengths() {
-        assert_eq!(
-            sides("nm;A;Wavelength (nm);B;C\n380;1;1000;2;3\n390;2;1010;3;4\n"),
-            [(0, vec![1]), (2, vec![3, 4])]
-        );
-        assert_eq!(
-            sides("nm;A;;nm;B\n380;1;;1000;2\n390;2;;1010;3\n400;3;;;\n"),
-            [(0, vec![1]), (3, vec![4])]
-        );
+        let text = "nm;A;Wavelength (nm);B;C\n380;1;1000;2;3\n390;2;1010;3;4\n";
+        assert_eq!(sides(text), [(0, vec![1]), (2, vec![3, 4])]);
+        let text = "nm;A;;nm;B\n380;1;;1000;2\n390;2;;1010;3\n400;3;;;\n";
+        assert_eq!(sides(text), [(0, vec![1]), (3, vec![4])]);
     }
 
     #[test]
     fn the_same_points_in_another_unit_are_no_axis_of_their_own() {
-        assert_eq!(
-            sides("nm;A;Wavenumber (cm-1);B\n400;1;25000;2\n500;2;20000;3\n"),
-            [(0, vec![1, 3])]
-        );
-        assert_eq!(
-            sides("nm;Wavenumber (cm-1);A\n400;900;1\n500;800;2\n"),
-            [(0, vec![2])]
-        );
-        assert_eq!(
-            sides("nm;A;nm;B\n400;1;400;2\n500;2;500;3\n"),
-            [(0, vec![1, 3])]
-        );
+        for (text, values) in [
+            (
+                "nm;A;Wavenumber (cm-1);B\n400;1;25000;2\n500;2;20000;3\n",
+                vec![1, 3],
+            ),
+            ("nm;Wavenumber (cm-1);A\n400;900;1\n500;800;2\n", vec![2]),
+            ("nm;A;nm;B\n400;1;400;2\n500;2;500;3\n", vec![1, 3]),
+        ] {
+            assert_eq!(sides(text), [(0, values)]);
+        }
     }
 }

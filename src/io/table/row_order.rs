@@ -32,10 +32,8 @@ pub(crate) fn put_right(block: &mut Block, axis: usize, values: &[usize]) -> Vec
             )
         });
         let said = said.collect();
-        let kept: Vec<usize> = (0..block.rows())
-            .filter(|row| stray.binary_search(row).is_err())
-            .collect();
-        block.arrange(&kept);
+        let kept = (0..block.rows()).filter(|row| stray.binary_search(row).is_err());
+        block.arrange(&kept.collect::<Vec<_>>());
         return said;
     }
     if !is_shuffled(numbers) {
@@ -50,9 +48,7 @@ pub(crate) fn put_right(block: &mut Block, axis: usize, values: &[usize]) -> Vec
 /// Whether a column without a title is one of wavelengths in random order: numbers in the range of
 /// nanometres, all at one step.
 pub(crate) fn are_shuffled_nanometres(numbers: &[f64]) -> bool {
-    let (low, high) = numbers.iter().fold((f64::INFINITY, 0.0), |(low, high), x| {
-        (x.min(low), x.max(high))
-    });
+    let (low, high) = extent(numbers);
     WavelengthUnit::of_range(low, high) == Some(WavelengthUnit::Nanometre)
         && is_shuffled(numbers)
         && sorted_steps(numbers).is_some_and(|steps| {
@@ -72,15 +68,31 @@ fn sorted_steps(numbers: &[f64]) -> Option<Vec<f64>> {
     (steps.first()? > &0.0 && steps.last()?.is_finite()).then_some(steps)
 }
 
+/// Whether numbers rise throughout, or fall.
+pub(super) fn runs_one_way(numbers: &[f64]) -> bool {
+    numbers.is_sorted_by(|a, b| a < b) || numbers.is_sorted_by(|a, b| a > b)
+}
+
+/// Whether numbers run one way in a range of wavelengths.
+pub(super) fn may_be_wavelengths(numbers: &[f64]) -> bool {
+    let (Some(first), Some(last)) = (numbers.first(), numbers.last()) else {
+        return false;
+    };
+    runs_one_way(numbers) && WavelengthUnit::of_range(first.min(*last), first.max(*last)).is_some()
+}
+
+/// The least of some numbers and the greatest; gaps do not matter.
+pub(super) fn extent(numbers: &[f64]) -> (f64, f64) {
+    let ends = (f64::INFINITY, f64::NEG_INFINITY);
+    let wider = |(low, high): (f64, f64), v: &f64| (low.min(*v), high.max(*v));
+    numbers.iter().fold(ends, wider)
+}
+
 /// How many steps go up, and down.
 pub(super) fn steps_up_and_down(numbers: &[f64]) -> (usize, usize) {
-    let steps = numbers.windows(2);
-    steps.fold((0, 0), |(up, down), pair| {
-        (
-            up + usize::from(pair[1] > pair[0]),
-            down + usize::from(pair[1] < pair[0]),
-        )
-    })
+    let up = numbers.windows(2).filter(|pair| pair[1] > pair[0]).count();
+    let down = numbers.windows(2).filter(|pair| pair[1] < pair[0]).count();
+    (up, down)
 }
 
 /// Whether all numbers differ, run to and fro, and lie evenly enough to be one table.
@@ -190,11 +202,7 @@ mod tests {
             assert!(reading.notes.contains(&said), "{said}: {:?}", reading.notes);
             assert_eq!(reading.spectra.len(), 1);
             let samples = &reading.spectra[0].samples;
-            assert_eq!(
-                (samples.len(), samples.last_nm()),
-                (points, 780.0),
-                "{said}"
-            );
+            assert_eq!((samples.len(), samples.last_nm()), (points, 780.0));
         }
     }
 
@@ -219,8 +227,9 @@ mod tests {
         overlap.extend((0..40).map(|i| format!("{},1", 765 + 5 * i)));
         let reading = read(&overlap);
         assert_eq!(reading.spectra[0].samples.last_nm(), 960.0);
-        let twice = [rows(), rows()].concat();
-        assert_eq!(read(&twice).spectra.len(), 2);
+        let twice = read(&[rows(), rows()].concat());
+        let lengths = twice.spectra.iter().map(|s| s.samples.len());
+        assert_eq!(lengths.collect::<Vec<_>>(), [81, 81]);
     }
 
     #[test]
@@ -250,9 +259,7 @@ mod tests {
             several[row] = format!("{},abc", 380 + 5 * row);
         }
         let refusal = read_bytes("a.csv", several.join("\n").as_bytes()).expect_err("words");
-        assert!(
-            refusal.to_string().contains("line 11: found \"abc\""),
-            "{refusal}"
-        );
+        let said = refusal.to_string();
+        assert!(said.contains("line 11: found \"abc\""), "{said}");
     }
 }

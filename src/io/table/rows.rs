@@ -1,5 +1,8 @@
 //! Tables with their wavelengths along a row: one spectrum in each further row.
 
+use super::block::has_values;
+use super::columns::File;
+use super::layout::AlongRow;
 use super::pick::Table;
 use crate::io::interpret::heading::Heading;
 use crate::io::interpret::kinds::{kind_of_title, kind_of_words};
@@ -8,45 +11,27 @@ use crate::io::interpret::{check_room, interpret};
 use crate::io::text::dialect::Dialect;
 use crate::io::text::number::number;
 use crate::io::text::units::names_wavelength;
-use crate::io::{Input, ReadError, Reading};
-
-/// Wavelengths along a row.
-pub(crate) struct AlongRow<'a> {
-    /// The first column with a wavelength.
-    pub first: usize,
-    /// The wavelengths in the file's unit.
-    pub axis: &'a [f64],
-    /// The first row of values.
-    pub from_row: usize,
-    /// Whether the axis says by itself that it counts nanometres.
-    pub says_nm: bool,
-}
+use crate::io::{ReadError, Reading};
 
 /// Adds the spectra of such a table to a reading.
-///
-/// # Errors
-/// [`ReadError`] for a word among the numbers, or numbers that are no spectrum.
 pub(crate) fn read_rows(
-    input: &Input,
-    dialect: Dialect,
+    file: &File,
     table: &Table,
     along: &AlongRow,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
-    let block = &table.block;
+    let (block, input, dialect) = (&table.block, file.input, file.dialect);
     let heading = Heading::of(&block.header).shared_by(block.rows());
     let kind_title = titles_before(table, along.first);
     let columns = along.first..along.first + along.axis.len();
     if let Some(bad) = block.bad.iter().find(|bad| columns.contains(&bad.column)) {
         return Err(bad.refusal(input));
     }
-    let has_values = |row: &usize| {
-        let values = block.values[columns.clone()].iter().map(|c| c[*row]);
-        values.filter(|v| !v.is_nan()).nth(1).is_some()
-    };
-    let spectra = (along.from_row..block.rows()).filter(has_values).count();
+    let values_of = |row: usize| block.values[columns.clone()].iter().map(move |c| c[row]);
+    let rows = along.from_row..block.rows();
+    let spectra = rows.filter(|row| has_values(values_of(*row))).count();
     check_room(input, reading.spectra.len() + spectra)?;
-    let scale = Scale::new(along.axis);
+    let scale = Scale::new(&along.axis);
     let corner = corner(table, dialect, along);
     let mut cells = Vec::new();
     for (row, content) in block.row_texts().enumerate().skip(along.from_row) {
@@ -54,23 +39,18 @@ pub(crate) fn read_rows(
         let before = cells.iter().take(along.first).copied();
         let words: Vec<&str> = before.filter(|cell| !cell.is_empty()).collect();
         let words = words.as_slice();
-        let name = name_of(words)
-            .unwrap_or_else(|| format!("{}, row {}", input.stem(), row + 1 - along.from_row));
+        let name = name_of(words).unwrap_or_else(|| (row + 1 - along.from_row).to_string());
         let name = match name.parse::<f64>() {
             Ok(_) => format!("{}, row {name}", input.stem()),
             Err(_) => name,
         };
-        let values: Vec<f64> = block.values[columns.clone()]
-            .iter()
-            .map(|c| c[row])
-            .collect();
-        if values.iter().filter(|v| !v.is_nan()).nth(1).is_none() {
-            reading.notes.push(format!(
-                "line {} holds no values and was left out",
-                block.lines[row]
-            ));
+        if !has_values(values_of(row)) {
+            let line = block.lines[row];
+            let said = format!("line {line} holds no values and was left out");
+            reading.notes.push(said);
             continue;
         }
+        let values = values_of(row).collect();
         let raw = RawSpectrum::written(name, &scale, &kind_title, values, &heading);
         let raw = RawSpectrum {
             title: kind_word(words)
@@ -93,11 +73,8 @@ pub(crate) fn read_rows(
 fn name_of(words: &[&str]) -> Option<String> {
     let is_word = |cell: &&&str| number(cell.trim_matches('"'), false).is_none();
     let named: Vec<&str> = words.iter().filter(is_word).copied().collect();
-    match (named.is_empty(), words.is_empty()) {
-        (false, _) => Some(named.join(" ")),
-        (true, false) => Some(words.join(" ")),
-        (true, true) => None,
-    }
+    let all = if named.is_empty() { words } else { &named };
+    (!all.is_empty()).then(|| all.join(" "))
 }
 
 /// A cell before the values that says nothing but what kind of value follows: "Transmittance".
@@ -118,7 +95,7 @@ fn percent_label(words: &[&str]) -> Option<String> {
 /// follow; empty otherwise.
 fn corner(table: &Table, dialect: Dialect, along: &AlongRow) -> String {
     let corner = if along.from_row > 0 {
-        let cells = table.block.first_cells(dialect);
+        let cells = dialect.cells(table.block.first_row());
         let before = cells.iter().take(along.first);
         let before: Vec<&str> = before.map(|cell| cell.trim_matches('"')).collect();
         before.join(" ").trim().to_owned()
@@ -149,11 +126,8 @@ mod tests {
         let spectra = read_bytes("a.csv", text.as_bytes()).unwrap().spectra;
         assert!(spectra.iter().all(|s| s.kind == Kind::Reflectance));
         let text = "wavelength,400,410,420,430,440\nRefl %,10,20,30,40,50\n";
-        let spectra = read_bytes("a.csv", text.as_bytes()).unwrap().spectra;
-        assert_eq!(
-            (spectra[0].kind, spectra[0].scale),
-            (Kind::Reflectance, 0.01)
-        );
+        let leaf = &read_bytes("a.csv", text.as_bytes()).unwrap().spectra[0];
+        assert_eq!((leaf.kind, leaf.scale), (Kind::Reflectance, 0.01));
     }
 
     #[test]

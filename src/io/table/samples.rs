@@ -11,14 +11,8 @@ use crate::io::text::dialect::Dialect;
 /// Fewest rows of a sample that a number tells from others: values may be whole numbers too.
 const FEWEST_ROWS: usize = 5;
 
-/// A sample and its rows, which stand together.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Sample {
-    /// What the column calls it.
-    pub name: String,
-    /// Its rows.
-    pub rows: Range<usize>,
-}
+/// What a column calls a sample, and its rows, which stand together.
+pub(crate) type Sample = (String, Range<usize>);
 
 /// Puts the rows of each sample together, in the order in which samples first appear: tables go
 /// from sample to sample, or from wavelength to wavelength. Gives the columns that tell them apart
@@ -43,12 +37,19 @@ pub(crate) fn together(
     columns.extend((0..block.width.min(MOST_COUNTED)).filter(counted));
     let cells = cells_of(block, dialect, &columns);
     let apart = |cells: &[&str], fewest: usize| {
-        let found = ByWord::of(cells, fewest)?;
-        let is_told = found.names.len() > 1
-            && found.rows().all(|rows| {
+        let found = by_word(cells, fewest)?;
+        let is_told = found.len() > 1
+            && found.iter().all(|(_, rows)| {
                 rows.len() >= fewest && runs_through(rows.iter().map(|row| wavelengths[*row]))
             });
-        is_told.then(|| (found.samples(), found.order))
+        let mut order = Vec::with_capacity(cells.len());
+        let sample = |(name, rows): (&str, Vec<usize>)| {
+            let start = order.len();
+            order.extend(rows);
+            (bare(name).to_owned(), start..order.len())
+        };
+        let samples: Vec<Sample> = is_told.then(|| found.into_iter().map(sample).collect())?;
+        Some((samples, order))
     };
     let told = columns.iter().zip(&cells).enumerate();
     let by_one = told.into_iter().find_map(|(at, (column, cells))| {
@@ -110,9 +111,7 @@ const MOST_COUNTED: usize = 20;
 
 /// Whether a column may number samples.
 fn is_counted(values: &[f64]) -> bool {
-    let first = values.first();
-    first.is_some_and(|first| values.iter().any(|v| v != first))
-        && values.iter().all(|v| v.fract() == 0.0)
+    values.iter().any(|v| *v != values[0]) && values.iter().all(|v| v.fract() == 0.0)
 }
 
 /// Whether wavelengths, two at least, rise throughout, or fall.
@@ -146,67 +145,22 @@ fn cells_of<'a>(block: &Block<'a>, dialect: Dialect, columns: &[usize]) -> Vec<V
     found
 }
 
-/// Rows by their word, in the order in which words first appear.
-struct ByWord<'a> {
-    names: Vec<&'a str>,
-    /// All rows, those of one word together.
-    order: Vec<usize>,
-    /// Where in `order` the rows of each word begin, and its length.
-    starts: Vec<usize>,
-}
-
-impl<'a> ByWord<'a> {
-    /// `None` where there are too many words for each to have `fewest` rows.
-    fn of(words: &[&'a str], fewest: usize) -> Option<Self> {
-        let mut places: HashMap<&str, usize> = HashMap::new();
-        let (mut names, mut counts) = (Vec::new(), Vec::new());
-        let mut place_of_row = Vec::with_capacity(words.len());
-        for word in words {
-            let place = *places.entry(word).or_insert(names.len());
-            if place == names.len() {
-                if (names.len() + 1) * fewest > words.len() {
-                    return None;
-                }
-                names.push(*word);
-                counts.push(0);
+/// Rows by their word, in the order in which words first appear; `None` where there are too many
+/// words for each to have `fewest` rows.
+fn by_word<'a>(words: &[&'a str], fewest: usize) -> Option<Vec<(&'a str, Vec<usize>)>> {
+    let mut places: HashMap<&str, usize> = HashMap::new();
+    let mut found: Vec<(&str, Vec<usize>)> = Vec::new();
+    for (row, word) in words.iter().enumerate() {
+        let place = *places.entry(word).or_insert(found.len());
+        if place == found.len() {
+            if (found.len() + 1) * fewest > words.len() {
+                return None;
             }
-            counts[place] += 1;
-            place_of_row.push(place);
+            found.push((word, Vec::new()));
         }
-        drop(places);
-        let mut starts = vec![0];
-        for count in counts {
-            starts.push(starts[starts.len() - 1] + count);
-        }
-        let mut next = starts.clone();
-        let mut order = vec![0; words.len()];
-        for (row, place) in place_of_row.into_iter().enumerate() {
-            order[next[place]] = row;
-            next[place] += 1;
-        }
-        Some(Self {
-            names,
-            order,
-            starts,
-        })
+        found[place].1.push(row);
     }
-
-    /// Each word with its rows as they stand in the new order.
-    fn samples(&self) -> Vec<Sample> {
-        let names = self.names.iter().zip(self.starts.windows(2));
-        let sample = |(name, ends): (&&str, &[usize])| Sample {
-            name: bare(name).to_owned(),
-            rows: ends[0]..ends[1],
-        };
-        names.map(sample).collect()
-    }
-
-    /// The rows of each word.
-    fn rows(&self) -> impl Iterator<Item = &[usize]> {
-        self.starts
-            .windows(2)
-            .map(|ends| &self.order[ends[0]..ends[1]])
-    }
+    Some(found)
 }
 
 #[cfg(test)]
@@ -229,13 +183,8 @@ mod tests {
         );
         assert_eq!(names(&one), ["leaf", "soil"]);
         assert_eq!(one.spectra[1].samples.values(), [0.4, 0.5, 0.6]);
-        assert!(
-            one.notes
-                .iter()
-                .any(|n| n == "column 1 (sample) tells the spectra apart"),
-            "{:?}",
-            one.notes
-        );
+        let said = "column 1 (sample) tells the spectra apart".to_owned();
+        assert!(one.notes.contains(&said), "{:?}", one.notes);
     }
 
     #[test]

@@ -38,38 +38,38 @@ pub(crate) enum TooMuch {
     Blocks { line: usize, found: usize },
 }
 
-/// All blocks of at least two rows in a text, in its order.
-///
-/// # Errors
-/// [`TooMuch`] when the text holds more numbers than the program keeps.
-pub(crate) fn scan(text: &str, dialect: Dialect) -> Result<Vec<Block<'_>>, TooMuch> {
-    scan_behind(text, 0, dialect)
+/// All blocks of at least two rows in a text that stands behind a number of lines of its file.
+pub(crate) fn scan(text: &str, lines: usize, dialect: Dialect) -> Result<Vec<Block<'_>>, TooMuch> {
+    let (blocks, end) = scan_as_far(text, lines, dialect);
+    end.map(|()| blocks)
 }
 
-/// As [`scan`], for what stands in a file behind a number of lines.
-///
-/// # Errors
-/// As [`scan`].
-pub(crate) fn scan_behind(
-    text: &str,
-    lines: usize,
-    dialect: Dialect,
-) -> Result<Vec<Block<'_>>, TooMuch> {
-    let mut scanner = Scanner::new(text, lines, dialect);
-    scanner.run()?;
-    Ok(scanner.blocks)
-}
-
-/// The first blocks of a text: as many as a scan takes.
-///
-/// # Errors
-/// [`TooMuch`] of another kind than too many blocks.
+/// The first blocks of a text: as many as a scan takes, so that they are never too many.
 pub(crate) fn scan_start(text: &str, dialect: Dialect) -> Result<Vec<Block<'_>>, TooMuch> {
-    let mut scanner = Scanner::new(text, 0, dialect);
-    match scanner.run() {
-        Ok(()) | Err(TooMuch::Blocks { .. }) => Ok(scanner.blocks),
-        Err(too_much) => Err(too_much),
+    match scan_as_far(text, 0, dialect) {
+        (blocks, Ok(()) | Err(TooMuch::Blocks { .. })) => Ok(blocks),
+        (_, Err(too_much)) => Err(too_much),
     }
+}
+
+/// The blocks of a text as far as they are kept, and why no further.
+fn scan_as_far(text: &str, line: usize, dialect: Dialect) -> (Vec<Block<'_>>, Result<(), TooMuch>) {
+    let mut scanner = Scanner {
+        dialect,
+        rest: text,
+        line,
+        blocks: Vec::new(),
+        header: Vec::new(),
+        open: None,
+        cells: Vec::new(),
+        kinds: Vec::new(),
+        held: 0,
+        beside: 0,
+        // The spectra that become of them take the other half.
+        most_beside: budget::of(text.len()) / 2,
+    };
+    let end = scanner.run();
+    (scanner.blocks, end)
 }
 
 /// A scan on its way through a text.
@@ -95,23 +95,6 @@ struct Scanner<'a> {
 }
 
 impl<'a> Scanner<'a> {
-    fn new(text: &'a str, lines: usize, dialect: Dialect) -> Self {
-        Self {
-            dialect,
-            rest: text,
-            line: lines,
-            blocks: Vec::new(),
-            header: Vec::new(),
-            open: None,
-            cells: Vec::new(),
-            kinds: Vec::new(),
-            held: 0,
-            beside: 0,
-            // The spectra that become of them take the other half.
-            most_beside: budget::of(text.len()) / 2,
-        }
-    }
-
     fn run(&mut self) -> Result<(), TooMuch> {
         let mut plain = PlainRow::new(self.dialect);
         loop {
@@ -288,8 +271,9 @@ impl<'a> Scanner<'a> {
             return Ok(());
         }
         self.held -= block.width;
+        let row = (block.lines[0] as usize, block.first_row());
         let after = std::mem::replace(&mut self.header, block.header);
-        push_header(&mut self.header, block.lines[0] as usize, block.first_row);
+        push_header(&mut self.header, row.0, row.1);
         self.header.extend(after);
         // Else it would grow with every single row.
         trim(&mut self.header);
@@ -326,24 +310,17 @@ fn before_comment(line: &str) -> Option<&str> {
 }
 
 fn looks_like_row(kinds: &[Cell]) -> bool {
-    let (mut numbers, mut gaps, mut texts) = (0, 0, 0);
-    let mut first_gap_or_empty = 0;
+    let (mut numbers, mut gaps, mut empty, mut texts) = (0, 0, 0, 0);
     for kind in kinds {
         match kind {
-            Cell::Number(_) | Cell::Percent(_) | Cell::Nanometres(_) | Cell::WithUnit(_) => {
-                numbers += 1;
-            }
             Cell::Gap => gaps += 1,
-            Cell::Empty => first_gap_or_empty += 1,
+            Cell::Empty => empty += 1,
             Cell::Text => texts += 1,
+            _ => numbers += 1,
         }
     }
     // A wavelength with nothing but empty cells behind it is a row with every value missing.
-    let lone = numbers == 1
-        && texts == 0
-        && first_gap_or_empty > 0
-        && kinds.len() > 1
-        && matches!(kinds[0], Cell::Number(_));
+    let lone = numbers == 1 && texts == 0 && empty > 0 && matches!(kinds[0], Cell::Number(_));
     texts <= numbers && (numbers + gaps >= 2 && numbers >= 1 || lone)
 }
 
@@ -365,36 +342,26 @@ fn trim(header: &mut Vec<(usize, &str)>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::table::block::BadCell;
 
-    const COMMA: Dialect = Dialect {
-        delimiter: Delimiter::Comma,
-        decimal_comma: false,
-    };
+    const COMMA: Dialect = Dialect::new(Delimiter::Comma, false);
 
     fn blocks(text: &str) -> Vec<Block<'_>> {
-        scan(text, COMMA).unwrap_or_default()
+        scan(text, 0, COMMA).unwrap_or_default()
     }
 
     #[test]
-    fn words_around_a_block_are_its_header() {
+    fn words_around_a_block_are_its_header_and_between_blocks_divide_them() {
         let found = blocks("Lamp A\n# note\nIndex,13,14\nnm,a,b\n380,1,2\n\n385,3,4\n");
         assert_eq!(found.len(), 1);
         assert_eq!(found[0].values, [[380.0, 385.0], [1.0, 3.0], [2.0, 4.0]]);
         assert_eq!(found[0].lines, [5, 7]);
-        assert_eq!(
-            found[0].header,
-            [
-                (1, "Lamp A"),
-                (2, "note"),
-                (3, "Index,13,14"),
-                (4, "nm,a,b")
-            ]
-        );
-    }
-
-    #[test]
-    fn words_between_blocks_divide_them() {
+        let header = [
+            (1, "Lamp A"),
+            (2, "note"),
+            (3, "Index,13,14"),
+            (4, "nm,a,b"),
+        ];
+        assert_eq!(found[0].header, header);
         let found = blocks("380,1\n385,2\nSecond\n380,3\n385,4\n");
         assert_eq!(found.len(), 2);
         assert_eq!(found[1].header, [(3, "Second")]);
@@ -427,23 +394,22 @@ mod tests {
         assert_eq!(found.len(), 1);
         assert_eq!(found[0].rows(), 5);
         assert_eq!(found[0].columns[1].numbers, 3);
-        assert_eq!(
-            found[0].bad,
-            [BadCell {
-                line: 4,
-                column: 1,
-                text: "abc".to_owned(),
-                certain: true,
-            }]
-        );
+        let [bad] = &found[0].bad[..] else {
+            panic!("one word: {:?}", found[0].bad);
+        };
+        assert_eq!((bad.line, bad.column, &*bad.text), (4, 1, "abc"));
+        assert!(bad.certain);
     }
 
     #[test]
     fn a_remark_that_only_some_rows_have_does_not_break_the_table() {
-        let found = blocks("380,1,\n381,2,peak\n382,3,\n383,4,\n");
-        assert_eq!((found.len(), found[0].rows()), (1, 4));
-        let found = blocks("0,380,0.1,0.2\n1,390,0.2,0.3\n2,400,0.3,\n3,410,0.4,0.5\n");
-        assert_eq!((found.len(), found[0].rows()), (1, 4));
+        for text in [
+            "380,1,\n381,2,peak\n382,3,\n383,4,\n",
+            "0,380,0.1,0.2\n1,390,0.2,0.3\n2,400,0.3,\n3,410,0.4,0.5\n",
+        ] {
+            let found = blocks(text);
+            assert_eq!((found.len(), found[0].rows()), (1, 4));
+        }
     }
 
     #[test]
@@ -451,40 +417,14 @@ mod tests {
         let found =
             blocks("380,1\n385,2\n390,3\n395,4\n400,NaN\n\n405, 6 \r\n410,\"7\"\n# c\n415,8");
         assert_eq!(found.len(), 1);
-        let values = &found[0].values;
-        assert_eq!(
-            values[0],
-            [380.0, 385.0, 390.0, 395.0, 400.0, 405.0, 410.0, 415.0]
-        );
-        assert_eq!(values[1][..4], [1.0, 2.0, 3.0, 4.0]);
-        assert!(values[1][4].is_nan());
-        assert_eq!(values[1][5..], [6.0, 7.0, 8.0]);
+        let nm = [380.0, 385.0, 390.0, 395.0, 400.0, 405.0, 410.0, 415.0];
+        assert_eq!(found[0].values[0], nm);
+        assert_eq!(found[0].values[1][..4], [1.0, 2.0, 3.0, 4.0]);
+        assert!(found[0].values[1][4].is_nan());
+        assert_eq!(found[0].values[1][5..], [6.0, 7.0, 8.0]);
         assert_eq!(found[0].lines, [1, 2, 3, 4, 5, 7, 8, 10]);
-        assert_eq!(
-            (found[0].columns[0].numbers, found[0].columns[1].numbers),
-            (8, 7)
-        );
-    }
-
-    #[test]
-    fn a_million_columns_are_too_many() {
-        let row = "1,".repeat(1_000_000);
-        let text = format!("{row}\n{row}\n");
-        let found = scan(&text, COMMA).map(|blocks| blocks.len());
-        let too_many = TooMuch::Columns {
-            line: 1,
-            found: 1_000_001,
-        };
-        assert_eq!(found, Err(too_many));
-        // Titles are cells as numbers are; words of a text are not.
-        let titles = "a,".repeat(MOST_COLUMNS);
-        assert!(matches!(scan(&titles, COMMA), Err(TooMuch::Columns { .. })));
-        let words = titles.replace(',', " ") + "\n380 1\n385 2\n";
-        let blanks = Dialect {
-            delimiter: Delimiter::Space,
-            ..COMMA
-        };
-        assert_eq!(scan(&words, blanks).map(|blocks| blocks.len()), Ok(1));
+        let numbers = |column: usize| found[0].columns[column].numbers;
+        assert_eq!((numbers(0), numbers(1)), (8, 7));
     }
 
     #[test]
@@ -516,11 +456,5 @@ mod tests {
         let found = blocks(&text);
         assert_eq!(found.len(), 1);
         assert_eq!(found[0].header.len(), HEADER_LINES);
-    }
-
-    #[test]
-    fn a_row_gone_wrong_is_remembered_where_it_ends_a_block() {
-        let found = blocks("380,1\n385,2\n390,3\n395,abc\n400,5\n405,6\n");
-        assert_eq!(found[0].ended_by.as_ref().map(|b| b.line), Some(4));
     }
 }

@@ -20,8 +20,7 @@ pub(crate) struct Titles {
 impl Titles {
     /// Title and unit of a column in one text, for the words that it holds.
     pub(crate) fn whole(&self, column: usize) -> String {
-        let name = self.names.get(column).map_or("", String::as_str);
-        let unit = self.units.get(column).map_or("", String::as_str);
+        let (name, unit) = (&self.names[column], &self.units[column]);
         format!("{name} {unit}").trim().to_owned()
     }
 
@@ -29,11 +28,11 @@ impl Titles {
     /// it has several: such a line says nothing of the others then, and goes.
     pub(crate) fn of_keys(block: &mut Block, dialect: Dialect) -> Option<Self> {
         let mut names = vec![String::new(); block.width];
-        let mut cells = Vec::new();
         let mut lines = Vec::new();
         for (line, content) in &block.header {
-            dialect.split(content, &mut cells);
-            let [key, what, ..] = cells[..] else { continue };
+            let [key, what, ..] = dialect.cells(content)[..] else {
+                continue;
+            };
             let column = match key {
                 "YUNITS" => Some(1),
                 _ => key
@@ -65,7 +64,7 @@ impl Titles {
         };
         let mut next_above = true;
         // Rows that begin with a name or a count are titled from the second column on.
-        let row_names = block.columns[0].numbers == 0 || block.counts_rows(0);
+        let row_names = block.has_row_names();
         for (_, line) in block.header.iter().rev().take(12) {
             let Some(cells) = cells_for(line, dialect, block, row_names) else {
                 next_above = false;
@@ -74,7 +73,7 @@ impl Titles {
             let filled = cells.iter().filter(|c| !c.is_empty()).count();
             if is_setting(&cells) {
                 next_above = false;
-            } else if is_unit_line(&cells) {
+            } else if is_plain_unit_line(&cells) || is_bracketed_unit_line(&cells) {
                 found.units = cells;
             } else if filled < 2 && width > 2 {
                 // A row of empty cells ("Name,,,,"): look above it.
@@ -92,8 +91,7 @@ impl Titles {
 /// A line's cells, one for each column, or `None` when it cannot be a line of titles.
 fn cells_for(line: &str, dialect: Dialect, block: &Block, row_names: bool) -> Option<Vec<String>> {
     let width = block.width;
-    let mut cells = Vec::new();
-    dialect.split(line, &mut cells);
+    let mut cells = dialect.cells(line);
     let filled = used(&cells);
     if dialect.delimiter == Delimiter::Space && filled != width && filled + 1 != width {
         // Titles of several words each, set apart by TABs or by two blanks and more.
@@ -102,9 +100,8 @@ fn cells_for(line: &str, dialect: Dialect, block: &Block, row_names: bool) -> Op
         cells.extend(line.split(apart).map(str::trim).filter(|c| !c.is_empty()));
     }
     let filled = used(&cells);
-    let bracketed = cells
-        .first()
-        .is_some_and(|c| c.starts_with('[') && names_wavelength(c));
+    let is_bracketed = |cell: &&str| cell.starts_with('[') && names_wavelength(cell);
+    let bracketed = cells.first().is_some_and(is_bracketed);
     let whole = cells.len() >= width && filled <= width.max(1);
     // Tables written with row names have no title above the first column.
     let one_less = filled + 1 == width && filled >= 2;
@@ -117,12 +114,8 @@ fn cells_for(line: &str, dialect: Dialect, block: &Block, row_names: bool) -> Op
     if one_less && cells.len() < width && row_names {
         titles.push(String::new());
     }
-    titles.extend(
-        cells
-            .iter()
-            .take(filled)
-            .map(|c| c.trim_matches('"').trim().to_owned()),
-    );
+    let bare = |cell: &&str| cell.trim_matches('"').trim().to_owned();
+    titles.extend(cells.iter().take(filled).map(bare));
     // Nobody knows which column has none: two titles of several may have run into one.
     if one_less && !row_names && block.columns[width - 1].numbers > 0 && width > 2 {
         titles.truncate(1);
@@ -132,12 +125,7 @@ fn cells_for(line: &str, dialect: Dialect, block: &Block, row_names: bool) -> Op
     Some(titles)
 }
 
-/// A line of nothing but units: all in brackets, or plain ones behind the wavelengths' own.
-fn is_unit_line(cells: &[String]) -> bool {
-    is_plain_unit_line(cells) || is_bracketed_unit_line(cells)
-}
-
-/// "nm, W/m^2/nm, %".
+/// A line of nothing but units, plain ones behind the wavelengths' own: "nm, W/m^2/nm, %".
 fn is_plain_unit_line(cells: &[String]) -> bool {
     let of_values = cells.get(1..).unwrap_or(&[]);
     let is_unit = |cell: &String| cell.is_empty() || looks_like_unit(cell);
@@ -146,6 +134,7 @@ fn is_plain_unit_line(cells: &[String]) -> bool {
         && of_values.iter().all(is_unit)
 }
 
+/// The same in brackets, all of them.
 fn is_bracketed_unit_line(cells: &[String]) -> bool {
     let mut filled = cells.iter().filter(|c| !c.is_empty()).peekable();
     filled.peek().is_some()
@@ -169,23 +158,15 @@ fn is_key_and_value(cells: &[String]) -> bool {
 /// Titles that are bare numbers take the first column's word: "Index 13".
 fn with_label(mut cells: Vec<String>) -> Vec<String> {
     let label = cells[0].clone();
-    let numbers = cells.iter().filter(|c| c.parse::<f64>().is_ok()).count();
-    let is_axis = names_wavelength(&label) && numbers > 1;
-    if label.is_empty() || names_wavelength(&label) || label.parse::<f64>().is_ok() {
-        for cell in cells
-            .iter_mut()
-            .filter(|c| !c.contains(char::is_alphabetic))
-            // Above wavelengths a number is what somebody calls a column.
-            .filter(|c| !is_axis || c.parse::<f64>().is_err())
-        {
-            cell.clear();
-        }
-        return cells;
-    }
-    for cell in &mut cells[1..] {
-        if cell.parse::<f64>().is_ok() {
+    let is_number = |cell: &String| cell.parse::<f64>().is_ok();
+    let is_axis = names_wavelength(&label);
+    // Above wavelengths a number is what somebody calls a column.
+    let are_names = is_axis && cells.iter().filter(|cell| is_number(cell)).count() > 1;
+    let is_label = !label.is_empty() && !is_axis && !is_number(&label);
+    for cell in &mut cells[usize::from(is_label)..] {
+        if is_label && is_number(cell) {
             *cell = format!("{label} {cell}");
-        } else if !cell.contains(char::is_alphabetic) {
+        } else if !cell.contains(char::is_alphabetic) && !(are_names && is_number(cell)) {
             cell.clear();
         }
     }
@@ -198,30 +179,19 @@ mod tests {
     use crate::io::table::scan::scan;
 
     fn titles(text: &str, delimiter: Delimiter) -> Titles {
-        let dialect = Dialect {
-            delimiter,
-            decimal_comma: false,
-        };
-        let blocks = scan(text, dialect).unwrap();
+        let dialect = Dialect::new(delimiter, false);
+        let blocks = scan(text, 0, dialect).unwrap();
         Titles::of(&blocks[0], dialect)
     }
 
     #[test]
-    fn titles_and_a_line_of_units_below_them_are_found() {
-        let found = titles(
-            "Wave ;Dark ;Transmittance\n[nm] ;[counts] ;[%]\n\n300;3;1.5\n301;2;2.5\n",
-            Delimiter::Semicolon,
-        );
+    fn titles_and_a_line_of_units_below_them_in_brackets_or_plain_are_found() {
+        let text = "Wave ;Dark ;Transmittance\n[nm] ;[counts] ;[%]\n\n300;3;1.5\n301;2;2.5\n";
+        let found = titles(text, Delimiter::Semicolon);
         assert_eq!(found.names, ["Wave", "Dark", "Transmittance"]);
         assert_eq!(found.units, ["[nm]", "[counts]", "[%]"]);
-    }
-
-    #[test]
-    fn a_line_of_plain_units_stands_below_the_titles() {
-        let found = titles(
-            "Wavelength;Irradiance;R\nnm;W/m^2/nm;%\n300;3;1.5\n301;2;2.5\n",
-            Delimiter::Semicolon,
-        );
+        let text = "Wavelength;Irradiance;R\nnm;W/m^2/nm;%\n300;3;1.5\n301;2;2.5\n";
+        let found = titles(text, Delimiter::Semicolon);
         assert_eq!(found.names, ["Wavelength", "Irradiance", "R"]);
         assert_eq!(found.units, ["nm", "W/m^2/nm", "%"]);
         let alone = titles("nm;W/m2\n300;3\n301;2\n", Delimiter::Semicolon);
@@ -230,50 +200,36 @@ mod tests {
 
     #[test]
     fn numbered_columns_take_the_word_before_them() {
-        let found = titles(
-            "Irradiance [uW],\nIndex,13,14,\nName,,,\n[nm],\n327.1,3.7,3.8\n329,3.5,3.6\n",
-            Delimiter::Comma,
-        );
+        let text = "Irradiance [uW],\nIndex,13,14,\nName,,,\n[nm],\n327.1,3.7,3.8\n329,3.5,3.6\n";
+        let found = titles(text, Delimiter::Comma);
         assert_eq!(found.names, ["Index", "Index 13", "Index 14"]);
     }
 
     #[test]
-    fn key_and_value_lines_are_no_titles() {
-        let found = titles(
-            "Units\tW\nLine0\tsome note\n[Start Data]\n250.0\t7e-11\t-10\n251.0\t1e-10\t-10\n",
-            Delimiter::Tab,
-        );
-        assert!(found.names.iter().all(String::is_empty));
-    }
-
-    #[test]
-    fn a_setting_above_two_columns_is_no_title() {
-        for line in ["I-Time,92.0", "SSI1,---", "Remarks:, none"] {
-            let found = titles(&format!("{line}\n380nm,1\n381nm,2\n"), Delimiter::Comma);
+    fn settings_and_keys_with_their_values_are_no_titles() {
+        use Delimiter::{Comma, Space, Tab};
+        let rows = "250.0\t7e-11\t-10\n251.0\t1e-10\t-10\n";
+        let keyed = "Units\tW\nLine0\tsome note\n[Start Data]";
+        for (delimiter, lines, rows) in [
+            (Tab, keyed, rows),
+            (Comma, "I-Time,92.0", "380nm,1\n381nm,2\n"),
+            (Comma, "SSI1,---", "380nm,1\n381nm,2\n"),
+            (Comma, "Remarks:, none", "380nm,1\n381nm,2\n"),
+            (Space, "\"Time: 130msec\"", "380 1\n381 2\n"),
+            (Space, "#AxisUnit[1]= nm", "380 1\n381 2\n"),
+            (Space, "Serial: X1", "380 1\n381 2\n"),
+        ] {
+            let found = titles(&format!("{lines}\n{rows}"), delimiter);
             assert!(found.names.iter().all(String::is_empty), "{found:?}");
         }
     }
 
     #[test]
-    fn keys_with_their_mark_are_no_titles() {
-        for line in ["\"Time: 130msec\"", "#AxisUnit[1]= nm", "Serial: X1"] {
-            let found = titles(&format!("{line}\n380 1\n381 2\n"), Delimiter::Space);
-            assert!(found.names.iter().all(String::is_empty), "{found:?}");
-        }
-    }
-
-    #[test]
-    fn a_table_with_row_names_has_one_title_less() {
+    fn row_names_have_no_title_and_wide_gaps_set_titles_of_several_words_apart() {
         let found = titles("nm lamp\n1 380 0.5\n2 385 0.6\n", Delimiter::Space);
         assert_eq!(found.names, ["", "nm", "lamp"]);
-    }
-
-    #[test]
-    fn titles_of_several_words_are_set_apart_by_wide_gaps() {
-        let found = titles(
-            "Wave length   Value of it\n380 0.5\n385 0.6\n",
-            Delimiter::Space,
-        );
+        let text = "Wave length   Value of it\n380 0.5\n385 0.6\n";
+        let found = titles(text, Delimiter::Space);
         assert_eq!(found.names, ["Wave length", "Value of it"]);
     }
 }

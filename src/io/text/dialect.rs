@@ -1,6 +1,6 @@
 //! How a text table separates its cells and marks its decimals.
 
-use super::number;
+use super::number::{self, Cell};
 
 /// Most columns of one table: far more than any instrument writes.
 pub const MOST_COLUMNS: usize = 65_536;
@@ -62,7 +62,8 @@ impl Dialect {
     /// How the rows of a workbook's sheet are handed over.
     pub(crate) const SHEET: Self = Self::new(Delimiter::Cell, false);
 
-    const fn new(delimiter: Delimiter, decimal_comma: bool) -> Self {
+    /// A dialect of these two.
+    pub(crate) const fn new(delimiter: Delimiter, decimal_comma: bool) -> Self {
         Self {
             delimiter,
             decimal_comma,
@@ -133,6 +134,23 @@ impl Dialect {
             }
         }
         cells.push(unquoted(&line[start..]));
+    }
+
+    /// The same in a list of their own.
+    pub(crate) fn cells(self, line: &str) -> Vec<&str> {
+        let mut cells = Vec::new();
+        self.split(line, &mut cells);
+        cells
+    }
+
+    /// The same, and what each of them holds.
+    pub(crate) fn cells_and_kinds(self, line: &str) -> (Vec<&str>, Vec<Cell>) {
+        let cells = self.cells(line);
+        let kinds = cells
+            .iter()
+            .map(|cell| number::parse(cell, self.decimal_comma));
+        let kinds = kinds.collect();
+        (cells, kinds)
     }
 
     /// The cells of a word that blanks stand in which break no line; between the thousands of a
@@ -217,14 +235,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_delimiter_inside_quotes_does_not_separate() {
-        let mut cells = Vec::new();
-        Dialect::new(Delimiter::Comma, true).split("\"380,5\", \"0,25\" ,", &mut cells);
-        assert_eq!(cells, ["380,5", "0,25", ""]);
-        assert_eq!(used(&cells), 2);
-    }
-
-    #[test]
     fn a_line_of_marks_has_one_cell_more_than_a_table_may_and_all_are_counted() {
         for (marks, delimiter, count) in [
             (",", Delimiter::Comma, 200_001),
@@ -233,41 +243,34 @@ mod tests {
         ] {
             let line = marks.repeat(200_000);
             let dialect = Dialect::new(delimiter, false);
-            let mut cells = Vec::new();
-            dialect.split(&line, &mut cells);
-            assert_eq!(cells.len(), MOST_COLUMNS + 1);
+            assert_eq!(dialect.cells(&line).len(), MOST_COLUMNS + 1);
             assert_eq!(dialect.count(&line), count);
         }
     }
 
     #[test]
-    fn a_list_behind_its_key_is_a_cell_and_its_numbers() {
-        let mut cells = Vec::new();
-        let split = |text: &'static str, delimiter, cells: &mut Vec<&'static str>| {
-            Dialect::new(delimiter, false).split(text, cells);
-        };
-        split("wavelengths: [1, 2, 3, 4, 5]", Delimiter::Comma, &mut cells);
-        assert_eq!(cells, ["wavelengths", "1", "2", "3", "4", "5"]);
-        split("x = [1 2 3 4 5];", Delimiter::Space, &mut cells);
-        assert_eq!(cells, ["x", "1", "2", "3", "4", "5"]);
-        split("Limits: [380, 780]", Delimiter::Comma, &mut cells);
-        assert_eq!(cells, ["Limits: [380", "780]"]);
-        split("Wave [nm], a b c [W/m2]", Delimiter::Comma, &mut cells);
-        assert_eq!(cells, ["Wave [nm]", "a b c [W/m2]"]);
+    fn delimiters_part_cells_but_not_in_quotes_and_a_list_stands_behind_its_key() {
+        let quoted = Dialect::new(Delimiter::Comma, true);
+        let comma = Dialect::new(Delimiter::Comma, false);
+        let space = Dialect::new(Delimiter::Space, false);
+        for (dialect, line, cells) in [
+            (quoted, "\"380,5\", \"0,25\" ,", "380,5|0,25|"),
+            (comma, "nm: [1, 2, 3, 4, 5]", "nm|1|2|3|4|5"),
+            (space, "x = [1 2 3 4 5];", "x|1|2|3|4|5"),
+            (comma, "Limits: [380, 780]", "Limits: [380|780]"),
+            (comma, "Wave [nm], a b c [W/m2]", "Wave [nm]|a b c [W/m2]"),
+            (space, "  380 \t 0.5  ", "380|0.5"),
+        ] {
+            assert_eq!(dialect.cells(line).join("|"), cells);
+        }
+        assert_eq!(used(&["380,5", "0,25", ""]), 2);
     }
 
     #[test]
     fn blanks_that_break_no_line_part_cells_but_no_thousands() {
-        let mut cells = Vec::new();
-        Dialect::new(Delimiter::Space, true).split("380\u{a0}0,5 1\u{a0}630,3", &mut cells);
+        let space = Dialect::new(Delimiter::Space, true);
+        let cells = space.cells("380\u{a0}0,5 1\u{a0}630,3");
         assert_eq!(cells, ["380", "0,5", "1\u{a0}630,3"]);
-        assert!(Dialect::new(Delimiter::Space, false).parts("380\u{a0}0.5"));
-    }
-
-    #[test]
-    fn blanks_and_tabs_in_any_number_separate_once() {
-        let mut cells = Vec::new();
-        Dialect::new(Delimiter::Space, false).split("  380 \t 0.5  ", &mut cells);
-        assert_eq!(cells, ["380", "0.5"]);
+        assert!(space.parts("380\u{a0}0.5"));
     }
 }

@@ -70,17 +70,15 @@ pub fn is_binary(bytes: &[u8]) -> bool {
 /// Decodes a text file: a byte order mark decides, then valid UTF-8, else Windows-1252 (which
 /// holds Latin-1).
 pub fn decode(bytes: &[u8]) -> Text<'_> {
+    let read = |encoding: &'static Encoding, bytes| {
+        let (text, _) = encoding.decode_without_bom_handling(bytes);
+        (text, encoding.name())
+    };
     let (text, encoding) = match Encoding::for_bom(bytes) {
-        Some((encoding, mark)) => (
-            encoding.decode_without_bom_handling(&bytes[mark..]).0,
-            encoding.name(),
-        ),
+        Some((encoding, mark)) => read(encoding, &bytes[mark..]),
         None => match std::str::from_utf8(bytes) {
             Ok(text) => (Cow::Borrowed(text), "UTF-8"),
-            Err(_) => (
-                WINDOWS_1252.decode_without_bom_handling(bytes).0,
-                WINDOWS_1252.name(),
-            ),
+            Err(_) => read(WINDOWS_1252, bytes),
         },
     };
     let nuls_dropped = memchr::memchr_iter(0, text.as_bytes()).count();
@@ -143,12 +141,7 @@ pub(super) fn first_line(text: &str) -> Option<(&str, &str)> {
     }) else {
         return Some((text, ""));
     };
-    let past = end
-        + if text[end..].starts_with("\r\n") {
-            2
-        } else {
-            1
-        };
+    let past = end + 1 + usize::from(text[end..].starts_with("\r\n"));
     Some((&text[..end], &text[past..]))
 }
 
@@ -170,16 +163,11 @@ mod tests {
     #[test]
     fn a_byte_order_mark_is_obeyed_and_removed() {
         assert_eq!(decode(b"\xef\xbb\xbf380").text, "380");
-        let little: Vec<u8> = "\u{feff}38µ"
-            .encode_utf16()
-            .flat_map(u16::to_le_bytes)
-            .collect();
+        let pairs = || "\u{feff}38µ".encode_utf16();
+        let little: Vec<u8> = pairs().flat_map(u16::to_le_bytes).collect();
         let read = decode(&little);
         assert_eq!((read.text.as_ref(), read.encoding), ("38µ", "UTF-16LE"));
-        let big: Vec<u8> = "\u{feff}38µ"
-            .encode_utf16()
-            .flat_map(u16::to_be_bytes)
-            .collect();
+        let big: Vec<u8> = pairs().flat_map(u16::to_be_bytes).collect();
         assert_eq!(decode(&big).text, "38µ");
     }
 

@@ -108,14 +108,12 @@ fn slow(cell: &str, decimal_comma: bool) -> Cell {
     if cell.len() > LONGEST_CELL {
         return Cell::Text;
     }
-    if let Some(value) = in_thousands(cell, decimal_comma) {
+    let plain = number(cell, decimal_comma).or_else(|| in_thousands(cell, decimal_comma));
+    if let Some(value) = plain {
         return sized(value, Cell::Number);
     }
     if cell.len() <= 12 && GAP_WORDS.iter().any(|word| cell.eq_ignore_ascii_case(word)) {
         return Cell::Gap;
-    }
-    if let Some(value) = number(cell, decimal_comma) {
-        return sized(value, Cell::Number);
     }
     if let Some(body) = cell.strip_suffix('%') {
         return number(body.trim(), decimal_comma)
@@ -125,19 +123,17 @@ fn slow(cell: &str, decimal_comma: bool) -> Cell {
         return Cell::Text;
     }
     // A typographic minus, and Fortran's double exponent.
-    if cell.len() <= 40 && cell.contains(['−', 'D', 'd']) {
-        let plain = cell.replace('−', "-").replace(['D', 'd'], "e");
-        if let Some(value) = number(&plain, decimal_comma) {
-            return sized(value, Cell::Number);
-        }
+    let is_odd = cell.len() <= 40 && cell.contains(['−', 'D', 'd']);
+    let plain = is_odd.then(|| cell.replace('−', "-").replace(['D', 'd'], "e"));
+    // "380: 58".
+    let plain = plain
+        .as_deref()
+        .or_else(|| Some(cell.strip_suffix(':')?.trim_end()));
+    if let Some(value) = plain.and_then(|plain| number(plain, decimal_comma)) {
+        return sized(value, Cell::Number);
     }
     if let Some((value, true)) = label_nm(cell) {
         return sized(value, Cell::Nanometres);
-    }
-    // "380: 58".
-    let body = cell.strip_suffix(':').map(str::trim_end);
-    if let Some(value) = body.and_then(|body| number(body, decimal_comma)) {
-        return sized(value, Cell::Number);
     }
     let body = unit_behind(cell).map(|unit| cell[..cell.len() - unit.len()].trim_end());
     body.and_then(|body| number(body, decimal_comma))
@@ -161,14 +157,14 @@ pub(crate) fn unit_behind(cell: &str) -> Option<&str> {
 /// `1,630.3` with a point, `1 630,3` or `1'630.3` with either. Without decimals only the apostrophe
 /// tells: `1,630` may be a number below two.
 fn in_thousands(cell: &str, decimal_comma: bool) -> Option<f64> {
+    if cell.len() > 40 {
+        return None;
+    }
     let (mark, other) = if decimal_comma {
         (',', '.')
     } else {
         ('.', ',')
     };
-    if cell.len() > 40 {
-        return None;
-    }
     let separator = cell
         .chars()
         .find(|c| [other, ' ', '\u{a0}', '\u{202f}', '\'', '’'].contains(c))?;
@@ -177,9 +173,7 @@ fn in_thousands(cell: &str, decimal_comma: bool) -> Option<f64> {
         None if ['\'', '’'].contains(&separator) => (cell, ""),
         None => return None,
     };
-    let fits = is_grouped(whole.trim_start_matches(['-', '+']), separator)
-        && is_digits(decimals)
-        && cell.len() <= 40;
+    let fits = is_grouped(whole.trim_start_matches(['-', '+']), separator) && is_digits(decimals);
     let plain: String = whole.chars().filter(|c| *c != separator).collect();
     fits.then(|| format!("{plain}.{decimals}0").parse().ok())?
 }
@@ -209,11 +203,7 @@ pub(crate) fn number(cell: &str, decimal_comma: bool) -> Option<f64> {
         return cell.parse().ok();
     }
     let Some(comma) = bytes.iter().position(|b| *b == b',') else {
-        return if bytes.contains(&b'.') {
-            None
-        } else {
-            cell.parse().ok()
-        };
+        return cell.parse().ok().filter(|_| !bytes.contains(&b'.'));
     };
     let mut buffer = [0u8; 64];
     let copy = buffer.get_mut(..bytes.len())?;
@@ -250,6 +240,12 @@ pub(crate) fn label_nm(label: &str) -> Option<(f64, bool)> {
 mod tests {
     use super::*;
 
+    fn are_all(cells: &[&str], decimal_comma: bool, kind: Cell) {
+        for cell in cells {
+            assert_eq!(parse(cell, decimal_comma), kind, "{cell}");
+        }
+    }
+
     #[test]
     fn numbers_are_read_in_every_spelling_met() {
         for (cell, comma, value) in [
@@ -262,72 +258,51 @@ mod tests {
             ("2.5D+02", false, 250.0),
             ("−3", false, -3.0),
             ("\"1.5\"", false, 1.5),
-        ] {
-            assert_eq!(parse(cell, comma), Cell::Number(value), "{cell}");
-        }
-        assert_eq!(parse("45.5 %", false), Cell::Percent(45.5));
-    }
-
-    #[test]
-    fn thousands_set_apart_are_numbers_where_decimals_follow() {
-        for (cell, comma, value) in [
+            // Thousands set apart, where decimals follow.
             ("1.344,49", true, 1344.49),
             ("\"1,630.3\"", false, 1630.3),
             ("-1 630,3", true, -1630.3),
             ("1'234'567.5", false, 1_234_567.5),
             ("1'630", false, 1630.0),
+            ("380:", false, 380.0),
         ] {
             assert_eq!(parse(cell, comma), Cell::Number(value), "{cell}");
         }
-        for (cell, comma) in [
-            ("1,630", false),
-            ("1.63.5,0", true),
-            ("38 500", true),
-            ("1,63.5", false),
-        ] {
-            assert_eq!(parse(cell, comma), Cell::Text, "{cell}");
-        }
+        assert_eq!(parse("45.5 %", false), Cell::Percent(45.5));
+        assert_eq!(parse("58 W", false), Cell::WithUnit(58.0));
+        assert_eq!(parse("0,2 mW/m2", true), Cell::WithUnit(0.2));
+        assert_eq!(unit_behind("0,2 mW/m2"), Some("mW/m2"));
     }
 
     #[test]
-    fn the_other_decimal_mark_makes_text_of_a_cell() {
-        assert_eq!(parse("0,5", false), Cell::Text);
-        assert_eq!(parse("0.5", true), Cell::Text);
-        assert_eq!(parse("1.2345,5", true), Cell::Text);
-        assert_eq!(parse("300,", true), Cell::Text);
+    fn the_other_decimal_mark_or_a_word_makes_text_of_a_cell() {
+        are_all(&["1,630", "1,63.5", "0,5"], false, Cell::Text);
+        are_all(
+            &["1.63.5,0", "38 500", "0.5", "1.2345,5", "300,"],
+            true,
+            Cell::Text,
+        );
+        are_all(
+            &["5 Wide", "W", "12:30", "a: 5", "60 Watch", "abc"],
+            false,
+            Cell::Text,
+        );
     }
 
     #[test]
     fn gaps_are_known_by_word_and_by_absurd_size() {
-        for cell in ["NaN", "n/a", "-1.23e34", "inf", "-", "1.#QNAN", "1e999"] {
-            assert_eq!(parse(cell, false), Cell::Gap, "{cell}");
-        }
-        assert_eq!(parse("  ", false), Cell::Empty);
-        assert_eq!(parse("abc", false), Cell::Text);
+        let gaps = ["NaN", "n/a", "-1.23e34", "inf", "-", "1.#QNAN", "1e999"];
+        are_all(&gaps, false, Cell::Gap);
+        are_all(&["  "], false, Cell::Empty);
     }
 
     #[test]
     fn a_wavelength_may_carry_its_unit_or_a_label() {
-        assert_eq!(parse("380nm", false), Cell::Nanometres(380.0));
-        assert_eq!(
-            parse("Spectral Data 380[nm]", false),
-            Cell::Nanometres(380.0)
-        );
-        assert_eq!(parse("Custom1(655~665nm)", false), Cell::Text);
-        assert_eq!(parse("R14", false), Cell::Text);
+        let labels = ["380nm", "Spectral Data 380[nm]"];
+        are_all(&labels, false, Cell::Nanometres(380.0));
+        are_all(&["Custom1(655~665nm)", "R14"], false, Cell::Text);
         assert_eq!(label_nm("SPEC_380"), Some((380.0, false)));
         assert_eq!(label_nm("nm380"), Some((380.0, false)));
         assert_eq!(label_nm("TL-01"), None);
-    }
-
-    #[test]
-    fn a_value_may_carry_its_unit_and_a_wavelength_a_colon() {
-        assert_eq!(parse("58 W", false), Cell::WithUnit(58.0));
-        assert_eq!(parse("0,2 mW/m2", true), Cell::WithUnit(0.2));
-        assert_eq!(unit_behind("0,2 mW/m2"), Some("mW/m2"));
-        assert_eq!(parse("380:", false), Cell::Number(380.0));
-        for cell in ["5 Wide", "W", "12:30", "a: 5", "60 Watch"] {
-            assert_eq!(parse(cell, false), Cell::Text, "{cell}");
-        }
     }
 }

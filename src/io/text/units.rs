@@ -52,8 +52,7 @@ impl WavelengthUnit {
         Self::Metre,
     ];
 
-    /// The unit's sign: `nm`, `um`, `Å`, `1/cm`, `eV`, `pm`, `meV`, `THz`, `GHz`,
-    /// `m`.
+    /// The unit's sign: `nm`, `um`, `Å`, `1/cm`, `eV`, `pm`, `meV`, `THz`, `GHz`, `m`.
     pub fn word(self) -> &'static str {
         match self {
             Self::Nanometre => "nm",
@@ -91,28 +90,17 @@ impl WavelengthUnit {
             Self::Nanometre => nm,
             Self::Micrometre => nm / 1000.0,
             Self::Angstrom => nm * 10.0,
-            Self::PerCentimetre => 1e7 / nm,
-            Self::Electronvolt => EV_NM / nm,
             Self::Picometre => nm * 1000.0,
-            Self::Millielectronvolt => 1000.0 * EV_NM / nm,
-            Self::Terahertz => THZ_NM / nm,
-            Self::Gigahertz => 1000.0 * THZ_NM / nm,
             Self::Metre => nm / 1e9,
+            // One over the other either way.
+            _ => self.to_nm(nm),
         }
     }
 
     /// Whether the unit is one of length, not of something that falls as wavelengths rise.
     pub fn is_length(self) -> bool {
-        match self {
-            Self::Nanometre | Self::Micrometre | Self::Angstrom | Self::Picometre | Self::Metre => {
-                true
-            }
-            Self::PerCentimetre
-            | Self::Electronvolt
-            | Self::Millielectronvolt
-            | Self::Terahertz
-            | Self::Gigahertz => false,
-        }
+        use WavelengthUnit::{Angstrom, Metre, Micrometre, Nanometre, Picometre};
+        matches!(self, Nanometre | Micrometre | Angstrom | Picometre | Metre)
     }
 
     /// The unit that a title of the wavelength column names (`Wavelength (nm)`, `[um]`, `Å`), by
@@ -221,31 +209,17 @@ pub(crate) fn is_of_lengths(title: &str) -> bool {
     STARTS.iter().any(|word| title.starts_with(word))
 }
 
+/// Quantities that are axes where they are counted in a unit of theirs only: "Energy" alone is
+/// mostly what a lamp emits.
+const QUANTITIES: [&str; 3] = ["frequency", "energy", "photon energy"];
+
 /// Whether a column's title says that it is the wavelength axis: by its first word or its last, but
 /// not by what stands in brackets behind another (`S(lambda)`).
 pub(crate) fn names_wavelength(title: &str) -> bool {
-    let title = title
-        .trim()
-        .trim_matches(['"', '#', '[', ']', '(', ')'])
-        .to_lowercase();
-    if matches!(
-        title.trim(),
-        "x" | "wl"
-            | "nm"
-            | "um"
-            | "µm"
-            | "w.length"
-            | "λ"
-            | "lam"
-            | "cm-1"
-            | "wn"
-            | "ev"
-            | "mev"
-            | "thz"
-            | "ghz"
-    ) {
-        return true;
-    }
+    const WHOLE: [&str; 14] = [
+        "x", "wl", "nm", "um", "µm", "w.length", "λ", "lam", "cm-1", "wn", "ev", "mev", "thz",
+        "ghz",
+    ];
     const STARTS: [&str; 11] = [
         "wave",
         "w.length",
@@ -260,15 +234,15 @@ pub(crate) fn names_wavelength(title: &str) -> bool {
         "wl ",
     ];
     const ENDS: [&str; 3] = ["wvl", "wavelength", "wavenumber"];
-    // Energies and frequencies are axes where they are counted in a unit of theirs only: "Energy"
-    // alone is mostly what a lamp emits.
-    const OTHERS: [&str; 3] = ["frequency", "energy", "photon energy"];
+    let title = title.trim().trim_matches(['"', '#', '[', ']', '(', ')']);
+    let title = title.to_lowercase();
     let name = without_brackets(&title);
-    STARTS.iter().any(|word| title.starts_with(word))
+    WHOLE.contains(&title.trim())
+        || STARTS.iter().any(|word| title.starts_with(word))
         || ENDS
             .iter()
             .any(|word| name.ends_with(word) && holds(name, &format!("|{word}|")))
-        || OTHERS.iter().any(|word| title.starts_with(word))
+        || QUANTITIES.iter().any(|word| title.starts_with(word))
             && WavelengthUnit::of_title(&title).is_some_and(|unit| !unit.is_length())
 }
 
@@ -311,7 +285,6 @@ pub(crate) fn unknown_unit(title: &str) -> Option<String> {
     if WavelengthUnit::of_title(title).is_some() {
         return None;
     }
-    const QUANTITIES: [&str; 3] = ["frequency", "energy", "photon energy"];
     // Where a wavelength was measured, and what else is no unit.
     const HARMLESS: [&str; 7] = ["air", "vacuum", "vac", "vac.", "x", "lambda", "λ"];
     let title = title.trim();
@@ -367,13 +340,14 @@ mod tests {
     #[test]
     fn ranges_suggest_a_unit() {
         use WavelengthUnit::*;
-        assert_eq!(WavelengthUnit::of_range(0.35, 2.5), Some(Micrometre));
-        assert_eq!(WavelengthUnit::of_range(380.0, 780.0), Some(Nanometre));
-        assert_eq!(
-            WavelengthUnit::of_range(4000.0, 25_000.0),
-            Some(PerCentimetre)
-        );
-        assert_eq!(WavelengthUnit::of_range(0.0, 400.0), None);
+        for (min, max, unit) in [
+            (0.35, 2.5, Some(Micrometre)),
+            (380.0, 780.0, Some(Nanometre)),
+            (4000.0, 25_000.0, Some(PerCentimetre)),
+            (0.0, 400.0, None),
+        ] {
+            assert_eq!(WavelengthUnit::of_range(min, max), unit);
+        }
     }
 
     #[test]
