@@ -9,6 +9,7 @@ use super::{
 };
 use crate::{
     color::{Observer, cct_from_xyz, xyz::xyz_from_light},
+    io::many::capitalised,
     spectrum::{Kind, Sampled},
 };
 
@@ -45,14 +46,11 @@ impl About {
         let families = Families::shipped();
         let item = families.item(&entry.key);
         let table = families.table_of(&entry.key);
-        let what = match (item, table) {
-            (Some(item), _) => item.what.clone(),
-            (None, Some(table)) => table.what.clone(),
-            (None, None) => String::new(),
-        };
+        let what = item.map(|item| &item.what);
+        let what = what.or(table.map(|table| &table.what));
         Self {
             name: entry.name().to_owned(),
-            what,
+            what: what.cloned().unwrap_or_default(),
             kelvin: None,
             about: item.map_or_else(String::new, |item| item.about.clone()),
             table: table_words(entry),
@@ -104,9 +102,7 @@ fn table_words(entry: &Entry) -> String {
     match Families::shipped().table_of(&entry.key) {
         Some(table) => {
             let from = table.from_nm.map(|nm| format!(" from {nm} nm data"));
-            let mut of = table.of.chars();
-            let first = of.next().map(|c| c.to_uppercase().to_string());
-            let of = format!("{}{}", first.unwrap_or_default(), of.as_str());
+            let of = capitalised(&table.of);
             format!("{of}, {steps}{}", from.unwrap_or_default())
         }
         None if entry.spectrum.source.is_empty() => String::new(),
@@ -141,9 +137,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     use super::*;
-    use crate::app::{
-        entry::bundled_entries, library::Library, line_names::ElementLine, spike_names::identified,
-    };
+    use crate::app::{entry::bundled_entries, library::Library, spike_names::identified};
 
     fn about(id: &str) -> About {
         let preset = Library::bundled().find(id).expect(id);
@@ -205,11 +199,11 @@ mod tests {
 
     #[test]
     fn a_sentence_that_counts_mercury_lines_counts_those_that_have_names() {
-        let lines = ElementLine::shipped();
+        let lines = Library::bundled().lines();
         let mut counted = 0;
         for entry in bundled_entries() {
             let told = About::of(&entry);
-            let light = identified(&entry, &lines);
+            let light = identified(&entry, lines);
             let named: BTreeSet<&str> = light.peaks().filter_map(|(_, name)| name).collect();
             let mercury = named.iter().filter(|name| name.contains("Hg ")).count();
             if told.about.starts_with("Four mercury lines") {

@@ -1,5 +1,7 @@
 //! The command line that gives what the window shows: its numbers and its picture.
 
+use std::fmt::Display;
+
 use super::{
     entry::Entry,
     origin::Origin,
@@ -99,15 +101,13 @@ fn quoted(word: &str) -> String {
     }
 }
 
+/// An option with its value, where that differs.
+fn value<T: PartialEq + Display>(option: &str, value: T, usual: T) -> Option<String> {
+    (value != usual).then(|| format!(" --{option} {value}"))
+}
+
 /// The options that make a command's `usual` settings these.
 fn options(settings: Settings, usual: Settings) -> String {
-    let mut words = String::new();
-    let mut say = |differs: bool, option: String| {
-        if differs {
-            words += " ";
-            words += &option;
-        }
-    };
     let Settings {
         basis,
         order,
@@ -123,35 +123,23 @@ fn options(settings: Settings, usual: Settings) -> String {
         observer,
         sampling,
     } = settings;
-    say(order != usual.order, format!("--order {order}"));
-    say(
-        threshold_percent != usual.threshold_percent,
-        format!("--threshold {threshold_percent}"),
-    );
-    say(
-        max_width_nm != usual.max_width_nm,
-        format!("--max-width {max_width_nm}"),
-    );
-    say(basis != usual.basis, format!("--basis {}", basis.word()));
-    say(
-        colour_exact && !usual.colour_exact,
-        "--colour-exact".to_owned(),
-    );
-    say(!colour_exact && usual.colour_exact, "--plain".to_owned());
-    say(!spikes, "--no-spikes".to_owned());
-    say(wide_lines, "--wide-lines".to_owned());
-    say(dips, "--dips".to_owned());
+    let flag = |is_said: bool, option: &str| is_said.then(|| format!(" --{option}"));
     let [least, most] = [band.min_nm(), band.max_nm()].map(short);
-    say(band != usual.band, format!("--range {least}:{most}"));
-    say(
-        observer != usual.observer,
-        format!("--observer {}", observer.word()),
-    );
-    say(
-        sampling != usual.sampling,
-        format!("--sampling {}", sampling.word()),
-    );
-    words
+    let said = [
+        value("order", order, usual.order),
+        value("threshold", threshold_percent, usual.threshold_percent),
+        value("max-width", max_width_nm, usual.max_width_nm),
+        value("basis", basis.word(), usual.basis.word()),
+        flag(colour_exact && !usual.colour_exact, "colour-exact"),
+        flag(!colour_exact && usual.colour_exact, "plain"),
+        flag(!spikes, "no-spikes"),
+        flag(wide_lines, "wide-lines"),
+        flag(dips, "dips"),
+        flag(band != usual.band, &format!("range {least}:{most}")),
+        value("observer", observer.word(), usual.observer.word()),
+        value("sampling", sampling.word(), usual.sampling.word()),
+    ];
+    said.into_iter().flatten().collect()
 }
 
 #[cfg(test)]

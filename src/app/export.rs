@@ -1,9 +1,7 @@
 //! What can be taken out of the program, each with units, scale, provenance and version.
 
-use std::fmt::Write as _;
-
 use super::{
-    cells::{line, number, words},
+    cells::{comments, line, number, words},
     chart::Theme,
     charts::{order::curve_chart, spectrum::spectrum_chart},
     derived::{OF_CURVE, PatchPair},
@@ -297,12 +295,7 @@ fn columns(app: &App) -> Columns {
 
 /// Comment lines that begin every table.
 fn table_head(app: &App) -> String {
-    let mut out = String::new();
-    for (key, value) in provenance(app).of(&app.document().subject_entry().spectrum) {
-        // Writing to a String cannot fail.
-        let _ = writeln!(out, "# {key}: {value}");
-    }
-    out
+    comments(&provenance(app), &app.document().subject_entry().spectrum)
 }
 
 /// The patches as a table: names, CIEDE2000, XYZ (Y of the light 100) and screen colours.
@@ -319,13 +312,12 @@ pub fn patches_csv(app: &App) -> String {
         model_swatch,
     } in patches.map(|p| &p.items[..]).unwrap_or_default()
     {
-        let mut cells = vec![words(name), number(Some(*delta_e_2000))];
+        let mut cells = vec![words(name), number(*delta_e_2000)];
         cells.extend(
-            exact
-                .to_array()
+            [exact.to_array(), model.to_array()]
+                .concat()
                 .into_iter()
-                .chain(model.to_array())
-                .map(|v| number(Some(v))),
+                .map(number),
         );
         cells.extend([exact_swatch.hex(), model_swatch.hex()]);
         out.push_str(&line(cells));
@@ -341,8 +333,8 @@ pub fn spikes_csv(app: &App) -> String {
     out.push_str("at_nm,weight,share_of_power,width_nm,line,by_hand\n");
     for (spike, name) in derived.parts.spikes.iter().zip(app.spike_names()) {
         out.push_str(&line([
-            number(Some(spike.spike.at_nm)),
-            number(Some(spike.spike.weight * factor)),
+            number(spike.spike.at_nm),
+            number(spike.spike.weight * factor),
             number(derived.parts.share(spike.spike.weight)),
             number(spike.width_nm),
             words(name.safe.as_deref().unwrap_or_default()),

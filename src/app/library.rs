@@ -7,7 +7,7 @@ use std::{borrow::Cow, fmt, sync::LazyLock};
 
 use super::made;
 use crate::{
-    preset::{Body, Group, LineList, Preset, PresetError, SHIPPED, Shelf},
+    preset::{Body, Group, Preset, PresetError, SHIPPED, Shelf},
     spectrum::{Kind, NamedSpectrum},
 };
 
@@ -29,8 +29,9 @@ pub struct ElementLine {
     pub element: String,
     /// Place in air, nm.
     pub at_nm: f64,
-    /// Strength, comparable within the element only and not radiometric; none where unknown.
-    pub strength: Option<f64>,
+    /// Strength, comparable within the element only and not radiometric (NIST's are only
+    /// qualitative); 0 where unknown.
+    pub strength: f64,
 }
 
 /// Why a name does not stand for one shipped spectrum.
@@ -102,14 +103,9 @@ impl Library {
     }
 
     /// A library from the texts of preset files.
-    ///
-    /// # Errors
-    /// [`PresetError`] of the first file that cannot be read.
-    pub fn from_files(files: &[&str]) -> Result<Self, PresetError> {
-        let groups: Vec<Group> = files
-            .iter()
-            .map(|text| Group::from_json(text))
-            .collect::<Result<_, _>>()?;
+    fn from_files(files: &[&str]) -> Result<Self, PresetError> {
+        let groups = files.iter().map(|text| Group::from_json(text));
+        let groups = groups.collect::<Result<Vec<_>, _>>()?;
         let lines = element_lines(&groups);
         let made = made::groups(&groups);
         Ok(Self {
@@ -157,11 +153,6 @@ impl Library {
     /// All lines of known elements, by rising wavelength, for naming spikes.
     pub fn lines(&self) -> &[ElementLine] {
         &self.lines
-    }
-
-    /// All lists of lines, with their labels and thresholds (Fraunhofer's have no one element).
-    pub fn line_lists(&self) -> impl Iterator<Item = &LineList> {
-        self.presets().filter_map(Preset::line_list)
     }
 
     /// The spectrum or composite with a name, either plain or as `group/name`.
@@ -295,7 +286,7 @@ fn element_lines(groups: &[Group]) -> Vec<ElementLine> {
         lines.extend(list.lines.iter().map(|line| ElementLine {
             element: element.clone(),
             at_nm: line.at_nm,
-            strength: line.strength,
+            strength: line.strength.unwrap_or(0.0),
         }));
     }
     lines.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
@@ -337,6 +328,13 @@ mod tests {
 
     fn refusal(name: &str) -> FindError {
         Library::bundled().find(name).expect_err(name)
+    }
+
+    fn suggestions(name: &str) -> Vec<String> {
+        match refusal(name) {
+            FindError::Unknown { suggestions, .. } => suggestions,
+            other => panic!("{other}"),
+        }
     }
 
     #[test]
@@ -494,27 +492,15 @@ mod tests {
 
     #[test]
     fn an_unknown_name_is_answered_with_the_closest() {
-        let FindError::Unknown { suggestions, .. } = refusal("CIE D66") else {
-            panic!("CIE D66 is not a name here");
-        };
-        assert!(
-            suggestions.contains(&"CIE D65".to_owned()),
-            "{suggestions:?}"
-        );
-        let FindError::Unknown { suggestions, .. } = refusal("TL84") else {
-            panic!("TL84 is not a name here");
-        };
-        assert_eq!(suggestions[0], "Philips TL-84");
+        assert!(suggestions("CIE D66").contains(&"CIE D65".to_owned()));
+        assert_eq!(suggestions("TL84")[0], "Philips TL-84");
         let typo = refusal("Kinoten 75P").to_string();
         assert_eq!(
             typo,
             "no shipped spectrum is called \"Kinoten 75P\"; close to it: Kinoton 75P"
         );
-        let FindError::Unknown { suggestions, .. } = refusal("mercuri") else {
-            panic!("a typing error");
-        };
         assert_eq!(
-            suggestions[..2],
+            suggestions("mercuri")[..2],
             ["lamps_nist_traditional/Mercury", "paper/Mercury"]
         );
         let far = refusal("qqqqqqqqqqqqqqq").to_string();
@@ -541,14 +527,15 @@ mod tests {
         let green = lines
             .iter()
             .find(|line| line.element == "Hg" && line.at_nm == 546.075);
-        assert_eq!(green.and_then(|line| line.strength), Some(6000.0));
+        assert_eq!(green.map(|line| line.strength), Some(6000.0));
         let elements: std::collections::BTreeSet<_> =
             lines.iter().map(|line| line.element.as_str()).collect();
         let expected = [
             "Ar", "Cd", "Dy", "H", "He", "Hg", "In", "K", "Kr", "Li", "Na", "Ne", "Sc", "Tl", "Xe",
         ];
         assert!(elements.into_iter().eq(expected));
-        assert_eq!(Library::bundled().line_lists().count(), 16);
+        let lists = Library::bundled().presets().filter_map(Preset::line_list);
+        assert_eq!(lists.count(), 16);
     }
 
     #[test]

@@ -250,15 +250,7 @@ impl ColourSheet {
         });
         let under = lights
             .iter()
-            .map(|(name, table, viewing)| {
-                under(
-                    name,
-                    (table, viewing),
-                    &smoothest,
-                    fourier.as_ref().ok(),
-                    measured,
-                )
-            })
+            .map(|light| under(light, &smoothest, fourier.as_ref().ok(), measured))
             .collect();
         let band = metamers(&seen);
         let seen = asked.into_iter().map(|(light, asked)| SeenColour {
@@ -308,8 +300,7 @@ fn missing(key: &str) -> String {
 }
 
 fn under(
-    name: &str,
-    (table, viewing): (&Sampled, &Viewing),
+    (name, table, viewing): &(String, Sampled, Viewing),
     smoothest: &Recovered,
     fourier: Option<&Recovered>,
     measured: Option<&Sampled>,
@@ -321,7 +312,7 @@ fn under(
     let real = measured.and_then(|surface| xyz_from_reflectance(surface, table, OBSERVER));
     let other = real.or(fourier);
     Under {
-        light: name.to_owned(),
+        light: name.clone(),
         smoothest: swatch(xyz),
         fourier: fourier.map(swatch),
         real: real.map(swatch),
@@ -343,6 +334,18 @@ mod tests {
         app::{App, Command, command::MadeFor},
         spectrum::Kind,
     };
+
+    /// A colour by itself, everything else as at first.
+    fn of(given: Given) -> FromColour {
+        FromColour {
+            given,
+            ..FromColour::default()
+        }
+    }
+
+    fn surface(key: &str) -> FromColour {
+        of(Given::Of(key.to_owned()))
+    }
 
     fn sheet(from: &FromColour) -> ColourSheet {
         ColourSheet::of(from, App::new().document()).expect("a colour under a light")
@@ -366,20 +369,14 @@ mod tests {
 
     #[test]
     fn a_colour_that_no_surface_has_says_how_far_the_nearest_is() {
-        let found = sheet(&FromColour {
-            given: Given::Lab([50.0, 150.0, -150.0]),
-            ..FromColour::default()
-        });
+        let found = sheet(&of(Given::Lab([50.0, 150.0, -150.0])));
         assert!(found.sentence().starts_with("No surface has this colour"));
         assert!(found.band.is_none());
     }
 
     #[test]
     fn a_surface_of_the_library_is_told_by_its_colour_as_well_as_it_says() {
-        let found = sheet(&FromColour {
-            given: Given::Of("colorchecker_ohta/red".to_owned()),
-            ..FromColour::default()
-        });
+        let found = sheet(&surface("colorchecker_ohta/red"));
         let told = found.told.as_ref().expect("a surface to compare with");
         assert!(told.rms > 0.0 && told.rms < 0.3, "{}", told.rms);
         assert!(
@@ -394,10 +391,7 @@ mod tests {
 
     #[test]
     fn two_lights_tell_a_surface_better_than_one_and_tell_how_well_they_differ() {
-        let one = FromColour {
-            given: Given::Of("colorchecker_ohta/blue".to_owned()),
-            ..FromColour::default()
-        };
+        let one = surface("colorchecker_ohta/blue");
         let first = sheet(&one);
         let app = App::new();
         let two = one.with_second(Some(&first), UNDER[1], app.document());
@@ -494,9 +488,8 @@ mod tests {
         let why = ColourSheet::of(&gone, App::new().document()).expect_err("no light");
         assert!(why.contains("own/77"));
         let nonsense = FromColour {
-            given: Given::Lab([f64::NAN, 1e9, 0.0]),
             method: Method::Fourier6,
-            ..FromColour::default()
+            ..of(Given::Lab([f64::NAN, 1e9, 0.0]))
         };
         let sound = nonsense.clamped();
         assert_eq!(sound.given, Given::Lab([0.0, 200.0, 0.0]));

@@ -135,18 +135,10 @@ fn way(ray: &Refracted, reflections: u32) -> Vec<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{
-        app::{
-            App,
-            dispersion::{document_light, words::lines_of},
-        },
-        optics::Stuff,
-    };
+    use crate::{app::dispersion::words::first_lines, optics::Stuff};
 
     fn drawn(memory: &RainbowMemory) -> DropDrawing {
-        let app = App::new();
-        let light = document_light(&app).expect("FL2 shines");
-        let lines = lines_of(&app, &light);
+        let (light, lines) = first_lines();
         DropDrawing::of(&Stuff::Water.material(), &light, &lines, memory)
     }
 

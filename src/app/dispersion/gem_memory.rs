@@ -151,6 +151,9 @@ impl GemMemory {
             let value = (slider.of)(&mut cut);
             *value = moved(*value, slider.range, first);
         }
+        let (sizes, rays) = (SIZES_SHOWN.into_iter(), RAYS_SHOWN.into_iter());
+        let size = sizes.min_by_key(|size| size.abs_diff(self.size));
+        let rays = rays.min_by_key(|rays| rays.abs_diff(self.rays));
         Self {
             made_of: self.made_of.clamped(),
             grey: moved(self.grey, ends(GREYS), usual.grey),
@@ -158,12 +161,8 @@ impl GemMemory {
             cut,
             turn_deg: moved(self.turn_deg, [-180.0, 180.0], USUAL_TURN_DEG),
             height_deg: moved(self.height_deg, HEIGHTS_DEG, USUAL_HEIGHT_DEG),
-            size: nearest(&SIZES_SHOWN, usual.size, |size| {
-                size.abs_diff(self.size) as u64
-            }),
-            rays: nearest(&RAYS_SHOWN, usual.rays, |rays| {
-                u64::from(rays.abs_diff(self.rays))
-            }),
+            size: size.unwrap_or(usual.size),
+            rays: rays.unwrap_or(usual.rays),
             stops: clamped_stops(self.stops),
             ..self
         }
@@ -258,12 +257,6 @@ impl CutSlider {
             of: |cut| &mut cut.culet,
         },
     ];
-}
-
-/// The allowed value nearest to one.
-fn nearest<T: Copy>(allowed: &[T], usual: T, off: impl Fn(T) -> u64) -> T {
-    let best = allowed.iter().copied().min_by_key(|value| off(*value));
-    best.unwrap_or(usual)
 }
 
 #[cfg(test)]

@@ -17,7 +17,7 @@ use crate::{
 const COLUMNS: usize = 1000;
 
 /// What the page shows.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct PrismShown {
     /// The result, or why there is none.
     pub sentence: String,
@@ -61,22 +61,15 @@ pub struct StripShown {
 /// What falls on the columns of a screen, for [`StripShown::heights`].
 fn heights(strip: &Strip) -> Vec<[f64; 2]> {
     let both = || strip.smooth.iter().zip(&strip.lines);
-    let most = both()
-        .map(|(smooth, line)| smooth + line)
-        .fold(0.0, f64::max);
+    let most = both().map(|(smooth, line)| smooth + line);
+    let most = most.fold(0.0, f64::max);
     let root = |value: f64| (value / most).max(0.0).sqrt();
-    if most > 0.0 {
-        both()
-            .map(|(smooth, line)| [root(smooth + line), root(*smooth)])
-            .collect()
-    } else {
-        Vec::new()
-    }
+    let heights = both().map(|(smooth, line)| [root(smooth + line), root(*smooth)]);
+    heights.filter(|_| most > 0.0).collect()
 }
 
 /// The bench that the page asks for.
 fn settings(memory: &PrismMemory) -> BenchSettings {
-    let usual = BenchSettings::default();
     BenchSettings {
         apex_deg: memory.apex_deg,
         incidence: if memory.at_minimum {
@@ -86,7 +79,7 @@ fn settings(memory: &PrismMemory) -> BenchSettings {
         },
         slit_mm: memory.slit_mm,
         screen_mm: memory.screen_mm,
-        ..usual
+        ..BenchSettings::default()
     }
 }
 
@@ -104,16 +97,8 @@ impl PrismShown {
             Ok((light, bench, screen)) => Self::found(app, memory, &light, bench, screen),
             Err(sentence) => Self {
                 sentence,
-                notes: Vec::new(),
-                drawing: None,
-                incidence_deg: None,
                 ends_mm: [0.0, 1.0],
-                scale: Vec::new(),
-                strips: Vec::new(),
-                rows: Vec::new(),
-                told: Vec::new(),
-                csv: String::new(),
-                bench: None,
+                ..Self::default()
             },
         }
     }

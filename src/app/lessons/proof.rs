@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::{
     condition::Condition,
     figures::Scene,
-    format::{Fault, Lesson, Step},
+    format::{Answer, Fault, Lesson, Step},
     names::find,
     run::Run,
     words::{self, filled},
@@ -26,24 +26,13 @@ pub struct Played<T> {
     /// What is said.
     pub say: String,
     /// The question and its answers, each with why.
-    pub ask: Option<(String, Vec<PlayedAnswer>)>,
+    pub ask: Option<(String, Vec<Answer>)>,
     /// The task.
     pub task: Option<String>,
     /// What is said at the end of the step.
     pub explain: String,
     /// What was seen at the start of the step.
     pub seen: T,
-}
-
-/// An answer as it was played.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PlayedAnswer {
-    /// Its words.
-    pub text: String,
-    /// Whether it is right.
-    pub right: bool,
-    /// Why.
-    pub because: String,
 }
 
 /// Checks a lesson and plays it through; `see` looks at the state at the start of each step.
@@ -136,7 +125,7 @@ fn play_step<T>(
     }
     let mut answers = Vec::new();
     for answer in step.ask.iter().flat_map(|ask| &ask.answers) {
-        answers.push(PlayedAnswer {
+        answers.push(Answer {
             text: in_it(&answer.text, app, memory)?,
             right: answer.right,
             because: in_it(&answer.because, app, memory)?,

@@ -31,7 +31,6 @@ pub struct Trial {
 impl Question for TrialAsk {
     type Answer = Trial;
 
-    /// The answer; `None` when it was cancelled.
     fn answer(&self, progress: &Progress) -> Option<Trial> {
         let (lesson, light) = (&*self.lesson.0, &self.light.0);
         let mut app = App::new();

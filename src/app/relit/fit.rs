@@ -78,7 +78,6 @@ impl FitAsk {
 impl Question for FitAsk {
     type Answer = Outcome<Fit>;
 
-    /// The answer.
     fn answer(&self, _: &Progress) -> Option<Self::Answer> {
         told(self.fit())
     }
@@ -286,7 +285,6 @@ impl TurnAsk {
 impl Question for TurnAsk {
     type Answer = Outcome<Turned>;
 
-    /// The answer.
     fn answer(&self, _: &Progress) -> Option<Self::Answer> {
         told(self.turned())
     }

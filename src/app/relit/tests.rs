@@ -58,6 +58,15 @@ fn image(lit: Option<&str>) -> Subject {
     })))
 }
 
+/// What a job answers that is not cancelled.
+fn answered<Q, T>(ask: &Q) -> ByAddress<T>
+where
+    Q: Question<Answer = Outcome<T>>,
+{
+    let answer = ask.answer(&Progress::default()).expect("not cancelled");
+    answer.expect("a sound picture")
+}
+
 fn fit(subject: Subject, taken_under: Option<&str>, numbers: Option<usize>) -> ByAddress<Fit> {
     fit_with(subject, taken_under, numbers, Wish::default())
 }
@@ -78,25 +87,24 @@ fn fit_with(
         wish,
         weighted: true,
     };
-    let looked = ask.answer(&Progress::default()).expect("not cancelled");
-    let looked = looked.expect("a sound picture");
-    let ask = FitAsk { looked, numbers };
-    let fit = ask.answer(&Progress::default()).expect("not cancelled");
-    fit.expect("enough bands")
+    let looked = answered(&ask);
+    answered(&FitAsk { looked, numbers })
 }
 
 fn turned(fit: &ByAddress<Fit>, key: &str, second: Option<(&str, u32)>) -> ByAddress<Turned> {
+    answered(&turn(fit, key, second))
+}
+
+fn turn(fit: &ByAddress<Fit>, key: &str, second: Option<(&str, u32)>) -> TurnAsk {
     let app = App::new();
     let entry = |key: &str| ByAddress(app.entry(key).expect("shipped"));
-    let ask = TurnAsk {
+    TurnAsk {
         fit: fit.clone(),
         light: entry(key),
         second: second.map(|(key, percent)| (entry(key), percent)),
         to_light: true,
         between: Between::Bands,
-    };
-    let turned = ask.answer(&Progress::default()).expect("not cancelled");
-    turned.expect("a light")
+    }
 }
 
 const A: &str = "cie_illuminants/CIE A";
@@ -180,8 +188,7 @@ fn light_of_an_unknown_lamp_is_relit_only_when_the_lamp_is_told() {
 #[test]
 fn both_files_are_as_large_as_told_and_open_again() {
     let fit = fit(image(None), None, Some(8));
-    let stored = StoreAsk(fit.clone()).answer(&Progress::default());
-    let stored = stored.expect("not cancelled").expect("written");
+    let stored = answered(&StoreAsk(fit.clone()));
     assert_eq!(byte_rows(&fit.0, &stored.0).len(), 3);
     let folder = tempfile::tempdir().expect("a folder");
     for form in Form::ALL {
@@ -215,8 +222,7 @@ fn both_files_are_as_large_as_told_and_open_again() {
 #[test]
 fn the_table_of_others_names_the_nearest_whoever_it_is() {
     let fit = fit(image(None), None, Some(6));
-    let peers = PeersAsk(fit).answer(&Progress::default());
-    let peers = peers.expect("not cancelled").expect("measured");
+    let peers = answered(&PeersAsk(fit));
     let (rows, words) = peer_rows(&peers.0);
     assert_eq!(rows.len(), peers.0.len());
     let measured = peers
@@ -325,19 +331,11 @@ fn own_colour_is_exact_under_the_light_that_is_chosen_for_it() {
         wish: Wish::default(),
         weighted: false,
     };
-    let looked = ask.answer(&Progress::default()).expect("not cancelled");
-    let looked = looked.expect("a sound picture");
-    assert!(
-        fewer(&looked.0).contains("within 2 in 95 %"),
-        "{}",
-        fewer(&looked.0)
-    );
-    let ask = FitAsk {
-        looked,
-        numbers: None,
-    };
-    let fit = ask.answer(&Progress::default()).expect("not cancelled");
-    let fit = fit.expect("enough bands");
+    let looked = answered(&ask);
+    let words = fewer(&looked.0);
+    assert!(words.contains("within 2 in 95 %"), "{words}");
+    let numbers = None;
+    let fit = answered(&FitAsk { looked, numbers });
     assert!(fit.0.operator.plan().weighting.is_none());
     assert!(turned(&fit, FL11, None).0.spread.max < 0.01);
     assert!(turned(&fit, D65, None).0.spread.max > 0.01);
@@ -346,17 +344,12 @@ fn own_colour_is_exact_under_the_light_that_is_chosen_for_it() {
 #[test]
 fn the_series_may_stand_between_bands_and_colours_move_a_little() {
     let fit = fit(image(None), None, Some(12));
-    let app = App::new();
     let under = |between| {
         let ask = TurnAsk {
-            fit: fit.clone(),
-            light: ByAddress(app.entry(FL11).expect("shipped")),
-            second: None,
-            to_light: true,
             between,
+            ..turn(&fit, FL11, None)
         };
-        let turned = ask.answer(&Progress::default()).expect("not cancelled");
-        turned.expect("a light").0.spread.mean
+        answered(&ask).0.spread.mean
     };
     let (bands, series) = (under(Between::Bands), under(Between::Series));
     // Straight lines over 10 nm are off by about 0.1 themselves.
