@@ -153,16 +153,12 @@ mod tests {
             "FL2: cool white fluorescent tube, 4220 K. Four mercury lines on a phosphor glow. CIE \
              table, 1 nm from 5 nm data."
         );
-        assert!(
-            about("cie_fluorescent_5nm/FL2")
-                .sentence()
-                .ends_with("CIE table, 5 nm.")
-        );
-        assert!(
-            about("line_tubes/Neon tube")
-                .sentence()
-                .ends_with("Made by this program.")
-        );
+        for (id, end) in [
+            ("cie_fluorescent_5nm/FL2", "CIE table, 5 nm."),
+            ("line_tubes/Neon tube", "Made by this program."),
+        ] {
+            assert!(about(id).sentence().ends_with(end), "{id}");
+        }
         assert_eq!(
             about("cie_illuminants/CIE A").title(),
             "CIE A: standard tungsten bulb, 2860 K"
@@ -179,21 +175,13 @@ mod tests {
             if entry.kind() != Kind::Light {
                 continue;
             }
-            assert!(
-                !told.what.is_empty() && told.about.ends_with('.'),
-                "{}",
-                entry.key
-            );
+            let key = &entry.key;
+            assert!(!told.what.is_empty() && told.about.ends_with('.'), "{key}");
             // Numbers are computed, not written: what stands beside a unit of temperature is ours.
             for words in [&told.what, &told.about] {
-                assert!(!words.contains(" K"), "{}: {words}", entry.key);
+                assert!(!words.contains(" K"), "{key}: {words}");
             }
-            assert!(
-                told.what.chars().count() <= 60,
-                "{}: {}",
-                entry.key,
-                told.what
-            );
+            assert!(told.what.chars().count() <= 60, "{key}: {}", told.what);
         }
     }
 
@@ -222,11 +210,8 @@ mod tests {
                 let is_told = spoken.contains(element) && entry.kind() == Kind::Light;
                 let is_named = named.iter().any(|name| name.contains(symbol));
                 let of_the_paper = entry.key.starts_with("paper/");
-                assert!(
-                    !is_told || is_named || of_the_paper,
-                    "{}: {element}",
-                    entry.key
-                );
+                let holds = !is_told || is_named || of_the_paper;
+                assert!(holds, "{}: {element}", entry.key);
             }
         }
         assert!(counted > 20, "{counted}");

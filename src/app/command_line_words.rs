@@ -149,7 +149,7 @@ mod tests {
     use super::*;
     use crate::{
         app::{
-            Command,
+            Command, assert_says,
             open::{Loaded, load_path_as, resolve},
         },
         spectrum::{Basis, NamedSpectrum},
@@ -179,9 +179,9 @@ mod tests {
         }));
         let told = lines(&app).expect("a shipped light");
         let report = "report cie_fluorescent_1nm/FL2 --order 12 --threshold 1.25 --no-spikes\n";
-        assert!(told.contains(report), "{told}");
+        assert_says(&told, report);
         let render = "FL2 --order 12 --threshold 1.25 --basis fourier --plain --no-spikes --page";
-        assert!(told.contains(render), "{told}");
+        assert_says(&told, render);
     }
 
     #[test]
@@ -191,10 +191,7 @@ mod tests {
         let numbers: NamedSpectrum = d65.spectrum.clone();
         app.apply(Command::Show(Arc::new(d65)));
         let told = lines(&app).expect("a shipped light");
-        assert!(
-            told.contains("report 'cie_illuminants/CIE D65' --basis"),
-            "{told}"
-        );
+        assert_says(&told, "report 'cie_illuminants/CIE D65' --basis");
         app.apply(Command::Show(Arc::new(
             resolve("paper/Mercury", None, None).expect("shipped"),
         )));

@@ -70,53 +70,41 @@ impl Export {
         Self::Project,
     ];
 
+    /// What the menu calls it, what stands behind the spectrum's name in its file's, and the
+    /// extension of that.
+    fn row(self) -> [&'static str; 3] {
+        match self {
+            Self::CompositeJson => ["Composite (JSON)", "-composite", "json"],
+            Self::CompositeLine => ["Composite (one line)", "-composite", "txt"],
+            Self::Csv => ["Spectrum and model (CSV)", "-model", "csv"],
+            Self::Spd => ["Reconstruction (.spd)", "-reconstruction", "spd"],
+            Self::Spdx => ["Measured spectrum (.spdx)", "", "spdx"],
+            Self::ArgyllSp => ["Measured spectrum (Argyll .sp)", "", "sp"],
+            Self::SpectrumJson => ["Measured spectrum (JSON)", "", "json"],
+            Self::PatchesCsv => ["Patches (CSV)", "-patches", "csv"],
+            Self::SpikesCsv => ["Spikes (CSV)", "-spikes", "csv"],
+            Self::CurveCsv => ["Error against order (CSV)", "-error-against-order", "csv"],
+            Self::PlotSvg => ["Plot (SVG)", "", "svg"],
+            Self::CurveSvg => ["Error against order (SVG)", "-error-against-order", "svg"],
+            Self::SheetSvg => ["Sheet about the light (SVG)", "-sheet", "svg"],
+            Self::Project => ["Project", "-project", "json"],
+        }
+    }
+
     /// What the menu calls it.
     pub fn title(self) -> &'static str {
-        match self {
-            Self::CompositeJson => "Composite (JSON)",
-            Self::CompositeLine => "Composite (one line)",
-            Self::Csv => "Spectrum and model (CSV)",
-            Self::Spd => "Reconstruction (.spd)",
-            Self::Spdx => "Measured spectrum (.spdx)",
-            Self::ArgyllSp => "Measured spectrum (Argyll .sp)",
-            Self::SpectrumJson => "Measured spectrum (JSON)",
-            Self::PatchesCsv => "Patches (CSV)",
-            Self::SpikesCsv => "Spikes (CSV)",
-            Self::CurveCsv => "Error against order (CSV)",
-            Self::PlotSvg => "Plot (SVG)",
-            Self::CurveSvg => "Error against order (SVG)",
-            Self::SheetSvg => "Sheet about the light (SVG)",
-            Self::Project => "Project",
-        }
+        self.row()[0]
     }
 
     /// The extension of its file.
     pub fn extension(self) -> &'static str {
-        match self {
-            Self::CompositeJson | Self::SpectrumJson | Self::Project => "json",
-            Self::CompositeLine => "txt",
-            Self::Csv | Self::PatchesCsv | Self::SpikesCsv | Self::CurveCsv => "csv",
-            Self::Spd => "spd",
-            Self::Spdx => "spdx",
-            Self::ArgyllSp => "sp",
-            Self::PlotSvg | Self::CurveSvg | Self::SheetSvg => "svg",
-        }
+        self.row()[2]
     }
 
     /// A name for the file: the spectrum's, with what the file holds.
     pub fn suggested_name(self, app: &App) -> String {
-        let part = match self {
-            Self::CompositeJson | Self::CompositeLine => "-composite",
-            Self::Csv => "-model",
-            Self::Spd => "-reconstruction",
-            Self::Spdx | Self::ArgyllSp | Self::SpectrumJson | Self::PlotSvg => "",
-            Self::PatchesCsv => "-patches",
-            Self::SpikesCsv => "-spikes",
-            Self::CurveCsv | Self::CurveSvg => "-error-against-order",
-            Self::SheetSvg => "-sheet",
-            Self::Project => "-project",
-        };
-        format!("{}{part}.{}", file_stem(app), self.extension())
+        let [_, part, extension] = self.row();
+        format!("{}{part}.{extension}", file_stem(app))
     }
 
     /// What its format does not keep, a sentence each.

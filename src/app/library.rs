@@ -222,8 +222,7 @@ impl Library {
     }
 
     fn not_found(&self, asked: &str, lower: &str) -> FindError {
-        let group = self.group(lower);
-        match group {
+        match self.group(lower) {
             Some(group) if group.kind == Kind::Lines => FindError::Lines { name: asked.into() },
             Some(group) => FindError::Group {
                 name: group.id.clone(),
@@ -255,9 +254,9 @@ impl Library {
                 continue;
             };
             // A name that would be ambiguous itself is offered with its group.
-            let offer = match self.find_quietly(&preset.name) {
-                true => preset.name.clone(),
-                false => preset.id(),
+            let offer = match self.called(|other| other.name == preset.name).len() {
+                1 => preset.name.clone(),
+                _ => preset.id(),
             };
             if !ranked.iter().any(|(_, other)| *other == offer) {
                 ranked.push((rank, offer));
@@ -266,10 +265,6 @@ impl Library {
         ranked.sort_by_key(|(rank, _)| *rank);
         ranked.truncate(MOST_SUGGESTIONS);
         ranked.into_iter().map(|(_, offer)| offer).collect()
-    }
-
-    fn find_quietly(&self, name: &str) -> bool {
-        self.called(|preset| preset.name == name).len() == 1
     }
 }
 
@@ -494,9 +489,8 @@ mod tests {
     fn an_unknown_name_is_answered_with_the_closest() {
         assert!(suggestions("CIE D66").contains(&"CIE D65".to_owned()));
         assert_eq!(suggestions("TL84")[0], "Philips TL-84");
-        let typo = refusal("Kinoten 75P").to_string();
         assert_eq!(
-            typo,
+            refusal("Kinoten 75P").to_string(),
             "no shipped spectrum is called \"Kinoten 75P\"; close to it: Kinoton 75P"
         );
         assert_eq!(

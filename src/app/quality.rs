@@ -235,8 +235,10 @@ pub fn settled_words(found: &OrderFigures) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::Command;
-    use crate::spectrum::Sampled;
+    use crate::{
+        app::{Command, showing},
+        spectrum::Sampled,
+    };
 
     #[test]
     fn a_coarse_table_is_said_to_be_one() {
@@ -277,9 +279,7 @@ mod tests {
 
     #[test]
     fn a_light_without_a_white_says_why() {
-        let mut app = App::new();
-        app.apply(Command::Show(app.entry("paper/Mercury").expect("shipped")));
-        let shown = QualityShown::of(&app);
+        let shown = QualityShown::of(&showing("paper/Mercury"));
         for words in [&shown.sentence, &shown.place, &shown.rendition] {
             assert!(words.ends_with('.') && !words.contains("NaN"), "{words}");
         }

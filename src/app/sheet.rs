@@ -236,7 +236,7 @@ impl Page {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::Command;
+    use crate::app::showing;
 
     #[test]
     fn the_page_tells_the_figures_of_the_light_and_its_model() {
@@ -256,20 +256,17 @@ mod tests {
 
     #[test]
     fn the_page_of_any_shipped_light_stays_on_the_paper_and_becomes_a_pdf() {
-        let mut app = App::new();
         for key in [
             "paper/Sodium",
             "cie_illuminants/CIE A",
             "lamps_nist_traditional/Metal Halide",
         ] {
-            app.apply(Command::Show(app.entry(key).expect(key)));
+            let app = showing(key);
             let svg = to_svg(&app);
             let tree = roxmltree::Document::parse(&svg).expect("well-formed");
             for text in tree.descendants().filter(|node| node.has_tag_name("text")) {
-                let y: f64 = text
-                    .attribute("y")
-                    .and_then(|y| y.parse().ok())
-                    .expect("a place");
+                let y = text.attribute("y").and_then(|y| y.parse().ok());
+                let y: f64 = y.expect("a place");
                 assert!(y < PAGE[1], "{key}: {:?}", text.text());
             }
             let pdf = to_pdf(&app).expect("a page");

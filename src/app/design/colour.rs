@@ -331,7 +331,7 @@ pub fn of_hex(text: &str) -> Option<[u8; 3]> {
 mod tests {
     use super::*;
     use crate::{
-        app::{App, Command, command::MadeFor},
+        app::{App, Command, assert_says, command::MadeFor},
         spectrum::Kind,
     };
 
@@ -364,7 +364,7 @@ mod tests {
         }
         assert_eq!(found.swatch().hex(), "#c08040");
         assert_eq!((found.under.len(), found.facts().len()), (UNDER.len(), 3));
-        assert!(found.sentence().contains("#c08040"), "{}", found.sentence());
+        assert_says(&found.sentence(), "#c08040");
     }
 
     #[test]
@@ -379,11 +379,7 @@ mod tests {
         let found = sheet(&surface("colorchecker_ohta/red"));
         let told = found.told.as_ref().expect("a surface to compare with");
         assert!(told.rms > 0.0 && told.rms < 0.3, "{}", told.rms);
-        assert!(
-            found.sentence().contains("red comes out"),
-            "{}",
-            found.sentence()
-        );
+        assert_says(&found.sentence(), "red comes out");
         // Under the light that it was told by it looks the same.
         assert!(found.under[0].differs.expect("seen") < 0.05);
         assert!(found.under.iter().all(|under| under.real.is_some()));
@@ -397,23 +393,15 @@ mod tests {
         let two = one.with_second(Some(&first), UNDER[1], app.document());
         let found = sheet(&two);
         let rms = |sheet: &ColourSheet| sheet.told.as_ref().map(|told| told.rms);
-        assert!(
-            rms(&found) < rms(&first),
-            "{:?} {:?}",
-            rms(&found),
-            rms(&first)
-        );
+        let (two_off, one_off) = (rms(&found), rms(&first));
+        assert!(two_off < one_off, "{two_off:?} {one_off:?}");
         let band = |sheet: &ColourSheet| sheet.spread().expect("a surface can have it");
         assert!(band(&found) < band(&first));
         let few = found.fourier.as_ref().expect("D65 and A differ");
         assert_eq!((few.method, few.xyz.len()), (Method::Fourier6, 2));
         let of_one = first.fourier.as_ref().expect("D65 shows colours");
         assert!(few.condition_number > of_one.condition_number);
-        assert!(
-            found.sentence().contains("CIE D65 and CIE A"),
-            "{}",
-            found.sentence()
-        );
+        assert_says(&found.sentence(), "CIE D65 and CIE A");
         // The recipe has both colours, and follows both lights.
         let recipe = two.recipe();
         assert!(recipe.stands_on().contains(&UNDER[1]));
@@ -452,12 +440,8 @@ mod tests {
             second: Some((Given::Srgb([0, 0, 255]), UNDER[1].to_owned())),
             ..FromColour::default()
         };
-        let found = sheet(&odd);
-        assert!(
-            found
-                .sentence()
-                .starts_with("No surface has these colours under")
-        );
+        let words = sheet(&odd).sentence();
+        assert!(words.starts_with("No surface has these colours under"));
     }
 
     #[test]

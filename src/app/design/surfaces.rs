@@ -151,11 +151,8 @@ mod tests {
         let surfaces = beside(&desk, DeskSurfaces::Test, app.document());
         assert_eq!(surfaces.len(), 15);
         assert!(surfaces.iter().any(|s| s.test.rgb8 != s.reference.rgb8));
-        assert!(
-            surfaces[8].words.starts_with("R9 "),
-            "{}",
-            surfaces[8].words
-        );
+        let words = &surfaces[8].words;
+        assert!(words.starts_with("R9 "), "{words}");
     }
 
     #[test]

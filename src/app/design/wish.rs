@@ -207,7 +207,7 @@ mod tests {
     use super::*;
     use crate::{
         app::{
-            App,
+            App, assert_says,
             design::{desk::put_on_desk, mix::MixChannel},
         },
         design::mixture::Source,
@@ -249,16 +249,10 @@ mod tests {
         };
         let by_xy = warm.by_xy(app.document()).clamped();
         let [x, y] = by_xy.xy.expect("x and y");
-        assert!(
-            (x - 0.4369).abs() < 2e-4 && (y - 0.4041).abs() < 2e-4,
-            "{x} {y}"
-        );
+        let off = [(x - 0.4369).abs(), (y - 0.4041).abs()];
+        assert!(off.iter().all(|off| *off < 2e-4), "{x} {y}");
         let found = solved(&app, &by_xy);
-        assert!(
-            found.sentence.contains(&format!("x {x:.4}, y {y:.4}")),
-            "{}",
-            found.sentence
-        );
+        assert_says(&found.sentence, &format!("x {x:.4}, y {y:.4}"));
         let figures = put_on_desk(&mut app, found.mix).figures.expect("it shines");
         let [a, b] = figures.xy.expect("a colour");
         assert!((a - x).hypot(b - y) < 1e-6, "{a} {b}");
@@ -268,7 +262,7 @@ mod tests {
             ..MixWish::default()
         };
         let why = tried(&app, &odd).expect_err("no colour");
-        assert!(why.contains("x + y"), "{why}");
+        assert_says(&why, "x + y");
         let light = MixWish {
             light: Some("cie_illuminants/CIE A".to_owned()),
             xy: Some([f64::NAN, 0.3]),
@@ -310,20 +304,13 @@ mod tests {
             ..MixWish::default()
         };
         let found = solved(&app, &wish);
-        assert!(
-            !found.reached && found.sentence.contains("LER"),
-            "{}",
-            found.sentence
-        );
+        assert!(!found.reached);
+        assert_says(&found.sentence, "LER");
         let mut mix = app.document().pages.mix.clone();
         mix.channels.truncate(2);
         put_on_desk(&mut app, mix);
         let found = solved(&app, &MixWish::default());
-        assert!(
-            found.sentence.contains("from the nearest"),
-            "{}",
-            found.sentence
-        );
+        assert_says(&found.sentence, "from the nearest");
     }
 
     #[test]

@@ -165,7 +165,7 @@ fn row((line, bows): &(Line, Bows)) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::Command;
+    use crate::app::{assert_says, showing};
 
     #[test]
     fn every_line_has_a_stripe_in_both_bows() {
@@ -188,15 +188,9 @@ mod tests {
 
     #[test]
     fn a_smooth_light_has_a_smooth_rainbow() {
-        let mut app = App::new();
-        let d65 = app.entry("cie_illuminants/CIE D65").expect("shipped");
-        app.apply(Command::Show(d65));
+        let app = showing("cie_illuminants/CIE D65");
         let shown = RainbowShown::of(&app, &RainbowMemory::default(), &sky());
-        assert!(
-            shown.sentence.contains("smooth rainbow"),
-            "{}",
-            shown.sentence
-        );
+        assert_says(&shown.sentence, "smooth rainbow");
         assert!(!shown.sentence.contains("NaN"), "{}", shown.sentence);
     }
 }

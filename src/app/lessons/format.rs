@@ -283,6 +283,7 @@ fn short(value: &Value) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::app::assert_says;
 
     const SMALL: &str = r#"{"format":"spectral-explorer-lesson","version":1,"title":"T",
         "sentence":"S.","minutes":5,"audience":["school"],"language":"en","teaches":"A.",
@@ -320,13 +321,8 @@ mod tests {
         assert_eq!(step.say, "{ra of FL2} and {ra of CIE A}");
         let stage = step.stage.as_ref().expect("a stage");
         assert_eq!(stage.light.as_deref(), Some("Mine"));
-        let overlays: Vec<&str> = stage
-            .overlays
-            .iter()
-            .flatten()
-            .map(String::as_str)
-            .collect();
-        assert_eq!(overlays, ["FL2", "CIE A"]);
+        let overlays = stage.overlays.iter().flatten();
+        assert!(overlays.eq(["FL2", "CIE A"]));
         assert!(format!("{:?}", stage.make).contains("like: \"FL2\""));
         assert!(other.text.contains("FL2") && lesson.text == about);
     }
@@ -348,10 +344,7 @@ mod tests {
         let words = refusal(r#""title":"T","#, "");
         assert_eq!(words, "a.json: found no `title`, expected it");
         let words = refusal(r#"["school"]"#, r#"["scool"]"#);
-        assert!(
-            words.contains("found the word `scool`, expected one of"),
-            "{words}"
-        );
+        assert_says(&words, "found the word `scool`, expected one of");
         assert!(refusal("\"steps\":[", "\"steps\":[}").contains("found no JSON"));
     }
 }

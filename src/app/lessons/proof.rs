@@ -240,7 +240,7 @@ fn of_step(step: &Step, made: &[&str]) -> Result<(), String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::lessons::shelf;
+    use crate::app::{assert_says, lessons::shelf};
 
     fn small(steps: &str) -> Result<Vec<Played<()>>, String> {
         let text = format!(
@@ -264,19 +264,12 @@ mod tests {
             for lesson in std::iter::once(Lesson::clone(lesson)).chain(others) {
                 let played = play(&lesson, |_, _| ()).unwrap_or_else(|why| panic!("{why}"));
                 assert_eq!(played.len(), lesson.steps.len());
-                assert!(
-                    played.iter().any(|step| step.ask.is_some()),
-                    "{}",
-                    lesson.name
-                );
-                assert!(
-                    played.iter().any(|step| step.task.is_some()),
-                    "{}",
-                    lesson.name
-                );
+                let name = &lesson.name;
+                assert!(played.iter().any(|step| step.ask.is_some()), "{name}");
+                assert!(played.iter().any(|step| step.task.is_some()), "{name}");
                 for step in &played {
                     let words = [&step.say, &step.explain].map(String::as_str).join(" ");
-                    assert!(!words.contains(['!', '{', '–']), "{}: {words}", lesson.name);
+                    assert!(!words.contains(['!', '{', '–']), "{name}: {words}");
                 }
             }
         }
@@ -308,18 +301,13 @@ mod tests {
             ("", "without until"),
         ] {
             let why = small(&task(until, order)).expect_err(until);
-            assert!(
-                why.starts_with("small: step 2: ") && why.contains(words),
-                "{why}"
-            );
+            assert!(why.starts_with("small: step 2: "), "{why}");
+            assert_says(&why, words);
         }
         let ask = r#"{"say":"A.","stage":{},"ask":{"question":"Q?","answers":[
             {"text":"x","because":"y"},{"text":"z","because":"y"}]}}"#;
-        assert!(
-            small(ask)
-                .expect_err("no right one")
-                .contains("found 0 right answers")
-        );
+        let why = small(ask).expect_err("no right one");
+        assert_says(&why, "found 0 right answers");
         assert!(small(&ask.replace("\"Q?\",", "\"Q?\",\"open\":true,")).is_ok());
     }
 }

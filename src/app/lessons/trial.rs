@@ -110,7 +110,10 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::app::lessons::{names::entry, shelf};
+    use crate::app::{
+        assert_says,
+        lessons::{names::entry, shelf},
+    };
 
     fn tried(lesson: &str, light: &str) -> Trial {
         let ask = TrialAsk {
@@ -123,18 +126,13 @@ mod tests {
     #[test]
     fn a_lesson_about_lines_holds_for_a_tube_and_fails_on_daylight_where_the_lines_are() {
         let tube = tried("samples", "FL3");
-        assert!(
-            tube.headline.starts_with("With FL3 everything holds: "),
-            "{tube:?}"
-        );
+        assert_says(&tube.headline, "With FL3 everything holds: ");
         assert!(tube.faults.is_empty());
         let daylight = tried("samples", "CIE D65");
         assert_eq!(daylight.headline, "With CIE D65, 1 of 2 steps fails.");
         let fault = &daylight.faults[0];
-        assert!(
-            fault.starts_with("Step 1: ") && fault.contains("filter_delta_e_samples"),
-            "{fault}"
-        );
+        assert!(fault.starts_with("Step 1: "), "{fault}");
+        assert_says(fault, "filter_delta_e_samples");
     }
 
     #[test]
@@ -147,9 +145,6 @@ mod tests {
             light: ByAddress(Arc::new(own)),
         };
         let trial = ask.answer(&Progress::default()).expect("not cancelled");
-        assert!(
-            trial.headline.starts_with("With My tube everything holds"),
-            "{trial:?}"
-        );
+        assert_says(&trial.headline, "With My tube everything holds");
     }
 }
