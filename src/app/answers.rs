@@ -86,18 +86,11 @@ impl Worst {
     pub fn of(app: &App) -> Option<Self> {
         let derived = app.derived();
         let patches = derived.patches.as_ref();
-        let worst = patches.and_then(|patches| {
-            let patch = patches.items.get(patches.worst)?;
-            Some(Self {
-                delta_e_2000: patch.delta_e_2000,
-                patch: Some(patch.name.clone()),
-            })
-        });
-        worst.or_else(|| {
-            Some(Self {
-                delta_e_2000: derived.colour.delta_e_2000?,
-                patch: None,
-            })
+        let patch = patches.and_then(|patches| patches.items.get(patches.worst));
+        let of_patch = patch.map(|patch| patch.delta_e_2000);
+        Some(Self {
+            delta_e_2000: of_patch.or(derived.colour.delta_e_2000)?,
+            patch: patch.map(|patch| patch.name.clone()),
         })
     }
 }

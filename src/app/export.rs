@@ -301,12 +301,8 @@ pub fn patches_csv(app: &App) -> String {
     } in patches.map(|p| &p.items[..]).unwrap_or_default()
     {
         let mut cells = vec![words(name), number(*delta_e_2000)];
-        cells.extend(
-            [exact.to_array(), model.to_array()]
-                .concat()
-                .into_iter()
-                .map(number),
-        );
+        let both = [exact.to_array(), model.to_array()].concat();
+        cells.extend(both.into_iter().map(number));
         cells.extend([exact_swatch.hex(), model_swatch.hex()]);
         out.push_str(&line(cells));
     }

@@ -278,20 +278,13 @@ impl Import {
     /// undo.
     pub fn removal(&self, app: &App) -> Command {
         let mut document = app.document().clone();
-        let of_file = |from: Option<&FromFile>| from.is_some_and(|from| from.is_of(&self.file));
-        let gone: Vec<String> = document
-            .own
-            .iter()
-            .filter(|entry| of_file(entry.origin.file()))
-            .map(|entry| entry.key.clone())
-            .collect();
-        document
-            .images
-            .retain(|image| !image.from.is_of(&self.file));
-        let is_gone = |key: &str| gone.iter().any(|k| k == key);
+        let of_file = all_of(app.document(), &self.file);
+        let gone: Vec<&str> = of_file.map(|(key, _)| key).collect();
+        let is_gone = |key: &str| gone.contains(&key);
+        document.images.retain(|image| !is_gone(&image.key));
         document.own.retain(|e| !is_gone(&e.key));
         document.overlays.retain(|e| !is_gone(&e.key));
-        for key in &gone {
+        for key in gone.iter().copied() {
             document.edits.remove(key);
             document.products.forget(key);
         }

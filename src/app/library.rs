@@ -428,24 +428,28 @@ mod tests {
 
     #[test]
     fn a_plain_name_and_a_full_one_find_the_same() {
-        assert_eq!(id_of("CIE D65"), "cie_illuminants/CIE D65");
-        assert_eq!(id_of("cie_illuminants/CIE D65"), "cie_illuminants/CIE D65");
-        assert_eq!(id_of(" cie d65 "), "cie_illuminants/CIE D65");
-        assert_eq!(id_of("CIE_Illuminants/cie d65"), "cie_illuminants/CIE D65");
-    }
-
-    #[test]
-    fn exact_capitals_go_before_others() {
-        assert_eq!(id_of("magenta"), "colorchecker_ohta/magenta");
-        assert_eq!(id_of("Magenta"), "pmc_chart/Magenta");
+        for (name, id) in [
+            ("CIE D65", "cie_illuminants/CIE D65"),
+            ("cie_illuminants/CIE D65", "cie_illuminants/CIE D65"),
+            (" cie d65 ", "cie_illuminants/CIE D65"),
+            ("CIE_Illuminants/cie d65", "cie_illuminants/CIE D65"),
+            // Exact capitals go before others.
+            ("magenta", "colorchecker_ohta/magenta"),
+            ("Magenta", "pmc_chart/Magenta"),
+            // A name in a 1 nm and a 5 nm table means the 1 nm one.
+            ("FL11", "cie_fluorescent_1nm/FL11"),
+            ("led-b3", "cie_led_1nm/LED-B3"),
+            ("cie_led_5nm/LED-B3", "cie_led_5nm/LED-B3"),
+            // A standard light is found without its CIE, after what has the very name: SC is a lamp
+            // of the RIT.
+            ("D65", "cie_illuminants/CIE D65"),
+            ("d65", "cie_illuminants/CIE D65"),
+            ("A", "cie_illuminants/CIE A"),
+            ("SC", "lamps_rit/SC"),
+        ] {
+            assert_eq!(id_of(name), id);
+        }
         assert!(matches!(refusal("MAGENTA"), FindError::Ambiguous { .. }));
-    }
-
-    #[test]
-    fn a_name_in_a_1_nm_and_a_5_nm_table_means_the_1_nm_one() {
-        assert_eq!(id_of("FL11"), "cie_fluorescent_1nm/FL11");
-        assert_eq!(id_of("led-b3"), "cie_led_1nm/LED-B3");
-        assert_eq!(id_of("cie_led_5nm/LED-B3"), "cie_led_5nm/LED-B3");
     }
 
     #[test]
@@ -474,15 +478,6 @@ mod tests {
             refusal("Mercury").to_string(),
             "\"Mercury\" stands for several: lamps_nist_traditional/Mercury, paper/Mercury"
         );
-    }
-
-    #[test]
-    fn a_standard_light_is_found_without_its_cie() {
-        assert_eq!(id_of("D65"), "cie_illuminants/CIE D65");
-        assert_eq!(id_of("d65"), "cie_illuminants/CIE D65");
-        assert_eq!(id_of("A"), "cie_illuminants/CIE A");
-        // What has the very name comes first: SC is a lamp of the RIT.
-        assert_eq!(id_of("SC"), "lamps_rit/SC");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Under which terms the program, its data and its fonts may be passed on.
 
-use std::{collections::BTreeSet, fmt::Write as _, sync::LazyLock};
+use std::{collections::BTreeMap, fmt::Write as _, sync::LazyLock};
 
 use super::library::Library;
 use crate::preset::{Group, UNLISTED};
@@ -112,19 +112,14 @@ fn of_group(group: &Group) -> String {
         attribution = group.attribution,
         changes = group.changes,
     );
-    let others: BTreeSet<String> = group
-        .items
-        .iter()
-        .filter(|item| item.licence != group.licence)
-        .map(|item| item.licence.to_string())
-        .collect();
-    for other in others {
-        let names: Vec<&str> = group
-            .items
-            .iter()
-            .filter(|item| item.licence.to_string() == other)
-            .map(|item| item.name.as_str())
-            .collect();
+    let mut others: BTreeMap<String, Vec<&str>> = BTreeMap::new();
+    for item in &group.items {
+        if item.licence != group.licence {
+            let names = others.entry(item.licence.to_string()).or_default();
+            names.push(&item.name);
+        }
+    }
+    for (other, names) in others {
         let _ = writeln!(out, "  otherwise: {}: {other}", names.join(", "));
     }
     out
@@ -146,6 +141,8 @@ pub fn text(library: &Library) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
 
     #[test]

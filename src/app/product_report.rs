@@ -45,15 +45,45 @@ pub struct Told {
 }
 
 impl Told {
-    /// What must be said about each stage, a sentence each, without the stage's name.
+    /// What must be said about each stage, a sentence each, without the stage's name. What is said
+    /// of one stage and holds for those behind it is not said again.
     pub fn stage_notes(&self, lit: &ModelledLight) -> Vec<Vec<String>> {
+        let named = |nm: f64| match self.known.safe(nm) {
+            Some(name) => format!("{nm:.1} nm ({name})"),
+            None => format!("{nm:.1} nm"),
+        };
+        let (mut before, mut said) = (&lit.derived.measured, Vec::new());
         let mut all = self.remarks.clone();
-        let measured = &lit.derived.measured;
-        for (remarks, notes) in
-            all.iter_mut()
-                .zip(stage_notes(measured, &self.passage, &self.known))
-        {
-            remarks.extend(notes);
+        for (notes, step) in all.iter_mut().zip(&self.passage.steps) {
+            let mut both = before.iter().zip(&step.exact);
+            if both.any(|(before, after)| *before > 0.0 && *after > LARGEST_SHARE * before) {
+                notes.push(format!(
+                    "values above {LARGEST_SHARE}: a share of light is at most 1. Are they per cent?"
+                ));
+            }
+            before = &step.exact;
+            for met in &step.met {
+                notes.push(format!(
+                    "the line at {} stands on a dip at {} {:.0} % deep; it is multiplied by what the \
+                     dip lets through.",
+                    named(met.line_nm),
+                    named(met.dip_nm),
+                    100.0 * met.depth
+                ));
+            }
+            for nm in step.below_zero.iter().chain(&step.turned) {
+                // What is below zero at one stage is so at the next ones.
+                if said.contains(nm) {
+                    continue;
+                }
+                said.push(*nm);
+                let place = named(*nm);
+                notes.push(if step.turned.contains(nm) {
+                    format!("its share is below zero at {place} and turns the line there negative.")
+                } else {
+                    format!("the dip at {place} takes the total below zero.")
+                });
+            }
         }
         all
     }
@@ -292,51 +322,4 @@ fn notes(app: &App, told: &Told) -> Vec<String> {
         notes.extend(sentences.map(|sentence| format!("{name}: {sentence}")));
     }
     notes
-}
-
-/// What must be said about each stage, a sentence each, without the stage's name. What is said of
-/// one stage and holds for those behind it is not said again.
-///
-/// `measured` is the light before the first factor, on the grid.
-fn stage_notes(measured: &[f64], passage: &Passage, known: &KnownLines) -> Vec<Vec<String>> {
-    let named = |nm: f64| match known.safe(nm) {
-        Some(name) => format!("{nm:.1} nm ({name})"),
-        None => format!("{nm:.1} nm"),
-    };
-    let (mut before, mut said) = (measured, Vec::new());
-    let mut all = Vec::with_capacity(passage.steps.len());
-    for step in &passage.steps {
-        let mut notes = Vec::new();
-        let mut both = before.iter().zip(&step.exact);
-        if both.any(|(before, after)| *before > 0.0 && *after > LARGEST_SHARE * before) {
-            notes.push(format!(
-                "values above {LARGEST_SHARE}: a share of light is at most 1. Are they per cent?"
-            ));
-        }
-        before = &step.exact;
-        for met in &step.met {
-            notes.push(format!(
-                "the line at {} stands on a dip at {} {:.0} % deep; it is multiplied by what the \
-                 dip lets through.",
-                named(met.line_nm),
-                named(met.dip_nm),
-                100.0 * met.depth
-            ));
-        }
-        for nm in step.below_zero.iter().chain(&step.turned) {
-            // What is below zero at one stage is so at the next ones.
-            if said.contains(nm) {
-                continue;
-            }
-            said.push(*nm);
-            let place = named(*nm);
-            notes.push(if step.turned.contains(nm) {
-                format!("its share is below zero at {place} and turns the line there negative.")
-            } else {
-                format!("the dip at {place} takes the total below zero.")
-            });
-        }
-        all.push(notes);
-    }
-    all
 }

@@ -36,7 +36,10 @@ const FONT: &[u8] = include_bytes!("../ui/fonts/DejaVuSans.ttf");
 /// The page of the document's light as SVG.
 pub fn to_svg(app: &App) -> String {
     let shown = QualityShown::of(app);
-    let mut page = Page::new();
+    let mut page = Page {
+        body: String::new(),
+        y: MARGIN,
+    };
     page.head(app, &shown);
     let whole = PAGE[0] - 2.0 * MARGIN;
     let spectrum = Chart {
@@ -89,13 +92,6 @@ struct Page {
 }
 
 impl Page {
-    fn new() -> Self {
-        Self {
-            body: String::new(),
-            y: MARGIN,
-        }
-    }
-
     fn finish(self) -> String {
         let [width, height] = PAGE.map(px);
         let body = self.body;

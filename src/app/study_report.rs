@@ -190,14 +190,6 @@ pub fn sweep_csv(app: &App, ask: &SweepAsk, sweep: &Sweep) -> String {
     out
 }
 
-/// The word of an auction's end.
-fn ended_word(ended: Ended) -> &'static str {
-    match ended {
-        Ended::Spent => "spent",
-        Ended::NothingHelps => "nothing_helps",
-    }
-}
-
 /// One purchase in files: every step has as many as it bought, the first one order 0.
 struct Bought<'a> {
     /// The step's place on the path, from 0: what was bought together has the same.
@@ -282,6 +274,10 @@ pub fn auction_json(app: &App, ask: &AuctionAsk, auction: &Auction) -> Value {
     };
     let terms = ask.terms;
     let [own, patches, spectrum, filters] = terms.goal.weights();
+    let ended = match auction.ended {
+        Ended::Spent => "spent",
+        Ended::NothingHelps => "nothing_helps",
+    };
     json!({
         "program": program(),
         "input": input_json(app),
@@ -293,7 +289,7 @@ pub fn auction_json(app: &App, ask: &AuctionAsk, auction: &Auction) -> Value {
         "basis": terms.basis.word(),
         "colour_exact": terms.colour_exact,
         "numbers": terms.numbers,
-        "ended": ended_word(auction.ended),
+        "ended": ended,
         "steps": steps,
         "with": bids(&auction.with),
         "without": bids(&auction.without),

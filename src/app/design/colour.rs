@@ -161,11 +161,7 @@ impl FromColour {
             given: self.given.clone(),
             light: if lines { &self.lamp } else { &self.light }.clone(),
             method: self.method,
-            lines: if lines {
-                self.lines.clone()
-            } else {
-                Vec::new()
-            },
+            lines: self.lines.iter().copied().filter(|_| lines).collect(),
             second: self.second.clone().filter(|_| !lines),
         }
     }

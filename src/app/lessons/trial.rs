@@ -126,7 +126,8 @@ mod tests {
     #[test]
     fn a_lesson_about_lines_holds_for_a_tube_and_fails_on_daylight_where_the_lines_are() {
         let tube = tried("samples", "FL3");
-        assert_says(&tube.headline, "With FL3 everything holds: ");
+        let words = &tube.headline;
+        assert!(words.starts_with("With FL3 everything holds: "), "{words}");
         assert!(tube.faults.is_empty());
         let daylight = tried("samples", "CIE D65");
         assert_eq!(daylight.headline, "With CIE D65, 1 of 2 steps fails.");
@@ -145,6 +146,10 @@ mod tests {
             light: ByAddress(Arc::new(own)),
         };
         let trial = ask.answer(&Progress::default()).expect("not cancelled");
-        assert_says(&trial.headline, "With My tube everything holds");
+        let words = trial.headline;
+        assert!(
+            words.starts_with("With My tube everything holds"),
+            "{words}"
+        );
     }
 }

@@ -15,6 +15,7 @@ use crate::{
         studies::Question,
     },
     color::{Xyz, adapted, delta_e_2000, lab_from_xyz, srgb::WHITE},
+    io::many::many,
     pictures::{
         Between, Kernel, Light, Operator, PictureError, Plan, ReferenceKind, Relit, Spread, Tally,
         Trust, Verdict, plan_of, relit_into,
@@ -339,8 +340,7 @@ impl Fit {
         };
         match plan.lines.len() {
             0 => series,
-            1 => format!("{series}, 1 line"),
-            lines => format!("{series}, {lines} lines"),
+            lines => format!("{series}, {}", many(lines, "line", "lines")),
         }
     }
 }

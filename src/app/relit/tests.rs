@@ -77,8 +77,13 @@ fn fit_with(
     numbers: Option<usize>,
     wish: Wish,
 ) -> ByAddress<Fit> {
+    let looked = answered(&look(subject, taken_under, wish));
+    answered(&FitAsk { looked, numbers })
+}
+
+fn look(subject: Subject, taken_under: Option<&str>, wish: Wish) -> LookAsk {
     let entry = taken_under.map(|key| App::new().entry(key).expect("shipped"));
-    let ask = LookAsk {
+    LookAsk {
         subject,
         taken_under: entry.map(ByAddress),
         own: None,
@@ -86,9 +91,7 @@ fn fit_with(
         observer: Observer::Cie1931,
         wish,
         weighted: true,
-    };
-    let looked = answered(&ask);
-    answered(&FitAsk { looked, numbers })
+    }
 }
 
 fn turned(fit: &ByAddress<Fit>, key: &str, second: Option<(&str, u32)>) -> ByAddress<Turned> {
@@ -319,13 +322,10 @@ fn the_histogram_counts_every_pixel_that_was_measured() {
 fn own_colour_is_exact_under_the_light_that_is_chosen_for_it() {
     let entry = App::new().entry(FL11).expect("shipped");
     let ask = LookAsk {
-        subject: image(None),
-        taken_under: None,
         own: Some(ByAddress(entry)),
         bound: 2.0,
-        observer: Observer::Cie1931,
-        wish: Wish::default(),
         weighted: false,
+        ..look(image(None), None, Wish::default())
     };
     let looked = answered(&ask);
     let words = fewer(&looked.0);
