@@ -5,7 +5,7 @@ use super::{
     families::{Families, Family},
     line_names::Identified,
     made::is_made,
-    ticks::short,
+    ticks::{extent, short},
 };
 use crate::{
     color::{Observer, cct_from_xyz, xyz::xyz_from_light},
@@ -116,9 +116,7 @@ fn steps_words(samples: &Sampled) -> String {
         return format!("{} nm", short(samples.step_nm()));
     }
     let steps = samples.nm().windows(2).map(|w| w[1] - w[0]);
-    let (least, most) = steps.fold((f64::INFINITY, 0.0_f64), |(least, most), step| {
-        (least.min(step), most.max(step))
-    });
+    let [least, most] = extent(steps).unwrap_or_default();
     format!("{} to {} nm", short(least), short(most))
 }
 

@@ -226,11 +226,7 @@ mod tests {
             app.apply(Command::Open(vec![*opened]));
             lines(&app)
         };
-        let told = shown(&Choices {
-            kind: None,
-            ..Choices::default()
-        })
-        .expect("in a file");
+        let told = shown(&Choices::default()).expect("in a file");
         let start = format!("spectral-explorer report '{}' --spectrum ", path.display());
         assert!(told.starts_with(&start), "{told}");
         let by_hand = Choices {

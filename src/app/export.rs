@@ -264,18 +264,14 @@ fn columns(app: &App) -> Columns {
         values: values.iter().map(|v| v * factor).collect(),
     };
     let model = derived.model_values();
-    let spikes: Vec<f64> = model
-        .iter()
-        .zip(&derived.smooth)
-        .map(|(m, s)| m - s)
-        .collect();
+    let spikes = model.iter().zip(&derived.smooth).map(|(m, s)| m - s);
     Columns {
         nm: derived.band.grid().collect(),
         columns: vec![
             column("measured", &derived.measured),
             column("model", &model),
             column("smooth", &derived.smooth),
-            column("spikes", &spikes),
+            column("spikes", &spikes.collect::<Vec<_>>()),
             column("residual", &derived.residual),
         ],
     }

@@ -7,7 +7,7 @@ use std::{borrow::Cow, fmt, sync::LazyLock};
 
 use super::made;
 use crate::{
-    preset::{Body, Group, Preset, PresetError, SHIPPED, Shelf},
+    preset::{Body, Group, Preset, SHIPPED, Shelf},
     spectrum::{Kind, NamedSpectrum},
 };
 
@@ -93,26 +93,20 @@ impl fmt::Display for FindError {
 impl std::error::Error for FindError {}
 
 static BUNDLED: LazyLock<Library> = LazyLock::new(|| {
-    Library::from_files(&SHIPPED).expect("the shipped files are read in a test of this module")
+    let groups = SHIPPED.iter().map(|text| Group::from_json(text));
+    let groups = groups.collect::<Result<Vec<_>, _>>();
+    let groups = groups.expect("the shipped files are read in a test of this module");
+    Library {
+        made: made::groups(&groups),
+        lines: element_lines(&groups),
+        groups,
+    }
 });
 
 impl Library {
     /// The spectra that are part of the program, read at the first call (5 ms, once).
     pub fn bundled() -> &'static Self {
         &BUNDLED
-    }
-
-    /// A library from the texts of preset files.
-    fn from_files(files: &[&str]) -> Result<Self, PresetError> {
-        let groups = files.iter().map(|text| Group::from_json(text));
-        let groups = groups.collect::<Result<Vec<_>, _>>()?;
-        let lines = element_lines(&groups);
-        let made = made::groups(&groups);
-        Ok(Self {
-            groups,
-            made,
-            lines,
-        })
     }
 
     /// The groups of tables, lights first: what studies speak of.

@@ -14,15 +14,6 @@ pub const SIZES_SHOWN: [usize; 4] = [240, 360, 480, 720];
 /// Rays a pixel of the gem's picture.
 pub const RAYS_SHOWN: [u32; 5] = [8, 16, 32, 64, 256];
 
-/// Crown angles of the slider, degrees.
-pub const CROWNS_DEG: [f64; 2] = [20.0, 50.0];
-
-/// Pavilion angles of the slider, degrees.
-pub const PAVILIONS_DEG: [f64; 2] = [30.0, 55.0];
-
-/// Girdles of the slider, shares of the diameter.
-pub const GIRDLES: [f64; 2] = [0.005, 0.1];
-
 /// What colours a gem.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -196,7 +187,7 @@ pub struct CutSlider {
     pub title: &'static str,
     /// What it is, a sentence.
     pub meaning: &'static str,
-    /// Least and largest value.
+    /// Least and largest value, degrees or a share.
     pub range: [f64; 2],
     /// Whether it is an angle; else a share.
     pub is_angle: bool,
@@ -210,14 +201,14 @@ impl CutSlider {
         Self {
             title: "Pavilion",
             meaning: "Slope of the lower facets. Near 41\u{b0} a diamond sends most light back up.",
-            range: PAVILIONS_DEG,
+            range: [30.0, 55.0],
             is_angle: true,
             of: |cut| &mut cut.pavilion_deg,
         },
         Self {
             title: "Crown",
             meaning: "Slope of the upper facets, which spread white light into colours.",
-            range: CROWNS_DEG,
+            range: [20.0, 50.0],
             is_angle: true,
             of: |cut| &mut cut.crown_deg,
         },
@@ -245,7 +236,7 @@ impl CutSlider {
         Self {
             title: "Girdle",
             meaning: "Height of the gem's edge, as a share of its width.",
-            range: GIRDLES,
+            range: [0.005, 0.1],
             is_angle: false,
             of: |cut| &mut cut.girdle,
         },

@@ -272,8 +272,8 @@ fn is_known(key: &str) -> Result<(), String> {
     ))
 }
 
-/// Whether a key is one of a figure, and of something there is: of what is shown, of its `model`, or
-/// of a light of the library or among those that a lesson makes.
+/// Whether a key is one of a figure, and of something there is: of what is shown, of its `model`,
+/// or of a light of the library or among those that a lesson makes.
 ///
 /// # Errors
 /// What was found and what was expected.
