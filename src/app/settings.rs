@@ -178,18 +178,11 @@ impl Settings {
     /// Whether nothing is looked for otherwise: the same range, series and lines. The order only
     /// cuts a series, and colour-exact moves what is there.
     pub fn takes_apart_as(self, other: Self) -> bool {
-        let Self {
-            order,
-            colour_exact,
-            observer,
-            sampling,
-            ..
-        } = other;
         let rest = Self {
-            order,
-            colour_exact,
-            observer,
-            sampling,
+            order: other.order,
+            colour_exact: other.colour_exact,
+            observer: other.observer,
+            sampling: other.sampling,
             ..self
         };
         rest == other
