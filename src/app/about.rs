@@ -5,10 +5,11 @@ use super::{
     families::{Families, Family},
     line_names::Identified,
     made::is_made,
-    ticks::short,
+    ticks::{extent, short},
 };
 use crate::{
     color::{Observer, cct_from_xyz, xyz::xyz_from_light},
+    io::many::capitalised,
     spectrum::{Kind, Sampled},
 };
 
@@ -45,14 +46,11 @@ impl About {
         let families = Families::shipped();
         let item = families.item(&entry.key);
         let table = families.table_of(&entry.key);
-        let what = match (item, table) {
-            (Some(item), _) => item.what.clone(),
-            (None, Some(table)) => table.what.clone(),
-            (None, None) => String::new(),
-        };
+        let what = item.map(|item| &item.what);
+        let what = what.or(table.map(|table| &table.what));
         Self {
             name: entry.name().to_owned(),
-            what,
+            what: what.cloned().unwrap_or_default(),
             kelvin: None,
             about: item.map_or_else(String::new, |item| item.about.clone()),
             table: table_words(entry),
@@ -104,9 +102,7 @@ fn table_words(entry: &Entry) -> String {
     match Families::shipped().table_of(&entry.key) {
         Some(table) => {
             let from = table.from_nm.map(|nm| format!(" from {nm} nm data"));
-            let mut of = table.of.chars();
-            let first = of.next().map(|c| c.to_uppercase().to_string());
-            let of = format!("{}{}", first.unwrap_or_default(), of.as_str());
+            let of = capitalised(&table.of);
             format!("{of}, {steps}{}", from.unwrap_or_default())
         }
         None if entry.spectrum.source.is_empty() => String::new(),
@@ -120,9 +116,7 @@ fn steps_words(samples: &Sampled) -> String {
         return format!("{} nm", short(samples.step_nm()));
     }
     let steps = samples.nm().windows(2).map(|w| w[1] - w[0]);
-    let (least, most) = steps.fold((f64::INFINITY, 0.0_f64), |(least, most), step| {
-        (least.min(step), most.max(step))
-    });
+    let [least, most] = extent(steps).unwrap_or_default();
     format!("{} to {} nm", short(least), short(most))
 }
 
@@ -141,9 +135,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     use super::*;
-    use crate::app::{
-        entry::bundled_entries, library::Library, line_names::ElementLine, spike_names::identified,
-    };
+    use crate::app::{entry::bundled_entries, library::Library, spike_names::identified};
 
     fn about(id: &str) -> About {
         let preset = Library::bundled().find(id).expect(id);
@@ -159,16 +151,12 @@ mod tests {
             "FL2: cool white fluorescent tube, 4220 K. Four mercury lines on a phosphor glow. CIE \
              table, 1 nm from 5 nm data."
         );
-        assert!(
-            about("cie_fluorescent_5nm/FL2")
-                .sentence()
-                .ends_with("CIE table, 5 nm.")
-        );
-        assert!(
-            about("line_tubes/Neon tube")
-                .sentence()
-                .ends_with("Made by this program.")
-        );
+        for (id, end) in [
+            ("cie_fluorescent_5nm/FL2", "CIE table, 5 nm."),
+            ("line_tubes/Neon tube", "Made by this program."),
+        ] {
+            assert!(about(id).sentence().ends_with(end), "{id}");
+        }
         assert_eq!(
             about("cie_illuminants/CIE A").title(),
             "CIE A: standard tungsten bulb, 2860 K"
@@ -185,31 +173,23 @@ mod tests {
             if entry.kind() != Kind::Light {
                 continue;
             }
-            assert!(
-                !told.what.is_empty() && told.about.ends_with('.'),
-                "{}",
-                entry.key
-            );
+            let key = &entry.key;
+            assert!(!told.what.is_empty() && told.about.ends_with('.'), "{key}");
             // Numbers are computed, not written: what stands beside a unit of temperature is ours.
             for words in [&told.what, &told.about] {
-                assert!(!words.contains(" K"), "{}: {words}", entry.key);
+                assert!(!words.contains(" K"), "{key}: {words}");
             }
-            assert!(
-                told.what.chars().count() <= 60,
-                "{}: {}",
-                entry.key,
-                told.what
-            );
+            assert!(told.what.chars().count() <= 60, "{key}: {}", told.what);
         }
     }
 
     #[test]
     fn a_sentence_that_counts_mercury_lines_counts_those_that_have_names() {
-        let lines = ElementLine::shipped();
+        let lines = Library::bundled().lines();
         let mut counted = 0;
         for entry in bundled_entries() {
             let told = About::of(&entry);
-            let light = identified(&entry, &lines);
+            let light = identified(&entry, lines);
             let named: BTreeSet<&str> = light.peaks().filter_map(|(_, name)| name).collect();
             let mercury = named.iter().filter(|name| name.contains("Hg ")).count();
             if told.about.starts_with("Four mercury lines") {
@@ -228,11 +208,8 @@ mod tests {
                 let is_told = spoken.contains(element) && entry.kind() == Kind::Light;
                 let is_named = named.iter().any(|name| name.contains(symbol));
                 let of_the_paper = entry.key.starts_with("paper/");
-                assert!(
-                    !is_told || is_named || of_the_paper,
-                    "{}: {element}",
-                    entry.key
-                );
+                let holds = !is_told || is_named || of_the_paper;
+                assert!(holds, "{}: {element}", entry.key);
             }
         }
         assert!(counted > 20, "{counted}");

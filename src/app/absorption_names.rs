@@ -569,12 +569,8 @@ mod tests {
         let [holmium] = &families[..] else {
             panic!("{families:?}");
         };
-        assert!(
-            holmium
-                .lines
-                .iter()
-                .all(|line| line.name.starts_with("Ho band "))
-        );
+        let mut lines = holmium.lines.iter();
+        assert!(lines.all(|line| line.name.starts_with("Ho band ")));
         let entry = entry(id);
         let values = entry.on_band(band);
         let curve = Curve::of(&entry, band, &values);

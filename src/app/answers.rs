@@ -86,18 +86,11 @@ impl Worst {
     pub fn of(app: &App) -> Option<Self> {
         let derived = app.derived();
         let patches = derived.patches.as_ref();
-        let worst = patches.and_then(|patches| {
-            let patch = patches.items.get(patches.worst)?;
-            Some(Self {
-                delta_e_2000: patch.delta_e_2000,
-                patch: Some(patch.name.clone()),
-            })
-        });
-        worst.or_else(|| {
-            Some(Self {
-                delta_e_2000: derived.colour.delta_e_2000?,
-                patch: None,
-            })
+        let patch = patches.and_then(|patches| patches.items.get(patches.worst));
+        let of_patch = patch.map(|patch| patch.delta_e_2000);
+        Some(Self {
+            delta_e_2000: of_patch.or(derived.colour.delta_e_2000)?,
+            patch: patch.map(|patch| patch.name.clone()),
         })
     }
 }
@@ -185,12 +178,8 @@ pub fn line_shares(app: &App) -> Vec<f64> {
     let derived = app.derived();
     let found = detect(derived.band, &derived.measured, lowest.spike_settings());
     let share = |weight: f64| 100.0 * weight.abs() / found.power;
-    let mut shares: Vec<f64> = found
-        .spikes
-        .iter()
-        .map(|found| share(found.spike.weight))
-        .filter(|share| share.is_finite())
-        .collect();
+    let shares = found.spikes.iter().map(|found| share(found.spike.weight));
+    let mut shares: Vec<f64> = shares.filter(|share| share.is_finite()).collect();
     shares.sort_by(|a, b| b.total_cmp(a));
     shares
 }
@@ -207,16 +196,11 @@ pub fn threshold_for(app: &App, shares: &[f64], count: usize) -> f64 {
         let found = detect(derived.band, &derived.measured, settings.spike_settings());
         found.spikes.len().abs_diff(count)
     };
-    let thresholds = (0..=shares.len()).map(|count| between(shares, count));
     let asked = between(shares, count);
-    let mut best = (off(asked), asked);
-    for threshold in thresholds {
-        let now = off(threshold);
-        if now < best.0 {
-            best = (now, threshold);
-        }
-    }
-    best.1
+    let others = (0..=shares.len()).map(|count| between(shares, count));
+    // Of equals the one that was asked for.
+    let nearest = std::iter::once(asked).chain(others).min_by_key(|t| off(*t));
+    nearest.unwrap_or(asked)
 }
 
 /// A threshold between the shares of so many lines and of the others, per cent.

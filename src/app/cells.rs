@@ -1,7 +1,17 @@
 //! Cells of the tables that the program writes: numbers that read back exactly, and text that
 //! cannot be taken for anything else.
 
-use crate::io::{one_line, shortest};
+use crate::{
+    io::{Provenance, one_line, shortest},
+    spectrum::NamedSpectrum,
+};
+
+/// Comment lines over a table: where a spectrum and what was computed from it come from.
+pub(super) fn comments(provenance: &Provenance, spectrum: &NamedSpectrum) -> String {
+    let told = provenance.of(spectrum).into_iter();
+    told.map(|(key, value)| format!("# {key}: {value}\n"))
+        .collect()
+}
 
 /// A number in the fewest digits that read back to it; nothing where there is none, since tables
 /// know neither NaN nor infinity.

@@ -1,5 +1,7 @@
 //! The command line that gives what the window shows: its numbers and its picture.
 
+use std::fmt::Display;
+
 use super::{
     entry::Entry,
     origin::Origin,
@@ -99,15 +101,13 @@ fn quoted(word: &str) -> String {
     }
 }
 
+/// An option with its value, where that differs.
+fn value<T: PartialEq + Display>(option: &str, value: T, usual: T) -> Option<String> {
+    (value != usual).then(|| format!(" --{option} {value}"))
+}
+
 /// The options that make a command's `usual` settings these.
 fn options(settings: Settings, usual: Settings) -> String {
-    let mut words = String::new();
-    let mut say = |differs: bool, option: String| {
-        if differs {
-            words += " ";
-            words += &option;
-        }
-    };
     let Settings {
         basis,
         order,
@@ -123,35 +123,23 @@ fn options(settings: Settings, usual: Settings) -> String {
         observer,
         sampling,
     } = settings;
-    say(order != usual.order, format!("--order {order}"));
-    say(
-        threshold_percent != usual.threshold_percent,
-        format!("--threshold {threshold_percent}"),
-    );
-    say(
-        max_width_nm != usual.max_width_nm,
-        format!("--max-width {max_width_nm}"),
-    );
-    say(basis != usual.basis, format!("--basis {}", basis.word()));
-    say(
-        colour_exact && !usual.colour_exact,
-        "--colour-exact".to_owned(),
-    );
-    say(!colour_exact && usual.colour_exact, "--plain".to_owned());
-    say(!spikes, "--no-spikes".to_owned());
-    say(wide_lines, "--wide-lines".to_owned());
-    say(dips, "--dips".to_owned());
+    let flag = |is_said: bool, option: &str| is_said.then(|| format!(" --{option}"));
     let [least, most] = [band.min_nm(), band.max_nm()].map(short);
-    say(band != usual.band, format!("--range {least}:{most}"));
-    say(
-        observer != usual.observer,
-        format!("--observer {}", observer.word()),
-    );
-    say(
-        sampling != usual.sampling,
-        format!("--sampling {}", sampling.word()),
-    );
-    words
+    let said = [
+        value("order", order, usual.order),
+        value("threshold", threshold_percent, usual.threshold_percent),
+        value("max-width", max_width_nm, usual.max_width_nm),
+        value("basis", basis.word(), usual.basis.word()),
+        flag(colour_exact && !usual.colour_exact, "colour-exact"),
+        flag(!colour_exact && usual.colour_exact, "plain"),
+        flag(!spikes, "no-spikes"),
+        flag(wide_lines, "wide-lines"),
+        flag(dips, "dips"),
+        flag(band != usual.band, &format!("range {least}:{most}")),
+        value("observer", observer.word(), usual.observer.word()),
+        value("sampling", sampling.word(), usual.sampling.word()),
+    ];
+    said.into_iter().flatten().collect()
 }
 
 #[cfg(test)]
@@ -161,7 +149,7 @@ mod tests {
     use super::*;
     use crate::{
         app::{
-            Command,
+            Command, assert_says,
             open::{Loaded, load_path_as, resolve},
         },
         spectrum::{Basis, NamedSpectrum},
@@ -191,9 +179,9 @@ mod tests {
         }));
         let told = lines(&app).expect("a shipped light");
         let report = "report cie_fluorescent_1nm/FL2 --order 12 --threshold 1.25 --no-spikes\n";
-        assert!(told.contains(report), "{told}");
+        assert_says(&told, report);
         let render = "FL2 --order 12 --threshold 1.25 --basis fourier --plain --no-spikes --page";
-        assert!(told.contains(render), "{told}");
+        assert_says(&told, render);
     }
 
     #[test]
@@ -203,10 +191,7 @@ mod tests {
         let numbers: NamedSpectrum = d65.spectrum.clone();
         app.apply(Command::Show(Arc::new(d65)));
         let told = lines(&app).expect("a shipped light");
-        assert!(
-            told.contains("report 'cie_illuminants/CIE D65' --basis"),
-            "{told}"
-        );
+        assert_says(&told, "report 'cie_illuminants/CIE D65' --basis");
         app.apply(Command::Show(Arc::new(
             resolve("paper/Mercury", None, None).expect("shipped"),
         )));
@@ -241,11 +226,7 @@ mod tests {
             app.apply(Command::Open(vec![*opened]));
             lines(&app)
         };
-        let told = shown(&Choices {
-            kind: None,
-            ..Choices::default()
-        })
-        .expect("in a file");
+        let told = shown(&Choices::default()).expect("in a file");
         let start = format!("spectral-explorer report '{}' --spectrum ", path.display());
         assert!(told.starts_with(&start), "{told}");
         let by_hand = Choices {

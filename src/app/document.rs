@@ -229,9 +229,9 @@ impl Document {
     /// Whether nothing was changed between two versions of a document. Spectra are compared by
     /// where they are: a large file must not be read through at every move of a slider.
     pub fn is_same_as(&self, other: &Self) -> bool {
-        let same = |a: &[Arc<Entry>], b: &[Arc<Entry>]| {
+        fn same<T>(a: &[Arc<T>], b: &[Arc<T>]) -> bool {
             a.len() == b.len() && a.iter().zip(b).all(|(a, b)| Arc::ptr_eq(a, b))
-        };
+        }
         let Self {
             light,
             factor,
@@ -257,11 +257,7 @@ impl Document {
             && *subject == other.subject
             && same(overlays, &other.overlays)
             && same(own, &other.own)
-            && images.len() == other.images.len()
-            && images
-                .iter()
-                .zip(&other.images)
-                .all(|(a, b)| Arc::ptr_eq(a, b))
+            && same(images, &other.images)
             && *next_own == other.next_own
             && *settings == other.settings
             && *given == other.given

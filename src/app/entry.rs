@@ -45,7 +45,7 @@ impl Entry {
                 let of_the_paper = factor.filter(|_| preset.shelf == Shelf::Paper);
                 composite.weight_factor = of_the_paper.unwrap_or(printed.weight_factor);
                 let composite = composite_from_preset(&composite)?;
-                let samples = sampled_from_composite(&composite)?;
+                let samples = sampled_from_lines(&composite, &[])?;
                 // A line tube is every line of an atom: what is seen of it, an analysis tells.
                 given = (preset.shelf == Shelf::Paper).then(|| Arc::new(composite));
                 NamedSpectrum {
@@ -54,11 +54,7 @@ impl Entry {
                     unit: preset.unit.clone(),
                     scale: 1.0,
                     samples,
-                    notes: {
-                        let mut notes = preset.notes.clone();
-                        notes.push(SAMPLED_NOTE.to_owned());
-                        notes
-                    },
+                    notes: [&preset.notes[..], &[SAMPLED_NOTE.to_owned()]].concat(),
                     source: preset.source.clone(),
                 }
             }
@@ -132,24 +128,18 @@ pub fn bundled_entries() -> Vec<Arc<Entry>> {
 const SAMPLED_NOTE: &str =
     "A composite, sampled at 1 nm; each spike is split linearly over its two neighbouring nm.";
 
-/// A composite as a 1 nm table over its own range, each spike split linearly over its two
-/// neighbouring nm; `None` for a composite with numbers that are not finite.
-pub(super) fn sampled_from_composite(composite: &Composite) -> Option<Sampled> {
-    sampled_from_lines(composite, &[])
-}
-
-/// [`sampled_from_composite`] of lines with their widths in nm; 0, or none given, is an ideal spike.
+/// A composite as a 1 nm table over its own range, its lines with their widths in nm: 0, or none
+/// given, is an ideal spike, split linearly over its two neighbouring nm. `None` for a composite
+/// with numbers that are not finite.
 pub(super) fn sampled_from_lines(composite: &Composite, widths_nm: &[f64]) -> Option<Sampled> {
     let band = composite.band();
-    let lines = composite
-        .spikes
-        .iter()
-        .enumerate()
-        .map(|(i, spike)| WideSpike {
-            at_nm: spike.at_nm,
-            weight: spike.weight,
-            width_nm: widths_nm.get(i).copied().unwrap_or(0.0),
-        });
+    let widths_nm = widths_nm.iter().copied().chain(std::iter::repeat(0.0));
+    let lines = composite.spikes.iter().zip(widths_nm);
+    let lines = lines.map(|(spike, width_nm)| WideSpike {
+        at_nm: spike.at_nm,
+        weight: spike.weight,
+        width_nm,
+    });
     let mut values = composite.smooth.on_band();
     add_spikes(band, &lines.collect::<Vec<_>>(), &mut values);
     Sampled::even(band.min_nm(), 1.0, values).ok()

@@ -1,9 +1,7 @@
 //! What can be taken out of the program, each with units, scale, provenance and version.
 
-use std::fmt::Write as _;
-
 use super::{
-    cells::{line, number, words},
+    cells::{comments, line, number, words},
     chart::Theme,
     charts::{order::curve_chart, spectrum::spectrum_chart},
     derived::{OF_CURVE, PatchPair},
@@ -72,53 +70,41 @@ impl Export {
         Self::Project,
     ];
 
+    /// What the menu calls it, what stands behind the spectrum's name in its file's, and the
+    /// extension of that.
+    fn row(self) -> [&'static str; 3] {
+        match self {
+            Self::CompositeJson => ["Composite (JSON)", "-composite", "json"],
+            Self::CompositeLine => ["Composite (one line)", "-composite", "txt"],
+            Self::Csv => ["Spectrum and model (CSV)", "-model", "csv"],
+            Self::Spd => ["Reconstruction (.spd)", "-reconstruction", "spd"],
+            Self::Spdx => ["Measured spectrum (.spdx)", "", "spdx"],
+            Self::ArgyllSp => ["Measured spectrum (Argyll .sp)", "", "sp"],
+            Self::SpectrumJson => ["Measured spectrum (JSON)", "", "json"],
+            Self::PatchesCsv => ["Patches (CSV)", "-patches", "csv"],
+            Self::SpikesCsv => ["Spikes (CSV)", "-spikes", "csv"],
+            Self::CurveCsv => ["Error against order (CSV)", "-error-against-order", "csv"],
+            Self::PlotSvg => ["Plot (SVG)", "", "svg"],
+            Self::CurveSvg => ["Error against order (SVG)", "-error-against-order", "svg"],
+            Self::SheetSvg => ["Sheet about the light (SVG)", "-sheet", "svg"],
+            Self::Project => ["Project", "-project", "json"],
+        }
+    }
+
     /// What the menu calls it.
     pub fn title(self) -> &'static str {
-        match self {
-            Self::CompositeJson => "Composite (JSON)",
-            Self::CompositeLine => "Composite (one line)",
-            Self::Csv => "Spectrum and model (CSV)",
-            Self::Spd => "Reconstruction (.spd)",
-            Self::Spdx => "Measured spectrum (.spdx)",
-            Self::ArgyllSp => "Measured spectrum (Argyll .sp)",
-            Self::SpectrumJson => "Measured spectrum (JSON)",
-            Self::PatchesCsv => "Patches (CSV)",
-            Self::SpikesCsv => "Spikes (CSV)",
-            Self::CurveCsv => "Error against order (CSV)",
-            Self::PlotSvg => "Plot (SVG)",
-            Self::CurveSvg => "Error against order (SVG)",
-            Self::SheetSvg => "Sheet about the light (SVG)",
-            Self::Project => "Project",
-        }
+        self.row()[0]
     }
 
     /// The extension of its file.
     pub fn extension(self) -> &'static str {
-        match self {
-            Self::CompositeJson | Self::SpectrumJson | Self::Project => "json",
-            Self::CompositeLine => "txt",
-            Self::Csv | Self::PatchesCsv | Self::SpikesCsv | Self::CurveCsv => "csv",
-            Self::Spd => "spd",
-            Self::Spdx => "spdx",
-            Self::ArgyllSp => "sp",
-            Self::PlotSvg | Self::CurveSvg | Self::SheetSvg => "svg",
-        }
+        self.row()[2]
     }
 
     /// A name for the file: the spectrum's, with what the file holds.
     pub fn suggested_name(self, app: &App) -> String {
-        let part = match self {
-            Self::CompositeJson | Self::CompositeLine => "-composite",
-            Self::Csv => "-model",
-            Self::Spd => "-reconstruction",
-            Self::Spdx | Self::ArgyllSp | Self::SpectrumJson | Self::PlotSvg => "",
-            Self::PatchesCsv => "-patches",
-            Self::SpikesCsv => "-spikes",
-            Self::CurveCsv | Self::CurveSvg => "-error-against-order",
-            Self::SheetSvg => "-sheet",
-            Self::Project => "-project",
-        };
-        format!("{}{part}.{}", file_stem(app), self.extension())
+        let [_, part, extension] = self.row();
+        format!("{}{part}.{extension}", file_stem(app))
     }
 
     /// What its format does not keep, a sentence each.
@@ -278,18 +264,14 @@ fn columns(app: &App) -> Columns {
         values: values.iter().map(|v| v * factor).collect(),
     };
     let model = derived.model_values();
-    let spikes: Vec<f64> = model
-        .iter()
-        .zip(&derived.smooth)
-        .map(|(m, s)| m - s)
-        .collect();
+    let spikes = model.iter().zip(&derived.smooth).map(|(m, s)| m - s);
     Columns {
         nm: derived.band.grid().collect(),
         columns: vec![
             column("measured", &derived.measured),
             column("model", &model),
             column("smooth", &derived.smooth),
-            column("spikes", &spikes),
+            column("spikes", &spikes.collect::<Vec<_>>()),
             column("residual", &derived.residual),
         ],
     }
@@ -297,12 +279,7 @@ fn columns(app: &App) -> Columns {
 
 /// Comment lines that begin every table.
 fn table_head(app: &App) -> String {
-    let mut out = String::new();
-    for (key, value) in provenance(app).of(&app.document().subject_entry().spectrum) {
-        // Writing to a String cannot fail.
-        let _ = writeln!(out, "# {key}: {value}");
-    }
-    out
+    comments(&provenance(app), &app.document().subject_entry().spectrum)
 }
 
 /// The patches as a table: names, CIEDE2000, XYZ (Y of the light 100) and screen colours.
@@ -319,14 +296,9 @@ pub fn patches_csv(app: &App) -> String {
         model_swatch,
     } in patches.map(|p| &p.items[..]).unwrap_or_default()
     {
-        let mut cells = vec![words(name), number(Some(*delta_e_2000))];
-        cells.extend(
-            exact
-                .to_array()
-                .into_iter()
-                .chain(model.to_array())
-                .map(|v| number(Some(v))),
-        );
+        let mut cells = vec![words(name), number(*delta_e_2000)];
+        let both = [exact.to_array(), model.to_array()].concat();
+        cells.extend(both.into_iter().map(number));
         cells.extend([exact_swatch.hex(), model_swatch.hex()]);
         out.push_str(&line(cells));
     }
@@ -341,8 +313,8 @@ pub fn spikes_csv(app: &App) -> String {
     out.push_str("at_nm,weight,share_of_power,width_nm,line,by_hand\n");
     for (spike, name) in derived.parts.spikes.iter().zip(app.spike_names()) {
         out.push_str(&line([
-            number(Some(spike.spike.at_nm)),
-            number(Some(spike.spike.weight * factor)),
+            number(spike.spike.at_nm),
+            number(spike.spike.weight * factor),
             number(derived.parts.share(spike.spike.weight)),
             number(spike.width_nm),
             words(name.safe.as_deref().unwrap_or_default()),

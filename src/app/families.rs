@@ -8,7 +8,7 @@ use std::{
     sync::LazyLock,
 };
 
-use serde::Deserialize;
+use serde::{Deserialize, Deserializer};
 
 use crate::preset::FAMILIES;
 
@@ -76,19 +76,21 @@ pub struct Favourite {
     pub id: String,
 }
 
-/// The file.
-#[derive(Deserialize)]
+/// All that is said of the shipped spectra, as the file has it.
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
+pub struct Families {
     #[serde(rename = "format")]
     _format: String,
     #[serde(rename = "version")]
     _version: u32,
     #[serde(rename = "note")]
     _note: String,
-    families: Vec<Family>,
+    #[serde(rename = "families")]
+    all: Vec<Family>,
     tables: BTreeMap<String, Table>,
-    items: Vec<Item>,
+    #[serde(deserialize_with = "by_id")]
+    items: HashMap<String, Item>,
     /// Pairs of groups whose items of one name are one lamp, the finer first.
     twins: Vec<[String; 2]>,
     /// Pairs of items that are one light, the first to be shown.
@@ -96,38 +98,19 @@ struct File {
     favourites: Vec<Favourite>,
 }
 
-/// All that is said of the shipped spectra.
-#[derive(Clone, Debug)]
-pub struct Families {
-    all: Vec<Family>,
-    tables: BTreeMap<String, Table>,
-    items: HashMap<String, Item>,
-    twins: Vec<[String; 2]>,
-    same: Vec<[String; 2]>,
-    favourites: Vec<Favourite>,
+fn by_id<'de, D: Deserializer<'de>>(list: D) -> Result<HashMap<String, Item>, D::Error> {
+    let items = Vec::<Item>::deserialize(list)?.into_iter();
+    Ok(items.map(|item| (item.id.clone(), item)).collect())
 }
 
 static SHIPPED: LazyLock<Families> = LazyLock::new(|| {
-    Families::from_json(FAMILIES).expect("the shipped file is read in a test of this module")
+    serde_json::from_str(FAMILIES).expect("the shipped file is read in a test of this module")
 });
 
 impl Families {
     /// Those of the shipped spectra.
     pub fn shipped() -> &'static Self {
         &SHIPPED
-    }
-
-    fn from_json(text: &str) -> serde_json::Result<Self> {
-        let file: File = serde_json::from_str(text)?;
-        let items = file.items.into_iter();
-        Ok(Self {
-            all: file.families,
-            tables: file.tables,
-            items: items.map(|item| (item.id.clone(), item)).collect(),
-            twins: file.twins,
-            same: file.same,
-            favourites: file.favourites,
-        })
     }
 
     /// Every family, in the order of the library.
@@ -200,12 +183,8 @@ mod tests {
             assert!(ids.contains(&favourite.id), "{}", favourite.id);
         }
         for item in families.items.values() {
-            let key = item.family.as_deref();
-            assert!(
-                key.is_none_or(|key| families.family(key).is_some()),
-                "{}",
-                item.id
-            );
+            let mut key = item.family.iter();
+            assert!(key.all(|key| families.family(key).is_some()), "{}", item.id);
         }
         for table in families.tables.values() {
             assert!(families.family(&table.family).is_some(), "{}", table.of);

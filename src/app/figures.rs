@@ -30,7 +30,8 @@ impl Unit {
     pub const PERCENT: Self = unit("%", " %", 100.0);
     const KELVIN: Self = unit("K", " K", 1.0);
     const NANOMETRE: Self = unit("nm", " nm", 1.0);
-    const NONE: Self = unit("", "", 1.0);
+    /// Of counts and pure numbers.
+    pub const NONE: Self = unit("", "", 1.0);
 }
 
 /// What is said of a figure wherever it stands.

@@ -204,26 +204,18 @@ pub fn image(entry: &ImageEntry, pixels: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
-
     use super::*;
     use crate::app::{
-        Command,
+        Command, assert_says,
         charts::products::absorption::dip_rows,
-        open::resolve,
         products::ModelledLight,
+        showing,
         studies::paper::{Claims, truth_table},
     };
 
-    fn about(key: &str) -> App {
-        let mut app = App::new();
-        app.apply(Command::Show(Arc::new(resolve(key, None, None).unwrap())));
-        app
-    }
-
     #[test]
     fn dark_lines_are_counted_only_when_they_are_looked_for() {
-        let mut app = about("solar_astm_g173/ASTM G173-03 global tilt AM1.5G");
+        let mut app = showing("solar_astm_g173/ASTM G173-03 global tilt AM1.5G");
         assert!(dark_lines(&app, &dip_rows(&app)).contains("not looked for"));
         let mut settings = app.document().settings;
         settings.dips = true;
@@ -231,11 +223,8 @@ mod tests {
         app.apply(Command::Edit(settings));
         let dips = dip_rows(&app);
         assert!(dips.len() > 1);
-        let words = dark_lines(&app, &dips);
-        assert!(
-            words.contains(&format!("{} dark lines", dips.len())),
-            "{words}"
-        );
+        let count = format!("{} dark lines", dips.len());
+        assert_says(&dark_lines(&app, &dips), &count);
     }
 
     #[test]
@@ -245,8 +234,8 @@ mod tests {
         let chain = &app.document().products.chain;
         assert!(!chain.is_empty());
         let words = super::chain("FL2", &Told::of(&app, &light, chain));
-        assert!(words.contains("% of FL2 comes through"), "{words}");
-        assert!(words.contains("cannot be told apart"), "{words}");
+        assert_says(&words, "% of FL2 comes through");
+        assert_says(&words, "cannot be told apart");
         let none = super::chain("FL2", &Told::of(&app, &light, &[]));
         assert_eq!(none, "Put glass or a surface behind FL2: add a factor.");
     }

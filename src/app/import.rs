@@ -20,8 +20,9 @@ pub use self::{
 use super::{
     command::Command,
     document::{Document, FIRST_LIGHT, Subject},
+    memo::ByAddress,
     opened::Opened,
-    origin::{FileReading, FromFile, SameFile},
+    origin::{FileReading, FromFile, SourceFile},
     state::App,
     studies::Wake,
 };
@@ -56,7 +57,7 @@ pub enum Flip {
 /// A look at how one file was read. What the document holds of it is found there, so that an undo
 /// is followed.
 pub struct Import {
-    file: SameFile,
+    file: ByAddress<SourceFile>,
     /// The reading that is looked at, as the document has it.
     reading: Arc<FileReading>,
     opened: Arc<Opened>,
@@ -73,7 +74,7 @@ pub struct Import {
 /// Keys of what a document holds of a file, and where it came from.
 fn all_of<'a>(
     document: &'a Document,
-    file: &'a SameFile,
+    file: &'a ByAddress<SourceFile>,
 ) -> impl Iterator<Item = (&'a str, &'a FromFile)> {
     let own = document.own.iter();
     let own = own.filter_map(|entry| Some((entry.key.as_str(), entry.origin.file()?)));
@@ -106,7 +107,7 @@ impl Import {
             refusal: None,
             reader: FileReader::new(file.clone()),
             flips: false,
-            file: SameFile(file),
+            file: ByAddress(file),
             reading,
             about: About::Alike(0),
         };
@@ -180,17 +181,14 @@ impl Import {
             }
             Flip::Wavelengths(unit) => choices.wavelengths = Some(unit),
             Flip::Laser(nm) => choices.laser_nm = Some(nm),
-            Flip::Kind(kind) => self.choose(
-                &mut choices,
-                |choices| choices.kind = Some(kind),
-                |one| one.kind = Some(kind),
-                |one| one.kind = None,
-            ),
+            Flip::Kind(kind) => {
+                self.choose(&mut choices, kind, |all| &mut all.kind, |one| &mut one.kind);
+            }
             Flip::Counted(counted) => self.choose(
                 &mut choices,
-                |choices| choices.counted = Some(counted),
-                |one| one.counted = Some(counted),
-                |one| one.counted = None,
+                counted,
+                |all| &mut all.counted,
+                |one| &mut one.counted,
             ),
             Flip::KeepPhotons(keep) => choices.keep_photons = keep,
             Flip::ReadersOwn => choices = Choices::default(),
@@ -199,12 +197,12 @@ impl Import {
     }
 
     /// Decides for all of the file, or for the parts that are asked about.
-    fn choose(
+    fn choose<T: Copy>(
         &self,
         choices: &mut Choices,
-        of_all: impl Fn(&mut Choices),
-        of_one: impl Fn(&mut OfOne),
-        forget: impl Fn(&mut OfOne),
+        chosen: T,
+        of_all: fn(&mut Choices) -> &mut Option<T>,
+        of_one: fn(&mut OfOne) -> &mut Option<T>,
     ) {
         let parts = self.asked_about();
         let is_all = parts.len() == self.alike.len();
@@ -214,12 +212,12 @@ impl Import {
             &mut choices.each
         };
         if is_all {
-            each.values_mut().for_each(forget);
+            each.values_mut().for_each(|one| *of_one(one) = None);
             each.retain(|_, one| *one != OfOne::default());
-            of_all(choices);
+            *of_all(choices) = Some(chosen);
         } else {
             for part in parts {
-                of_one(each.entry(part).or_default());
+                *of_one(each.entry(part).or_default()) = Some(chosen);
             }
         }
     }
@@ -280,20 +278,13 @@ impl Import {
     /// undo.
     pub fn removal(&self, app: &App) -> Command {
         let mut document = app.document().clone();
-        let of_file = |from: Option<&FromFile>| from.is_some_and(|from| from.is_of(&self.file));
-        let gone: Vec<String> = document
-            .own
-            .iter()
-            .filter(|entry| of_file(entry.origin.file()))
-            .map(|entry| entry.key.clone())
-            .collect();
-        document
-            .images
-            .retain(|image| !image.from.is_of(&self.file));
-        let is_gone = |key: &str| gone.iter().any(|k| k == key);
+        let of_file = all_of(app.document(), &self.file);
+        let gone: Vec<&str> = of_file.map(|(key, _)| key).collect();
+        let is_gone = |key: &str| gone.contains(&key);
+        document.images.retain(|image| !is_gone(&image.key));
         document.own.retain(|e| !is_gone(&e.key));
         document.overlays.retain(|e| !is_gone(&e.key));
-        for key in &gone {
+        for key in gone.iter().copied() {
             document.edits.remove(key);
             document.products.forget(key);
         }

@@ -167,8 +167,8 @@ mod tests {
     use super::*;
     use crate::{
         app::{
-            App, Command,
             answers::best_of,
+            assert_says, showing,
             studies::{Question, SweepAsk},
         },
         lamps::read_encoding,
@@ -177,8 +177,7 @@ mod tests {
     };
 
     fn shown(key: &str, numbers: usize, known_lamps: bool) -> (WordsShown, EncodedLight) {
-        let mut app = App::new();
-        app.apply(Command::Show(app.entry(key).expect("shipped")));
+        let app = showing(key);
         let found = EncodeAsk::of(app.document(), numbers, known_lamps, false)
             .answer(&Progress::default())
             .expect("not cancelled")
@@ -200,9 +199,7 @@ mod tests {
 
     #[test]
     fn automatic_is_told_of_known_lamps_where_they_are_allowed_and_better() {
-        let mut app = App::new();
-        let key = "cie_fluorescent_1nm/FL11";
-        app.apply(Command::Show(app.entry(key).expect("shipped")));
+        let app = showing("cie_fluorescent_1nm/FL11");
         let (about, words) = (About::of(app.document()), WordsMemory::default());
         assert_eq!(lamps_asked(app.document(), words, 21), None);
         let words = WordsMemory {
@@ -221,10 +218,8 @@ mod tests {
         let sweep = sweep.expect("it shines");
         let best = best_of(&sweep, 21).expect("affordable");
         let said = lamps_better(&about, &found, best).expect("better");
-        assert!(
-            said.contains("FL11") && said.contains("list of lamps"),
-            "{said}"
-        );
+        assert_says(&said, "FL11");
+        assert_says(&said, "list of lamps");
         let mut worse = found;
         worse.decoded.iter_mut().step_by(2).for_each(|v| *v = 0.0);
         assert_eq!(lamps_better(&about, &worse, best), None);

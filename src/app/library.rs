@@ -7,7 +7,7 @@ use std::{borrow::Cow, fmt, sync::LazyLock};
 
 use super::made;
 use crate::{
-    preset::{Body, Group, LineList, Preset, PresetError, SHIPPED, Shelf},
+    preset::{Body, Group, Preset, SHIPPED, Shelf},
     spectrum::{Kind, NamedSpectrum},
 };
 
@@ -29,8 +29,9 @@ pub struct ElementLine {
     pub element: String,
     /// Place in air, nm.
     pub at_nm: f64,
-    /// Strength, comparable within the element only and not radiometric; none where unknown.
-    pub strength: Option<f64>,
+    /// Strength, comparable within the element only and not radiometric (NIST's are only
+    /// qualitative); 0 where unknown.
+    pub strength: f64,
 }
 
 /// Why a name does not stand for one shipped spectrum.
@@ -92,31 +93,20 @@ impl fmt::Display for FindError {
 impl std::error::Error for FindError {}
 
 static BUNDLED: LazyLock<Library> = LazyLock::new(|| {
-    Library::from_files(&SHIPPED).expect("the shipped files are read in a test of this module")
+    let groups = SHIPPED.iter().map(|text| Group::from_json(text));
+    let groups = groups.collect::<Result<Vec<_>, _>>();
+    let groups = groups.expect("the shipped files are read in a test of this module");
+    Library {
+        made: made::groups(&groups),
+        lines: element_lines(&groups),
+        groups,
+    }
 });
 
 impl Library {
     /// The spectra that are part of the program, read at the first call (5 ms, once).
     pub fn bundled() -> &'static Self {
         &BUNDLED
-    }
-
-    /// A library from the texts of preset files.
-    ///
-    /// # Errors
-    /// [`PresetError`] of the first file that cannot be read.
-    pub fn from_files(files: &[&str]) -> Result<Self, PresetError> {
-        let groups: Vec<Group> = files
-            .iter()
-            .map(|text| Group::from_json(text))
-            .collect::<Result<_, _>>()?;
-        let lines = element_lines(&groups);
-        let made = made::groups(&groups);
-        Ok(Self {
-            groups,
-            made,
-            lines,
-        })
     }
 
     /// The groups of tables, lights first: what studies speak of.
@@ -157,11 +147,6 @@ impl Library {
     /// All lines of known elements, by rising wavelength, for naming spikes.
     pub fn lines(&self) -> &[ElementLine] {
         &self.lines
-    }
-
-    /// All lists of lines, with their labels and thresholds (Fraunhofer's have no one element).
-    pub fn line_lists(&self) -> impl Iterator<Item = &LineList> {
-        self.presets().filter_map(Preset::line_list)
     }
 
     /// The spectrum or composite with a name, either plain or as `group/name`.
@@ -231,8 +216,7 @@ impl Library {
     }
 
     fn not_found(&self, asked: &str, lower: &str) -> FindError {
-        let group = self.group(lower);
-        match group {
+        match self.group(lower) {
             Some(group) if group.kind == Kind::Lines => FindError::Lines { name: asked.into() },
             Some(group) => FindError::Group {
                 name: group.id.clone(),
@@ -264,9 +248,9 @@ impl Library {
                 continue;
             };
             // A name that would be ambiguous itself is offered with its group.
-            let offer = match self.find_quietly(&preset.name) {
-                true => preset.name.clone(),
-                false => preset.id(),
+            let offer = match self.called(|other| other.name == preset.name).len() {
+                1 => preset.name.clone(),
+                _ => preset.id(),
             };
             if !ranked.iter().any(|(_, other)| *other == offer) {
                 ranked.push((rank, offer));
@@ -275,10 +259,6 @@ impl Library {
         ranked.sort_by_key(|(rank, _)| *rank);
         ranked.truncate(MOST_SUGGESTIONS);
         ranked.into_iter().map(|(_, offer)| offer).collect()
-    }
-
-    fn find_quietly(&self, name: &str) -> bool {
-        self.called(|preset| preset.name == name).len() == 1
     }
 }
 
@@ -295,7 +275,7 @@ fn element_lines(groups: &[Group]) -> Vec<ElementLine> {
         lines.extend(list.lines.iter().map(|line| ElementLine {
             element: element.clone(),
             at_nm: line.at_nm,
-            strength: line.strength,
+            strength: line.strength.unwrap_or(0.0),
         }));
     }
     lines.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
@@ -337,6 +317,13 @@ mod tests {
 
     fn refusal(name: &str) -> FindError {
         Library::bundled().find(name).expect_err(name)
+    }
+
+    fn suggestions(name: &str) -> Vec<String> {
+        match refusal(name) {
+            FindError::Unknown { suggestions, .. } => suggestions,
+            other => panic!("{other}"),
+        }
     }
 
     #[test]
@@ -435,24 +422,28 @@ mod tests {
 
     #[test]
     fn a_plain_name_and_a_full_one_find_the_same() {
-        assert_eq!(id_of("CIE D65"), "cie_illuminants/CIE D65");
-        assert_eq!(id_of("cie_illuminants/CIE D65"), "cie_illuminants/CIE D65");
-        assert_eq!(id_of(" cie d65 "), "cie_illuminants/CIE D65");
-        assert_eq!(id_of("CIE_Illuminants/cie d65"), "cie_illuminants/CIE D65");
-    }
-
-    #[test]
-    fn exact_capitals_go_before_others() {
-        assert_eq!(id_of("magenta"), "colorchecker_ohta/magenta");
-        assert_eq!(id_of("Magenta"), "pmc_chart/Magenta");
+        for (name, id) in [
+            ("CIE D65", "cie_illuminants/CIE D65"),
+            ("cie_illuminants/CIE D65", "cie_illuminants/CIE D65"),
+            (" cie d65 ", "cie_illuminants/CIE D65"),
+            ("CIE_Illuminants/cie d65", "cie_illuminants/CIE D65"),
+            // Exact capitals go before others.
+            ("magenta", "colorchecker_ohta/magenta"),
+            ("Magenta", "pmc_chart/Magenta"),
+            // A name in a 1 nm and a 5 nm table means the 1 nm one.
+            ("FL11", "cie_fluorescent_1nm/FL11"),
+            ("led-b3", "cie_led_1nm/LED-B3"),
+            ("cie_led_5nm/LED-B3", "cie_led_5nm/LED-B3"),
+            // A standard light is found without its CIE, after what has the very name: SC is a lamp
+            // of the RIT.
+            ("D65", "cie_illuminants/CIE D65"),
+            ("d65", "cie_illuminants/CIE D65"),
+            ("A", "cie_illuminants/CIE A"),
+            ("SC", "lamps_rit/SC"),
+        ] {
+            assert_eq!(id_of(name), id);
+        }
         assert!(matches!(refusal("MAGENTA"), FindError::Ambiguous { .. }));
-    }
-
-    #[test]
-    fn a_name_in_a_1_nm_and_a_5_nm_table_means_the_1_nm_one() {
-        assert_eq!(id_of("FL11"), "cie_fluorescent_1nm/FL11");
-        assert_eq!(id_of("led-b3"), "cie_led_1nm/LED-B3");
-        assert_eq!(id_of("cie_led_5nm/LED-B3"), "cie_led_5nm/LED-B3");
     }
 
     #[test]
@@ -484,37 +475,15 @@ mod tests {
     }
 
     #[test]
-    fn a_standard_light_is_found_without_its_cie() {
-        assert_eq!(id_of("D65"), "cie_illuminants/CIE D65");
-        assert_eq!(id_of("d65"), "cie_illuminants/CIE D65");
-        assert_eq!(id_of("A"), "cie_illuminants/CIE A");
-        // What has the very name comes first: SC is a lamp of the RIT.
-        assert_eq!(id_of("SC"), "lamps_rit/SC");
-    }
-
-    #[test]
     fn an_unknown_name_is_answered_with_the_closest() {
-        let FindError::Unknown { suggestions, .. } = refusal("CIE D66") else {
-            panic!("CIE D66 is not a name here");
-        };
-        assert!(
-            suggestions.contains(&"CIE D65".to_owned()),
-            "{suggestions:?}"
-        );
-        let FindError::Unknown { suggestions, .. } = refusal("TL84") else {
-            panic!("TL84 is not a name here");
-        };
-        assert_eq!(suggestions[0], "Philips TL-84");
-        let typo = refusal("Kinoten 75P").to_string();
+        assert!(suggestions("CIE D66").contains(&"CIE D65".to_owned()));
+        assert_eq!(suggestions("TL84")[0], "Philips TL-84");
         assert_eq!(
-            typo,
+            refusal("Kinoten 75P").to_string(),
             "no shipped spectrum is called \"Kinoten 75P\"; close to it: Kinoton 75P"
         );
-        let FindError::Unknown { suggestions, .. } = refusal("mercuri") else {
-            panic!("a typing error");
-        };
         assert_eq!(
-            suggestions[..2],
+            suggestions("mercuri")[..2],
             ["lamps_nist_traditional/Mercury", "paper/Mercury"]
         );
         let far = refusal("qqqqqqqqqqqqqqq").to_string();
@@ -541,14 +510,15 @@ mod tests {
         let green = lines
             .iter()
             .find(|line| line.element == "Hg" && line.at_nm == 546.075);
-        assert_eq!(green.and_then(|line| line.strength), Some(6000.0));
+        assert_eq!(green.map(|line| line.strength), Some(6000.0));
         let elements: std::collections::BTreeSet<_> =
             lines.iter().map(|line| line.element.as_str()).collect();
         let expected = [
             "Ar", "Cd", "Dy", "H", "He", "Hg", "In", "K", "Kr", "Li", "Na", "Ne", "Sc", "Tl", "Xe",
         ];
         assert!(elements.into_iter().eq(expected));
-        assert_eq!(Library::bundled().line_lists().count(), 16);
+        let lists = Library::bundled().presets().filter_map(Preset::line_list);
+        assert_eq!(lists.count(), 16);
     }
 
     #[test]

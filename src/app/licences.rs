@@ -1,6 +1,6 @@
 //! Under which terms the program, its data and its fonts may be passed on.
 
-use std::{collections::BTreeSet, fmt::Write as _, sync::LazyLock};
+use std::{collections::BTreeMap, fmt::Write as _, sync::LazyLock};
 
 use super::library::Library;
 use crate::preset::{Group, UNLISTED};
@@ -112,19 +112,14 @@ fn of_group(group: &Group) -> String {
         attribution = group.attribution,
         changes = group.changes,
     );
-    let others: BTreeSet<String> = group
-        .items
-        .iter()
-        .filter(|item| item.licence != group.licence)
-        .map(|item| item.licence.to_string())
-        .collect();
-    for other in others {
-        let names: Vec<&str> = group
-            .items
-            .iter()
-            .filter(|item| item.licence.to_string() == other)
-            .map(|item| item.name.as_str())
-            .collect();
+    let mut others: BTreeMap<String, Vec<&str>> = BTreeMap::new();
+    for item in &group.items {
+        if item.licence != group.licence {
+            let names = others.entry(item.licence.to_string()).or_default();
+            names.push(&item.name);
+        }
+    }
+    for (other, names) in others {
         let _ = writeln!(out, "  otherwise: {}: {other}", names.join(", "));
     }
     out
@@ -146,6 +141,8 @@ pub fn text(library: &Library) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
 
     #[test]
@@ -155,11 +152,8 @@ mod tests {
         for preset in Library::bundled().everything() {
             for id in preset.licence.id.split(" AND ") {
                 // A LicenseRef of ours says that nobody holds rights: there is no text.
-                assert!(
-                    ids.contains(id) || id.starts_with("LicenseRef-"),
-                    "{}: {id}",
-                    preset.id()
-                );
+                let is_there = ids.contains(id) || id.starts_with("LicenseRef-");
+                assert!(is_there, "{}: {id}", preset.id());
             }
         }
     }
@@ -203,17 +197,10 @@ mod tests {
         ] {
             let licence = all().iter().find(|l| l.id == id).expect(id);
             assert!(licence.text.contains(first), "{id}");
-            let text = licence
-                .text
-                .split_whitespace()
-                .collect::<Vec<_>>()
-                .join(" ");
-            let last = last.split_whitespace().collect::<Vec<_>>().join(" ");
-            assert!(
-                text.ends_with(&last),
-                "{id} ends in {}",
-                &text[text.len() - 60..]
-            );
+            let in_a_line = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+            let (text, last) = (in_a_line(licence.text), in_a_line(last));
+            let end = &text[text.len() - 60..];
+            assert!(text.ends_with(&last), "{id} ends in {end}");
         }
         let by_sa = all().iter().find(|l| l.id == "CC-BY-SA-4.0").expect("it");
         for section in 1..=8 {
@@ -251,10 +238,7 @@ mod tests {
 
     #[test]
     fn the_program_names_its_own_developers() {
-        assert!(
-            ALL[0]
-                .text
-                .contains("Copyright 2026 The Spectral Explorer developers")
-        );
+        let ours = "Copyright 2026 The Spectral Explorer developers";
+        assert!(ALL[0].text.contains(ours));
     }
 }

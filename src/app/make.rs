@@ -135,10 +135,7 @@ fn of_channels(
 /// A given colour under a light, with the names of both.
 fn shown(document: &Document, given: &Given, light: &str) -> Result<Shown, WhyNot> {
     let lamp = lamp(document, light)?;
-    let surface = given.surface().map(|key| {
-        let found = entry_of(document, key);
-        found.ok_or_else(|| WhyNot::Missing(key.to_owned()))
-    });
+    let surface = given.surface().map(|key| found(document, key));
     let surface = surface.transpose()?;
     Ok(Shown {
         given: given.clone(),
@@ -157,12 +154,7 @@ fn shown(document: &Document, given: &Given, light: &str) -> Result<Shown, WhyNo
 fn through(light: &Entry, chain: &[Link]) -> Option<NamedSpectrum> {
     let table = &light.spectrum.samples;
     let band = Band::new(table.first_nm().ceil(), table.last_nm().floor()).ok()?;
-    let mut values = light.on_band(band);
-    for link in chain {
-        for (value, share) in values.iter_mut().zip(link.on_band(band)) {
-            *value *= share;
-        }
-    }
+    let values = behind(chain, light.on_band(band), band);
     let met: Vec<String> = chain.iter().map(Link::met).collect();
     let keys: Vec<&str> = chain.iter().map(|link| link.entry.key.as_str()).collect();
     let names: Vec<&str> = chain.iter().map(|link| link.entry.name()).collect();
@@ -183,8 +175,22 @@ fn through(light: &Entry, chain: &[Link]) -> Option<NamedSpectrum> {
     })
 }
 
+/// What a chain leaves of values on a band's grid.
+pub(super) fn behind(chain: &[Link], mut values: Vec<f64>, band: Band) -> Vec<f64> {
+    for link in chain {
+        for (value, share) in values.iter_mut().zip(link.on_band(band)) {
+            *value *= share;
+        }
+    }
+    values
+}
+
+fn found(document: &Document, key: &str) -> Result<Arc<Entry>, WhyNot> {
+    entry_of(document, key).ok_or_else(|| WhyNot::Missing(key.to_owned()))
+}
+
 fn factor(document: &Document, key: &str) -> Result<Arc<Entry>, WhyNot> {
-    let entry = entry_of(document, key).ok_or_else(|| WhyNot::Missing(key.to_owned()))?;
+    let entry = found(document, key)?;
     match entry.kind() {
         kind if kind.is_factor() => Ok(entry),
         kind => {
@@ -195,7 +201,7 @@ fn factor(document: &Document, key: &str) -> Result<Arc<Entry>, WhyNot> {
 }
 
 fn lamp(document: &Document, key: &str) -> Result<Arc<Entry>, WhyNot> {
-    let entry = entry_of(document, key).ok_or_else(|| WhyNot::Missing(key.to_owned()))?;
+    let entry = found(document, key)?;
     match entry.kind() {
         Kind::Light => Ok(entry),
         kind => Err(WhyNot::OtherKind(key.to_owned(), kind, "a light")),

@@ -134,8 +134,6 @@ pub fn to_csv(rows: &[Beside]) -> String {
 /// A measured table with what its unit says.
 struct Light<'a> {
     spectrum: &'a NamedSpectrum,
-    samples: &'a Sampled,
-    is_light: bool,
     unit: Option<SpectralUnit>,
     /// Values on whole nm 360-830 as power, in the table's own unit or W m-2 nm-1.
     xyz: Xyz,
@@ -158,8 +156,6 @@ impl<'a> Light<'a> {
         Self {
             spectrum,
             figures: OnceCell::new(),
-            samples: &spectrum.samples,
-            is_light: spectrum.kind == Kind::Light,
             unit,
             xyz: xyz_from_nm_values(&values, Observer::Cie1931),
         }
@@ -167,20 +163,14 @@ impl<'a> Light<'a> {
 
     /// Our number for a quantity, in a unit.
     fn compute(&self, quantity: &Quantity, unit: &str) -> Result<f64, &'static str> {
-        let finite = |value: f64| {
-            if value.is_finite() {
-                Ok(value)
-            } else {
-                Err(DARK)
-            }
-        };
+        let finite = |value: f64| Some(value).filter(|v| v.is_finite()).ok_or(DARK);
         if *quantity == Quantity::PeakNm {
             return self.peak_nm().ok_or("no values");
         }
         if let Some(found) = self.quality(quantity) {
             return found;
         }
-        if !self.is_light {
+        if self.spectrum.kind != Kind::Light {
             return Err("the values are no light");
         }
         if let Some(figure) = of_quantity(quantity) {
@@ -192,9 +182,10 @@ impl<'a> Light<'a> {
         match quantity {
             // Meters write 683 lm/W x the sums; Y is the lux.
             Quantity::TristimulusX => finite(self.photometric(false)? * self.xyz.x),
-            Quantity::TristimulusY => finite(self.photometric(false)? * self.xyz.y),
             Quantity::TristimulusZ => finite(self.photometric(false)? * self.xyz.z),
-            Quantity::Illuminance => finite(self.photometric(false)? * self.xyz.y),
+            Quantity::TristimulusY | Quantity::Illuminance => {
+                finite(self.photometric(false)? * self.xyz.y)
+            }
             Quantity::Luminance => finite(self.photometric(true)? * self.xyz.y),
             Quantity::Irradiance => self.total(Counted::Watts, unit, None),
             Quantity::Ppfd => self.total(Counted::Micromoles, unit, Some([400.0, 700.0])),
@@ -207,7 +198,7 @@ impl<'a> Light<'a> {
     /// Colour rendering and hue; `None` for other quantities, and where there is no light.
     fn quality(&self, quantity: &Quantity) -> Option<Result<f64, &'static str>> {
         let find: fn(&Figures, usize) -> Result<f64, NoFigure> = match quantity {
-            _ if !self.is_light => return None,
+            _ if self.spectrum.kind != Kind::Light => return None,
             Quantity::Ra => |figures, _| Ok(figures.rendering.clone()?.ra),
             Quantity::R(_) => |figures, at| Ok(figures.rendering.clone()?.samples[at].index),
             Quantity::Rf => |figures, _| Ok(figures.fidelity.clone()?.rf),
@@ -291,19 +282,21 @@ impl<'a> Light<'a> {
                 theirs.ok_or(ODD)?.factor
             }
         };
-        let range_nm = range_nm.unwrap_or([self.samples.first_nm(), self.samples.last_nm()]);
+        let samples = &self.spectrum.samples;
+        let range_nm = range_nm.unwrap_or([samples.first_nm(), samples.last_nm()]);
         let weight = |nm: f64| match (own.counted, counted) {
             (Counted::Watts, Counted::Micromoles) => nm / JOULE_NM_PER_MICROMOLE,
             (Counted::Micromoles, Counted::Watts) => JOULE_NM_PER_MICROMOLE / nm,
             _ => 1.0,
         };
-        Ok(own.factor / theirs * integral(self.samples, range_nm, weight))
+        Ok(own.factor / theirs * integral(samples, range_nm, weight))
     }
 
     fn peak_nm(&self) -> Option<f64> {
-        let values = self.samples.values().iter().enumerate();
+        let samples = &self.spectrum.samples;
+        let values = samples.values().iter().enumerate();
         let (index, _) = values.max_by(|a, b| a.1.total_cmp(b.1).then(b.0.cmp(&a.0)))?;
-        Some(self.samples.nm()[index])
+        Some(samples.nm()[index])
     }
 }
 
@@ -315,11 +308,8 @@ fn integral(samples: &Sampled, [from, to]: [f64; 2], weight: impl Fn(f64) -> f64
         return 0.0;
     }
     let value = |nm: f64| samples.at(nm, Outside::Zero) * weight(nm);
-    let inner = samples
-        .nm()
-        .iter()
-        .copied()
-        .filter(|nm| *nm > from && *nm < to);
+    let places = samples.nm().iter().copied();
+    let inner = places.filter(|nm| *nm > from && *nm < to);
     let mut sum = 0.0;
     let mut last = (from, value(from));
     for nm in inner.chain([to]) {

@@ -88,3 +88,18 @@ pub use settings::{
 pub use spike_hand::SpikeAct;
 pub use state::{App, Message, Tone, derive};
 pub use tables::{CURVE_ORDER, Tables};
+
+/// The program as it shows a shipped spectrum.
+#[cfg(test)]
+pub(crate) fn showing(key: &str) -> App {
+    let mut app = App::new();
+    app.apply(Command::Show(app.entry(key).expect(key)));
+    app
+}
+
+/// Fails with the whole text where a part is not in it.
+#[cfg(test)]
+#[track_caller]
+pub(crate) fn assert_says(text: &str, part: &str) {
+    assert!(text.contains(part), "{part}: {text}");
+}

@@ -24,8 +24,8 @@ use super::{
     workspace::{self, Restored},
 };
 use crate::{
-    io::{self, Choices, CompositeFile, Reading, many},
-    spectrum::{Composite, NamedSpectrum, Rect, SpectralImage, Spike},
+    io::{self, Choices, CompositeFile, ReadError, Reading, many},
+    spectrum::{Composite, NamedSpectrum, Rect, SpectralImage},
 };
 
 /// What a file turned out to be.
@@ -51,21 +51,20 @@ pub fn load_path(path: &Path) -> Loaded {
 
 /// Reads a file with decisions about it.
 pub fn load_path_as(path: &Path, choices: &Choices) -> Loaded {
-    let as_file = || {
-        let reading = io::read_path_as(path, choices);
-        from_reading(reading, kept_path(path), None, choices)
-    };
-    few_numbers::at(path, choices).unwrap_or_else(as_file)
+    read(path, choices, |why| why)
 }
 
 /// Reads a project, or any other file with decisions about it; what is said of it tells its path.
 pub fn load_named(path: &Path, choices: &Choices) -> Loaded {
+    project_at(path).unwrap_or_else(|| read(path, choices, |why| why.at(path)))
+}
+
+fn read(path: &Path, choices: &Choices, told: impl Fn(ReadError) -> ReadError) -> Loaded {
     let as_file = || {
-        let reading = io::read_path_as(path, choices).map_err(|why| why.at(path));
+        let reading = io::read_path_as(path, choices).map_err(told);
         from_reading(reading, kept_path(path), None, choices)
     };
-    let of_pixels = || few_numbers::at(path, choices);
-    project_at(path).or_else(of_pixels).unwrap_or_else(as_file)
+    few_numbers::at(path, choices).unwrap_or_else(as_file)
 }
 
 /// Where a file is found again from any folder that the program is started in.
@@ -140,7 +139,7 @@ fn project(name: &str, text: &str, path: Option<PathBuf>) -> Loaded {
 }
 
 fn from_reading(
-    reading: Result<Reading, io::ReadError>,
+    reading: Result<Reading, ReadError>,
     path: Option<PathBuf>,
     bytes: Option<Arc<[u8]>>,
     choices: &Choices,
@@ -293,28 +292,23 @@ fn shown_as_it_is(file: &CompositeFile) -> Option<Arc<Composite>> {
 }
 
 fn sampled(file: &CompositeFile) -> Option<NamedSpectrum> {
+    let composite = &file.composite;
+    let count = composite.numbers() + usize::from(!file.widths_nm.is_empty());
+    let count = many::numbers(count);
+    let mut notes = vec![format!("A composite of {count}, sampled at 1 nm.")];
+    let band = composite.band();
+    let places = composite.spikes.iter().map(|spike| spike.at_nm);
+    let outside = places.filter(|at_nm| !band.contains(*at_nm));
+    notes.extend(
+        outside.map(|at_nm| format!("The spike at {at_nm} nm is outside its range and left out.")),
+    );
     Some(NamedSpectrum {
         samples: sampled_from_lines(&file.composite, &file.widths_nm)?,
         name: file.name.clone(),
         kind: file.kind,
         unit: file.unit.clone(),
         scale: 1.0,
-        notes: {
-            let composite = &file.composite;
-            let mut notes = vec![format!(
-                "A composite of {}, sampled at 1 nm.",
-                many::numbers(composite.numbers() + usize::from(!file.widths_nm.is_empty()))
-            )];
-            let band = composite.band();
-            let outside = |s: &&Spike| !band.contains(s.at_nm);
-            notes.extend(composite.spikes.iter().filter(outside).map(|s| {
-                format!(
-                    "The spike at {} nm is outside its range and left out.",
-                    s.at_nm
-                )
-            }));
-            notes
-        },
+        notes,
         source: file.source.clone(),
     })
 }

@@ -5,7 +5,7 @@ use std::{path::PathBuf, sync::Arc};
 
 use serde::{Deserialize, Serialize};
 
-use super::recipe::Recipe;
+use super::{memo::ByAddress, recipe::Recipe};
 use crate::{io::Choices, preset::Shelf};
 
 /// Where the numbers of an entry came from.
@@ -69,16 +69,6 @@ pub struct SourceFile {
     pub before: Before,
 }
 
-/// A file, equal to itself alone.
-#[derive(Clone, Debug)]
-pub struct SameFile(pub Arc<SourceFile>);
-
-impl PartialEq for SameFile {
-    fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.0, &other.0)
-    }
-}
-
 /// What was on screen before a file was opened: it stands there again when the file is taken out.
 #[derive(Clone, Debug, Default)]
 pub struct Before {
@@ -120,7 +110,7 @@ impl Origin {
 
 impl FromFile {
     /// Whether it is of a file as it was opened once.
-    pub fn is_of(&self, file: &SameFile) -> bool {
+    pub fn is_of(&self, file: &ByAddress<SourceFile>) -> bool {
         Arc::ptr_eq(&self.reading.file, &file.0)
     }
 }

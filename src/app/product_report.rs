@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 use serde_json::{Value, json};
 
 use super::{
-    cells::{self, words},
+    cells::{self, comments, number, words},
     export::provenance,
     products::{KnownLines, Link, ModelledLight},
     report::settings_json,
@@ -45,15 +45,45 @@ pub struct Told {
 }
 
 impl Told {
-    /// What must be said about each stage, a sentence each, without the stage's name.
+    /// What must be said about each stage, a sentence each, without the stage's name. What is said
+    /// of one stage and holds for those behind it is not said again.
     pub fn stage_notes(&self, lit: &ModelledLight) -> Vec<Vec<String>> {
+        let named = |nm: f64| match self.known.safe(nm) {
+            Some(name) => format!("{nm:.1} nm ({name})"),
+            None => format!("{nm:.1} nm"),
+        };
+        let (mut before, mut said) = (&lit.derived.measured, Vec::new());
         let mut all = self.remarks.clone();
-        let measured = &lit.derived.measured;
-        for (remarks, notes) in
-            all.iter_mut()
-                .zip(stage_notes(measured, &self.passage, &self.known))
-        {
-            remarks.extend(notes);
+        for (notes, step) in all.iter_mut().zip(&self.passage.steps) {
+            let mut both = before.iter().zip(&step.exact);
+            if both.any(|(before, after)| *before > 0.0 && *after > LARGEST_SHARE * before) {
+                notes.push(format!(
+                    "values above {LARGEST_SHARE}: a share of light is at most 1. Are they per cent?"
+                ));
+            }
+            before = &step.exact;
+            for met in &step.met {
+                notes.push(format!(
+                    "the line at {} stands on a dip at {} {:.0} % deep; it is multiplied by what the \
+                     dip lets through.",
+                    named(met.line_nm),
+                    named(met.dip_nm),
+                    100.0 * met.depth
+                ));
+            }
+            for nm in step.below_zero.iter().chain(&step.turned) {
+                // What is below zero at one stage is so at the next ones.
+                if said.contains(nm) {
+                    continue;
+                }
+                said.push(*nm);
+                let place = named(*nm);
+                notes.push(if step.turned.contains(nm) {
+                    format!("its share is below zero at {place} and turns the line there negative.")
+                } else {
+                    format!("the dip at {place} takes the total below zero.")
+                });
+            }
         }
         all
     }
@@ -96,17 +126,17 @@ pub fn stages_csv(app: &App, told: &Told, chain: &[Link]) -> String {
                passes: [Option<f64>; 2],
                colours: &Colours,
                forming: [Option<f64>; 3]| {
-        let y = |xyz: Xyz| number_cell(scaled(passage, xyz).map(|(xyz, _)| xyz.y));
+        let y = |xyz: Xyz| number(scaled(passage, xyz).map(|(xyz, _)| xyz.y));
         let mut cells = vec![
             stage.to_string(),
             words(name),
-            number_cell(link.map(|l| l.thickness)),
-            number_cell(link.map(|l| f64::from(l.bounces))),
+            number(link.map(|l| l.thickness)),
+            number(link.map(|l| f64::from(l.bounces))),
         ];
-        cells.extend(passes.map(number_cell));
+        cells.extend(passes.map(number));
         cells.extend([y(colours.exact), y(colours.model)]);
-        cells.extend([colours.delta_e_2000, colours.luminance_error].map(number_cell));
-        cells.extend(forming.map(number_cell));
+        cells.extend([colours.delta_e_2000, colours.luminance_error].map(number));
+        cells.extend(forming.map(number));
         cells::line(cells)
     };
     let light = app.document().light.name();
@@ -137,27 +167,19 @@ pub fn spikes_csv(app: &App, stage: &str, spikes: &[Spike], known: &KnownLines) 
     out.push_str("place nm,weight,name\n");
     for spike in spikes {
         out += &cells::line([
-            number_cell(Some(spike.at_nm)),
-            number_cell(Some(spike.weight)),
+            number(spike.at_nm),
+            number(spike.weight),
             words(known.safe(spike.at_nm).unwrap_or_default()),
         ]);
     }
     out
 }
 
-fn number_cell(value: Option<f64>) -> String {
-    cells::number(value)
-}
-
 /// Comments over a table: the light, its source and how products are formed.
 fn csv_head(app: &App) -> String {
-    let mut out = String::new();
-    for (key, value) in provenance(app).of(&app.document().light.spectrum) {
-        let _ = writeln!(out, "# {key}: {value}");
-    }
+    let head = comments(&provenance(app), &app.document().light.spectrum);
     let way = app.document().settings.sampling.word();
-    let _ = writeln!(out, "# products: {way}");
-    out
+    format!("{head}# products: {way}\n")
 }
 
 /// A chain as JSON.
@@ -175,43 +197,32 @@ pub fn chain_json(app: &App, told: &Told) -> Value {
         .map(|(name, step)| stage_json(passage, name, step, known))
         .collect();
     let mut value = head_json(app);
-    add(
-        &mut value,
-        json!({
-            "factors": names,
-            "delta_e_2000": total.colours.delta_e_2000,
-            "luminance_error": total.colours.luminance_error,
-            "added": total.added,
-            "total": total.colours.delta_e_2000,
-            "folded_share": total.folded_share,
-            "multiplications": total.multiplications,
-            "transmission": transmission_json(total.transmission),
-            "exact": colour_json(passage, total.colours.exact),
-            "model": colour_json(passage, total.colours.model),
-            "stages": stages,
-            "notes": notes(app, told),
-        }),
-    );
+    value["factors"] = json!(names);
+    value["delta_e_2000"] = json!(total.colours.delta_e_2000);
+    value["luminance_error"] = json!(total.colours.luminance_error);
+    value["added"] = json!(total.added);
+    value["total"] = json!(total.colours.delta_e_2000);
+    value["folded_share"] = json!(total.folded_share);
+    value["multiplications"] = json!(total.multiplications);
+    value["transmission"] = transmission_json(total.transmission);
+    value["exact"] = colour_json(passage, total.colours.exact);
+    value["model"] = colour_json(passage, total.colours.model);
+    value["stages"] = json!(stages);
+    value["notes"] = json!(notes(app, told));
     value
 }
 
 /// A light with every factor of a group as JSON.
 pub fn set_json(app: &App, set: &str, names: &[String], errors: &SetErrors) -> Value {
-    let each = names.iter().zip(&errors.each);
-    let items: Vec<Value> = each
-        .map(|(name, [added, total])| json!({ "name": name, "added": added, "total": total }))
-        .collect();
+    let items = names.iter().zip(&errors.each);
+    let items =
+        items.map(|(name, [added, total])| json!({ "name": name, "added": added, "total": total }));
     let mut value = head_json(app);
-    add(
-        &mut value,
-        json!({
-            "set": set,
-            "count": errors.count,
-            "added": spread_json(errors.added),
-            "total": spread_json(errors.total),
-            "items": items,
-        }),
-    );
+    value["set"] = json!(set);
+    value["count"] = json!(errors.count);
+    value["added"] = spread_json(errors.added);
+    value["total"] = spread_json(errors.total);
+    value["items"] = items.collect();
     value
 }
 
@@ -223,12 +234,6 @@ fn head_json(app: &App) -> Value {
         "settings": settings_json(app),
         "sampling": app.document().settings.sampling.word(),
     })
-}
-
-fn add(value: &mut Value, more: Value) {
-    if let (Value::Object(all), Value::Object(more)) = (value, more) {
-        all.extend(more);
-    }
 }
 
 fn stage_json(passage: &Passage, name: &str, step: &Step, known: &KnownLines) -> Value {
@@ -317,54 +322,4 @@ fn notes(app: &App, told: &Told) -> Vec<String> {
         notes.extend(sentences.map(|sentence| format!("{name}: {sentence}")));
     }
     notes
-}
-
-/// What must be said about each stage, a sentence each, without the stage's name. What is said of
-/// one stage and holds for those behind it is not said again.
-///
-/// `measured` is the light before the first factor, on the grid.
-fn stage_notes(measured: &[f64], passage: &Passage, known: &KnownLines) -> Vec<Vec<String>> {
-    let named = |nm: f64| match known.safe(nm) {
-        Some(name) => format!("{nm:.1} nm ({name})"),
-        None => format!("{nm:.1} nm"),
-    };
-    let (mut before, mut said) = (measured, Vec::new());
-    let mut all = Vec::with_capacity(passage.steps.len());
-    for step in &passage.steps {
-        let mut notes = Vec::new();
-        let grown = before
-            .iter()
-            .zip(&step.exact)
-            .any(|(before, after)| *before > 0.0 && *after > LARGEST_SHARE * before);
-        if grown {
-            notes.push(format!(
-                "values above {LARGEST_SHARE}: a share of light is at most 1. Are they per cent?"
-            ));
-        }
-        before = &step.exact;
-        for met in &step.met {
-            notes.push(format!(
-                "the line at {} stands on a dip at {} {:.0} % deep; it is multiplied by what the \
-                 dip lets through.",
-                named(met.line_nm),
-                named(met.dip_nm),
-                100.0 * met.depth
-            ));
-        }
-        for nm in step.below_zero.iter().chain(&step.turned) {
-            // What is below zero at one stage is so at the next ones.
-            if said.contains(nm) {
-                continue;
-            }
-            said.push(*nm);
-            let place = named(*nm);
-            notes.push(if step.turned.contains(nm) {
-                format!("its share is below zero at {place} and turns the line there negative.")
-            } else {
-                format!("the dip at {place} takes the total below zero.")
-            });
-        }
-        all.push(notes);
-    }
-    all
 }

@@ -60,15 +60,11 @@ impl ProductView {
                 (smooth.on_band(), spikes)
             }
         };
+        let exact = derived.measured.iter().zip(reflectance);
         Some(Self {
             name: patches.set.names().get(index)?.clone(),
             reflectance: reflectance.clone(),
-            exact: derived
-                .measured
-                .iter()
-                .zip(reflectance)
-                .map(|(s, r)| s * r)
-                .collect(),
+            exact: exact.map(|(s, r)| s * r).collect(),
             smooth,
             spikes,
             sampling,

@@ -3,15 +3,13 @@
 use std::sync::Arc;
 
 use super::{
-    document::{Document, Subject},
     entry::Entry,
+    products::ModelledLight,
     quality_report::{ModelsByOrder, Row, Sheet, light_of, rows},
-    state::{App, derived_of},
-    tables::Tables,
+    state::App,
     ticks::short,
 };
 use crate::{
-    app::Derived,
     color::quality::{Figures, Light, NoFigure, diagram::quadrangle_of},
     spectrum::{Kind, NamedSpectrum},
     study::{
@@ -40,9 +38,9 @@ pub struct QualityShown {
 impl QualityShown {
     /// Of the document's light.
     pub fn of(app: &App) -> Self {
-        let (document, derived, _) = of_light(app);
+        let document = app.document();
         let name = document.light.name().to_owned();
-        let sheet = Sheet::of(name, &document, &derived);
+        let sheet = Sheet::of(name, document, &ModelledLight::of(app).derived);
         let beside: Vec<&Arc<Entry>> = document
             .overlays
             .iter()
@@ -89,24 +87,6 @@ impl QualityShown {
         let xy = |figures: &Figures| figures.xy[0].clone().ok();
         [xy(&self.sheet.measured), xy(&self.sheet.model)]
     }
-}
-
-/// The state about its light, whatever it is about.
-fn of_light(app: &App) -> (Document, Arc<Derived>, Arc<Tables>) {
-    let document = app.document();
-    if document.is_about_light() {
-        return (
-            document.clone(),
-            app.derived().clone(),
-            app.tables().clone(),
-        );
-    }
-    let document = Document {
-        subject: Subject::Light,
-        ..document.clone()
-    };
-    let (derived, tables) = derived_of(&document);
-    (document, Arc::new(derived), Arc::new(tables))
 }
 
 /// "FL2 has no ...: why", for sentences that need a figure.
@@ -220,7 +200,10 @@ pub struct ByOrder {
 impl ByOrder {
     /// Of a state's light; the order in force does not matter.
     pub fn of(app: &App) -> Self {
-        let (document, derived, tables) = of_light(app);
+        let (document, modelled) = (app.document(), ModelledLight::of(app));
+        let ModelledLight {
+            derived, tables, ..
+        } = modelled;
         let (light, _) = light_of(&document.light.spectrum);
         Self {
             light: light.within(derived.band),
@@ -252,8 +235,10 @@ pub fn settled_words(found: &OrderFigures) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::Command;
-    use crate::spectrum::Sampled;
+    use crate::{
+        app::{Command, showing},
+        spectrum::Sampled,
+    };
 
     #[test]
     fn a_coarse_table_is_said_to_be_one() {
@@ -294,9 +279,7 @@ mod tests {
 
     #[test]
     fn a_light_without_a_white_says_why() {
-        let mut app = App::new();
-        app.apply(Command::Show(app.entry("paper/Mercury").expect("shipped")));
-        let shown = QualityShown::of(&app);
+        let shown = QualityShown::of(&showing("paper/Mercury"));
         for words in [&shown.sentence, &shown.place, &shown.rendition] {
             assert!(words.ends_with('.') && !words.contains("NaN"), "{words}");
         }

@@ -202,8 +202,7 @@ fn share_words(share: Option<f64>) -> String {
 
 /// Known dark lines at their places: those that are seen, those that are too weak here, and what is
 /// to be said of bands.
-fn dark_words(app: &App, family: &DarkFamily) -> Vec<String> {
-    let derived = app.derived();
+fn dark_words(curve: Curve<'_>, basis: Basis, family: &DarkFamily) -> Vec<String> {
     let list = |seen: bool| -> String {
         let lines = family.lines.iter().filter(|line| line.is_seen == seen);
         let words = lines.map(|line| match seen {
@@ -217,12 +216,7 @@ fn dark_words(app: &App, family: &DarkFamily) -> Vec<String> {
     if !weak.is_empty() {
         words.push(format!("          known, too weak here: {weak}"));
     }
-    let curve = Curve::of(
-        app.document().subject_entry(),
-        derived.band,
-        &derived.measured,
-    );
-    let advice = family.advice(curve, app.document().settings.basis);
+    let advice = family.advice(curve, basis);
     words.extend(advice.map(|advice| format!("          {advice}")));
     words
 }
@@ -276,8 +270,10 @@ pub fn text(app: &App) -> String {
                 .unwrap_or_default()
         ));
     }
-    for family in dark_lines(Curve::of(subject, derived.band, &derived.measured)) {
-        lines.extend(dark_words(app, &family));
+    let curve = Curve::of(subject, derived.band, &derived.measured);
+    for family in dark_lines(curve) {
+        let basis = app.document().settings.basis;
+        lines.extend(dark_words(curve, basis, &family));
     }
     lines.extend(figures_lines(app));
     lines.extend(makers_lines(&beside(subject)));

@@ -64,29 +64,22 @@ impl Scale {
     /// The factor that takes a spectrum's own numbers to this scale; `None` where it has none
     /// (no power, nothing visible, or not a light).
     pub fn factor(self, spectrum: &NamedSpectrum) -> Option<f64> {
-        if self == Self::AsMeasured {
-            return Some(1.0);
-        }
         if spectrum.kind != Kind::Light {
-            return None;
+            return (self == Self::AsMeasured).then_some(1.0);
         }
         let samples = &spectrum.samples;
+        let luminance = || -> f64 {
+            let table = Observer::Cie1931.table();
+            let values = samples.on_whole_nm(360, 830, Kind::Light.outside());
+            let values = values.iter().enumerate();
+            let weighed = values.map(|(i, v)| v * table.at(360.0 + i as f64)[1]);
+            weighed.sum()
+        };
         let factor = match self {
             Self::AsMeasured => 1.0,
             Self::PeakOne => 1.0 / samples.values().iter().copied().fold(0.0, f64::max),
-            Self::LuminanceHundred | Self::HundredLux => {
-                let table = Observer::Cie1931.table();
-                let values = samples.on_whole_nm(360, 830, Kind::Light.outside());
-                let sum: f64 = values
-                    .iter()
-                    .enumerate()
-                    .map(|(i, v)| v * table.at(360.0 + i as f64)[1])
-                    .sum();
-                match self {
-                    Self::HundredLux => 100.0 / (LUMENS_PER_WATT * sum),
-                    _ => 100.0 / sum,
-                }
-            }
+            Self::LuminanceHundred => 100.0 / luminance(),
+            Self::HundredLux => 100.0 / (LUMENS_PER_WATT * luminance()),
             Self::OneWatt => {
                 let power: f64 = samples
                     .nm()

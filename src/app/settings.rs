@@ -161,22 +161,16 @@ impl Settings {
     /// These with every part of the model that differs between `was` and `moved` as moved.
     #[must_use]
     pub fn with_moves(self, was: Self, moved: Self) -> Self {
-        macro_rules! either {
-            ($part:ident) => {
-                if moved.$part == was.$part {
-                    self.$part
-                } else {
-                    moved.$part
-                }
-            };
+        fn either<T: PartialEq>(own: T, was: T, moved: T) -> T {
+            if moved == was { own } else { moved }
         }
         Self {
-            basis: either!(basis),
-            order: either!(order),
-            band: either!(band),
-            spikes: either!(spikes),
-            wide_lines: either!(wide_lines),
-            colour_exact: either!(colour_exact),
+            basis: either(self.basis, was.basis, moved.basis),
+            order: either(self.order, was.order, moved.order),
+            band: either(self.band, was.band, moved.band),
+            spikes: either(self.spikes, was.spikes, moved.spikes),
+            wide_lines: either(self.wide_lines, was.wide_lines, moved.wide_lines),
+            colour_exact: either(self.colour_exact, was.colour_exact, moved.colour_exact),
             ..self
         }
     }
@@ -184,18 +178,11 @@ impl Settings {
     /// Whether nothing is looked for otherwise: the same range, series and lines. The order only
     /// cuts a series, and colour-exact moves what is there.
     pub fn takes_apart_as(self, other: Self) -> bool {
-        let Self {
-            order,
-            colour_exact,
-            observer,
-            sampling,
-            ..
-        } = other;
         let rest = Self {
-            order,
-            colour_exact,
-            observer,
-            sampling,
+            order: other.order,
+            colour_exact: other.colour_exact,
+            observer: other.observer,
+            sampling: other.sampling,
             ..self
         };
         rest == other

@@ -36,7 +36,10 @@ const FONT: &[u8] = include_bytes!("../ui/fonts/DejaVuSans.ttf");
 /// The page of the document's light as SVG.
 pub fn to_svg(app: &App) -> String {
     let shown = QualityShown::of(app);
-    let mut page = Page::new();
+    let mut page = Page {
+        body: String::new(),
+        y: MARGIN,
+    };
     page.head(app, &shown);
     let whole = PAGE[0] - 2.0 * MARGIN;
     let spectrum = Chart {
@@ -89,13 +92,6 @@ struct Page {
 }
 
 impl Page {
-    fn new() -> Self {
-        Self {
-            body: String::new(),
-            y: MARGIN,
-        }
-    }
-
     fn finish(self) -> String {
         let [width, height] = PAGE.map(px);
         let body = self.body;
@@ -236,7 +232,7 @@ impl Page {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::Command;
+    use crate::app::showing;
 
     #[test]
     fn the_page_tells_the_figures_of_the_light_and_its_model() {
@@ -256,20 +252,17 @@ mod tests {
 
     #[test]
     fn the_page_of_any_shipped_light_stays_on_the_paper_and_becomes_a_pdf() {
-        let mut app = App::new();
         for key in [
             "paper/Sodium",
             "cie_illuminants/CIE A",
             "lamps_nist_traditional/Metal Halide",
         ] {
-            app.apply(Command::Show(app.entry(key).expect(key)));
+            let app = showing(key);
             let svg = to_svg(&app);
             let tree = roxmltree::Document::parse(&svg).expect("well-formed");
             for text in tree.descendants().filter(|node| node.has_tag_name("text")) {
-                let y: f64 = text
-                    .attribute("y")
-                    .and_then(|y| y.parse().ok())
-                    .expect("a place");
+                let y = text.attribute("y").and_then(|y| y.parse().ok());
+                let y: f64 = y.expect("a place");
                 assert!(y < PAGE[1], "{key}: {:?}", text.text());
             }
             let pdf = to_pdf(&app).expect("a page");

@@ -116,9 +116,7 @@ impl SpectralUnit {
             per_steradian: per(steradians, -1)?,
         })
     }
-}
 
-impl SpectralUnit {
     /// The unit of factor 1 in words: "W m-2 nm-1".
     pub fn words(&self) -> String {
         let Self {

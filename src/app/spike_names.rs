@@ -11,7 +11,7 @@ use super::{
     families::Family,
     line_names::{ElementLine, Identified, LineName},
 };
-use crate::spectrum::{Band, Spike};
+use crate::spectrum::Band;
 
 /// The lines of a light with their names, whatever the settings are. A reflectance emits nothing,
 /// and where dark lines are what stands up between them is none either.
@@ -39,7 +39,16 @@ pub(super) fn names_of(entry: &Entry, derived: &Derived, lines: &[ElementLine]) 
 /// The same of a light whose lines are told already.
 pub(super) fn names_in(light: &Identified, entry: &Entry, derived: &Derived) -> Vec<LineName> {
     let curve = Curve::of(entry, derived.band, &derived.measured);
-    names_of_spikes(&derived.model.spikes, curve, light)
+    let spikes = &derived.model.spikes;
+    let all: Vec<f64> = spikes.iter().map(|spike| spike.at_nm).collect();
+    let mut names = light.names_at(&all);
+    let dips = (0..spikes.len()).filter(|index| spikes[*index].weight < 0.0);
+    let dips: Vec<usize> = dips.collect();
+    let places: Vec<f64> = dips.iter().map(|index| spikes[*index].at_nm).collect();
+    for (index, name) in dips.into_iter().zip(name_dips(&places, curve)) {
+        names[index] = name;
+    }
+    names
 }
 
 /// What is told of a spectrum whatever its model is.
@@ -66,22 +75,4 @@ impl Told {
             light,
         }
     }
-}
-
-/// Names of any spikes of a spectrum, in their order.
-pub(super) fn names_of_spikes(
-    spikes: &[Spike],
-    curve: Curve<'_>,
-    light: &Identified,
-) -> Vec<LineName> {
-    let all: Vec<f64> = spikes.iter().map(|spike| spike.at_nm).collect();
-    let mut names = light.names_at(&all);
-    let dips: Vec<usize> = (0..spikes.len())
-        .filter(|index| spikes[*index].weight < 0.0)
-        .collect();
-    let places: Vec<f64> = dips.iter().map(|index| spikes[*index].at_nm).collect();
-    for (index, name) in dips.into_iter().zip(name_dips(&places, curve)) {
-        names[index] = name;
-    }
-    names
 }

@@ -6,10 +6,10 @@
 
 use std::fmt::Write as _;
 
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use super::{
-    cells::{line, number, words},
+    cells::{comments, line, number, words},
     export,
     state::App,
     studies::{About, AuctionAsk, SweepAsk},
@@ -101,12 +101,10 @@ fn head(app: &App, about: &About, title: &str, more: &str) -> String {
         ),
         ..export::provenance(app)
     };
-    let mut out = format!("# title: {title}\n");
-    for (key, value) in provenance.of(&app.document().subject_entry().spectrum) {
+    let spectrum = &app.document().subject_entry().spectrum;
+    let mut out = format!("# title: {title}\n{}", comments(&provenance, spectrum));
+    for note in &spectrum.notes {
         // Writing to a String cannot fail.
-        let _ = writeln!(out, "# {key}: {value}");
-    }
-    for note in &app.document().subject_entry().spectrum.notes {
         let _ = writeln!(out, "# note: {}", one_line(note));
     }
     out
@@ -192,14 +190,6 @@ pub fn sweep_csv(app: &App, ask: &SweepAsk, sweep: &Sweep) -> String {
     out
 }
 
-/// The word of an auction's end.
-fn ended_word(ended: Ended) -> &'static str {
-    match ended {
-        Ended::Spent => "spent",
-        Ended::NothingHelps => "nothing_helps",
-    }
-}
-
 /// One purchase in files: every step has as many as it bought, the first one order 0.
 struct Bought<'a> {
     /// The step's place on the path, from 0: what was bought together has the same.
@@ -236,23 +226,15 @@ fn unit_of(about: &About) -> f64 {
     values.iter().fold(0.0, |most: f64, v| most.max(v.abs()))
 }
 
-fn purchase_json(purchase: Purchase, unit: f64) -> Map<String, Value> {
-    let mut entry = Map::new();
+/// A purchase; `what` is the key of what was bought or given back.
+fn purchase_json(what: &str, purchase: Purchase, unit: f64) -> Value {
     match purchase {
-        Purchase::Widths => {
-            entry.insert("bought".into(), json!("width"));
-        }
-        Purchase::Order(order) => {
-            entry.insert("bought".into(), json!("order"));
-            entry.insert("order".into(), json!(order));
-        }
+        Purchase::Widths => json!({ what: "width" }),
+        Purchase::Order(order) => json!({ what: "order", "order": order }),
         Purchase::Spike(spike) => {
-            entry.insert("bought".into(), json!("spike"));
-            entry.insert("at_nm".into(), json!(spike.at_nm));
-            entry.insert("weight".into(), json!(spike.weight * unit));
+            json!({ what: "spike", "at_nm": spike.at_nm, "weight": spike.weight * unit })
         }
     }
-    entry
 }
 
 /// An auction as JSON.
@@ -269,29 +251,20 @@ pub fn auction_json(app: &App, ask: &AuctionAsk, auction: &Auction) -> Value {
                 purchase,
                 first,
             } = bought;
-            let mut entry = purchase_json(purchase, unit);
-            entry.insert("step".into(), json!(place));
-            let gave_back: Vec<Value> = step
-                .gave_back
-                .iter()
-                .filter(|_| first)
-                .map(|purchase| {
-                    let mut back = purchase_json(*purchase, unit);
-                    let what = back.remove("bought");
-                    back.insert("what".into(), what.unwrap_or_default());
-                    Value::Object(back)
-                })
-                .collect();
-            entry.insert("numbers".into(), json!(step.numbers));
-            entry.insert("error".into(), json!(step.error));
-            entry.insert("order_now".into(), json!(step.order));
-            entry.insert("spikes_nm_now".into(), json!(places(step)));
-            entry.insert("wide_lines_now".into(), json!(step.wide));
-            entry.insert("gave_back".into(), json!(gave_back));
+            let gave_back = step.gave_back.iter().filter(|_| first);
+            let gave_back = gave_back.map(|back| purchase_json("what", *back, unit));
+            let mut entry = purchase_json("bought", purchase, unit);
+            entry["step"] = json!(place);
+            entry["numbers"] = json!(step.numbers);
+            entry["error"] = json!(step.error);
+            entry["order_now"] = json!(step.order);
+            entry["spikes_nm_now"] = json!(places(step));
+            entry["wide_lines_now"] = json!(step.wide);
+            entry["gave_back"] = gave_back.collect();
             for (key, measure) in errors() {
-                entry.insert(key.into(), json!(step.verdict[measure]));
+                entry[key] = json!(step.verdict[measure]);
             }
-            Value::Object(entry)
+            entry
         })
         .collect();
     let bids = |bids: &[Bid]| -> Vec<Value> {
@@ -301,6 +274,10 @@ pub fn auction_json(app: &App, ask: &AuctionAsk, auction: &Auction) -> Value {
     };
     let terms = ask.terms;
     let [own, patches, spectrum, filters] = terms.goal.weights();
+    let ended = match auction.ended {
+        Ended::Spent => "spent",
+        Ended::NothingHelps => "nothing_helps",
+    };
     json!({
         "program": program(),
         "input": input_json(app),
@@ -312,7 +289,7 @@ pub fn auction_json(app: &App, ask: &AuctionAsk, auction: &Auction) -> Value {
         "basis": terms.basis.word(),
         "colour_exact": terms.colour_exact,
         "numbers": terms.numbers,
-        "ended": ended_word(auction.ended),
+        "ended": ended,
         "steps": steps,
         "with": bids(&auction.with),
         "without": bids(&auction.without),
@@ -349,29 +326,16 @@ pub fn auction_csv(app: &App, ask: &AuctionAsk, auction: &Auction) -> String {
         first,
     } in purchases(auction)
     {
-        let mut cells = match purchase {
-            Purchase::Widths => vec![
-                place.to_string(),
-                "width".to_owned(),
-                String::new(),
-                String::new(),
-                String::new(),
-            ],
-            Purchase::Order(order) => vec![
-                place.to_string(),
-                "order".to_owned(),
-                String::new(),
-                String::new(),
-                order.to_string(),
-            ],
-            Purchase::Spike(spike) => vec![
-                place.to_string(),
-                "spike".to_owned(),
-                number(Some(spike.at_nm)),
-                number(Some(spike.weight * unit)),
-                String::new(),
-            ],
+        let none = String::new;
+        let (what, [at_nm, weight, order]) = match purchase {
+            Purchase::Widths => ("width", [none(), none(), none()]),
+            Purchase::Order(order) => ("order", [none(), none(), order.to_string()]),
+            Purchase::Spike(spike) => {
+                let [at_nm, weight] = [spike.at_nm, spike.weight * unit].map(number);
+                ("spike", [at_nm, weight, none()])
+            }
         };
+        let mut cells = vec![place.to_string(), what.to_owned(), at_nm, weight, order];
         let back: Vec<String> = step
             .gave_back
             .iter()
@@ -384,7 +348,7 @@ pub fn auction_csv(app: &App, ask: &AuctionAsk, auction: &Auction) -> String {
             .collect();
         cells.extend([
             step.numbers.to_string(),
-            number(Some(step.error)),
+            number(step.error),
             step.order.to_string(),
             step.lines.len().to_string(),
             words(&back.join(" and ")),

@@ -36,14 +36,7 @@ pub fn nice_ticks(min: f64, max: f64, target: usize) -> Vec<f64> {
         exponent += 1;
         1.0
     };
-    // Dividing by a whole power of ten is exact to the last digit, multiplying by 0.1 is not.
-    let multiple = |count: f64| {
-        if exponent < 0 {
-            count * digit / power_of_ten(-exponent)
-        } else {
-            count * digit * power_of_ten(exponent)
-        }
-    };
+    let multiple = |count: f64| in_decade(count * digit, exponent);
     let step = multiple(1.0);
     // A tick that misses the end of the range by rounding alone still counts as inside.
     let first = (min / step - 1e-9).ceil();
@@ -75,15 +68,8 @@ pub fn log_ticks(min: f64, max: f64, target: usize) -> Vec<f64> {
     let inside = |tick: &f64| (min * (1.0 - 1e-9)..=max * (1.0 + 1e-9)).contains(tick);
     let ticks = |every: usize, digits: &[f64]| -> Vec<f64> {
         let decades = (first..=last).filter(|decade| decade.rem_euclid(every as i32) == 0);
-        let all = decades.flat_map(|decade| {
-            digits.iter().map(move |digit| {
-                if decade < 0 {
-                    digit / power_of_ten(-decade)
-                } else {
-                    digit * power_of_ten(decade)
-                }
-            })
-        });
+        let all =
+            decades.flat_map(|decade| digits.iter().map(move |digit| in_decade(*digit, decade)));
         all.filter(inside).collect()
     };
     let decades = (last - first) as usize;
@@ -216,6 +202,16 @@ fn exponent(number: f64) -> i32 {
         guess - 1
     } else {
         guess
+    }
+}
+
+/// A number times `10^exponent`. Dividing by a whole power of ten is exact to the last digit,
+/// multiplying by 0.1 is not.
+fn in_decade(number: f64, exponent: i32) -> f64 {
+    if exponent < 0 {
+        number / power_of_ten(-exponent)
+    } else {
+        number * power_of_ten(exponent)
     }
 }
 

@@ -161,11 +161,7 @@ impl FromColour {
             given: self.given.clone(),
             light: if lines { &self.lamp } else { &self.light }.clone(),
             method: self.method,
-            lines: if lines {
-                self.lines.clone()
-            } else {
-                Vec::new()
-            },
+            lines: self.lines.iter().copied().filter(|_| lines).collect(),
             second: self.second.clone().filter(|_| !lines),
         }
     }
@@ -250,15 +246,7 @@ impl ColourSheet {
         });
         let under = lights
             .iter()
-            .map(|(name, table, viewing)| {
-                under(
-                    name,
-                    (table, viewing),
-                    &smoothest,
-                    fourier.as_ref().ok(),
-                    measured,
-                )
-            })
+            .map(|light| under(light, &smoothest, fourier.as_ref().ok(), measured))
             .collect();
         let band = metamers(&seen);
         let seen = asked.into_iter().map(|(light, asked)| SeenColour {
@@ -308,8 +296,7 @@ fn missing(key: &str) -> String {
 }
 
 fn under(
-    name: &str,
-    (table, viewing): (&Sampled, &Viewing),
+    (name, table, viewing): &(String, Sampled, Viewing),
     smoothest: &Recovered,
     fourier: Option<&Recovered>,
     measured: Option<&Sampled>,
@@ -321,7 +308,7 @@ fn under(
     let real = measured.and_then(|surface| xyz_from_reflectance(surface, table, OBSERVER));
     let other = real.or(fourier);
     Under {
-        light: name.to_owned(),
+        light: name.clone(),
         smoothest: swatch(xyz),
         fourier: fourier.map(swatch),
         real: real.map(swatch),
@@ -340,9 +327,21 @@ pub fn of_hex(text: &str) -> Option<[u8; 3]> {
 mod tests {
     use super::*;
     use crate::{
-        app::{App, Command, command::MadeFor},
+        app::{App, Command, assert_says, command::MadeFor},
         spectrum::Kind,
     };
+
+    /// A colour by itself, everything else as at first.
+    fn of(given: Given) -> FromColour {
+        FromColour {
+            given,
+            ..FromColour::default()
+        }
+    }
+
+    fn surface(key: &str) -> FromColour {
+        of(Given::Of(key.to_owned()))
+    }
 
     fn sheet(from: &FromColour) -> ColourSheet {
         ColourSheet::of(from, App::new().document()).expect("a colour under a light")
@@ -361,32 +360,22 @@ mod tests {
         }
         assert_eq!(found.swatch().hex(), "#c08040");
         assert_eq!((found.under.len(), found.facts().len()), (UNDER.len(), 3));
-        assert!(found.sentence().contains("#c08040"), "{}", found.sentence());
+        assert_says(&found.sentence(), "#c08040");
     }
 
     #[test]
     fn a_colour_that_no_surface_has_says_how_far_the_nearest_is() {
-        let found = sheet(&FromColour {
-            given: Given::Lab([50.0, 150.0, -150.0]),
-            ..FromColour::default()
-        });
+        let found = sheet(&of(Given::Lab([50.0, 150.0, -150.0])));
         assert!(found.sentence().starts_with("No surface has this colour"));
         assert!(found.band.is_none());
     }
 
     #[test]
     fn a_surface_of_the_library_is_told_by_its_colour_as_well_as_it_says() {
-        let found = sheet(&FromColour {
-            given: Given::Of("colorchecker_ohta/red".to_owned()),
-            ..FromColour::default()
-        });
+        let found = sheet(&surface("colorchecker_ohta/red"));
         let told = found.told.as_ref().expect("a surface to compare with");
         assert!(told.rms > 0.0 && told.rms < 0.3, "{}", told.rms);
-        assert!(
-            found.sentence().contains("red comes out"),
-            "{}",
-            found.sentence()
-        );
+        assert_says(&found.sentence(), "red comes out");
         // Under the light that it was told by it looks the same.
         assert!(found.under[0].differs.expect("seen") < 0.05);
         assert!(found.under.iter().all(|under| under.real.is_some()));
@@ -394,32 +383,21 @@ mod tests {
 
     #[test]
     fn two_lights_tell_a_surface_better_than_one_and_tell_how_well_they_differ() {
-        let one = FromColour {
-            given: Given::Of("colorchecker_ohta/blue".to_owned()),
-            ..FromColour::default()
-        };
+        let one = surface("colorchecker_ohta/blue");
         let first = sheet(&one);
         let app = App::new();
         let two = one.with_second(Some(&first), UNDER[1], app.document());
         let found = sheet(&two);
         let rms = |sheet: &ColourSheet| sheet.told.as_ref().map(|told| told.rms);
-        assert!(
-            rms(&found) < rms(&first),
-            "{:?} {:?}",
-            rms(&found),
-            rms(&first)
-        );
+        let (two_off, one_off) = (rms(&found), rms(&first));
+        assert!(two_off < one_off, "{two_off:?} {one_off:?}");
         let band = |sheet: &ColourSheet| sheet.spread().expect("a surface can have it");
         assert!(band(&found) < band(&first));
         let few = found.fourier.as_ref().expect("D65 and A differ");
         assert_eq!((few.method, few.xyz.len()), (Method::Fourier6, 2));
         let of_one = first.fourier.as_ref().expect("D65 shows colours");
         assert!(few.condition_number > of_one.condition_number);
-        assert!(
-            found.sentence().contains("CIE D65 and CIE A"),
-            "{}",
-            found.sentence()
-        );
+        assert_says(&found.sentence(), "CIE D65 and CIE A");
         // The recipe has both colours, and follows both lights.
         let recipe = two.recipe();
         assert!(recipe.stands_on().contains(&UNDER[1]));
@@ -458,12 +436,8 @@ mod tests {
             second: Some((Given::Srgb([0, 0, 255]), UNDER[1].to_owned())),
             ..FromColour::default()
         };
-        let found = sheet(&odd);
-        assert!(
-            found
-                .sentence()
-                .starts_with("No surface has these colours under")
-        );
+        let words = sheet(&odd).sentence();
+        assert!(words.starts_with("No surface has these colours under"));
     }
 
     #[test]
@@ -494,9 +468,8 @@ mod tests {
         let why = ColourSheet::of(&gone, App::new().document()).expect_err("no light");
         assert!(why.contains("own/77"));
         let nonsense = FromColour {
-            given: Given::Lab([f64::NAN, 1e9, 0.0]),
             method: Method::Fourier6,
-            ..FromColour::default()
+            ..of(Given::Lab([f64::NAN, 1e9, 0.0]))
         };
         let sound = nonsense.clamped();
         assert_eq!(sound.given, Given::Lab([0.0, 200.0, 0.0]));

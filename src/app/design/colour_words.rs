@@ -77,29 +77,24 @@ impl ColourSheet {
 
     /// What each way is to be trusted by: name, range of values, round trip, condition, words.
     pub fn facts(&self) -> Vec<[String; 4]> {
+        let row = |method: Method, range: String, round: Option<f64>, condition: Option<f64>| {
+            let number = |value: Option<f64>, digits: usize| {
+                value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
+            };
+            let name = method_name(method).to_owned();
+            [name, range, number(round, 2), number(condition, 0)]
+        };
         let of_surface = |method: Method, found: &Recovered| {
             let [low, high] = found.reflectance.extent();
             let inside = match found.is_inside_0_1() {
                 true => "",
                 false => " \u{25b2} no surface is so",
             };
-            let condition = found.condition_number;
-            [
-                method_name(method).to_owned(),
-                format!("{low:.2} to {high:.2}{inside}"),
-                format!("{:.2}", found.round_trip_delta_e),
-                condition.map_or_else(|| "-".to_owned(), |condition| format!("{condition:.0}")),
-            ]
+            let range = format!("{low:.2} to {high:.2}{inside}");
+            let round = Some(found.round_trip_delta_e);
+            row(method, range, round, found.condition_number)
         };
-        let none = |method: Method, why: &String| {
-            let dash = "-".to_owned();
-            [
-                method_name(method).to_owned(),
-                why.clone(),
-                dash.clone(),
-                dash,
-            ]
-        };
+        let none = |method: Method, why: &String| row(method, why.clone(), None, None);
         let few = match self.seen.len() {
             1 => Method::Fourier3,
             _ => Method::Fourier6,
@@ -117,12 +112,13 @@ impl ColourSheet {
                     Some(_) => "\u{25b2} only near it".to_owned(),
                     None => format!("{share:.0} % in the lines"),
                 };
-                [
-                    method_name(Method::Lines).to_owned(),
+                let condition = Some(found.condition_number);
+                row(
+                    Method::Lines,
                     told,
-                    format!("{:.2}", found.round_trip_delta_e),
-                    format!("{:.0}", found.condition_number),
-                ]
+                    Some(found.round_trip_delta_e),
+                    condition,
+                )
             }
             Err(why) => none(Method::Lines, why),
         };

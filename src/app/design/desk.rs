@@ -70,10 +70,8 @@ impl Desk {
             .channels
             .iter()
             .map(|channel| {
-                Strip::of(
-                    channel.title(&|key| document.name_of(key)),
-                    strip(&channel.source),
-                )
+                let title = channel.title(&|key| document.name_of(key));
+                Strip::of(title, strip(&channel.source))
             })
             .collect();
         let mut desk = Self {
@@ -181,10 +179,8 @@ impl Desk {
 impl Strip {
     fn of(title: String, light: Result<Channel, MixError>) -> Self {
         let seen = |channel: &Channel| xyz_from_nm_values(&channel.values, Observer::Cie1931);
-        let xyz = light
-            .as_ref()
-            .ok()
-            .and_then(|channel| seen(channel).with_y(100.0));
+        let channel = light.as_ref().ok();
+        let xyz = channel.and_then(|channel| seen(channel).with_y(100.0));
         Self {
             title,
             uv: xyz.and_then(uv_1976_from_xyz),
@@ -224,16 +220,27 @@ pub(super) fn words(figures: &MixFigures, r9: Option<f64>) -> String {
     )
 }
 
+/// Puts a mixture on the desk and tells what it shows.
+#[cfg(test)]
+pub(super) fn put_on_desk(app: &mut crate::app::App, mix: Mix) -> Desk {
+    use crate::app::{Command, pages::PageSetting};
+    app.apply(Command::Page(PageSetting::Mix(mix)));
+    Desk::of(app.document())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::{
-        app::{
-            App, Command, command::MadeFor, design::mix::MixChannel, pages::PageSetting,
-            recipe::Gel,
-        },
+        app::{App, Command, assert_says, command::MadeFor, design::mix::MixChannel, recipe::Gel},
         design::mixture::Source,
     };
+
+    fn make_light(app: &mut App, recipe: Recipe) -> std::sync::Arc<crate::app::Entry> {
+        let place = MadeFor::Shown;
+        app.apply(Command::Make { recipe, place });
+        app.document().light.clone()
+    }
 
     #[test]
     fn the_first_mixture_is_white_and_its_sentence_has_its_figures() {
@@ -242,11 +249,9 @@ mod tests {
         assert!(cct.duv.abs() < WHITE_DUV, "{cct:?}");
         let sentence = desk.sentence();
         assert!(sentence.starts_with("A white light of "), "{sentence}");
-        assert!(sentence.contains(&format!("{:.0} K", cct.kelvin)));
-        assert!(
-            sentence.contains("R9 ") && sentence.contains("Rg "),
-            "{sentence}"
-        );
+        for part in [&format!("{:.0} K", cct.kelvin), "R9 ", "Rg "] {
+            assert_says(&sentence, part);
+        }
     }
 
     #[test]
@@ -256,16 +261,11 @@ mod tests {
         mix.channels
             .iter_mut()
             .for_each(|channel| channel.level = 0.0);
-        app.apply(Command::Page(PageSetting::Mix(mix)));
-        let desk = Desk::of(app.document());
+        let desk = put_on_desk(&mut app, mix);
         assert!(desk.recipe().is_none());
         assert_eq!(desk.sentence(), "Nothing shines: move a fader up.");
-        app.apply(Command::Page(PageSetting::Mix(Mix::default())));
-        assert!(
-            Desk::of(app.document())
-                .sentence()
-                .contains("add a channel")
-        );
+        let empty = put_on_desk(&mut app, Mix::default());
+        assert_says(&empty.sentence(), "add a channel");
     }
 
     #[test]
@@ -275,7 +275,7 @@ mod tests {
         for level in [20.0, 30.0, 40.0] {
             let mut mix = app.document().pages.mix.clone();
             mix.channels[0].level = level;
-            app.apply(Command::Page(PageSetting::Mix(mix)));
+            put_on_desk(&mut app, mix);
         }
         app.end_gesture();
         let words = app.undo_words().expect("a step");
@@ -291,22 +291,16 @@ mod tests {
         let key = "cie_illuminants/CIE A".to_owned();
         let mut mix = Mix::first();
         mix.channels.push(MixChannel::new(Source::Named(key)));
-        app.apply(Command::Page(PageSetting::Mix(mix)));
-        let recipe = Desk::of(app.document()).recipe().expect("it shines");
-        let place = MadeFor::Shown;
-        app.apply(Command::Make { recipe, place });
-        let made = app.document().light.clone();
-        let values = Desk::of(app.document()).values;
-        assert_eq!(made.spectrum.samples.values(), values);
+        let desk = put_on_desk(&mut app, mix);
+        let made = make_light(&mut app, desk.recipe().expect("it shines"));
+        assert_eq!(made.spectrum.samples.values(), desk.values);
         // A mixture of that mixture.
-        let source = Source::Named(made.key.clone());
-        app.apply(Command::Page(PageSetting::Mix(Mix {
-            channels: vec![MixChannel::new(source)],
+        let mix = Mix {
+            channels: vec![MixChannel::new(Source::Named(made.key.clone()))],
             gels: Vec::new(),
-        })));
-        let recipe = Desk::of(app.document()).recipe().expect("it shines");
-        app.apply(Command::Make { recipe, place });
-        let second = app.document().light.clone();
+        };
+        let recipe = put_on_desk(&mut app, mix).recipe().expect("it shines");
+        let second = make_light(&mut app, recipe);
         let recipe = Recipe::Mix {
             channels: vec![(Source::Line { at_nm: 500.0 }, 1.0)],
             gels: Vec::new(),
@@ -332,17 +326,14 @@ mod tests {
         let mut app = App::new();
         let bare = Desk::of(app.document());
         let put_on = |app: &mut App, thickness: f64| {
-            let gels = vec![Gel {
-                key: GREEN.to_owned(),
-                thickness,
-            }];
+            let key = GREEN.to_owned();
             let mix = Mix {
-                gels,
+                gels: vec![Gel { key, thickness }],
                 ..app.document().pages.mix.clone()
             };
-            app.apply(Command::Page(PageSetting::Mix(mix)));
+            let desk = put_on_desk(app, mix);
             app.end_gesture();
-            Desk::of(app.document())
+            desk
         };
         // No thickness is no gel.
         assert_eq!(put_on(&mut app, 0.0).values, bare.values);
@@ -354,16 +345,10 @@ mod tests {
         }
         assert!(at(&once, 530) > at(&once, 455));
         // What is solved for is met behind the gel, and the light of the library is behind it too.
-        assert_eq!(
-            app.undo_words().as_deref().map(|w| w.ends_with("2.00")),
-            Some(true)
-        );
-        let recipe = twice.recipe().expect("it shines");
-        let place = MadeFor::Shown;
-        app.apply(Command::Make { recipe, place });
-        let made = app.document().light.clone();
+        assert!(app.undo_words().is_some_and(|w| w.ends_with("2.00")));
+        let made = make_light(&mut app, twice.recipe().expect("it shines"));
         assert_eq!(made.spectrum.samples.values(), twice.values);
-        assert!(made.name().contains("behind isuzu"), "{}", made.name());
+        assert_says(made.name(), "behind isuzu");
     }
 
     #[test]
@@ -372,8 +357,7 @@ mod tests {
         let mut mix = Mix::first();
         mix.channels[3].level = 100.0;
         mix.channels[0].mute = true;
-        app.apply(Command::Page(PageSetting::Mix(mix)));
-        let csv = Desk::of(app.document()).to_csv();
+        let csv = put_on_desk(&mut app, mix).to_csv();
         let lines: Vec<&str> = csv.lines().collect();
         assert_eq!(lines.len(), 5);
         assert_eq!(lines[1], "\"gauss:455,20\",0.00,0.00,0,0");

@@ -65,11 +65,9 @@ pub fn on_desk(point: &FrontPoint) -> Mix {
 
 /// The lines of a point in words.
 pub fn lines_words(point: &FrontPoint) -> String {
-    let line = |line: &crate::design::solve::FrontLine| {
-        format!("{:.1} nm {:.0} %", line.at_nm, 100.0 * line.share_of_power)
-    };
-    let lines: Vec<String> = point.lines.iter().map(line).collect();
-    lines.join(", ")
+    let lines = point.lines.iter();
+    let lines = lines.map(|l| format!("{:.1} nm {:.0} %", l.at_nm, 100.0 * l.share_of_power));
+    lines.collect::<Vec<_>>().join(", ")
 }
 
 /// The front in a sentence.
@@ -95,7 +93,7 @@ pub fn sentence(points: &[FrontPoint], ask: &FrontWish) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::{App, Command, design::desk::Desk, pages::PageSetting};
+    use crate::app::{App, design::desk};
 
     #[test]
     fn a_point_of_the_front_on_the_desk_has_the_figures_of_the_point() {
@@ -106,8 +104,8 @@ mod tests {
         let points = found.expect("a front");
         assert!(sentence(&points, &ask).contains("3 lines"));
         for point in &points {
-            app.apply(Command::Page(PageSetting::Mix(on_desk(point))));
-            let figures = Desk::of(app.document()).figures.expect("it shines");
+            let shown = desk::put_on_desk(&mut app, on_desk(point));
+            let figures = shown.figures.expect("it shines");
             // The same sums in another order and scale.
             assert!((figures.ler - point.figures.ler).abs() < 1e-6);
             let [a, b] = [figures.rf, point.figures.rf].map(|rf| rf.expect("near white"));

@@ -247,9 +247,7 @@ impl Mix {
             format!("a switch of {name}")
         })
     }
-}
 
-impl Mix {
     /// What changed of the gels, in words.
     fn changed_gel(&self, before: &Self, name_of: NameOf<'_>) -> String {
         let (is, was) = (&self.gels, &before.gels);

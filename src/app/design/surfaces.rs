@@ -126,12 +126,23 @@ mod tests {
     use super::*;
     use crate::{
         app::{
-            App, Command,
-            design::mix::{Mix, MixChannel},
-            pages::PageSetting,
+            App,
+            design::{
+                desk::put_on_desk,
+                mix::{Mix, MixChannel},
+            },
         },
         design::mixture::Source,
     };
+
+    /// One channel alone on the desk.
+    fn of_one(source: Source) -> App {
+        let mut app = App::new();
+        let channels = vec![MixChannel::new(source)];
+        let gels = Vec::new();
+        put_on_desk(&mut app, Mix { channels, gels });
+        app
+    }
 
     #[test]
     fn the_test_colours_stand_beside_those_of_the_reference() {
@@ -140,21 +151,13 @@ mod tests {
         let surfaces = beside(&desk, DeskSurfaces::Test, app.document());
         assert_eq!(surfaces.len(), 15);
         assert!(surfaces.iter().any(|s| s.test.rgb8 != s.reference.rgb8));
-        assert!(
-            surfaces[8].words.starts_with("R9 "),
-            "{}",
-            surfaces[8].words
-        );
+        let words = &surfaces[8].words;
+        assert!(words.starts_with("R9 "), "{words}");
     }
 
     #[test]
     fn under_a_blackbody_every_surface_is_what_it_is_under_its_reference() {
-        let mut app = App::new();
-        let channel = MixChannel::new(Source::Blackbody { kelvin: 3000.0 });
-        app.apply(Command::Page(PageSetting::Mix(Mix {
-            channels: vec![channel],
-            gels: Vec::new(),
-        })));
+        let app = of_one(Source::Blackbody { kelvin: 3000.0 });
         let desk = Desk::of(app.document());
         for (surfaces, count) in [
             (DeskSurfaces::Everyday, 8),
@@ -172,12 +175,7 @@ mod tests {
 
     #[test]
     fn without_a_colour_temperature_there_is_nothing_to_stand_beside() {
-        let mut app = App::new();
-        let channel = MixChannel::new(Source::Line { at_nm: 530.0 });
-        app.apply(Command::Page(PageSetting::Mix(Mix {
-            channels: vec![channel],
-            gels: Vec::new(),
-        })));
+        let app = of_one(Source::Line { at_nm: 530.0 });
         let desk = Desk::of(app.document());
         for surfaces in DeskSurfaces::ALL {
             assert!(beside(&desk, surfaces, app.document()).is_empty());

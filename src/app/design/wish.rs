@@ -206,18 +206,19 @@ fn told(asked: &str, solution: &Solution) -> String {
 mod tests {
     use super::*;
     use crate::{
-        app::{App, Command, pages::PageSetting},
+        app::{
+            App, assert_says,
+            design::{desk::put_on_desk, mix::MixChannel},
+        },
         design::mixture::Source,
     };
 
-    fn solved(app: &App, wish: &MixWish) -> Solved {
-        let desk = Desk::of(app.document());
-        Solved::of(wish, &desk, app.document()).expect("channels and a colour")
+    fn tried(app: &App, wish: &MixWish) -> Result<Solved, String> {
+        Solved::of(wish, &Desk::of(app.document()), app.document())
     }
 
-    fn uv_of(app: &App) -> [f64; 2] {
-        let figures = Desk::of(app.document()).figures;
-        figures.and_then(|figures| figures.uv).expect("it shines")
+    fn solved(app: &App, wish: &MixWish) -> Solved {
+        tried(app, wish).expect("channels and a colour")
     }
 
     #[test]
@@ -230,8 +231,8 @@ mod tests {
             };
             let found = solved(&app, &wish);
             assert!(found.reached, "{}", found.sentence);
-            app.apply(Command::Page(PageSetting::Mix(found.mix.clone())));
-            let [u, v] = uv_of(&app);
+            let figures = put_on_desk(&mut app, found.mix).figures;
+            let [u, v] = figures.and_then(|f| f.uv).expect("it shines");
             let off = (u - found.target_uv[0]).hypot(v - found.target_uv[1]);
             assert!(off < 1e-6, "{off}");
             // Solving again changes nothing.
@@ -248,18 +249,11 @@ mod tests {
         };
         let by_xy = warm.by_xy(app.document()).clamped();
         let [x, y] = by_xy.xy.expect("x and y");
-        assert!(
-            (x - 0.4369).abs() < 2e-4 && (y - 0.4041).abs() < 2e-4,
-            "{x} {y}"
-        );
+        let off = [(x - 0.4369).abs(), (y - 0.4041).abs()];
+        assert!(off.iter().all(|off| *off < 2e-4), "{x} {y}");
         let found = solved(&app, &by_xy);
-        assert!(
-            found.sentence.contains(&format!("x {x:.4}, y {y:.4}")),
-            "{}",
-            found.sentence
-        );
-        app.apply(Command::Page(PageSetting::Mix(found.mix)));
-        let figures = Desk::of(app.document()).figures.expect("it shines");
+        assert_says(&found.sentence, &format!("x {x:.4}, y {y:.4}"));
+        let figures = put_on_desk(&mut app, found.mix).figures.expect("it shines");
         let [a, b] = figures.xy.expect("a colour");
         assert!((a - x).hypot(b - y) < 1e-6, "{a} {b}");
         // What is no chromaticity says so; a light goes before x and y.
@@ -267,8 +261,8 @@ mod tests {
             xy: Some([0.9, 0.9]),
             ..MixWish::default()
         };
-        let why = Solved::of(&odd, &Desk::of(app.document()), app.document());
-        assert!(why.expect_err("no colour").contains("x + y"));
+        let why = tried(&app, &odd).expect_err("no colour");
+        assert_says(&why, "x + y");
         let light = MixWish {
             light: Some("cie_illuminants/CIE A".to_owned()),
             xy: Some([f64::NAN, 0.3]),
@@ -287,14 +281,14 @@ mod tests {
         let mut mix = app.document().pages.mix.clone();
         mix.channels[2].lock = true;
         mix.channels[2].level = 5.0;
-        app.apply(Command::Page(PageSetting::Mix(mix)));
+        put_on_desk(&mut app, mix);
         let found = solved(&app, &MixWish::default());
         assert!(found.reached, "{}", found.sentence);
         assert_eq!(found.mix.channels[2].level, 5.0);
         let mut mix = app.document().pages.mix.clone();
         mix.channels[2].lock = false;
         mix.channels[2].mute = true;
-        app.apply(Command::Page(PageSetting::Mix(mix)));
+        put_on_desk(&mut app, mix);
         let found = solved(&app, &MixWish::default());
         assert_eq!(found.mix.channels[2].level, 5.0);
     }
@@ -310,20 +304,13 @@ mod tests {
             ..MixWish::default()
         };
         let found = solved(&app, &wish);
-        assert!(
-            !found.reached && found.sentence.contains("LER"),
-            "{}",
-            found.sentence
-        );
+        assert!(!found.reached);
+        assert_says(&found.sentence, "LER");
         let mut mix = app.document().pages.mix.clone();
         mix.channels.truncate(2);
-        app.apply(Command::Page(PageSetting::Mix(mix)));
+        put_on_desk(&mut app, mix);
         let found = solved(&app, &MixWish::default());
-        assert!(
-            found.sentence.contains("from the nearest"),
-            "{}",
-            found.sentence
-        );
+        assert_says(&found.sentence, "from the nearest");
     }
 
     #[test]
@@ -333,12 +320,10 @@ mod tests {
             light: Some("own/99".to_owned()),
             ..MixWish::default()
         };
-        let desk = Desk::of(app.document());
-        let why = Solved::of(&gone, &desk, app.document()).expect_err("no light");
+        let why = tried(&app, &gone).expect_err("no light");
         assert!(why.contains("own/99"));
-        app.apply(Command::Page(PageSetting::Mix(Mix::default())));
-        let desk = Desk::of(app.document());
-        let why = Solved::of(&MixWish::default(), &desk, app.document()).expect_err("no channel");
+        put_on_desk(&mut app, Mix::default());
+        let why = tried(&app, &MixWish::default()).expect_err("no channel");
         assert!(why.contains("add some"));
     }
 
@@ -347,9 +332,9 @@ mod tests {
         let mut app = App::new();
         let key = "cie_illuminants/CIE A".to_owned();
         let mut mix = app.document().pages.mix.clone();
-        let channel = super::super::mix::MixChannel::new(Source::Named(key.clone()));
-        mix.channels.push(channel);
-        app.apply(Command::Page(PageSetting::Mix(mix)));
+        mix.channels
+            .push(MixChannel::new(Source::Named(key.clone())));
+        put_on_desk(&mut app, mix);
         let wish = MixWish {
             light: Some(key),
             alike: true,

@@ -151,14 +151,15 @@ impl BenchDrawing {
         })
     }
 
+    fn grip(&self, handle: Handle) -> Option<&Grip> {
+        self.grips.iter().find(|grip| grip.handle == handle)
+    }
+
     /// What a handle is to be set to so that it lies at a place: degrees of the apex, mm of the
     /// slit and of the screen's distance.
     pub fn dragged(&self, handle: Handle, to: [f64; 2]) -> f64 {
-        let from = |handle: Handle| {
-            let grip = self.grips.iter().find(|grip| grip.handle == handle);
-            grip.map_or(to, |grip| grip.at)
-        };
-        let moved = plus(to, from(handle), -1.0);
+        let from = self.grip(handle).map_or(to, |grip| grip.at);
+        let moved = plus(to, from, -1.0);
         match handle {
             Handle::Apex => 2.0 * to[0].abs().atan2(-to[1]).to_degrees(),
             Handle::Slit => self.slit_mm + 2.0 * dot(moved, self.across),
@@ -220,35 +221,27 @@ fn screen(
     others: impl Iterator<Item = [f64; 2]>,
     entry_mm: f64,
 ) -> [[f64; 2]; 2] {
-    let ahead = [at[0] - exit[0], at[1] - exit[1]];
+    let ahead = plus(at, exit, -1.0);
     let length = ahead[0].hypot(ahead[1]);
     let across = [ahead[1] / length, -ahead[0] / length];
-    let along = |p: [f64; 2]| (p[0] - at[0]) * across[0] + (p[1] - at[1]) * across[1];
+    let along = |p: [f64; 2]| dot(plus(p, at, -1.0), across);
     let [low, high] = others.map(along).fold([-4.0, 4.0], |[low, high], way| {
         [f64::min(low, way), f64::max(high, way)]
     });
     [low - 3.0, high + 3.0].map(|way| {
         let way = way.clamp(-3.0 * entry_mm, 3.0 * entry_mm);
-        [at[0] + way * across[0], at[1] + way * across[1]]
+        plus(at, across, way)
     })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{
-        app::{
-            App,
-            dispersion::{document_light, words::lines_of},
-        },
-        optics::Stuff,
-    };
+    use crate::{app::dispersion::words::first_lines, optics::Stuff};
 
     fn drawn(settings: BenchSettings) -> BenchDrawing {
-        let app = App::new();
-        let light = document_light(&app).expect("FL2 shines");
+        let (light, lines) = first_lines();
         let bench = Bench::new(settings, Stuff::NSf11.material()).expect("a bench");
-        let lines = lines_of(&app, &light);
         BenchDrawing::of(&bench, &light, &lines, Observer::default()).expect("light leaves")
     }
 
@@ -271,10 +264,7 @@ mod tests {
     fn handles_that_are_pulled_outwards_grow_what_they_hold() {
         let settings = BenchSettings::default();
         let drawing = drawn(settings.clone());
-        let at = |handle: Handle| {
-            let grip = drawing.grips.iter().find(|grip| grip.handle == handle);
-            grip.expect("a handle").at
-        };
+        let at = |handle: Handle| drawing.grip(handle).expect("a handle").at;
         let [x, y] = at(Handle::Apex);
         assert!(drawing.dragged(Handle::Apex, [x + 5.0, y]) > 60.0);
         let wider = plus(at(Handle::Slit), drawing.across, 2.0);

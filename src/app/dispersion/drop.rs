@@ -136,17 +136,12 @@ fn way(ray: &Refracted, reflections: u32) -> Vec<[f64; 2]> {
 mod tests {
     use super::*;
     use crate::{
-        app::{
-            App,
-            dispersion::{document_light, words::lines_of},
-        },
+        app::{assert_says, dispersion::words::first_lines},
         optics::Stuff,
     };
 
     fn drawn(memory: &RainbowMemory) -> DropDrawing {
-        let app = App::new();
-        let light = document_light(&app).expect("FL2 shines");
-        let lines = lines_of(&app, &light);
+        let (light, lines) = first_lines();
         DropDrawing::of(&Stuff::Water.material(), &light, &lines, memory)
     }
 
@@ -163,11 +158,8 @@ mod tests {
             for ray in drawing.lines.iter().chain(&drawing.fan) {
                 assert_eq!(ray.way.len(), if twice { 6 } else { 5 });
                 let inside = &ray.way[1..ray.way.len() - 1];
-                assert!(
-                    inside
-                        .iter()
-                        .all(|[x, y]| (x.hypot(*y) - 1.0).abs() < 1e-12)
-                );
+                let off = |[x, y]: &[f64; 2]| (x.hypot(*y) - 1.0).abs();
+                assert!(inside.iter().all(|place| off(place) < 1e-12));
                 // Each way between two places of the drop is as long as the first.
                 let long =
                     |pair: &[[f64; 2]]| (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
@@ -186,10 +178,8 @@ mod tests {
                 };
                 let incidence = ray.way[1][1].asin().cos();
                 assert!((cos(out, end) - incidence).abs() < 1e-9);
-                assert!(
-                    cos(before, out) >= incidence - 1e-9,
-                    "bent away from the normal"
-                );
+                // Bent away from the normal.
+                assert!(cos(before, out) >= incidence - 1e-9);
             }
         }
     }
@@ -199,13 +189,11 @@ mod tests {
         let mut memory = RainbowMemory::default();
         let words = drawn(&memory).words;
         // Hg 404.7 and 578 of FL2 by the figures of their bows, near which this ray passes.
-        assert!(words.contains("404.9 nm at 40.7\u{b0}"), "{words}");
-        assert!(words.contains("578.0 nm at 42.0\u{b0}"), "{words}");
+        assert_says(&words, "404.9 nm at 40.7\u{b0}");
+        assert_says(&words, "578.0 nm at 42.0\u{b0}");
         memory.look_at(true);
         let words = drawn(&memory).words;
-        assert!(
-            words.contains("two reflections") && words.contains("nm at 5"),
-            "{words}"
-        );
+        assert_says(&words, "two reflections");
+        assert_says(&words, "nm at 5");
     }
 }

@@ -381,7 +381,7 @@ pub fn facts_of(film: &GemFilm, light: &Light) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::{App, Command, Settings, dispersion::document_light};
+    use crate::app::{App, Command, Settings, assert_says, dispersion::document_light};
 
     fn small() -> GemMemory {
         GemMemory {
@@ -479,21 +479,17 @@ mod tests {
         let coloured = GemScene::of(&app, &of(GemColour::Filter)).expect("a gem");
         assert!(coloured != clear && !coloured.is_like(&clear));
         let loss = |nm: f64| coloured.absorption.at(nm);
-        assert!(
-            loss(650.0) > 3.0 * loss(530.0),
-            "green glass takes red away"
-        );
-        assert_eq!(
-            of(GemColour::Grey).absorption(&app),
-            Ok(Absorption::Even(0.1))
-        );
+        // Green glass takes red away.
+        assert!(loss(650.0) > 3.0 * loss(530.0));
+        let grey = of(GemColour::Grey).absorption(&app);
+        assert_eq!(grey, Ok(Absorption::Even(0.1)));
         let lost = GemMemory {
             filter: "cie_illuminants/CIE D65".to_owned(),
             ..of(GemColour::Filter)
         };
-        assert!(
-            lost.absorption(&app)
-                .is_err_and(|why| why.contains("choose another"))
+        assert_says(
+            &lost.absorption(&app).expect_err("a light"),
+            "choose another",
         );
     }
 }

@@ -14,15 +14,6 @@ pub const SIZES_SHOWN: [usize; 4] = [240, 360, 480, 720];
 /// Rays a pixel of the gem's picture.
 pub const RAYS_SHOWN: [u32; 5] = [8, 16, 32, 64, 256];
 
-/// Crown angles of the slider, degrees.
-pub const CROWNS_DEG: [f64; 2] = [20.0, 50.0];
-
-/// Pavilion angles of the slider, degrees.
-pub const PAVILIONS_DEG: [f64; 2] = [30.0, 55.0];
-
-/// Girdles of the slider, shares of the diameter.
-pub const GIRDLES: [f64; 2] = [0.005, 0.1];
-
 /// What colours a gem.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -151,6 +142,9 @@ impl GemMemory {
             let value = (slider.of)(&mut cut);
             *value = moved(*value, slider.range, first);
         }
+        let (sizes, rays) = (SIZES_SHOWN.into_iter(), RAYS_SHOWN.into_iter());
+        let size = sizes.min_by_key(|size| size.abs_diff(self.size));
+        let rays = rays.min_by_key(|rays| rays.abs_diff(self.rays));
         Self {
             made_of: self.made_of.clamped(),
             grey: moved(self.grey, ends(GREYS), usual.grey),
@@ -158,12 +152,8 @@ impl GemMemory {
             cut,
             turn_deg: moved(self.turn_deg, [-180.0, 180.0], USUAL_TURN_DEG),
             height_deg: moved(self.height_deg, HEIGHTS_DEG, USUAL_HEIGHT_DEG),
-            size: nearest(&SIZES_SHOWN, usual.size, |size| {
-                size.abs_diff(self.size) as u64
-            }),
-            rays: nearest(&RAYS_SHOWN, usual.rays, |rays| {
-                u64::from(rays.abs_diff(self.rays))
-            }),
+            size: size.unwrap_or(usual.size),
+            rays: rays.unwrap_or(usual.rays),
             stops: clamped_stops(self.stops),
             ..self
         }
@@ -197,7 +187,7 @@ pub struct CutSlider {
     pub title: &'static str,
     /// What it is, a sentence.
     pub meaning: &'static str,
-    /// Least and largest value.
+    /// Least and largest value, degrees or a share.
     pub range: [f64; 2],
     /// Whether it is an angle; else a share.
     pub is_angle: bool,
@@ -211,14 +201,14 @@ impl CutSlider {
         Self {
             title: "Pavilion",
             meaning: "Slope of the lower facets. Near 41\u{b0} a diamond sends most light back up.",
-            range: PAVILIONS_DEG,
+            range: [30.0, 55.0],
             is_angle: true,
             of: |cut| &mut cut.pavilion_deg,
         },
         Self {
             title: "Crown",
             meaning: "Slope of the upper facets, which spread white light into colours.",
-            range: CROWNS_DEG,
+            range: [20.0, 50.0],
             is_angle: true,
             of: |cut| &mut cut.crown_deg,
         },
@@ -246,7 +236,7 @@ impl CutSlider {
         Self {
             title: "Girdle",
             meaning: "Height of the gem's edge, as a share of its width.",
-            range: GIRDLES,
+            range: [0.005, 0.1],
             is_angle: false,
             of: |cut| &mut cut.girdle,
         },
@@ -258,12 +248,6 @@ impl CutSlider {
             of: |cut| &mut cut.culet,
         },
     ];
-}
-
-/// The allowed value nearest to one.
-fn nearest<T: Copy>(allowed: &[T], usual: T, off: impl Fn(T) -> u64) -> T {
-    let best = allowed.iter().copied().min_by_key(|value| off(*value));
-    best.unwrap_or(usual)
 }
 
 #[cfg(test)]

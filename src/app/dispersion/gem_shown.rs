@@ -87,7 +87,7 @@ mod tests {
     use super::*;
     use crate::{
         app::{
-            App,
+            App, assert_says,
             dispersion::{GemMemory, GemScene, document_light, next_pass, places},
         },
         spectrum::{Band, Spike},
@@ -123,13 +123,9 @@ mod tests {
         // The first pixel sees the dome alone: the light itself, dim.
         let first = |adaptation| {
             let shown = GemShown::of(&film, &light, look(adaptation, LightPart::Whole));
-            let shown = shown.expect("a picture");
-            assert!(
-                shown.words.starts_with(adaptation.words()),
-                "{}",
-                shown.words
-            );
-            shown.pixels[0]
+            let GemShown { words, pixels, .. } = shown.expect("a picture");
+            assert!(words.starts_with(adaptation.words()), "{words}");
+            pixels[0]
         };
         let [r, g, b] = first(Adaptation::ToLight);
         assert!(r.abs_diff(g) < 4 && b.abs_diff(g) < 4, "{r} {g} {b}");
@@ -144,13 +140,9 @@ mod tests {
         let film = film(&app, &light);
         let level = |part| {
             let shown = GemShown::of(&film, &light, look(Adaptation::ToLight, part));
-            let shown = shown.expect("FL2 has both");
-            shown
-                .pixels
-                .iter()
-                .flatten()
-                .map(|v| u32::from(*v))
-                .sum::<u32>()
+            let pixels = shown.expect("FL2 has both").pixels;
+            let channels = pixels.iter().flatten();
+            channels.map(|v| u32::from(*v)).sum::<u32>()
         };
         let [whole, lines, smooth] = LightPart::ALL.map(level);
         assert!(lines < smooth && smooth < whole, "{lines} {smooth} {whole}");
@@ -174,6 +166,6 @@ mod tests {
         };
         let (eye, camera) = (shown(Adaptation::ToLight), shown(Adaptation::None));
         assert_eq!(eye.pixels, camera.pixels);
-        assert!(eye.words.contains("no eye adapts"), "{}", eye.words);
+        assert_says(&eye.words, "no eye adapts");
     }
 }

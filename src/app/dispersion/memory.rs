@@ -228,7 +228,7 @@ impl DispersionMemory {
 
 #[cfg(test)]
 mod tests {
-    use super::{super::gem_memory::PAVILIONS_DEG, *};
+    use super::*;
 
     #[test]
     fn a_hand_moves_the_bench_as_far_as_the_sliders_reach() {
@@ -258,7 +258,7 @@ mod tests {
         let sound = wild.clamped();
         assert_eq!(sound.prism.apex_deg, 60.0);
         assert_eq!(sound.prism.slit_mm, *SLITS_MM.start());
-        assert_eq!(sound.gem.cut.pavilion_deg, PAVILIONS_DEG[1]);
+        assert_eq!(sound.gem.cut.pavilion_deg, 55.0);
         assert_eq!((sound.gem.size, sound.gem.rays), (240, 256));
         assert_eq!(sound.gem.height_deg, GemMemory::default().height_deg);
         let usual = DispersionMemory::default();

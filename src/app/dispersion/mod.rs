@@ -20,8 +20,7 @@ pub use drop::{DropDrawing, DropRay};
 pub use gem::{GemFilm, GemPass, GemScene, NoiseAsk, facts_of, next_pass, places, sentence};
 pub use gem_file::{GemFile, GemForm};
 pub use gem_memory::{
-    CROWNS_DEG, CutSlider, GIRDLES, GREYS, GemColour, GemMemory, LightPart, PAVILIONS_DEG,
-    RAYS_SHOWN, SIZES_SHOWN, THICKNESSES,
+    CutSlider, GREYS, GemColour, GemMemory, LightPart, RAYS_SHOWN, SIZES_SHOWN, THICKNESSES,
 };
 pub use gem_shown::{GemLook, GemShown};
 pub use lights::{document_light, modelled};

@@ -17,7 +17,7 @@ use crate::{
 const COLUMNS: usize = 1000;
 
 /// What the page shows.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct PrismShown {
     /// The result, or why there is none.
     pub sentence: String,
@@ -61,22 +61,15 @@ pub struct StripShown {
 /// What falls on the columns of a screen, for [`StripShown::heights`].
 fn heights(strip: &Strip) -> Vec<[f64; 2]> {
     let both = || strip.smooth.iter().zip(&strip.lines);
-    let most = both()
-        .map(|(smooth, line)| smooth + line)
-        .fold(0.0, f64::max);
+    let most = both().map(|(smooth, line)| smooth + line);
+    let most = most.fold(0.0, f64::max);
     let root = |value: f64| (value / most).max(0.0).sqrt();
-    if most > 0.0 {
-        both()
-            .map(|(smooth, line)| [root(smooth + line), root(*smooth)])
-            .collect()
-    } else {
-        Vec::new()
-    }
+    let heights = both().map(|(smooth, line)| [root(smooth + line), root(*smooth)]);
+    heights.filter(|_| most > 0.0).collect()
 }
 
 /// The bench that the page asks for.
 fn settings(memory: &PrismMemory) -> BenchSettings {
-    let usual = BenchSettings::default();
     BenchSettings {
         apex_deg: memory.apex_deg,
         incidence: if memory.at_minimum {
@@ -86,7 +79,7 @@ fn settings(memory: &PrismMemory) -> BenchSettings {
         },
         slit_mm: memory.slit_mm,
         screen_mm: memory.screen_mm,
-        ..usual
+        ..BenchSettings::default()
     }
 }
 
@@ -104,16 +97,8 @@ impl PrismShown {
             Ok((light, bench, screen)) => Self::found(app, memory, &light, bench, screen),
             Err(sentence) => Self {
                 sentence,
-                notes: Vec::new(),
-                drawing: None,
-                incidence_deg: None,
                 ends_mm: [0.0, 1.0],
-                scale: Vec::new(),
-                strips: Vec::new(),
-                rows: Vec::new(),
-                told: Vec::new(),
-                csv: String::new(),
-                bench: None,
+                ..Self::default()
             },
         }
     }
@@ -359,12 +344,17 @@ fn row(line: &Line, landing: Option<&Landing>) -> Vec<String> {
 mod tests {
     use super::*;
     use crate::{
-        app::{Command, Settings, dispersion::Substance},
+        app::{Command, Settings, assert_says, dispersion::Substance},
         optics::Stuff,
     };
 
     fn usual() -> PrismMemory {
         PrismMemory::default()
+    }
+
+    /// Of the first light.
+    fn shown(memory: &PrismMemory) -> PrismShown {
+        PrismShown::of(&App::new(), memory)
     }
 
     #[test]
@@ -376,11 +366,7 @@ mod tests {
         assert_eq!(drawing.lines.len(), count);
         assert_eq!(shown.strips[0].marks.len(), count);
         assert_eq!(shown.rows.len(), count);
-        assert!(
-            shown.sentence.contains(&many(count, "line", "lines")),
-            "{}",
-            shown.sentence
-        );
+        assert_says(&shown.sentence, &many(count, "line", "lines"));
         assert_eq!(shown.strips.len(), 2);
         assert!(shown.strips[1].marks.is_empty());
     }
@@ -400,29 +386,24 @@ mod tests {
             ..app.document().settings
         }));
         let none = PrismShown::of(&app, &usual());
-        assert!(none.sentence.contains("no line"), "{}", none.sentence);
+        assert_says(&none.sentence, "no line");
         assert!(none.drawing.is_some_and(|drawing| drawing.lines.is_empty()));
     }
 
     #[test]
     fn a_wide_slit_runs_lines_together() {
-        let app = App::new();
-        let narrow = PrismShown::of(&app, &usual()).sentence;
+        let narrow = shown(&usual()).sentence;
         let wide = PrismMemory {
             slit_mm: 30.0,
             ..usual()
         };
-        let wide = PrismShown::of(&app, &wide).sentence;
-        assert!(
-            narrow.contains("apart") && !narrow.contains("all run together"),
-            "{narrow}"
-        );
-        assert!(wide.contains("together"), "{wide}");
+        assert_says(&narrow, "apart");
+        assert!(!narrow.contains("all run together"), "{narrow}");
+        assert_says(&shown(&wide).sentence, "together");
     }
 
     #[test]
     fn a_bench_without_light_says_why() {
-        let app = App::new();
         for memory in [
             PrismMemory {
                 made_of: Substance::Shipped(Stuff::Diamond),
@@ -434,7 +415,7 @@ mod tests {
                 ..usual()
             },
         ] {
-            let shown = PrismShown::of(&app, &memory);
+            let shown = shown(&memory);
             assert!(shown.drawing.is_none() && shown.strips.is_empty());
             assert!(shown.sentence.ends_with('.'), "{}", shown.sentence);
             assert!(shown.sentence.len() > 20, "{}", shown.sentence);
@@ -444,20 +425,14 @@ mod tests {
             incidence_deg: 51.5,
             ..usual()
         };
-        let shown = PrismShown::of(&app, &grazing);
-        assert!(
-            shown
-                .notes
-                .iter()
-                .any(|note| note.contains("totally reflected"))
-        );
+        let shown = shown(&grazing);
+        assert_says(&shown.notes.join(" "), "totally reflected");
         assert!(shown.rows.iter().any(|row| row[2] == "-"));
     }
 
     #[test]
     fn the_pointer_is_told_all_of_the_wavelength_that_lands_there() {
-        let app = App::new();
-        let shown = PrismShown::of(&app, &usual());
+        let shown = shown(&usual());
         // The reference lands in the middle, at its least deviation.
         let words = shown.told(0.0).expect("546.075 nm");
         for part in [
@@ -465,7 +440,7 @@ mod tests {
             "67.264\u{b0} (at least 67.264\u{b0})",
             "by the slit",
         ] {
-            assert!(words.contains(part), "{words}");
+            assert_says(&words, part);
         }
         assert_eq!(shown.told(1e6), None);
         assert_eq!(shown.told.len(), shown.rows.len());
@@ -475,31 +450,26 @@ mod tests {
 
     #[test]
     fn lines_tower_over_the_smooth_part_and_never_enter_it() {
-        let app = App::new();
-        let shown = PrismShown::of(&app, &usual());
+        let shown = shown(&usual());
         let [tube, bulb] = &shown.strips[..] else {
             panic!("two strips");
         };
         let most = |k: usize| tube.heights.iter().map(|h| h[k]).fold(0.0, f64::max);
-        assert!(
-            (most(0) - 1.0).abs() < 1e-12 && most(1) < 0.8,
-            "{}",
-            most(1)
-        );
+        let (all, smooth) = (most(0), most(1));
+        assert!((all - 1.0).abs() < 1e-12 && smooth < 0.8, "{smooth}");
         assert!(bulb.heights.iter().all(|[all, smooth]| all == smooth));
         assert_eq!(tube.heights.len(), COLUMNS);
     }
 
     #[test]
     fn what_rests_on_an_extrapolated_index_is_hatched() {
-        let app = App::new();
-        assert!(PrismShown::of(&app, &usual()).strips[0].doubtful.is_empty());
+        assert!(shown(&usual()).strips[0].doubtful.is_empty());
         let diamond = PrismMemory {
             made_of: Substance::Shipped(Stuff::Diamond),
             apex_deg: 30.0,
             ..usual()
         };
-        let shown = PrismShown::of(&app, &diamond);
+        let shown = shown(&diamond);
         // Published to 760 nm.
         let [[from, to]] = shown.strips[0].doubtful[..] else {
             panic!("{:?}", shown.strips[0].doubtful);
@@ -514,17 +484,11 @@ mod tests {
 
     #[test]
     fn two_numbers_are_a_glass_too() {
-        let app = App::new();
-        let memory = PrismMemory {
+        let shown = shown(&PrismMemory {
             made_of: Substance::NUMBERS,
             ..usual()
-        };
-        let shown = PrismShown::of(&app, &memory);
-        assert!(
-            shown.sentence.contains("two numbers (n 1.5168"),
-            "{}",
-            shown.sentence
-        );
+        });
+        assert_says(&shown.sentence, "two numbers (n 1.5168");
         assert!(shown.drawing.is_some());
     }
 }

@@ -23,7 +23,7 @@ pub fn sky() -> Sky {
 }
 
 /// What the page shows.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct RainbowShown {
     /// The result, or why there is none.
     pub sentence: String,
@@ -43,21 +43,12 @@ impl RainbowShown {
     /// Of the state, with what drops send to the sky.
     pub fn of(app: &App, memory: &RainbowMemory, sky: &Sky) -> Self {
         let mut shown = Self {
-            sentence: String::new(),
-            notes: Vec::new(),
             ends_deg: SKY_DEG,
-            drop: None,
-            strips: Vec::new(),
-            rows: Vec::new(),
+            ..Self::default()
         };
         let light = match document_light(app) {
             Ok(light) => light,
-            Err(why) => {
-                return Self {
-                    sentence: why,
-                    ..shown
-                };
-            }
+            Err(sentence) => return Self { sentence, ..shown },
         };
         let observer = app.document().settings.observer;
         let lines = lines_of(app, &light);
@@ -109,11 +100,7 @@ impl RainbowShown {
 
 /// The angle of one of the two bows, degrees.
 fn angle(bows: &Bows, secondary: bool) -> Option<f64> {
-    let bow = if secondary {
-        bows.secondary
-    } else {
-        bows.primary
-    };
+    let bow = [bows.primary, bows.secondary][usize::from(secondary)];
     bow.map(|bow| bow.from_antisolar_deg)
 }
 
@@ -161,28 +148,24 @@ fn sentence(light: &Light, bows: &[(Line, Bows)], sky: &Sky, disc: bool) -> Stri
 }
 
 fn row((line, bows): &(Line, Bows)) -> Vec<String> {
-    let degrees = |bow: Option<crate::optics::Bow>| {
-        bow.map_or("-".to_owned(), |bow| {
-            format!("{:.3}", bow.from_antisolar_deg)
-        })
+    let cell = |value: Option<f64>, digits: usize| {
+        value.map_or("-".to_owned(), |value| format!("{value:.digits$}"))
     };
-    let polarised = bows.primary.map_or("-".to_owned(), |bow| {
-        format!("{:.1}", 100.0 * bow.polarisation())
-    });
+    let polarised = bows.primary.map(|bow| 100.0 * bow.polarisation());
     vec![
         line.name.clone(),
         nm(line.at_nm),
         format!("{:.5}", bows.n),
-        degrees(bows.primary),
-        degrees(bows.secondary),
-        polarised,
+        cell(angle(bows, false), 3),
+        cell(angle(bows, true), 3),
+        cell(polarised, 1),
     ]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::Command;
+    use crate::app::{assert_says, showing};
 
     #[test]
     fn every_line_has_a_stripe_in_both_bows() {
@@ -205,15 +188,9 @@ mod tests {
 
     #[test]
     fn a_smooth_light_has_a_smooth_rainbow() {
-        let mut app = App::new();
-        let d65 = app.entry("cie_illuminants/CIE D65").expect("shipped");
-        app.apply(Command::Show(d65));
+        let app = showing("cie_illuminants/CIE D65");
         let shown = RainbowShown::of(&app, &RainbowMemory::default(), &sky());
-        assert!(
-            shown.sentence.contains("smooth rainbow"),
-            "{}",
-            shown.sentence
-        );
+        assert_says(&shown.sentence, "smooth rainbow");
         assert!(!shown.sentence.contains("NaN"), "{}", shown.sentence);
     }
 }

@@ -34,10 +34,9 @@ impl Colours {
     pub fn of(xyz: &[Xyz], stops: f64) -> Self {
         let mixed: Vec<([f64; 3], bool)> = xyz.iter().map(|xyz| into_gamut(*xyz)).collect();
         let peak = |linear: &[f64; 3]| linear.iter().copied().fold(0.0, f64::max);
-        let most = mixed.iter().map(|(linear, _)| peak(linear));
-        let least = DARK * most.fold(0.0, f64::max);
-        let lit = |linear: &[f64; 3]| peak(linear) > least;
         let mut levels: Vec<f64> = mixed.iter().map(|(linear, _)| peak(linear)).collect();
+        let least = DARK * levels.iter().copied().fold(0.0, f64::max);
+        let lit = |linear: &[f64; 3]| peak(linear) > least;
         levels.retain(|level| *level > least);
         levels.sort_by(f64::total_cmp);
         let place = (SHARE * levels.len() as f64) as usize;

@@ -180,7 +180,7 @@ pub fn material_of(spectrum: &NamedSpectrum) -> Result<Material, IndexError> {
 mod tests {
     use super::*;
     use crate::{
-        app::{Command, opened::Opened},
+        app::{Command, assert_says, opened::Opened},
         io::read_bytes,
     };
 
@@ -215,10 +215,7 @@ mod tests {
         let gone = Substance::Own {
             index: "own/7".to_owned(),
         };
-        assert!(
-            gone.material(&app)
-                .is_err_and(|why| why.contains("not open"))
-        );
+        assert_says(&gone.material(&app).expect_err("gone"), "not open");
         let light = Substance::Own {
             index: app.document().light.key.clone(),
         };

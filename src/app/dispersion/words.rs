@@ -31,6 +31,15 @@ pub(super) fn lines_of(app: &App, light: &Light) -> Vec<Line> {
     light.seen_spikes().map(line).collect()
 }
 
+/// The first light and its lines.
+#[cfg(test)]
+pub(super) fn first_lines() -> (Light, Vec<Line>) {
+    let app = App::new();
+    let light = super::document_light(&app).expect("FL2 shines");
+    let lines = lines_of(&app, &light);
+    (light, lines)
+}
+
 /// A wavelength with its unit.
 pub(super) fn nm(at_nm: f64) -> String {
     format!("{at_nm:.1} nm")
@@ -52,8 +61,6 @@ pub(super) fn touching(images: &[[f64; 2]]) -> Vec<usize> {
         (a[0] - b[0]).abs() < 0.5 * (a[1] + b[1])
     };
     let pairs = images.windows(2).enumerate();
-    pairs
-        .filter(|(_, pair)| touch(pair))
-        .map(|(i, _)| i)
-        .collect()
+    let touching = pairs.filter(|(_, pair)| touch(pair));
+    touching.map(|(i, _)| i).collect()
 }

@@ -3,7 +3,7 @@
 use serde::Deserialize;
 
 use super::{
-    figures::{Scene, Told, figure, is_known},
+    figures::{Scene, Told, figure, is_known_of},
     names::{entry, find},
 };
 use crate::app::pages::Page;
@@ -152,10 +152,7 @@ impl Condition {
             );
         }
         if let Some(key) = &self.figure {
-            is_known(key)?;
-            if let Some(of) = self.of.as_ref().filter(|of| *of != "model") {
-                find(of, made)?;
-            }
+            is_known_of(key, self.of.as_deref(), made)?;
         }
         let chain = self.chain.iter().flatten();
         for name in names.into_iter().flatten().chain(chain) {

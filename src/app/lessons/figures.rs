@@ -9,6 +9,7 @@ use crate::{
         document::first_light,
         entry::bundled_entries,
         figures::{Unit, brief, three_digits},
+        make::behind,
         pages::PageMemory,
         products::ModelledLight,
         quality::QualityShown,
@@ -23,7 +24,7 @@ use crate::{
     study::Measure,
 };
 
-use super::names::light;
+use super::names::{find, light};
 
 /// What figures are taken of: the program's state and what its pages remember.
 #[derive(Clone, Copy, Debug)]
@@ -78,11 +79,7 @@ const fn row(
 }
 
 /// A count.
-const PLAIN: Unit = Unit {
-    sign: "",
-    tail: "",
-    factor: 1.0,
-};
+const PLAIN: Unit = Unit::NONE;
 
 /// The figures that only a document has.
 const OF_DOCUMENT: [OfDocument; 17] = [
@@ -211,30 +208,17 @@ fn chain_luminance(app: &App) -> Option<f64> {
     let band = document.settings.band;
     let light = document.light.on_band(band);
     let bright = &Observer::Cie1931.table().on_band(band)[1];
-    let mut behind = light.clone();
-    for link in &document.products.chain {
-        let shares = link.on_band(band);
-        behind
-            .iter_mut()
-            .zip(shares)
-            .for_each(|(v, share)| *v *= share);
-    }
+    let behind = behind(&document.products.chain, light.clone(), band);
     let whole = band.inner(&light, bright);
     (whole > 0.0).then(|| band.inner(&behind, bright) / whole)
 }
 
 fn chain_delta_e(app: &App) -> Option<f64> {
-    let document = app.document();
+    let chain = &app.document().products.chain;
     let lit = ModelledLight::of(app);
     let band = lit.band();
-    let mut exact = lit.derived.measured.clone();
-    let mut model = lit.derived.model_values();
-    for link in &document.products.chain {
-        for (i, share) in link.on_band(band).into_iter().enumerate() {
-            exact[i] *= share;
-            model[i] *= share;
-        }
-    }
+    let exact = behind(chain, lit.derived.measured.clone(), band);
+    let model = behind(chain, lit.derived.model_values(), band);
     let seen = |values: &[f64]| {
         let weights = &lit.tables.viewing.weights;
         Xyz::from_array(weights.each_ref().map(|w| band.inner(values, w)))
@@ -263,27 +247,20 @@ fn quality_keys() -> Vec<&'static str> {
 }
 
 /// Every key, with what it counts where that is not told elsewhere.
-pub fn keys() -> Vec<(&'static str, String)> {
-    let mut keys: Vec<(&'static str, String)> = Vec::new();
-    keys.extend(
-        OF_DOCUMENT
-            .iter()
-            .map(|one| (one.key, one.meaning.to_owned())),
-    );
-    keys.extend(Measure::ALL.map(|m| (m.figure().key, m.figure().title.to_owned())));
-    keys.extend(
-        quality_keys()
-            .into_iter()
-            .map(|key| (key, "of light quality".to_owned())),
-    );
-    keys
+pub fn keys() -> Vec<(&'static str, &'static str)> {
+    let of_document = OF_DOCUMENT.map(|one| (one.key, one.meaning));
+    let of_models = Measure::ALL.map(|m| (m.figure().key, m.figure().title));
+    let of_quality = quality_keys().into_iter();
+    let of_quality = of_quality.map(|key| (key, "of light quality"));
+    let all = of_document.into_iter().chain(of_models).chain(of_quality);
+    all.collect()
 }
 
 /// Whether a key is one of a figure.
 ///
 /// # Errors
 /// What was found and what was expected.
-pub fn is_known(key: &str) -> Result<(), String> {
+fn is_known(key: &str) -> Result<(), String> {
     static KEYS: std::sync::LazyLock<Vec<&'static str>> =
         std::sync::LazyLock::new(|| keys().into_iter().map(|(key, _)| key).collect());
     if KEYS.contains(&key) {
@@ -293,6 +270,19 @@ pub fn is_known(key: &str) -> Result<(), String> {
         "found the figure {key}, expected one of {}",
         KEYS.join(", ")
     ))
+}
+
+/// Whether a key is one of a figure, and of something there is: of what is shown, of its `model`,
+/// or of a light of the library or among those that a lesson makes.
+///
+/// # Errors
+/// What was found and what was expected.
+pub(super) fn is_known_of(key: &str, of: Option<&str>, made: &[&str]) -> Result<(), String> {
+    is_known(key)?;
+    match of {
+        None | Some("model") => Ok(()),
+        Some(name) => find(name, made),
+    }
 }
 
 /// A figure of what is shown, of its `model`, or of a light by its name.

@@ -1,7 +1,7 @@
 //! The file of a lesson, and how it is read.
 
 use serde::{Deserialize, Serialize};
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 use super::{condition::Condition, parsed::parsed, point::Point, stage::Stage};
 
@@ -36,31 +36,12 @@ impl Audience {
     }
 }
 
-/// A lesson without its steps, as a file has it.
+/// A lesson; its steps are read one by one, so that a refusal can tell which it is about.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Head {
-    title: String,
-    sentence: String,
-    minutes: u32,
-    audience: Vec<Audience>,
-    language: String,
-    teaches: String,
-    remember: String,
-    next: String,
-    notes_for_teachers: String,
-    #[serde(default)]
-    about: Option<String>,
-    #[serde(default)]
-    also: Vec<String>,
-    #[serde(default)]
-    sources: Vec<String>,
-}
-
-/// A lesson.
-#[derive(Clone, Debug, PartialEq)]
 pub struct Lesson {
     /// Its name: that of its file without the ending.
+    #[serde(skip)]
     pub name: String,
     /// Over it.
     pub title: String,
@@ -81,14 +62,19 @@ pub struct Lesson {
     /// What a teacher prepares, and watches for.
     pub notes_for_teachers: String,
     /// The light that may be exchanged for another; its first one where it names none.
+    #[serde(default)]
     pub about: Option<String>,
     /// Other lights that it may be exchanged for: the lesson is played with each of them.
+    #[serde(default)]
     pub also: Vec<String>,
     /// Where its claims come from.
+    #[serde(default)]
     pub sources: Vec<String>,
     /// The walk.
+    #[serde(skip)]
     pub steps: Vec<Step>,
     /// The file as it was read.
+    #[serde(skip)]
     pub text: String,
 }
 
@@ -204,27 +190,16 @@ impl Lesson {
             }
             None => return Err(fault(None, "found no steps, expected a list".to_owned())),
         };
-        let head: Head = parsed(Value::Object(object)).map_err(|what| fault(None, what))?;
+        let lesson: Self = parsed(Value::Object(object)).map_err(|what| fault(None, what))?;
         let steps = steps.into_iter().enumerate();
         let steps = steps
             .map(|(index, step)| parsed::<Step>(step).map_err(|what| fault(Some(index + 1), what)));
         let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
         Ok(Self {
             name: name.strip_suffix(".json").unwrap_or(name).to_owned(),
-            title: head.title,
-            sentence: head.sentence,
-            minutes: head.minutes,
-            audience: head.audience,
-            language: head.language,
-            teaches: head.teaches,
-            remember: head.remember,
-            next: head.next,
-            notes_for_teachers: head.notes_for_teachers,
-            about: head.about,
-            also: head.also,
-            sources: head.sources,
             steps: steps.collect::<Result<_, _>>()?,
             text: text.to_owned(),
+            ..lesson
         })
     }
 
@@ -283,24 +258,15 @@ fn exchange(value: &mut Value, light: &str, other: &str) {
 
 /// Takes the marks of the format out of a file.
 fn marks(object: &mut Map<String, Value>) -> Result<(), String> {
-    match object.remove("format") {
-        Some(Value::String(word)) if word == FORMAT => {}
-        Some(other) => {
-            return Err(format!(
-                "found format {}, expected \"{FORMAT}\"",
-                short(&other)
-            ));
-        }
-        None => return Err(format!("found no format, expected \"{FORMAT}\"")),
+    for (key, wanted) in [("format", json!(FORMAT)), ("version", json!(VERSION))] {
+        let found = match object.remove(key) {
+            Some(value) if value == wanted => continue,
+            Some(other) => format!("{key} {}", short(&other)),
+            None => format!("no {key}"),
+        };
+        return Err(format!("found {found}, expected {wanted}"));
     }
-    match object.remove("version") {
-        Some(version) if version.as_u64() == Some(VERSION) => Ok(()),
-        Some(other) => Err(format!(
-            "found version {}, expected {VERSION}",
-            short(&other)
-        )),
-        None => Err(format!("found no version, expected {VERSION}")),
-    }
+    Ok(())
 }
 
 /// A value as a refusal quotes it.
@@ -317,6 +283,7 @@ fn short(value: &Value) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::app::assert_says;
 
     const SMALL: &str = r#"{"format":"spectral-explorer-lesson","version":1,"title":"T",
         "sentence":"S.","minutes":5,"audience":["school"],"language":"en","teaches":"A.",
@@ -354,13 +321,8 @@ mod tests {
         assert_eq!(step.say, "{ra of FL2} and {ra of CIE A}");
         let stage = step.stage.as_ref().expect("a stage");
         assert_eq!(stage.light.as_deref(), Some("Mine"));
-        let overlays: Vec<&str> = stage
-            .overlays
-            .iter()
-            .flatten()
-            .map(String::as_str)
-            .collect();
-        assert_eq!(overlays, ["FL2", "CIE A"]);
+        let overlays = stage.overlays.iter().flatten();
+        assert!(overlays.eq(["FL2", "CIE A"]));
         assert!(format!("{:?}", stage.make).contains("like: \"FL2\""));
         assert!(other.text.contains("FL2") && lesson.text == about);
     }
@@ -382,10 +344,7 @@ mod tests {
         let words = refusal(r#""title":"T","#, "");
         assert_eq!(words, "a.json: found no `title`, expected it");
         let words = refusal(r#"["school"]"#, r#"["scool"]"#);
-        assert!(
-            words.contains("found the word `scool`, expected one of"),
-            "{words}"
-        );
+        assert_says(&words, "found the word `scool`, expected one of");
         assert!(refusal("\"steps\":[", "\"steps\":[}").contains("found no JSON"));
     }
 }

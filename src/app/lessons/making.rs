@@ -123,14 +123,11 @@ fn mixture(
         }
     };
     let channels = words.iter().map(channel).collect::<Result<Vec<_>, _>>()?;
-    let favour = match favour {
-        None => Favour::default(),
-        Some(word) => {
-            let known = Favour::ALL.into_iter().find(|one| one.word() == word);
-            known
-                .ok_or_else(|| format!("found favour {word}, expected ler, rf, ra or melanopic"))?
-        }
-    };
+    let favour = favour.map(|word| {
+        let known = Favour::ALL.into_iter().find(|one| one.word() == word);
+        known.ok_or_else(|| format!("found favour {word}, expected ler, rf, ra or melanopic"))
+    });
+    let favour = favour.transpose()?.unwrap_or_default();
     let wish = Wish {
         target: Some(Target::of_light(&like.spectrum.samples).map_err(found)?),
         favour,

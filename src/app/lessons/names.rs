@@ -39,12 +39,9 @@ pub(super) fn light(app: &App, name: &str) -> Result<Arc<Entry>, String> {
 /// # Errors
 /// What was found and what was expected.
 pub(super) fn find(name: &str, made: &[&str]) -> Result<(), String> {
-    if made.contains(&name) || Library::bundled().knows(name) {
+    if made.contains(&name) {
         return Ok(());
     }
-    let why = Library::bundled().find(name).err();
-    Err(why.map_or_else(
-        || format!("found {name}, expected a spectrum of the library"),
-        |why| format!("found {why}"),
-    ))
+    let found = Library::bundled().find_or_make(name);
+    found.map(drop).map_err(|why| format!("found {why}"))
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::{
     condition::Condition,
     figures::Scene,
-    format::{Fault, Lesson, Step},
+    format::{Answer, Fault, Lesson, Step},
     names::find,
     run::Run,
     words::{self, filled},
@@ -26,24 +26,13 @@ pub struct Played<T> {
     /// What is said.
     pub say: String,
     /// The question and its answers, each with why.
-    pub ask: Option<(String, Vec<PlayedAnswer>)>,
+    pub ask: Option<(String, Vec<Answer>)>,
     /// The task.
     pub task: Option<String>,
     /// What is said at the end of the step.
     pub explain: String,
     /// What was seen at the start of the step.
     pub seen: T,
-}
-
-/// An answer as it was played.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PlayedAnswer {
-    /// Its words.
-    pub text: String,
-    /// Whether it is right.
-    pub right: bool,
-    /// Why.
-    pub because: String,
 }
 
 /// Checks a lesson and plays it through; `see` looks at the state at the start of each step.
@@ -136,7 +125,7 @@ fn play_step<T>(
     }
     let mut answers = Vec::new();
     for answer in step.ask.iter().flat_map(|ask| &ask.answers) {
-        answers.push(PlayedAnswer {
+        answers.push(Answer {
             text: in_it(&answer.text, app, memory)?,
             right: answer.right,
             because: in_it(&answer.because, app, memory)?,
@@ -251,7 +240,7 @@ fn of_step(step: &Step, made: &[&str]) -> Result<(), String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::lessons::shelf;
+    use crate::app::{assert_says, lessons::shelf};
 
     fn small(steps: &str) -> Result<Vec<Played<()>>, String> {
         let text = format!(
@@ -275,19 +264,12 @@ mod tests {
             for lesson in std::iter::once(Lesson::clone(lesson)).chain(others) {
                 let played = play(&lesson, |_, _| ()).unwrap_or_else(|why| panic!("{why}"));
                 assert_eq!(played.len(), lesson.steps.len());
-                assert!(
-                    played.iter().any(|step| step.ask.is_some()),
-                    "{}",
-                    lesson.name
-                );
-                assert!(
-                    played.iter().any(|step| step.task.is_some()),
-                    "{}",
-                    lesson.name
-                );
+                let name = &lesson.name;
+                assert!(played.iter().any(|step| step.ask.is_some()), "{name}");
+                assert!(played.iter().any(|step| step.task.is_some()), "{name}");
                 for step in &played {
                     let words = [&step.say, &step.explain].map(String::as_str).join(" ");
-                    assert!(!words.contains(['!', '{', '–']), "{}: {words}", lesson.name);
+                    assert!(!words.contains(['!', '{', '–']), "{name}: {words}");
                 }
             }
         }
@@ -319,18 +301,13 @@ mod tests {
             ("", "without until"),
         ] {
             let why = small(&task(until, order)).expect_err(until);
-            assert!(
-                why.starts_with("small: step 2: ") && why.contains(words),
-                "{why}"
-            );
+            assert!(why.starts_with("small: step 2: "), "{why}");
+            assert_says(&why, words);
         }
         let ask = r#"{"say":"A.","stage":{},"ask":{"question":"Q?","answers":[
             {"text":"x","because":"y"},{"text":"z","because":"y"}]}}"#;
-        assert!(
-            small(ask)
-                .expect_err("no right one")
-                .contains("found 0 right answers")
-        );
+        let why = small(ask).expect_err("no right one");
+        assert_says(&why, "found 0 right answers");
         assert!(small(&ask.replace("\"Q?\",", "\"Q?\",\"open\":true,")).is_ok());
     }
 }

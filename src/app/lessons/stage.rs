@@ -131,12 +131,8 @@ impl Stage {
     ) -> Result<(), String> {
         let now = app.document();
         let mut fresh = Document::about(crate::app::document::first_light(app.bundled()));
-        fresh.own = now
-            .own
-            .iter()
-            .filter(|own| !made.contains(&own.key))
-            .cloned()
-            .collect();
+        fresh.own.clone_from(&now.own);
+        fresh.own.retain(|own| !made.contains(&own.key));
         fresh.images = now.images.clone();
         // The very ones of the library: to set them again is no step.
         for held in fresh.products.entries_mut() {
@@ -281,9 +277,8 @@ mod tests {
             "view": {"residual": true}, "page": "chain", "chain": [{"name": "colorchecker_ohta/red", "times": 2}],
             "remember": {"products": {"narrow": {"centre_nm": 500.0}}}}),
         );
-        stage
-            .set(&mut app, &mut memory, &mut Vec::new())
-            .expect("it is right");
+        let set = stage.set(&mut app, &mut memory, &mut Vec::new());
+        set.expect("it is right");
         let document = app.document();
         assert_eq!(
             (document.light.name(), document.settings.order),
@@ -296,10 +291,8 @@ mod tests {
         );
         app.apply(Command::Undo);
         assert!(app.document().is_same_as(&before));
-        let fresh = Stage::default();
-        fresh
-            .set(&mut app, &mut memory, &mut Vec::new())
-            .expect("it is right");
+        let set = Stage::default().set(&mut app, &mut memory, &mut Vec::new());
+        set.expect("it is right");
         assert_eq!(memory.page, Page::Spectrum);
     }
 
@@ -340,9 +333,8 @@ mod tests {
             "overlays": ["CIE D65"]});
         let mut made = Vec::new();
         for _ in 0..2 {
-            stage(mix.clone())
-                .set(&mut app, &mut memory, &mut made)
-                .expect("it is right");
+            let set = stage(mix.clone()).set(&mut app, &mut memory, &mut made);
+            set.expect("it is right");
             assert_eq!((app.document().own.len(), made.len()), (1, 1));
         }
         let scene = super::super::figures::Scene {

@@ -31,7 +31,6 @@ pub struct Trial {
 impl Question for TrialAsk {
     type Answer = Trial;
 
-    /// The answer; `None` when it was cancelled.
     fn answer(&self, progress: &Progress) -> Option<Trial> {
         let (lesson, light) = (&*self.lesson.0, &self.light.0);
         let mut app = App::new();
@@ -111,7 +110,10 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::app::lessons::{names::entry, shelf};
+    use crate::app::{
+        assert_says,
+        lessons::{names::entry, shelf},
+    };
 
     fn tried(lesson: &str, light: &str) -> Trial {
         let ask = TrialAsk {
@@ -124,18 +126,14 @@ mod tests {
     #[test]
     fn a_lesson_about_lines_holds_for_a_tube_and_fails_on_daylight_where_the_lines_are() {
         let tube = tried("samples", "FL3");
-        assert!(
-            tube.headline.starts_with("With FL3 everything holds: "),
-            "{tube:?}"
-        );
+        let words = &tube.headline;
+        assert!(words.starts_with("With FL3 everything holds: "), "{words}");
         assert!(tube.faults.is_empty());
         let daylight = tried("samples", "CIE D65");
         assert_eq!(daylight.headline, "With CIE D65, 1 of 2 steps fails.");
         let fault = &daylight.faults[0];
-        assert!(
-            fault.starts_with("Step 1: ") && fault.contains("filter_delta_e_samples"),
-            "{fault}"
-        );
+        assert!(fault.starts_with("Step 1: "), "{fault}");
+        assert_says(fault, "filter_delta_e_samples");
     }
 
     #[test]
@@ -148,9 +146,10 @@ mod tests {
             light: ByAddress(Arc::new(own)),
         };
         let trial = ask.answer(&Progress::default()).expect("not cancelled");
+        let words = trial.headline;
         assert!(
-            trial.headline.starts_with("With My tube everything holds"),
-            "{trial:?}"
+            words.starts_with("With My tube everything holds"),
+            "{words}"
         );
     }
 }

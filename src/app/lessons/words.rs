@@ -1,6 +1,6 @@
 //! Sentences with figures in them: `{ra}` of what is shown, `{ra of model}`, `{ra of FL11}`.
 
-use super::figures::{Scene, figure, is_known};
+use super::figures::{Scene, figure, is_known_of};
 
 /// A part of a sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -52,10 +52,7 @@ pub(super) fn filled(text: &str, scene: &Scene<'_>) -> Result<String, String> {
 pub(super) fn fault(text: &str, made: &[&str]) -> Result<(), String> {
     for part in parts(text)? {
         if let Part::Figure { key, of } = part {
-            is_known(key)?;
-            if let Some(of) = of.filter(|of| *of != "model") {
-                super::names::find(of, made)?;
-            }
+            is_known_of(key, of, made)?;
         }
     }
     Ok(())

@@ -15,6 +15,7 @@ use crate::{
         studies::Question,
     },
     color::{Xyz, adapted, delta_e_2000, lab_from_xyz, srgb::WHITE},
+    io::many::many,
     pictures::{
         Between, Kernel, Light, Operator, PictureError, Plan, ReferenceKind, Relit, Spread, Tally,
         Trust, Verdict, plan_of, relit_into,
@@ -78,7 +79,6 @@ impl FitAsk {
 impl Question for FitAsk {
     type Answer = Outcome<Fit>;
 
-    /// The answer.
     fn answer(&self, _: &Progress) -> Option<Self::Answer> {
         told(self.fit())
     }
@@ -286,7 +286,6 @@ impl TurnAsk {
 impl Question for TurnAsk {
     type Answer = Outcome<Turned>;
 
-    /// The answer.
     fn answer(&self, _: &Progress) -> Option<Self::Answer> {
         told(self.turned())
     }
@@ -341,8 +340,7 @@ impl Fit {
         };
         match plan.lines.len() {
             0 => series,
-            1 => format!("{series}, 1 line"),
-            lines => format!("{series}, {lines} lines"),
+            lines => format!("{series}, {}", many(lines, "line", "lines")),
         }
     }
 }

@@ -222,7 +222,6 @@ impl LookAsk {
 impl Question for LookAsk {
     type Answer = Outcome<Looked>;
 
-    /// The answer; `None` when it was cancelled.
     fn answer(&self, progress: &Progress) -> Option<Self::Answer> {
         told(self.looked(progress))
     }

@@ -70,13 +70,10 @@ pub fn relit_shown(
     let job = studies.job();
     job.put(&wanted, wake);
     let fit = job.answer().filter(|(k, _)| k.looked == looked);
-    let fit = match fit.map(|(_, fit)| fit.clone()) {
-        Some(fit) => match shown.found(&fit) {
-            Some(fit) => Some(fit),
-            None => return shown,
-        },
-        None => None,
-    };
+    let fit = fit.and_then(|(_, fit)| shown.found(fit));
+    if shown.trouble.is_some() {
+        return shown;
+    }
     if let Some(fit) = &fit {
         turn_to(studies, app, memory, fit, wake);
     }
@@ -145,14 +142,17 @@ mod tests {
     use crate::app::Command;
 
     fn all(studies: &mut Studies, app: &App, memory: &RelitMemory) -> RelitShown {
-        let wake: Wake = Arc::new(|| {});
-        let image = ImageMemory::default();
         let mut shown = RelitShown::default();
         for _ in 0..4 {
-            shown = relit_shown(studies, app, (memory, &image), &wake);
+            shown = once(studies, app, memory);
             studies.finish();
         }
         shown
+    }
+
+    fn once(studies: &mut Studies, app: &App, memory: &RelitMemory) -> RelitShown {
+        let wake: Wake = Arc::new(|| {});
+        relit_shown(studies, app, (memory, &ImageMemory::default()), &wake)
     }
 
     #[test]
@@ -164,10 +164,8 @@ mod tests {
         };
         let first = all(&mut studies, &app, &memory);
         memory.weighted = false;
-        let wake: Wake = Arc::new(|| {});
-        let image = ImageMemory::default();
         // Asked for, not yet there.
-        let between = relit_shown(&mut studies, &app, (&memory, &image), &wake);
+        let between = once(&mut studies, &app, &memory);
         assert!(between.turned.is_some() && between.turned == first.turned);
         let second = all(&mut studies, &app, &memory);
         assert!(second.turned.is_some() && second.turned != first.turned);

@@ -115,7 +115,6 @@ impl StoreAsk {
 impl Question for StoreAsk {
     type Answer = Outcome<Stored>;
 
-    /// The answer; `None` when it was cancelled.
     fn answer(&self, progress: &Progress) -> Option<Self::Answer> {
         told(self.stored(progress))
     }
@@ -196,7 +195,6 @@ pub struct PeersAsk(pub ByAddress<Fit>);
 impl Question for PeersAsk {
     type Answer = Outcome<Vec<Peer>>;
 
-    /// The answer; `None` when it was cancelled.
     fn answer(&self, progress: &Progress) -> Option<Self::Answer> {
         let fit = &*self.0.0;
         let looked: &Arc<_> = &fit.looked.0;

@@ -101,11 +101,7 @@ pub fn fewer(looked: &Looked) -> String {
         format!(
             "No count keeps ΔE₀₀ {under} within {p95} in 95 % of the pixels and the spectra \
              within {rms:.1} % (rms); {} nearest.",
-            if count == 1 {
-                "1 comes".to_owned()
-            } else {
-                format!("{count} come")
-            }
+            many(count, "comes", "come")
         )
     }
 }

@@ -9,8 +9,9 @@ use crate::{
         document::{Document, FIRST_LIGHT, MOST_OWN_PATCHES, Subject},
         entry::Entry,
         make::{self, WhyNot},
+        memo::ByAddress,
         opened::{ImageEntry, Opened},
-        origin::{FileReading, FromFile, MadeBy, Origin, SameFile, SourceFile},
+        origin::{FileReading, FromFile, MadeBy, Origin, SourceFile},
         products::{Link, MOST_LINKS},
         recipe::Recipe,
     },
@@ -97,7 +98,7 @@ impl App {
         let Some(from) = from.or(image.map(|image| &image.from)) else {
             return;
         };
-        let file = &SameFile(from.reading.file.clone());
+        let file = &ByAddress(from.reading.file.clone());
         let reading = reading(opened, file.0.clone());
         self.reread_images(file, opened, &reading);
         let of_file = |entry: &Arc<Entry>| {
@@ -143,7 +144,12 @@ impl App {
         }
     }
 
-    fn reread_images(&mut self, file: &SameFile, opened: &Opened, reading: &Arc<FileReading>) {
+    fn reread_images(
+        &mut self,
+        file: &ByAddress<SourceFile>,
+        opened: &Opened,
+        reading: &Arc<FileReading>,
+    ) {
         for known in &mut self.document.images {
             let index = known.from.index;
             let image = opened.images.get(index);
