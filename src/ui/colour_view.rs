@@ -4,6 +4,7 @@ use eframe::egui;
 use egui::{RichText, Ui, vec2};
 
 use super::{
+    kit::{named, small_warnings},
     swatch,
     theme::{Theme, section},
 };
@@ -32,7 +33,7 @@ pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, is_titled: bool) {
             Some(_) => "The model has no colour in this range: there is nothing to compare.",
         });
         errors(ui, app);
-        warnings(ui, app, theme);
+        small_warnings(ui, theme, &app.derived().warnings);
         return;
     };
     let size = vec2(ui.available_width(), 32.0 * theme.scale);
@@ -68,7 +69,7 @@ pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, is_titled: bool) {
     });
     numbers(ui, exact, model, colour.full);
     errors(ui, app);
-    warnings(ui, app, theme);
+    small_warnings(ui, theme, &app.derived().warnings);
 }
 
 /// Least height of a row of numbers, points: denser than rows of controls.
@@ -79,9 +80,7 @@ fn hex(ui: &mut Ui, whose: &str, swatch: &Swatch) {
     let button = ui
         .add(egui::Button::new(RichText::new(&text).monospace()).small())
         .on_hover_text(format!("sRGB of the {whose} colour. Click to copy."));
-    button.widget_info(|| {
-        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Copy {whose} {text}"))
-    });
+    named(&button, egui::Role::Button, &format!("Copy {whose} {text}"));
     if button.clicked() {
         ui.ctx().copy_text(text);
     }
@@ -166,14 +165,4 @@ fn errors(ui: &mut Ui, app: &App) {
                 ui.end_row();
             }
         });
-}
-
-fn warnings(ui: &mut Ui, app: &App, theme: Theme) {
-    for warning in &app.derived().warnings {
-        ui.horizontal_wrapped(|ui| {
-            ui.spacing_mut().item_spacing.x = 4.0;
-            ui.colored_label(theme.warning, "▲");
-            ui.small(warning);
-        });
-    }
 }

@@ -8,8 +8,10 @@ use eframe::egui;
 use egui::{Slider, SliderClamping, Ui};
 
 use self::spikes::spike_rows;
-pub(super) use super::kit::named;
-use super::theme::section;
+use super::{
+    kit::{Choice, number},
+    theme::section,
+};
 use crate::{
     app::{App, Command, ORDERS, Scale, Settings, Subject, WEIGHT_FACTORS, range_words},
     color::Observer,
@@ -149,17 +151,15 @@ fn range_row(ui: &mut Ui, app: &App, settings: &mut Settings) -> Option<String> 
         let [mut min, mut max] = ends;
         let typed = [RefCell::default(), RefCell::default()];
         let low_range = (max - most).max(0.0)..=max - shortest;
-        let low = ui
-            .add(edge(&mut min, &typed[0]).range(low_range))
+        let low = edge(&mut min, &typed[0]).range(low_range);
+        let low = number(ui, low, "Range from")
             .labelled_by(label.id)
             .on_hover_text("First wavelength of the model, whole nm.");
-        named(&low, egui::Role::SpinButton, "Range from");
         ui.label("to");
         let high_range = min + shortest..=(min + most).min(f64::from(LONGEST_NM));
-        let high = ui
-            .add(edge(&mut max, &typed[1]).range(high_range))
+        let high = edge(&mut max, &typed[1]).range(high_range);
+        let high = number(ui, high, "Range to")
             .on_hover_text("Last wavelength of the model, whole nm; at least 20 nm more.");
-        named(&high, egui::Role::SpinButton, "Range to");
         if (low.changed() || high.changed())
             && let Ok(band) = Band::new(min.round(), max.round())
         {
@@ -218,18 +218,14 @@ fn wavelength(text: &str) -> Option<f64> {
 
 fn observer_row(ui: &mut Ui, settings: &mut Settings) {
     ui.label("Observer");
-    let combo = egui::ComboBox::from_id_salt("observer")
-        .selected_text(settings.observer.title())
-        .width(ui.spacing().combo_width)
-        .show_ui(ui, |ui| {
-            for observer in Observer::ALL {
-                ui.selectable_value(&mut settings.observer, observer, observer.title());
-            }
-        });
-    named(&combo.response, egui::Role::ComboBox, "Observer");
-    combo
-        .response
-        .on_hover_text("Whose colour-matching functions make X, Y and Z.");
+    let choice = Choice {
+        name: "Observer",
+        meaning: "Whose colour-matching functions make X, Y and Z.",
+        width: ui.spacing().combo_width,
+    };
+    choice.pick(ui, &mut settings.observer, Observer::ALL, |o| {
+        (o.title(), "")
+    });
     ui.end_row();
 }
 
@@ -262,19 +258,12 @@ fn edge<'a>(nm: &'a mut f64, typed: &'a RefCell<Option<String>>) -> egui::DragVa
 
 fn products_row(ui: &mut Ui, settings: &mut Settings) {
     ui.label("Products");
-    let (words, meaning) = sampling_words(settings.sampling);
-    let combo = egui::ComboBox::from_id_salt("sampling")
-        .selected_text(words)
-        .width(ui.spacing().combo_width + 34.0)
-        .show_ui(ui, |ui| {
-            for sampling in Sampling::ALL {
-                let (words, meaning) = sampling_words(sampling);
-                ui.selectable_value(&mut settings.sampling, sampling, words)
-                    .on_hover_text(meaning);
-            }
-        });
-    named(&combo.response, egui::Role::ComboBox, "Products by");
-    combo.response.on_hover_text(meaning);
+    let choice = Choice {
+        name: "Products by",
+        meaning: sampling_words(settings.sampling).1,
+        width: ui.spacing().combo_width + 34.0,
+    };
+    choice.pick(ui, &mut settings.sampling, Sampling::ALL, sampling_words);
     ui.end_row();
 }
 
@@ -282,19 +271,19 @@ fn products_row(ui: &mut Ui, settings: &mut Settings) {
 fn scale_row(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
     let scale = app.document().scale;
     ui.label("Scale");
-    let combo = egui::ComboBox::from_id_salt("scale")
-        .selected_text(scale.words())
-        .width(ui.spacing().combo_width + 34.0)
-        .show_ui(ui, |ui| {
-            for other in Scale::ALL {
-                let response = ui.selectable_label(scale == other, other.words());
-                if response.on_hover_text(other.meaning()).clicked() {
-                    commands.push(Command::Scale(other));
-                }
+    let choice = Choice {
+        name: "Scale",
+        meaning: scale.meaning(),
+        width: ui.spacing().combo_width + 34.0,
+    };
+    choice.show(ui, scale.words(), |ui| {
+        for other in Scale::ALL {
+            let response = ui.selectable_label(scale == other, other.words());
+            if response.on_hover_text(other.meaning()).clicked() {
+                commands.push(Command::Scale(other));
             }
-        });
-    named(&combo.response, egui::Role::ComboBox, "Scale");
-    combo.response.on_hover_text(scale.meaning());
+        }
+    });
     ui.end_row();
 }
 

@@ -5,7 +5,10 @@ use std::sync::Arc;
 use eframe::egui;
 use egui::{Context, Key, RichText, ScrollArea, TextEdit};
 
-use super::keys::{Act, SHORTCUTS};
+use super::{
+    keys::{Act, SHORTCUTS},
+    kit::named,
+};
 use crate::app::{App, Entry, pages::Page};
 
 /// What was chosen.
@@ -73,9 +76,7 @@ impl PaletteView {
                     .hint_text("A light, a place or an act")
                     .desired_width(f32::INFINITY),
             );
-            field.widget_info(|| {
-                egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Find anything")
-            });
+            named(&field, egui::Role::TextInput, "Find anything");
             field.request_focus();
             if field.changed() {
                 self.at = 0;

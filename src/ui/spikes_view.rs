@@ -3,7 +3,10 @@
 use eframe::egui;
 use egui::{DragValue, Ui};
 
-use super::theme::Theme;
+use super::{
+    kit::{named, named_choice, sign_button},
+    theme::Theme,
+};
 use crate::app::{App, SpikeAct, ticks};
 
 /// Draws the table; an act is pushed for the window to carry out.
@@ -44,9 +47,7 @@ pub(super) fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAc
                     );
                     for (response, what) in [(&place, "place"), (&power, "weight")] {
                         let name = format!("Spike {} {what}", index + 1);
-                        response.widget_info(|| {
-                            egui::WidgetInfo::labeled(egui::Role::SpinButton, true, &name)
-                        });
+                        named(response, egui::Role::SpinButton, &name);
                     }
                     if place.changed() || power.changed() {
                         acts.push(SpikeAct::Set {
@@ -113,14 +114,8 @@ fn hand(ui: &mut Ui, index: usize, mut locked: bool, acts: &mut Vec<SpikeAct>) {
         .checkbox(&mut locked, "")
         .on_hover_text("Keeps the spike whatever the threshold says.");
     let number = index + 1;
-    lock.widget_info(|| {
-        egui::WidgetInfo::selected(
-            egui::Role::CheckBox,
-            true,
-            locked,
-            format!("Lock spike {number}"),
-        )
-    });
+    let name = format!("Lock spike {number}");
+    named_choice(&lock, egui::Role::CheckBox, locked, &name);
     if lock.changed() {
         acts.push(if locked {
             SpikeAct::Lock { index }
@@ -128,13 +123,9 @@ fn hand(ui: &mut Ui, index: usize, mut locked: bool, acts: &mut Vec<SpikeAct>) {
             SpikeAct::Unlock { index }
         });
     }
-    let delete = ui
-        .small_button("✕")
-        .on_hover_text("Deletes the line: its energy goes back to the smooth part.");
-    delete.widget_info(|| {
-        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Delete spike {number}"))
-    });
-    if delete.clicked() {
+    let name = format!("Delete spike {number}");
+    let meaning = "Deletes the line: its energy goes back to the smooth part.";
+    if sign_button(ui, "✕", &name, meaning) {
         acts.push(SpikeAct::Delete { index });
     }
 }

@@ -11,6 +11,7 @@ use super::named;
 use crate::{
     app::{App, Entry, search::Index},
     preset::Shelf,
+    spectrum::Kind,
     ui::entry_row::Painted,
 };
 
@@ -59,24 +60,20 @@ impl Chooser<'_> {
             search.clear();
         }
         ui.data_mut(|d| d.insert_temp(search_id, search));
-        combo
-            .response
-            .widget_info(|| egui::WidgetInfo::labeled(egui::Role::ComboBox, true, self.name));
+        named(&combo.response, egui::Role::ComboBox, self.name);
         combo.response.on_hover_text(self.meaning);
         chosen
     }
 
     fn list(&self, ui: &mut Ui, app: &App, search: &mut String) -> Option<Arc<Entry>> {
         ui.set_min_width(320.0_f32.max(self.width));
-        let box_name = format!("Search: {}", self.name);
         let edit = ui.add(
             TextEdit::singleline(search)
                 .hint_text("Name, element, use; Enter takes the first")
                 .desired_width(f32::INFINITY),
         );
-        edit.widget_info(|| {
-            egui::WidgetInfo::labeled(egui::Role::TextInput, true, box_name.clone())
-        });
+        let name = format!("Search: {}", self.name);
+        named(&edit, egui::Role::TextInput, &name);
         let entered = edit.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
         if ui.memory(|m| m.focused().is_none()) {
             edit.request_focus();
@@ -218,5 +215,15 @@ pub fn factors(entry: &Entry) -> bool {
 
 /// Lights.
 pub fn lights(entry: &Entry) -> bool {
-    entry.kind() == crate::spectrum::Kind::Light
+    entry.kind() == Kind::Light
+}
+
+/// What light comes off.
+pub fn reflectances(entry: &Entry) -> bool {
+    entry.kind() == Kind::Reflectance
+}
+
+/// What light passes through.
+pub fn transmittances(entry: &Entry) -> bool {
+    entry.kind() == Kind::Transmittance
 }

@@ -9,9 +9,12 @@ mod table;
 mod words;
 
 pub use choice::Choice;
-pub use chooser::{Chooser, factors, lights};
-pub use layout::{line, scrolled, two_columns};
+pub use chooser::{Chooser, factors, lights, reflectances, transmittances};
+pub use layout::{cell, column, down, line, scrolled, two_columns};
 pub use seen::seen_choice;
 pub use stops::Stops;
 pub use table::{Column, Look, Row, Table, bar, table};
-pub use words::{HEADLINE, copy_button, framed, headline, named, titled, warning};
+pub use words::{
+    HEADLINE, copy_button, drawing, framed, headline, named, named_choice, number, sign_button,
+    small_warnings, tile_button, titled, warning,
+};

@@ -1,7 +1,10 @@
 //! Words with a task: names for screen readers, titles with a button, warnings.
 
 use eframe::egui;
-use egui::{Align, Frame, Label, Layout, Margin, Response, RichText, Ui, WidgetText};
+use egui::{
+    Align, DragValue, Frame, Label, Layout, Margin, Rect, Response, RichText, Sense, Ui, Vec2,
+    WidgetText,
+};
 
 use crate::ui::theme::Theme;
 
@@ -17,6 +20,46 @@ pub fn headline(ui: &mut Ui, theme: Theme, words: impl Into<String>) -> Response
 /// Gives a widget the name that screen readers and tests call it.
 pub fn named(response: &Response, role: egui::Role, name: &str) {
     response.widget_info(|| egui::WidgetInfo::labeled(role, true, name));
+}
+
+/// The same for what is chosen or not: a row, a switch, one of several.
+pub fn named_choice(response: &Response, role: egui::Role, is_chosen: bool, name: &str) {
+    response.widget_info(|| egui::WidgetInfo::selected(role, true, is_chosen, name));
+}
+
+/// Adds a field of a number under its name.
+pub fn number(ui: &mut Ui, field: DragValue<'_>, name: &str) -> Response {
+    let response = ui.add(field);
+    named(&response, egui::Role::SpinButton, name);
+    response
+}
+
+/// Room for what is painted, under its name.
+pub fn drawing(ui: &mut Ui, size: Vec2, sense: Sense, name: &str) -> (Rect, Response) {
+    let (rect, response) = ui.allocate_exact_size(size, sense);
+    named(&response, egui::Role::Image, name);
+    (rect, response)
+}
+
+/// A small button with a sign in the place of words; whether it was clicked.
+pub fn sign_button(ui: &mut Ui, sign: &str, name: &str, meaning: &str) -> bool {
+    let button = ui.small_button(sign);
+    named(&button, egui::Role::Button, name);
+    button.on_hover_text(meaning).clicked()
+}
+
+/// A button as large as a card, on which the words are to be painted.
+pub fn tile_button(ui: &mut Ui, size: Vec2, name: &str) -> (Rect, Response) {
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    named(&response, egui::Role::Button, name);
+    let fill = ui.style().interact(&response).bg_fill;
+    ui.painter().rect_filled(rect, 4.0, fill);
+    if response.has_focus() {
+        let stroke = ui.visuals().widgets.active.bg_stroke;
+        ui.painter()
+            .rect_stroke(rect, 4.0, stroke, egui::StrokeKind::Inside);
+    }
+    (rect, response)
 }
 
 /// A button that copies a table; nothing where there is none. `meaning` may be empty.
@@ -58,6 +101,17 @@ pub fn framed<R>(ui: &mut Ui, add: impl FnOnce(&mut Ui) -> R) -> R {
             add(ui)
         })
         .inner
+}
+
+/// What must be said about a model, in small type.
+pub fn small_warnings(ui: &mut Ui, theme: Theme, warnings: &[String]) {
+    for warning in warnings {
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
+            ui.colored_label(theme.warning, "▲");
+            ui.small(warning);
+        });
+    }
 }
 
 /// Something that needs attention, told by a sign and words.

@@ -15,6 +15,7 @@ use self::{
 };
 use super::{
     entry_row::{Painted, row_name},
+    kit::{named, named_choice},
     theme::{Theme, ink},
 };
 use crate::app::{App, Command, Entry, workspace::Preferences};
@@ -119,9 +120,7 @@ impl LibraryView {
                 "A name, a family, an element, a use: \"street lamp\", neon, skin (Ctrl+F). Enter shows \
                  the first.",
             );
-        search.widget_info(|| {
-            egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Search the library")
-        });
+        named(&search, egui::Role::TextInput, "Search the library");
         if std::mem::take(&mut self.wants_search) {
             search.request_focus();
         }
@@ -198,7 +197,7 @@ impl LibraryView {
         {
             let edit = ui.add_sized(size, egui::TextEdit::singleline(text));
             let id = edit.id;
-            edit.widget_info(|| egui::WidgetInfo::labeled(egui::Role::TextInput, true, "New name"));
+            named(&edit, egui::Role::TextInput, "New name");
             if edit.lost_focus() {
                 let (key, name) = self.renaming.take()?;
                 let name = name.trim().to_owned();
@@ -209,9 +208,7 @@ impl LibraryView {
             return None;
         }
         let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-        response.widget_info(|| {
-            egui::WidgetInfo::selected(egui::Role::Button, true, selected, row_name(entry))
-        });
+        named_choice(&response, egui::Role::Button, selected, &row_name(entry));
         let visuals = ui.visuals();
         if selected {
             ui.painter()

@@ -10,7 +10,7 @@ use crate::{
         pages::SPENDABLE,
     },
     ui::{
-        kit::{Stops, named},
+        kit::{Stops, named, number},
         theme::Theme,
     },
 };
@@ -306,9 +306,9 @@ fn acts(ui: &mut Ui, (budget, busy): (&mut usize, bool), asked: &mut Asked) {
              lines, plain and colour-exact; one step of undo.",
         )
         .clicked();
-    let count = ui.add(DragValue::new(budget).range(SPENDABLE).speed(0.1));
-    named(&count, egui::Role::SpinButton, names::BUDGET);
-    count.on_hover_text("Most numbers that Automatic may spend, 1 to 101.");
+    let count = DragValue::new(budget).range(SPENDABLE).speed(0.1);
+    number(ui, count, names::BUDGET)
+        .on_hover_text("Most numbers that Automatic may spend, 1 to 101.");
     asked.more = ui
         .button(names::MORE)
         .on_hover_text("Basis, colour-exact, widest line, dark lines, range, observer, products.")

@@ -5,7 +5,10 @@ use std::sync::Arc;
 use eframe::egui;
 use egui::{DragValue, Ui, vec2};
 
-use super::{PageContext, progress, tradeoff_view::choose};
+use super::{
+    PageContext, progress,
+    tradeoff_view::{choose, is_now},
+};
 use crate::{
     app::{
         App, ByAddress, Command, Memo, chart,
@@ -125,19 +128,15 @@ impl Sheet {
         let numbers = app.derived().numbers();
         let mut steps = self.auction.steps.iter();
         let step = steps.position(|step| step.numbers == numbers);
-        self.chosen = step.filter(|step| is_now(app, self, *step));
+        self.chosen = step.filter(|step| is_now(app, self.taking(app, *step)));
     }
-}
 
-/// Whether a step is the document's present model.
-fn is_now(app: &App, sheet: &Sheet, step: usize) -> bool {
-    let document = app.document();
-    let step = &sheet.auction.steps[step];
-    let command = take(document.settings, &sheet.ask, &sheet.auction, step);
-    let Command::TakeModel { settings, edits } = command else {
-        return false;
-    };
-    settings == document.settings && edits == document.subject_edits()
+    /// What takes the model of a step.
+    fn taking(&self, app: &App, step: usize) -> Command {
+        let settings = app.document().settings;
+        let step = &self.auction.steps[step];
+        take(settings, &self.ask, &self.auction, step)
+    }
 }
 
 /// Goal and budget.
@@ -189,11 +188,8 @@ fn weights(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
                 .range(0.0..=MOST_WEIGHT)
                 .max_decimals(2);
             let response = ui.add_enabled(lacks[i].is_none(), value);
-            named(
-                &response,
-                egui::Role::SpinButton,
-                &format!("Weight of {}", NAMES[i]),
-            );
+            let name = format!("Weight of {}", NAMES[i]);
+            named(&response, egui::Role::SpinButton, &name);
             changed |= response.changed();
             response
                 .on_hover_text(format!(
@@ -352,10 +348,7 @@ fn steps(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: bool)
 
 /// Takes the model of a step.
 fn act(context: &mut PageContext<'_>, sheet: &Sheet, step: usize) {
-    let Some(step) = sheet.auction.steps.get(step) else {
-        return;
-    };
-    let settings = context.app.document().settings;
-    let command = take(settings, &sheet.ask, &sheet.auction, step);
-    context.commands.push(command);
+    if step < sheet.auction.steps.len() {
+        context.commands.push(sheet.taking(context.app, step));
+    }
 }

@@ -5,7 +5,10 @@ use egui::{Label, RichText, ScrollArea, TextEdit, Ui};
 
 use crate::{
     app::glossary::WORDS,
-    ui::{kit::headline, theme::Theme},
+    ui::{
+        kit::{headline, named},
+        theme::Theme,
+    },
 };
 
 /// What is searched for.
@@ -25,9 +28,7 @@ impl GlossaryView {
                 .hint_text("Search words")
                 .desired_width(ui.available_width().min(260.0)),
         );
-        field.widget_info(|| {
-            egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Search the glossary")
-        });
+        named(&field, egui::Role::TextInput, "Search the glossary");
         let wanted = self.search.trim().to_lowercase();
         let fits = |text: &str| text.to_lowercase().contains(&wanted);
         ui.add_space(6.0);

@@ -127,12 +127,7 @@ fn below_chart(ui: &mut Ui, context: &mut PageContext<'_>, words: &WordsShown) {
                     ..Row::default()
                 })
                 .collect();
-            let table = Table {
-                enabled: false,
-                dense: true,
-                ..Table::new(&columns, theme)
-            };
-            table.show(ui, &rows, &mut |_, _, _| {});
+            Table::dense(&columns, theme).show(ui, &rows, &mut |_, _, _| {});
         },
         |ui, _| {
             ui.horizontal(|ui| {

@@ -6,7 +6,7 @@ use std::{
 };
 
 use eframe::egui;
-use egui::{Align, Label, Layout, RichText, Sense, Ui, vec2};
+use egui::{Align, Label, Layout, RichText, Ui, vec2};
 
 use super::PageContext;
 use crate::{
@@ -15,7 +15,7 @@ use crate::{
         pages::AskedLesson,
     },
     ui::{
-        kit::{framed, headline, scrolled, warning},
+        kit::{framed, headline, scrolled, tile_button, warning},
         theme::Theme,
         trial_view::TrialView,
     },
@@ -302,15 +302,8 @@ impl Card {
 
     /// Draws it as a button; whether it was clicked.
     fn show(self, ui: &mut Ui, height: f32) -> bool {
-        let (rect, response) = ui.allocate_exact_size(vec2(self.width, height), Sense::click());
-        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &self.name));
-        let visuals = ui.style().interact(&response);
+        let (rect, response) = tile_button(ui, vec2(self.width, height), &self.name);
         let painter = ui.painter();
-        painter.rect_filled(rect, 4.0, visuals.bg_fill);
-        if response.has_focus() {
-            let stroke = ui.visuals().widgets.active.bg_stroke;
-            painter.rect_stroke(rect, 4.0, stroke, egui::StrokeKind::Inside);
-        }
         let mut at = rect.min + vec2(MARGIN, MARGIN);
         for galley in [self.title, self.sentence, self.small] {
             let height = galley.size().y;

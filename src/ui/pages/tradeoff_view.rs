@@ -135,38 +135,21 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, measure: Measure) {
     ui.horizontal_wrapped(|ui| {
         ui.label("Show");
         let ways = &mut context.memory.ways;
-        for (shown, name, meaning) in [
-            (&mut ways.fourier, "Fourier", "The paper's periodic series."),
-            (&mut ways.cosine, "cosine", "Half-range cosines."),
-        ] {
+        let show = |ui: &mut Ui, shown: &mut bool, name: &str, meaning: &str| {
             ui.checkbox(shown, name).on_hover_text(meaning);
-        }
+        };
+        let meaning = "The paper's periodic series.";
+        show(ui, &mut ways.fourier, "Fourier", meaning);
+        show(ui, &mut ways.cosine, "cosine", "Half-range cosines.");
         ui.separator();
-        for (shown, name, meaning) in [
-            (
-                &mut ways.with_spikes,
-                "spikes",
-                "Every line above the threshold as a spike, two numbers each: drawn through.",
-            ),
-            (
-                &mut ways.without_spikes,
-                "no spikes",
-                "Orders only: drawn in dashes.",
-            ),
-        ] {
-            ui.checkbox(shown, name).on_hover_text(meaning);
-        }
+        let meaning = "Every line above the threshold as a spike, two numbers each: drawn through.";
+        show(ui, &mut ways.with_spikes, "spikes", meaning);
+        let meaning = "Orders only: drawn in dashes.";
+        show(ui, &mut ways.without_spikes, "no spikes", meaning);
         ui.separator();
-        for (shown, name, meaning) in [
-            (&mut ways.plain, "plain", "Plain least squares."),
-            (
-                &mut ways.colour_exact,
-                "colour-exact",
-                "Least squares under the condition that X, Y and Z are exact.",
-            ),
-        ] {
-            ui.checkbox(shown, name).on_hover_text(meaning);
-        }
+        show(ui, &mut ways.plain, "plain", "Plain least squares.");
+        let meaning = "Least squares under the condition that X, Y and Z are exact.";
+        show(ui, &mut ways.colour_exact, "colour-exact", meaning);
         *ways = ways.clamped();
     });
 }
@@ -326,7 +309,7 @@ fn front_table(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh:
         ))
         .strong(),
     );
-    let chosen = points().position(|point| is_now(context, point));
+    let chosen = points().position(|point| is_now(context.app, take(settings, point)));
     let few = ui.available_width() < ALL_FIGURES * context.theme.scale;
     let (columns, rows) = &sheet.tables[usize::from(few)];
     let clicked = table(ui, columns, rows, chosen, fresh, context.theme);
@@ -336,10 +319,10 @@ fn front_table(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh:
     }
 }
 
-/// Whether a model is the document's present one.
-fn is_now(context: &PageContext<'_>, point: &SweepPoint) -> bool {
-    let document = context.app.document();
-    let Command::TakeModel { settings, edits } = take(document.settings, point) else {
+/// Whether taking a model would change nothing: it is the document's present one.
+pub(super) fn is_now(app: &App, taking: Command) -> bool {
+    let document = app.document();
+    let Command::TakeModel { settings, edits } = taking else {
         return false;
     };
     settings == document.settings && edits == document.subject_edits()

@@ -119,11 +119,7 @@ fn looks(ui: &mut Ui, context: &mut PageContext<'_>, both: &[Light]) {
                       whole: together they are the whole.",
             width: 150.0,
         };
-        choice.show(ui, memory.part.title(), |ui| {
-            for part in LightPart::ALL {
-                ui.selectable_value(&mut memory.part, part, part.title());
-            }
-        });
+        choice.pick(ui, &mut memory.part, LightPart::ALL, |p| (p.title(), ""));
     });
     exposure(ui, &mut memory.stops);
     ui.horizontal(|ui| {

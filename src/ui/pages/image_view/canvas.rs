@@ -9,7 +9,7 @@ use egui::{
 use crate::{
     spectrum::Rect,
     ui::{
-        kit::named,
+        kit::drawing,
         theme::{Theme, grey},
     },
 };
@@ -113,8 +113,7 @@ impl Canvas {
         picture: &Picture<'_>,
         theme: Theme,
     ) -> Touched {
-        let (area, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
-        named(&response, egui::Role::Image, picture.name);
+        let (area, response) = drawing(ui, size, Sense::click_and_drag(), picture.name);
         if self.key != picture.key {
             *self = Self {
                 key: picture.key.to_owned(),

@@ -3,7 +3,7 @@
 use eframe::egui;
 use egui::{RichText, Ui};
 
-use super::{WIDE, scaled, solid_bars};
+use super::{WIDE, scaled, sideways, solid_bars};
 use crate::{
     app::charts::race::{Larger, Tables, about, figure, short_name},
     study::{
@@ -175,22 +175,10 @@ fn beside(
 ) {
     ui.scope(|ui| {
         solid_bars(ui);
-        egui::ScrollArea::horizontal()
-            .id_salt(id)
-            .auto_shrink([false, true])
-            .show(ui, |ui| {
-                ui.vertical(|ui| {
-                    let width: f32 = columns.iter().map(|column| column.share).sum();
-                    ui.set_width(scaled(width, theme));
-                    let table = Table {
-                        enabled: false,
-                        dense: true,
-                        ..Table::new(columns, theme)
-                    };
-                    table.head(ui);
-                    rows(ui, table);
-                });
-            });
+        sideways(ui, (id, false), columns, theme, |ui, table| {
+            table.head(ui);
+            rows(ui, table);
+        });
     });
 }
 

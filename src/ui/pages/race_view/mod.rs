@@ -15,7 +15,7 @@ use crate::{
     app::{
         ByAddress, Memo,
         chart::{self, Chart, Marks},
-        charts::race::{Larger, RaceTable, Winners, error_chart, looks, table_chart},
+        charts::race::{Larger, RaceCell, RaceTable, Winners, error_chart, looks, table_chart},
         pages::{FieldChoice, RACE_BUDGETS},
         studies::{RaceAsk, Stage},
     },
@@ -23,7 +23,7 @@ use crate::{
     study::{Measure, Race, race::Racer},
     ui::{
         chart_view::{ChartForm, ChartView, ChartWish},
-        kit::{Choice, Column, bar, named},
+        kit::{Choice, Column, Look, Table, bar, named},
         theme::{Theme, ink, section},
     },
 };
@@ -146,14 +146,9 @@ impl RaceView {
                 meaning: "The figure that the chart shows and that decides who wins.",
                 width: 140.0,
             };
-            choice.show(ui, memory.race_measure.figure().title, |ui| {
-                let decides = |measure: &Measure| *measure != Measure::PatchesWorst;
-                for measure in Measure::COMPARED.into_iter().filter(decides) {
-                    let figure = measure.figure();
-                    ui.selectable_value(&mut memory.race_measure, measure, figure.title)
-                        .on_hover_text(figure.meaning);
-                }
-            });
+            let decides = |measure: &Measure| *measure != Measure::PatchesWorst;
+            let all = Measure::COMPARED.into_iter().filter(decides);
+            choice.pick(ui, &mut memory.race_measure, all, title_and_meaning);
         });
         if !about_light && context.memory.field == FieldChoice::ThisLight {
             ui.weak(format!(
@@ -279,6 +274,11 @@ pub(super) fn has_own_lights(context: &PageContext<'_>) -> bool {
     own.iter().any(|entry| entry.kind() == Kind::Light)
 }
 
+/// What a figure is called, and what it counts.
+pub(super) fn title_and_meaning(measure: Measure) -> (&'static str, &'static str) {
+    (measure.figure().title, measure.figure().meaning)
+}
+
 fn table_head(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
@@ -338,6 +338,36 @@ fn solid_bars(ui: &mut Ui) {
         bar_width: 6.0,
         ..egui::style::ScrollStyle::solid()
     };
+}
+
+/// A table of as much as there is, which scrolls to the side where there is no room for all of it.
+fn sideways(
+    ui: &mut Ui,
+    (id, shrinks): (&str, bool),
+    columns: &[Column],
+    theme: Theme,
+    add: impl FnOnce(&mut Ui, Table<'_>),
+) {
+    let width: f32 = columns.iter().map(|column| column.share).sum();
+    egui::ScrollArea::horizontal()
+        .id_salt(id)
+        .auto_shrink([shrinks, true])
+        .show(ui, |ui| {
+            ui.vertical(|ui| {
+                ui.set_width(scaled(width, theme));
+                add(ui, Table::dense(columns, theme));
+            });
+        });
+}
+
+/// What cells of the race say, and how: those that win have a sign.
+fn starred<'a>(cells: impl Iterator<Item = &'a RaceCell>) -> (Vec<String>, Vec<Look>) {
+    cells
+        .map(|cell| match cell.wins {
+            true => (format!("★ {}", cell.text), Look::Strong),
+            false => (cell.text.clone(), Look::Plain),
+        })
+        .unzip()
 }
 
 /// A column of racers' names, each with its ink before it.

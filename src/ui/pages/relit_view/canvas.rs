@@ -11,7 +11,10 @@ use crate::{
         chart::ramp_colour,
         relit::{NAMED, place_of},
     },
-    ui::{kit::named, theme::Theme},
+    ui::{
+        kit::named,
+        theme::{Theme, ink},
+    },
 };
 
 /// What is drawn.
@@ -195,10 +198,9 @@ pub(super) fn scale(ui: &mut Ui, width: f32, theme: Theme) {
     let steps = 96;
     for step in 0..steps {
         let x = |i: usize| bar.left() + bar.width() * i as f32 / steps as f32;
-        let [r, g, b] = ramp_colour((step as f64 + 0.5) / f64::from(steps as u32));
+        let colour = ink(ramp_colour((step as f64 + 0.5) / f64::from(steps as u32)));
         let part = Rect::from_x_y_ranges(x(step)..=x(step + 1), bar.y_range());
-        ui.painter()
-            .rect_filled(part, 0.0, Color32::from_rgb(r, g, b));
+        ui.painter().rect_filled(part, 0.0, colour);
     }
     let font = TextStyle::Small.resolve(ui.style());
     let last = NAMED.len() - 1;
