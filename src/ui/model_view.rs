@@ -9,7 +9,7 @@ use egui::{Slider, SliderClamping, Ui};
 
 use self::spikes::spike_rows;
 use super::{
-    kit::{Choice, number},
+    kit::{Choice, number, pressed_small},
     theme::section,
 };
 use crate::{
@@ -79,11 +79,8 @@ fn subject_switch(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
             let button = egui::Button::selectable(chosen, name)
                 .truncate()
                 .min_size(size);
-            if ui
-                .add(button)
-                .on_hover_text("What the model is of: the light, or the selected reflectance.")
-                .clicked()
-            {
+            let meaning = "What the model is of: the light, or the selected reflectance.";
+            if ui.add(button).on_hover_text(meaning).clicked() {
                 commands.push(Command::About(subject));
             }
         }
@@ -170,12 +167,8 @@ fn range_row(ui: &mut Ui, app: &App, settings: &mut Settings) -> Option<String> 
                 said = typed_words(&text, ends, end, settings.band);
             }
         }
-        if settings.band != Band::VISIBLE
-            && ui
-                .small_button("380-780")
-                .on_hover_text("Back to the range 380 to 780 nm.")
-                .clicked()
-        {
+        let meaning = "Back to the range 380 to 780 nm.";
+        if settings.band != Band::VISIBLE && pressed_small(ui, "380-780", meaning) {
             settings.band = Band::VISIBLE;
         }
         if let Some((table, band)) = table_beyond(app, settings.band)

@@ -4,7 +4,7 @@ use eframe::egui;
 use egui::{DragValue, Ui};
 
 use super::{
-    kit::{named, named_choice, sign_button},
+    kit::{named, named_choice, pressed, sign_button},
     theme::Theme,
 };
 use crate::app::{App, SpikeAct, ticks};
@@ -134,12 +134,8 @@ fn hand(ui: &mut Ui, index: usize, mut locked: bool, acts: &mut Vec<SpikeAct>) {
 pub(super) fn head(ui: &mut Ui, app: &App, acts: &mut Vec<SpikeAct>) {
     let edits = app.document().subject_edits();
     ui.weak("Drag in the plot or edit here; double-click adds one.");
-    if !edits.is_empty()
-        && ui
-            .button("Forget hand edits")
-            .on_hover_text("Back to what the detector finds.")
-            .clicked()
-    {
+    let meaning = "Back to what the detector finds.";
+    if !edits.is_empty() && pressed(ui, "Forget hand edits", meaning) {
         acts.push(SpikeAct::Reset);
     }
 }

@@ -9,7 +9,7 @@ use egui::{
 
 use super::{
     curve_view,
-    kit::{named, named_choice, small_warnings},
+    kit::{named, named_choice, pressed_small, small_warnings},
     swatch,
     theme::{Theme, of_seen},
 };
@@ -335,15 +335,9 @@ fn numbers(ui: &mut Ui, app: &App, theme: Theme) {
 /// What must be said about the model, and the way to another one for a composite as it is.
 fn warnings(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
     small_warnings(ui, theme, &app.derived().warnings);
-    if app.document().as_given().is_some()
-        && ui
-            .small_button(ANALYSE)
-            .on_hover_text(
-                "Takes the composite apart like any measured spectrum, with the knobs that were in \
-                 force before it was shown.",
-            )
-            .clicked()
-    {
+    let meaning = "Takes the composite apart like any measured spectrum, with the knobs that were \
+                   in force before it was shown.";
+    if app.document().as_given().is_some() && pressed_small(ui, ANALYSE, meaning) {
         commands.push(Command::Analyse);
     }
 }

@@ -1,7 +1,7 @@
 //! How a page's parts share its room.
 
 use eframe::egui;
-use egui::{Align, Layout, ScrollArea, Ui, Vec2, vec2};
+use egui::{Align, Grid, Layout, ScrollArea, Ui, Vec2, vec2};
 
 /// Room of a scroll area's bar, which stands over the right edge, points.
 const BAR: f32 = 8.0;
@@ -39,6 +39,15 @@ pub fn cell(ui: &mut Ui, width: f32, add: impl FnOnce(&mut Ui)) {
         ui.set_min_size(size);
         add(ui);
     });
+}
+
+/// A grid of four columns for figures and what they are, denser than rows of controls.
+pub fn figure_grid(ui: &mut Ui, id: &str, add: impl FnOnce(&mut Ui)) {
+    Grid::new(id)
+        .num_columns(4)
+        .min_row_height(16.0)
+        .spacing([10.0, 2.0])
+        .show(ui, add);
 }
 
 /// Two columns of the same width, their words ragged.

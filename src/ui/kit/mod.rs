@@ -10,11 +10,11 @@ mod words;
 
 pub use choice::Choice;
 pub use chooser::{Chooser, factors, lights, reflectances, transmittances};
-pub use layout::{cell, column, down, line, scrolled, two_columns};
-pub use seen::seen_choice;
+pub use layout::{cell, column, down, figure_grid, line, scrolled, two_columns};
+pub use seen::{adapt_box, seen_choice};
 pub use stops::Stops;
 pub use table::{Column, Look, Row, Table, bar, table};
 pub use words::{
-    HEADLINE, copy_button, drawing, framed, headline, named, named_choice, number, sign_button,
-    small_warnings, tile_button, titled, warning,
+    HEADLINE, copy_button, drawing, framed, headline, named, named_choice, number, pressed,
+    pressed_if, pressed_small, sign_button, small_warnings, tile_button, titled, warning,
 };

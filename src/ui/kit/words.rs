@@ -2,8 +2,8 @@
 
 use eframe::egui;
 use egui::{
-    Align, DragValue, Frame, Label, Layout, Margin, Rect, Response, RichText, Sense, Ui, Vec2,
-    WidgetText,
+    Align, Button, DragValue, Frame, Label, Layout, Margin, Rect, Response, RichText, Sense, Ui,
+    Vec2, WidgetText,
 };
 
 use crate::ui::theme::Theme;
@@ -41,7 +41,22 @@ pub fn drawing(ui: &mut Ui, size: Vec2, sense: Sense, name: &str) -> (Rect, Resp
     (rect, response)
 }
 
-/// A small button with a sign in the place of words; whether it was clicked.
+/// A button with what it does; whether it was clicked.
+pub fn pressed(ui: &mut Ui, words: &str, meaning: &str) -> bool {
+    pressed_if(ui, true, Button::new(words), meaning)
+}
+
+/// The same in small.
+pub fn pressed_small(ui: &mut Ui, words: &str, meaning: &str) -> bool {
+    pressed_if(ui, true, Button::new(words).small(), meaning)
+}
+
+/// A button that can be clicked under a condition, with what it does.
+pub fn pressed_if(ui: &mut Ui, can: bool, button: Button<'_>, meaning: &str) -> bool {
+    ui.add_enabled(can, button).on_hover_text(meaning).clicked()
+}
+
+/// A small button with a sign or a word, called by more; whether it was clicked.
 pub fn sign_button(ui: &mut Ui, sign: &str, name: &str, meaning: &str) -> bool {
     let button = ui.small_button(sign);
     named(&button, egui::Role::Button, name);
@@ -69,12 +84,8 @@ pub fn copy_button(ui: &mut Ui, name: &str, meaning: &str, csv: impl FnOnce() ->
     if !meaning.is_empty() {
         button = button.on_hover_text(meaning);
     }
-    let text = if button.clicked() {
-        csv()
-    } else {
-        String::new()
-    };
-    if !text.is_empty() {
+    let text = button.clicked().then(csv);
+    if let Some(text) = text.filter(|text| !text.is_empty()) {
         ui.ctx().copy_text(text);
     }
 }

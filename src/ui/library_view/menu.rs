@@ -8,6 +8,7 @@ use super::LibraryView;
 use crate::{
     app::{App, Command, Entry, Recipe},
     spectrum::Kind,
+    ui::kit::pressed,
 };
 
 impl LibraryView {
@@ -41,15 +42,9 @@ impl LibraryView {
             return command;
         }
         ui.separator();
-        if entry.origin.file().is_some()
-            && ui
-                .button("How it was read…")
-                .on_hover_text(
-                    "The first rows of its file, what was decided about them, and the other \
-                     choices.",
-                )
-                .clicked()
-        {
+        let meaning = "The first rows of its file, what was decided about them, and the other \
+                     choices.";
+        if entry.origin.file().is_some() && pressed(ui, "How it was read…", meaning) {
             self.wants_reading = Some(entry.key.clone());
             ui.close();
         }

@@ -6,7 +6,7 @@ use egui::{Align, Button, Label, Layout, Rect, RichText, Ui};
 use crate::{
     app::{App, Command, Height, View, chart::Inks, charts::spectrum::overlay_factor},
     ui::{
-        kit::{named, named_choice},
+        kit::{named, named_choice, pressed},
         theme::{Theme, ink},
     },
 };
@@ -278,11 +278,7 @@ fn overlays(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &mu
         let colour = ink(inks.overlays[i % inks.overlays.len()]);
         ui.label(RichText::new(overlay.name()).color(colour));
     }
-    if ui
-        .button("Clear")
-        .on_hover_text("Takes all overlays away.")
-        .clicked()
-    {
+    if pressed(ui, "Clear", "Takes all overlays away.") {
         commands.push(Command::ClearOverlays);
         ui.close();
     }

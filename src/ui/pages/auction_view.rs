@@ -70,8 +70,7 @@ impl AuctionView {
         controls(ui, context, goal);
         let goal = goal_within(app, context.memory.goal);
         let ask = AuctionAsk::of(app.document(), goal, context.memory.auction_numbers);
-        let job = context.studies.job();
-        job.put(&ask, context.wake);
+        let job = context.put(&ask);
         let stage = job.stage();
         if stage != Stage::Done {
             progress(ui, job, "The auction");

@@ -18,7 +18,11 @@ use crate::{
     io::many::numbers,
     spectrum::{Basis, numbers_of_order},
     study::harmonics::Harmonics,
-    ui::{chart_view::ChartResponse, kit::headline, swatch},
+    ui::{
+        chart_view::ChartResponse,
+        kit::{headline, pressed},
+        swatch,
+    },
 };
 
 /// Time between two orders while playing, s.
@@ -168,11 +172,8 @@ fn controls(
         }
         let playing = next_step.is_some();
         let words = if playing { names::STOP } else { names::PLAY };
-        if ui
-            .button(words)
-            .on_hover_text("Adds the orders N = 0, 1, 2, ... one after the other, two a second.")
-            .clicked()
-        {
+        let meaning = "Adds the orders N = 0, 1, 2, ... one after the other, two a second.";
+        if pressed(ui, words, meaning) {
             *next_step = if playing {
                 None
             } else {

@@ -38,9 +38,8 @@ impl KnownLampsView {
             automatic: _,
         } = context.memory.words;
         let ask = EncodeAsk::of(context.app.document(), numbers, !portable, itself);
-        let job = context.studies.job();
-        job.put(&ask, context.wake);
-        let answer = job
+        let answer = context
+            .put(&ask)
             .answer()
             .map(|(ask, found)| (ask.clone(), found.clone()));
         // What it says of another light would be wrong; of other numbers it stays until the next.

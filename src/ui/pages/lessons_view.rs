@@ -12,10 +12,10 @@ use super::PageContext;
 use crate::{
     app::{
         lessons::{Fault, Lesson, shelf},
-        pages::AskedLesson,
+        pages::{AskedLesson, PageMemory},
     },
     ui::{
-        kit::{framed, headline, scrolled, tile_button, warning},
+        kit::{framed, headline, pressed, scrolled, tile_button, warning},
         theme::Theme,
         trial_view::TrialView,
     },
@@ -121,8 +121,7 @@ impl LessonsView {
             self.of_own_ones(ui, context.theme);
         });
         if let Some(name) = asked {
-            context.memory.lesson_asked = Some(AskedLesson { name, step: 0 });
-            ui.ctx().request_repaint();
+            begin(ui, context.memory, &name);
         }
     }
 
@@ -177,6 +176,13 @@ impl LessonsView {
     }
 }
 
+/// Asks for a lesson from its beginning.
+pub(in crate::ui) fn begin(ui: &Ui, memory: &mut PageMemory, name: &str) {
+    let name = name.to_owned();
+    memory.lesson_asked = Some(AskedLesson { name, step: 0 });
+    ui.ctx().request_repaint();
+}
+
 /// One lesson, for who teaches it; what of it is to be saved.
 fn of_teachers(
     ui: &mut Ui,
@@ -210,14 +216,8 @@ fn of_teachers(
         );
         said(ui, "Sources", &lesson.sources.join("; "));
         ui.horizontal_wrapped(|ui| {
-            if ui
-                .button("Begin")
-                .on_hover_text("Begins this lesson.")
-                .clicked()
-            {
-                let name = lesson.name.clone();
-                context.memory.lesson_asked = Some(AskedLesson { name, step: 0 });
-                ui.ctx().request_repaint();
+            if pressed(ui, "Begin", "Begins this lesson.") {
+                begin(ui, context.memory, &lesson.name);
             }
             let save = ui.button("Save a handout").on_hover_text(
                 "A sheet for the class, one page of HTML: words, questions and pictures, the \

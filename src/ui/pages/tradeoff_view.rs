@@ -59,8 +59,7 @@ impl TradeoffView {
     pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let app = context.app;
         let ask = SweepAsk::of(app.document());
-        let job = context.studies.job();
-        job.put(&ask, context.wake);
+        context.put(&ask);
         let measure = measure_within(app, context.memory.measure);
         controls(ui, context, measure);
         // A row that is always there: the charts must not jump while a slider is dragged.

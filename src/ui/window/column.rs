@@ -5,7 +5,9 @@ use egui::{Margin, Panel, ScrollArea, Ui};
 
 use super::{
     super::{
-        colour_view, look_view, model_view, spikes_view,
+        colour_view,
+        kit::pressed,
+        look_view, model_view, spikes_view,
         theme::{self, Theme},
         verdict_view::{self, Side},
     },
@@ -166,14 +168,9 @@ const LINES_WIDE: f32 = 396.0;
 
 /// The paper's settings in one click.
 fn as_in_the_paper(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
-    if ui
-        .button(look_view::names::PAPER)
-        .on_hover_text(
-            "Plain Fourier series on 400 to 700 nm where the table reaches, lines by their \
-             slope, products on the paper's points.",
-        )
-        .clicked()
-    {
+    let meaning = "Plain Fourier series on 400 to 700 nm where the table reaches, lines by their \
+             slope, products on the paper's points.";
+    if pressed(ui, look_view::names::PAPER, meaning) {
         commands.push(Command::Edit(answers::as_in_the_paper(app)));
     }
 }

@@ -19,7 +19,10 @@ use crate::{
     color::Swatch,
     design::recover::Method,
     ui::{
-        kit::{Chooser, Column, Row, column, down, drawing, lights, number, scrolled, table},
+        kit::{
+            Chooser, Column, Row, column, down, drawing, lights, number, pressed_small, scrolled,
+            table,
+        },
         pages::PageContext,
         swatch,
     },
@@ -183,20 +186,10 @@ fn lines_of(ui: &mut Ui, context: &mut PageContext<'_>) {
                 .max_decimals(1);
             number(ui, place, &format!("Line {}", i + 1));
         }
-        if places.len() < 8
-            && ui
-                .small_button("+")
-                .on_hover_text("One line more.")
-                .clicked()
-        {
+        if places.len() < 8 && pressed_small(ui, "+", "One line more.") {
             places.push(600.0);
         }
-        if places.len() > 1
-            && ui
-                .small_button("−")
-                .on_hover_text("The last line goes.")
-                .clicked()
-        {
+        if places.len() > 1 && pressed_small(ui, "−", "The last line goes.") {
             places.pop();
         }
         ui.label("nm over the glow of");

@@ -53,9 +53,8 @@ impl DesignView {
             self.drawn_photo = None;
             return;
         };
-        let job = context.studies.job();
         let ask = PhotoAsk(path.clone());
-        job.put(&ask, context.wake);
+        let job = context.put(&ask);
         progress(ui, job, "The picture");
         let Some(found) = job.result_for(&ask).cloned() else {
             return;

@@ -93,8 +93,7 @@ impl RaceView {
             strict: context.memory.race_strict,
             ..RaceAsk::of(document, field.field(document), RACE_BUDGETS.to_vec())
         };
-        let race = context.studies.job();
-        race.put(&ask, context.wake);
+        let race = context.put(&ask);
         progress(ui, race, "The race");
         if race.stage() == Stage::Impossible {
             // What is still there answers another question.

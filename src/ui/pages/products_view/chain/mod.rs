@@ -19,7 +19,10 @@ use crate::{
     },
     spectrum::{Sampling, Spike},
     ui::{
-        kit::{Choice, Chooser, Column, Row, down, factors, headline, scrolled, table},
+        kit::{
+            Choice, Chooser, Column, Row, down, factors, headline, pressed, pressed_small,
+            scrolled, table,
+        },
         model_view::sampling_words,
         pages::PageContext,
     },
@@ -178,20 +181,13 @@ fn head(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet) {
             ui.weak(format!("{MOST_LINKS} at most."));
         }
         way(ui, context);
-        if ui
-            .button(names::COPY_STAGES)
-            .on_hover_text("Copies the light and every stage as a table.")
-            .clicked()
-        {
+        let meaning = "Copies the light and every stage as a table.";
+        if pressed(ui, names::COPY_STAGES, meaning) {
             let chain = &app.document().products.chain;
             ui.ctx().copy_text(stages_csv(app, &sheet.told, chain));
         }
-        if count > 0
-            && ui
-                .button(names::CLEAR)
-                .on_hover_text("Takes all factors away; undo brings them back.")
-                .clicked()
-        {
+        let meaning = "Takes all factors away; undo brings them back.";
+        if count > 0 && pressed(ui, names::CLEAR, meaning) {
             change(context, |products| products.chain.clear());
         }
     });
@@ -303,12 +299,8 @@ fn spike_table(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet, place
         ui.strong(title).on_hover_text(
             "Each spike keeps its place; its weight is multiplied by the factor where it stands.",
         );
-        if !spikes.is_empty()
-            && ui
-                .small_button(names::COPY_SPIKES)
-                .on_hover_text("Copies places, weights and names as a table.")
-                .clicked()
-        {
+        let meaning = "Copies places, weights and names as a table.";
+        if !spikes.is_empty() && pressed_small(ui, names::COPY_SPIKES, meaning) {
             let stage = match place {
                 Place::Light => "the light",
                 Place::Stage(index) => &sheet.told.names[index],

@@ -159,9 +159,10 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, band: Band) {
         }
         ui.separator();
         let chosen = memory.filter.as_ref().and_then(|key| app.entry(key));
+        let meaning = "The Gaussian band-pass of this centre and width.";
         if ui
             .selectable_label(chosen.is_none(), names::GAUSSIAN)
-            .on_hover_text("The Gaussian band-pass of this centre and width.")
+            .on_hover_text(meaning)
             .clicked()
         {
             memory.filter = None;

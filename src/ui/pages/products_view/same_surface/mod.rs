@@ -83,8 +83,7 @@ impl SameSurfaceView {
         });
         let everywhere = context.memory.products.same_surface.everywhere;
         if let Some(ask) = &sheet.ranking(app.document(), everywhere) {
-            let job = context.studies.job();
-            job.put(ask, context.wake);
+            context.put(ask);
         }
         let rows = &mut self.ranking;
         let room = ui.available_size();
