@@ -6,13 +6,9 @@ use egui::{Context, Key, KeyboardShortcut, Modifiers};
 /// What a key asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Act {
-    /// Open files.
     Open,
-    /// Open a folder.
     OpenFolder,
-    /// Type a path.
     TypePath,
-    /// Save the project.
     SaveProject,
     /// One step back.
     Undo,

@@ -43,7 +43,6 @@ pub(super) struct LessonView {
 }
 
 impl LessonView {
-    /// Draws the column.
     pub(super) fn show(
         &mut self,
         ui: &mut Ui,
@@ -186,10 +185,12 @@ fn answer(
     let button = Button::new(RichText::new(words)).wrap().selected(is_chosen);
     let width = ui.available_width();
     let button = button.min_size(vec2(width, 0.0));
-    let response = ui
-        .add(button)
-        .on_hover_text("Your prediction; a digit chooses it, too.");
-    if response.clicked() {
+    if pressed_if(
+        ui,
+        true,
+        button,
+        "Your prediction; a digit chooses it, too.",
+    ) {
         wishes.push(Wish::Choose(index));
     }
     if !because.is_empty() && (is_chosen || *right || is_open) {

@@ -102,13 +102,8 @@ fn basis_row(ui: &mut Ui, settings: &mut Settings) {
                 "Half-range cosines: the same 2N + 1 numbers, no jump at the ends.",
             ),
         ] {
-            if ui
-                .selectable_label(settings.basis == basis, name)
-                .on_hover_text(meaning)
-                .clicked()
-            {
-                settings.basis = basis;
-            }
+            ui.selectable_value(&mut settings.basis, basis, name)
+                .on_hover_text(meaning);
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             ui.checkbox(&mut settings.colour_exact, names::COLOUR_EXACT)

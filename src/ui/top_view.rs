@@ -60,7 +60,6 @@ pub struct Drawer {
     pub compares: bool,
 }
 
-/// Draws the bar.
 pub(super) fn show(
     ui: &mut Ui,
     app: &App,

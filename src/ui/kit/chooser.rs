@@ -160,15 +160,18 @@ fn shelves(app: &App, offers: fn(&Entry) -> bool) -> Vec<Line> {
 /// What can be searched, and the user's own spectra that it was made for.
 type Searched = Option<(Vec<Arc<Entry>>, Arc<Index>)>;
 
+/// Whether two lists hold the very same spectra.
+pub fn are_same(some: &[Arc<Entry>], others: &[Arc<Entry>]) -> bool {
+    some.len() == others.len() && some.iter().zip(others).all(|(a, b)| Arc::ptr_eq(a, b))
+}
+
 /// What the library's search finds, the best first.
-fn found(ui: &Ui, app: &App, search: &str) -> Vec<Arc<Entry>> {
+pub fn found(ui: &Ui, app: &App, search: &str) -> Vec<Arc<Entry>> {
     let own = &app.document().own;
-    let id = egui::Id::unique("what choosers search");
-    let is_still = |(of, _): &(Vec<Arc<Entry>>, Arc<Index>)| {
-        of.len() == own.len() && of.iter().zip(own).all(|(a, b)| Arc::ptr_eq(a, b))
-    };
+    let id = egui::Id::unique("what is searched");
     let kept: Searched = ui.data(|data| data.get_temp::<Searched>(id)).flatten();
-    let (_, index) = kept.filter(is_still).unwrap_or_else(|| {
+    let kept = kept.filter(|(of, _)| are_same(of, own));
+    let (_, index) = kept.unwrap_or_else(|| {
         let index = Arc::new(Index::of(own.iter().chain(app.bundled())));
         let made = (own.clone(), index);
         ui.data_mut(|data| data.insert_temp::<Searched>(id, Some(made.clone())));

@@ -48,7 +48,6 @@ enum Wish {
 }
 
 impl LibraryView {
-    /// Draws the library.
     pub(super) fn show(
         &mut self,
         ui: &mut Ui,
@@ -71,7 +70,7 @@ impl LibraryView {
         if !searches {
             favourites_row(ui, app, theme, self.compares, commands);
         }
-        let rows = self.listed.rows(&self.search, app, preferences);
+        let rows = self.listed.rows(ui, &self.search, app, preferences);
         if rows.is_empty() {
             ui.add_space(8.0);
             ui.weak("Nothing is called that.");

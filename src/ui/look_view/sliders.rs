@@ -59,7 +59,6 @@ pub(super) struct Asked {
 }
 
 impl SlidersView {
-    /// Draws the card.
     pub(super) fn show(
         &mut self,
         ui: &mut Ui,

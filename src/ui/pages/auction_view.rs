@@ -63,7 +63,6 @@ pub(super) struct AuctionView {
 }
 
 impl AuctionView {
-    /// Draws the page.
     pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let app = context.app;
         let goal = goal_within(app, context.memory.goal);

@@ -18,7 +18,6 @@ pub(super) struct GlossaryView {
 }
 
 impl GlossaryView {
-    /// Draws the page.
     pub(super) fn show(&mut self, ui: &mut Ui, theme: Theme) {
         let count = WORDS.len();
         let words = format!("{count} words of this window, in plain sentences.");

@@ -13,7 +13,7 @@ use crate::{
         studies::{EncodeAsk, EncodedLight, most_numbers},
     },
     lamps::NUMBERS,
-    ui::kit::{Column, Row, Table, headline, named, scrolled, two_columns},
+    ui::kit::{Column, Row, Table, headline, named, pressed_small, scrolled, two_columns},
 };
 
 /// Room below the chart, points.
@@ -29,7 +29,6 @@ pub(super) struct KnownLampsView {
 type Key = (ByAddress<Result<EncodedLight, String>>, chart::Theme);
 
 impl KnownLampsView {
-    /// Draws the page.
     pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let WordsMemory {
             numbers,
@@ -131,11 +130,9 @@ fn below_chart(ui: &mut Ui, context: &mut PageContext<'_>, words: &WordsShown) {
         |ui, _| {
             ui.horizontal(|ui| {
                 ui.label(RichText::new("The words").strong());
-                let copy = ui.small_button("Copy words");
-                let copy = copy.on_hover_text(
-                    "Copies them; \"spectral-explorer decode\" makes the spectrum of them again.",
-                );
-                if copy.clicked() {
+                let meaning =
+                    "Copies them; \"spectral-explorer decode\" makes the spectrum of them again.";
+                if pressed_small(ui, "Copy words", meaning) {
                     ui.ctx().copy_text(words.words.clone());
                 }
             });

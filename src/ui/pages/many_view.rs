@@ -50,7 +50,6 @@ struct Shown {
 }
 
 impl ManyView {
-    /// Draws the page.
     pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let document = context.app.document();
         let memory = context.memory.many;

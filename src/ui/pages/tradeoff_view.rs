@@ -55,7 +55,6 @@ pub(super) struct TradeoffView {
 }
 
 impl TradeoffView {
-    /// Draws the page.
     pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let app = context.app;
         let ask = SweepAsk::of(app.document());

@@ -12,7 +12,7 @@ use super::{
         verdict_view::{self, Side},
     },
     Window,
-    panels::{COLUMN, Shape, in_its_size, plain},
+    panels::{COLUMN, Shape, fixed, in_its_size, plain},
 };
 use crate::app::{App, Command, SpikeAct, Tone, answers};
 
@@ -43,18 +43,14 @@ impl Window {
         let open = self.side_is_open(shape);
         if !shape.wide || self.side_open.is_some() {
             let frame = plain(ui, Margin::ZERO);
-            Panel::right("edge")
-                .frame(frame)
-                .resizable(false)
-                .exact_size(EDGE)
-                .show(ui, |ui| {
-                    if verdict_view::edge(ui, open) {
-                        self.side_open = match (open, shape.wide && has_model) {
-                            (true, false) | (false, true) => None,
-                            (open, _) => Some(!open),
-                        };
-                    }
-                });
+            fixed(Panel::right("edge"), frame, EDGE).show(ui, |ui| {
+                if verdict_view::edge(ui, open) {
+                    self.side_open = match (open, shape.wide && has_model) {
+                        (true, false) | (false, true) => None,
+                        (open, _) => Some(!open),
+                    };
+                }
+            });
         }
         if !open {
             return;
@@ -74,10 +70,7 @@ impl Window {
             (false, true) => least,
             (false, false) => usual,
         };
-        Panel::right("model")
-            .frame(frame)
-            .resizable(false)
-            .exact_size(width)
+        fixed(Panel::right("model"), frame, width)
             .show(ui, |ui| in_its_size(ui, |ui| self.column(ui, theme)));
     }
 

@@ -27,7 +27,6 @@ use crate::{
 /// How many sliders of the cut are always there.
 const ALWAYS: usize = 3;
 
-/// Draws the controls.
 pub(super) fn show(
     ui: &mut Ui,
     context: &mut PageContext<'_>,

@@ -68,7 +68,6 @@ fn plot_height(strip: &StripShown) -> f32 {
     if strip.heights.is_empty() { 0.0 } else { PLOT }
 }
 
-/// Draws the strips.
 pub(super) fn show(ui: &mut Ui, strips: &[StripShown], axis: &Axis<'_>, theme: Theme) {
     let scale = theme.scale;
     let font = TextStyle::Small.resolve(ui.style());

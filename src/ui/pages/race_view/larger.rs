@@ -53,7 +53,6 @@ impl LargerRows {
         }
     }
 
-    /// Draws it.
     pub(super) fn show(&self, ui: &mut Ui, theme: Theme) {
         section(ui, "What the composite wins, and what it does not");
         if ui.available_width() >= WIDE && !self.larger.halves.is_empty() {

@@ -77,7 +77,6 @@ impl Shown {
 }
 
 impl RaceView {
-    /// Draws the page.
     pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         self.controls(ui, context);
         let document = context.app.document();
@@ -127,16 +126,14 @@ impl RaceView {
         ui.horizontal_wrapped(|ui| {
             ui.label("Numbers");
             for budget in RACE_BUDGETS {
+                let chosen = &mut memory.race_numbers;
                 let button = ui
-                    .selectable_label(memory.race_numbers == budget, budget.to_string())
+                    .selectable_value(chosen, budget, budget.to_string())
                     .on_hover_text(
                         "How many numbers each may spend on a light: a spike costs two, anything \
                          else one.",
                     );
                 named(&button, egui::Role::Button, &format!("{budget} numbers"));
-                if button.clicked() {
-                    memory.race_numbers = budget;
-                }
             }
             ui.separator();
             ui.label("By");

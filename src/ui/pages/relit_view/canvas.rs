@@ -2,8 +2,8 @@
 
 use eframe::egui;
 use egui::{
-    Align2, Color32, EventFilter, FontId, Key, Painter, Pos2, Rect, Sense, Stroke, StrokeKind,
-    TextStyle, TextureId, Ui, Vec2, pos2, vec2,
+    Align2, Color32, FontId, Key, Painter, Pos2, Rect, Sense, Stroke, StrokeKind, TextStyle,
+    TextureId, Ui, Vec2, pos2, vec2,
 };
 
 use crate::{
@@ -12,7 +12,7 @@ use crate::{
         relit::{NAMED, place_of},
     },
     ui::{
-        kit::named,
+        kit::{hold_arrows, named},
         theme::{Theme, ink},
     },
 };
@@ -110,11 +110,7 @@ fn move_by_keys(ui: &Ui, response: &egui::Response, split: &mut f32) {
     if !response.has_focus() {
         return;
     }
-    let arrows = EventFilter {
-        horizontal_arrows: true,
-        ..EventFilter::default()
-    };
-    ui.memory_mut(|m| m.set_focus_lock_filter(response.id, arrows));
+    hold_arrows(ui, response.id, false);
     let pressed = |key| ui.input(|i| i.num_presses(key)) as f32;
     let steps = pressed(Key::ArrowRight) - pressed(Key::ArrowLeft);
     *split = (*split + KEY_STEP * steps).clamp(0.0, 1.0);
