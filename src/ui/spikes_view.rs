@@ -4,7 +4,7 @@ use eframe::egui;
 use egui::{DragValue, Ui};
 
 use super::{
-    kit::{named, named_choice, pressed, sign_button},
+    kit::{named_choice, number, pressed, sign_button},
     theme::Theme,
 };
 use crate::app::{App, SpikeAct, ticks};
@@ -33,22 +33,16 @@ pub(super) fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAc
                 titles(ui, app);
                 for (index, spike) in spikes.iter().enumerate() {
                     let (mut at_nm, mut weight) = (spike.spike.at_nm, spike.spike.weight * factor);
-                    let place = ui.add(
-                        DragValue::new(&mut at_nm)
-                            .speed(0.1)
-                            .range(band.min_nm()..=band.max_nm())
-                            .fixed_decimals(2),
-                    );
+                    let place = DragValue::new(&mut at_nm)
+                        .speed(0.1)
+                        .range(band.min_nm()..=band.max_nm())
+                        .fixed_decimals(2);
+                    let place = number(ui, place, &format!("Spike {} place", index + 1));
                     let size = weight.abs().max(f64::MIN_POSITIVE);
-                    let power = ui.add(
-                        DragValue::new(&mut weight)
-                            .speed(0.01 * size)
-                            .custom_formatter(|v, _| ticks::short(v)),
-                    );
-                    for (response, what) in [(&place, "place"), (&power, "weight")] {
-                        let name = format!("Spike {} {what}", index + 1);
-                        named(response, egui::Role::SpinButton, &name);
-                    }
+                    let power = DragValue::new(&mut weight)
+                        .speed(0.01 * size)
+                        .custom_formatter(|v, _| ticks::short(v));
+                    let power = number(ui, power, &format!("Spike {} weight", index + 1));
                     if place.changed() || power.changed() {
                         acts.push(SpikeAct::Set {
                             index,

@@ -3,11 +3,9 @@
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{
-    Align2, ComboBox, Key, PopupCloseBehavior, ScrollArea, Sense, TextEdit, Ui, Vec2, vec2,
-};
+use egui::{Align2, ComboBox, Key, PopupCloseBehavior, ScrollArea, Sense, Ui, Vec2, vec2};
 
-use super::named;
+use super::{named, text_field};
 use crate::{
     app::{App, Entry, search::Index},
     preset::Shelf,
@@ -67,13 +65,9 @@ impl Chooser<'_> {
 
     fn list(&self, ui: &mut Ui, app: &App, search: &mut String) -> Option<Arc<Entry>> {
         ui.set_min_width(320.0_f32.max(self.width));
-        let edit = ui.add(
-            TextEdit::singleline(search)
-                .hint_text("Name, element, use; Enter takes the first")
-                .desired_width(f32::INFINITY),
-        );
         let name = format!("Search: {}", self.name);
-        named(&edit, egui::Role::TextInput, &name);
+        let hint = "Name, element, use; Enter takes the first";
+        let edit = text_field(ui, search, [&name, hint], f32::INFINITY);
         let entered = edit.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
         if ui.memory(|m| m.focused().is_none()) {
             edit.request_focus();

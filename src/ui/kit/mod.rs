@@ -10,11 +10,12 @@ mod words;
 
 pub use choice::Choice;
 pub use chooser::{Chooser, are_same, factors, found, lights, reflectances, transmittances};
-pub use layout::{cell, column, down, figure_grid, line, scrolled, two_columns};
+pub use layout::{cell, column, down, figure_grid, line, rolled, scrolled, two_columns};
 pub use seen::{adapt_box, seen_choice};
 pub use stops::{Stops, hold_arrows};
 pub use table::{Column, Look, Row, Table, bar, table};
 pub use words::{
     HEADLINE, copy_button, drawing, framed, headline, named, named_choice, number, pressed,
-    pressed_if, pressed_small, sign_button, small_warnings, tile_button, titled, warning,
+    pressed_if, pressed_small, sign_button, small_warnings, text_field, tile_button, titled,
+    warning,
 };

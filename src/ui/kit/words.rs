@@ -2,8 +2,8 @@
 
 use eframe::egui;
 use egui::{
-    Align, Button, DragValue, Frame, Label, Layout, Margin, Rect, Response, RichText, Sense, Ui,
-    Vec2, WidgetText,
+    Align, Button, DragValue, Frame, Label, Layout, Margin, Rect, Response, RichText, Sense,
+    TextEdit, Ui, Vec2, WidgetText,
 };
 
 use crate::ui::theme::Theme;
@@ -31,6 +31,16 @@ pub fn named_choice(response: &Response, role: egui::Role, is_chosen: bool, name
 pub fn number(ui: &mut Ui, field: DragValue<'_>, name: &str) -> Response {
     let response = ui.add(field);
     named(&response, egui::Role::SpinButton, name);
+    response
+}
+
+/// A field of one line to type into, under its name.
+pub fn text_field(ui: &mut Ui, text: &mut String, [name, hint]: [&str; 2], width: f32) -> Response {
+    let field = TextEdit::singleline(text)
+        .hint_text(hint)
+        .desired_width(width);
+    let response = ui.add(field);
+    named(&response, egui::Role::TextInput, name);
     response
 }
 

@@ -15,7 +15,7 @@ use self::{
 };
 use super::{
     entry_row::{Painted, row_name},
-    kit::{named, named_choice},
+    kit::{named, named_choice, text_field},
     theme::{Theme, ink},
 };
 use crate::app::{App, Command, Entry, workspace::Preferences};
@@ -109,17 +109,11 @@ impl LibraryView {
     }
 
     fn search_field(&mut self, ui: &mut Ui) -> Response {
-        let search = ui
-            .add(
-                egui::TextEdit::singleline(&mut self.search)
-                    .hint_text("Search spectra")
-                    .desired_width(f32::INFINITY),
-            )
-            .on_hover_text(
-                "A name, a family, an element, a use: \"street lamp\", neon, skin (Ctrl+F). Enter shows \
-                 the first.",
-            );
-        named(&search, egui::Role::TextInput, "Search the library");
+        let words = ["Search the library", "Search spectra"];
+        let search = text_field(ui, &mut self.search, words, f32::INFINITY).on_hover_text(
+            "A name, a family, an element, a use: \"street lamp\", neon, skin (Ctrl+F). Enter \
+             shows the first.",
+        );
         if std::mem::take(&mut self.wants_search) {
             search.request_focus();
         }

@@ -24,7 +24,7 @@ use crate::{
     },
     io::many::numbers,
     study::{Auction, Goal, Reference, Way},
-    ui::kit::{Column, Row, headline, named, table},
+    ui::kit::{Column, Row, headline, named, rolled, table},
 };
 
 /// From this width on chart and table stand side by side, points.
@@ -281,25 +281,16 @@ fn lay_out(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: boo
         ui.columns(2, |columns| {
             let size = vec2(columns[0].available_width(), room.y);
             chart(&mut columns[0], context, sheet, size, fresh);
-            egui::ScrollArea::vertical()
-                .auto_shrink(false)
-                .show(&mut columns[1], |ui| steps(ui, context, sheet, fresh));
+            rolled(&mut columns[1], |ui| steps(ui, context, sheet, fresh));
         });
     } else {
-        egui::ScrollArea::vertical()
-            .auto_shrink(false)
-            .show(ui, |ui| {
-                let height = (0.52 * room.y).clamp(260.0 * scale, 420.0 * scale);
-                chart(
-                    ui,
-                    context,
-                    sheet,
-                    vec2(ui.available_width(), height),
-                    fresh,
-                );
-                ui.add_space(4.0);
-                steps(ui, context, sheet, fresh);
-            });
+        rolled(ui, |ui| {
+            let height = (0.52 * room.y).clamp(260.0 * scale, 420.0 * scale);
+            let size = vec2(ui.available_width(), height);
+            chart(ui, context, sheet, size, fresh);
+            ui.add_space(4.0);
+            steps(ui, context, sheet, fresh);
+        });
     }
 }
 

@@ -23,7 +23,7 @@ use crate::{
     study::{Measure, Reference, Sweep, SweepPoint, Verdict},
     ui::{
         chart_view::Hit,
-        kit::{Column, Row, headline, line, table},
+        kit::{Column, Row, headline, line, rolled, table},
     },
 };
 
@@ -235,27 +235,25 @@ fn lay_out(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: boo
     sentence.on_hover_text("Of the models drawn: all orders of the ways that are switched on.");
     let room = ui.available_size();
     let scale = context.theme.scale;
-    egui::ScrollArea::vertical()
-        .auto_shrink(false)
-        .show(ui, |ui| {
-            if room.x >= WIDE * scale {
-                let height = (0.60 * room.y).max(300.0 * scale);
-                ui.columns(2, |columns| {
-                    let size = vec2(columns[0].available_width(), height);
-                    against_numbers(&mut columns[0], context, sheet, size, fresh);
-                    against_threshold(&mut columns[1], context, sheet, size, fresh);
-                });
-            } else {
-                let width = ui.available_width();
-                let height = (0.52 * room.y).clamp(270.0 * scale, 460.0 * scale);
-                against_numbers(ui, context, sheet, vec2(width, height), fresh);
-                ui.add_space(4.0);
-                let height = (0.41 * room.y).clamp(210.0 * scale, 380.0 * scale);
-                against_threshold(ui, context, sheet, vec2(width, height), fresh);
-            }
-            ui.add_space(6.0);
-            front_table(ui, context, sheet, fresh);
-        });
+    rolled(ui, |ui| {
+        if room.x >= WIDE * scale {
+            let height = (0.60 * room.y).max(300.0 * scale);
+            ui.columns(2, |columns| {
+                let size = vec2(columns[0].available_width(), height);
+                against_numbers(&mut columns[0], context, sheet, size, fresh);
+                against_threshold(&mut columns[1], context, sheet, size, fresh);
+            });
+        } else {
+            let width = ui.available_width();
+            let height = (0.52 * room.y).clamp(270.0 * scale, 460.0 * scale);
+            against_numbers(ui, context, sheet, vec2(width, height), fresh);
+            ui.add_space(4.0);
+            let height = (0.41 * room.y).clamp(210.0 * scale, 380.0 * scale);
+            against_threshold(ui, context, sheet, vec2(width, height), fresh);
+        }
+        ui.add_space(6.0);
+        front_table(ui, context, sheet, fresh);
+    });
 }
 
 fn against_numbers(
@@ -300,13 +298,8 @@ fn front_table(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh:
         let front = sheet.tradeoff.front.iter();
         front.map(|index| &sheet.sweep.points[*index])
     };
-    ui.label(
-        egui::RichText::new(format!(
-            "Lowest error for that many numbers: {}",
-            sheet.measure.figure().title
-        ))
-        .strong(),
-    );
+    let figure = sheet.measure.figure().title;
+    ui.strong(format!("Lowest error for that many numbers: {figure}"));
     let chosen = points().position(|point| is_now(context.app, take(settings, point)));
     let few = ui.available_width() < ALL_FIGURES * context.theme.scale;
     let (columns, rows) = &sheet.tables[usize::from(few)];

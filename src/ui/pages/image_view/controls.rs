@@ -3,7 +3,7 @@
 use eframe::egui;
 use egui::Ui;
 
-use super::{Shown, canvas::Canvas, names, shows_bands};
+use super::{Shown, canvas::Canvas, names};
 use crate::{
     app::{
         Command, ImageEntry,
@@ -81,7 +81,7 @@ pub(super) fn looks(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEnt
         ui.separator();
         exposure(ui, context);
         let is_factor = entry.image.kind.is_factor();
-        if is_factor && !shows_bands(context.memory.image.show) {
+        if is_factor && context.memory.image.show == Show::TrueColour {
             let meaning = format!(
                 "Brings the colour of the light, {}, to the screen's white (Bradford), here and in \
                  the patches.",

@@ -19,8 +19,8 @@ use crate::{
         charts::image::region_chart,
         headlines,
         picture::{
-            BandWeights, Exposed, Raster, RasterAsk, RegionAsk, RegionSpectrum, Show, Spread,
-            exposed, named, shown,
+            BandWeights, Exposed, Raster, RasterAsk, RegionAsk, RegionSpectrum, Spread, exposed,
+            named, shown,
         },
         studies::Stage,
     },
@@ -409,9 +409,4 @@ fn nothing_open(ui: &mut Ui, theme: Theme) {
 /// Height of a row of text with its space, points.
 fn line(ui: &Ui) -> f32 {
     ui.spacing().interact_size.y + ui.spacing().item_spacing.y
-}
-
-/// Whether bands are chosen by hand.
-fn shows_bands(show: Show) -> bool {
-    show != Show::TrueColour
 }

@@ -133,13 +133,9 @@ impl LargerRows {
         if self.checked.is_empty() {
             return;
         }
-        ui.label(
-            RichText::new(format!(
-                "Chosen per light on the patches, judged on other samples, {CHECKED_NUMBERS} \
-                 numbers"
-            ))
-            .strong(),
-        );
+        ui.strong(format!(
+            "Chosen per light on the patches, judged on other samples, {CHECKED_NUMBERS} numbers"
+        ));
         ui.weak(
             "Mean ΔE₀₀ of the 99 samples of TM-30, which took no part in the choice: median / \
              95th percentile / worst, above in this race, below in the larger collection.",

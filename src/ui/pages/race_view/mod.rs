@@ -23,7 +23,7 @@ use crate::{
     study::{Measure, Race, race::Racer},
     ui::{
         chart_view::{ChartForm, ChartView, ChartWish},
-        kit::{Choice, Column, Look, Table, bar, named},
+        kit::{Choice, Column, Look, Table, bar, named, rolled},
         theme::{Theme, ink, section},
     },
 };
@@ -201,40 +201,38 @@ impl RaceView {
         let theme = context.theme;
         let ways = &mut self.ways;
         ways.headline(ui, context, (ask, race));
-        egui::ScrollArea::vertical()
-            .auto_shrink(false)
-            .show(ui, |ui| {
-                table_head(ui, context, ask, race, class, budget);
-                drawn.table.show(ui, theme, &mut self.costs);
-                ui.add_space(8.0);
-                ways.show(ui, context, (ask, race), (class, budget));
-                let wide = ui.available_width() >= WIDE;
-                let height = (360.0 * theme.scale).max(240.0);
-                if wide {
-                    ui.horizontal_top(|ui| {
-                        let width = ui.available_width();
-                        let left = width - WINNERS.min(0.5 * width);
-                        ui.vertical(|ui| {
-                            chart(ui, context, &drawn.chart, vec2(left, height));
-                        });
-                        ui.add_space(8.0);
-                        ui.vertical(|ui| {
-                            drawn.winners.show(ui, context, height);
-                        });
-                    });
-                } else {
+        rolled(ui, |ui| {
+            table_head(ui, context, ask, race, class, budget);
+            drawn.table.show(ui, theme, &mut self.costs);
+            ui.add_space(8.0);
+            ways.show(ui, context, (ask, race), (class, budget));
+            let wide = ui.available_width() >= WIDE;
+            let height = (360.0 * theme.scale).max(240.0);
+            if wide {
+                ui.horizontal_top(|ui| {
                     let width = ui.available_width();
-                    chart(ui, context, &drawn.chart, vec2(width, height));
+                    let left = width - WINNERS.min(0.5 * width);
+                    ui.vertical(|ui| {
+                        chart(ui, context, &drawn.chart, vec2(left, height));
+                    });
                     ui.add_space(8.0);
-                    drawn.winners.show(ui, context, 230.0 * theme.scale);
-                }
-                if let Some(larger) = &drawn.larger {
-                    ui.add_space(8.0);
-                    ui.separator();
-                    larger.show(ui, theme);
-                }
-                ui.add_space(6.0);
-            });
+                    ui.vertical(|ui| {
+                        drawn.winners.show(ui, context, height);
+                    });
+                });
+            } else {
+                let width = ui.available_width();
+                chart(ui, context, &drawn.chart, vec2(width, height));
+                ui.add_space(8.0);
+                drawn.winners.show(ui, context, 230.0 * theme.scale);
+            }
+            if let Some(larger) = &drawn.larger {
+                ui.add_space(8.0);
+                ui.separator();
+                larger.show(ui, theme);
+            }
+            ui.add_space(6.0);
+        });
     }
 }
 
