@@ -4,7 +4,7 @@ use eframe::egui;
 use egui::{Align2, Context, Key, Modifiers, Rect, RichText, Sense, TextStyle, Ui, vec2};
 
 use super::{
-    kit::{Column, Row, Table, pressed, pressed_if, pressed_small},
+    kit::{Column, Row, Table, named, pressed, pressed_if, pressed_small},
     theme::Theme,
 };
 use crate::app::open::{FileRow, Progress, Summary};
@@ -36,7 +36,7 @@ pub(super) fn progress(ui: &mut Ui, progress: &Progress) -> bool {
         .desired_width(BAR)
         .text(RichText::new(&words).small());
     let response = ui.add(bar);
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ProgressIndicator, true, &words));
+    named(&response, egui::Role::ProgressIndicator, &words);
     response.on_hover_text("Files read, of those that were opened together.");
     ui.label(shortened(at_work)).on_hover_text(at_work);
     cancelled
@@ -359,7 +359,7 @@ fn table(
 fn look(ui: &Ui, row: usize, cell: Rect) -> bool {
     let rect = cell.shrink2(vec2(0.0, 1.0));
     let response = ui.interact(rect, ui.scope_id().with(("look", row)), Sense::click());
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, "Look…"));
+    named(&response, egui::Role::Button, "Look…");
     let visuals = ui.style().interact(&response);
     ui.painter().rect_filled(rect, 3.0, visuals.bg_fill);
     ui.painter().text(

@@ -2,6 +2,8 @@
 
 use std::{collections::HashMap, sync::Arc};
 
+use eframe::egui::Ui;
+
 use crate::{
     app::{
         App, Entry, Families,
@@ -12,7 +14,6 @@ use crate::{
     spectrum::Kind,
     ui::kit::{are_same, found},
 };
-use eframe::egui::Ui;
 
 /// The rows, kept until what they are made of changes: thousands are not looked through in every
 /// frame.
