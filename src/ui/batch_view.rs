@@ -4,7 +4,7 @@ use eframe::egui;
 use egui::{Align2, Context, Key, Modifiers, Rect, RichText, Sense, TextStyle, Ui, vec2};
 
 use super::{
-    kit::{Column, Row, Table},
+    kit::{Column, Row, Table, named, pressed, pressed_if, pressed_small},
     theme::Theme,
 };
 use crate::app::open::{FileRow, Progress, Summary};
@@ -22,10 +22,8 @@ pub(super) fn progress(ui: &mut Ui, progress: &Progress) -> bool {
         total,
         at_work,
     } = progress;
-    let cancelled = ui
-        .small_button("Cancel")
-        .on_hover_text("Stops reading files; what was read until now is kept.")
-        .clicked();
+    let meaning = "Stops reading files; what was read until now is kept.";
+    let cancelled = pressed_small(ui, "Cancel", meaning);
     let (share, words) = match total {
         Some(1) => (0.0, "reading".to_owned()),
         Some(total) => (
@@ -38,7 +36,7 @@ pub(super) fn progress(ui: &mut Ui, progress: &Progress) -> bool {
         .desired_width(BAR)
         .text(RichText::new(&words).small());
     let response = ui.add(bar);
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ProgressIndicator, true, &words));
+    named(&response, egui::Role::ProgressIndicator, &words);
     response.on_hover_text("Files read, of those that were opened together.");
     ui.label(shortened(at_work)).on_hover_text(at_work);
     cancelled
@@ -216,21 +214,14 @@ impl BatchView {
                 let label =
                     egui::Button::selectable(self.shown == shown, format!("{words} ({count})"));
                 let possible = shown == Shown::All || count > 0;
-                if ui
-                    .add_enabled(possible, label)
-                    .on_hover_text(meaning)
-                    .clicked()
-                {
+                if pressed_if(ui, possible, label, meaning) {
                     chosen = Some(shown);
                 }
             }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 closed = ui.button("Close").on_hover_text("Escape").clicked();
-                if ui
-                    .button("Copy as CSV")
-                    .on_hover_text("Every file with format, count, how it was read and its path.")
-                    .clicked()
-                {
+                let meaning = "Every file with format, count, how it was read and its path.";
+                if pressed(ui, "Copy as CSV", meaning) {
                     ui.copy_text(summary.csv().trim_end().to_owned());
                     wish = Some(Wish::Say(
                         "Copied as CSV: files opened together.".to_owned(),
@@ -368,7 +359,7 @@ fn table(
 fn look(ui: &Ui, row: usize, cell: Rect) -> bool {
     let rect = cell.shrink2(vec2(0.0, 1.0));
     let response = ui.interact(rect, ui.scope_id().with(("look", row)), Sense::click());
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, "Look…"));
+    named(&response, egui::Role::Button, "Look…");
     let visuals = ui.style().interact(&response);
     ui.painter().rect_filled(rect, 3.0, visuals.bg_fill);
     ui.painter().text(

@@ -1,9 +1,10 @@
 //! The verdict in little room, beside the patches or over them.
 
 use eframe::egui;
-use egui::{Align, Label, Layout, RichText, Ui, vec2};
+use egui::{Label, RichText, Ui, vec2};
 
 use super::{
+    kit::down,
     theme::Theme,
     verdict_view::{SWATCH, counts, figure, no_colour, split},
 };
@@ -36,8 +37,7 @@ pub(super) fn brief(ui: &mut Ui, app: &App, theme: Theme) {
             }
             ui.horizontal_top(|ui| {
                 let width = (0.4 * ui.available_width()).min(120.0 * theme.scale);
-                let down = Layout::top_down(Align::Min);
-                ui.allocate_ui_with_layout(vec2(width, height), down, |ui| {
+                down(ui, vec2(width, height), |ui| {
                     ui.set_width(width);
                     let says = width >= CAPTIONS * theme.scale;
                     let row = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
@@ -46,7 +46,7 @@ pub(super) fn brief(ui: &mut Ui, app: &App, theme: Theme) {
                     split(ui, app, theme, swatch - 16.0, says);
                 });
                 let rest = ui.available_width().max(0.0);
-                ui.allocate_ui_with_layout(vec2(rest, height), down, |ui| {
+                down(ui, vec2(rest, height), |ui| {
                     let Some(worst) = Worst::of(app) else {
                         return no_colour(ui);
                     };

@@ -4,6 +4,7 @@ use eframe::egui;
 use egui::{RichText, Ui, vec2};
 
 use super::{
+    kit::{figure_grid, named, small_warnings},
     swatch,
     theme::{Theme, section},
 };
@@ -32,7 +33,7 @@ pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, is_titled: bool) {
             Some(_) => "The model has no colour in this range: there is nothing to compare.",
         });
         errors(ui, app);
-        warnings(ui, app, theme);
+        small_warnings(ui, theme, &app.derived().warnings);
         return;
     };
     let size = vec2(ui.available_width(), 32.0 * theme.scale);
@@ -68,20 +69,15 @@ pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, is_titled: bool) {
     });
     numbers(ui, exact, model, colour.full);
     errors(ui, app);
-    warnings(ui, app, theme);
+    small_warnings(ui, theme, &app.derived().warnings);
 }
-
-/// Least height of a row of numbers, points: denser than rows of controls.
-const ROW: f32 = 16.0;
 
 fn hex(ui: &mut Ui, whose: &str, swatch: &Swatch) {
     let text = swatch.hex();
     let button = ui
         .add(egui::Button::new(RichText::new(&text).monospace()).small())
         .on_hover_text(format!("sRGB of the {whose} colour. Click to copy."));
-    button.widget_info(|| {
-        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Copy {whose} {text}"))
-    });
+    named(&button, egui::Role::Button, &format!("Copy {whose} {text}"));
     if button.clicked() {
         ui.ctx().copy_text(text);
     }
@@ -110,70 +106,52 @@ fn numbers(ui: &mut Ui, exact: Colour, model: Colour, full: Option<Colour>) {
 }
 
 fn grid(ui: &mut Ui, exact: Colour, model: Colour, full: Option<Colour>) {
-    egui::Grid::new("colour numbers")
-        .num_columns(4)
-        .min_row_height(ROW)
-        .spacing([10.0, 2.0])
-        .show(ui, |ui| {
-            ui.weak("");
-            ui.weak("measured")
-                .on_hover_text("On the model's range, 1 nm trapezoid.");
-            ui.weak("model");
-            ui.weak("360-830")
-                .on_hover_text("The measured spectrum by plain 1 nm sums over 360 to 830 nm.");
-            ui.end_row();
-            let of_light = by_key(&OF_LIGHT).filter(|_| exact.cct.is_some());
-            // Two of a kind stand in one row; for three there is no room.
-            for figures in by_key(&OF_COLOUR)
-                .chain(of_light)
-                .flat_map(|kind| kind.chunks(if kind.len() > 2 { 1 } else { 2 }))
-            {
-                let titles: Vec<&str> = figures.iter().map(|f| f.figure.title).collect();
-                ui.label(titles.join(", "))
-                    .on_hover_text(figures[0].figure.meaning);
-                for colour in [Some(exact), Some(model), full] {
-                    let written = figures
-                        .iter()
-                        .map(|row| Some(row.figure.written((row.of)(&colour?)?)));
-                    let written: Option<Vec<String>> = written.collect();
-                    ui.monospace(written.map_or_else(|| "–".to_owned(), |w| w.join(" ")));
-                }
-                ui.end_row();
+    figure_grid(ui, "colour numbers", |ui| {
+        ui.weak("");
+        ui.weak("measured")
+            .on_hover_text("On the model's range, 1 nm trapezoid.");
+        ui.weak("model");
+        ui.weak("360-830")
+            .on_hover_text("The measured spectrum by plain 1 nm sums over 360 to 830 nm.");
+        ui.end_row();
+        let of_light = by_key(&OF_LIGHT).filter(|_| exact.cct.is_some());
+        // Two of a kind stand in one row; for three there is no room.
+        for figures in by_key(&OF_COLOUR)
+            .chain(of_light)
+            .flat_map(|kind| kind.chunks(if kind.len() > 2 { 1 } else { 2 }))
+        {
+            let titles: Vec<&str> = figures.iter().map(|f| f.figure.title).collect();
+            ui.label(titles.join(", "))
+                .on_hover_text(figures[0].figure.meaning);
+            for colour in [Some(exact), Some(model), full] {
+                let written = figures
+                    .iter()
+                    .map(|row| Some(row.figure.written((row.of)(&colour?)?)));
+                let written: Option<Vec<String>> = written.collect();
+                ui.monospace(written.map_or_else(|| "–".to_owned(), |w| w.join(" ")));
             }
-        });
+            ui.end_row();
+        }
+    });
 }
 
 fn errors(ui: &mut Ui, app: &App) {
     if !app.derived().has_errors() {
         return;
     }
-    egui::Grid::new("errors")
-        .num_columns(4)
-        .min_row_height(ROW)
-        .spacing([10.0, 2.0])
-        .show(ui, |ui| {
-            for pair in SHARES.chunks(2) {
-                for measure in pair {
-                    let (figure, value) = (measure.figure(), app.derived().figures[*measure]);
-                    let name = match measure {
-                        // Behind its like it need not say of what.
-                        Measure::Rms => "1 nm",
-                        _ => figure.short,
-                    };
-                    ui.label(name).on_hover_text(figure.meaning);
-                    ui.monospace(value.map_or_else(String::new, |v| figure.written(v)));
-                }
-                ui.end_row();
+    figure_grid(ui, "errors", |ui| {
+        for pair in SHARES.chunks(2) {
+            for measure in pair {
+                let (figure, value) = (measure.figure(), app.derived().figures[*measure]);
+                let name = match measure {
+                    // Behind its like it need not say of what.
+                    Measure::Rms => "1 nm",
+                    _ => figure.short,
+                };
+                ui.label(name).on_hover_text(figure.meaning);
+                ui.monospace(value.map_or_else(String::new, |v| figure.written(v)));
             }
-        });
-}
-
-fn warnings(ui: &mut Ui, app: &App, theme: Theme) {
-    for warning in &app.derived().warnings {
-        ui.horizontal_wrapped(|ui| {
-            ui.spacing_mut().item_spacing.x = 4.0;
-            ui.colored_label(theme.warning, "▲");
-            ui.small(warning);
-        });
-    }
+            ui.end_row();
+        }
+    });
 }

@@ -5,7 +5,7 @@ use egui::{Id, Ui, vec2};
 
 use super::{
     chart_view::{How, draw},
-    model_view::named,
+    kit::Choice,
     theme::Theme,
 };
 use crate::{
@@ -52,23 +52,19 @@ fn quantity_row(ui: &mut Ui, app: &App, preferences: &mut Preferences) {
     let now = shown(app, preferences.curve);
     ui.horizontal(|ui| {
         ui.label("Error against order");
-        let combo = egui::ComboBox::from_id_salt("curve quantity")
-            .selected_text(name(now))
-            .width(ui.available_width() - 8.0)
-            .show_ui(ui, |ui| {
-                for measure in OF_CURVE {
-                    if shown(app, measure) == measure {
-                        ui.selectable_value(&mut preferences.curve, measure, name(measure))
-                            .on_hover_text(measure.figure().meaning);
-                    }
+        let choice = Choice {
+            name: "What the curve shows",
+            meaning: now.figure().meaning,
+            width: ui.available_width() - 8.0,
+        };
+        choice.show(ui, name(now), |ui| {
+            for measure in OF_CURVE {
+                if shown(app, measure) == measure {
+                    ui.selectable_value(&mut preferences.curve, measure, name(measure))
+                        .on_hover_text(measure.figure().meaning);
                 }
-            });
-        named(
-            &combo.response,
-            egui::Role::ComboBox,
-            "What the curve shows",
-        );
-        combo.response.on_hover_text(now.figure().meaning);
+            }
+        });
     });
 }
 

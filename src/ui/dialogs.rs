@@ -40,7 +40,6 @@ pub(super) enum Outcome {
 /// What a small window leaves free of the large one: its own edges, its title and its buttons.
 const AROUND: egui::Vec2 = egui::vec2(40.0, 110.0);
 
-/// Draws the open dialog.
 pub(super) fn show(context: &Context, dialog: &mut Dialog) -> Outcome {
     let title = match dialog {
         Dialog::OpenPath(_) => "Open a file or a folder",
@@ -160,20 +159,10 @@ fn about(ui: &mut Ui, reading: &mut Option<usize>) {
     ui.add_space(4.0);
     let all: &[Licence] = licences::all();
     ui.horizontal_wrapped(|ui| {
-        if ui
-            .selectable_label(reading.is_none(), "What is under which licence")
-            .clicked()
-        {
-            *reading = None;
-        }
+        ui.selectable_value(reading, None, "What is under which licence");
         for (index, licence) in all.iter().enumerate() {
-            if ui
-                .selectable_label(*reading == Some(index), licence.id)
-                .on_hover_text(licence.title)
-                .clicked()
-            {
-                *reading = Some(index);
-            }
+            ui.selectable_value(reading, Some(index), licence.id)
+                .on_hover_text(licence.title);
         }
     });
     let overview;

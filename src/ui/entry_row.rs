@@ -151,7 +151,9 @@ impl Painted {
             pos2(rect.right() - curve_width - 4.0, rect.top() + 7.0),
             pos2(rect.right() - 4.0, rect.bottom() - 7.0),
         );
-        draw_curve(ui, curve, &art.curve, self.scale, self.ink);
+        let thick = if self.scale > 1.0 { 1.6 } else { 1.0 };
+        let stroke = Stroke::new(thick, self.ink.gamma_multiply(0.75));
+        draw_curve(ui, curve, &art.curve, stroke);
         let mut name_right = curve.left() - 4.0;
         if let Some(colour) = self.marked {
             let mark = pos2(name_right - 5.0, rect.center().y);
@@ -196,7 +198,8 @@ pub(super) fn row_name(entry: &Entry) -> String {
     }
 }
 
-fn draw_curve(ui: &Ui, rect: Rect, heights: &[f32], scale: f32, colour: Color32) {
+/// Draws a small curve: heights 0-1 from the left to the right of a field.
+pub(super) fn draw_curve(ui: &Ui, rect: Rect, heights: &[f32], stroke: Stroke) {
     let step = rect.width() / (heights.len().max(2) - 1) as f32;
     let points: Vec<_> = heights
         .iter()
@@ -208,10 +211,6 @@ fn draw_curve(ui: &Ui, rect: Rect, heights: &[f32], scale: f32, colour: Color32)
             )
         })
         .collect();
-    let stroke = Stroke::new(
-        if scale > 1.0 { 1.6 } else { 1.0 },
-        colour.gamma_multiply(0.75),
-    );
     ui.painter().add(Shape::line(points, stroke));
 }
 

@@ -3,7 +3,7 @@
 use eframe::egui;
 use egui::{Context, Key, RichText, Ui, vec2};
 
-use super::theme::Theme;
+use super::{kit::tile_button, theme::Theme};
 use crate::app::pages::Page;
 
 /// Where a tile leads.
@@ -112,15 +112,8 @@ fn tile(ui: &mut Ui, title: &str, words: &str, width: f32) -> bool {
     let highest = highest.into_iter().fold(0.0, f32::max);
     let (head, body) = (lay(title, &head, strong), lay(words, &body, ink));
     let size = vec2(width, highest + 2.0 * MARGIN + 6.0);
-    let (rect, response) = ui.allocate_exact_size(size, egui::Sense::click());
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, title));
-    let visuals = ui.style().interact(&response);
+    let (rect, response) = tile_button(ui, size, title);
     let painter = ui.painter();
-    painter.rect_filled(rect, 4.0, visuals.bg_fill);
-    if response.has_focus() {
-        let stroke = ui.visuals().widgets.active.bg_stroke;
-        painter.rect_stroke(rect, 4.0, stroke, egui::StrokeKind::Inside);
-    }
     let at = rect.min + vec2(MARGIN, MARGIN);
     let below = at + vec2(0.0, head.size().y + 6.0);
     painter.galley(at, head, strong);

@@ -6,13 +6,9 @@ use egui::{Context, Key, KeyboardShortcut, Modifiers};
 /// What a key asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Act {
-    /// Open files.
     Open,
-    /// Open a folder.
     OpenFolder,
-    /// Type a path.
     TypePath,
-    /// Save the project.
     SaveProject,
     /// One step back.
     Undo,
@@ -60,162 +56,90 @@ pub(super) enum Act {
     CopyCommand,
 }
 
+const PLAIN: Modifiers = Modifiers::NONE;
 const CTRL: Modifiers = Modifiers::COMMAND;
 const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
+/// Keys, what they do, and that in words.
+type Shortcut = (KeyboardShortcut, Act, &'static str);
+
+const fn on(modifiers: Modifiers, key: Key, act: Act, words: &'static str) -> Shortcut {
+    (KeyboardShortcut::new(modifiers, key), act, words)
+}
+
 /// Every shortcut with what it does; those with more modifiers first, because a shortcut with
 /// fewer would swallow them.
-pub(super) const SHORTCUTS: [(KeyboardShortcut, Act, &str); 33] = [
-    (
-        KeyboardShortcut::new(CTRL_SHIFT, Key::Z),
-        Act::Redo,
-        "Do again",
-    ),
-    (
-        KeyboardShortcut::new(CTRL_SHIFT, Key::O),
+pub(super) const SHORTCUTS: [Shortcut; 33] = [
+    on(CTRL_SHIFT, Key::Z, Act::Redo, "Do again"),
+    on(
+        CTRL_SHIFT,
+        Key::O,
         Act::TypePath,
         "Open a file or folder by typing its path",
     ),
-    (
-        KeyboardShortcut::new(CTRL_SHIFT, Key::F),
+    on(
+        CTRL_SHIFT,
+        Key::F,
         Act::OpenFolder,
         "Open all files of a folder",
     ),
-    (
-        KeyboardShortcut::new(CTRL_SHIFT, Key::C),
+    on(
+        CTRL_SHIFT,
+        Key::C,
         Act::CopyPicture,
         "Copy a picture of the window",
     ),
-    (
-        KeyboardShortcut::new(CTRL_SHIFT, Key::K),
+    on(
+        CTRL_SHIFT,
+        Key::K,
         Act::CopyCommand,
         "Copy the command line for this view",
     ),
-    (KeyboardShortcut::new(CTRL, Key::Z), Act::Undo, "Undo"),
-    (KeyboardShortcut::new(CTRL, Key::Y), Act::Redo, "Do again"),
-    (KeyboardShortcut::new(CTRL, Key::O), Act::Open, "Open files"),
-    (
-        KeyboardShortcut::new(CTRL, Key::S),
-        Act::SaveProject,
-        "Save the project",
-    ),
-    (
-        KeyboardShortcut::new(CTRL, Key::F),
-        Act::Search,
-        "Search the library",
-    ),
-    (
-        KeyboardShortcut::new(CTRL, Key::Plus),
-        Act::ZoomIn,
-        "Larger",
-    ),
-    (
-        KeyboardShortcut::new(CTRL, Key::Minus),
-        Act::ZoomOut,
-        "Smaller",
-    ),
-    (
-        KeyboardShortcut::new(CTRL, Key::Num0),
-        Act::ZoomReset,
-        "Zoom 100 %",
-    ),
-    (
-        KeyboardShortcut::new(CTRL, Key::D),
-        Act::Theme,
-        "Dark or light",
-    ),
-    (
-        KeyboardShortcut::new(CTRL, Key::L),
-        Act::Library,
-        "Open or close the library",
-    ),
-    (
-        KeyboardShortcut::new(CTRL, Key::K),
+    on(CTRL, Key::Z, Act::Undo, "Undo"),
+    on(CTRL, Key::Y, Act::Redo, "Do again"),
+    on(CTRL, Key::O, Act::Open, "Open files"),
+    on(CTRL, Key::S, Act::SaveProject, "Save the project"),
+    on(CTRL, Key::F, Act::Search, "Search the library"),
+    on(CTRL, Key::Plus, Act::ZoomIn, "Larger"),
+    on(CTRL, Key::Minus, Act::ZoomOut, "Smaller"),
+    on(CTRL, Key::Num0, Act::ZoomReset, "Zoom 100 %"),
+    on(CTRL, Key::D, Act::Theme, "Dark or light"),
+    on(CTRL, Key::L, Act::Library, "Open or close the library"),
+    on(
+        CTRL,
+        Key::K,
         Act::Palette,
         "Find a light, a place or an act",
     ),
-    (
-        KeyboardShortcut::new(CTRL, Key::Num1),
-        Act::Place(0),
-        "Learn",
-    ),
-    (
-        KeyboardShortcut::new(CTRL, Key::Num2),
-        Act::Place(1),
-        "Look",
-    ),
-    (
-        KeyboardShortcut::new(CTRL, Key::Num3),
-        Act::Place(2),
-        "Through",
-    ),
-    (
-        KeyboardShortcut::new(CTRL, Key::Num4),
-        Act::Place(3),
-        "Quality",
-    ),
-    (
-        KeyboardShortcut::new(CTRL, Key::Num5),
-        Act::Place(4),
-        "Design",
-    ),
-    (
-        KeyboardShortcut::new(CTRL, Key::Num6),
-        Act::Place(5),
-        "Numbers",
-    ),
-    (
-        KeyboardShortcut::new(CTRL, Key::Num7),
-        Act::Place(6),
-        "Picture",
-    ),
-    (
-        KeyboardShortcut::new(Modifiers::NONE, Key::F5),
-        Act::Present,
-        "Present",
-    ),
-    (
-        KeyboardShortcut::new(Modifiers::NONE, Key::F11),
-        Act::PlotAlone,
-        "The plot alone",
-    ),
-    (
-        KeyboardShortcut::new(Modifiers::NONE, Key::R),
-        Act::Reset,
-        "Everything back to the start",
-    ),
-    (
-        KeyboardShortcut::new(Modifiers::NONE, Key::Home),
+    on(CTRL, Key::Num1, Act::Place(0), "Learn"),
+    on(CTRL, Key::Num2, Act::Place(1), "Look"),
+    on(CTRL, Key::Num3, Act::Place(2), "Through"),
+    on(CTRL, Key::Num4, Act::Place(3), "Quality"),
+    on(CTRL, Key::Num5, Act::Place(4), "Design"),
+    on(CTRL, Key::Num6, Act::Place(5), "Numbers"),
+    on(CTRL, Key::Num7, Act::Place(6), "Picture"),
+    on(PLAIN, Key::F5, Act::Present, "Present"),
+    on(PLAIN, Key::F11, Act::PlotAlone, "The plot alone"),
+    on(PLAIN, Key::R, Act::Reset, "Everything back to the start"),
+    on(
+        PLAIN,
+        Key::Home,
         Act::ResetView,
         "The whole range into view",
     ),
-    (
-        KeyboardShortcut::new(Modifiers::SHIFT, Key::F1),
-        Act::Shortcuts,
-        "This list",
-    ),
-    (
-        KeyboardShortcut::new(Modifiers::NONE, Key::F1),
-        Act::Greeting,
-        "The ways to begin",
-    ),
-    (
-        KeyboardShortcut::new(Modifiers::NONE, Key::ArrowLeft),
-        Act::OrderDown,
-        "Order N less one",
-    ),
-    (
-        KeyboardShortcut::new(Modifiers::NONE, Key::ArrowRight),
-        Act::OrderUp,
-        "Order N plus one",
-    ),
-    (
-        KeyboardShortcut::new(Modifiers::NONE, Key::PageDown),
+    on(Modifiers::SHIFT, Key::F1, Act::Shortcuts, "This list"),
+    on(PLAIN, Key::F1, Act::Greeting, "The ways to begin"),
+    on(PLAIN, Key::ArrowLeft, Act::OrderDown, "Order N less one"),
+    on(PLAIN, Key::ArrowRight, Act::OrderUp, "Order N plus one"),
+    on(
+        PLAIN,
+        Key::PageDown,
         Act::ThresholdDown,
         "Lower spike threshold",
     ),
-    (
-        KeyboardShortcut::new(Modifiers::NONE, Key::PageUp),
+    on(
+        PLAIN,
+        Key::PageUp,
         Act::ThresholdUp,
         "Higher spike threshold",
     ),

@@ -4,7 +4,7 @@ use eframe::egui;
 use egui::{Align, Button, Label, Layout, RichText, ScrollArea, Ui, vec2};
 
 use super::{
-    kit::{framed, named, warning},
+    kit::{framed, pressed, pressed_if, sign_button, warning},
     theme::{Theme, Wake},
     trial_view::TrialView,
 };
@@ -43,7 +43,6 @@ pub(super) struct LessonView {
 }
 
 impl LessonView {
-    /// Draws the column.
     pub(super) fn show(
         &mut self,
         ui: &mut Ui,
@@ -93,18 +92,13 @@ fn head(ui: &mut Ui, run: &Run, wishes: &mut Vec<Wish>) {
             lesson.steps.len()
         ));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let leave = ui.small_button("Leave").on_hover_text(
-                "Ends the lesson; everything is as it was before. Undo brings its last state back.",
-            );
-            named(&leave, egui::Role::Button, "Leave the lesson");
-            if leave.clicked() {
+            let meaning =
+                "Ends the lesson; everything is as it was before. Undo brings its last state back.";
+            if sign_button(ui, "Leave", "Leave the lesson", meaning) {
                 wishes.push(Wish::Leave);
             }
-            let again = ui
-                .small_button("Reset")
-                .on_hover_text("Sets light, settings and page as the step began.");
-            named(&again, egui::Role::Button, "Back to the step");
-            if again.clicked() {
+            let meaning = "Sets light, settings and page as the step began.";
+            if sign_button(ui, "Reset", "Back to the step", meaning) {
                 wishes.push(Wish::Again);
             }
         });
@@ -132,10 +126,9 @@ fn body(ui: &mut Ui, run: &Run, shown: &Shown, theme: Theme, wishes: &mut Vec<Wi
                     Some(_) => "Check",
                     None => "Tell me",
                 };
-                let tell = ui.button(words).on_hover_text(
-                    "Says which answer is right, and why (Space). A class can vote by hands.",
-                );
-                if tell.clicked() {
+                let meaning =
+                    "Says which answer is right, and why (Space). A class can vote by hands.";
+                if pressed(ui, words, meaning) {
                     wishes.push(Wish::Tell);
                 }
             }
@@ -151,10 +144,8 @@ fn body(ui: &mut Ui, run: &Run, shown: &Shown, theme: Theme, wishes: &mut Vec<Wi
                     ui.weak(format!("Now: {}", shown.now));
                 }
                 let show = Button::new(if run.is_showing() { "Watch" } else { "Show me" });
-                let show = ui
-                    .add_enabled(!run.is_showing(), show)
-                    .on_hover_text("The program does it, step by step (Space).");
-                if show.clicked() {
+                let meaning = "The program does it, step by step (Space).";
+                if pressed_if(ui, !run.is_showing(), show, meaning) {
                     wishes.push(Wish::ShowMe);
                 }
             }
@@ -194,10 +185,12 @@ fn answer(
     let button = Button::new(RichText::new(words)).wrap().selected(is_chosen);
     let width = ui.available_width();
     let button = button.min_size(vec2(width, 0.0));
-    let response = ui
-        .add(button)
-        .on_hover_text("Your prediction; a digit chooses it, too.");
-    if response.clicked() {
+    if pressed_if(
+        ui,
+        true,
+        button,
+        "Your prediction; a digit chooses it, too.",
+    ) {
         wishes.push(Wish::Choose(index));
     }
     if !because.is_empty() && (is_chosen || *right || is_open) {
@@ -209,27 +202,21 @@ fn answer(
 
 fn foot_line(ui: &mut Ui, run: &Run, wishes: &mut Vec<Wish>) {
     ui.horizontal(|ui| {
-        let back = ui
-            .add_enabled(run.index() > 0, Button::new("Back"))
-            .on_hover_text("The step before (arrow to the left, Page Up).");
-        if back.clicked() {
+        let meaning = "The step before (arrow to the left, Page Up).";
+        if pressed_if(ui, run.index() > 0, Button::new("Back"), meaning) {
             wishes.push(Wish::Go(run.index() - 1));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if run.is_last() {
-                let finish = ui
-                    .button("Finish")
-                    .on_hover_text("Ends the lesson; everything is as it was before.");
-                if finish.clicked() {
+                let meaning = "Ends the lesson; everything is as it was before.";
+                if pressed(ui, "Finish", meaning) {
                     wishes.push(Wish::Leave);
                 }
                 return;
             }
             let next = Button::new("Next").selected(run.is_told());
-            let next = ui
-                .add(next)
-                .on_hover_text("The next step (arrow to the right, Page Down).");
-            if next.clicked() {
+            let meaning = "The next step (arrow to the right, Page Down).";
+            if pressed_if(ui, true, next, meaning) {
                 wishes.push(Wish::Go(run.index() + 1));
             }
         });

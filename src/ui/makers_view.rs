@@ -3,7 +3,10 @@
 use eframe::egui;
 use egui::Ui;
 
-use super::theme::section;
+use super::{
+    kit::{figure_grid, pressed_small},
+    theme::section,
+};
 use crate::{
     app::{
         App, ByAddress, Entry, Memo,
@@ -52,11 +55,8 @@ impl MakersView {
         ui.horizontal(|ui| {
             section(ui, "By the instrument");
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                if ui
-                    .small_button("Copy CSV")
-                    .on_hover_text("Copies every number of the instrument beside ours.")
-                    .clicked()
-                {
+                let meaning = "Copies every number of the instrument beside ours.";
+                if pressed_small(ui, "Copy CSV", meaning) {
                     ui.ctx().copy_text(to_csv(rows).trim_end().to_owned());
                     said = Some("Copied as CSV: the instrument's numbers beside ours.".to_owned());
                 }
@@ -78,28 +78,21 @@ fn is_near(row: &Beside) -> bool {
     row.ours.is_ok() || row.quantity == Quantity::Ra
 }
 
-/// Least height of a row, points.
-const ROW: f32 = 16.0;
-
 fn table(ui: &mut Ui, id: &str, rows: &[&Beside]) {
-    egui::Grid::new(id)
-        .num_columns(4)
-        .min_row_height(ROW)
-        .spacing([10.0, 2.0])
-        .show(ui, |ui| {
-            ui.weak("");
-            ui.weak("instrument")
-                .on_hover_text("As the file states it.");
-            ui.weak("ours").on_hover_text(
-                "From the whole measured spectrum: colours and lux by 1 nm sums over 360-830 nm \
+    figure_grid(ui, id, |ui| {
+        ui.weak("");
+        ui.weak("instrument")
+            .on_hover_text("As the file states it.");
+        ui.weak("ours").on_hover_text(
+            "From the whole measured spectrum: colours and lux by 1 nm sums over 360-830 nm \
                  (CIE 1931), totals over the table's own points.",
-            );
-            ui.weak("difference").on_hover_text("Ours less theirs.");
-            ui.end_row();
-            for row in rows {
-                line(ui, row);
-            }
-        });
+        );
+        ui.weak("difference").on_hover_text("Ours less theirs.");
+        ui.end_row();
+        for row in rows {
+            line(ui, row);
+        }
+    });
 }
 
 fn line(ui: &mut Ui, row: &Beside) {

@@ -8,8 +8,10 @@ use eframe::egui;
 use egui::{Slider, SliderClamping, Ui};
 
 use self::spikes::spike_rows;
-pub(super) use super::kit::named;
-use super::theme::section;
+use super::{
+    kit::{Choice, number, pressed_small},
+    theme::section,
+};
 use crate::{
     app::{App, Command, ORDERS, Scale, Settings, Subject, WEIGHT_FACTORS, range_words},
     color::Observer,
@@ -77,11 +79,8 @@ fn subject_switch(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
             let button = egui::Button::selectable(chosen, name)
                 .truncate()
                 .min_size(size);
-            if ui
-                .add(button)
-                .on_hover_text("What the model is of: the light, or the selected reflectance.")
-                .clicked()
-            {
+            let meaning = "What the model is of: the light, or the selected reflectance.";
+            if ui.add(button).on_hover_text(meaning).clicked() {
                 commands.push(Command::About(subject));
             }
         }
@@ -103,13 +102,8 @@ fn basis_row(ui: &mut Ui, settings: &mut Settings) {
                 "Half-range cosines: the same 2N + 1 numbers, no jump at the ends.",
             ),
         ] {
-            if ui
-                .selectable_label(settings.basis == basis, name)
-                .on_hover_text(meaning)
-                .clicked()
-            {
-                settings.basis = basis;
-            }
+            ui.selectable_value(&mut settings.basis, basis, name)
+                .on_hover_text(meaning);
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             ui.checkbox(&mut settings.colour_exact, names::COLOUR_EXACT)
@@ -149,17 +143,15 @@ fn range_row(ui: &mut Ui, app: &App, settings: &mut Settings) -> Option<String> 
         let [mut min, mut max] = ends;
         let typed = [RefCell::default(), RefCell::default()];
         let low_range = (max - most).max(0.0)..=max - shortest;
-        let low = ui
-            .add(edge(&mut min, &typed[0]).range(low_range))
+        let low = edge(&mut min, &typed[0]).range(low_range);
+        let low = number(ui, low, "Range from")
             .labelled_by(label.id)
             .on_hover_text("First wavelength of the model, whole nm.");
-        named(&low, egui::Role::SpinButton, "Range from");
         ui.label("to");
         let high_range = min + shortest..=(min + most).min(f64::from(LONGEST_NM));
-        let high = ui
-            .add(edge(&mut max, &typed[1]).range(high_range))
+        let high = edge(&mut max, &typed[1]).range(high_range);
+        let high = number(ui, high, "Range to")
             .on_hover_text("Last wavelength of the model, whole nm; at least 20 nm more.");
-        named(&high, egui::Role::SpinButton, "Range to");
         if (low.changed() || high.changed())
             && let Ok(band) = Band::new(min.round(), max.round())
         {
@@ -170,12 +162,8 @@ fn range_row(ui: &mut Ui, app: &App, settings: &mut Settings) -> Option<String> 
                 said = typed_words(&text, ends, end, settings.band);
             }
         }
-        if settings.band != Band::VISIBLE
-            && ui
-                .small_button("380-780")
-                .on_hover_text("Back to the range 380 to 780 nm.")
-                .clicked()
-        {
+        let meaning = "Back to the range 380 to 780 nm.";
+        if settings.band != Band::VISIBLE && pressed_small(ui, "380-780", meaning) {
             settings.band = Band::VISIBLE;
         }
         if let Some((table, band)) = table_beyond(app, settings.band)
@@ -218,18 +206,14 @@ fn wavelength(text: &str) -> Option<f64> {
 
 fn observer_row(ui: &mut Ui, settings: &mut Settings) {
     ui.label("Observer");
-    let combo = egui::ComboBox::from_id_salt("observer")
-        .selected_text(settings.observer.title())
-        .width(ui.spacing().combo_width)
-        .show_ui(ui, |ui| {
-            for observer in Observer::ALL {
-                ui.selectable_value(&mut settings.observer, observer, observer.title());
-            }
-        });
-    named(&combo.response, egui::Role::ComboBox, "Observer");
-    combo
-        .response
-        .on_hover_text("Whose colour-matching functions make X, Y and Z.");
+    let choice = Choice {
+        name: "Observer",
+        meaning: "Whose colour-matching functions make X, Y and Z.",
+        width: ui.spacing().combo_width,
+    };
+    choice.pick(ui, &mut settings.observer, Observer::ALL, |o| {
+        (o.title(), "")
+    });
     ui.end_row();
 }
 
@@ -262,19 +246,12 @@ fn edge<'a>(nm: &'a mut f64, typed: &'a RefCell<Option<String>>) -> egui::DragVa
 
 fn products_row(ui: &mut Ui, settings: &mut Settings) {
     ui.label("Products");
-    let (words, meaning) = sampling_words(settings.sampling);
-    let combo = egui::ComboBox::from_id_salt("sampling")
-        .selected_text(words)
-        .width(ui.spacing().combo_width + 34.0)
-        .show_ui(ui, |ui| {
-            for sampling in Sampling::ALL {
-                let (words, meaning) = sampling_words(sampling);
-                ui.selectable_value(&mut settings.sampling, sampling, words)
-                    .on_hover_text(meaning);
-            }
-        });
-    named(&combo.response, egui::Role::ComboBox, "Products by");
-    combo.response.on_hover_text(meaning);
+    let choice = Choice {
+        name: "Products by",
+        meaning: sampling_words(settings.sampling).1,
+        width: ui.spacing().combo_width + 34.0,
+    };
+    choice.pick(ui, &mut settings.sampling, Sampling::ALL, sampling_words);
     ui.end_row();
 }
 
@@ -282,19 +259,19 @@ fn products_row(ui: &mut Ui, settings: &mut Settings) {
 fn scale_row(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
     let scale = app.document().scale;
     ui.label("Scale");
-    let combo = egui::ComboBox::from_id_salt("scale")
-        .selected_text(scale.words())
-        .width(ui.spacing().combo_width + 34.0)
-        .show_ui(ui, |ui| {
-            for other in Scale::ALL {
-                let response = ui.selectable_label(scale == other, other.words());
-                if response.on_hover_text(other.meaning()).clicked() {
-                    commands.push(Command::Scale(other));
-                }
+    let choice = Choice {
+        name: "Scale",
+        meaning: scale.meaning(),
+        width: ui.spacing().combo_width + 34.0,
+    };
+    choice.show(ui, scale.words(), |ui| {
+        for other in Scale::ALL {
+            let response = ui.selectable_label(scale == other, other.words());
+            if response.on_hover_text(other.meaning()).clicked() {
+                commands.push(Command::Scale(other));
             }
-        });
-    named(&combo.response, egui::Role::ComboBox, "Scale");
-    combo.response.on_hover_text(scale.meaning());
+        }
+    });
     ui.end_row();
 }
 

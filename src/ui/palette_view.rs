@@ -3,9 +3,12 @@
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{Context, Key, RichText, ScrollArea, TextEdit};
+use egui::{Context, Key, RichText, ScrollArea};
 
-use super::keys::{Act, SHORTCUTS};
+use super::{
+    keys::{Act, SHORTCUTS},
+    kit::text_field,
+};
 use crate::app::{App, Entry, pages::Page};
 
 /// What was chosen.
@@ -68,14 +71,8 @@ impl PaletteView {
         }
         let modal = egui::Modal::new(egui::Id::unique("palette")).show(context, |ui| {
             ui.set_width(420.0_f32.min(ui.ctx().content_rect().width() - 64.0));
-            let field = ui.add(
-                TextEdit::singleline(&mut self.text)
-                    .hint_text("A light, a place or an act")
-                    .desired_width(f32::INFINITY),
-            );
-            field.widget_info(|| {
-                egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Find anything")
-            });
+            let words = ["Find anything", "A light, a place or an act"];
+            let field = text_field(ui, &mut self.text, words, f32::INFINITY);
             field.request_focus();
             if field.changed() {
                 self.at = 0;

@@ -4,7 +4,7 @@ use eframe::egui;
 use egui::{Ui, vec2};
 
 use super::{
-    kit::{Choice, seen_choice},
+    kit::{Choice, rolled, seen_choice},
     swatch,
     theme::Theme,
 };
@@ -71,9 +71,7 @@ pub(super) fn patches(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<C
     let room = ui.available_rect_before_wrap();
     ui.painter().rect_filled(room, 4.0, theme.swatch_ground);
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(room.shrink(8.0)));
-    egui::ScrollArea::vertical()
-        .auto_shrink(false)
-        .show(&mut inside, |ui| grid(ui, app, comparison, theme, commands));
+    rolled(&mut inside, |ui| grid(ui, app, comparison, theme, commands));
 }
 
 fn grid(

@@ -53,18 +53,14 @@ pub fn window_png(app: &App, preferences: &Preferences, size: [u32; 2]) -> Vec<u
 
 /// A chart as a PNG file, with its title, the names of its series and its notes.
 pub fn chart_png(chart: &Chart, size: [u32; 2]) -> Vec<u8> {
-    encode_png(&chart_image(chart, size))
-}
-
-/// [`chart_png`] as pixels.
-pub fn chart_image(chart: &Chart, size: [u32; 2]) -> ColorImage {
     let context = egui::Context::default();
     theme::install_fonts(&context);
     let sides = sides(size);
     let drawing = Drawing::new(chart, [sides.x, sides.y].map(f64::from), Looks::FILE);
     let primitives = drawing.primitives(chart.whole_view());
-    picture_with(&context, sides, 1.0, PASSES, |ui| {
+    let image = picture_with(&context, sides, 1.0, PASSES, |ui| {
         let shapes = paint::shapes(ui.painter(), egui::Vec2::ZERO, &primitives);
         ui.painter().extend(shapes);
-    })
+    });
+    encode_png(&image)
 }

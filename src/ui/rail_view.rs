@@ -3,7 +3,7 @@
 use eframe::egui;
 use egui::{Align2, Color32, Painter, Pos2, Rect, Sense, Stroke, Ui, pos2, vec2};
 
-use super::theme::Theme;
+use super::{kit::named_choice, theme::Theme};
 use crate::app::pages::{Page, Place};
 
 /// Width of the rail with words and without, points.
@@ -21,9 +21,7 @@ pub(super) fn show(ui: &mut Ui, page: &mut Page, has_words: bool, theme: Theme) 
         let height = HEIGHTS[usize::from(!has_words)];
         let size = vec2(ui.available_width(), height);
         let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-        response.widget_info(|| {
-            egui::WidgetInfo::selected(egui::Role::Button, true, is_here, place.title())
-        });
+        named_choice(&response, egui::Role::Button, is_here, place.title());
         let visuals = ui.visuals();
         let field = rect.shrink2(vec2(6.0, 2.0));
         let ink = if is_here {
@@ -66,6 +64,7 @@ fn icon(painter: &Painter, place: Place, middle: Pos2, ink: Color32) {
         let points = points.iter().map(|[x, y]| middle + vec2(*x, *y)).collect();
         painter.add(egui::Shape::line(points, stroke));
     };
+    let frame = |x: f32, y: f32| line(&[[-x, -y], [x, -y], [x, y], [-x, y], [-x, -y]]);
     match place {
         Place::Learn => {
             for side in [-1.0, 1.0] {
@@ -92,13 +91,7 @@ fn icon(painter: &Painter, place: Place, middle: Pos2, ink: Color32) {
         Place::Through => {
             line(&[[-10.0, 0.0], [-4.0, 0.0]]);
             line(&[[4.0, 0.0], [10.0, 0.0]]);
-            line(&[
-                [-3.0, -9.0],
-                [3.0, -9.0],
-                [3.0, 9.0],
-                [-3.0, 9.0],
-                [-3.0, -9.0],
-            ]);
+            frame(3.0, 9.0);
         }
         Place::Quality => {
             // A lamp.
@@ -120,13 +113,7 @@ fn icon(painter: &Painter, place: Place, middle: Pos2, ink: Color32) {
             }
         }
         Place::Picture => {
-            line(&[
-                [-10.0, -8.0],
-                [10.0, -8.0],
-                [10.0, 8.0],
-                [-10.0, 8.0],
-                [-10.0, -8.0],
-            ]);
+            frame(10.0, 8.0);
             line(&[
                 [-10.0, 5.0],
                 [-3.0, -2.0],

@@ -3,7 +3,10 @@
 use eframe::egui;
 use egui::{DragValue, Ui};
 
-use super::theme::Theme;
+use super::{
+    kit::{named_choice, number, pressed, sign_button},
+    theme::Theme,
+};
 use crate::app::{App, SpikeAct, ticks};
 
 /// Draws the table; an act is pushed for the window to carry out.
@@ -30,24 +33,16 @@ pub(super) fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAc
                 titles(ui, app);
                 for (index, spike) in spikes.iter().enumerate() {
                     let (mut at_nm, mut weight) = (spike.spike.at_nm, spike.spike.weight * factor);
-                    let place = ui.add(
-                        DragValue::new(&mut at_nm)
-                            .speed(0.1)
-                            .range(band.min_nm()..=band.max_nm())
-                            .fixed_decimals(2),
-                    );
+                    let place = DragValue::new(&mut at_nm)
+                        .speed(0.1)
+                        .range(band.min_nm()..=band.max_nm())
+                        .fixed_decimals(2);
+                    let place = number(ui, place, &format!("Spike {} place", index + 1));
                     let size = weight.abs().max(f64::MIN_POSITIVE);
-                    let power = ui.add(
-                        DragValue::new(&mut weight)
-                            .speed(0.01 * size)
-                            .custom_formatter(|v, _| ticks::short(v)),
-                    );
-                    for (response, what) in [(&place, "place"), (&power, "weight")] {
-                        let name = format!("Spike {} {what}", index + 1);
-                        response.widget_info(|| {
-                            egui::WidgetInfo::labeled(egui::Role::SpinButton, true, &name)
-                        });
-                    }
+                    let power = DragValue::new(&mut weight)
+                        .speed(0.01 * size)
+                        .custom_formatter(|v, _| ticks::short(v));
+                    let power = number(ui, power, &format!("Spike {} weight", index + 1));
                     if place.changed() || power.changed() {
                         acts.push(SpikeAct::Set {
                             index,
@@ -113,14 +108,8 @@ fn hand(ui: &mut Ui, index: usize, mut locked: bool, acts: &mut Vec<SpikeAct>) {
         .checkbox(&mut locked, "")
         .on_hover_text("Keeps the spike whatever the threshold says.");
     let number = index + 1;
-    lock.widget_info(|| {
-        egui::WidgetInfo::selected(
-            egui::Role::CheckBox,
-            true,
-            locked,
-            format!("Lock spike {number}"),
-        )
-    });
+    let name = format!("Lock spike {number}");
+    named_choice(&lock, egui::Role::CheckBox, locked, &name);
     if lock.changed() {
         acts.push(if locked {
             SpikeAct::Lock { index }
@@ -128,13 +117,9 @@ fn hand(ui: &mut Ui, index: usize, mut locked: bool, acts: &mut Vec<SpikeAct>) {
             SpikeAct::Unlock { index }
         });
     }
-    let delete = ui
-        .small_button("✕")
-        .on_hover_text("Deletes the line: its energy goes back to the smooth part.");
-    delete.widget_info(|| {
-        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Delete spike {number}"))
-    });
-    if delete.clicked() {
+    let name = format!("Delete spike {number}");
+    let meaning = "Deletes the line: its energy goes back to the smooth part.";
+    if sign_button(ui, "✕", &name, meaning) {
         acts.push(SpikeAct::Delete { index });
     }
 }
@@ -143,12 +128,8 @@ fn hand(ui: &mut Ui, index: usize, mut locked: bool, acts: &mut Vec<SpikeAct>) {
 pub(super) fn head(ui: &mut Ui, app: &App, acts: &mut Vec<SpikeAct>) {
     let edits = app.document().subject_edits();
     ui.weak("Drag in the plot or edit here; double-click adds one.");
-    if !edits.is_empty()
-        && ui
-            .button("Forget hand edits")
-            .on_hover_text("Back to what the detector finds.")
-            .clicked()
-    {
+    let meaning = "Back to what the detector finds.";
+    if !edits.is_empty() && pressed(ui, "Forget hand edits", meaning) {
         acts.push(SpikeAct::Reset);
     }
 }

@@ -1,7 +1,10 @@
 //! Colour fields: one colour, or two side by side, with a name for screen readers.
 
 use eframe::egui;
-use egui::{Color32, CornerRadius, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2};
+use egui::{
+    Color32, ColorImage, CornerRadius, Rect, Response, Sense, Stroke, StrokeKind, TextureFilter,
+    TextureOptions, Ui, Vec2,
+};
 
 use crate::color::{Srgb, Swatch};
 
@@ -9,6 +12,18 @@ use crate::color::{Srgb, Swatch};
 pub(super) fn colour(Srgb([r, g, b]): Srgb) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
+
+/// Columns and rows of pixels as egui has them.
+pub(super) fn image(size: [usize; 2], pixels: &[[u8; 3]]) -> ColorImage {
+    let colours = pixels.iter().map(|rgb| colour(Srgb(*rgb)));
+    ColorImage::new(size, colours.collect())
+}
+
+/// How a picture is drawn whose pixels stay squares however large they are.
+pub(super) const SQUARES: TextureOptions = TextureOptions {
+    magnification: TextureFilter::Nearest,
+    ..TextureOptions::LINEAR
+};
 
 /// Two colours in one field, left and right, with no line between: what differs is seen.
 pub(super) fn split(
@@ -66,36 +81,28 @@ pub(super) fn paint_split(ui: &Ui, rect: Rect, left: Color32, right: Color32) {
     let middle = rect.center().x.round();
     let painter = ui.painter();
     let (l, r) = rect.split_left_right_at_x(middle);
-    let corner = 3;
-    let left_corners = CornerRadius {
-        nw: corner,
-        sw: corner,
-        ..CornerRadius::ZERO
+    let corners = |west, east| CornerRadius {
+        nw: west,
+        sw: west,
+        ne: east,
+        se: east,
     };
-    let right_corners = CornerRadius {
-        ne: corner,
-        se: corner,
-        ..CornerRadius::ZERO
-    };
-    painter.rect_filled(l, left_corners, left);
-    painter.rect_filled(r, right_corners, right);
+    painter.rect_filled(l, corners(3, 0), left);
+    painter.rect_filled(r, corners(0, 3), right);
 }
 
 /// Two small marks in the middle of a field that tell where its halves meet: without them a
 /// difference that cannot be seen looks like no comparison.
 pub(super) fn ticks(ui: &Ui, rect: Rect, length: f32) {
     let x = rect.center().x.round();
-    for (top, ink) in [
-        (rect.top(), Color32::BLACK),
-        (rect.bottom() - length, Color32::BLACK),
-    ] {
-        ui.painter()
-            .vline(x, top..=top + length, (1.0, ink.gamma_multiply(0.75)));
-        ui.painter().vline(
-            x + 1.0,
-            top..=top + length,
-            (1.0, Color32::WHITE.gamma_multiply(0.5)),
-        );
+    let inks = [
+        Color32::BLACK.gamma_multiply(0.75),
+        Color32::WHITE.gamma_multiply(0.5),
+    ];
+    for top in [rect.top(), rect.bottom() - length] {
+        for (at, ink) in [x, x + 1.0].into_iter().zip(inks) {
+            ui.painter().vline(at, top..=top + length, (1.0, ink));
+        }
     }
 }
 

@@ -9,6 +9,7 @@ use egui::{
     epaint::text::{FontInsert, FontPriority, InsertFontFamily},
 };
 
+pub use crate::app::studies::Wake;
 use crate::app::{
     answers::Seen,
     chart::{self, Inks},
@@ -65,34 +66,20 @@ impl Theme {
     /// The theme of the preferences.
     pub fn of(preferences: &Preferences) -> Self {
         let dark = preferences.dark;
+        let either = |on_dark, on_light| ink(if dark { on_dark } else { on_light });
+        let presented = |factor| if preferences.presents() { factor } else { 1.0 };
         Self {
             dark,
             inks: Inks::of(of_charts(dark)),
-            line: if preferences.presents() {
-                1.6 * PRESENT_LINES
-            } else {
-                1.6
-            },
+            line: 1.6 * presented(PRESENT_LINES),
             ground: grey(if dark { 18 } else { 255 }),
             faint: grey(if dark { 162 } else { 95 }),
             swatch_ground: swatch_ground(dark),
-            accent: if dark {
-                Color32::from_rgb(78, 161, 224)
-            } else {
-                Color32::from_rgb(27, 111, 174)
-            },
+            accent: either([78, 161, 224], [27, 111, 174]),
             track: grey(if dark { 88 } else { 178 }),
             zone: if dark { [23, 48, 41] } else { [220, 239, 232] },
-            warning: if dark {
-                Color32::from_rgb(240, 190, 90)
-            } else {
-                Color32::from_rgb(140, 80, 0)
-            },
-            scale: if preferences.presents() {
-                PRESENT_TYPE
-            } else {
-                1.0
-            },
+            warning: either([240, 190, 90], [140, 80, 0]),
+            scale: presented(PRESENT_TYPE),
         }
     }
 
@@ -178,6 +165,7 @@ fn colours(visuals: &mut egui::Visuals, dark: bool) {
     } else {
         egui::Visuals::light()
     };
+    let either = |on_dark, on_light| ink(if dark { on_dark } else { on_light });
     // (panel, plot ground, faint stripe, text, strong text, control, hovered, active, outline)
     let [
         panel,
@@ -199,22 +187,10 @@ fn colours(visuals: &mut egui::Visuals, dark: bool) {
     visuals.extreme_bg_color = grey(ground);
     visuals.faint_bg_color = grey(faint);
     visuals.window_stroke = Stroke::new(1.0, grey(outline));
-    let (selected, its_text) = if dark {
-        (Color32::from_rgb(31, 71, 99), grey(255))
-    } else {
-        (
-            Color32::from_rgb(195, 222, 242),
-            Color32::from_rgb(11, 43, 68),
-        )
-    };
-    visuals.selection.bg_fill = selected;
-    visuals.selection.stroke = Stroke::new(1.0, its_text);
+    visuals.selection.bg_fill = either([31, 71, 99], [195, 222, 242]);
+    visuals.selection.stroke = Stroke::new(1.0, either([255; 3], [11, 43, 68]));
     visuals.slider_trailing_fill = true;
-    visuals.hyperlink_color = if dark {
-        Color32::from_rgb(120, 190, 235)
-    } else {
-        Color32::from_rgb(0, 90, 150)
-    };
+    visuals.hyperlink_color = either([120, 190, 235], [0, 90, 150]);
     let radius = CornerRadius::same(4);
     let widgets = &mut visuals.widgets;
     for (state, fill, words) in [
@@ -232,11 +208,7 @@ fn colours(visuals: &mut egui::Visuals, dark: bool) {
     }
     widgets.noninteractive.bg_stroke = Stroke::new(1.0, grey(outline));
     widgets.inactive.bg_stroke = Stroke::NONE;
-    let focus = if dark {
-        Color32::from_rgb(110, 180, 225)
-    } else {
-        Color32::from_rgb(0, 100, 160)
-    };
+    let focus = either([110, 180, 225], [0, 100, 160]);
     widgets.hovered.bg_stroke = Stroke::new(1.0, grey(active));
     widgets.active.bg_stroke = Stroke::new(1.0, focus);
 }
@@ -246,9 +218,6 @@ pub fn section(ui: &mut egui::Ui, title: &str) {
     ui.add_space(2.0);
     ui.label(egui::RichText::new(title).heading());
 }
-
-/// A shared `Arc` of nothing much: keeps callers from naming the type.
-pub type Wake = Arc<dyn Fn() + Send + Sync>;
 
 /// What wakes the window from another thread.
 pub fn waker(context: &Context) -> Wake {

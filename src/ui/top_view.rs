@@ -7,7 +7,7 @@ use egui::{Align, Button, Color32, Layout, RichText, Sense, Ui, vec2};
 
 use super::{
     keys::Act,
-    kit::named,
+    kit::{named, named_choice},
     swatch,
     theme::{Theme, grey},
 };
@@ -60,7 +60,6 @@ pub struct Drawer {
     pub compares: bool,
 }
 
-/// Draws the bar.
 pub(super) fn show(
     ui: &mut Ui,
     app: &App,
@@ -151,10 +150,8 @@ fn light(ui: &mut Ui, app: &App, drawer: &mut Drawer, width: f32, theme: Theme) 
     let size = vec2((galley.size().x + 76.0).min(width.max(60.0)), height);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     let open = drawer.open && !drawer.compares;
-    response.widget_info(|| {
-        let name = format!("Library: {name}");
-        egui::WidgetInfo::selected(egui::Role::Button, true, open, name)
-    });
+    let name = format!("Library: {name}");
+    named_choice(&response, egui::Role::Button, open, &name);
     let visuals = ui.visuals();
     let fill = match (open, response.hovered() || response.has_focus()) {
         (true, _) => visuals.selection.bg_fill,
@@ -205,51 +202,42 @@ fn files(ui: &mut Ui, preferences: &Preferences, menus: Menus<'_>, wishes: &mut 
         lessons,
     } = menus;
     ui.menu_button("Open", |ui| {
-        if ui
-            .add_enabled(!dialog_open, egui::Button::new("Open files…"))
-            .on_hover_text(
-                "Spectra, spectral images or a project (Ctrl+O). Files and folders can also \
-                     be dropped on the window.",
-            )
-            .clicked()
-        {
-            wishes.push(Wish::Act(Act::Open));
-            ui.close();
-        }
-        if ui
-            .add_enabled(!dialog_open, egui::Button::new("Open a folder…"))
-            .on_hover_text("Opens every file in a folder and the folders below it (Ctrl+Shift+F).")
-            .clicked()
-        {
-            wishes.push(Wish::Act(Act::OpenFolder));
-            ui.close();
-        }
-        if ui
-            .button("Type a path…")
-            .on_hover_text("Opens a file, or every file of a folder (Ctrl+Shift+O).")
-            .clicked()
-        {
-            wishes.push(Wish::Act(Act::TypePath));
-            ui.close();
-        }
-        ui.separator();
-        if ui
-            .add_enabled(has_summary, egui::Button::new("Files opened together…"))
-            .on_hover_text("What came of each file of the last folder or choice of files.")
-            .clicked()
-        {
-            wishes.push(Wish::Summary);
-            ui.close();
-        }
-        if let Some(folder) = lessons {
-            let copy = ui.button("Folder of your lessons").on_hover_text(format!(
-                "{}: lessons in it are in the list of Learn. Click to copy the path.",
-                folder.display()
-            ));
-            if copy.clicked() {
-                wishes.push(Wish::LessonsFolder);
+        let mut item = |ui: &mut Ui, is_on: bool, [words, meaning]: [&str; 2], wish: Wish| {
+            let button = ui.add_enabled(is_on, Button::new(words));
+            if button.on_hover_text(meaning).clicked() {
+                wishes.push(wish);
                 ui.close();
             }
+        };
+        let words = [
+            "Open files…",
+            "Spectra, spectral images or a project (Ctrl+O). Files and folders can also \
+                  be dropped on the window.",
+        ];
+        item(ui, !dialog_open, words, Wish::Act(Act::Open));
+        let words = [
+            "Open a folder…",
+            "Opens every file in a folder and the folders below it (Ctrl+Shift+F).",
+        ];
+        item(ui, !dialog_open, words, Wish::Act(Act::OpenFolder));
+        let words = [
+            "Type a path…",
+            "Opens a file, or every file of a folder (Ctrl+Shift+O).",
+        ];
+        item(ui, true, words, Wish::Act(Act::TypePath));
+        ui.separator();
+        let words = [
+            "Files opened together…",
+            "What came of each file of the last folder or choice of files.",
+        ];
+        item(ui, has_summary, words, Wish::Summary);
+        if let Some(folder) = lessons {
+            let meaning = format!(
+                "{}: lessons in it are in the list of Learn. Click to copy the path.",
+                folder.display()
+            );
+            let words = ["Folder of your lessons", &meaning];
+            item(ui, true, words, Wish::LessonsFolder);
         }
         if !preferences.recent.is_empty() {
             ui.separator();
@@ -257,14 +245,8 @@ fn files(ui: &mut Ui, preferences: &Preferences, menus: Menus<'_>, wishes: &mut 
         }
         for (index, path) in preferences.recent.iter().enumerate() {
             let name = path.file_name().unwrap_or(path.as_os_str());
-            if ui
-                .button(name.to_string_lossy())
-                .on_hover_text(path.display().to_string())
-                .clicked()
-            {
-                wishes.push(Wish::Recent(index));
-                ui.close();
-            }
+            let words = [&*name.to_string_lossy(), &path.display().to_string()];
+            item(ui, true, words, Wish::Recent(index));
         }
     })
     .response

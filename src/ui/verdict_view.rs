@@ -8,7 +8,9 @@ use egui::{
 };
 
 use super::{
-    curve_view, swatch,
+    curve_view,
+    kit::{named, named_choice, pressed_small, small_warnings},
+    swatch,
     theme::{Theme, of_seen},
 };
 use crate::app::{
@@ -112,7 +114,7 @@ pub(super) fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32, says: boo
     );
     let size = vec2(ui.available_width(), height + 16.0);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &name));
+    named(&response, egui::Role::Button, &name);
     let painter = ui.painter();
     painter.rect_filled(rect, 4.0, theme.swatch_ground);
     let inner = rect.shrink(8.0);
@@ -246,9 +248,7 @@ fn scale(ui: &mut Ui, now: Seen, theme: Theme) {
                 font.clone(),
                 ink,
             );
-            response.widget_info(|| {
-                egui::WidgetInfo::selected(egui::Role::Label, true, is_now, seen.word())
-            });
+            named_choice(&response, egui::Role::Label, is_now, seen.word());
             response.on_hover_text(seen.meaning());
         }
     });
@@ -334,22 +334,10 @@ fn numbers(ui: &mut Ui, app: &App, theme: Theme) {
 
 /// What must be said about the model, and the way to another one for a composite as it is.
 fn warnings(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
-    for warning in &app.derived().warnings {
-        ui.horizontal_wrapped(|ui| {
-            ui.spacing_mut().item_spacing.x = 4.0;
-            ui.colored_label(theme.warning, "▲");
-            ui.small(warning);
-        });
-    }
-    if app.document().as_given().is_some()
-        && ui
-            .small_button(ANALYSE)
-            .on_hover_text(
-                "Takes the composite apart like any measured spectrum, with the knobs that were in \
-                 force before it was shown.",
-            )
-            .clicked()
-    {
+    small_warnings(ui, theme, &app.derived().warnings);
+    let meaning = "Takes the composite apart like any measured spectrum, with the knobs that were \
+                   in force before it was shown.";
+    if app.document().as_given().is_some() && pressed_small(ui, ANALYSE, meaning) {
         commands.push(Command::Analyse);
     }
 }
@@ -373,10 +361,8 @@ pub fn line(ui: &mut Ui, app: &App) -> bool {
 pub fn edge(ui: &mut Ui, is_open: bool) -> bool {
     let rect = ui.available_rect_before_wrap();
     let response = ui.allocate_rect(rect, Sense::click());
-    response.widget_info(|| {
-        let name = "Verdict, figures, settings";
-        egui::WidgetInfo::selected(egui::Role::Button, true, is_open, name)
-    });
+    let words = "Verdict, figures, settings";
+    named_choice(&response, egui::Role::Button, is_open, words);
     let ink = if response.hovered() || response.has_focus() {
         ui.visuals().strong_text_color()
     } else {
@@ -393,8 +379,7 @@ pub fn edge(ui: &mut Ui, is_open: bool) -> bool {
         font.clone(),
         ink,
     );
-    let words = "Verdict, figures, settings".to_owned();
-    let galley = painter.layout_no_wrap(words, font, ink);
+    let galley = painter.layout_no_wrap(words.to_owned(), font, ink);
     let at = egui::pos2(rect.center().x + galley.size().y / 2.0, top.bottom() + 4.0);
     let turned =
         egui::epaint::TextShape::new(at, galley, ink).with_angle(std::f32::consts::FRAC_PI_2);

@@ -3,7 +3,7 @@
 use eframe::egui;
 use egui::{Button, RichText, Ui};
 
-use super::super::model_view::named;
+use super::super::kit::named;
 use crate::app::{chart::Chart, export::stem_of};
 
 /// What a chart is wanted as.
@@ -80,11 +80,8 @@ pub(super) fn menu(ui: &mut Ui, chart: &Chart) -> Option<ChartWish> {
         }
     });
     let name = format!("Save chart: {}", chart.title);
-    named(
-        &response,
-        egui::Role::Button,
-        name.trim_end_matches([':', ' ']),
-    );
+    let name = name.trim_end_matches([':', ' ']);
+    named(&response, egui::Role::Button, name);
     response.on_hover_text("Copy or save this chart: numbers (CSV), picture (PNG, SVG).");
     wish
 }

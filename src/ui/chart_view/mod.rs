@@ -15,7 +15,7 @@ use eframe::egui;
 use egui::{Align, Id, Label, Layout, Response, RichText, Sense, Ui, UiBuilder, Vec2, vec2};
 use egui_plot::PlotTransform;
 
-use super::{model_view::named, theme::Theme};
+use super::{kit::named, theme::Theme};
 use crate::app::chart::{Chart, Drawing, Looks, Plot, Series};
 use hands::Hands;
 pub(super) use hands::reset;

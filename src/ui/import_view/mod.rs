@@ -15,7 +15,7 @@ use self::{
 };
 use super::{
     chart_view::{ChartView, ChartWish},
-    kit::Choice,
+    kit::{Choice, pressed, pressed_if},
     theme::{Theme, waker},
 };
 use crate::app::{
@@ -303,28 +303,17 @@ fn message(ui: &mut Ui, import: &Import, theme: Theme) {
 /// The buttons that end it.
 fn foot(ui: &mut Ui, import: &Import, wishes: &mut Vec<Wish>) {
     ui.horizontal(|ui| {
-        if ui
-            .button("Keep")
-            .on_hover_text("It is right as it is: closes this window (Enter).")
-            .clicked()
-        {
+        let meaning = "It is right as it is: closes this window (Enter).";
+        if pressed(ui, "Keep", meaning) {
             wishes.push(Wish::Keep);
         }
-        if ui
-            .add_enabled(
-                import.has_choices(),
-                egui::Button::new("Back to the reader's own choice"),
-            )
-            .on_hover_text("Forgets what was chosen here.")
-            .clicked()
-        {
+        let back = egui::Button::new("Back to the reader's own choice");
+        let meaning = "Forgets what was chosen here.";
+        if pressed_if(ui, import.has_choices(), back, meaning) {
             wishes.push(Wish::Flip(Flip::ReadersOwn));
         }
-        if ui
-            .button("Remove it again")
-            .on_hover_text("Takes the file's spectra out and shows what was there before.")
-            .clicked()
-        {
+        let meaning = "Takes the file's spectra out and shows what was there before.";
+        if pressed(ui, "Remove it again", meaning) {
             wishes.push(Wish::Remove);
         }
         if import.is_reading() {

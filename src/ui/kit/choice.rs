@@ -22,6 +22,25 @@ impl Choice<'_> {
         self.draw(ui, chosen, false, list);
     }
 
+    /// Draws the list of all that can be chosen, each by title and meaning, which may be empty.
+    pub fn pick<T: Copy + PartialEq>(
+        self,
+        ui: &mut Ui,
+        now: &mut T,
+        all: impl IntoIterator<Item = T>,
+        words: impl Fn(T) -> (&'static str, &'static str),
+    ) {
+        self.show(ui, words(*now).0, |ui| {
+            for one in all {
+                let (title, meaning) = words(one);
+                let item = ui.selectable_value(now, one, title);
+                if !meaning.is_empty() {
+                    item.on_hover_text(meaning);
+                }
+            }
+        });
+    }
+
     /// The same for names of any length, cut to the width.
     pub fn cut(self, ui: &mut Ui, chosen: impl Into<WidgetText>, list: impl FnOnce(&mut Ui)) {
         self.draw(ui, chosen, true, list);

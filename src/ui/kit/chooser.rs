@@ -3,14 +3,13 @@
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{
-    Align2, ComboBox, Key, PopupCloseBehavior, ScrollArea, Sense, TextEdit, Ui, Vec2, vec2,
-};
+use egui::{Align2, ComboBox, Key, PopupCloseBehavior, ScrollArea, Sense, Ui, Vec2, vec2};
 
-use super::named;
+use super::{named, text_field};
 use crate::{
     app::{App, Entry, search::Index},
     preset::Shelf,
+    spectrum::Kind,
     ui::entry_row::Painted,
 };
 
@@ -59,24 +58,16 @@ impl Chooser<'_> {
             search.clear();
         }
         ui.data_mut(|d| d.insert_temp(search_id, search));
-        combo
-            .response
-            .widget_info(|| egui::WidgetInfo::labeled(egui::Role::ComboBox, true, self.name));
+        named(&combo.response, egui::Role::ComboBox, self.name);
         combo.response.on_hover_text(self.meaning);
         chosen
     }
 
     fn list(&self, ui: &mut Ui, app: &App, search: &mut String) -> Option<Arc<Entry>> {
         ui.set_min_width(320.0_f32.max(self.width));
-        let box_name = format!("Search: {}", self.name);
-        let edit = ui.add(
-            TextEdit::singleline(search)
-                .hint_text("Name, element, use; Enter takes the first")
-                .desired_width(f32::INFINITY),
-        );
-        edit.widget_info(|| {
-            egui::WidgetInfo::labeled(egui::Role::TextInput, true, box_name.clone())
-        });
+        let name = format!("Search: {}", self.name);
+        let hint = "Name, element, use; Enter takes the first";
+        let edit = text_field(ui, search, [&name, hint], f32::INFINITY);
         let entered = edit.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
         if ui.memory(|m| m.focused().is_none()) {
             edit.request_focus();
@@ -163,15 +154,18 @@ fn shelves(app: &App, offers: fn(&Entry) -> bool) -> Vec<Line> {
 /// What can be searched, and the user's own spectra that it was made for.
 type Searched = Option<(Vec<Arc<Entry>>, Arc<Index>)>;
 
+/// Whether two lists hold the very same spectra.
+pub fn are_same(some: &[Arc<Entry>], others: &[Arc<Entry>]) -> bool {
+    some.len() == others.len() && some.iter().zip(others).all(|(a, b)| Arc::ptr_eq(a, b))
+}
+
 /// What the library's search finds, the best first.
-fn found(ui: &Ui, app: &App, search: &str) -> Vec<Arc<Entry>> {
+pub fn found(ui: &Ui, app: &App, search: &str) -> Vec<Arc<Entry>> {
     let own = &app.document().own;
-    let id = egui::Id::unique("what choosers search");
-    let is_still = |(of, _): &(Vec<Arc<Entry>>, Arc<Index>)| {
-        of.len() == own.len() && of.iter().zip(own).all(|(a, b)| Arc::ptr_eq(a, b))
-    };
+    let id = egui::Id::unique("what is searched");
     let kept: Searched = ui.data(|data| data.get_temp::<Searched>(id)).flatten();
-    let (_, index) = kept.filter(is_still).unwrap_or_else(|| {
+    let kept = kept.filter(|(of, _)| are_same(of, own));
+    let (_, index) = kept.unwrap_or_else(|| {
         let index = Arc::new(Index::of(own.iter().chain(app.bundled())));
         let made = (own.clone(), index);
         ui.data_mut(|data| data.insert_temp::<Searched>(id, Some(made.clone())));
@@ -218,5 +212,15 @@ pub fn factors(entry: &Entry) -> bool {
 
 /// Lights.
 pub fn lights(entry: &Entry) -> bool {
-    entry.kind() == crate::spectrum::Kind::Light
+    entry.kind() == Kind::Light
+}
+
+/// What light comes off.
+pub fn reflectances(entry: &Entry) -> bool {
+    entry.kind() == Kind::Reflectance
+}
+
+/// What light passes through.
+pub fn transmittances(entry: &Entry) -> bool {
+    entry.kind() == Kind::Transmittance
 }

@@ -1,7 +1,7 @@
 //! How a page's parts share its room.
 
 use eframe::egui;
-use egui::{Align, Layout, ScrollArea, Ui, vec2};
+use egui::{Align, Grid, Layout, ScrollArea, Ui, Vec2, vec2};
 
 /// Room of a scroll area's bar, which stands over the right edge, points.
 const BAR: f32 = 8.0;
@@ -16,6 +16,43 @@ pub fn scrolled<R>(ui: &mut Ui, id: &str, add: impl FnOnce(&mut Ui) -> R) -> R {
             add(ui)
         })
         .inner
+}
+
+/// The same of all there is, its bar over what stands at the edge.
+pub fn rolled(ui: &mut Ui, add: impl FnOnce(&mut Ui)) {
+    ScrollArea::vertical().auto_shrink(false).show(ui, add);
+}
+
+/// A part that lays out downwards in the room of a size.
+pub fn down<R>(ui: &mut Ui, size: Vec2, add: impl FnOnce(&mut Ui) -> R) -> R {
+    let layout = Layout::top_down(Align::Min);
+    ui.allocate_ui_with_layout(size, layout, add).inner
+}
+
+/// The same, taking all of it.
+pub fn column<R>(ui: &mut Ui, size: Vec2, add: impl FnOnce(&mut Ui) -> R) -> R {
+    down(ui, size, |ui| {
+        ui.set_min_size(size);
+        add(ui)
+    })
+}
+
+/// A part of a row, as wide whatever stands in it.
+pub fn cell(ui: &mut Ui, width: f32, add: impl FnOnce(&mut Ui)) {
+    let size = vec2(width, ui.spacing().interact_size.y);
+    ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+        ui.set_min_size(size);
+        add(ui);
+    });
+}
+
+/// A grid of four columns for figures and what they are, denser than rows of controls.
+pub fn figure_grid(ui: &mut Ui, id: &str, add: impl FnOnce(&mut Ui)) {
+    Grid::new(id)
+        .num_columns(4)
+        .min_row_height(16.0)
+        .spacing([10.0, 2.0])
+        .show(ui, add);
 }
 
 /// Two columns of the same width, their words ragged.

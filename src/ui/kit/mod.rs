@@ -9,9 +9,13 @@ mod table;
 mod words;
 
 pub use choice::Choice;
-pub use chooser::{Chooser, factors, lights};
-pub use layout::{line, scrolled, two_columns};
-pub use seen::seen_choice;
-pub use stops::Stops;
+pub use chooser::{Chooser, are_same, factors, found, lights, reflectances, transmittances};
+pub use layout::{cell, column, down, figure_grid, line, rolled, scrolled, two_columns};
+pub use seen::{adapt_box, seen_choice};
+pub use stops::{Stops, hold_arrows};
 pub use table::{Column, Look, Row, Table, bar, table};
-pub use words::{HEADLINE, copy_button, framed, headline, named, titled, warning};
+pub use words::{
+    HEADLINE, copy_button, drawing, framed, headline, named, named_choice, number, pressed,
+    pressed_if, pressed_small, sign_button, small_warnings, text_field, tile_button, titled,
+    warning,
+};

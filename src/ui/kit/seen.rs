@@ -30,9 +30,27 @@ pub fn seen_choice(
         }
     });
     if adapt != view.adapt_patches {
-        commands.push(Command::View(View {
-            adapt_patches: adapt,
-            ..view
-        }));
+        see(app, adapt, commands);
     }
+}
+
+/// The same as a switch.
+pub fn adapt_box(
+    ui: &mut Ui,
+    app: &App,
+    (name, meaning): (&str, &str),
+    commands: &mut Vec<Command>,
+) {
+    let mut adapt = app.document().view.adapt_patches;
+    let switch = ui.checkbox(&mut adapt, name).on_hover_text(meaning);
+    if switch.changed() {
+        see(app, adapt, commands);
+    }
+}
+
+fn see(app: &App, adapt_patches: bool, commands: &mut Vec<Command>) {
+    commands.push(Command::View(View {
+        adapt_patches,
+        ..app.document().view
+    }));
 }

@@ -34,6 +34,16 @@ const HEIGHT: f32 = 32.0;
 /// Width and height of the handle, points.
 const HANDLE: [f32; 2] = [12.0, 22.0];
 
+/// Keeps the arrow keys for what has the keyboard: those to the sides, or all.
+pub fn hold_arrows(ui: &Ui, id: egui::Id, all: bool) {
+    let keys = egui::EventFilter {
+        horizontal_arrows: true,
+        vertical_arrows: all,
+        ..Default::default()
+    };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(id, keys));
+}
+
 impl Stops<'_> {
     /// Draws the slider `width` points wide and moves its place.
     pub fn show(self, ui: &mut Ui, place: &mut f64, width: f32, theme: Theme) -> Response {
@@ -49,13 +59,7 @@ impl Stops<'_> {
             *place = f64::from((pointer.x - left) / (right - left)).clamp(0.0, 1.0);
         }
         if response.has_focus() {
-            ui.memory_mut(|memory| {
-                let arrows = egui::EventFilter {
-                    horizontal_arrows: true,
-                    ..Default::default()
-                };
-                memory.set_focus_lock_filter(response.id, arrows);
-            });
+            hold_arrows(ui, response.id, false);
             let steps = ui.input(|i| {
                 i.num_presses(Key::ArrowRight) as f64 - i.num_presses(Key::ArrowLeft) as f64
             });

@@ -77,6 +77,17 @@ pub struct Row {
     pub looks: Vec<Look>,
 }
 
+impl Row {
+    /// A row that is read out as its cells.
+    pub fn of(cells: Vec<String>) -> Self {
+        Self {
+            name: cells.join(", "),
+            cells,
+            ..Self::default()
+        }
+    }
+}
+
 /// What is painted into cells beside their text: it gets row and column and the cell's box, once
 /// for every cell that is seen.
 pub(super) type Paint<'a> = &'a mut dyn FnMut(&Ui, [usize; 2], Rect);
@@ -129,6 +140,15 @@ impl<'a> Table<'a> {
             titles: true,
             dense: false,
             theme,
+        }
+    }
+
+    /// A table of many short lines that cannot be clicked.
+    pub fn dense(columns: &'a [Column], theme: Theme) -> Self {
+        Self {
+            enabled: false,
+            dense: true,
+            ..Self::new(columns, theme)
         }
     }
 

@@ -1,7 +1,10 @@
 //! Words with a task: names for screen readers, titles with a button, warnings.
 
 use eframe::egui;
-use egui::{Align, Frame, Label, Layout, Margin, Response, RichText, Ui, WidgetText};
+use egui::{
+    Align, Button, DragValue, Frame, Label, Layout, Margin, Rect, Response, RichText, Sense,
+    TextEdit, Ui, Vec2, WidgetText,
+};
 
 use crate::ui::theme::Theme;
 
@@ -19,6 +22,71 @@ pub fn named(response: &Response, role: egui::Role, name: &str) {
     response.widget_info(|| egui::WidgetInfo::labeled(role, true, name));
 }
 
+/// The same for what is chosen or not: a row, a switch, one of several.
+pub fn named_choice(response: &Response, role: egui::Role, is_chosen: bool, name: &str) {
+    response.widget_info(|| egui::WidgetInfo::selected(role, true, is_chosen, name));
+}
+
+/// Adds a field of a number under its name.
+pub fn number(ui: &mut Ui, field: DragValue<'_>, name: &str) -> Response {
+    let response = ui.add(field);
+    named(&response, egui::Role::SpinButton, name);
+    response
+}
+
+/// A field of one line to type into, under its name.
+pub fn text_field(ui: &mut Ui, text: &mut String, [name, hint]: [&str; 2], width: f32) -> Response {
+    let field = TextEdit::singleline(text)
+        .hint_text(hint)
+        .desired_width(width);
+    let response = ui.add(field);
+    named(&response, egui::Role::TextInput, name);
+    response
+}
+
+/// Room for what is painted, under its name.
+pub fn drawing(ui: &mut Ui, size: Vec2, sense: Sense, name: &str) -> (Rect, Response) {
+    let (rect, response) = ui.allocate_exact_size(size, sense);
+    named(&response, egui::Role::Image, name);
+    (rect, response)
+}
+
+/// A button with what it does; whether it was clicked.
+pub fn pressed(ui: &mut Ui, words: &str, meaning: &str) -> bool {
+    pressed_if(ui, true, Button::new(words), meaning)
+}
+
+/// The same in small.
+pub fn pressed_small(ui: &mut Ui, words: &str, meaning: &str) -> bool {
+    pressed_if(ui, true, Button::new(words).small(), meaning)
+}
+
+/// A button that can be clicked under a condition, with what it does.
+pub fn pressed_if(ui: &mut Ui, can: bool, button: Button<'_>, meaning: &str) -> bool {
+    ui.add_enabled(can, button).on_hover_text(meaning).clicked()
+}
+
+/// A small button with a sign or a word, called by more; whether it was clicked.
+pub fn sign_button(ui: &mut Ui, sign: &str, name: &str, meaning: &str) -> bool {
+    let button = ui.small_button(sign);
+    named(&button, egui::Role::Button, name);
+    button.on_hover_text(meaning).clicked()
+}
+
+/// A button as large as a card, on which the words are to be painted.
+pub fn tile_button(ui: &mut Ui, size: Vec2, name: &str) -> (Rect, Response) {
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    named(&response, egui::Role::Button, name);
+    let fill = ui.style().interact(&response).bg_fill;
+    ui.painter().rect_filled(rect, 4.0, fill);
+    if response.has_focus() {
+        let stroke = ui.visuals().widgets.active.bg_stroke;
+        ui.painter()
+            .rect_stroke(rect, 4.0, stroke, egui::StrokeKind::Inside);
+    }
+    (rect, response)
+}
+
 /// A button that copies a table; nothing where there is none. `meaning` may be empty.
 pub fn copy_button(ui: &mut Ui, name: &str, meaning: &str, csv: impl FnOnce() -> String) {
     let mut button = ui.small_button("Copy as CSV");
@@ -26,12 +94,8 @@ pub fn copy_button(ui: &mut Ui, name: &str, meaning: &str, csv: impl FnOnce() ->
     if !meaning.is_empty() {
         button = button.on_hover_text(meaning);
     }
-    let text = if button.clicked() {
-        csv()
-    } else {
-        String::new()
-    };
-    if !text.is_empty() {
+    let text = button.clicked().then(csv);
+    if let Some(text) = text.filter(|text| !text.is_empty()) {
         ui.ctx().copy_text(text);
     }
 }
@@ -58,6 +122,17 @@ pub fn framed<R>(ui: &mut Ui, add: impl FnOnce(&mut Ui) -> R) -> R {
             add(ui)
         })
         .inner
+}
+
+/// What must be said about a model, in small type.
+pub fn small_warnings(ui: &mut Ui, theme: Theme, warnings: &[String]) {
+    for warning in warnings {
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
+            ui.colored_label(theme.warning, "▲");
+            ui.small(warning);
+        });
+    }
 }
 
 /// Something that needs attention, told by a sign and words.

@@ -6,7 +6,7 @@ use egui::{Align2, Sense, Ui, Vec2, pos2, vec2};
 use super::taken;
 use crate::{
     app::{App, Command, Entry, search::favourites},
-    ui::{entry_row::elided, theme::Theme},
+    ui::{entry_row::elided, kit::named_choice, theme::Theme},
 };
 
 /// The lights on top of the library, three in a row.
@@ -39,31 +39,20 @@ pub(super) fn favourites_row(
 /// The name of a shelf; whether it was clicked.
 pub(super) fn heading(ui: &mut Ui, size: Vec2, title: &str, count: usize, folded: bool) -> bool {
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-    response.widget_info(|| egui::WidgetInfo::selected(egui::Role::Button, true, !folded, title));
-    let visuals = ui.style().interact(&response);
-    let font = egui::TextStyle::Body.resolve(ui.style());
-    let middle = rect.center().y;
-    ui.painter().text(
-        pos2(rect.left() + 3.0, middle),
-        Align2::LEFT_CENTER,
-        if folded { "▸" } else { "▾" },
-        font.clone(),
-        visuals.fg_stroke.color,
-    );
-    ui.painter().text(
-        pos2(rect.left() + 17.0, middle),
-        Align2::LEFT_CENTER,
-        title,
-        font,
-        ui.visuals().strong_text_color(),
-    );
-    ui.painter().text(
-        pos2(rect.right() - 4.0, middle),
-        Align2::RIGHT_CENTER,
-        count.to_string(),
-        egui::TextStyle::Small.resolve(ui.style()),
-        ui.visuals().weak_text_color(),
-    );
+    named_choice(&response, egui::Role::Button, !folded, title);
+    let colour = ui.style().interact(&response).fg_stroke.color;
+    let body = egui::TextStyle::Body.resolve(ui.style());
+    let small = egui::TextStyle::Small.resolve(ui.style());
+    let (painter, middle) = (ui.painter(), rect.center().y);
+    let mark = if folded { "▸" } else { "▾" };
+    let left = pos2(rect.left() + 3.0, middle);
+    painter.text(left, Align2::LEFT_CENTER, mark, body.clone(), colour);
+    let left = pos2(rect.left() + 17.0, middle);
+    let strong = ui.visuals().strong_text_color();
+    painter.text(left, Align2::LEFT_CENTER, title, body, strong);
+    let right = pos2(rect.right() - 4.0, middle);
+    let weak = ui.visuals().weak_text_color();
+    painter.text(right, Align2::RIGHT_CENTER, count, small, weak);
     response.clicked()
 }
 
@@ -77,7 +66,7 @@ pub(super) fn file_heading(
 ) -> bool {
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     let words = format!("{name}, {count} spectra");
-    response.widget_info(|| egui::WidgetInfo::selected(egui::Role::Button, true, !folded, &words));
+    named_choice(&response, egui::Role::Button, !folded, &words);
     let colour = ui.style().interact(&response).fg_stroke.color;
     let small = egui::TextStyle::Small.resolve(ui.style());
     let (painter, middle) = (ui.painter(), rect.center().y);

@@ -8,6 +8,7 @@ use super::LibraryView;
 use crate::{
     app::{App, Command, Entry, Recipe},
     spectrum::Kind,
+    ui::kit::pressed,
 };
 
 impl LibraryView {
@@ -20,37 +21,35 @@ impl LibraryView {
         overlaid: bool,
     ) -> Option<Command> {
         let mut command = None;
-        if ui.button("Show").clicked() {
-            command = Some(Command::Show(entry.clone()));
-            ui.close();
-        }
-        let words = if overlaid {
-            "Take from the overlays"
-        } else {
-            "Add to the overlays"
+        let mut item = |ui: &mut Ui, [words, meaning]: [&str; 2], asked: Command| {
+            let mut button = ui.button(words);
+            if !meaning.is_empty() {
+                button = button.on_hover_text(meaning);
+            }
+            if button.clicked() {
+                command = Some(asked);
+                ui.close();
+            }
         };
-        if ui.button(words).clicked() {
-            command = Some(Command::ToggleOverlay(entry.clone()));
-            ui.close();
-        }
+        let key = || entry.key.clone();
+        item(ui, ["Show", ""], Command::Show(entry.clone()));
+        let words = match overlaid {
+            true => "Take from the overlays",
+            false => "Add to the overlays",
+        };
+        item(ui, [words, ""], Command::ToggleOverlay(entry.clone()));
         if entry.shelf().is_some() {
             return command;
         }
         ui.separator();
-        if entry.origin.file().is_some()
-            && ui
-                .button("How it was read…")
-                .on_hover_text(
-                    "The first rows of its file, what was decided about them, and the other \
-                     choices.",
-                )
-                .clicked()
-        {
+        let meaning = "The first rows of its file, what was decided about them, and the other \
+                     choices.";
+        if entry.origin.file().is_some() && pressed(ui, "How it was read…", meaning) {
             self.wants_reading = Some(entry.key.clone());
             ui.close();
         }
         if let Some(recipe) = entry.origin.recipe() {
-            made_menu(ui, app, entry, recipe, &mut command);
+            made_menu(ui, app, entry, recipe, &mut item);
         }
         if entry.kind().is_factor() {
             let is_patch = app.document().own_patches.contains(&entry.key);
@@ -58,31 +57,19 @@ impl LibraryView {
                 true => "Take from the patches",
                 false => "Add to the patches",
             };
-            if ui.button(words).clicked() {
-                let key = entry.key.clone();
-                command = Some(Command::ToggleOwnPatch { key });
-                ui.close();
-            }
+            item(ui, [words, ""], Command::ToggleOwnPatch { key: key() });
         }
         if ui.button("Rename").clicked() {
             self.renaming = Some((entry.key.clone(), entry.name().to_owned()));
             ui.close();
         }
         for kind in [Kind::Light, Kind::Reflectance, Kind::Transmittance] {
-            if kind != entry.kind() && ui.button(format!("This is a {kind}")).clicked() {
-                command = Some(Command::SetKind {
-                    key: entry.key.clone(),
-                    kind,
-                });
-                ui.close();
+            if kind != entry.kind() {
+                let words = format!("This is a {kind}");
+                item(ui, [&words, ""], Command::SetKind { key: key(), kind });
             }
         }
-        if ui.button("Remove").clicked() {
-            command = Some(Command::Remove {
-                key: entry.key.clone(),
-            });
-            ui.close();
-        }
+        item(ui, ["Remove", ""], Command::Remove { key: key() });
         command
     }
 }
@@ -93,30 +80,18 @@ fn made_menu(
     app: &App,
     entry: &Arc<Entry>,
     recipe: &Recipe,
-    command: &mut Option<Command>,
+    item: &mut dyn FnMut(&mut Ui, [&str; 2], Command),
 ) {
     let light = &app.document().light;
     let is_other = recipe.light().is_some_and(|key| key != light.key) && light.key != entry.key;
-    if is_other
-        && ui
-            .button(format!("Make it with {}", light.name()))
-            .on_hover_text("The same recipe with the light that is shown.")
-            .clicked()
-    {
-        *command = Some(Command::MakeOtherwise {
-            key: entry.key.clone(),
-            recipe: recipe.clone().with_light(&light.key),
-        });
-        ui.close();
+    let key = || entry.key.clone();
+    if is_other {
+        let words = format!("Make it with {}", light.name());
+        let meaning = "The same recipe with the light that is shown.";
+        let recipe = recipe.clone().with_light(&light.key);
+        let asked = Command::MakeOtherwise { key: key(), recipe };
+        item(ui, [&words, meaning], asked);
     }
-    if ui
-        .button("Freeze")
-        .on_hover_text("Its numbers stay as they are, whatever happens to what it is made of.")
-        .clicked()
-    {
-        *command = Some(Command::Freeze {
-            key: entry.key.clone(),
-        });
-        ui.close();
-    }
+    let meaning = "Its numbers stay as they are, whatever happens to what it is made of.";
+    item(ui, ["Freeze", meaning], Command::Freeze { key: key() });
 }

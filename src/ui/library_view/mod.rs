@@ -15,6 +15,7 @@ use self::{
 };
 use super::{
     entry_row::{Painted, row_name},
+    kit::{named, named_choice, text_field},
     theme::{Theme, ink},
 };
 use crate::app::{App, Command, Entry, workspace::Preferences};
@@ -47,7 +48,6 @@ enum Wish {
 }
 
 impl LibraryView {
-    /// Draws the library.
     pub(super) fn show(
         &mut self,
         ui: &mut Ui,
@@ -70,7 +70,7 @@ impl LibraryView {
         if !searches {
             favourites_row(ui, app, theme, self.compares, commands);
         }
-        let rows = self.listed.rows(&self.search, app, preferences);
+        let rows = self.listed.rows(ui, &self.search, app, preferences);
         if rows.is_empty() {
             ui.add_space(8.0);
             ui.weak("Nothing is called that.");
@@ -109,19 +109,11 @@ impl LibraryView {
     }
 
     fn search_field(&mut self, ui: &mut Ui) -> Response {
-        let search = ui
-            .add(
-                egui::TextEdit::singleline(&mut self.search)
-                    .hint_text("Search spectra")
-                    .desired_width(f32::INFINITY),
-            )
-            .on_hover_text(
-                "A name, a family, an element, a use: \"street lamp\", neon, skin (Ctrl+F). Enter shows \
-                 the first.",
-            );
-        search.widget_info(|| {
-            egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Search the library")
-        });
+        let words = ["Search the library", "Search spectra"];
+        let search = text_field(ui, &mut self.search, words, f32::INFINITY).on_hover_text(
+            "A name, a family, an element, a use: \"street lamp\", neon, skin (Ctrl+F). Enter \
+             shows the first.",
+        );
         if std::mem::take(&mut self.wants_search) {
             search.request_focus();
         }
@@ -198,7 +190,7 @@ impl LibraryView {
         {
             let edit = ui.add_sized(size, egui::TextEdit::singleline(text));
             let id = edit.id;
-            edit.widget_info(|| egui::WidgetInfo::labeled(egui::Role::TextInput, true, "New name"));
+            named(&edit, egui::Role::TextInput, "New name");
             if edit.lost_focus() {
                 let (key, name) = self.renaming.take()?;
                 let name = name.trim().to_owned();
@@ -209,9 +201,7 @@ impl LibraryView {
             return None;
         }
         let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-        response.widget_info(|| {
-            egui::WidgetInfo::selected(egui::Role::Button, true, selected, row_name(entry))
-        });
+        named_choice(&response, egui::Role::Button, selected, &row_name(entry));
         let visuals = ui.visuals();
         if selected {
             ui.painter()

@@ -2,14 +2,17 @@
 
 use std::{collections::HashMap, sync::Arc};
 
+use eframe::egui::Ui;
+
 use crate::{
     app::{
         App, Entry, Families,
-        search::{Folded, Index, fold},
+        search::{Folded, fold},
         workspace::Preferences,
     },
     preset::Shelf,
     spectrum::Kind,
+    ui::kit::{are_same, found},
 };
 
 /// The rows, kept until what they are made of changes: thousands are not looked through in every
@@ -18,8 +21,6 @@ use crate::{
 pub(super) struct Listed {
     /// The rows and what they were made for.
     rows: Option<(RowsOf, Arc<Vec<Row>>)>,
-    /// What can be searched, and the user's own spectra that it was made for.
-    index: Option<(Vec<Arc<Entry>>, Index)>,
 }
 
 /// What the rows are made of.
@@ -32,12 +33,10 @@ struct RowsOf {
 
 impl RowsOf {
     fn is_still(&self, search: &str, folded: &[String], app: &App) -> bool {
-        let own = &app.document().own;
         self.search == search
             && self.folded == folded
             && self.bundled == app.bundled().len()
-            && self.own.len() == own.len()
-            && self.own.iter().zip(own).all(|(a, b)| Arc::ptr_eq(a, b))
+            && are_same(&self.own, &app.document().own)
     }
 }
 
@@ -73,6 +72,7 @@ impl Listed {
     /// The rows, made anew when search, folds or spectra changed.
     pub(super) fn rows(
         &mut self,
+        ui: &Ui,
         search: &str,
         app: &App,
         preferences: &Preferences,
@@ -91,32 +91,18 @@ impl Listed {
         let rows = Arc::new(if search.trim().is_empty() {
             on_shelves(app, preferences)
         } else {
-            self.found(search, app)
+            found(ui, app, search).into_iter().map(alone).collect()
         });
         self.rows = Some((of, rows.clone()));
         rows
     }
+}
 
-    /// What a search finds, the best first.
-    fn found(&mut self, search: &str, app: &App) -> Vec<Row> {
-        let own = &app.document().own;
-        let is_still = |(of, _): &(Vec<Arc<Entry>>, Index)| {
-            of.len() == own.len() && of.iter().zip(own).all(|(a, b)| Arc::ptr_eq(a, b))
-        };
-        if !self.index.as_ref().is_some_and(is_still) {
-            let index = Index::of(own.iter().chain(app.bundled()));
-            self.index = Some((own.clone(), index));
-        }
-        let found = self
-            .index
-            .iter()
-            .flat_map(|(_, index)| index.search(search));
-        found
-            .map(|row| Row::Item {
-                entry: row.entry,
-                in_file: None,
-            })
-            .collect()
+/// A spectrum that stands for itself, not for one of a file.
+fn alone(entry: Arc<Entry>) -> Row {
+    Row::Item {
+        entry,
+        in_file: None,
     }
 }
 
@@ -139,10 +125,7 @@ fn on_shelves(app: &App, preferences: &Preferences) -> Vec<Row> {
     if heading(&mut rows, OWN, own.len()) {
         by_file(own.clone(), |file| is_folded(&fold_of(file)), &mut rows);
     }
-    let item = |row: Folded| Row::Item {
-        entry: row.entry,
-        in_file: None,
-    };
+    let item = |row: Folded| alone(row.entry);
     let is_light = |entry: &&Arc<Entry>| entry.kind() == Kind::Light;
     let lights = fold(app.bundled().iter().filter(is_light));
     let families = Families::shipped();
@@ -188,10 +171,7 @@ fn by_file(entries: Vec<Arc<Entry>>, is_folded: impl Fn(&str) -> bool, rows: &mu
     }
     for file in files {
         if file.len() == 1 {
-            rows.extend(file.into_iter().map(|entry| Row::Item {
-                entry,
-                in_file: None,
-            }));
+            rows.extend(file.into_iter().map(alone));
             continue;
         }
         let name = file[0].spectrum.source.clone();

@@ -177,78 +177,73 @@ impl LookView {
 
     /// Carries out what Automatic was asked for, once the sweep is there.
     fn settle(&mut self, scene: &mut Scene<'_>, wishes: &mut Wishes) {
-        let Some((about, most)) = &self.waiting else {
-            return;
-        };
-        let most = *most;
-        let ask = SweepAsk::of(scene.app.document());
-        if *about != ask.about {
+        if let Some((about, most)) = &self.waiting
+            && let Some(said) = automatic(scene, (about, *most), &mut wishes.commands)
+        {
             self.waiting = None;
-            let words = "Automatic gave up: another spectrum is shown.".to_owned();
-            wishes.said = Some((Tone::Info, words));
-            return;
-        }
-        let job = scene.studies.job();
-        job.put(&ask, scene.wake);
-        let (stage, sweep) = (job.stage(), job.result_for(&ask).cloned());
-        let settings = scene.app.document().settings;
-        if let Some(sweep) = sweep {
-            let Some((point, measure)) = best_of(&sweep, most) else {
-                self.waiting = None;
-                let words = format!("No model takes as few as {}.", numbers(most));
-                wishes.said = Some((Tone::Info, words));
-                return;
-            };
-            let lamps = lamps_asked(scene.app.document(), scene.memory.words, most);
-            let better = match &lamps {
-                None => None,
-                Some(lamps) => {
-                    let job = scene.studies.job();
-                    job.put(lamps, scene.wake);
-                    if matches!(job.stage(), Stage::Running(_)) {
-                        return;
-                    }
-                    let found = job.result_for(lamps).map(|found| &**found);
-                    let found = found.and_then(|found| found.as_ref().ok());
-                    found.and_then(|found| lamps_better(about, found, (point, measure)))
-                }
-            };
-            self.waiting = None;
-            let best = knobs_of(settings, point);
-            wishes.commands.push(Command::Edit(best));
-            if let Some(words) = better {
-                let memory = &mut *scene.memory;
-                memory.page = Page::KnownLamps;
-                memory.words.portable = false;
-                memory.words.numbers = lamps.map_or(most, |lamps| lamps.numbers);
-                wishes.said = Some((Tone::Info, words));
-                return;
-            }
-            let lines = if best.spikes {
-                "with its lines"
-            } else {
-                "without lines"
-            };
-            let fit = if best.colour_exact {
-                ", colour-exact"
-            } else {
-                ""
-            };
-            let words = format!(
-                "The best of all eight ways with at most {}: {}{fit}, order {}, {lines}.",
-                numbers(most),
-                best.basis.word(),
-                best.order,
-            );
-            wishes.said = Some((Tone::Info, words));
-            return;
-        }
-        if !matches!(stage, Stage::Idle | Stage::Running(_) | Stage::Done) {
-            self.waiting = None;
-            let words = "There is nothing to measure on this spectrum and range.".to_owned();
-            wishes.said = Some((Tone::Problem, words));
+            wishes.said = Some(said);
         }
     }
+}
+
+/// What Automatic takes of a sweep about a spectrum, with at most so many numbers, and what is to
+/// be said of it; `None` while something is still computed.
+fn automatic(
+    scene: &mut Scene<'_>,
+    (about, most): (&About, usize),
+    commands: &mut Vec<Command>,
+) -> Option<(Tone, String)> {
+    let told = |words: String| Some((Tone::Info, words));
+    let document = scene.app.document();
+    let ask = SweepAsk::of(document);
+    if *about != ask.about {
+        return told("Automatic gave up: another spectrum is shown.".to_owned());
+    }
+    let job = scene.studies.job();
+    job.put(&ask, scene.wake);
+    let Some(sweep) = job.result_for(&ask).cloned() else {
+        let is_open = matches!(job.stage(), Stage::Idle | Stage::Running(_) | Stage::Done);
+        let words = "There is nothing to measure on this spectrum and range.";
+        return (!is_open).then(|| (Tone::Problem, words.to_owned()));
+    };
+    let Some((point, measure)) = best_of(&sweep, most) else {
+        return told(format!("No model takes as few as {}.", numbers(most)));
+    };
+    let lamps = lamps_asked(document, scene.memory.words, most);
+    let mut better = None;
+    if let Some(lamps) = &lamps {
+        let job = scene.studies.job();
+        job.put(lamps, scene.wake);
+        if matches!(job.stage(), Stage::Running(_)) {
+            return None;
+        }
+        let found = job.result_for(lamps).map(|found| &**found);
+        let found = found.and_then(|found| found.as_ref().ok());
+        better = found.and_then(|found| lamps_better(about, found, (point, measure)));
+    }
+    let best = knobs_of(document.settings, point);
+    commands.push(Command::Edit(best));
+    if let Some(words) = better {
+        let memory = &mut *scene.memory;
+        memory.page = Page::KnownLamps;
+        memory.words.portable = false;
+        memory.words.numbers = lamps.map_or(most, |lamps| lamps.numbers);
+        return told(words);
+    }
+    let lines = match best.spikes {
+        true => "with its lines",
+        false => "without lines",
+    };
+    let fit = match best.colour_exact {
+        true => ", colour-exact",
+        false => "",
+    };
+    told(format!(
+        "The best of all eight ways with at most {}: {}{fit}, order {}, {lines}.",
+        numbers(most),
+        best.basis.word(),
+        best.order,
+    ))
 }
 
 /// Where plot, knobs and patches stand.

@@ -10,7 +10,7 @@ use crate::{
         pages::SPENDABLE,
     },
     ui::{
-        kit::{Stops, named},
+        kit::{Stops, named, number, pressed, pressed_if},
         theme::Theme,
     },
 };
@@ -59,7 +59,6 @@ pub(super) struct Asked {
 }
 
 impl SlidersView {
-    /// Draws the card.
     pub(super) fn show(
         &mut self,
         ui: &mut Ui,
@@ -299,22 +298,14 @@ fn lines(
 /// What decides in the place of the knobs, and the other knobs.
 fn acts(ui: &mut Ui, (budget, busy): (&mut usize, bool), asked: &mut Asked) {
     let button = egui::Button::new(names::AUTOMATIC).selected(true);
-    asked.automatic = ui
-        .add_enabled(!busy, button)
-        .on_hover_text(
-            "The best model with at most this many numbers, over both bases, with and without \
-             lines, plain and colour-exact; one step of undo.",
-        )
-        .clicked();
-    let count = ui.add(DragValue::new(budget).range(SPENDABLE).speed(0.1));
-    named(&count, egui::Role::SpinButton, names::BUDGET);
-    count.on_hover_text("Most numbers that Automatic may spend, 1 to 101.");
-    asked.more = ui
-        .button(names::MORE)
-        .on_hover_text("Basis, colour-exact, widest line, dark lines, range, observer, products.")
-        .clicked();
-    asked.reset = ui
-        .button(names::RESET)
-        .on_hover_text("Everything back to the start (R): model, layers and patches.")
-        .clicked();
+    let meaning = "The best model with at most this many numbers, over both bases, with and \
+                   without lines, plain and colour-exact; one step of undo.";
+    asked.automatic = pressed_if(ui, !busy, button, meaning);
+    let count = DragValue::new(budget).range(SPENDABLE).speed(0.1);
+    number(ui, count, names::BUDGET)
+        .on_hover_text("Most numbers that Automatic may spend, 1 to 101.");
+    let meaning = "Basis, colour-exact, widest line, dark lines, range, observer, products.";
+    asked.more = pressed(ui, names::MORE, meaning);
+    let meaning = "Everything back to the start (R): model, layers and patches.";
+    asked.reset = pressed(ui, names::RESET, meaning);
 }

@@ -5,7 +5,10 @@ use egui::{Align, Button, Label, Layout, Rect, RichText, Ui};
 
 use crate::{
     app::{App, Command, Height, View, chart::Inks, charts::spectrum::overlay_factor},
-    ui::theme::{Theme, ink},
+    ui::{
+        kit::{named, named_choice, pressed},
+        theme::{Theme, ink},
+    },
 };
 
 /// Draws title and sentence; returns where the read-out may be written. Where nothing else of the
@@ -37,7 +40,7 @@ pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut boo
         };
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let back = ui.add(Button::new("✕").frame(false));
-            crate::ui::kit::named(&back, egui::Role::Button, "Whole window");
+            named(&back, egui::Role::Button, "Whole window");
             *leaves = back
                 .on_hover_text("Back to the whole window (Esc).")
                 .clicked();
@@ -205,10 +208,8 @@ fn widths(ui: &mut Ui, app: &App, in_full: bool, commands: &mut Vec<Command>) {
             .add_enabled(settings.spikes, Button::selectable(is_chosen, shown))
             .on_hover_text(meaning)
             .on_disabled_hover_text("No lines are taken out.");
-        button.widget_info(|| {
-            let name = format!("Lines: {}", word.to_lowercase());
-            egui::WidgetInfo::selected(egui::Role::RadioButton, true, is_chosen, name)
-        });
+        let name = format!("Lines: {}", word.to_lowercase());
+        named_choice(&button, egui::Role::RadioButton, is_chosen, &name);
         if button.clicked() && !is_chosen {
             commands.push(Command::Edit(crate::app::Settings {
                 wide_lines,
@@ -247,10 +248,8 @@ fn heights(ui: &mut Ui, app: &App, view: &mut View, wide: bool) {
         let button = ui
             .add(Button::selectable(now == height, word))
             .on_hover_text(meaning);
-        button.widget_info(|| {
-            let name = format!("Height: {word}");
-            egui::WidgetInfo::selected(egui::Role::RadioButton, true, now == height, name)
-        });
+        let name = format!("Height: {word}");
+        named_choice(&button, egui::Role::RadioButton, now == height, &name);
         if button.clicked() {
             view.height = height;
         }
@@ -279,11 +278,7 @@ fn overlays(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &mu
         let colour = ink(inks.overlays[i % inks.overlays.len()]);
         ui.label(RichText::new(overlay.name()).color(colour));
     }
-    if ui
-        .button("Clear")
-        .on_hover_text("Takes all overlays away.")
-        .clicked()
-    {
+    if pressed(ui, "Clear", "Takes all overlays away.") {
         commands.push(Command::ClearOverlays);
         ui.close();
     }
@@ -301,10 +296,8 @@ fn chip(ui: &mut Ui, on: &mut bool, name: &str, colour: Option<[u8; 3]>, meaning
     let outline = ui.visuals().widgets.noninteractive.bg_stroke;
     let button = button.frame_when_inactive(true).stroke(outline);
     let response = ui.add(button).on_hover_text(meaning);
-    response.widget_info(|| {
-        let name = format!("Show {}", name.to_lowercase());
-        egui::WidgetInfo::selected(egui::Role::CheckBox, true, *on, name)
-    });
+    let name = format!("Show {}", name.to_lowercase());
+    named_choice(&response, egui::Role::CheckBox, *on, &name);
     if response.clicked() {
         *on = !*on;
     }

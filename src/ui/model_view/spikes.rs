@@ -3,8 +3,11 @@
 use eframe::egui;
 use egui::{Slider, SliderClamping, Ui};
 
-use super::{named, names};
-use crate::app::{Detector, GRADIENTS_PERCENT, Settings, THRESHOLDS_PERCENT, WIDTHS_NM, ticks};
+use super::names;
+use crate::{
+    app::{Detector, GRADIENTS_PERCENT, Settings, THRESHOLDS_PERCENT, WIDTHS_NM, ticks},
+    ui::kit::Choice,
+};
 
 /// The sliders' own reach; more can be typed.
 const SLIDER_THRESHOLDS: std::ops::RangeInclusive<f64> = 0.1..=5.0;
@@ -14,35 +17,43 @@ const SLIDER_WIDTHS_NM: std::ops::RangeInclusive<f64> = 2.0..=20.0;
 fn threshold_row(ui: &mut Ui, settings: &mut Settings) {
     let enabled = settings.spikes;
     if settings.detector == Detector::Gradient {
-        let label = ui.add_enabled(enabled, egui::Label::new("Slope"));
-        ui.add_enabled(
-            enabled,
-            Slider::new(&mut settings.gradient_percent, GRADIENTS_PERCENT)
-                .logarithmic(true)
-                .custom_formatter(|v, _| ticks::short(v))
-                .suffix(" %/nm"),
-        )
-        .labelled_by(label.id)
-        .on_hover_text("Least slope of a line's flanks, percent of the largest value per nm.");
-    } else {
-        let label = ui.add_enabled(enabled, egui::Label::new(names::THRESHOLD));
-        ui.add_enabled(
-            enabled,
-            Slider::new(&mut settings.threshold_percent, SLIDER_THRESHOLDS)
-                .logarithmic(true)
-                .clamping(SliderClamping::Never)
-                .custom_formatter(|v, _| ticks::short(v))
-                .suffix(" %"),
-        )
-        .labelled_by(label.id)
-        .on_hover_text(format!(
-            "Least share of the total power that a spike must carry, percent. {} to {} can be \
-             typed.",
-            THRESHOLDS_PERCENT.start(),
-            THRESHOLDS_PERCENT.end()
-        ));
+        let slider = Slider::new(&mut settings.gradient_percent, GRADIENTS_PERCENT)
+            .logarithmic(true)
+            .suffix(" %/nm");
+        let meaning = "Least slope of a line's flanks, percent of the largest value per nm.";
+        return slider_row(ui, enabled, "Slope", slider, meaning);
     }
+    let slider = Slider::new(&mut settings.threshold_percent, SLIDER_THRESHOLDS)
+        .logarithmic(true)
+        .clamping(SliderClamping::Never)
+        .suffix(" %");
+    let meaning = format!(
+        "Least share of the total power that a spike must carry, percent. {} to {} can be \
+             typed.",
+        THRESHOLDS_PERCENT.start(),
+        THRESHOLDS_PERCENT.end()
+    );
+    slider_row(ui, enabled, names::THRESHOLD, slider, &meaning);
+}
+
+fn slider_row(ui: &mut Ui, enabled: bool, name: &str, slider: Slider<'_>, meaning: &str) {
+    let label = ui.add_enabled(enabled, egui::Label::new(name));
+    let slider = slider.custom_formatter(|v, _| ticks::short(v));
+    ui.add_enabled(enabled, slider)
+        .labelled_by(label.id)
+        .on_hover_text(meaning);
     ui.end_row();
+}
+
+/// How lines are found, and what that means.
+fn detector_words(detector: Detector) -> (&'static str, &'static str) {
+    match detector {
+        Detector::Energy => (
+            "by energy",
+            "Prominent, narrow peaks whose energy is above the threshold.",
+        ),
+        Detector::Gradient => ("by gradient", "The paper's way: steep on both sides."),
+    }
 }
 
 /// Draws what is taken for a line.
@@ -51,25 +62,13 @@ pub(super) fn spike_rows(ui: &mut Ui, settings: &mut Settings) {
         .on_hover_text("Take lines out of the spectrum and keep each as a place and a weight.");
     ui.horizontal(|ui| {
         ui.add_enabled_ui(settings.spikes, |ui| {
-            let chosen = match settings.detector {
-                Detector::Energy => "by energy",
-                Detector::Gradient => "by gradient",
+            let choice = Choice {
+                name: "Spike detector",
+                meaning: "How lines are told from the smooth part.",
+                width: ui.spacing().combo_width,
             };
-            let combo = egui::ComboBox::from_id_salt("detector")
-                .selected_text(chosen)
-                .width(ui.spacing().combo_width)
-                .show_ui(ui, |ui| {
-                    ui.selectable_value(&mut settings.detector, Detector::Energy, "by energy")
-                        .on_hover_text(
-                            "Prominent, narrow peaks whose energy is above the threshold.",
-                        );
-                    ui.selectable_value(&mut settings.detector, Detector::Gradient, "by gradient")
-                        .on_hover_text("The paper's way: steep on both sides.");
-                });
-            named(&combo.response, egui::Role::ComboBox, "Spike detector");
-            combo
-                .response
-                .on_hover_text("How lines are told from the smooth part.");
+            let both = [Detector::Energy, Detector::Gradient];
+            choice.pick(ui, &mut settings.detector, both, detector_words);
             ui.add_enabled(
                 settings.detector == Detector::Energy,
                 egui::Checkbox::new(&mut settings.dips, names::DIPS),
@@ -83,21 +82,14 @@ pub(super) fn spike_rows(ui: &mut Ui, settings: &mut Settings) {
     ui.end_row();
 
     threshold_row(ui, settings);
-    let enabled = settings.spikes;
-    let label = ui.add_enabled(enabled, egui::Label::new(names::WIDTH));
-    ui.add_enabled(
-        enabled,
-        Slider::new(&mut settings.max_width_nm, SLIDER_WIDTHS_NM)
-            .clamping(SliderClamping::Never)
-            .custom_formatter(|v, _| ticks::short(v))
-            .suffix(" nm"),
-    )
-    .labelled_by(label.id)
-    .on_hover_text(format!(
+    let slider = Slider::new(&mut settings.max_width_nm, SLIDER_WIDTHS_NM)
+        .clamping(SliderClamping::Never)
+        .suffix(" nm");
+    let meaning = format!(
         "Full width at half maximum of the widest line that may become a spike, nm. {} to {} can \
-         be typed.",
+             be typed.",
         WIDTHS_NM.start(),
         WIDTHS_NM.end()
-    ));
-    ui.end_row();
+    );
+    slider_row(ui, settings.spikes, names::WIDTH, slider, &meaning);
 }

@@ -5,7 +5,10 @@ use std::sync::Arc;
 use eframe::egui;
 use egui::{DragValue, Ui, vec2};
 
-use super::{PageContext, progress, tradeoff_view::choose};
+use super::{
+    PageContext, progress,
+    tradeoff_view::{choose, is_now},
+};
 use crate::{
     app::{
         App, ByAddress, Command, Memo, chart,
@@ -21,7 +24,7 @@ use crate::{
     },
     io::many::numbers,
     study::{Auction, Goal, Reference, Way},
-    ui::kit::{Column, Row, headline, named, table},
+    ui::kit::{Column, Row, headline, named, rolled, table},
 };
 
 /// From this width on chart and table stand side by side, points.
@@ -60,15 +63,13 @@ pub(super) struct AuctionView {
 }
 
 impl AuctionView {
-    /// Draws the page.
     pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let app = context.app;
         let goal = goal_within(app, context.memory.goal);
         controls(ui, context, goal);
         let goal = goal_within(app, context.memory.goal);
         let ask = AuctionAsk::of(app.document(), goal, context.memory.auction_numbers);
-        let job = context.studies.job();
-        job.put(&ask, context.wake);
+        let job = context.put(&ask);
         let stage = job.stage();
         if stage != Stage::Done {
             progress(ui, job, "The auction");
@@ -125,19 +126,15 @@ impl Sheet {
         let numbers = app.derived().numbers();
         let mut steps = self.auction.steps.iter();
         let step = steps.position(|step| step.numbers == numbers);
-        self.chosen = step.filter(|step| is_now(app, self, *step));
+        self.chosen = step.filter(|step| is_now(app, self.taking(app, *step)));
     }
-}
 
-/// Whether a step is the document's present model.
-fn is_now(app: &App, sheet: &Sheet, step: usize) -> bool {
-    let document = app.document();
-    let step = &sheet.auction.steps[step];
-    let command = take(document.settings, &sheet.ask, &sheet.auction, step);
-    let Command::TakeModel { settings, edits } = command else {
-        return false;
-    };
-    settings == document.settings && edits == document.subject_edits()
+    /// What takes the model of a step.
+    fn taking(&self, app: &App, step: usize) -> Command {
+        let settings = app.document().settings;
+        let step = &self.auction.steps[step];
+        take(settings, &self.ask, &self.auction, step)
+    }
 }
 
 /// Goal and budget.
@@ -189,11 +186,8 @@ fn weights(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
                 .range(0.0..=MOST_WEIGHT)
                 .max_decimals(2);
             let response = ui.add_enabled(lacks[i].is_none(), value);
-            named(
-                &response,
-                egui::Role::SpinButton,
-                &format!("Weight of {}", NAMES[i]),
-            );
+            let name = format!("Weight of {}", NAMES[i]);
+            named(&response, egui::Role::SpinButton, &name);
             changed |= response.changed();
             response
                 .on_hover_text(format!(
@@ -287,25 +281,16 @@ fn lay_out(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: boo
         ui.columns(2, |columns| {
             let size = vec2(columns[0].available_width(), room.y);
             chart(&mut columns[0], context, sheet, size, fresh);
-            egui::ScrollArea::vertical()
-                .auto_shrink(false)
-                .show(&mut columns[1], |ui| steps(ui, context, sheet, fresh));
+            rolled(&mut columns[1], |ui| steps(ui, context, sheet, fresh));
         });
     } else {
-        egui::ScrollArea::vertical()
-            .auto_shrink(false)
-            .show(ui, |ui| {
-                let height = (0.52 * room.y).clamp(260.0 * scale, 420.0 * scale);
-                chart(
-                    ui,
-                    context,
-                    sheet,
-                    vec2(ui.available_width(), height),
-                    fresh,
-                );
-                ui.add_space(4.0);
-                steps(ui, context, sheet, fresh);
-            });
+        rolled(ui, |ui| {
+            let height = (0.52 * room.y).clamp(260.0 * scale, 420.0 * scale);
+            let size = vec2(ui.available_width(), height);
+            chart(ui, context, sheet, size, fresh);
+            ui.add_space(4.0);
+            steps(ui, context, sheet, fresh);
+        });
     }
 }
 
@@ -352,10 +337,7 @@ fn steps(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: bool)
 
 /// Takes the model of a step.
 fn act(context: &mut PageContext<'_>, sheet: &Sheet, step: usize) {
-    let Some(step) = sheet.auction.steps.get(step) else {
-        return;
-    };
-    let settings = context.app.document().settings;
-    let command = take(settings, &sheet.ask, &sheet.auction, step);
-    context.commands.push(command);
+    if step < sheet.auction.steps.len() {
+        context.commands.push(sheet.taking(context.app, step));
+    }
 }

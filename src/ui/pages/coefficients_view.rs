@@ -18,7 +18,11 @@ use crate::{
     io::many::numbers,
     spectrum::{Basis, numbers_of_order},
     study::harmonics::Harmonics,
-    ui::{chart_view::ChartResponse, kit::headline, swatch},
+    ui::{
+        chart_view::ChartResponse,
+        kit::{headline, pressed, rolled},
+        swatch,
+    },
 };
 
 /// Time between two orders while playing, s.
@@ -168,11 +172,8 @@ fn controls(
         }
         let playing = next_step.is_some();
         let words = if playing { names::STOP } else { names::PLAY };
-        if ui
-            .button(words)
-            .on_hover_text("Adds the orders N = 0, 1, 2, ... one after the other, two a second.")
-            .clicked()
-        {
+        let meaning = "Adds the orders N = 0, 1, 2, ... one after the other, two a second.";
+        if pressed(ui, words, meaning) {
             *next_step = if playing {
                 None
             } else {
@@ -350,39 +351,37 @@ fn draw(
     ];
     let mut pointed = None;
     let mut are_told = false;
-    egui::ScrollArea::vertical()
-        .auto_shrink(false)
-        .show(ui, |ui| {
-            let width = ui.available_width() - (columns - 1) as f32 * gap.x;
-            let size = vec2((width / columns as f32).floor(), row - 2.0);
-            for (number, line) in bars.chunks(columns).enumerate() {
-                ui.horizontal_top(|ui| {
-                    for (chart, id) in line {
-                        // A chart lays out downwards what stands over it.
-                        let down = Layout::top_down(Align::Min);
-                        let shown = ui.allocate_ui_with_layout(size, down, |ui| {
-                            one(ui, context, chart.as_ref(), id, size)
-                        });
-                        let Some(response) = shown.inner else {
-                            continue;
-                        };
-                        let order = |at: [f64; 2]| (at[0].round().max(0.0) as usize).min(highest);
-                        if let Some(hit) = response.clicked {
-                            context.memory.partial_order = order(hit.at);
-                        }
-                        pointed = pointed.or(response.pointed.map(|hit| order(hit.at)));
+    rolled(ui, |ui| {
+        let width = ui.available_width() - (columns - 1) as f32 * gap.x;
+        let size = vec2((width / columns as f32).floor(), row - 2.0);
+        for (number, line) in bars.chunks(columns).enumerate() {
+            ui.horizontal_top(|ui| {
+                for (chart, id) in line {
+                    // A chart lays out downwards what stands over it.
+                    let down = Layout::top_down(Align::Min);
+                    let shown = ui.allocate_ui_with_layout(size, down, |ui| {
+                        one(ui, context, chart.as_ref(), id, size)
+                    });
+                    let Some(response) = shown.inner else {
+                        continue;
+                    };
+                    let order = |at: [f64; 2]| (at[0].round().max(0.0) as usize).min(highest);
+                    if let Some(hit) = response.clicked {
+                        context.memory.partial_order = order(hit.at);
                     }
-                    if number + 1 == rows && ui.available_width() >= LEAST_CHART * scale {
-                        ui.add_space(4.0);
-                        ui.vertical(|ui| details(ui, context, harmonics, before));
-                        are_told = true;
-                    }
-                });
-            }
-            if !are_told {
-                details(ui, context, harmonics, before);
-            }
-        });
+                    pointed = pointed.or(response.pointed.map(|hit| order(hit.at)));
+                }
+                if number + 1 == rows && ui.available_width() >= LEAST_CHART * scale {
+                    ui.add_space(4.0);
+                    ui.vertical(|ui| details(ui, context, harmonics, before));
+                    are_told = true;
+                }
+            });
+        }
+        if !are_told {
+            details(ui, context, harmonics, before);
+        }
+    });
     pointed
 }
 

@@ -1,11 +1,14 @@
 //! The page "Glossary": the words of the window, to look through and to search.
 
 use eframe::egui;
-use egui::{Label, RichText, ScrollArea, TextEdit, Ui};
+use egui::{Label, RichText, ScrollArea, Ui};
 
 use crate::{
     app::glossary::WORDS,
-    ui::{kit::headline, theme::Theme},
+    ui::{
+        kit::{headline, text_field},
+        theme::Theme,
+    },
 };
 
 /// What is searched for.
@@ -15,19 +18,13 @@ pub(super) struct GlossaryView {
 }
 
 impl GlossaryView {
-    /// Draws the page.
     pub(super) fn show(&mut self, ui: &mut Ui, theme: Theme) {
         let count = WORDS.len();
         let words = format!("{count} words of this window, in plain sentences.");
         headline(ui, theme, words);
-        let field = ui.add(
-            TextEdit::singleline(&mut self.search)
-                .hint_text("Search words")
-                .desired_width(ui.available_width().min(260.0)),
-        );
-        field.widget_info(|| {
-            egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Search the glossary")
-        });
+        let words = ["Search the glossary", "Search words"];
+        let width = ui.available_width().min(260.0);
+        text_field(ui, &mut self.search, words, width);
         let wanted = self.search.trim().to_lowercase();
         let fits = |text: &str| text.to_lowercase().contains(&wanted);
         ui.add_space(6.0);

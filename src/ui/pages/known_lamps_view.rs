@@ -13,7 +13,7 @@ use crate::{
         studies::{EncodeAsk, EncodedLight, most_numbers},
     },
     lamps::NUMBERS,
-    ui::kit::{Column, Row, Table, headline, named, scrolled, two_columns},
+    ui::kit::{Column, Row, Table, headline, named, pressed_small, scrolled, two_columns},
 };
 
 /// Room below the chart, points.
@@ -29,7 +29,6 @@ pub(super) struct KnownLampsView {
 type Key = (ByAddress<Result<EncodedLight, String>>, chart::Theme);
 
 impl KnownLampsView {
-    /// Draws the page.
     pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let WordsMemory {
             numbers,
@@ -38,9 +37,8 @@ impl KnownLampsView {
             automatic: _,
         } = context.memory.words;
         let ask = EncodeAsk::of(context.app.document(), numbers, !portable, itself);
-        let job = context.studies.job();
-        job.put(&ask, context.wake);
-        let answer = job
+        let answer = context
+            .put(&ask)
             .answer()
             .map(|(ask, found)| (ask.clone(), found.clone()));
         // What it says of another light would be wrong; of other numbers it stays until the next.
@@ -127,21 +125,14 @@ fn below_chart(ui: &mut Ui, context: &mut PageContext<'_>, words: &WordsShown) {
                     ..Row::default()
                 })
                 .collect();
-            let table = Table {
-                enabled: false,
-                dense: true,
-                ..Table::new(&columns, theme)
-            };
-            table.show(ui, &rows, &mut |_, _, _| {});
+            Table::dense(&columns, theme).show(ui, &rows, &mut |_, _, _| {});
         },
         |ui, _| {
             ui.horizontal(|ui| {
                 ui.label(RichText::new("The words").strong());
-                let copy = ui.small_button("Copy words");
-                let copy = copy.on_hover_text(
-                    "Copies them; \"spectral-explorer decode\" makes the spectrum of them again.",
-                );
-                if copy.clicked() {
+                let meaning =
+                    "Copies them; \"spectral-explorer decode\" makes the spectrum of them again.";
+                if pressed_small(ui, "Copy words", meaning) {
                     ui.ctx().copy_text(words.words.clone());
                 }
             });

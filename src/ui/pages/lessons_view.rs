@@ -6,16 +6,16 @@ use std::{
 };
 
 use eframe::egui;
-use egui::{Align, Label, Layout, RichText, Sense, Ui, vec2};
+use egui::{Align, Label, Layout, RichText, Ui, vec2};
 
 use super::PageContext;
 use crate::{
     app::{
         lessons::{Fault, Lesson, shelf},
-        pages::AskedLesson,
+        pages::{AskedLesson, PageMemory},
     },
     ui::{
-        kit::{framed, headline, scrolled, warning},
+        kit::{framed, headline, pressed, scrolled, tile_button, warning},
         theme::Theme,
         trial_view::TrialView,
     },
@@ -121,8 +121,7 @@ impl LessonsView {
             self.of_own_ones(ui, context.theme);
         });
         if let Some(name) = asked {
-            context.memory.lesson_asked = Some(AskedLesson { name, step: 0 });
-            ui.ctx().request_repaint();
+            begin(ui, context.memory, &name);
         }
     }
 
@@ -177,6 +176,13 @@ impl LessonsView {
     }
 }
 
+/// Asks for a lesson from its beginning.
+pub(in crate::ui) fn begin(ui: &Ui, memory: &mut PageMemory, name: &str) {
+    let name = name.to_owned();
+    memory.lesson_asked = Some(AskedLesson { name, step: 0 });
+    ui.ctx().request_repaint();
+}
+
 /// One lesson, for who teaches it; what of it is to be saved.
 fn of_teachers(
     ui: &mut Ui,
@@ -210,14 +216,8 @@ fn of_teachers(
         );
         said(ui, "Sources", &lesson.sources.join("; "));
         ui.horizontal_wrapped(|ui| {
-            if ui
-                .button("Begin")
-                .on_hover_text("Begins this lesson.")
-                .clicked()
-            {
-                let name = lesson.name.clone();
-                context.memory.lesson_asked = Some(AskedLesson { name, step: 0 });
-                ui.ctx().request_repaint();
+            if pressed(ui, "Begin", "Begins this lesson.") {
+                begin(ui, context.memory, &lesson.name);
             }
             let save = ui.button("Save a handout").on_hover_text(
                 "A sheet for the class, one page of HTML: words, questions and pictures, the \
@@ -302,15 +302,8 @@ impl Card {
 
     /// Draws it as a button; whether it was clicked.
     fn show(self, ui: &mut Ui, height: f32) -> bool {
-        let (rect, response) = ui.allocate_exact_size(vec2(self.width, height), Sense::click());
-        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &self.name));
-        let visuals = ui.style().interact(&response);
+        let (rect, response) = tile_button(ui, vec2(self.width, height), &self.name);
         let painter = ui.painter();
-        painter.rect_filled(rect, 4.0, visuals.bg_fill);
-        if response.has_focus() {
-            let stroke = ui.visuals().widgets.active.bg_stroke;
-            painter.rect_stroke(rect, 4.0, stroke, egui::StrokeKind::Inside);
-        }
         let mut at = rect.min + vec2(MARGIN, MARGIN);
         for galley in [self.title, self.sentence, self.small] {
             let height = galley.size().y;

@@ -3,7 +3,10 @@
 use eframe::egui;
 use egui::{DragValue, Ui, vec2};
 
-use super::{PageContext, progress, race_view::field_choice};
+use super::{
+    PageContext, progress,
+    race_view::{field_choice, has_own_lights, title_and_meaning},
+};
 use crate::{
     app::{
         ByAddress, Command, Memo, Settings,
@@ -14,7 +17,7 @@ use crate::{
         studies::{ManyAsk, Stage},
     },
     study::{ManyLights, Measure},
-    ui::kit::{Column, Row, headline, named, scrolled, table, titled},
+    ui::kit::{Choice, Column, Row, headline, number, scrolled, table, titled},
 };
 
 /// Names of controls, shared with the tests that move them.
@@ -47,13 +50,12 @@ struct Shown {
 }
 
 impl ManyView {
-    /// Draws the page.
     pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let document = context.app.document();
         let memory = context.memory.many;
         let ask = ManyAsk::of(document, memory.field.field(document));
         let settings = document.settings;
-        let nobody = memory.field == FieldChoice::Own && !super::race_view::has_own_lights(context);
+        let nobody = memory.field == FieldChoice::Own && !has_own_lights(context);
         let job = context.studies.job();
         if !nobody {
             job.put(&ask, context.wake);
@@ -164,23 +166,22 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
             .range(SHARES_PERCENT)
             .speed(0.2)
             .suffix(" %");
-        let share = ui.add(share);
-        named(&share, egui::Role::SpinButton, names::SHARE);
-        share.on_hover_text("For how many of the lights the order must be enough.");
+        number(ui, share, names::SHARE)
+            .on_hover_text("For how many of the lights the order must be enough.");
         ui.label("of them, with");
         let figure = memory.measure.figure();
-        let choice = crate::ui::kit::Choice {
+        let choice = Choice {
             name: "Figure with a limit",
             meaning: figure.meaning,
             width: 140.0,
         };
         let before = memory.measure;
-        choice.show(ui, figure.title, |ui| {
-            for measure in Measure::COMPARED {
-                ui.selectable_value(&mut memory.measure, measure, measure.figure().title)
-                    .on_hover_text(measure.figure().meaning);
-            }
-        });
+        choice.pick(
+            ui,
+            &mut memory.measure,
+            Measure::COMPARED,
+            title_and_meaning,
+        );
         if before.is_colour() != memory.measure.is_colour() {
             memory.limit = ManyMemory::usual_limit(memory.measure);
         }
@@ -190,9 +191,8 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
             .speed(0.02)
             .max_decimals(2)
             .suffix(memory.measure.figure().unit.tail);
-        let limit = ui.add(limit);
-        named(&limit, egui::Role::SpinButton, names::LIMIT);
-        limit.on_hover_text("What the figure may be at most, from the order found on.");
+        number(ui, limit, names::LIMIT)
+            .on_hover_text("What the figure may be at most, from the order found on.");
         let settings = context.app.document().settings;
         let way = Wanted::of(settings, memory).way;
         ui.weak(format!("{}, as in the model.", way.title()))

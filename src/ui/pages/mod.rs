@@ -18,6 +18,7 @@ mod tradeoff_view;
 pub mod truth_view;
 
 pub use lessons_view::LessonFile;
+pub(super) use lessons_view::begin;
 
 use std::path::PathBuf;
 
@@ -26,7 +27,7 @@ use egui::Ui;
 
 use super::{
     chart_view::{ChartResponse, ChartView, ChartWish},
-    kit::named,
+    kit::{named, pressed_small},
     theme::{Theme, Wake},
 };
 use crate::app::{
@@ -35,7 +36,7 @@ use crate::app::{
     dispersion::GemFile,
     pages::{Page, PageMemory},
     relit::PictureWish,
-    studies::{Job, Stage, Studies},
+    studies::{Job, Question, Stage, Studies},
 };
 
 /// What a page sees and may ask for.
@@ -72,6 +73,16 @@ impl PageContext<'_> {
         let mut shown = ChartView::show(ui, chart, id, size, self.theme);
         self.wishes.extend(shown.wish.take());
         shown
+    }
+
+    /// Puts a question that holds all that its answer depends on; its job.
+    pub fn put<Q>(&mut self, question: &Q) -> &mut Job<Q, Q::Answer>
+    where
+        Q: Question<Answer: Send> + Clone + PartialEq + Send + 'static,
+    {
+        let job = self.studies.of::<Q>();
+        job.put(question, self.wake);
+        job
     }
 
     /// The theme of charts.
@@ -212,11 +223,8 @@ pub fn progress<K: Clone + PartialEq + 'static, T: Send + 'static>(
                         .show_percentage(),
                 );
                 named(&bar, egui::Role::ProgressIndicator, what);
-                if ui
-                    .small_button("Cancel")
-                    .on_hover_text("Stops it; the last result stays.")
-                    .clicked()
-                {
+                let meaning = "Stops it; the last result stays.";
+                if pressed_small(ui, "Cancel", meaning) {
                     job.cancel();
                 }
                 ui.weak(if job.result().is_some() {

@@ -1,7 +1,7 @@
 //! The place "Quality": whether it is a good light, measured beside model.
 
 use eframe::egui;
-use egui::{Align, Layout, Ui, vec2};
+use egui::{Ui, vec2};
 
 use super::{PageContext, progress};
 use crate::{
@@ -16,7 +16,7 @@ use crate::{
         settled_words,
     },
     study::{Progress, quality::Chosen},
-    ui::kit::{Column, Row as TableRow, Table, headline, scrolled},
+    ui::kit::{Column, Row as TableRow, down, headline, scrolled, table},
 };
 
 /// From this width on three charts stand side by side, points.
@@ -63,12 +63,8 @@ impl QualityView {
             reading,
         ));
         let rows: Vec<TableRow> = shown.rows.iter().map(|row| figure_row(row)).collect();
-        let table = Table {
-            enabled: false,
-            ..Table::new(&columns, context.theme)
-        };
         scrolled(ui, "figures of quality", |ui| {
-            table.show(ui, &rows, &mut |_, _, _| {});
+            table(ui, &columns, &rows, None, false, context.theme);
             ui.add_space(6.0);
             for note in &shown.sheet.measured.notes {
                 ui.small(note);
@@ -185,7 +181,7 @@ fn grid(ui: &mut Ui, context: &mut PageContext<'_>, charts: &[Chart], id: &str) 
         for (row, some) in charts.chunks(columns).enumerate() {
             ui.horizontal_top(|ui| {
                 for (column, chart) in some.iter().enumerate() {
-                    ui.allocate_ui_with_layout(field, Layout::top_down(Align::Min), |ui| {
+                    down(ui, field, |ui| {
                         ui.set_min_width(field.x);
                         context.chart(ui, chart, (id, row, column), field);
                     });

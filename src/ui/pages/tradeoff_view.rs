@@ -23,7 +23,7 @@ use crate::{
     study::{Measure, Reference, Sweep, SweepPoint, Verdict},
     ui::{
         chart_view::Hit,
-        kit::{Column, Row, headline, line, table},
+        kit::{Column, Row, headline, line, rolled, table},
     },
 };
 
@@ -55,12 +55,10 @@ pub(super) struct TradeoffView {
 }
 
 impl TradeoffView {
-    /// Draws the page.
     pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let app = context.app;
         let ask = SweepAsk::of(app.document());
-        let job = context.studies.job();
-        job.put(&ask, context.wake);
+        context.put(&ask);
         let measure = measure_within(app, context.memory.measure);
         controls(ui, context, measure);
         // A row that is always there: the charts must not jump while a slider is dragged.
@@ -135,38 +133,21 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, measure: Measure) {
     ui.horizontal_wrapped(|ui| {
         ui.label("Show");
         let ways = &mut context.memory.ways;
-        for (shown, name, meaning) in [
-            (&mut ways.fourier, "Fourier", "The paper's periodic series."),
-            (&mut ways.cosine, "cosine", "Half-range cosines."),
-        ] {
+        let show = |ui: &mut Ui, shown: &mut bool, name: &str, meaning: &str| {
             ui.checkbox(shown, name).on_hover_text(meaning);
-        }
+        };
+        let meaning = "The paper's periodic series.";
+        show(ui, &mut ways.fourier, "Fourier", meaning);
+        show(ui, &mut ways.cosine, "cosine", "Half-range cosines.");
         ui.separator();
-        for (shown, name, meaning) in [
-            (
-                &mut ways.with_spikes,
-                "spikes",
-                "Every line above the threshold as a spike, two numbers each: drawn through.",
-            ),
-            (
-                &mut ways.without_spikes,
-                "no spikes",
-                "Orders only: drawn in dashes.",
-            ),
-        ] {
-            ui.checkbox(shown, name).on_hover_text(meaning);
-        }
+        let meaning = "Every line above the threshold as a spike, two numbers each: drawn through.";
+        show(ui, &mut ways.with_spikes, "spikes", meaning);
+        let meaning = "Orders only: drawn in dashes.";
+        show(ui, &mut ways.without_spikes, "no spikes", meaning);
         ui.separator();
-        for (shown, name, meaning) in [
-            (&mut ways.plain, "plain", "Plain least squares."),
-            (
-                &mut ways.colour_exact,
-                "colour-exact",
-                "Least squares under the condition that X, Y and Z are exact.",
-            ),
-        ] {
-            ui.checkbox(shown, name).on_hover_text(meaning);
-        }
+        show(ui, &mut ways.plain, "plain", "Plain least squares.");
+        let meaning = "Least squares under the condition that X, Y and Z are exact.";
+        show(ui, &mut ways.colour_exact, "colour-exact", meaning);
         *ways = ways.clamped();
     });
 }
@@ -254,27 +235,25 @@ fn lay_out(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: boo
     sentence.on_hover_text("Of the models drawn: all orders of the ways that are switched on.");
     let room = ui.available_size();
     let scale = context.theme.scale;
-    egui::ScrollArea::vertical()
-        .auto_shrink(false)
-        .show(ui, |ui| {
-            if room.x >= WIDE * scale {
-                let height = (0.60 * room.y).max(300.0 * scale);
-                ui.columns(2, |columns| {
-                    let size = vec2(columns[0].available_width(), height);
-                    against_numbers(&mut columns[0], context, sheet, size, fresh);
-                    against_threshold(&mut columns[1], context, sheet, size, fresh);
-                });
-            } else {
-                let width = ui.available_width();
-                let height = (0.52 * room.y).clamp(270.0 * scale, 460.0 * scale);
-                against_numbers(ui, context, sheet, vec2(width, height), fresh);
-                ui.add_space(4.0);
-                let height = (0.41 * room.y).clamp(210.0 * scale, 380.0 * scale);
-                against_threshold(ui, context, sheet, vec2(width, height), fresh);
-            }
-            ui.add_space(6.0);
-            front_table(ui, context, sheet, fresh);
-        });
+    rolled(ui, |ui| {
+        if room.x >= WIDE * scale {
+            let height = (0.60 * room.y).max(300.0 * scale);
+            ui.columns(2, |columns| {
+                let size = vec2(columns[0].available_width(), height);
+                against_numbers(&mut columns[0], context, sheet, size, fresh);
+                against_threshold(&mut columns[1], context, sheet, size, fresh);
+            });
+        } else {
+            let width = ui.available_width();
+            let height = (0.52 * room.y).clamp(270.0 * scale, 460.0 * scale);
+            against_numbers(ui, context, sheet, vec2(width, height), fresh);
+            ui.add_space(4.0);
+            let height = (0.41 * room.y).clamp(210.0 * scale, 380.0 * scale);
+            against_threshold(ui, context, sheet, vec2(width, height), fresh);
+        }
+        ui.add_space(6.0);
+        front_table(ui, context, sheet, fresh);
+    });
 }
 
 fn against_numbers(
@@ -319,14 +298,9 @@ fn front_table(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh:
         let front = sheet.tradeoff.front.iter();
         front.map(|index| &sheet.sweep.points[*index])
     };
-    ui.label(
-        egui::RichText::new(format!(
-            "Lowest error for that many numbers: {}",
-            sheet.measure.figure().title
-        ))
-        .strong(),
-    );
-    let chosen = points().position(|point| is_now(context, point));
+    let figure = sheet.measure.figure().title;
+    ui.strong(format!("Lowest error for that many numbers: {figure}"));
+    let chosen = points().position(|point| is_now(context.app, take(settings, point)));
     let few = ui.available_width() < ALL_FIGURES * context.theme.scale;
     let (columns, rows) = &sheet.tables[usize::from(few)];
     let clicked = table(ui, columns, rows, chosen, fresh, context.theme);
@@ -336,10 +310,10 @@ fn front_table(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh:
     }
 }
 
-/// Whether a model is the document's present one.
-fn is_now(context: &PageContext<'_>, point: &SweepPoint) -> bool {
-    let document = context.app.document();
-    let Command::TakeModel { settings, edits } = take(document.settings, point) else {
+/// Whether taking a model would change nothing: it is the document's present one.
+pub(super) fn is_now(app: &App, taking: Command) -> bool {
+    let document = app.document();
+    let Command::TakeModel { settings, edits } = taking else {
         return false;
     };
     settings == document.settings && edits == document.subject_edits()

@@ -14,7 +14,7 @@ use crate::{
         ticks::short,
     },
     spectrum::{Basis, Sampling},
-    ui::kit::{framed, headline, scrolled},
+    ui::kit::{framed, headline, pressed, scrolled},
 };
 
 /// From this width on cards stand in two columns, points.
@@ -94,11 +94,8 @@ impl TruthView {
 
 fn head(ui: &mut Ui, context: &PageContext<'_>, claims: &Claims) {
     ui.horizontal_wrapped(|ui| {
-        if ui
-            .button(COPY)
-            .on_hover_text("Copies claim, paper, measured and verdict of every card as a table.")
-            .clicked()
-        {
+        let meaning = "Copies claim, paper, measured and verdict of every card as a table.";
+        if pressed(ui, COPY, meaning) {
             ui.ctx().copy_text(truth_csv(context.app, claims));
         }
         ui.weak(format!(

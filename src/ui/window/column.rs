@@ -5,12 +5,14 @@ use egui::{Margin, Panel, ScrollArea, Ui};
 
 use super::{
     super::{
-        colour_view, look_view, model_view, spikes_view,
+        colour_view,
+        kit::pressed,
+        look_view, model_view, spikes_view,
         theme::{self, Theme},
         verdict_view::{self, Side},
     },
     Window,
-    panels::{COLUMN, Shape, in_its_size, plain},
+    panels::{COLUMN, Shape, fixed, in_its_size, plain},
 };
 use crate::app::{App, Command, SpikeAct, Tone, answers};
 
@@ -41,18 +43,14 @@ impl Window {
         let open = self.side_is_open(shape);
         if !shape.wide || self.side_open.is_some() {
             let frame = plain(ui, Margin::ZERO);
-            Panel::right("edge")
-                .frame(frame)
-                .resizable(false)
-                .exact_size(EDGE)
-                .show(ui, |ui| {
-                    if verdict_view::edge(ui, open) {
-                        self.side_open = match (open, shape.wide && has_model) {
-                            (true, false) | (false, true) => None,
-                            (open, _) => Some(!open),
-                        };
-                    }
-                });
+            fixed(Panel::right("edge"), frame, EDGE).show(ui, |ui| {
+                if verdict_view::edge(ui, open) {
+                    self.side_open = match (open, shape.wide && has_model) {
+                        (true, false) | (false, true) => None,
+                        (open, _) => Some(!open),
+                    };
+                }
+            });
         }
         if !open {
             return;
@@ -72,10 +70,7 @@ impl Window {
             (false, true) => least,
             (false, false) => usual,
         };
-        Panel::right("model")
-            .frame(frame)
-            .resizable(false)
-            .exact_size(width)
+        fixed(Panel::right("model"), frame, width)
             .show(ui, |ui| in_its_size(ui, |ui| self.column(ui, theme)));
     }
 
@@ -166,14 +161,9 @@ const LINES_WIDE: f32 = 396.0;
 
 /// The paper's settings in one click.
 fn as_in_the_paper(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
-    if ui
-        .button(look_view::names::PAPER)
-        .on_hover_text(
-            "Plain Fourier series on 400 to 700 nm where the table reaches, lines by their \
-             slope, products on the paper's points.",
-        )
-        .clicked()
-    {
+    let meaning = "Plain Fourier series on 400 to 700 nm where the table reaches, lines by their \
+             slope, products on the paper's points.";
+    if pressed(ui, look_view::names::PAPER, meaning) {
         commands.push(Command::Edit(answers::as_in_the_paper(app)));
     }
 }

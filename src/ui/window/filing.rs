@@ -284,7 +284,7 @@ impl Window {
                 Saving::Text(export) => export.text(&app, theme).map(String::into_bytes),
                 Saving::PlotPng => {
                     let chart = spectrum_chart(&app, theme);
-                    Ok(picture::chart_png(&chart, [1200, 760]))
+                    Ok(picture::chart_png(&chart, CHART_SIZE))
                 }
                 Saving::SheetPdf => sheet::to_pdf(&app),
                 Saving::WindowPng => Ok(picture::window_png(

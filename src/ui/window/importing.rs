@@ -12,7 +12,7 @@ use super::{
 };
 use crate::app::{
     Command, Opened, Tone,
-    import::{Again, Flip, Import},
+    import::{Again, Import},
 };
 
 impl Window {
@@ -55,7 +55,11 @@ impl Window {
             .show(context, &self.app, theme, file_theme, centre, keys_are_free);
         for wish in wishes {
             match wish {
-                Wish::Flip(flip) => self.flip(flip, context),
+                Wish::Flip(flip) => {
+                    if let Some(import) = &mut self.import.now {
+                        import.flip(flip, &wake);
+                    }
+                }
                 Wish::About(about) => {
                     if let Some(import) = &mut self.import.now {
                         import.ask_about(about);
@@ -80,16 +84,6 @@ impl Window {
                 Wish::Save(chart) => self.save_chart(chart, context),
             }
         }
-        self.settle(context);
-    }
-
-    fn flip(&mut self, flip: Flip, context: &Context) {
-        if let Some(import) = &mut self.import.now {
-            import.flip(flip, &waker(context));
-        }
-    }
-
-    fn settle(&mut self, context: &Context) {
         if let Some(import) = &mut self.import.now
             && import.settle(&mut self.app)
         {

@@ -12,7 +12,7 @@ use super::{
         theme::{Theme, waker},
     },
     Window,
-    panels::{Shape, in_its_size, plain},
+    panels::{Shape, fixed, in_its_size, plain},
 };
 use crate::app::{
     Tone,
@@ -99,15 +99,11 @@ impl Window {
         let studies = &mut self.studies;
         let mut wishes = Vec::new();
         let frame = plain(ui, Margin::same(12)).fill(ui.visuals().window_fill);
-        let panel = Panel::left("lesson")
-            .frame(frame)
-            .resizable(false)
-            .exact_size(width)
-            .show(ui, |ui| {
-                in_its_size(ui, |ui| {
-                    wishes = view.show(ui, run, scene, (&mut *studies, &wake), theme)
-                });
+        let panel = fixed(Panel::left("lesson"), frame, width).show(ui, |ui| {
+            in_its_size(ui, |ui| {
+                wishes = view.show(ui, run, scene, (&mut *studies, &wake), theme)
             });
+        });
         self.lesson_ends = panel.response.rect.right();
         for wish in wishes {
             self.fulfil_of_lesson(wish, ui.ctx());

@@ -93,6 +93,11 @@ pub(super) fn plain(ui: &Ui, margin: Margin) -> Frame {
         .inner_margin(margin)
 }
 
+/// A panel at a side that no hand makes wider.
+pub(super) fn fixed(panel: Panel, frame: Frame, width: f32) -> Panel {
+    panel.frame(frame).resizable(false).exact_size(width)
+}
+
 impl Window {
     /// The top bar.
     pub(super) fn bar(&mut self, ui: &mut Ui, shape: Shape, context: &Context) {
@@ -138,17 +143,14 @@ impl Window {
     /// The places.
     pub(super) fn rail(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) {
         let [words, none] = rail_view::WIDTHS;
+        let width = if shape.wide { words } else { none };
         let frame = plain(ui, Margin::ZERO);
-        Panel::left("rail")
-            .frame(frame)
-            .resizable(false)
-            .exact_size(if shape.wide { words } else { none })
-            .show(ui, |ui| {
-                let page = &mut self.preferences.pages.page;
-                ScrollArea::vertical().show(ui, |ui| {
-                    rail_view::show(ui, page, shape.wide, theme);
-                });
+        fixed(Panel::left("rail"), frame, width).show(ui, |ui| {
+            let page = &mut self.preferences.pages.page;
+            ScrollArea::vertical().show(ui, |ui| {
+                rail_view::show(ui, page, shape.wide, theme);
             });
+        });
     }
 
     /// The library: beside the page where there is room, else over it.
@@ -167,11 +169,8 @@ impl Window {
         };
         if shape.wide {
             let frame = plain(ui, Margin::same(12));
-            Panel::left("library")
-                .frame(frame)
-                .resizable(false)
-                .exact_size(DRAWER)
-                .show(ui, |ui| in_its_size(ui, &mut show));
+            let panel = fixed(Panel::left("library"), frame, DRAWER);
+            panel.show(ui, |ui| in_its_size(ui, &mut show));
         } else {
             let room = ui.available_rect_before_wrap();
             let width = DRAWER.min(room.width() - 8.0);

@@ -4,10 +4,15 @@ use eframe::egui;
 use egui::Ui;
 
 use super::{
-    super::{batch_view, kit::named, theme::Theme},
+    super::{
+        batch_view,
+        kit::{named, pressed_small},
+        pages::begin,
+        theme::Theme,
+    },
     WATCH_EVERY, Window,
 };
-use crate::app::{Tone, lessons::Lesson, pages::AskedLesson};
+use crate::app::{Tone, lessons::Lesson};
 
 /// Width from which on a window is large, points.
 const LARGE: f32 = 1800.0;
@@ -56,11 +61,8 @@ impl Window {
                 self.offer_to_forget(ui);
                 self.offer_larger(ui);
                 if self.waiting.is_some() {
-                    if ui
-                        .small_button("stop waiting")
-                        .on_hover_text("Gives up on the file dialog; a late answer is ignored.")
-                        .clicked()
-                    {
+                    let meaning = "Gives up on the file dialog; a late answer is ignored.";
+                    if pressed_small(ui, "stop waiting", meaning) {
                         self.waiting = None;
                     }
                     ui.label("file dialog open");
@@ -80,10 +82,8 @@ impl Window {
                         ui.colored_label(theme.warning, "▲");
                     }
                     if self.batch.is_told_by(&message.text) {
-                        wants_summary = ui
-                            .small_button("Each file…")
-                            .on_hover_text("How each file was read, or why it was refused.")
-                            .clicked();
+                        let meaning = "How each file was read, or why it was refused.";
+                        wants_summary = pressed_small(ui, "Each file…", meaning);
                     }
                     ui.add(egui::Label::new(&message.text).truncate())
                         .on_hover_ui(|ui| {
@@ -114,9 +114,7 @@ impl Window {
             lesson.title, lesson.sentence, lesson.minutes
         );
         if button.on_hover_text(hover).clicked() {
-            let name = lesson.name.clone();
-            self.preferences.pages.lesson_asked = Some(AskedLesson { name, step: 0 });
-            ui.ctx().request_repaint();
+            begin(ui, &mut self.preferences.pages, &lesson.name);
         }
     }
 

@@ -14,7 +14,7 @@ use crate::{
     },
     color::Xyz,
     ui::{
-        kit::{Choice, Chooser, lights, named},
+        kit::{Choice, Chooser, lights, named, number, reflectances},
         pages::PageContext,
     },
 };
@@ -35,11 +35,8 @@ pub(super) fn asked(
             meaning: "As a screen's colour, or by three numbers.",
             width: 76.0 * context.theme.scale,
         };
-        choice.show(ui, telling.title(), |ui| {
-            for way in Telling::ALL {
-                ui.selectable_value(telling, way, way.title())
-                    .on_hover_text(way.meaning());
-            }
+        choice.pick(ui, telling, Telling::ALL, |way| {
+            (way.title(), way.meaning())
         });
         told(ui, context, (sheet, 0), &mut given, typed);
     });
@@ -147,20 +144,14 @@ fn told(
     match telling.numbers() {
         Some(numbers) => {
             let mut after = now;
-            for (value, number) in after.iter_mut().zip(numbers) {
-                ui.label(number.title);
-                let [least, most] = number.range;
+            for (value, told) in after.iter_mut().zip(numbers) {
+                ui.label(told.title);
+                let [least, most] = told.range;
                 let field = DragValue::new(value)
                     .range(least..=most)
-                    .speed(3.0 * 0.1_f64.powi(number.digits as i32))
-                    .fixed_decimals(number.digits);
-                let response = ui.add(field);
-                named(
-                    &response,
-                    egui::Role::SpinButton,
-                    &format!("{}{of}", number.title),
-                );
-                response.on_hover_text(telling.meaning());
+                    .speed(3.0 * 0.1_f64.powi(told.digits as i32))
+                    .fixed_decimals(told.digits);
+                number(ui, field, &format!("{}{of}", told.title)).on_hover_text(telling.meaning());
             }
             if after != now {
                 *given = telling.given(after);
@@ -185,11 +176,8 @@ fn picked(
 ) -> Option<[u8; 3]> {
     let mut rgb = now;
     let picker = ui.color_edit_button_srgb(&mut rgb);
-    named(
-        &picker,
-        egui::Role::ColorWell,
-        &format!("Pick a colour{of}"),
-    );
+    let name = format!("Pick a colour{of}");
+    named(&picker, egui::Role::ColorWell, &name);
     picker.on_hover_text(Telling::Srgb.meaning());
     let mut found = (rgb != now).then_some(rgb);
     let [r, g, b] = now;
@@ -211,9 +199,4 @@ fn picked(
     }
     edit.on_hover_text("sRGB in hexadecimal, such as #c08040.");
     found
-}
-
-/// What is a reflectance.
-fn reflectances(entry: &crate::app::Entry) -> bool {
-    entry.kind() == crate::spectrum::Kind::Reflectance
 }

@@ -19,7 +19,10 @@ use crate::{
     color::Swatch,
     design::recover::Method,
     ui::{
-        kit::{Chooser, Column, Row, Table, lights, named, scrolled},
+        kit::{
+            Chooser, Column, Row, column, down, drawing, lights, number, pressed_small, scrolled,
+            table,
+        },
         pages::PageContext,
         swatch,
     },
@@ -60,8 +63,7 @@ impl DesignView {
         if room.x >= WIDE * scale {
             let left = vec2((0.40 * room.x).clamp(330.0 * scale, 520.0 * scale), room.y);
             ui.horizontal_top(|ui| {
-                ui.allocate_ui_with_layout(left, egui::Layout::top_down(egui::Align::Min), |ui| {
-                    ui.set_min_size(left);
+                column(ui, left, |ui| {
                     scrolled(ui, "colour", |ui| {
                         asked(ui, context, sheet, &mut self.typed);
                         self.photo(ui, context);
@@ -115,22 +117,14 @@ fn trust(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Result<Arc<Shown>, 
         ),
     ];
     let methods = context.memory.colour.methods();
-    let rows: Vec<Row> = sheet
-        .facts()
-        .into_iter()
-        .map(|cells| Row {
-            name: cells.join(", "),
-            tips: cells.to_vec(),
-            cells: cells.to_vec(),
-            ..Row::default()
-        })
-        .collect();
-    let method = context.memory.colour.method;
-    let table = Table {
-        chosen: methods.iter().position(|one| *one == method),
-        ..Table::new(&columns, context.theme)
+    let row = |cells: [String; 4]| Row {
+        tips: cells.to_vec(),
+        ..Row::of(cells.to_vec())
     };
-    let clicked = table.show(ui, &rows, &mut |_, _, _| {});
+    let rows: Vec<Row> = sheet.facts().into_iter().map(row).collect();
+    let method = context.memory.colour.method;
+    let chosen = methods.iter().position(|one| *one == method);
+    let clicked = table(ui, &columns, &rows, chosen, true, context.theme);
     if let Some(method) = clicked.and_then(|row| methods.get(row)) {
         context.memory.colour.method = *method;
     }
@@ -186,31 +180,16 @@ fn lines_of(ui: &mut Ui, context: &mut PageContext<'_>) {
         ui.label("Lines at");
         let places = &mut context.memory.colour.lines;
         for (i, nm) in places.iter_mut().enumerate() {
-            let number = DragValue::new(nm)
+            let place = DragValue::new(nm)
                 .range(380.0..=780.0)
                 .speed(0.2)
                 .max_decimals(1);
-            let response = ui.add(number);
-            named(
-                &response,
-                egui::Role::SpinButton,
-                &format!("Line {}", i + 1),
-            );
+            number(ui, place, &format!("Line {}", i + 1));
         }
-        if places.len() < 8
-            && ui
-                .small_button("+")
-                .on_hover_text("One line more.")
-                .clicked()
-        {
+        if places.len() < 8 && pressed_small(ui, "+", "One line more.") {
             places.push(600.0);
         }
-        if places.len() > 1
-            && ui
-                .small_button("−")
-                .on_hover_text("The last line goes.")
-                .clicked()
-        {
+        if places.len() > 1 && pressed_small(ui, "−", "The last line goes.") {
             places.pop();
         }
         ui.label("nm over the glow of");
@@ -260,13 +239,12 @@ fn drawn(
 /// What is predicted under one light.
 fn predicted(ui: &mut Ui, context: &PageContext<'_>, under: &Under, width: f32) {
     let size = vec2(width, 100.0 * context.theme.scale);
-    ui.allocate_ui_with_layout(size, egui::Layout::top_down(egui::Align::Min), |ui| {
+    down(ui, size, |ui| {
         ui.set_min_width(width);
         ui.set_max_width(width);
         let field = vec2(width, 52.0 * context.theme.scale);
-        let (rect, response) = ui.allocate_exact_size(field, egui::Sense::hover());
         let name = format!("Under {}", under.light);
-        named(&response, egui::Role::Image, &name);
+        let (rect, response) = drawing(ui, field, egui::Sense::hover(), &name);
         let all = [Some(under.smoothest), under.fourier, under.real];
         let all: Vec<Swatch> = all.into_iter().flatten().collect();
         let part = rect.width() / all.len() as f32;

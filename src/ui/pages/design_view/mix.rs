@@ -3,23 +3,21 @@
 use eframe::egui;
 use egui::{Ui, vec2};
 
-use super::{DesignView, Fader, change, headline, strips};
+use super::{DesignView, Fader, change, headline, set, strips};
 use crate::{
     app::{
-        Command, Entry, Gel, MadeFor,
+        Command, Gel, MadeFor,
         charts::design::{held_at, mixed_spectrum},
         design::{
             Beside, Desk, DeskSurfaces, beside,
             mix::{FULL, GROUPS, MOST_CHANNELS, MOST_GELS, MixChannel, Snapshot},
             named_lines::{NamedLine, snapped},
         },
-        pages::PageSetting,
     },
     design::mixture::Source,
-    spectrum::Kind,
     ui::{
         chart_view::ChartView,
-        kit::{Choice, Chooser, copy_button, lights, scrolled},
+        kit::{Choice, Chooser, column, copy_button, lights, scrolled, transmittances},
         pages::PageContext,
         swatch,
     },
@@ -68,14 +66,9 @@ impl DesignView {
             let left = (0.5 * room.x).min(620.0 * scale);
             ui.horizontal_top(|ui| {
                 let faders = vec2(left, room.y);
-                ui.allocate_ui_with_layout(
-                    faders,
-                    egui::Layout::top_down(egui::Align::Min),
-                    |ui| {
-                        ui.set_min_size(faders);
-                        faders_of(ui, context, &desk, (&lines, &beside));
-                    },
-                );
+                column(ui, faders, |ui| {
+                    faders_of(ui, context, &desk, (&lines, &beside));
+                });
                 ui.vertical(|ui| {
                     let width = ui.available_width();
                     let gap = ui.spacing().item_spacing.y;
@@ -151,8 +144,7 @@ fn faders_of(
     let rest = (98.0 + rows * SWATCH) * context.theme.scale + groups * row;
     let height = (ui.available_height() - rest).max(80.0);
     let size = vec2(ui.available_width(), height);
-    ui.allocate_ui_with_layout(size, egui::Layout::top_down(egui::Align::Min), |ui| {
-        ui.set_min_size(size);
+    column(ui, size, |ui| {
         scrolled(ui, "faders", |ui| {
             strips::show(ui, context, desk, lines);
             strips::gels(ui, context, desk);
@@ -243,11 +235,6 @@ fn add_gel(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
     }
 }
 
-/// What light passes through.
-fn transmittances(entry: &Entry) -> bool {
-    entry.kind() == Kind::Transmittance
-}
-
 /// All faders together, and where the mixture goes.
 fn below(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, beside: &[Beside]) {
     surfaces(ui, context, beside);
@@ -301,11 +288,8 @@ fn surfaces(ui: &mut Ui, context: &mut PageContext<'_>, surfaces: &[Beside]) {
             meaning: "Which surfaces stand below.",
             width: 130.0 * scale,
         };
-        choice.show(ui, now.title(), |ui| {
-            for one in DeskSurfaces::ALL {
-                ui.selectable_value(now, one, one.title())
-                    .on_hover_text(one.meaning());
-            }
+        choice.pick(ui, now, DeskSurfaces::ALL, |one| {
+            (one.title(), one.meaning())
         });
         let words = match surfaces.len() {
             0 => "this light has no reference to stand beside".to_owned(),
@@ -344,6 +328,7 @@ fn surfaces(ui: &mut Ui, context: &mut PageContext<'_>, surfaces: &[Beside]) {
 
 /// Desks to come back to.
 fn kept(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
+    let mut back = None;
     for (slot, name) in context.memory.kept.iter_mut().zip(["A", "B", "C"]) {
         let is_here = slot.as_ref().is_some_and(|kept| kept.mix == desk.mix);
         let button = ui.selectable_label(is_here, name);
@@ -358,9 +343,7 @@ fn kept(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
             *slot = None;
         } else if button.clicked() {
             match slot {
-                Some(kept) => context
-                    .commands
-                    .push(Command::Page(PageSetting::Mix(kept.mix.clone()))),
+                Some(kept) => back = Some(kept.mix.clone()),
                 None => {
                     *slot = Some(Snapshot {
                         mix: desk.mix.clone(),
@@ -370,6 +353,9 @@ fn kept(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
             }
         }
         button.on_hover_text(words);
+    }
+    if let Some(mix) = back {
+        set(context, mix);
     }
 }
 

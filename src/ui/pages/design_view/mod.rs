@@ -28,7 +28,7 @@ use crate::{
         pages::PageSetting,
     },
     ui::{
-        kit::{self, named},
+        kit::{self, drawing, named},
         swatch,
     },
 };
@@ -84,8 +84,7 @@ fn headline(ui: &mut Ui, context: &PageContext<'_>, colour: egui::Color32, words
     let scale = context.theme.scale;
     ui.horizontal(|ui| {
         let size = vec2(44.0, 24.0) * scale;
-        let (rect, response) = ui.allocate_exact_size(size, egui::Sense::hover());
-        named(&response, egui::Role::Image, "Colour of the mixture");
+        let (rect, response) = drawing(ui, size, egui::Sense::hover(), "Colour of the mixture");
         ui.painter().rect_filled(rect, 3.0, colour);
         swatch::outline(ui, rect, ui.visuals().widgets.noninteractive.bg_stroke);
         response.on_hover_text("Its colour as bright as the screen can show it.");
@@ -97,6 +96,11 @@ fn headline(ui: &mut Ui, context: &PageContext<'_>, colour: egui::Color32, words
 fn change(context: &mut PageContext<'_>, change: impl FnOnce(&mut Mix)) {
     let mut mix = context.app.document().pages.mix.clone();
     change(&mut mix);
+    set(context, mix);
+}
+
+/// Makes another desk the document's.
+fn set(context: &mut PageContext<'_>, mix: Mix) {
     context.commands.push(Command::Page(PageSetting::Mix(mix)));
 }
 

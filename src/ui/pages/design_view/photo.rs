@@ -3,15 +3,16 @@
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{ColorImage, TextureHandle, TextureOptions, Ui, vec2};
+use egui::{TextureHandle, TextureOptions, Ui, vec2};
 
 use super::DesignView;
 use crate::{
     app::design::photo::{Photo, PhotoAsk},
     color::Srgb,
     ui::{
-        kit::named,
+        kit::{drawing, sign_button},
         pages::{PageContext, progress},
+        swatch,
     },
 };
 
@@ -42,12 +43,9 @@ impl DesignView {
                      one on this page.",
                 )
                 .clicked();
-            if self.photo.is_some() {
-                let close = ui.small_button("✖");
-                named(&close, egui::Role::Button, "Close the picture");
-                if close.on_hover_text("Takes the picture away.").clicked() {
-                    self.photo = None;
-                }
+            let (name, meaning) = ("Close the picture", "Takes the picture away.");
+            if self.photo.is_some() && sign_button(ui, "✖", name, meaning) {
+                self.photo = None;
             }
             ui.weak("or right click a field of colours on any page");
         });
@@ -55,9 +53,8 @@ impl DesignView {
             self.drawn_photo = None;
             return;
         };
-        let job = context.studies.job();
         let ask = PhotoAsk(path.clone());
-        job.put(&ask, context.wake);
+        let job = context.put(&ask);
         progress(ui, job, "The picture");
         let Some(found) = job.result_for(&ask).cloned() else {
             return;
@@ -83,9 +80,7 @@ impl DesignView {
         let held = self.drawn_photo.take().filter(is_it);
         let drawn = held.unwrap_or_else(|| {
             let (size, pixels, _) = photo.drawn(MOST_SIDE);
-            let colours = pixels.into_iter();
-            let colours = colours.map(|[r, g, b]| egui::Color32::from_rgb(r, g, b));
-            let image = ColorImage::new(size, colours.collect());
+            let image = swatch::image(size, &pixels);
             let options = TextureOptions::LINEAR;
             DrawnPhoto {
                 of: found.clone(),
@@ -101,12 +96,8 @@ fn clicked(ui: &mut Ui, context: &mut PageContext<'_>, photo: &Photo, texture: e
     let room = vec2(ui.available_width(), HEIGHT * context.theme.scale);
     let scale = (room.x / width).min(room.y / height);
     let size = vec2(width, height) * scale;
-    let (rect, response) = ui.allocate_exact_size(size, egui::Sense::click());
-    named(
-        &response,
-        egui::Role::Image,
-        &format!("Picture {}", photo.name),
-    );
+    let name = format!("Picture {}", photo.name);
+    let (rect, response) = drawing(ui, size, egui::Sense::click(), &name);
     let whole = egui::Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
     ui.painter()
         .image(texture, rect, whole, egui::Color32::WHITE);

@@ -3,21 +3,21 @@
 use eframe::egui;
 use egui::{DragValue, Ui, vec2};
 
-use super::{DesignView, Fader, headline};
+use super::{DesignView, Fader, headline, set};
 use crate::{
     app::{
-        Command,
         charts::design::front_chart,
         design::{
             Desk,
             front::{front_ask, on_desk, sentence},
             wish::{DUV, KELVIN, MixWish, Solved},
         },
-        pages::PageSetting,
     },
     design::solve::{Against, FREE_LINES, Favour},
     ui::{
-        kit::{Choice, Chooser, Column, Row, Table, lights, named, scrolled, warning},
+        kit::{
+            Choice, Chooser, Column, Row, cell, column, lights, number, scrolled, table, warning,
+        },
         pages::{PageContext, progress},
         swatch,
     },
@@ -27,25 +27,25 @@ use crate::{
 const WIDE: f32 = 720.0;
 
 /// What each figure is to be favoured for, in plain words.
-fn favour_words(favour: Favour) -> [&'static str; 2] {
+fn favour_words(favour: Favour) -> (&'static str, &'static str) {
     match favour {
-        Favour::Ler => [
+        Favour::Ler => (
             "most light for the power",
             "Greatest luminous efficacy of radiation.",
-        ],
-        Favour::Rf => ["truest colours (Rf)", "Greatest fidelity index of TM-30."],
-        Favour::Ra => [
+        ),
+        Favour::Rf => ("truest colours (Rf)", "Greatest fidelity index of TM-30."),
+        Favour::Ra => (
             "best rendering (Ra)",
             "Greatest colour rendering index of CIE 13.3.",
-        ],
-        Favour::Melanopic => [
+        ),
+        Favour::Melanopic => (
             "most awakening (melanopic)",
             "Greatest melanopic daylight efficacy ratio of CIE S 026.",
-        ],
-        Favour::Fewest => [
+        ),
+        Favour::Fewest => (
             "fewest channels",
             "As few channels as will do, and among those the most light for the power.",
-        ],
+        ),
     }
 }
 
@@ -75,8 +75,7 @@ impl DesignView {
         if room.x >= WIDE * scale {
             let left = vec2((0.40 * room.x).clamp(330.0 * scale, 520.0 * scale), room.y);
             ui.horizontal_top(|ui| {
-                ui.allocate_ui_with_layout(left, egui::Layout::top_down(egui::Align::Min), |ui| {
-                    ui.set_min_size(left);
+                column(ui, left, |ui| {
                     scrolled(ui, "wish", |ui| {
                         wish_and_faders(ui, context, &desk, &solved)
                     });
@@ -104,9 +103,7 @@ impl DesignView {
         } != *wish;
         if is_other && let Ok(found) = Solved::of(wish, &desk, context.app.document()) {
             // A wish that is moved takes the faders along.
-            context
-                .commands
-                .push(Command::Page(PageSetting::Mix(found.mix)));
+            set(context, found.mix);
         }
     }
 }
@@ -131,9 +128,7 @@ fn wish_and_faders(
                 .on_hover_text("Moves the faders to what was solved for: one step of undo.")
                 .on_disabled_hover_text("The faders stand so.");
             if button.clicked() {
-                context
-                    .commands
-                    .push(Command::Page(PageSetting::Mix(solved.mix.clone())));
+                set(context, solved.mix.clone());
             }
             if !solved.reached {
                 warning(ui, context.theme, "as near as the channels come");
@@ -161,13 +156,12 @@ fn colour(ui: &mut Ui, context: &mut PageContext<'_>) {
         ui.horizontal(|ui| {
             for (value, title) in xy.iter_mut().zip(["x", "y"]) {
                 ui.label(title);
-                let number = DragValue::new(value)
+                let field = DragValue::new(value)
                     .range(0.0..=1.0)
                     .speed(0.0005)
                     .fixed_decimals(4);
-                let response = ui.add(number);
-                named(&response, egui::Role::SpinButton, title);
-                response.on_hover_text("CIE 1931 chromaticity: drag, or click to type.");
+                number(ui, field, title)
+                    .on_hover_text("CIE 1931 chromaticity: drag, or click to type.");
             }
         });
         return;
@@ -216,12 +210,7 @@ fn whose_colour(ui: &mut Ui, context: &mut PageContext<'_>) {
 fn temperature_and_tint(ui: &mut Ui, wish: &mut MixWish, scale: f32) {
     let mut fader = |value: &mut f64, title: &str, fader: Fader<'_>| {
         ui.horizontal(|ui| {
-            let size = vec2(76.0 * scale, ui.spacing().interact_size.y);
-            let left = egui::Layout::left_to_right(egui::Align::Center);
-            ui.allocate_ui_with_layout(size, left, |ui| {
-                ui.set_min_size(size);
-                ui.label(title);
-            });
+            cell(ui, 76.0 * scale, |ui| drop(ui.label(title)));
             fader.show(ui, value, 0.0, scale);
         });
     };
@@ -257,13 +246,7 @@ fn favour(ui: &mut Ui, context: &mut PageContext<'_>) {
             meaning: "What the mixture is best at among all those of exactly that colour.",
             width: 210.0 * context.theme.scale,
         };
-        choice.show(ui, favour_words(wish.favour)[0], |ui| {
-            for favour in Favour::ALL {
-                let [title, meaning] = favour_words(favour);
-                ui.selectable_value(&mut wish.favour, favour, title)
-                    .on_hover_text(meaning);
-            }
-        });
+        choice.pick(ui, &mut wish.favour, Favour::ALL, favour_words);
     });
 }
 
@@ -279,17 +262,11 @@ fn floors(ui: &mut Ui, context: &mut PageContext<'_>) {
                 *value = on.then_some(usual);
             }
             if let Some(value) = value {
-                let speed = most / 200.0;
-                let number = DragValue::new(value)
+                let field = DragValue::new(value)
                     .range(0.0..=most)
-                    .speed(speed)
+                    .speed(most / 200.0)
                     .fixed_decimals(digits);
-                let response = ui.add(number);
-                named(
-                    &response,
-                    egui::Role::SpinButton,
-                    &format!("Floor of {title}"),
-                );
+                number(ui, field, &format!("Floor of {title}"));
             }
         };
         floor(&mut floors.rf, "Rf", 80.0, 100.0);
@@ -331,11 +308,7 @@ fn faders(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, solved: &Solv
             }
         })
         .collect();
-    let table = Table {
-        enabled: false,
-        ..Table::new(&columns, context.theme)
-    };
-    table.show(ui, &rows, &mut |_, _, _| {});
+    table(ui, &columns, &rows, None, false, context.theme);
 }
 
 /// What lines at free places reach at best; a click takes the lines of a point.
@@ -381,8 +354,6 @@ fn front(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, height: f32) {
     let shown = context.chart(ui, &chart, "front", size);
     let clicked = shown.clicked.filter(|hit| hit.series == 0);
     if let Some(point) = clicked.and_then(|hit| points.get(hit.point)) {
-        context
-            .commands
-            .push(Command::Page(PageSetting::Mix(on_desk(point))));
+        set(context, on_desk(point));
     }
 }

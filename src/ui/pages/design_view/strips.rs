@@ -11,7 +11,11 @@ use crate::{
         named_lines::NamedLine,
     },
     design::mixture::Source,
-    ui::{kit::named, pages::PageContext, swatch},
+    ui::{
+        kit::{cell, named, number, sign_button},
+        pages::PageContext,
+        swatch,
+    },
 };
 
 /// Thickest gel of the fader.
@@ -47,7 +51,7 @@ fn one(
     strip: &Strip,
     channel: &mut MixChannel,
     lines: &[NamedLine],
-    number: usize,
+    place: usize,
 ) -> bool {
     let scale = context.theme.scale;
     let (rect, response) = ui.allocate_exact_size(vec2(14.0, 18.0) * scale, egui::Sense::hover());
@@ -55,17 +59,14 @@ fn one(
         .rect_filled(rect, 2.0, swatch::colour(strip.colour));
     swatch::outline(ui, rect, ui.visuals().widgets.noninteractive.bg_stroke);
     response.on_hover_text(&strip.title);
-    let size = vec2(WHAT * scale, ui.spacing().interact_size.y);
-    let left = egui::Layout::left_to_right(egui::Align::Center);
-    ui.allocate_ui_with_layout(size, left, |ui| {
-        ui.set_min_size(size);
+    cell(ui, WHAT * scale, |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        what(ui, strip, channel, lines, number);
+        what(ui, strip, channel, lines, place);
     });
     ui.spacing_mut().item_spacing.x = 4.0;
     let buttons = 5.0 * (ui.spacing().interact_size.y + 8.0);
     Fader {
-        name: &format!("Fader {number}"),
+        name: &format!("Fader {place}"),
         meaning: "Its power, per cent of the most it can give; the same for each channel.",
         range: 0.0..=FULL,
         digits: 1,
@@ -75,7 +76,7 @@ fn one(
     .show(ui, &mut channel.level, buttons, scale);
     let mut switch = |on: &mut bool, sign: &str, name: &str, meaning: &str| {
         let button = ui.toggle_value(on, sign);
-        named(&button, egui::Role::CheckBox, &format!("{name} {number}"));
+        named(&button, egui::Role::CheckBox, &format!("{name} {place}"));
         button.on_hover_text(format!("{name}: {meaning}"));
     };
     switch(&mut channel.mute, "M", "Mute", "this channel is silent.");
@@ -96,7 +97,7 @@ fn one(
         group => group.to_string(),
     };
     let group = ui.selectable_label(channel.group > 0, words);
-    named(&group, egui::Role::Button, &format!("Group {number}"));
+    named(&group, egui::Role::Button, &format!("Group {place}"));
     if group.clicked() {
         channel.group = (channel.group + 1) % (GROUPS + 1);
     }
@@ -104,11 +105,8 @@ fn one(
         "Group: click to put the channel into group 1, 2, 3 or none. Each group has a fader below, \
          which moves all of it.",
     );
-    let remove = ui.small_button("✖");
-    named(&remove, egui::Role::Button, &format!("Remove {number}"));
-    remove
-        .on_hover_text("Takes the channel off the desk.")
-        .clicked()
+    let name = format!("Remove {place}");
+    sign_button(ui, "✖", &name, "Takes the channel off the desk.")
 }
 
 /// What stands before all channels, one below the other.
@@ -121,10 +119,7 @@ pub(super) fn gels(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
             ui.horizontal(|ui| {
                 ui.label("Gel");
                 let name = context.app.document().name_of(&gel.key);
-                let size = vec2(WHAT * scale, ui.spacing().interact_size.y);
-                let left = egui::Layout::left_to_right(egui::Align::Center);
-                ui.allocate_ui_with_layout(size, left, |ui| {
-                    ui.set_min_size(size);
+                cell(ui, WHAT * scale, |ui| {
                     ui.add(egui::Label::new(name).truncate())
                         .on_hover_text(&gel.key);
                 });
@@ -138,10 +133,8 @@ pub(super) fn gels(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
                     logarithmic: false,
                 }
                 .show(ui, &mut after.thickness, 30.0 * scale, scale);
-                let remove = ui.small_button("✖");
                 let name = format!("Remove gel {}", index + 1);
-                named(&remove, egui::Role::Button, &name);
-                if remove.on_hover_text("Takes the gel off.").clicked() {
+                if sign_button(ui, "✖", &name, "Takes the gel off.") {
                     gone = Some(index);
                 }
             });
@@ -156,19 +149,14 @@ pub(super) fn gels(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
 }
 
 /// What a channel is, to change it.
-fn what(ui: &mut Ui, strip: &Strip, channel: &mut MixChannel, lines: &[NamedLine], number: usize) {
+fn what(ui: &mut Ui, strip: &Strip, channel: &mut MixChannel, lines: &[NamedLine], place: usize) {
     let value = |ui: &mut Ui, value: &mut f64, speed: f64, suffix: &str, name: &str| {
         let box_of = DragValue::new(value)
             .speed(speed)
             .max_decimals(2)
             .suffix(suffix);
-        let response = ui.add(box_of);
-        named(
-            &response,
-            egui::Role::SpinButton,
-            &format!("{name} {number}"),
-        );
-        response.on_hover_text(format!("{name}: drag, or click to type."));
+        number(ui, box_of, &format!("{name} {place}"))
+            .on_hover_text(format!("{name}: drag, or click to type."));
     };
     match &mut channel.source {
         Source::Line { at_nm } => {

@@ -5,13 +5,9 @@ use egui::{Slider, Ui};
 
 use super::names;
 use crate::{
-    app::{
-        Entry,
-        dispersion::{GREYS, GemColour, THICKNESSES},
-    },
-    spectrum::Kind,
+    app::dispersion::{GREYS, GemColour, THICKNESSES},
     ui::{
-        kit::{Choice, Chooser},
+        kit::{Choice, Chooser, transmittances},
         pages::{PageContext, prism_view::slider},
     },
 };
@@ -28,11 +24,7 @@ pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>) {
                       many times.",
             width: 130.0,
         };
-        choice.show(ui, memory.colour.title(), |ui| {
-            for colour in GemColour::ALL {
-                ui.selectable_value(&mut memory.colour, colour, colour.title());
-            }
-        });
+        choice.pick(ui, &mut memory.colour, GemColour::ALL, |c| (c.title(), ""));
     });
     match memory.colour {
         GemColour::Clear => {}
@@ -51,7 +43,7 @@ pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>) {
                     says: entry
                         .as_ref()
                         .map_or("choose a filter", |entry| entry.name()),
-                    offers: |entry: &Entry| entry.kind() == Kind::Transmittance,
+                    offers: transmittances,
                     width: 170.0,
                 };
                 if let Some(entry) = chooser.show(ui, app) {

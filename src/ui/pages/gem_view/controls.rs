@@ -16,7 +16,7 @@ use crate::{
     },
     optics::{Brilliant, FilmSettings, Light, film_bytes},
     ui::{
-        kit::{Choice, Chooser, lights, seen_choice},
+        kit::{Choice, Chooser, lights, pressed_if, pressed_small, seen_choice},
         pages::{
             PageContext,
             prism_view::{exposure, model, substance},
@@ -27,7 +27,6 @@ use crate::{
 /// How many sliders of the cut are always there.
 const ALWAYS: usize = 3;
 
-/// Draws the controls.
 pub(super) fn show(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
@@ -57,25 +56,19 @@ pub(super) fn show(
 }
 
 fn cut(ui: &mut Ui, cut: &mut Brilliant) {
-    egui::Grid::new("cut").num_columns(2).show(ui, |ui| {
-        CutSlider::ALL[..ALWAYS]
-            .iter()
-            .for_each(|of| slider(ui, cut, of));
-    });
+    let sliders = |ui: &mut Ui, cut: &mut Brilliant, id: &str, some: &[CutSlider]| {
+        egui::Grid::new(id).num_columns(2).show(ui, |ui| {
+            some.iter().for_each(|of| slider(ui, cut, of));
+        });
+    };
+    let (always, more) = CutSlider::ALL.split_at(ALWAYS);
+    sliders(ui, cut, "cut", always);
     CollapsingHeader::new("More of the cut").show(ui, |ui| {
-        egui::Grid::new("more of the cut")
-            .num_columns(2)
-            .show(ui, |ui| {
-                CutSlider::ALL[ALWAYS..]
-                    .iter()
-                    .for_each(|of| slider(ui, cut, of));
-            });
+        sliders(ui, cut, "more of the cut", more);
         let usual = Brilliant::default();
-        if ui
-            .add_enabled(*cut != usual, egui::Button::new(names::USUAL_CUT).small())
-            .on_hover_text("The round brilliant that most diamonds are cut to.")
-            .clicked()
-        {
+        let button = egui::Button::new(names::USUAL_CUT).small();
+        let meaning = "The round brilliant that most diamonds are cut to.";
+        if pressed_if(ui, *cut != usual, button, meaning) {
             *cut = usual;
         }
     });
@@ -91,14 +84,8 @@ fn slider(ui: &mut Ui, cut: &mut Brilliant, of: &CutSlider) {
         slider
             .custom_formatter(|value, _| format!("{:.1} %", 100.0 * value))
             .custom_parser(|text| {
-                Some(
-                    text.trim()
-                        .trim_end_matches('%')
-                        .trim()
-                        .parse::<f64>()
-                        .ok()?
-                        / 100.0,
-                )
+                let percent: f64 = text.trim().trim_end_matches('%').trim().parse().ok()?;
+                Some(percent / 100.0)
             })
     };
     ui.add(slider)
@@ -119,11 +106,7 @@ fn looks(ui: &mut Ui, context: &mut PageContext<'_>, both: &[Light]) {
                       whole: together they are the whole.",
             width: 150.0,
         };
-        choice.show(ui, memory.part.title(), |ui| {
-            for part in LightPart::ALL {
-                ui.selectable_value(&mut memory.part, part, part.title());
-            }
-        });
+        choice.pick(ui, &mut memory.part, LightPart::ALL, |p| (p.title(), ""));
     });
     exposure(ui, &mut memory.stops);
     ui.horizontal(|ui| {
@@ -153,11 +136,8 @@ fn looks(ui: &mut Ui, context: &mut PageContext<'_>, both: &[Light]) {
             }
         });
     });
-    if ui
-        .small_button(names::FRONT)
-        .on_hover_text("Looks at the gem as at first: down on the crown.")
-        .clicked()
-    {
+    let meaning = "Looks at the gem as at first: down on the crown.";
+    if pressed_small(ui, names::FRONT, meaning) {
         memory.look_from_front();
     }
 }
@@ -188,11 +168,9 @@ fn other_light(ui: &mut Ui, context: &mut PageContext<'_>, other: Option<&Light>
         if let Some(entry) = chooser.show(ui, context.app) {
             context.memory.dispersion.gem.under = Some(entry.key.clone());
         }
-        if ui
-            .add_enabled(other.is_some(), egui::Button::new(names::NO_OTHER).small())
-            .on_hover_text("One large picture under the document's light alone.")
-            .clicked()
-        {
+        let button = egui::Button::new(names::NO_OTHER).small();
+        let meaning = "One large picture under the document's light alone.";
+        if pressed_if(ui, other.is_some(), button, meaning) {
             context.memory.dispersion.gem.under = None;
         }
     });

@@ -8,8 +8,7 @@ use std::sync::Arc;
 
 use eframe::egui;
 use egui::{
-    Color32, ColorImage, Layout, Rect, RichText, Sense, TextureHandle, TextureOptions, Ui, Vec2,
-    pos2, vec2,
+    Color32, ColorImage, Rect, RichText, Sense, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2,
 };
 
 use super::{PageContext, prism_view::notes, progress};
@@ -25,7 +24,8 @@ use crate::{
     optics::{Light, Noise},
     study::Progress,
     ui::{
-        kit::{headline, named, scrolled, warning},
+        kit::{down, drawing, headline, scrolled, warning},
+        swatch,
         theme::grey,
     },
 };
@@ -105,13 +105,12 @@ impl GemView {
         let room = ui.available_size();
         let wide = CONTROLS * context.theme.scale;
         ui.horizontal_top(|ui| {
-            let down = Layout::top_down(egui::Align::Min);
-            ui.allocate_ui_with_layout(vec2(wide, room.y), down, |ui| {
+            down(ui, vec2(wide, room.y), |ui| {
                 scrolled(ui, "gem controls", |ui| {
                     controls::show(ui, context, film.as_ref(), &lights);
                 });
             });
-            ui.allocate_ui_with_layout(ui.available_size(), down, |ui| {
+            down(ui, ui.available_size(), |ui| {
                 self.pictures(ui, context, film.as_ref(), &lights);
             });
         });
@@ -172,9 +171,8 @@ impl GemView {
         ui.horizontal_top(|ui| {
             ui.spacing_mut().item_spacing.x = gap;
             for (light, place) in lights.iter().zip(0..) {
-                let down = Layout::top_down(egui::Align::Min);
                 let size = vec2(side, side + 3.0 * text + 12.0);
-                ui.allocate_ui_with_layout(size, down, |ui| {
+                down(ui, size, |ui| {
                     self.draw(ui, context, film, light, place);
                     self.picture(ui, context, light, place, side);
                 });
@@ -227,14 +225,7 @@ impl GemView {
             return;
         }
         let (image, words) = match GemShown::of(film, light, look) {
-            Ok(shown) => {
-                let colours = shown.pixels.iter();
-                let pixels = colours.map(|[r, g, b]| Color32::from_rgb(*r, *g, *b));
-                (
-                    ColorImage::new([shown.size; 2], pixels.collect()),
-                    shown.words,
-                )
-            }
+            Ok(shown) => (swatch::image([shown.size; 2], &shown.pixels), shown.words),
             Err(why) => (ColorImage::filled([1; 2], Color32::BLACK), why),
         };
         let name = format!("gem {place}");
@@ -251,12 +242,8 @@ impl GemView {
         place: usize,
         side: f32,
     ) {
-        let (area, response) = ui.allocate_exact_size(Vec2::splat(side), Sense::drag());
-        named(
-            &response,
-            egui::Role::Image,
-            &format!("The gem under {}", light.name),
-        );
+        let name = format!("The gem under {}", light.name);
+        let (area, response) = drawing(ui, Vec2::splat(side), Sense::drag(), &name);
         let painter = ui.painter();
         painter.rect_filled(area, 2.0, grey(WALL));
         let drawn = self.drawn[place].as_ref();

@@ -24,8 +24,7 @@ pub(super) fn raster(
         source,
         most_side: most_side.min(MOST_SIDE),
     };
-    let job = context.studies.job();
-    job.put(&ask, context.wake);
+    let job = context.put(&ask);
     // The picture of another image is none of this one.
     let (key, raster) = job.answer()?;
     (key.image == ask.image).then(|| raster.clone())
@@ -40,8 +39,7 @@ pub(super) fn region(context: &mut PageContext<'_>, shown: &Shown) -> Option<Arc
         settings: document.settings,
         light: ByAddress(document.light.clone()),
     };
-    let job = context.studies.job();
-    job.put(&ask, context.wake);
+    let job = context.put(&ask);
     let (key, region) = job.answer()?;
     let impossible = job.stage() == Stage::Impossible;
     (key.image == ask.image && !impossible).then(|| region.clone())

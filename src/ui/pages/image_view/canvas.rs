@@ -2,14 +2,14 @@
 
 use eframe::egui;
 use egui::{
-    Color32, EventFilter, Key, PointerButton, Pos2, Rect as Area, Sense, Stroke, StrokeKind,
-    TextureId, Ui, Vec2, pos2, vec2,
+    Color32, Key, PointerButton, Pos2, Rect as Area, Sense, Stroke, StrokeKind, TextureId, Ui,
+    Vec2, pos2, vec2,
 };
 
 use crate::{
     spectrum::Rect,
     ui::{
-        kit::named,
+        kit::{drawing, hold_arrows},
         theme::{Theme, grey},
     },
 };
@@ -105,7 +105,6 @@ impl Canvas {
         self.zoom <= 1.0
     }
 
-    /// Draws the picture.
     pub(super) fn show(
         &mut self,
         ui: &mut Ui,
@@ -113,8 +112,7 @@ impl Canvas {
         picture: &Picture<'_>,
         theme: Theme,
     ) -> Touched {
-        let (area, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
-        named(&response, egui::Role::Image, picture.name);
+        let (area, response) = drawing(ui, size, Sense::click_and_drag(), picture.name);
         if self.key != picture.key {
             *self = Self {
                 key: picture.key.to_owned(),
@@ -215,12 +213,7 @@ impl Canvas {
         }
         touched.focused = response.has_focus();
         if touched.focused {
-            let keys = EventFilter {
-                horizontal_arrows: true,
-                vertical_arrows: true,
-                ..EventFilter::default()
-            };
-            ui.memory_mut(|m| m.set_focus_lock_filter(response.id, keys));
+            hold_arrows(ui, response.id, true);
             let moved = moved_by_keys(ui, picture);
             touched.selected = touched.selected.or(moved);
         }

@@ -3,10 +3,10 @@
 use eframe::egui;
 use egui::Ui;
 
-use super::{Shown, canvas::Canvas, names, shows_bands};
+use super::{Shown, canvas::Canvas, names};
 use crate::{
     app::{
-        Command, ImageEntry, View,
+        Command, ImageEntry,
         pages::Page,
         picture::{STOPS, Show, Spread},
         ticks::short,
@@ -14,7 +14,7 @@ use crate::{
     color::Srgb,
     io::budget,
     ui::{
-        kit::{Choice, named},
+        kit::{Choice, adapt_box, pressed, pressed_if, pressed_small, sign_button},
         pages::PageContext,
     },
 };
@@ -38,24 +38,15 @@ pub(super) fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEn
                 }
             }
         });
-        let button = ui
-            .small_button("Remove")
-            .on_hover_text("Takes this image out of the list; Undo brings it back.");
-        named(&button, egui::Role::Button, names::REMOVE);
-        if button.clicked() {
+        let meaning = "Takes this image out of the list; Undo brings it back.";
+        if sign_button(ui, "Remove", names::REMOVE, meaning) {
             let key = entry.key.clone();
             context.commands.push(Command::RemoveImage { key });
         }
-        let reading = ui
-            .add_enabled(
-                entry.path().is_some(),
-                egui::Button::new(names::READING).small(),
-            )
-            .on_hover_text(
-                "What the values were taken for, their scale, the unit of the wavelengths, and \
-                 the other choices; the picture is drawn anew with each.",
-            )
-            .clicked();
+        let button = egui::Button::new(names::READING).small();
+        let meaning = "What the values were taken for, their scale, the unit of the wavelengths, \
+                       and the other choices; the picture is drawn anew with each.";
+        let reading = pressed_if(ui, entry.path().is_some(), button, meaning);
         let cube = &entry.image.cube;
         let nm = cube.nm();
         let words = format!(
@@ -90,20 +81,14 @@ pub(super) fn looks(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEnt
         ui.separator();
         exposure(ui, context);
         let is_factor = entry.image.kind.is_factor();
-        if is_factor && !shows_bands(context.memory.image.show) {
-            let document = context.app.document();
-            let mut adapt = document.view.adapt_patches;
-            let changed = ui.checkbox(&mut adapt, names::ADAPT).on_hover_text(format!(
+        if is_factor && context.memory.image.show == Show::TrueColour {
+            let meaning = format!(
                 "Brings the colour of the light, {}, to the screen's white (Bradford), here and in \
                  the patches.",
-                document.light.name()
-            ));
-            if changed.changed() {
-                context.commands.push(Command::View(View {
-                    adapt_patches: adapt,
-                    ..document.view
-                }));
-            }
+                context.app.document().light.name()
+            );
+            let words = (names::ADAPT, meaning.as_str());
+            adapt_box(ui, context.app, words, context.commands);
         }
     });
     let nm = entry.image.cube.nm();
@@ -180,13 +165,9 @@ pub(super) fn choice(
     let mut take = false;
     let all = shown.cube().all();
     ui.horizontal(|ui| {
-        take = ui
-            .button(names::TAKE)
-            .on_hover_text(
-                "The pixel's spectrum, or the mean of the region, becomes one of your own and is \
-                 shown. Enter or a double click does the same.",
-            )
-            .clicked();
+        let meaning = "The pixel's spectrum, or the mean of the region, becomes one of your own \
+                       and is shown. Enter or a double click does the same.";
+        take = pressed(ui, names::TAKE, meaning);
         let ask = ui
             .add_enabled(colour.is_some(), egui::Button::new(names::COLOUR))
             .on_hover_text(
@@ -196,18 +177,17 @@ pub(super) fn choice(
             context.memory.ask_about_colour(rgb);
         }
         let whole = shown.rect == all;
-        if ui
-            .add_enabled(!whole, egui::Button::new(names::WHOLE))
-            .on_hover_text("Chooses every pixel of the image.")
-            .clicked()
-        {
+        let meaning = "Chooses every pixel of the image.";
+        if pressed_if(ui, !whole, egui::Button::new(names::WHOLE), meaning) {
             context.memory.image.selection = None;
         }
-        if ui
-            .add_enabled(!canvas.is_fitted(), egui::Button::new(names::FIT))
-            .on_hover_text("Shows all of the picture. The wheel zooms, the right button pans.")
-            .clicked()
-        {
+        let meaning = "Shows all of the picture. The wheel zooms, the right button pans.";
+        if pressed_if(
+            ui,
+            !canvas.is_fitted(),
+            egui::Button::new(names::FIT),
+            meaning,
+        ) {
             canvas.fit();
         }
         if shown.rect.pixels() > 1 {
@@ -224,11 +204,8 @@ pub(super) fn choice(
 
 /// What was taken last, and the way to it.
 pub(super) fn taken(ui: &mut Ui, context: &mut PageContext<'_>, name: &str) {
-    if ui
-        .small_button("Show on Spectrum")
-        .on_hover_text("Goes to the page Spectrum.")
-        .clicked()
-    {
+    let meaning = "Goes to the page Spectrum.";
+    if pressed_small(ui, "Show on Spectrum", meaning) {
         context.memory.page = Page::Spectrum;
     }
     let words = egui::RichText::new(format!("Taken into My files: {name}"));

@@ -9,7 +9,7 @@ mod figures;
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{ColorImage, TextureHandle, TextureOptions, Ui, vec2};
+use egui::{TextureHandle, Ui, vec2};
 
 use super::{PageContext, progress};
 use crate::{
@@ -19,8 +19,8 @@ use crate::{
         charts::image::region_chart,
         headlines,
         picture::{
-            BandWeights, Exposed, Raster, RasterAsk, RegionAsk, RegionSpectrum, Show, Spread,
-            exposed, named, shown,
+            BandWeights, Exposed, Raster, RasterAsk, RegionAsk, RegionSpectrum, Spread, exposed,
+            named, shown,
         },
         studies::Stage,
     },
@@ -29,6 +29,7 @@ use crate::{
     spectrum::{Rect, SpectralImage},
     ui::{
         kit::{self, headline},
+        swatch,
         theme::Theme,
     },
 };
@@ -200,15 +201,10 @@ impl ImageView {
             return;
         }
         let exposed = exposed(&raster, stops);
-        let colours = exposed.pixels.iter();
-        let pixels = colours.map(|[r, g, b]| egui::Color32::from_rgb(*r, *g, *b));
-        let image = ColorImage::new([exposed.width, exposed.height], pixels.collect());
-        let options = TextureOptions {
-            magnification: egui::TextureFilter::Nearest,
-            minification: egui::TextureFilter::Linear,
-            ..TextureOptions::default()
-        };
-        let texture = ui.ctx().load_texture(&shown.entry.key, image, options);
+        let image = swatch::image([exposed.width, exposed.height], &exposed.pixels);
+        let texture = ui
+            .ctx()
+            .load_texture(&shown.entry.key, image, swatch::SQUARES);
         self.drawn = Some(Drawn {
             raster,
             stops,
@@ -413,9 +409,4 @@ fn nothing_open(ui: &mut Ui, theme: Theme) {
 /// Height of a row of text with its space, points.
 fn line(ui: &Ui) -> f32 {
     ui.spacing().interact_size.y + ui.spacing().item_spacing.y
-}
-
-/// Whether bands are chosen by hand.
-fn shows_bands(show: Show) -> bool {
-    show != Show::TrueColour
 }

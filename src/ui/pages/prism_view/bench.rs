@@ -9,7 +9,7 @@ use crate::{
         dispersion::{BenchDrawing, DrawnRay, Grip, Handle},
     },
     ui::{
-        kit::named,
+        kit::{self, named},
         theme::{Theme, grey},
     },
 };
@@ -87,12 +87,8 @@ pub(super) fn show(
     size: Vec2,
     theme: Theme,
 ) -> Option<Moved> {
-    let (area, response) = ui.allocate_exact_size(size, Sense::drag());
-    named(
-        &response,
-        egui::Role::Image,
-        "Drawing of the prism and the light",
-    );
+    let name = "Drawing of the prism and the light";
+    let (area, response) = kit::drawing(ui, size, Sense::drag(), name);
     let painter = ui.painter().with_clip_rect(area);
     painter.rect_filled(area, 3.0, grey(ROOM));
     let drawing = drawing?;
@@ -152,9 +148,7 @@ fn handle(
     let response = ui.interact(area, ui.scope_id().with(title), Sense::drag());
     named(&response, egui::Role::Slider, &format!("{title}, drawn"));
     let is_held = response.hovered() || response.dragged();
-    let fill = if is_held { grey(235) } else { grey(90) };
-    let stroke = Stroke::new(1.5 * theme.scale, grey(220));
-    painter.circle(at, 0.5 * HANDLE * theme.scale, fill, stroke);
+    knob(painter, at, is_held, theme);
     let beside = 0.7 * HANDLE * theme.scale;
     // Light comes from below the screen's handle.
     let (at, align) = match grip.handle {
@@ -168,6 +162,13 @@ fn handle(
     }
     response.on_hover_text(format!("{title}: drag."));
     (by != Vec2::ZERO).then_some(by)
+}
+
+/// What a hand can take.
+pub(super) fn knob(painter: &Painter, at: Pos2, is_held: bool, theme: Theme) {
+    let fill = if is_held { grey(235) } else { grey(90) };
+    let stroke = Stroke::new(1.5 * theme.scale, grey(220));
+    painter.circle(at, 0.5 * HANDLE * theme.scale, fill, stroke);
 }
 
 fn light(painter: &Painter, drawing: &BenchDrawing, mapping: &Mapping, theme: Theme) {

@@ -1,12 +1,12 @@
 //! A drop of water in section, with rays of the light.
 
 use eframe::egui;
-use egui::{Color32, Painter, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
+use egui::{Color32, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
 
 use crate::{
     app::dispersion::{DropDrawing, DropRay},
     ui::{
-        kit::named,
+        kit,
         theme::{Theme, grey},
     },
 };
@@ -16,12 +16,8 @@ const SEEN: f32 = 1.5;
 
 /// Draws the drop; where a hand moved the rays to, radii off its middle.
 pub(super) fn show(ui: &mut Ui, drawing: &DropDrawing, size: Vec2, theme: Theme) -> Option<f64> {
-    let (area, response) = ui.allocate_exact_size(size, Sense::drag());
-    named(
-        &response,
-        egui::Role::Image,
-        "A drop with rays of the light",
-    );
+    let name = "A drop with rays of the light";
+    let (area, response) = kit::drawing(ui, size, Sense::drag(), name);
     let painter = ui.painter().with_clip_rect(area);
     painter.rect_filled(area, 0.0, grey(super::bench::ROOM));
     let scale = 0.5 * size.min_elem() / SEEN;
@@ -41,12 +37,8 @@ pub(super) fn show(ui: &mut Ui, drawing: &DropDrawing, size: Vec2, theme: Theme)
     drawing.lines.iter().for_each(|ray| draw(ray, 1.6, false));
     painter.circle_stroke(middle, scale, (1.2 * theme.scale, grey(150)));
     let hand = middle + scale * vec2(-SEEN + 0.12, -drawing.impact as f32);
-    grip(
-        &painter,
-        hand,
-        response.hovered() || response.dragged(),
-        theme,
-    );
+    let is_held = response.hovered() || response.dragged();
+    super::bench::knob(&painter, hand, is_held, theme);
     let corner = pos2(area.left() + 8.0, area.top() + 6.0);
     let said = "light from the left; thin: all of 555 nm";
     let words = (corner, egui::Align2::LEFT_TOP, said, grey(140));
@@ -57,10 +49,4 @@ pub(super) fn show(ui: &mut Ui, drawing: &DropDrawing, size: Vec2, theme: Theme)
     let moved = f64::from(-response.drag_delta().y / scale);
     response.on_hover_text_at_pointer("Drag up and down: where the light meets the drop.");
     (moved != 0.0).then_some(drawing.impact + moved)
-}
-
-fn grip(painter: &Painter, at: egui::Pos2, is_held: bool, theme: Theme) {
-    let fill = if is_held { grey(235) } else { grey(90) };
-    let stroke = Stroke::new(1.5 * theme.scale, grey(220));
-    painter.circle(at, 5.0 * theme.scale, fill, stroke);
 }

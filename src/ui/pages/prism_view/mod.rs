@@ -14,7 +14,7 @@ use std::sync::LazyLock;
 
 use bench::Moved;
 use eframe::egui;
-use egui::{Align, Color32, Layout, RichText, Slider, Ui, Vec2, vec2};
+use egui::{Color32, RichText, Slider, Ui, Vec2, vec2};
 
 use super::PageContext;
 use crate::{
@@ -23,7 +23,7 @@ use crate::{
         dispersion::{IMPACTS, PrismMemory, PrismShown, RainbowMemory, RainbowShown, STOPS, sky},
     },
     optics::Sky,
-    ui::kit::{Choice, Column, Row, Table, copy_button, headline, scrolled},
+    ui::kit::{Choice, Column, Row, Table, copy_button, down, headline, scrolled},
 };
 
 /// What people and tests call the controls.
@@ -130,18 +130,11 @@ fn lines(
         .iter()
         .zip(notes)
         .map(|(cells, note)| Row {
-            name: cells.join(", "),
-            cells: cells.clone(),
             note,
-            ..Row::default()
+            ..Row::of(cells.clone())
         })
         .collect();
-    let table = Table {
-        enabled: false,
-        dense: true,
-        ..Table::new(columns, context.theme)
-    };
-    table.show(ui, &rows, &mut |_, _, _| {});
+    Table::dense(columns, context.theme).show(ui, &rows, &mut |_, _, _| {});
     ui.horizontal(|ui| {
         copy_button(ui, names::COPY, "The lines with every figure.", copy);
     });
@@ -177,7 +170,7 @@ impl PrismView {
             ui.horizontal_top(|ui| {
                 drawn(ui, context, shown, vec2(0.5 * width, height));
                 let beside = vec2(ui.available_width(), height);
-                ui.allocate_ui_with_layout(beside, Layout::top_down(Align::Min), |ui| {
+                down(ui, beside, |ui| {
                     scrolled(ui, "lines of the prism", |ui| {
                         lines(ui, context, table_of(shown), || shown.csv.clone());
                     });

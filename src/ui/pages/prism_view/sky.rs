@@ -5,7 +5,7 @@ use egui::{Color32, ColorImage, Rect, Sense, TextureHandle, TextureOptions, Ui, 
 
 use crate::{
     app::chart::Rgb,
-    ui::{kit::named, theme::grey},
+    ui::{kit::drawing, theme::grey},
 };
 
 /// What is seen of the arches to either side, degrees of the sky.
@@ -27,8 +27,7 @@ pub(super) struct Painted {
 impl Painted {
     /// Draws the sky: a colour for each angle between two ends.
     pub(super) fn show(&mut self, ui: &mut Ui, (rgb, ends): (&[Rgb], [f64; 2]), size: Vec2) {
-        let (area, response) = ui.allocate_exact_size(size, Sense::hover());
-        named(&response, egui::Role::Image, "The sky with both rainbows");
+        let (area, _) = drawing(ui, size, Sense::hover(), "The sky with both rainbows");
         let shrink = (size.x / MOST).max(1.0);
         let pixels = [size.x, size.y].map(|side| ((side / shrink) as usize).max(1));
         let is_fresh = |of: &(Vec<Rgb>, [usize; 2])| of.0 == rgb && of.1 == pixels;

@@ -6,7 +6,7 @@ use egui::{Align2, Color32, FontId, Mesh, Painter, Rect, Sense, Shape, TextStyle
 use crate::{
     app::{dispersion::StripShown, ticks::short},
     ui::{
-        kit::named,
+        kit::drawing,
         theme::{Theme, grey},
     },
 };
@@ -49,14 +49,18 @@ impl Axis<'_> {
 
 /// Height of all that [`show`] draws, with two lines of words below it, points.
 pub(super) fn height(strips: &[StripShown], axis: &Axis<'_>, theme: Theme) -> f32 {
-    let names = |strip: &StripShown| match strip.marks.is_empty() {
-        true => 1.0,
-        false => NAME_ROWS as f32,
-    };
-    let one = |strip: &StripShown| NAME_ROW * names(strip) + STRIP + plot_height(strip) + 12.0;
+    let one = |strip: &StripShown| NAME_ROW * name_rows(strip) + STRIP + plot_height(strip) + 12.0;
     let scales = if axis.nm.is_empty() { 1.0 } else { 2.0 };
     let words = 40.0;
     (strips.iter().map(one).sum::<f32>() + scales * SCALE + words) * theme.scale
+}
+
+/// Rows of names above a strip.
+fn name_rows(strip: &StripShown) -> f32 {
+    match strip.marks.is_empty() {
+        true => 1.0,
+        false => NAME_ROWS as f32,
+    }
 }
 
 /// Height of the plot below a strip, points.
@@ -64,27 +68,17 @@ fn plot_height(strip: &StripShown) -> f32 {
     if strip.heights.is_empty() { 0.0 } else { PLOT }
 }
 
-/// Draws the strips.
 pub(super) fn show(ui: &mut Ui, strips: &[StripShown], axis: &Axis<'_>, theme: Theme) {
     let scale = theme.scale;
     let font = TextStyle::Small.resolve(ui.style());
     let ink = ui.visuals().text_color();
     for strip in strips {
         ui.add_space(4.0);
-        let names = if strip.marks.is_empty() {
-            1.0
-        } else {
-            NAME_ROWS as f32
-        };
-        let above = names * NAME_ROW * scale;
+        let above = name_rows(strip) * NAME_ROW * scale;
         let below = plot_height(strip) * scale;
         let size = vec2(ui.available_width(), above + STRIP * scale + below);
-        let (area, response) = ui.allocate_exact_size(size, Sense::hover());
-        named(
-            &response,
-            egui::Role::Image,
-            &format!("Strip of {}", strip.name),
-        );
+        let name = format!("Strip of {}", strip.name);
+        let (area, response) = drawing(ui, size, Sense::hover(), &name);
         let whole = area.with_min_y(area.top() + above);
         let field = whole.with_max_y(whole.bottom() - below);
         let painter = ui.painter();

@@ -14,7 +14,7 @@ use crate::{
     },
     spectrum::{Band, SAME_PLACE_NM},
     ui::{
-        kit::{Chooser, Column, Row, headline, named, scrolled, table, warning},
+        kit::{Chooser, Column, Row, copy_button, headline, named, scrolled, table, warning},
         pages::PageContext,
     },
 };
@@ -248,32 +248,24 @@ fn knobs(ui: &mut Ui, context: &mut PageContext<'_>) {
 }
 
 fn warnings(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet) {
-    let settings = context.app.document().settings;
-    let mut warn = |text: String| warning(ui, context.theme, text);
     let below: Vec<String> = found
         .dips
         .iter()
         .filter(|dip| dip.below_zero)
         .map(|dip| format!("{:.1}", dip.spike.at_nm))
         .collect();
-    if !below.is_empty() {
-        warn(format!(
-            "The model's total goes below zero at {} nm: drawn {} nm wide, {} more than the \
-             smooth part has there. Not to be believed at {}.",
-            below.join(", "),
-            short(settings.max_width_nm),
-            if below.len() == 1 {
-                "the dark line takes"
-            } else {
-                "these dark lines take"
-            },
-            if below.len() == 1 {
-                "this place"
-            } else {
-                "these places"
-            },
-        ));
-    }
+    let (takes, there) = match below.len() {
+        0 => return,
+        1 => ("the dark line takes", "this place"),
+        _ => ("these dark lines take", "these places"),
+    };
+    let words = format!(
+        "The model's total goes below zero at {} nm: drawn {} nm wide, {takes} more than the \
+         smooth part has there. Not to be believed at {there}.",
+        below.join(", "),
+        short(context.app.document().settings.max_width_nm),
+    );
+    warning(ui, context.theme, words);
 }
 
 fn dip_table(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet, rows: &[Row]) {
@@ -290,13 +282,8 @@ fn dip_table(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet, ro
                 "A dark line has a name only where it stands at a known line and most other lines of \
                  the same family are in the measured curve too.",
             );
-            if ui
-                .small_button(names::COPY)
-                .on_hover_text("Copies places, weights, depths and names as a table.")
-                .clicked()
-            {
-                ui.ctx().copy_text(found.csv.clone());
-            }
+            let meaning = "Copies places, weights, depths and names as a table.";
+            copy_button(ui, names::COPY, meaning, || found.csv.clone());
         }
     });
     if found.dips.is_empty() {

@@ -3,7 +3,7 @@
 use eframe::egui;
 use egui::{RichText, Ui};
 
-use super::{WIDE, scaled, solid_bars};
+use super::{WIDE, scaled, sideways, solid_bars};
 use crate::{
     app::charts::race::{Larger, Tables, about, figure, short_name},
     study::{
@@ -53,7 +53,6 @@ impl LargerRows {
         }
     }
 
-    /// Draws it.
     pub(super) fn show(&self, ui: &mut Ui, theme: Theme) {
         section(ui, "What the composite wins, and what it does not");
         if ui.available_width() >= WIDE && !self.larger.halves.is_empty() {
@@ -134,13 +133,9 @@ impl LargerRows {
         if self.checked.is_empty() {
             return;
         }
-        ui.label(
-            RichText::new(format!(
-                "Chosen per light on the patches, judged on other samples, {CHECKED_NUMBERS} \
-                 numbers"
-            ))
-            .strong(),
-        );
+        ui.strong(format!(
+            "Chosen per light on the patches, judged on other samples, {CHECKED_NUMBERS} numbers"
+        ));
         ui.weak(
             "Mean ΔE₀₀ of the 99 samples of TM-30, which took no part in the choice: median / \
              95th percentile / worst, above in this race, below in the larger collection.",
@@ -175,22 +170,10 @@ fn beside(
 ) {
     ui.scope(|ui| {
         solid_bars(ui);
-        egui::ScrollArea::horizontal()
-            .id_salt(id)
-            .auto_shrink([false, true])
-            .show(ui, |ui| {
-                ui.vertical(|ui| {
-                    let width: f32 = columns.iter().map(|column| column.share).sum();
-                    ui.set_width(scaled(width, theme));
-                    let table = Table {
-                        enabled: false,
-                        dense: true,
-                        ..Table::new(columns, theme)
-                    };
-                    table.head(ui);
-                    rows(ui, table);
-                });
-            });
+        sideways(ui, (id, false), columns, theme, |ui, table| {
+            table.head(ui);
+            rows(ui, table);
+        });
     });
 }
 

@@ -15,7 +15,7 @@ use crate::{
     app::{
         ByAddress, Memo,
         chart::{self, Chart, Marks},
-        charts::race::{Larger, RaceTable, Winners, error_chart, looks, table_chart},
+        charts::race::{Larger, RaceCell, RaceTable, Winners, error_chart, looks, table_chart},
         pages::{FieldChoice, RACE_BUDGETS},
         studies::{RaceAsk, Stage},
     },
@@ -23,7 +23,7 @@ use crate::{
     study::{Measure, Race, race::Racer},
     ui::{
         chart_view::{ChartForm, ChartView, ChartWish},
-        kit::{Choice, Column, bar, named},
+        kit::{Choice, Column, Look, Table, bar, named, rolled},
         theme::{Theme, ink, section},
     },
 };
@@ -77,7 +77,6 @@ impl Shown {
 }
 
 impl RaceView {
-    /// Draws the page.
     pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         self.controls(ui, context);
         let document = context.app.document();
@@ -93,8 +92,7 @@ impl RaceView {
             strict: context.memory.race_strict,
             ..RaceAsk::of(document, field.field(document), RACE_BUDGETS.to_vec())
         };
-        let race = context.studies.job();
-        race.put(&ask, context.wake);
+        let race = context.put(&ask);
         progress(ui, race, "The race");
         if race.stage() == Stage::Impossible {
             // What is still there answers another question.
@@ -128,16 +126,14 @@ impl RaceView {
         ui.horizontal_wrapped(|ui| {
             ui.label("Numbers");
             for budget in RACE_BUDGETS {
+                let chosen = &mut memory.race_numbers;
                 let button = ui
-                    .selectable_label(memory.race_numbers == budget, budget.to_string())
+                    .selectable_value(chosen, budget, budget.to_string())
                     .on_hover_text(
                         "How many numbers each may spend on a light: a spike costs two, anything \
                          else one.",
                     );
                 named(&button, egui::Role::Button, &format!("{budget} numbers"));
-                if button.clicked() {
-                    memory.race_numbers = budget;
-                }
             }
             ui.separator();
             ui.label("By");
@@ -146,14 +142,9 @@ impl RaceView {
                 meaning: "The figure that the chart shows and that decides who wins.",
                 width: 140.0,
             };
-            choice.show(ui, memory.race_measure.figure().title, |ui| {
-                let decides = |measure: &Measure| *measure != Measure::PatchesWorst;
-                for measure in Measure::COMPARED.into_iter().filter(decides) {
-                    let figure = measure.figure();
-                    ui.selectable_value(&mut memory.race_measure, measure, figure.title)
-                        .on_hover_text(figure.meaning);
-                }
-            });
+            let decides = |measure: &Measure| *measure != Measure::PatchesWorst;
+            let all = Measure::COMPARED.into_iter().filter(decides);
+            choice.pick(ui, &mut memory.race_measure, all, title_and_meaning);
         });
         if !about_light && context.memory.field == FieldChoice::ThisLight {
             ui.weak(format!(
@@ -210,40 +201,38 @@ impl RaceView {
         let theme = context.theme;
         let ways = &mut self.ways;
         ways.headline(ui, context, (ask, race));
-        egui::ScrollArea::vertical()
-            .auto_shrink(false)
-            .show(ui, |ui| {
-                table_head(ui, context, ask, race, class, budget);
-                drawn.table.show(ui, theme, &mut self.costs);
-                ui.add_space(8.0);
-                ways.show(ui, context, (ask, race), (class, budget));
-                let wide = ui.available_width() >= WIDE;
-                let height = (360.0 * theme.scale).max(240.0);
-                if wide {
-                    ui.horizontal_top(|ui| {
-                        let width = ui.available_width();
-                        let left = width - WINNERS.min(0.5 * width);
-                        ui.vertical(|ui| {
-                            chart(ui, context, &drawn.chart, vec2(left, height));
-                        });
-                        ui.add_space(8.0);
-                        ui.vertical(|ui| {
-                            drawn.winners.show(ui, context, height);
-                        });
-                    });
-                } else {
+        rolled(ui, |ui| {
+            table_head(ui, context, ask, race, class, budget);
+            drawn.table.show(ui, theme, &mut self.costs);
+            ui.add_space(8.0);
+            ways.show(ui, context, (ask, race), (class, budget));
+            let wide = ui.available_width() >= WIDE;
+            let height = (360.0 * theme.scale).max(240.0);
+            if wide {
+                ui.horizontal_top(|ui| {
                     let width = ui.available_width();
-                    chart(ui, context, &drawn.chart, vec2(width, height));
+                    let left = width - WINNERS.min(0.5 * width);
+                    ui.vertical(|ui| {
+                        chart(ui, context, &drawn.chart, vec2(left, height));
+                    });
                     ui.add_space(8.0);
-                    drawn.winners.show(ui, context, 230.0 * theme.scale);
-                }
-                if let Some(larger) = &drawn.larger {
-                    ui.add_space(8.0);
-                    ui.separator();
-                    larger.show(ui, theme);
-                }
-                ui.add_space(6.0);
-            });
+                    ui.vertical(|ui| {
+                        drawn.winners.show(ui, context, height);
+                    });
+                });
+            } else {
+                let width = ui.available_width();
+                chart(ui, context, &drawn.chart, vec2(width, height));
+                ui.add_space(8.0);
+                drawn.winners.show(ui, context, 230.0 * theme.scale);
+            }
+            if let Some(larger) = &drawn.larger {
+                ui.add_space(8.0);
+                ui.separator();
+                larger.show(ui, theme);
+            }
+            ui.add_space(6.0);
+        });
     }
 }
 
@@ -277,6 +266,11 @@ pub(super) fn field_choice(
 pub(super) fn has_own_lights(context: &PageContext<'_>) -> bool {
     let own = &context.app.document().own;
     own.iter().any(|entry| entry.kind() == Kind::Light)
+}
+
+/// What a figure is called, and what it counts.
+pub(super) fn title_and_meaning(measure: Measure) -> (&'static str, &'static str) {
+    (measure.figure().title, measure.figure().meaning)
 }
 
 fn table_head(
@@ -338,6 +332,36 @@ fn solid_bars(ui: &mut Ui) {
         bar_width: 6.0,
         ..egui::style::ScrollStyle::solid()
     };
+}
+
+/// A table of as much as there is, which scrolls to the side where there is no room for all of it.
+fn sideways(
+    ui: &mut Ui,
+    (id, shrinks): (&str, bool),
+    columns: &[Column],
+    theme: Theme,
+    add: impl FnOnce(&mut Ui, Table<'_>),
+) {
+    let width: f32 = columns.iter().map(|column| column.share).sum();
+    egui::ScrollArea::horizontal()
+        .id_salt(id)
+        .auto_shrink([shrinks, true])
+        .show(ui, |ui| {
+            ui.vertical(|ui| {
+                ui.set_width(scaled(width, theme));
+                add(ui, Table::dense(columns, theme));
+            });
+        });
+}
+
+/// What cells of the race say, and how: those that win have a sign.
+fn starred<'a>(cells: impl Iterator<Item = &'a RaceCell>) -> (Vec<String>, Vec<Look>) {
+    cells
+        .map(|cell| match cell.wins {
+            true => (format!("★ {}", cell.text), Look::Strong),
+            false => (cell.text.clone(), Look::Plain),
+        })
+        .unzip()
 }
 
 /// A column of racers' names, each with its ink before it.

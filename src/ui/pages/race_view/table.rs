@@ -3,7 +3,7 @@
 use eframe::egui;
 use egui::{RichText, Ui};
 
-use super::{scaled, solid_bars, winner_bar, with_bar};
+use super::{scaled, sideways, solid_bars, starred, winner_bar, with_bar};
 use crate::{
     app::charts::race::{RaceColumn, RaceTable, about, group, name},
     study::race::Racer,
@@ -48,20 +48,16 @@ impl Part {
             decides: column.decides,
             ..Column::numbers(&column.title, &column.tip, column.width + GAP)
         };
-        let mut rows = Vec::new();
-        let mut before = None;
-        for (place, racer) in table.racers.iter().enumerate() {
-            if before.replace(group(*racer)) != Some(group(*racer)) {
-                rows.push(Row {
-                    name: group(*racer).to_owned(),
-                    ..Row::default()
-                });
-            }
-            rows.push(figures(table.racers[place], &columns, place));
-        }
+        let figures = lines(table).map(|line| match line {
+            Line::Group(group) => Row {
+                name: group.to_owned(),
+                ..Row::default()
+            },
+            Line::Racer(place, racer) => figures(racer, &columns, place),
+        });
         Self {
             columns: columns.iter().map(head).collect(),
-            figures: rows,
+            figures: figures.collect(),
         }
     }
 
@@ -74,41 +70,35 @@ impl Part {
 impl TableRows {
     /// The rows of a table.
     pub(super) fn of(table: &RaceTable) -> Self {
-        let mut rows = Self {
-            racers: Vec::new(),
-            names: Vec::new(),
+        let names = lines(table).map(|line| match line {
+            Line::Group(group) => Row {
+                looks: vec![Look::SmallWeak],
+                ..Row::of(vec![group.to_owned()])
+            },
+            Line::Racer(_, racer) => Row {
+                name: name(racer).to_owned(),
+                cells: vec![match racer.needs_table() {
+                    true => format!("{} + table", name(racer)),
+                    false => name(racer).to_owned(),
+                }],
+                note: about(racer),
+                ..Row::default()
+            },
+        });
+        let racers = lines(table).map(|line| match line {
+            Line::Group(_) => None,
+            Line::Racer(_, racer) => Some(racer),
+        });
+        Self {
+            racers: racers.collect(),
+            names: names.collect(),
             parts: [
                 Part::of(table, |_| true),
                 Part::of(table, |column| !column.costs),
                 Part::of(table, |column| column.costs || column.decides),
             ],
             many: table.many,
-        };
-        let mut before = None;
-        for racer in &table.racers {
-            let title = group(*racer);
-            if before != Some(title) {
-                before = Some(title);
-                rows.racers.push(None);
-                rows.names.push(Row {
-                    name: title.to_owned(),
-                    cells: vec![title.to_owned()],
-                    looks: vec![Look::SmallWeak],
-                    ..Row::default()
-                });
-            }
-            rows.racers.push(Some(*racer));
-            rows.names.push(Row {
-                name: name(*racer).to_owned(),
-                cells: vec![match racer.needs_table() {
-                    true => format!("{} + table", name(*racer)),
-                    false => name(*racer).to_owned(),
-                }],
-                note: about(*racer),
-                ..Row::default()
-            });
         }
-        rows
     }
 
     /// Draws it; where there is no room for all columns, errors or `costs`.
@@ -128,11 +118,6 @@ impl TableRows {
             (false, true) => rest,
         };
         let names = [with_bar("", "", 1.0)];
-        let table = |columns| Table {
-            enabled: false,
-            dense: true,
-            ..Table::new(columns, theme)
-        };
         let bar = &mut |ui: &Ui, [row, _]: [usize; 2], cell| {
             if let Some(racer) = self.racers[row] {
                 winner_bar(ui, cell, racer, theme);
@@ -143,17 +128,17 @@ impl TableRows {
             ui.spacing_mut().item_spacing.x = 0.0;
             ui.vertical(|ui| {
                 ui.set_width(scaled(NAMES, theme));
-                table(&names).show(ui, &self.names, bar);
+                Table::dense(&names, theme).show(ui, &self.names, bar);
             });
-            egui::ScrollArea::horizontal()
-                .id_salt("race columns")
-                .auto_shrink([true, true])
-                .show(ui, |ui| {
-                    ui.vertical(|ui| {
-                        ui.set_width(scaled(part.width(), theme));
-                        table(&part.columns).show(ui, &part.figures, &mut |_, _, _| {});
-                    });
-                });
+            sideways(
+                ui,
+                ("race columns", true),
+                &part.columns,
+                theme,
+                |ui, table| {
+                    table.show(ui, &part.figures, &mut |_, _, _| {});
+                },
+            );
         });
         if self.many {
             ui.weak(
@@ -167,6 +152,29 @@ impl TableRows {
     }
 }
 
+/// A line of the table.
+enum Line {
+    /// A group's title.
+    Group(&'static str),
+    /// A racer by its place.
+    Racer(usize, Racer),
+}
+
+/// The racers, each group under its title.
+fn lines(table: &RaceTable) -> impl Iterator<Item = Line> {
+    let mut before = None;
+    table
+        .racers
+        .iter()
+        .enumerate()
+        .flat_map(move |(place, racer)| {
+            let title = group(*racer);
+            let is_new = before.replace(title) != Some(title);
+            let title = is_new.then_some(Line::Group(title));
+            title.into_iter().chain([Line::Racer(place, *racer)])
+        })
+}
+
 /// The figures of one racer, those that win marked by a sign.
 fn figures(racer: Racer, columns: &[&RaceColumn], place: usize) -> Row {
     let cells = || columns.iter().map(|column| &column.cells[place]);
@@ -175,21 +183,12 @@ fn figures(racer: Racer, columns: &[&RaceColumn], place: usize) -> Row {
         .zip(cells())
         .map(|(column, cell)| format!("{} {}", column.title, cell.text))
         .collect();
+    let (starred, looks) = starred(cells());
     Row {
         name: format!("{}: {}", name(racer), told.join(", ")),
-        cells: cells()
-            .map(|cell| match cell.wins {
-                true => format!("★ {}", cell.text),
-                false => cell.text.clone(),
-            })
-            .collect(),
+        cells: starred,
         tips: cells().map(|cell| cell.tip.clone()).collect(),
-        looks: cells()
-            .map(|cell| match cell.wins {
-                true => Look::Strong,
-                false => Look::Plain,
-            })
-            .collect(),
+        looks,
         ..Row::default()
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use eframe::egui;
 use egui::Ui;
 
-use super::{scaled, solid_bars};
+use super::{scaled, solid_bars, starred};
 use crate::{
     app::{
         ByAddress, Memo,
@@ -89,12 +89,7 @@ impl WaysView {
                     let room = ui.available_width();
                     ui.set_width(room.clamp(scaled(least, theme), scaled(most, theme)));
                     let columns = columns();
-                    let table = Table {
-                        enabled: false,
-                        dense: true,
-                        ..Table::new(&columns, theme)
-                    };
-                    table.show(ui, rows, &mut |_, _, _| {});
+                    Table::dense(&columns, theme).show(ui, rows, &mut |_, _, _| {});
                 });
         });
         ui.add_space(8.0);
@@ -128,26 +123,16 @@ fn columns() -> [Column; 6] {
 
 fn row(row: &WaysRow) -> Row {
     let title = name(row.racer);
-    let errors = row.errors.iter();
-    let text = |cell: &crate::app::charts::race::RaceCell| match cell.wins {
-        true => format!("★ {}", cell.text),
-        false => cell.text.clone(),
-    };
+    let (errors, looks) = starred(row.errors.iter());
+    let tips = row.errors.iter().map(|cell| cell.tip.clone());
     Row {
         name: title.to_owned(),
         cells: std::iter::once(title.to_owned())
-            .chain(errors.clone().map(text))
+            .chain(errors)
             .chain(row.won.iter().cloned())
             .collect(),
         note: about(row.racer),
-        tips: std::iter::once(String::new())
-            .chain(errors.clone().map(|cell| cell.tip.clone()))
-            .collect(),
-        looks: std::iter::once(Look::Plain)
-            .chain(errors.map(|cell| match cell.wins {
-                true => Look::Strong,
-                false => Look::Plain,
-            }))
-            .collect(),
+        tips: std::iter::once(String::new()).chain(tips).collect(),
+        looks: std::iter::once(Look::Plain).chain(looks).collect(),
     }
 }

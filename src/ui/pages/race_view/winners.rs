@@ -3,7 +3,7 @@
 use eframe::egui;
 use egui::Ui;
 
-use super::{super::PageContext, scaled, solid_bars, winner_bar, with_bar};
+use super::{super::PageContext, scaled, sideways, solid_bars, winner_bar, with_bar};
 use crate::{
     app::{
         Command,
@@ -137,28 +137,16 @@ impl WinnerRows {
         let columns: Vec<Column> = std::iter::once(Column::words("", "", CLASSES))
             .chain(budgets)
             .collect();
-        let table = Table {
-            enabled: false,
-            dense: true,
-            ..Table::new(&columns, theme)
-        };
         ui.scope(|ui| {
             solid_bars(ui);
-            egui::ScrollArea::horizontal()
-                .id_salt("race classes")
-                .auto_shrink([false, true])
-                .show(ui, |ui| {
-                    ui.vertical(|ui| {
-                        let width: f32 = columns.iter().map(|column| column.share).sum();
-                        ui.set_width(scaled(width, theme));
-                        table.show(ui, &self.sets, &mut |ui, [row, column], cell| {
-                            let won = column.checked_sub(1).map(|i| &winners.sets[row].2[i]);
-                            if let Some(racer) = won.and_then(|won| won.racer) {
-                                winner_bar(ui, cell, racer, theme);
-                            }
-                        });
-                    });
+            sideways(ui, ("race classes", false), &columns, theme, |ui, table| {
+                table.show(ui, &self.sets, &mut |ui, [row, column], cell| {
+                    let won = column.checked_sub(1).map(|i| &winners.sets[row].2[i]);
+                    if let Some(racer) = won.and_then(|won| won.racer) {
+                        winner_bar(ui, cell, racer, theme);
+                    }
                 });
+            });
         });
     }
 }

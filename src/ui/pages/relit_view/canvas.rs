@@ -2,8 +2,8 @@
 
 use eframe::egui;
 use egui::{
-    Align2, Color32, EventFilter, FontId, Key, Painter, Pos2, Rect, Sense, Stroke, StrokeKind,
-    TextStyle, TextureId, Ui, Vec2, pos2, vec2,
+    Align2, Color32, FontId, Key, Painter, Pos2, Rect, Sense, Stroke, StrokeKind, TextStyle,
+    TextureId, Ui, Vec2, pos2, vec2,
 };
 
 use crate::{
@@ -11,7 +11,10 @@ use crate::{
         chart::ramp_colour,
         relit::{NAMED, place_of},
     },
-    ui::{kit::named, theme::Theme},
+    ui::{
+        kit::{hold_arrows, named},
+        theme::{Theme, ink},
+    },
 };
 
 /// What is drawn.
@@ -107,11 +110,7 @@ fn move_by_keys(ui: &Ui, response: &egui::Response, split: &mut f32) {
     if !response.has_focus() {
         return;
     }
-    let arrows = EventFilter {
-        horizontal_arrows: true,
-        ..EventFilter::default()
-    };
-    ui.memory_mut(|m| m.set_focus_lock_filter(response.id, arrows));
+    hold_arrows(ui, response.id, false);
     let pressed = |key| ui.input(|i| i.num_presses(key)) as f32;
     let steps = pressed(Key::ArrowRight) - pressed(Key::ArrowLeft);
     *split = (*split + KEY_STEP * steps).clamp(0.0, 1.0);
@@ -195,10 +194,9 @@ pub(super) fn scale(ui: &mut Ui, width: f32, theme: Theme) {
     let steps = 96;
     for step in 0..steps {
         let x = |i: usize| bar.left() + bar.width() * i as f32 / steps as f32;
-        let [r, g, b] = ramp_colour((step as f64 + 0.5) / f64::from(steps as u32));
+        let colour = ink(ramp_colour((step as f64 + 0.5) / f64::from(steps as u32)));
         let part = Rect::from_x_y_ranges(x(step)..=x(step + 1), bar.y_range());
-        ui.painter()
-            .rect_filled(part, 0.0, Color32::from_rgb(r, g, b));
+        ui.painter().rect_filled(part, 0.0, colour);
     }
     let font = TextStyle::Small.resolve(ui.style());
     let last = NAMED.len() - 1;

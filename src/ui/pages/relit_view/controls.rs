@@ -5,12 +5,12 @@ use egui::{Button, RichText, TextWrapMode, Ui, containers::menu::MenuButton};
 
 use crate::{
     app::{
-        App, ByAddress, Command, View,
+        App, ByAddress, Command,
         picture::shown,
         relit::{BOUNDS, Fit, Form, Look, LookAsk, Looked, PictureWish, RelitShown, fewer},
     },
     ui::{
-        kit::{Choice, Chooser, lights},
+        kit::{Choice, Chooser, adapt_box, lights, named, number, pressed_small},
         pages::PageContext,
     },
 };
@@ -54,9 +54,31 @@ fn name_of(app: &App, key: Option<&str>, otherwise: &str) -> String {
     entry.map_or_else(|| otherwise.to_owned(), |entry| entry.name().to_owned())
 }
 
-/// A chosen light with a button that takes it away; whether it was clicked.
-fn cleared(ui: &mut Ui, is_chosen: bool, meaning: &str) -> bool {
-    is_chosen && ui.small_button("×").on_hover_text(meaning).clicked()
+/// A light of the library in `key`, or what is said `otherwise`, by a list of a name, a meaning and
+/// a width.
+fn choose_light(
+    ui: &mut Ui,
+    app: &App,
+    (name, meaning, width): (&str, &str, f32),
+    (key, otherwise): (&mut Option<String>, &str),
+) {
+    let chooser = Chooser {
+        name,
+        meaning,
+        says: &name_of(app, key.as_deref(), otherwise),
+        offers: lights,
+        width,
+    };
+    if let Some(entry) = chooser.show(ui, app) {
+        *key = Some(entry.key.clone());
+    }
+}
+
+/// A button that takes a chosen light away again.
+fn clear(ui: &mut Ui, key: &mut Option<String>, meaning: &str) {
+    if key.is_some() && pressed_small(ui, "×", meaning) {
+        *key = None;
+    }
 }
 
 /// Which picture, and what fell on it.
@@ -91,47 +113,27 @@ pub(super) fn subject(ui: &mut Ui, context: &mut PageContext<'_>) {
     ui.label("Taken under");
     let is_wall = ask.subject == crate::app::relit::Subject::Wall;
     let otherwise = if is_wall { "an even light" } else { "unknown" };
-    let says = name_of(app, memory.taken_under.as_deref(), otherwise);
-    let chooser = Chooser {
-        name: names::TAKEN,
-        meaning: "The light that fell on the picture when it was taken. It is divided out again, \
-                  so that the picture can be shown under other lights.",
-        says: &says,
-        offers: lights,
-        width: LIST,
-    };
-    if let Some(entry) = chooser.show(ui, app) {
-        memory.taken_under = Some(entry.key.clone());
-    }
+    let meaning = "The light that fell on the picture when it was taken. It is divided out again, \
+                       so that the picture can be shown under other lights.";
+    let key = &mut memory.taken_under;
+    choose_light(ui, app, (names::TAKEN, meaning, LIST), (key, otherwise));
     let meaning = if is_wall {
         "Photographs it in even light."
     } else {
         "Nobody knows what lit it."
     };
-    if cleared(ui, memory.taken_under.is_some(), meaning) {
-        memory.taken_under = None;
-    }
+    clear(ui, &mut memory.taken_under, meaning);
 }
 
 /// Under which light the colours of a reflectance are exact.
 fn own(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let memory = &mut context.memory.relit;
+    let key = &mut context.memory.relit.own;
     ui.label("Own light");
-    let says = name_of(context.app, memory.own.as_deref(), "CIE D65");
-    let chooser = Chooser {
-        name: names::OWN,
-        meaning: "Under this light the colours in few numbers are exactly those of every band, \
-                  and the preview of a file shows it.",
-        says: &says,
-        offers: lights,
-        width: LIST,
-    };
-    if let Some(entry) = chooser.show(ui, context.app) {
-        memory.own = Some(entry.key.clone());
-    }
-    if cleared(ui, memory.own.is_some(), "Daylight, CIE D65.") {
-        memory.own = None;
-    }
+    let meaning = "Under this light the colours in few numbers are exactly those of every band, \
+                       and the preview of a file shows it.";
+    let list = (names::OWN, meaning, LIST);
+    choose_light(ui, context.app, list, (key, "CIE D65"));
+    clear(ui, key, "Daylight, CIE D65.");
 }
 
 /// What shines on it now.
@@ -160,37 +162,20 @@ pub(super) fn light(ui: &mut Ui, context: &mut PageContext<'_>) {
     if let Some(entry) = chosen {
         context.commands.push(Command::Show(entry));
     }
-    let mut adapt = document.view.adapt_patches;
-    let adapts = ui.checkbox(&mut adapt, "adapt").on_hover_text(
-        "As the eye sees it after a minute: the light's own colour becomes the screen's white.",
-    );
-    if adapts.changed() {
-        context.commands.push(Command::View(View {
-            adapt_patches: adapt,
-            ..document.view
-        }));
-    }
+    let meaning =
+        "As the eye sees it after a minute: the light's own colour becomes the screen's white.";
+    adapt_box(ui, context.app, ("adapt", meaning), context.commands);
     let memory = &mut context.memory.relit;
-    let says = name_of(context.app, memory.second.as_deref(), "+ light");
-    let chooser = Chooser {
-        name: names::SECOND,
-        meaning: "A second light beside the first, to mix them.",
-        says: &says,
-        offers: lights,
-        width: 0.6 * LIST,
-    };
-    if let Some(entry) = chooser.show(ui, context.app) {
-        memory.second = Some(entry.key.clone());
-    }
+    let meaning = "A second light beside the first, to mix them.";
+    let list = (names::SECOND, meaning, 0.6 * LIST);
+    choose_light(ui, context.app, list, (&mut memory.second, "+ light"));
     if memory.second.is_some() {
         ui.spacing_mut().slider_width = 90.0 * context.theme.scale;
         let slider = egui::Slider::new(&mut memory.second_percent, 0..=100).suffix(" %");
         let slider = ui.add(slider);
-        crate::ui::kit::named(&slider, egui::Role::Slider, names::SHARE);
+        named(&slider, egui::Role::Slider, names::SHARE);
         slider.on_hover_text("How much of the brightness is the second light's.");
-        if cleared(ui, true, "One light alone.") {
-            memory.second = None;
-        }
+        clear(ui, &mut memory.second, "One light alone.");
     }
 }
 
@@ -226,9 +211,7 @@ pub(super) fn numbers(
         .speed(0.01)
         .max_decimals(2)
         .prefix("ΔE ");
-    let bound = ui.add(bound);
-    crate::ui::kit::named(&bound, egui::Role::SpinButton, names::BOUND);
-    bound.on_hover_text(
+    number(ui, bound, names::BOUND).on_hover_text(
         "What is enough: 95 % of the pixels are within. The compact file keeps its own colours \
          within it too.",
     );

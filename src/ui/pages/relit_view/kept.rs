@@ -10,7 +10,10 @@ use super::names;
 use crate::{
     app::relit::{Fit, LINES_NM, MOST_LINES},
     pictures::{ReferenceKind, WishedLines},
-    ui::{kit::named, pages::PageContext},
+    ui::{
+        kit::{named, number},
+        pages::PageContext,
+    },
 };
 
 /// Where the next line by hand goes, nm: mercury's green one, until another place is set.
@@ -143,9 +146,7 @@ fn hand(ui: &mut Ui, places: &mut Vec<f64>, fit: &Fit) {
             .speed(0.5)
             .max_decimals(1)
             .suffix(" nm");
-        let place = ui.add(place);
-        named(&place, egui::Role::SpinButton, names::NEXT_LINE);
-        place.on_hover_text("Drag, or click and type.");
+        number(ui, place, names::NEXT_LINE).on_hover_text("Drag, or click and type.");
         let room = places.len() < MOST_LINES && !places.contains(&next);
         let add = ui.add_enabled(room, egui::Button::new(names::ADD_LINE));
         if add.clicked() {

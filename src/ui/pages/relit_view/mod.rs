@@ -7,7 +7,7 @@ mod kept;
 mod side;
 
 use eframe::egui;
-use egui::{ColorImage, RichText, TextureHandle, TextureOptions, Ui, vec2};
+use egui::{RichText, TextureHandle, Ui, vec2};
 
 use super::{PageContext, progress};
 use crate::{
@@ -21,7 +21,7 @@ use crate::{
         studies::Stage,
     },
     pictures::{Verdict, Wish},
-    ui::kit,
+    ui::{kit, swatch},
 };
 
 pub use controls::names;
@@ -133,16 +133,8 @@ impl RelitView {
         }
         let [exact, few] = &turned.0.sides;
         let load = |name: &str, pixels: &[Rgb]| {
-            let colours = pixels
-                .iter()
-                .map(|[r, g, b]| egui::Color32::from_rgb(*r, *g, *b));
-            let image = ColorImage::new([exact.width, exact.height], colours.collect());
-            let options = TextureOptions {
-                magnification: egui::TextureFilter::Nearest,
-                minification: egui::TextureFilter::Linear,
-                ..TextureOptions::default()
-            };
-            ui.ctx().load_texture(name, image, options)
+            let image = swatch::image([exact.width, exact.height], pixels);
+            ui.ctx().load_texture(name, image, swatch::SQUARES)
         };
         self.textures = Some(Textures {
             of: turned.clone(),
@@ -314,20 +306,12 @@ fn peers_table(ui: &mut Ui, context: &PageContext<'_>, rows: Rows) {
         kit::Column::numbers("rms %", "Of the spectra, relative.", 0.9),
         kit::Column::words("remark", "", 3.0),
     ];
-    let rows: Vec<kit::Row> = rows
-        .into_iter()
-        .map(|cells| kit::Row {
-            name: cells.join(", "),
-            note: cells.last().cloned().unwrap_or_default(),
-            cells,
-            ..kit::Row::default()
-        })
-        .collect();
-    let table = kit::Table {
-        enabled: false,
-        ..kit::Table::new(&columns, context.theme)
+    let row = |cells: Vec<String>| kit::Row {
+        note: cells.last().cloned().unwrap_or_default(),
+        ..kit::Row::of(cells)
     };
+    let rows: Vec<kit::Row> = rows.into_iter().map(row).collect();
     kit::scrolled(ui, "other ways", |ui| {
-        table.show(ui, &rows, &mut |_, _, _| {});
+        kit::table(ui, &columns, &rows, None, false, context.theme);
     });
 }

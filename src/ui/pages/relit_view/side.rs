@@ -12,7 +12,7 @@ use crate::{
         studies::Stage,
     },
     ui::{
-        kit::{Column, Row, Table},
+        kit::{self, Column, Row, table},
         pages::{PageContext, progress},
     },
 };
@@ -39,7 +39,7 @@ impl RelitView {
         let height = (room.y - ROWS * row - 2.0 * line - gaps) / 2.0;
         let size = vec2(room.x, height.max(70.0));
         let pixel = self.chosen(context, &fit.0.looked.0, &turned.0);
-        crate::ui::kit::line(ui, |ui| {
+        kit::line(ui, |ui| {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let memory = &mut context.memory.relit;
                 let worst = ui.add_enabled(
@@ -111,15 +111,9 @@ fn bytes(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RelitShown) {
         .into_iter()
         .zip(notes)
         .map(|(cells, note)| Row {
-            name: cells.join(", "),
-            cells,
             note,
-            ..Row::default()
+            ..Row::of(cells)
         })
         .collect();
-    let table = Table {
-        enabled: false,
-        ..Table::new(&columns, context.theme)
-    };
-    table.show(ui, &rows, &mut |_, _, _| {});
+    table(ui, &columns, &rows, None, false, context.theme);
 }

@@ -3,7 +3,7 @@
 use eframe::egui;
 use egui::{
     Align, Color32, CursorIcon, Frame, Label, Layout, Margin, Rect, RichText, ScrollArea, Sense,
-    Stroke, Ui, UiBuilder, Vec2, pos2, vec2,
+    Stroke, Ui, UiBuilder, Vec2, vec2,
 };
 
 use super::{super::change, choose, chosen, delta, knobs, move_link, names, percent};
@@ -17,7 +17,8 @@ use crate::{
     io::many::capitalised,
     study::products::Colours,
     ui::{
-        kit::{Chooser, lights, warning},
+        entry_row::draw_curve,
+        kit::{Chooser, lights, named_choice, warning},
         pages::PageContext,
         swatch,
         theme::{Theme, ink},
@@ -165,9 +166,7 @@ fn card(
         Place::Light => format!("Light: {}", context.app.document().light.name()),
         Place::Stage(index) => format!("Stage {}: {}", index + 1, sheet.told.names[index]),
     };
-    response.widget_info(|| {
-        egui::WidgetInfo::selected(egui::Role::Button, true, is_chosen, name.as_str())
-    });
+    named_choice(&response, egui::Role::Button, is_chosen, &name);
     if response.clicked() {
         choose(context, place);
     }
@@ -276,8 +275,10 @@ fn picture(
         let index = place.index();
         ui.painter().rect_filled(rect, 2.0, theme.ground);
         let [exact, smooth] = &sheet.small_curves[index];
-        small_curve(ui, rect, smooth, ink(theme.inks.smooth));
-        small_curve(ui, rect, exact, ink(theme.inks.measured));
+        let within = rect.shrink2(vec2(2.0, 2.0));
+        for (heights, colour) in [(smooth, theme.inks.smooth), (exact, theme.inks.measured)] {
+            draw_curve(ui, within, heights, Stroke::new(1.2, ink(colour)));
+        }
         response.on_hover_text(
             "The exact light behind this stage and the model's smooth part, over the exact peak.",
         );
@@ -324,20 +325,6 @@ fn swatch_of(
         short(model.0.y),
     ));
     Some(clicked)
-}
-
-fn small_curve(ui: &Ui, rect: Rect, heights: &[f32], colour: Color32) {
-    let rect = rect.shrink2(vec2(2.0, 2.0));
-    let step = rect.width() / (heights.len().max(2) - 1) as f32;
-    let points = heights.iter().enumerate().map(|(i, h)| {
-        pos2(
-            rect.left() + i as f32 * step,
-            rect.bottom() - h * rect.height(),
-        )
-    });
-    let stroke = Stroke::new(1.2, colour);
-    ui.painter()
-        .add(egui::Shape::line(points.collect(), stroke));
 }
 
 /// Transmission, luminance and error of a card.

@@ -9,7 +9,7 @@ use crate::{
         products::{BOUNCES, Link, THICKNESSES},
         ticks::short,
     },
-    ui::{kit::named, pages::PageContext},
+    ui::{kit::number, pages::PageContext},
 };
 
 pub(super) fn thickness(ui: &mut Ui, context: &mut PageContext<'_>, link: &Link, index: usize) {
@@ -32,9 +32,7 @@ pub(super) fn thickness(ui: &mut Ui, context: &mut PageContext<'_>, link: &Link,
         Some(_) => drag.suffix(" mm"),
         None => drag.suffix(" ×"),
     };
-    let response = ui.add(drag);
-    let name = format!("Thickness of stage {}", index + 1);
-    named(&response, egui::Role::SpinButton, &name);
+    let response = number(ui, drag, &format!("Thickness of stage {}", index + 1));
     let meaning = match mm {
         Some(mm) => format!(
             "Thickness of the glass, mm; measured at {} mm. Internal transmittance to the power \
@@ -60,14 +58,11 @@ pub(super) fn times(ui: &mut Ui, context: &mut PageContext<'_>, link: &Link, ind
     let label = ui.label(RichText::new("met").small().color(context.theme.faint));
     label.on_hover_text(meaning);
     let mut bounces = link.bounces;
-    let response = ui.add(
-        DragValue::new(&mut bounces)
-            .range(BOUNCES)
-            .speed(0.05)
-            .suffix(if link.bounces == 1 { " time" } else { " times" }),
-    );
-    let name = format!("Bounces of stage {}", index + 1);
-    named(&response, egui::Role::SpinButton, &name);
+    let drag = DragValue::new(&mut bounces)
+        .range(BOUNCES)
+        .speed(0.05)
+        .suffix(if link.bounces == 1 { " time" } else { " times" });
+    let response = number(ui, drag, &format!("Bounces of stage {}", index + 1));
     let changed = response.changed();
     response.on_hover_text(meaning);
     if changed {

@@ -6,10 +6,10 @@ mod knobs;
 use eframe::egui;
 use egui::{Align, Layout, Ui, vec2};
 
-use super::change;
+use super::{change, take_way};
 use crate::{
     app::{
-        Command, Memo,
+        Memo,
         chart::{self, Chart},
         charts::products::chain::{ChainSheet, Place},
         headlines,
@@ -19,7 +19,10 @@ use crate::{
     },
     spectrum::{Sampling, Spike},
     ui::{
-        kit::{Choice, Chooser, Column, Row, factors, headline, scrolled, table},
+        kit::{
+            Choice, Chooser, Column, Row, down, factors, headline, pressed, pressed_small,
+            scrolled, table,
+        },
         model_view::sampling_words,
         pages::PageContext,
     },
@@ -68,24 +71,22 @@ impl ChainView {
         let (share, [least, most]) = CARDS;
         let scale = context.theme.scale;
         let width = (share * room.x).clamp(least * scale, most * scale);
-        let down = Layout::top_down(Align::Min);
         let is_narrow = room.x < NARROW * scale;
         let cards = match is_narrow {
             true => vec2(room.x, 0.5 * room.y),
             false => vec2(width, room.y),
         };
-        let (across, held, chart) = (
-            Layout::left_to_right(Align::Min),
-            &mut self.held,
-            &mut self.chart,
-        );
-        let layout = if is_narrow { down } else { across };
+        let (held, chart) = (&mut self.held, &mut self.chart);
+        let layout = match is_narrow {
+            true => Layout::top_down(Align::Min),
+            false => Layout::left_to_right(Align::Min),
+        };
         ui.with_layout(layout, |ui| {
-            ui.allocate_ui_with_layout(cards, down, |ui| {
+            down(ui, cards, |ui| {
                 self::cards::show(ui, context, sheet, cards.x, held);
             });
             ui.add_space(4.0);
-            ui.allocate_ui_with_layout(ui.available_size(), down, |ui| {
+            down(ui, ui.available_size(), |ui| {
                 let place = chosen(context, sheet.stages());
                 let key = (revision, place, context.chart_theme());
                 let chart = chart.get(key, |_| sheet.chart(app, place, key.2));
@@ -180,20 +181,13 @@ fn head(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet) {
             ui.weak(format!("{MOST_LINKS} at most."));
         }
         way(ui, context);
-        if ui
-            .button(names::COPY_STAGES)
-            .on_hover_text("Copies the light and every stage as a table.")
-            .clicked()
-        {
+        let meaning = "Copies the light and every stage as a table.";
+        if pressed(ui, names::COPY_STAGES, meaning) {
             let chain = &app.document().products.chain;
             ui.ctx().copy_text(stages_csv(app, &sheet.told, chain));
         }
-        if count > 0
-            && ui
-                .button(names::CLEAR)
-                .on_hover_text("Takes all factors away; undo brings them back.")
-                .clicked()
-        {
+        let meaning = "Takes all factors away; undo brings them back.";
+        if count > 0 && pressed(ui, names::CLEAR, meaning) {
             change(context, |products| products.chain.clear());
         }
     });
@@ -201,27 +195,20 @@ fn head(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet) {
 
 /// The ways of forming products.
 fn way(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let mut settings = context.app.document().settings;
-    let before = settings.sampling;
+    let before = context.app.document().settings.sampling;
     ui.label("formed by").on_hover_text(
         "How the model's product of light and factor is formed; the exact side is always the \
          measured curves at every nm.",
     );
-    let (words, meaning) = sampling_words(before);
     let choice = Choice {
         name: names::WAY,
-        meaning,
+        meaning: sampling_words(before).1,
         width: 120.0 * context.theme.scale,
     };
-    choice.show(ui, words, |ui| {
-        for sampling in Sampling::ALL {
-            let (words, meaning) = sampling_words(sampling);
-            ui.selectable_value(&mut settings.sampling, sampling, words)
-                .on_hover_text(meaning);
-        }
-    });
-    if settings.sampling != before {
-        context.commands.push(Command::Edit(settings));
+    let mut sampling = before;
+    choice.pick(ui, &mut sampling, Sampling::ALL, sampling_words);
+    if sampling != before {
+        take_way(context, sampling);
     }
 }
 
@@ -312,12 +299,8 @@ fn spike_table(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet, place
         ui.strong(title).on_hover_text(
             "Each spike keeps its place; its weight is multiplied by the factor where it stands.",
         );
-        if !spikes.is_empty()
-            && ui
-                .small_button(names::COPY_SPIKES)
-                .on_hover_text("Copies places, weights and names as a table.")
-                .clicked()
-        {
+        let meaning = "Copies places, weights and names as a table.";
+        if !spikes.is_empty() && pressed_small(ui, names::COPY_SPIKES, meaning) {
             let stage = match place {
                 Place::Light => "the light",
                 Place::Stage(index) => &sheet.told.names[index],

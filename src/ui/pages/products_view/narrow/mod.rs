@@ -2,14 +2,12 @@
 
 mod band_pass;
 
-use std::sync::Arc;
-
 use eframe::egui;
 use egui::{DragValue, RichText, Sense, Slider, Ui, Vec2, vec2};
 
 use crate::{
     app::{
-        App, Entry, Memo,
+        App, Memo,
         chart::{self, Chart},
         charts::products::narrow::{Behind, Figures, Filter, FilterRow, WAY_MEANINGS, WAYS},
         headlines,
@@ -17,10 +15,13 @@ use crate::{
         studies::paper::{delta_e, figure, percent},
     },
     color::Swatch,
-    spectrum::{Band, Kind},
+    spectrum::Band,
     study::products::NarrowPoint,
     ui::{
-        kit::{Chooser, Column, Row, headline, named, scrolled, table, titled, two_columns},
+        kit::{
+            Chooser, Column, Row, drawing, headline, scrolled, table, titled, transmittances,
+            two_columns,
+        },
         pages::PageContext,
         swatch,
     },
@@ -158,9 +159,10 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, band: Band) {
         }
         ui.separator();
         let chosen = memory.filter.as_ref().and_then(|key| app.entry(key));
+        let meaning = "The Gaussian band-pass of this centre and width.";
         if ui
             .selectable_label(chosen.is_none(), names::GAUSSIAN)
-            .on_hover_text("The Gaussian band-pass of this centre and width.")
+            .on_hover_text(meaning)
             .clicked()
         {
             memory.filter = None;
@@ -177,10 +179,6 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, band: Band) {
             memory.filter = Some(entry.key.clone());
         }
     });
-}
-
-fn transmittances(entry: &Entry) -> bool {
-    entry.kind() == Kind::Transmittance
 }
 
 /// Every shipped filter glass and the user's own filters.
@@ -244,9 +242,8 @@ fn filters(ui: &mut Ui, context: &mut PageContext<'_>, behind: &Behind, rows: &[
     let theme = context.theme;
     let clicked = table(ui, &columns, &told, chosen, true, theme);
     if let Some(row) = clicked.and_then(|index| rows.get(index)) {
-        let entry: &Arc<Entry> = &row.entry;
-        memory.filter =
-            (chosen.is_none_or(|c| rows[c].entry.key != entry.key)).then(|| entry.key.clone());
+        let key = &row.entry.key;
+        memory.filter = Some(key.clone()).filter(|key| memory.filter.as_ref() != Some(key));
     }
 }
 
@@ -311,8 +308,7 @@ fn field(ui: &mut Ui, size: Vec2, colour: &Swatch, name: &str, words: &str, mean
         } else {
             " The screen cannot show it; the nearest it can.".to_owned()
         };
-        let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
-        named(&response, egui::Role::Image, &told);
+        let (rect, response) = drawing(ui, size, Sense::hover(), &told);
         let shown = swatch::colour(colour.rgb8);
         swatch::paint_split(ui, rect, shown, shown);
         if !colour.in_gamut {

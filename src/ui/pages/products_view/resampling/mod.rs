@@ -23,7 +23,7 @@ use crate::{
     spectrum::Sampling,
     study::products::{Formed, ProductTime, timing},
     ui::{
-        kit::{Column, Row, Table, headline, line, scrolled, titled, two_columns},
+        kit::{Column, Row, Table, headline, line, pressed_small, scrolled, titled, two_columns},
         pages::{PageContext, progress},
         theme::Theme,
     },
@@ -126,9 +126,7 @@ fn times(context: &mut PageContext<'_>, bench: &Bench, turn: u32) -> Option<Arc<
         sizes: bench.sizes,
         turn,
     };
-    let job = context.studies.job();
-    job.put(&ask, context.wake);
-    let (of, times) = job.answer()?;
+    let (of, times) = context.put(&ask).answer()?;
     (of.sizes == ask.sizes).then(|| times.clone())
 }
 
@@ -342,12 +340,8 @@ fn times_row(ui: &mut Ui, context: &mut PageContext<'_>, times: Option<&[Product
             progress(ui, job, "Time of a product");
             return;
         }
-        again = ui
-            .small_button(names::AGAIN)
-            .on_hover_text(
-                "Measures the times of all ways once more, for about a tenth of a second.",
-            )
-            .clicked();
+        let meaning = "Measures the times of all ways once more, for about a tenth of a second.";
+        again = pressed_small(ui, names::AGAIN, meaning);
         if times.is_some() {
             ui.add(egui::Label::new(RichText::new(HOW_SHORT).weak()).truncate())
                 .on_hover_text(how());

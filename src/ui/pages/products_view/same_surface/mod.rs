@@ -83,8 +83,7 @@ impl SameSurfaceView {
         });
         let everywhere = context.memory.products.same_surface.everywhere;
         if let Some(ask) = &sheet.ranking(app.document(), everywhere) {
-            let job = context.studies.job();
-            job.put(ask, context.wake);
+            context.put(ask);
         }
         let rows = &mut self.ranking;
         let room = ui.available_size();
@@ -175,10 +174,7 @@ fn choices(ui: &mut Ui, context: &mut PageContext<'_>) {
             name: names::OUTGOING,
             meaning: "The spectrum that may have come from the surface; files that you open as \
                       lights are in the list.",
-            says: products
-                .outgoing
-                .as_ref()
-                .map_or("choose a spectrum", |entry| entry.name()),
+            says: name(&products.outgoing, "choose a spectrum"),
             offers: lights,
             width,
         }
@@ -193,10 +189,7 @@ fn choices(ui: &mut Ui, context: &mut PageContext<'_>) {
         let surface = Chooser {
             name: names::SURFACE,
             meaning: "The reflectance that may have turned the light into the spectrum.",
-            says: products
-                .surface
-                .as_ref()
-                .map_or("choose a surface", |entry| entry.name()),
+            says: name(&products.surface, "choose a surface"),
             offers: factors,
             width,
         }
@@ -206,6 +199,11 @@ fn choices(ui: &mut Ui, context: &mut PageContext<'_>) {
         }
         ui.label("?");
     });
+}
+
+/// What a spectrum is called, or what is said where there is none.
+fn name<'a>(entry: &'a Option<Arc<Entry>>, otherwise: &'a str) -> &'a str {
+    entry.as_ref().map_or(otherwise, |entry| entry.name())
 }
 
 /// What to do when something is missing.

@@ -9,7 +9,7 @@ use egui::{RichText, Ui, vec2};
 use super::change;
 use crate::{
     app::{
-        ByAddress, Command, Memo, View,
+        ByAddress, Memo,
         chart::{self, Chart},
         charts::products::two_lights::{Found, MadeShown, two_lights_chart},
         headlines,
@@ -19,7 +19,7 @@ use crate::{
     color::{Adaptation, Swatch},
     study::products::TwoLights,
     ui::{
-        kit::{Choice, Chooser, Row, headline, lights, scrolled, two_columns},
+        kit::{Choice, Chooser, Row, adapt_box, headline, lights, scrolled, two_columns},
         pages::PageContext,
         patches_view::set_choice,
     },
@@ -71,8 +71,7 @@ impl TwoLightsView {
         headline(ui, context.theme, headlines::two_lights(sheet));
         head(ui, context);
         if let Some(ask) = &pairs_ask(context) {
-            let job = context.studies.job();
-            job.put(ask, context.wake);
+            context.put(ask);
         }
         let shown = &*self.shown.get((revision, theme), |_| {
             let of_all = |both: &Option<TwoLights>| {
@@ -178,16 +177,8 @@ fn head(ui: &mut Ui, context: &mut PageContext<'_>) {
             width: 128.0 * context.theme.scale,
         };
         set_choice(ui, choice, context.app, context.commands);
-        let mut adapt = document.view.adapt_patches;
-        let response = ui.checkbox(&mut adapt, "Adapt").on_hover_text(
-            "Shows each half as an eye adapted to its light sees it (Bradford). It changes the \
-             colours on screen, not the figures.",
-        );
-        if response.changed() {
-            context.commands.push(Command::View(View {
-                adapt_patches: adapt,
-                ..document.view
-            }));
-        }
+        let meaning = "Shows each half as an eye adapted to its light sees it (Bradford). It \
+                       changes the colours on screen, not the figures.";
+        adapt_box(ui, context.app, ("Adapt", meaning), context.commands);
     });
 }
