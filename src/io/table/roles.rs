@@ -12,8 +12,8 @@ use crate::io::text::words::{holds, without_brackets};
 pub(crate) struct LeftOut {
     /// Its place, from 0.
     pub column: usize,
-    /// What it is instead.
-    why: &'static str,
+    /// What it is instead, and what became of it.
+    pub why: &'static str,
 }
 
 /// What is said of wavelengths that nothing stands under.
@@ -84,7 +84,6 @@ pub(crate) fn value_columns(
     axes: &[usize],
 ) -> (Vec<usize>, Vec<LeftOut>) {
     let (mut values, mut left_out) = (Vec::new(), Vec::new());
-    let mut spreads = Vec::new();
     let raw_beside = beside_processed(titles, wavelength);
     for column in (0..block.width).filter(|c| axes.binary_search(c).is_err()) {
         let stats = &block.columns[column];
@@ -101,7 +100,7 @@ pub(crate) fn value_columns(
         } else if title.is_empty() && is_setting(block, column, wavelength) {
             leave_out("holds whole numbers below zero throughout, a setting, and was left out");
         } else if is_spread(&title) {
-            spreads.push(column);
+            values.push(column);
         } else if names_axis_beside(&title, titles, wavelength)
             || holds(&title.to_lowercase(), "raman shift")
         {
@@ -112,20 +111,8 @@ pub(crate) fn value_columns(
             values.push(column);
         }
     }
-    if values.is_empty() {
-        values = spreads;
-    } else {
-        let spread = LeftOut::for_being("is a spread and was left out");
-        left_out.extend(spreads.into_iter().map(spread));
-    }
-    let (beside, others): (Vec<usize>, Vec<usize>) = values
-        .iter()
-        .partition(|column| is_beside(titles, **column, &values));
-    if !others.is_empty() {
-        let no_spectrum = LeftOut::for_being("is no spectrum by its title and was left out");
-        left_out.extend(beside.into_iter().map(no_spectrum));
-        values = others;
-    }
+    let (mut values, others) = by_titles(|column| titles.whole(column), values);
+    left_out.extend(others);
     // "AxisUnit = nm" above the values is no second axis: there is nothing else that they could be.
     if values.is_empty() {
         let second_axis = |column: &usize| {
@@ -147,21 +134,43 @@ pub(crate) fn value_columns(
     (values, left_out)
 }
 
+/// Those of some columns that are spectra by their titles, and why the others are none: spreads and
+/// what was noted beside each point, unless there is nothing else.
+pub(crate) fn by_titles(
+    title: impl Fn(usize) -> String,
+    columns: Vec<usize>,
+) -> (Vec<usize>, Vec<LeftOut>) {
+    let mut left_out = Vec::new();
+    let mut without = |columns: Vec<usize>, is_out: &dyn Fn(usize, &[usize]) -> bool, why| {
+        let (out, kept): (Vec<usize>, Vec<usize>) = columns
+            .iter()
+            .partition(|column| is_out(**column, &columns));
+        if kept.is_empty() {
+            return columns;
+        }
+        left_out.extend(out.into_iter().map(LeftOut::for_being(why)));
+        kept
+    };
+    let spread = |column, _: &[usize]| is_spread(&title(column));
+    let columns = without(columns, &spread, "is a spread and was left out");
+    let beside = |column, all: &[usize]| is_beside(&title, column, all);
+    let why = "is no spectrum by its title and was left out";
+    (without(columns, &beside, why), left_out)
+}
+
 /// Whether a column holds what was noted beside each point, by a word of its title that is no
 /// other's: days may be what several spectra are called by.
-fn is_beside(titles: &Titles, column: usize, values: &[usize]) -> bool {
+fn is_beside(title: &impl Fn(usize) -> String, column: usize, values: &[usize]) -> bool {
     const OF_POINTS: [&str; 3] = ["|flag|", "|id|", "|pixel|"];
-    let lower = |column: usize| titles.whole(column).to_lowercase();
+    let lower = |column: usize| title(column).to_lowercase();
     let title = lower(column);
     let has_figure = title.contains(|c: char| c.is_ascii_digit());
     let mut words = BESIDE.iter().chain(&OF_POINTS);
     let Some(word) = words.find(|word| holds(&title, word)) else {
         return false;
     };
-    let others = values.iter().filter(|other| **other != column);
-    !has_figure
-        && kind_of_title(&title).is_none()
-        && !others.clone().any(|c| holds(&lower(*c), word))
+    let mut others = values.iter().filter(|other| **other != column);
+    !has_figure && kind_of_title(&title).is_none() && !others.any(|c| holds(&lower(*c), word))
 }
 
 /// Whether a column holds a setting of each point, such as the range of an amplifier: whole numbers

@@ -15,13 +15,16 @@ mod keys;
 mod lists;
 mod range;
 
+use std::collections::BTreeSet;
+
 use crate::io::decode::json_tree::{Object, Tree};
 use crate::io::error::kept;
 use crate::io::interpret::heading::Heading;
 use crate::io::interpret::raw::{RawSpectrum, Scale};
 use crate::io::interpret::{interpret, kinds};
+use crate::io::table::roles;
 use crate::io::text::number;
-use crate::io::{Input, ReadError, Reading};
+use crate::io::{Input, ReadError, Reading, quoted};
 use keys::{NAMES, NO_NAMES, spaced};
 use lists::{Column, Lists, of_keys, of_lists, of_points, of_rows};
 
@@ -45,8 +48,13 @@ pub(super) fn read(input: &Input, value: &Tree, reading: &mut Reading) -> Result
         words: Vec::new(),
         bytes: 0,
         bytes_read: 0,
+        left_out: BTreeSet::new(),
     };
-    finder.look(value, DEPTH)
+    finder.look(value, DEPTH)?;
+    let left_out = std::mem::take(&mut finder.left_out).into_iter();
+    let said = left_out.map(|(title, why)| format!("{} {why}", quoted(&title)));
+    reading.notes.extend(said);
+    Ok(())
 }
 
 /// Looks for tables and adds their spectra.
@@ -59,6 +67,8 @@ struct Finder<'i, 'f, 'r> {
     bytes: usize,
     /// Of words read with tables so far.
     bytes_read: usize,
+    /// Keys above lists that are no spectra, and why.
+    left_out: BTreeSet<(String, &'static str)>,
 }
 
 impl Finder<'_, '_, '_> {
@@ -130,7 +140,16 @@ impl Finder<'_, '_, '_> {
         self.bytes = bytes;
     }
 
-    fn add(&mut self, lists: Lists) -> Result<(), ReadError> {
+    fn add(&mut self, mut lists: Lists) -> Result<(), ReadError> {
+        let title = |column: usize| spaced(lists.columns[column].title);
+        let (_, left_out) = roles::by_titles(title, (0..lists.columns.len()).collect());
+        for other in left_out.iter().rev() {
+            let column = lists.columns.remove(other.column);
+            if self.left_out.len() < MOST_WORDS {
+                self.left_out
+                    .insert((kept(column.title).to_owned(), other.why));
+            }
+        }
         self.bytes_read += self.bytes;
         let most_read = MOST_BYTES_READ + 2 * self.input.bytes.len();
         let lines: Vec<(usize, &str)> = if self.bytes_read <= most_read {
