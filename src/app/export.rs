@@ -296,9 +296,21 @@ fn columns(app: &App) -> Columns {
 }
 
 /// Comment lines that begin every table.
-fn table_head(app: &App) -> String {
-    let mut out = String::new();
-    for (key, value) in provenance(app).of(&app.document().subject_entry().spectrum) {
+pub(super) fn table_head(app: &App) -> String {
+    comments(
+        &provenance(app),
+        &app.document().subject_entry().spectrum,
+        String::new(),
+    )
+}
+
+/// What is said of a spectrum as comment lines, behind others.
+pub(super) fn comments(
+    provenance: &Provenance,
+    spectrum: &NamedSpectrum,
+    mut out: String,
+) -> String {
+    for (key, value) in provenance.of(spectrum) {
         // Writing to a String cannot fail.
         let _ = writeln!(out, "# {key}: {value}");
     }

@@ -12,8 +12,8 @@ use std::fmt::Write as _;
 use serde_json::{Value, json};
 
 use super::{
-    cells::{self, words},
-    export::provenance,
+    cells::{line, number, words},
+    export::{comments, provenance},
     products::{KnownLines, Link, ModelledLight},
     report::settings_json,
     state::App,
@@ -96,18 +96,18 @@ pub fn stages_csv(app: &App, told: &Told, chain: &[Link]) -> String {
                passes: [Option<f64>; 2],
                colours: &Colours,
                forming: [Option<f64>; 3]| {
-        let y = |xyz: Xyz| number_cell(scaled(passage, xyz).map(|(xyz, _)| xyz.y));
+        let y = |xyz: Xyz| number(scaled(passage, xyz).map(|(xyz, _)| xyz.y));
         let mut cells = vec![
             stage.to_string(),
             words(name),
-            number_cell(link.map(|l| l.thickness)),
-            number_cell(link.map(|l| f64::from(l.bounces))),
+            number(link.map(|l| l.thickness)),
+            number(link.map(|l| f64::from(l.bounces))),
         ];
-        cells.extend(passes.map(number_cell));
+        cells.extend(passes.map(number));
         cells.extend([y(colours.exact), y(colours.model)]);
-        cells.extend([colours.delta_e_2000, colours.luminance_error].map(number_cell));
-        cells.extend(forming.map(number_cell));
-        cells::line(cells)
+        cells.extend([colours.delta_e_2000, colours.luminance_error].map(number));
+        cells.extend(forming.map(number));
+        line(cells)
     };
     let light = app.document().light.name();
     let none = [None; 3];
@@ -136,25 +136,19 @@ pub fn spikes_csv(app: &App, stage: &str, spikes: &[Spike], known: &KnownLines) 
     let _ = writeln!(out, "# behind: {}", one_line(stage));
     out.push_str("place nm,weight,name\n");
     for spike in spikes {
-        out += &cells::line([
-            number_cell(Some(spike.at_nm)),
-            number_cell(Some(spike.weight)),
+        out += &line([
+            number(spike.at_nm),
+            number(spike.weight),
             words(known.safe(spike.at_nm).unwrap_or_default()),
         ]);
     }
     out
 }
 
-fn number_cell(value: Option<f64>) -> String {
-    cells::number(value)
-}
-
 /// Comments over a table: the light, its source and how products are formed.
 fn csv_head(app: &App) -> String {
-    let mut out = String::new();
-    for (key, value) in provenance(app).of(&app.document().light.spectrum) {
-        let _ = writeln!(out, "# {key}: {value}");
-    }
+    let light = &app.document().light.spectrum;
+    let mut out = comments(&provenance(app), light, String::new());
     let way = app.document().settings.sampling.word();
     let _ = writeln!(out, "# products: {way}");
     out

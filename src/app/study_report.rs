@@ -101,12 +101,10 @@ fn head(app: &App, about: &About, title: &str, more: &str) -> String {
         ),
         ..export::provenance(app)
     };
-    let mut out = format!("# title: {title}\n");
-    for (key, value) in provenance.of(&app.document().subject_entry().spectrum) {
+    let spectrum = &app.document().subject_entry().spectrum;
+    let mut out = export::comments(&provenance, spectrum, format!("# title: {title}\n"));
+    for note in &spectrum.notes {
         // Writing to a String cannot fail.
-        let _ = writeln!(out, "# {key}: {value}");
-    }
-    for note in &app.document().subject_entry().spectrum.notes {
         let _ = writeln!(out, "# note: {}", one_line(note));
     }
     out

@@ -109,23 +109,16 @@ impl Axis {
     /// About `target` round numbers in the range, and how they are written.
     pub fn ticks(&self, target: usize) -> (Vec<f64>, Vec<String>) {
         let [low, high] = self.range;
-        match self.scale {
-            Scale::Linear => {
-                let ticks = nice_ticks(low, high, target);
-                let labels = tick_labels(&ticks);
-                (ticks, labels)
-            }
-            Scale::Root => {
-                let ticks = root_ticks(low, high, target);
-                let labels = ticks.iter().copied().map(short).collect();
-                (ticks, labels)
-            }
-            Scale::Log10 => {
-                let ticks = log_ticks(low, high, target);
-                let labels = ticks.iter().copied().map(short).collect();
-                (ticks, labels)
-            }
-        }
+        let ticks = match self.scale {
+            Scale::Linear => nice_ticks(low, high, target),
+            Scale::Root => root_ticks(low, high, target),
+            Scale::Log10 => log_ticks(low, high, target),
+        };
+        let labels = match self.scale {
+            Scale::Linear => tick_labels(&ticks),
+            Scale::Root | Scale::Log10 => ticks.iter().copied().map(short).collect(),
+        };
+        (ticks, labels)
     }
 }
 

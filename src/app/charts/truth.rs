@@ -3,8 +3,8 @@
 use crate::{
     app::{
         chart::Inks,
-        chart::{Chart, Dash, Rgb, Scale, Series, Shape, Theme},
-        charts::spectrum::provenance,
+        chart::{Chart, Dash, Rgb, Scale, Series, Shape, Theme, stroke},
+        charts::spectrum::of_subject,
         state::App,
         studies::paper::{CHANNELS, Claims},
     },
@@ -65,7 +65,7 @@ pub fn neglected_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart
         y_range: Some(NEGLECTED_PERCENT),
         y_scale: Scale::Log10,
         series,
-        notes: notes(app),
+        notes: of_subject(app),
         theme,
         ..Chart::default()
     })
@@ -108,7 +108,7 @@ pub fn samples_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
         x_scale: Scale::Log10,
         y_scale: Scale::Log10,
         series,
-        notes: notes(app),
+        notes: of_subject(app),
         theme,
         ..Chart::default()
     })
@@ -147,23 +147,13 @@ pub fn table_2_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
     );
     Some(Chart {
         title: "Colour-matching functions and Table 2".to_owned(),
-        x_label: "Wavelength (nm)".to_owned(),
         y_label: "value".to_owned(),
-        x_range: [low, high],
         series,
-        notes: notes(app),
-        theme,
-        ..Chart::default()
+        notes: of_subject(app),
+        ..Chart::over_nm([low, high], theme)
     })
 }
 
 fn thin(name: &str, ink: Rgb, points: Vec<[f64; 2]>, dash: Dash) -> Series {
-    Series::line(name, ink, points).thick(1.3).dashed(dash)
-}
-
-fn notes(app: &App) -> Vec<String> {
-    let entry = app.document().subject_entry();
-    let mut notes = vec![format!("Spectrum: {}", entry.name())];
-    notes.extend(provenance(app));
-    notes
+    stroke(name, ink, points, 1.3, dash)
 }

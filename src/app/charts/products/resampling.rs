@@ -1,13 +1,11 @@
 //! One product formed in every way: curves, what each is off by, and the figures as tables.
 
-use super::{curve, over};
 use crate::{
     app::{
         App, Entry,
         cells::{line, number, words},
-        chart::Inks,
-        chart::{Chart, Dash, Marks, Panel, Rgb, Series, Shape, Theme},
-        charts::spectrum::provenance,
+        chart::{Chart, Dash, Inks, Panel, Rgb, Series, Shape, Theme, stroke},
+        charts::spectrum::{before_provenance, on_grid, over, table_head},
         products::ModelledLight,
         ticks::extent,
     },
@@ -115,7 +113,7 @@ impl Bench {
     /// exact product of the same two series.
     pub fn chart(&self, app: &App, hidden: &[Sampling], theme: Theme) -> Chart {
         let inks = Inks::of(theme);
-        let curve = |values: &[f64]| curve(self.band, values, 1.0);
+        let curve = |values: &[f64]| on_grid(self.band, values, 1.0);
         let mut series = vec![Series::line(
             "measured × measured",
             inks.measured,
@@ -137,11 +135,10 @@ impl Bench {
         }
         series.extend(self.stems(inks));
         let y_range = without_tall_lines(&series);
-        let mut notes = vec![
+        let notes = vec![
             format!("Light: {}. Factor: {}.", self.light, self.factor),
             "Below: way minus the product of the same two series with every order kept.".to_owned(),
         ];
-        notes.extend(provenance(app));
         Chart {
             title: "The product by every way".to_owned(),
             y_label: if y_range.is_some() {
@@ -156,7 +153,7 @@ impl Bench {
                 y_range: None,
                 series: off,
             }),
-            notes,
+            notes: before_provenance(notes, app),
             ..over(self.band, theme)
         }
     }
@@ -182,23 +179,17 @@ impl Bench {
             })
             .collect();
         let tops = spikes.iter().zip(&base).zip(&self.widths_nm);
-        Some(Series::new(
-            "spikes × factor",
-            inks.overlays[1],
-            Marks::Stems {
-                points: tops
-                    .map(|((s, b), width)| [s.at_nm, b + s.stem_height(*width)])
-                    .collect(),
-                base,
-                labels: Vec::new(),
-            },
-        ))
+        let points = tops
+            .map(|((s, b), width)| [s.at_nm, b + s.stem_height(*width)])
+            .collect();
+        let ink = inks.overlays[1];
+        Some(Series::stems("spikes × factor", ink, points, base))
     }
 
     /// The figures as a table; times where they were measured.
     pub fn csv(&self, app: &App, times: Option<&[ProductTime]>) -> String {
         let mut out = self.head(app);
-        let heads = [
+        out += &line([
             "way",
             "points",
             "delta_e_2000_total",
@@ -206,8 +197,7 @@ impl Bench {
             "folded_share",
             "multiplications",
             "ns",
-        ];
-        out += &line(heads.map(str::to_owned));
+        ]);
         for way in &self.resampled.ways {
             let step = &way.step;
             out += &line([
@@ -226,7 +216,7 @@ impl Bench {
     /// Eq. 17 as a table.
     pub fn spikes_csv(&self, app: &App) -> String {
         let mut out = self.head(app);
-        let heads = [
+        out += &line([
             "at_nm",
             "weight",
             "measured",
@@ -236,8 +226,7 @@ impl Bench {
             "series_delta_e_2000",
             "corrected_delta_e_2000",
             "printed_delta_e_2000",
-        ];
-        out += &line(heads.map(str::to_owned));
+        ]);
         for (reading, costs) in &self.spikes.each {
             let values = [
                 reading.spike.at_nm,
@@ -254,11 +243,8 @@ impl Bench {
     }
 
     fn head(&self, app: &App) -> String {
-        let mut out = format!("# light: {}\n# factor: {}\n", self.light, self.factor);
-        for note in provenance(app) {
-            out += &format!("# {note}\n");
-        }
-        out
+        let head = format!("# light: {}\n# factor: {}\n", self.light, self.factor);
+        table_head(head, app)
     }
 }
 
@@ -284,5 +270,5 @@ pub fn time_of(times: Option<&[ProductTime]>, sampling: Sampling) -> Option<&Pro
 
 /// A line of a thickness that leaves room for others.
 pub fn thin(name: &str, ink: Rgb, points: Vec<[f64; 2]>, dash: Dash) -> Series {
-    Series::line(name, ink, points).thick(1.5).dashed(dash)
+    stroke(name, ink, points, 1.5, dash)
 }

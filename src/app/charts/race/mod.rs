@@ -14,7 +14,7 @@ pub use winners::{Lamp, Winners, Won};
 use crate::{
     app::{
         chart::Inks,
-        chart::{Chart, Dash, Marks, Rgb, Scale, Series, Shape, Theme},
+        chart::{Chart, Dash, Rgb, Scale, Series, Shape, Theme, stroke},
         figures::SMALLEST,
         race_report::{field_words, race_notes, row_numbers, wins},
         studies::RaceAsk,
@@ -140,13 +140,9 @@ pub fn error_chart(
             continue;
         }
         let (colour, dash, shape) = looks(*racer, inks);
-        let marks = Marks::Line {
-            points: points.clone(),
-            width: if *racer == Racer::Chosen { 2.4 } else { 1.5 },
-            dash,
-        };
+        let width = if *racer == Racer::Chosen { 2.4 } else { 1.5 };
         // The points have the name: their forms tell more apart than dashes do.
-        lines.push(Series::new("", colour, marks));
+        lines.push(stroke("", colour, points.clone(), width, dash));
         let points = Series::points(short_name(*racer), colour, shape, points);
         dots.push(points.with_notes(notes));
     }

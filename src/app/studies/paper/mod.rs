@@ -10,7 +10,6 @@ mod rows;
 mod table;
 
 pub use row::{Row, Verdict, delta_e, figure, off_percent, percent, three};
-pub use rows::count;
 pub use table::{truth_csv, truth_table};
 
 use crate::{
