@@ -5,7 +5,7 @@
 
 use std::{
     collections::VecDeque,
-    path::{Path, PathBuf},
+    path::PathBuf,
     sync::{
         Arc, Mutex, PoisonError,
         atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering},
@@ -20,6 +20,7 @@ use super::{
     folders::{self, Listed},
     load_path,
     summary::{FileRow, Summary},
+    unshaken,
 };
 use crate::app::opened::Opened;
 
@@ -327,7 +328,7 @@ fn come(file: &Listed, kept: &AtomicU64) -> Came {
         let words = "the files before it fill 2 GiB of memory; open it by itself";
         return Came::NotRead(words.to_owned());
     }
-    let loaded = load_unshaken(&file.path);
+    let loaded = unshaken(file.path.display(), || load_path(&file.path));
     match &loaded {
         Loaded::File(opened) => {
             kept.fetch_add(memory_of(opened), Ordering::Relaxed);
@@ -340,16 +341,6 @@ fn come(file: &Listed, kept: &AtomicU64) -> Came {
         Loaded::Project { .. } | Loaded::Refused(_) => {}
     }
     Came::Loaded(loaded)
-}
-
-/// A panic in a reader must neither stop the others nor leave the window waiting for ever.
-fn load_unshaken(path: &Path) -> Loaded {
-    std::panic::catch_unwind(|| load_path(path)).unwrap_or_else(|_| {
-        Loaded::Refused(format!(
-            "{}: the reader failed on this file",
-            path.display()
-        ))
-    })
 }
 
 /// About what a file takes of memory once it is read, bytes.
