@@ -8,6 +8,9 @@ use super::{
 /// Numbers that are too large to subtract from one another are not drawn.
 const LARGEST: f64 = 1e300;
 
+/// The range of no data: it becomes a usual one when it is made sound.
+pub(super) const NOTHING: [f64; 2] = [f64::NAN; 2];
+
 /// A range that can be divided by: finite, rising, and not empty.
 pub(super) fn sound_range(range: [f64; 2], scale: Scale) -> [f64; 2] {
     let [mut low, mut high] = range.map(|end| end.clamp(-LARGEST, LARGEST));
@@ -154,8 +157,7 @@ fn fitted_range(series: &[Series], scale: Scale) -> [f64; 2] {
     match (extent(heights.filter(usable)), scale) {
         // A heat map fills its panel.
         (Some(range), _) if series.iter().any(is_map) => range,
-        (None, Scale::Linear | Scale::Root) => [0.0, 1.0],
-        (None, Scale::Log10) => [0.1, 10.0],
+        (None, _) => NOTHING,
         (Some([low, high]), scale @ (Scale::Linear | Scale::Root)) => {
             let air = (high - low) * 0.05;
             let foot = if low == 0.0 { 0.0 } else { low - air };

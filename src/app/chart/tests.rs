@@ -33,18 +33,15 @@ fn texts(svg: &str) -> Vec<String> {
     texts.filter_map(|n| n.text().map(str::to_owned)).collect()
 }
 
-fn one(marks: Marks) -> Chart {
+fn of(series: Series) -> Chart {
     Chart {
-        series: vec![Series::new("data", RED, marks)],
+        series: vec![series],
         ..Chart::default()
     }
 }
 
 fn line(points: &[[f64; 2]]) -> Chart {
-    Chart {
-        series: vec![Series::line("data", RED, points.to_vec())],
-        ..Chart::default()
-    }
+    of(Series::line("data", RED, points.to_vec()))
 }
 
 /// Path data of the first thing drawn in the chart's colour, after the legend's sample.
@@ -202,7 +199,7 @@ fn huge_tiny_and_broken_numbers_stay_inside() {
                             x_range: [low, high],
                             y_range,
                             y_scale,
-                            ..one(marks.clone())
+                            ..of(Series::new("data", RED, marks.clone()))
                         });
                     }
                 }
@@ -227,11 +224,8 @@ fn a_broken_point_breaks_the_line() {
 fn labels_of_close_stems_do_not_cover_each_other() {
     let points: Vec<[f64; 2]> = (0..30).map(|i| [f64::from(i) / 300.0, 0.5]).collect();
     let labels = (0..30).map(|i| format!("line {i}")).collect();
-    let svg = checked(&one(Marks::Stems {
-        points,
-        base: vec![],
-        labels,
-    }));
+    let stems = Series::stems("data", RED, points, vec![]);
+    let svg = checked(&of(stems.labelled(labels)));
     let written = texts(&svg).iter().filter(|t| t.starts_with("line")).count();
     assert!((1..30).contains(&written), "{written} labels");
     // All thirty are there as tooltips.
@@ -326,7 +320,7 @@ fn heat_maps_of_odd_numbers_stay_inside() {
                 checked(&Chart {
                     x_scale: scale,
                     y_scale: scale,
-                    ..one(Marks::Cells { cells })
+                    ..of(Series::cells("data", cells))
                 });
             }
         }
@@ -381,19 +375,13 @@ fn forms_and_dashes_tell_series_apart_without_colour() {
     let point = vec![[0.5, 0.5]];
     let mut seen = std::collections::BTreeSet::new();
     for shape in Shape::ALL {
-        let chart = Chart {
-            series: vec![Series::points("data", RED, shape, point.clone())],
-            ..Chart::default()
-        };
-        seen.insert(checked(&chart));
+        let points = Series::points("data", RED, shape, point.clone());
+        seen.insert(checked(&of(points)));
     }
     for dash in [Dash::Solid, Dash::Dashed, Dash::Dotted] {
         let points = vec![[0.0, 0.0], [1.0, 1.0]];
-        let chart = Chart {
-            series: vec![Series::line("data", RED, points).dashed(dash)],
-            ..Chart::default()
-        };
-        seen.insert(checked(&chart));
+        let line = Series::line("data", RED, points).dashed(dash);
+        seen.insert(checked(&of(line)));
     }
     assert_eq!(seen.len(), 9);
 }
@@ -443,15 +431,7 @@ fn series_with_places_of_their_own_stand_below_one_another() {
         y_label: "=error".into(),
         series: vec![
             Series::line("a", RED, vec![[1.0, 2.0]]),
-            Series::new(
-                "b",
-                RED,
-                Marks::Stems {
-                    points: vec![[1.5, 3.0]],
-                    base: vec![0.5],
-                    labels: vec![],
-                },
-            ),
+            Series::stems("b", RED, vec![[1.5, 3.0]], vec![0.5]),
         ],
         ..Chart::default()
     };

@@ -65,7 +65,7 @@ pub fn colour_chart(sheet: &ColourSheet, theme: Theme) -> Chart {
         title: "Surfaces that have the colour".to_owned(),
         y_label: "Reflectance".to_owned(),
         y_range: Some(ends),
-        colours: strip(BAND, theme).unwrap_or_default(),
+        colours: strip(BAND, theme),
         strip: true,
         residual: sheet
             .lines

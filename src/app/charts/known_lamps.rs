@@ -4,6 +4,7 @@
 use crate::{
     app::{
         chart::{Chart, Dash, Inks, Panel, Scale, Series, Theme, curve},
+        derived::less,
         studies::EncodedLight,
     },
     color::srgb_of_fill,
@@ -34,12 +35,7 @@ pub fn words_chart(name: &str, found: &EncodedLight, theme: Theme) -> Chart {
     }
     let decoded = points(&found.decoded);
     series.push(Series::line("from the words", inks.model, decoded));
-    let off: Vec<f64> = found
-        .decoded
-        .iter()
-        .zip(&found.measured)
-        .map(|(d, m)| d - m)
-        .collect();
+    let off = less(&found.decoded, &found.measured);
     Chart {
         title: format!("{name} in {} numbers", found.encoded.words.len()),
         x_label: "Wavelength, nm".to_owned(),

@@ -276,21 +276,27 @@ fn overlay(app: &App, entry: &Entry, index: usize, inks: Inks) -> Series {
     series
 }
 
-/// Spikes as stems on a smooth curve.
-fn stems(app: &App, (name, colour): (&str, Rgb), spikes: &[Spike], smooth: &[f64]) -> Series {
-    let (factor, band) = (app.scale_factor(), app.derived().band);
-    let base: Vec<f64> = spikes
-        .iter()
-        .map(|s| factor * band.interpolate(smooth, s.at_nm))
-        .collect();
-    let tips = spikes.iter().zip(&base);
-    let points = tips
-        .enumerate()
-        .map(|(i, (s, base))| {
-            let width = app.derived().parts.stem_width_nm(i);
-            [s.at_nm, base + factor * s.stem_height(width)]
-        })
-        .collect();
+/// Spikes of the model as stems on a smooth curve.
+fn stems(app: &App, looks: (&str, Rgb), spikes: &[Spike], smooth: &[f64]) -> Series {
+    let derived = app.derived();
+    let smooth = (derived.band, smooth, app.scale_factor());
+    spike_stems(looks, spikes, smooth, |i| derived.parts.stem_width_nm(i))
+}
+
+/// Spikes as stems on a smooth curve, each as high as a line of the width that it is drawn with;
+/// all times a factor.
+pub(super) fn spike_stems(
+    (name, colour): (&str, Rgb),
+    spikes: &[Spike],
+    (band, smooth, factor): (Band, &[f64], f64),
+    width_nm: impl Fn(usize) -> f64,
+) -> Series {
+    let stem = |(i, spike): (usize, &Spike)| {
+        let base = factor * band.interpolate(smooth, spike.at_nm);
+        let tip = base + factor * spike.stem_height(width_nm(i));
+        ([spike.at_nm, tip], base)
+    };
+    let (points, base) = spikes.iter().enumerate().map(stem).unzip();
     Series::stems(name, colour, points, base)
 }
 

@@ -162,15 +162,7 @@ impl Loader {
             let _ = sender.send(Event::End);
             wake();
         });
-        self.running = Some(Running {
-            events,
-            watch,
-            named,
-            listed: None,
-            came: Vec::new(),
-            done: 0,
-            ended: false,
-        });
+        self.running = Some(Running::new(events, watch, named));
     }
 
     /// Whether files are being read.
@@ -220,6 +212,18 @@ impl Drop for Loader {
 }
 
 impl Running {
+    fn new(events: Receiver<Event>, watch: Arc<Watch>, named: Vec<PathBuf>) -> Self {
+        Self {
+            events,
+            watch,
+            named,
+            listed: None,
+            came: Vec::new(),
+            done: 0,
+            ended: false,
+        }
+    }
+
     fn take_in(&mut self) {
         loop {
             match self.events.try_recv() {
@@ -250,13 +254,8 @@ impl Running {
         // Cancelled while folders were looked through: what was named stands for what was in it.
         let listed = self.listed.unwrap_or_else(|| {
             let all = self.named.iter();
-            all.map(|path| Listed {
-                label: path.display().to_string(),
-                path: path.clone(),
-                in_folder: false,
-                refused: None,
-            })
-            .collect()
+            all.map(|path| Listed::named(path.display().to_string(), path))
+                .collect()
         });
         let came = self.came.into_iter().chain(std::iter::repeat_with(|| None));
         let files = listed.into_iter().zip(came).map(|(listed, came)| FileRead {
@@ -277,15 +276,7 @@ pub fn read_all(paths: &[PathBuf]) -> Finished {
     let (sender, events) = channel();
     work(paths, &Watch::default(), &sender);
     drop(sender);
-    let mut running = Running {
-        events,
-        watch: Arc::default(),
-        named: paths.to_vec(),
-        listed: None,
-        came: Vec::new(),
-        done: 0,
-        ended: false,
-    };
+    let mut running = Running::new(events, Arc::default(), paths.to_vec());
     running.take_in();
     running.into_finished()
 }

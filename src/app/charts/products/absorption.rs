@@ -4,7 +4,7 @@ use crate::{
     app::{
         cells::{line, number, words},
         chart::{Chart, Dash, Inks, Rgb, Series, Theme, stroke},
-        charts::spectrum::{of_subject, on_grid, over, unit_or_value},
+        charts::spectrum::{of_subject, on_grid, over, spike_stems, unit_or_value},
         export,
         product_report::Told,
         products::ModelledLight,
@@ -160,31 +160,18 @@ pub fn absorption_chart(app: &App, dips: &[DipRow], theme: Theme) -> Chart {
         Series::line("measured", inks.measured, curve(&derived.measured)),
         Series::line("smooth part", inks.smooth, curve(&derived.smooth)),
     ];
-    let stem = |spike: &Spike| {
-        let base = factor * band.interpolate(&derived.smooth, spike.at_nm);
-        let width_nm = derived.stem_width_at(spike.at_nm);
-        (base, base + factor * spike.stem_height(width_nm))
-    };
-    let mut stems = |name: &str, ink: Rgb, all: Vec<(Spike, String, String)>| {
-        if all.is_empty() {
-            return;
-        }
-        let ends: Vec<(f64, f64)> = all.iter().map(|(spike, ..)| stem(spike)).collect();
-        let places = all.iter().zip(&ends);
-        let points = places.map(|((s, ..), (_, tip))| [s.at_nm, *tip]).collect();
-        let stems = Series::stems(name, ink, points, ends.iter().map(|end| end.0).collect());
-        let (labels, notes) = all
-            .into_iter()
-            .map(|(_, label, note)| (label, note))
-            .unzip();
-        series.push(stems.labelled(labels).with_notes(notes));
+    let stems = |name: &str, ink: Rgb, spikes: &[Spike]| {
+        let width_nm = |i: usize| derived.stem_width_at(spikes[i].at_nm);
+        let smooth = (band, &derived.smooth[..], factor);
+        spike_stems((name, ink), spikes, smooth, width_nm)
     };
     let lines = derived.model.spikes.iter().filter(|s| s.weight >= 0.0);
-    stems(
-        "spikes",
-        inks.spikes,
-        lines.map(|s| (*s, String::new(), String::new())).collect(),
-    );
+    let lines: Vec<Spike> = lines.copied().collect();
+    if !lines.is_empty() {
+        let none = vec![String::new(); lines.len()];
+        let lines = stems("spikes", inks.spikes, &lines);
+        series.push(lines.labelled(none.clone()).with_notes(none));
+    }
     let told = |dip: &DipRow| {
         let label = dip.name.clone();
         let label = label.unwrap_or_else(|| format!("{:.1}", dip.spike.at_nm));
@@ -192,14 +179,19 @@ pub fn absorption_chart(app: &App, dips: &[DipRow], theme: Theme) -> Chart {
             Some(depth) => format!("{label}: {:.1} % deep", 100.0 * depth),
             None => label.clone(),
         };
-        (dip.spike, label, note)
+        (label, note)
     };
-    stems("dark lines", inks.product, dips.iter().map(told).collect());
+    if !dips.is_empty() {
+        let spikes: Vec<Spike> = dips.iter().map(|dip| dip.spike).collect();
+        let (labels, notes) = dips.iter().map(told).unzip();
+        let stems = stems("dark lines", inks.product, &spikes);
+        series.push(stems.labelled(labels).with_notes(notes));
+    }
     Chart {
         title: format!("Absorption: {}", document.subject_entry().name()),
         y_label: unit_or_value(app.unit()),
         series,
-        colours: strip(band, theme).unwrap_or_default(),
+        colours: strip(band, theme),
         strip: true,
         notes: of_subject(app),
         ..over(band, theme)

@@ -3,7 +3,7 @@
 use crate::{
     app::{
         chart::{Chart, Inks, Rgb, Series, Theme},
-        charts::spectrum::{before_provenance, on_grid, over, unit_or_value},
+        charts::spectrum::{before_provenance, on_grid, over, spike_stems, unit_or_value},
         product_report::Told,
         products::ModelledLight,
         state::App,
@@ -110,49 +110,37 @@ impl ChainSheet {
             ("negative spikes", inks.product, down),
         ] {
             if !spikes.is_empty() {
-                let base = |nm| factor * band.interpolate(smooth, nm);
-                let height = |s: &Spike| factor * s.stem_height(derived.stem_width_at(s.at_nm));
-                series.push(self.stems((name, ink), &spikes, base, height, factor));
+                series.push(self.stems((name, ink), &spikes, smooth, factor));
             }
         }
         Chart {
             title,
             y_label: unit_or_value(&document.scale.unit(&light.spectrum)),
             series,
-            colours: strip(band, theme).unwrap_or_default(),
+            colours: strip(band, theme),
             strip: true,
             notes: before_provenance(notes, app),
             ..over(band, theme)
         }
     }
 
-    /// Stems of a height over a base, with what is told of each.
-    fn stems(
-        &self,
-        (name, ink): (&str, Rgb),
-        spikes: &[Spike],
-        base: impl Fn(f64) -> f64,
-        height: impl Fn(&Spike) -> f64,
-        factor: f64,
-    ) -> Series {
+    /// Stems on the smooth part, with what is told of each.
+    fn stems(&self, looks: (&str, Rgb), spikes: &[Spike], smooth: &[f64], factor: f64) -> Series {
         let label = |s: &Spike| match self.told.known.safe(s.at_nm) {
             Some(name) => name.to_owned(),
             None => format!("{:.1}", s.at_nm),
         };
         let labels: Vec<String> = spikes.iter().map(label).collect();
-        let base: Vec<f64> = spikes.iter().map(|s| base(s.at_nm)).collect();
         let notes = spikes
             .iter()
             .zip(&labels)
             .map(|(s, label)| format!("{label}: weight {}", short(factor * s.weight)))
             .collect();
-        let points = spikes
-            .iter()
-            .zip(&base)
-            .map(|(s, b)| [s.at_nm, b + height(s)])
-            .collect();
-        let stems = Series::stems(name, ink, points, base);
-        stems.labelled(labels).with_notes(notes)
+        let derived = &self.light.derived;
+        let width_nm = |i: usize| derived.stem_width_at(spikes[i].at_nm);
+        spike_stems(looks, spikes, (derived.band, smooth, factor), width_nm)
+            .labelled(labels)
+            .with_notes(notes)
     }
 }
 
@@ -172,17 +160,17 @@ fn small_curves(exact: &[f64], smooth: &[f64]) -> [Vec<f32>; 2] {
     [heights(exact), heights(smooth)]
 }
 
-/// The colours of the wavelengths along the axis, where there are any.
-pub fn strip(band: Band, theme: Theme) -> Option<Vec<Rgb>> {
+/// The colours of the wavelengths along the axis; none where the range shows none.
+pub fn strip(band: Band, theme: Theme) -> Vec<Rgb> {
+    if band.min_nm() >= 830.0 || band.max_nm() <= 360.0 {
+        return Vec::new();
+    }
     let ground = match theme {
         Theme::Dark => Srgb([27, 27, 27]),
         Theme::Light => Srgb([255, 255, 255]),
     };
-    let has_colour = band.min_nm() < 830.0 && band.max_nm() > 360.0;
-    has_colour.then(|| {
-        let colours = band.grid();
-        colours
-            .map(|nm| srgb_from_wavelength_over(nm, ground).0)
-            .collect()
-    })
+    let colours = band.grid();
+    colours
+        .map(|nm| srgb_from_wavelength_over(nm, ground).0)
+        .collect()
 }

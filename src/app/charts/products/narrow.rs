@@ -9,7 +9,9 @@ use crate::{
         App, Entry,
         cells::{line, number, words},
         chart::{Chart, Dash, Inks, Rgb, Scale, Series, Shape, Theme},
-        charts::spectrum::{before_provenance, on_grid, over, table_head, unit_or_value},
+        charts::spectrum::{
+            before_provenance, on_grid, over, spike_stems, table_head, unit_or_value,
+        },
         made::is_made,
         products::ModelledLight,
         ticks::extent,
@@ -215,24 +217,15 @@ impl Behind {
         let curve = |values: &[f64]| on_grid(band, values, 1.0);
         let smooth = derived.model.smooth.on_band();
         let spikes = &derived.model.spikes;
-        let base: Vec<f64> = spikes
-            .iter()
-            .map(|s| band.interpolate(&smooth, s.at_nm))
-            .collect();
-        let tops: Vec<[f64; 2]> = spikes
-            .iter()
-            .zip(&base)
-            .enumerate()
-            .map(|(i, (s, b))| {
-                let width = derived.parts.stem_width_nm(i);
-                [s.at_nm, b + s.stem_height(width)]
-            })
-            .collect();
+        let looks = ("spikes", inks.spikes);
+        let stems = spike_stems(looks, spikes, (band, &smooth, 1.0), |i| {
+            derived.parts.stem_width_nm(i)
+        });
         let highest = derived
             .measured
             .iter()
             .copied()
-            .chain(tops.iter().map(|top| top[1]))
+            .chain(stems.marks.points().iter().map(|top| top[1]))
             .filter(|v| v.is_finite())
             .fold(0.0, f64::max);
         let unit = if highest > 0.0 { highest } else { 1.0 };
@@ -259,14 +252,14 @@ impl Behind {
             ),
             thin("smooth part", inks.smooth, curve(&smooth), Dash::Dashed),
         ];
-        if !tops.is_empty() {
-            series.push(Series::stems("spikes", inks.spikes, tops, base));
+        if !spikes.is_empty() {
+            series.push(stems);
         }
         Chart {
             title: "The light and the filter over it".to_owned(),
             y_label: unit_or_value(&app.document().light.spectrum.unit),
             series,
-            colours: strip(band, theme).unwrap_or_default(),
+            colours: strip(band, theme),
             strip: true,
             notes: self.notes(app),
             ..over(band, theme)

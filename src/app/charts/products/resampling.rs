@@ -5,7 +5,8 @@ use crate::{
         App, Entry,
         cells::{line, number, words},
         chart::{Chart, Dash, Inks, Panel, Rgb, Series, Shape, Theme, stroke},
-        charts::spectrum::{before_provenance, on_grid, over, table_head},
+        charts::spectrum::{before_provenance, on_grid, over, spike_stems, table_head},
+        derived::less,
         products::ModelledLight,
         ticks::extent,
     },
@@ -124,13 +125,7 @@ impl Bench {
             let (ink, dash, _) = way_looks(way.sampling, inks);
             let name = way_name(way.sampling);
             series.push(thin(name, ink, curve(&way.step.smooth), dash));
-            let differences: Vec<f64> = way
-                .step
-                .smooth
-                .iter()
-                .zip(&self.resampled.series_product)
-                .map(|(way, exact)| way - exact)
-                .collect();
+            let differences = less(&way.step.smooth, &self.resampled.series_product);
             off.push(thin(name, ink, curve(&differences), dash));
         }
         series.extend(self.stems(inks));
@@ -171,19 +166,11 @@ impl Bench {
         if spikes.is_empty() {
             return None;
         }
-        let base: Vec<f64> = spikes
-            .iter()
-            .map(|s| {
-                self.band
-                    .interpolate(&self.resampled.series_product, s.at_nm)
-            })
-            .collect();
-        let tops = spikes.iter().zip(&base).zip(&self.widths_nm);
-        let points = tops
-            .map(|((s, b), width)| [s.at_nm, b + s.stem_height(*width)])
-            .collect();
-        let ink = inks.overlays[1];
-        Some(Series::stems("spikes × factor", ink, points, base))
+        // Only so many have a width.
+        let spikes = &spikes[..spikes.len().min(self.widths_nm.len())];
+        let smooth = (self.band, &self.resampled.series_product[..], 1.0);
+        let looks = ("spikes × factor", inks.overlays[1]);
+        Some(spike_stems(looks, spikes, smooth, |i| self.widths_nm[i]))
     }
 
     /// The figures as a table; times where they were measured.

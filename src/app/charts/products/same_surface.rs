@@ -4,6 +4,7 @@ use crate::{
     app::{
         chart::{Chart, Dash, Inks, Panel, Series, Theme},
         charts::spectrum::{before_provenance, on_grid, over},
+        derived::less,
         products::same_surface::SameSurfaceSheet,
         state::App,
     },
@@ -25,7 +26,7 @@ pub fn same_surface_chart(
         expected,
         found,
     } = compared;
-    let rest: Vec<f64> = found.iter().zip(expected).map(|(f, e)| f - e).collect();
+    let rest = less(found, expected);
     let [light, surface, outgoing] = &sheet.names;
     let told = format!(
         "S1 {light}, S2 {surface}, S3 {outgoing}. Expected is S1 S2 times {:.4}; residual {:.4}.",
