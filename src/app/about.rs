@@ -141,9 +141,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     use super::*;
-    use crate::app::{
-        entry::bundled_entries, library::Library, line_names::ElementLine, spike_names::identified,
-    };
+    use crate::app::{entry::bundled_entries, library::Library, spike_names::identified};
 
     fn about(id: &str) -> About {
         let preset = Library::bundled().find(id).expect(id);
@@ -205,11 +203,11 @@ mod tests {
 
     #[test]
     fn a_sentence_that_counts_mercury_lines_counts_those_that_have_names() {
-        let lines = ElementLine::shipped();
+        let lines = Library::bundled().lines();
         let mut counted = 0;
         for entry in bundled_entries() {
             let told = About::of(&entry);
-            let light = identified(&entry, &lines);
+            let light = identified(&entry, lines);
             let named: BTreeSet<&str> = light.peaks().filter_map(|(_, name)| name).collect();
             let mercury = named.iter().filter(|name| name.contains("Hg ")).count();
             if told.about.starts_with("Four mercury lines") {

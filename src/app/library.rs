@@ -33,6 +33,13 @@ pub struct ElementLine {
     pub strength: Option<f64>,
 }
 
+impl ElementLine {
+    /// Its strength, 0 where unknown.
+    pub fn known_strength(&self) -> f64 {
+        self.strength.unwrap_or(0.0)
+    }
+}
+
 /// Why a name does not stand for one shipped spectrum.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FindError {

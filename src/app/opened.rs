@@ -13,7 +13,7 @@ use crate::{
 };
 
 /// A file that was read.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Opened {
     /// Where it came from; `None` for bytes that were dropped without a path.
     pub path: Option<PathBuf>,
@@ -55,21 +55,10 @@ impl Opened {
             ..result
         };
         Self {
-            path: None,
-            bytes: None,
             file: spectrum.name.clone(),
-            format: "",
-            how: String::new(),
             makers: makers.into_iter().map(of_it).collect(),
             spectra: vec![spectrum],
-            composites: Vec::new(),
-            images: Vec::new(),
-            table: None,
-            understood: Vec::new(),
-            images_understood: Vec::new(),
-            photons: false,
-            guesses: Vec::new(),
-            choices: Choices::default(),
+            ..Self::default()
         }
     }
 

@@ -16,6 +16,7 @@ use super::{
     document::{Document, Subject, WEIGHT_FACTORS, first_light},
     entry::{Entry, bundled_entries},
     history::History,
+    library::Library,
     line_names::{ElementLine, LineName},
     product_view::ProductView,
     spike_hand::{self, SpikeAct},
@@ -34,7 +35,6 @@ use deriving::{TablesFor, make_tables, tables_for};
 #[derive(Clone, Debug)]
 pub struct App {
     bundled: Arc<Vec<Arc<Entry>>>,
-    lines: Arc<Vec<ElementLine>>,
     document: Document,
     history: History,
     /// The command that the present gesture is made of; `None` between gestures.
@@ -87,7 +87,6 @@ impl App {
     }
 
     fn about(bundled: Vec<Arc<Entry>>, document: Document) -> Self {
-        let lines = ElementLine::shipped();
         let mut document = document;
         document.bound_patch();
         let tables_for = tables_for(&document);
@@ -95,7 +94,6 @@ impl App {
         let derived = Arc::new(derive(&document, &tables));
         let mut app = Self {
             bundled: Arc::new(bundled),
-            lines: Arc::new(lines),
             document,
             history: History::default(),
             gesture: None,
@@ -169,8 +167,8 @@ impl App {
     }
 
     /// All atomic lines, for hover.
-    pub fn element_lines(&self) -> &[ElementLine] {
-        &self.lines
+    pub fn element_lines(&self) -> &'static [ElementLine] {
+        Library::bundled().lines()
     }
 
     /// How long the last recomputation took.
@@ -394,7 +392,7 @@ impl App {
         let subject = self.document.subject_entry();
         let is_told = |told: &Arc<Told>| Arc::ptr_eq(&told.of, subject);
         let told = self.told.take().filter(is_told);
-        let told = told.unwrap_or_else(|| Arc::new(Told::of(subject, &self.lines)));
+        let told = told.unwrap_or_else(|| Arc::new(Told::of(subject, self.element_lines())));
         self.names = names_in(&told.light, subject, &self.derived);
         self.told = Some(told);
         self.product = self.document.patch.and_then(|index| {

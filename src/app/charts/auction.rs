@@ -1,6 +1,6 @@
 //! The auction as a chart, as a table and as a model for the document.
 
-use super::tradeoff::{all_figures, lack, mark_now, origin, spikes_words, stairs, words_now};
+use super::tradeoff::{all_figures, lack, mark_now, origin, spikes_words, stairs};
 use crate::{
     app::{
         App,
@@ -250,9 +250,8 @@ impl AuctionChart {
             && numbers <= self.chart.x_range[1]
         {
             let at = [numbers, (error * goal_unit(goal).factor).max(SMALLEST)];
-            let note = format!("{}\n{}", words_now(app), all_figures(now));
-            let mark = mark_now(vec![at], self.chart.theme);
-            self.chart.series.push(mark.with_notes(vec![note]));
+            let mark = mark_now(app, at, now, self.chart.theme);
+            self.chart.series.push(mark);
         }
     }
 }

@@ -56,8 +56,19 @@ const WHOLE_BELLS: std::ops::RangeInclusive<f64> = 0.5..=2.0;
 /// The 5 % of Eq. 12, in percent.
 const LIMIT_PERCENT: f64 = 5.0;
 
-/// Percentages that the logarithmic chart shows.
-const NEGLECTED_PERCENT: [f64; 2] = [1e-3, 300.0];
+/// Percentages that a chart of what is left out shows.
+pub(super) const NEGLECTED_PERCENT: [f64; 2] = [1e-3, 300.0];
+
+/// What weighs a spectrum for X, Y and Z.
+pub(super) const FUNCTIONS: [&str; 3] = ["x-bar", "y-bar", "z-bar"];
+
+/// How lines of X, Y and Z are drawn.
+pub(super) const CHANNEL_DASHES: [Dash; 3] = [Dash::Dashed, Dash::Solid, Dash::Dotted];
+
+/// And in which colours.
+pub(super) fn channel_inks(inks: Inks) -> [Rgb; 3] {
+    [inks.spikes, inks.residual, inks.smooth]
+}
 
 impl CoefficientCharts {
     /// Draws all of them.
@@ -225,7 +236,7 @@ impl<'a> Draw<'a> {
 
     /// What weighs the spectrum, in words.
     fn weight_name(&self) -> String {
-        let function = ["x-bar", "y-bar", "z-bar"][self.sight.channel];
+        let function = FUNCTIONS[self.sight.channel];
         let document = self.app.document();
         if document.is_about_light() {
             function.to_owned()
@@ -277,8 +288,7 @@ impl<'a> Draw<'a> {
 
     fn running(&self) -> Option<Chart> {
         self.exact()?;
-        let dashes = [Dash::Dashed, Dash::Solid, Dash::Dotted];
-        let inks = [self.inks.spikes, self.inks.residual, self.inks.smooth];
+        let inks = channel_inks(self.inks);
         let mut series = vec![self.level("exact, 100 %", 100.0)];
         for k in 0..3 {
             let exact = self.harmonics.exact[k];
@@ -288,7 +298,13 @@ impl<'a> Draw<'a> {
             let point = |order: &Order| [order.order as f64, 100.0 * order.running[k] / exact];
             let points = self.orders.iter().map(point).collect();
             let width = if k == self.sight.channel { 3.0 } else { 1.6 };
-            series.push(stroke(CHANNELS[k], inks[k], points, width, dashes[k]));
+            series.push(stroke(
+                CHANNELS[k],
+                inks[k],
+                points,
+                width,
+                CHANNEL_DASHES[k],
+            ));
         }
         let title = "Running sums towards X, Y and Z";
         Some(self.chart(title, "% of the exact total", series))

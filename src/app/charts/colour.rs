@@ -15,7 +15,7 @@ use crate::{
 };
 
 /// A slit of this width sees a line as high as it is drawn, nm.
-const SLIT_NM: f64 = 5.0;
+pub(super) const SLIT_NM: f64 = 5.0;
 
 /// The surfaces of a colour over the band of all that look the same, and below a light of lines.
 pub fn colour_chart(sheet: &ColourSheet, theme: Theme) -> Chart {

@@ -4,6 +4,7 @@ use crate::{
     app::{
         chart::{Chart, Dash, Inks, Palette, Series, Shape, Theme, curve, stroke},
         charts::{
+            colour::SLIT_NM,
             products::chain::strip,
             quality::{DiagramShows, diagram},
             spectrum::{on_grid, over},
@@ -21,9 +22,6 @@ use crate::{
     },
     spectrum::Band,
 };
-
-/// A slit of this width sees a line as high as it is drawn, nm.
-const SLIT_NM: f64 = 5.0;
 
 /// The diagram without a light, for [`on_diagram`].
 pub fn ground(theme: Theme) -> Chart {

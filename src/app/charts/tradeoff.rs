@@ -249,16 +249,17 @@ impl Tradeoff {
         };
         let numbers = app.derived().numbers();
         let at = [numbers as f64, measure.figure().drawn(error)];
-        let note = format!("{}\n{}", words_now(app), all_figures(verdict));
-        let mark = mark_now(vec![at], self.chart.theme).with_notes(vec![note]);
+        let mark = mark_now(app, at, verdict, self.chart.theme);
         self.chart.series.push(mark);
     }
 }
 
-/// The mark of the present model.
-pub fn mark_now(points: Vec<[f64; 2]>, theme: Theme) -> Series {
+/// The mark of the present model, with its figures.
+pub fn mark_now(app: &App, at: [f64; 2], verdict: &Verdict, theme: Theme) -> Series {
+    let note = format!("{}\n{}", words_now(app), all_figures(verdict));
     let ink = Inks::of(theme).overlays[1];
-    Series::points("the model now", ink, Shape::Cross, points).sized(8.0)
+    let mark = Series::points("the model now", ink, Shape::Cross, vec![at]);
+    mark.sized(8.0).with_notes(vec![note])
 }
 
 /// The present model in words: basis, fit, order, spikes, numbers.

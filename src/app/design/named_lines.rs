@@ -46,7 +46,7 @@ pub fn named_lines(lines: &[ElementLine]) -> Vec<NamedLine> {
             .iter()
             .filter(|line| line.element == of && SEEN_NM.contains(&line.at_nm))
             .collect();
-        own.sort_by(|a, b| b.strength.total_cmp(&a.strength));
+        own.sort_by(|a, b| b.known_strength().total_cmp(&a.known_strength()));
         let mut places: Vec<f64> = Vec::new();
         for line in own {
             let is_new = places.iter().all(|nm| (nm - line.at_nm).abs() > APART_NM);

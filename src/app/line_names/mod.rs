@@ -21,35 +21,9 @@ mod scene;
 mod sodium;
 mod table;
 
+pub(super) use super::library::ElementLine;
 pub(super) use identify::Identified;
 pub use identify::spike_under;
-
-use super::library::Library;
-
-/// One tabulated line.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ElementLine {
-    /// Chemical symbol.
-    pub element: String,
-    /// Wavelength in air, nm.
-    pub at_nm: f64,
-    /// Relative strength within the element, 0 where unknown; NIST's are only qualitative.
-    pub strength: f64,
-}
-
-impl ElementLine {
-    /// Every shipped line.
-    pub fn shipped() -> Vec<Self> {
-        let lines = Library::bundled().lines().iter();
-        lines
-            .map(|line| Self {
-                element: line.element.clone(),
-                at_nm: line.at_nm,
-                strength: line.strength.unwrap_or(0.0),
-            })
-            .collect()
-    }
-}
 
 /// What a spike is called.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

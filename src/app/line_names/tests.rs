@@ -1,7 +1,10 @@
 //! Which names lights get, lamp by lamp and under any knobs.
 
 use super::*;
-use crate::spectrum::{Outside, Sampled, Spike};
+use crate::{
+    app::library::Library,
+    spectrum::{Outside, Sampled, Spike},
+};
 
 /// Lines of a width on a glow, 350 to 800 nm.
 fn lamp(lines: &[(f64, f64)], width_nm: f64, step_nm: f64, glow: f64) -> Sampled {
@@ -17,7 +20,7 @@ fn lamp(lines: &[(f64, f64)], width_nm: f64, step_nm: f64, glow: f64) -> Sampled
 }
 
 fn identified(samples: &Sampled) -> Identified {
-    Identified::of(samples, Outside::Zero, &ElementLine::shipped())
+    Identified::of(samples, Outside::Zero, Library::bundled().lines())
 }
 
 fn safe(found: &Identified, at_nm: f64) -> Option<String> {
@@ -27,10 +30,9 @@ fn safe(found: &Identified, at_nm: f64) -> Option<String> {
 /// Strengths of an element's lines as the table has them; neon's beyond 692 nm are on another
 /// scale there.
 fn strengths(element: &str) -> Vec<(f64, f64)> {
-    let lines = ElementLine::shipped()
-        .into_iter()
-        .filter(|l| l.element == element);
-    let known = lines.filter(|line| line.strength > 0.0);
+    let lines = Library::bundled().lines().iter();
+    let lines = lines.filter(|line| line.element == element);
+    let known = lines.filter(|line| line.known_strength() > 0.0);
     let scale = |nm: f64| {
         if element == "Ne" && nm > 692.0 {
             0.05
@@ -39,7 +41,7 @@ fn strengths(element: &str) -> Vec<(f64, f64)> {
         }
     };
     known
-        .map(|line| (line.at_nm, line.strength * scale(line.at_nm)))
+        .map(|line| (line.at_nm, line.known_strength() * scale(line.at_nm)))
         .collect()
 }
 
@@ -53,8 +55,8 @@ const MERCURY: [(f64, f64); 5] = [
 
 #[test]
 fn every_line_that_names_are_made_of_is_in_the_table() {
-    let lines = ElementLine::shipped();
-    let scene = scene::Scene::of(peaks::Points::default(), &lines);
+    let lines = Library::bundled().lines();
+    let scene = scene::Scene::of(peaks::Points::default(), lines);
     let has = |element: &str, nm: f64| {
         let near = |l: &&ElementLine| l.element == element && (l.at_nm - nm).abs() <= 0.06;
         assert!(lines.iter().any(|l| near(&l)), "{element} {nm}");
@@ -210,7 +212,7 @@ fn random_lines_are_hardly_ever_taken_for_an_element() {
         z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
         ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
     };
-    let lines = ElementLine::shipped();
+    let lines = Library::bundled().lines();
     let mut named = [0; 2];
     const LAMPS: usize = 400;
     for lamps in 0..LAMPS {
@@ -220,7 +222,7 @@ fn random_lines_are_hardly_ever_taken_for_an_element() {
             .collect();
         for (which, (width, step)) in [(1.5, 1.0), (6.0, 5.0)].into_iter().enumerate() {
             let samples = lamp(&all, width, step, 0.05);
-            let found = Identified::of(&samples, Outside::Zero, &lines);
+            let found = Identified::of(&samples, Outside::Zero, lines);
             named[which] += usize::from(!found.elements().is_empty());
         }
     }

@@ -376,11 +376,7 @@ fn range(series: &[Series], luminance: bool) -> [f64; 2] {
 
 /// One of the three, by its place in [`WAYS`].
 pub fn of(point: &NarrowPoint, way: usize) -> Colours {
-    match way {
-        0 => point.composite,
-        1 => point.series,
-        _ => point.samples,
-    }
+    [point.composite, point.series, point.samples][way]
 }
 
 /// Shipped filter glasses, and the user's own transmittances.
