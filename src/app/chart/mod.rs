@@ -37,7 +37,7 @@ pub use palette::{Inks, Palette};
 pub use plot::Plot;
 pub use primitive::{Anchor, Field, Place, Primitive, Text};
 pub use ramp::ramp_colour;
-pub use series::{Series, curve, stroke};
+pub use series::{curve, stroke};
 pub use shape::{Dash, Shape};
 pub use svg::{escaped, px};
 pub use text::{elided, text_width, wrap};
@@ -143,6 +143,21 @@ pub enum Theme {
     /// Dark text on white, for paper.
     #[default]
     Light,
+}
+
+/// Data of one kind and colour.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Series {
+    /// Shown in the legend; a series with an empty name, or one that was there before, is not.
+    pub name: String,
+    /// Colour of its marks.
+    pub colour: Rgb,
+    /// What the marks are and where they stand.
+    pub marks: Marks,
+    /// A word on each point (or box), shown where it is pointed at; empty or missing for none.
+    pub notes: Vec<String>,
+    /// Whether its name stands at its highest point too.
+    pub is_tagged: bool,
 }
 
 /// The marks of a series; each point is `[x, y]` in the units of the axes.

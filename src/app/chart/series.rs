@@ -1,21 +1,6 @@
-//! A series of a chart, and the short ways to make one of each kind.
+//! The short ways to make a series of each kind.
 
-use super::{Cells, Dash, Marks, Rgb, Shape};
-
-/// Data of one kind and colour.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Series {
-    /// Shown in the legend; a series with an empty name, or one that was there before, is not.
-    pub name: String,
-    /// Colour of its marks.
-    pub colour: Rgb,
-    /// What the marks are and where they stand.
-    pub marks: Marks,
-    /// A word on each point (or box), shown where it is pointed at; empty or missing for none.
-    pub notes: Vec<String>,
-    /// Whether its name stands at its highest point too.
-    pub is_tagged: bool,
-}
+use super::{Cells, Dash, Marks, Rgb, Series, Shape};
 
 /// Values over their places as points.
 pub fn curve(

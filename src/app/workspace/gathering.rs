@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, path::Path, sync::Arc};
 use super::{
     Place, Preferences, Restored, StoredImage,
     file::{load, no_file_at, save, sweep_leftovers},
-    from_json, to_json_with,
+    from_json, name_of, to_json_with,
 };
 use crate::{
     app::{
@@ -166,11 +166,4 @@ fn bring(restored: &mut Restored, other: Restored) -> (usize, usize) {
     }
     let spectra = document.own.len() - before.0;
     (spectra, restored.images.len() - before.1)
-}
-
-fn name_of(path: &Path) -> String {
-    path.file_name()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .into_owned()
 }

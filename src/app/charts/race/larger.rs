@@ -1,7 +1,7 @@
 //! Beside a larger collection: its figures and this race's, the differences in words, and both
 //! halves of the result: what the composite wins and what it loses.
 
-use super::{error_words, figure};
+use super::{error_words, figure, place};
 use crate::{
     app::{
         FIRST_PATCH_SET,
@@ -149,10 +149,6 @@ fn rival_words(racer: Racer) -> &'static str {
 
 fn pair(spread: [f64; 3]) -> String {
     spread.map(figure).join("/")
-}
-
-fn place(race: &Race, racer: Racer) -> Option<usize> {
-    race.racers.iter().position(|r| *r == racer)
 }
 
 fn checked(race: &Race) -> Vec<(String, Vec<[String; 2]>)> {

@@ -87,6 +87,11 @@ pub fn looks(racer: Racer, inks: Inks) -> (Rgb, Dash, Shape) {
     }
 }
 
+/// Where a racer stands among all of them.
+fn place(race: &Race, racer: Racer) -> Option<usize> {
+    race.racers.iter().position(|r| *r == racer)
+}
+
 /// An error in few letters with its unit.
 fn error_words(measure: Measure, error: Option<f64>) -> String {
     let unit = measure.figure().unit;
