@@ -2,7 +2,7 @@
 //! colour bar of a heat map, the entries of the legend.
 
 use super::{
-    Dash, Marks, Scale, Series,
+    Marks, Scale, Series,
     axis::Axis,
     drawing::{BAR, Drawing, LIFT, LONGEST_NAME, MARGIN, SLANT, TICK},
     legend::{GAP, SAMPLE, fitted},
@@ -33,7 +33,11 @@ impl Drawing<'_> {
             }),
             Marks::Stems { .. } => {
                 let (foot, top) = ([x, y + 6.0], [x, y - 4.0]);
-                out.push(Primitive::line(vec![foot, top], 1.8 * looks.line, colour));
+                out.push(Primitive::lines(
+                    vec![vec![foot, top]],
+                    1.8 * looks.line,
+                    colour,
+                ));
                 out.push(dot(top, 2.5 * looks.scale, colour));
             }
             Marks::Area { .. } => {
@@ -257,10 +261,5 @@ impl Drawing<'_> {
 
 /// Thin straight lines.
 fn lines(runs: Vec<Vec<Place>>, colour: [u8; 3]) -> Primitive {
-    Primitive::Lines {
-        runs,
-        width: 1.0,
-        dash: Dash::Solid,
-        colour,
-    }
+    Primitive::lines(runs, 1.0, colour)
 }

@@ -11,13 +11,13 @@ use crate::app::{
 pub fn region_chart(region: &RegionSpectrum, spread: Spread, theme: Theme) -> Chart {
     let inks = Inks::of(theme);
     let spectrum = &region.spectrum;
-    let points = |values: &mut dyn Iterator<Item = f64>| curve(region.nm.iter().copied(), values);
-    let mean = points(&mut spectrum.samples.values().iter().copied());
+    let nm = || region.nm.iter().copied();
+    let mean = curve(nm(), spectrum.samples.values().iter().copied());
     let is_region = region.rect.pixels() > 1;
     let mut series = Vec::new();
     if is_region {
         let (name, bounds) = bounds(region, spread);
-        let upper = points(&mut bounds.iter().map(|b| b[1]));
+        let upper = curve(nm(), bounds.iter().map(|b| b[1]));
         let lower = bounds.iter().map(|b| b[0]).collect();
         series.push(Series::area(name, inks.smooth, upper, lower));
     }

@@ -199,9 +199,7 @@ impl Products {
         } = self;
         chain.retain(|link| link.entry.key != key);
         for held in [other_light, surface, outgoing] {
-            if held.as_ref().is_some_and(|entry| entry.key == key) {
-                *held = None;
-            }
+            held.take_if(|entry| entry.key == key);
         }
     }
 }

@@ -36,8 +36,8 @@ impl Place {
         if let Some(folder) = first.parent() {
             make_folder(folder)?;
         }
-        let mut tried = (1..=MOST_WINDOWS).map(|number| Self::try_number(&first, number));
-        tried.find_map(|place| place).ok_or_else(|| {
+        let place = (1..=MOST_WINDOWS).find_map(|number| Self::try_number(&first, number));
+        place.ok_or_else(|| {
             format!(
                 "{MOST_WINDOWS} windows use the workspace {}: nothing is kept of this one.",
                 first.display()
