@@ -36,8 +36,8 @@ pub(super) fn words(text: &str) -> String {
 }
 
 /// A line of a table.
-pub(super) fn line(cells: impl IntoIterator<Item = String>) -> String {
-    let cells: Vec<String> = cells.into_iter().collect();
+pub(super) fn line(cells: impl IntoIterator<Item = impl Into<String>>) -> String {
+    let cells: Vec<String> = cells.into_iter().map(Into::into).collect();
     cells.join(",") + "\n"
 }
 

@@ -278,7 +278,7 @@ fn columns(app: &App) -> Columns {
 }
 
 /// Comment lines that begin every table.
-fn table_head(app: &App) -> String {
+pub(super) fn table_head(app: &App) -> String {
     comments(&provenance(app), &app.document().subject_entry().spectrum)
 }
 

@@ -67,6 +67,13 @@ fn read(path: &Path, choices: &Choices, told: impl Fn(ReadError) -> ReadError) -
     few_numbers::at(path, choices).unwrap_or_else(as_file)
 }
 
+/// What a reader makes of a file. A panic in it is a refusal: it must neither stop others nor leave
+/// the window waiting for ever.
+pub fn unshaken(name: impl std::fmt::Display, read: impl FnOnce() -> Loaded) -> Loaded {
+    let read = std::panic::catch_unwind(std::panic::AssertUnwindSafe(read));
+    read.unwrap_or_else(|_| Loaded::Refused(format!("{name}: the reader failed on this file")))
+}
+
 /// Where a file is found again from any folder that the program is started in.
 fn kept_path(path: &Path) -> Option<PathBuf> {
     Some(std::path::absolute(path).unwrap_or_else(|_| path.to_owned()))

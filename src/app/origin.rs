@@ -99,12 +99,17 @@ impl Origin {
         }
     }
 
-    /// The recipe, where there is one.
-    pub fn recipe(&self) -> Option<&Recipe> {
+    /// How it was made, where it was.
+    pub fn made(&self) -> Option<&MadeBy> {
         match self {
-            Self::Made(made) => Some(&made.recipe),
+            Self::Made(made) => Some(made),
             Self::Preset(_) | Self::File(_) | Self::Numbers => None,
         }
+    }
+
+    /// The recipe, where there is one.
+    pub fn recipe(&self) -> Option<&Recipe> {
+        self.made().map(|made| &made.recipe)
     }
 }
 

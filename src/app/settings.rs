@@ -18,6 +18,15 @@ pub const WIDTHS_NM: RangeInclusive<f64> = 1.0..=50.0;
 /// Slopes of the gradient detector, in percent of the maximum per nm.
 pub const GRADIENTS_PERCENT: RangeInclusive<f64> = 0.1..=50.0;
 
+/// The nearest value that a range allows; the usual one for what is not a number.
+pub(super) fn within(value: f64, range: RangeInclusive<f64>, usual: f64) -> f64 {
+    if value.is_nan() {
+        usual
+    } else {
+        value.clamp(*range.start(), *range.end())
+    }
+}
+
 /// What is said where another range is taken than the one that was asked for; `None` where it is
 /// the same.
 pub fn range_words(asked: [f64; 2], taken: Band) -> Option<String> {
@@ -106,24 +115,17 @@ impl Settings {
     #[must_use]
     pub fn clamped(self) -> Self {
         let default = Self::default();
-        let within = |value: f64, range: &RangeInclusive<f64>, default: f64| {
-            if value.is_nan() {
-                default
-            } else {
-                value.clamp(*range.start(), *range.end())
-            }
-        };
         Self {
             order: self.order.clamp(*ORDERS.start(), *ORDERS.end()),
             threshold_percent: within(
                 self.threshold_percent,
-                &THRESHOLDS_PERCENT,
+                THRESHOLDS_PERCENT,
                 default.threshold_percent,
             ),
-            max_width_nm: within(self.max_width_nm, &WIDTHS_NM, default.max_width_nm),
+            max_width_nm: within(self.max_width_nm, WIDTHS_NM, default.max_width_nm),
             gradient_percent: within(
                 self.gradient_percent,
-                &GRADIENTS_PERCENT,
+                GRADIENTS_PERCENT,
                 default.gradient_percent,
             ),
             ..self

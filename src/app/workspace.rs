@@ -39,6 +39,12 @@ pub struct Restored {
     pub losses: Vec<String>,
 }
 
+/// The name of a file without its folder.
+fn name_of(path: &std::path::Path) -> String {
+    let name = path.file_name().unwrap_or_default();
+    name.to_string_lossy().into_owned()
+}
+
 /// The text of a workspace (with preferences) or a project (without).
 ///
 /// # Errors

@@ -2,7 +2,7 @@
 //! colour bar of a heat map, the entries of the legend.
 
 use super::{
-    Dash, Marks, Scale, Series,
+    Marks, Scale, Series,
     axis::Axis,
     drawing::{BAR, Drawing, LIFT, LONGEST_NAME, MARGIN, SLANT, TICK},
     legend::{GAP, SAMPLE, fitted},
@@ -33,7 +33,11 @@ impl Drawing<'_> {
             }),
             Marks::Stems { .. } => {
                 let (foot, top) = ([x, y + 6.0], [x, y - 4.0]);
-                out.push(Primitive::line(vec![foot, top], 1.8 * looks.line, colour));
+                out.push(Primitive::lines(
+                    vec![vec![foot, top]],
+                    1.8 * looks.line,
+                    colour,
+                ));
                 out.push(dot(top, 2.5 * looks.scale, colour));
             }
             Marks::Area { .. } => {
@@ -59,8 +63,7 @@ impl Drawing<'_> {
         let at = [field.left + (SAMPLE + GAP) * looks.scale, y];
         let room = self.size[0] - 2.0 * self.legend[0].left;
         let name = fitted(&series.name, room, looks);
-        let text = self.text(at, Anchor::Start, self.palette().text, &name);
-        out.push(Primitive::Text(text));
+        out.push(self.text(at, Anchor::Start, self.palette().text, &name));
     }
 
     /// A panel: grid and vertical axis, then its series, then its frame.
@@ -95,10 +98,8 @@ impl Drawing<'_> {
         let is_map = series.iter().any(|series| series.marks.cells().is_some());
         let [low, high] = plot.y.range;
         if plot.y.scale == Scale::Linear && low < 0.0 && high > 0.0 && !is_map {
-            out.push(lines(
-                vec![vec![[left, height(0.0)], [right, height(0.0)]]],
-                palette.axis,
-            ));
+            let zero = vec![[left, height(0.0)], [right, height(0.0)]];
+            out.push(lines(vec![zero], palette.axis));
         }
         let marks = ticks
             .iter()
@@ -107,12 +108,7 @@ impl Drawing<'_> {
         for (tick, label) in ticks.iter().zip(labels) {
             let at = [left - TICK - 3.0, height(*tick)];
             let words = label + &self.chart.y_unit;
-            out.push(Primitive::Text(self.text(
-                at,
-                Anchor::End,
-                palette.faint,
-                &words,
-            )));
+            out.push(self.text(at, Anchor::End, palette.faint, &words));
         }
         self.y_label(out, field, y_label);
         let mut pen = Pen::new(plot, self.looks, self.chart);
@@ -141,8 +137,7 @@ impl Drawing<'_> {
         let y = panel.top - LIFT - self.looks.line_height() / 2.0;
         let words = elided(label, room as usize);
         let at = [panel.left + 2.0, y];
-        let text = self.text(at, Anchor::Start, self.palette().text, &words);
-        out.push(Primitive::Text(text));
+        out.push(self.text(at, Anchor::Start, self.palette().text, &words));
     }
 
     /// Colours along the horizontal axis, right under the main panel.
@@ -200,17 +195,11 @@ impl Drawing<'_> {
                 palette.axis,
             ));
             let at = [right + TICK + 3.0, y];
-            out.push(Primitive::Text(self.text(
-                at,
-                Anchor::Start,
-                palette.faint,
-                &words,
-            )));
+            out.push(self.text(at, Anchor::Start, palette.faint, &words));
         }
         let end = self.size[0] - if self.looks.whole { MARGIN } else { 0.0 };
         let at = [end, main.top - LIFT - self.looks.line_height() / 2.0];
-        let text = self.text(at, Anchor::End, palette.text, &map.label);
-        out.push(Primitive::Text(text));
+        out.push(self.text(at, Anchor::End, palette.text, &map.label));
     }
 
     /// Numbers or names along the horizontal axis, and what it counts.
@@ -218,22 +207,19 @@ impl Drawing<'_> {
         let (palette, line) = (self.palette(), self.looks.line_height());
         for (x, words) in self.names(main.x) {
             let x = main.across(x);
-            out.push(lines(
-                vec![vec![[x, self.foot], [x, self.foot + TICK]]],
-                palette.axis,
-            ));
+            let tick = vec![[x, self.foot], [x, self.foot + TICK]];
+            out.push(lines(vec![tick], palette.axis));
             let (at, anchor, rise) = match self.slanted {
                 true => ([x + 4.0, self.foot + TICK + 0.4 * line], Anchor::End, SLANT),
                 false => ([x, self.foot + TICK + 0.5 * line], Anchor::Middle, 0.0),
             };
-            let mut text = self.text(at, anchor, palette.faint, &words);
+            let mut text = self.letters(at, anchor, palette.faint, &words);
             text.rise = rise;
             out.push(Primitive::Text(text));
         }
         let x = main.field.left + main.field.width / 2.0;
         let y = self.foot + TICK + self.labels + 0.5 * line;
-        let text = self.text([x, y], Anchor::Middle, palette.text, &self.chart.x_label);
-        out.push(Primitive::Text(text));
+        out.push(self.text([x, y], Anchor::Middle, palette.text, &self.chart.x_label));
     }
 
     /// Places of the horizontal axis with what is written there.
@@ -275,10 +261,5 @@ impl Drawing<'_> {
 
 /// Thin straight lines.
 fn lines(runs: Vec<Vec<Place>>, colour: [u8; 3]) -> Primitive {
-    Primitive::Lines {
-        runs,
-        width: 1.0,
-        dash: Dash::Solid,
-        colour,
-    }
+    Primitive::lines(runs, 1.0, colour)
 }

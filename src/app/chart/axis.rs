@@ -8,6 +8,9 @@ use super::{
 /// Numbers that are too large to subtract from one another are not drawn.
 const LARGEST: f64 = 1e300;
 
+/// The range of no data: it becomes a usual one when it is made sound.
+pub(super) const NOTHING: [f64; 2] = [f64::NAN; 2];
+
 /// A range that can be divided by: finite, rising, and not empty.
 pub(super) fn sound_range(range: [f64; 2], scale: Scale) -> [f64; 2] {
     let [mut low, mut high] = range.map(|end| end.clamp(-LARGEST, LARGEST));
@@ -109,23 +112,16 @@ impl Axis {
     /// About `target` round numbers in the range, and how they are written.
     pub fn ticks(&self, target: usize) -> (Vec<f64>, Vec<String>) {
         let [low, high] = self.range;
-        match self.scale {
-            Scale::Linear => {
-                let ticks = nice_ticks(low, high, target);
-                let labels = tick_labels(&ticks);
-                (ticks, labels)
-            }
-            Scale::Root => {
-                let ticks = root_ticks(low, high, target);
-                let labels = ticks.iter().copied().map(short).collect();
-                (ticks, labels)
-            }
-            Scale::Log10 => {
-                let ticks = log_ticks(low, high, target);
-                let labels = ticks.iter().copied().map(short).collect();
-                (ticks, labels)
-            }
-        }
+        let ticks = match self.scale {
+            Scale::Linear => nice_ticks(low, high, target),
+            Scale::Root => root_ticks(low, high, target),
+            Scale::Log10 => log_ticks(low, high, target),
+        };
+        let labels = match self.scale {
+            Scale::Linear => tick_labels(&ticks),
+            Scale::Root | Scale::Log10 => ticks.iter().copied().map(short).collect(),
+        };
+        (ticks, labels)
     }
 }
 
@@ -161,8 +157,7 @@ fn fitted_range(series: &[Series], scale: Scale) -> [f64; 2] {
     match (extent(heights.filter(usable)), scale) {
         // A heat map fills its panel.
         (Some(range), _) if series.iter().any(is_map) => range,
-        (None, Scale::Linear | Scale::Root) => [0.0, 1.0],
-        (None, Scale::Log10) => [0.1, 10.0],
+        (None, _) => NOTHING,
         (Some([low, high]), scale @ (Scale::Linear | Scale::Root)) => {
             let air = (high - low) * 0.05;
             let foot = if low == 0.0 { 0.0 } else { low - air };

@@ -3,7 +3,7 @@
 use super::{
     super::ticks::extent,
     Rgb, Scale,
-    axis::{Axis, root, sound_range},
+    axis::{Axis, NOTHING, root, sound_range},
     ramp::ramp_colour,
 };
 
@@ -69,11 +69,7 @@ impl Cells {
     pub fn limits(&self) -> [f64; 2] {
         let shown = || (0..self.values.len()).filter_map(|i| self.value(i));
         let range = self.range.or_else(|| extent(shown()));
-        let nothing = match self.scale {
-            Scale::Linear | Scale::Root => [0.0, 1.0],
-            Scale::Log10 => [0.1, 10.0],
-        };
-        sound_range(range.unwrap_or(nothing), self.scale)
+        sound_range(range.unwrap_or(NOTHING), self.scale)
     }
 
     /// Where a value stands between the `limits`, 0 to 1.

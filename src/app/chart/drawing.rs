@@ -270,8 +270,19 @@ impl<'a> Drawing<'a> {
         (height / (40.0 * self.looks.scale)).clamp(2.0, 9.0) as usize
     }
 
-    /// A small text in a colour, from its place on.
-    pub(super) fn text(&self, at: Place, anchor: Anchor, colour: [u8; 3], words: &str) -> Text {
+    /// A small text in a colour.
+    pub(super) fn text(
+        &self,
+        at: Place,
+        anchor: Anchor,
+        colour: [u8; 3],
+        words: &str,
+    ) -> Primitive {
+        Primitive::Text(self.letters(at, anchor, colour, words))
+    }
+
+    /// The same, to be changed.
+    pub(super) fn letters(&self, at: Place, anchor: Anchor, colour: [u8; 3], words: &str) -> Text {
         Text {
             at,
             anchor,
@@ -287,15 +298,14 @@ impl<'a> Drawing<'a> {
         let palette = self.palette();
         for (i, line) in self.title.iter().enumerate() {
             let at = [MARGIN, MARGIN + (i as f64 + 0.5) * TITLE_SIZE * LEADING];
-            let mut text = self.text(at, Anchor::Start, palette.text, line);
+            let mut text = self.letters(at, Anchor::Start, palette.text, line);
             text.size = TITLE_SIZE;
             out.push(Primitive::Text(text));
         }
         let line = self.looks.line_height();
         for (i, note) in self.notes.iter().rev().enumerate() {
             let y = self.size[1] - MARGIN - (i as f64 + 0.5) * line;
-            let text = self.text([MARGIN, y], Anchor::Start, palette.faint, note);
-            out.push(Primitive::Text(text));
+            out.push(self.text([MARGIN, y], Anchor::Start, palette.faint, note));
         }
     }
 
@@ -306,8 +316,7 @@ impl<'a> Drawing<'a> {
         let first = main.top + (main.height - (words.len() as f64 - 1.0) * line) / 2.0;
         for (i, words) in words.iter().enumerate() {
             let at = [main.left + main.width / 2.0, first + i as f64 * line];
-            let text = self.text(at, Anchor::Middle, self.palette().faint, words);
-            out.push(Primitive::Text(text));
+            out.push(self.text(at, Anchor::Middle, self.palette().faint, words));
         }
     }
 }

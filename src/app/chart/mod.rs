@@ -17,6 +17,7 @@ mod plot;
 mod points;
 mod primitive;
 mod ramp;
+mod series;
 mod shape;
 mod svg;
 mod table;
@@ -36,6 +37,7 @@ pub use palette::{Inks, Palette};
 pub use plot::Plot;
 pub use primitive::{Anchor, Field, Place, Primitive, Text};
 pub use ramp::ramp_colour;
+pub use series::{curve, stroke};
 pub use shape::{Dash, Shape};
 pub use svg::{escaped, px};
 pub use text::{elided, text_width, wrap};
@@ -268,85 +270,22 @@ impl Marks {
     }
 }
 
-impl Series {
-    /// A solid line of normal thickness.
-    pub fn line(name: impl Into<String>, colour: Rgb, points: Vec<[f64; 2]>) -> Self {
-        let marks = Marks::Line {
-            points,
-            width: 1.8,
-            dash: Dash::Solid,
-        };
-        Self::new(name, colour, marks)
-    }
-
-    /// Points of normal size.
-    pub fn points(
-        name: impl Into<String>,
-        colour: Rgb,
-        shape: Shape,
-        points: Vec<[f64; 2]>,
-    ) -> Self {
-        let marks = Marks::Points {
-            points,
-            radius: 3.5,
-            shape,
-        };
-        Self::new(name, colour, marks)
-    }
-
-    /// Boxes of a width in units of the horizontal axis.
-    pub fn bars(name: impl Into<String>, colour: Rgb, width: f64, points: Vec<[f64; 2]>) -> Self {
-        Self::new(name, colour, Marks::Bars { points, width })
-    }
-
-    /// A heat map.
-    pub fn cells(name: impl Into<String>, cells: Cells) -> Self {
-        Self::new(name, [128; 3], Marks::Cells { cells })
-    }
-
-    /// The same, a line drawn in another way.
-    #[must_use]
-    pub fn dashed(mut self, how: Dash) -> Self {
-        if let Marks::Line { dash, .. } = &mut self.marks {
-            *dash = how;
-        }
-        self
-    }
-
-    /// The same, a line of another thickness in px.
-    #[must_use]
-    pub fn thick(mut self, px: f64) -> Self {
-        if let Marks::Line { width, .. } = &mut self.marks {
-            *width = px;
-        }
-        self
-    }
-
-    /// The same with a word on each point.
-    #[must_use]
-    pub fn with_notes(mut self, notes: Vec<String>) -> Self {
-        self.notes = notes;
-        self
-    }
-
-    /// A series of any kind of marks.
-    pub fn new(name: impl Into<String>, colour: Rgb, marks: Marks) -> Self {
-        Self {
-            name: name.into(),
-            colour,
-            marks,
-            notes: Vec::new(),
-            is_tagged: false,
-        }
-    }
-}
-
 /// Where the mark of a point starts; 0 where no base is given.
 pub fn base_at(base: &[f64], index: usize) -> f64 {
     base.get(index).copied().unwrap_or(0.0)
 }
 
 impl Chart {
+    /// An empty chart over wavelengths, from the first to the last.
+    pub fn over_nm(x_range: [f64; 2], theme: Theme) -> Self {
+        Self {
+            x_label: "Wavelength (nm)".to_owned(),
+            x_range,
+            theme,
+            ..Self::default()
+        }
+    }
+
     /// All series: those of the main panel, then those of the lower one.
     pub fn all_series(&self) -> impl Iterator<Item = &Series> {
         let lower = self.residual.iter().flat_map(|panel| &panel.series);

@@ -2,7 +2,7 @@
 
 use super::{
     super::ticks::short,
-    Cells, Chart, Dash, Marks, Series,
+    Cells, Chart, Marks, Series,
     axis::Axis,
     base_at,
     cut::{cut_band, cut_segment},
@@ -255,8 +255,8 @@ impl<'a> Pen<'a> {
         let top = self.plot.place(point)?;
         let foot = self.plot.foot(point[0], base)?;
         let [from, to] = cut_segment([foot, top], self.plot.field)?;
-        let mut inner = vec![Primitive::line(
-            vec![from, to],
+        let mut inner = vec![Primitive::lines(
+            vec![vec![from, to]],
             1.8 * self.looks.line,
             colour,
         )];
@@ -400,12 +400,7 @@ impl<'a> Pen<'a> {
                 ]),
             }
         }
-        let strokes = Primitive::Lines {
-            runs: strokes,
-            width: 1.0,
-            dash: Dash::Solid,
-            colour: self.palette.axis,
-        };
+        let strokes = Primitive::lines(strokes, 1.0, self.palette.axis);
         vec![Primitive::Fields(fields), strokes]
     }
 }

@@ -151,10 +151,10 @@ pub enum Primitive {
 }
 
 impl Primitive {
-    /// A solid line.
-    pub(super) fn line(run: Vec<Place>, width: f64, colour: Rgb) -> Self {
+    /// Solid lines.
+    pub(super) fn lines(runs: Vec<Vec<Place>>, width: f64, colour: Rgb) -> Self {
         Self::Lines {
-            runs: vec![run],
+            runs,
             width,
             dash: Dash::Solid,
             colour,

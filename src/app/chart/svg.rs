@@ -197,7 +197,6 @@ pub(super) fn hex([r, g, b]: Rgb) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// A length or coordinate with at most two decimals.
 /// A length in px with as many digits as can be seen.
 pub fn px(length: f64) -> String {
     let digits = format!("{length:.2}");

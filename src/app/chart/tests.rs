@@ -33,17 +33,21 @@ fn texts(svg: &str) -> Vec<String> {
     texts.filter_map(|n| n.text().map(str::to_owned)).collect()
 }
 
-fn one(marks: Marks) -> Chart {
+fn of(series: Series) -> Chart {
     Chart {
-        series: vec![Series::new("data", RED, marks)],
+        series: vec![series],
         ..Chart::default()
     }
 }
 
 fn line(points: &[[f64; 2]]) -> Chart {
-    Chart {
-        series: vec![Series::line("data", RED, points.to_vec())],
-        ..Chart::default()
+    of(Series::line("data", RED, points.to_vec()))
+}
+
+fn assert_written(svg: &str, expected: &[&str]) {
+    let texts = texts(svg);
+    for expected in expected {
+        assert!(texts.iter().any(|text| text == expected), "{expected}");
     }
 }
 
@@ -84,8 +88,7 @@ fn names_labels_and_notes_are_in_the_file() {
         notes: vec!["Source: a table".into()],
         ..Chart::default()
     };
-    let texts = texts(&checked(&chart));
-    for expected in [
+    let expected = [
         "Fluorescent lamp",
         "Wavelength (nm)",
         "Power",
@@ -97,9 +100,8 @@ fn names_labels_and_notes_are_in_the_file() {
         "750",
         "0.0",
         "1.0",
-    ] {
-        assert!(texts.iter().any(|text| text == expected), "{expected}");
-    }
+    ];
+    assert_written(&checked(&chart), &expected);
 }
 
 #[test]
@@ -202,7 +204,7 @@ fn huge_tiny_and_broken_numbers_stay_inside() {
                             x_range: [low, high],
                             y_range,
                             y_scale,
-                            ..one(marks.clone())
+                            ..of(Series::new("data", RED, marks.clone()))
                         });
                     }
                 }
@@ -227,11 +229,8 @@ fn a_broken_point_breaks_the_line() {
 fn labels_of_close_stems_do_not_cover_each_other() {
     let points: Vec<[f64; 2]> = (0..30).map(|i| [f64::from(i) / 300.0, 0.5]).collect();
     let labels = (0..30).map(|i| format!("line {i}")).collect();
-    let svg = checked(&one(Marks::Stems {
-        points,
-        base: vec![],
-        labels,
-    }));
+    let stems = Series::stems("data", RED, points, vec![]);
+    let svg = checked(&of(stems.labelled(labels)));
     let written = texts(&svg).iter().filter(|t| t.starts_with("line")).count();
     assert!((1..30).contains(&written), "{written} labels");
     // All thirty are there as tooltips.
@@ -299,10 +298,7 @@ fn a_heat_map_fills_its_panel_and_has_a_bar_that_tells_its_colours() {
     let svg = checked(&heat_map());
     let [darkest, lightest] = [ramp_colour(0.0), ramp_colour(1.0)].map(hex);
     assert!(svg.contains(&darkest) && svg.contains(&lightest));
-    let texts = texts(&svg);
-    for expected in ["Error", "2", "8"] {
-        assert!(texts.iter().any(|text| text == expected), "{expected}");
-    }
+    assert_written(&svg, &["Error", "2", "8"]);
     assert!(svg.contains("Coloured by Error from 1 to 8."));
     // Two boxes have no value that could be shown: a stroke each.
     assert_eq!(drawn(&svg).matches('M').count(), 2);
@@ -326,7 +322,7 @@ fn heat_maps_of_odd_numbers_stay_inside() {
                 checked(&Chart {
                     x_scale: scale,
                     y_scale: scale,
-                    ..one(Marks::Cells { cells })
+                    ..of(Series::cells("data", cells))
                 });
             }
         }
@@ -341,12 +337,7 @@ fn places_with_names_have_them_instead_of_numbers() {
     };
     let short = named(&["a", "b", "c"], vec![bars(-0.2), bars(0.2)]);
     let svg = checked(&short);
-    let words = texts(&svg);
-    assert!(
-        ["a", "b", "c"]
-            .iter()
-            .all(|name| words.iter().any(|t| t == name))
-    );
+    assert_written(&svg, &["a", "b", "c"]);
     assert!(!svg.contains("rotate(-35)"));
     let longest = "a representation with a very long name";
     let svg = checked(&named(&[longest; 9], vec![bars(0.0)]));
@@ -367,7 +358,7 @@ fn a_logarithmic_horizontal_axis_places_decades_evenly() {
         ..line(&points)
     };
     let svg = checked(&chart);
-    assert!(texts(&svg).iter().any(|text| text == "10"));
+    assert_written(&svg, &["10"]);
     // Even steps up and even steps across: a straight line through the middle.
     let corners: Vec<f64> = drawn(&svg)
         .split(|c: char| !(c.is_ascii_digit() || c == '.'))
@@ -381,19 +372,13 @@ fn forms_and_dashes_tell_series_apart_without_colour() {
     let point = vec![[0.5, 0.5]];
     let mut seen = std::collections::BTreeSet::new();
     for shape in Shape::ALL {
-        let chart = Chart {
-            series: vec![Series::points("data", RED, shape, point.clone())],
-            ..Chart::default()
-        };
-        seen.insert(checked(&chart));
+        let points = Series::points("data", RED, shape, point.clone());
+        seen.insert(checked(&of(points)));
     }
     for dash in [Dash::Solid, Dash::Dashed, Dash::Dotted] {
         let points = vec![[0.0, 0.0], [1.0, 1.0]];
-        let chart = Chart {
-            series: vec![Series::line("data", RED, points).dashed(dash)],
-            ..Chart::default()
-        };
-        seen.insert(checked(&chart));
+        let line = Series::line("data", RED, points).dashed(dash);
+        seen.insert(checked(&of(line)));
     }
     assert_eq!(seen.len(), 9);
 }
@@ -443,15 +428,7 @@ fn series_with_places_of_their_own_stand_below_one_another() {
         y_label: "=error".into(),
         series: vec![
             Series::line("a", RED, vec![[1.0, 2.0]]),
-            Series::new(
-                "b",
-                RED,
-                Marks::Stems {
-                    points: vec![[1.5, 3.0]],
-                    base: vec![0.5],
-                    labels: vec![],
-                },
-            ),
+            Series::stems("b", RED, vec![[1.5, 3.0]], vec![0.5]),
         ],
         ..Chart::default()
     };

@@ -1,11 +1,10 @@
 //! The auction as a chart, as a table and as a model for the document.
 
-use super::tradeoff::{all_figures, lack, origin, spikes_words, stairs};
+use super::tradeoff::{all_figures, lack, mark_now, origin, spikes_words, stairs};
 use crate::{
     app::{
         App,
-        chart::Inks,
-        chart::{Chart, Dash, Marks, Scale, Series, Shape, Theme},
+        chart::{Chart, Dash, Inks, Scale, Series, Shape, Theme, stroke},
         figures::{SMALLEST, Unit, brief},
         line_names::{ElementLine, LineName},
         spike_names::identified,
@@ -181,14 +180,6 @@ impl AuctionChart {
             .iter()
             .map(|step| step_note(auction, step, names))
             .collect();
-        let line = |name: String, ink, points, dash, width| {
-            let marks = Marks::Line {
-                points,
-                width,
-                dash,
-            };
-            Series::new(name, ink, marks)
-        };
         // Without lines the two plain ways are one.
         let all_lines = if auction.lines.is_empty() {
             &[]
@@ -201,21 +192,14 @@ impl AuctionChart {
             lines => format!("all {lines} lines as spikes, then orders"),
         };
         let series = vec![
-            line(with, inks.spikes, bids(all_lines), Dash::Dashed, 1.6),
-            line(
-                "no spikes, orders only".to_owned(),
+            stroke(with, inks.spikes, bids(all_lines), 1.6, Dash::Dashed),
+            Series::line(
+                "no spikes, orders only",
                 inks.smooth,
                 bids(&auction.without),
-                Dash::Dotted,
-                1.8,
-            ),
-            line(
-                "the auction".to_owned(),
-                inks.measured,
-                corners,
-                Dash::Solid,
-                2.2,
-            ),
+            )
+            .dashed(Dash::Dotted),
+            stroke("the auction", inks.measured, corners, 2.2, Dash::Solid),
             Series::points("bought", inks.residual, Shape::Dot, points).with_notes(notes),
         ];
         let way = Way::new(terms.basis, false, terms.colour_exact);
@@ -266,9 +250,8 @@ impl AuctionChart {
             && numbers <= self.chart.x_range[1]
         {
             let at = [numbers, (error * goal_unit(goal).factor).max(SMALLEST)];
-            let note = format!("{}\n{}", super::tradeoff::words_now(app), all_figures(now));
-            let mark = super::tradeoff::mark_now(vec![at], self.chart.theme);
-            self.chart.series.push(mark.with_notes(vec![note]));
+            let mark = mark_now(app, at, now, self.chart.theme);
+            self.chart.series.push(mark);
         }
     }
 }

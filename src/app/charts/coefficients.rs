@@ -8,8 +8,8 @@ mod partial;
 
 use crate::{
     app::{
-        chart::{Chart, Dash, Inks, Marks, Rgb, Scale, Series, Shape, Theme},
-        charts::spectrum::provenance,
+        chart::{Chart, Dash, Inks, Rgb, Scale, Series, Shape, Theme, stroke},
+        charts::spectrum::of_subject,
         state::App,
         studies::paper::{CHANNELS, figure},
         ticks::extent,
@@ -56,8 +56,19 @@ const WHOLE_BELLS: std::ops::RangeInclusive<f64> = 0.5..=2.0;
 /// The 5 % of Eq. 12, in percent.
 const LIMIT_PERCENT: f64 = 5.0;
 
-/// Percentages that the logarithmic chart shows.
-const NEGLECTED_PERCENT: [f64; 2] = [1e-3, 300.0];
+/// Percentages that a chart of what is left out shows.
+pub(super) const NEGLECTED_PERCENT: [f64; 2] = [1e-3, 300.0];
+
+/// What weighs a spectrum for X, Y and Z.
+pub(super) const FUNCTIONS: [&str; 3] = ["x-bar", "y-bar", "z-bar"];
+
+/// How lines of X, Y and Z are drawn.
+pub(super) const CHANNEL_DASHES: [Dash; 3] = [Dash::Dashed, Dash::Solid, Dash::Dotted];
+
+/// And in which colours.
+pub(super) fn channel_inks(inks: Inks) -> [Rgb; 3] {
+    [inks.spikes, inks.residual, inks.smooth]
+}
 
 impl CoefficientCharts {
     /// Draws all of them.
@@ -109,7 +120,7 @@ impl<'a> Draw<'a> {
             series,
             colours: self.strip(last),
             strip: true,
-            notes: self.notes(),
+            notes: of_subject(self.app),
             theme: self.theme,
             ..Chart::default()
         }
@@ -126,13 +137,6 @@ impl<'a> Draw<'a> {
             y_range: (room > 0.0).then_some([low - room, high + room]),
             ..chart
         }
-    }
-
-    fn notes(&self) -> Vec<String> {
-        let entry = self.app.document().subject_entry();
-        let mut notes = vec![format!("Spectrum: {}", entry.name())];
-        notes.extend(provenance(self.app));
-        notes
     }
 
     /// Under the axis: the orders in the partial sum, and the one that is pointed at.
@@ -184,16 +188,7 @@ impl<'a> Draw<'a> {
         let [name, second] = self.names();
         Some(vec![
             Series::bars(name, self.inks.smooth, 0.72, points(0)).with_notes(notes(0)),
-            Series::new(
-                second,
-                self.inks.spikes,
-                Marks::Stems {
-                    points: points(1),
-                    base: Vec::new(),
-                    labels: Vec::new(),
-                },
-            )
-            .with_notes(notes(1)),
+            Series::stems(second, self.inks.spikes, points(1), Vec::new()).with_notes(notes(1)),
         ])
     }
 
@@ -241,7 +236,7 @@ impl<'a> Draw<'a> {
 
     /// What weighs the spectrum, in words.
     fn weight_name(&self) -> String {
-        let function = ["x-bar", "y-bar", "z-bar"][self.sight.channel];
+        let function = FUNCTIONS[self.sight.channel];
         let document = self.app.document();
         if document.is_about_light() {
             function.to_owned()
@@ -293,8 +288,7 @@ impl<'a> Draw<'a> {
 
     fn running(&self) -> Option<Chart> {
         self.exact()?;
-        let dashes = [Dash::Dashed, Dash::Solid, Dash::Dotted];
-        let inks = [self.inks.spikes, self.inks.residual, self.inks.smooth];
+        let inks = channel_inks(self.inks);
         let mut series = vec![self.level("exact, 100 %", 100.0)];
         for k in 0..3 {
             let exact = self.harmonics.exact[k];
@@ -302,12 +296,15 @@ impl<'a> Draw<'a> {
                 continue;
             }
             let point = |order: &Order| [order.order as f64, 100.0 * order.running[k] / exact];
-            let marks = Marks::Line {
-                points: self.orders.iter().map(point).collect(),
-                width: if k == self.sight.channel { 3.0 } else { 1.6 },
-                dash: dashes[k],
-            };
-            series.push(Series::new(CHANNELS[k], inks[k], marks));
+            let points = self.orders.iter().map(point).collect();
+            let width = if k == self.sight.channel { 3.0 } else { 1.6 };
+            series.push(stroke(
+                CHANNELS[k],
+                inks[k],
+                points,
+                width,
+                CHANNEL_DASHES[k],
+            ));
         }
         let title = "Running sums towards X, Y and Z";
         Some(self.chart(title, "% of the exact total", series))
@@ -316,12 +313,7 @@ impl<'a> Draw<'a> {
     /// A level line over all orders.
     fn level(&self, name: &str, at: f64) -> Series {
         let points = self.orders.iter().map(|o| [o.order as f64, at]).collect();
-        let marks = Marks::Line {
-            points,
-            width: 1.2,
-            dash: Dash::Dashed,
-        };
-        Series::new(name, self.inks.measured, marks)
+        stroke(name, self.inks.measured, points, 1.2, Dash::Dashed)
     }
 
     fn neglected(&self) -> Option<Chart> {
@@ -357,16 +349,9 @@ impl<'a> Draw<'a> {
             let value = here.map(|share| (100.0 * share.abs()).max(NEGLECTED_PERCENT[0]));
             [order.order as f64, value.unwrap_or(f64::NAN)]
         };
-        let marks = Marks::Points {
-            points: self.orders.iter().map(mark).collect(),
-            radius: 6.0,
-            shape: Shape::Ring,
-        };
-        series.push(Series::new(
-            format!("N = {in_force}, in force"),
-            self.inks.measured,
-            marks,
-        ));
+        let points = self.orders.iter().map(mark).collect();
+        let now = format!("N = {in_force}, in force");
+        series.push(Series::points(now, self.inks.measured, Shape::Ring, points).sized(6.0));
         Some(Chart {
             y_scale: Scale::Log10,
             y_range: Some(NEGLECTED_PERCENT),

@@ -2,8 +2,11 @@
 
 use crate::{
     app::{
-        chart::{Chart, Dash, Inks, Marks, Palette, Panel, Series, Theme},
-        charts::products::chain::strip,
+        chart::{Chart, Dash, Inks, Palette, Panel, Series, Theme, curve},
+        charts::{
+            products::chain::strip,
+            spectrum::{on_grid, over},
+        },
         design::{colour::ColourSheet, method_name},
     },
     color::srgb_from_wavelength,
@@ -12,7 +15,7 @@ use crate::{
 };
 
 /// A slit of this width sees a line as high as it is drawn, nm.
-const SLIT_NM: f64 = 5.0;
+pub(super) const SLIT_NM: f64 = 5.0;
 
 /// The surfaces of a colour over the band of all that look the same, and below a light of lines.
 pub fn colour_chart(sheet: &ColourSheet, theme: Theme) -> Chart {
@@ -20,36 +23,37 @@ pub fn colour_chart(sheet: &ColourSheet, theme: Theme) -> Chart {
     let mut series = Vec::new();
     if let Some(band) = &sheet.band {
         let points = band.greatest.iter().enumerate();
-        let area = Marks::Area {
-            points: points.map(|(i, value)| [node_nm(i), *value]).collect(),
-            base: band.least.to_vec(),
-            is_coloured: false,
-        };
-        series.push(Series::new("all that look the same", inks.residual, area));
+        let greatest = points.map(|(i, value)| [node_nm(i), *value]).collect();
+        let name = "all that look the same";
+        series.push(Series::area(
+            name,
+            inks.residual,
+            greatest,
+            band.least.to_vec(),
+        ));
     }
-    let curve = |found: &Recovered| -> Vec<[f64; 2]> {
+    let of = |found: &Recovered| {
         let table = found.reflectance.sampled();
-        let pairs = table.nm().iter().zip(table.values());
-        pairs.map(|(nm, value)| [*nm, *value]).collect()
+        curve(table.nm().iter().copied(), table.values().iter().copied())
     };
     if let Some(surface) = &sheet.surface {
         let values = surface.spectrum.samples.on_band(BAND, Outside::Hold);
-        let points = BAND.grid().zip(values).map(|(nm, v)| [nm, v]).collect();
+        let points = curve(BAND.grid(), values);
         series.push(Series::line(surface.name(), inks.measured, points));
     }
     let mut ends = [0.0, 1.0];
     if let Ok(found) = &sheet.fourier {
-        let line = Series::line(method_name(found.method), inks.spikes, curve(found));
+        let line = Series::line(method_name(found.method), inks.spikes, of(found));
         series.push(line.dashed(Dash::Dashed));
         let [low, high] = found.reflectance.extent();
         ends = [low.min(ends[0]), high.max(ends[1])];
     }
-    let line = Series::line(
+    let smoothest = of(&sheet.smoothest);
+    series.push(Series::line(
         method_name(Method::Smoothest),
         inks.smooth,
-        curve(&sheet.smoothest),
-    );
-    series.push(line);
+        smoothest,
+    ));
     if ends != [0.0, 1.0] {
         for level in [0.0, 1.0] {
             let points = vec![[BAND.min_nm(), level], [BAND.max_nm(), level]];
@@ -59,11 +63,9 @@ pub fn colour_chart(sheet: &ColourSheet, theme: Theme) -> Chart {
     }
     Chart {
         title: "Surfaces that have the colour".to_owned(),
-        x_label: "Wavelength (nm)".to_owned(),
         y_label: "Reflectance".to_owned(),
-        x_range: [BAND.min_nm(), BAND.max_nm()],
         y_range: Some(ends),
-        colours: strip(BAND, theme).unwrap_or_default(),
+        colours: strip(BAND, theme),
         strip: true,
         residual: sheet
             .lines
@@ -71,28 +73,19 @@ pub fn colour_chart(sheet: &ColourSheet, theme: Theme) -> Chart {
             .ok()
             .map(|light| lines_panel(light, theme)),
         series,
-        theme,
-        ..Chart::default()
+        ..over(BAND, theme)
     }
 }
 
 /// A light of lines over its background.
 fn lines_panel(light: &LineLight, theme: Theme) -> Panel {
-    let points = BAND.grid().zip(&light.background);
-    let area = Marks::Area {
-        points: points.map(|(nm, value)| [nm, *value]).collect(),
-        base: Vec::new(),
-        is_coloured: true,
-    };
-    let mut series = vec![Series::new("", Inks::of(theme).measured, area)];
+    let background = on_grid(BAND, &light.background, 1.0);
+    let area = Series::area("", Inks::of(theme).measured, background, Vec::new());
+    let mut series = vec![area.coloured()];
     for line in light.lines.iter().filter(|line| line.weight > 0.0) {
-        let stem = Marks::Stems {
-            points: vec![[line.at_nm, line.weight / SLIT_NM]],
-            base: Vec::new(),
-            labels: Vec::new(),
-        };
+        let top = vec![[line.at_nm, line.weight / SLIT_NM]];
         let colour = srgb_from_wavelength(line.at_nm).0;
-        series.push(Series::new("", colour, stem));
+        series.push(Series::stems("", colour, top, Vec::new()));
     }
     Panel {
         y_label: "Light of lines, power a nm".to_owned(),

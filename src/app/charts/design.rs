@@ -2,10 +2,12 @@
 
 use crate::{
     app::{
-        chart::{Chart, Dash, Inks, Marks, Palette, Series, Shape, Theme},
+        chart::{Chart, Dash, Inks, Palette, Series, Shape, Theme, curve, stroke},
         charts::{
+            colour::SLIT_NM,
             products::chain::strip,
             quality::{DiagramShows, diagram},
+            spectrum::{on_grid, over},
         },
         design::{
             Desk,
@@ -21,9 +23,6 @@ use crate::{
     spectrum::Band,
 };
 
-/// A slit of this width sees a line as high as it is drawn, nm.
-const SLIT_NM: f64 = 5.0;
-
 /// The diagram without a light, for [`on_diagram`].
 pub fn ground(theme: Theme) -> Chart {
     let shows = DiagramShows {
@@ -38,22 +37,13 @@ pub fn on_diagram(ground: &Chart, desk: &Desk, target: Option<[f64; 2]>) -> Char
     let mut chart = ground.clone();
     let black = [15; 3];
     let point = |name: &str, colour, shape, radius, at| {
-        let marks = Marks::Points {
-            points: vec![at],
-            radius,
-            shape,
-        };
-        Series::new(name, colour, marks)
+        Series::points(name, colour, shape, vec![at]).sized(radius)
     };
     let mut reach = desk.reach.clone();
     reach.extend(desk.reach.first().copied());
     if reach.len() > 2 {
-        let edge = Marks::Line {
-            points: reach,
-            width: 1.6,
-            dash: Dash::Dashed,
-        };
-        chart.series.push(Series::new("can be mixed", black, edge));
+        let edge = stroke("can be mixed", black, reach, 1.6, Dash::Dashed);
+        chart.series.push(edge);
     }
     for (strip, channel) in desk.strips.iter().zip(&desk.mix.channels) {
         let Some(at) = strip.uv else { continue };
@@ -101,19 +91,14 @@ pub fn mixed_spectrum(desk: &Desk, theme: Theme) -> Chart {
         }
     }
     let first = (band.min_nm() - f64::from(FIRST_NM)) as usize;
-    let points: Vec<[f64; 2]> = band
-        .grid()
-        .zip(&smooth[first..])
-        // What is left of a line by rounding is none.
-        .map(|(nm, value)| [nm, value.max(0.0)])
-        .collect();
+    // What is left of a line by rounding is none.
+    let points = curve(
+        band.grid(),
+        smooth[first..].iter().map(|value| value.max(0.0)),
+    );
     let whole: f64 = desk.values.iter().sum();
-    let area = Marks::Area {
-        points: points.clone(),
-        base: Vec::new(),
-        is_coloured: true,
-    };
-    let mut series = vec![Series::new("", inks.measured, area)];
+    let area = Series::area("", inks.measured, points.clone(), Vec::new());
+    let mut series = vec![area.coloured()];
     for ((channel, strip), power) in desk
         .mix
         .channels
@@ -123,37 +108,22 @@ pub fn mixed_spectrum(desk: &Desk, theme: Theme) -> Chart {
     {
         let shape = part(channel, strip.light.as_ref().ok(), power, first);
         if let Some(points) = shape {
-            series.push(Series::new(
-                "",
-                palette.faint,
-                Marks::Line {
-                    points,
-                    width: 1.0,
-                    dash: Dash::Dotted,
-                },
-            ));
+            series.push(stroke("", palette.faint, points, 1.0, Dash::Dotted));
         }
     }
     series.push(Series::line("", palette.text, points));
     for (top, power) in lines {
         let colour = srgb_from_wavelength(top[0]).0;
         let label = format!("{:.1}\n{:.0} %", top[0], 100.0 * power / whole);
-        let stem = Marks::Stems {
-            points: vec![top],
-            base: Vec::new(),
-            labels: vec![label],
-        };
-        series.push(Series::new("", colour, stem));
+        let stem = Series::stems("", colour, vec![top], Vec::new());
+        series.push(stem.labelled(vec![label]));
     }
     Chart {
         title: "The mixture: drag a line or an LED along the wavelengths".to_owned(),
-        x_label: "Wavelength (nm)".to_owned(),
         y_label: "Power a nm (lines: by a 5 nm slit)".to_owned(),
-        x_range: [band.min_nm(), band.max_nm()],
-        colours: strip(band, theme).unwrap_or_default(),
+        colours: strip(band, theme),
         series,
-        theme,
-        ..Chart::default()
+        ..over(band, theme)
     }
 }
 
@@ -166,10 +136,7 @@ fn part(
 ) -> Option<Vec<[f64; 2]>> {
     let light = light.filter(|_| power > 0.0)?;
     let is_line = matches!(channel.source, Source::Line { .. });
-    let points = || {
-        let values = Band::VISIBLE.grid().zip(&light.values[first..]);
-        values.map(|(nm, value)| [nm, power * value]).collect()
-    };
+    let points = || on_grid(Band::VISIBLE, &light.values[first..], power);
     (!is_line).then(points)
 }
 

@@ -1,8 +1,8 @@
 //! The spectrum of a pixel or a region of an image, with its spread and its model.
 
 use crate::app::{
-    chart::Inks,
-    chart::{Chart, Dash, Marks, Series, Theme},
+    chart::{Chart, Dash, Inks, Series, Theme, curve},
+    charts::spectrum::{by_program, source_of},
     derived::Derived,
     picture::{RegionSpectrum, Spread},
 };
@@ -11,17 +11,15 @@ use crate::app::{
 pub fn region_chart(region: &RegionSpectrum, spread: Spread, theme: Theme) -> Chart {
     let inks = Inks::of(theme);
     let spectrum = &region.spectrum;
-    let mean: Vec<[f64; 2]> = points(&region.nm, spectrum.samples.values());
+    let nm = || region.nm.iter().copied();
+    let mean = curve(nm(), spectrum.samples.values().iter().copied());
     let is_region = region.rect.pixels() > 1;
     let mut series = Vec::new();
     if is_region {
         let (name, bounds) = bounds(region, spread);
-        let area = Marks::Area {
-            points: points(&region.nm, &bounds.iter().map(|b| b[1]).collect::<Vec<_>>()),
-            base: bounds.iter().map(|b| b[0]).collect(),
-            is_coloured: false,
-        };
-        series.push(Series::new(name, inks.smooth, area));
+        let upper = curve(nm(), bounds.iter().map(|b| b[1]));
+        let lower = bounds.iter().map(|b| b[0]).collect();
+        series.push(Series::area(name, inks.smooth, upper, lower));
     }
     let name = if is_region { "mean" } else { "pixel" };
     series.push(Series::line(name, inks.measured, mean));
@@ -29,28 +27,22 @@ pub fn region_chart(region: &RegionSpectrum, spread: Spread, theme: Theme) -> Ch
         let line = Series::line("model", inks.spikes, model(derived, region));
         series.push(line.dashed(Dash::Dashed));
     }
-    let mut notes = Vec::new();
-    if !spectrum.source.is_empty() {
-        notes.push(format!("Source: {}", spectrum.source));
-    }
+    let mut notes = source_of(spectrum);
     notes.extend(spectrum.notes.last().cloned());
-    notes.push(format!(
-        "As measured. Spectral Explorer {}.",
-        env!("CARGO_PKG_VERSION")
-    ));
+    notes.push(by_program("As measured."));
     Chart {
         title: spectrum.name.clone(),
-        x_label: "Wavelength (nm)".to_owned(),
         y_label: if spectrum.unit.is_empty() {
             spectrum.kind.word().to_owned()
         } else {
             spectrum.unit.clone()
         },
-        x_range: [spectrum.samples.first_nm(), spectrum.samples.last_nm()],
         series,
         notes,
-        theme,
-        ..Chart::default()
+        ..Chart::over_nm(
+            [spectrum.samples.first_nm(), spectrum.samples.last_nm()],
+            theme,
+        )
     }
 }
 
@@ -75,8 +67,4 @@ fn bounds(region: &RegionSpectrum, spread: Spread) -> (&'static str, Vec<[f64; 2
         }
         Spread::Extremes => ("smallest to largest", region.extremes.clone()),
     }
-}
-
-fn points(nm: &[f64], values: &[f64]) -> Vec<[f64; 2]> {
-    nm.iter().zip(values).map(|(nm, v)| [*nm, *v]).collect()
 }

@@ -3,8 +3,7 @@
 use super::spectrum::broken_at_holes;
 use crate::{
     app::{
-        chart::Inks,
-        chart::{Chart, Dash, Series, Theme},
+        chart::{Chart, Dash, Inks, Series, Theme},
         ticks::{extent, short},
     },
     spectrum::NamedSpectrum,
@@ -71,13 +70,10 @@ pub fn curves(file: &str, spectra: &[NamedSpectrum], theme: Theme) -> Chart {
     };
     Chart {
         title,
-        x_label: "Wavelength (nm)".to_owned(),
         y_label,
         y_range: cut.map(|(range, _)| range),
-        x_range: extent(ends).unwrap_or([380.0, 780.0]),
         series: series.collect(),
-        theme,
-        ..Chart::default()
+        ..Chart::over_nm(extent(ends).unwrap_or([380.0, 780.0]), theme)
     }
 }
 

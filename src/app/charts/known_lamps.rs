@@ -3,12 +3,12 @@
 
 use crate::{
     app::{
-        chart::{Chart, Dash, Inks, Marks, Panel, Rgb, Scale, Series, Theme},
+        chart::{Chart, Dash, Inks, Panel, Scale, Series, Theme, curve},
+        derived::less,
         studies::EncodedLight,
     },
     color::srgb_of_fill,
     lamps::add_spikes,
-    spectrum::Band,
 };
 
 /// Measured and decoded above, decoded less measured below.
@@ -17,16 +17,10 @@ pub fn words_chart(name: &str, found: &EncodedLight, theme: Theme) -> Chart {
     let encoding = &found.encoded.encoding;
     let band = encoding.band();
     let top = found.measured.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-    let points = |values: &[f64]| on(band, values, top);
-    let mut series = vec![Series::new(
-        "measured",
-        inks.measured,
-        Marks::Area {
-            base: vec![0.0; band.points()],
-            points: points(&found.measured),
-            is_coloured: true,
-        },
-    )];
+    let unit = if top > 0.0 { top } else { 1.0 };
+    let points = |values: &[f64]| curve(band.grid(), values.iter().map(|v| v / unit));
+    let (floor, measured) = (vec![0.0; band.points()], points(&found.measured));
+    let mut series = vec![Series::area("measured", inks.measured, measured, floor).coloured()];
     let parts = found.parts.iter().zip(inks.overlays.into_iter().cycle());
     for ((title, values), ink) in parts {
         series.push(Series::line(*title, ink, points(values)).dashed(Dash::Dashed));
@@ -39,21 +33,9 @@ pub fn words_chart(name: &str, found: &EncodedLight, theme: Theme) -> Chart {
         let name = "lines of their own width";
         series.push(Series::line(name, inks.residual, points(&lines)).dashed(Dash::Dashed));
     }
-    series.push(Series::new(
-        "from the words",
-        inks.model,
-        Marks::Line {
-            points: points(&found.decoded),
-            width: 1.8,
-            dash: Dash::Solid,
-        },
-    ));
-    let off: Vec<f64> = found
-        .decoded
-        .iter()
-        .zip(&found.measured)
-        .map(|(d, m)| d - m)
-        .collect();
+    let decoded = points(&found.decoded);
+    series.push(Series::line("from the words", inks.model, decoded));
+    let off = less(&found.decoded, &found.measured);
     Chart {
         title: format!("{name} in {} numbers", found.encoded.words.len()),
         x_label: "Wavelength, nm".to_owned(),
@@ -61,7 +43,7 @@ pub fn words_chart(name: &str, found: &EncodedLight, theme: Theme) -> Chart {
         x_range: [band.min_nm(), band.max_nm()],
         y_scale: scale(&found.measured),
         series,
-        colours: colours(band),
+        colours: band.grid().map(|nm| srgb_of_fill(nm).0).collect(),
         residual: Some(Panel {
             y_label: "Off by, at 1 nm".to_owned(),
             y_range: None,
@@ -76,15 +58,6 @@ pub fn words_chart(name: &str, found: &EncodedLight, theme: Theme) -> Chart {
     }
 }
 
-/// Values on a grid over the measured peak.
-fn on(band: Band, values: &[f64], top: f64) -> Vec<[f64; 2]> {
-    let unit = if top > 0.0 { top } else { 1.0 };
-    band.grid()
-        .zip(values)
-        .map(|(nm, v)| [nm, v / unit])
-        .collect()
-}
-
 /// Lines that tower over the mean this many times are drawn over an axis of roots.
 const TOWERS: f64 = 6.0;
 
@@ -97,11 +70,6 @@ fn scale(measured: &[f64]) -> Scale {
     } else {
         Scale::Linear
     }
-}
-
-/// The colours of the wavelengths.
-fn colours(band: Band) -> Vec<Rgb> {
-    band.grid().map(|nm| srgb_of_fill(nm).0).collect()
 }
 
 #[cfg(test)]

@@ -181,8 +181,7 @@ pub fn csv(app: &App, ask: &ManyAsk, many: &ManyLights, wanted: Wanted) -> Strin
     );
     let order = app.document().settings.order;
     let now = format!("{}_at_order_{order}", wanted.measure.figure().key);
-    let heads = ["light", "class", "order", "lines", "numbers", &now];
-    out += &line(heads.map(str::to_owned));
+    out += &line(["light", "class", "order", "lines", "numbers", &now]);
     for row in rows(many, wanted, order) {
         let whole = |at: usize| number(row.enough.map(|enough| enough[at] as f64));
         out += &line([

@@ -1,9 +1,9 @@
 //! The error against the order, as a chart of all errors and of one.
 
-use super::spectrum::{line, provenance};
+use super::spectrum::provenance;
 use crate::{
     app::{
-        chart::{Chart, Dash, Inks, Marks, Palette, Rgb, Scale, Series, Shape, Theme},
+        chart::{Chart, Dash, Inks, Palette, Rgb, Scale, Series, Shape, Theme, stroke},
         derived::{OF_CURVE, OrderPoint},
         figures::SMALLEST,
         state::App,
@@ -71,25 +71,16 @@ pub fn order_chart(app: &App, measure: Measure, theme: Theme) -> Option<Chart> {
     let x_range = [-0.02 * last, 1.02 * last];
     let order = app.derived().model.smooth.order() as f64;
     let faint = Palette::of(theme).axis;
-    let thin = |ends: [[f64; 2]; 2]| line("", faint, ends.to_vec(), 1.1, Dash::Solid);
+    let thin = |ends: [[f64; 2]; 2]| stroke("", faint, ends.to_vec(), 1.1, Dash::Solid);
     let dots = |colour: Rgb, radius: f64, points: Vec<[f64; 2]>| {
-        let marks = Marks::Points {
-            points,
-            radius,
-            shape: Shape::Dot,
-        };
-        Series::new("", colour, marks)
+        Series::points("", colour, Shape::Dot, points).sized(radius)
     };
     let now = points.iter().copied().filter(|p| p[0] == order).collect();
     let mut series = vec![thin(y_range.map(|y| [order, y]))];
     if measure.is_colour() {
         let below = x_range.map(|x| [x, NOTICEABLE.min(y_range[1])]).to_vec();
-        let marks = Marks::Area {
-            points: below,
-            base: vec![y_range[0]; 2],
-            is_coloured: false,
-        };
-        let mut zone = Series::new("cannot be seen", inks.residual, marks);
+        let floor = vec![y_range[0]; 2];
+        let mut zone = Series::area("cannot be seen", inks.residual, below, floor);
         // A chart that begins above the limit has no room for its name.
         zone.is_tagged = y_range[0] < NOTICEABLE;
         series.push(zone);

@@ -4,7 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    app::chart::{Chart, Dash, Inks, Marks, Palette, Rgb, Series, Shape, Theme},
+    app::chart::{Chart, Dash, Inks, Marks, Palette, Rgb, Series, Shape, Theme, stroke},
     color::{
         Observer, Srgb, Xyz,
         quality::{
@@ -91,10 +91,6 @@ fn crossings(closed: &[[f64; 2]], y: f64) -> Vec<f64> {
 /// Ink on the coloured ground, whatever the theme.
 const BLACK: Rgb = [15; 3];
 
-fn stroke(name: &str, colour: Rgb, points: Vec<[f64; 2]>, width: f64, dash: Dash) -> Series {
-    Series::line(name, colour, points).thick(width).dashed(dash)
-}
-
 /// The chromaticity diagram with a light as measured and by its model, both xy.
 pub fn diagram(
     measured: Option<[f64; 2]>,
@@ -122,17 +118,11 @@ pub fn diagram(
     series.push(stroke("", palette.text, closed(locus), 1.4, Dash::Solid));
     areas(&mut series, shows, palette.text);
     blackbodies(&mut series, shows);
-    let black = BLACK;
     let point = |name: &str, colour: Rgb, shape: Shape, radius: f64, xy: [f64; 2]| {
-        let marks = Marks::Points {
-            points: vec![plane.of_xy(xy)],
-            radius,
-            shape,
-        };
-        Series::new(name, colour, marks)
+        Series::points(name, colour, shape, vec![plane.of_xy(xy)]).sized(radius)
     };
     if let Some(xy) = measured {
-        series.push(point("", black, Shape::Dot, 6.0, xy));
+        series.push(point("", BLACK, Shape::Dot, 6.0, xy));
         series.push(point("measured", inks.measured, Shape::Dot, 4.5, xy));
     }
     if let Some(xy) = model {
@@ -190,13 +180,8 @@ fn blackbodies(series: &mut Vec<Series>, shows: DiagramShows) {
     let (plane, black) = (shows.plane(), BLACK);
     let locus = planckian_locus(plane);
     series.push(stroke("", black, locus, 1.8, Dash::Solid));
-    series.push(stroke(
-        "",
-        [60; 3],
-        daylight_locus(plane),
-        1.2,
-        Dash::Dotted,
-    ));
+    let daylight = daylight_locus(plane);
+    series.push(stroke("", [60; 3], daylight, 1.2, Dash::Dotted));
     // Far from the light only some temperatures have room for their words.
     let told: &[f64] = match shows.near {
         true => &TICKS_K,
@@ -255,26 +240,16 @@ pub fn vector_graphic(fidelity: &Fidelity, theme: Theme) -> Chart {
     let mut series: Vec<Series> = [0.8, 0.9, 1.1, 1.2]
         .map(|radius| stroke("", palette.grid, circle(radius), 1.0, Dash::Solid))
         .to_vec();
-    series.push(stroke(
-        "reference",
-        palette.axis,
-        circle(1.0),
-        1.6,
-        Dash::Solid,
-    ));
+    let unit = circle(1.0);
+    series.push(stroke("reference", palette.axis, unit, 1.6, Dash::Solid));
     let bins: Vec<_> = fidelity.bins.iter().flatten().collect();
-    let mut around: Vec<[f64; 2]> = bins.iter().map(|bin| bin.test_ab).collect();
-    around.extend(around.first().copied());
+    let around = closed(bins.iter().map(|bin| bin.test_ab).collect());
     for bin in &bins {
         let ends = vec![bin.reference_ab, bin.test_ab];
         let colour = of_hue(bin.reference_ab);
         series.push(stroke("", colour, ends, 2.2, Dash::Solid));
-        let marks = Marks::Points {
-            points: vec![bin.test_ab],
-            radius: 3.2,
-            shape: Shape::Dot,
-        };
-        series.push(Series::new("", colour, marks));
+        let dot = Series::points("", colour, Shape::Dot, vec![bin.test_ab]);
+        series.push(dot.sized(3.2));
     }
     series.push(stroke("this light", inks.spikes, around, 2.0, Dash::Solid));
     Chart {
@@ -411,12 +386,9 @@ pub fn against_order(found: &OrderFigures, chosen: Chosen, theme: Theme) -> Char
     let mut series = Vec::new();
     if let Some(exact) = chosen.of(&found.exact) {
         let near = chosen.near_enough(exact);
-        let marks = Marks::Area {
-            points: vec![[0.0, exact + near], [last, exact + near]],
-            base: vec![exact - near; 2],
-            is_coloured: false,
-        };
-        series.push(Series::new("near enough", inks.residual, marks));
+        let upper = vec![[0.0, exact + near], [last, exact + near]];
+        let lower = vec![exact - near; 2];
+        series.push(Series::area("near enough", inks.residual, upper, lower));
         let level = vec![[0.0, exact], [last, exact]];
         series.push(Series::line("measured", inks.measured, level).dashed(Dash::Dashed));
     }

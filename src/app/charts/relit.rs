@@ -2,7 +2,7 @@
 
 use crate::{
     app::{
-        chart::{Chart, Dash, Inks, Marks, Palette, Scale, Series, Shape, Theme},
+        chart::{Chart, Dash, Inks, Palette, Scale, Series, Shape, Theme},
         relit::{Fit, Looked, Turned},
     },
     pictures::{Candidate, ReferenceKind},
@@ -50,12 +50,8 @@ pub fn error_chart(looked: &Looked, now: usize, theme: Theme) -> Chart {
     }
     let marked = choice.with_numbers(now);
     let marked = marked.map(|c| [c.numbers as f64, of(c).max(LEAST)]);
-    let dot = Marks::Points {
-        points: marked.into_iter().collect(),
-        radius: 5.0,
-        shape: Shape::Dot,
-    };
-    series.push(Series::new("", inks.spikes, dot));
+    let marked = marked.into_iter().collect();
+    series.push(Series::points("", inks.spikes, Shape::Dot, marked).sized(5.0));
     Chart {
         title: if is_of_colour {
             "95 % of ΔE₀₀ under six lights".to_owned()
@@ -75,16 +71,13 @@ pub fn error_chart(looked: &Looked, now: usize, theme: Theme) -> Chart {
 /// name and colour.
 fn ways(looked: &Looked, inks: Inks) -> [(ReferenceKind, bool, String, [u8; 3]); 5] {
     let light = looked.known.as_ref().map_or("light", |light| light.name());
+    let by_light = format!("series × {light}");
+    let by_mean = "series × mean";
     [
         (ReferenceKind::One, false, "series", inks.smooth),
         (ReferenceKind::One, true, "series, lines", inks.residual),
-        (
-            ReferenceKind::Light,
-            false,
-            &format!("series × {light}"),
-            inks.smooth,
-        ),
-        (ReferenceKind::Mean, false, "series × mean", inks.product),
+        (ReferenceKind::Light, false, &by_light, inks.smooth),
+        (ReferenceKind::Mean, false, by_mean, inks.product),
         (
             ReferenceKind::Mean,
             true,
@@ -166,29 +159,19 @@ pub fn pixel_chart(fit: &Fit, [x, y]: [usize; 2], theme: Theme) -> Chart {
     ];
     let stems = stems(fit, &exact, &few);
     if !stems.is_empty() {
-        series.push(Series::new(
-            "lines",
-            inks.spikes,
-            Marks::Stems {
-                points: stems.iter().map(|stem| stem.1).collect(),
-                base: stems.iter().map(|stem| stem.0).collect(),
-                labels: Vec::new(),
-            },
-        ));
+        let (base, points) = stems.into_iter().unzip();
+        series.push(Series::stems("lines", inks.spikes, points, base));
     }
     Chart {
         title: format!("Pixel in column {}, row {}", x * step, y * step),
-        x_label: "Wavelength (nm)".to_owned(),
         y_label: bands.kind().word().to_owned(),
-        x_range: [nm[0], nm[nm.len() - 1]],
         blank: if series[0].marks.points().is_empty() {
             "not measured".to_owned()
         } else {
             String::new()
         },
         series,
-        theme,
-        ..Chart::default()
+        ..Chart::over_nm([nm[0], nm[nm.len() - 1]], theme)
     }
 }
 

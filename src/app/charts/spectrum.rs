@@ -2,7 +2,7 @@
 
 use crate::{
     app::{
-        chart::{Chart, Dash, Inks, Marks, Palette, Panel, Rgb, Scale, Series, Theme},
+        chart::{self, Chart, Dash, Inks, Palette, Panel, Rgb, Scale, Series, Theme, stroke},
         document::Height,
         entry::Entry,
         line_names::LineName,
@@ -11,7 +11,7 @@ use crate::{
     },
     color::{srgb_of_fill, xyz::xyz_from_light},
     io::many::{many, numbers},
-    spectrum::{Kind, NamedSpectrum, Outside, Sampled, Spike},
+    spectrum::{Band, Kind, NamedSpectrum, Outside, Sampled, Spike},
 };
 
 /// Spectra laid over that are named where they stand; more names would hide the curves.
@@ -26,11 +26,14 @@ pub const SPIKES: &str = "spikes";
 /// What values in a unit are called on an axis.
 pub fn value_label(unit: &str) -> String {
     match unit {
-        "" => "value",
-        "relative" => "Relative power per nm",
-        unit => unit,
+        "relative" => "Relative power per nm".to_owned(),
+        unit => unit_or_value(unit),
     }
-    .to_owned()
+}
+
+/// A unit, or what stands for one where there is none.
+pub(super) fn unit_or_value(unit: &str) -> String {
+    if unit.is_empty() { "value" } else { unit }.to_owned()
 }
 
 /// The spectrum plot of the present document.
@@ -49,9 +52,7 @@ pub fn spectrum_chart(app: &App, theme: Theme) -> Chart {
             derived.model.smooth.order(),
             many(derived.model.spikes.len(), "spike", "spikes"),
         ),
-        x_label: "Wavelength (nm)".to_owned(),
         y_label: value_label(unit),
-        x_range: [band.min_nm(), band.max_nm()],
         y_scale: scale(app),
         series: spectrum_series(app, theme),
         colours: colours(app),
@@ -62,8 +63,7 @@ pub fn spectrum_chart(app: &App, theme: Theme) -> Chart {
         } else {
             nothing_here(app)
         },
-        theme,
-        ..Chart::default()
+        ..over(band, theme)
     };
     let [low, high] = chart.y_limits();
     chart.y_range = Some(match chart.y_scale {
@@ -102,23 +102,17 @@ fn top(app: &App) -> f64 {
 
 /// Values on the model's grid as points on the scale in force.
 fn curve(app: &App, values: &[f64]) -> Vec<[f64; 2]> {
-    let grid = app.derived().band.grid().zip(values);
-    grid.map(|(nm, v)| [nm, v * app.scale_factor()]).collect()
+    on_grid(app.derived().band, values, app.scale_factor())
 }
 
-pub(super) fn line(
-    name: &str,
-    colour: Rgb,
-    points: Vec<[f64; 2]>,
-    width: f64,
-    dash: Dash,
-) -> Series {
-    let marks = Marks::Line {
-        points,
-        width,
-        dash,
-    };
-    Series::new(name, colour, marks)
+/// Values on a band's grid as points, each times a factor.
+pub(super) fn on_grid(band: Band, values: &[f64], factor: f64) -> Vec<[f64; 2]> {
+    chart::curve(band.grid(), values.iter().map(|value| value * factor))
+}
+
+/// An empty chart over the wavelengths of a band.
+pub(super) fn over(band: Band, theme: Theme) -> Chart {
+    Chart::over_nm([band.min_nm(), band.max_nm()], theme)
 }
 
 /// What the view shows, the last on top.
@@ -139,12 +133,8 @@ fn spectrum_series(app: &App, theme: Theme) -> Vec<Series> {
         let points = app.measured_points();
         let points: Vec<[f64; 2]> = points.map(|(nm, v)| [nm, v * app.scale_factor()]).collect();
         if view.strip && document.is_about_light() {
-            let marks = Marks::Area {
-                points,
-                base: Vec::new(),
-                is_coloured: true,
-            };
-            series.push(Series::new("measured", inks.measured, marks));
+            let area = Series::area("measured", inks.measured, points, Vec::new());
+            series.push(area.coloured());
             series.extend(line_bars(app));
         } else {
             series.push(Series::line("measured", inks.measured, points));
@@ -155,38 +145,26 @@ fn spectrum_series(app: &App, theme: Theme) -> Vec<Series> {
         let name = format!("through {}", product.name);
         series.push(Series::line(&name, inks.product, exact));
         let name = format!("{name}, by the model");
-        series.push(line(&name, inks.product, model, 1.8, Dash::Dashed));
-        let labels = Vec::new();
-        series.push(stems(
-            app,
-            (&name, inks.product),
-            &product.spikes,
-            &product.smooth,
-            labels,
-        ));
+        series.push(stroke(&name, inks.product, model, 1.8, Dash::Dashed));
+        let (spikes, smooth) = (&product.spikes, &product.smooth);
+        series.push(stems(app, (&name, inks.product), spikes, smooth));
     }
     if view.model {
         // The edge keeps the outline apart from whatever it runs over.
         let points = curve(app, &derived.outline());
         let edge = Palette::of(theme).ground;
-        series.push(line("", edge, points.clone(), 4.0, Dash::Solid));
-        series.push(line("model", inks.model, points, 2.0, Dash::Solid));
+        series.push(stroke("", edge, points.clone(), 4.0, Dash::Solid));
+        series.push(stroke("model", inks.model, points, 2.0, Dash::Solid));
     }
     if view.smooth {
-        let points = curve(app, &derived.smooth);
-        series.push(line("smooth part", inks.smooth, points, 2.34, Dash::Solid));
+        let line = curve(app, &derived.smooth);
+        series.push(stroke("smooth part", inks.smooth, line, 2.34, Dash::Solid));
     }
     if view.spikes {
         series.extend(bells(app, inks));
         let spikes = &derived.model.spikes;
-        let labels = labels(app, spikes);
-        series.push(stems(
-            app,
-            (SPIKES, inks.spikes),
-            spikes,
-            &derived.smooth,
-            labels,
-        ));
+        let stems = stems(app, (SPIKES, inks.spikes), spikes, &derived.smooth);
+        series.push(stems.labelled(labels(app, spikes)));
     }
     series
 }
@@ -211,14 +189,10 @@ fn line_bars(app: &App) -> Vec<Series> {
             let sides =
                 [at_nm - half, at_nm + half].map(|nm| nm.clamp(band.min_nm(), band.max_nm()));
             let base = sides.map(smooth).to_vec();
-            let marks = Marks::Area {
-                points: sides.map(|nm| [nm, height]).to_vec(),
-                base: base.clone(),
-                is_coloured: true,
-            };
+            let points = sides.map(|nm| [nm, height]).to_vec();
             // A line that hardly leaves the glow needs no bar.
             let towers = base.iter().all(|base| height > 1.05 * base);
-            towers.then(|| Series::new("", [128; 3], marks))
+            towers.then(|| Series::area("", [128; 3], points, base).coloured())
         })
         .collect()
 }
@@ -251,13 +225,8 @@ const FAR_APART: f64 = 5.0;
 pub fn overlay_factor(app: &App, entry: &Entry) -> (f64, bool) {
     let document = app.document();
     let subject = &document.subject_entry().spectrum;
-    let most = entry
-        .spectrum
-        .samples
-        .values()
-        .iter()
-        .copied()
-        .fold(0.0, f64::max);
+    let values = entry.spectrum.samples.values().iter().copied();
+    let most = values.fold(0.0, f64::max);
     let as_high = || if most > 0.0 { top(app) / most } else { 1.0 };
     if entry.kind() != subject.kind {
         return (as_high(), true);
@@ -295,57 +264,49 @@ pub(super) fn broken_at_holes(mut points: Vec<[f64; 2]>, samples: &Sampled) -> V
 fn overlay(app: &App, entry: &Entry, index: usize, inks: Inks) -> Series {
     let samples = &entry.spectrum.samples;
     let (factor, _) = overlay_factor(app, entry);
-    let points = samples.nm().iter().zip(samples.values());
-    let points = points.map(|(nm, v)| [*nm, v * factor]).collect();
+    let values = samples.values().iter().map(|v| v * factor);
+    let points = chart::curve(samples.nm().iter().copied(), values);
     let points = broken_at_holes(points, samples);
     let colours = inks.overlays;
     // The second round of inks is thinner: dashes of many curves cost a third of a frame.
     let width = (1.8 / (1 + index / colours.len()) as f64).max(0.7);
     let colour = colours[index % colours.len()];
-    let mut series = line(entry.name(), colour, points, width, Dash::Solid);
+    let mut series = stroke(entry.name(), colour, points, width, Dash::Solid);
     series.is_tagged = index < MOST_TAGGED;
     series
 }
 
-/// Spikes as stems on a smooth curve.
-fn stems(
-    app: &App,
+/// Spikes of the model as stems on a smooth curve.
+fn stems(app: &App, looks: (&str, Rgb), spikes: &[Spike], smooth: &[f64]) -> Series {
+    let derived = app.derived();
+    let smooth = (derived.band, smooth, app.scale_factor());
+    spike_stems(looks, spikes, smooth, |i| derived.parts.stem_width_nm(i))
+}
+
+/// Spikes as stems on a smooth curve, each as high as a line of the width that it is drawn with;
+/// all times a factor.
+pub(super) fn spike_stems(
     (name, colour): (&str, Rgb),
     spikes: &[Spike],
-    smooth: &[f64],
-    labels: Vec<String>,
+    (band, smooth, factor): (Band, &[f64], f64),
+    width_nm: impl Fn(usize) -> f64,
 ) -> Series {
-    let (factor, band) = (app.scale_factor(), app.derived().band);
-    let base: Vec<f64> = spikes
-        .iter()
-        .map(|s| factor * band.interpolate(smooth, s.at_nm))
-        .collect();
-    let tips = spikes.iter().zip(&base);
-    let points = tips
-        .enumerate()
-        .map(|(i, (s, base))| {
-            let width = app.derived().parts.stem_width_nm(i);
-            [s.at_nm, base + factor * s.stem_height(width)]
-        })
-        .collect();
-    let marks = Marks::Stems {
-        points,
-        base,
-        labels,
+    let stem = |(i, spike): (usize, &Spike)| {
+        let base = factor * band.interpolate(smooth, spike.at_nm);
+        let tip = base + factor * spike.stem_height(width_nm(i));
+        ([spike.at_nm, tip], base)
     };
-    Series::new(name, colour, marks)
+    let (points, base) = spikes.iter().enumerate().map(stem).unzip();
+    Series::stems(name, colour, points, base)
 }
 
 /// Lines that have a width, each as it stands on the smooth curve.
 fn bells(app: &App, inks: Inks) -> Option<Series> {
     let derived = app.derived();
     derived.widths.is_wide().then(|| {
-        let marks = Marks::Area {
-            points: curve(app, &derived.outline()),
-            base: curve(app, &derived.smooth).iter().map(|p| p[1]).collect(),
-            is_coloured: false,
-        };
-        Series::new("lines as wide as they are", inks.spikes, marks)
+        let points = curve(app, &derived.outline());
+        let base = curve(app, &derived.smooth).iter().map(|p| p[1]).collect();
+        Series::area("lines as wide as they are", inks.spikes, points, base)
     })
 }
 
@@ -391,15 +352,45 @@ fn nothing_here(app: &App) -> String {
 /// Where the numbers of an export come from: source, scale, program.
 pub fn provenance(app: &App) -> Vec<String> {
     let document = app.document();
-    let spectrum = &document.subject_entry().spectrum;
-    let mut notes = Vec::new();
-    if !spectrum.source.is_empty() {
-        notes.push(format!("Source: {}", spectrum.source));
-    }
-    notes.push(format!(
-        "Scale: {}. Spectral Explorer {}.",
-        document.scale.words(),
-        env!("CARGO_PKG_VERSION")
-    ));
+    let mut notes = source_of(&document.subject_entry().spectrum);
+    notes.push(by_program(&format!("Scale: {}.", document.scale.words())));
     notes
+}
+
+/// The same under notes of a chart's own.
+pub(super) fn before_provenance(mut notes: Vec<String>, app: &App) -> Vec<String> {
+    notes.extend(provenance(app));
+    notes
+}
+
+/// The same under the name of the subject.
+pub(super) fn of_subject(app: &App) -> Vec<String> {
+    let name = app.document().subject_entry().name();
+    before_provenance(vec![format!("Spectrum: {name}")], app)
+}
+
+/// The same as comments of a table, under comments of its own.
+pub(super) fn table_head(mut out: String, app: &App) -> String {
+    for note in provenance(app) {
+        out += &format!("# {note}\n");
+    }
+    out
+}
+
+/// Where a spectrum comes from; nothing where it is not said.
+pub(super) fn source_of(spectrum: &NamedSpectrum) -> Vec<String> {
+    let source = &spectrum.source;
+    let is_said = !source.is_empty();
+    is_said
+        .then(|| format!("Source: {source}"))
+        .into_iter()
+        .collect()
+}
+
+/// A sentence, and what program says so.
+pub(super) fn by_program(sentence: &str) -> String {
+    format!(
+        "{sentence} Spectral Explorer {}.",
+        env!("CARGO_PKG_VERSION")
+    )
 }

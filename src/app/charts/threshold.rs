@@ -4,7 +4,7 @@ use super::tradeoff::{all_figures, origin, spikes_words, words_now};
 use crate::{
     app::{
         App, Command, Settings,
-        chart::{Cells, Chart, Marks, Scale, Series, Shape, Theme},
+        chart::{Cells, Chart, Scale, Series, Shape, Theme},
         settings::Detector,
         studies::SweepAsk,
     },
@@ -91,17 +91,7 @@ pub fn mark_threshold(chart: &mut Chart, app: &App) {
     let inside = chart.heat_map().is_some_and(|cells| cells.at(at).is_some());
     if inside {
         // White or black would vanish at one end of the colours: a ring of each.
-        let ring = |ink, radius| {
-            Series::new(
-                "",
-                ink,
-                Marks::Points {
-                    points: vec![at],
-                    radius,
-                    shape: Shape::Ring,
-                },
-            )
-        };
+        let ring = |ink, radius| Series::points("", ink, Shape::Ring, vec![at]).sized(radius);
         let note = format!("The model now: {}", words_now(app));
         chart.series.push(ring([20; 3], 7.4));
         chart

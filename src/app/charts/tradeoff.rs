@@ -1,15 +1,16 @@
 //! Error against numbers as charts: all eight ways, their Pareto front, and what the threshold
 //! changes.
 
+use super::spectrum::{by_program, source_of};
 use crate::{
     app::{
         App, Command, Settings,
-        chart::{Chart, Dash, Inks, Marks, Scale, Series, Shape, Theme},
+        chart::{Chart, Dash, Inks, Scale, Series, Shape, Theme, stroke},
         pages::WaysShown,
         settings::Detector,
         studies::{About, SweepAsk},
     },
-    io::many::numbers,
+    io::many::{many, numbers},
     spectrum::{Basis, SpikeEdits},
     study::{
         Examined, Measure, Reference, Sweep, SweepPoint, Verdict, Way,
@@ -92,18 +93,14 @@ pub fn verdict_now(app: &App, reference: &Reference) -> Option<Verdict> {
 /// Where a study's numbers come from.
 pub fn origin(about: &About) -> Vec<String> {
     let spectrum = &about.subject.0.spectrum;
-    let mut notes = Vec::new();
-    if !spectrum.source.is_empty() {
-        notes.push(format!("Source: {}", spectrum.source));
-    }
-    notes.push(format!(
-        "{}-{} nm, {}, patches {}. Spectral Explorer {}.",
+    let mut notes = source_of(spectrum);
+    notes.push(by_program(&format!(
+        "{}-{} nm, {}, patches {}.",
         about.band.min_nm(),
         about.band.max_nm(),
         about.observer.title(),
-        about.patches.set,
-        env!("CARGO_PKG_VERSION")
-    ));
+        about.patches.set
+    )));
     notes
 }
 
@@ -201,19 +198,10 @@ impl Tradeoff {
                 .collect();
             let points: Vec<[f64; 2]> = models.iter().filter_map(at).collect();
             let notes = models.iter().map(|i| note(&sweep.points[*i])).collect();
-            let line = Marks::Line {
-                points: points.clone(),
-                width: 1.3,
-                dash,
-            };
-            let points = Marks::Points {
-                points,
-                radius: 2.0,
-                shape,
-            };
-            lines.push((Series::new(way_name(way), ink, line), models.clone()));
-            let points = Series::new(way_name(way), ink, points).with_notes(notes);
-            marks.push((points, models));
+            let line = stroke(way_name(way), ink, points.clone(), 1.3, dash);
+            lines.push((line, models.clone()));
+            let points = Series::points(way_name(way), ink, shape, points).sized(2.0);
+            marks.push((points.with_notes(notes), models));
         }
         let (stairs, rings) = front_series(sweep, measure, &front, theme);
         let corners = (0..stairs.marks.points().len())
@@ -261,24 +249,17 @@ impl Tradeoff {
         };
         let numbers = app.derived().numbers();
         let at = [numbers as f64, measure.figure().drawn(error)];
-        let note = format!("{}\n{}", words_now(app), all_figures(verdict));
-        let mark = mark_now(vec![at], self.chart.theme).with_notes(vec![note]);
+        let mark = mark_now(app, at, verdict, self.chart.theme);
         self.chart.series.push(mark);
     }
 }
 
-/// The mark of the present model.
-pub fn mark_now(points: Vec<[f64; 2]>, theme: Theme) -> Series {
+/// The mark of the present model, with its figures.
+pub fn mark_now(app: &App, at: [f64; 2], verdict: &Verdict, theme: Theme) -> Series {
+    let note = format!("{}\n{}", words_now(app), all_figures(verdict));
     let ink = Inks::of(theme).overlays[1];
-    Series::new(
-        "the model now",
-        ink,
-        Marks::Points {
-            points,
-            radius: 8.0,
-            shape: Shape::Cross,
-        },
-    )
+    let mark = Series::points("the model now", ink, Shape::Cross, vec![at]);
+    mark.sized(8.0).with_notes(vec![note])
 }
 
 /// The present model in words: basis, fit, order, spikes, numbers.
@@ -304,8 +285,7 @@ fn place(point: &SweepPoint, measure: Measure) -> Option<[f64; 2]> {
 pub fn spikes_words(count: usize) -> String {
     match count {
         0 => "no spikes".to_owned(),
-        1 => "1 spike".to_owned(),
-        _ => format!("{count} spikes"),
+        _ => many(count, "spike", "spikes"),
     }
 }
 
@@ -336,19 +316,10 @@ fn front_series(
         let point = &sweep.points[*i];
         format!("{}\n{}", point.way.title(), note(point))
     });
-    let line = Marks::Line {
-        points: stairs(&points),
-        width: 3.4,
-        dash: Dash::Solid,
-    };
-    let rings = Marks::Points {
-        points,
-        radius: 4.0,
-        shape: Shape::Ring,
-    };
+    let rings = Series::points(NAME, ink, Shape::Ring, points.clone()).sized(4.0);
     (
-        Series::new(NAME, ink, line),
-        Series::new(NAME, ink, rings).with_notes(notes.collect()),
+        stroke(NAME, ink, stairs(&points), 3.4, Dash::Solid),
+        rings.with_notes(notes.collect()),
     )
 }
 

@@ -1,10 +1,11 @@
 //! The page "Truth" as charts: what a claim looks like on the spectrum at hand.
 
+use super::coefficients::{CHANNEL_DASHES, FUNCTIONS, NEGLECTED_PERCENT, channel_inks};
 use crate::{
     app::{
         chart::Inks,
-        chart::{Chart, Dash, Rgb, Scale, Series, Shape, Theme},
-        charts::spectrum::provenance,
+        chart::{Chart, Dash, Rgb, Scale, Series, Shape, Theme, stroke},
+        charts::spectrum::of_subject,
         state::App,
         studies::paper::{CHANNELS, Claims},
     },
@@ -16,9 +17,6 @@ use crate::{
         truth::{STATED_ORDER, SampledErrors},
     },
 };
-
-/// Percentages that the chart of what is left out shows.
-const NEGLECTED_PERCENT: [f64; 2] = [1e-3, 300.0];
 
 /// Orders that it shows.
 const HIGHEST_SHOWN: usize = 20;
@@ -36,8 +34,7 @@ pub fn neglected_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart
     }
     let level = orders.iter().map(|o| [o.order as f64, 5.0]).collect();
     let mut series = vec![thin("5 %", inks.measured, level, Dash::Dashed)];
-    let colours = [inks.spikes, inks.residual, inks.smooth];
-    let dashes = [Dash::Dashed, Dash::Solid, Dash::Dotted];
+    let colours = channel_inks(inks);
     for k in 0..3 {
         let point = |o: &Order| {
             let share = o.neglected[k].unwrap_or(f64::NAN);
@@ -47,7 +44,7 @@ pub fn neglected_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart
             ]
         };
         let points = orders.iter().map(point).collect();
-        series.push(Series::line(CHANNELS[k], colours[k], points).dashed(dashes[k]));
+        series.push(Series::line(CHANNELS[k], colours[k], points).dashed(CHANNEL_DASHES[k]));
     }
     let stated = STATED_ORDER.figure;
     let foot_to_top = NEGLECTED_PERCENT.map(|y| [stated, y]).to_vec();
@@ -65,7 +62,7 @@ pub fn neglected_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart
         y_range: Some(NEGLECTED_PERCENT),
         y_scale: Scale::Log10,
         series,
-        notes: notes(app),
+        notes: of_subject(app),
         theme,
         ..Chart::default()
     })
@@ -108,7 +105,7 @@ pub fn samples_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
         x_scale: Scale::Log10,
         y_scale: Scale::Log10,
         series,
-        notes: notes(app),
+        notes: of_subject(app),
         theme,
         ..Chart::default()
     })
@@ -125,13 +122,12 @@ pub fn table_2_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
         return None;
     }
     let table = claims.observer.table();
-    let colours = [inks.spikes, inks.residual, inks.smooth];
-    let names = ["x-bar", "y-bar", "z-bar"];
+    let colours = channel_inks(inks);
     let grid = || band.grid().filter(|nm| (low..=high).contains(nm));
     let mut series = Vec::new();
     for k in 0..3 {
         let exact = grid().map(|nm| [nm, table.at(nm)[k]]).collect();
-        series.push(Series::line(names[k], colours[k], exact));
+        series.push(Series::line(FUNCTIONS[k], colours[k], exact));
     }
     for k in 0..3 {
         let fit = grid()
@@ -147,23 +143,13 @@ pub fn table_2_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
     );
     Some(Chart {
         title: "Colour-matching functions and Table 2".to_owned(),
-        x_label: "Wavelength (nm)".to_owned(),
         y_label: "value".to_owned(),
-        x_range: [low, high],
         series,
-        notes: notes(app),
-        theme,
-        ..Chart::default()
+        notes: of_subject(app),
+        ..Chart::over_nm([low, high], theme)
     })
 }
 
 fn thin(name: &str, ink: Rgb, points: Vec<[f64; 2]>, dash: Dash) -> Series {
-    Series::line(name, ink, points).thick(1.3).dashed(dash)
-}
-
-fn notes(app: &App) -> Vec<String> {
-    let entry = app.document().subject_entry();
-    let mut notes = vec![format!("Spectrum: {}", entry.name())];
-    notes.extend(provenance(app));
-    notes
+    stroke(name, ink, points, 1.3, dash)
 }

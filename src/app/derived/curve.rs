@@ -51,14 +51,12 @@ impl Fitted {
         let blurred_square = band.inner(&blurred_measured, &blurred_measured);
         // What is missing before any smooth part: spikes minus measured, plain and blurred.
         let mut rest: Vec<f64> = measured.iter().map(|m| -m).collect();
-        if self.widths.is_wide() {
-            let bells = times(&self.widths.bells, unit);
-            rest.iter_mut().zip(&bells).for_each(|(r, b)| *r += b);
-        }
+        let bells = times(&self.widths.bells, unit);
+        rest.iter_mut().zip(&bells).for_each(|(r, b)| *r += b);
         add_spikes(band, &spikes, &mut rest);
         let mut blurred_rest: Vec<f64> = blurred_measured.iter().map(|m| -m).collect();
         if self.widths.is_wide() {
-            let bells = tables.blur.values(&times(&self.widths.bells, unit));
+            let bells = tables.blur.values(&bells);
             let rest = blurred_rest.iter_mut();
             rest.zip(bells).for_each(|(r, b)| *r += b);
         }

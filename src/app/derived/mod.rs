@@ -81,6 +81,12 @@ pub struct Derived {
     pub warnings: Vec<String>,
 }
 
+/// A curve less another one on the same grid.
+pub(super) fn less(values: &[f64], others: &[f64]) -> Vec<f64> {
+    let pairs = values.iter().zip(others);
+    pairs.map(|(value, other)| value - other).collect()
+}
+
 /// What is said of a table that lies beside the range.
 pub fn nothing_measured(band: Band, [first_nm, last_nm]: [f64; 2]) -> String {
     format!(
@@ -113,12 +119,7 @@ impl Derived {
         let order = settings.effective_order();
         let (coefficients, exactness) = fitted.coefficients(order, tables);
         let smooth = tables.basis.evaluate(&coefficients);
-        let mut residual: Vec<f64> = smooth
-            .iter()
-            .zip(question.measured)
-            .map(|(s, m)| s - m)
-            .collect();
-        residual = fitted.widths.with_bells(residual);
+        let mut residual = fitted.widths.with_bells(less(&smooth, question.measured));
         add_spikes(band, &fitted.ideal, &mut residual);
         let colour = fitted.colour(question, tables, &coefficients);
         // Without a white there is nothing to bring patches to.
@@ -205,12 +206,7 @@ impl Derived {
 
     /// The model with each spike as a Gaussian of its line's own width, less what was measured.
     pub fn widened_residual(&self) -> Vec<f64> {
-        let mut values: Vec<f64> = self
-            .smooth
-            .iter()
-            .zip(&self.measured)
-            .map(|(s, m)| s - m)
-            .collect();
+        let mut values = less(&self.smooth, &self.measured);
         for (i, spike) in self.model.spikes.iter().enumerate() {
             let width = self.parts.stem_width_nm(i);
             let height = spike.stem_height(width);

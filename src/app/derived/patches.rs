@@ -62,23 +62,15 @@ impl Fitted {
         patches.set.xyz_into(question.measured, &mut exact);
         let sampling = question.settings.sampling;
         match (sampling, sampling.points(coefficients.len())) {
-            (_, Some(points)) => {
-                self.resampled_patches(question, tables, coefficients, points, &mut model)
-            }
-            (Sampling::Convolution, None) => {
-                self.convolved_patches(question, tables, coefficients, &mut model);
+            (_, points @ Some(_)) | (Sampling::Convolution, points) => {
+                self.multiplied_patches(question, tables, coefficients, points, &mut model);
             }
             (_, None) => {
                 patches.matrix.xyz_into(coefficients, &mut model);
                 self.add_to_patches(&patches.set, &mut model);
             }
         }
-        let (mut exact_labs, mut model_labs) = (
-            vec![Lab::new(0.0, 0.0, 0.0); exact.len()],
-            vec![Lab::new(0.0, 0.0, 0.0); exact.len()],
-        );
-        labs_into(&exact, self.white, &mut exact_labs);
-        labs_into(&model, self.white, &mut model_labs);
+        let [exact_labs, model_labs] = [&exact, &model].map(|xyz| self.labs(xyz));
         let white = self.white * scale;
         let items: Vec<PatchPair> = patches
             .set
@@ -110,64 +102,56 @@ impl Fitted {
         })
     }
 
-    /// Patches by products on a few points, both factors modelled with the same count of numbers.
-    fn resampled_patches(
-        &self,
-        question: Question<'_>,
-        tables: &Tables,
-        coefficients: &[f64],
-        points: usize,
-        out: &mut [[f64; 3]],
-    ) {
-        let Some(patches) = tables.patches.as_ref() else {
-            return;
-        };
-        let grid = SampleGrid {
-            band: tables.band(),
-            basis: question.settings.basis,
-            points,
-        };
-        let series = |coefficients: &[f64]| Series {
-            band: grid.band,
-            basis: grid.basis,
-            coefficients: coefficients.to_vec(),
-        };
-        let to_xyz = grid.product_matrix(|k| function_xyz(tables, k));
-        let light = grid.sample(&series(coefficients));
-        for (xyz, reflectance) in out.iter_mut().zip(&patches.coefficients) {
-            let reflectance = series(&reflectance[..coefficients.len()]);
-            *xyz = [0.0; 3];
-            for ((s, r), row) in light.iter().zip(grid.sample(&reflectance)).zip(&to_xyz) {
-                for (x, m) in xyz.iter_mut().zip(row) {
-                    *x += s * r * m;
-                }
-            }
-            self.add_lines(&reflectance, tables, xyz);
-        }
+    /// Colours beside the exact light as the white.
+    fn labs(&self, xyz: &[[f64; 3]]) -> Vec<Lab> {
+        let mut labs = vec![Lab::new(0.0, 0.0, 0.0); xyz.len()];
+        labs_into(xyz, self.white, &mut labs);
+        labs
     }
 
-    /// Patches by convolution of the coefficients, cut back to as many as the light has.
-    fn convolved_patches(
+    /// Patches by products of two series of the same count of numbers: on a few points, else by
+    /// convolution of the coefficients, cut back to as many as the light has.
+    fn multiplied_patches(
         &self,
         question: Question<'_>,
         tables: &Tables,
         coefficients: &[f64],
+        points: Option<usize>,
         out: &mut [[f64; 3]],
     ) {
         let Some(patches) = tables.patches.as_ref() else {
             return;
         };
+        let (band, basis) = (tables.band(), question.settings.basis);
         let numbers = coefficients.len();
         let series = |coefficients: &[f64]| Series {
-            band: tables.band(),
-            basis: question.settings.basis,
+            band,
+            basis,
             coefficients: coefficients.to_vec(),
         };
         let light = series(coefficients);
+        let on_points = points.map(|points| {
+            let grid = SampleGrid {
+                band,
+                basis,
+                points,
+            };
+            let to_xyz = grid.product_matrix(|k| function_xyz(tables, k));
+            (grid.sample(&light), to_xyz, grid)
+        });
         for (xyz, reflectance) in out.iter_mut().zip(&patches.coefficients) {
             let reflectance = series(&reflectance[..numbers]);
-            let product = convolve(&light, &reflectance).truncated(numbers);
-            *xyz = tables.colour.of(&product.coefficients);
+            if let Some((light, to_xyz, grid)) = &on_points {
+                *xyz = [0.0; 3];
+                for ((s, r), row) in light.iter().zip(grid.sample(&reflectance)).zip(to_xyz) {
+                    for (x, m) in xyz.iter_mut().zip(row) {
+                        *x += s * r * m;
+                    }
+                }
+            } else {
+                let product = convolve(&light, &reflectance).truncated(numbers);
+                *xyz = tables.colour.of(&product.coefficients);
+            }
             self.add_lines(&reflectance, tables, xyz);
         }
     }
@@ -214,11 +198,9 @@ impl Fitted {
         if !is_positive(self.white.y) {
             return None;
         }
-        let zero = Lab::new(0.0, 0.0, 0.0);
         let mut exact = patches.set.buffer();
         patches.set.xyz_into(question.measured, &mut exact);
-        let mut exact_labs = vec![zero; exact.len()];
-        labs_into(&exact, self.white, &mut exact_labs);
+        let exact_labs = self.labs(&exact);
         let mut lines = patches.set.buffer();
         self.add_to_patches(&patches.set, &mut lines);
         Some(PatchWork {

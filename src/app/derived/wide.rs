@@ -1,6 +1,7 @@
 //! Lines as wide as they are: each is given the width that fits best what the detector took out,
 //! and leaves its Gaussian out of the smooth part.
 
+use super::less;
 use crate::{
     lamps::{Spike as WideSpike, add_spikes, as_wide_as_it_is},
     spectrum::{Band, Decomposed, LineShape, Spike},
@@ -24,11 +25,7 @@ impl Widths {
         parts: &mut Decomposed,
         max_width_nm: f64,
     ) -> Self {
-        let mut taken = measured.to_vec();
-        taken
-            .iter_mut()
-            .zip(&parts.smooth)
-            .for_each(|(m, s)| *m -= s);
+        let taken = less(measured, &parts.smooth);
         let mut lines = Vec::with_capacity(parts.spikes.len());
         for found in &mut parts.spikes {
             let mut line = WideSpike::ideal(found.spike.at_nm, found.spike.weight);

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     app::{
-        open::{Loaded, load_bytes_as, load_path_as},
+        open::{Loaded, load_bytes_as, load_path_as, unshaken},
         opened::Opened,
         origin::SourceFile,
         studies::{Job, Stage, Wake, Work},
@@ -35,22 +35,19 @@ fn read(file: &SourceFile, choices: &Choices) -> Result<Opened, String> {
         (None, Some(path)) => load_path_as(path, choices),
         (None, None) => Loaded::Refused(format!("{name}: it cannot be read again")),
     };
-    // A panic in a reader must not take the window along.
-    let loaded = std::panic::catch_unwind(std::panic::AssertUnwindSafe(read));
-    match loaded {
-        Ok(Loaded::File(opened)) if opened.spectra.is_empty() && opened.images.is_empty() => {
+    match unshaken(name, read) {
+        Loaded::File(opened) if opened.spectra.is_empty() && opened.images.is_empty() => {
             Err(format!("{name}: found no spectrum"))
         }
-        Ok(Loaded::File(mut opened)) => {
+        Loaded::File(mut opened) => {
             if file.images_only {
                 opened.spectra.clear();
                 opened.guesses.clear();
             }
             Ok(*opened)
         }
-        Ok(Loaded::Refused(why)) => Err(why),
-        Ok(Loaded::Project { .. }) => Err(format!("{name}: it is a project now")),
-        Err(_) => Err(format!("{name}: the reader failed on this file")),
+        Loaded::Refused(why) => Err(why),
+        Loaded::Project { .. } => Err(format!("{name}: it is a project now")),
     }
 }
 

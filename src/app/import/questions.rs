@@ -27,6 +27,30 @@ pub struct Question {
     pub applies: bool,
 }
 
+impl Question {
+    /// One that applies and is not doubtful.
+    fn new(
+        what: &'static str,
+        meaning: &'static str,
+        answers: Vec<Answer>,
+        because: String,
+    ) -> Self {
+        Self {
+            what,
+            meaning,
+            answers,
+            because,
+            doubtful: false,
+            applies: true,
+        }
+    }
+
+    /// The same, which a person should perhaps look at.
+    fn doubtful(self, doubtful: bool) -> Self {
+        Self { doubtful, ..self }
+    }
+}
+
 /// One answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
@@ -102,16 +126,17 @@ pub(super) fn all(opened: &Opened, alike: Option<&Alike>, at: usize) -> Vec<Ques
         ));
     }
     match understood.and_then(|u| u.axis.as_ref()) {
-        Some(axis @ AxisDecision::Unit(unit)) => questions.push(Question {
-            what: "Wavelengths in",
-            meaning: "What the numbers of the wavelength axis count.",
-            answers: answers(WavelengthUnit::ALL, unit.value, Flip::Wavelengths, |unit| {
-                unit.word().to_owned()
-            }),
-            because: why(unit),
-            doubtful: axis.is_doubtful(),
-            applies: true,
-        }),
+        Some(axis @ AxisDecision::Unit(unit)) => {
+            let question = Question::new(
+                "Wavelengths in",
+                "What the numbers of the wavelength axis count.",
+                answers(WavelengthUnit::ALL, unit.value, Flip::Wavelengths, |unit| {
+                    unit.word().to_owned()
+                }),
+                why(unit),
+            );
+            questions.push(question.doubtful(axis.is_doubtful()));
+        }
         Some(AxisDecision::Laser(laser)) => questions.push(laser_question(laser)),
         None => {}
     }
@@ -126,31 +151,26 @@ pub(super) fn all(opened: &Opened, alike: Option<&Alike>, at: usize) -> Vec<Ques
 
 /// What becomes of photon counts.
 fn photon_question(choices: &Choices) -> Question {
-    Question {
-        what: "Photons are",
-        meaning: "Colours and errors are of power: a photon of half the wavelength carries twice \
-                  as much of it.",
-        answers: answers(
+    let words = |keep| {
+        if keep {
+            "as they are"
+        } else {
+            "turned into power"
+        }
+        .to_owned()
+    };
+    Question::new(
+        "Photons are",
+        "Colours and errors are of power: a photon of half the wavelength carries twice as much \
+         of it.",
+        answers(
             [false, true],
             choices.keep_photons,
             Flip::KeepPhotons,
-            |keep| {
-                if keep {
-                    "as they are"
-                } else {
-                    "turned into power"
-                }
-                .to_owned()
-            },
+            words,
         ),
-        because: if choices.keep_photons {
-            by_hand()
-        } else {
-            "the unit counts photons".to_owned()
-        },
-        doubtful: false,
-        applies: true,
-    }
+        by_hand_or(choices.keep_photons, "the unit counts photons"),
+    )
 }
 
 /// Kinds that are offered.
@@ -184,15 +204,14 @@ fn kind_question(
     if !kinds.contains(&one.kind) {
         kinds.push(one.kind);
     }
-    Question {
-        what: "Values are",
-        meaning: "What the values stand for: a light is drawn as a light, a reflectance or \
-                  transmittance is looked at under one.",
-        answers: answers(kinds, one.kind, Flip::Kind, |kind| kind.word().to_owned()),
+    Question::new(
+        "Values are",
+        "What the values stand for: a light is drawn as a light, a reflectance or transmittance \
+         is looked at under one.",
+        answers(kinds, one.kind, Flip::Kind, |kind| kind.word().to_owned()),
         because,
-        doubtful,
-        applies: true,
-    }
+    )
+    .doubtful(doubtful)
 }
 
 fn counted_question(told: Option<&Decision<Counted>>, format: &str) -> Question {
@@ -240,19 +259,26 @@ fn laser_question(told: &Decision<f64>) -> Question {
         lasers.push(told.value);
         lasers.sort_by(f64::total_cmp);
     }
-    Question {
-        what: "Shifts from",
-        meaning: "The laser, in nm, from whose line the Raman shifts count.",
-        answers: answers(lasers, told.value, Flip::Laser, |nm| format!("{nm} nm")),
-        because: why(told),
-        doubtful: told.is_doubtful(),
-        applies: true,
-    }
+    Question::new(
+        "Shifts from",
+        "The laser, in nm, from whose line the Raman shifts count.",
+        answers(lasers, told.value, Flip::Laser, |nm| format!("{nm} nm")),
+        why(told),
+    )
+    .doubtful(told.is_doubtful())
 }
 
 /// What spoke for a decision that a person took.
 fn by_hand() -> String {
     Decision::chosen(()).reason
+}
+
+fn by_hand_or(is_chosen: bool, otherwise: &str) -> String {
+    if is_chosen {
+        by_hand()
+    } else {
+        otherwise.to_owned()
+    }
 }
 
 fn why<T>(decision: &Decision<T>) -> String {
@@ -278,71 +304,62 @@ fn answers<T: Copy + PartialEq>(
 }
 
 fn table_questions(table: &TableFound, choices: &Choices) -> Vec<Question> {
-    let because = |is_chosen: bool, otherwise: &str| match is_chosen {
-        true => by_hand(),
-        false => otherwise.to_owned(),
-    };
     let is_chosen = choices.dialect.is_some();
     let mut questions = Vec::new();
     if let Some(axis) = table.axis_column {
         let columns = (0..table.width).filter(|c| *c < MOST_COLUMNS || *c == axis);
-        questions.push(Question {
-            what: "Wavelength column",
-            meaning: "Which column holds the wavelengths.",
-            answers: answers(columns, axis, Flip::AxisColumn, |column| {
-                (column + 1).to_string()
-            }),
-            because: because(
+        questions.push(Question::new(
+            "Wavelength column",
+            "Which column holds the wavelengths.",
+            answers(columns, axis, Flip::AxisColumn, |c| (c + 1).to_string()),
+            by_hand_or(
                 choices.axis_column.is_some(),
                 "it rises or falls throughout",
             ),
-            doubtful: false,
-            applies: true,
-        });
+        ));
     }
+    let delimiter = |delimiter| {
+        match delimiter {
+            Delimiter::Tab => "TAB",
+            Delimiter::Semicolon => "semicolon ;",
+            Delimiter::Comma => "comma ,",
+            Delimiter::Space => "blanks",
+            Delimiter::Cell => "edges of cells",
+        }
+        .to_owned()
+    };
+    let mark = |comma| {
+        if comma {
+            "decimal comma"
+        } else {
+            "decimal point"
+        }
+        .to_owned()
+    };
+    let dialect = &table.dialect;
     questions.extend([
-        Question {
-            what: "Cells between",
-            meaning: "What stands between two cells of a row.",
-            answers: answers(
+        Question::new(
+            "Cells between",
+            "What stands between two cells of a row.",
+            answers(
                 Delimiter::ALL,
-                table.dialect.delimiter,
+                dialect.delimiter,
                 Flip::Delimiter,
-                |delimiter| {
-                    match delimiter {
-                        Delimiter::Tab => "TAB",
-                        Delimiter::Semicolon => "semicolon ;",
-                        Delimiter::Comma => "comma ,",
-                        Delimiter::Space => "blanks",
-                        Delimiter::Cell => "edges of cells",
-                    }
-                    .to_owned()
-                },
+                delimiter,
             ),
-            because: because(is_chosen, "it makes the most even table"),
-            doubtful: false,
-            applies: true,
-        },
-        Question {
-            what: "Decimal mark",
-            meaning: "What stands before the decimals of a number.",
-            answers: answers(
+            by_hand_or(is_chosen, "it makes the most even table"),
+        ),
+        Question::new(
+            "Decimal mark",
+            "What stands before the decimals of a number.",
+            answers(
                 [false, true],
-                table.dialect.decimal_comma,
+                dialect.decimal_comma,
                 Flip::DecimalComma,
-                |comma| {
-                    if comma {
-                        "decimal comma"
-                    } else {
-                        "decimal point"
-                    }
-                    .to_owned()
-                },
+                mark,
             ),
-            because: because(is_chosen, "it makes the most numbers"),
-            doubtful: false,
-            applies: true,
-        },
+            by_hand_or(is_chosen, "it makes the most numbers"),
+        ),
     ]);
     questions
 }

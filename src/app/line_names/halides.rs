@@ -5,7 +5,7 @@
 
 use super::{
     mercury::HG,
-    scene::{Scene, Told, is_line, middle},
+    scene::{Scene, Told, is_line},
     sodium::{self, Yellow, candidate, name_others, name_yellow},
     table::{
         DY_OTHERS, DY_STRONGEST, HG_GREEN, IN_BLUE, IN_VIOLET, LI_RED, NA_OTHERS, SC_GROUPS,
@@ -45,10 +45,7 @@ pub(super) fn name_sodium_and_halides(scene: &mut Scene<'_>) {
         yellow = high_candidate(scene);
     }
     let thallium = thallium.filter(|_| yellow.is_some() || has_mercury);
-    if let Some(peak) = thallium {
-        let told = scene.name_of(TL, &[TL_GREEN]);
-        scene.tell([peak], &told);
-    }
+    scene.name_peak(thallium, TL, &[TL_GREEN]);
     let is_reversed = matches!(yellow, Some(Yellow::Reversed(_)));
     let scandium = scandium(scene).filter(|_| (yellow.is_some() || has_mercury) && !is_reversed);
     if yellow.is_none() && scandium.is_some() {
@@ -125,18 +122,14 @@ fn name_scandium(scene: &mut Scene<'_>, groups: [Option<usize>; 7], with_sodium:
 
 fn name_lithium_and_indium(scene: &mut Scene<'_>) {
     let least = LI_AT_LEAST * scene.points.top();
-    if let Some(peak) = scene.near(LI_RED)
-        && scene.peaks[peak].height > least
-    {
-        let told = scene.name_of(LI, &[LI_RED]);
-        scene.tell([peak], &told);
-    }
+    let lithium = scene.near(LI_RED);
+    let lithium = lithium.filter(|peak| scene.peaks[*peak].height > least);
+    scene.name_peak(lithium, LI, &[LI_RED]);
     if let (Some(blue), Some(violet)) = (scene.near(IN_BLUE), scene.near(IN_VIOLET))
         && scene.peaks[blue].height >= IN_BLUE_OVER * scene.peaks[violet].height
     {
         for (peak, line) in [(blue, IN_BLUE), (violet, IN_VIOLET)] {
-            let told = scene.name_of(IN, &[line]);
-            scene.tell([peak], &told);
+            scene.name_peak([peak], IN, &[line]);
         }
     }
 }
@@ -151,9 +144,6 @@ fn name_dysprosium(scene: &mut Scene<'_>) {
         return;
     }
     for (at_nm, _) in scene.lines_of(DY) {
-        if let Some(peak) = scene.near(middle(&[at_nm])) {
-            let told = scene.name_of(DY, &[at_nm]);
-            scene.tell([peak], &told);
-        }
+        scene.name_near(DY, &[at_nm]);
     }
 }

@@ -41,12 +41,8 @@ pub(super) fn name_mercury(scene: &mut Scene<'_>, with_terbium: bool, with_phosp
         lines.push(HG_GREEN);
     }
     for line in lines {
-        if let Some(peak) = scene.near(line) {
-            let told = scene.name_of(HG, &[line]);
-            scene.tell([peak], &told);
-        }
+        scene.name_near(HG, &[line]);
     }
-    let told = scene.name_of(HG, &HG_YELLOW);
     let mut both: Vec<usize> = Vec::new();
     if scene.is_fine {
         both.extend(HG_YELLOW.iter().filter_map(|nm| scene.near(*nm)));
@@ -58,7 +54,7 @@ pub(super) fn name_mercury(scene: &mut Scene<'_>, with_terbium: bool, with_phosp
             (peak.at_nm - middle(&HG_YELLOW)).abs() <= reach && peak.width_nm() <= WIDEST_YELLOW_NM
         }));
     }
-    scene.tell(both, &told);
+    scene.name_peak(both, HG, &HG_YELLOW);
     if with_phosphor {
         return;
     }
@@ -67,10 +63,7 @@ pub(super) fn name_mercury(scene: &mut Scene<'_>, with_terbium: bool, with_phosp
             let peak = scene.peaks[*peak];
             peak.height < FAINT * blue && peak.width_nm() <= WIDEST_FAINT_NM
         });
-        if let Some(peak) = peak {
-            let told = scene.name_of(HG, &[line]);
-            scene.tell([peak], &told);
-        }
+        scene.name_peak(peak, HG, &[line]);
     }
 }
 

@@ -21,10 +21,9 @@ mod scene;
 mod sodium;
 mod table;
 
+pub(super) use super::library::ElementLine;
 pub(super) use identify::Identified;
 pub use identify::spike_under;
-
-pub(super) use super::library::ElementLine;
 
 /// What a spike is called.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -143,6 +143,22 @@ impl<'a> Scene<'a> {
         }
     }
 
+    /// Names the peak that stands where a line or a pair seen as one does, if there is one.
+    pub(super) fn name_near(&mut self, symbol: &'static str, lines_nm: &[f64]) {
+        self.name_peak(self.near(middle(lines_nm)), symbol, lines_nm);
+    }
+
+    /// Names a peak, if there is one, after a line or a pair seen as one.
+    pub(super) fn name_peak(
+        &mut self,
+        peak: impl IntoIterator<Item = usize>,
+        symbol: &'static str,
+        lines_nm: &[f64],
+    ) {
+        let told = self.name_of(symbol, lines_nm);
+        self.tell(peak, &told);
+    }
+
     /// Takes an element's names back.
     pub(super) fn forget(&mut self, symbol: &str) {
         for told in &mut self.told {
@@ -187,7 +203,9 @@ impl<'a> Scene<'a> {
     /// Place and strength of all tabulated lines of an element.
     pub(super) fn lines_of(&self, symbol: &str) -> Vec<(f64, f64)> {
         let lines = self.lines.iter().filter(|line| line.element == symbol);
-        lines.map(|line| (line.at_nm, line.strength)).collect()
+        lines
+            .map(|line| (line.at_nm, line.strength))
+            .collect()
     }
 
     /// The table's place of a line that is written to a tenth of a nanometre.

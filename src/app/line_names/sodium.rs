@@ -149,15 +149,12 @@ pub(super) fn name_yellow(scene: &mut Scene<'_>, yellow: &Yellow) {
         Yellow::Broadened(peak) => (vec![*peak], format!("{words}, broadened")),
         Yellow::Reversed(peaks) => (peaks.clone(), format!("{words}, {REVERSED}")),
     };
-    let symbol = NA;
-    scene.tell(
-        peaks,
-        &Told {
-            symbol,
-            words,
-            label,
-        },
-    );
+    let told = Told {
+        symbol: NA,
+        words,
+        label,
+    };
+    scene.tell(peaks, &told);
 }
 
 /// Names sodium's other pairs: the three strongest, and of a lamp of high pressure without halides
@@ -171,16 +168,10 @@ pub(super) fn name_others(scene: &mut Scene<'_>, is_high_pressure: bool) {
         pairs.extend_from_slice(&NA_FAINT);
     }
     for pair in pairs {
-        if let Some(peak) = scene.near(middle(&pair)) {
-            let told = scene.name_of(NA, &pair);
-            scene.tell([peak], &told);
-        }
+        scene.name_near(NA, &pair);
     }
     let potassium = scene.near(middle(&K_RED));
     let least = K_AT_LEAST * scene.points.top();
-    let is_high = potassium.is_some_and(|peak| scene.peaks[peak].height > least);
-    if let Some(peak) = potassium.filter(|_| is_high_pressure && is_high) {
-        let told = scene.name_of(K, &K_RED);
-        scene.tell([peak], &told);
-    }
+    let potassium = potassium.filter(|peak| is_high_pressure && scene.peaks[*peak].height > least);
+    scene.name_peak(potassium, K, &K_RED);
 }

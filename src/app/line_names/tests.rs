@@ -23,6 +23,10 @@ fn identified(samples: &Sampled) -> Identified {
     Identified::of(samples, Outside::Zero, Library::bundled().lines())
 }
 
+fn elements(lines: &[(f64, f64)], width_nm: f64, step_nm: f64, glow: f64) -> Vec<&'static str> {
+    identified(&lamp(lines, width_nm, step_nm, glow)).elements()
+}
+
 fn safe(found: &Identified, at_nm: f64) -> Option<String> {
     found.names_at(&[at_nm])[0].safe.clone()
 }
@@ -30,10 +34,8 @@ fn safe(found: &Identified, at_nm: f64) -> Option<String> {
 /// Strengths of an element's lines as the table has them; neon's beyond 692 nm are on another
 /// scale there.
 fn strengths(element: &str) -> Vec<(f64, f64)> {
-    let lines = Library::bundled()
-        .lines()
-        .iter()
-        .filter(|l| l.element == element);
+    let lines = Library::bundled().lines().iter();
+    let lines = lines.filter(|line| line.element == element);
     let known = lines.filter(|line| line.strength > 0.0);
     let scale = |nm: f64| {
         if element == "Ne" && nm > 692.0 {
@@ -127,20 +129,14 @@ fn mercury_is_named_when_its_lines_are_there_on_fine_and_on_coarse_data() {
 
 #[test]
 fn one_line_at_a_place_of_mercurys_is_no_mercury() {
-    for step in [1.0, 5.0] {
-        let found = identified(&lamp(
-            &[(435.8, 1.0), (611.2, 2.0)],
-            2.0_f64.max(step),
-            step,
-            0.1,
-        ));
-        assert_eq!(found.elements(), Vec::<&str>::new(), "{step}");
+    for step in [1.0_f64, 5.0] {
+        let two = [(435.8, 1.0), (611.2, 2.0)];
+        assert_eq!(elements(&two, step.max(2.0), step, 0.1), [""; 0], "{step}");
     }
     // Three lasers of a projector stand at no element's lines.
     let lasers = [(445.0, 1.0), (532.0, 1.0), (638.0, 1.0)];
     for (width, step) in [(1.0, 1.0), (5.0, 5.0)] {
-        let found = identified(&lamp(&lasers, width, step, 0.0));
-        assert_eq!(found.elements(), Vec::<&str>::new(), "{step}");
+        assert_eq!(elements(&lasers, width, step, 0.0), [""; 0], "{step}");
     }
 }
 
@@ -148,8 +144,8 @@ fn one_line_at_a_place_of_mercurys_is_no_mercury() {
 fn each_line_tube_is_named_after_its_own_gas_and_no_other() {
     for element in ["H", "He", "Ne", "Ar", "Kr", "Xe", "Cd", "Na", "Hg"] {
         for (width, step) in [(0.6, 0.25), (1.5, 1.0)] {
-            let found = identified(&lamp(&strengths(element), width, step, 0.0));
-            assert_eq!(found.elements(), [element], "{width} nm, {step} nm");
+            let found = elements(&strengths(element), width, step, 0.0);
+            assert_eq!(found, [element], "{width} nm, {step} nm");
         }
     }
 }
@@ -158,8 +154,7 @@ fn each_line_tube_is_named_after_its_own_gas_and_no_other() {
 fn data_too_coarse_for_a_gas_gives_it_no_name_and_no_false_one() {
     for element in ["H", "He", "Ne", "Ar", "Kr", "Xe", "Cd"] {
         for (width, step) in [(5.0, 1.0), (5.0, 5.0), (10.0, 5.0), (12.0, 1.0)] {
-            let found = identified(&lamp(&strengths(element), width, step, 0.0));
-            for name in found.elements() {
+            for name in elements(&strengths(element), width, step, 0.0) {
                 assert_eq!(name, element, "{width} nm, {step} nm");
             }
         }

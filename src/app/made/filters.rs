@@ -1,9 +1,9 @@
 //! Ideal filters: all of the light or nothing, at any place.
 
-use super::{empty, item};
+use super::{RANGE_NM, by_formula, empty, item};
 use crate::{
     preset::{Group, Preset, Shelf},
-    spectrum::{Kind, Sampled},
+    spectrum::Kind,
 };
 
 /// Id of the group.
@@ -21,9 +21,6 @@ pub(super) enum IdealFilter {
     /// All but what lies about a place: its middle and width, nm.
     Notch(f64, f64),
 }
-
-/// The range of its table, nm.
-const RANGE_NM: [f64; 2] = [300.0, 1100.0];
 
 /// Those that are listed: yellow, orange and red edges, blue and green ones, bands of the colours,
 /// and what takes a laser's or sodium's line out.
@@ -109,10 +106,7 @@ impl IdealFilter {
     }
 
     fn preset(self, group: &Group) -> Option<Preset> {
-        let [first_nm, last_nm] = RANGE_NM;
-        let count = (last_nm - first_nm) as usize;
-        let values = (0..=count).map(|i| self.share_at(first_nm + i as f64));
-        let samples = Sampled::even(first_nm, 1.0, values.collect()).ok()?;
+        let samples = by_formula(|nm| self.share_at(nm))?;
         let notes = vec![
             "Made by this program: all of the light or nothing, each edge one nm wide. No glass \
              and no coating does that."

@@ -90,6 +90,17 @@ fn preset(group: &Group, name: &str, unit: &str, notes: Vec<String>, body: Body)
     }
 }
 
+/// The range of tables that are made by a formula, nm.
+const RANGE_NM: [f64; 2] = [300.0, 1100.0];
+
+/// Such a table, of whole nm.
+fn by_formula(of: impl Fn(f64) -> f64) -> Option<Sampled> {
+    let [first_nm, last_nm] = RANGE_NM;
+    let count = (last_nm - first_nm) as usize;
+    let values = (0..=count).map(|i| of(first_nm + i as f64));
+    Sampled::even(first_nm, 1.0, values.collect()).ok()
+}
+
 /// A group without items.
 fn empty(id: &str, title: &str, shelf: crate::preset::Shelf, kind: Kind, source: &str) -> Group {
     Group {

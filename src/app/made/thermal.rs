@@ -1,10 +1,10 @@
 //! Black bodies by Planck's law, and a candle, whose flame glows almost like one.
 
-use super::{empty, item};
+use super::{by_formula, empty, item};
 use crate::{
     color::blackbody,
     preset::{Group, Preset, Shelf},
-    spectrum::{Kind, Sampled},
+    spectrum::Kind,
 };
 
 /// Id of the group.
@@ -22,9 +22,7 @@ const NAMED: [(&str, f64); 4] = [
 /// Temperatures that may be asked for, K.
 const KELVIN: std::ops::RangeInclusive<f64> = 1000.0..=100_000.0;
 
-/// The tables' range, nm.
-const RANGE_NM: [f64; 2] = [300.0, 1100.0];
-/// Where they are 100, nm.
+/// Where the tables are 100, nm.
 const HUNDRED_NM: f64 = 560.0;
 
 /// The black bodies that are listed.
@@ -61,12 +59,8 @@ fn planck(group: &Group, name: &str, kelvin: f64) -> Option<Preset> {
     if !KELVIN.contains(&kelvin) {
         return None;
     }
-    let [first_nm, last_nm] = RANGE_NM;
     let at_hundred = blackbody::relative(HUNDRED_NM, kelvin);
-    let count = (last_nm - first_nm) as usize;
-    let values =
-        (0..=count).map(|i| 100.0 * blackbody::relative(first_nm + i as f64, kelvin) / at_hundred);
-    let samples = Sampled::even(first_nm, 1.0, values.collect()).ok()?;
+    let samples = by_formula(|nm| 100.0 * blackbody::relative(nm, kelvin) / at_hundred)?;
     let mut notes = vec![format!("Made by this program: a black body at {kelvin} K.")];
     if !name.starts_with("Black body") {
         notes.push(

@@ -5,7 +5,7 @@
 
 use std::{
     collections::VecDeque,
-    path::{Path, PathBuf},
+    path::PathBuf,
     sync::{
         Arc, Mutex, PoisonError,
         atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering},
@@ -20,6 +20,7 @@ use super::{
     folders::{self, Listed},
     load_path,
     summary::{FileRow, Summary},
+    unshaken,
 };
 use crate::app::opened::Opened;
 
@@ -161,15 +162,7 @@ impl Loader {
             let _ = sender.send(Event::End);
             wake();
         });
-        self.running = Some(Running {
-            events,
-            watch,
-            named,
-            listed: None,
-            came: Vec::new(),
-            done: 0,
-            ended: false,
-        });
+        self.running = Some(Running::new(events, watch, named));
     }
 
     /// Whether files are being read.
@@ -219,6 +212,18 @@ impl Drop for Loader {
 }
 
 impl Running {
+    fn new(events: Receiver<Event>, watch: Arc<Watch>, named: Vec<PathBuf>) -> Self {
+        Self {
+            events,
+            watch,
+            named,
+            listed: None,
+            came: Vec::new(),
+            done: 0,
+            ended: false,
+        }
+    }
+
     fn take_in(&mut self) {
         loop {
             match self.events.try_recv() {
@@ -249,13 +254,8 @@ impl Running {
         // Cancelled while folders were looked through: what was named stands for what was in it.
         let listed = self.listed.unwrap_or_else(|| {
             let all = self.named.iter();
-            all.map(|path| Listed {
-                label: path.display().to_string(),
-                path: path.clone(),
-                in_folder: false,
-                refused: None,
-            })
-            .collect()
+            all.map(|path| Listed::named(path.display().to_string(), path))
+                .collect()
         });
         let came = self.came.into_iter().chain(std::iter::repeat_with(|| None));
         let files = listed.into_iter().zip(came).map(|(listed, came)| FileRead {
@@ -276,15 +276,7 @@ pub fn read_all(paths: &[PathBuf]) -> Finished {
     let (sender, events) = channel();
     work(paths, &Watch::default(), &sender);
     drop(sender);
-    let mut running = Running {
-        events,
-        watch: Arc::default(),
-        named: paths.to_vec(),
-        listed: None,
-        came: Vec::new(),
-        done: 0,
-        ended: false,
-    };
+    let mut running = Running::new(events, Arc::default(), paths.to_vec());
     running.take_in();
     running.into_finished()
 }
@@ -327,7 +319,7 @@ fn come(file: &Listed, kept: &AtomicU64) -> Came {
         let words = "the files before it fill 2 GiB of memory; open it by itself";
         return Came::NotRead(words.to_owned());
     }
-    let loaded = load_unshaken(&file.path);
+    let loaded = unshaken(file.path.display(), || load_path(&file.path));
     match &loaded {
         Loaded::File(opened) => {
             kept.fetch_add(memory_of(opened), Ordering::Relaxed);
@@ -340,16 +332,6 @@ fn come(file: &Listed, kept: &AtomicU64) -> Came {
         Loaded::Project { .. } | Loaded::Refused(_) => {}
     }
     Came::Loaded(loaded)
-}
-
-/// A panic in a reader must neither stop the others nor leave the window waiting for ever.
-fn load_unshaken(path: &Path) -> Loaded {
-    std::panic::catch_unwind(|| load_path(path)).unwrap_or_else(|_| {
-        Loaded::Refused(format!(
-            "{}: the reader failed on this file",
-            path.display()
-        ))
-    })
 }
 
 /// About what a file takes of memory once it is read, bytes.

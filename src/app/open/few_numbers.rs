@@ -83,21 +83,13 @@ pub(super) fn within(name: &str, bytes: &[u8], choices: &Choices) -> Option<Load
     let image = picture.and_then(|picture| image(name, &picture));
     Some(match image {
         Ok(image) => Loaded::File(Box::new(Opened {
-            path: None,
             bytes: Some(Arc::from(bytes)),
             file: name.to_owned(),
             format,
             how: format!("{name}: {format}, {}", image.notes[0]),
-            spectra: Vec::new(),
-            composites: Vec::new(),
-            makers: Vec::new(),
             images: vec![Arc::new(image)],
-            table: None,
-            understood: Vec::new(),
-            images_understood: Vec::new(),
-            photons: false,
-            guesses: Vec::new(),
             choices: choices.clone(),
+            ..Opened::default()
         })),
         Err(why) => Loaded::Refused(format!("{name}: {why}")),
     })

@@ -30,6 +30,18 @@ pub struct Listed {
     pub refused: Option<String>,
 }
 
+impl Listed {
+    /// One that was named itself.
+    pub(super) fn named(label: String, path: &Path) -> Self {
+        Self {
+            label,
+            path: path.to_owned(),
+            in_folder: false,
+            refused: None,
+        }
+    }
+}
+
 /// What is in the paths: files as they stand, folders as the files in them, none twice. `stop` is
 /// asked again and again; what was found until then is returned.
 pub fn listed(paths: &[PathBuf], stop: &dyn Fn() -> bool) -> Vec<Listed> {
@@ -55,12 +67,7 @@ fn found_in(paths: &[PathBuf], stop: &dyn Fn() -> bool) -> Vec<Listed> {
         if path.is_dir() {
             walk.folder(path);
         } else if walk.known.insert(path.clone()) {
-            walk.found.push(Listed {
-                label: name_of(path),
-                path: path.clone(),
-                in_folder: false,
-                refused: None,
-            });
+            walk.found.push(Listed::named(name_of(path), path));
         }
     }
     walk.found
@@ -83,16 +90,15 @@ impl Walk<'_> {
         if (self.found.len(), self.seen) == before && !(self.stop)() {
             let name = name_of(folder);
             let words = format!("{name}: found no file in it, expected a folder with files");
-            self.refuse(folder, name, words);
+            self.add(folder, name, Some(words));
         }
     }
 
-    fn refuse(&mut self, path: &Path, label: String, words: String) {
+    fn add(&mut self, path: &Path, label: String, refused: Option<String>) {
         self.found.push(Listed {
-            label,
-            path: path.to_owned(),
             in_folder: true,
-            refused: Some(words),
+            refused,
+            ..Listed::named(label, path)
         });
     }
 
@@ -103,7 +109,7 @@ impl Walk<'_> {
             Ok(items) => items,
             Err(why) => {
                 let words = format!("{label}: found {}, expected a folder to read", why.kind());
-                return self.refuse(folder, label, words);
+                return self.add(folder, label, Some(words));
             }
         };
         items.sort_by_cached_key(|item| natural(&item.file_name().to_string_lossy()));
@@ -123,7 +129,7 @@ impl Walk<'_> {
                     "{label}: found a folder more than {MOST_DEPTH} deep, expected it to be \
                      opened by itself"
                 );
-                self.refuse(&path, label, words);
+                self.add(&path, label, Some(words));
             } else if is_folder {
                 self.below(top, &path, depth + 1);
             } else if path.is_file() {
@@ -136,17 +142,12 @@ impl Walk<'_> {
                          one go; this one and those behind it were left out"
                     );
                     self.taken += 1;
-                    return self.refuse(&path, label, words);
+                    return self.add(&path, label, Some(words));
                 } else if self.taken > MOST_FILES {
                     return;
                 } else if self.known.insert(path.clone()) {
                     self.taken += 1;
-                    self.found.push(Listed {
-                        label: label_of(top, &path),
-                        path,
-                        in_folder: true,
-                        refused: None,
-                    });
+                    self.add(&path, label_of(top, &path), None);
                 }
             }
         }

@@ -4,15 +4,14 @@ use std::{
     ffi::OsStr,
     fs,
     path::{Path, PathBuf},
-    sync::Arc,
 };
 
 use super::{Loaded, load_named};
 use crate::{
     app::{entry::Entry, library::Library, opened::Opened},
-    io::{Choices, MakersResult, quoted, shown, stream::is_stream, why_unopened},
+    io::{Choices, quoted, shown, stream::is_stream, why_unopened},
     preset::Body,
-    spectrum::{Composite, Kind, NamedSpectrum, Rect},
+    spectrum::{Kind, NamedSpectrum, Rect},
 };
 
 /// Spectra of a file that a refusal tells by name.
@@ -119,51 +118,55 @@ fn of_kind(mut entry: Entry, wanted: &Wanted) -> Found {
 
 /// The spectra of a file of which one is meant.
 struct Choice {
-    spectra: Vec<NamedSpectrum>,
-    makers: Vec<Vec<MakersResult>>,
-    composites: Vec<Option<Arc<Composite>>>,
-    /// Which of them are of a kind that nothing states.
-    open: Vec<bool>,
+    all: Vec<Found>,
     /// Whether the first stands for all: what the picture of an image is of.
     is_whole: bool,
 }
 
 impl Choice {
     fn of(opened: Opened, wanted: &Wanted) -> Result<Self, String> {
-        let of_image = |spectra: Vec<NamedSpectrum>, images: &Opened, is_whole| {
-            let mut told = images.images_understood.iter();
+        let of_image = |spectra: Vec<NamedSpectrum>| {
+            let mut told = opened.images_understood.iter();
+            let is_kind_open = told.any(|told| told.kind.is_doubtful());
+            let found = spectra.into_iter().map(|spectrum| Found {
+                entry: Entry::own(1, spectrum),
+                is_kind_open,
+            });
             Self {
-                open: vec![told.any(|told| told.kind.is_doubtful()); spectra.len()],
-                makers: Vec::new(),
-                composites: Vec::new(),
-                spectra,
-                is_whole,
+                all: found.collect(),
+                is_whole: true,
             }
         };
         let has_images = !opened.images.is_empty();
         if let Some(pixels) = wanted.pixels {
-            let spectra = opened.spectra_of_pixels(pixels)?;
-            return Ok(of_image(spectra, &opened, true));
+            return Ok(of_image(opened.spectra_of_pixels(pixels)?));
         }
         // What the picture of an image is of, unless one of the listed pixels is named.
         if has_images && (wanted.spectrum.is_none() || opened.spectra.is_empty()) {
-            return Ok(of_image(opened.means(), &opened, true));
+            return Ok(of_image(opened.means()));
         }
-        let makers = (0..opened.spectra.len()).map(|index| opened.makers_of(index));
-        let composites = (0..opened.spectra.len()).map(|index| opened.composite_of(index));
+        let open = opened.doubtful_kinds();
+        let of = |index| (opened.makers_of(index), opened.composite_of(index));
+        let parts: Vec<_> = (0..open.len()).map(of).collect();
+        let spectra = opened.spectra.into_iter().zip(parts).zip(open);
+        let found = spectra.map(|((spectrum, (makers, composite)), is_kind_open)| Found {
+            entry: Entry {
+                makers,
+                composite,
+                ..Entry::own(1, spectrum)
+            },
+            is_kind_open,
+        });
         Ok(Self {
-            composites: composites.collect(),
-            makers: makers.collect(),
-            open: opened.doubtful_kinds(),
-            spectra: opened.spectra,
+            all: found.collect(),
             is_whole: has_images,
         })
     }
 
     fn names(&self) -> String {
-        let names = self.spectra.iter().map(|s| s.name.as_str());
+        let names = self.all.iter().map(|found| found.entry.name());
         let told: Vec<&str> = names.take(MOST_NAMES).collect();
-        let more = if told.len() < self.spectra.len() {
+        let more = if told.len() < self.all.len() {
             ", ..."
         } else {
             ""
@@ -173,16 +176,9 @@ impl Choice {
 
     /// Each of them alone, of the kind that a person says it is.
     fn into_found(self, kind: Option<Kind>) -> Vec<Found> {
-        let Self {
-            spectra,
-            makers,
-            composites,
-            open,
-            is_whole: _,
-        } = self;
-        let count = spectra.len();
-        let (mut makers, mut composites) = (makers.into_iter(), composites.into_iter());
-        let found = |(index, mut spectrum): (usize, NamedSpectrum)| {
+        let count = self.all.len();
+        let told = |(index, mut found): (usize, Found)| {
+            let spectrum = &mut found.entry.spectrum;
             // An image's pixels have the image's kind.
             spectrum.kind = kind.unwrap_or(spectrum.kind);
             if count > 1 {
@@ -192,24 +188,18 @@ impl Choice {
             }
             // Words for absorbance or weighting functions are told from a light's or a filter's.
             let may_be_either = spectrum.kind == Kind::Light || spectrum.kind.is_factor();
-            Found {
-                is_kind_open: may_be_either && open.get(index).copied().unwrap_or_default(),
-                entry: Entry {
-                    makers: makers.next().unwrap_or_default(),
-                    composite: composites.next().flatten(),
-                    ..Entry::own(1, spectrum)
-                },
-            }
+            found.is_kind_open &= may_be_either;
+            found
         };
-        spectra.into_iter().enumerate().map(found).collect()
+        self.all.into_iter().enumerate().map(told).collect()
     }
 }
 
 fn of_file(path: &Path, opened: Opened, wanted: &Wanted) -> Result<Found, String> {
     let choice = Choice::of(opened, wanted)?;
-    let count = choice.spectra.len();
+    let count = choice.all.len();
     let index = match wanted.spectrum {
-        Some(pick) => picked(&choice.spectra, pick).ok_or_else(|| {
+        Some(pick) => picked(&choice.all, pick).ok_or_else(|| {
             format!(
                 "{}: found no spectrum {}, expected a name or a number from 1 to {count} ({})",
                 shown(path),
@@ -243,15 +233,16 @@ pub fn every(opened: Opened, choices: &Choices) -> Vec<Found> {
     choice.map_or_else(|_| Vec::new(), |all| all.into_found(choices.kind))
 }
 
-fn picked(spectra: &[NamedSpectrum], pick: &str) -> Option<usize> {
-    let by_name = spectra.iter().position(|s| s.name == pick);
+fn picked(all: &[Found], pick: &str) -> Option<usize> {
+    let called = |is_it: &dyn Fn(&str) -> bool| all.iter().position(|s| is_it(s.entry.name()));
+    let by_name = called(&|name| name == pick);
     let by_number = || {
         let number: usize = pick.parse().ok()?;
-        (1..=spectra.len()).contains(&number).then(|| number - 1)
+        (1..=all.len()).contains(&number).then(|| number - 1)
     };
     let by_any_case = || {
         let pick = pick.to_lowercase();
-        spectra.iter().position(|s| s.name.to_lowercase() == pick)
+        called(&|name| name.to_lowercase() == pick)
     };
     by_name.or_else(by_number).or_else(by_any_case)
 }

@@ -132,17 +132,23 @@ impl FileRow {
         }
     }
 
-    /// What it brought: "3", "1 image", or a dash.
-    pub fn brought(&self) -> String {
-        match &self.outcome {
+    /// Spectra and images that it brought.
+    fn counts(&self) -> [usize; 2] {
+        match self.outcome {
             Outcome::Read {
                 spectra, images, ..
-            } => match (*spectra, *images) {
-                (spectra, 0) => spectra.to_string(),
-                (0, images) => many(images, "image", "images"),
-                (spectra, images) => format!("{spectra}, {}", many(images, "image", "images")),
-            },
-            Outcome::Project | Outcome::Refused(_) | Outcome::NotRead(_) => "–".to_owned(),
+            } => [spectra, images],
+            Outcome::Project | Outcome::Refused(_) | Outcome::NotRead(_) => [0; 2],
+        }
+    }
+
+    /// What it brought: "3", "1 image", or a dash.
+    pub fn brought(&self) -> String {
+        match self.counts() {
+            _ if !matches!(self.outcome, Outcome::Read { .. }) => "–".to_owned(),
+            [spectra, 0] => spectra.to_string(),
+            [0, images] => many(images, "image", "images"),
+            [spectra, images] => format!("{spectra}, {}", many(images, "image", "images")),
         }
     }
 
@@ -242,19 +248,11 @@ impl Summary {
 
     /// Spectra that were read.
     pub fn spectra(&self) -> usize {
-        let of = |row: &FileRow| match &row.outcome {
-            Outcome::Read { spectra, .. } => *spectra,
-            Outcome::Project | Outcome::Refused(_) | Outcome::NotRead(_) => 0,
-        };
-        self.rows.iter().map(of).sum()
+        self.rows.iter().map(|row| row.counts()[0]).sum()
     }
 
     fn images(&self) -> usize {
-        let of = |row: &FileRow| match &row.outcome {
-            Outcome::Read { images, .. } => *images,
-            Outcome::Project | Outcome::Refused(_) | Outcome::NotRead(_) => 0,
-        };
-        self.rows.iter().map(of).sum()
+        self.rows.iter().map(|row| row.counts()[1]).sum()
     }
 
     /// All in one line: "98 of 100 files read, 240 spectra: 95 plain columns, 3 TM-27 .spdx; 2
@@ -328,38 +326,16 @@ impl Summary {
         );
         out.push_str("file,outcome,format,spectra,images,how,doubtful,path\n");
         for row in &self.rows {
-            let (outcome, [spectra, images], how, doubtful) = match &row.outcome {
-                Outcome::Read {
-                    format: _,
-                    spectra,
-                    images,
-                    how,
-                    doubts,
-                } => (
-                    "read",
-                    [spectra, images].map(ToString::to_string),
-                    how.clone(),
-                    doubts.join("; "),
-                ),
-                Outcome::Project => (
-                    "project",
-                    [(); 2].map(|()| String::new()),
-                    String::new(),
-                    String::new(),
-                ),
-                Outcome::Refused(why) => (
-                    "refused",
-                    [(); 2].map(|()| "0".to_owned()),
-                    why.clone(),
-                    String::new(),
-                ),
-                Outcome::NotRead(why) => (
-                    "not read",
-                    [(); 2].map(|()| "0".to_owned()),
-                    why.clone(),
-                    String::new(),
-                ),
+            let (outcome, how, doubtful) = match &row.outcome {
+                Outcome::Read { how, doubts, .. } => ("read", how.as_str(), doubts.join("; ")),
+                Outcome::Project => ("project", "", String::new()),
+                Outcome::Refused(why) => ("refused", why.as_str(), String::new()),
+                Outcome::NotRead(why) => ("not read", why.as_str(), String::new()),
             };
+            let [spectra, images] = row.counts().map(|count| match row.is_project() {
+                true => String::new(),
+                false => count.to_string(),
+            });
             let format = if row.is_read() { row.format() } else { "" };
             let path = row.path.as_ref().map(|path| path.display().to_string());
             out.push_str(&line([
@@ -368,7 +344,7 @@ impl Summary {
                 words(format),
                 spectra,
                 images,
-                words(&how),
+                words(how),
                 words(&doubtful),
                 words(&path.unwrap_or_default()),
             ]));

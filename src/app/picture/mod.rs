@@ -17,7 +17,6 @@ pub use region_spectrum::{RegionAsk, RegionSpectrum, named};
 use std::sync::Arc;
 
 use super::{document::Document, opened::ImageEntry};
-use crate::spectrum::Kind;
 
 /// The image that the page shows: the chosen one, or the one opened last.
 pub fn shown<'a>(document: &'a Document, memory: &ImageMemory) -> Option<&'a Arc<ImageEntry>> {
@@ -25,9 +24,4 @@ pub fn shown<'a>(document: &'a Document, memory: &ImageMemory) -> Option<&'a Arc
     let named = |image: &&Arc<ImageEntry>| Some(image.key.as_str()) == chosen;
     let images = &document.images;
     images.iter().find(named).or_else(|| images.last())
-}
-
-/// Whether the window can model spectra of the kind: a light, a reflectance or a transmittance.
-pub fn is_usable(kind: Kind) -> bool {
-    kind == Kind::Light || kind.is_factor()
 }

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use super::is_usable;
 use crate::{
     app::{
         derived::Derived,
@@ -74,10 +73,10 @@ impl Question for RegionAsk {
         let scale = image.scale;
         let there = |band: &usize| region.measured[*band] > 0;
         let bands: Vec<usize> = (0..region.mean.len()).filter(there).collect();
-        let derived = is_usable(spectrum.kind).then(|| {
-            let entry = Arc::new(Entry::own(0, spectrum.clone()));
-            Arc::new(derived_of(&self.document(entry)).0)
-        });
+        let entry = Entry::own(0, spectrum.clone());
+        let derived = entry
+            .is_usable()
+            .then(|| Arc::new(derived_of(&self.document(Arc::new(entry))).0));
         Some(RegionSpectrum {
             rect: region.rect,
             nm: bands.iter().map(|b| image.cube.nm()[*b]).collect(),

@@ -11,7 +11,7 @@ use std::{
 
 use crate::{
     app::{
-        open::{Loaded, load_path_as},
+        open::{Loaded, load_path_as, unshaken},
         opened::ImageEntry,
         origin::FromFile,
         studies::Wake,
@@ -194,10 +194,7 @@ fn pick(
 fn images_of(stored: &StoredImage) -> Result<Vec<ImageEntry>, String> {
     let StoredImage { path, choices, .. } = stored;
     let reading = stored.reading();
-    // A panic in a reader must not leave the image waiting for ever.
-    let loaded = std::panic::catch_unwind(|| load_path_as(path, choices))
-        .map_err(|_| format!("{}: the reader failed on this file", path.display()))?;
-    match loaded {
+    match unshaken(path.display(), || load_path_as(path, choices)) {
         Loaded::File(opened) => Ok(opened
             .images
             .iter()

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::spectrum::Sampling;
+use crate::{app::settings::within, spectrum::Sampling};
 
 /// What the page remembers.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -129,13 +129,6 @@ pub const PASS_WIDTHS_NM: std::ops::RangeInclusive<f64> = 2.0..=100.0;
 
 impl NarrowMemory {
     fn clamped(self) -> Self {
-        let within = |value: f64, range: std::ops::RangeInclusive<f64>, usual: f64| {
-            if value.is_nan() {
-                usual
-            } else {
-                value.clamp(*range.start(), *range.end())
-            }
-        };
         let usual = Self::default();
         Self {
             centre_nm: within(self.centre_nm, CENTRES_NM, usual.centre_nm),

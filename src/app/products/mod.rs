@@ -9,7 +9,7 @@ pub mod two_lights;
 
 use std::sync::Arc;
 
-use super::{entry::Entry, library::Library, recipe::Times};
+use super::{entry::Entry, library::Library, recipe::Times, settings::within};
 use crate::spectrum::{Band, bounces, glass};
 
 pub use known_lines::KnownLines;
@@ -83,19 +83,14 @@ impl Link {
     }
 
     fn clamped(self) -> Self {
-        let thickness = if self.thickness.is_nan() {
-            1.0
+        // Only what light passes through has one.
+        let thickness = if self.has_thickness() {
+            self.thickness
         } else {
-            // Only what light passes through has one.
-            (if self.has_thickness() {
-                self.thickness
-            } else {
-                1.0
-            })
-            .clamp(*THICKNESSES.start(), *THICKNESSES.end())
+            1.0
         };
         Self {
-            thickness,
+            thickness: within(thickness, THICKNESSES, 1.0),
             bounces: self.bounces.clamp(*BOUNCES.start(), *BOUNCES.end()),
             ..self
         }
@@ -166,14 +161,9 @@ impl Products {
 
     /// Whether both hold the same: spectra are compared by where they are.
     pub fn is_same_as(&self, other: &Self) -> bool {
-        let same = |a: &Option<Arc<Entry>>, b: &Option<Arc<Entry>>| match (a, b) {
-            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-            (None, None) => true,
-            _ => false,
-        };
-        let same_link = |(a, b): (&Link, &Link)| {
-            Arc::ptr_eq(&a.entry, &b.entry) && a.thickness == b.thickness && a.bounces == b.bounces
-        };
+        let at = |entry: &Option<Arc<Entry>>| entry.as_ref().map(Arc::as_ptr);
+        let same_link =
+            |(a, b): (&Link, &Link)| Arc::ptr_eq(&a.entry, &b.entry) && a.times() == b.times();
         let Self {
             chain,
             other_light,
@@ -182,9 +172,9 @@ impl Products {
         } = self;
         chain.len() == other.chain.len()
             && chain.iter().zip(&other.chain).all(same_link)
-            && same(other_light, &other.other_light)
-            && same(surface, &other.surface)
-            && same(outgoing, &other.outgoing)
+            && at(other_light) == at(&other.other_light)
+            && at(surface) == at(&other.surface)
+            && at(outgoing) == at(&other.outgoing)
     }
 
     /// Every entry that is held, to change it.
@@ -209,9 +199,7 @@ impl Products {
         } = self;
         chain.retain(|link| link.entry.key != key);
         for held in [other_light, surface, outgoing] {
-            if held.as_ref().is_some_and(|entry| entry.key == key) {
-                *held = None;
-            }
+            held.take_if(|entry| entry.key == key);
         }
     }
 }

@@ -155,15 +155,14 @@ pub fn check_text(sheet: &SameSurfaceSheet) -> String {
 /// The ranking as a table.
 pub fn ranking_csv(names: &[String; 3], ranked: &[Ranked]) -> String {
     let mut out = format!("# {} as {} off each surface\n", names[2], names[0]);
-    let heads = [
+    out += &line([
         "surface",
         "residual model",
         "factor model",
         "verdict",
         "residual measured",
         "factor measured",
-    ];
-    out += &line(heads.map(str::to_owned));
+    ]);
     for r in ranked {
         out += &line([
             words(&r.key),

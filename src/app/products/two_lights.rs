@@ -117,8 +117,7 @@ impl TwoLightsSheet {
             "# {} and {}: CIEDE2000 of the colour shift, each light its own white\n",
             self.lights[0], self.lights[1]
         );
-        let heads = ["patch", "shift measured", "shift by the models"];
-        out += &line(heads.map(str::to_owned));
+        out += &line(["patch", "shift measured", "shift by the models"]);
         if let (Some(exact), Some(model)) = (&self.exact, &self.model) {
             let rows = self.names.iter().zip(&exact.patches).zip(&model.patches);
             for ((name, e), m) in rows {
@@ -141,8 +140,7 @@ pub fn swatches(both: &TwoLights, adaptation: Adaptation) -> Vec<[Swatch; 2]> {
 /// Pairs that were found as a table.
 pub fn pairs_csv(lights: &[String; 2], pairs: &Pairs) -> String {
     let mut out = format!("# match under {}, part under {}\n", lights[0], lights[1]);
-    let heads = ["one", "other", "delta E first", "delta E second", "rms"];
-    out += &line(heads.map(str::to_owned));
+    out += &line(["one", "other", "delta E first", "delta E second", "rms"]);
     for pair in &pairs.metamers.pairs {
         let [one, other] = pair.pair.map(|i| words(&pairs.surfaces[i].key));
         let [first, second] = pair.delta_e_2000.map(number);

@@ -11,24 +11,26 @@ use crate::color::quality::{ALPHA_OPIC_WORDS, Figures, HueBin, NoFigure, SAMPLES
 /// Hue bins are given as points of the vector graphic: mean a'b' under test and reference over
 /// the chroma of the mean reference point, so that `reference_ab` lies on the unit circle.
 pub fn json(name: &str, measured: &Figures, model: Option<&Figures>) -> Value {
-    let mut object = of(name, measured);
-    object.insert(
-        "model".to_owned(),
-        model.map_or(Value::Null, |model| Value::Object(of(name, model))),
-    );
-    Value::Object(object)
+    beside(measured, model, |figures| of(name, figures))
 }
 
 /// As [`json`] with what has no key there: all observers, single samples, shape, absolute values.
 pub fn full_json(name: &str, measured: &Figures, model: Option<&Figures>) -> Value {
-    let mut object = of(name, measured);
-    object.extend(rest(measured));
-    let of_model = |model| {
-        let mut object = of(name, model);
-        object.extend(rest(model));
-        Value::Object(object)
-    };
-    object.insert("model".to_owned(), model.map_or(Value::Null, of_model));
+    beside(measured, model, |figures| {
+        let mut object = of(name, figures);
+        object.extend(rest(figures));
+        object
+    })
+}
+
+fn beside(
+    measured: &Figures,
+    model: Option<&Figures>,
+    told: impl Fn(&Figures) -> Map<String, Value>,
+) -> Value {
+    let mut object = told(measured);
+    let model = model.map_or(Value::Null, |model| Value::Object(told(model)));
+    object.insert("model".to_owned(), model);
     Value::Object(object)
 }
 

@@ -1,5 +1,7 @@
 //! From a spectrum of a file or of the library to the light that figures are of.
 
+use std::borrow::Cow;
+
 use crate::{
     app::{
         photons,
@@ -12,13 +14,9 @@ use crate::{
 /// A measured light, and what its values measure where their unit says so. Values that count
 /// photons are turned into power.
 pub fn light_of(spectrum: &NamedSpectrum) -> (Light, Option<Measured>) {
-    if photons::counts_photons(spectrum) {
-        let mut spectrum = spectrum.clone();
-        photons::to_power(&mut spectrum);
-        return (
-            Light::of_sampled(&spectrum.samples),
-            measured_in(&spectrum.unit),
-        );
+    let mut spectrum = Cow::Borrowed(spectrum);
+    if photons::counts_photons(&spectrum) {
+        photons::to_power(spectrum.to_mut());
     }
     (
         Light::of_sampled(&spectrum.samples),

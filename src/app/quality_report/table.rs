@@ -1,50 +1,21 @@
 //! Many lights as CSV: a row a light, empty cells where there is no figure.
 
-use crate::{app::cells, color::quality::Figures};
+use std::sync::LazyLock;
+
+use crate::{
+    app::cells,
+    color::quality::{Figures, Light, POINTS},
+};
 
 use super::rows::rows;
 
-/// Keys of the columns behind the name, of the figures that any light may have.
-const COLUMNS: [&str; 38] = [
-    "cct",
-    "duv",
-    "dominant_nm",
-    "purity",
-    "ra",
-    "r1",
-    "r2",
-    "r3",
-    "r4",
-    "r5",
-    "r6",
-    "r7",
-    "r8",
-    "r9",
-    "r10",
-    "r11",
-    "r12",
-    "r13",
-    "r14",
-    "r15",
-    "rf",
-    "rg",
-    "ssi",
-    "ler",
-    "sp_ratio",
-    "s_cone",
-    "m_cone",
-    "l_cone",
-    "rhodopic",
-    "melanopic_der",
-    "ppfd_per_100lx",
-    "eppfd_per_100lx",
-    "lux",
-    "melanopic_edi",
-    "ppfd",
-    "peak_nm",
-    "centroid_nm",
-    "fwhm_nm",
-];
+/// Keys of the columns behind the name: of all rows that a light has whose unit says nothing, but
+/// for the one that never has a number.
+static COLUMNS: LazyLock<Vec<&str>> = LazyLock::new(|| {
+    let dark = Figures::of(&Light::of_nm_values(&[0.0; POINTS]), None);
+    let keys = rows(&dark).into_iter().map(|row| row.key);
+    keys.filter(|key| *key != "tlci").collect()
+});
 
 /// Keys of a light's colour, which stand before the others.
 const PLACES: [&str; 4] = ["x", "y", "u_prime", "v_prime"];
@@ -54,7 +25,7 @@ const OF_MODEL: &str = "model_";
 
 /// The first line: a light's figures, and behind them those of its model.
 pub fn csv_head() -> String {
-    let keys = || PLACES.into_iter().chain(COLUMNS);
+    let keys = || PLACES.into_iter().chain(COLUMNS.iter().copied());
     let of_model = keys().map(|key| format!("{OF_MODEL}{key}"));
     let all = ["name"].into_iter().chain(keys()).map(str::to_owned);
     cells::line(all.chain(of_model).chain(["notes".to_owned()]))
@@ -79,8 +50,8 @@ fn numbers(figures: Option<&Figures>) -> Vec<String> {
         .into_iter()
         .flat_map(|pair| [0, 1].map(|k| cells::number(pair.map(|pair| pair[k]))));
     let rows = rows(figures);
-    let others = COLUMNS.map(|column| {
-        let row = rows.iter().find(|row| row.key == column);
+    let others = COLUMNS.iter().map(|column| {
+        let row = rows.iter().find(|row| row.key == *column);
         cells::number(row.and_then(|row| row.value.clone().ok()))
     });
     places.chain(others).collect()
@@ -96,7 +67,6 @@ fn notes(figures: &Figures) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::color::quality::{Light, POINTS};
 
     #[test]
     fn a_line_has_as_many_cells_as_the_head_and_no_formula() {

@@ -320,10 +320,7 @@ impl App {
         let Some(entry) = own.find(|entry| entry.key == key) else {
             return Ok(());
         };
-        let name = match &entry.origin {
-            Origin::Made(made) => made.name.clone(),
-            Origin::Preset(_) | Origin::File(_) | Origin::Numbers => None,
-        };
+        let name = entry.origin.made().and_then(|made| made.name.clone());
         let spectrum = NamedSpectrum {
             name: name.clone().unwrap_or_else(|| spectrum.name.clone()),
             ..spectrum

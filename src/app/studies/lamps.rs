@@ -88,19 +88,15 @@ impl EncodeAsk {
         let (band, observer, _) = self.maker;
         let spectrum = &self.light.0.spectrum;
         let measured = spectrum.samples.on_band(band, spectrum.kind.outside());
+        let (leave_out, left_out) = match self.itself {
+            true => (LeaveOut::None, Vec::new()),
+            false => (LeaveOut::Likes, namesakes(&spectrum.name)),
+        };
         let ask = Ask {
             numbers: self.numbers,
             count: Count::Words,
             known_lamps: self.known_lamps,
-            leave_out: if self.itself {
-                LeaveOut::None
-            } else {
-                LeaveOut::Likes
-            },
-        };
-        let left_out = match ask.leave_out {
-            LeaveOut::Likes => namesakes(&spectrum.name),
-            LeaveOut::None | LeaveOut::Itself => Vec::new(),
+            leave_out,
         };
         let chosen = encoder.encode_without(&measured, ask, &left_out)?;
         let judge = Panel::judging(band, observer);

@@ -62,7 +62,6 @@ impl SweepAsk {
 impl Question for SweepAsk {
     type Answer = Sweep;
 
-    /// The answer; `None` when there is none or it was cancelled.
     fn answer(&self, progress: &Progress) -> Option<Sweep> {
         Sweep::of(
             &self.about.subject(),
@@ -134,7 +133,6 @@ impl AuctionAsk {
 impl Question for AuctionAsk {
     type Answer = Auction;
 
-    /// The answer; `None` when there is none or it was cancelled.
     fn answer(&self, progress: &Progress) -> Option<Auction> {
         let subject = Subject {
             bell: Some(bell),

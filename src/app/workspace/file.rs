@@ -5,7 +5,7 @@ use std::{
     time::Duration,
 };
 
-use super::{Restored, from_json};
+use super::{Restored, from_json, name_of};
 use crate::io::{UNFINISHED, save_atomically};
 
 /// Where the workspace lies on this computer; `None` when the system names no data folder.
@@ -137,7 +137,7 @@ fn name_beside(path: &Path, bytes: &[u8]) -> PathBuf {
 fn place_of(kept: &Path) -> String {
     format!(
         "{} in {}",
-        kept.file_name().unwrap_or_default().to_string_lossy(),
+        name_of(kept),
         kept.parent().unwrap_or(Path::new("")).display()
     )
 }

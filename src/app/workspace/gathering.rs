@@ -3,14 +3,17 @@
 use std::{collections::BTreeMap, path::Path, sync::Arc};
 
 use super::{
-    Place, Restored, StoredImage,
+    Place, Preferences, Restored, StoredImage,
     file::{load, no_file_at, save, sweep_leftovers},
-    from_json, to_json_with,
+    from_json, name_of, to_json_with,
 };
-use crate::app::{
-    document::{Document, first_light},
-    entry::{Entry, bundled_entries},
-    state::Tone,
+use crate::{
+    app::{
+        document::{Document, first_light},
+        entry::{Entry, bundled_entries},
+        state::Tone,
+    },
+    io::many::many,
 };
 
 /// A file that a save left unfinished this long ago is nobody's any more.
@@ -71,20 +74,20 @@ pub fn begin(path: &Path) -> Begun {
     begun
 }
 
-fn fresh() -> Document {
-    Document::about(first_light(&bundled_entries()))
+/// A fresh document with the looks of another.
+fn fresh(preferences: Option<Preferences>) -> Restored {
+    Restored {
+        document: Document::about(first_light(&bundled_entries())),
+        images: Vec::new(),
+        preferences,
+        losses: Vec::new(),
+    }
 }
 
 /// A fresh document with the looks of the first window's.
 fn looks_of(path: &Path) -> Option<Restored> {
     let text = std::fs::read_to_string(path).ok()?;
-    let first = from_json(&text).ok()?;
-    Some(Restored {
-        document: fresh(),
-        images: Vec::new(),
-        preferences: first.preferences,
-        losses: Vec::new(),
-    })
+    Some(fresh(from_json(&text).ok()?.preferences))
 }
 
 /// Brings another window's spectra and images in. Its file goes out of the way only once they are
@@ -95,12 +98,8 @@ fn gather(begun: &mut Begun, place: &Place, left: &Place) {
         Ok(None) => return,
         Err(why) => return begun.words.push((Tone::Problem, why)),
     };
-    let mut restored = begun.restored.take().unwrap_or_else(|| Restored {
-        document: fresh(),
-        images: Vec::new(),
-        preferences: other.preferences.clone(),
-        losses: Vec::new(),
-    });
+    let restored = begun.restored.take();
+    let mut restored = restored.unwrap_or_else(|| fresh(other.preferences.clone()));
     let (spectra, images) = bring(&mut restored, other);
     let text = to_json_with(
         &restored.document,
@@ -117,16 +116,9 @@ fn gather(begun: &mut Begun, place: &Place, left: &Place) {
         // It is looked at again at the next start, and nothing in it is new then.
         Err(_) => name_of(from),
     };
-    let counted = |count: usize, one: &str, many: &str| match count {
-        0 => None,
-        1 => Some(format!("1 {one}")),
-        _ => Some(format!("{count} {many}")),
-    };
-    let brought = [
-        counted(spectra, "spectrum", "spectra"),
-        counted(images, "image", "images"),
-    ];
-    let brought: Vec<String> = brought.into_iter().flatten().collect();
+    let spectra = (spectra > 0).then(|| many(spectra, "spectrum", "spectra"));
+    let images = (images > 0).then(|| many(images, "image", "images"));
+    let brought: Vec<String> = spectra.into_iter().chain(images).collect();
     if !brought.is_empty() {
         let words = format!(
             "Brought here from another window: {}. Its workspace is kept as {kept}.",
@@ -174,11 +166,4 @@ fn bring(restored: &mut Restored, other: Restored) -> (usize, usize) {
     }
     let spectra = document.own.len() - before.0;
     (spectra, restored.images.len() - before.1)
-}
-
-fn name_of(path: &Path) -> String {
-    path.file_name()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .into_owned()
 }

@@ -130,8 +130,8 @@ impl<T: DeserializeOwned> Mender<T> {
             Value::Array(items) if self.holds(place, json!([])) => self.put_items(place, items),
             Value::Object(_) | Value::Array(_) if self.patched(place, found, usual.as_ref()) => {}
             _ => {
-                let stands = self.refuse(place, usual);
-                self.tell(place, found, stands.as_ref());
+                self.set(place, usual.clone());
+                self.tell(place, found, usual.as_ref());
             }
         }
     }
@@ -154,12 +154,6 @@ impl<T: DeserializeOwned> Mender<T> {
                 None => {}
             }
         }
-    }
-
-    /// Brings the usual back; gives it.
-    fn refuse(&mut self, place: &[String], usual: Option<Value>) -> Option<Value> {
-        self.set(place, usual.clone());
-        usual
     }
 
     fn holds(&mut self, place: &[String], value: Value) -> bool {

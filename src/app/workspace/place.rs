@@ -25,12 +25,6 @@ pub struct Place {
     lock: Option<File>,
 }
 
-/// What became of a try for a workspace.
-enum Tried {
-    Free(Place),
-    Taken,
-}
-
 impl Place {
     /// The workspace at `first`, or where another window has it the next one beside it.
     ///
@@ -42,18 +36,13 @@ impl Place {
         if let Some(folder) = first.parent() {
             make_folder(folder)?;
         }
-        let mut tried = (1..=MOST_WINDOWS).map(|number| Self::try_number(&first, number));
-        tried
-            .find_map(|tried| match tried {
-                Tried::Free(place) => Some(place),
-                Tried::Taken => None,
-            })
-            .ok_or_else(|| {
-                format!(
-                    "{MOST_WINDOWS} windows use the workspace {}: nothing is kept of this one.",
-                    first.display()
-                )
-            })
+        let place = (1..=MOST_WINDOWS).find_map(|number| Self::try_number(&first, number));
+        place.ok_or_else(|| {
+            format!(
+                "{MOST_WINDOWS} windows use the workspace {}: nothing is kept of this one.",
+                first.display()
+            )
+        })
     }
 
     /// The file that this window writes.
@@ -75,11 +64,9 @@ impl Place {
     pub fn left_behind(&self) -> Vec<Self> {
         (self.number + 1..=MOST_WINDOWS)
             .filter(|number| numbered(&self.first, *number).is_file())
-            .filter_map(|number| match Self::try_number(&self.first, number) {
-                // Without a lock nobody knows whether its window is still there.
-                Tried::Free(place) if place.is_locked() => Some(place),
-                Tried::Free(_) | Tried::Taken => None,
-            })
+            .filter_map(|number| Self::try_number(&self.first, number))
+            // Without a lock nobody knows whether its window is still there.
+            .filter(Self::is_locked)
             .collect()
     }
 
@@ -88,10 +75,11 @@ impl Place {
         self.path.with_extension("brought.json")
     }
 
-    fn try_number(first: &Path, number: usize) -> Tried {
+    /// The file of a number; `None` where another window has it.
+    fn try_number(first: &Path, number: usize) -> Option<Self> {
         let path = numbered(first, number);
         let free = |lock| {
-            Tried::Free(Self {
+            Some(Self {
                 first: first.to_owned(),
                 number,
                 path: path.clone(),
@@ -109,7 +97,7 @@ impl Place {
         let Ok(file) = file else { return free(None) };
         match file.try_lock() {
             Ok(()) => free(Some(file)),
-            Err(TryLockError::WouldBlock) => Tried::Taken,
+            Err(TryLockError::WouldBlock) => None,
             Err(TryLockError::Error(_)) => free(None),
         }
     }

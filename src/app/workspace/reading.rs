@@ -179,8 +179,12 @@ fn restored(
     let weight_factor = stored
         .weight_factor
         .clamp(*WEIGHT_FACTORS.start(), *WEIGHT_FACTORS.end());
-    let weights = (stored.weight_factor, weight_factor);
-    moved("weight_factor", &weights.0, &weights.1, &mut losses);
+    moved(
+        "weight_factor",
+        &stored.weight_factor,
+        &weight_factor,
+        &mut losses,
+    );
     let pages = stored.pages.clone().clamped();
     moved("", &stored.pages, &pages, &mut losses);
     let preferences = stored.preferences.map(|preferences| {

@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, path::PathBuf, sync::Arc};
 
 use serde::{Deserialize, Serialize};
 
-use super::{FORMAT, Preferences, VERSION};
+use super::{FORMAT, Preferences, VERSION, name_of};
 use crate::{
     app::{
         document::{Document, PAPER_WEIGHT_FACTOR, Subject, View},
@@ -113,11 +113,10 @@ impl StoredImage {
 
     /// The reading that brings it back.
     pub fn reading(&self) -> Arc<FileReading> {
-        let name = self.path.file_name().unwrap_or_default();
         Arc::new(FileReading {
             file: Arc::new(SourceFile {
                 path: Some(self.path.clone()),
-                name: name.to_string_lossy().into_owned(),
+                name: name_of(&self.path),
                 images_only: true,
                 ..SourceFile::default()
             }),
@@ -320,10 +319,7 @@ impl OwnSpectrum {
             source: source.clone(),
             makers,
             composite: entry.composite.as_deref().map(StoredComposite::of),
-            made: match &entry.origin {
-                Origin::Made(made) => Some(made.clone()),
-                Origin::Preset(_) | Origin::File(_) | Origin::Numbers => None,
-            },
+            made: entry.origin.made().cloned(),
         }
     }
 

@@ -2,8 +2,8 @@
 
 use super::Draw;
 use crate::app::{
-    chart::{Chart, Dash, Marks, Rgb, Series, Shape},
-    charts::spectrum::{provenance, value_label},
+    chart::{Chart, Dash, Rgb, Series, Shape, stroke},
+    charts::spectrum::{on_grid, over, provenance, value_label},
     studies::paper::figure,
     ticks::extent,
 };
@@ -50,17 +50,9 @@ impl Draw<'_> {
     pub(super) fn partial(&self) -> Chart {
         let (derived, table) = (self.app.derived(), &self.app.tables().basis);
         let (factor, order) = (self.app.scale_factor(), self.sight.partial_order);
-        let curve = |values: &[f64]| -> Vec<[f64; 2]> {
-            let points = derived.band.grid().zip(values);
-            points.map(|(nm, v)| [nm, v * factor]).collect()
-        };
+        let curve = |values: &[f64]| on_grid(derived.band, values, factor);
         let thin = |name: &str, ink: Rgb, values: &[f64], dash: Dash| {
-            let marks = Marks::Line {
-                points: curve(values),
-                width: 1.2,
-                dash,
-            };
-            Series::new(name, ink, marks)
+            stroke(name, ink, curve(values), 1.2, dash)
         };
         let mut series = vec![thin(
             "measured",
@@ -82,15 +74,13 @@ impl Draw<'_> {
             series.push(thin(&name, self.inks.overlays[2], &values, Dash::Dotted));
         }
         let sum = self.harmonics.partial_sum(table, order);
-        let marks = Marks::Line {
-            points: curve(&sum),
-            width: 2.6,
-            dash: Dash::Solid,
-        };
-        series.push(Series::new(
-            format!("sum to N = {order}"),
+        let name = format!("sum to N = {order}");
+        series.push(stroke(
+            name,
             self.inks.smooth,
-            marks,
+            curve(&sum),
+            2.6,
+            Dash::Solid,
         ));
         if let Some(pointed) = self
             .sight
@@ -112,13 +102,10 @@ impl Draw<'_> {
                 "{}: sum to N = {order}",
                 self.app.document().subject_entry().name()
             ),
-            x_label: "Wavelength (nm)".to_owned(),
             y_label: value_label(unit),
-            x_range: [derived.band.min_nm(), derived.band.max_nm()],
             series,
             notes: provenance(self.app),
-            theme: self.theme,
-            ..Chart::default()
+            ..over(derived.band, self.theme)
         }
     }
 }

@@ -1,12 +1,10 @@
 //! Charts of the part "absorption" of the page "Products": absorption lines.
 
-use std::fmt::Write as _;
-
 use crate::{
     app::{
         cells::{line, number, words},
-        chart::{Chart, Dash, Inks, Marks, Rgb, Series, Theme},
-        charts::spectrum::provenance,
+        chart::{Chart, Dash, Inks, Rgb, Series, Theme, stroke},
+        charts::spectrum::{of_subject, on_grid, over, spike_stems, unit_or_value},
         export,
         product_report::Told,
         products::ModelledLight,
@@ -18,7 +16,7 @@ use crate::{
     study::products::depths,
 };
 
-use super::{chain::strip, curve, over};
+use super::chain::strip;
 
 /// A dip of the subject as it is told.
 #[derive(Clone, Debug, PartialEq)]
@@ -132,12 +130,7 @@ fn met(app: &App) -> Vec<String> {
 
 /// The dips as a table, weights in the subject's own unit x nm.
 fn csv(app: &App, dips: &[DipRow]) -> String {
-    let mut out = String::new();
-    let spectrum = &app.document().subject_entry().spectrum;
-    for (key, value) in export::provenance(app).of(spectrum) {
-        // Writing to a String cannot fail.
-        let _ = writeln!(out, "# {key}: {value}");
-    }
+    let mut out = export::table_head(app);
     out.push_str("place nm,weight,depth,name,below zero\n");
     for dip in dips {
         out += &line([
@@ -155,45 +148,30 @@ fn csv(app: &App, dips: &[DipRow]) -> String {
 pub fn absorption_chart(app: &App, dips: &[DipRow], theme: Theme) -> Chart {
     let (document, derived) = (app.document(), app.derived());
     let (inks, band, factor) = (Inks::of(theme), derived.band, app.scale_factor());
-    let curve = |values: &[f64]| curve(band, values, factor);
+    let curve = |values: &[f64]| on_grid(band, values, factor);
     let mut series = vec![
-        Series::new(
+        stroke(
             "background",
             inks.residual,
-            Marks::Line {
-                points: curve(&derived.parts.smooth),
-                width: 1.3,
-                dash: Dash::Dashed,
-            },
+            curve(&derived.parts.smooth),
+            1.3,
+            Dash::Dashed,
         ),
         Series::line("measured", inks.measured, curve(&derived.measured)),
         Series::line("smooth part", inks.smooth, curve(&derived.smooth)),
     ];
-    let stem = |spike: &Spike| {
-        let base = factor * band.interpolate(&derived.smooth, spike.at_nm);
-        let width_nm = derived.stem_width_at(spike.at_nm);
-        (base, base + factor * spike.stem_height(width_nm))
-    };
-    let mut stems = |name: &str, ink: Rgb, all: Vec<(Spike, String, String)>| {
-        if all.is_empty() {
-            return;
-        }
-        let ends: Vec<(f64, f64)> = all.iter().map(|(spike, ..)| stem(spike)).collect();
-        let places = all.iter().zip(&ends);
-        let marks = Marks::Stems {
-            points: places.map(|((s, ..), (_, tip))| [s.at_nm, *tip]).collect(),
-            base: ends.iter().map(|(base, _)| *base).collect(),
-            labels: all.iter().map(|(_, label, _)| label.clone()).collect(),
-        };
-        let notes = all.into_iter().map(|(.., note)| note).collect();
-        series.push(Series::new(name, ink, marks).with_notes(notes));
+    let stems = |name: &str, ink: Rgb, spikes: &[Spike]| {
+        let width_nm = |i: usize| derived.stem_width_at(spikes[i].at_nm);
+        let smooth = (band, &derived.smooth[..], factor);
+        spike_stems((name, ink), spikes, smooth, width_nm)
     };
     let lines = derived.model.spikes.iter().filter(|s| s.weight >= 0.0);
-    stems(
-        "spikes",
-        inks.spikes,
-        lines.map(|s| (*s, String::new(), String::new())).collect(),
-    );
+    let lines: Vec<Spike> = lines.copied().collect();
+    if !lines.is_empty() {
+        let none = vec![String::new(); lines.len()];
+        let lines = stems("spikes", inks.spikes, &lines);
+        series.push(lines.labelled(none.clone()).with_notes(none));
+    }
     let told = |dip: &DipRow| {
         let label = dip.name.clone();
         let label = label.unwrap_or_else(|| format!("{:.1}", dip.spike.at_nm));
@@ -201,23 +179,21 @@ pub fn absorption_chart(app: &App, dips: &[DipRow], theme: Theme) -> Chart {
             Some(depth) => format!("{label}: {:.1} % deep", 100.0 * depth),
             None => label.clone(),
         };
-        (dip.spike, label, note)
+        (label, note)
     };
-    stems("dark lines", inks.product, dips.iter().map(told).collect());
-    let unit = app.unit();
-    let mut notes = vec![format!("Spectrum: {}", document.subject_entry().name())];
-    notes.extend(provenance(app));
+    if !dips.is_empty() {
+        let spikes: Vec<Spike> = dips.iter().map(|dip| dip.spike).collect();
+        let (labels, notes) = dips.iter().map(told).unzip();
+        let stems = stems("dark lines", inks.product, &spikes);
+        series.push(stems.labelled(labels).with_notes(notes));
+    }
     Chart {
         title: format!("Absorption: {}", document.subject_entry().name()),
-        y_label: if unit.is_empty() {
-            "value".to_owned()
-        } else {
-            unit.to_owned()
-        },
+        y_label: unit_or_value(app.unit()),
         series,
-        colours: strip(band, theme).unwrap_or_default(),
+        colours: strip(band, theme),
         strip: true,
-        notes,
+        notes: of_subject(app),
         ..over(band, theme)
     }
 }

@@ -6,7 +6,7 @@ use crate::{
         App, Entry,
         cells::{line, number, words},
         chart::{Chart, Dash, Inks, Scale, Series, Theme},
-        charts::spectrum::provenance,
+        charts::spectrum::{before_provenance, table_head},
         products::ModelledLight,
     },
     study::products::{BounceErrors, MOST_BOUNCES, bounce_errors},
@@ -83,11 +83,10 @@ impl Bounced {
             series.push(thin("", ink, points.clone(), dash));
             series.push(Series::points(name, ink, shape, points));
         }
-        let mut notes = vec![format!(
+        let notes = vec![format!(
             "Light: {}. Surface: {}. Both sides brightened to half the light's Y.",
             self.light, self.surface
         )];
-        notes.extend(provenance(app));
         Chart {
             title: "Error against bounces".to_owned(),
             x_label: "Bounces K".to_owned(),
@@ -99,7 +98,7 @@ impl Bounced {
             x_range: [1.0, last],
             y_scale: if log { Scale::Log10 } else { Scale::Linear },
             series,
-            notes,
+            notes: before_provenance(notes, app),
             theme,
             ..Chart::default()
         }
@@ -158,12 +157,9 @@ impl Bounced {
 
     /// All errors as a table.
     pub fn csv(&self, app: &App) -> String {
-        let mut out = format!("# light: {}\n# surface: {}\n", self.light, self.surface);
-        for note in provenance(app) {
-            out += &format!("# {note}\n");
-        }
-        let heads = ["way", "bounces", "delta_e_2000_total", "delta_e_2000_added"];
-        out += &line(heads.map(str::to_owned));
+        let head = format!("# light: {}\n# surface: {}\n", self.light, self.surface);
+        let mut out = table_head(head, app);
+        out += &line(["way", "bounces", "delta_e_2000_total", "delta_e_2000_added"]);
         for way in &self.ways {
             for (i, (total, added)) in way.total.iter().zip(&way.added).enumerate() {
                 out += &line([

@@ -1,11 +1,9 @@
 //! A light through its chain as the part "Chain" shows it: every stage, its words and its chart.
 
-use super::{curve, over};
 use crate::{
     app::{
-        chart::Inks,
-        chart::{Chart, Marks, Rgb, Series, Theme},
-        charts::spectrum::provenance,
+        chart::{Chart, Inks, Rgb, Series, Theme},
+        charts::spectrum::{before_provenance, on_grid, over, spike_stems, unit_or_value},
         product_report::Told,
         products::ModelledLight,
         state::App,
@@ -98,10 +96,9 @@ impl ChainSheet {
         let mut notes = vec![format!("Light: {}", light.name())];
         let names = self.told.names.iter().enumerate();
         notes.extend(names.map(|(i, name)| format!("{}. {name}", i + 1)));
-        notes.extend(provenance(app));
         let (inks, band) = (Inks::of(theme), derived.band);
         let factor = document.scale.factor(&light.spectrum).unwrap_or(1.0);
-        let curve = |values: &[f64]| curve(band, values, factor);
+        let curve = |values: &[f64]| on_grid(band, values, factor);
         let mut series = vec![
             Series::line("exact", inks.measured, curve(exact)),
             Series::line("smooth part", inks.smooth, curve(smooth)),
@@ -113,58 +110,37 @@ impl ChainSheet {
             ("negative spikes", inks.product, down),
         ] {
             if !spikes.is_empty() {
-                let base = |nm| factor * band.interpolate(smooth, nm);
-                let height = |s: &Spike| factor * s.stem_height(derived.stem_width_at(s.at_nm));
-                let (stems, notes) = self.stems(&spikes, base, height, factor);
-                series.push(Series::new(name, ink, stems).with_notes(notes));
+                series.push(self.stems((name, ink), &spikes, smooth, factor));
             }
         }
-        let unit = document.scale.unit(&light.spectrum);
         Chart {
             title,
-            y_label: if unit.is_empty() {
-                "value".to_owned()
-            } else {
-                unit
-            },
+            y_label: unit_or_value(&document.scale.unit(&light.spectrum)),
             series,
-            colours: strip(band, theme).unwrap_or_default(),
+            colours: strip(band, theme),
             strip: true,
-            notes,
+            notes: before_provenance(notes, app),
             ..over(band, theme)
         }
     }
 
-    /// Stems of a height over a base, with what is told of each.
-    fn stems(
-        &self,
-        spikes: &[Spike],
-        base: impl Fn(f64) -> f64,
-        height: impl Fn(&Spike) -> f64,
-        factor: f64,
-    ) -> (Marks, Vec<String>) {
+    /// Stems on the smooth part, with what is told of each.
+    fn stems(&self, looks: (&str, Rgb), spikes: &[Spike], smooth: &[f64], factor: f64) -> Series {
         let label = |s: &Spike| match self.told.known.safe(s.at_nm) {
             Some(name) => name.to_owned(),
             None => format!("{:.1}", s.at_nm),
         };
         let labels: Vec<String> = spikes.iter().map(label).collect();
-        let base: Vec<f64> = spikes.iter().map(|s| base(s.at_nm)).collect();
         let notes = spikes
             .iter()
             .zip(&labels)
             .map(|(s, label)| format!("{label}: weight {}", short(factor * s.weight)))
             .collect();
-        let points = spikes
-            .iter()
-            .zip(&base)
-            .map(|(s, b)| [s.at_nm, b + height(s)])
-            .collect();
-        let marks = Marks::Stems {
-            points,
-            base,
-            labels,
-        };
-        (marks, notes)
+        let derived = &self.light.derived;
+        let width_nm = |i: usize| derived.stem_width_at(spikes[i].at_nm);
+        spike_stems(looks, spikes, (derived.band, smooth, factor), width_nm)
+            .labelled(labels)
+            .with_notes(notes)
     }
 }
 
@@ -176,29 +152,25 @@ fn small_curves(exact: &[f64], smooth: &[f64]) -> [Vec<f32>; 2] {
     let heights = |values: &[f64]| {
         let highest = |part: &[f64]| part.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let height = |v: f64| {
-            let share = v / top;
-            if share.is_finite() {
-                share.clamp(0.0, 1.0) as f32
-            } else {
-                0.0
-            }
+            let share = Some(v / top).filter(|share| share.is_finite());
+            share.map_or(0.0, |share| share.clamp(0.0, 1.0) as f32)
         };
         values.chunks(chunk).map(|c| height(highest(c))).collect()
     };
     [heights(exact), heights(smooth)]
 }
 
-/// The colours of the wavelengths along the axis, where there are any.
-pub fn strip(band: Band, theme: Theme) -> Option<Vec<Rgb>> {
+/// The colours of the wavelengths along the axis; none where the range shows none.
+pub fn strip(band: Band, theme: Theme) -> Vec<Rgb> {
+    if band.min_nm() >= 830.0 || band.max_nm() <= 360.0 {
+        return Vec::new();
+    }
     let ground = match theme {
         Theme::Dark => Srgb([27, 27, 27]),
         Theme::Light => Srgb([255, 255, 255]),
     };
-    let has_colour = band.min_nm() < 830.0 && band.max_nm() > 360.0;
-    has_colour.then(|| {
-        let colours = band.grid();
-        colours
-            .map(|nm| srgb_from_wavelength_over(nm, ground).0)
-            .collect()
-    })
+    let colours = band.grid();
+    colours
+        .map(|nm| srgb_from_wavelength_over(nm, ground).0)
+        .collect()
 }

@@ -3,14 +3,15 @@
 
 use std::sync::Arc;
 
-use super::{chain::strip, curve, resampling::thin};
+use super::{chain::strip, resampling::thin};
 use crate::{
     app::{
         App, Entry,
         cells::{line, number, words},
-        chart::Inks,
-        chart::{Chart, Dash, Marks, Rgb, Scale, Series, Shape, Theme},
-        charts::spectrum::provenance,
+        chart::{Chart, Dash, Inks, Rgb, Scale, Series, Shape, Theme},
+        charts::spectrum::{
+            before_provenance, on_grid, over, spike_stems, table_head, unit_or_value,
+        },
         made::is_made,
         products::ModelledLight,
         ticks::extent,
@@ -213,45 +214,35 @@ impl Behind {
     pub fn light_chart(&self, app: &App, filter: &Filter, theme: Theme) -> Chart {
         let inks = Inks::of(theme);
         let (band, derived) = (self.band, &self.lit.derived);
-        let curve = |values: &[f64]| curve(band, values, 1.0);
+        let curve = |values: &[f64]| on_grid(band, values, 1.0);
         let smooth = derived.model.smooth.on_band();
         let spikes = &derived.model.spikes;
-        let base: Vec<f64> = spikes
-            .iter()
-            .map(|s| band.interpolate(&smooth, s.at_nm))
-            .collect();
-        let tops: Vec<[f64; 2]> = spikes
-            .iter()
-            .zip(&base)
-            .enumerate()
-            .map(|(i, (s, b))| {
-                let width = derived.parts.stem_width_nm(i);
-                [s.at_nm, b + s.stem_height(width)]
-            })
-            .collect();
+        let looks = ("spikes", inks.spikes);
+        let stems = spike_stems(looks, spikes, (band, &smooth, 1.0), |i| {
+            derived.parts.stem_width_nm(i)
+        });
         let highest = derived
             .measured
             .iter()
             .copied()
-            .chain(tops.iter().map(|top| top[1]))
+            .chain(stems.marks.points().iter().map(|top| top[1]))
             .filter(|v| v.is_finite())
             .fold(0.0, f64::max);
         let unit = if highest > 0.0 { highest } else { 1.0 };
-        let through = filter.on_band(band).into_iter().map(|v| unit * v);
-        let over: Vec<[f64; 2]> = band.grid().zip(through).map(|(nm, v)| [nm, v]).collect();
-        let area = Marks::Area {
-            points: over.clone(),
-            base: Vec::new(),
-            is_coloured: false,
-        };
+        let through = on_grid(band, &filter.on_band(band), unit);
         let handles = filter.handles().into_iter();
         let handles = handles
             .filter(|[nm, _]| band.contains(*nm))
             .map(|[nm, share]| [nm, unit * share])
             .collect();
         let mut series = vec![
-            Series::new("filter, 1 at the top", inks.residual, area),
-            thin("", inks.residual, over, Dash::Solid),
+            Series::area(
+                "filter, 1 at the top",
+                inks.residual,
+                through.clone(),
+                Vec::new(),
+            ),
+            thin("", inks.residual, through, Dash::Solid),
             Series::points("", inks.residual, Shape::Square, handles),
             thin(
                 "measured",
@@ -261,28 +252,17 @@ impl Behind {
             ),
             thin("smooth part", inks.smooth, curve(&smooth), Dash::Dashed),
         ];
-        if !tops.is_empty() {
-            let marks = Marks::Stems {
-                points: tops,
-                base,
-                labels: Vec::new(),
-            };
-            series.push(Series::new("spikes", inks.spikes, marks));
+        if !spikes.is_empty() {
+            series.push(stems);
         }
         Chart {
             title: "The light and the filter over it".to_owned(),
-            x_label: "Wavelength (nm)".to_owned(),
-            y_label: match derived_unit(app) {
-                "" => "value".to_owned(),
-                unit => unit.to_owned(),
-            },
-            x_range: [band.min_nm(), band.max_nm()],
+            y_label: unit_or_value(&app.document().light.spectrum.unit),
             series,
-            colours: strip(band, theme).unwrap_or_default(),
+            colours: strip(band, theme),
             strip: true,
             notes: self.notes(app),
-            theme,
-            ..Chart::default()
+            ..over(band, theme)
         }
     }
 
@@ -333,7 +313,6 @@ impl Behind {
             } else {
                 "ΔE₀₀".to_owned()
             },
-            x_range: [self.band.min_nm(), self.band.max_nm()],
             y_range: self.has_colour().then_some([low, high]),
             y_scale: if luminance {
                 Scale::Linear
@@ -342,35 +321,30 @@ impl Behind {
             },
             series,
             notes: self.notes(app),
-            theme,
-            ..Chart::default()
+            ..over(self.band, theme)
         }
     }
 
     fn notes(&self, app: &App) -> Vec<String> {
-        let mut notes = vec![format!(
+        let notes = vec![format!(
             "Light: {}. Three representations of {} each; the filter is exact.",
             self.light,
             numbers(self.numbers())
         )];
-        notes.extend(provenance(app));
-        notes
+        before_provenance(notes, app)
     }
 
     /// The filters as a table.
     pub fn csv(&self, app: &App, rows: &[FilterRow]) -> String {
-        let mut out = format!("# light: {}\n# numbers: {}\n", self.light, self.numbers());
-        for note in provenance(app) {
-            out += &format!("# {note}\n");
-        }
-        let heads = [
+        let head = format!("# light: {}\n# numbers: {}\n", self.light, self.numbers());
+        let mut out = table_head(head, app);
+        out += &line([
             "filter",
             "luminance_share",
             "composite_delta_e_2000",
             "series_delta_e_2000",
             "samples_delta_e_2000",
-        ];
-        out += &line(heads.map(str::to_owned));
+        ]);
         for row in rows {
             let errors = row.figures.ways.map(|way| number(way.delta_e_2000));
             let first = [words(row.entry.name()), number(row.figures.luminance)];
@@ -402,19 +376,11 @@ fn range(series: &[Series], luminance: bool) -> [f64; 2] {
 
 /// One of the three, by its place in [`WAYS`].
 pub fn of(point: &NarrowPoint, way: usize) -> Colours {
-    match way {
-        0 => point.composite,
-        1 => point.series,
-        _ => point.samples,
-    }
+    [point.composite, point.series, point.samples][way]
 }
 
 /// Shipped filter glasses, and the user's own transmittances.
 pub fn is_filter(entry: &Entry) -> bool {
     let is_glass = |shelf| shelf == Shelf::Filters && !is_made(&entry.key);
     entry.kind() == Kind::Transmittance && entry.shelf().is_none_or(is_glass)
-}
-
-fn derived_unit(app: &App) -> &str {
-    &app.document().light.spectrum.unit
 }

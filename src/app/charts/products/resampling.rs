@@ -1,13 +1,12 @@
 //! One product formed in every way: curves, what each is off by, and the figures as tables.
 
-use super::{curve, over};
 use crate::{
     app::{
         App, Entry,
         cells::{line, number, words},
-        chart::Inks,
-        chart::{Chart, Dash, Marks, Panel, Rgb, Series, Shape, Theme},
-        charts::spectrum::provenance,
+        chart::{Chart, Dash, Inks, Panel, Rgb, Series, Shape, Theme, stroke},
+        charts::spectrum::{before_provenance, on_grid, over, spike_stems, table_head},
+        derived::less,
         products::ModelledLight,
         ticks::extent,
     },
@@ -115,7 +114,7 @@ impl Bench {
     /// exact product of the same two series.
     pub fn chart(&self, app: &App, hidden: &[Sampling], theme: Theme) -> Chart {
         let inks = Inks::of(theme);
-        let curve = |values: &[f64]| curve(self.band, values, 1.0);
+        let curve = |values: &[f64]| on_grid(self.band, values, 1.0);
         let mut series = vec![Series::line(
             "measured × measured",
             inks.measured,
@@ -126,22 +125,15 @@ impl Bench {
             let (ink, dash, _) = way_looks(way.sampling, inks);
             let name = way_name(way.sampling);
             series.push(thin(name, ink, curve(&way.step.smooth), dash));
-            let differences: Vec<f64> = way
-                .step
-                .smooth
-                .iter()
-                .zip(&self.resampled.series_product)
-                .map(|(way, exact)| way - exact)
-                .collect();
+            let differences = less(&way.step.smooth, &self.resampled.series_product);
             off.push(thin(name, ink, curve(&differences), dash));
         }
         series.extend(self.stems(inks));
         let y_range = without_tall_lines(&series);
-        let mut notes = vec![
+        let notes = vec![
             format!("Light: {}. Factor: {}.", self.light, self.factor),
             "Below: way minus the product of the same two series with every order kept.".to_owned(),
         ];
-        notes.extend(provenance(app));
         Chart {
             title: "The product by every way".to_owned(),
             y_label: if y_range.is_some() {
@@ -156,7 +148,7 @@ impl Bench {
                 y_range: None,
                 series: off,
             }),
-            notes,
+            notes: before_provenance(notes, app),
             ..over(self.band, theme)
         }
     }
@@ -174,31 +166,17 @@ impl Bench {
         if spikes.is_empty() {
             return None;
         }
-        let base: Vec<f64> = spikes
-            .iter()
-            .map(|s| {
-                self.band
-                    .interpolate(&self.resampled.series_product, s.at_nm)
-            })
-            .collect();
-        let tops = spikes.iter().zip(&base).zip(&self.widths_nm);
-        Some(Series::new(
-            "spikes × factor",
-            inks.overlays[1],
-            Marks::Stems {
-                points: tops
-                    .map(|((s, b), width)| [s.at_nm, b + s.stem_height(*width)])
-                    .collect(),
-                base,
-                labels: Vec::new(),
-            },
-        ))
+        // Only so many have a width.
+        let spikes = &spikes[..spikes.len().min(self.widths_nm.len())];
+        let smooth = (self.band, &self.resampled.series_product[..], 1.0);
+        let looks = ("spikes × factor", inks.overlays[1]);
+        Some(spike_stems(looks, spikes, smooth, |i| self.widths_nm[i]))
     }
 
     /// The figures as a table; times where they were measured.
     pub fn csv(&self, app: &App, times: Option<&[ProductTime]>) -> String {
         let mut out = self.head(app);
-        let heads = [
+        out += &line([
             "way",
             "points",
             "delta_e_2000_total",
@@ -206,8 +184,7 @@ impl Bench {
             "folded_share",
             "multiplications",
             "ns",
-        ];
-        out += &line(heads.map(str::to_owned));
+        ]);
         for way in &self.resampled.ways {
             let step = &way.step;
             out += &line([
@@ -226,7 +203,7 @@ impl Bench {
     /// Eq. 17 as a table.
     pub fn spikes_csv(&self, app: &App) -> String {
         let mut out = self.head(app);
-        let heads = [
+        out += &line([
             "at_nm",
             "weight",
             "measured",
@@ -236,8 +213,7 @@ impl Bench {
             "series_delta_e_2000",
             "corrected_delta_e_2000",
             "printed_delta_e_2000",
-        ];
-        out += &line(heads.map(str::to_owned));
+        ]);
         for (reading, costs) in &self.spikes.each {
             let values = [
                 reading.spike.at_nm,
@@ -254,11 +230,8 @@ impl Bench {
     }
 
     fn head(&self, app: &App) -> String {
-        let mut out = format!("# light: {}\n# factor: {}\n", self.light, self.factor);
-        for note in provenance(app) {
-            out += &format!("# {note}\n");
-        }
-        out
+        let head = format!("# light: {}\n# factor: {}\n", self.light, self.factor);
+        table_head(head, app)
     }
 }
 
@@ -284,5 +257,5 @@ pub fn time_of(times: Option<&[ProductTime]>, sampling: Sampling) -> Option<&Pro
 
 /// A line of a thickness that leaves room for others.
 pub fn thin(name: &str, ink: Rgb, points: Vec<[f64; 2]>, dash: Dash) -> Series {
-    Series::line(name, ink, points).thick(1.5).dashed(dash)
+    stroke(name, ink, points, 1.5, dash)
 }

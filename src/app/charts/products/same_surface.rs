@@ -1,11 +1,10 @@
 //! The reflection check as a chart: what was expected and what was found, as they were compared.
 
-use super::{curve, over};
 use crate::{
     app::{
-        chart::Inks,
-        chart::{Chart, Dash, Panel, Series, Theme},
-        charts::spectrum::provenance,
+        chart::{Chart, Dash, Inks, Panel, Series, Theme},
+        charts::spectrum::{before_provenance, on_grid, over},
+        derived::less,
         products::same_surface::SameSurfaceSheet,
         state::App,
     },
@@ -21,14 +20,18 @@ pub fn same_surface_chart(
     theme: Theme,
 ) -> Chart {
     let inks = Inks::of(theme);
-    let curve = |values: &[f64]| curve(sheet.band, values, 1.0);
+    let curve = |values: &[f64]| on_grid(sheet.band, values, 1.0);
     let Compared {
         reflection,
         expected,
         found,
     } = compared;
-    let rest: Vec<f64> = found.iter().zip(expected).map(|(f, e)| f - e).collect();
+    let rest = less(found, expected);
     let [light, surface, outgoing] = &sheet.names;
+    let told = format!(
+        "S1 {light}, S2 {surface}, S3 {outgoing}. Expected is S1 S2 times {:.4}; residual {:.4}.",
+        reflection.factor, reflection.residual
+    );
     Chart {
         title: what.to_owned(),
         y_label: "share of the largest value, behind 10 nm".to_owned(),
@@ -41,15 +44,7 @@ pub fn same_surface_chart(
             series: vec![Series::line("difference", inks.residual, curve(&rest))],
             ..Panel::default()
         }),
-        notes: {
-            let mut notes = vec![format!(
-                "S1 {light}, S2 {surface}, S3 {outgoing}. Expected is S1 S2 times {:.4}; residual \
-                 {:.4}.",
-                reflection.factor, reflection.residual
-            )];
-            notes.extend(provenance(app));
-            notes
-        },
+        notes: before_provenance(vec![told], app),
         ..over(sheet.band, theme)
     }
 }

@@ -2,11 +2,10 @@
 
 use std::sync::Arc;
 
-use super::{curve, over};
 use crate::{
     app::{
         chart::{Chart, Dash, Inks, Series, Theme},
-        charts::spectrum::provenance,
+        charts::spectrum::{before_provenance, on_grid, over},
         products::two_lights::{Made, NoMetamer, TwoLightsSheet, swatches},
         state::App,
         studies::{Pairs, PairsAsk, Surface},
@@ -90,11 +89,11 @@ pub fn two_lights_chart(app: &App, sheet: &TwoLightsSheet, theme: Theme) -> Char
     let [first, second] = sheet.scaled();
     let mut series = Vec::new();
     if let Some(values) = first {
-        let points = curve(sheet.band, &values, 1.0);
+        let points = on_grid(sheet.band, &values, 1.0);
         series.push(Series::line(&sheet.lights[0], inks.measured, points));
     }
     if let Some(values) = second {
-        let points = curve(sheet.band, &values, 1.0);
+        let points = on_grid(sheet.band, &values, 1.0);
         let line = Series::line(&sheet.lights[1], inks.spikes, points);
         series.push(line.dashed(Dash::Dashed));
     }
@@ -107,36 +106,37 @@ pub fn two_lights_chart(app: &App, sheet: &TwoLightsSheet, theme: Theme) -> Char
 
 /// The two reflectances of a pair that was found.
 fn pair_chart(app: &App, band: Band, pair: [&Surface; 2], theme: Theme) -> Chart {
-    let inks = Inks::of(theme);
-    let line = |i: usize, ink| Series::line(&pair[i].key, ink, curve(band, &pair[i].values, 1.0));
-    let series = vec![
-        line(0, inks.smooth),
-        line(1, inks.spikes).dashed(Dash::Dashed),
-    ];
-    Chart {
-        title: "The chosen pair".to_owned(),
-        y_label: "share of light".to_owned(),
-        ..over_wavelength(app, band, series, theme)
-    }
+    let curves = pair.map(|surface| (&surface.key[..], &surface.values[..]));
+    two_curves(app, "The chosen pair", band, curves, theme)
 }
 
 /// A patch and the metamer made for it.
 pub fn made_chart(app: &App, sheet: &TwoLightsSheet, made: &Made, theme: Theme) -> Chart {
+    let patch = (&sheet.names[made.patch][..], &made.original[..]);
+    let curves = [patch, ("made", &made.values[..])];
+    Chart {
+        y_range: Some([0.0, 1.0]),
+        ..two_curves(app, "A patch and its metamer", sheet.band, curves, theme)
+    }
+}
+
+/// Two reflectances with their names.
+fn two_curves(
+    app: &App,
+    title: &str,
+    band: Band,
+    [(first, values), (second, others)]: [(&str, &[f64]); 2],
+    theme: Theme,
+) -> Chart {
     let inks = Inks::of(theme);
     let series = vec![
-        Series::line(
-            &sheet.names[made.patch],
-            inks.smooth,
-            curve(sheet.band, &made.original, 1.0),
-        ),
-        Series::line("made", inks.spikes, curve(sheet.band, &made.values, 1.0))
-            .dashed(Dash::Dashed),
+        Series::line(first, inks.smooth, on_grid(band, values, 1.0)),
+        Series::line(second, inks.spikes, on_grid(band, others, 1.0)).dashed(Dash::Dashed),
     ];
     Chart {
-        title: "A patch and its metamer".to_owned(),
+        title: title.to_owned(),
         y_label: "share of light".to_owned(),
-        y_range: Some([0.0, 1.0]),
-        ..over_wavelength(app, sheet.band, series, theme)
+        ..over_wavelength(app, band, series, theme)
     }
 }
 
@@ -151,10 +151,9 @@ fn over_wavelength(app: &App, band: Band, series: Vec<Series>, theme: Theme) -> 
         short(band.min_nm()),
         short(band.max_nm())
     ));
-    notes.extend(provenance(app));
     Chart {
         series,
-        notes,
+        notes: before_provenance(notes, app),
         ..over(band, theme)
     }
 }

@@ -1,7 +1,7 @@
 //! Beside a larger collection: its figures and this race's, the differences in words, and both
 //! halves of the result: what the composite wins and what it loses.
 
-use super::{error_words, figure};
+use super::{error_words, figure, place};
 use crate::{
     app::{
         FIRST_PATCH_SET,
@@ -13,7 +13,7 @@ use crate::{
     spectrum::{Band, SpikeSettings},
     study::{
         Measure, Race, Spread,
-        race::Racer,
+        race::{Racer, figures},
         race_reference::{Beside, CHECKED, CHECKED_NUMBERS, OTHER_HALF, TABLE},
     },
 };
@@ -101,18 +101,27 @@ fn sentences(race: &Race, budget: usize, measure: Measure) -> Vec<String> {
         .collect()
 }
 
+/// Of some racers the one with the least median.
+fn best(
+    race: &Race,
+    (class, budget, measure): (&str, usize, Measure),
+    wanted: impl Fn(&Racer) -> bool,
+) -> Option<(Racer, Spread)> {
+    let racers = race.racers.iter().copied().enumerate();
+    racers
+        .filter(|(_, racer)| wanted(racer))
+        .filter_map(|(i, racer)| Some((racer, race.spread(Some(class), budget, i, measure)?)))
+        .min_by(|a, b| a.1.median.total_cmp(&b.1.median))
+}
+
+fn is_composite(racer: &Racer) -> bool {
+    matches!(racer, Racer::Composite(_))
+}
+
 fn sentence(race: &Race, class: &str, budget: usize, measure: Measure) -> Option<String> {
-    let best = |wanted: &dyn Fn(Racer) -> bool| {
-        (0..race.racers.len())
-            .filter(|racer| wanted(race.racers[*racer]))
-            .filter_map(|racer| {
-                let spread = race.spread(Some(class), budget, racer, measure)?;
-                Some((race.racers[racer], spread))
-            })
-            .min_by(|a, b| a.1.median.total_cmp(&b.1.median))
-    };
-    let (composite, ours) = best(&|racer| matches!(racer, Racer::Composite(_)))?;
-    let (rival, theirs) = best(&|racer| matches!(racer, Racer::Rival(_)))?;
+    let of = (class, budget, measure);
+    let (composite, ours) = best(race, of, is_composite)?;
+    let (rival, theirs) = best(race, of, |racer| matches!(racer, Racer::Rival(_)))?;
     let words = |spread: Spread| error_words(measure, Some(spread.median));
     let (ours_words, theirs_words) = (words(ours), words(theirs));
     let class = capitalised(class);
@@ -142,14 +151,6 @@ fn pair(spread: [f64; 3]) -> String {
     spread.map(figure).join("/")
 }
 
-fn three(spread: Spread) -> [f64; 3] {
-    [spread.median, spread.p95, spread.worst]
-}
-
-fn place(race: &Race, racer: Racer) -> Option<usize> {
-    race.racers.iter().position(|r| *r == racer)
-}
-
 fn checked(race: &Race) -> Vec<(String, Vec<[String; 2]>)> {
     let Some(budget) = race.budgets.iter().position(|n| *n == CHECKED_NUMBERS) else {
         return Vec::new();
@@ -167,7 +168,7 @@ fn checked(race: &Race) -> Vec<(String, Vec<[String; 2]>)> {
             .map(|(racer, theirs)| {
                 let row = place(race, racer).map(|p| race.row(Some(line.class), budget, p));
                 let ours = row.and_then(|row| row.check);
-                let ours = ours.map_or_else(|| "–".to_owned(), |s| pair(three(s)));
+                let ours = ours.map_or_else(|| "–".to_owned(), |s| pair(figures(s)));
                 [ours, pair(theirs)]
             })
             .collect();
@@ -201,7 +202,7 @@ fn others(race: &Race) -> Vec<String> {
         words.push(format!(
             "{}: {} and {}/{} here, {} and {}/{} in the larger collection.",
             other.racer.title(),
-            pair(three(filters)),
+            pair(figures(filters)),
             figure(rms.median),
             figure(rms.p95),
             pair(other.filters),
@@ -215,21 +216,12 @@ fn others(race: &Race) -> Vec<String> {
             all += 1;
             without += usize::from(race.run(lamp, budget, place).spikes == 0);
         }
-        let with = race
-            .racers
-            .iter()
-            .enumerate()
-            .filter(|(_, racer)| matches!(racer, Racer::Composite(_)))
-            .filter_map(|(i, racer)| {
-                let spread = race.spread(Some(class), budget, i, Measure::Filters)?;
-                Some((racer, spread.median))
-            })
-            .min_by(|a, b| a.1.total_cmp(&b.1));
-        let best = with.map_or_else(String::new, |(racer, median)| {
+        let with = best(race, (class, budget, Measure::Filters), is_composite);
+        let best = with.map_or_else(String::new, |(racer, spread)| {
             format!(
                 " Behind narrow filters the best composite is {}, median {}.",
                 racer.title(),
-                figure(median)
+                figure(spread.median)
             )
         });
         words.push(format!(

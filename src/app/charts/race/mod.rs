@@ -14,7 +14,7 @@ pub use winners::{Lamp, Winners, Won};
 use crate::{
     app::{
         chart::Inks,
-        chart::{Chart, Dash, Marks, Rgb, Scale, Series, Shape, Theme},
+        chart::{Chart, Dash, Rgb, Scale, Series, Shape, Theme, stroke},
         figures::SMALLEST,
         race_report::{field_words, race_notes, row_numbers, wins},
         studies::RaceAsk,
@@ -87,6 +87,11 @@ pub fn looks(racer: Racer, inks: Inks) -> (Rgb, Dash, Shape) {
     }
 }
 
+/// Where a racer stands among all of them.
+fn place(race: &Race, racer: Racer) -> Option<usize> {
+    race.racers.iter().position(|r| *r == racer)
+}
+
 /// An error in few letters with its unit.
 fn error_words(measure: Measure, error: Option<f64>) -> String {
     let unit = measure.figure().unit;
@@ -140,13 +145,9 @@ pub fn error_chart(
             continue;
         }
         let (colour, dash, shape) = looks(*racer, inks);
-        let marks = Marks::Line {
-            points: points.clone(),
-            width: if *racer == Racer::Chosen { 2.4 } else { 1.5 },
-            dash,
-        };
+        let width = if *racer == Racer::Chosen { 2.4 } else { 1.5 };
         // The points have the name: their forms tell more apart than dashes do.
-        lines.push(Series::new("", colour, marks));
+        lines.push(stroke("", colour, points.clone(), width, dash));
         let points = Series::points(short_name(*racer), colour, shape, points);
         dots.push(points.with_notes(notes));
     }

@@ -3,7 +3,7 @@
 use super::figure;
 use crate::study::{
     Measure, Race, Spread,
-    race::{Racer, Row},
+    race::{Racer, Row, figures},
 };
 
 /// A column of the race's table.
@@ -31,6 +31,26 @@ pub struct RaceCell {
     pub tip: String,
     /// The least of its column.
     pub wins: bool,
+}
+
+impl RaceCell {
+    /// A figure and nothing more.
+    pub(super) fn of(text: String) -> Self {
+        Self {
+            text,
+            ..Self::default()
+        }
+    }
+
+    /// Median and 95th percentile, with the worst beside them.
+    pub(super) fn of_spread(spread: Spread, factor: f64) -> Self {
+        let [median, p95, worst] = figures(spread).map(|value| figure(factor * value));
+        Self {
+            text: format!("{median} / {p95}"),
+            tip: format!("median {median}, 95 % below {p95}, worst {worst}"),
+            wins: false,
+        }
+    }
 }
 
 /// The table as text.
@@ -186,22 +206,16 @@ fn patches(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, decides: Mea
         let value = |row: &Row| row.spreads[Measure::Patches].map(part);
         let mut cells: Vec<RaceCell> = rows.iter().map(|row| plain(value(row))).collect();
         mark(rows, &mut cells, &value);
+        let width = if i == 0 { 92.0 } else { 56.0 };
         columns.push(RaceColumn {
-            title: title.to_owned(),
-            tip: format!("{tip} {more}"),
-            width: if i == 0 { 92.0 } else { 56.0 },
             decides: i == 0 && decides == Measure::Patches,
-            costs: false,
-            cells,
+            ..column(title, &format!("{tip} {more}"), width, cells)
         });
     }
 }
 
 fn plain(value: Option<f64>) -> RaceCell {
-    RaceCell {
-        text: value.map_or_else(|| "–".to_owned(), figure),
-        ..RaceCell::default()
-    }
+    RaceCell::of(value.map_or_else(|| "–".to_owned(), figure))
 }
 
 fn column(title: &str, tip: &str, width: f32, cells: Vec<RaceCell>) -> RaceColumn {
@@ -240,14 +254,7 @@ fn spread_column(
         .map(|row| match of(row) {
             None => plain(None),
             Some(s) if !many => plain(Some(factor * s.median)),
-            Some(s) => {
-                let [median, p95, worst] = [s.median, s.p95, s.worst].map(|v| figure(factor * v));
-                RaceCell {
-                    tip: format!("median {median}, 95 % below {p95}, worst {worst}"),
-                    text: format!("{median} / {p95}"),
-                    wins: false,
-                }
-            }
+            Some(s) => RaceCell::of_spread(s, factor),
         })
         .collect();
     mark(rows, &mut cells, &|row| of(row).map(|s| s.median));
@@ -291,10 +298,7 @@ fn costs(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, cost_of: &str)
         |title: &str, tip: String, width: f32, value: Value<'_>, text: &dyn Fn(f64) -> String| {
             let mut cells: Vec<RaceCell> = rows
                 .iter()
-                .map(|row| RaceCell {
-                    text: value(row).map_or_else(|| "–".to_owned(), text),
-                    ..RaceCell::default()
-                })
+                .map(|row| RaceCell::of(value(row).map_or_else(|| "–".to_owned(), text)))
                 .collect();
             mark(rows, &mut cells, value);
             columns.push(column(title, &tip, width, cells));
@@ -366,10 +370,7 @@ fn promises(columns: &mut Vec<RaceColumn>, rows: &[Row]) {
             tip,
             58.0,
             rows.iter()
-                .map(|row| RaceCell {
-                    text: if yes(row.racer) { "yes" } else { "no" }.to_owned(),
-                    ..RaceCell::default()
-                })
+                .map(|row| RaceCell::of(if yes(row.racer) { "yes" } else { "no" }.to_owned()))
                 .collect(),
         ));
     }

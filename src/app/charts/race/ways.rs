@@ -137,17 +137,12 @@ impl Ways {
 fn cell(spread: Option<Spread>, error: Judged) -> RaceCell {
     let factor = if error == Judged::Blurred { 100.0 } else { 1.0 };
     spread.map_or_else(RaceCell::default, |spread| {
-        let [median, p95, worst] = figures(spread).map(|value| figure(factor * value));
-        let is_one = median == worst;
-        RaceCell {
-            text: if is_one {
-                median.clone()
-            } else {
-                format!("{median} / {p95}")
-            },
-            tip: format!("median {median}, 95 % below {p95}, worst {worst}"),
-            wins: false,
+        let [median, _, worst] = figures(spread).map(|value| figure(factor * value));
+        let mut cell = RaceCell::of_spread(spread, factor);
+        if median == worst {
+            cell.text = median;
         }
+        cell
     })
 }
 

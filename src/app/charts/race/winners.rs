@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::error_words;
+use super::{error_words, place};
 use crate::{
     app::{
         Entry,
@@ -53,7 +53,13 @@ pub struct Winners {
 impl Winners {
     /// The winners of a race, per light at one count.
     pub fn new(ask: &RaceAsk, race: &Race, budget: usize, measure: Measure) -> Self {
-        let place = |racer: Racer| race.racers.iter().position(|r| *r == racer);
+        let won = |racer: Option<Racer>, error: &dyn Fn(usize) -> Option<f64>| {
+            let at = racer.and_then(|racer| place(race, racer));
+            Won {
+                racer,
+                error: error_words(measure, at.and_then(error)),
+            }
+        };
         let sets = sets(race)
             .into_iter()
             .map(|(name, class)| {
@@ -61,13 +67,9 @@ impl Winners {
                 let won = (0..race.budgets.len())
                     .map(|budget| {
                         let racer = race.winner_of(class, budget, measure);
-                        let spread = racer
-                            .and_then(place)
-                            .and_then(|place| race.spread(class, budget, place, measure));
-                        Won {
-                            racer,
-                            error: error_words(measure, spread.map(|s| s.median)),
-                        }
+                        won(racer, &|place| {
+                            Some(race.spread(class, budget, place, measure)?.median)
+                        })
                     })
                     .collect();
                 (name, race.of_class(class).count(), won)
@@ -79,16 +81,10 @@ impl Winners {
             .enumerate()
             .map(|(i, (name, class))| {
                 let racer = race.winner_on(i, budget, measure);
-                let error = racer
-                    .and_then(place)
-                    .and_then(|place| race.run(i, budget, place).verdict[measure]);
                 Lamp {
                     name: name.clone(),
                     class: class.clone(),
-                    won: Won {
-                        racer,
-                        error: error_words(measure, error),
-                    },
+                    won: won(racer, &|place| race.run(i, budget, place).verdict[measure]),
                     entry: entry_of(&ask.field, race, i),
                 }
             })

@@ -10,11 +10,10 @@ mod rows;
 mod table;
 
 pub use row::{Row, Verdict, delta_e, figure, off_percent, percent, three};
-pub use rows::count;
 pub use table::{truth_csv, truth_table};
 
 use crate::{
-    app::{state::App, tables::Viewing},
+    app::{state::App, tables::Viewing, ticks::extent},
     color::{Adaptation, Observer, Swatch, Xyz, xy_from_xyz, xyz_of_one, xyz_of_parts},
     spectrum::{Band, Basis, Composite, Sampling, Series, detect_shapes, numbers_of_order},
     study::{
@@ -257,8 +256,8 @@ fn patch_of(app: &App) -> Option<(String, Vec<f64>)> {
     let patches = app.tables().patches.as_ref()?;
     let names = patches.set.names();
     let variation = |values: &Vec<f64>| {
-        let low = values.iter().copied().fold(f64::INFINITY, f64::min);
-        values.iter().copied().fold(f64::NEG_INFINITY, f64::max) - low
+        let range = extent(values.iter().copied());
+        range.map_or(0.0, |[low, high]| high - low)
     };
     let most_varied = || {
         let all = patches.reflectances.iter().enumerate();

@@ -167,7 +167,7 @@ pub(super) fn samples_row(claims: &Claims) -> Row {
         many::numbers(numbers),
         found.background,
         2 * found.spikes,
-        count(found.spikes, "spike"),
+        many::many(found.spikes, "spike", "spikes"),
         percent(errors[Measure::Rms]),
         percent(errors[Measure::RmsBlurred]),
         samples(Measure::Rms),
@@ -200,11 +200,6 @@ pub(super) fn samples_row(claims: &Claims) -> Row {
     row(measured, verdict, condition)
 }
 
-/// `1 spike`, `2 spikes`.
-pub fn count(n: usize, what: &str) -> String {
-    format!("{n} {what}{}", if n == 1 { "" } else { "s" })
-}
-
 pub(super) fn eq_17_row(claims: &Claims) -> Row {
     let mut measured = String::new();
     if let Some(worked) = claims.worked {
@@ -224,7 +219,7 @@ pub(super) fn eq_17_row(claims: &Claims) -> Row {
                 measured,
                 " At the {} of {} on {factor} it costs ΔE₀₀ {} as printed and {} corrected, \
                  against the series read exactly.",
-                count(found.readings.len(), "spike"),
+                many::many(found.readings.len(), "spike", "spikes"),
                 claims.light,
                 delta_e(printed),
                 delta_e(linear),

@@ -10,7 +10,7 @@ use super::{
 use crate::{
     app::{
         cells::{line, words},
-        export::provenance,
+        export::table_head,
         state::App,
     },
     io::one_line,
@@ -31,12 +31,9 @@ pub fn truth_table(claims: &Claims) -> Vec<Row> {
 /// The table as CSV: comment lines that say where it comes from, then
 /// `claim,paper,measured,verdict`.
 pub fn truth_csv(app: &App, claims: &Claims) -> String {
-    let mut out = String::new();
-    for (key, value) in provenance(app).of(&app.document().subject_entry().spectrum) {
-        // Writing to a String cannot fail.
-        let _ = writeln!(out, "# {key}: {value}");
-    }
+    let mut out = table_head(app);
     if let Some(factor) = &claims.factor {
+        // Writing to a String cannot fail.
         let _ = writeln!(
             out,
             "# products: {} x {}",
