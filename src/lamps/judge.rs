@@ -19,8 +19,9 @@ use crate::{
     },
     spectrum::{Band, Basis},
     study::{
-        FILTER_NM, FitBasis, ProjectedSpectrum,
+        FitBasis, ProjectedSpectrum,
         error::{BLUR_NM, Blur},
+        narrow_filter,
     },
 };
 
@@ -84,15 +85,6 @@ pub struct Exact {
     square: f64,
 }
 
-/// A Gaussian band-pass of 10 nm on a band's grid.
-pub(super) fn band_pass(band: Band, centre_nm: f64) -> Vec<f64> {
-    let at = |nm: f64| {
-        let x = (nm - centre_nm) / FILTER_NM;
-        (-4.0 * std::f64::consts::LN_2 * x * x).exp()
-    };
-    band.grid().map(at).collect()
-}
-
 impl Panel {
     /// What chooses: the ColorChecker and band-passes at 420, 430 ... 670 nm.
     pub fn choosing(band: Band, observer: Observer) -> Self {
@@ -110,7 +102,9 @@ impl Panel {
         let inside = centres.filter(|nm| band.contains(*nm));
         Self {
             exact: PatchSet::new(&reflectances, names.clone(), band, observer),
-            filters: inside.map(|nm| Window::of(&band_pass(band, nm))).collect(),
+            filters: inside
+                .map(|nm| Window::of(&narrow_filter(band, nm)))
+                .collect(),
             weighted: observer.table().weighted_on_band(band),
             blur: Blur::new(band, BLUR_NM),
             seen: observer.table().on_band(band),

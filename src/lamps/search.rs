@@ -48,6 +48,22 @@ struct Sums {
     lines: Vec<f64>,
 }
 
+impl Sums {
+    /// Takes what a direction explains off the squares of all columns and off their sums with the
+    /// target, of which the direction has so much.
+    fn take_off(&self, target: f64, squares: &mut Self, towards: &mut Self) {
+        for (sums, squares, towards) in [
+            (&self.atoms, &mut squares.atoms, &mut towards.atoms),
+            (&self.lines, &mut squares.lines, &mut towards.lines),
+        ] {
+            for ((square, toward), sum) in squares.iter_mut().zip(towards).zip(sums) {
+                *square -= sum * sum;
+                *toward -= target * sum;
+            }
+        }
+    }
+}
+
 /// A direction and its sums with everything.
 #[derive(Clone, Debug)]
 struct Direction {
@@ -198,23 +214,7 @@ impl<'a> Search<'a> {
                 self.direction(pick, counts.cosines, &directions, pick.of(&squares), wanted);
             let length = pick.of(&squares).sqrt();
             let target = pick.of(&towards) / length;
-            for (squares, towards, sums) in [
-                (
-                    &mut squares.atoms,
-                    &mut towards.atoms,
-                    &direction.sums.atoms,
-                ),
-                (
-                    &mut squares.lines,
-                    &mut towards.lines,
-                    &direction.sums.lines,
-                ),
-            ] {
-                for ((square, toward), sum) in squares.iter_mut().zip(towards).zip(sums) {
-                    *square -= sum * sum;
-                    *toward -= target * sum;
-                }
-            }
+            direction.sums.take_off(target, &mut squares, &mut towards);
             subtract(&mut rest, target, &direction.vector);
             directions.push(direction);
             picks.push(pick);
@@ -260,23 +260,7 @@ impl<'a> Search<'a> {
                 sums,
                 target,
             } = direction;
-            for (squares, towards, sums) in [
-                (
-                    &mut room.squares.atoms,
-                    &mut room.towards.atoms,
-                    &sums.atoms,
-                ),
-                (
-                    &mut room.squares.lines,
-                    &mut room.towards.lines,
-                    &sums.lines,
-                ),
-            ] {
-                for ((square, toward), sum) in squares.iter_mut().zip(towards).zip(sums) {
-                    *square -= sum * sum;
-                    *toward -= target * sum;
-                }
-            }
+            sums.take_off(*target, &mut room.squares, &mut room.towards);
             subtract(&mut room.rest, *target, vector);
         }
         room.cosines = cosines;

@@ -188,11 +188,16 @@ pub trait Representation {
     /// Values on the band's 1 nm grid.
     fn on_band(&self) -> Vec<f64>;
 
-    /// Where [`Representation::points`] stand, nm, rising.
-    fn places_nm(&self) -> Vec<f64>;
+    /// Where [`Representation::points`] stand, nm, rising; the 1 nm grid unless said otherwise.
+    fn places_nm(&self) -> Vec<f64> {
+        self.band().grid().collect()
+    }
 
-    /// Values where a product of two spectra is formed, from the stored numbers.
-    fn points(&self) -> Vec<f64>;
+    /// Values where a product of two spectra is formed, from the stored numbers; those on the 1 nm
+    /// grid unless said otherwise.
+    fn points(&self) -> Vec<f64> {
+        self.on_band()
+    }
 }
 
 /// One fitted representation.

@@ -207,14 +207,6 @@ impl Representation for Principal {
         }
         out
     }
-
-    fn places_nm(&self) -> Vec<f64> {
-        self.basis.band.grid().collect()
-    }
-
-    fn points(&self) -> Vec<f64> {
-        self.on_band()
-    }
 }
 
 #[cfg(test)]
