@@ -356,7 +356,7 @@ pub(super) struct Render {
     #[command(flatten)]
     pub model: ModelOptions,
     /// The picture to write; it may replace a picture.
-    #[arg(long, value_name = "FILE.png", value_parser = words::png_path())]
+    #[arg(long, value_name = "FILE.png", value_parser = words::path_in(&["png"]))]
     pub out: PathBuf,
     /// Let it replace any other file too, but for what is read.
     #[arg(long)]
@@ -390,7 +390,7 @@ pub(super) struct Plot {
     #[command(flatten)]
     pub model: ModelOptions,
     /// The picture to write, .svg or .png, with --sheet .svg or .pdf; it may replace a picture.
-    #[arg(long, value_name = "FILE", value_parser = words::plot_path())]
+    #[arg(long, value_name = "FILE", value_parser = words::path_in(&["svg", "png", "pdf"]))]
     pub out: PathBuf,
     /// One page about the light in place of its plot: what it is, how good it is, its colours, the
     /// numbers of its model. A4; --size and --theme are not used.

@@ -86,6 +86,19 @@ impl PickOptions {
         self.pixel.or(self.region)
     }
 
+    /// The first option that was given and is about the spectra of an input; with `light` also what
+    /// shines on them.
+    pub(super) fn about_input(&self, light: bool) -> Option<&'static str> {
+        let all = [
+            ("--spectrum", self.spectrum.is_some()),
+            ("--kind", self.kind.is_some()),
+            ("--light", light && self.light.is_some()),
+            ("--pixel", self.pixel.is_some()),
+            ("--region", self.region.is_some()),
+        ];
+        all.into_iter().find(|given| given.1).map(|given| given.0)
+    }
+
     /// What is meant by an input with these options.
     pub(super) fn wanted(&self) -> Wanted<'_> {
         Wanted {

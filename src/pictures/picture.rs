@@ -1,6 +1,5 @@
 //! A picture as its numbers, in memory.
 
-use crate::color::Xyz;
 use crate::study::Progress;
 
 use super::header::{About, Header};
@@ -112,11 +111,6 @@ impl Picture {
             out.extend(sums.into_iter().map(|(sum, count)| (sum / count) as f32));
         }
         (across, down, out)
-    }
-
-    /// The colour of one pixel under a light.
-    pub fn xyz_at(&self, x: usize, y: usize, relit: &Relit) -> Xyz {
-        relit.xyz(&self.numbers_at(x, y))
     }
 }
 

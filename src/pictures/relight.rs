@@ -8,7 +8,7 @@ use crate::color::{Observer, Xyz};
 use crate::spectrum::Kind;
 
 use super::fitting::cosines;
-use super::light::{emissive_weights, seen_on_nm};
+use super::light::seen_on_nm;
 use super::prior::prior;
 use super::{Bands, Light, Operator, PictureError, ReferenceKind};
 
@@ -227,20 +227,5 @@ impl Operator {
             let seen = waves.transpose() * DVector::from_column_slice(row);
             (solved.transpose() * seen).as_slice().to_vec()
         }))
-    }
-
-    /// The rows and white of what is light seen as it is, scaled so that `white` on the bands has
-    /// Y = 1: for a picture of an unknown lamp.
-    ///
-    /// # Errors
-    /// [`PictureError::NoOwnLight`] when that has no Y.
-    pub fn seen_against(&self, white: &[f64]) -> Result<Relit, PictureError> {
-        let weights = emissive_weights(self.bands(), self.plan().observer, white)?;
-        let sum = |row: &Vec<f64>| row.iter().zip(white).map(|(w, v)| w * v).sum();
-        Ok(Relit {
-            light: String::new(),
-            rows: self.of_numbers(&weights),
-            white: Xyz::from_array(weights.each_ref().map(sum)),
-        })
     }
 }

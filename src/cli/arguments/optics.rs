@@ -7,7 +7,7 @@ use clap::Args;
 use crate::{
     cli::{
         options::{FileOptions, ModelOptions},
-        room_words,
+        room_words, words,
     },
     color::Adaptation,
     optics::View,
@@ -167,7 +167,7 @@ pub(crate) struct Gem {
     #[command(flatten)]
     pub model: ModelOptions,
     /// The picture to write: .png, which may replace a picture, or .exr with every wavelength.
-    #[arg(long, value_name = "FILE", value_parser = room_words::traced_path())]
+    #[arg(long, value_name = "FILE", value_parser = words::path_in(&["png", "exr"]))]
     pub out: Option<PathBuf>,
     /// Let it replace any other file too, but for what is read.
     #[arg(long, requires = "out")]

@@ -128,7 +128,11 @@ impl Bounced {
             let found = ways().filter(|(_, (below, _))| *below == wanted);
             found.map(|(name, _)| name).collect()
         };
-        let what = if added { "added ΔE₀₀" } else { "ΔE₀₀" };
+        let what = if added {
+            "added ΔE₀₀"
+        } else {
+            "ΔE₀₀"
+        };
         if most == 0 {
             return format!("No way stays below {what} 1, not for one bounce.");
         }
