@@ -75,7 +75,6 @@ pub(super) struct PickOptions {
     /// Which part of a spectral image: first column and row, from 0, width and height; its mean.
     #[arg(long, value_name = "X,Y,W,H", value_parser = words::region)]
     pub region: Option<Rect>,
-    /// How files are read.
     #[command(flatten)]
     pub files: FileOptions,
 }

@@ -62,15 +62,6 @@ impl Errors {
     pub fn to_array(self) -> [f64; 3] {
         [self.patches, self.filters, self.blurred]
     }
-
-    /// From patches, filters, blurred.
-    pub fn from_array([patches, filters, blurred]: [f64; 3]) -> Self {
-        Self {
-            patches,
-            filters,
-            blurred,
-        }
-    }
 }
 
 /// The exact side for one light.

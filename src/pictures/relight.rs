@@ -39,21 +39,6 @@ impl Relit {
         let sum = |row: &Vec<f64>| row.iter().zip(numbers).map(|(w, z)| w * z).sum();
         Xyz::from_array(self.rows.each_ref().map(sum))
     }
-
-    /// A mixture with another light, `share` of this one.
-    pub fn mixed_with(&self, other: &Self, share: f64) -> Self {
-        let mix = |a: f64, b: f64| share * a + (1.0 - share) * b;
-        let rows = std::array::from_fn(|k| {
-            let pairs = self.rows[k].iter().zip(&other.rows[k]);
-            pairs.map(|(a, b)| mix(*a, *b)).collect()
-        });
-        let (a, b) = (self.white.to_array(), other.white.to_array());
-        Self {
-            light: format!("{} and {}", self.light, other.light),
-            rows,
-            white: Xyz::from_array(std::array::from_fn(|k| mix(a[k], b[k]))),
-        }
-    }
 }
 
 impl Operator {

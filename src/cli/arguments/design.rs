@@ -66,7 +66,6 @@ pub(crate) struct Recover {
     /// Let it replace a file that exists.
     #[arg(long, requires = "out")]
     pub force: bool,
-    /// How files are read.
     #[command(flatten)]
     pub files: FileOptions,
     /// Print JSON; its keys are stable.
@@ -109,7 +108,6 @@ pub(crate) struct Mix {
         allow_negative_numbers = true,
         value_parser = room_words::free_lines)]
     pub lines: Option<usize>,
-    /// How files are read.
     #[command(flatten)]
     pub files: FileOptions,
     /// Print JSON; its keys are stable.

@@ -57,7 +57,6 @@ pub(crate) struct Picture {
     /// Let it replace a file that exists.
     #[arg(long, requires = "out")]
     pub force: bool,
-    /// How files are read.
     #[command(flatten)]
     pub files: FileOptions,
     /// Print JSON; its keys are stable.
@@ -93,7 +92,6 @@ pub(crate) struct Fit {
     /// Print JSON; its keys are stable. Lines of JSON are answered by such lines anyhow.
     #[arg(long)]
     pub json: bool,
-    /// How files are read.
     #[command(flatten)]
     pub files: FileOptions,
 }
