@@ -67,17 +67,17 @@ static ENTRIES: LazyLock<Vec<Entry>> = LazyLock::new(|| {
 static LAMPS: LazyLock<Vec<KnownLamp>> = LazyLock::new(|| {
     let entries = ENTRIES.iter().enumerate();
     entries
-        .map(|(index, entry)| KnownLamp {
-            index: index as u8,
-            key: match entry {
-                Entry::Table { group, name } => Some(format!("{group}/{name}")),
-                Entry::Planck { .. } | Entry::Daylight { .. } => None,
-            },
-            name: match entry {
-                Entry::Table { name, .. } => name.clone(),
-                Entry::Planck { .. } | Entry::Daylight { .. } => String::new(),
-            },
-            title: title(entry),
+        .map(|(index, entry)| {
+            let (key, name) = match entry {
+                Entry::Table { group, name } => (Some(format!("{group}/{name}")), name.clone()),
+                Entry::Planck { .. } | Entry::Daylight { .. } => (None, String::new()),
+            };
+            KnownLamp {
+                index: index as u8,
+                key,
+                name,
+                title: title(entry),
+            }
         })
         .collect()
 });

@@ -131,19 +131,13 @@ impl<'a> Search<'a> {
         usable: &[bool],
         smooth: &Orthonormal,
     ) -> Self {
-        let weighed = |rows: &[f64]| {
-            let mut errors = at.errors_of(rows);
-            at.weigh(goals, &mut errors);
-            errors
-        };
+        let weighed = |rows: &[f64]| at.weighed(goals, &at.errors_of(rows));
         let atoms: Vec<Option<Vec<f64>>> = columns
             .atoms
             .iter()
             .zip(usable)
             .map(|(column, usable)| usable.then(|| weighed(&column.rows)))
             .collect();
-        let mut goal = target.to_vec();
-        at.weigh(goals, &mut goal);
         let squares = Sums {
             atoms: atoms
                 .iter()
@@ -163,7 +157,7 @@ impl<'a> Search<'a> {
                 lines: Vec::new(),
             },
             squares,
-            target: goal,
+            target: at.weighed(goals, target),
             chosen: BTreeMap::new(),
             room: Vec::new(),
         };
@@ -183,8 +177,7 @@ impl<'a> Search<'a> {
 
     /// Sums of all lines, and of all known lamps where they are wanted, with weighed errors.
     fn sums_with(&self, vector: &[f64], with_atoms: bool) -> Sums {
-        let mut weighed = vector.to_vec();
-        self.at.weigh(self.goals, &mut weighed);
+        let weighed = self.at.weighed(self.goals, vector);
         let h = self
             .columns
             .operators
@@ -358,9 +351,7 @@ impl<'a> Search<'a> {
                     .columns
                     .column(line.first, &self.columns.values_of(line))
                     .rows;
-                let mut errors = self.at.errors_of(&rows);
-                self.at.weigh(self.goals, &mut errors);
-                errors
+                self.at.weighed(self.goals, &self.at.errors_of(&rows))
             }
         }
     }

@@ -55,11 +55,6 @@ impl PrincipalBasis {
         }
     }
 
-    /// The band whose grid the rows stand on.
-    pub fn band(&self) -> Band {
-        self.band
-    }
-
     /// The rows, the strongest first, orthonormal under the trapezoid product.
     pub fn rows(&self) -> &[Vec<f64>] {
         &self.rows
