@@ -158,7 +158,6 @@ pub(super) struct Read {
     /// Files, or folders whose files are read; - is standard input.
     #[arg(value_name = "FILE", required = true)]
     pub inputs: Vec<PathBuf>,
-    /// How files are read.
     #[command(flatten)]
     pub files: FileOptions,
     /// Print JSON, a list with one object a file; its keys are stable.
@@ -173,10 +172,8 @@ pub(super) struct Report {
     /// (paper/Mercury).
     #[arg(value_name = "INPUT")]
     pub input: OsString,
-    /// Which spectrum of the file, and what it is.
     #[command(flatten)]
     pub pick: PickOptions,
-    /// The model.
     #[command(flatten)]
     pub model: ModelOptions,
     /// Print JSON; its keys are stable. Shares are fractions of 1 and not per cent: all of error,
@@ -194,10 +191,8 @@ pub(super) struct Light {
     /// licensed.
     #[arg(value_name = "INPUT", required = true)]
     pub lights: Vec<OsString>,
-    /// How files are read.
     #[command(flatten)]
     pub files: FileOptions,
-    /// The model.
     #[command(flatten)]
     pub model: ModelOptions,
     /// Print JSON; its keys are stable. One light is an object; several, and a folder, are a list.
@@ -220,7 +215,6 @@ pub(super) struct Sweep {
     /// (paper/Mercury).
     #[arg(value_name = "INPUT")]
     pub input: OsString,
-    /// Which spectrum of the file, and what it is.
     #[command(flatten)]
     pub pick: PickOptions,
     /// The model: every order, basis and fit is tried; basis and fit are those of the threshold map,
@@ -247,10 +241,8 @@ pub(super) struct Auction {
     /// Most numbers that may be spent, 1 to 101.
     #[arg(long, value_name = "P", allow_negative_numbers = true, value_parser = words::numbers)]
     pub numbers: usize,
-    /// Which spectrum of the file, and what it is.
     #[command(flatten)]
     pub pick: PickOptions,
-    /// The model.
     #[command(flatten)]
     pub model: ModelOptions,
     /// Print JSON instead of CSV; its keys are stable. In both relative errors are fractions of 1
@@ -274,10 +266,8 @@ pub(super) struct Race {
     /// fluorescent or discharge) or a folder with files of lights.
     #[arg(long, value_name = "GROUP|FOLDER")]
     pub set: Option<OsString>,
-    /// Which spectrum of the file, and what it is.
     #[command(flatten)]
     pub pick: PickOptions,
-    /// The model.
     #[command(flatten)]
     pub model: ModelOptions,
     /// Counts a known lamp's index and a line's width as numbers of their own.
@@ -314,10 +304,8 @@ pub(super) struct Product {
     /// [default: as each file says].
     #[arg(long, value_name = "KIND", value_parser = words::factor_kind)]
     pub kind: Option<Kind>,
-    /// How files are read.
     #[command(flatten)]
     pub files: FileOptions,
-    /// The model.
     #[command(flatten)]
     pub model: ModelOptions,
     /// Print JSON; its keys are stable. Shares are fractions of 1 and not per cent: transmission,
@@ -349,14 +337,12 @@ pub(super) struct Render {
     /// shows at first].
     #[arg(value_name = "INPUT")]
     pub input: Option<OsString>,
-    /// Which spectrum of the file, and what it is.
     #[command(flatten)]
     pub pick: PickOptions,
-    /// The model.
     #[command(flatten)]
     pub model: ModelOptions,
     /// The picture to write; it may replace a picture.
-    #[arg(long, value_name = "FILE.png", value_parser = words::png_path())]
+    #[arg(long, value_name = "FILE.png", value_parser = words::path_in(&["png"]))]
     pub out: PathBuf,
     /// Let it replace any other file too, but for what is read.
     #[arg(long)]
@@ -383,14 +369,12 @@ pub(super) struct Plot {
     /// A file (- is standard input), a preset's name or group/name.
     #[arg(value_name = "INPUT")]
     pub input: OsString,
-    /// Which spectrum of the file, and what it is.
     #[command(flatten)]
     pub pick: PickOptions,
-    /// The model.
     #[command(flatten)]
     pub model: ModelOptions,
     /// The picture to write, .svg or .png, with --sheet .svg or .pdf; it may replace a picture.
-    #[arg(long, value_name = "FILE", value_parser = words::plot_path())]
+    #[arg(long, value_name = "FILE", value_parser = words::path_in(&["svg", "png", "pdf"]))]
     pub out: PathBuf,
     /// One page about the light in place of its plot: what it is, how good it is, its colours, the
     /// numbers of its model. A4; --size and --theme are not used.
@@ -428,7 +412,6 @@ pub(super) struct Convert {
     /// must be named by --spectrum.
     #[arg(long)]
     pub all: bool,
-    /// Which spectrum of the file, and what it is.
     #[command(flatten)]
     pub pick: PickOptions,
     /// The model, where one is written.

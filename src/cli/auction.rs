@@ -5,7 +5,7 @@ use std::io::Write;
 use super::{
     arguments::Auction,
     inputs::Inputs,
-    print,
+    print, print_json,
     refusal::Refusal,
     subject::{self, no_power, with_power},
 };
@@ -44,8 +44,7 @@ pub(super) fn run(
         .answer(&Progress::default())
         .ok_or_else(|| nothing_to_measure(&app, &ask))?;
     if *json {
-        let json = study_report::auction_json(&app, &ask, &auction);
-        print(out, &format!("{json:#}\n"))
+        print_json(out, &study_report::auction_json(&app, &ask, &auction))
     } else {
         print(out, &study_report::auction_csv(&app, &ask, &auction))
     }

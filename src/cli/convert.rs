@@ -24,6 +24,7 @@ use crate::{
         composite_json, composite_lines, losses, many::many, save_atomically, shown,
         stream::is_stream, write_as,
     },
+    spectrum::NamedSpectrum,
 };
 
 /// Carries the command out.
@@ -37,23 +38,14 @@ pub(super) fn run(
 ) -> Result<(), Refusal> {
     let path = &options.out;
     let extension = words::extension(path);
-    if extension != LINE && !WRITABLE.iter().any(|(known, _)| *known == extension) {
-        let known = WRITABLE.iter().map(|(e, _)| *e).chain([LINE]);
-        let known: Vec<String> = known.map(|e| format!(".{e}")).collect();
-        return Err(Refusal::Usage(format!(
-            "OUT: found {}, expected a file that ends in {}",
-            io::quoted(&path.to_string_lossy()),
-            known.join(" or ")
-        )));
-    }
+    let known = WRITABLE.iter().map(|(known, _)| *known).chain([LINE]);
+    words::with_extension(path.into(), &known.collect::<Vec<_>>())
+        .map_err(|why| Refusal::Usage(format!("OUT: {why}")))?;
+    let read = [Some(options.input.as_os_str())];
     let target = Target {
         what: "OUT",
-        path,
-        replaces: Replaces::Nothing,
-        force: options.force,
-        read: Vec::new(),
+        ..Target::out(path, Replaces::Nothing, options.force, &read)
     };
-    let target = target.beside(&[Some(options.input.as_os_str())]);
     target.path()?;
     let what = if options.all {
         all_spectra(options, &extension, &target, inputs)?
@@ -78,14 +70,26 @@ fn is_of_models(extension: &str) -> bool {
     ["json", LINE].contains(&extension)
 }
 
-/// What a file of measured samples says about itself.
-fn as_measured() -> Provenance {
+/// What a file of samples says about itself.
+fn provenance(scale_words: &str) -> Provenance {
     Provenance {
         program: format!("Spectral Explorer {}", env!("CARGO_PKG_VERSION")),
-        source: String::new(),
-        scale_words: "as measured".to_owned(),
-        settings: String::new(),
+        scale_words: scale_words.to_owned(),
+        ..Provenance::default()
     }
+}
+
+/// Writes the samples of one spectrum.
+///
+/// # Errors
+/// [`Refusal::File`] for what cannot be written.
+pub(super) fn write_samples(
+    target: &Target,
+    spectrum: &NamedSpectrum,
+    scale_words: &str,
+) -> Result<(), Refusal> {
+    let columns = Columns::measured(spectrum);
+    write_as(target.path()?, spectrum, &columns, &provenance(scale_words)).map_err(Refusal::file)
 }
 
 /// Most notes told of a file of many spectra.
@@ -145,8 +149,8 @@ fn all_spectra(
         // Those of one spectrum are not those of all.
         about.notes.clear();
     }
-    write_as(target.path()?, &about, &columns, &as_measured())
-        .map_err(|why| Refusal::File(why.to_string()))?;
+    let provenance = provenance("as measured");
+    write_as(target.path()?, &about, &columns, &provenance).map_err(Refusal::file)?;
     let what = format!(
         "{} ({}, {} wavelengths)",
         many(spectra.len(), "spectrum", "spectra"),
@@ -213,13 +217,7 @@ fn spectrum(options: &Convert, target: &Target, inputs: &mut Inputs) -> Result<S
     };
     let found = inputs.find(&options.input, &wanted);
     let spectrum = &found.map_err(Refusal::File)?.entry.spectrum;
-    write_as(
-        target.path()?,
-        spectrum,
-        &Columns::measured(spectrum),
-        &as_measured(),
-    )
-    .map_err(|why| Refusal::File(why.to_string()))?;
+    write_samples(target, spectrum, "as measured")?;
     let what = format!(
         "{} ({}, {} points)",
         spectrum.name,
@@ -278,7 +276,7 @@ fn model(
     };
     let path = target.path()?;
     text.and_then(|text| save_atomically(path, text.as_bytes()))
-        .map_err(|why| Refusal::File(why.to_string()))?;
+        .map_err(Refusal::file)?;
     let what = format!(
         "the model of {}, {}",
         file.name,

@@ -4,14 +4,15 @@ use std::{io::Write, path::Path};
 
 use super::{
     arguments::Decode,
+    convert::write_samples,
     inputs::Inputs,
     print,
     refusal::Refusal,
     target::{Replaces, Target},
-    words::extension,
+    words::{extension, with_extension},
 };
 use crate::{
-    io::{Columns, Provenance, WRITABLE, losses, quoted, shown, write_as},
+    io::{WRITABLE, losses, shown},
     lamps::{Decoder, EncodingError, Makeup, decode_json, read_encoding},
     spectrum::{Band, Kind, NamedSpectrum, Sampled},
 };
@@ -54,7 +55,7 @@ pub(super) fn run(
     };
     if let Some(target) = target {
         let spectrum = spectrum(band, values, &makeup)?;
-        write(&target, &spectrum)?;
+        write_samples(&target, &spectrum, "as encoded")?;
         let mut lines = vec![format!("Wrote {}: {makeup}", shown(target.path))];
         lines.extend(losses(&extension(target.path), &spectrum));
         if *json {
@@ -75,28 +76,11 @@ fn called(words: &[std::ffi::OsString]) -> String {
 }
 
 fn target<'a>(options: &'a Decode, path: &'a Path, force: bool) -> Result<Target<'a>, Refusal> {
-    let extension = extension(path);
-    if !WRITABLE.iter().any(|(known, _)| *known == extension) {
-        let known: Vec<String> = WRITABLE.iter().map(|(e, _)| format!(".{e}")).collect();
-        return Err(Refusal::Usage(format!(
-            "--out: found {}, expected a file that ends in {}",
-            quoted(&path.to_string_lossy()),
-            known.join(" or ")
-        )));
-    }
-    let target = Target {
-        what: "--out",
-        path,
-        replaces: Replaces::Nothing,
-        force,
-        read: Vec::new(),
-    };
-    let read: Vec<_> = options
-        .words
-        .iter()
-        .map(|word| Some(word.as_os_str()))
-        .collect();
-    let target = target.beside(&read);
+    with_extension(path.into(), &WRITABLE.map(|(extension, _)| extension))
+        .map_err(|why| Refusal::Usage(format!("--out: {why}")))?;
+    let words = options.words.iter();
+    let read: Vec<_> = words.map(|word| Some(word.as_os_str())).collect();
+    let target = Target::out(path, Replaces::Nothing, force, &read);
     target.path()?;
     Ok(target)
 }
@@ -124,16 +108,4 @@ fn spectrum(band: Band, values: Vec<f64>, makeup: &str) -> Result<NamedSpectrum,
         notes: vec![format!("decoded from {makeup}")],
         source: String::new(),
     })
-}
-
-fn write(target: &Target, spectrum: &NamedSpectrum) -> Result<(), Refusal> {
-    let provenance = Provenance {
-        program: format!("Spectral Explorer {}", env!("CARGO_PKG_VERSION")),
-        source: String::new(),
-        scale_words: "as encoded".to_owned(),
-        settings: String::new(),
-    };
-    let columns = Columns::measured(spectrum);
-    write_as(target.path()?, spectrum, &columns, &provenance)
-        .map_err(|why| Refusal::File(why.to_string()))
 }

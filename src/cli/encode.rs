@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use super::{
-    arguments::Encode, inputs::Inputs, options::ModelOptions, print, race::light_alone,
+    arguments::Encode, inputs::Inputs, options::ModelOptions, print, print_json, race::light_alone,
     refusal::Refusal, subject,
 };
 use crate::{
@@ -65,7 +65,7 @@ pub(super) fn run(
         inputs.note("the words need the program's list of known lamps to be decoded");
     }
     if *json {
-        print(out, &format!("{:#}\n", encode_json(&encoded)))
+        print_json(out, &encode_json(&encoded))
     } else {
         print(out, &encode_words(&encoded))
     }

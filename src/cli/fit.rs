@@ -9,14 +9,14 @@ use super::{
     arguments::Fit,
     folder::{files_in, spectra_of},
     inputs::Inputs,
-    print,
+    print, print_json,
     refusal::Refusal,
     target::{Replaces, Target},
     words::extension,
 };
 use crate::{
     app::{open::Loaded, ticks::short},
-    io::{Choices, many::many, save_atomically, shown, stream::is_standard_input},
+    io::{Choices, many::many, shown, stream::is_standard_input},
     pictures::{FitAsk, PictureError, fit_line, fit_spectra},
     spectrum::NamedSpectrum,
     study::Progress,
@@ -45,14 +45,8 @@ pub(super) fn run(options: &Fit, out: &mut dyn Write, inputs: &mut Inputs) -> Re
             "found no --out, expected a file to write the numbers to".to_owned(),
         ));
     };
-    let target = Target {
-        what: "--out",
-        path,
-        replaces: Replaces::Nothing,
-        force: options.force,
-        read: Vec::new(),
-    };
-    let target = target.beside(&[Some(options.input.as_os_str())]);
+    let read = [Some(options.input.as_os_str())];
+    let target = Target::out(path, Replaces::Nothing, options.force, &read);
     target.path()?;
     let spectra = spectra(input, inputs)?;
     let first = &spectra[0].1;
@@ -79,8 +73,7 @@ pub(super) fn run(options: &Fit, out: &mut dyn Write, inputs: &mut Inputs) -> Re
         "csv" => fitted.csv(),
         _ => format!("{:#}\n", fitted.json()),
     };
-    save_atomically(target.path()?, text.as_bytes())
-        .map_err(|why| Refusal::File(why.to_string()))?;
+    target.save(text.as_bytes())?;
     let worst = fitted.relative_rms.iter().copied().fold(0.0, f64::max);
     if options.json {
         let json = serde_json::json!({
@@ -88,7 +81,7 @@ pub(super) fn run(options: &Fit, out: &mut dyn Write, inputs: &mut Inputs) -> Re
             "numbers": fitted.operator.numbers(),
             "relative_rms": worst,
         });
-        return print(out, &format!("{json:#}\n"));
+        return print_json(out, &json);
     }
     print(
         out,

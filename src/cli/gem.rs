@@ -1,11 +1,11 @@
 //! `gem`: a brilliant under a light as figures and as a picture.
 
-use std::{fmt::Display, io::Write, path::Path, time::Instant};
+use std::{io::Write, path::Path, time::Instant};
 
 use super::{
     arguments::{CutOptions, Gem, ViewOptions},
     inputs::Inputs,
-    material::{absorption_of, material},
+    material::{absorption_of, material, note_extrapolated},
     print,
     prism::light_of,
     refusal::Refusal,
@@ -17,7 +17,7 @@ use super::{
 use crate::{
     app::ticks::short,
     color::{Adaptation, Observer},
-    io::{many::many, save_atomically, shown},
+    io::{many::many, shown},
     optics::{
         Absorption, Brilliant, Film, FilmSettings, GemReport, Light, Material, Picture, Scene,
         Studio, View, film_bytes, gem_json, png, spectral_exr,
@@ -53,7 +53,7 @@ pub(super) fn run(options: &Gem, out: &mut dyn Write, inputs: &mut Inputs) -> Re
     inputs.remark(&format!("a film of {} MB", bytes.div_ceil(1 << 20)));
     let start = Instant::now();
     film.trace(&light, options.rays, None, &Progress::default())
-        .map_err(usage)?;
+        .map_err(Refusal::usage)?;
     let seconds = start.elapsed().as_secs_f64();
     let picture = film.picture(&light, observer);
     say_doubts(&film, &picture, &light, inputs);
@@ -82,7 +82,7 @@ pub(super) fn run(options: &Gem, out: &mut dyn Write, inputs: &mut Inputs) -> Re
         false => spectral_file(&film, &light, options),
     };
     let file = file.map_err(|why| Refusal::File(format!("{}: {why}", shown(target.path))))?;
-    save_atomically(target.path()?, &file).map_err(|why| Refusal::File(why.to_string()))?;
+    target.save(&file)?;
     let (path, size) = (shown(target.path), options.size);
     let line = format!("Wrote {path}, {size} x {size} px.");
     if options.json {
@@ -92,33 +92,27 @@ pub(super) fn run(options: &Gem, out: &mut dyn Write, inputs: &mut Inputs) -> Re
     print(out, &format!("{text}{line}\n"))
 }
 
-fn usage(why: impl Display) -> Refusal {
-    Refusal::Usage(why.to_string())
-}
-
 /// Where the picture goes: a PNG may replace a picture, spectral planes are data.
 fn target<'a>(options: &'a Gem, path: &'a Path) -> Target<'a> {
-    let target = Target {
-        what: "--out",
-        path,
-        replaces: match extension(path).as_str() {
-            "png" => Replaces::Pictures,
-            _ => Replaces::Nothing,
-        },
-        force: options.force,
-        read: Vec::new(),
+    let replaces = match extension(path).as_str() {
+        "png" => Replaces::Pictures,
+        _ => Replaces::Nothing,
     };
-    target.beside(&[
+    let read = [
         options.light.as_deref(),
-        Some(&options.material),
+        Some(&*options.material),
         options.filter.as_deref(),
-    ])
+    ];
+    Target::out(path, replaces, options.force, &read)
 }
 
 /// The light, or the one wavelength, and whose eye looks.
 fn light(options: &Gem, inputs: &mut Inputs) -> Result<(Light, Observer), Refusal> {
     if let Some(nm) = options.wavelength {
-        return Ok((Light::of_line(nm).map_err(usage)?, Observer::default()));
+        return Ok((
+            Light::of_line(nm).map_err(Refusal::usage)?,
+            Observer::default(),
+        ));
     }
     let usual = USUAL_LIGHT.as_ref();
     let light = named_light("--light", options.light.as_deref().unwrap_or(usual), inputs)?;
@@ -165,14 +159,14 @@ fn film(
     inputs: &mut Inputs,
 ) -> Result<Film, Refusal> {
     if options.blocks > options.size {
-        return Err(usage(format_args!(
+        return Err(Refusal::usage(format_args!(
             "--blocks: found {}, expected at most {}, one a pixel",
             options.blocks, options.size
         )));
     }
     let absorption = match options.absorption {
         Some(per_unit) => {
-            Absorption::even(per_unit).map_err(|why| usage(format_args!("--{why}")))?
+            Absorption::even(per_unit).map_err(|why| Refusal::usage(format_args!("--{why}")))?
         }
         None => absorption_of(options.filter.as_ref(), options.thickness, inputs)?,
     };
@@ -183,14 +177,14 @@ fn film(
             Lamps::Jeweller => Scene::jeweller(),
         }
     };
-    let solid = cut.solid().map_err(usage)?;
-    let studio = Studio::new(solid, material, absorption, scene).map_err(usage)?;
+    let solid = cut.solid().map_err(Refusal::usage)?;
+    let studio = Studio::new(solid, material, absorption, scene).map_err(Refusal::usage)?;
     let settings = FilmSettings {
         size: options.size,
         seed: options.seed,
         ..FilmSettings::default()
     };
-    Film::new(studio, settings).map_err(usage)
+    Film::new(studio, settings).map_err(Refusal::usage)
 }
 
 /// What is to be known of the picture beside its figures.
@@ -211,15 +205,8 @@ fn say_doubts(film: &Film, picture: &Picture, light: &Light, inputs: &mut Inputs
         ));
     }
     let mut traced = (380..=780).map(f64::from);
-    if let Some([from, to]) = material.published_nm
-        && traced.any(|nm| material.is_extrapolated(nm))
-    {
-        inputs.note(format!(
-            "{}: the index was published for {} to {} nm, beyond them it is extrapolated",
-            material.name,
-            short(from),
-            short(to)
-        ));
+    if traced.any(|nm| material.is_extrapolated(nm)) {
+        note_extrapolated(material, inputs);
     }
 }
 
@@ -264,7 +251,7 @@ fn screen_file(picture: &Picture, options: &Gem, inputs: &mut Inputs) -> Result<
     let adapted = adapted.flatten();
     let picture = adapted.as_ref().unwrap_or(picture);
     let pixels = picture.shown(options.stops.unwrap_or(0.0)).pixels;
-    png(picture.size, &pixels).ok_or_else(|| "found no picture".to_owned())
+    png([picture.size; 2], &pixels).ok_or_else(|| "found no picture".to_owned())
 }
 
 /// Every plane of the picture.

@@ -11,6 +11,7 @@ use std::{
 
 use super::{
     options::{FileOptions, ModelOptions},
+    refusal::Refusal,
     remark,
 };
 use crate::{
@@ -84,6 +85,20 @@ impl<'e> Inputs<'e> {
         for note in std::mem::take(&mut self.notes) {
             self.remark(&note);
         }
+    }
+
+    /// Says why some inputs were refused: the last of them is the command's own refusal.
+    ///
+    /// # Errors
+    /// [`Refusal::File`] where there is one.
+    pub(super) fn tell_refused(&mut self, mut refused: Vec<String>) -> Result<(), Refusal> {
+        let Some(last) = refused.pop() else {
+            return Ok(());
+        };
+        for line in refused {
+            self.remark(&line);
+        }
+        Err(Refusal::File(last))
     }
 
     /// What a word means.

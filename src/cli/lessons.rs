@@ -6,14 +6,14 @@ use serde_json::{Value, json};
 
 use super::{
     arguments::{LessonAct, Lessons},
-    print,
+    print, print_json,
     refusal::Refusal,
     target::{Replaces, Target},
     words,
 };
 use crate::{
     app::lessons::{
-        Fault, Lesson,
+        Lesson,
         handout::{Form, handout},
         play, shelf,
     },
@@ -46,15 +46,11 @@ pub(super) fn run(options: &Lessons, out: &mut dyn Write) -> Result<(), Refusal>
     }
 }
 
-fn refused(why: Fault) -> Refusal {
-    Refusal::File(why.to_string())
-}
-
 fn list(as_json: bool, out: &mut dyn Write) -> Result<(), Refusal> {
     let all = shelf::shipped();
     if as_json {
         let all: Vec<Value> = all.iter().map(|lesson| of_lesson(lesson)).collect();
-        return print(out, &format!("{:#}\n", Value::Array(all)));
+        return print_json(out, &Value::Array(all));
     }
     let widest = all.iter().map(|lesson| lesson.name.len()).max();
     let width = widest.unwrap_or(0);
@@ -85,11 +81,11 @@ fn of_lesson(lesson: &Lesson) -> Value {
 }
 
 fn check(word: &str, out: &mut dyn Write) -> Result<(), Refusal> {
-    let lesson = shelf::named(word).map_err(refused)?;
-    play(&lesson, |_, _| ()).map_err(refused)?;
+    let lesson = shelf::named(word).map_err(Refusal::file)?;
+    play(&lesson, |_, _| ()).map_err(Refusal::file)?;
     for light in &lesson.also {
-        let other = lesson.about(light).map_err(refused)?;
-        play(&other, |_, _| ()).map_err(refused)?;
+        let other = lesson.about(light).map_err(Refusal::file)?;
+        play(&other, |_, _| ()).map_err(Refusal::file)?;
     }
     let (title, steps) = (&lesson.title, lesson.steps.len());
     let with = match lesson.also.len() {
@@ -103,13 +99,13 @@ fn check(word: &str, out: &mut dyn Write) -> Result<(), Refusal> {
 }
 
 fn sheet(word: &str, path: &Path, force: bool, out: &mut dyn Write) -> Result<(), Refusal> {
-    let lesson = shelf::named(word).map_err(refused)?;
+    let lesson = shelf::named(word).map_err(Refusal::file)?;
     let form = match words::extension(path).as_str() {
         "html" => Form::Html,
         _ => Form::Markdown,
     };
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let sheet = handout(&lesson, form, &stem).map_err(refused)?;
+    let sheet = handout(&lesson, form, &stem).map_err(Refusal::file)?;
     let beside = sheet.pictures.iter();
     let beside = beside.map(|(end, svg)| {
         let file = path.with_file_name(format!("{stem}{end}"));
@@ -129,7 +125,7 @@ fn sheet(word: &str, path: &Path, force: bool, out: &mut dyn Write) -> Result<()
         target(file, *replaces).path()?;
     }
     for (file, bytes, _) in &files {
-        save_atomically(file, bytes).map_err(|why| Refusal::File(why.to_string()))?;
+        save_atomically(file, bytes).map_err(Refusal::file)?;
     }
     let pictures = match files.len() - 1 {
         0 => String::new(),

@@ -43,7 +43,7 @@ pub(super) fn run(
         csv,
         full,
     } = options;
-    let mut asked = Asked::of(words, *model, inputs);
+    let asked = Asked::of(words, *model, inputs);
     let is_one = words.len() == 1 && asked.lights.len() == 1 && !asked.has_folder;
     if !asked.lights.is_empty() {
         for asked in &asked.lights {
@@ -71,16 +71,10 @@ pub(super) fn run(
         };
         print(out, &told)?;
     }
-    let Some(last) = asked.refused.pop() else {
-        return Ok(());
-    };
-    if !asked.lights.is_empty() {
+    if !asked.lights.is_empty() && !asked.refused.is_empty() {
         inputs.tell_notes();
     }
-    for line in asked.refused {
-        inputs.remark(&line);
-    }
-    Err(Refusal::File(last))
+    inputs.tell_refused(asked.refused)
 }
 
 /// The figures of all, those of several on all processors.

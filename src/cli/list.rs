@@ -4,7 +4,7 @@ use std::io::Write;
 
 use serde_json::{Value, json};
 
-use super::{arguments::List, inputs::Inputs, print, refusal::Refusal};
+use super::{arguments::List, inputs::Inputs, print, print_json, refusal::Refusal};
 use crate::{
     app::{
         Entry, Families, Library,
@@ -31,7 +31,7 @@ pub(super) fn run(options: List, out: &mut dyn Write, inputs: &mut Inputs) -> Re
     }
     if options.json {
         let rows: Vec<Value> = rows.iter().map(Row::json).collect();
-        print(out, &format!("{:#}\n", Value::Array(rows)))
+        print_json(out, &Value::Array(rows))
     } else {
         let width = rows.iter().map(|row| row.id.chars().count()).max();
         let lines: Vec<String> = rows

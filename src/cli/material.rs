@@ -10,6 +10,7 @@ use crate::{
     app::{
         dispersion::{is_index, material_of},
         open::Wanted,
+        ticks::short,
     },
     io::{Choices, quoted, shown},
     optics::{Absorption, Material, Stuff},
@@ -29,8 +30,7 @@ pub(super) fn material(word: &OsStr, inputs: &mut Inputs) -> Result<Material, Re
     if let ("yml" | "yaml", true) = (words::extension(path).as_str(), path.exists()) {
         return of_file(path, inputs);
     }
-    let numbers: Option<Vec<f64>> = text.split(',').map(|n| n.trim().parse().ok()).collect();
-    if let Some([n_d, v_d]) = numbers.as_deref() {
+    if let Some([n_d, v_d]) = words::numbers_with_commas(&text).as_deref() {
         let material = Material::from_two_numbers(*n_d, *v_d);
         return material.map_err(|why| Refusal::Usage(format!("--material: {why}")));
     }
@@ -52,6 +52,18 @@ fn of_file(path: &Path, inputs: &mut Inputs) -> Result<Material, Refusal> {
         )));
     };
     material_of(curve).map_err(|why| Refusal::File(format!("--material: {}: {why}", shown(path))))
+}
+
+/// Says beyond which wavelengths a material's index is extrapolated.
+pub(super) fn note_extrapolated(material: &Material, inputs: &mut Inputs) {
+    if let Some([from, to]) = material.published_nm {
+        inputs.note(format!(
+            "{}: the index was published for {} to {} nm, beyond them it is extrapolated",
+            material.name,
+            short(from),
+            short(to)
+        ));
+    }
 }
 
 /// What a filter of a thickness absorbs a unit of length; nothing without a filter.

@@ -2,7 +2,10 @@
 
 use std::{fmt::Write as _, io::Write, path::Path};
 
-use super::{arguments::Mix, inputs::Inputs, print, refusal::Refusal, subject::named_light};
+use super::{
+    arguments::Mix, inputs::Inputs, print, print_json, refusal::Refusal, subject::named_light,
+    words::numbers_with_commas,
+};
 use crate::{
     app::Library,
     color::xyz::{FIRST_NM, LAST_NM},
@@ -60,7 +63,7 @@ pub(super) fn run(options: &Mix, out: &mut dyn Write, inputs: &mut Inputs) -> Re
         floors,
         alike: alike.as_deref(),
     };
-    let mixer = Mixer::new(&channels, SampleTables::shipped()).map_err(usage)?;
+    let mixer = Mixer::new(&channels, SampleTables::shipped()).map_err(Refusal::usage)?;
     let solution = mixer.solve(&wish);
     let left_out = 100.0 * left_out(&channels, &solution.weights);
     if left_out >= 0.01 {
@@ -69,14 +72,9 @@ pub(super) fn run(options: &Mix, out: &mut dyn Write, inputs: &mut Inputs) -> Re
         ));
     }
     if options.json {
-        let json = mix_json(&channels, &solution);
-        return print(out, &format!("{json:#}\n"));
+        return print_json(out, &mix_json(&channels, &solution));
     }
     print(out, &text(&channels, &solution))
-}
-
-fn usage(why: MixError) -> Refusal {
-    Refusal::Usage(why.to_string())
 }
 
 /// A colour to be met, and the light that it is of.
@@ -105,8 +103,7 @@ fn target_of(word: &str, duv: Option<f64>, inputs: &mut Inputs) -> Result<Wanted
             "--duv: found a target that is no temperature, expected one such as 4000K".to_owned(),
         ));
     }
-    let numbers: Option<Vec<f64>> = word.split(',').map(|n| n.trim().parse().ok()).collect();
-    if let Some([x, y]) = numbers.as_deref() {
+    if let Some([x, y]) = numbers_with_commas(word).as_deref() {
         return colour(Target::of_xy([*x, *y]));
     }
     let light = named_light("--target", word.as_ref(), inputs)?
@@ -146,7 +143,7 @@ fn of_front(
 ) -> Result<(), Refusal> {
     let target = match target {
         Some(target) => target.colour,
-        None => Target::of_kelvin(USUAL_KELVIN, 0.0).map_err(usage)?,
+        None => Target::of_kelvin(USUAL_KELVIN, 0.0).map_err(Refusal::usage)?,
     };
     let wish = FrontWish {
         target,
@@ -155,10 +152,11 @@ fn of_front(
         points: POINTS,
         floors: None,
     };
-    let points = front(&wish, SampleTables::shipped(), &Progress::default()).map_err(usage)?;
+    let points =
+        front(&wish, SampleTables::shipped(), &Progress::default()).map_err(Refusal::usage)?;
     let points = points.unwrap_or_default();
     if json {
-        return print(out, &format!("{:#}\n", front_json(&points)));
+        return print_json(out, &front_json(&points));
     }
     print(out, &front_text(&points))
 }

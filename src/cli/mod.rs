@@ -58,6 +58,7 @@ use std::{
 };
 
 use clap::{CommandFactory, FromArgMatches};
+use serde_json::Value;
 
 use crate::{
     app::{App, Library, chart::Theme, licences, workspace::Preferences},
@@ -208,6 +209,11 @@ fn print(out: &mut dyn Write, text: &str) -> Result<(), Refusal> {
     out.write_all(text.as_bytes())
         .and_then(|()| out.flush())
         .map_err(Refusal::Output)
+}
+
+/// Prints JSON as every command has it: indented, with a line end.
+fn print_json(out: &mut dyn Write, json: &Value) -> Result<(), Refusal> {
+    print(out, &format!("{json:#}\n"))
 }
 
 /// Says something that is no part of the result, on a line of its own.

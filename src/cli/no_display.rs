@@ -66,7 +66,7 @@ fn report_and_picture(
         // A folder that cannot be written to is no reason to give nothing.
         Err(_) => {
             let elsewhere = new_picture(&std::env::temp_dir());
-            save_atomically(&elsewhere, &picture).map_err(|why| Refusal::File(why.to_string()))?;
+            save_atomically(&elsewhere, &picture).map_err(Refusal::file)?;
             elsewhere
         }
     };

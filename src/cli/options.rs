@@ -75,7 +75,6 @@ pub(super) struct PickOptions {
     /// Which part of a spectral image: first column and row, from 0, width and height; its mean.
     #[arg(long, value_name = "X,Y,W,H", value_parser = words::region)]
     pub region: Option<Rect>,
-    /// How files are read.
     #[command(flatten)]
     pub files: FileOptions,
 }
@@ -84,6 +83,19 @@ impl PickOptions {
     /// Which pixels of an image, if the command line says so.
     pub(super) fn pixels(&self) -> Option<Rect> {
         self.pixel.or(self.region)
+    }
+
+    /// The first option that was given and is about the spectra of an input; with `light` also what
+    /// shines on them.
+    pub(super) fn about_input(&self, light: bool) -> Option<&'static str> {
+        let all = [
+            ("--spectrum", self.spectrum.is_some()),
+            ("--kind", self.kind.is_some()),
+            ("--light", light && self.light.is_some()),
+            ("--pixel", self.pixel.is_some()),
+            ("--region", self.region.is_some()),
+        ];
+        all.into_iter().find(|given| given.1).map(|given| given.0)
     }
 
     /// What is meant by an input with these options.

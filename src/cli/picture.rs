@@ -66,18 +66,12 @@ pub(super) fn run(
 }
 
 fn target<'a>(options: &'a Picture, path: &'a Path) -> Target<'a> {
-    let target = Target {
-        what: "--out",
-        path,
-        replaces: Replaces::Nothing,
-        force: options.force,
-        read: Vec::new(),
-    };
-    target.beside(&[
+    let read = [
         Some(options.input.as_os_str()),
         options.light.as_deref(),
         options.relight.as_deref(),
-    ])
+    ];
+    Target::out(path, Replaces::Nothing, options.force, &read)
 }
 
 /// Opens the picture: a cube on disk stays there, others are read whole, and the wall is made.
@@ -109,7 +103,7 @@ fn with_pixels(
         return work(&file, about, inputs);
     }
     let reading = inputs.reading(path, &Choices::default());
-    let reading = reading.map_err(|why| Refusal::File(why.to_string()))?;
+    let reading = reading.map_err(Refusal::file)?;
     let Some(image) = reading.images.first() else {
         return Err(Refusal::File(format!(
             "{source}: found no spectral image, expected one"

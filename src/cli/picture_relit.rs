@@ -6,14 +6,15 @@ use super::{
     arguments::Picture as Options,
     inputs::Inputs,
     picture_input::{WALL, about, is_wall, light_of},
-    print,
+    print, print_json,
     refusal::Refusal,
     target::Target,
     words::extension,
 };
 use crate::{
     color::{Adaptation, Srgb, Swatch, Xyz},
-    io::{save_atomically, shown, why_unopened},
+    io::{shown, why_unopened},
+    optics::png,
     pictures::{Between, CompactFile, Light, Operator, Picture, Relit, read_full, relit_into},
     study::Progress,
 };
@@ -54,16 +55,16 @@ pub(super) fn run(
         .map_err(&refused)?;
     say_trust(&operator, &picture, &relit, &new, known.as_ref(), inputs);
     let size = [picture.header.width, picture.header.height];
-    let file = png_of(size, &pixels(&picture, &relit));
+    let file = png(size, &pixels(&picture, &relit));
     let file =
         file.ok_or_else(|| Refusal::File(format!("{}: found no pixels", shown(&options.input))))?;
-    save_atomically(target.path()?, &file).map_err(|why| Refusal::File(why.to_string()))?;
+    target.save(&file)?;
     if options.json {
         let json = serde_json::json!({
             "width": size[0], "height": size[1], "light": relit.light,
             "white": relit.white.to_array(),
         });
-        return print(out, &format!("{json:#}\n"));
+        return print_json(out, &json);
     }
     let [width, height] = size;
     print(
@@ -117,7 +118,7 @@ fn say_trust(
 }
 
 /// What a screen shows of every pixel, adapted to the light; black where nothing was measured.
-fn pixels(picture: &Picture, relit: &Relit) -> Vec<u8> {
+fn pixels(picture: &Picture, relit: &Relit) -> Vec<[u8; 3]> {
     let count = picture.header.width * picture.header.height;
     let mut xyz = vec![0.0_f32; 3 * count];
     relit_into(&picture.planes, count, relit, &mut xyz);
@@ -130,18 +131,5 @@ fn pixels(picture: &Picture, relit: &Relit) -> Vec<u8> {
             Srgb([0; 3])
         }
     };
-    (0..count).flat_map(|i| shown(i).0).collect()
-}
-
-fn png_of([width, height]: [usize; 2], rgb: &[u8]) -> Option<Vec<u8>> {
-    let (width, height) = (u32::try_from(width).ok()?, u32::try_from(height).ok()?);
-    let mut file = Vec::new();
-    let mut encoder = png::Encoder::new(&mut file, width, height);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-    let mut writer = encoder.write_header().ok()?;
-    writer.write_image_data(rgb).ok()?;
-    writer.finish().ok()?;
-    Some(file)
+    (0..count).map(|i| shown(i).0).collect()
 }

@@ -14,7 +14,7 @@ use super::{
 };
 use crate::{
     app::{charts::spectrum::spectrum_chart, sheet},
-    io::{save_atomically, shown},
+    io::shown,
 };
 
 /// Carries the command out.
@@ -50,14 +50,8 @@ pub(super) fn run(
         }
         _ => Some(painter(pictures, "a plot as PNG")?),
     };
-    let target = Target {
-        what: "--out",
-        path,
-        replaces: Replaces::Pictures,
-        force: *force,
-        read: Vec::new(),
-    };
-    let target = target.beside(&[Some(input.as_os_str()), pick.light.as_deref()]);
+    let read = [Some(input.as_os_str()), pick.light.as_deref()];
+    let target = Target::out(path, Replaces::Pictures, *force, &read);
     target.path()?;
     let app = subject::app(input, pick, *model, inputs)?;
     let [width, height] = *size;
@@ -73,7 +67,7 @@ pub(super) fn run(
             "pdf" => sheet::to_pdf(&app).map_err(Refusal::File)?,
             _ => sheet::to_svg(&app).into_bytes(),
         };
-        save_atomically(target.path()?, &page).map_err(|why| Refusal::File(why.to_string()))?;
+        target.save(&page)?;
         return print(out, &format!("Wrote {}, one page.\n", shown(path)));
     }
     let picture = match painter {
@@ -83,7 +77,7 @@ pub(super) fn run(
             chart.to_svg(width, height).into_bytes()
         }
     };
-    save_atomically(target.path()?, &picture).map_err(|why| Refusal::File(why.to_string()))?;
+    target.save(&picture)?;
     print(
         out,
         &format!("Wrote {}, {width} x {height} px.\n", shown(path)),

@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::{
     arguments::Prism,
     inputs::Inputs,
-    material::{absorption_of, material},
+    material::{absorption_of, material, note_extrapolated},
     print,
     refusal::Refusal,
     subject::{self, named_light, with_power},
@@ -51,13 +51,13 @@ pub(super) fn run(
         reference_nm: options.reference,
         absorption,
     };
-    let bench = Bench::new(settings, material).map_err(|why| Refusal::Usage(why.to_string()))?;
+    let bench = Bench::new(settings, material).map_err(Refusal::usage)?;
     let observer = app.document().settings.observer;
     let strip = bench
         .whole_screen(&light, COLUMNS)
         .map(|screen| bench.strip(&light, screen, observer));
     if strip.as_ref().is_some_and(|strip| strip.extrapolated) {
-        say_extrapolated(&bench, inputs);
+        note_extrapolated(bench.material(), inputs);
     }
     let text = match (options.json, options.csv) {
         (true, _) => {
@@ -77,7 +77,7 @@ pub(super) fn run(
 pub(super) fn light_of(app: &App) -> Result<Light, Refusal> {
     with_power(app)?;
     let name = app.document().light.name().to_owned();
-    Light::of_composite(&name, &app.derived().model).map_err(|why| Refusal::File(why.to_string()))
+    Light::of_composite(&name, &app.derived().model).map_err(Refusal::file)
 }
 
 /// Refuses the first wavelength of `--at` that a material has no index for.
@@ -98,18 +98,6 @@ pub(super) fn note_no_lines(light: &Light, at_nm: &[f64], inputs: &mut Inputs) {
         inputs.note(format!(
             "{}: its model has no lines, only a smooth band; --at NM tells of any wavelength",
             light.name
-        ));
-    }
-}
-
-fn say_extrapolated(bench: &Bench, inputs: &mut Inputs) {
-    let material = bench.material();
-    if let Some([from, to]) = material.published_nm {
-        inputs.note(format!(
-            "{}: the index was published for {} to {} nm, beyond them it is extrapolated",
-            material.name,
-            short(from),
-            short(to)
         ));
     }
 }

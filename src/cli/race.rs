@@ -6,7 +6,7 @@ use super::{
     arguments::Race,
     folder::{files_in, spectra_of},
     inputs::Inputs,
-    print,
+    print, print_json,
     refusal::Refusal,
     subject::{self, no_power, with_power},
 };
@@ -86,8 +86,7 @@ pub(super) fn run(options: &Race, out: &mut dyn Write, inputs: &mut Inputs) -> R
         }
     }
     if *json {
-        let json = race_report::race_json(&ask, &race);
-        print(out, &format!("{json:#}\n"))
+        print_json(out, &race_report::race_json(&ask, &race))
     } else {
         let won = Ways::of(&ask, &race, &ask.budgets);
         let lines = won.map_or_else(Vec::new, |ways| ways.notes());

@@ -6,7 +6,7 @@ use super::{
     arguments::Rainbow,
     inputs::Inputs,
     material::material,
-    print,
+    print, print_json,
     prism::{add_table, every_has_an_index, light_of, note_no_lines},
     refusal::Refusal,
     subject::{self, named_light},
@@ -51,8 +51,7 @@ pub(super) fn run(
         note_no_lines(light, at, inputs);
     }
     if *json {
-        let json = rainbow_json(&material, light.as_ref(), at);
-        print(out, &format!("{json:#}\n"))
+        print_json(out, &rainbow_json(&material, light.as_ref(), at))
     } else {
         print(out, &words(&material, light.as_ref(), at))
     }

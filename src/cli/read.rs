@@ -4,7 +4,7 @@ use std::io::Write;
 
 use serde_json::Value;
 
-use super::{arguments::Read, inputs::Inputs, print, refusal::Refusal};
+use super::{arguments::Read, inputs::Inputs, print, print_json, refusal::Refusal};
 use crate::{
     app::{
         open::folders::{self, Listed},
@@ -45,13 +45,7 @@ pub(super) fn run(options: &Read, out: &mut dyn Write, inputs: &mut Inputs) -> R
         }
     }
     if options.json {
-        print(out, &format!("{:#}\n", Value::Array(values)))?;
+        print_json(out, &Value::Array(values))?;
     }
-    let Some(last) = refused.pop() else {
-        return Ok(());
-    };
-    for line in refused {
-        inputs.remark(&line);
-    }
-    Err(Refusal::File(last))
+    inputs.tell_refused(refused)
 }

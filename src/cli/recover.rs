@@ -5,7 +5,7 @@ use std::{ffi::OsStr, fmt::Write as _, io::Write};
 use super::{
     arguments::Recover,
     inputs::Inputs,
-    print, recover_image,
+    print, print_json, recover_image,
     refusal::Refusal,
     subject::{self, named_light},
     viewing::{OBSERVER, light},
@@ -17,8 +17,8 @@ use crate::{
     },
     color::{Adaptation, Lab, Srgb, Xyz},
     design::recover::{
-        Colour, LineLight, LitColour, Method, Prediction, RecoverError, Recovered, Seen, Viewing,
-        json, line_light_json, metamers, predictions,
+        Colour, LineLight, LitColour, Method, Nearest, Prediction, Recovered, Seen, Viewing, json,
+        line_light_json, metamers, predictions,
     },
     spectrum::Sampled,
 };
@@ -66,22 +66,20 @@ pub(super) fn run(
         (None, Some(_)) => return Err(half("light", "--second-colour")),
     }
     let seen: Vec<Seen> = views.iter().map(View::seen).collect();
-    let recovered = Recovered::new(method, &seen).map_err(usage)?;
+    let recovered = Recovered::new(method, &seen).map_err(Refusal::usage)?;
     let lights: Vec<(&str, Xyz)> = views
         .iter()
         .map(|view| (view.light.name(), view.viewing.white()))
         .collect();
     let band = metamers(&seen);
-    let under = predictions(&recovered.reflectance, &under()?, Adaptation::ToLight);
-    if let Some(nearest) = &recovered.nearest {
-        let worst = nearest.delta_e.iter().copied().fold(0.0, f64::max);
-        inputs.note(format!(
-            "no surface has this colour under this light: the nearest is {worst:.2} \u{394}E\u{2080}\u{2080} off"
-        ));
-    }
+    let under = predictions(&recovered.reflectance, &under(), Adaptation::ToLight);
+    note_nearest(
+        "no surface has this colour under this light",
+        recovered.nearest.as_ref(),
+        inputs,
+    );
     if options.json {
-        let json = json(&recovered, &lights, band.as_ref(), &under);
-        return print(out, &format!("{json:#}\n"));
+        return print_json(out, &json(&recovered, &lights, band.as_ref(), &under));
     }
     print(out, &words(&recovered, &lights, &under))
 }
@@ -109,10 +107,6 @@ fn half(what: &str, missing: &str) -> Refusal {
     ))
 }
 
-fn usage(why: RecoverError) -> Refusal {
-    Refusal::Usage(why.to_string())
-}
-
 /// A colour under a light.
 struct View {
     light: Entry,
@@ -136,7 +130,7 @@ fn view(
     inputs: &mut Inputs,
 ) -> Result<View, Refusal> {
     let (light, viewing) = light(name, what, inputs)?;
-    let xyz = colour.under(&viewing).map_err(usage)?;
+    let xyz = colour.under(&viewing).map_err(Refusal::usage)?;
     Ok(View {
         light,
         viewing,
@@ -145,7 +139,7 @@ fn view(
 }
 
 /// The lights that a surface is looked at under.
-fn under() -> Result<Vec<(String, Viewing)>, Refusal> {
+fn under() -> Vec<(String, Viewing)> {
     let one = |id: &&str| {
         let preset = Library::bundled().find(id).ok()?;
         let samples = &preset.spectrum()?.samples;
@@ -153,7 +147,7 @@ fn under() -> Result<Vec<(String, Viewing)>, Refusal> {
         Some((preset.name.clone(), viewing))
     };
     // Shipped lights are all there, which a test holds.
-    Ok(UNDER.iter().filter_map(one).collect())
+    UNDER.iter().filter_map(one).collect()
 }
 
 /// A light of lines over a background.
@@ -172,28 +166,26 @@ fn of_lines(
         inputs.note("--light is not used: the method lines makes a light");
     }
     // A light's own colour is against no other white than the equal-energy one.
-    let equal = Sampled::even(360.0, 1.0, vec![1.0; 471]).map_err(|why| {
-        Refusal::Usage(why.to_string()) // Rising places and finite values: it cannot be.
-    })?;
-    let viewing = Viewing::new(&equal, OBSERVER).map_err(usage)?;
+    // Rising places and finite values cannot be refused.
+    let equal = Sampled::even(360.0, 1.0, vec![1.0; 471]).map_err(Refusal::usage)?;
+    let viewing = Viewing::new(&equal, OBSERVER).map_err(Refusal::usage)?;
     let asked = LitColour {
         surface: None,
-        xyz: colour.under(&viewing).map_err(usage)?,
+        xyz: colour.under(&viewing).map_err(Refusal::usage)?,
     };
     let places = match &options.lines[..] {
         [] => &MERCURY_NM[..],
         places => places,
     };
     let background = background(options, inputs)?;
-    let light = LineLight::new(places, &background, &[asked], OBSERVER).map_err(usage)?;
-    if let Some(nearest) = &light.nearest {
-        let worst = nearest.delta_e.iter().copied().fold(0.0, f64::max);
-        inputs.note(format!(
-            "no mixture of these lines has this colour: the nearest is {worst:.2} \u{394}E\u{2080}\u{2080} off"
-        ));
-    }
+    let light = LineLight::new(places, &background, &[asked], OBSERVER).map_err(Refusal::usage)?;
+    note_nearest(
+        "no mixture of these lines has this colour",
+        light.nearest.as_ref(),
+        inputs,
+    );
     if options.json {
-        return print(out, &format!("{:#}\n", line_light_json(&light, &[])));
+        return print_json(out, &line_light_json(&light, &[]));
     }
     let mut text = format!(
         "lines over a background; round trip {:.1e} \u{394}E\u{2080}\u{2080}, condition number {:.1e}\n\n",
@@ -208,6 +200,16 @@ fn of_lines(
     print(out, &text)
 }
 
+/// Says why the nearest colour was taken, and how far off it is.
+fn note_nearest(why: &str, nearest: Option<&Nearest>, inputs: &mut Inputs) {
+    if let Some(nearest) = nearest {
+        let worst = nearest.delta_e.iter().copied().fold(0.0, f64::max);
+        inputs.note(format!(
+            "{why}: the nearest is {worst:.2} \u{394}E\u{2080}\u{2080} off"
+        ));
+    }
+}
+
 /// The shape behind the lines.
 fn background(options: &Recover, inputs: &mut Inputs) -> Result<Sampled, Refusal> {
     if let Some(word) = &options.background {
@@ -218,7 +220,7 @@ fn background(options: &Recover, inputs: &mut Inputs) -> Result<Sampled, Refusal
     let derived = app.derived();
     // What a series takes below zero is no light.
     let values = derived.smooth.iter().map(|v| v.max(0.0)).collect();
-    Sampled::even(derived.band.min_nm(), 1.0, values).map_err(|why| Refusal::File(why.to_string()))
+    Sampled::even(derived.band.min_nm(), 1.0, values).map_err(Refusal::file)
 }
 
 /// The reflectance in words: what to trust it by, how it looks, its values every 20 nm.
@@ -259,6 +261,6 @@ mod tests {
 
     #[test]
     fn every_light_to_look_under_is_shipped() {
-        assert_eq!(under().map(|lights| lights.len()).ok(), Some(UNDER.len()));
+        assert_eq!(under().len(), UNDER.len());
     }
 }

@@ -5,14 +5,14 @@ use std::{io::Write, path::Path};
 use super::{
     arguments::Recover,
     inputs::Inputs,
-    print,
+    print, print_json,
     refusal::Refusal,
     target::{Replaces, Target},
     viewing::light,
 };
 use crate::{
     design::recover::{ColourPicture, Encoded, PictureCount, spectral_rows, usual_bands},
-    io::{ColourPixels, ColourPng, many::many, reflectance_exr, save_atomically, shown},
+    io::{ColourPixels, ColourPng, many::many, reflectance_exr, shown},
     study::Progress,
 };
 
@@ -30,14 +30,8 @@ pub(super) fn run(
     out: &mut dyn Write,
     inputs: &mut Inputs,
 ) -> Result<(), Refusal> {
-    let target = Target {
-        what: "--out",
-        path,
-        replaces: Replaces::Nothing,
-        force: options.force,
-        read: Vec::new(),
-    };
-    let target = target.beside(&[Some(image.as_os_str()), options.light.as_deref()]);
+    let read = [Some(image.as_os_str()), options.light.as_deref()];
+    let target = Target::out(path, Replaces::Nothing, options.force, &read);
     target.path()?;
     let (light, viewing) = light(options.light.as_deref(), "--light", inputs)?;
     let bands = usual_bands();
@@ -62,12 +56,12 @@ pub(super) fn run(
         }
     };
     let found = spectral_rows(picture, &viewing, &bands, &Progress::default(), row);
-    let count = found.map_err(|why| Refusal::Usage(why.to_string()))?;
+    let count = found.map_err(Refusal::usage)?;
     let PictureCount { pixels, impossible } = count.unwrap_or_default();
     let about = [("light", light.name().to_owned())];
     let file = reflectance_exr(size, &bands, planes, &about);
     let file = file.map_err(|why| Refusal::File(format!("{}: {why}", shown(path))))?;
-    save_atomically(target.path()?, &file).map_err(|why| Refusal::File(why.to_string()))?;
+    target.save(&file)?;
     if impossible > 0 {
         inputs.note(format!(
             "{} no surface has under {}: nearby ones were taken",
@@ -88,7 +82,7 @@ pub(super) fn run(
             "pixels": pixels,
             "impossible": impossible,
         });
-        return print(out, &format!("{json:#}\n"));
+        return print_json(out, &json);
     }
     print(
         out,

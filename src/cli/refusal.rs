@@ -2,6 +2,7 @@
 
 use std::{
     error::Error as _,
+    fmt::Display,
     io::{self, ErrorKind as Io, Write},
 };
 
@@ -22,6 +23,16 @@ pub(super) enum Refusal {
 }
 
 impl Refusal {
+    /// The refusal of arguments, for an error that says why.
+    pub(super) fn usage(why: impl Display) -> Self {
+        Self::Usage(why.to_string())
+    }
+
+    /// The refusal of a file, for an error that says why.
+    pub(super) fn file(why: impl Display) -> Self {
+        Self::File(why.to_string())
+    }
+
     /// Says so in one line and gives the exit code: 2 for arguments, 1 for files; a reader that
     /// went away (`| head`) has all it wanted and is no error.
     pub(super) fn tell(self, err: &mut dyn Write) -> u8 {

@@ -22,7 +22,7 @@ use crate::{
         picture::{ImageMemory, reload},
         workspace::Preferences,
     },
-    io::{Choices, save_atomically, shown},
+    io::{Choices, shown},
 };
 
 /// Carries the command out.
@@ -53,14 +53,8 @@ pub(super) fn run(
         Some(_) => (&None, &nothing),
         None => (input, pick),
     };
-    let target = Target {
-        what: "--out",
-        path,
-        replaces: Replaces::Pictures,
-        force: *force,
-        read: Vec::new(),
-    };
-    let mut target = target.beside(&[input.as_deref(), pick.light.as_deref()]);
+    let read = [input.as_deref(), pick.light.as_deref()];
+    let mut target = Target::out(path, Replaces::Pictures, *force, &read);
     target.path()?;
     let mut app = match input {
         Some(input) => subject::app(input, pick, model.of_window(), inputs)?,
@@ -87,7 +81,7 @@ pub(super) fn run(
         ..Preferences::default()
     };
     let picture = pictures.window(&app, &preferences, *size);
-    save_atomically(target.path()?, &picture).map_err(|why| Refusal::File(why.to_string()))?;
+    target.save(&picture)?;
     let [width, height] = size;
     print(
         out,

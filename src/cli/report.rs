@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use super::{arguments::Report, inputs::Inputs, print, refusal::Refusal, subject};
+use super::{arguments::Report, inputs::Inputs, print, print_json, refusal::Refusal, subject};
 use crate::app::report;
 
 /// Carries the command out.
@@ -26,7 +26,7 @@ pub(super) fn run(
         inputs.note_sampling(*model);
     }
     if *json {
-        print(out, &format!("{:#}\n", report::json(&app)))
+        print_json(out, &report::json(&app))
     } else {
         print(out, &report::text(&app))
     }

@@ -1,11 +1,7 @@
 //! One word of the commands that trace, make and keep: to a value, or what was found and what was
 //! expected.
 
-use std::{fmt::Display, ops::RangeInclusive, path::PathBuf, str::FromStr};
-
-use clap::builder::{OsStringValueParser, TypedValueParser};
-
-use super::words::{number, one_of, refused, with_extension};
+use super::words::{number, one_of, refused, whole};
 use crate::{
     color::{Adaptation, Srgb},
     design::{
@@ -24,30 +20,19 @@ pub(super) fn finite(word: &str) -> Result<f64, String> {
         .ok_or_else(|| refused(word, "a number"))
 }
 
-fn whole<T: Copy + Display + FromStr + PartialOrd>(
-    word: &str,
-    range: &RangeInclusive<T>,
-) -> Result<T, String> {
-    let value = word.trim().parse().ok();
-    value.filter(|value| range.contains(value)).ok_or_else(|| {
-        let (least, most) = (range.start(), range.end());
-        refused(word, format_args!("a whole number from {least} to {most}"))
-    })
-}
-
 /// `--size` of a traced picture.
 pub(super) fn side(word: &str) -> Result<usize, String> {
-    whole(word, &optics::SIZES)
+    whole(word.trim(), &optics::SIZES)
 }
 
 /// `--rays`.
 pub(super) fn rays(word: &str) -> Result<u32, String> {
-    whole(word, &optics::RAYS)
+    whole(word.trim(), &optics::RAYS)
 }
 
 /// `--seed`.
 pub(super) fn seed(word: &str) -> Result<u64, String> {
-    whole(word, &(0..=u64::MAX))
+    whole(word.trim(), &(0..=u64::MAX))
 }
 
 /// A count whose limits are told where it is used.
@@ -78,7 +63,7 @@ pub(super) fn against(word: &str) -> Result<Against, String> {
 
 /// `--lines` of a front.
 pub(super) fn free_lines(word: &str) -> Result<usize, String> {
-    whole(word, &FREE_LINES)
+    whole(word.trim(), &FREE_LINES)
 }
 
 /// `--bound`.
@@ -88,12 +73,7 @@ pub(super) fn bound(word: &str) -> Result<f64, String> {
 
 /// `--reference` of a picture.
 pub(super) fn reference(word: &str) -> Result<ReferenceKind, String> {
-    let all = [
-        ReferenceKind::One,
-        ReferenceKind::Light,
-        ReferenceKind::Mean,
-    ];
-    one_of(word, &all, reference_word)
+    one_of(word, &ReferenceKind::ALL, ReferenceKind::word)
 }
 
 /// `--reference` of a table.
@@ -101,16 +81,8 @@ pub(super) fn fit_reference(word: &str) -> Result<ReferenceKind, String> {
     one_of(
         word,
         &[ReferenceKind::One, ReferenceKind::Mean],
-        reference_word,
+        ReferenceKind::word,
     )
-}
-
-fn reference_word(kind: ReferenceKind) -> &'static str {
-    match kind {
-        ReferenceKind::One => "one",
-        ReferenceKind::Light => "light",
-        ReferenceKind::Mean => "mean",
-    }
 }
 
 /// Which lines of a picture have a number of their own.
@@ -148,7 +120,7 @@ pub(super) fn fit_lines(word: &str) -> Result<bool, String> {
 
 /// `--blocks`.
 pub(super) fn blocks(word: &str) -> Result<usize, String> {
-    whole(word, &(1..=*optics::SIZES.end()))
+    whole(word.trim(), &(1..=*optics::SIZES.end()))
 }
 
 /// `--stops`.
@@ -197,19 +169,4 @@ pub(super) fn seen(word: &str) -> Result<Adaptation, String> {
         Adaptation::None => "camera",
     };
     one_of(word, &[Adaptation::ToLight, Adaptation::None], name)
-}
-
-/// `--out` of a traced picture.
-pub(super) fn traced_path() -> impl TypedValueParser<Value = PathBuf> {
-    OsStringValueParser::new().try_map(|path| with_extension(path, &["png", "exr"]))
-}
-
-/// `--out` of a spectral picture.
-pub(super) fn exr_path() -> impl TypedValueParser<Value = PathBuf> {
-    OsStringValueParser::new().try_map(|path| with_extension(path, &["exr"]))
-}
-
-/// `--out` of numbers.
-pub(super) fn numbers_path() -> impl TypedValueParser<Value = PathBuf> {
-    OsStringValueParser::new().try_map(|path| with_extension(path, &["csv", "json"]))
 }

@@ -124,23 +124,8 @@ pub(super) fn no_power(app: &App) -> Refusal {
 /// # Errors
 /// [`Refusal::Usage`] for options that say something about an input.
 pub(super) fn first_app(pick: &PickOptions, model: ModelOptions) -> Result<App, Refusal> {
-    let PickOptions {
-        spectrum,
-        kind,
-        light,
-        pixel,
-        region,
-        // A set of files may be meant instead.
-        files: _,
-    } = pick;
-    let about_input = [
-        ("--spectrum", spectrum.is_some()),
-        ("--kind", kind.is_some()),
-        ("--light", light.is_some()),
-        ("--pixel", pixel.is_some()),
-        ("--region", region.is_some()),
-    ];
-    if let Some((option, _)) = about_input.iter().find(|(_, given)| *given) {
+    // How files are read is not among them: a set of files may be meant instead.
+    if let Some(option) = pick.about_input(true) {
         return Err(Refusal::Usage(format!(
             "{option}: found no INPUT that it is about, expected one"
         )));
@@ -250,17 +235,10 @@ fn of_project(
     model: ModelOptions,
     inputs: &mut Inputs,
 ) -> Result<App, Refusal> {
-    for (option, given) in [
-        ("--spectrum", pick.spectrum.is_some()),
-        ("--kind", pick.kind.is_some()),
-        ("--pixel", pick.pixel.is_some()),
-        ("--region", pick.region.is_some()),
-    ] {
-        if given {
-            return Err(Refusal::Usage(format!(
-                "{option}: found the project {input}, expected a file of spectra"
-            )));
-        }
+    if let Some(option) = pick.about_input(false) {
+        return Err(Refusal::Usage(format!(
+            "{option}: found the project {input}, expected a file of spectra"
+        )));
     }
     for loss in &restored.losses {
         inputs.note(format!("{input}: {loss}"));

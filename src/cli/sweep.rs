@@ -5,7 +5,7 @@ use std::io::Write;
 use super::{
     arguments::Sweep,
     inputs::Inputs,
-    print,
+    print, print_json,
     refusal::Refusal,
     subject::{self, no_power, with_power},
 };
@@ -46,8 +46,7 @@ pub(super) fn run(
         .answer(&Progress::default())
         .ok_or_else(|| no_power(&app))?;
     if *json {
-        let json = study_report::sweep_json(&app, &ask, &sweep);
-        print(out, &format!("{json:#}\n"))
+        print_json(out, &study_report::sweep_json(&app, &ask, &sweep))
     } else {
         print(out, &study_report::sweep_csv(&app, &ask, &sweep))
     }

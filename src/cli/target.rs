@@ -8,7 +8,7 @@ use std::{
 };
 
 use super::refusal::Refusal;
-use crate::io::{envi, shown, stream::is_standard_input};
+use crate::io::{envi, save_atomically, shown, stream::is_standard_input};
 
 /// What may be replaced without a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,13 +35,33 @@ pub(super) struct Target<'a> {
 }
 
 impl<'a> Target<'a> {
-    /// Words that the command reads; names of presets mean no file and do no harm.
-    #[must_use]
-    pub(super) fn beside(mut self, words: &[Option<&OsStr>]) -> Self {
+    /// What `--out` names, beside words that the command reads; names of presets mean no file and
+    /// do no harm.
+    pub(super) fn out(
+        path: &'a Path,
+        replaces: Replaces,
+        force: bool,
+        words: &[Option<&OsStr>],
+    ) -> Self {
+        let mut target = Self {
+            what: "--out",
+            path,
+            replaces,
+            force,
+            read: Vec::new(),
+        };
         for word in words.iter().flatten() {
-            self.reads(Path::new(word));
+            target.reads(Path::new(word));
         }
-        self
+        target
+    }
+
+    /// Saves a file there.
+    ///
+    /// # Errors
+    /// [`Refusal::File`] as [`Self::path`] has it, and for what cannot be written.
+    pub(super) fn save(&self, bytes: &[u8]) -> Result<(), Refusal> {
+        save_atomically(self.path()?, bytes).map_err(Refusal::file)
     }
 
     /// A file that the command reads.

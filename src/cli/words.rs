@@ -5,6 +5,7 @@ use std::{
     fmt::Display,
     ops::RangeInclusive,
     path::{Path, PathBuf},
+    str::FromStr,
 };
 
 use clap::builder::{OsStringValueParser, TypedValueParser};
@@ -32,21 +33,24 @@ pub(super) fn refused(word: &str, expected: impl Display) -> String {
 
 /// `--order`.
 pub(super) fn order(word: &str) -> Result<usize, String> {
-    let (least, most) = (ORDERS.start(), ORDERS.end());
-    word.parse()
-        .ok()
-        .filter(|order| ORDERS.contains(order))
-        .ok_or_else(|| refused(word, format_args!("a whole number from {least} to {most}")))
+    whole(word, &ORDERS)
+}
+
+/// A whole number in a range.
+pub(super) fn whole<T: Copy + Display + FromStr + PartialOrd>(
+    word: &str,
+    range: &RangeInclusive<T>,
+) -> Result<T, String> {
+    let value = word.parse().ok();
+    value.filter(|value| range.contains(value)).ok_or_else(|| {
+        let (least, most) = (range.start(), range.end());
+        refused(word, format_args!("a whole number from {least} to {most}"))
+    })
 }
 
 /// `--numbers`.
 pub(super) fn numbers(word: &str) -> Result<usize, String> {
-    let (least, most) = (SPENDABLE.start(), SPENDABLE.end());
-    let word = word.trim();
-    word.parse()
-        .ok()
-        .filter(|numbers| SPENDABLE.contains(numbers))
-        .ok_or_else(|| refused(word, format_args!("a whole number from {least} to {most}")))
+    whole(word.trim(), &SPENDABLE)
 }
 
 /// `--goal`: a plain goal, or weights such as `patches=2,filters=1`.
@@ -132,7 +136,7 @@ pub(super) fn number(word: &str, range: &RangeInclusive<f64>, unit: &str) -> Res
 
 /// `--pixel`.
 pub(super) fn pixel(word: &str) -> Result<Rect, String> {
-    match whole_numbers(word).as_deref() {
+    match numbers_with_commas(word).as_deref() {
         Some([x, y]) => Ok(Rect::pixel(*x, *y)),
         _ => Err(refused(word, "X,Y: a column and a row, counted from 0")),
     }
@@ -140,7 +144,7 @@ pub(super) fn pixel(word: &str) -> Result<Rect, String> {
 
 /// `--region`.
 pub(super) fn region(word: &str) -> Result<Rect, String> {
-    match whole_numbers(word).as_deref() {
+    match numbers_with_commas(word).as_deref() {
         Some([x, y, width, height]) if *width > 0 && *height > 0 => Ok(Rect {
             x: *x,
             y: *y,
@@ -154,7 +158,8 @@ pub(super) fn region(word: &str) -> Result<Rect, String> {
     }
 }
 
-fn whole_numbers(word: &str) -> Option<Vec<usize>> {
+/// Numbers with commas between them; `None` where one is none.
+pub(super) fn numbers_with_commas<T: FromStr>(word: &str) -> Option<Vec<T>> {
     word.split(',')
         .map(|part| part.trim().parse().ok())
         .collect()
@@ -210,15 +215,7 @@ pub(super) fn wavelength_unit(word: &str) -> Result<WavelengthUnit, String> {
 
 /// `--column`, from 1.
 pub(super) fn column(word: &str) -> Result<usize, String> {
-    let number = word.parse().ok();
-    number
-        .filter(|number| (1..=MOST_COLUMNS).contains(number))
-        .ok_or_else(|| {
-            refused(
-                word,
-                format_args!("a whole number from 1 to {MOST_COLUMNS}"),
-            )
-        })
+    whole(word, &(1..=MOST_COLUMNS))
 }
 
 /// `--delimiter`.
@@ -302,19 +299,9 @@ pub(super) fn size(word: &str) -> Result<[u32; 2], String> {
         })
 }
 
-/// `--out` of a picture of the window.
-pub(super) fn png_path() -> impl TypedValueParser<Value = PathBuf> {
-    OsStringValueParser::new().try_map(|path| with_extension(path, &["png"]))
-}
-
-/// A path of a picture or of a page about a light.
-pub(super) fn plot_path() -> impl TypedValueParser<Value = PathBuf> {
-    OsStringValueParser::new().try_map(|path| with_extension(path, &["svg", "png", "pdf"]))
-}
-
-/// `--out` of a sheet for a class.
-pub(super) fn sheet_path() -> impl TypedValueParser<Value = PathBuf> {
-    OsStringValueParser::new().try_map(|path| with_extension(path, &["md", "html"]))
+/// `--out` of a file that ends in one of some ways.
+pub(super) fn path_in(known: &'static [&'static str]) -> impl TypedValueParser<Value = PathBuf> {
+    OsStringValueParser::new().try_map(move |path| with_extension(path, known))
 }
 
 /// A path that ends in one of some ways.

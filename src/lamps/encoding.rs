@@ -5,7 +5,7 @@
 //! ```
 
 use super::{
-    composite::{Composite, Spike},
+    composite::Spike,
     error::EncodingError,
     known::{Atom, atoms_on, known_lamps},
 };
@@ -80,19 +80,17 @@ impl Encoding {
         }
     }
 
-    /// Smooth part and lines without the known lamps.
-    pub fn composite(&self) -> Composite {
-        let mut spikes = self.lines.clone();
-        spikes.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
-        Composite {
-            smooth: self.smooth.clone(),
-            spikes,
-        }
+    /// The lines by rising wavelength.
+    pub fn lines_in_order(&self) -> Vec<Spike> {
+        let mut lines = self.lines.clone();
+        lines.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
+        lines
     }
 
     /// Radiant power over the band.
     pub fn power(&self) -> f64 {
-        self.composite().power() + self.atoms.iter().map(|a| a.weight).sum::<f64>()
+        let lines: f64 = self.lines_in_order().iter().map(|s| s.weight).sum();
+        self.smooth.integral() + lines + self.atoms.iter().map(|a| a.weight).sum::<f64>()
     }
 
     /// Everything times a factor.
@@ -176,11 +174,6 @@ impl Decoder {
             positions: (0..known_lamps().len()).map(place).collect(),
             atoms,
         }
-    }
-
-    /// The band.
-    pub fn band(&self) -> Band {
-        self.band
     }
 
     /// The known lamps of the band.

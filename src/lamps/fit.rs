@@ -67,9 +67,7 @@ fn add_directions<'a>(
     goals: [f64; GOALS],
 ) {
     for column in columns {
-        let mut column = column.to_vec();
-        at.weigh(goals, &mut column);
-        basis.push(&column);
+        basis.push(&at.weighed(goals, column));
     }
 }
 
@@ -84,13 +82,8 @@ pub(super) fn fit(
     goals: [f64; GOALS],
     (small, again): (Option<[f64; GOALS]>, usize),
 ) -> Fitted {
-    let weighed = |column: &[f64]| {
-        let mut column = column.to_vec();
-        at.weigh(goals, &mut column);
-        column
-    };
     add_directions(at, &mut basis, columns.iter().copied(), goals);
-    let (mut rest, mut sums) = basis.rest_of(&weighed(target));
+    let (mut rest, mut sums) = basis.rest_of(&at.weighed(goals, target));
     let errors_of = |rest: &[f64]| {
         let norms = at.norms(rest);
         std::array::from_fn(|g| norms[g] / goals[g])

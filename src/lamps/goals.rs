@@ -115,11 +115,13 @@ impl Goals {
         (squares.collect(), (weights[2] * self.blur).powi(2))
     }
 
-    /// Each goal's rows times its weight, in place.
-    pub(super) fn weigh(&self, weights: [f64; GOALS], errors: &mut [f64]) {
+    /// Each goal's rows times its weight.
+    pub(super) fn weighed(&self, weights: [f64; GOALS], errors: &[f64]) -> Vec<f64> {
+        let mut weighed = errors.to_vec();
         for (range, t) in self.ranges().into_iter().zip(weights) {
-            errors[range].iter_mut().for_each(|v| *v *= t);
+            weighed[range].iter_mut().for_each(|v| *v *= t);
         }
+        weighed
     }
 
     /// The rows of each goal.
@@ -295,8 +297,7 @@ mod tests {
         assert!((a - b).abs() < 1e-10 * a.abs().max(1.0));
         // The squares are the squared norm of the errors.
         let t = [2.0, 3.0, 0.5];
-        let mut errors = goals.errors_of(&rows);
-        goals.weigh(t, &mut errors);
+        let errors = goals.weighed(t, &goals.errors_of(&rows));
         let (squares, blur) = goals.squares(t);
         let colours: f64 = squares
             .iter()

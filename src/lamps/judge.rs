@@ -19,8 +19,9 @@ use crate::{
     },
     spectrum::{Band, Basis},
     study::{
-        FILTER_NM, FitBasis, ProjectedSpectrum,
+        FitBasis, ProjectedSpectrum,
         error::{BLUR_NM, Blur},
+        narrow_filter,
     },
 };
 
@@ -61,15 +62,6 @@ impl Errors {
     pub fn to_array(self) -> [f64; 3] {
         [self.patches, self.filters, self.blurred]
     }
-
-    /// From patches, filters, blurred.
-    pub fn from_array([patches, filters, blurred]: [f64; 3]) -> Self {
-        Self {
-            patches,
-            filters,
-            blurred,
-        }
-    }
 }
 
 /// The exact side for one light.
@@ -82,15 +74,6 @@ pub struct Exact {
     gains: Vec<f64>,
     blurred: Vec<f64>,
     square: f64,
-}
-
-/// A Gaussian band-pass of 10 nm on a band's grid.
-pub(super) fn band_pass(band: Band, centre_nm: f64) -> Vec<f64> {
-    let at = |nm: f64| {
-        let x = (nm - centre_nm) / FILTER_NM;
-        (-4.0 * std::f64::consts::LN_2 * x * x).exp()
-    };
-    band.grid().map(at).collect()
 }
 
 impl Panel {
@@ -110,7 +93,9 @@ impl Panel {
         let inside = centres.filter(|nm| band.contains(*nm));
         Self {
             exact: PatchSet::new(&reflectances, names.clone(), band, observer),
-            filters: inside.map(|nm| Window::of(&band_pass(band, nm))).collect(),
+            filters: inside
+                .map(|nm| Window::of(&narrow_filter(band, nm)))
+                .collect(),
             weighted: observer.table().weighted_on_band(band),
             blur: Blur::new(band, BLUR_NM),
             seen: observer.table().on_band(band),

@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 use serde::Deserialize;
 
 use super::shipped;
-use crate::spectrum::{Band, Outside, Sampled};
+use crate::spectrum::{Band, Outside};
 
 /// The list: names and formulas, no numbers.
 const LIST: &str = include_str!("known_lamps.json");
@@ -67,17 +67,17 @@ static ENTRIES: LazyLock<Vec<Entry>> = LazyLock::new(|| {
 static LAMPS: LazyLock<Vec<KnownLamp>> = LazyLock::new(|| {
     let entries = ENTRIES.iter().enumerate();
     entries
-        .map(|(index, entry)| KnownLamp {
-            index: index as u8,
-            key: match entry {
-                Entry::Table { group, name } => Some(format!("{group}/{name}")),
-                Entry::Planck { .. } | Entry::Daylight { .. } => None,
-            },
-            name: match entry {
-                Entry::Table { name, .. } => name.clone(),
-                Entry::Planck { .. } | Entry::Daylight { .. } => String::new(),
-            },
-            title: title(entry),
+        .map(|(index, entry)| {
+            let (key, name) = match entry {
+                Entry::Table { group, name } => (Some(format!("{group}/{name}")), name.clone()),
+                Entry::Planck { .. } | Entry::Daylight { .. } => (None, String::new()),
+            };
+            KnownLamp {
+                index: index as u8,
+                key,
+                name,
+                title: title(entry),
+            }
         })
         .collect()
 });
@@ -120,9 +120,7 @@ pub fn atoms_on(band: Band) -> Vec<Atom> {
     let mut atoms = Vec::with_capacity(ENTRIES.len());
     for (index, entry) in ENTRIES.iter().enumerate() {
         let values = match entry {
-            Entry::Table { group, name } => shipped::table(group, name)
-                .filter(|table| covers(table, band))
-                .map(|table| table.on_band(band, Outside::Zero)),
+            Entry::Table { group, name } => covering(group, name, band),
             Entry::Planck { planck } => Some(blackbody(band, *planck)),
             Entry::Daylight { cie_daylight } => daylight(band, *cie_daylight),
         };
@@ -136,8 +134,11 @@ pub fn atoms_on(band: Band) -> Vec<Atom> {
     atoms
 }
 
-fn covers(table: &Sampled, band: Band) -> bool {
-    table.first_nm() <= band.min_nm() && table.last_nm() >= band.max_nm()
+/// A shipped table on a band's grid; `None` where it does not cover the band.
+fn covering(group: &str, name: &str, band: Band) -> Option<Vec<f64>> {
+    shipped::table(group, name)
+        .filter(|table| table.first_nm() <= band.min_nm() && table.last_nm() >= band.max_nm())
+        .map(|table| table.on_band(band, Outside::Zero))
 }
 
 fn of_unit_power(band: Band, mut values: Vec<f64>) -> Option<Vec<f64>> {
@@ -175,11 +176,7 @@ fn daylight(band: Band, kelvin: f64) -> Option<Vec<f64>> {
         (-1.3515 - 1.7703 * x + 5.9114 * y) / below,
         (0.0300 - 31.4424 * x + 30.0717 * y) / below,
     ];
-    let component = |name: &str| {
-        shipped::table("cie_illuminants", name)
-            .filter(|table| covers(table, band))
-            .map(|table| table.on_band(band, Outside::Zero))
-    };
+    let component = |name: &str| covering("cie_illuminants", name, band);
     let [mean, first, second] = [
         component("CIE daylight component S0")?,
         component("CIE daylight component S1")?,

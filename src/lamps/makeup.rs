@@ -50,7 +50,7 @@ impl Makeup {
             parts: encoding.atoms.iter().map(part).collect(),
             basis: encoding.smooth.basis,
             smooth: encoding.smooth.coefficients.len(),
-            lines: encoding.composite().spikes,
+            lines: encoding.lines_in_order(),
             power,
         }
     }

@@ -9,13 +9,10 @@
 //!
 //! One value each is a row. No band-pass here has a centre that chooses or judges.
 
-use super::{
-    judge::{Panel, band_pass},
-    window::Window,
-};
+use super::{judge::Panel, window::Window};
 use crate::{
     spectrum::{Band, dot},
-    study::error::BLUR_NM,
+    study::{error::BLUR_NM, narrow_filter},
 };
 
 /// Centres of the band-passes: first, distance, last, nm.
@@ -55,7 +52,9 @@ impl Operators {
             band,
             seen: panel.observer().table().weighted_on_band(band),
             patches: panel.reflectances().to_vec(),
-            filters: inside.map(|nm| Window::of(&band_pass(band, nm))).collect(),
+            filters: inside
+                .map(|nm| Window::of(&narrow_filter(band, nm)))
+                .collect(),
             blur: (0..band.points()).step_by(BLUR_STEP).map(blurred).collect(),
         }
     }

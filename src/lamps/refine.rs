@@ -81,11 +81,7 @@ impl<'a> State<'a> {
         target: &[f64],
         goals: [f64; GOALS],
     ) -> Option<Self> {
-        let weighed = |column: &[f64]| {
-            let mut column = column.to_vec();
-            at.weigh(goals, &mut column);
-            column
-        };
+        let weighed = |column: &[f64]| at.weighed(goals, column);
         let mut basis = Orthonormal::default();
         let mut others_kept = 0;
         for column in others {
@@ -155,8 +151,8 @@ impl<'a> State<'a> {
         let Some(free) = self.free_direction(place) else {
             return false;
         };
-        let mut column = errors_of(self.columns, self.at, moved);
-        self.at.weigh(self.goals, &mut column);
+        let column = errors_of(self.columns, self.at, moved);
+        let column = self.at.weighed(self.goals, &column);
         let sums = DVector::from_iterator(
             self.vectors.len(),
             self.vectors.iter().map(|v| dot(v, &column)),

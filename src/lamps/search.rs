@@ -48,6 +48,22 @@ struct Sums {
     lines: Vec<f64>,
 }
 
+impl Sums {
+    /// Takes what a direction explains off the squares of all columns and off their sums with the
+    /// target, of which the direction has so much.
+    fn take_off(&self, target: f64, squares: &mut Self, towards: &mut Self) {
+        for (sums, squares, towards) in [
+            (&self.atoms, &mut squares.atoms, &mut towards.atoms),
+            (&self.lines, &mut squares.lines, &mut towards.lines),
+        ] {
+            for ((square, toward), sum) in squares.iter_mut().zip(towards).zip(sums) {
+                *square -= sum * sum;
+                *toward -= target * sum;
+            }
+        }
+    }
+}
+
 /// A direction and its sums with everything.
 #[derive(Clone, Debug)]
 struct Direction {
@@ -115,19 +131,13 @@ impl<'a> Search<'a> {
         usable: &[bool],
         smooth: &Orthonormal,
     ) -> Self {
-        let weighed = |rows: &[f64]| {
-            let mut errors = at.errors_of(rows);
-            at.weigh(goals, &mut errors);
-            errors
-        };
+        let weighed = |rows: &[f64]| at.weighed(goals, &at.errors_of(rows));
         let atoms: Vec<Option<Vec<f64>>> = columns
             .atoms
             .iter()
             .zip(usable)
             .map(|(column, usable)| usable.then(|| weighed(&column.rows)))
             .collect();
-        let mut goal = target.to_vec();
-        at.weigh(goals, &mut goal);
         let squares = Sums {
             atoms: atoms
                 .iter()
@@ -147,7 +157,7 @@ impl<'a> Search<'a> {
                 lines: Vec::new(),
             },
             squares,
-            target: goal,
+            target: at.weighed(goals, target),
             chosen: BTreeMap::new(),
             room: Vec::new(),
         };
@@ -167,8 +177,7 @@ impl<'a> Search<'a> {
 
     /// Sums of all lines, and of all known lamps where they are wanted, with weighed errors.
     fn sums_with(&self, vector: &[f64], with_atoms: bool) -> Sums {
-        let mut weighed = vector.to_vec();
-        self.at.weigh(self.goals, &mut weighed);
+        let weighed = self.at.weighed(self.goals, vector);
         let h = self
             .columns
             .operators
@@ -198,23 +207,7 @@ impl<'a> Search<'a> {
                 self.direction(pick, counts.cosines, &directions, pick.of(&squares), wanted);
             let length = pick.of(&squares).sqrt();
             let target = pick.of(&towards) / length;
-            for (squares, towards, sums) in [
-                (
-                    &mut squares.atoms,
-                    &mut towards.atoms,
-                    &direction.sums.atoms,
-                ),
-                (
-                    &mut squares.lines,
-                    &mut towards.lines,
-                    &direction.sums.lines,
-                ),
-            ] {
-                for ((square, toward), sum) in squares.iter_mut().zip(towards).zip(sums) {
-                    *square -= sum * sum;
-                    *toward -= target * sum;
-                }
-            }
+            direction.sums.take_off(target, &mut squares, &mut towards);
             subtract(&mut rest, target, &direction.vector);
             directions.push(direction);
             picks.push(pick);
@@ -260,23 +253,7 @@ impl<'a> Search<'a> {
                 sums,
                 target,
             } = direction;
-            for (squares, towards, sums) in [
-                (
-                    &mut room.squares.atoms,
-                    &mut room.towards.atoms,
-                    &sums.atoms,
-                ),
-                (
-                    &mut room.squares.lines,
-                    &mut room.towards.lines,
-                    &sums.lines,
-                ),
-            ] {
-                for ((square, toward), sum) in squares.iter_mut().zip(towards).zip(sums) {
-                    *square -= sum * sum;
-                    *toward -= target * sum;
-                }
-            }
+            sums.take_off(*target, &mut room.squares, &mut room.towards);
             subtract(&mut room.rest, *target, vector);
         }
         room.cosines = cosines;
@@ -374,9 +351,7 @@ impl<'a> Search<'a> {
                     .columns
                     .column(line.first, &self.columns.values_of(line))
                     .rows;
-                let mut errors = self.at.errors_of(&rows);
-                self.at.weigh(self.goals, &mut errors);
-                errors
+                self.at.weighed(self.goals, &self.at.errors_of(&rows))
             }
         }
     }

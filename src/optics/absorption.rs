@@ -102,11 +102,6 @@ impl Absorption {
         }
     }
 
-    /// Whether nothing is absorbed.
-    pub fn is_none(&self) -> bool {
-        matches!(self, Self::None)
-    }
-
     /// Whether some transmittance was so low that 1e-6 was taken for it.
     pub fn is_floored(&self) -> bool {
         matches!(self, Self::Filter(filter) if filter.floored)
@@ -138,7 +133,7 @@ mod tests {
             "absorption: expected a number from 0 to 1e6 per unit of length, found -1"
         );
         assert!(Absorption::even(f64::NAN).is_err());
-        assert!(Absorption::even(0.0).unwrap().is_none());
+        assert_eq!(Absorption::even(0.0).unwrap(), Absorption::None);
         let glass = Sampled::new(vec![400.0, 500.0], vec![0.9, 0.5]).unwrap();
         for thickness in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             assert!(Absorption::of_filter(&glass, thickness).is_err());

@@ -239,20 +239,11 @@ impl Film {
         threads: Option<NonZero<usize>>,
         progress: &Progress,
     ) -> Result<(), FilmError> {
-        if !RAYS.contains(&rays) {
-            return Err(FilmError::Rays { found: rays });
-        }
         let lines = Self::lines_of(light);
-        let places = self.with_lines(lines.iter().map(|s| s.at_nm))?;
-        let rounds = rays.div_ceil(RAYS_A_ROUND);
-        progress.expect(self.tiles.len() * rounds as usize);
+        let places = self.with_lines(lines.iter().map(|s| s.at_nm), rays)?;
         let importance = self.importance(light, &lines);
-        for round in 0..rounds {
-            let own = rays / rounds + u32::from(round < rays % rounds);
-            let plan = Plan::new(&importance, own);
-            self.round(&self.entries(&plan, &places), threads, progress)?;
-        }
-        Ok(())
+        let plan = |own| Plan::new(&importance, own);
+        self.rounds(&places, plan, rays, threads, progress)
     }
 
     /// Adds rays for some wavelengths alone, so many a pixel for each.
@@ -266,26 +257,42 @@ impl Film {
         threads: Option<NonZero<usize>>,
         progress: &Progress,
     ) -> Result<(), FilmError> {
-        if !RAYS.contains(&rays) {
-            return Err(FilmError::Rays { found: rays });
-        }
         let seen = |nm: &f64| (SEEN_NM[0]..=SEEN_NM[1]).contains(nm);
-        let places = self.with_lines(lines_nm.iter().copied().filter(seen))?;
+        let places = self.with_lines(lines_nm.iter().copied().filter(seen), rays)?;
+        let plan = |own| Plan {
+            lines: vec![f64::from(own); places.len()],
+            strata: Vec::new(),
+        };
+        self.rounds(&places, plan, rays, threads, progress)
+    }
+
+    /// Adds rays round by round; `plan` shares out those of a round.
+    fn rounds(
+        &mut self,
+        places: &[usize],
+        plan: impl Fn(u32) -> Plan,
+        rays: u32,
+        threads: Option<NonZero<usize>>,
+        progress: &Progress,
+    ) -> Result<(), FilmError> {
         let rounds = rays.div_ceil(RAYS_A_ROUND);
         progress.expect(self.tiles.len() * rounds as usize);
         for round in 0..rounds {
             let own = rays / rounds + u32::from(round < rays % rounds);
-            let plan = Plan {
-                lines: vec![f64::from(own); places.len()],
-                strata: Vec::new(),
-            };
-            self.round(&self.entries(&plan, &places), threads, progress)?;
+            self.round(&self.entries(&plan(own), places), threads, progress)?;
         }
         Ok(())
     }
 
-    /// Places of the planes of lines, new ones added.
-    fn with_lines(&mut self, lines_nm: impl Iterator<Item = f64>) -> Result<Vec<usize>, FilmError> {
+    /// Places of the planes of lines that are to have so many rays, new ones added.
+    fn with_lines(
+        &mut self,
+        lines_nm: impl Iterator<Item = f64>,
+        rays: u32,
+    ) -> Result<Vec<usize>, FilmError> {
+        if !RAYS.contains(&rays) {
+            return Err(FilmError::Rays { found: rays });
+        }
         let lines: Vec<f64> = lines_nm.collect();
         let new = lines.iter().filter(|nm| self.line(**nm).is_none()).count();
         let bytes = film_bytes(self.settings.size, self.planes.len() + new);

@@ -76,7 +76,7 @@ pub fn prism_json(bench: &Bench, light: &Light, at_nm: &[f64], strip: Option<&St
         match bench.landing(nm) {
             Ok(Some(landing)) => at.push(landing_json(&landing, bench.material(), light)),
             Ok(None) => reflected.push(nm),
-            Err(error) => refused.push(json!({ "nm": finite(nm), "why": error.to_string() })),
+            Err(error) => refused.push(refused_json(nm, &error)),
         }
     }
     let settings = bench.settings();

@@ -1,8 +1,6 @@
 //! Choosing the count of numbers, the reference and the lines by themselves, by a bound on the
 //! error or by a budget of numbers.
 
-use std::sync::Arc;
-
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 
@@ -14,7 +12,7 @@ use super::measure::{Judge, white_y_of};
 use super::operator::MOST_NOISE_GAIN;
 use super::plan::MARGIN;
 use super::strips::over_parts;
-use super::survey::Survey;
+use super::survey::{Survey, percentile};
 use super::{Bands, Light, Operator, PictureError, Plan, Reference, ReferenceKind};
 
 /// Most numbers a pixel that are tried.
@@ -429,18 +427,6 @@ impl<'a> Ways<'a> {
         if off.is_empty() {
             return None;
         }
-        let at = ((off.len() - 1) as f64 * 0.95).round() as usize;
-        Some(*off.select_nth_unstable_by(at, f64::total_cmp).1)
+        Some(percentile(&mut off, 0.95))
     }
-}
-
-/// The weighting of a picture's kind, formed once for all candidates.
-pub fn usual_weighting(
-    bands: &Bands,
-    observer: crate::color::Observer,
-) -> Option<Arc<super::Weighting>> {
-    let lights = Light::weighting();
-    bands
-        .is_factor()
-        .then(|| Arc::new(super::Weighting::of(lights, bands, observer)))
 }

@@ -165,11 +165,7 @@ impl Fitted {
         let mut out = format!(
             "# series {} over {lo}:{hi} nm, reference {}\n",
             plan.series,
-            match plan.reference.kind {
-                ReferenceKind::One => "one",
-                ReferenceKind::Light => "light",
-                ReferenceKind::Mean => "mean",
-            }
+            plan.reference.kind.word()
         );
         let mut listed = |what: &str, values: &[f64]| {
             let _ = write!(out, "# {what}");

@@ -21,12 +21,11 @@ use super::header::{About, Header};
 use super::kernel::Kernel;
 use super::measure::{Errors, Storage};
 use super::preview::to_linear;
+use super::survey::percentile;
 use super::{Operator, Picture, PictureError, Pixels};
 
 /// The attribute that holds the header.
 const ATTRIBUTE: &str = "compositePicture";
-/// Rows of a block of the compression ZIP.
-const ROWS: usize = 16;
 /// Largest half.
 const MOST_HALF: f64 = 65504.0;
 
@@ -57,8 +56,7 @@ impl Half {
             return Self { scale: 1.0 };
         }
         let mut firsts: Vec<f64> = sample.iter().map(|z| z[0].abs()).collect();
-        let at = ((firsts.len() - 1) as f64 * 0.99).round() as usize;
-        let high = *firsts.select_nth_unstable_by(at, f64::total_cmp).1;
+        let high = percentile(&mut firsts, 0.99);
         Self {
             scale: if high > 0.0 { high } else { largest },
         }
@@ -153,23 +151,37 @@ pub fn write_full<W: Write + Seek>(
         .other
         .insert(Text::from(ATTRIBUTE), AttributeValue::Text(text));
     let exr = ExrHeader::new(Text::from("picture"), (width, height), channels.collect())
-        .with_encoding(
-            Compression::ZIP16,
-            BlockDescription::ScanLines,
-            LineOrder::Increasing,
-        )
         .with_attributes(attributes);
     let (encode, rgb) = (operator.encoder(), rgb_rows(operator));
     let rgb = Kernel::of_rows(&[&rgb[2], &rgb[1], &rgb[0]]);
-    progress.expect(height.div_ceil(ROWS));
+    write_blocks(out, exr, progress, |block| {
+        block_bytes(pixels, (&encode, &rgb), block, (precision, half))
+    })
+}
+
+/// Writes an OpenEXR image as ZIP, a block of rows at a time: `bytes` of the first row and how many
+/// there are.
+///
+/// # Errors
+/// Those of `bytes` and of the writer, and [`PictureError::Cancelled`].
+pub(super) fn write_blocks<W: Write + Seek>(
+    out: W,
+    exr: ExrHeader,
+    progress: &Progress,
+    bytes: impl Fn((usize, usize)) -> Result<Vec<u8>, PictureError>,
+) -> Result<(), PictureError> {
+    let exr = exr.with_encoding(
+        Compression::ZIP16,
+        BlockDescription::ScanLines,
+        LineOrder::Increasing,
+    );
     let mut failed = None;
     let written = write_chunks_with(out, [exr].into_iter().collect(), false, |meta, writer| {
         let mut compressor = writer.sequential_blocks_compressor(&meta);
         let blocks: Vec<_> = meta.enumerate_ordered_header_block_indices().collect();
+        progress.expect(blocks.len());
         for (at, index) in blocks {
-            let (top, rows) = (index.pixel_position.y(), index.pixel_size.height());
-            let block = block_bytes(pixels, (&encode, &rgb), (top, rows), (precision, half));
-            match block {
+            match bytes((index.pixel_position.y(), index.pixel_size.height())) {
                 Ok(data) if !progress.is_cancelled() => {
                     compressor.compress_block(at, UncompressedBlock { index, data })?;
                 }

@@ -8,7 +8,7 @@ use crate::color::xyz::{FIRST_NM, LAST_NM};
 use crate::spectrum::{Kind, Sampled};
 
 use super::measure::Errors;
-use super::plan::{LineFit, Reference, ReferenceKind};
+use super::plan::{LineFit, Reference};
 use super::{Bands, Light, Line, Operator, PictureError, Plan};
 
 /// The word that says what a header is.
@@ -19,18 +19,6 @@ pub(super) const VERSION: u64 = 1;
 pub(super) const MOST_SIDE: usize = 1 << 20;
 /// Most bands.
 const MOST_BANDS: usize = 4096;
-
-/// A reference spectrum as files have it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct StoredReference {
-    /// What it is.
-    pub kind: ReferenceKind,
-    /// Name of the light.
-    #[serde(default)]
-    pub name: String,
-    /// One value a band.
-    pub values: Vec<f64>,
-}
 
 /// A line as files have it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -105,10 +93,10 @@ pub struct Header {
     /// How many numbers are the series'.
     pub series: usize,
     /// What multiplies the series.
-    pub reference: StoredReference,
+    pub reference: Reference,
     /// A second known light.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub second_reference: Option<StoredReference>,
+    pub second_reference: Option<Reference>,
     /// Lines.
     pub lines: Vec<StoredLine>,
     /// The own light.
@@ -147,14 +135,6 @@ pub struct About {
     pub noise: f64,
 }
 
-fn stored(reference: &Reference) -> StoredReference {
-    StoredReference {
-        kind: reference.kind,
-        name: reference.name.clone(),
-        values: reference.values.clone(),
-    }
-}
-
 impl Header {
     /// The header of a picture of some size.
     pub fn of(
@@ -184,8 +164,8 @@ impl Header {
             basis: "cosine".to_owned(),
             range_nm: operator.range_nm(),
             series: plan.series,
-            reference: stored(&plan.reference),
-            second_reference: plan.second.as_ref().map(stored),
+            reference: plan.reference.clone(),
+            second_reference: plan.second.clone(),
             lines: lines.collect(),
             own: StoredOwn {
                 light: own.map(|l| l.name().to_owned()).unwrap_or_default(),
@@ -340,11 +320,6 @@ impl Header {
     pub fn operator(&self) -> Result<Operator, PictureError> {
         let bands = self.bands()?;
         let observer = Observer::from_word(&self.own.observer).unwrap_or_default();
-        let back = |r: &StoredReference| Reference {
-            kind: r.kind,
-            name: r.name.clone(),
-            values: r.values.clone(),
-        };
         let lines = self.lines.iter().map(|line| {
             let touched = |s: &f64| *s != 0.0;
             let first = line
@@ -373,8 +348,8 @@ impl Header {
         let plan = Plan {
             series: self.series,
             margin: (self.bands_nm[0] - self.range_nm[0]) / bands.length_nm(),
-            reference: back(&self.reference),
-            second: self.second_reference.as_ref().map(back),
+            reference: self.reference.clone(),
+            second: self.second_reference.clone(),
             lines: lines.collect(),
             line_fit: LineFit::Joint,
             own: if self.own.values.is_empty() {

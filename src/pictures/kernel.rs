@@ -93,11 +93,6 @@ impl Kernel {
         self.rows
     }
 
-    /// Columns, numbers that go in for each pixel.
-    pub fn columns(&self) -> usize {
-        self.columns
-    }
-
     /// The matrix times `count` pixels: `out[row * count + i]` from `input[column * count + i]`.
     /// A NaN in a pixel makes all of its numbers NaN.
     ///

@@ -90,11 +90,6 @@ impl Light {
         &self.name
     }
 
-    /// Its table, without lines.
-    pub fn table(&self) -> &Sampled {
-        &self.table
-    }
-
     /// Its lines.
     pub fn spikes(&self) -> &[Spike] {
         &self.spikes

@@ -10,6 +10,7 @@ use crate::study::Progress;
 use super::kernel::Kernel;
 use super::relight::Between;
 use super::strips::{Strip, over_strips};
+use super::survey::percentile;
 use super::{Light, Operator, PictureError, Pixels, Plan, ReferenceKind, Relit, STRIP_ROWS};
 
 /// Mean, 95th percentile and largest of a colour difference.
@@ -132,6 +133,9 @@ impl Tally {
     }
 }
 
+/// Orders of the regularised division that stands for the truth of a lit picture.
+const FINEST: usize = 40;
+
 /// A light that a picture is judged under: exact weights of the bands, weights of the numbers.
 #[derive(Clone, Debug)]
 pub struct Judge {
@@ -152,12 +156,7 @@ impl Judge {
         };
         (&self.exact, operator.of_bands(&relit), self.white)
     }
-}
 
-/// Orders of the regularised division that stands for the truth of a lit picture.
-const FINEST: usize = 40;
-
-impl Judge {
     /// The own colour first, then the six lights where the picture can be relit. `white_y` is the
     /// Y of a picture of an unknown lamp that counts as white (its 99th percentile).
     ///
@@ -254,7 +253,7 @@ pub struct Meter {
 }
 
 /// What was counted in some rows.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Counted {
     tallies: Vec<Tally>,
     off: f64,
@@ -301,10 +300,7 @@ impl Meter {
         self.numbers.apply(numbers, pixels, &mut found);
         let mut counted = Counted {
             tallies: vec![Tally::default(); self.judges.len()],
-            off: 0.0,
-            all: 0.0,
-            negative: 0,
-            no_data: 0,
+            ..Counted::default()
         };
         let good: Vec<bool> = (0..pixels)
             .map(|i| numbers[i].is_finite() && exact[i].is_finite())
@@ -406,10 +402,7 @@ pub fn measure(
         tallies: bins
             .into_inner()
             .unwrap_or_else(|broken| broken.into_inner()),
-        off: 0.0,
-        all: 0.0,
-        negative: 0,
-        no_data: 0,
+        ..Counted::default()
     });
     Ok(meter.errors(&parts))
 }
@@ -429,8 +422,7 @@ pub fn white_y_of(operator: &Operator, sample: &[Vec<f64>]) -> f64 {
     if y.is_empty() {
         return 1.0;
     }
-    let at = ((y.len() - 1) as f64 * 0.99).round() as usize;
-    let white = *y.select_nth_unstable_by(at, f64::total_cmp).1;
+    let white = percentile(&mut y, 0.99);
     if white > 0.0 { white } else { 1.0 }
 }
 

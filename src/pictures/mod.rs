@@ -47,7 +47,7 @@ mod trust;
 pub use bands::{Bands, KeptBands};
 pub use choose::{
     Asked, BOUND_P95, BOUND_RMS, Candidate, Choice, MOST_NUMBERS, Wish, WishedLines, choose,
-    plan_of, usual_weighting,
+    plan_of,
 };
 pub use compact::{
     Coder, CompactFile, CompactPlan, P95_OF_STEP, Plane, Quantiser, compact_plan, write_compact,

@@ -2,17 +2,14 @@
 
 use std::io::{Seek, SeekFrom, Write};
 
-use exr::block::UncompressedBlock;
-use exr::block::writer::{ChunksWriter, write_chunks_with};
-use exr::compression::Compression;
-use exr::meta::BlockDescription;
-use exr::meta::attribute::{ChannelDescription, LineOrder, SampleType, Text};
+use exr::meta::attribute::{ChannelDescription, SampleType, Text};
 use exr::meta::header::Header as ExrHeader;
 use exr::prelude::f16;
 use nalgebra::DMatrix;
 
 use crate::study::Progress;
 
+use super::full::write_blocks;
 use super::lines::find_lines;
 use super::measure::{Errors, Exactly, Spread, measure, white_y_of};
 use super::survey::Survey;
@@ -241,53 +238,23 @@ pub fn exact_bytes(
     let channels = names
         .iter()
         .map(|(name, _)| ChannelDescription::new(name.as_str(), kind, true));
-    let exr = ExrHeader::new(Text::from("picture"), (width, height), channels.collect())
-        .with_encoding(
-            Compression::ZIP16,
-            BlockDescription::ScanLines,
-            LineOrder::Increasing,
-        );
+    let exr = ExrHeader::new(Text::from("picture"), (width, height), channels.collect());
     let mut counter = Counter::default();
-    let mut failed = None;
-    let written = write_chunks_with(
-        &mut counter,
-        [exr].into_iter().collect(),
-        false,
-        |meta, writer| {
-            let mut compressor = writer.sequential_blocks_compressor(&meta);
-            let blocks: Vec<_> = meta.enumerate_ordered_header_block_indices().collect();
-            progress.expect(blocks.len());
-            for (at, index) in blocks {
-                let (top, rows) = (index.pixel_position.y(), index.pixel_size.height());
-                let mut values = vec![0.0; width * rows * bands.len()];
-                let read = pixels.rows(top, rows, &mut values);
-                if let Some(error) = read
-                    .err()
-                    .or(progress.is_cancelled().then_some(PictureError::Cancelled))
-                {
-                    failed = Some(error);
-                    return Err(exr::error::Error::Aborted);
-                }
-                let mut data = Vec::new();
-                for y in 0..rows {
-                    for (_, j) in &names {
-                        for value in &values[(j * rows + y) * width..][..width] {
-                            match precision {
-                                Precision::Half => data.extend(f16::from_f32(*value).to_ne_bytes()),
-                                Precision::Single => data.extend(value.to_ne_bytes()),
-                            }
-                        }
+    write_blocks(&mut counter, exr, progress, |(top, rows)| {
+        let mut values = vec![0.0; width * rows * bands.len()];
+        pixels.rows(top, rows, &mut values)?;
+        let mut data = Vec::new();
+        for y in 0..rows {
+            for (_, j) in &names {
+                for value in &values[(j * rows + y) * width..][..width] {
+                    match precision {
+                        Precision::Half => data.extend(f16::from_f32(*value).to_ne_bytes()),
+                        Precision::Single => data.extend(value.to_ne_bytes()),
                     }
                 }
-                compressor.compress_block(at, UncompressedBlock { index, data })?;
-                progress.step();
             }
-            Ok(())
-        },
-    );
-    match (failed, written) {
-        (Some(error), _) => Err(error),
-        (None, Err(error)) => Err(PictureError::Trouble(error.to_string())),
-        (None, Ok(())) => Ok(counter.end),
-    }
+        }
+        Ok(data)
+    })?;
+    Ok(counter.end)
 }

@@ -1,6 +1,5 @@
 //! A picture as its numbers, in memory.
 
-use crate::color::Xyz;
 use crate::study::Progress;
 
 use super::header::{About, Header};
@@ -87,36 +86,6 @@ impl Picture {
                 }
             })
             .collect()
-    }
-
-    /// Every pixel's XYZ under a light: `[k * pixels + i]`, NaN where not measured.
-    pub fn relit(&self, relit: &Relit) -> Vec<f32> {
-        let mut out = vec![0.0; 3 * self.pixels()];
-        relit_into(&self.planes, self.pixels(), relit, &mut out);
-        out
-    }
-
-    /// The picture reduced by whole steps: what is drawn, and relit while a slider moves.
-    pub fn reduced(&self, step: usize) -> (usize, usize, Vec<f32>) {
-        let step = step.max(1);
-        let Header { width, height, .. } = self.header;
-        let (across, down) = (width.div_ceil(step), height.div_ceil(step));
-        let mut out = Vec::with_capacity(across * down * self.header.numbers);
-        for plane in self.planes.chunks_exact(self.pixels()) {
-            let mut sums = vec![(0.0_f64, 0.0); across * down];
-            for (i, value) in plane.iter().enumerate().filter(|(_, v)| v.is_finite()) {
-                let block = &mut sums[i / width / step * across + i % width / step];
-                block.0 += f64::from(*value);
-                block.1 += 1.0;
-            }
-            out.extend(sums.into_iter().map(|(sum, count)| (sum / count) as f32));
-        }
-        (across, down, out)
-    }
-
-    /// The colour of one pixel under a light.
-    pub fn xyz_at(&self, x: usize, y: usize, relit: &Relit) -> Xyz {
-        relit.xyz(&self.numbers_at(x, y))
     }
 }
 

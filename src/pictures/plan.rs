@@ -29,12 +29,29 @@ pub enum ReferenceKind {
     Mean,
 }
 
+impl ReferenceKind {
+    /// Every kind.
+    pub const ALL: [Self; 3] = [Self::One, Self::Light, Self::Mean];
+
+    /// Its word in files and on the command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::One => "one",
+            Self::Light => "light",
+            Self::Mean => "mean",
+        }
+    }
+}
+
 /// A reference spectrum on the bands.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+// What refusals of a broken header call it.
+#[serde(expecting = "struct StoredReference")]
 pub struct Reference {
     /// What it is.
     pub kind: ReferenceKind,
     /// Name of the light, else empty.
+    #[serde(default)]
     pub name: String,
     /// One value a band.
     pub values: Vec<f64>,
@@ -98,6 +115,12 @@ pub struct Weighting {
 }
 
 impl Weighting {
+    /// The weighting of a picture's kind; none of one that is light itself.
+    pub fn usual(bands: &Bands, observer: Observer) -> Option<Arc<Self>> {
+        let weighting = || Arc::new(Self::of(Light::weighting(), bands, observer));
+        bands.is_factor().then(weighting)
+    }
+
     /// The weighting by some lights on some bands; lights that do not shine are left out.
     pub fn of<'a>(
         lights: impl IntoIterator<Item = &'a Light>,
@@ -152,8 +175,6 @@ impl Plan {
     /// The default for a reflectance under D65, or for what is light: no reference, no lines.
     pub fn new(bands: &Bands, series: usize) -> Self {
         let observer = Observer::Cie1931;
-        let factor = bands.is_factor();
-        let weighting = || Arc::new(Weighting::of(Light::weighting(), bands, observer));
         Self {
             series,
             margin: MARGIN,
@@ -161,9 +182,12 @@ impl Plan {
             second: None,
             lines: Vec::new(),
             line_fit: LineFit::Joint,
-            own: if factor { Light::named("D65") } else { None },
+            own: match bands.is_factor() {
+                true => Light::named("D65"),
+                false => None,
+            },
             observer,
-            weighting: factor.then(weighting),
+            weighting: Weighting::usual(bands, observer),
             exact: true,
             noise: LEAST_NOISE,
         }

@@ -6,6 +6,7 @@ use crate::study::Progress;
 
 use super::kernel::Kernel;
 use super::strips::over_strips;
+use super::survey::percentile;
 use super::{Operator, PictureError, Pixels, Relit};
 
 /// Longest side.
@@ -86,8 +87,7 @@ impl Preview {
         let full = if strongest.is_empty() {
             1.0
         } else {
-            let at = ((strongest.len() - 1) as f64 * FULL).round() as usize;
-            *strongest.select_nth_unstable_by(at, f64::total_cmp).1
+            percentile(&mut strongest, FULL)
         };
         let full = if full > 0.0 { full } else { 1.0 };
         let rgb = pixels

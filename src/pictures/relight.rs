@@ -8,7 +8,7 @@ use crate::color::{Observer, Xyz};
 use crate::spectrum::Kind;
 
 use super::fitting::cosines;
-use super::light::{emissive_weights, seen_on_nm};
+use super::light::seen_on_nm;
 use super::prior::prior;
 use super::{Bands, Light, Operator, PictureError, ReferenceKind};
 
@@ -38,21 +38,6 @@ impl Relit {
     pub fn xyz(&self, numbers: &[f64]) -> Xyz {
         let sum = |row: &Vec<f64>| row.iter().zip(numbers).map(|(w, z)| w * z).sum();
         Xyz::from_array(self.rows.each_ref().map(sum))
-    }
-
-    /// A mixture with another light, `share` of this one.
-    pub fn mixed_with(&self, other: &Self, share: f64) -> Self {
-        let mix = |a: f64, b: f64| share * a + (1.0 - share) * b;
-        let rows = std::array::from_fn(|k| {
-            let pairs = self.rows[k].iter().zip(&other.rows[k]);
-            pairs.map(|(a, b)| mix(*a, *b)).collect()
-        });
-        let (a, b) = (self.white.to_array(), other.white.to_array());
-        Self {
-            light: format!("{} and {}", self.light, other.light),
-            rows,
-            white: Xyz::from_array(std::array::from_fn(|k| mix(a[k], b[k]))),
-        }
     }
 }
 
@@ -227,20 +212,5 @@ impl Operator {
             let seen = waves.transpose() * DVector::from_column_slice(row);
             (solved.transpose() * seen).as_slice().to_vec()
         }))
-    }
-
-    /// The rows and white of what is light seen as it is, scaled so that `white` on the bands has
-    /// Y = 1: for a picture of an unknown lamp.
-    ///
-    /// # Errors
-    /// [`PictureError::NoOwnLight`] when that has no Y.
-    pub fn seen_against(&self, white: &[f64]) -> Result<Relit, PictureError> {
-        let weights = emissive_weights(self.bands(), self.plan().observer, white)?;
-        let sum = |row: &Vec<f64>| row.iter().zip(white).map(|(w, v)| w * v).sum();
-        Ok(Relit {
-            light: String::new(),
-            rows: self.of_numbers(&weights),
-            white: Xyz::from_array(weights.each_ref().map(sum)),
-        })
     }
 }

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::measure::Errors;
 use super::peers::Peer;
-use super::{Operator, Spread, Trust};
+use super::{Operator, Trust};
 
 /// Bytes of a picture in each form.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -17,17 +17,8 @@ pub struct Bytes {
     pub exact: Option<u64>,
 }
 
-fn spread(spread: &Spread) -> Value {
-    json!({"mean": spread.mean, "p95": spread.p95, "max": spread.max})
-}
-
 fn errors(error: &Errors) -> Value {
-    let lights: serde_json::Map<String, Value> = error
-        .lights
-        .iter()
-        .map(|(name, found)| (name.clone(), spread(found)))
-        .collect();
-    json!({"own": spread(&error.own), "lights": lights, "relative_rms": error.relative_rms})
+    json!({"own": error.own, "lights": error.lights, "relative_rms": error.relative_rms})
 }
 
 /// What a picture is in few numbers: `picture IN --json`.

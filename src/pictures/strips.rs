@@ -17,8 +17,6 @@ const MOST_VALUES: usize = 64 << 20;
 pub struct Strip<'a> {
     /// First row.
     pub first: usize,
-    /// How many rows.
-    pub rows: usize,
     /// How many pixels.
     pub pixels: usize,
     /// `[band * pixels + i]`.
@@ -50,7 +48,6 @@ pub fn over_strips<T: Send>(
             pixels.rows(first, rows, &mut values)?;
             work(&Strip {
                 first,
-                rows,
                 pixels: rows * width,
                 values: &values,
             })

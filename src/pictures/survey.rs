@@ -92,8 +92,12 @@ impl Survey {
             return Err(PictureError::AllZero);
         }
         sample.truncate(2 * MOST_SAMPLED);
+        let high = |band: usize| {
+            let mut values: Vec<f64> = sample.iter().map(|p| p[band]).collect();
+            percentile(&mut values, 0.95)
+        };
         Ok(Self {
-            high: (0..bands).map(|j| percentile(&sample, j, 0.95)).collect(),
+            high: (0..bands).map(high).collect(),
             noise: noise_of(&sample, bands),
             mean,
             measured,
@@ -142,8 +146,8 @@ impl Survey {
     }
 }
 
-fn percentile(sample: &[Vec<f64>], band: usize, share: f64) -> f64 {
-    let mut values: Vec<f64> = sample.iter().map(|p| p[band]).collect();
+/// The value that so large a share of all lies below, which are one at least.
+pub(super) fn percentile(values: &mut [f64], share: f64) -> f64 {
     let at = ((values.len() - 1) as f64 * share).round() as usize;
     *values.select_nth_unstable_by(at, f64::total_cmp).1
 }

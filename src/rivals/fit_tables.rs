@@ -30,11 +30,6 @@ impl FitTables {
         }
     }
 
-    /// The band whose grid the values stand on.
-    pub fn band(&self) -> Band {
-        self.band
-    }
-
     /// Fits values on the band's 1 nm grid (in the spectrum's own unit) with `numbers` numbers.
     ///
     /// A count that a family cannot have is brought to the nearest it can: at least

@@ -188,11 +188,16 @@ pub trait Representation {
     /// Values on the band's 1 nm grid.
     fn on_band(&self) -> Vec<f64>;
 
-    /// Where [`Representation::points`] stand, nm, rising.
-    fn places_nm(&self) -> Vec<f64>;
+    /// Where [`Representation::points`] stand, nm, rising; the 1 nm grid unless said otherwise.
+    fn places_nm(&self) -> Vec<f64> {
+        self.band().grid().collect()
+    }
 
-    /// Values where a product of two spectra is formed, from the stored numbers.
-    fn points(&self) -> Vec<f64>;
+    /// Values where a product of two spectra is formed, from the stored numbers; those on the 1 nm
+    /// grid unless said otherwise.
+    fn points(&self) -> Vec<f64> {
+        self.on_band()
+    }
 }
 
 /// One fitted representation.
@@ -266,17 +271,6 @@ impl Rival {
     /// nm around each grid point so that no energy is lost on the grid.
     pub fn on_band(&self) -> Vec<f64> {
         self.representation().on_band()
-    }
-
-    /// Integral of the spectrum times a weight over the band by the 1 nm trapezoid rule, in
-    /// value x nm.
-    pub fn integrate(&self, weight: impl Fn(f64) -> f64) -> f64 {
-        let band = self.band();
-        self.on_band()
-            .iter()
-            .enumerate()
-            .map(|(i, v)| band.weight(i) * v * weight(band.nm(i)))
-            .sum()
     }
 
     /// Values where this representation multiplies two spectra, from its stored numbers.
@@ -472,23 +466,6 @@ mod tests {
     }
 
     #[test]
-    fn integrate_is_the_trapezoid_rule_on_the_grid() {
-        let band = Band::VISIBLE;
-        let weight = |nm: f64| (-((nm - 555.0) / 45.0).powi(2)).exp();
-        for rival in every_rival(band, &fluorescent(band), 20, Bounds::Light) {
-            let values = rival.on_band();
-            let products: Vec<f64> = values
-                .iter()
-                .zip(band.grid())
-                .map(|(v, nm)| v * weight(nm))
-                .collect();
-            let whole = band.integral(&products);
-            // The same sum in another order.
-            assert!((rival.integrate(weight) - whole).abs() < 1e-12 * whole.abs());
-        }
-    }
-
-    #[test]
     fn points_are_values_at_their_places() {
         let band = Band::VISIBLE;
         for rival in every_rival(band, &leaf(band), 20, Bounds::Reflectance) {
@@ -531,8 +508,7 @@ mod tests {
                         let all = finite(rival.stored())
                             && finite(rival.on_band())
                             && finite(rival.points())
-                            && rival.at(410.3).is_finite()
-                            && rival.integrate(|_| 0.01).is_finite();
+                            && rival.at(410.3).is_finite();
                         assert!(all, "{family:?} {bounds:?} {numbers} {height} {values:?}");
                     }
                 }

@@ -55,11 +55,6 @@ impl PrincipalBasis {
         }
     }
 
-    /// The band whose grid the rows stand on.
-    pub fn band(&self) -> Band {
-        self.band
-    }
-
     /// The rows, the strongest first, orthonormal under the trapezoid product.
     pub fn rows(&self) -> &[Vec<f64>] {
         &self.rows
@@ -206,14 +201,6 @@ impl Representation for Principal {
             out.iter_mut().zip(row).for_each(|(o, r)| *o += c * r);
         }
         out
-    }
-
-    fn places_nm(&self) -> Vec<f64> {
-        self.basis.band.grid().collect()
-    }
-
-    fn points(&self) -> Vec<f64> {
-        self.on_band()
     }
 }
 

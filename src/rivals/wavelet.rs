@@ -178,14 +178,6 @@ impl Representation for Wavelet {
         synthesise(&mut values);
         values
     }
-
-    fn places_nm(&self) -> Vec<f64> {
-        self.table.band.grid().collect()
-    }
-
-    fn points(&self) -> Vec<f64> {
-        self.on_band()
-    }
 }
 
 #[cfg(test)]

@@ -31,7 +31,7 @@ pub use parallel::{in_parallel, processors};
 pub use progress::Progress;
 pub use projected_spectrum::{FitBasis, ProjectedSpectrum};
 pub use race::Race;
-pub use reference::{FILTER_NM, Measures, Reference, filter_centres, scaled_to_one};
+pub use reference::{FILTER_NM, Measures, Reference, filter_centres, narrow_filter, scaled_to_one};
 pub use sweep::{Examined, Subject, Sweep, SweepPoint, unseen};
 pub use training::{Teacher, Training};
 pub use way::Way;

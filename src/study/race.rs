@@ -28,7 +28,7 @@ use crate::{
         patches::{PatchSet, difference},
     },
     rivals::{Bounds, Family, FitTables, Rival},
-    spectrum::{Basis, Series, Spike, detect_shapes, product::chain},
+    spectrum::{Basis, Composite, Series, Spike, detect_shapes, product::chain},
 };
 
 pub use super::{
@@ -237,18 +237,11 @@ impl<'a> Stable<'a> {
         match racer {
             Racer::Composite(way) => {
                 let projected = &runner.projected[place(way.basis)];
-                let lines = if way.spikes {
-                    best_count(runner, projected, numbers, way.colour_exact)
-                } else {
-                    0
-                };
-                let lines: Vec<usize> = (0..lines).collect();
-                let smooth_numbers = numbers - 2 * lines.len();
-                let (model, _) = projected.model(smooth_numbers, &lines, way.colour_exact);
+                let model = composite(runner, way, numbers);
                 Some(Likeness {
                     smooth: projected.smooth(&model),
                     numbers: model.numbers(),
-                    lines: lines.len(),
+                    lines: model.spikes.len(),
                     spikes: model.spikes,
                 })
             }
@@ -338,14 +331,7 @@ impl<'a> Stable<'a> {
         match racer {
             Racer::Chosen => None,
             Racer::Composite(way) => {
-                let projected = &runner.projected[place(way.basis)];
-                let lines: Vec<usize> = if way.spikes {
-                    (0..best_count(runner, projected, numbers, way.colour_exact)).collect()
-                } else {
-                    Vec::new()
-                };
-                let smooth_numbers = numbers - 2 * lines.len();
-                let (model, _) = projected.model(smooth_numbers, &lines, way.colour_exact);
+                let model = composite(runner, way, numbers);
                 let factor = [self.reflectance_series(way, reflectance, numbers)];
                 let points = 2 * numbers;
                 let product = || {
@@ -402,6 +388,18 @@ impl<'a> Stable<'a> {
 
 fn place(basis: Basis) -> usize {
     Basis::ALL.iter().position(|b| *b == basis).unwrap_or(0)
+}
+
+/// A light's composite of so many numbers.
+fn composite(runner: &Runner, way: Way, numbers: usize) -> Composite {
+    let projected = &runner.projected[place(way.basis)];
+    let count = match way.spikes {
+        true => best_count(runner, projected, numbers, way.colour_exact),
+        false => 0,
+    };
+    let lines: Vec<usize> = (0..count).collect();
+    let (model, _) = projected.model(numbers - 2 * count, &lines, way.colour_exact);
+    model
 }
 
 /// How many of the heaviest lines are spikes: the count with the least 10 nm-blurred error.

@@ -45,15 +45,18 @@ fn centres_from(first_nm: f64) -> impl Iterator<Item = f64> {
     (0..26).map(move |i| first_nm + 10.0 * f64::from(i))
 }
 
+/// A Gaussian band-pass of 10 nm on a band's grid.
+pub fn narrow_filter(band: Band, centre_nm: f64) -> Vec<f64> {
+    let bell = |nm: f64| {
+        let x = (nm - centre_nm) / FILTER_NM;
+        (-4.0 * std::f64::consts::LN_2 * x * x).exp()
+    };
+    band.grid().map(bell).collect()
+}
+
 /// Narrow filters, one each 10 nm, as far as their centres lie in the band.
 pub(super) fn narrow_filters(band: Band, observer: Observer, first_nm: f64) -> PatchSet {
-    let narrow = |centre_nm: f64| -> Vec<f64> {
-        let bell = |nm: f64| {
-            let x = (nm - centre_nm) / FILTER_NM;
-            (-4.0 * std::f64::consts::LN_2 * x * x).exp()
-        };
-        band.grid().map(bell).collect()
-    };
+    let narrow = |centre_nm: f64| narrow_filter(band, centre_nm);
     let inside = || centres_from(first_nm).filter(|nm| band.contains(*nm));
     let filters: Vec<Vec<f64>> = inside().map(narrow).collect();
     let names = inside().map(|nm| format!("{nm} nm")).collect();
@@ -249,13 +252,13 @@ impl Reference {
 
     /// Labs of any patches under a model, against this light as the white.
     pub fn labs_of(&self, patches: &PatchSet, smooth: &[f64], spikes: &[Spike]) -> Vec<Lab> {
-        let mut xyz = patches.buffer();
-        patches.xyz_into(smooth, &mut xyz);
-        for spike in spikes {
-            patches.add_line(spike.at_nm, spike.weight, &mut xyz);
-        }
+        self.labs(&seen_through(patches, smooth, spikes))
+    }
+
+    /// Labs of X, Y, Z against this light as the white.
+    fn labs(&self, xyz: &[[f64; 3]]) -> Vec<Lab> {
         let mut labs = vec![BLACK; xyz.len()];
-        labs_into(&xyz, self.white, &mut labs);
+        labs_into(xyz, self.white, &mut labs);
         labs
     }
 
@@ -266,8 +269,7 @@ impl Reference {
 
     /// The light itself behind any narrow filters.
     pub fn exact_behind(&self, filters: &PatchSet) -> Behind {
-        let mut exact = filters.buffer();
-        filters.xyz_into(&self.measured, &mut exact);
+        let mut exact = seen_through(filters, &self.measured, &[]);
         let gain =
             |xyz: &[f64; 3]| (FILTER_Y * self.white.y / (100.0 * xyz[1].max(0.0))).min(MOST_GAIN);
         let gains: Vec<f64> = exact.iter().map(gain).collect();
@@ -289,11 +291,7 @@ impl Reference {
         if exact.labs.is_empty() || self.own.is_none() {
             return None;
         }
-        let mut xyz = filters.buffer();
-        filters.xyz_into(smooth, &mut xyz);
-        for spike in spikes {
-            filters.add_line(spike.at_nm, spike.weight, &mut xyz);
-        }
+        let mut xyz = seen_through(filters, smooth, spikes);
         Some(difference(&exact.labs, &self.filtered(&mut xyz, &exact.gains)).mean)
     }
 
@@ -301,9 +299,7 @@ impl Reference {
         for (xyz, gain) in xyz.iter_mut().zip(gains) {
             xyz.iter_mut().for_each(|v| *v *= gain);
         }
-        let mut labs = vec![BLACK; xyz.len()];
-        labs_into(xyz, self.white, &mut labs);
-        labs
+        self.labs(xyz)
     }
 
     fn rms(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
@@ -327,6 +323,16 @@ impl Reference {
         self.measures.blur.add_spikes(spikes, &mut rest);
         share(band.inner(&rest, &rest), self.blurred_square)
     }
+}
+
+/// X, Y, Z of what a light's smooth part and spikes leave of each patch or filter.
+fn seen_through(patches: &PatchSet, smooth: &[f64], spikes: &[Spike]) -> Vec<[f64; 3]> {
+    let mut xyz = patches.buffer();
+    patches.xyz_into(smooth, &mut xyz);
+    for spike in spikes {
+        patches.add_line(spike.at_nm, spike.weight, &mut xyz);
+    }
+    xyz
 }
 
 /// Weights for a reflectance: the colour-matching functions times the light it is seen under.

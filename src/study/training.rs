@@ -109,11 +109,6 @@ impl Training {
         }
     }
 
-    /// Spectra that teach.
-    pub fn spectra(&self) -> usize {
-        self.members.len()
-    }
-
     /// The `numbers` components that catch most of a spectrum, trained without it and its likes.
     pub fn basis_for(&self, name: &str, values: &[f64], numbers: usize) -> &Arc<PrincipalBasis> {
         let Some(unit) = normalised(self.band, values) else {
@@ -215,7 +210,7 @@ mod tests {
             values: double,
         });
         let again = Training::new(BAND, &spectra, 41);
-        assert_eq!(again.spectra(), 21);
+        assert_eq!(again.members.len(), 21);
         assert!(error(again.basis_for(&name, &values, 41), &values) > 1e-6);
     }
 

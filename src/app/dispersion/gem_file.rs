@@ -61,7 +61,7 @@ impl GemFile {
         match self.form {
             GemForm::Png => {
                 let shown = GemShown::of(&self.film.0, &self.light, self.look)?;
-                png(shown.size, &shown.pixels).ok_or_else(|| "There is no picture.".to_owned())
+                png([shown.size; 2], &shown.pixels).ok_or_else(|| "There is no picture.".to_owned())
             }
             GemForm::Exr => {
                 let facts = [

@@ -10,7 +10,7 @@ use crate::{
     io::many::many,
     pictures::{
         Asked, BOUND_RMS, Bands, Choice, InMemory, Light, OfImage, PictureError, Pixels, Plan,
-        ReferenceKind, Scene, Survey, Wish, WishedLines, choose, usual_weighting,
+        ReferenceKind, Scene, Survey, Weighting, Wish, WishedLines, choose,
     },
     spectrum::SpectralImage,
     study::Progress,
@@ -180,7 +180,7 @@ impl LookAsk {
     }
 
     fn base(&self, bands: &Bands) -> Plan {
-        let weighting = usual_weighting(bands, self.observer);
+        let weighting = Weighting::usual(bands, self.observer);
         let usual = Plan::new(bands, 3);
         let own = self.own.as_ref().map(|entry| light_of(&entry.0));
         Plan {

@@ -5,7 +5,7 @@ use std::{ffi::OsString, path::PathBuf};
 use clap::Args;
 
 use crate::{
-    cli::{options::FileOptions, room_words},
+    cli::{options::FileOptions, room_words, words},
     color::Srgb,
     design::{
         recover::Method,
@@ -61,12 +61,11 @@ pub(crate) struct Recover {
     pub image: Option<PathBuf>,
     /// The spectral picture to write, .exr.
     #[arg(long, value_name = "FILE.exr", requires = "image",
-        conflicts_with_all = ["colour", "xyz", "lab"], value_parser = room_words::exr_path())]
+        conflicts_with_all = ["colour", "xyz", "lab"], value_parser = words::path_in(&["exr"]))]
     pub out: Option<PathBuf>,
     /// Let it replace a file that exists.
     #[arg(long, requires = "out")]
     pub force: bool,
-    /// How files are read.
     #[command(flatten)]
     pub files: FileOptions,
     /// Print JSON; its keys are stable.
@@ -109,7 +108,6 @@ pub(crate) struct Mix {
         allow_negative_numbers = true,
         value_parser = room_words::free_lines)]
     pub lines: Option<usize>,
-    /// How files are read.
     #[command(flatten)]
     pub files: FileOptions,
     /// Print JSON; its keys are stable.

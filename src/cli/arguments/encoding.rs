@@ -27,7 +27,6 @@ pub(crate) struct Encode {
     /// fewer.
     #[arg(long)]
     pub strict: bool,
-    /// Which spectrum of the file, and what it is.
     #[command(flatten)]
     pub pick: PickOptions,
     /// Range that is encoded, in whole nm; decoding needs the same [default: 380:780].

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use crate::cli::words;
+
 /// What is done with a lesson.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum LessonAct {
@@ -27,7 +29,7 @@ pub(crate) struct Lessons {
     #[arg(long, conflicts_with = "act")]
     pub json: bool,
     /// The sheet to write, .md (its pictures are put beside it) or .html.
-    #[arg(long, value_name = "FILE", value_parser = crate::cli::words::sheet_path())]
+    #[arg(long, value_name = "FILE", value_parser = words::path_in(&["md", "html"]))]
     pub out: Option<PathBuf>,
     /// Let it replace files that exist.
     #[arg(long, requires = "out")]

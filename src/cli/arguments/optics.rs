@@ -7,7 +7,7 @@ use clap::Args;
 use crate::{
     cli::{
         options::{FileOptions, ModelOptions},
-        room_words,
+        room_words, words,
     },
     color::Adaptation,
     optics::View,
@@ -67,7 +67,6 @@ pub(crate) struct Prism {
     /// The model, whose spikes are told of.
     #[command(flatten)]
     pub model: ModelOptions,
-    /// How files are read.
     #[command(flatten)]
     pub files: FileOptions,
     /// Print JSON; its keys are stable.
@@ -95,7 +94,6 @@ pub(crate) struct Rainbow {
     /// The model, whose spikes are told of.
     #[command(flatten)]
     pub model: ModelOptions,
-    /// How files are read.
     #[command(flatten)]
     pub files: FileOptions,
     /// Print JSON; its keys are stable.
@@ -118,7 +116,6 @@ pub(crate) struct Gem {
     /// numbers n_d,V_d or a file of refractiveindex.info (.yml).
     #[arg(long, value_name = "MATERIAL", default_value = "diamond")]
     pub material: OsString,
-    /// The gem's cut.
     #[command(flatten)]
     pub cut: CutOptions,
     /// Where it is looked at from.
@@ -167,12 +164,11 @@ pub(crate) struct Gem {
     #[command(flatten)]
     pub model: ModelOptions,
     /// The picture to write: .png, which may replace a picture, or .exr with every wavelength.
-    #[arg(long, value_name = "FILE", value_parser = room_words::traced_path())]
+    #[arg(long, value_name = "FILE", value_parser = words::path_in(&["png", "exr"]))]
     pub out: Option<PathBuf>,
     /// Let it replace any other file too, but for what is read.
     #[arg(long, requires = "out")]
     pub force: bool,
-    /// How files are read.
     #[command(flatten)]
     pub files: FileOptions,
     /// Print JSON; its keys are stable.

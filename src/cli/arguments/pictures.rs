@@ -8,6 +8,7 @@ use crate::{
     cli::{
         options::FileOptions,
         room_words::{self, Lines},
+        words,
     },
     pictures::ReferenceKind,
 };
@@ -51,12 +52,11 @@ pub(crate) struct Picture {
     pub relight: Option<OsString>,
     /// The file to write: .exr holds every number, .cspx.png is small and opens as a picture; with
     /// --relight a .png.
-    #[arg(long, value_name = "FILE", value_parser = room_words::traced_path())]
+    #[arg(long, value_name = "FILE", value_parser = words::path_in(&["png", "exr"]))]
     pub out: Option<PathBuf>,
     /// Let it replace a file that exists.
     #[arg(long, requires = "out")]
     pub force: bool,
-    /// How files are read.
     #[command(flatten)]
     pub files: FileOptions,
     /// Print JSON; its keys are stable.
@@ -84,7 +84,7 @@ pub(crate) struct Fit {
         action = clap::ArgAction::Set, value_parser = room_words::fit_lines)]
     pub lines: bool,
     /// The file to write, .csv or .json; needed but for lines of JSON.
-    #[arg(long, value_name = "FILE", value_parser = room_words::numbers_path())]
+    #[arg(long, value_name = "FILE", value_parser = words::path_in(&["csv", "json"]))]
     pub out: Option<PathBuf>,
     /// Let it replace a file that exists.
     #[arg(long, requires = "out")]
@@ -92,7 +92,6 @@ pub(crate) struct Fit {
     /// Print JSON; its keys are stable. Lines of JSON are answered by such lines anyhow.
     #[arg(long)]
     pub json: bool,
-    /// How files are read.
     #[command(flatten)]
     pub files: FileOptions,
 }

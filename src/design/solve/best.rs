@@ -172,7 +172,7 @@ impl Mixer<'_> {
 }
 
 /// The next set of that size in the order of words; false behind the last.
-fn next_set(set: &mut [usize], of: usize) -> bool {
+pub(super) fn next_set(set: &mut [usize], of: usize) -> bool {
     let count = set.len();
     let Some(at) = (0..count).rev().find(|i| set[*i] < of - count + i) else {
         return false;

@@ -10,7 +10,7 @@
 use super::{
     against::Against,
     figures::MixFigures,
-    light::{Light, Line, Worthy},
+    light::{Light, Line},
     line_search::{Found, LineSearch},
     net::{Net, RANGE_NM, net_of},
     polytope::Polytope,
@@ -224,7 +224,7 @@ impl Course<'_> {
                 Some(self.search.with_one_more(light, floors[index]))
             };
             let grown = self.each(&floors, one)?;
-            lights = spread_down(grown);
+            lights = spread_down(grown, |light| [light.ler, light.worth]);
         }
         let lights = floors.into_iter().zip(lights);
         Some(lights.filter_map(|(f, light)| Some((f, light?))).collect())
@@ -281,7 +281,7 @@ impl Course<'_> {
                 .bettered(first[index].as_ref(), &near, floors[index])
         };
         let second = self.each(floors, from_beside)?;
-        Some(spread_down(second))
+        Some(spread_down(second, |found| [found.ler, found.worth]))
     }
 }
 
@@ -303,12 +303,13 @@ fn doubled<const L: usize>(three: [f64; 3]) -> Vec<[f64; L]> {
     }
 }
 
-/// A light that is good at a high floor is allowed at every lower one.
-fn spread_down<F: Worthy>(mut found: Vec<Option<F>>) -> Vec<Option<F>> {
+/// A light that is good at a high floor is allowed at every lower one; `of` tells its efficacy and
+/// what it is worth.
+fn spread_down<F: Clone>(mut found: Vec<Option<F>>, of: impl Fn(&F) -> [f64; 2]) -> Vec<Option<F>> {
     for index in (0..found.len().saturating_sub(1)).rev() {
-        let (here, above) = (&found[index], &found[index + 1]);
+        let [here, above] = [index, index + 1].map(|i| found[i].as_ref().map(&of));
         let better = match (here, above) {
-            (Some(here), Some(above)) => above.worth() > here.worth() && above.ler() >= here.ler(),
+            (Some([ler, worth]), Some(above)) => above[1] > worth && above[0] >= ler,
             (None, Some(_)) => true,
             _ => false,
         };

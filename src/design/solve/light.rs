@@ -22,34 +22,6 @@ pub(super) struct Light {
     pub(super) worth: f64,
 }
 
-/// What is found at a floor.
-pub(super) trait Worthy: Clone {
-    /// Luminous efficacy, lm/W.
-    fn ler(&self) -> f64;
-    /// The figure, or less than nothing.
-    fn worth(&self) -> f64;
-}
-
-impl Worthy for Light {
-    fn ler(&self) -> f64 {
-        self.ler
-    }
-
-    fn worth(&self) -> f64 {
-        self.worth
-    }
-}
-
-impl<const L: usize> Worthy for Found<L> {
-    fn ler(&self) -> f64 {
-        self.ler
-    }
-
-    fn worth(&self) -> f64 {
-        self.worth
-    }
-}
-
 impl<const L: usize> From<Found<L>> for Light {
     fn from(found: Found<L>) -> Self {
         let both = found.places.into_iter().zip(found.powers);
@@ -119,7 +91,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],

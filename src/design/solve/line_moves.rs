@@ -6,6 +6,7 @@
 
 use super::{
     against::Against,
+    light::cross,
     line_search::{Found, LineSearch},
 };
 use crate::design::scales::LUMENS_PER_WATT;
@@ -254,11 +255,7 @@ fn across<const L: usize>(normal: [f64; L]) -> [[f64; L]; 2] {
     (0..3).for_each(|i| first[i] -= along * n[i]);
     let length = first.iter().map(|v| v * v).sum::<f64>().sqrt();
     first = first.map(|v| v / length);
-    let second = [
-        n[1] * first[2] - n[2] * first[1],
-        n[2] * first[0] - n[0] * first[2],
-        n[0] * first[1] - n[1] * first[0],
-    ];
+    let second = cross(n, first);
     [first, second].map(|v| std::array::from_fn(|i| if i < 3 { v[i] } else { 0.0 }))
 }
 

@@ -1,6 +1,6 @@
 //! A net over all places of lines.
 
-use super::line_search::LineSearch;
+use super::{best::next_set, line_search::LineSearch};
 use crate::{
     design::scales::LUMENS_PER_WATT,
     study::{Progress, in_parallel, processors},
@@ -87,11 +87,9 @@ pub(super) fn net_of<const L: usize>(
                 std::array::from_fn(|i| places[if i == 0 { first } else { rest[i - 1] }]);
             search.look(chosen, shares, |ler, figure| net.take(ler, figure, chosen));
             // The next set behind the first place.
-            let Some(at) = (0..L - 1).rev().find(|i| rest[*i] < parts - (L - 1) + i) else {
+            if !next_set(&mut rest, parts) {
                 break;
-            };
-            rest[at] += 1;
-            (at + 1..L - 1).for_each(|i| rest[i] = rest[i - 1] + 1);
+            }
         }
         net
     };

@@ -72,12 +72,7 @@ impl<'a> Mixer<'a> {
     /// Weights for a wish.
     pub fn solve(&self, wish: &Wish<'_>) -> Solution {
         let Some(target) = wish.target else {
-            let weights: Vec<f64> = self
-                .channels
-                .iter()
-                .map(|c| c.spec.fixed.unwrap_or(1.0))
-                .collect();
-            return self.told(weights, wish, String::new());
+            return self.told(self.fixed_or(1.0), wish, String::new());
         };
         let free = self.free();
         let unit = target.xyz() * 0.01;
@@ -126,6 +121,12 @@ impl<'a> Mixer<'a> {
         free.map(|(i, _)| i).collect()
     }
 
+    /// The weights that are fixed, and another one for all that are free.
+    fn fixed_or(&self, free: f64) -> Vec<f64> {
+        let channels = self.channels.iter();
+        channels.map(|c| c.spec.fixed.unwrap_or(free)).collect()
+    }
+
     pub(super) fn fixed_sums(&self) -> Sums {
         let mut sums = Sums::default();
         for (channel, part) in self.channels.iter().zip(&self.sums) {
@@ -152,11 +153,7 @@ impl<'a> Mixer<'a> {
             .iter()
             .any(|c| c.spec.fixed.is_some_and(|w| w > 0.0));
         let scale = if is_fixed { 1.0 } else { 100.0 };
-        let mut all: Vec<f64> = self
-            .channels
-            .iter()
-            .map(|c| c.spec.fixed.unwrap_or(0.0))
-            .collect();
+        let mut all = self.fixed_or(0.0);
         free.iter()
             .zip(weights)
             .for_each(|(i, w)| all[*i] = scale * w.max(0.0));
@@ -169,11 +166,7 @@ impl<'a> Mixer<'a> {
         let Some(found) = self.matched(&free, wish, alike) else {
             return self.nearest(wish);
         };
-        let mut weights: Vec<f64> = self
-            .channels
-            .iter()
-            .map(|c| c.spec.fixed.unwrap_or(0.0))
-            .collect();
+        let mut weights = self.fixed_or(0.0);
         free.iter().zip(&found).for_each(|(i, w)| weights[*i] = *w);
         let nearest = self.told(weights, wish, String::new());
         if nearest.reached || wish.floors == Floors::default() {
@@ -271,11 +264,7 @@ impl<'a> Mixer<'a> {
             let why = "no channel has a colour".to_owned();
             return self.told(vec![0.0; self.channels.len()], wish, why);
         };
-        let mut weights: Vec<f64> = self
-            .channels
-            .iter()
-            .map(|c| c.spec.fixed.unwrap_or(0.0))
-            .collect();
+        let mut weights = self.fixed_or(0.0);
         if is_fixed && found.weights[free.len()] <= 0.0 {
             let why = "the fixed channels keep it from the target".to_owned();
             return self.told(weights, wish, why);

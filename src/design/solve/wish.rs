@@ -1,7 +1,5 @@
 //! What a mixture is to be best at.
 
-use std::str::FromStr;
-
 use serde::{Deserialize, Serialize};
 
 use super::target::Target;
@@ -37,18 +35,6 @@ impl Favour {
             Self::Melanopic => "melanopic",
             Self::Fewest => "fewest",
         }
-    }
-}
-
-impl FromStr for Favour {
-    type Err = MixError;
-
-    fn from_str(word: &str) -> Result<Self, MixError> {
-        let found = Self::ALL.into_iter().find(|favour| favour.word() == word);
-        found.ok_or_else(|| MixError::Word {
-            found: word.to_owned(),
-            expected: "ler, rf, ra, melanopic or fewest",
-        })
     }
 }
 

@@ -8,6 +8,7 @@ use crate::color::Xyz;
 use super::super::header::StoredQuantiser;
 use super::super::measure::Storage;
 use super::super::relight::Between;
+use super::super::survey::percentile;
 use super::super::trust::{lab_by_xyz, matrix_of};
 use super::super::{Light, Operator, PictureError, Relit};
 
@@ -57,8 +58,7 @@ impl Quantiser {
         if firsts.is_empty() || !(step > 0.0 && step.is_finite()) {
             return Err(PictureError::NothingMeasured);
         }
-        let at = ((firsts.len() - 1) as f64 * 0.99).round() as usize;
-        let high = *firsts.select_nth_unstable_by(at, f64::total_cmp).1;
+        let high = percentile(&mut firsts, 0.99);
         let c_ref = c_ref.unwrap_or(if high > 0.0 {
             high
         } else {

@@ -1,6 +1,6 @@
 //! A light through a chain of factors: exact beside model at every stage.
 
-use super::{Colours, multiplied, ratio};
+use super::{Colours, multiplied};
 use crate::{
     color::{Xyz, delta_e_of_xyz, xyz_of_parts},
     spectrum::{Band, ChainTables, Composite, Factor, Met, Sampling, Spike, below_zero},
@@ -95,10 +95,7 @@ impl Passage {
             };
             let after = last.colours;
             groups.push(Step {
-                transmission: [
-                    ratio(after.exact.y, before.exact.y),
-                    ratio(after.model.y, before.model.y),
-                ],
+                transmission: after.transmission(&before),
                 multiplications,
                 met,
                 ..last
@@ -118,10 +115,7 @@ impl Passage {
         Total {
             colours,
             added: last.map_or(Some(0.0), |step| step.added),
-            transmission: [
-                ratio(colours.exact.y, self.light.exact.y),
-                ratio(colours.model.y, self.light.model.y),
-            ],
+            transmission: colours.transmission(&self.light),
             folded_share: last.map_or(0.0, |step| step.folded_share),
             multiplications: self.steps.iter().map(|step| step.multiplications).sum(),
         }
@@ -197,10 +191,7 @@ impl Product<'_> {
                 exact: exact.clone(),
                 colours,
                 added: delta_e_of_xyz(unfolded, model, white),
-                transmission: [
-                    ratio(colours.exact.y, before.exact.y),
-                    ratio(colours.model.y, before.model.y),
-                ],
+                transmission: colours.transmission(&before),
                 folded_share: stage.folded_share,
                 multiplications: stage.multiplications,
                 below_zero: below_zero(band, &stage.smooth, &dips, self.width_nm),

@@ -63,6 +63,14 @@ impl Colours {
         }
     }
 
+    /// `Y out / Y in`, exact and model, where `before` comes in; `None` where no light does.
+    fn transmission(&self, before: &Self) -> [Option<f64>; 2] {
+        [
+            ratio(self.exact.y, before.exact.y),
+            ratio(self.model.y, before.model.y),
+        ]
+    }
+
     /// The same, both sides brightened so that the exact one has the Y that `y` says, but by no
     /// more than `most`; what is too dark to have a colour gets one that way.
     fn brightened(exact: Xyz, model: Xyz, white: Xyz, y: f64, most: f64) -> Self {

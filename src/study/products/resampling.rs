@@ -3,8 +3,8 @@
 use super::{Product, Step, multiplied};
 use crate::{
     color::{delta_e_of_xyz, xyz_of_parts},
-    spectrum::{BasisTable, Factor, Sampling, Series, Spike},
-    study::truth::{SpikeReading, eq_17},
+    spectrum::{BasisTable, Factor, Sampling, Spike},
+    study::truth::{SpikeReading, cut, eq_17},
 };
 
 /// A light times one factor, formed in every way.
@@ -50,21 +50,11 @@ pub fn resampled(product: Product<'_>, factor: &Factor, table: &BasisTable) -> R
             step: passage.steps.into_iter().next()?,
         })
     });
-    let short = short(product, factor.background(), table);
+    let short = cut(factor.background(), table, product.model);
     Resampled {
         ways: ways.collect(),
         series_product: multiplied(&product.model.smooth.on_band(), &short.on_band()),
         exact: multiplied(product.measured, factor.values()),
-    }
-}
-
-/// A factor with as many numbers as the light.
-fn short(product: Product<'_>, values: &[f64], table: &BasisTable) -> Series {
-    let numbers = product.model.smooth.coefficients.len();
-    Series {
-        band: table.band(),
-        basis: table.basis(),
-        coefficients: table.project(values, numbers),
     }
 }
 
@@ -89,7 +79,7 @@ pub struct SpikeCosts {
 pub fn spike_costs(product: Product<'_>, factor: &Factor, table: &BasisTable) -> SpikeCosts {
     let (band, seen, white) = (product.model.band(), product.seen, product.white());
     let found = eq_17(product.model, factor.values(), table, seen, white);
-    let series = short(product, factor.values(), table);
+    let series = cut(factor.values(), table, product.model);
     let smooth = multiplied(&product.model.smooth.on_band(), &series.on_band());
     let colour = |value: &dyn Fn(usize, &SpikeReading) -> f64| {
         let readings = found.readings.iter().enumerate();
@@ -130,7 +120,7 @@ mod tests {
     use super::*;
     use crate::{
         color::Observer,
-        spectrum::{Band, Basis, Composite},
+        spectrum::{Band, Basis, Composite, Series},
     };
 
     const BAND: Band = Band::VISIBLE;

@@ -142,7 +142,7 @@ pub(super) fn paper_grid(series: &Series) -> SampleGrid {
 }
 
 /// A factor fitted with as many numbers as the light has, or as the table holds.
-pub(super) fn cut(factor: &[f64], table: &BasisTable, light: &Composite) -> Series {
+pub(in crate::study) fn cut(factor: &[f64], table: &BasisTable, light: &Composite) -> Series {
     Series {
         band: table.band(),
         basis: table.basis(),

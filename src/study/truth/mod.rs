@@ -22,6 +22,7 @@ mod table_2;
 #[cfg(test)]
 mod tests;
 
+pub(in crate::study) use eq_17::cut;
 pub use eq_17::{Eq17, SpikeReading, StraightLine, eq_17, straight_line};
 pub use five_percent::{ChannelTerms, FivePercent, Neglected, five_percent};
 pub use resampling::{Resampling, ResamplingWay, resampling};
