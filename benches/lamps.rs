@@ -3,7 +3,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use spectral_explorer::{
     color::Observer,
-    lamps::{Ask, Encoder, table},
+    lamps::{Ask, Composite, Encoder, Spike, table},
     spectrum::{Band, Basis, BasisTable, Outside, SpikeSettings, detect_shapes},
 };
 use std::hint::black_box;
@@ -69,6 +69,21 @@ fn decoding(c: &mut Criterion) {
             out.fill(0.0);
             basis.add_series(black_box(&coefficients), &mut out);
         });
+    });
+    let line = Spike {
+        at_nm: 546.07,
+        weight: 2.0,
+        width_nm: 8.0,
+    };
+    let composite = Composite {
+        smooth: encoding.smooth.clone(),
+        spikes: vec![line; 4],
+    };
+    group.bench_function("values of a composite with 4 wide lines", |b| {
+        b.iter(|| black_box(&composite).on_band())
+    });
+    group.bench_function("a wide line through a series, closed form", |b| {
+        b.iter(|| line.integrate_series(black_box(&composite.smooth)))
     });
     group.finish();
 }

@@ -5,7 +5,7 @@
 //! ```
 
 use super::{
-    composite::Spike,
+    composite::{Composite, Spike},
     error::EncodingError,
     known::{Atom, atoms_on, known_lamps},
 };
@@ -80,17 +80,19 @@ impl Encoding {
         }
     }
 
-    /// The lines by rising wavelength.
-    pub fn lines_in_order(&self) -> Vec<Spike> {
-        let mut lines = self.lines.clone();
-        lines.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
-        lines
+    /// Smooth part and lines without the known lamps.
+    pub fn composite(&self) -> Composite {
+        let mut spikes = self.lines.clone();
+        spikes.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
+        Composite {
+            smooth: self.smooth.clone(),
+            spikes,
+        }
     }
 
     /// Radiant power over the band.
     pub fn power(&self) -> f64 {
-        let lines: f64 = self.lines_in_order().iter().map(|s| s.weight).sum();
-        self.smooth.integral() + lines + self.atoms.iter().map(|a| a.weight).sum::<f64>()
+        self.composite().power() + self.atoms.iter().map(|a| a.weight).sum::<f64>()
     }
 
     /// Everything times a factor.
@@ -174,6 +176,11 @@ impl Decoder {
             positions: (0..known_lamps().len()).map(place).collect(),
             atoms,
         }
+    }
+
+    /// The band.
+    pub fn band(&self) -> Band {
+        self.band
     }
 
     /// The known lamps of the band.

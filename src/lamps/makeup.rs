@@ -50,7 +50,7 @@ impl Makeup {
             parts: encoding.atoms.iter().map(part).collect(),
             basis: encoding.smooth.basis,
             smooth: encoding.smooth.coefficients.len(),
-            lines: encoding.lines_in_order(),
+            lines: encoding.composite().spikes,
             power,
         }
     }

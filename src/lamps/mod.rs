@@ -42,7 +42,7 @@ mod work;
 
 pub use ask::{Ask, Count, LeaveOut, NUMBERS};
 pub use choice::Chosen;
-pub use composite::{Shape, Spike, add_spikes};
+pub use composite::{Composite, Shape, Spike, add_spikes, weigh_spikes};
 pub use detector::{WideDecomposition, as_wide_as_it_is, bell, decompose};
 pub use encoder::Encoder;
 pub use encoding::{AtomWeight, Decoder, Encoding};
