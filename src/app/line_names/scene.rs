@@ -203,9 +203,7 @@ impl<'a> Scene<'a> {
     /// Place and strength of all tabulated lines of an element.
     pub(super) fn lines_of(&self, symbol: &str) -> Vec<(f64, f64)> {
         let lines = self.lines.iter().filter(|line| line.element == symbol);
-        lines
-            .map(|line| (line.at_nm, line.strength))
-            .collect()
+        lines.map(|line| (line.at_nm, line.strength)).collect()
     }
 
     /// The table's place of a line that is written to a tenth of a nanometre.

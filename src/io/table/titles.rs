@@ -166,7 +166,7 @@ fn with_label(mut cells: Vec<String>) -> Vec<String> {
     for cell in &mut cells[usize::from(is_label)..] {
         if is_label && is_number(cell) {
             *cell = format!("{label} {cell}");
-        } else if !cell.contains(char::is_alphabetic) && !(are_names && is_number(cell)) {
+        } else if !(cell.contains(char::is_alphabetic) || are_names && is_number(cell)) {
             cell.clear();
         }
     }

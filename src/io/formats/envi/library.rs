@@ -19,6 +19,15 @@ const SAMPLE_BYTES: usize = 32;
 /// How many values of the file decide kind and scale where the header is silent.
 const LOOKED_AT: usize = 20_000;
 
+/// What the header calls a spectrum, or its number.
+fn name_of(names: &[&str], index: usize) -> String {
+    let named = names.get(index).filter(|name| !name.is_empty());
+    named.map_or_else(
+        || format!("spectrum {}", index + 1),
+        |name| (*name).to_owned(),
+    )
+}
+
 /// Reads the spectra; `file_bytes` is the size of both files.
 ///
 /// # Errors
@@ -77,10 +86,7 @@ pub(super) fn read(
             .iter()
             .map(|(_, channel)| value(index, *channel))
             .collect();
-        let name = match names.get(index) {
-            Some(name) if !name.is_empty() => (*name).to_owned(),
-            _ => format!("spectrum {}", index + 1),
-        };
+        let name = name_of(&names, index);
         let raw = RawSpectrum {
             axis: RawAxis::Nm(&nm, Some(axis.axis.clone())),
             known: known.clone(),
