@@ -136,7 +136,7 @@ fn order_row(ui: &mut Ui, settings: &mut Settings) {
 /// Gives what is to be said: another range is taken than the one asked for.
 fn range_row(ui: &mut Ui, app: &App, settings: &mut Settings) -> Option<String> {
     let mut said = None;
-    let label = ui.label("Range");
+    ui.label("Range");
     ui.horizontal(|ui| {
         let ends = <[f64; 2]>::from(settings.band);
         let (shortest, most) = (f64::from(SHORTEST_NM), f64::from(MOST_STEPS));
@@ -144,9 +144,8 @@ fn range_row(ui: &mut Ui, app: &App, settings: &mut Settings) -> Option<String> 
         let typed = [RefCell::default(), RefCell::default()];
         let low_range = (max - most).max(0.0)..=max - shortest;
         let low = edge(&mut min, &typed[0]).range(low_range);
-        let low = number(ui, low, "Range from")
-            .labelled_by(label.id)
-            .on_hover_text("First wavelength of the model, whole nm.");
+        let low =
+            number(ui, low, "Range from").on_hover_text("First wavelength of the model, whole nm.");
         ui.label("to");
         let high_range = min + shortest..=(min + most).min(f64::from(LONGEST_NM));
         let high = edge(&mut max, &typed[1]).range(high_range);
