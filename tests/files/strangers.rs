@@ -390,3 +390,27 @@ fn a_wasatch_text_says_its_technique_and_a_filter_s_two_readings_are_two() {
     );
     assert_eq!(reading.spectra[1].samples.values()[2], 0.88);
 }
+
+#[test]
+fn json_says_what_is_noted_beside_the_points_and_reads_the_rest() {
+    let reading = read(
+        "a.json",
+        r#"{"wavelengths":[380,390,400],"irradiance":[1,2,3],"uncertainty":[0.1,0.1,0.2],
+            "temperature":[25,25,26]}"#,
+    );
+    assert_eq!(told(&reading), [("a", Kind::Light, [380.0, 400.0], 3)]);
+    assert!(has(
+        &reading,
+        "\"uncertainty\" is a spread and was left out"
+    ));
+    assert!(has(
+        &reading,
+        "\"temperature\" is no spectrum by its title and was left out"
+    ));
+    // Alone it is what the file is about.
+    let reading = read(
+        "a.json",
+        r#"[{"wavelength":380,"temperature":1},{"wavelength":390,"temperature":2}]"#,
+    );
+    assert_eq!(reading.spectra[0].samples.values(), [1.0, 2.0]);
+}
