@@ -45,8 +45,6 @@ impl ReferenceKind {
 
 /// A reference spectrum on the bands.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-// What refusals of a broken header call it.
-#[serde(expecting = "struct StoredReference")]
 pub struct Reference {
     /// What it is.
     pub kind: ReferenceKind,
