@@ -146,7 +146,7 @@ impl Survey {
     }
 }
 
-/// The value that so large a share of all lies below, which are one at least.
+/// The value that a share (0-1) of all lies below, by the nearest rank; `values` hold one at least.
 pub(super) fn percentile(values: &mut [f64], share: f64) -> f64 {
     let at = ((values.len() - 1) as f64 * share).round() as usize;
     *values.select_nth_unstable_by(at, f64::total_cmp).1

@@ -16,8 +16,14 @@ const DARK: f64 = 0.02;
 const WARN_BLIND: f64 = 0.05;
 /// A blind share above this is refused (provisional).
 const REFUSE_BLIND: f64 = 0.5;
+/// Foretold noise of two lights above this is warned of (provisional, from four pairs).
+const WARN_PARTS: f64 = 0.8;
+/// And refused above this.
+const REFUSE_PARTS: f64 = 3.0;
 /// The grey that noise is foretold at.
 const GREY_Y: f64 = 0.2;
+/// The grey of the two lights' rank.
+const GREY_OF_PARTS: f64 = 0.1;
 
 /// What one may believe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,10 +37,10 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    fn of(blind: f64) -> Self {
-        match blind {
-            v if v > REFUSE_BLIND || !v.is_finite() => Self::Refused,
-            v if v > WARN_BLIND => Self::Care,
+    fn of(value: f64, warn: f64, refuse: f64) -> Self {
+        match value {
+            v if v > refuse || !v.is_finite() => Self::Refused,
+            v if v > warn => Self::Care,
             _ => Self::Good,
         }
     }
@@ -157,7 +163,51 @@ impl Operator {
         Trust {
             blind,
             noise: self.foretold_noise(relit, noise),
-            verdict: Verdict::of(worst),
+            verdict: Verdict::of(worst, WARN_BLIND, REFUSE_BLIND),
         }
+    }
+
+    /// How well two known lights can be told apart: for each light's part alone a rank (it
+    /// understates the error), and what to make of it; `None` for a picture of one light.
+    pub fn parts_rank(&self) -> Option<([f64; 2], Verdict)> {
+        let plan = self.plan();
+        let (one, two) = plan.shares();
+        let prior = self.prior()?;
+        let largest = self
+            .bands()
+            .weights_nm()
+            .iter()
+            .copied()
+            .fold(0.0, f64::max);
+        let noise = plan.noise.max(super::plan::LEAST_NOISE);
+        let scaled = DMatrix::from_fn(self.numbers(), self.bands().len(), |n, j| {
+            self.decode(j, n) * self.bands().weights_nm()[j] / (largest * noise * noise)
+        });
+        let mut normal = scaled * &self.decode;
+        for (i, moment) in prior.iter().enumerate() {
+            normal[(i, i)] += 1.0 / moment;
+        }
+        let spread = normal.cholesky()?.inverse();
+        let rank = |from: usize, count: usize, light: &[f64]| {
+            let mut rows = self.own_colour().rows;
+            let of_light = |row: &Vec<f64>| row.iter().zip(light).map(|(w, v)| w * v).sum();
+            let white = Xyz::from_array(self.own_weights().each_ref().map(of_light));
+            for row in &mut rows {
+                for (n, value) in row.iter_mut().enumerate() {
+                    if n < from || n >= from + count {
+                        *value = 0.0;
+                    }
+                }
+            }
+            let to_lab = lab_by_xyz(white, GREY_OF_PARTS) * matrix_of(&rows);
+            (&to_lab * &spread * to_lab.transpose())
+                .trace()
+                .max(0.0)
+                .sqrt()
+        };
+        let second = &plan.second.as_ref()?.values;
+        let ranks = [rank(0, one, &plan.reference.values), rank(one, two, second)];
+        let worst = ranks[0].max(ranks[1]);
+        Some((ranks, Verdict::of(worst, WARN_PARTS, REFUSE_PARTS)))
     }
 }

@@ -34,7 +34,11 @@ pub(super) fn show(
 
 /// An error's name, with a sign of what it counts.
 fn name(measure: Measure) -> String {
-    let delta_e = if measure.is_colour() { " ΔE" } else { "" };
+    let delta_e = if measure.is_colour() {
+        " ΔE₀₀"
+    } else {
+        ""
+    };
     format!("{}{delta_e}", measure.figure().title)
 }
 

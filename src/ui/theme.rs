@@ -62,11 +62,16 @@ pub fn of_seen(seen: Seen, dark: bool) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
+/// A colour by the ground that it stands on.
+fn either(dark: bool) -> impl Fn([u8; 3], [u8; 3]) -> Color32 {
+    move |on_dark, on_light| ink(if dark { on_dark } else { on_light })
+}
+
 impl Theme {
     /// The theme of the preferences.
     pub fn of(preferences: &Preferences) -> Self {
         let dark = preferences.dark;
-        let either = |on_dark, on_light| ink(if dark { on_dark } else { on_light });
+        let either = either(dark);
         let presented = |factor| if preferences.presents() { factor } else { 1.0 };
         Self {
             dark,
@@ -165,7 +170,7 @@ fn colours(visuals: &mut egui::Visuals, dark: bool) {
     } else {
         egui::Visuals::light()
     };
-    let either = |on_dark, on_light| ink(if dark { on_dark } else { on_light });
+    let either = either(dark);
     // (panel, plot ground, faint stripe, text, strong text, control, hovered, active, outline)
     let [
         panel,

@@ -163,6 +163,33 @@ fn foretold_noise_is_near_the_studys() {
 }
 
 #[test]
+fn two_lights_that_can_be_told_apart_are_ranked_as_the_study_ranks_them() {
+    let bands = Bands::new(nm(380.0, 780.0, 81), Kind::Light).unwrap();
+    let light = |name: &str| Light::named(name).unwrap();
+    // PICTURES.md, 2: two decimals are given of each, which the made bands move by less than 0.1.
+    for (names, ranks, word) in [
+        (["LED-RGB1", "Mercury"], [0.9, 0.3], "care"),
+        (["D65", "FL11"], [0.9, 0.7], "care"),
+        (["D65", "LED-RGB1"], [6.1, 4.5], "refused"),
+    ] {
+        let [one, two] = names.map(light);
+        let mut plan = Plan::lit(&bands, 24, &one, 0.004).unwrap();
+        assert!(Operator::new(&bands, &plan).unwrap().parts_rank().is_none());
+        plan.second = Some(Reference::of_light(&bands, &two).unwrap());
+        let operator = Operator::new(&bands, &plan).unwrap();
+        let (found, verdict) = operator.parts_rank().unwrap();
+        println!("{names:?}: {found:?} for {ranks:?}, {verdict:?}");
+        for (found, stated) in found.into_iter().zip(ranks) {
+            assert!(
+                (found - stated).abs() < 0.1 * stated.max(1.0),
+                "{names:?}: {found}"
+            );
+        }
+        assert_eq!(verdict.word(), word, "{names:?}");
+    }
+}
+
+#[test]
 fn an_unknown_lamp_is_not_relit_and_says_why() {
     let (pixels, _) = lit(32, "FL11");
     let operator = Operator::new(pixels.bands(), &Plan::new(pixels.bands(), 11)).unwrap();

@@ -407,10 +407,56 @@ fn json_says_what_is_noted_beside_the_points_and_reads_the_rest() {
         &reading,
         "\"temperature\" is no spectrum by its title and was left out"
     ));
+    // In whatever order the keys stand.
+    for beside in [
+        r#""temperature":[25,25,26],"irradiance":[1,2,3],"uncertainty":[0.1,0.1,0.2]"#,
+        r#""temperature":[25,25,26],"uncertainty":[0.1,0.1,0.2],"irradiance":[1,2,3]"#,
+        r#""uncertainty":[0.1,0.1,0.2],"temperature":[25,25,26],"irradiance":[1,2,3]"#,
+        r#""irradiance":[1,2,3],"temperature":[25,25,26],"uncertainty":[0.1,0.1,0.2]"#,
+    ] {
+        let reading = read(
+            "a.json",
+            &format!(r#"{{"wavelengths":[380,390,400],{beside}}}"#),
+        );
+        assert_eq!(
+            told(&reading),
+            [("a", Kind::Light, [380.0, 400.0], 3)],
+            "{beside}"
+        );
+        assert_eq!(
+            reading.spectra[0].samples.values(),
+            [1.0, 2.0, 3.0],
+            "{beside}"
+        );
+        let said = |note: &&String| note.ends_with("was left out");
+        assert_eq!(reading.notes.iter().filter(said).count(), 2, "{beside}");
+    }
     // Alone it is what the file is about.
     let reading = read(
         "a.json",
         r#"[{"wavelength":380,"temperature":1},{"wavelength":390,"temperature":2}]"#,
     );
     assert_eq!(reading.spectra[0].samples.values(), [1.0, 2.0]);
+}
+
+#[test]
+fn a_second_table_of_two_bands_goes_on_with_the_bands_that_the_first_states() {
+    let table = |head: &str, first: f64| {
+        format!(
+            "{head}BEGIN_DATA_FORMAT\nSAMPLE_ID SPEC_400 SPEC_700\nEND_DATA_FORMAT\n\
+             BEGIN_DATA\n1 {first} 0.5\nEND_DATA\n"
+        )
+    };
+    let stated = "CGATS.17\nSPECTRAL_BANDS \"2\"\nSPECTRAL_START_NM \"400\"\n\
+                  SPECTRAL_END_NM \"700\"\n";
+    let reading = read(
+        "a.txt",
+        &format!("{}{}", table(stated, 0.25), table("CGATS.17\n", 0.75)),
+    );
+    let firsts: Vec<f64> = reading
+        .spectra
+        .iter()
+        .map(|s| s.samples.values()[0])
+        .collect();
+    assert_eq!(firsts, [0.25, 0.75]);
 }

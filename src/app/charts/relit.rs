@@ -124,7 +124,7 @@ pub fn difference_chart(turned: &Turned, theme: Theme) -> Chart {
     }
     Chart {
         title: format!("Pixels by their difference under {}", turned.light),
-        x_label: "\u{394}E00".to_owned(),
+        x_label: "ΔE₀₀".to_owned(),
         x_range: [0.0, 1.04 * most],
         y_label: "Pixels".to_owned(),
         y_range: Some([0.5, 2.0 * highest]),

@@ -3,8 +3,7 @@
 use super::coefficients::{CHANNEL_DASHES, FUNCTIONS, NEGLECTED_PERCENT, channel_inks};
 use crate::{
     app::{
-        chart::Inks,
-        chart::{Chart, Dash, Rgb, Scale, Series, Shape, Theme, stroke},
+        chart::{Chart, Dash, Inks, Rgb, Scale, Series, Shape, Theme, stroke},
         charts::spectrum::of_subject,
         state::App,
         studies::paper::{CHANNELS, Claims},

@@ -20,7 +20,7 @@ impl ColourSheet {
             };
             return format!(
                 "No surface has {these} {light}: the nearest that one can have is \
-                 {off:.1} \u{394}E00 off, and is what is drawn."
+                 {off:.1} ΔE₀₀ off, and is what is drawn."
             );
         }
         let first = match (&self.surface, &self.told) {
@@ -30,7 +30,7 @@ impl ColourSheet {
                     .filter_map(|(under, off)| Some((&under.light, (*off)?)))
                     .max_by(|a, b| a.1.total_cmp(&b.1));
                 let worst = worst.map_or_else(String::new, |(light, off)| {
-                    format!(", and under {light} it looks {off:.1} \u{394}E00 off")
+                    format!(", and under {light} it looks {off:.1} ΔE₀₀ off")
                 });
                 let its = if are_two { "its colours" } else { "its colour" };
                 format!(

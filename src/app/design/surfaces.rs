@@ -117,7 +117,7 @@ fn one(name: &str, xyz: [Xyz; 2], whites: [Xyz; 2], index: Option<String>) -> Be
     Beside {
         test: seen(0),
         reference: seen(1),
-        words: format!("{index}{name}, \u{394}E00 {apart:.1}"),
+        words: format!("{index}{name}, ΔE₀₀ {apart:.1}"),
     }
 }
 
@@ -168,7 +168,7 @@ mod tests {
             assert!(found.len() >= count, "{surfaces:?}: {}", found.len());
             for one in &found {
                 assert_eq!(one.test.rgb8, one.reference.rgb8, "{}", one.words);
-                assert!(one.words.ends_with("\u{394}E00 0.0"), "{}", one.words);
+                assert!(one.words.ends_with("ΔE₀₀ 0.0"), "{}", one.words);
             }
         }
     }

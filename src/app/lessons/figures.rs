@@ -78,29 +78,32 @@ const fn row(
     }
 }
 
-/// A count.
-const PLAIN: Unit = Unit::NONE;
-
 /// The figures that only a document has.
 const OF_DOCUMENT: [OfDocument; 17] = [
-    row("order", "order N of the smooth part", PLAIN, |s| {
+    row("order", "order N of the smooth part", Unit::NONE, |s| {
         Some(s.app.document().settings.effective_order() as f64)
     }),
-    row("numbers", "numbers that the model takes", PLAIN, |s| {
+    row("numbers", "numbers that the model takes", Unit::NONE, |s| {
         Some(s.app.derived().numbers() as f64)
     }),
-    row("points", "points of the table, 1 nm apart", PLAIN, |s| {
-        Some(s.app.derived().band.points() as f64)
-    }),
+    row(
+        "points",
+        "points of the table, 1 nm apart",
+        Unit::NONE,
+        |s| Some(s.app.derived().band.points() as f64),
+    ),
     row(
         "spike_count",
         "bright lines that the model keeps",
-        PLAIN,
+        Unit::NONE,
         |s| Some(spikes(s.app, 1.0)),
     ),
-    row("dip_count", "dark lines that the model keeps", PLAIN, |s| {
-        Some(spikes(s.app, -1.0))
-    }),
+    row(
+        "dip_count",
+        "dark lines that the model keeps",
+        Unit::NONE,
+        |s| Some(spikes(s.app, -1.0)),
+    ),
     row(
         "spike_share",
         "the lines' share of the power",
@@ -118,16 +121,16 @@ const OF_DOCUMENT: [OfDocument; 17] = [
     row(
         "threshold_percent",
         "least share of a line, per cent",
-        PLAIN,
+        Unit::NONE,
         |s| Some(s.app.document().settings.threshold_percent),
     ),
     row(
         "order_unseen",
         "least order from which on nobody sees a difference",
-        PLAIN,
+        Unit::NONE,
         |s| not_seen_from(s.app).map(|order| order as f64),
     ),
-    row("overlay_count", "spectra laid over it", PLAIN, |s| {
+    row("overlay_count", "spectra laid over it", Unit::NONE, |s| {
         Some(s.app.document().overlays.len() as f64)
     }),
     row(
@@ -136,13 +139,16 @@ const OF_DOCUMENT: [OfDocument; 17] = [
         Unit::DELTA_E,
         |s| beside_overlay(s.app.document()),
     ),
-    row("chain_count", "things that the light meets", PLAIN, |s| {
-        Some(s.app.document().products.chain.len() as f64)
-    }),
+    row(
+        "chain_count",
+        "things that the light meets",
+        Unit::NONE,
+        |s| Some(s.app.document().products.chain.len() as f64),
+    ),
     row(
         "chain_thickness",
         "thickness of the first of them",
-        PLAIN,
+        Unit::NONE,
         |s| Some(s.app.document().products.chain.first()?.thickness),
     ),
     row(
@@ -335,7 +341,7 @@ pub fn figure(scene: &Scene<'_>, key: &str, of: Option<&str>) -> Result<Told, St
 fn told(title: &'static str, value: Option<f64>, unit: Unit) -> Told {
     let words = match value {
         None => "–".to_owned(),
-        Some(value) if value.fract() == 0.0 && unit == PLAIN => format!("{value}"),
+        Some(value) if value.fract() == 0.0 && unit == Unit::NONE => format!("{value}"),
         Some(value) if unit == Unit::DELTA_E => brief(value, unit),
         Some(value) => format!("{}{}", three_digits(value * unit.factor), unit.tail),
     };

@@ -118,9 +118,11 @@ impl RelitMemory {
         }
         Self {
             numbers: self.numbers.map(|n| n.clamp(3, MOST_NUMBERS)),
-            bound: Some(self.bound)
-                .filter(|bound| BOUNDS.contains(bound))
-                .unwrap_or(BOUND_P95),
+            bound: if BOUNDS.contains(&self.bound) {
+                self.bound
+            } else {
+                BOUND_P95
+            },
             second_percent: self.second_percent.min(100),
             split: if self.split.is_finite() {
                 self.split.clamp(0.0, 1.0)

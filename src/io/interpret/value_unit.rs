@@ -17,7 +17,10 @@ pub(crate) fn counts_photons(unit: &str) -> bool {
 /// The unit of values that a title gives: text in brackets, a unit at its end, or what a
 /// spectrometer counted above its own dark reading.
 pub(crate) fn unit_of_title(title: &str) -> Option<&str> {
-    let is_counted = title.trim_start().starts_with("Dark Subtracted");
+    let is_counted = title
+        .trim_start()
+        .to_lowercase()
+        .starts_with("dark subtracted");
     let counts = is_counted.then_some("counts");
     bracketed(title).or_else(|| bare(title)).or(counts)
 }

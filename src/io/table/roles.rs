@@ -140,37 +140,38 @@ pub(crate) fn by_titles(
     title: impl Fn(usize) -> String,
     columns: Vec<usize>,
 ) -> (Vec<usize>, Vec<LeftOut>) {
+    let with_title = |column: usize| (column, title(column).to_lowercase());
+    let mut kept: Vec<(usize, String)> = columns.into_iter().map(with_title).collect();
     let mut left_out = Vec::new();
-    let mut without = |columns: Vec<usize>, is_out: &dyn Fn(usize, &[usize]) -> bool, why| {
-        let (out, kept): (Vec<usize>, Vec<usize>) = columns
-            .iter()
-            .partition(|column| is_out(**column, &columns));
-        if kept.is_empty() {
-            return columns;
+    let mut without = |is_out: &dyn Fn(&str) -> bool, why| {
+        if !kept.iter().all(|(_, title)| is_out(title)) {
+            let out = kept.extract_if(.., |(_, title)| is_out(title));
+            left_out.extend(out.map(|(column, _)| LeftOut { column, why }));
         }
-        left_out.extend(out.into_iter().map(LeftOut::for_being(why)));
-        kept
+        kept.iter().map(|(_, title)| title.clone()).collect()
     };
-    let spread = |column, _: &[usize]| is_spread(&title(column));
-    let columns = without(columns, &spread, "is a spread and was left out");
-    let beside = |column, all: &[usize]| is_beside(&title, column, all);
+    let titles: Vec<String> = without(&is_spread, "is a spread and was left out");
     let why = "is no spectrum by its title and was left out";
-    (without(columns, &beside, why), left_out)
+    without(&is_beside(&titles), why);
+    (
+        kept.into_iter().map(|(column, _)| column).collect(),
+        left_out,
+    )
 }
 
-/// Whether a column holds what was noted beside each point, by a word of its title that is no
-/// other's: days may be what several spectra are called by.
-fn is_beside(title: &impl Fn(usize) -> String, column: usize, values: &[usize]) -> bool {
+/// Which titles, in small letters, are of what was noted beside each point, by a word that is no
+/// other column's: days may be what several spectra are called by.
+fn is_beside(titles: &[String]) -> impl Fn(&str) -> bool {
     const OF_POINTS: [&str; 3] = ["|flag|", "|id|", "|pixel|"];
-    let lower = |column: usize| title(column).to_lowercase();
-    let title = lower(column);
-    let has_figure = title.contains(|c: char| c.is_ascii_digit());
-    let mut words = BESIDE.iter().chain(&OF_POINTS);
-    let Some(word) = words.find(|word| holds(&title, word)) else {
-        return false;
-    };
-    let mut others = values.iter().filter(|other| **other != column);
-    !has_figure && kind_of_title(&title).is_none() && !others.any(|c| holds(&lower(*c), word))
+    let words = || BESIDE.iter().chain(&OF_POINTS).copied();
+    let of_one = |word: &&str| titles.iter().filter(|title| holds(title, word)).count() == 1;
+    let of_one: Vec<&str> = words().filter(of_one).collect();
+    move |title| {
+        let word = words().find(|word| holds(title, word));
+        word.is_some_and(|word| of_one.contains(&word))
+            && !title.contains(|c: char| c.is_ascii_digit())
+            && kind_of_title(title).is_none()
+    }
 }
 
 /// Whether a column holds a setting of each point, such as the range of an amplifier: whole numbers

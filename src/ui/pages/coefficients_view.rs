@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use eframe::egui;
-use egui::{Align, Layout, Slider, Ui, Vec2, vec2};
+use egui::{Slider, Ui, Vec2, vec2};
 
 use super::PageContext;
 use crate::{
@@ -20,7 +20,7 @@ use crate::{
     study::harmonics::Harmonics,
     ui::{
         chart_view::ChartResponse,
-        kit::{headline, pressed, rolled},
+        kit::{down, headline, pressed, rolled},
         swatch,
     },
 };
@@ -358,11 +358,8 @@ fn draw(
             ui.horizontal_top(|ui| {
                 for (chart, id) in line {
                     // A chart lays out downwards what stands over it.
-                    let down = Layout::top_down(Align::Min);
-                    let shown = ui.allocate_ui_with_layout(size, down, |ui| {
-                        one(ui, context, chart.as_ref(), id, size)
-                    });
-                    let Some(response) = shown.inner else {
+                    let shown = down(ui, size, |ui| one(ui, context, chart.as_ref(), id, size));
+                    let Some(response) = shown else {
                         continue;
                     };
                     let order = |at: [f64; 2]| (at[0].round().max(0.0) as usize).min(highest);

@@ -1,12 +1,12 @@
 //! The page "Glossary": the words of the window, to look through and to search.
 
 use eframe::egui;
-use egui::{Label, RichText, ScrollArea, Ui};
+use egui::{Label, RichText, Ui};
 
 use crate::{
     app::glossary::WORDS,
     ui::{
-        kit::{headline, text_field},
+        kit::{headline, rolled, text_field},
         theme::Theme,
     },
 };
@@ -28,7 +28,7 @@ impl GlossaryView {
         let wanted = self.search.trim().to_lowercase();
         let fits = |text: &str| text.to_lowercase().contains(&wanted);
         ui.add_space(6.0);
-        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        rolled(ui, |ui| {
             ui.set_max_width(ui.available_width().min(720.0));
             let mut found = false;
             for one in WORDS.iter().filter(|w| fits(w.word) || fits(w.means)) {

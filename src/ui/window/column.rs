@@ -6,7 +6,7 @@ use egui::{Margin, Panel, ScrollArea, Ui};
 use super::{
     super::{
         colour_view,
-        kit::pressed,
+        kit::{pressed, rolled},
         look_view, model_view, spikes_view,
         theme::{self, Theme},
         verdict_view::{self, Side},
@@ -107,7 +107,7 @@ impl Window {
                 }
             });
             ui.add_space(4.0);
-            ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            rolled(ui, |ui| {
                 if self.side == Side::Settings {
                     said = model_view::controls(ui, &self.app, &mut commands);
                     let words = &mut self.preferences.pages.words;

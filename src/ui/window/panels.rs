@@ -9,6 +9,7 @@ use super::{
         foot_view,
         greeting_view::{self, Beginning},
         keys::Act,
+        kit::rolled,
         look_view::{self, Scene},
         pages::{self, PageContext},
         palette_view::Chosen,
@@ -213,7 +214,7 @@ impl Window {
         }
         let mut centre = room;
         egui::CentralPanel::no_frame().show(ui, |ui| {
-            ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            rolled(ui, |ui| {
                 let size = vec2(ui.available_width(), least);
                 let whole = Rect::from_min_size(ui.cursor().min, size);
                 let mut child = ui.new_child(UiBuilder::new().max_rect(whole));

@@ -13,8 +13,7 @@ pub use winners::{Lamp, Winners, Won};
 
 use crate::{
     app::{
-        chart::Inks,
-        chart::{Chart, Dash, Rgb, Scale, Series, Shape, Theme, stroke},
+        chart::{Chart, Dash, Inks, Rgb, Scale, Series, Shape, Theme, stroke},
         figures::SMALLEST,
         race_report::{field_words, race_notes, row_numbers, wins},
         studies::RaceAsk,

@@ -127,7 +127,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let has_spectra = |table: &&CgatsTable| !table.number_columns.is_empty();
     let several_tables = tables.iter().filter(has_spectra).count() > 1;
     for (index, table) in tables.iter().enumerate() {
-        let groups = bands(&table.fields, table.number("SPECTRAL_BANDS"));
+        let groups = bands(&table.fields, stated);
         let several_groups = groups.len() > 1;
         if reading.spectra.len() + groups.len() * table.sets() > MOST_SPECTRA {
             let found = format!("more than {MOST_SPECTRA} spectra");

@@ -106,7 +106,7 @@ fn trust(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Result<Arc<Shown>, 
             1.8,
         ),
         Column::numbers(
-            "\u{394}E00",
+            "ΔE₀₀",
             "Round trip: how far its colour is from the one asked for (CIEDE2000).",
             0.75,
         ),
@@ -263,7 +263,7 @@ fn predicted(ui: &mut Ui, context: &PageContext<'_>, under: &Under, width: f32) 
         response.on_hover_text(format!("{name}: {}", hexes.join(", ")));
         ui.add(egui::Label::new(RichText::new(&under.light).small()).truncate());
         if let Some(differs) = under.differs {
-            ui.small(format!("\u{394}E00 {differs:.1}"));
+            ui.small(format!("ΔE₀₀ {differs:.1}"));
         }
     });
 }

@@ -11,7 +11,7 @@ use crate::{
         ticks::short,
     },
     color::{Srgb, Swatch},
-    io::many::{capitalised, numbers},
+    io::many::{capitalised, many, numbers},
     spectrum::Sampled,
     study::Measure,
     ui::{pages::PageContext, swatch, theme::Theme},
@@ -171,12 +171,11 @@ pub(super) fn model(
         });
     }
     let model = &derived.model;
-    let spikes = model.spikes.len();
     let words = format!(
-        "Model: {}, order {}, {spikes} spike{}; ΔE₀₀ {delta_e}{}",
+        "Model: {}, order {}, {}; ΔE₀₀ {delta_e}{}",
         numbers(derived.numbers()),
         model.smooth.order(),
-        if spikes == 1 { "" } else { "s" },
+        many(model.spikes.len(), "spike", "spikes"),
         match derived.figures[Measure::Rms] {
             Some(rms) => format!(", rms {} %", short(100.0 * rms)),
             None => String::new(),

@@ -210,7 +210,7 @@ pub(super) fn numbers(
         .range(BOUNDS)
         .speed(0.01)
         .max_decimals(2)
-        .prefix("ΔE ");
+        .prefix("ΔE₀₀ ");
     number(ui, bound, names::BOUND).on_hover_text(
         "What is enough: 95 % of the pixels are within. The compact file keeps its own colours \
          within it too.",

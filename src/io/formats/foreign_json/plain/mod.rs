@@ -35,6 +35,9 @@ pub(super) const DEPTH: usize = 8;
 const MOST_WORDS: usize = 100;
 const MOST_WORD_BYTES: usize = 4096;
 
+/// Most keys above lists that are no spectra that are told.
+const MOST_LEFT_OUT: usize = 100;
+
 /// Bytes of words that are read with the tables of one file altogether, besides twice its size;
 /// with further tables only the start of the nearest line is.
 const MOST_BYTES_READ: usize = 1 << 19;
@@ -143,13 +146,23 @@ impl Finder<'_, '_, '_> {
     fn add(&mut self, mut lists: Lists) -> Result<(), ReadError> {
         let title = |column: usize| spaced(lists.columns[column].title);
         let (_, left_out) = roles::by_titles(title, (0..lists.columns.len()).collect());
-        for other in left_out.iter().rev() {
-            let column = lists.columns.remove(other.column);
-            if self.left_out.len() < MOST_WORDS {
-                self.left_out
-                    .insert((kept(column.title).to_owned(), other.why));
+        let mut left_out: Vec<(usize, &str)> = left_out
+            .iter()
+            .map(|other| (other.column, other.why))
+            .collect();
+        // The first stands last, where it is taken from.
+        left_out.sort_unstable_by(|one, other| other.cmp(one));
+        let mut place = 0..;
+        lists.columns.retain(|column| {
+            let here = place.next();
+            let Some((_, why)) = left_out.pop_if(|(place, _)| Some(*place) == here) else {
+                return true;
+            };
+            if self.left_out.len() < MOST_LEFT_OUT {
+                self.left_out.insert((kept(column.title).to_owned(), why));
             }
-        }
+            false
+        });
         self.bytes_read += self.bytes;
         let most_read = MOST_BYTES_READ + 2 * self.input.bytes.len();
         let lines: Vec<(usize, &str)> = if self.bytes_read <= most_read {
