@@ -152,7 +152,9 @@ mod tests {
         let mut bytes = b"##TITLE= a\n##JCAMP-DX= 4.24\n".to_vec();
         bytes.resize(text::MOST_BYTES_OF_A_FORMAT + 1, b' ');
         assert_eq!(
-            crate::io::tests::refusal("a.dx", bytes),
+            crate::io::read_bytes("a.dx", &bytes)
+                .unwrap_err()
+                .to_string(),
             "a.dx: found more than 64 MiB, expected at most 64 MiB in an instrument's own format"
         );
     }

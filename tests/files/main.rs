@@ -3,6 +3,11 @@
 #[path = "../common/root.rs"]
 mod root;
 
+mod formats;
 mod readers;
+mod refusals;
 mod strangers;
+mod tables;
+mod told;
 mod writers;
+mod writing;

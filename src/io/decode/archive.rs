@@ -121,18 +121,3 @@ impl<'a, 'b> Archive<'a, 'b> {
 fn broken(input: &Input, why: &str) -> ReadError {
     input.error(format!("a broken zip archive ({why})"), "a whole one")
 }
-
-/// An archive for tests.
-#[cfg(test)]
-pub(crate) fn zipped(members: &[(&str, &[u8])]) -> Vec<u8> {
-    use std::io::Write;
-    use zip::write::{SimpleFileOptions, ZipWriter};
-    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
-    for (name, content) in members {
-        let options =
-            SimpleFileOptions::default().compression_method(zip::CompressionMethod::Deflated);
-        zip.start_file(*name, options).expect("a member");
-        zip.write_all(content).expect("its content");
-    }
-    zip.finish().expect("an archive").into_inner()
-}

@@ -72,35 +72,3 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     }
     Ok(reading)
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::io::tests::refusal;
-
-    const HEAD: &str = r#"{"format":"spectral-explorer-spectrum","version":1,"kind":"light","#;
-
-    #[test]
-    fn faults_are_named_with_their_line() {
-        for (body, words) in [
-            (
-                "\n\"wavelengths_nm\":[400,\"x\"],\"values\":[1,2]}",
-                "line 2: found JSON with invalid type: string \"x\", expected f64",
-            ),
-            (
-                "\"wavelengths_nm\":[400,500],\"values\":[1]}",
-                "found 2 wavelengths and 1 values, expected one value for each wavelength",
-            ),
-            (
-                "\"wavelengths_nm\":[400],\"values\":[1]}",
-                "found 1 point with a wavelength and a value, expected at least 2",
-            ),
-            (
-                "\"wavelengths_nm\":[400,500],\"values\":[1,1e999]}",
-                "number out of range",
-            ),
-        ] {
-            let why = refusal("a.json", HEAD.to_owned() + body);
-            assert!(why.contains(words), "{why}");
-        }
-    }
-}

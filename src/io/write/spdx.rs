@@ -102,20 +102,3 @@ fn escaped(text: &str) -> String {
     }
     out
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::io::tests::first;
-    use crate::io::write::tests::awkward_spectrum;
-
-    #[test]
-    fn markup_in_names_is_escaped_and_what_xml_forbids_left_out() {
-        let mut spectrum = awkward_spectrum(Kind::Light);
-        spectrum.name = "a<b>&\u{1}\"c".to_owned();
-        let text = write(&spectrum, &Provenance::default());
-        let back = first("a.spdx", text);
-        assert_eq!(back.name, "a<b>& \"c");
-        assert_eq!(back.unit, "W m-2 nm-1");
-    }
-}

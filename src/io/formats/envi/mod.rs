@@ -180,6 +180,3 @@ pub fn number_of(data_type: usize) -> Option<Number> {
         _ => return None,
     })
 }
-
-#[cfg(test)]
-mod tests;

@@ -82,26 +82,3 @@ fn range(input: &Input, axis: &Value, values: usize) -> Result<Vec<f64>, ReadErr
     let at = |i: usize| start + i as f64 * interval;
     Ok((0..=steps as usize).map(at).collect())
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::io::tests::read;
-    use crate::spectrum::Kind;
-
-    #[test]
-    fn colorimetry_io_gives_a_range_or_a_list_of_wavelengths() {
-        let text = r#"{"schema_version":"1.0.0","spectra":[
-            {"id":"a","metadata":{"title":"Tile","measurement_type":"reflectance"},
-             "wavelength_axis":{"range_nm":{"start":400,"end":420,"interval":10}},
-             "spectral_data":{"scale":"percent","values":[10,20,30]}},
-            {"id":"b","metadata":{"measurement_type":"irradiance"},
-             "wavelength_axis":{"values_nm":[400,405.5]},"spectral_data":{"values":[1,2]}}]}"#;
-        let [tile, other] = &read("a.json", text).spectra[..] else {
-            panic!("two spectra");
-        };
-        assert_eq!((&*tile.name, tile.kind), ("Tile", Kind::Reflectance));
-        assert_eq!((tile.scale, tile.samples.last_nm()), (0.01, 420.0));
-        assert_eq!((&*other.name, other.kind), ("b", Kind::Light));
-        assert_eq!(other.samples.values(), [1.0, 2.0]);
-    }
-}

@@ -114,21 +114,3 @@ pub(super) fn read_tobes(
     };
     add(input, found, &nm, values, reading)
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::io::tests::read;
-    use crate::spectrum::Kind;
-
-    #[test]
-    fn rawtoaces_and_tobes_use_wavelengths_as_keys_in_any_order() {
-        let text = r#"{"header":{"description":"Tungsten"},"spectral_data":{"units":"relative",
-            "index":{"main":["power"]},"data":{"main":{"1000":[3.0],"380":[1.0],"400":[2.0]}}}}"#;
-        let lamp = &read("a.json", text).spectra[0];
-        assert_eq!(lamp.samples.values(), [1.0, 2.0, 3.0]);
-        assert_eq!((&*lamp.name, lamp.kind), ("Tungsten", Kind::Light));
-        let text = r#"{"status":"normal","spd":{"340":0.0,"1000":0.5}}"#;
-        let samples = &read("b.json", text).spectra[0].samples;
-        assert_eq!(samples.nm(), [340.0, 1000.0]);
-    }
-}

@@ -208,6 +208,3 @@ fn y_units<'b>(block: &'b Block) -> &'b str {
         other => other,
     }
 }
-
-#[cfg(test)]
-mod tests;

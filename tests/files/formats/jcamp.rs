@@ -1,8 +1,10 @@
-//! Stories about files of our own.
+//! JCAMP-DX, by files of our own.
 
-use super::*;
-use crate::io::Guessed;
-use crate::io::tests::{self as told, has};
+use crate::told::{self, has};
+use spectral_explorer::{
+    io::{Guessed, Reading},
+    spectrum::Kind,
+};
 
 fn file(head: &str, data: &str) -> String {
     format!(

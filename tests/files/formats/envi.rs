@@ -1,12 +1,11 @@
-//! Stories about pairs of files of our own.
+//! ENVI: a header and its data beside it, by pairs of files of our own.
 
 use std::fs;
 use std::path::PathBuf;
 
-use super::*;
-use crate::io::tests::{self as told, has};
-use crate::io::{Choices, Counted, Guessed, read_path, read_path_as};
-use crate::spectrum::Kind;
+use crate::told::{self, has};
+use spectral_explorer::io::{Choices, Counted, Guessed, Reading, envi, read_path, read_path_as};
+use spectral_explorer::spectrum::Kind;
 
 /// A folder with the files given.
 fn folder(files: &[(&str, &[u8])]) -> tempfile::TempDir {
@@ -103,10 +102,10 @@ fn a_cube_is_an_image_whose_pixels_and_regions_are_spectra() {
 fn needs_are_told_from_the_header_alone() {
     let folder = folder(&[("c.hdr", cube_header("bsq").as_bytes()), ("c", b"")]);
     for name in ["c", "c.hdr"] {
-        let needs = needs(&folder.path().join(name)).expect("a header");
+        let needs = envi::needs(&folder.path().join(name)).expect("a header");
         assert_eq!((needs.width, needs.bands, needs.bytes), (20, 3, 2400));
     }
-    assert!(super::needs(&folder.path().join("none")).is_err());
+    assert!(envi::needs(&folder.path().join("none")).is_err());
 }
 
 #[test]
@@ -202,7 +201,11 @@ fn names_in_quotes_keep_their_commas() {
     let reading = small_library(words, &[0.1, 0.2, 0.3, 0.2, 0.3, 0.4]);
     let names: Vec<&str> = reading.spectra.iter().map(|s| s.name.as_str()).collect();
     assert_eq!(names, ["brick, red", "tile"]);
-    assert_eq!(header::split("'t Hooft, b,"), ["'t Hooft", "b", ""]);
+    let reading = small_library(
+        "spectra names = {'t Hooft, b,}",
+        &[0.1, 0.2, 0.3, 0.2, 0.3, 0.4],
+    );
+    assert_eq!(told::names(&reading), ["'t Hooft", "b"]);
 }
 
 #[test]

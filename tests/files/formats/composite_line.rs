@@ -1,0 +1,152 @@
+//! The composite model as one line of text, to paste into a message; bit-exact there and back.
+
+use crate::told::{read, refusal};
+use proptest::prelude::*;
+use spectral_explorer::{
+    io::{
+        CompositeFile, composite_json, composite_line as write, composite_lines as write_lines,
+        parse_composite_line as parse,
+    },
+    spectrum::{Band, Basis, Composite, Kind, Series, Spike},
+};
+
+#[test]
+fn the_line_of_the_description_is_read_and_written() {
+    let line = "cs1;fourier;380:780;2 0.5 -0.25;404.87*2.39 435.84*5.94";
+    let composite = parse(line).unwrap();
+    assert_eq!(composite.smooth.order(), 1);
+    assert_eq!(composite.spikes[1].at_nm, 435.84);
+    assert_eq!(write(&composite), line);
+    let broken = parse("  cs1; cosine;380:780;\n1 2\n3;\n").unwrap();
+    assert_eq!(broken.numbers(), 3);
+}
+
+#[test]
+fn each_fault_is_named() {
+    for (line, words) in [
+        (
+            "cs3;x",
+            "found \"cs3\", expected a line that begins with \"cs1;\"",
+        ),
+        ("cs1;fourier", "found 2 fields"),
+        (
+            "cs1;sine;380:780;1;",
+            "found basis \"sine\", expected fourier or cosine",
+        ),
+        ("cs1;cosine;380-780;1;", "expected MIN:MAX in nm"),
+        ("cs1;cosine;380:381;1;", "at least 20 nm"),
+        (
+            "cs1;cosine;380:780;1 x;",
+            "found \"x\", expected a number as coefficient",
+        ),
+        ("cs1;cosine;380:780;;", "found 0 coefficients"),
+        (
+            "cs1;cosine;380:780;1;404",
+            "found spike \"404\", expected nm*weight",
+        ),
+        ("cs1;cosine;380:780;1;404*inf", "expected a spike's weight"),
+    ] {
+        let error = parse(line).unwrap_err().to_string();
+        assert!(error.contains(words), "{line}: {error}");
+    }
+}
+
+#[test]
+fn widths_come_back_in_line_and_json_and_sort_with_their_lines() {
+    let line = "cs2;cosine;380:780;1 2 3;404.87*2.39*3.1 435.84*5.94";
+    let of_line = |line: &str| {
+        let file = read("x.txt", line).composites.remove(0);
+        (file.composite, file.widths_nm)
+    };
+    let (composite, widths_nm) = of_line(line);
+    assert_eq!(widths_nm, [3.1, 0.0]);
+    assert_eq!(write_lines(&composite, &widths_nm), line);
+    let turned = "cs2;cosine;380:780;1 2 3;435.84*5.94 404.87*2.39*3.1";
+    assert_eq!(of_line(turned).1, widths_nm);
+    let file = CompositeFile {
+        composite,
+        widths_nm,
+        unit: String::new(),
+        source: String::new(),
+        name: "wide".to_owned(),
+        kind: Kind::Light,
+    };
+    let text = composite_json(&file).unwrap();
+    assert!(text.contains("\"version\": 2"), "{text}");
+    let composites = |text: &str| read("x.json", text).composites;
+    assert_eq!(composites(&text), std::slice::from_ref(&file));
+    // The first version knows no widths.
+    let first = text.replace("\"version\": 2", "\"version\": 1");
+    let plain = &composites(&first)[0];
+    assert!(plain.widths_nm.is_empty());
+    refusal("x.json", text.replace("3.1", "-3.1"));
+    let text = composite_json(plain).unwrap();
+    assert!(text.contains("\"version\": 1"), "{text}");
+    assert!(parse("cs1;cosine;380:780;1;404*1*2").is_err());
+}
+
+fn bits() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        9 => any::<u64>().prop_map(f64::from_bits).prop_map(small),
+        1 => Just(-0.0),
+        1 => (0u64..1 << 52).prop_map(f64::from_bits),
+    ]
+}
+
+/// The same digits of a size that is believed.
+fn small(value: f64) -> f64 {
+    match value.abs() {
+        size if size < 1e30 => value,
+        size if size < 1e300 => value * 1e-280,
+        _ => 1.0,
+    }
+}
+
+fn composite() -> impl Strategy<Value = Composite> {
+    let spike = (bits(), bits()).prop_map(|(at, weight)| Spike {
+        at_nm: at.abs().max(f64::MIN_POSITIVE),
+        weight,
+    });
+    (
+        0..20usize,
+        prop::sample::select(vec![Basis::Fourier, Basis::Cosine]),
+        prop::collection::vec(bits(), 41),
+        prop::collection::vec(spike, 0..6),
+    )
+        .prop_map(|(order, basis, mut coefficients, mut spikes)| {
+            coefficients.truncate(2 * order + 1);
+            spikes.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
+            let smooth = Series {
+                band: Band::VISIBLE,
+                basis,
+                coefficients,
+            };
+            Composite { smooth, spikes }
+        })
+}
+
+fn all_bits(composite: &Composite) -> Vec<u64> {
+    let spikes = composite.spikes.iter().flat_map(|s| [s.at_nm, s.weight]);
+    let coefficients = composite.smooth.coefficients.iter().copied();
+    coefficients.chain(spikes).map(f64::to_bits).collect()
+}
+
+proptest! {
+    #[test]
+    fn any_composite_comes_back_to_the_bit(composite in composite()) {
+        let line = parse(&write(&composite)).unwrap();
+        prop_assert_eq!(all_bits(&line), all_bits(&composite));
+        let file = CompositeFile {
+            composite: composite.clone(),
+            widths_nm: Vec::new(),
+            unit: "W m-2 nm-1".to_owned(),
+            source: "a \"test\"".to_owned(),
+            name: "a leaf".to_owned(),
+            kind: Kind::Reflectance,
+        };
+        let text = composite_json(&file).unwrap();
+        let back = read("x.json", text).composites.remove(0);
+        prop_assert_eq!(all_bits(&back.composite), all_bits(&composite));
+        prop_assert_eq!(back, file);
+    }
+}

@@ -1,0 +1,30 @@
+//! What files of each format are read as. One file a format.
+
+mod cgats;
+mod columns;
+mod composite_line;
+mod cxf;
+mod envi;
+mod gdtf;
+mod jcamp;
+mod json_lists;
+mod json_programs;
+mod licor_1800;
+mod licor_li180;
+mod macam;
+mod perkin_elmer;
+mod procspec;
+mod raman;
+mod refractive_yaml;
+mod sekonic;
+mod spd;
+mod spdx;
+mod spectral_exr;
+mod spotread;
+mod svc;
+mod tuv;
+mod unreadable;
+mod uprtek;
+mod usgs;
+mod wasatch;
+mod xlsx;
