@@ -82,4 +82,18 @@ mod tests {
         assert!(dark.starts_with("\"a, \"\"b\"\"\",,,"), "{dark}");
         assert!(dark.contains("every value is zero"));
     }
+
+    #[test]
+    fn the_columns_are_those_that_tables_made_with_it_are_read_by() {
+        let of_light = "x,y,u_prime,v_prime,cct,duv,dominant_nm,purity,ra,r1,r2,r3,r4,r5,r6,r7,r8,r9,\
+                        r10,r11,r12,r13,r14,r15,rf,rg,ssi,ler,sp_ratio,s_cone,m_cone,l_cone,rhodopic,\
+                        melanopic_der,ppfd_per_100lx,eppfd_per_100lx,lux,melanopic_edi,ppfd,peak_nm,\
+                        centroid_nm,fwhm_nm";
+        let of_model: Vec<String> = of_light
+            .split(',')
+            .map(|key| format!("model_{key}"))
+            .collect();
+        let expected = format!("name,{of_light},{},notes\n", of_model.join(","));
+        assert_eq!(csv_head(), expected);
+    }
 }
