@@ -156,6 +156,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         ));
     };
     let mut reading = (format.read)(input)?;
+    interpret::agree::agree(&mut reading);
     interpret::describe::finish(&input.choices, &mut reading);
     reading.file.clone_from(&input.name);
     reading.format = format.name;

@@ -31,7 +31,13 @@ use spectral_explorer::{
         cube::{Interleave, Layout, Number},
     },
     study::Progress,
-    ui::{Window, pages::image_view::names, saver::Saver, theme::waker},
+    ui::{
+        Window,
+        files::{Ask, Picked},
+        pages::image_view::names,
+        saver::Saver,
+        theme::waker,
+    },
 };
 
 const NM: [f64; 7] = [400.0, 450.0, 500.0, 550.0, 600.0, 650.0, 700.0];
@@ -368,6 +374,22 @@ fn without_an_image_the_page_says_what_opens_one() {
     ] {
         assert!(words.contains(word), "{word}: {words}");
     }
+}
+
+#[test]
+fn the_empty_page_opens_an_image_by_its_button() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = scene(folder.path());
+    let picker = Arc::new(move |ask: &Ask| {
+        assert_eq!(*ask, Ask::Open);
+        Picked::Paths(vec![path.clone()])
+    });
+    let window = Window::new(plain(), Preferences::default(), picker, None);
+    let mut ui = over(window, [1280.0, 800.0]);
+    click(&mut ui, "Picture");
+    click(&mut ui, names::OPEN);
+    settle(&mut ui);
+    assert_eq!(app(&ui).document().images.len(), 1);
 }
 
 #[test]

@@ -8,8 +8,8 @@ use egui::Role;
 use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{
-        App, Command,
-        chart::{Chart, Theme},
+        App, Command, Entry,
+        chart::{Chart, Series, Theme},
         charts::products::{
             bounces::Bounced,
             narrow::{Behind, Filter, WAYS, of},
@@ -21,7 +21,7 @@ use spectral_explorer::{
         studies::TimingAsk,
         workspace::Preferences,
     },
-    spectrum::{Band, Basis, Sampling},
+    spectrum::{Band, Basis, Kind, NamedSpectrum, Sampled, Sampling},
     ui::{
         Window,
         pages::products_view::{bounces, narrow, resampling},
@@ -114,6 +114,38 @@ fn charts_and_tables_hold_no_number_that_is_none() {
                 assert!(!table.clone().any(|l| l.contains(word)), "{what}: {csv}");
             }
         }
+    }
+}
+
+#[test]
+fn a_dip_of_the_surface_gives_no_line_of_the_light_another_width() {
+    let band = Band::VISIBLE;
+    let nm: Vec<f64> = band.grid().collect();
+    let dip = |nm: &f64| 0.8 - 0.6 * (-0.5 * ((nm - 420.0) / 3.0).powi(2)).exp();
+    let leaf = NamedSpectrum {
+        name: "a dip".to_owned(),
+        kind: Kind::Reflectance,
+        samples: Sampled::new(nm.clone(), nm.iter().map(dip).collect()).unwrap(),
+        ..surface(&about("FL11")).spectrum.clone()
+    };
+    let app = with(about("FL11"), |s| s.dips = true);
+    let bench = Bench::of(&app, &Entry::own(1, leaf));
+    let spikes = &bench.resampled.ways[0].step.spikes;
+    let chart = bench.chart(&app, &[], Theme::Dark);
+    let named = |series: &&Series| series.name == "spikes × factor";
+    let stems = chart.series.iter().find(named).expect("stems");
+    assert!(
+        spikes.len() > app.derived().model.spikes.len(),
+        "a dip is one more"
+    );
+    for (spike, tip) in spikes.iter().zip(stems.marks.points()) {
+        let width_nm = app.derived().stem_width_at(spike.at_nm);
+        let base = band.interpolate(&bench.resampled.series_product, spike.at_nm);
+        let height = spike.stem_height(width_nm);
+        assert!(
+            (tip[1] - base - height).abs() < 1e-9 * height.abs(),
+            "{spike:?}"
+        );
     }
 }
 

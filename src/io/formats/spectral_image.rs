@@ -1,12 +1,13 @@
 //! What a reader of images hands out: the picture, and its pixels where they are a list of
-//! patches rather than a picture.
+//! patches rather than a picture. Kind and scale are one decision for all pixels, made of the same
+//! parts as a spectrum's.
 
 use crate::spectrum::cube::Cube;
 use crate::spectrum::{Kind, SpectralImage};
 
 use crate::io::choices::{Counted, OfOne};
-use crate::io::interpret::decide_kind;
 use crate::io::interpret::factor_scale::{by_size, decide_scale, or_large};
+use crate::io::interpret::kind_as_chosen;
 use crate::io::interpret::raw::Known;
 use crate::io::reading::decision::{AxisDecision, Decision, Decisions};
 use crate::io::reading::facts::Facts;
@@ -62,7 +63,7 @@ impl Meant {
         } = known;
         let own = own.unwrap_or_else(|| Decision::of_format(Kind::Light));
         let was = own.value;
-        let (kind, against_choice) = decide_kind(own, chosen.kind);
+        let (kind, against_choice) = kind_as_chosen(own, chosen.kind);
         let (counted, scale) = decide_scale((kind.value, was), &scale, chosen.counted, || {
             let values = sample();
             or_large(by_size(&values), may_be_large, &values)

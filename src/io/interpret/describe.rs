@@ -1,7 +1,6 @@
 //! Everything that was found and decided in words: the line of provenance, the notes, and what a
 //! person may be asked. Nothing is decided here, and no sentence is changed afterwards.
 
-use super::agree::agree;
 use crate::io::choices::Counted;
 use crate::io::reading::decision::AxisDecision;
 use crate::io::reading::facts::Facts;
@@ -14,7 +13,7 @@ use crate::spectrum::NamedSpectrum;
 /// tell enough.
 pub const MOST_UNDERSTOOD: usize = 64;
 
-/// Ends a reading: spectra that must agree do, and all is put in words.
+/// Ends a reading: all is put in words.
 pub(crate) fn finish(choices: &Choices, reading: &mut Reading) {
     if let Some(kind) = choices.kind {
         let models = reading.composites.iter_mut();
@@ -23,7 +22,6 @@ pub(crate) fn finish(choices: &Choices, reading: &mut Reading) {
             reading.guesses.retain(|guess| guess.what != Guessed::Kind);
         }
     }
-    agree(reading);
     let mut guesses = Vec::new();
     for (index, facts) in std::mem::take(&mut reading.facts).into_iter().enumerate() {
         let Some(spectrum) = reading.spectra.get_mut(index) else {

@@ -1,8 +1,8 @@
-//! From what a reader found to a spectrum: axis ([`axis`]), kind ([`kinds`]) and scale
-//! ([`factor_scale`]) are decided in this folder and nowhere else,
-//! a person's decisions first. What is decided is kept as [`Decisions`] until the whole file was
-//! read; then spectra that must agree are brought together ([`agree`]) and everything is put in
-//! words ([`describe`]).
+//! From what a reader found to a spectrum: axis ([`axis`]), kind ([`kinds`]) and scale, per cent or
+//! fraction ([`factor_scale`]), a person's decisions first, then what a format states, which its
+//! reader hands over as known. What is decided is kept as [`Decisions`] until the whole file was
+//! read; then spectra of a kind are counted alike ([`agree`]) and everything is put in words
+//! ([`describe`]).
 
 pub(super) mod agree;
 pub(super) mod axis;
@@ -117,7 +117,7 @@ pub(super) fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Res
         None => kinds::kind(&title, &heading.kind, &input.name, samples.values()),
     };
     let own_kind = own.value;
-    let (kind, against_choice) = decide_kind(own, input.choices.kind_of(index));
+    let (kind, against_choice) = kind_as_chosen(own, input.choices.kind_of(index));
     remarks.push(against_choice.unwrap_or(Remark::Kind));
     let counted = input.choices.counted_of(index);
     let (counted, scale) = decide_scale((kind.value, own_kind), &known.scale, counted, || {
@@ -210,7 +210,7 @@ fn decide_axis(
 
 /// What values stand for: as a person says, else as the file does. With what goes against the
 /// person, where that is plain.
-pub(super) fn decide_kind(
+pub(super) fn kind_as_chosen(
     own: Decision<Kind>,
     chosen: Option<Kind>,
 ) -> (Decision<Kind>, Option<Remark>) {

@@ -119,9 +119,10 @@ impl Pages {
         self.image.wants_reading.take()
     }
 
-    /// Whether a picture of colours is to be opened, once.
-    pub fn wants_photo(&mut self) -> bool {
-        std::mem::take(&mut self.design.wants_photo)
+    /// Whether a picture is to be opened, once.
+    pub fn wants_picture(&mut self) -> bool {
+        let (photo, image) = (&mut self.design.wants_photo, &mut self.image.wants_image);
+        std::mem::take(photo) | std::mem::take(image)
     }
 
     /// The picture of colours whose pixels are to be taken.

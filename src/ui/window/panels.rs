@@ -348,7 +348,7 @@ impl Window {
         for gem in gems {
             self.save(Saving::Gem(Box::new(gem)), &context);
         }
-        if self.pages.wants_photo() {
+        if self.pages.wants_picture() {
             self.ask(Ask::Open, None, &context);
         }
         if let Some(wish) = self.pages.wants_save() {

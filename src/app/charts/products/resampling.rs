@@ -10,7 +10,7 @@ use crate::{
         products::ModelledLight,
         ticks::extent,
     },
-    spectrum::{Band, Sampling},
+    spectrum::{Band, Sampling, Spike},
     study::products::{Formed, ProductTime, Resampled, Sizes, SpikeCosts, resampled, spike_costs},
 };
 
@@ -74,7 +74,7 @@ pub struct Bench {
     pub spikes: SpikeCosts,
     /// What the time of a product depends on.
     pub sizes: Sizes,
-    /// The width that each of the light's spikes is drawn with, nm.
+    /// The width that each spike behind the factor is drawn with, nm.
     widths_nm: Vec<f64>,
 }
 
@@ -86,11 +86,16 @@ impl Bench {
         let own = lit.factor(factor.on_band(band));
         let table = &lit.tables.basis;
         let smooth = &product.model.smooth;
+        let resampled = resampled(product, &own, table);
+        // What a factor adds may stand before the light's own lines.
+        let spikes = resampled.ways.first().map(|way| &way.step.spikes[..]);
+        let width_nm = |spike: &Spike| lit.derived.stem_width_at(spike.at_nm);
+        let widths_nm = spikes.unwrap_or_default().iter().map(width_nm).collect();
         Self {
             light: app.document().light.name().to_owned(),
             factor: factor.name().to_owned(),
             band,
-            resampled: resampled(product, &own, table),
+            resampled,
             spikes: spike_costs(product, &own, table),
             sizes: Sizes {
                 band,
@@ -98,9 +103,7 @@ impl Bench {
                 numbers: smooth.coefficients.len(),
                 spikes: product.model.spikes.len(),
             },
-            widths_nm: (0..product.model.spikes.len())
-                .map(|i| lit.derived.parts.stem_width_nm(i))
-                .collect(),
+            widths_nm,
         }
     }
 
@@ -166,8 +169,6 @@ impl Bench {
         if spikes.is_empty() {
             return None;
         }
-        // Only so many have a width.
-        let spikes = &spikes[..spikes.len().min(self.widths_nm.len())];
         let smooth = (self.band, &self.resampled.series_product[..], 1.0);
         let looks = ("spikes × factor", inks.overlays[1]);
         Some(spike_stems(looks, spikes, smooth, |i| self.widths_nm[i]))

@@ -225,7 +225,7 @@ fn kind_of_values(
     Decision::guessed(found.value, false, "nothing states it")
 }
 
-/// The factor in a title such as `reflectance [*10000]` or `reflectance (%)`.
+/// What values are divided by, in a title such as `reflectance [*10000]` or `reflectance (%)`.
 fn stated_factor(title: &str) -> Option<f64> {
     if title.contains('%') {
         return Some(100.0);

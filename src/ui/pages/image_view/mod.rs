@@ -37,6 +37,7 @@ use canvas::{Canvas, Picture, Touched};
 
 /// What people and tests call the controls.
 pub mod names {
+    pub const OPEN: &str = "Open an image…";
     pub const IMAGE: &str = "Image";
     pub const REMOVE: &str = "Remove image";
     pub const READING: &str = "How it was read…";
@@ -80,6 +81,8 @@ pub struct ImageView {
     pointed: Option<[usize; 2]>,
     /// The spectrum that was taken last: its image's key, its pixels, its name.
     taken: Option<(String, Rect, String)>,
+    /// Whether a file is to be opened.
+    pub(super) wants_image: bool,
     /// The key of an image whose reading is to be looked at.
     pub wants_reading: Option<String>,
 }
@@ -100,7 +103,8 @@ impl ImageView {
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let Some(entry) = shown(context.app.document(), &context.memory.image).cloned() else {
-            return nothing_open(ui, context.theme);
+            self.wants_image |= nothing_open(ui, context.theme);
+            return;
         };
         let pixels = context.memory.image.rect(&entry.image.cube);
         let words = headlines::image(&entry, pixels.width * pixels.height);
@@ -393,17 +397,25 @@ fn how_drawn(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Shown, drawn: O
         );
 }
 
-fn nothing_open(ui: &mut Ui, theme: Theme) {
+/// Says what opens here; whether a file is to be chosen.
+fn nothing_open(ui: &mut Ui, theme: Theme) -> bool {
     headline(ui, theme, "No spectral image is open: drop one here.");
     ui.add_space(24.0);
-    ui.vertical_centered(|ui| {
+    let shown = ui.vertical_centered(|ui| {
         ui.set_max_width(460.0);
         ui.label(
             "Drop a file here, or open one: an ENVI cube (its header .hdr or its data beside it: \
              .img, .bsq, .bil, .bip, .raw) or a spectral OpenEXR (.exr). It opens as a picture; a \
              pixel or the mean of a region becomes a spectrum with its model.",
         );
+        ui.add_space(12.0);
+        kit::pressed(
+            ui,
+            names::OPEN,
+            "Chooses a file of yours; spectra open too.",
+        )
     });
+    shown.inner
 }
 
 /// Height of a row of text with its space, points.
