@@ -606,6 +606,77 @@ fn no_file_is_longer_than_450_lines_without_its_tests() {
     }
 }
 
+/// Most lines of the readers and writers, tests among them.
+const MOST_LINES_OF_IO: usize = 20_500;
+
+/// What the readers had under many names before there was one raw spectrum.
+const ONE_RAW_TYPE: [&str; 9] = [
+    "Draft",
+    "Measured",
+    "Found",
+    "Meaning",
+    "Values",
+    "Channels",
+    "Told",
+    "Understood",
+    "Guess",
+];
+
+/// The lines of what stands in some rooms, each with its file's name.
+fn lines_of(rooms: &[&str]) -> Vec<(String, String)> {
+    let src = root().join("src");
+    let files = rooms.iter().flat_map(|room| files_below(&src.join(room)));
+    let mut lines = Vec::new();
+    for path in files {
+        let place = path.strip_prefix(&src).expect("found below src");
+        let name = place.to_string_lossy().replace('\\', "/");
+        let text = fs::read_to_string(&path).expect("a source file is UTF-8");
+        lines.extend(text.lines().map(|line| (name.clone(), line.to_owned())));
+    }
+    lines
+}
+
+#[test]
+fn readers_stay_small_have_one_raw_type_and_three_open_doors() {
+    let lines = lines_of(&["io"]);
+    assert!(
+        lines.len() <= MOST_LINES_OF_IO,
+        "src/io: {} lines",
+        lines.len()
+    );
+    let is_raw = |line: &str| {
+        let name = line.split_once("struct ").map_or("", |(_, name)| name);
+        let end = name.find(|c: char| !c.is_alphanumeric());
+        ONE_RAW_TYPE.contains(&&name[..end.unwrap_or(name.len())])
+    };
+    let raw: Vec<_> = lines.iter().filter(|(_, line)| is_raw(line)).collect();
+    assert!(raw.is_empty(), "{raw:?}");
+    let open =
+        |(name, line): &&(String, String)| name == "io/mod.rs" && line.starts_with("pub mod");
+    assert_eq!(lines.iter().filter(open).count(), 3);
+}
+
+#[test]
+fn choices_are_kept_in_one_file_and_no_note_is_rewritten() {
+    let lines = lines_of(&["io", "app"]);
+    let by_hand: BTreeSet<&String> = lines
+        .iter()
+        .filter_map(|(name, line)| line.contains("BY_HAND").then_some(name))
+        .collect();
+    assert_eq!(by_hand.len(), 1, "{by_hand:?}");
+    let rewrites = |line: &str| {
+        let replaced = line
+            .split_once("replacen(")
+            .map_or("", |(_, behind)| behind);
+        let said = ["said", "fraction", "kind"];
+        // Empty notes may go: that reads none.
+        said.iter().any(|word| replaced.contains(word))
+            || line.contains("notes.retain") && !line.contains("!note.is_empty()")
+    };
+    let rewritten: Vec<_> = lines.iter().filter(|(_, line)| rewrites(line)).collect();
+    assert!(rewritten.is_empty(), "{rewritten:?}");
+}
+
 #[test]
 fn every_room_of_the_house_is_on_the_plan() {
     let found: BTreeSet<String> = sources()
