@@ -238,9 +238,9 @@ pub(crate) fn all() -> Vec<Seeds> {
         280.00     281.00     1E-17  2E-17     3E-17\n 281.00     282.00     1  2     3\n\n rest 1 2\n";
     let macam = "@1/5/1997\n@17:44\n#Lamp 3\n 2.5E+02\n 0.0\n 2.51E+02\n 0.5\n 2.52E+02\n 1.0\n \
         2.53E+02\n 0.5\n 2.54E+02\n 0.25\n";
-    let wasatch = "{\"metadata\":{\"ENLIGHTEN Version\":\"2\",\"Label\":\"lamp\",\"Technique\":\"Scope\"},\
+    let wasatch = "{\"metadata\":{\"ENLIGHTEN Version\":\"2\",\"Label\":\"lamp\",\"Technique\":\"Scope\",\"ROI Pixel Start\":1},\
         \"spectrometerSettings\":{\"eeprom\":{\"wavelength_coeffs\":[400,2,0.5]},\
-        \"wavelengths\":[400.5,401.0,401.5]},\
+        \"wavelengths\":[400.5,401.0,401.5,402.0]},\
         \"spectrum\":{\"Dark\":[1,1,1],\"Processed\":[2.5,null,-1],\"Raw\":[9,9,9]}}";
     let spotread = "Spectrum from 380.000000 to 400.000000 nm in 3 steps\n 0.5, 1.5,\n 2.5\n \
         Result is XYZ: 1.0 2.0 3.0, D50 Lab: 1 2 3\n Ambient = 44632.4 Lux, CCT = 5528K (Duv 0.0031)\n \
@@ -642,6 +642,8 @@ pub(crate) fn all() -> Vec<Seeds> {
             &[
                 "ENLIGHTEN Version",
                 "wavelength_coeffs",
+                "ROI Pixel Start",
+                "18446744073709551615",
                 "Processed",
                 "Reference",
                 "null",

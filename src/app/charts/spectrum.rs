@@ -280,7 +280,9 @@ fn overlay(app: &App, entry: &Entry, index: usize, inks: Inks) -> Series {
 fn stems(app: &App, looks: (&str, Rgb), spikes: &[Spike], smooth: &[f64]) -> Series {
     let derived = app.derived();
     let smooth = (derived.band, smooth, app.scale_factor());
-    spike_stems(looks, spikes, smooth, |i| derived.parts.stem_width_nm(i))
+    spike_stems(looks, spikes, smooth, |i| {
+        derived.stem_width_at(spikes[i].at_nm)
+    })
 }
 
 /// Spikes as stems on a smooth curve, each as high as a line of the width that it is drawn with;

@@ -31,7 +31,7 @@ pub enum Making {
         channels: Vec<String>,
         /// The light whose colour it has.
         like: String,
-        /// What is to be large among the mixtures of that colour: ler, rf, ra, melanopic.
+        /// What is to be large among the mixtures of that colour: ler, rf, ra, melanopic, fewest.
         #[serde(default)]
         favour: Option<String>,
     },
@@ -125,7 +125,8 @@ fn mixture(
     let channels = words.iter().map(channel).collect::<Result<Vec<_>, _>>()?;
     let favour = favour.map(|word| {
         let known = Favour::ALL.into_iter().find(|one| one.word() == word);
-        known.ok_or_else(|| format!("found favour {word}, expected ler, rf, ra or melanopic"))
+        let all = || Favour::ALL.map(Favour::word).join(", ");
+        known.ok_or_else(|| format!("found favour {word}, expected one of {}", all()))
     });
     let favour = favour.transpose()?.unwrap_or_default();
     let wish = Wish {

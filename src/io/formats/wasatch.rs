@@ -76,12 +76,16 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             })?
         }
     };
-    // A region of interest may shorten the values.
+    // A region of interest may shorten the values, wherever a file says that it begins.
+    let ends_within = |start: &usize| {
+        let end = start.checked_add(values.len());
+        nm.len() > values.len() && end.is_some_and(|end| end <= nm.len())
+    };
     let start = value
         .pointer("/metadata/ROI Pixel Start")
         .and_then(Value::as_u64)
         .and_then(|start| usize::try_from(start).ok())
-        .filter(|start| nm.len() > values.len() && start + values.len() <= nm.len())
+        .filter(ends_within)
         .unwrap_or(0);
     let nm = &nm[start..];
     if nm.len() != values.len() {

@@ -201,11 +201,6 @@ fn names_in_quotes_keep_their_commas() {
     let reading = small_library(words, &[0.1, 0.2, 0.3, 0.2, 0.3, 0.4]);
     let names: Vec<&str> = reading.spectra.iter().map(|s| s.name.as_str()).collect();
     assert_eq!(names, ["brick, red", "tile"]);
-    let reading = small_library(
-        "spectra names = {'t Hooft, b,}",
-        &[0.1, 0.2, 0.3, 0.2, 0.3, 0.4],
-    );
-    assert_eq!(told::names(&reading), ["'t Hooft", "b"]);
 }
 
 #[test]

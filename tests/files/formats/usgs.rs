@@ -12,19 +12,30 @@ fn file(title: &str, values: &[&str]) -> String {
 #[test]
 fn the_wavelengths_beside_are_taken_in_micrometres() {
     let folder = tempfile::tempdir().unwrap();
-    let (asd, beck) = ("Wavelengths ASD microns", "Wavelengths BECK microns");
+    let (asd, beck) = (
+        "Wavelengths ASD 0.4-0.6 microns",
+        "Wavelengths BECK 0.4-0.6 microns",
+    );
     for (name, title, values) in [
-        ("Wavelengths_ASD_3_ch.txt", asd, ["0.9", "1.0", "1.1"]),
-        ("Wavelengths_BECK_3_ch.txt", beck, ["0.4", "0.5", "0.6"]),
         (
-            "A.txt",
+            "splib07a_Wavelengths_ASD_3_ch.txt",
+            asd,
+            ["0.9", "1.0", "1.1"],
+        ),
+        (
+            "splib07a_Wavelengths_BECK_3_ch.txt",
+            beck,
+            ["0.4", "0.5", "0.6"],
+        ),
+        (
+            "splib07a_Alunite_BECKa_AREF.txt",
             "Alunite X   BECKa AREF",
             ["0.1", "-1.23e34", "0.3"],
         ),
     ] {
         std::fs::write(folder.path().join(name), file(title, &values)).unwrap();
     }
-    let reading = read_path(&folder.path().join("A.txt")).unwrap();
+    let reading = read_path(&folder.path().join("splib07a_Alunite_BECKa_AREF.txt")).unwrap();
     let spectrum = &reading.spectra[0];
     assert_eq!(reading.format, "USGS splib07");
     assert_eq!(spectrum.name, "Alunite X BECKa");

@@ -28,3 +28,19 @@ fn processed_values_over_the_spectrometers_wavelengths_are_read() {
     let found = "found ENLIGHTEN JSON without wavelengths";
     assert!(why.contains(found), "{why}");
 }
+
+#[test]
+fn a_region_of_interest_has_the_wavelengths_from_its_start() {
+    let text = |start: &str| {
+        format!(
+            r#"{{"metadata":{{"ENLIGHTEN Version":"2","ROI Pixel Start":{start}}},
+                "spectrometerSettings":{{"wavelengths":[400,410,420]}},
+                "spectrum":{{"Processed":[1,2]}}}}"#
+        )
+    };
+    assert_eq!(first("a.json", text("1")).samples.nm(), [410.0, 420.0]);
+    for beyond in ["2", "18446744073709551615"] {
+        let why = refusal("a.json", text(beyond));
+        assert!(why.contains("3 wavelengths and 2 values"), "{why}");
+    }
+}

@@ -254,3 +254,14 @@ fn fields(file: &str, text: &str) -> Result<HashMap<String, (usize, String)>, Re
     }
     Ok(fields)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::split;
+
+    #[test]
+    fn a_name_that_begins_with_an_apostrophe_is_one_and_nothing_behind_a_comma_is_an_item() {
+        assert_eq!(split("'t Hooft, b,"), ["'t Hooft", "b", ""]);
+        assert_eq!(split("\"brick, red\", 'tile'"), ["brick, red", "tile"]);
+    }
+}
