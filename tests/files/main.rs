@@ -1,5 +1,9 @@
 //! Files read and written. One file a subject.
 
+#[path = "../common/containers.rs"]
+mod containers;
+#[path = "../common/open_exr.rs"]
+mod open_exr;
 #[path = "../common/root.rs"]
 mod root;
 

@@ -39,17 +39,3 @@ pub(crate) fn has(notes: &[String], words: &str) -> bool {
 pub(crate) fn assert_told(notes: &[String], words: &str) {
     assert!(has(notes, words), "{words} is not in {notes:?}");
 }
-
-/// A zip archive of members by their names.
-pub(crate) fn zipped(members: &[(&str, &[u8])]) -> Vec<u8> {
-    use std::io::Write;
-    use zip::write::{SimpleFileOptions, ZipWriter};
-    let mut zip = ZipWriter::new(std::io::Cursor::new(Vec::new()));
-    for (name, content) in members {
-        let options =
-            SimpleFileOptions::default().compression_method(zip::CompressionMethod::Deflated);
-        zip.start_file(*name, options).expect("a member");
-        zip.write_all(content).expect("its content");
-    }
-    zip.finish().expect("an archive").into_inner()
-}

@@ -98,7 +98,8 @@ fn crooked() -> Vec<u8> {
 
 /// An image whose header speaks of a million times a million pixels.
 fn vast_image() -> Vec<u8> {
-    let mut bytes = seeds::exr((3, 2), &["T.400,0nm", "T.500,0nm"], Encoding::UNCOMPRESSED);
+    let mut bytes =
+        crate::open_exr::exr((3, 2), &["T.400,0nm", "T.500,0nm"], Encoding::UNCOMPRESSED);
     let window: Vec<u8> = [0_i32, 0, 2, 1]
         .iter()
         .flat_map(|n| n.to_le_bytes())

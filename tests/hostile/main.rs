@@ -12,6 +12,8 @@ mod found;
 mod harness;
 mod large;
 mod mutate;
+#[path = "../common/open_exr.rs"]
+mod open_exr;
 mod pictures;
 mod pictures_memory;
 mod refusals;

@@ -1,15 +1,11 @@
 //! Miniature files of our own, a few for every reader, and words that its files are made of: what
 //! mutations and the fuzzer start from.
 
-use std::io::Cursor;
-
-use exr::prelude::{
-    AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer, LayerAttributes, SmallVec,
-    WritableImage,
-};
+use exr::prelude::Encoding;
 use zip::CompressionMethod;
 
 use super::harness::{BESIDE, workbook, zipped};
+use super::open_exr::exr;
 
 /// What one reader is tried with.
 pub(crate) struct Seeds {
@@ -21,25 +17,6 @@ pub(crate) struct Seeds {
     pub files: Vec<Vec<u8>>,
     /// Words of the format.
     pub words: &'static [&'static str],
-}
-
-/// An OpenEXR image with channels of these names.
-pub(crate) fn exr(size: (usize, usize), names: &[&str], encoding: Encoding) -> Vec<u8> {
-    let list: SmallVec<_> = names
-        .iter()
-        .enumerate()
-        .map(|(i, name)| {
-            let values = (0..size.0 * size.1).map(|p| (10 * p + i) as f32).collect();
-            AnyChannel::new(*name, FlatSamples::F32(values))
-        })
-        .collect();
-    let attributes = LayerAttributes::default();
-    let layer = Layer::new(size, attributes, encoding, AnyChannels::sort(list));
-    let mut bytes = Cursor::new(Vec::new());
-    let image = Image::from_layer(layer);
-    let written = image.write().non_parallel().to_buffered(&mut bytes);
-    written.expect("an image");
-    bytes.into_inner()
 }
 
 /// A header and the data beside it.

@@ -1,7 +1,9 @@
 //! GDTF, the General Device Type Format of stage lights.
 
-use crate::told::{read, refusal, zipped};
+use crate::containers::zipped;
+use crate::told::{read, refusal};
 use spectral_explorer::spectrum::Kind;
+use zip::CompressionMethod;
 
 const XML: &str = "<?xml version=\"1.0\"?>\n<GDTF DataVersion=\"1.1\">\n\
     <FixtureType Name=\"Spot\">\n<Wheels><Wheel><Slot Name=\"Warm\" Filter=\"CTO\"/></Wheel></Wheels>\n\
@@ -16,7 +18,10 @@ const XML: &str = "<?xml version=\"1.0\"?>\n<GDTF DataVersion=\"1.1\">\n\
     </FixtureType></GDTF>";
 
 fn fixture(xml: &str) -> Vec<u8> {
-    zipped(&[("thumbnail.png", b"x"), ("description.xml", xml.as_bytes())])
+    zipped(
+        &[("thumbnail.png", b"x"), ("description.xml", xml.as_bytes())],
+        CompressionMethod::Deflated,
+    )
 }
 
 #[test]

@@ -1,6 +1,12 @@
 //! Ocean Optics ProcSpec: a zip archive of `ps_0.xml`, ... written by SpectraSuite's XML streams.
 
-use crate::told::{first, refusal, zipped};
+use crate::containers;
+use crate::told::{first, refusal};
+use zip::CompressionMethod;
+
+fn zipped(members: &[(&str, &[u8])]) -> Vec<u8> {
+    containers::zipped(members, CompressionMethod::Deflated)
+}
 
 const XML: &str = "<com.oceanoptics.omnidriver.spectra.OmniSpectrum>\n<sourceSpectra><pixelValues>\
     <double>10</double><double>20</double><double>30</double></pixelValues>\n\

@@ -1,35 +1,12 @@
 //! Spectral OpenEXR: an image with one channel a wavelength.
 
+use crate::open_exr;
 use crate::told::{has, read, refusal};
-use exr::prelude::{
-    AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer, LayerAttributes, SmallVec,
-    WritableImage,
-};
+use exr::prelude::Encoding;
 use spectral_explorer::spectrum::Kind;
-use std::io::Cursor;
 
 fn exr(size: (usize, usize), names: &[&str]) -> Vec<u8> {
-    let list: SmallVec<_> = names
-        .iter()
-        .enumerate()
-        .map(|(i, name)| {
-            let values = (0..size.0 * size.1).map(|p| (10 * p + i) as f32).collect();
-            AnyChannel::new(*name, FlatSamples::F32(values))
-        })
-        .collect();
-    let layer = Layer::new(
-        size,
-        LayerAttributes::default(),
-        Encoding::FAST_LOSSLESS,
-        AnyChannels::sort(list),
-    );
-    let mut bytes = Cursor::new(Vec::new());
-    Image::from_layer(layer)
-        .write()
-        .non_parallel()
-        .to_buffered(&mut bytes)
-        .expect("an image");
-    bytes.into_inner()
+    open_exr::exr(size, names, Encoding::FAST_LOSSLESS)
 }
 
 #[test]

@@ -1,32 +1,15 @@
 //! Excel workbooks `.xlsx`: each sheet a table of plain columns.
 
-use crate::told::{assert_told, first, read, refusal, zipped};
+use crate::containers;
+use crate::told::{assert_told, first, read, refusal};
 use spectral_explorer::spectrum::Kind;
+use zip::CompressionMethod;
 
 /// A workbook of one sheet with these rows.
 fn workbook(rows: &str) -> Vec<u8> {
     let main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
-    let office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
-    let package = "http://schemas.openxmlformats.org/package/2006/relationships";
-    let book = format!(
-        "<workbook xmlns=\"{main}\" xmlns:r=\"{office}\"><sheets>\
-         <sheet name=\"Data\" sheetId=\"1\" r:id=\"rId1\"/></sheets></workbook>"
-    );
-    let link = |what: &str, target: &str| {
-        format!(
-            "<Relationships xmlns=\"{package}\"><Relationship Id=\"rId1\" \
-             Type=\"{office}/{what}\" Target=\"{target}\"/></Relationships>"
-        )
-    };
-    let links = link("worksheet", "worksheets/sheet1.xml");
-    let root = link("officeDocument", "xl/workbook.xml");
     let sheet = format!("<worksheet xmlns=\"{main}\"><sheetData>{rows}</sheetData></worksheet>");
-    zipped(&[
-        ("_rels/.rels", root.as_bytes()),
-        ("xl/workbook.xml", book.as_bytes()),
-        ("xl/_rels/workbook.xml.rels", links.as_bytes()),
-        ("xl/worksheets/sheet1.xml", sheet.as_bytes()),
-    ])
+    containers::workbook(sheet.as_bytes(), b"", CompressionMethod::Deflated)
 }
 
 fn word(place: &str, text: &str) -> String {
