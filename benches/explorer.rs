@@ -447,7 +447,7 @@ mod plain {
                     .map(|k| tables.basis.row(k).to_vec())
                     .collect(),
                 norms: numbers.map(|k| basis.norm_squared(k, BAND)).collect(),
-                cmf: Observer::Cie1931.table().on_band(BAND),
+                cmf: (*Observer::Cie1931.table().on_band(BAND)).clone(),
                 reflectances: patches.reflectances.clone(),
             }
         }

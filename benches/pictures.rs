@@ -90,7 +90,7 @@ fn from_file(c: &mut Criterion) {
         );
         let path = folder.path().join(format!("{interleave}.hdr"));
         std::fs::write(&path, header).unwrap();
-        let file = EnviFile::open(&path, false).unwrap();
+        let file = EnviFile::open(&path, false, None).unwrap();
         let operator = Operator::new(file.bands(), &Plan::new(file.bands(), 20)).unwrap();
         let kernel = operator.encoder();
         group.bench_function(interleave, |b| {

@@ -191,6 +191,7 @@ fn patches_behind(app: &App, factors: &[Factor], sampling: Sampling) -> f64 {
     let passage = Product {
         measured: &derived.measured,
         model: &derived.model,
+        line_widths_nm: &[],
         sampling,
         seen: &tables.viewing.weights,
         width_nm: 10.0,

@@ -24,8 +24,8 @@ mod containers;
 pub(crate) use containers::{workbook, zipped};
 
 /// Memory that any file may take, in bytes.
-const MEMORY_FLOOR: usize = 16 << 20;
-/// Memory that each byte of a file may take besides, in bytes.
+const MEMORY_FLOOR: usize = 512 << 20;
+/// Memory that each byte of a file may take where that is more, in bytes.
 const MEMORY_TIMES: usize = 20;
 /// Time that any file may take: what starting costs, and the ticks in which time is counted.
 const TIME_FLOOR: Duration = Duration::from_millis(250);
@@ -248,7 +248,7 @@ fn choices_of(bytes: &[u8]) -> Choices {
 
 /// Reads and sees that it took no more time and memory than a file of some bytes may take.
 fn in_bounds(bytes: usize, read: impl Fn() -> Answer) -> Answer {
-    let memory = MEMORY_FLOOR + MEMORY_TIMES * bytes;
+    let memory = MEMORY_FLOOR.max(MEMORY_TIMES * bytes);
     within(memory, TIME_FLOOR + time_of(bytes), read)
 }
 

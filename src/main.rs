@@ -60,6 +60,10 @@ mod window {
         fn plot(&self, app: &App, theme: Theme, size: [u32; 2]) -> Vec<u8> {
             picture::chart_png(&spectrum_chart(app, theme), size)
         }
+
+        fn names(&self, app: &App, preferences: &Preferences) -> Option<Vec<String>> {
+            Some(picture::names(app, preferences))
+        }
     }
 
     /// Names another file to keep the workspace in (tests, portable use); empty keeps none.

@@ -6,6 +6,7 @@ use super::{
     line_names::Identified,
     made::is_made,
     ticks::{extent, short},
+    tint::kelvin_words,
 };
 use crate::{
     color::{Observer, cct_from_xyz, xyz::xyz_from_light},
@@ -28,9 +29,6 @@ pub struct About {
     /// Whose table it is and in which steps.
     pub table: String,
 }
-
-/// A CCT is told to so many kelvin: lamps of one kind differ by more.
-const KELVIN_STEP: f64 = 10.0;
 
 impl About {
     /// What is said of a shipped entry, or of one of the user's own.
@@ -59,9 +57,7 @@ impl About {
 
     /// "FL2: cool white fluorescent tube, 4220 K".
     pub fn title(&self) -> String {
-        let kelvin = self
-            .kelvin
-            .map(|kelvin| format!("{:.0} K", KELVIN_STEP * (kelvin / KELVIN_STEP).round()));
+        let kelvin = self.kelvin.map(kelvin_words);
         let what = Some(self.what.clone()).filter(|what| !what.is_empty());
         let parts: Vec<String> = what.into_iter().chain(kelvin).collect();
         if parts.is_empty() {

@@ -3,7 +3,7 @@
 //! A wrong name is worse than none. A dip gets a name only when the measured curve shows most of
 //! the other lines of the same family too: sunlight's Fraunhofer lines, holmium oxide's bands,
 //! neodymium's. The witnesses are looked for in the curve itself, for a line may be too weak to be
-//! a spike and still be seen. Any other line near by is only told on hover. Once a family is
+//! a spike and still be seen. A dip near by that is none of them has no name. Once a family is
 //! there, all its lines are looked for at their places, each by a threshold of its own, and those
 //! that are too weak here are told as such ([`dark_lines`]).
 //!
@@ -142,9 +142,6 @@ const UNLIKE: f64 = 3.0;
 /// Share of a family's witnesses in the range that must be seen.
 const MOST_OF_THEM: f64 = 0.75;
 
-/// Hover names features within this distance beyond their family's reach.
-const NEAR_NM: f64 = 2.0;
-
 /// What comes and goes with the air is seen from this depth on.
 const OF_THE_AIR: f64 = 0.05;
 
@@ -253,11 +250,6 @@ pub(super) fn name_dips(places: &[f64], curve: Curve<'_>) -> Vec<LineName> {
                 let [from, to] = feature.nm;
                 (from - at_nm).max(at_nm - to).max(0.0)
             };
-            for (name, at_nm) in names.iter_mut().zip(places) {
-                if name.near.is_none() && off(*at_nm) <= family.reach_nm + NEAR_NM {
-                    name.near = Some(format!("near {}", feature.name));
-                }
-            }
             // A wide band is many lines, any other feature is one dip: the nearest.
             let is_wide = feature.nm[1] - feature.nm[0] > 2.0 * family.reach_nm;
             let hit = |at_nm: &f64| off(*at_nm) <= family.reach_nm;
@@ -293,7 +285,7 @@ pub(super) fn has_dark_lines(curve: Curve<'_>) -> bool {
 
 /// A known dark line or band, looked for at its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct DarkLine {
+pub struct DarkLine {
     /// Its name.
     pub name: &'static str,
     /// Where it stands, from and to, nm.
@@ -347,6 +339,13 @@ pub(super) fn dark_lines(curve: Curve<'_>) -> Vec<DarkFamily> {
             lines: told(family),
         })
         .collect()
+}
+
+impl DarkLine {
+    /// The middle of where it stands, nm.
+    pub fn at_nm(&self) -> f64 {
+        0.5 * (self.nm[0] + self.nm[1])
+    }
 }
 
 impl DarkFamily {
@@ -465,7 +464,6 @@ mod tests {
         let safe: Vec<_> = names.iter().map(|n| n.safe.as_deref()).collect();
         let water = Some("H2O 718-730");
         assert_eq!(safe, [Some("Na D 589.3"), None, None, water, water]);
-        assert_eq!(names[2].near.as_deref(), Some("near H-alpha 656.3"));
     }
 
     #[test]

@@ -1,78 +1,22 @@
 //! What a person wants to know of a model at first sight, in words and few figures: can one see
-//! the difference, how few numbers are they, from which order on is nothing seen.
+//! the difference, how few numbers are they, from which order on is it hard to see.
 
 use super::{
     line_names::LineName,
     settings::{Detector, Settings},
     state::App,
     ticks::short,
+    verdicts::{HARD_TO_SEE, Seen},
 };
 use crate::{
-    color::{Cct, xyz_of_one, xyz_of_parts, xyz_of_spikes},
-    spectrum::{Basis, Spike, detect},
+    color::{xyz_of_one, xyz_of_parts, xyz_of_spikes},
+    io::many::many,
+    spectrum::{Kind, Spike, detect},
     study::{Measure, Sweep, SweepPoint, Verdict},
 };
 
-/// How a difference of colour is seen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Seen {
-    /// CIEDE2000 below 1.
-    Not,
-    /// From 1: where the two colours touch.
-    SideBySide,
-    /// From 2.
-    Visible,
-    /// From 5: another colour.
-    Wrong,
-}
-
-impl Seen {
-    /// From the least difference to the largest.
-    pub const ALL: [Self; 4] = [Self::Not, Self::SideBySide, Self::Visible, Self::Wrong];
-
-    /// How a CIEDE2000 is seen.
-    pub fn of(delta_e_2000: f64) -> Self {
-        match delta_e_2000 {
-            d if d < 1.0 => Self::Not,
-            d if d < 2.0 => Self::SideBySide,
-            d if d <= 5.0 => Self::Visible,
-            _ => Self::Wrong,
-        }
-    }
-
-    /// In a word or two.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Not => "Not seen",
-            Self::SideBySide => "Side by side",
-            Self::Visible => "Visible",
-            Self::Wrong => "Wrong",
-        }
-    }
-
-    /// As a verdict on a model.
-    pub fn verdict(self) -> &'static str {
-        match self {
-            Self::Not => "Cannot be told apart",
-            Self::SideBySide => "Only side by side",
-            Self::Visible => "Visibly different",
-            Self::Wrong => "Wrong colours",
-        }
-    }
-
-    /// What it means, a sentence.
-    pub fn meaning(self) -> &'static str {
-        match self {
-            Self::Not => "CIEDE2000 below 1: nobody sees the difference.",
-            Self::SideBySide => "CIEDE2000 from 1 to 2: seen only where both colours touch.",
-            Self::Visible => "CIEDE2000 from 2 to 5: seen by who looks for it.",
-            Self::Wrong => "CIEDE2000 above 5: another colour.",
-        }
-    }
-}
-
-/// The largest difference that anybody would see: of the patches where there are, else of the
-/// spectrum's own colour.
+/// The largest difference of those that the verdict is about: of the patches where there are, else
+/// of the spectrum's own colour.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Worst {
     /// CIEDE2000.
@@ -95,12 +39,30 @@ impl Worst {
     }
 }
 
-/// The least order from which on no patch is seen to differ; `None` where there is none.
-pub fn not_seen_from(app: &App) -> Option<usize> {
+/// The verdict on the model, with its subject: "Model and light are hard to tell apart by eye".
+pub fn verdict(app: &App, seen: Seen) -> String {
+    seen.verdict(match app.document().subject_entry().kind() {
+        Kind::Reflectance => "surface",
+        Kind::Transmittance => "filter",
+        _ => "light",
+    })
+}
+
+/// What the verdict was judged on: "on 24 surfaces".
+pub fn judged_on(app: &App) -> String {
+    match &app.derived().patches {
+        Some(patches) => format!("on {}", many(patches.items.len(), "surface", "surfaces")),
+        None => "on its own colour".to_owned(),
+    }
+}
+
+/// The least order from which on a difference is hard to see on every patch; `None` where there is
+/// none.
+pub fn hard_to_see_from(app: &App) -> Option<usize> {
     let curve = &app.derived().curve;
     let seen = |point: &&crate::app::derived::OrderPoint| {
         let worst = point.figures[Measure::PatchesWorst].or(point.figures[Measure::Own]);
-        worst.is_none_or(|error| error >= 1.0)
+        worst.is_none_or(|error| error >= HARD_TO_SEE)
     };
     match curve.iter().rfind(seen) {
         None => curve.first().map(|point| point.order),
@@ -111,25 +73,11 @@ pub fn not_seen_from(app: &App) -> Option<usize> {
     }
 }
 
-/// A colour temperature and its tint: "4220 K, slightly green".
-pub fn white_words(cct: Cct) -> String {
-    // Three digits are what a lamp's colour temperature is good for.
-    let kelvin = (cct.kelvin / 10.0).round() * 10.0;
-    let tint = match cct.duv {
-        d if d > 0.006 => ", green",
-        d if d > 0.001 => ", slightly green",
-        d if d < -0.006 => ", pink",
-        d if d < -0.001 => ", slightly pink",
-        _ => "",
-    };
-    format!("{kelvin:.0} K{tint}")
-}
-
 /// A spike of the model as it is read out while it is pointed at or dragged: where it stands, after
 /// what it is named, its weight, its share of the power, and what it adds to the light's Y of 100.
 pub fn spike_words(app: &App, spike: Spike, name: &LineName) -> String {
     let derived = app.derived();
-    let name = name.safe.as_deref().or(name.near.as_deref());
+    let name = name.safe.as_deref();
     let name = name.map_or_else(String::new, |name| format!(" ({name})"));
     let weight = short(three(app.scale_factor() * spike.weight));
     let unit = match app.unit() {
@@ -146,7 +94,7 @@ pub fn spike_words(app: &App, spike: Spike, name: &LineName) -> String {
     } else {
         xyz_of_one(derived.band, weights).y
     };
-    let adds = 100.0 * xyz_of_spikes(derived.band, &[spike], weights).y / white;
+    let adds = 100.0 * xyz_of_spikes(&[spike], weights).y / white;
     if adds.is_finite() {
         words += &format!("   adds {adds:+.1} Y");
     }
@@ -257,14 +205,12 @@ pub fn as_in_the_paper(app: &App) -> Settings {
     let reaches = samples.first_nm() <= 400.0 && samples.last_nm() >= 700.0;
     let band = crate::spectrum::Band::new(400.0, 700.0).ok();
     Settings {
-        basis: Basis::Fourier,
-        colour_exact: false,
         wide_lines: false,
         detector: Detector::Gradient,
         gradient_percent: Settings::default().gradient_percent,
         sampling: crate::spectrum::Sampling::Paper,
         band: band.filter(|_| reaches).unwrap_or(settings.band),
-        ..settings
+        ..settings.as_in_paper()
     }
 }
 

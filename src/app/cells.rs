@@ -2,7 +2,7 @@
 //! cannot be taken for anything else.
 
 use crate::{
-    io::{Provenance, one_line, shortest},
+    io::{Provenance, no_formula, one_line, shortest},
     spectrum::NamedSpectrum,
 };
 
@@ -23,11 +23,11 @@ pub(super) fn number(value: impl Into<Option<f64>>) -> String {
         .unwrap_or_default()
 }
 
-/// Text as one cell: in quotes where it holds a sign of the table's own or begins like a comment
-/// or a formula.
+/// Text as one cell: in quotes where it holds a sign of the table's own or begins like a comment,
+/// and never the beginning of a formula.
 pub(super) fn words(text: &str) -> String {
-    let text = one_line(text);
-    let special = text.contains([',', '"', ';']) || text.starts_with(['#', '=', '+', '-', '@']);
+    let text = no_formula(one_line(text));
+    let special = text.contains([',', '"', ';']) || text.starts_with('#');
     if special {
         format!("\"{}\"", text.replace('"', "\"\""))
     } else {
@@ -52,7 +52,8 @@ mod tests {
         assert_eq!(number(None), "");
         assert_eq!(words("FL2"), "FL2");
         assert_eq!(words("a, \"b\"\nc"), "\"a, \"\"b\"\" c\"");
-        assert_eq!(words("=1+1"), "\"=1+1\"");
+        assert_eq!(words("=1+1"), "'=1+1");
+        assert_eq!(words("@a, b"), "\"'@a, b\"");
         assert_eq!(line([number(1.5), words("x")]), "1.5,x\n");
     }
 }

@@ -36,30 +36,28 @@ pub fn command_lines(app: &App, page: Page, size: [u32; 2], dark: bool) -> Resul
         about += &format!(" --light {light}");
     }
     // A composite as it is has its own series, range and lines; any option would analyse it.
-    let (report, render) = match document.as_given() {
+    let options = match document.as_given() {
         Some(composite) => {
-            let plain = settings.with_model_of(Settings::plain());
-            if settings != plain.of_composite(composite)
-                || plain.observer != Settings::plain().observer
-                || plain.sampling != Settings::plain().sampling
+            let usual = Settings::default();
+            let as_given = settings.with_model_of(usual).of_composite(composite);
+            if settings != as_given
+                || settings.observer != usual.observer
+                || settings.sampling != usual.sampling
             {
                 return Err(
                     "A composite as it is takes no options: save the project and name its file."
                         .to_owned(),
                 );
             }
-            (String::new(), String::new())
+            String::new()
         }
-        None => (
-            options(settings, Settings::plain()),
-            options(settings, Settings::default()),
-        ),
+        None => options(settings),
     };
     let theme = if dark { "dark" } else { "light" };
     let [width, height] = size;
     Ok(format!(
-        "spectral-explorer report {about}{report}\nspectral-explorer render {about}{render} --page \
-         {} --size {width}x{height} --theme {theme} --out view.png",
+        "spectral-explorer report {about}{options}\nspectral-explorer render {about}{options} \
+         --page {} --size {width}x{height} --theme {theme} --out view.png",
         page.word()
     ))
 }
@@ -106,8 +104,9 @@ fn value<T: PartialEq + Display>(option: &str, value: T, usual: T) -> Option<Str
     (value != usual).then(|| format!(" --{option} {value}"))
 }
 
-/// The options that make a command's `usual` settings these.
-fn options(settings: Settings, usual: Settings) -> String {
+/// The options that make the settings of every command these.
+fn options(settings: Settings) -> String {
+    let usual = Settings::default();
     let Settings {
         basis,
         order,
@@ -130,8 +129,7 @@ fn options(settings: Settings, usual: Settings) -> String {
         value("threshold", threshold_percent, usual.threshold_percent),
         value("max-width", max_width_nm, usual.max_width_nm),
         value("basis", basis.word(), usual.basis.word()),
-        flag(colour_exact && !usual.colour_exact, "colour-exact"),
-        flag(!colour_exact && usual.colour_exact, "plain"),
+        flag(!colour_exact, "plain"),
         flag(!spikes, "no-spikes"),
         flag(wide_lines, "wide-lines"),
         flag(dips, "dips"),
@@ -165,8 +163,7 @@ mod tests {
         let told = lines(&app).expect("a shipped light");
         assert_eq!(
             told,
-            "spectral-explorer report cie_fluorescent_1nm/FL2 --basis cosine \
-             --colour-exact\nspectral-explorer render cie_fluorescent_1nm/FL2 --page tradeoff \
+            "spectral-explorer report cie_fluorescent_1nm/FL2\nspectral-explorer render cie_fluorescent_1nm/FL2 --page tradeoff \
              --size 1280x800 --theme dark --out view.png"
         );
         app.apply(Command::Edit(Settings {
@@ -178,10 +175,12 @@ mod tests {
             ..app.document().settings
         }));
         let told = lines(&app).expect("a shipped light");
-        let report = "report cie_fluorescent_1nm/FL2 --order 12 --threshold 1.25 --no-spikes\n";
-        assert_says(&told, report);
-        let render = "FL2 --order 12 --threshold 1.25 --basis fourier --plain --no-spikes --page";
-        assert_says(&told, render);
+        let options = "FL2 --order 12 --threshold 1.25 --basis fourier --plain --no-spikes";
+        assert_says(&told, &format!("report cie_fluorescent_1nm/{options}\n"));
+        assert_says(
+            &told,
+            &format!("render cie_fluorescent_1nm/{options} --page"),
+        );
     }
 
     #[test]
@@ -191,7 +190,7 @@ mod tests {
         let numbers: NamedSpectrum = d65.spectrum.clone();
         app.apply(Command::Show(Arc::new(d65)));
         let told = lines(&app).expect("a shipped light");
-        assert_says(&told, "report 'cie_illuminants/CIE D65' --basis");
+        assert_says(&told, "report 'cie_illuminants/CIE D65'\n");
         app.apply(Command::Show(Arc::new(
             resolve("paper/Mercury", None, None).expect("shipped"),
         )));

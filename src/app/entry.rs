@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::{library::Library, origin::Origin};
 use crate::{
     io::MakersResult,
-    lamps::{Spike as WideSpike, add_spikes},
+    lamps::Composite as WideComposite,
     preset::{self, Body, Preset, Shelf},
     spectrum::{Band, Composite, Kind, NamedSpectrum, Sampled, Series, Spike},
 };
@@ -23,9 +23,8 @@ pub struct Entry {
     pub licence: String,
     /// What the instrument computed itself, as far as the file says.
     pub makers: Vec<MakersResult>,
-    /// The composite that the spectrum is by its own source, its lines of no width; its table is
-    /// that composite's. `None` for what was measured or computed otherwise.
-    pub composite: Option<Arc<Composite>>,
+    /// The composite that the spectrum is by its own source; its table is that composite's. `None` for what was measured or computed otherwise.
+    pub composite: Option<Arc<WideComposite>>,
 }
 
 impl Entry {
@@ -47,7 +46,7 @@ impl Entry {
                 let composite = composite_from_preset(&composite)?;
                 let samples = sampled_from_lines(&composite, &[])?;
                 // A line tube is every line of an atom: what is seen of it, an analysis tells.
-                given = (preset.shelf == Shelf::Paper).then(|| Arc::new(composite));
+                given = (preset.shelf == Shelf::Paper).then(|| Arc::new(composite.into()));
                 NamedSpectrum {
                     name: preset.name.clone(),
                     kind: preset.kind,
@@ -133,16 +132,8 @@ const SAMPLED_NOTE: &str =
 /// with numbers that are not finite.
 pub(super) fn sampled_from_lines(composite: &Composite, widths_nm: &[f64]) -> Option<Sampled> {
     let band = composite.band();
-    let widths_nm = widths_nm.iter().copied().chain(std::iter::repeat(0.0));
-    let lines = composite.spikes.iter().zip(widths_nm);
-    let lines = lines.map(|(spike, width_nm)| WideSpike {
-        at_nm: spike.at_nm,
-        weight: spike.weight,
-        width_nm,
-    });
-    let mut values = composite.smooth.on_band();
-    add_spikes(band, &lines.collect::<Vec<_>>(), &mut values);
-    Sampled::even(band.min_nm(), 1.0, values).ok()
+    let lines = WideComposite::with_widths(composite.clone(), widths_nm);
+    Sampled::even(band.min_nm(), 1.0, lines.on_band()).ok()
 }
 
 /// The paper's lamps as composites, the visible weight factor applied.

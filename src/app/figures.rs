@@ -191,7 +191,7 @@ impl Measure {
                 ..share(
                     "relative_rms",
                     ["rms at 1 nm", "rms 1 nm"],
-                    "{} rms at 1 nm",
+                    "; at 1 nm {} rms",
                     "Root mean square of model minus measured over that of the spectrum, on the \
                      1 nm grid. A spike has no width: there it stands against a line of several \
                      nm, so lamps with broad lines show large numbers.",
@@ -202,7 +202,7 @@ impl Measure {
                 ..share(
                     "relative_rms_10nm",
                     ["rms behind 10 nm", "rms 10 nm"],
-                    ", {} behind a 10 nm blur",
+                    "{} rms behind a 10 nm blur",
                     "Root mean square of model minus measured over that of the spectrum, both \
                      behind a Gaussian blur of 10 nm full width at half maximum.",
                 )

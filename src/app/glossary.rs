@@ -63,7 +63,7 @@ pub const WORDS: &[Word] = &[
     word("D65", "The CIE's standard daylight, 6504 kelvin."),
     word(
         "Delta E (ΔE₀₀)",
-        "CIEDE2000, how different two colours look. Below 1 nobody sees it, to 2 only where both touch, above 5 they are two colours.",
+        "CIEDE2000, how different two colours look. Below 1 it is hard to see, to 2 it is seen where both touch, above 5 it is large. Half of the observers see 0.8 (Paravina et al. 2015, ISO/TR 28642).",
     ),
     word(
         "Dispersion",
@@ -79,7 +79,7 @@ pub const WORDS: &[Word] = &[
     ),
     word(
         "Error against order",
-        "How far the model is off for every order of its smooth part: where the curve falls below 1, nobody sees the difference.",
+        "How far the model is off for every order of its smooth part: where the curve falls below 1, the difference is hard to see on those patches.",
     ),
     word(
         "Filter",
@@ -140,7 +140,7 @@ pub const WORDS: &[Word] = &[
     ),
     word(
         "Overlay",
-        "A second spectrum drawn over the first, as bright as that.",
+        "A second spectrum drawn over the first: lights of relative units equally bright (of equal luminance), surfaces as they are.",
     ),
     word(
         "Patch",
@@ -177,7 +177,7 @@ pub const WORDS: &[Word] = &[
     ),
     word(
         "sRGB",
-        "The colours of ordinary screens. Colours outside are shown as the nearest one inside.",
+        "The colours of ordinary screens. Of a colour outside, what the screen cannot show is cut off: a corner marks it, and what is shown is not the nearest colour.",
     ),
     word(
         "Threshold",

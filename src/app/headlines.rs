@@ -2,7 +2,6 @@
 //! found, with its figures.
 
 use super::{
-    answers::Seen,
     charts::products::{
         absorption::{DipRow, looks},
         narrow::{Behind, Figures, Filter},
@@ -14,6 +13,7 @@ use super::{
     state::App,
     studies::paper::{Row, Verdict, delta_e, percent},
     ticks::short,
+    verdicts::Seen,
 };
 use crate::{
     io::many::{many, numbers},
@@ -53,7 +53,7 @@ pub fn dark_lines(app: &App, dips: &[DipRow]) -> String {
     }
 }
 
-/// How much of the light passes a chain, and whether one sees what the model is off by.
+/// How much of the light passes a chain, and how well one sees what the model is off by.
 pub fn chain(light: &str, told: &Told) -> String {
     let total = told.passage.total();
     let through = match told.names.as_slice() {
@@ -69,7 +69,7 @@ pub fn chain(light: &str, told: &Told) -> String {
         Some(off) => format!(
             "{passes}; the model's product is off by ΔE₀₀ {}: {}.",
             delta_e(off),
-            Seen::of(off).verdict().to_lowercase()
+            Seen::of(off).seen()
         ),
         None => format!("{passes}."),
     }
@@ -235,7 +235,7 @@ mod tests {
         assert!(!chain.is_empty());
         let words = super::chain("FL2", &Told::of(&app, &light, chain));
         assert_says(&words, "% of FL2 comes through");
-        assert_says(&words, "cannot be told apart");
+        assert_says(&words, ": hard to see.");
         let none = super::chain("FL2", &Told::of(&app, &light, &[]));
         assert_eq!(none, "Put glass or a surface behind FL2: add a factor.");
     }

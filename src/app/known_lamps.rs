@@ -60,8 +60,8 @@ impl WordsShown {
                 WordsFigure {
                     title: "colours under it",
                     value: format!("{} ΔE₀₀", short(errors.patches)),
-                    meaning: "Mean of the 99 samples of TM-30, their reflectances in as many \
-                              numbers; 1 is seen side by side.",
+                    meaning: "Mean of the 99 samples of TM-30, their reflectances approximated too, \
+                              in as many numbers as the light may take; about 1 can just be seen.",
                 },
                 WordsFigure {
                     title: "behind narrow filters",
@@ -191,7 +191,7 @@ mod tests {
         assert!(shown.sentence.starts_with("FL2 in "), "{}", shown.sentence);
         assert!(shown.sentence.contains(&found.makeup.in_words()));
         assert!(shown.needs.contains("list of lamps"));
-        let (read, _) = read_encoding(&shown.words, Band::VISIBLE).expect("words");
+        let (read, _) = read_encoding(&shown.words, Some(Band::VISIBLE)).expect("words");
         assert_eq!(read.numbers(), found.encoded.words.len());
         assert_eq!(shown.figures.len(), 4);
         assert_eq!(shown.figures[3].value, "exact");

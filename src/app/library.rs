@@ -14,6 +14,33 @@ use crate::{
 /// Most names that an error offers instead of an unknown one.
 const MOST_SUGGESTIONS: usize = 3;
 
+/// Names of earlier versions, by which files and people still ask: of skins, which are named by
+/// their tone now.
+const FORMER: [[&str; 2]; 6] = [
+    ["pmc_chart/Caucasian", "pmc_chart/Skin tone 1"],
+    ["pmc_chart/Oriental", "pmc_chart/Skin tone 2"],
+    ["pmc_chart/South Asian", "pmc_chart/Skin tone 3"],
+    ["pmc_chart/African", "pmc_chart/Skin tone 4"],
+    [
+        "everyday_surfaces/Skin, East Asian",
+        "everyday_surfaces/Skin, medium light",
+    ],
+    [
+        "everyday_surfaces/Skin, South Asian",
+        "everyday_surfaces/Skin, medium",
+    ],
+];
+
+/// What a name of an earlier version, plain or as `group/name`, stands for now as `group/name`.
+pub(super) fn now_called(name: &str) -> Option<&'static str> {
+    let is_it = |former: &str| {
+        let plain = former.split_once('/').map_or(former, |(_, plain)| plain);
+        [former, plain].iter().any(|f| f.eq_ignore_ascii_case(name))
+    };
+    let found = FORMER.iter().find(|[former, _]| is_it(former));
+    found.map(|[_, now]| *now)
+}
+
 /// All shipped spectra, composites and lines.
 #[derive(Clone, Debug)]
 pub struct Library {
@@ -168,6 +195,9 @@ impl Library {
         } else {
             exact
         };
+        if let (true, Some(now)) = (found.is_empty(), now_called(asked)) {
+            return self.find(now);
+        }
         match found[..] {
             // People leave out the CIE: D65 is "CIE D65".
             [] if !lower.starts_with("cie ") => self
@@ -463,6 +493,25 @@ mod tests {
                 Err(FindError::Lines { .. }) => assert!(preset.line_list().is_some()),
                 Err(error) => panic!("{error}"),
             }
+        }
+    }
+
+    #[test]
+    fn skins_are_named_by_their_tone_and_found_by_their_former_names() {
+        for [former, now] in FORMER {
+            assert_eq!(id_of(former), now);
+            let plain = former.split_once('/').expect("a group").1;
+            assert_eq!(id_of(plain), now);
+            let entry = crate::app::App::new().entry(former).expect(former);
+            assert_eq!(entry.key, now);
+        }
+        let peoples = ["caucasian", "oriental", "asian", "african", "japanese"];
+        for preset in Library::bundled().everything() {
+            let said = format!("{} {}", preset.id(), preset.notes.join(" ")).to_lowercase();
+            // The title of the CIE's data set is quoted as its source, which is no name.
+            let names = peoples.iter().filter(|people| said.contains(**people));
+            let is_quoted = said.starts_with("cri_tcs/cie 2024");
+            assert!(is_quoted || names.count() == 0, "{said}");
         }
     }
 

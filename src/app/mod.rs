@@ -29,12 +29,14 @@ mod line_names;
 mod made;
 mod make;
 pub mod makers;
+mod measured_surfaces;
 mod memo;
 mod natural;
 pub mod open;
 mod opened;
 mod origin;
 pub mod pages;
+mod pair;
 mod photons;
 pub mod picture;
 pub mod product_report;
@@ -58,9 +60,12 @@ mod state;
 mod stored_path;
 pub mod studies;
 pub mod study_report;
+mod surfaces;
 mod tables;
 pub mod ticks;
+pub mod tint;
 mod undo_words;
+pub mod verdicts;
 pub mod workspace;
 
 pub use already_open::{Known, known};
@@ -79,6 +84,7 @@ pub use line_names::{LineName, spike_under};
 pub use made::is_made;
 pub use memo::{ByAddress, Memo};
 pub use opened::{ImageEntry, Opened};
+pub use pair::Pair;
 pub use quality::{ByOrder, QualityShown, coarse_words, settled_words};
 pub use recipe::{Gel, Given, Recipe, Times};
 pub use scale::Scale;
@@ -87,6 +93,7 @@ pub use settings::{
 };
 pub use spike_hand::SpikeAct;
 pub use state::{App, Message, Tone, derive};
+pub use surfaces::Surfaces;
 pub use tables::{CURVE_ORDER, Tables};
 
 /// The program as it shows a shipped spectrum.

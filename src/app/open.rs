@@ -2,7 +2,7 @@
 
 pub mod batch;
 mod came;
-mod few_numbers;
+pub mod few_numbers;
 pub mod folders;
 pub mod named;
 mod summary;
@@ -25,7 +25,8 @@ use super::{
 };
 use crate::{
     io::{self, Choices, CompositeFile, ReadError, Reading, many},
-    spectrum::{Composite, NamedSpectrum, Rect, SpectralImage},
+    lamps::Composite,
+    spectrum::{NamedSpectrum, Rect, SpectralImage},
 };
 
 /// What a file turned out to be.
@@ -182,7 +183,7 @@ fn from_reading(
     let composites: Vec<CompositeFile> = composites.filter(|c| sampled(c).is_some()).collect();
     let first = spectra.len();
     let given = composites.iter().enumerate();
-    let given = given.filter_map(|(index, file)| Some((first + index, shown_as_it_is(file)?)));
+    let given = given.map(|(index, file)| (first + index, shown_as_it_is(file)));
     let mut given: Vec<(usize, Arc<Composite>)> = given.collect();
     let mut spectra = spectra_of(spectra, &composites, &notes, &file);
     let photons = spectra.iter().any(photons::counts_photons);
@@ -290,32 +291,25 @@ impl Opened {
     }
 }
 
-/// The composite that is shown as it is: lines of no width, all of them on its range.
-fn shown_as_it_is(file: &CompositeFile) -> Option<Arc<Composite>> {
-    let band = file.composite.band();
-    let inside = file.composite.spikes.iter().all(|s| band.contains(s.at_nm));
-    (inside && file.widths_nm.iter().all(|width| *width == 0.0))
-        .then(|| Arc::new(file.composite.clone()))
+/// The composite that is shown as it is, each line as wide as the file has it.
+fn shown_as_it_is(file: &CompositeFile) -> Arc<Composite> {
+    Arc::new(Composite::with_widths(
+        file.composite.clone(),
+        &file.widths_nm,
+    ))
 }
 
 fn sampled(file: &CompositeFile) -> Option<NamedSpectrum> {
     let composite = &file.composite;
     let count = composite.numbers() + usize::from(!file.widths_nm.is_empty());
     let count = many::numbers(count);
-    let mut notes = vec![format!("A composite of {count}, sampled at 1 nm.")];
-    let band = composite.band();
-    let places = composite.spikes.iter().map(|spike| spike.at_nm);
-    let outside = places.filter(|at_nm| !band.contains(*at_nm));
-    notes.extend(
-        outside.map(|at_nm| format!("The spike at {at_nm} nm is outside its range and left out.")),
-    );
     Some(NamedSpectrum {
         samples: sampled_from_lines(&file.composite, &file.widths_nm)?,
         name: file.name.clone(),
         kind: file.kind,
         unit: file.unit.clone(),
         scale: 1.0,
-        notes,
+        notes: vec![format!("A composite of {count}, sampled at 1 nm.")],
         source: file.source.clone(),
     })
 }

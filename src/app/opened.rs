@@ -9,7 +9,8 @@ use super::origin::FromFile;
 
 use crate::{
     io::{Choices, Decisions, Guessed, MakersResult, OpenQuestion, TableFound},
-    spectrum::{Composite, NamedSpectrum, SpectralImage},
+    lamps::Composite,
+    spectrum::{NamedSpectrum, SpectralImage},
 };
 
 /// A file that was read.
@@ -27,7 +28,7 @@ pub struct Opened {
     pub how: String,
     /// Its spectra (composites sampled at 1 nm), in their order.
     pub spectra: Vec<NamedSpectrum>,
-    /// The composites among them, each by its index: lines of no width, on a sound range.
+    /// The composites among them, each by its index, all lines on its range.
     pub composites: Vec<(usize, Arc<Composite>)>,
     /// What the instrument computed itself; `spectrum` is an index into `spectra`.
     pub makers: Vec<MakersResult>,

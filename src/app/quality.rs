@@ -8,9 +8,10 @@ use super::{
     quality_report::{ModelsByOrder, Row, Sheet, light_of, rows},
     state::App,
     ticks::short,
+    tint, verdicts,
 };
 use crate::{
-    color::quality::{Figures, Light, NoFigure, diagram::quadrangle_of},
+    color::quality::{Figures, HUE_NAMES, Light, NoFigure, diagram::quadrangle_of},
     spectrum::{Kind, NamedSpectrum},
     study::{
         Progress,
@@ -111,12 +112,7 @@ fn sentence(sheet: &Sheet) -> String {
         (Ok(fidelity), Ok(rendering)) => (fidelity, rendering),
         (Err(why), _) | (_, Err(why)) => return without(name, "colour rendition", why),
     };
-    let word = match fidelity.rf {
-        rf if rf >= 90.0 => "shows colours nearly as its reference does",
-        rf if rf >= 80.0 => "shows most colours well",
-        rf if rf >= 60.0 => "shifts colours so that one notices",
-        _ => "distorts colours",
-    };
+    let word = verdicts::of_rf(fidelity.rf);
     let by_model = sheet.model.fidelity.as_ref().map_or_else(
         |_| String::new(),
         |model| {
@@ -131,7 +127,7 @@ fn sentence(sheet: &Sheet) -> String {
         },
     );
     format!(
-        "{name} {word}: Rf {:.0}, Ra {:.0}, R9 {:.0}.{by_model}",
+        "{name} {word} on average: Rf {:.0}, Ra {:.0}, R9 {:.0}.{by_model}",
         fidelity.rf, rendering.ra, rendering.samples[8].index
     )
 }
@@ -144,16 +140,11 @@ fn place(sheet: &Sheet) -> String {
     };
     let white = figures.xy[0].clone().ok().and_then(quadrangle_of);
     let white = white.map_or_else(
-        || "outside the whites that lamps are sold by".to_owned(),
-        |white| format!("sold as {:.0} K", white.nominal_k),
+        || "in none of the whites that lamps are sold by".to_owned(),
+        |white| format!("may be sold as {:.0} K", white.nominal_k),
     );
-    let side = match cct.duv {
-        duv if duv > 0.001 => "greenish",
-        duv if duv < -0.001 => "pinkish",
-        _ => "neither greenish nor pinkish",
-    };
-    let (kelvin, duv) = (cct.kelvin, cct.duv);
-    format!("{name}: {kelvin:.0} K and {side} (Duv {duv:+.4}), {white}.")
+    let (title, duv) = (tint::title_words(*cct), cct.duv);
+    format!("{name}: {title} (Duv {duv:+.4}), {white}.")
 }
 
 fn rendition(sheet: &Sheet) -> String {
@@ -167,13 +158,13 @@ fn rendition(sheet: &Sheet) -> String {
         .filter_map(|(i, bin)| Some((i, bin.as_ref()?)))
         .min_by(|a, b| a.1.rf.total_cmp(&b.1.rf));
     let worst = worst.map_or_else(String::new, |(i, bin)| {
-        let how = match bin.rcs {
-            c if c > 0.03 => "too vivid",
-            c if c < -0.03 => "too dull",
-            _ => "turned in hue",
+        let how = match bin.rcs.abs() > 0.03 {
+            true => verdicts::of_chroma(&[bin.rcs]).unwrap_or_default(),
+            false => "turned in hue",
         };
+        let hue = HUE_NAMES[i];
         format!(
-            " Worst are colours of hue {}: {how}, Rf {:.0}.",
+            " Most shifts {hue} (hue {} of 16): {how}, Rf {:.0}.",
             i + 1,
             bin.rf
         )
@@ -257,8 +248,13 @@ mod tests {
         let shown = QualityShown::of(&app);
         let fidelity = shown.sheet.measured.fidelity.as_ref().expect("a white");
         assert!(shown.sentence.contains(&format!("Rf {:.0}", fidelity.rf)));
-        assert!(shown.place.contains(" K and "), "{}", shown.place);
-        assert!(shown.rendition.contains("Worst are"));
+        let title = "FL2: 4220 K, slightly green (Duv +0.0018)";
+        assert!(shown.place.starts_with(title), "{}", shown.place);
+        let worst = shown.rendition.split_once("Most shifts ").expect("a hue").1;
+        assert!(
+            HUE_NAMES.iter().any(|hue| worst.starts_with(hue)),
+            "{worst}"
+        );
         assert!(shown.rows.iter().all(|row| row.len() == 2));
     }
 

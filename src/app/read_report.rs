@@ -146,7 +146,7 @@ fn result_json(result: &MakersResult) -> Value {
 fn composite_json(file: &CompositeFile) -> Value {
     let CompositeFile {
         composite,
-        widths_nm,
+        widths_nm: _,
         unit,
         source,
         name,
@@ -161,8 +161,13 @@ fn composite_json(file: &CompositeFile) -> Value {
         "basis": composite.smooth.basis.word(),
         "order": composite.smooth.order(),
         "spikes": composite.spikes.len(),
-        "numbers": composite.numbers() + usize::from(!widths_nm.is_empty()),
+        "numbers": numbers_of(file),
     })
+}
+
+/// The numbers of a composite: one more, the label, where its lines have widths.
+fn numbers_of(file: &CompositeFile) -> usize {
+    file.composite.numbers() + usize::from(!file.widths_nm.is_empty())
 }
 
 /// A value in the file's own number. The scale was multiplied, so that the last bits of the
@@ -222,7 +227,7 @@ pub fn text(path: &Path, read: &Result<Reading, ReadError>) -> String {
         line(format!(
             "{}: a composite of {} on {}-{} nm",
             file.name,
-            numbers(file.composite.numbers()),
+            numbers(numbers_of(file)),
             short(band.min_nm()),
             short(band.max_nm()),
         ));

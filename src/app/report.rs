@@ -8,11 +8,14 @@ use serde_json::{Map, Value, json};
 
 use super::{
     absorption_names::{Curve, DarkFamily, dark_lines},
+    answers::{Worst, judged_on, verdict},
     derived::{Colour, Derived},
     figures::{ColourFigure, OF_COLOUR, OF_LIGHT, by_key},
     makers::{Beside, beside},
     state::App,
+    surfaces::Surfaces,
     ticks::short,
+    verdicts::Seen,
 };
 use crate::{
     io::many::{many, numbers},
@@ -71,6 +74,12 @@ pub fn json(app: &App) -> Value {
                 "exact_hex": p.exact_swatch.hex(),
                 "model_hex": p.model_swatch.hex(),
             })).collect::<Vec<_>>(),
+        })),
+        "surfaces": app.surfaces().map(|surfaces| json!({
+            "count": surfaces.count,
+            "beyond_1": surfaces.beyond_1,
+            "delta_e_max": surfaces.delta_e_max,
+            "worst": surfaces.worst,
         })),
     })
 }
@@ -226,7 +235,6 @@ pub fn text(app: &App) -> String {
     let derived = app.derived();
     let subject = app.document().subject_entry();
     let spectrum = &subject.spectrum;
-    let model = &derived.model;
     let unit = match spectrum.unit.as_str() {
         "" => String::new(),
         unit => format!(", {unit}"),
@@ -245,8 +253,26 @@ pub fn text(app: &App) -> String {
         lines.push(format!("Family    {}", family.title));
         lines.push(format!("About     {}", told.about.sentence()));
     }
-    lines.push(format!(
-        "Model     {} order {} on {}-{} nm, {}: {}{}",
+    lines.extend(seen_lines(app));
+    lines.extend(model_lines(app));
+    let curve = Curve::of(subject, derived.band, &derived.measured);
+    for family in dark_lines(curve) {
+        let basis = app.document().settings.basis;
+        lines.extend(dark_words(curve, basis, &family));
+    }
+    lines.extend(makers_lines(&beside(subject)));
+    lines.push(format!("Error     {}", strict_words(app)));
+    let notes = spectrum.notes.iter().chain(&derived.warnings);
+    lines.extend(notes.map(|note| format!("Note      {note}")));
+    lines.join("\n") + "\n"
+}
+
+/// The series and each spike of the model.
+fn model_lines(app: &App) -> Vec<String> {
+    let derived = app.derived();
+    let model = &derived.model;
+    let mut lines = vec![format!(
+        "Series    {} order {} on {}-{} nm, {}: {}{}",
         model.smooth.basis.word(),
         model.smooth.order(),
         derived.band.min_nm(),
@@ -257,47 +283,53 @@ pub fn text(app: &App) -> String {
             Some(Exactness::Exact { .. }) => ", colour-exact",
             _ => "",
         }
-    ));
+    )];
     for (spike, name) in model.spikes.iter().zip(app.spike_names()) {
         lines.push(format!(
             "  spike   {:7.2} nm  {:>11}  {}  {}",
             spike.at_nm,
             short(spike.weight),
             share_words(derived.parts.share(spike.weight)),
-            name.safe
-                .as_deref()
-                .or(name.near.as_deref())
-                .unwrap_or_default()
+            name.safe.as_deref().unwrap_or_default()
         ));
     }
-    let curve = Curve::of(subject, derived.band, &derived.measured);
-    for family in dark_lines(curve) {
-        let basis = app.document().settings.basis;
-        lines.extend(dark_words(curve, basis, &family));
-    }
-    lines.extend(figures_lines(app));
-    lines.extend(makers_lines(&beside(subject)));
-    let notes = spectrum.notes.iter().chain(&derived.warnings);
-    lines.extend(notes.map(|note| format!("Note      {note}")));
-    lines.join("\n") + "\n"
+    lines
 }
 
-/// What the model is off by, and the colours.
-fn figures_lines(app: &App) -> Vec<String> {
+/// What the spectra of model and measured light differ by, the strictest figures last: they compare
+/// place by place what no eye keeps apart.
+fn strict_words(app: &App) -> String {
+    let figures = &app.derived().figures;
+    let said: Option<String> = [
+        Measure::RmsBlurred,
+        Measure::Displacement,
+        Measure::Energy,
+        Measure::Lowest,
+        Measure::Rms,
+        Measure::MaxAbs,
+    ]
+    .into_iter()
+    .map(|measure| Some(measure.figure().say(figures[measure]?)))
+    .collect();
+    said.unwrap_or_else(|| format!("none to speak of: {}", why_no_errors(app)))
+}
+
+/// What a person can see: how far the model's colours are off, and the colours.
+fn seen_lines(app: &App) -> Vec<String> {
     let (document, derived) = (app.document(), app.derived());
     let colour = &derived.colour;
-    let errors: Option<String> = shares()
-        .map(|measure| Some(measure.figure().say(derived.figures[measure]?)))
-        .collect();
-    let errors = errors.unwrap_or_else(|| format!("none to speak of: {}", why_no_errors(app)));
-    let mut lines = vec![format!("Error     {errors}")];
-    for (what, colour) in [
-        ("Measured", colour.exact),
-        ("Model", colour.model),
-        ("360-830", colour.full),
-    ] {
-        let words = colour.map(|c| colour_words(&c, document.light.name()));
-        lines.extend(words.map(|words| format!("{what:<10}{words}")));
+    let mut lines = Vec::new();
+    if let Some(worst) = Worst::of(app) {
+        let patch = worst.patch.map(|patch| format!(" ({patch})"));
+        lines.push(format!(
+            "Seen      {}: CIEDE2000 {:.3} at most {}{}",
+            verdict(app, Seen::of(worst.delta_e_2000)),
+            worst.delta_e_2000,
+            judged_on(app),
+            patch.unwrap_or_default()
+        ));
+        let surfaces = app.surfaces().map(Surfaces::sentence);
+        lines.extend(surfaces.map(|said| format!("          {said}")));
     }
     if let (Some(de), Some(duv)) = (colour.delta_e_2000, colour.delta_uv) {
         lines.push(format!(
@@ -316,6 +348,14 @@ fn figures_lines(app: &App) -> Vec<String> {
             patches.max,
             worst.name
         ));
+    }
+    for (what, colour) in [
+        ("Measured", colour.exact),
+        ("Model", colour.model),
+        ("360-830", colour.full),
+    ] {
+        let words = colour.map(|c| colour_words(&c, document.light.name()));
+        lines.extend(words.map(|words| format!("{what:<10}{words}")));
     }
     lines
 }

@@ -6,7 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     color::Observer,
-    spectrum::{Band, Basis, Composite, Sampling, SpikeSettings, gradient::DEFAULT_GRADIENT},
+    lamps::Composite,
+    spectrum::{Band, Basis, Sampling, SpikeSettings, gradient::DEFAULT_GRADIENT},
 };
 
 /// Orders that may be asked for.
@@ -79,6 +80,8 @@ pub struct Settings {
     pub sampling: Sampling,
 }
 
+/// What the window starts with and what every command takes without a word about it: the one place
+/// that says so.
 impl Default for Settings {
     fn default() -> Self {
         Self {
@@ -100,13 +103,18 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// The paper's plain series: what a command line without a word about it means, so that figures
-    /// that were noted once come back.
+    /// The default with the paper's plain series.
     pub fn plain() -> Self {
+        Self::default().as_in_paper()
+    }
+
+    /// These with the paper's series: Fourier, by plain least squares.
+    #[must_use]
+    pub fn as_in_paper(self) -> Self {
         Self {
             basis: Basis::Fourier,
             colour_exact: false,
-            ..Self::default()
+            ..self
         }
     }
 
@@ -140,7 +148,7 @@ impl Settings {
             order: composite.smooth.order(),
             band: composite.band(),
             spikes: true,
-            wide_lines: false,
+            wide_lines: composite.spikes.iter().any(|line| !line.is_ideal()),
             colour_exact: false,
             ..self
         }

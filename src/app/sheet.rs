@@ -5,7 +5,7 @@ use std::{fmt::Write as _, sync::Arc};
 
 use super::{
     about::About,
-    chart::{Chart, Palette, Rgb, Theme, elided, escaped, px, text_width, wrap},
+    chart::{Chart, Palette, Rgb, SVG_HEAD, Theme, elided, escaped, px, text_width, wrap},
     charts::{
         quality::{DiagramShows, diagram, vector_graphic},
         spectrum::spectrum_chart,
@@ -81,8 +81,15 @@ pub fn to_pdf(app: &App) -> Result<Vec<u8>, String> {
     let tree = usvg::Tree::from_str(&to_svg(app), &options).map_err(|e| e.to_string())?;
     // 96 px are an inch, and an inch is 72 points.
     let page = svg2pdf::PageOptions { dpi: 96.0 };
-    svg2pdf::to_pdf(&tree, svg2pdf::ConversionOptions::default(), page).map_err(|e| e.to_string())
+    let pdf = svg2pdf::to_pdf(&tree, svg2pdf::ConversionOptions::default(), page);
+    let mut pdf = pdf.map_err(|e| e.to_string())?;
+    pdf.extend_from_slice(PDF_TAIL.as_bytes());
+    Ok(pdf)
 }
+
+/// How every PDF document of the program ends, a comment: the command line knows its own pages by
+/// it, and replaces no others.
+pub const PDF_TAIL: &str = concat!("\n%Drawn by ", env!("CARGO_PKG_NAME"), "\n");
 
 /// A page that is written from its top down.
 struct Page {
@@ -96,8 +103,7 @@ impl Page {
         let [width, height] = PAGE.map(px);
         let body = self.body;
         format!(
-            r##"<?xml version="1.0" encoding="UTF-8"?>
-<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" font-family="DejaVu Sans, sans-serif" fill="none">
+            r##"{SVG_HEAD} xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" font-family="DejaVu Sans, sans-serif" fill="none">
 <rect width="{width}" height="{height}" fill="#ffffff"/>
 {body}</svg>
 "##

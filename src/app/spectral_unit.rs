@@ -35,10 +35,25 @@ enum Of {
     Steradian,
 }
 
+/// Micromoles that a photon is: one over Avogadro's number, exact in the SI of 2019.
+const PHOTON: f64 = 1e6 / 6.022_140_76e23;
+
 /// Signs, longer ones before what they begin with; all lower case but where it would mislead.
-const SIGNS: [(&str, Of, f64); 26] = [
+const SIGNS: [(&str, Of, f64); 38] = [
     ("watts", Of::Watt, 1.0),
     ("watt", Of::Watt, 1.0),
+    (MEGAWATT, Of::Watt, 1e6),
+    ("photons", Of::Micromole, PHOTON),
+    ("photon", Of::Micromole, PHOTON),
+    ("quanta", Of::Micromole, PHOTON),
+    ("micromoles", Of::Micromole, 1.0),
+    ("micromole", Of::Micromole, 1.0),
+    ("micromol", Of::Micromole, 1.0),
+    ("µeinsteins", Of::Micromole, 1.0),
+    ("µeinstein", Of::Micromole, 1.0),
+    ("einsteins", Of::Micromole, 1e6),
+    ("einstein", Of::Micromole, 1e6),
+    ("moles", Of::Micromole, 1e6),
     ("µmol", Of::Micromole, 1.0),
     ("umol", Of::Micromole, 1.0),
     ("mmol", Of::Micromole, 1e3),
@@ -65,10 +80,20 @@ const SIGNS: [(&str, Of, f64); 26] = [
     ("angstrom", Of::Nanometre, 0.1),
 ];
 
+/// Megawatts in small letters, in which they would be thousandths of a watt.
+const MEGAWATT: &str = "megawatt";
+
 impl SpectralUnit {
     /// Takes a unit apart; `None` for what is no power or photon flux.
     pub fn of(text: &str) -> Option<Self> {
-        let plain = text
+        let (times, text) = times(text.trim());
+        let has_small = text.chars().any(char::is_lowercase);
+        let plain = match text.strip_prefix("MW") {
+            Some(rest) if has_small => MEGAWATT.to_owned() + rest,
+            Some(_) => return None,
+            None => text.to_owned(),
+        };
+        let plain = plain
             .to_lowercase()
             .replace('μ', "µ")
             .replace("per ", "/")
@@ -79,7 +104,7 @@ impl SpectralUnit {
         let mut rest = plain.trim();
         let mut below = false;
         let mut powers = [0i32; 6];
-        let mut factor = 1.0;
+        let mut factor = times;
         while let Some(first) = rest.chars().next() {
             if first == '/' {
                 below = true;
@@ -90,6 +115,10 @@ impl SpectralUnit {
             }
             let (sign, of, size) = SIGNS.iter().find(|(sign, _, _)| rest.starts_with(sign))?;
             rest = &rest[sign.len()..];
+            // "µmol photons": the second word says of what the moles are.
+            if *of == Of::Micromole && powers[*of as usize] == 1 {
+                continue;
+            }
             let (power, after) = power(rest)?;
             rest = after;
             // After a stroke all is below it, but what says so itself.
@@ -138,6 +167,36 @@ impl SpectralUnit {
         ];
         let said = parts.iter().filter(|(is, _)| *is).map(|(_, part)| *part);
         std::iter::once(what).chain(said).collect()
+    }
+}
+
+/// The number that a unit begins with and what is behind it: "1e15 photons", "10^15 photons".
+fn times(text: &str) -> (f64, &str) {
+    let body = text.trim_start_matches(['x', '×', '*', ' ']);
+    let end = body.find(|c: char| !"0123456789.+-eE^⁰¹²³⁴⁵⁶⁷⁸⁹".contains(c));
+    // "1e15 einsteins": the last letter may be the unit's.
+    let number = body[..end.unwrap_or(body.len())].trim_end_matches(['e', 'E']);
+    let raised = |c: char| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|other| other == c);
+    let value = if let Some(power) = number.strip_prefix("10^") {
+        power.parse().ok().map(|power| 10f64.powi(power))
+    } else if let Some(power) = number
+        .strip_prefix("10")
+        .filter(|rest| rest.starts_with(|c| raised(c).is_some()))
+    {
+        let mut digits = power.chars().map(|c| raised(c).map(|digit| digit as i32));
+        let power = digits.try_fold(0_i32, |sum, digit| sum.checked_mul(10)?.checked_add(digit?));
+        power
+            .filter(|power| *power < 40)
+            .map(|power| 10f64.powi(power))
+    } else {
+        number.parse().ok()
+    };
+    match value.filter(|value: &f64| value.is_finite() && *value > 0.0) {
+        Some(value) => (
+            value,
+            body[number.len()..].trim_start_matches(['x', '×', '*', ' ']),
+        ),
+        None => (1.0, text),
     }
 }
 
@@ -190,6 +249,24 @@ mod tests {
             assert_eq!((unit.counted, unit.factor), (Counted::Micromoles, 1.0));
             assert!(unit.per_area && !unit.per_nm);
         }
+        for (text, factor) in [
+            ("photons/s/cm2/nm", 1e4 / 6.022_140_76e17),
+            ("1e15 photons/s/cm2/nm", 1e19 / 6.022_140_76e17),
+            ("10^15 photons s-1 m-2 nm-1", 1e15 / 6.022_140_76e17),
+            ("10¹⁵ photons s⁻¹ m⁻² nm⁻¹", 1e15 / 6.022_140_76e17),
+            ("quanta/cm2/s/nm", 1e4 / 6.022_140_76e17),
+            ("mol m-2 s-1 nm-1", 1e6),
+            ("nmol/m2/s/nm", 1e-3),
+            ("µmol photons m⁻² s⁻¹ nm⁻¹", 1.0),
+            ("µE/m2/s/nm", 1.0),
+        ] {
+            let unit = SpectralUnit::of(text).unwrap_or_else(|| panic!("{text}"));
+            assert!((unit.factor / factor - 1.0).abs() < 1e-12, "{text}");
+            assert_eq!(unit.counted, Counted::Micromoles, "{text}");
+            assert!(unit.per_area && unit.per_nm, "{text}");
+        }
+        let mega = SpectralUnit::of("MW/m2/nm").map(|unit| unit.factor);
+        assert_eq!(mega, Some(1e6));
         assert!(SpectralUnit::of("W m-2 sr-1 nm-1").is_some_and(|u| u.per_steradian));
         for words in ["W m-2 nm-1", "W m-2 sr-1 nm-1", "µmol m-2 s-1 nm-1", "W"] {
             assert_eq!(

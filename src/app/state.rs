@@ -6,7 +6,7 @@ mod own;
 mod steps;
 
 use std::{
-    sync::Arc,
+    sync::{Arc, OnceLock},
     time::{Duration, Instant},
 };
 
@@ -16,11 +16,12 @@ use super::{
     document::{Document, Subject, WEIGHT_FACTORS, first_light},
     entry::{Entry, bundled_entries},
     history::History,
-    library::Library,
+    library::{Library, now_called},
     line_names::{ElementLine, LineName},
     product_view::ProductView,
     spike_hand::{self, SpikeAct},
     spike_names::{Told, names_in},
+    surfaces::Surfaces,
     tables::Tables,
 };
 use crate::spectrum::{Kind, SpikeEdits};
@@ -45,6 +46,7 @@ pub struct App {
     names: Vec<LineName>,
     told: Option<Arc<Told>>,
     product: Option<ProductView>,
+    surfaces: OnceLock<Option<Surfaces>>,
     scale_factor: f64,
     unit: String,
     took: Duration,
@@ -102,6 +104,7 @@ impl App {
             names: Vec::new(),
             told: None,
             product: None,
+            surfaces: OnceLock::new(),
             scale_factor: 1.0,
             unit: String::new(),
             took: Duration::ZERO,
@@ -165,6 +168,14 @@ impl App {
         self.told.as_deref()
     }
 
+    /// How many of all measured surfaces tell the model from its light, computed at the first call
+    /// after a change (1 ms); `None` where there are no patches to see.
+    pub fn surfaces(&self) -> Option<&Surfaces> {
+        self.surfaces
+            .get_or_init(|| Surfaces::of(&self.derived, &self.tables))
+            .as_ref()
+    }
+
     /// All atomic lines, for hover.
     pub fn element_lines(&self) -> &'static [ElementLine] {
         Library::bundled().lines()
@@ -182,12 +193,9 @@ impl App {
 
     /// The entry of that key, shipped or the user's own.
     pub fn entry(&self, key: &str) -> Option<Arc<Entry>> {
-        self.document
-            .own
-            .iter()
-            .chain(self.bundled.iter())
-            .find(|e| e.key == key)
-            .cloned()
+        let all = || self.document.own.iter().chain(self.bundled.iter());
+        let found = |key: &str| all().find(|e| e.key == key).cloned();
+        found(key).or_else(|| found(now_called(key)?))
     }
 
     /// A gesture ends when the pointer is let go: the next change is a step of its own.
@@ -316,6 +324,13 @@ impl App {
         self.scale_factor
     }
 
+    /// Points of the subject's table within the model's range.
+    pub fn table_points(&self) -> usize {
+        let samples = &self.document.subject_entry().spectrum.samples;
+        let band = self.derived.band;
+        samples.nm().iter().filter(|nm| band.contains(**nm)).count()
+    }
+
     /// The unit of the values on screen.
     pub fn unit(&self) -> &str {
         &self.unit
@@ -399,6 +414,7 @@ impl App {
             let sampling = self.document.settings.sampling;
             ProductView::of(&self.derived, patches, index, sampling)
         });
+        self.surfaces = OnceLock::new();
         // Integrals over the whole table: once a change, not once a frame.
         self.scale_factor = self.document.scale.factor(spectrum).unwrap_or(1.0);
         self.unit = self.document.scale.unit(spectrum);

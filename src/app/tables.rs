@@ -3,9 +3,12 @@
 //! A slider move only does what depends on the slider. Everything here depends on the band, the
 //! basis, the observer, the patch set and, for a reflectance, the light it is looked at under.
 
+use std::sync::OnceLock;
+
+use super::measured_surfaces::measured_surfaces;
 use crate::{
     color::{
-        Observer,
+        Observer, Weights,
         patches::{PatchMatrix, PatchSet},
     },
     spectrum::{Band, Basis, BasisTable, InnerProducts, numbers_of_order},
@@ -20,9 +23,9 @@ pub const CURVE_ORDER: usize = 40;
 pub struct Viewing {
     /// What weighs the subject on the grid: the colour-matching functions of a light, those
     /// times the light for a reflectance.
-    pub weights: [Vec<f64>; 3],
+    pub weights: Weights,
     /// The same for the CIE 1931 observer, which correlated colour temperature is defined for.
-    pub weights_1931: [Vec<f64>; 3],
+    pub weights_1931: Weights,
 }
 
 impl Viewing {
@@ -36,13 +39,10 @@ impl Viewing {
 
     /// A reflectance is looked at under a light, given on the band's grid.
     pub fn under(light: &[f64], band: Band, observer: Observer) -> Self {
-        let times_light = |rows: [Vec<f64>; 3]| {
-            rows.map(|row| row.iter().zip(light).map(|(w, s)| w * s).collect())
-        };
         let own = Self::of_light(band, observer);
         Self {
-            weights: times_light(own.weights),
-            weights_1931: times_light(own.weights_1931),
+            weights: own.weights.behind(light),
+            weights_1931: own.weights_1931.behind(light),
         }
     }
 }
@@ -77,6 +77,9 @@ pub struct Tables {
     pub colour_1931: InnerProducts,
     /// The patches; `None` when the subject is not a light.
     pub patches: Option<PatchTables>,
+    /// All measured surfaces for the observer, made when they are asked for.
+    surfaces: OnceLock<PatchSet>,
+    observer: Observer,
 }
 
 impl Tables {
@@ -113,8 +116,16 @@ impl Tables {
             colour_1931: InnerProducts::new(&table, &viewing.weights_1931),
             viewing,
             patches,
+            surfaces: OnceLock::new(),
+            observer,
             basis: table,
         }
+    }
+
+    /// All measured surfaces that ship, made at the first call (5 ms).
+    pub fn surfaces(&self) -> &PatchSet {
+        let make = || measured_surfaces(self.band(), self.observer);
+        self.surfaces.get_or_init(make)
     }
 
     /// The band of all tables.

@@ -204,7 +204,7 @@ pub(super) struct Light {
     pub csv: bool,
     /// With --json also what has no key there: absolute values such as lux and PPFD, other
     /// observers, every sample of TM-30, the shape, and the reasons by key.
-    #[arg(long, requires = "json")]
+    #[arg(long, requires = "json", conflicts_with = "csv")]
     pub full: bool,
 }
 
@@ -341,7 +341,7 @@ pub(super) struct Render {
     pub pick: PickOptions,
     #[command(flatten)]
     pub model: ModelOptions,
-    /// The picture to write; it may replace a picture.
+    /// The picture to write; it may replace one that this program drew.
     #[arg(long, value_name = "FILE.png", value_parser = words::path_in(&["png"]))]
     pub out: PathBuf,
     /// Let it replace any other file too, but for what is read.
@@ -373,8 +373,9 @@ pub(super) struct Plot {
     pub pick: PickOptions,
     #[command(flatten)]
     pub model: ModelOptions,
-    /// The picture to write, .svg or .png, with --sheet .svg or .pdf; it may replace a picture.
-    #[arg(long, value_name = "FILE", value_parser = words::path_in(&["svg", "png", "pdf"]))]
+    /// The picture to write, .svg or .png, with --sheet .svg or .pdf; it may replace one that
+    /// this program drew.
+    #[arg(long, value_name = "FILE", value_parser = words::plot_path())]
     pub out: PathBuf,
     /// One page about the light in place of its plot: what it is, how good it is, its colours, the
     /// numbers of its model. A4; --size and --theme are not used.

@@ -13,12 +13,7 @@ use std::{
     time::Duration,
 };
 
-use super::{
-    inputs::Inputs,
-    options::ModelOptions,
-    refusal::Refusal,
-    subject::{light, named_spectrum},
-};
+use super::{inputs::Inputs, options::ModelOptions, refusal::Refusal, subject::light};
 use crate::{
     app::{
         Document, Entry, Opened,
@@ -97,10 +92,8 @@ impl Asked {
             self.has_folder = true;
             return self.folder(path, inputs);
         }
-        let (name, spectrum) = named_spectrum(word);
-        let is_file = spectrum.is_none() && (is_stream(path) || path.exists());
-        if !is_file {
-            let entry = light(INPUT, name, spectrum, inputs).map_err(Refusal::into_words)?;
+        if !is_stream(path) && !path.exists() {
+            let entry = light(INPUT, word, inputs).map_err(Refusal::into_words)?;
             self.add(shown(path), entry);
             return Ok(());
         }

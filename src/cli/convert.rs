@@ -16,7 +16,7 @@ use super::{
 use crate::{
     app::{
         Library, composite_from_preset, export,
-        open::{Loaded, Wanted},
+        open::{Loaded, Wanted, named::Several},
         ticks::short,
     },
     io::{
@@ -98,7 +98,7 @@ const MOST_NOTES: usize = 12;
 /// What is meant by the input, whose file holds one spectrum or is told which.
 fn wanted(options: &Convert) -> Wanted<'_> {
     Wanted {
-        alone: true,
+        several: Several::Refused,
         ..options.pick.wanted()
     }
 }

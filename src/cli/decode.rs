@@ -43,9 +43,15 @@ pub(super) fn run(
         None => None,
     };
     let text = text(options, inputs)?;
-    let band = range.unwrap_or(Band::VISIBLE);
-    let refused = |why: EncodingError| Refusal::File(format!("{}: {why}", called(words)));
-    let (encoding, read) = read_encoding(&text, band).map_err(refused)?;
+    let refused = |why: EncodingError| match why {
+        EncodingError::Band { .. } => Refusal::Usage(format!(
+            "--range: {why}, but {} says what was encoded",
+            called(words)
+        )),
+        why => Refusal::File(format!("{}: {why}", called(words))),
+    };
+    let (encoding, read) = read_encoding(&text, *range).map_err(refused)?;
+    let band = encoding.band();
     let values = Decoder::new(band).decode(&encoding).map_err(refused)?;
     let makeup = Makeup::of(&encoding).in_words();
     let mut told = if *json {

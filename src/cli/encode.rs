@@ -11,6 +11,7 @@ use crate::{
     lamps::{
         Ask, Count, Encoder, EncodingError, LeaveOut, Panel, encode_json, encode_words, judged,
     },
+    spectrum::Band,
 };
 
 /// Carries the command out.
@@ -60,13 +61,21 @@ pub(super) fn run(
     };
     let chosen = encoder.encode(&values, ask).map_err(refused)?;
     let judge = Panel::judging(band, observer);
-    let encoded = judged(&encoder, &judge, &values, &chosen.encoding).map_err(refused)?;
+    let encoded =
+        judged(&encoder, &judge, &values, (&chosen.encoding, *numbers)).map_err(refused)?;
+    if !*json && band != Band::VISIBLE {
+        inputs.note(format!(
+            "the words do not hold the range: decode them with --range {}:{}",
+            band.min_nm(),
+            band.max_nm()
+        ));
+    }
     if !encoded.encoding.atoms.is_empty() {
         inputs.note("the words need the program's list of known lamps to be decoded");
     }
     if *json {
         print_json(out, &encode_json(&encoded))
     } else {
-        print(out, &encode_words(&encoded))
+        print(out, &encode_words(&encoded, ask.count))
     }
 }

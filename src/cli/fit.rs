@@ -17,7 +17,7 @@ use super::{
 use crate::{
     app::{open::Loaded, ticks::short},
     io::{Choices, many::many, shown, stream::is_standard_input},
-    pictures::{FitAsk, PictureError, fit_line, fit_spectra},
+    pictures::{FitAsk, PictureError, ReferenceKind, fit_line, fit_spectra},
     spectrum::NamedSpectrum,
     study::Progress,
 };
@@ -38,6 +38,13 @@ pub(super) fn run(options: &Fit, out: &mut dyn Write, inputs: &mut Inputs) -> Re
     };
     let input = Path::new(&options.input);
     if is_standard_input(input) && options.out.is_none() {
+        if options.reference != ReferenceKind::One {
+            return Err(Refusal::Usage(format!(
+                "--reference: found {}, which needs all spectra, expected one with lines of JSON, \
+                 which are fitted one by one",
+                options.reference.word()
+            )));
+        }
         return of_lines(ask, &mut std::io::stdin().lock(), out);
     }
     let Some(path) = &options.out else {
@@ -46,7 +53,10 @@ pub(super) fn run(options: &Fit, out: &mut dyn Write, inputs: &mut Inputs) -> Re
         ));
     };
     let read = [Some(options.input.as_os_str())];
-    let target = Target::out(path, Replaces::Nothing, options.force, &read);
+    let mut target = Target::out(path, Replaces::Nothing, options.force, &read);
+    if input.is_dir() {
+        files_in(input)?.iter().for_each(|file| target.reads(file));
+    }
     target.path()?;
     let spectra = spectra(input, inputs)?;
     let first = &spectra[0].1;
@@ -74,7 +84,12 @@ pub(super) fn run(options: &Fit, out: &mut dyn Write, inputs: &mut Inputs) -> Re
         _ => format!("{:#}\n", fitted.json()),
     };
     target.save(text.as_bytes())?;
-    let worst = fitted.relative_rms.iter().copied().fold(0.0, f64::max);
+    let worst = fitted
+        .relative_rms
+        .iter()
+        .flatten()
+        .copied()
+        .fold(0.0, f64::max);
     if options.json {
         let json = serde_json::json!({
             "spectra": spectra.len(),
@@ -109,6 +124,8 @@ fn of_lines(ask: FitAsk, lines: &mut dyn BufRead, out: &mut dyn Write) -> Result
         }
         let text = String::from_utf8_lossy(&line);
         if text.trim().is_empty() {
+            // The lines out stand where those in stood.
+            writeln!(out).map_err(Refusal::Output)?;
             continue;
         }
         let answer = fit_line(text.trim(), ask)

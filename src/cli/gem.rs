@@ -5,19 +5,19 @@ use std::{io::Write, path::Path, time::Instant};
 use super::{
     arguments::{CutOptions, Gem, ViewOptions},
     inputs::Inputs,
-    material::{absorption_of, material, note_extrapolated},
+    material::{absorption_of, clear_for, material, note_extrapolated},
     print,
-    prism::light_of,
+    prism::{light_of, sent},
     refusal::Refusal,
     room_words::Lamps,
-    subject::{self, USUAL_LIGHT, named_light},
+    subject::{self, USUAL_LIGHT},
     target::{Replaces, Target},
     words::extension,
 };
 use crate::{
-    app::ticks::short,
+    app::{dispersion::Sent, ticks::short},
     color::{Adaptation, Observer},
-    io::{many::many, shown},
+    io::{many::many, shown, with_attributes_in_order},
     optics::{
         Absorption, Brilliant, Film, FilmSettings, GemReport, Light, Material, Picture, Scene,
         Studio, View, film_bytes, gem_json, png, spectral_exr,
@@ -45,7 +45,7 @@ pub(super) fn run(options: &Gem, out: &mut dyn Write, inputs: &mut Inputs) -> Re
         }
     }
     let (light, observer) = light(options, inputs)?;
-    let material = material(&options.material, inputs)?;
+    let material = clear_for(material(&options.material, inputs)?, &light)?;
     let cut = brilliant(options.cut);
     let mut film = film(options, &cut, material, inputs)?;
     let planes = film.settings().strata + Film::lines_of(&light).len();
@@ -69,7 +69,13 @@ pub(super) fn run(options: &Gem, out: &mut dyn Write, inputs: &mut Inputs) -> Re
         seconds,
     };
     let text = if options.json {
-        format!("{:#}\n", gem_json(&report))
+        let mut json = gem_json(&report);
+        let sent = options
+            .wavelength
+            .is_none()
+            .then(|| sent(options.as_modelled));
+        json["light_as"] = sent.map(Sent::word).into();
+        format!("{json:#}\n")
     } else {
         words(&report)
     };
@@ -115,10 +121,11 @@ fn light(options: &Gem, inputs: &mut Inputs) -> Result<(Light, Observer), Refusa
         ));
     }
     let usual = USUAL_LIGHT.as_ref();
-    let light = named_light("--light", options.light.as_deref().unwrap_or(usual), inputs)?;
+    let light = subject::light("--light", options.light.as_deref().unwrap_or(usual), inputs)?;
     let app = subject::about_light(light, options.model);
     inputs.note_centres(options.model);
-    Ok((light_of(&app)?, app.document().settings.observer))
+    let light = light_of(&app, sent(options.as_modelled))?;
+    Ok((light, app.document().settings.observer))
 }
 
 fn brilliant(cut: CutOptions) -> Brilliant {
@@ -204,8 +211,18 @@ fn say_doubts(film: &Film, picture: &Picture, light: &Light, inputs: &mut Inputs
             places.join(", ")
         ));
     }
-    let mut traced = (380..=780).map(f64::from);
-    if traced.any(|nm| material.is_extrapolated(nm)) {
+    let traced = || (380..=780).map(f64::from);
+    if let Some([from, to]) = material.published_nm
+        && traced().any(|nm| material.index(nm).is_err())
+    {
+        inputs.note(format!(
+            "{}: the index is known for {} to {} nm alone: no light of other wavelengths is \
+             traced, neither through the gem nor beside it",
+            material.name,
+            short(from),
+            short(to)
+        ));
+    } else if traced().any(|nm| material.is_extrapolated(nm)) {
         note_extrapolated(material, inputs);
     }
 }
@@ -263,5 +280,6 @@ fn spectral_file(film: &Film, light: &Light, options: &Gem) -> Result<Vec<u8>, S
         ("view", format!("{:?}", film.studio().scene().view)),
         ("rays", options.rays.to_string()),
     ];
-    spectral_exr(film, light, &facts).map_err(|why| why.to_string())
+    let file = spectral_exr(film, light, &facts).map_err(|why| why.to_string())?;
+    Ok(with_attributes_in_order(file))
 }

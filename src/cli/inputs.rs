@@ -10,12 +10,19 @@ use std::{
 };
 
 use super::{
+    factor::split_at_sign,
     options::{FileOptions, ModelOptions},
     refusal::Refusal,
     remark,
 };
 use crate::{
-    app::open::{self, Found, Loaded, Wanted, named},
+    app::{
+        Library,
+        open::{
+            self, Found, Loaded, Wanted, few_numbers,
+            named::{self, Several},
+        },
+    },
     io::{
         self, Choices, ReadError, Reading, name_of, shown,
         stream::{self, ITS_NAME, is_standard_input, is_stream},
@@ -101,12 +108,35 @@ impl<'e> Inputs<'e> {
         Err(Refusal::File(last))
     }
 
-    /// What a word means.
+    /// What a word means, which may name one of a file's spectra: `lamps.csv#2`. Where a file has
+    /// several and none is named, a line tells that the first was taken.
     ///
     /// # Errors
     /// One line that says what was found and what was expected.
     pub(super) fn find(&mut self, word: &OsStr, wanted: &Wanted) -> Result<Found, String> {
-        named::find(word, wanted, |path, choices| self.load(path, choices))
+        let (name, named) = match wanted.spectrum {
+            Some(_) => (word, None),
+            None => named_spectrum(word),
+        };
+        let wanted = &Wanted {
+            spectrum: wanted.spectrum.or(named),
+            ..wanted.clone()
+        };
+        let found = named::find(name, wanted, |path, choices| self.load(path, choices))?;
+        let is_first = found.among > 1 && wanted.spectrum.is_none();
+        if is_first && wanted.several == Several::First {
+            let file = shown(Path::new(name));
+            let line = format!(
+                "{file}: found {} spectra and none of them named, took the first, {} ({file}#2 is \
+                 the second)",
+                found.among,
+                found.entry.name()
+            );
+            if !self.notes.contains(&line) {
+                self.note(line);
+            }
+        }
+        Ok(found)
     }
 
     /// A project, or any other file with decisions about it.
@@ -135,8 +165,14 @@ impl<'e> Inputs<'e> {
     pub(super) fn reading(&mut self, path: &Path, choices: &Choices) -> Result<Reading, ReadError> {
         let choices = &self.choices(choices);
         let reading = match self.stream(path) {
-            None => io::read_path_as(path, choices),
-            Some(bytes) => io::read_bytes_as(&name_at(path), &bytes?, choices),
+            None => {
+                few_numbers::reading_at(path).unwrap_or_else(|| io::read_path_as(path, choices))
+            }
+            Some(bytes) => {
+                let (name, bytes) = (name_at(path), bytes?);
+                few_numbers::reading_in(&name, &bytes)
+                    .unwrap_or_else(|| io::read_bytes_as(&name, &bytes, choices))
+            }
         };
         reading.map_err(|why| why.at(path))
     }
@@ -196,6 +232,21 @@ impl<'e> Inputs<'e> {
         };
         self.streams.insert(path.into(), bytes.clone());
         Some(Ok(bytes))
+    }
+}
+
+/// A file and which of its spectra (`lamps.csv#2`); a name that is there is taken as it stands.
+pub(super) fn named_spectrum(word: &OsStr) -> (&OsStr, Option<&str>) {
+    let is_shipped = || {
+        word.to_str()
+            .is_some_and(|name| Library::bundled().knows(name))
+    };
+    if Path::new(word).exists() || is_shipped() {
+        return (word, None);
+    }
+    match split_at_sign(word, "#") {
+        Some((name, _, spectrum)) => (name, Some(spectrum)),
+        None => (word, None),
     }
 }
 

@@ -5,6 +5,7 @@ use std::{fmt::Write as _, io::Write, path::Path};
 use serde_json::{Value, json};
 
 use super::{
+    Pictures,
     arguments::{LessonAct, Lessons},
     print, print_json,
     refusal::Refusal,
@@ -12,19 +13,28 @@ use super::{
     words,
 };
 use crate::{
-    app::lessons::{
-        Lesson,
-        handout::{Form, handout},
-        play, shelf,
+    app::{
+        App,
+        lessons::{
+            self, Lesson,
+            handout::{Form, handout},
+            shelf,
+        },
+        pages::PageMemory,
+        workspace::Preferences,
     },
-    io::{many::many, save_atomically, shown},
+    io::{many::many, one_line, save_together, shown},
 };
 
 /// Carries the command out.
 ///
 /// # Errors
 /// [`Refusal`] for a lesson that cannot be read or played, and a sheet that cannot be written.
-pub(super) fn run(options: &Lessons, out: &mut dyn Write) -> Result<(), Refusal> {
+pub(super) fn run(
+    options: &Lessons,
+    pictures: Option<&dyn Pictures>,
+    out: &mut dyn Write,
+) -> Result<(), Refusal> {
     let Lessons {
         act,
         lesson,
@@ -34,7 +44,7 @@ pub(super) fn run(options: &Lessons, out: &mut dyn Write) -> Result<(), Refusal>
     } = options;
     match (act, lesson, path) {
         (None, None, None) => list(*json, out),
-        (Some(LessonAct::Check), Some(word), None) => check(word, out),
+        (Some(LessonAct::Check), Some(word), None) => check(word, pictures, out),
         (Some(LessonAct::Handout), Some(word), Some(path)) => sheet(word, path, *force, out),
         (Some(LessonAct::Handout), _, None) => Err(Refusal::Usage(
             "lessons handout: found no --out, expected a file that ends in .md or .html".to_owned(),
@@ -80,14 +90,17 @@ fn of_lesson(lesson: &Lesson) -> Value {
     })
 }
 
-fn check(word: &str, out: &mut dyn Write) -> Result<(), Refusal> {
+fn check(word: &str, pictures: Option<&dyn Pictures>, out: &mut dyn Write) -> Result<(), Refusal> {
     let lesson = shelf::named(word).map_err(Refusal::file)?;
-    play(&lesson, |_, _| ()).map_err(Refusal::file)?;
-    for light in &lesson.also {
-        let other = lesson.about(light).map_err(Refusal::file)?;
-        play(&other, |_, _| ()).map_err(Refusal::file)?;
-    }
-    let (title, steps) = (&lesson.title, lesson.steps.len());
+    let names = |app: &App, memory: &PageMemory| {
+        let preferences = Preferences {
+            pages: memory.clone(),
+            ..Preferences::default()
+        };
+        pictures?.names(app, &preferences)
+    };
+    lessons::check(&lesson, &names).map_err(Refusal::file)?;
+    let (title, steps) = (one_line(&lesson.title), lesson.steps.len());
     let with = match lesson.also.len() {
         0 => String::new(),
         count => format!(", also with {}", many(count, "other light", "other lights")),
@@ -109,9 +122,9 @@ fn sheet(word: &str, path: &Path, force: bool, out: &mut dyn Write) -> Result<()
     let beside = sheet.pictures.iter();
     let beside = beside.map(|(end, svg)| {
         let file = path.with_file_name(format!("{stem}{end}"));
-        (file, svg.as_bytes(), Replaces::Pictures)
+        (file, svg.as_bytes())
     });
-    let first = (path.to_owned(), sheet.text.as_bytes(), Replaces::Nothing);
+    let first = (path.to_owned(), sheet.text.as_bytes());
     let files: Vec<_> = std::iter::once(first).chain(beside).collect();
     let target = |path, replaces| Target {
         what: "--out",
@@ -121,12 +134,11 @@ fn sheet(word: &str, path: &Path, force: bool, out: &mut dyn Write) -> Result<()
         read: vec![word.into()],
     };
     // Nothing is written where one of them may not be.
-    for (file, _, replaces) in &files {
-        target(file, *replaces).path()?;
+    target(path, Replaces::Nothing).path()?;
+    for (file, _) in &files[1..] {
+        target(file, Replaces::Pictures).path()?;
     }
-    for (file, bytes, _) in &files {
-        save_atomically(file, bytes).map_err(Refusal::file)?;
-    }
+    save_together(&files).map_err(Refusal::file)?;
     let pictures = match files.len() - 1 {
         0 => String::new(),
         count => format!(" and {count} pictures beside it"),

@@ -13,7 +13,7 @@ use crate::{
         ticks::short,
     },
     io::{Choices, quoted, shown},
-    optics::{Absorption, Material, Stuff},
+    optics::{Absorption, Light, Material, Stuff},
     spectrum::Kind,
 };
 
@@ -51,7 +51,19 @@ fn of_file(path: &Path, inputs: &mut Inputs) -> Result<Material, Refusal> {
             shown(path)
         )));
     };
-    material_of(curve).map_err(|why| Refusal::File(format!("--material: {}: {why}", shown(path))))
+    let material = material_of(curve, reading.spectra.iter());
+    material.map_err(|why| Refusal::File(format!("--material: {}: {why}", shown(path))))
+}
+
+/// Refuses a material that is not transparent for a light: metals, dyes, what absorbs there.
+///
+/// # Errors
+/// [`Refusal::File`] with the wavelength, n and k.
+pub(super) fn clear_for(material: Material, light: &Light) -> Result<Material, Refusal> {
+    match material.not_transparent_for(light) {
+        Some(why) => Err(Refusal::File(format!("--material: {why}"))),
+        None => Ok(material),
+    }
 }
 
 /// Says beyond which wavelengths a material's index is extrapolated.

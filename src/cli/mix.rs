@@ -3,18 +3,18 @@
 use std::{fmt::Write as _, io::Write, path::Path};
 
 use super::{
-    arguments::Mix, inputs::Inputs, print, print_json, refusal::Refusal, subject::named_light,
+    arguments::Mix, inputs::Inputs, print, print_json, refusal::Refusal, subject,
     words::numbers_with_commas,
 };
 use crate::{
-    app::Library,
+    app::{Library, design::wish::MixWish},
     color::xyz::{FIRST_NM, LAST_NM},
     design::{
         SampleTables,
         mixture::{Channel, MixError, Source, Spec, left_out},
         solve::{
-            Against, Floors, FrontPoint, FrontWish, MixFigures, Mixer, Solution, Target, Wish,
-            faders, front, front_json, mix_json,
+            Against, Care, Floors, FrontPoint, FrontWish, MixFigures, Mixer, Solution, Target,
+            Wish, faders, front, front_json, mix_json,
         },
     },
     spectrum::{Outside, Sampled},
@@ -59,9 +59,10 @@ pub(super) fn run(options: &Mix, out: &mut dyn Write, inputs: &mut Inputs) -> Re
     }
     let wish = Wish {
         target: target.map(|target| target.colour),
-        favour: options.favour.unwrap_or_default(),
+        favour: options.favour.unwrap_or(MixWish::default().favour),
         floors,
         alike: alike.as_deref(),
+        care: Care::Full,
     };
     let mixer = Mixer::new(&channels, SampleTables::shipped()).map_err(Refusal::usage)?;
     let solution = mixer.solve(&wish);
@@ -106,7 +107,7 @@ fn target_of(word: &str, duv: Option<f64>, inputs: &mut Inputs) -> Result<Wanted
     if let Some([x, y]) = numbers_with_commas(word).as_deref() {
         return colour(Target::of_xy([*x, *y]));
     }
-    let light = named_light("--target", word.as_ref(), inputs)?
+    let light = subject::light("--target", word.as_ref(), inputs)?
         .spectrum
         .samples;
     let colour = Target::of_light(&light).map_err(|why| Refusal::File(format!("--{why}")))?;
@@ -127,7 +128,7 @@ fn channel(word: &str, inputs: &mut Inputs) -> Result<Channel, Refusal> {
         word.parse().map_err(refused)?
     };
     let light = match &spec.source {
-        Source::Named(name) => Some(named_light("--channel", name.as_ref(), inputs)?),
+        Source::Named(name) => Some(subject::light("--channel", name.as_ref(), inputs)?),
         _ => None,
     };
     let table = light.as_ref().map(|light| &light.spectrum.samples);

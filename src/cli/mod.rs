@@ -94,6 +94,11 @@ pub trait Pictures {
     fn window(&self, app: &App, preferences: &Preferences, size: [u32; 2]) -> Vec<u8>;
     /// The spectrum plot alone as PNG, `size` in px.
     fn plot(&self, app: &App, theme: Theme, size: [u32; 2]) -> Vec<u8>;
+    /// Names of all that the window shows, as screen readers are told them, controls first; `None`
+    /// where nobody can tell.
+    fn names(&self, _app: &App, _preferences: &Preferences) -> Option<Vec<String>> {
+        None
+    }
 }
 
 /// Carries out a command line; `args` begins with the program's own name.
@@ -176,7 +181,7 @@ fn carry_out(
             Command::Fit(options) => fit::run(&options, out, inputs)?,
             Command::Read(options) => read::run(&options, out, inputs)?,
             Command::List(options) => list::run(options, out, inputs)?,
-            Command::Lessons(options) => lessons::run(&options, out)?,
+            Command::Lessons(options) => lessons::run(&options, pictures, out)?,
             Command::Render(options) => render::run(&options, pictures, out, inputs)?,
             Command::Plot(options) => plot::run(&options, pictures, out, inputs)?,
             Command::Convert(options) => convert::run(&options, out, inputs)?,

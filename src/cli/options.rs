@@ -6,7 +6,10 @@ use clap::Args;
 
 use super::words;
 use crate::{
-    app::{Settings, open::Wanted},
+    app::{
+        Settings,
+        open::named::{Several, Wanted},
+    },
     color::Observer,
     io::{Choices, Delimiter, WavelengthUnit},
     spectrum::{Band, Basis, Kind, Rect, Sampling},
@@ -107,7 +110,7 @@ impl PickOptions {
                 kind: self.kind,
                 ..Choices::default()
             },
-            alone: false,
+            several: Several::default(),
         }
     }
 }
@@ -124,15 +127,18 @@ pub(super) struct ModelOptions {
     /// Widest line, full width at half maximum, 1 to 50 nm [default: 10].
     #[arg(long, value_name = "NM", allow_hyphen_values = true, value_parser = words::max_width)]
     pub max_width: Option<f64>,
-    /// Functions of the smooth part: fourier or cosine [default: fourier].
+    /// Functions of the smooth part: fourier or cosine [default: cosine].
     #[arg(long, value_name = "BASIS", value_parser = words::basis)]
     pub basis: Option<Basis>,
-    /// Make X, Y and Z of the model exact [default of render].
+    /// Make X, Y and Z of the model exact: the default, and with --as-in-paper the exception.
     #[arg(long)]
     pub colour_exact: bool,
-    /// Fit by plain least squares [default of all commands but render].
+    /// Fit by plain least squares.
     #[arg(long, conflicts_with = "colour_exact")]
     pub plain: bool,
+    /// The paper's series: fourier and plain, where nothing else is said of them.
+    #[arg(long)]
+    pub as_in_paper: bool,
     /// Take no lines out as spikes.
     #[arg(long)]
     pub no_spikes: bool,
@@ -148,23 +154,16 @@ pub(super) struct ModelOptions {
     /// Colour-matching functions: 1931, 1964, 2015-2 or 2015-10 [default: 1931].
     #[arg(long, value_name = "YEAR", value_parser = words::observer)]
     pub observer: Option<Observer>,
-    /// How products with reflectances are formed: paper, 3n, 4n, double, convolution or exact
-    /// [default: exact].
+    /// How products with reflectances are formed: paper, 3n, 4n, double, convolution or exact; 3n
+    /// takes 3N+1 points, for an odd order N 3N+2 [default: exact].
     #[arg(long, value_name = "POINTS", value_parser = words::sampling)]
     pub sampling: Option<Sampling>,
-    /// What is not given is as the window has it.
-    #[arg(skip)]
-    pub as_window: bool,
 }
 
 impl ModelOptions {
     /// Whether any of them was given.
     pub(super) fn is_given(&self) -> bool {
-        let none = Self {
-            as_window: self.as_window,
-            ..Self::default()
-        };
-        *self != none
+        *self != Self::default()
     }
 
     /// Takes an option back that is not used, so that it changes nothing indeed; words that are no
@@ -177,6 +176,7 @@ impl ModelOptions {
             "--basis" => self.basis = None,
             "--colour-exact" => self.colour_exact = false,
             "--plain" => self.plain = false,
+            "--as-in-paper" => self.as_in_paper = false,
             "--no-spikes" => self.no_spikes = false,
             "--wide-lines" => self.wide_lines = false,
             "--dips" => self.dips = false,
@@ -187,21 +187,9 @@ impl ModelOptions {
         }
     }
 
-    /// The same, and what is not given as the window has it at the start.
-    #[must_use]
-    pub(super) fn of_window(self) -> Self {
-        Self {
-            as_window: true,
-            ..self
-        }
-    }
-
-    /// These options over what the command has without them.
+    /// These options over the program's own settings, which the window starts with too.
     pub(super) fn settings(self) -> Settings {
-        self.over(match self.as_window {
-            true => Settings::default(),
-            false => Settings::plain(),
-        })
+        self.over(Settings::default())
     }
 
     /// These options over other settings.
@@ -213,14 +201,18 @@ impl ModelOptions {
             basis,
             colour_exact,
             plain,
+            as_in_paper,
             no_spikes,
             wide_lines,
             dips,
             range,
             observer,
             sampling,
-            as_window: _,
         } = self;
+        let settings = match as_in_paper {
+            true => settings.as_in_paper(),
+            false => settings,
+        };
         Settings {
             basis: basis.unwrap_or(settings.basis),
             order: order.unwrap_or(settings.order),
@@ -242,11 +234,24 @@ impl ModelOptions {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::app::App;
 
     #[test]
-    fn no_options_are_the_programs_own_defaults() {
+    fn no_options_are_what_the_window_starts_with_and_the_papers_series_is_one_option() {
         let none = ModelOptions::default();
         assert!(!none.is_given());
-        assert_eq!(none.over(Settings::default()), Settings::default());
+        let fresh = App::new().document().settings;
+        assert_eq!(none.settings(), fresh);
+        let paper = ModelOptions {
+            as_in_paper: true,
+            ..none
+        };
+        assert_eq!(paper.settings(), Settings::plain());
+        let exact = ModelOptions {
+            colour_exact: true,
+            basis: Some(Basis::Cosine),
+            ..paper
+        };
+        assert_eq!(exact.settings(), fresh);
     }
 }

@@ -14,12 +14,12 @@ use super::{
 };
 use crate::{
     app::ticks::short,
-    io::{Choices, envi, shown},
+    io::{Choices, envi, name_of, shown},
     pictures::{
-        About, Asked, BOUND_P95, BOUND_RMS, Bytes, CompactPlan, EnviFile, Errors, Half, InMemory,
-        Light, OfImage, Operator, Peer, PictureError, Pixels, Plan, Precision, ReferenceKind,
-        Scene, Survey, Trust, Wish, WishedLines, choose, compact_plan, exact_bytes, measure, peers,
-        peers_json, picture_json, save_compact, save_full, white_y_of,
+        About, Asked, BOUND_P95, BOUND_RMS, Bytes, CompactPlan, EnviFile, Errors, Exactly, Half,
+        InMemory, Light, OfImage, Operator, Peer, PictureError, Pixels, Plan, Precision,
+        ReferenceKind, Scene, Survey, Trust, Wish, WishedLines, choose, compact_plan, exact_bytes,
+        measure, peers, peers_json, picture_json, save_compact, save_full, white_y_of,
     },
     study::Progress,
 };
@@ -75,11 +75,12 @@ fn target<'a>(options: &'a Picture, path: &'a Path) -> Target<'a> {
 }
 
 /// Opens the picture: a cube on disk stays there, others are read whole, and the wall is made.
+/// `work` is told whether the kind of the values is only guessed.
 fn with_pixels(
     options: &Picture,
     light: Option<&Light>,
     inputs: &mut Inputs,
-    work: impl FnOnce(&dyn Pixels, About, &mut Inputs) -> Result<(), Refusal>,
+    work: impl FnOnce(&dyn Pixels, (About, bool), &mut Inputs) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
     let path = options.input.as_path();
     if is_wall(path) {
@@ -89,26 +90,39 @@ fn with_pixels(
             ..About::default()
         };
         let pixels = InMemory::of(&wall).map_err(about(path))?;
-        return work(&pixels, said, inputs);
+        return work(&pixels, (said, false), inputs);
     }
-    let source = shown(path);
+    // A picture goes to others: where it lay on this machine is nobody's business.
+    let source = name_of(path);
     if envi::pair_of(path).is_some() {
-        let file = EnviFile::open(path, options.all_bands).map_err(about(path))?;
+        let file = EnviFile::open(path, options.all_bands, options.kind).map_err(about(path))?;
         file.said().iter().for_each(|said| inputs.note(said));
         let about = About {
             unit: file.unit().to_owned(),
             source,
             noise: 0.0,
         };
-        return work(&file, about, inputs);
+        return work(&file, (about, file.is_kind_guessed()), inputs);
     }
-    let reading = inputs.reading(path, &Choices::default());
-    let reading = reading.map_err(Refusal::file)?;
+    let choices = Choices {
+        kind: options.kind,
+        ..Choices::default()
+    };
+    let reading = inputs.reading(path, &choices).map_err(Refusal::file)?;
     let Some(image) = reading.images.first() else {
         return Err(Refusal::File(format!(
-            "{source}: found no spectral image, expected one"
+            "{}: found no spectral image, expected one",
+            shown(path)
         )));
     };
+    let understood = reading.images_understood.first();
+    let is_guess = understood.is_some_and(|of| of.kind.is_guess());
+    // The first is the line about its size.
+    image
+        .notes
+        .iter()
+        .skip(1)
+        .for_each(|said| inputs.note(said));
     let pixels = OfImage::new(image, options.all_bands).map_err(about(path))?;
     pixels.said().iter().for_each(|said| inputs.note(said));
     let about = About {
@@ -116,14 +130,14 @@ fn with_pixels(
         source,
         noise: 0.0,
     };
-    work(&pixels, about, inputs)
+    work(&pixels, (about, is_guess), inputs)
 }
 
 /// Carries the command out on pixels; what it prints.
 fn of_pixels(
     options: &Picture,
     pixels: &dyn Pixels,
-    said: About,
+    (said, is_guess): (About, bool),
     light: Option<&Light>,
     target: Option<&Target>,
     inputs: &mut Inputs,
@@ -151,7 +165,13 @@ fn of_pixels(
     let noise = survey.usual_noise();
     let said = (&operator, About { noise, ..said });
     let kept = kept(options, pixels, said, &survey, target, progress).map_err(&refused)?;
+    if kept.is_single {
+        inputs.note(
+            "the numbers of the full form have 32 bits: with 16 its own colour would pass the bound",
+        );
+    }
     let trust = trust(&operator, &survey, light);
+    let trust = trust.map(|trust| if is_guess { trust.of_a_guess() } else { trust });
     if options.json {
         let json = picture_json(&operator, kept.bytes, &kept.error, noise, trust.as_ref());
         return Ok(format!("{json:#}\n"));
@@ -194,9 +214,15 @@ fn plan(
     let choice = choose(bands, survey, known, (&base, &wish), asked, progress)?;
     choice.said.iter().for_each(|said| inputs.note(said));
     if !choice.is_reached && options.numbers.is_none() {
+        let p95 = options.bound.unwrap_or(BOUND_P95);
         inputs.note(format!(
-            "the bound is not reached: the nearest is {:.3} with {} numbers",
-            choice.chosen.p95, choice.chosen.numbers
+            "the bound is not reached: the nearest, {} numbers, has \u{394}E\u{2080}\u{2080} {:.3} \
+             (95 %) where {p95} is asked for and a relative rms of {:.2} % where {:.2} % is, both \
+             before the numbers are rounded",
+            choice.chosen.numbers,
+            choice.chosen.p95,
+            100.0 * choice.chosen.rms,
+            100.0 * choice.bound_rms
         ));
     }
     Ok(choice.plan)
@@ -205,7 +231,16 @@ fn plan(
 /// What was kept, where, and what it is off by.
 struct Kept {
     bytes: Bytes,
+    /// Whether the full form has numbers of 32 bits.
+    is_single: bool,
     error: Errors,
+}
+
+/// What a thread found; a panic in it is one here.
+fn joined<T>(thread: std::thread::ScopedJoinHandle<'_, T>) -> T {
+    thread
+        .join()
+        .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
 }
 
 /// Writes the file, and measures what both forms take and the one asked for is off by.
@@ -224,8 +259,16 @@ fn kept(
         .map(|p| operator.numbers_of(p))
         .collect();
     let half = Half::of(&sample);
-    let error = measure(pixels, operator, &half, white_y, progress)?;
     let bound = options.bound.unwrap_or(BOUND_P95);
+    let mut precision = Precision::Half;
+    let mut error = measure(pixels, operator, &half, white_y, progress)?;
+    if error.own.p95 > bound {
+        // Numbers that all but cancel, as with nearly as many of them as bands, need more digits.
+        let exactly = measure(pixels, operator, &Exactly, white_y, progress)?;
+        if exactly.own.p95 < error.own.p95 {
+            (precision, error) = (Precision::Single, exactly);
+        }
+    }
     let plan: CompactPlan =
         compact_plan(pixels, operator, &survey.sample, bound, white_y, progress)?;
     let path = target.map(|target| target.path);
@@ -235,23 +278,38 @@ fn kept(
         Some(path) if form => path.to_owned(),
         _ => folder.path().join(name),
     };
-    let full = save_full(
-        &place(!is_compact, "full.exr"),
-        pixels,
-        operator,
-        (Precision::Half, half),
-        (&said, error.clone()),
-        progress,
-    )?;
-    let compact = place(is_compact, "compact.png");
-    let compact = save_compact(&compact, pixels, operator, &plan, &said, progress)?;
-    let exact = exact_bytes(pixels, Precision::Half, progress)?;
+    let (of_full, of_compact) = (
+        place(!is_compact, "full.exr"),
+        place(is_compact, "compact.png"),
+    );
+    let kept = (precision, half);
+    // Packing takes most of the time and is one thread's work each; the longest tells how far it is.
+    let (full, compact, exact) = std::thread::scope(|scope| {
+        let full = scope.spawn(|| {
+            let none = Progress::default();
+            save_full(
+                &of_full,
+                pixels,
+                operator,
+                kept,
+                (&said, error.clone()),
+                &none,
+            )
+        });
+        let compact = scope.spawn(|| {
+            let none = Progress::default();
+            save_compact(&of_compact, pixels, operator, &plan, &said, &none)
+        });
+        let exact = exact_bytes(pixels, Precision::Half, progress);
+        (joined(full), joined(compact), exact)
+    });
     Ok(Kept {
         bytes: Bytes {
-            full: Some(full),
-            compact: Some(compact),
-            exact: Some(exact),
+            full: Some(full?),
+            compact: Some(compact?),
+            exact: Some(exact?),
         },
+        is_single: precision == Precision::Single,
         error: if is_compact { plan.error } else { error },
     })
 }

@@ -2,7 +2,7 @@
 
 use std::{ffi::OsStr, path::Path};
 
-use super::{inputs::Inputs, refusal::Refusal, subject::named_light};
+use super::{inputs::Inputs, refusal::Refusal, subject};
 use crate::{
     io::shown,
     pictures::{Light, PictureError},
@@ -21,7 +21,7 @@ pub(super) fn is_wall(path: &Path) -> bool {
 /// # Errors
 /// [`Refusal::File`] for what cannot be read or is no light.
 pub(super) fn light_of(what: &str, word: &OsStr, inputs: &mut Inputs) -> Result<Light, Refusal> {
-    let entry = named_light(what, word, inputs)?;
+    let entry = subject::light(what, word, inputs)?;
     Ok(Light::new(entry.name(), &entry.spectrum.samples))
 }
 

@@ -1,6 +1,6 @@
 //! `picture --relight`: a picture of few numbers under another light, as PNG.
 
-use std::{ffi::OsStr, fs, io::Write, path::Path};
+use std::{ffi::OsStr, io::Write, path::Path};
 
 use super::{
     arguments::Picture as Options,
@@ -13,7 +13,7 @@ use super::{
 };
 use crate::{
     color::{Adaptation, Srgb, Swatch, Xyz},
-    io::{shown, why_unopened},
+    io::{shown, stream::bytes_of_file},
     optics::png,
     pictures::{Between, CompactFile, Light, Operator, Picture, Relit, read_full, relit_into},
     study::Progress,
@@ -85,8 +85,7 @@ fn opened(path: &Path) -> Result<Picture, Refusal> {
              of few numbers (picture {WALL} --out {WALL}.exr writes one)"
         )));
     }
-    let bytes = fs::read(path).map_err(|why| {
-        let (found, expected) = why_unopened(path, &why);
+    let bytes = bytes_of_file(path, u64::MAX - 1).map_err(|(found, expected)| {
         Refusal::File(format!(
             "{}: found {found}, expected {expected}",
             shown(path)

@@ -7,13 +7,13 @@ use serde_json::Value;
 use super::{
     arguments::Prism,
     inputs::Inputs,
-    material::{absorption_of, material, note_extrapolated},
+    material::{absorption_of, clear_for, material, note_extrapolated},
     print,
     refusal::Refusal,
-    subject::{self, named_light, with_power},
+    subject::{self, with_power},
 };
 use crate::{
-    app::{App, ticks::short},
+    app::{App, dispersion::Sent, ticks::short},
     optics::{Bench, BenchSettings, Incidence, Light, Material, Strip, prism_csv, prism_json},
 };
 
@@ -29,11 +29,12 @@ pub(super) fn run(
     out: &mut dyn Write,
     inputs: &mut Inputs,
 ) -> Result<(), Refusal> {
-    let light = named_light("INPUT", &options.input, inputs)?;
+    let light = subject::light("INPUT", &options.input, inputs)?;
     let app = subject::about_light(light, options.model);
     inputs.note_centres(options.model);
-    let light = light_of(&app)?;
-    let material = material(&options.material, inputs)?;
+    let sent = sent(options.as_modelled);
+    let light = light_of(&app, sent)?;
+    let material = clear_for(material(&options.material, inputs)?, &light)?;
     if !options.json {
         every_has_an_index(&options.at, &material)?;
     }
@@ -61,7 +62,8 @@ pub(super) fn run(
     }
     let text = match (options.json, options.csv) {
         (true, _) => {
-            let json = prism_json(&bench, &light, &options.at, strip.as_ref());
+            let mut json = prism_json(&bench, &light, &options.at, strip.as_ref());
+            json["light_as"] = sent.word().into();
             format!("{json:#}\n")
         }
         (_, true) => prism_csv(&bench, &light, &options.at),
@@ -70,14 +72,23 @@ pub(super) fn run(
     print(out, &text)
 }
 
-/// The model of the document's light as the rooms of optics take it.
+/// What `--as-modelled` asks to send through.
+pub(super) fn sent(as_modelled: bool) -> Sent {
+    if as_modelled {
+        Sent::Model
+    } else {
+        Sent::Measured
+    }
+}
+
+/// The document's light as the rooms of optics take it.
 ///
 /// # Errors
 /// [`Refusal::File`] for a light that nothing is seen of.
-pub(super) fn light_of(app: &App) -> Result<Light, Refusal> {
+pub(super) fn light_of(app: &App, sent: Sent) -> Result<Light, Refusal> {
     with_power(app)?;
-    let name = app.document().light.name().to_owned();
-    Light::of_composite(&name, &app.derived().model).map_err(Refusal::file)
+    let light = sent.light(app.document().light.name(), app.derived());
+    light.map_err(Refusal::file)
 }
 
 /// Refuses the first wavelength of `--at` that a material has no index for.

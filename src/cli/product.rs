@@ -9,7 +9,7 @@ use super::{
     options::ModelOptions,
     print,
     refusal::Refusal,
-    subject::{self, named_light, no_power, with_power},
+    subject::{self, no_power, with_power},
 };
 use crate::{
     app::{
@@ -77,7 +77,7 @@ pub(super) fn run(
             }
             let app = about(light_name, *model, inputs)?;
             if let Some(outgoing) = check {
-                let outgoing = named_light("--check", outgoing, inputs)?;
+                let outgoing = subject::light("--check", outgoing, inputs)?;
                 return print(out, &of_check(&app, &chain, outgoing, *json));
             }
             let told = Told::of(&app, &ModelledLight::of(&app), &chain);
@@ -132,7 +132,7 @@ fn of_set(app: &App, group: &str, json: bool) -> String {
 
 /// The state about a light that has something to multiply.
 fn about(word: &OsStr, model: ModelOptions, inputs: &mut Inputs) -> Result<App, Refusal> {
-    let app = subject::about_light(named_light("LIGHT", word, inputs)?, model);
+    let app = subject::about_light(subject::light("LIGHT", word, inputs)?, model);
     inputs.note_centres(model);
     with_power(&app)?;
     match app.derived().has_errors() {

@@ -59,6 +59,9 @@ pub(super) fn run(options: &Race, out: &mut dyn Write, inputs: &mut Inputs) -> R
         strict: *strict,
         ..RaceAsk::of(app.document(), field, budgets)
     };
+    if let Some(why) = ask.why_not() {
+        return Err(Refusal::Usage(format!("--range: {why}")));
+    }
     let race = ask
         .answer(&Progress::default())
         .ok_or_else(|| match (input, set) {

@@ -5,11 +5,11 @@ use std::io::Write;
 use super::{
     arguments::Rainbow,
     inputs::Inputs,
-    material::material,
+    material::{clear_for, material},
     print, print_json,
-    prism::{add_table, every_has_an_index, light_of, note_no_lines},
+    prism::{add_table, every_has_an_index, light_of, note_no_lines, sent},
     refusal::Refusal,
-    subject::{self, named_light},
+    subject,
 };
 use crate::optics::{Light, Material, rainbow_json};
 
@@ -28,13 +28,15 @@ pub(super) fn run(
         at,
         material: word,
         model,
+        as_modelled,
         json,
     } = options;
+    let sent = sent(*as_modelled);
     let light = match input {
         Some(input) => {
-            let light = named_light("INPUT", input, inputs)?;
+            let light = subject::light("INPUT", input, inputs)?;
             inputs.note_centres(*model);
-            Some(light_of(&subject::about_light(light, *model))?)
+            Some(light_of(&subject::about_light(light, *model), sent)?)
         }
         None if at.is_empty() => {
             return Err(Refusal::Usage(
@@ -43,7 +45,10 @@ pub(super) fn run(
         }
         None => None,
     };
-    let material = material(word, inputs)?;
+    let mut material = material(word, inputs)?;
+    if let Some(light) = &light {
+        material = clear_for(material, light)?;
+    }
     if !*json {
         every_has_an_index(at, &material)?;
     }
@@ -51,7 +56,9 @@ pub(super) fn run(
         note_no_lines(light, at, inputs);
     }
     if *json {
-        print_json(out, &rainbow_json(&material, light.as_ref(), at))
+        let mut told = rainbow_json(&material, light.as_ref(), at);
+        told["light_as"] = light.as_ref().map(|_| sent.word()).into();
+        print_json(out, &told)
     } else {
         print(out, &words(&material, light.as_ref(), at))
     }

@@ -7,7 +7,7 @@ use super::{
     inputs::Inputs,
     print, print_json, recover_image,
     refusal::Refusal,
-    subject::{self, named_light},
+    subject,
     viewing::{OBSERVER, light},
 };
 use crate::{
@@ -75,6 +75,7 @@ pub(super) fn run(
     let under = predictions(&recovered.reflectance, &under(), Adaptation::ToLight);
     note_nearest(
         "no surface has this colour under this light",
+        "\u{394}E*ab",
         recovered.nearest.as_ref(),
         inputs,
     );
@@ -181,6 +182,7 @@ fn of_lines(
     let light = LineLight::new(places, &background, &[asked], OBSERVER).map_err(Refusal::usage)?;
     note_nearest(
         "no mixture of these lines has this colour",
+        "u'v'",
         light.nearest.as_ref(),
         inputs,
     );
@@ -201,11 +203,14 @@ fn of_lines(
 }
 
 /// Says why the nearest colour was taken, and how far off it is.
-fn note_nearest(why: &str, nearest: Option<&Nearest>, inputs: &mut Inputs) {
+fn note_nearest(why: &str, measure: &str, nearest: Option<&Nearest>, inputs: &mut Inputs) {
     if let Some(nearest) = nearest {
-        let worst = nearest.delta_e.iter().copied().fold(0.0, f64::max);
+        let worst = |all: &[f64]| all.iter().copied().fold(0.0, f64::max);
         inputs.note(format!(
-            "{why}: the nearest is {worst:.2} \u{394}E\u{2080}\u{2080} off"
+            "{why}: the nearest by {measure} is {:.2} \u{394}E*ab off, which is {:.2} \
+             \u{394}E\u{2080}\u{2080}",
+            worst(&nearest.delta_e_ab),
+            worst(&nearest.delta_e)
         ));
     }
 }
@@ -213,9 +218,11 @@ fn note_nearest(why: &str, nearest: Option<&Nearest>, inputs: &mut Inputs) {
 /// The shape behind the lines.
 fn background(options: &Recover, inputs: &mut Inputs) -> Result<Sampled, Refusal> {
     if let Some(word) = &options.background {
-        return Ok(named_light("--background", word, inputs)?.spectrum.samples);
+        return Ok(subject::light("--background", word, inputs)?
+            .spectrum
+            .samples);
     }
-    let lamp = named_light("--background", USUAL_BACKGROUND.as_ref(), inputs)?;
+    let lamp = subject::light("--background", USUAL_BACKGROUND.as_ref(), inputs)?;
     let app = subject::about_light(lamp, super::options::ModelOptions::default());
     let derived = app.derived();
     // What a series takes below zero is no light.

@@ -60,7 +60,35 @@ impl Refusal {
 /// Text without line ends and other marks that would break a line.
 pub(super) fn in_one_line(text: &str) -> String {
     let breaks = |c: char| c.is_control() || matches!(c, '\u{2028}' | '\u{2029}');
-    text.trim().replace(breaks, " ")
+    with_short_numbers(&text.trim().replace(breaks, " "))
+}
+
+/// Most digits of a number that is told as it is.
+const MOST_DIGITS: usize = 30;
+
+/// Numbers of hundreds of digits as powers of ten.
+fn with_short_numbers(text: &str) -> String {
+    let mut short = String::new();
+    let mut rest = text;
+    while let Some(start) = rest.find(|c: char| c.is_ascii_digit()) {
+        let (before, number) = rest.split_at(start);
+        let end = number.find(|c: char| !c.is_ascii_digit() && c != '.');
+        let (number, behind) = number.split_at(end.unwrap_or(number.len()));
+        short += before;
+        match number.parse::<f64>() {
+            Ok(value) if number.len() > MOST_DIGITS && !before.ends_with(is_word) => {
+                short += &format!("{value:e}");
+            }
+            _ => short += number,
+        }
+        rest = behind;
+    }
+    short + rest
+}
+
+/// A sign of a name, in which digits are no number.
+fn is_word(sign: char) -> bool {
+    sign.is_alphanumeric() || "_-/.".contains(sign)
 }
 
 /// What clap has to say: help and version are text to print, everything else a refusal.
@@ -153,4 +181,22 @@ fn first_line(error: &clap::Error) -> String {
     let text = error.render().to_string();
     let line = text.lines().next().unwrap_or_default();
     line.trim_start_matches("error: ").to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_of_hundreds_of_digits_is_told_in_few() {
+        let huge = format!("found {} nm, expected 380 to 780.5", f64::MAX);
+        let told = in_one_line(&huge);
+        assert_eq!(
+            told,
+            "found 1.7976931348623157e308 nm, expected 380 to 780.5"
+        );
+        // The digits of a name are no number.
+        let name = format!("lamp_{}.csv: found a\nbreak", "7".repeat(40));
+        assert_eq!(in_one_line(&name), name.replace('\n', " "));
+    }
 }

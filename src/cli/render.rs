@@ -14,11 +14,11 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command, Opened,
+        App, Command, Document, Opened, Settings,
         chart::Theme,
         lessons::shelf,
         open::Loaded,
-        pages::{AskedLesson, Page, PageMemory},
+        pages::{AskedLesson, Page, PageMemory, Place},
         picture::{ImageMemory, reload},
         workspace::Preferences,
     },
@@ -57,8 +57,8 @@ pub(super) fn run(
     let mut target = Target::out(path, Replaces::Pictures, *force, &read);
     target.path()?;
     let mut app = match input {
-        Some(input) => subject::app(input, pick, model.of_window(), inputs)?,
-        None => subject::first_app(pick, model.of_window())?,
+        Some(input) => subject::app(input, pick, *model, inputs)?,
+        None => subject::first_app(pick, *model)?,
     };
     let memory = ImageMemory {
         selection: pick.pixels(),
@@ -82,11 +82,32 @@ pub(super) fn run(
     };
     let picture = pictures.window(&app, &preferences, *size);
     target.save(&picture)?;
+    let is_learnt = page.place() == Place::Learn && lesson.is_none();
+    if is_learnt && model.is_given() && !shows_the_model(&app, pictures, &preferences, *size) {
+        inputs.note("no option of the model is used: the page does not show it");
+    }
     let [width, height] = size;
     print(
         out,
         &format!("Wrote {}, {width} x {height} px.\n", shown(path)),
     )
+}
+
+/// Whether other settings of the model give another picture.
+fn shows_the_model(
+    app: &App,
+    pictures: &dyn Pictures,
+    preferences: &Preferences,
+    size: [u32; 2],
+) -> bool {
+    let drawn = |settings| {
+        let document = Document {
+            settings,
+            ..app.document().clone()
+        };
+        pictures.window(&App::with_document(document), preferences, size)
+    };
+    drawn(app.document().settings) != drawn(Settings::default())
 }
 
 /// A lesson and its step: `waves:2`.

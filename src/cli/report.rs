@@ -3,7 +3,10 @@
 use std::io::Write;
 
 use super::{arguments::Report, inputs::Inputs, print, print_json, refusal::Refusal, subject};
-use crate::app::report;
+use crate::app::{
+    open::{Wanted, named::Several},
+    report,
+};
 
 /// Carries the command out.
 ///
@@ -20,7 +23,11 @@ pub(super) fn run(
         model,
         json,
     } = options;
-    let app = subject::app(input, pick, *model, inputs)?;
+    let wanted = Wanted {
+        several: Several::FirstAsNoted,
+        ..pick.wanted()
+    };
+    let app = subject::app_of(input, pick, &wanted, *model, inputs)?;
     // Only a light has patches.
     if !app.document().is_about_light() {
         inputs.note_sampling(*model);

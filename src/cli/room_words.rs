@@ -128,12 +128,21 @@ pub(super) fn stops(word: &str) -> Result<f64, String> {
     number(word, &(-20.0..=20.0), "stops")
 }
 
-/// Three numbers: a place.
+/// Three numbers: a place, or X, Y and Z of a colour.
 pub(super) fn place(word: &str) -> Result<[f64; 3], String> {
+    three(word, "X,Y,Z: three numbers")
+}
+
+/// Three numbers: a colour in L\*a\*b\*.
+pub(super) fn lab(word: &str) -> Result<[f64; 3], String> {
+    three(word, "L,A,B: three numbers")
+}
+
+fn three(word: &str, expected: &str) -> Result<[f64; 3], String> {
     let numbers: Option<Vec<f64>> = word.split(',').map(|n| finite(n).ok()).collect();
     numbers
         .and_then(|numbers| numbers.try_into().ok())
-        .ok_or_else(|| refused(word, "X,Y,Z: three numbers"))
+        .ok_or_else(|| refused(word, expected))
 }
 
 /// `--view`.

@@ -3,14 +3,13 @@
 use std::{ffi::OsStr, path::Path};
 
 use super::{
-    factor::split_at_sign,
     inputs::Inputs,
     options::{ModelOptions, PickOptions},
     refusal::Refusal,
 };
 use crate::{
     app::{
-        App, Command, Document, Entry, Library, Opened, Subject,
+        App, Command, Document, Entry, Opened, Subject,
         open::{self, Loaded, Wanted},
         ticks::short,
         workspace::Restored,
@@ -47,7 +46,7 @@ pub(super) fn app_of(
     inputs: &mut Inputs,
 ) -> Result<App, Refusal> {
     let light = match &pick.light {
-        Some(name) => Some(light("--light", name, None, inputs)?),
+        Some(name) => Some(light("--light", name, inputs)?),
         None => None,
     };
     if let Some(restored) = project(Path::new(input), inputs)? {
@@ -150,23 +149,15 @@ fn show(app: &mut App, entry: Entry) {
     });
 }
 
-/// A light by its name. `what` is the word of the command line that named it, `spectrum` which one
-/// of a file it is. A file that does not say what its values are is taken as a light, with a word;
+/// A light by a word that may tell which of a file's spectra it is; `what` is the word of the
+/// command line that named it. A file that does not say what its values are is taken as a light, with a word;
 /// one that is sure of something else is none.
 ///
 /// # Errors
 /// [`Refusal::File`] for what cannot be found or read, or is no light.
-pub(super) fn light(
-    what: &str,
-    name: &OsStr,
-    spectrum: Option<&str>,
-    inputs: &mut Inputs,
-) -> Result<Entry, Refusal> {
+pub(super) fn light(what: &str, name: &OsStr, inputs: &mut Inputs) -> Result<Entry, Refusal> {
     let refused = |why| Refusal::File(format!("{what}: {why}"));
-    let mut wanted = Wanted {
-        spectrum,
-        ..Wanted::default()
-    };
+    let mut wanted = Wanted::default();
     let mut found = inputs.find(name, &wanted).map_err(refused)?;
     let shown = shown(Path::new(name));
     if found.is_kind_open {
@@ -191,31 +182,6 @@ pub(super) fn light(
         "{shown}: found {} values, expected a light{remedy}",
         entry.kind()
     )))
-}
-
-/// A light by a word that may tell which of a file's spectra it is; `what` is the word of the
-/// command line that names it.
-///
-/// # Errors
-/// [`Refusal::File`] for what cannot be read or is no light.
-pub(super) fn named_light(what: &str, word: &OsStr, inputs: &mut Inputs) -> Result<Entry, Refusal> {
-    let (name, spectrum) = named_spectrum(word);
-    light(what, name, spectrum, inputs)
-}
-
-/// A file and which of its spectra (`lamps.csv#2`); a name that is there is taken as it stands.
-pub(super) fn named_spectrum(word: &OsStr) -> (&OsStr, Option<&str>) {
-    let is_shipped = || {
-        word.to_str()
-            .is_some_and(|name| Library::bundled().knows(name))
-    };
-    if Path::new(word).exists() || is_shipped() {
-        return (word, None);
-    }
-    match split_at_sign(word, "#") {
-        Some((name, _, spectrum)) => (name, Some(spectrum)),
-        None => (word, None),
-    }
 }
 
 /// The project in a file; `None` when the file is none or is something else.

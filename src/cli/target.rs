@@ -3,19 +3,22 @@
 use std::{
     ffi::OsStr,
     fs,
-    io::Read,
+    io::{Read, Seek, SeekFrom},
     path::{Path, PathBuf},
 };
 
-use super::refusal::Refusal;
-use crate::io::{envi, save_atomically, shown, stream::is_standard_input};
+use super::{inputs::named_spectrum, refusal::Refusal};
+use crate::{
+    app::{chart::SVG_HEAD, sheet::PDF_TAIL},
+    io::{envi, save_atomically, shown, stream::is_standard_input},
+};
 
 /// What may be replaced without a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Replaces {
     /// No file: what is written is data.
     Nothing,
-    /// Another picture: they are drawn anew.
+    /// Another picture that this program drew: they are drawn anew.
     Pictures,
 }
 
@@ -51,7 +54,7 @@ impl<'a> Target<'a> {
             read: Vec::new(),
         };
         for word in words.iter().flatten() {
-            target.reads(Path::new(word));
+            target.reads(Path::new(named_spectrum(word).0));
         }
         target
     }
@@ -88,6 +91,13 @@ impl<'a> Target<'a> {
             force,
             read,
         } = self;
+        if path.is_symlink() && !path.exists() {
+            let link = shown(path);
+            return Err(Refusal::File(format!(
+                "{what}: found {link}, a link to something that is not there, expected a new name \
+                 or a file"
+            )));
+        }
         if !path.is_file() {
             // Said before the work, not behind it.
             let folder = path
@@ -109,7 +119,7 @@ impl<'a> Target<'a> {
         if read.iter().any(|input| is_same(input, path)) {
             return refused("which is what is read", "another file");
         }
-        let is_free = *force || *replaces == Replaces::Pictures && is_picture(path);
+        let is_free = *force || *replaces == Replaces::Pictures && is_own_picture(path);
         match replaces {
             _ if is_free => Ok(path),
             Replaces::Nothing => refused(
@@ -117,8 +127,8 @@ impl<'a> Target<'a> {
                 "a new name (or --force to replace it)",
             ),
             Replaces::Pictures => refused(
-                "which exists already and is no picture",
-                "a new name or a picture to replace (or --force)",
+                "which exists already and is no picture that this program drew",
+                "a new name or such a picture to replace (or --force)",
             ),
         }
     }
@@ -146,34 +156,51 @@ fn is_one_node(_: &Path, _: &Path) -> bool {
     false
 }
 
-/// How much of a file is looked at to tell a picture.
-const HEAD_BYTES: u64 = 4096;
+/// How much of a file is looked at on both ends to tell a picture.
+const LOOK_BYTES: usize = 4096;
 
-/// Whether a file is a PNG or SVG picture by its content.
-fn is_picture(path: &Path) -> bool {
-    let mut head = Vec::new();
-    let read = fs::File::open(path).and_then(|file| file.take(HEAD_BYTES).read_to_end(&mut head));
-    read.is_ok()
-        && (head.starts_with(b"\x89PNG\r\n\x1a\n")
-            || head.starts_with(b"%PDF-")
-            || is_svg(&String::from_utf8_lossy(&head)))
+/// Whether a file is a plot or a page that this program drew: its mark stands in the head of a PNG or
+/// SVG and behind the end of a PDF, where whoever edits one leaves none. Spectral pictures are data
+/// and have no mark.
+fn is_own_picture(path: &Path) -> bool {
+    let ends = || {
+        let mut file = fs::File::open(path)?;
+        let mut head = Vec::new();
+        file.by_ref()
+            .take(LOOK_BYTES as u64)
+            .read_to_end(&mut head)?;
+        let length = file.metadata()?.len();
+        file.seek(SeekFrom::Start(length.saturating_sub(LOOK_BYTES as u64)))?;
+        let mut tail = Vec::new();
+        file.take(LOOK_BYTES as u64).read_to_end(&mut tail)?;
+        std::io::Result::Ok([head, tail])
+    };
+    ends().is_ok_and(|[head, tail]| {
+        head.starts_with(SVG_HEAD.as_bytes())
+            || head.starts_with(b"%PDF-") && tail.ends_with(PDF_TAIL.as_bytes())
+            || is_marked_png(&head)
+    })
 }
 
-/// Whether a text begins as SVG does: its first element, behind declarations and comments, is one.
-fn is_svg(text: &str) -> bool {
-    let mut rest = text.trim_start_matches('\u{feff}').trim_start();
-    loop {
-        let end = match rest {
-            _ if rest.starts_with("<!--") => "-->",
-            _ if rest.starts_with("<?") => "?>",
-            _ if rest.starts_with("<!") => ">",
-            _ => return rest.starts_with("<svg"),
+/// Whether the chunks that a PNG begins with tell this program as what wrote it.
+fn is_marked_png(head: &[u8]) -> bool {
+    let mark = concat!("Software\0", env!("CARGO_PKG_NAME")).as_bytes();
+    let Some(mut rest) = head.strip_prefix(b"\x89PNG\r\n\x1a\n") else {
+        return false;
+    };
+    // Length, kind, data and check sum.
+    while let Some((length, behind)) = rest.split_first_chunk::<4>() {
+        let length = u32::from_be_bytes(*length) as usize;
+        let Some((chunk, behind)) = behind.split_at_checked(length.saturating_add(8)) else {
+            return false;
         };
-        match rest.split_once(end) {
-            Some((_, behind)) => rest = behind.trim_start(),
-            None => return false,
+        match &chunk[..4] {
+            b"tEXt" if chunk[4..4 + length] == *mark => return true,
+            b"IDAT" => return false,
+            _ => rest = behind,
         }
     }
+    false
 }
 
 /// A picture's name in a folder that nothing there has yet, not even a link.
@@ -189,28 +216,37 @@ pub(super) fn new_picture(folder: &Path) -> PathBuf {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{app::chart::Chart, optics};
 
     #[test]
-    fn a_picture_is_told_by_its_content() {
+    fn only_a_picture_that_bears_the_programs_mark_is_its_own() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.png");
+        let chart = Chart::default().to_svg(160, 120);
+        let pdf = |tail: &str| format!("%PDF-1.4\n{}%%EOF{tail}", "a thesis\n".repeat(1000));
+        let png = optics::png([2, 1], &[[1, 2, 3]; 2]).unwrap();
+        let at = png.windows(8).position(|w| w == b"Software").unwrap();
+        let mut of_others = png.clone();
+        of_others[at] = b's';
         for (content, is) in [
-            (&b"\x89PNG\r\n\x1a\n..."[..], true),
-            (b"<svg xmlns=''/>", true),
-            (b"<?xml version='1.0'?>\n<!-- a plot > -->\n<svg/>", true),
-            (b"<!DOCTYPE svg>\n<svg/>", true),
-            (b"<html><svg/></html>", false),
-            (b"<!-- <svg/>", false),
+            (&png[..], true),
+            (&png[..60], false),
+            (&of_others, false),
+            (b"\x89PNG\r\n\x1a\n...", false),
+            (b"\x89PNG\r\n\x1a\n\xff\xff\xff\xfftEXt", false),
+            (chart.as_bytes(), true),
+            (format!("<!-- mine -->{chart}").as_bytes(), false),
+            (b"<?xml version='1.0'?>\n<!-- a plot > -->\n<svg/>", false),
+            (pdf(PDF_TAIL).as_bytes(), true),
+            (pdf("\n").as_bytes(), false),
+            (format!("{}% a note", pdf(PDF_TAIL)).as_bytes(), false),
+            (PDF_TAIL.as_bytes(), false),
             (b"380,1\n390,2\n", false),
             (b"", false),
         ] {
             fs::write(&path, content).unwrap();
-            assert_eq!(
-                is_picture(&path),
-                is,
-                "{}",
-                String::from_utf8_lossy(content)
-            );
+            let shown = String::from_utf8_lossy(&content[..content.len().min(60)]);
+            assert_eq!(is_own_picture(&path), is, "{shown}");
         }
     }
 }

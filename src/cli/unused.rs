@@ -33,11 +33,21 @@ const ALWAYS: Rule = Rule {
 /// How lines are found.
 const LINES: &[&str] = &["--threshold", "--max-width", "--wide-lines", "--dips"];
 /// How the smooth part is fitted.
-const FIT: &[&str] = &["--order", "--basis", "--colour-exact", "--plain"];
+const FIT: &[&str] = &[
+    "--order",
+    "--basis",
+    "--colour-exact",
+    "--plain",
+    "--as-in-paper",
+];
 /// The rest of the model's options.
 const OTHERS: &[&str] = &["--no-spikes", "--range", "--observer", "--sampling"];
 /// Which spectrum of an input, and what shines on it.
 const PICK: &[&str] = &["--spectrum", "--kind", "--light", "--pixel", "--region"];
+/// Why it changes nothing where there are curves alone.
+const NO_COLOUR: &str = "no colour is told here";
+/// Why an observer changes nothing where no model's colour is made exact for it.
+const STANDARD_OBSERVER: &str = "every figure has the observer of its standard";
 /// Why an option means nothing to commands that go through all ways of modelling.
 const CHANGES_NOTHING: &str = "it changes nothing here";
 
@@ -52,9 +62,37 @@ const RULES: &[Rule] = &[
         ..ALWAYS
     },
     Rule {
+        of: &["prism", "rainbow", "gem"],
+        without: &["--as-modelled"],
+        options: &[FIT],
+        why: "the light goes through as measured; --as-modelled sends its model",
+        ..ALWAYS
+    },
+    Rule {
         of: &["light", "prism", "rainbow", "gem", "plot"],
         options: &[&["--sampling"]],
         why: "nothing is multiplied here",
+        ..ALWAYS
+    },
+    Rule {
+        of: &["plot"],
+        with: &["--plain"],
+        without: &["--sheet"],
+        options: &[&["--observer"]],
+        why: NO_COLOUR,
+    },
+    Rule {
+        of: &["plot"],
+        with: &["--as-in-paper"],
+        without: &["--sheet", "--colour-exact"],
+        options: &[&["--observer"]],
+        why: NO_COLOUR,
+    },
+    Rule {
+        of: &["recover", "picture", "fit", "decode", "gem"],
+        without: &["--out"],
+        options: &[&["--force"]],
+        why: "nothing is written to a file",
         ..ALWAYS
     },
     Rule {
@@ -66,10 +104,17 @@ const RULES: &[Rule] = &[
     },
     Rule {
         of: &["light"],
+        with: &["--plain"],
+        options: &[&["--observer"]],
+        why: STANDARD_OBSERVER,
+        ..ALWAYS
+    },
+    Rule {
+        of: &["light"],
+        with: &["--as-in-paper"],
         without: &["--colour-exact"],
         options: &[&["--observer"]],
-        why: "every figure has the observer of its standard",
-        ..ALWAYS
+        why: STANDARD_OBSERVER,
     },
     Rule {
         of: &["sweep", "auction", "race"],
@@ -80,7 +125,7 @@ const RULES: &[Rule] = &[
     Rule {
         of: &["sweep"],
         without: &["--json"],
-        options: &[&["--basis", "--colour-exact", "--plain"]],
+        options: &[&["--basis", "--colour-exact", "--plain", "--as-in-paper"]],
         why: "the table has every basis and every fit (with --json the map of thresholds has this \
               one)",
         ..ALWAYS
@@ -107,7 +152,7 @@ const RULES: &[Rule] = &[
     Rule {
         of: &["prism"],
         options: &[&["--observer"]],
-        why: "no colour is told here",
+        why: NO_COLOUR,
         ..ALWAYS
     },
     Rule {

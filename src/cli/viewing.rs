@@ -2,7 +2,11 @@
 
 use std::ffi::OsStr;
 
-use super::{inputs::Inputs, refusal::Refusal, subject::USUAL_LIGHT, subject::named_light};
+use super::{
+    inputs::Inputs,
+    refusal::Refusal,
+    subject::{self, USUAL_LIGHT},
+};
 use crate::{app::Entry, color::Observer, design::recover::Viewing};
 
 /// The observer that colours are meant for.
@@ -17,7 +21,7 @@ pub(super) fn light(
     what: &str,
     inputs: &mut Inputs,
 ) -> Result<(Entry, Viewing), Refusal> {
-    let entry = named_light(what, name.unwrap_or(USUAL_LIGHT.as_ref()), inputs)?;
+    let entry = subject::light(what, name.unwrap_or(USUAL_LIGHT.as_ref()), inputs)?;
     let viewing = Viewing::new(&entry.spectrum.samples, OBSERVER)
         .map_err(|why| Refusal::File(format!("{what}: {}: {why}", entry.name())))?;
     Ok((entry, viewing))

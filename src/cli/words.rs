@@ -304,6 +304,16 @@ pub(super) fn path_in(known: &'static [&'static str]) -> impl TypedValueParser<V
     OsStringValueParser::new().try_map(move |path| with_extension(path, known))
 }
 
+/// `--out` of a plot, or of a sheet instead of it.
+pub(super) fn plot_path() -> impl TypedValueParser<Value = PathBuf> {
+    OsStringValueParser::new().try_map(|path| {
+        with_extension(path, &["svg", "png", "pdf"]).map_err(|why| {
+            let (found, _) = why.rsplit_once("a file").unwrap_or((&why, ""));
+            format!("{found}a file that ends in .svg or .png, with --sheet in .svg or .pdf")
+        })
+    })
+}
+
 /// A path that ends in one of some ways.
 pub(super) fn with_extension(path: OsString, known: &[&str]) -> Result<PathBuf, String> {
     let path = PathBuf::from(path);

@@ -39,6 +39,12 @@ const STRIDE: usize = 64;
 /// How far outside the range (as a share of T) a solution may fall by the method's own error.
 const RANGE_SLACK: f64 = 1e-5;
 
+/// So cold that a blackbody has the colour of the red end of the locus of wavelengths, K.
+const RED_END_K: f64 = 250.0;
+
+/// So hot that the chromaticity differs from the limit by 1e-8, K.
+const BLUE_END_K: f64 = 1e10;
+
 /// A correlated colour temperature with its distance from the blackbody locus.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cct {
@@ -53,9 +59,9 @@ pub struct Cct {
 pub enum NoCct {
     /// There is no chromaticity to begin with.
     NoLight,
-    /// Farther than [`FARTHEST_DUV`] from the blackbody locus.
+    /// Farther than [`FARTHEST_DUV`] from the blackbodies of every temperature.
     TooFar {
-        /// The distance, with its sign.
+        /// The distance from the nearest of them, with its sign.
         duv: f64,
     },
     /// Redder than a blackbody at [`COLDEST_K`].
@@ -101,18 +107,9 @@ pub fn cct_from_uv_1960(uv: [f64; 2]) -> Result<Cct, NoCct> {
     // the range has two neighbours; where an outermost entry is the nearest, there is no solution.
     let (nearest, last) = (nearest_entry(uv), LOCUS.len() - 1);
     let found = solution(uv, nearest.clamp(1, last - 1));
-    let distance = LOCUS[nearest].squared_distance(uv).sqrt();
-    if nearest == 0 || nearest == last {
-        return Err(match nearest {
-            _ if distance > FARTHEST_DUV => NoCct::TooFar {
-                duv: distance.copysign(found.duv),
-            },
-            0 => NoCct::TooCold,
-            _ => NoCct::TooHot,
-        });
-    }
-    if found.duv.abs() > FARTHEST_DUV {
-        return Err(NoCct::TooFar { duv: found.duv });
+    let is_outermost = nearest == 0 || nearest == last;
+    if is_outermost || found.duv.abs() > FARTHEST_DUV {
+        return Err(beyond(uv, found.duv, is_outermost));
     }
     if found.kelvin < COLDEST_K * (1.0 - RANGE_SLACK) {
         return Err(NoCct::TooCold);
@@ -187,6 +184,53 @@ static LOCUS: LazyLock<Vec<Entry>> = LazyLock::new(|| {
         })
         .collect()
 });
+
+/// Blackbodies colder than the range, from its end to the red end, and hotter ones to infinity:
+/// evenly in reciprocal temperature, so near that the chords leave the curve by less than 1e-5.
+static BEYOND: LazyLock<[Vec<[f64; 2]>; 2]> = LazyLock::new(|| {
+    let between = |from: f64, to: f64, steps: u32| {
+        let at = |step| {
+            let share = f64::from(step) / f64::from(steps);
+            uv_1960_from_kelvin(1.0 / ((1.0 - share) / from + share / to))
+        };
+        (0..=steps).filter_map(at).collect()
+    };
+    [
+        between(COLDEST_K, RED_END_K, 60),
+        between(HOTTEST_K, BLUE_END_K, 8),
+    ]
+});
+
+/// Why a colour that has no solution has none: it lies at colder or hotter blackbodies than those
+/// of the range, or far from all of them. The solution's own distance does not count where the
+/// range ends before it.
+fn beyond(uv: [f64; 2], solved_duv: f64, is_outermost: bool) -> NoCct {
+    let [cold, hot] = BEYOND.each_ref().map(|locus| duv_from(uv, locus));
+    let near = match cold.abs() <= hot.abs() {
+        true => (cold, NoCct::TooCold),
+        false => (hot, NoCct::TooHot),
+    };
+    match near {
+        (duv, no) if duv.abs() <= FARTHEST_DUV => no,
+        (duv, _) if is_outermost || duv.abs() < solved_duv.abs() => NoCct::TooFar { duv },
+        _ => NoCct::TooFar { duv: solved_duv },
+    }
+}
+
+/// Distance from a chain of chords, positive above it (greater v).
+fn duv_from([u, v]: [f64; 2], chain: &[[f64; 2]]) -> f64 {
+    let from_chord = |ends: &[[f64; 2]]| {
+        let ([from_u, from_v], [to_u, to_v]) = (ends[0], ends[1]);
+        let (du, dv) = (to_u - from_u, to_v - from_v);
+        let along = ((u - from_u) * du + (v - from_v) * dv) / (du * du + dv * dv);
+        let along = along.clamp(0.0, 1.0);
+        let (off_u, off_v) = (u - from_u - along * du, v - from_v - along * dv);
+        off_u.hypot(off_v).copysign(off_v)
+    };
+    let all = chain.windows(2).map(from_chord);
+    all.min_by(|a, b| a.abs().total_cmp(&b.abs()))
+        .unwrap_or(f64::INFINITY)
+}
 
 /// Index of the nearest entry: every 64th first, then all around the best.
 fn nearest_entry(uv: [f64; 2]) -> usize {
@@ -320,6 +364,44 @@ mod tests {
         assert_eq!(red, Err(NoCct::TooCold));
         let blue = cct_from_uv_1960(uv_1960_from_kelvin(300_000.0).unwrap());
         assert_eq!(blue, Err(NoCct::TooHot));
+    }
+
+    #[test]
+    fn no_blackbody_and_no_red_light_is_said_to_be_far_from_the_blackbodies() {
+        for kelvin in [500.0, 700.0, 850.0, 999.0] {
+            let uv = uv_1960_from_kelvin(kelvin).unwrap();
+            assert_eq!(cct_from_uv_1960(uv), Err(NoCct::TooCold), "{kelvin}");
+            // Chords leave the curve by less than 1e-5.
+            assert!(duv_from(uv, &BEYOND[0]).abs() < 1e-5, "{kelvin}");
+        }
+        // Distances from blackbodies of every tenth of a kelvin from 200 K on, computed elsewhere:
+        // a red LED of 620 nm and 20 nm width, and lasers.
+        for (uv, distance) in [
+            ([0.505_717_42, 0.349_391_04], 1.011e-4),
+            ([0.520_211_45, 0.347_944_15], 5.97e-5),
+            ([0.565_383_53, 0.343_451_22], 1.56e-5),
+            ([0.619_942_34, 0.338_005_77], 6e-7),
+        ] {
+            assert_eq!(cct_from_uv_1960(uv), Err(NoCct::TooCold), "{uv:?}");
+            let found = duv_from(uv, &BEYOND[0]);
+            assert!((found.abs() - distance).abs() < 1e-5, "{uv:?}: {found}");
+        }
+    }
+
+    #[test]
+    fn the_distance_that_is_told_is_that_from_the_nearest_blackbody_of_all() {
+        // Beside the cold end and beyond the hot one; computed elsewhere, as above.
+        for (uv, expected) in [
+            ([0.5, 0.25], -0.099_379),
+            ([0.6, 0.25], -0.089_550),
+            ([0.62, 0.4], 0.061_694),
+            ([0.2, 0.1], -0.164_732),
+        ] {
+            let Err(NoCct::TooFar { duv }) = cct_from_uv_1960(uv) else {
+                panic!("{uv:?}");
+            };
+            assert!((duv - expected).abs() < 1e-5, "{uv:?}: {duv}");
+        }
     }
 
     #[test]

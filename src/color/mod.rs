@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! observer      colour-matching functions and other weighting tables
+//! weights       what weighs a spectrum to X, Y, Z on a grid, and a line exactly where it stands
 //! xyz           tristimulus values: CIE sums over 360-830 nm, or through any `integrate`
 //! chromaticity  xy, CIE 1976 u'v', CIE 1960 uv
 //! lab           CIE 1976 L*a*b* against a white
@@ -34,6 +35,7 @@ pub mod patches;
 pub mod quality;
 pub mod srgb;
 mod wavelength_rgb;
+mod weights;
 pub mod xyz;
 
 pub use adaptation::{Adaptation, Adapter, adapted};
@@ -45,6 +47,7 @@ pub use observer::{ColourMatching, Observer, weighting};
 pub use patches::{PatchDifference, PatchMatrix, PatchSet};
 pub use srgb::{Mapping, Srgb, Swatch};
 pub use wavelength_rgb::{srgb_from_wavelength, srgb_from_wavelength_over, srgb_of_fill};
+pub use weights::Weights;
 pub use xyz::{
     Xyz, xyz_from_integral, xyz_from_light, xyz_from_reflectance, xyz_of_one, xyz_of_parts,
     xyz_of_spikes,

@@ -6,6 +6,7 @@ use std::sync::LazyLock;
 
 use serde::{Deserialize, Serialize};
 
+use super::weights::Weights;
 use crate::{
     preset::{Body, Group, OBSERVERS},
     spectrum::{Band, Outside, Sampled},
@@ -146,20 +147,20 @@ impl ColourMatching {
     }
 
     /// The three functions on the 1 nm grid of a band, zero outside the table.
-    pub fn on_band(&self, band: Band) -> [Vec<f64>; 3] {
+    pub fn on_band(&self, band: Band) -> Weights {
         let mut rows: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::with_capacity(band.points()));
         for at_nm in band.grid() {
             for (row, value) in rows.iter_mut().zip(self.at(at_nm)) {
                 row.push(value);
             }
         }
-        rows
+        Weights::new(band, rows)
     }
 
     /// [`ColourMatching::on_band`] times the band's trapezoid weights: with these rows XYZ is
     /// three plain sums of products, in value x nm.
     pub fn weighted_on_band(&self, band: Band) -> [Vec<f64>; 3] {
-        self.on_band(band).map(|row| {
+        self.on_band(band).each_ref().map(|row| {
             row.iter()
                 .enumerate()
                 .map(|(i, value)| value * band.weight(i))

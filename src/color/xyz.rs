@@ -6,7 +6,10 @@
 
 use std::ops::{Add, AddAssign, Mul, Sub};
 
-use super::observer::Observer;
+use super::{
+    observer::{ColourMatching, Observer},
+    weights::Weights,
+};
 use crate::spectrum::{Band, Outside, Sampled, Spike, dot};
 
 /// First wavelength of the CIE sums, nm.
@@ -110,19 +113,16 @@ pub fn xyz_from_integral(
 ///
 /// # Panics
 /// When a slice does not have [`Band::points`] entries.
-pub fn xyz_of_parts(band: Band, smooth: &[f64], spikes: &[Spike], weights: &[Vec<f64>; 3]) -> Xyz {
+pub fn xyz_of_parts(band: Band, smooth: &[f64], spikes: &[Spike], weights: &Weights) -> Xyz {
     let smooth = Xyz::from_array(weights.each_ref().map(|row| band.inner(smooth, row)));
-    smooth + xyz_of_spikes(band, spikes, weights)
+    smooth + xyz_of_spikes(spikes, weights)
 }
 
 /// XYZ of spikes alone, as [`xyz_of_parts`].
-pub fn xyz_of_spikes(band: Band, spikes: &[Spike], weights: &[Vec<f64>; 3]) -> Xyz {
-    Xyz::from_array(weights.each_ref().map(|row| {
-        let lines = spikes
-            .iter()
-            .map(|s| s.weight * band.interpolate(row, s.at_nm));
-        lines.sum()
-    }))
+pub fn xyz_of_spikes(spikes: &[Spike], weights: &Weights) -> Xyz {
+    spikes.iter().fold(Xyz::ZERO, |sum, spike| {
+        sum + Xyz::from_array(weights.at(spike.at_nm)) * spike.weight
+    })
 }
 
 /// XYZ of what is 1 at every nm, as [`xyz_of_parts`]: a perfect reflector where the weights are a
@@ -131,19 +131,32 @@ pub fn xyz_of_one(band: Band, weights: &[Vec<f64>; 3]) -> Xyz {
     Xyz::from_array(weights.each_ref().map(|row| band.integral(row)))
 }
 
+impl ColourMatching {
+    /// XYZ of a light from its values on whole nm 360-830: plain sums over what the table and that
+    /// range share, not normalised.
+    ///
+    /// # Panics
+    /// When `light` does not have [`POINTS`] values.
+    pub fn xyz_of_nm_values(&self, light: &[f64]) -> Xyz {
+        assert_eq!(light.len(), POINTS, "one value per nm of 360-830");
+        let first_nm = self.first_nm.max(FIRST_NM);
+        let count = (self.last_nm.min(LAST_NM) + 1).saturating_sub(first_nm) as usize;
+        Xyz::from_array(std::array::from_fn(|k| {
+            if count == 0 {
+                return 0.0;
+            }
+            let row = &self.xyz[k][(first_nm - self.first_nm) as usize..][..count];
+            dot(&light[(first_nm - FIRST_NM) as usize..][..count], row)
+        }))
+    }
+}
+
 /// XYZ of a light from its values on whole nm 360-830: plain sums, not normalised.
 ///
 /// # Panics
 /// When `light` does not have [`POINTS`] values.
 pub fn xyz_from_nm_values(light: &[f64], observer: Observer) -> Xyz {
-    assert_eq!(light.len(), POINTS, "one value per nm of 360-830");
-    let table = observer.table();
-    // Tables that start later (2015: 390 nm) weigh nothing before their start.
-    let skip = (table.first_nm - FIRST_NM) as usize;
-    Xyz::from_array(std::array::from_fn(|k| {
-        let row = &table.xyz[k];
-        dot(&light[skip..skip + row.len()], row)
-    }))
+    observer.table().xyz_of_nm_values(light)
 }
 
 /// XYZ of a light with Y = 100: linear to whole nm, plain sums over 360-830.
@@ -182,6 +195,36 @@ mod tests {
 
     fn flat(value: f64) -> Sampled {
         Sampled::new(vec![360.0, 830.0], vec![value, value]).unwrap()
+    }
+
+    #[test]
+    fn a_table_of_any_range_is_summed_over_what_it_shares_with_the_light() {
+        let whole = Observer::Cie1931.table();
+        let light: Vec<f64> = (0..POINTS).map(|i| 1.0 + (i as f64 / 40.0).sin()).collect();
+        for (first_nm, last_nm) in [(300, 830), (390, 780), (300, 900), (700, 1000), (200, 300)] {
+            let row = |k: usize| {
+                let value = |nm: u32| whole.at(f64::from(nm))[k];
+                (first_nm..=last_nm).map(value).collect()
+            };
+            let table = ColourMatching {
+                first_nm,
+                last_nm,
+                xyz: [row(0), row(1), row(2)],
+            };
+            let by_hand = |k: usize| -> f64 {
+                let values = light.iter().zip(FIRST_NM..);
+                let inside = values.filter(|(_, nm)| (first_nm..=last_nm).contains(nm));
+                inside.map(|(v, nm)| v * whole.at(f64::from(nm))[k]).sum()
+            };
+            let found = table.xyz_of_nm_values(&light).to_array();
+            for (k, found) in found.into_iter().enumerate() {
+                // The same products summed in another order.
+                assert!(
+                    (found - by_hand(k)).abs() < 1e-10,
+                    "{first_nm}-{last_nm} nm"
+                );
+            }
+        }
     }
 
     #[test]

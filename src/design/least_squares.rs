@@ -4,11 +4,12 @@
 //! least |A w - b|^2,  C w = d,  w >= 0
 //! ```
 //!
-//! An active-set method: on the weights that are free the problem is one linear system; a weight
-//! that would turn negative is held at zero, one whose release helps is released. It ends after
-//! finitely many exchanges at the one answer there is. Source: Lawson and Hanson, "Solving Least
-//! Squares Problems" (1974), chapter 23, with the equations kept by multipliers (Nocedal and
-//! Wright, "Numerical Optimization", 2006, algorithm 16.3).
+//! An active-set method: on the weights that are free the problem is a plain one of least squares
+//! along what the equations leave; a weight that would turn negative is held at zero, one whose
+//! release helps is released. It ends after finitely many exchanges at the one answer there is. The
+//! columns themselves are factored, each at length one and the most different first, so that the
+//! condition is theirs and not its square: two lines 3 nm apart are told apart. Source: Lawson and
+//! Hanson, "Solving Least Squares Problems" (1974), chapters 20 and 23.
 //!
 //! Why not a crate: `nnls` (BSD-2-Clause) knows no equations, and a colour that is only weighted
 //! heavily is not exact; `clarabel` (Apache-2.0) solves the problem to a tolerance from inside,
@@ -17,32 +18,46 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::programme::Programme;
+use super::programme::{End, Programme};
 
-/// Added to the squares of the weights, as a share of the mean diagonal: of two channels that are
-/// the same, each gets half.
-const EVENNESS: f64 = 1e-9;
+/// A slope below this share of what is to be matched is rounding: some fifty times that of f64, for
+/// sums of up to some hundred products of columns of length one.
+const NO_SLOPE: f64 = 1e-14;
 
-/// Slopes below this share of the largest are none.
-const NO_SLOPE: f64 = 1e-10;
-
-/// Sum of squares as `w' G w - 2 g' w`, so that only products of columns are needed.
-#[derive(Clone, Debug)]
-pub(super) struct Squares {
-    /// `G`: products of columns, row after row.
-    pub(super) products: Vec<f64>,
-    /// `g`: products of columns with what is to be matched.
-    pub(super) right: Vec<f64>,
-}
+/// What a column has that no other has, below which it has nothing: rounding of such sums.
+const NOTHING_OF_ITS_OWN: f64 = 1e-13;
 
 /// Weights of the least squares among those that meet the equations (one column of `equations` a
-/// weight); `None` where no weights do.
+/// weight). Columns that are the same share evenly.
+///
+/// # Errors
+/// [`End::Impossible`] where no weights meet the equations, [`End::Stuck`] where rounding or
+/// patience ended the search.
 pub(super) fn least_squares<const M: usize>(
-    squares: &Squares,
+    columns: &[&[f64]],
+    goal: &[f64],
     equations: &[[f64; M]],
     met: [f64; M],
-) -> Option<Vec<f64>> {
-    let count = squares.right.len();
+) -> Result<Vec<f64>, End> {
+    let count = columns.len();
+    let norm = |column: &&[f64]| column.iter().map(|v| v * v).sum::<f64>().sqrt();
+    let lengths: Vec<f64> = columns
+        .iter()
+        .map(norm)
+        .map(|l| if l > 0.0 { l } else { 1.0 })
+        .collect();
+    let matrix = DMatrix::from_fn(goal.len(), count, |row, i| columns[i][row] / lengths[i]);
+    // The squares ask for no more than its triangle.
+    let factors = matrix.qr();
+    let mut right = DVector::from_column_slice(goal);
+    factors.q_tr_mul(&mut right);
+    let rows = goal.len().min(count);
+    let fit = Fit {
+        triangle: factors.r(),
+        right: right.rows(0, rows).into_owned(),
+        equations: DMatrix::from_fn(M, count, |k, i| equations[i][k] / lengths[i]),
+        met: DVector::from_column_slice(&met),
+    };
     let mut weights = if M == 0 {
         vec![0.0; count]
     } else {
@@ -50,124 +65,179 @@ pub(super) fn least_squares<const M: usize>(
         let corner = programme.corner()?;
         programme.solution(&corner)
     };
-    let mean = (0..count)
-        .map(|i| squares.products[i * count + i])
-        .sum::<f64>()
-        / count as f64;
-    let product = |i: usize, j: usize| {
-        squares.products[i * count + j] + if i == j { EVENNESS * mean } else { 0.0 }
-    };
-    let mut free: Vec<usize> = (0..count).filter(|i| weights[*i] > 0.0).collect();
-    for _ in 0..60 * (count + 1) {
-        let (goal, prices) = on_free(&free, &product, squares, equations, met)?;
-        let blocked = free
-            .iter()
-            .zip(&goal)
-            .filter(|(_, goal)| **goal < 0.0)
-            .map(|(i, goal)| (weights[*i] / (weights[*i] - goal), *i))
-            .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        if let Some((part, stopped)) = blocked {
-            for (i, goal) in free.iter().zip(&goal) {
-                weights[*i] += part * (goal - weights[*i]);
-            }
-            weights[stopped] = 0.0;
-            free.retain(|i| *i != stopped);
-            continue;
-        }
-        free.iter()
-            .zip(&goal)
-            .for_each(|(i, goal)| weights[*i] = *goal);
-        // Held weights whose release lowers the squares.
-        let mut largest = 0.0_f64;
-        let mut best: Option<(f64, usize)> = None;
-        for (i, equation) in equations.iter().enumerate() {
-            let fit: f64 = (0..count).map(|j| product(i, j) * weights[j]).sum();
-            let priced: f64 = equation.iter().zip(&prices).map(|(e, p)| e * p).sum();
-            let slope = fit - squares.right[i] - priced;
-            largest = largest
-                .max(fit.abs())
-                .max(squares.right[i].abs())
-                .max(priced.abs());
-            if !free.contains(&i) && best.is_none_or(|(least, _)| slope < least) {
-                best = Some((slope, i));
-            }
-        }
-        match best {
-            Some((slope, index)) if slope < -NO_SLOPE * largest => {
-                let at = free.partition_point(|i| *i < index);
-                free.insert(at, index);
-            }
-            _ => break,
-        }
-    }
-    weights.iter().all(|w| w.is_finite()).then_some(weights)
+    let scaled = weights.iter_mut().zip(&lengths);
+    scaled.for_each(|(weight, length)| *weight *= length);
+    fit.exchanged(&mut weights)?;
+    let plain = weights.iter_mut().zip(&lengths);
+    plain.for_each(|(weight, length)| *weight /= length);
+    shared(columns, equations, &mut weights);
+    Ok(weights)
 }
 
-/// Weights of the free channels, the others being zero, and the multipliers of the equations.
-fn on_free<const M: usize>(
-    free: &[usize],
-    product: &impl Fn(usize, usize) -> f64,
-    squares: &Squares,
-    equations: &[[f64; M]],
-    met: [f64; M],
-) -> Option<(Vec<f64>, [f64; M])> {
-    let (n, size) = (free.len(), free.len() + M);
-    if size == 0 {
-        return Some((Vec::new(), [0.0; M]));
-    }
-    let mut matrix = DMatrix::zeros(size, size);
-    let mut right = DVector::zeros(size);
-    for (row, i) in free.iter().enumerate() {
-        right[row] = squares.right[*i];
-        for (column, j) in free.iter().enumerate() {
-            matrix[(row, column)] = product(*i, *j);
-        }
-        for k in 0..M {
-            matrix[(row, n + k)] = -equations[*i][k];
-            matrix[(n + k, row)] = equations[*i][k];
+/// Columns that are the same get the same.
+fn shared<const M: usize>(columns: &[&[f64]], equations: &[[f64; M]], weights: &mut [f64]) {
+    let mut is_done = vec![false; columns.len()];
+    for first in 0..columns.len() {
+        let is_same = |i: &usize| {
+            !is_done[*i] && columns[*i] == columns[first] && equations[*i] == equations[first]
+        };
+        let same: Vec<usize> = (first..columns.len()).filter(is_same).collect();
+        let share = same.iter().map(|i| weights[*i]).sum::<f64>() / same.len() as f64;
+        for i in same {
+            (weights[i], is_done[i]) = (share, true);
         }
     }
-    (0..M).for_each(|k| right[n + k] = met[k]);
-    let direct = matrix.clone().full_piv_lu().solve(&right);
-    let good = |found: &DVector<f64>| {
-        let scale = matrix.amax() * found.amax() + right.amax();
-        found.iter().all(|v| v.is_finite()) && (&matrix * found - &right).amax() <= 1e-9 * scale
-    };
-    // Fewer free weights than equations, all of which hold: any multipliers will do.
-    let found = match direct.filter(good) {
-        Some(found) => found,
-        None => {
-            let svd = matrix.clone().svd(true, true);
-            let least = svd.singular_values.amax() * 1e-13;
-            svd.solve(&right, least).ok()?
+}
+
+/// Squares and equations of weights, each column at length one.
+struct Fit {
+    triangle: DMatrix<f64>,
+    right: DVector<f64>,
+    equations: DMatrix<f64>,
+    met: DVector<f64>,
+}
+
+impl Fit {
+    /// Goes from weights that meet the equations to the least squares.
+    fn exchanged(&self, weights: &mut [f64]) -> Result<(), End> {
+        let count = weights.len();
+        let mut free: Vec<usize> = (0..count).filter(|i| weights[*i] > 0.0).collect();
+        // Released, and pushed back at once: rounding alone said that they help.
+        let mut barred: Vec<usize> = Vec::new();
+        for _ in 0..60 * (count + 1) {
+            let goal = self.on_free(&free, weights)?;
+            let both = free.iter().zip(&goal);
+            let blocked = both
+                .filter(|(_, goal)| **goal < 0.0)
+                .map(|(i, goal)| (weights[*i] / (weights[*i] - goal), *i))
+                .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            if let Some((part, stopped)) = blocked {
+                for (i, goal) in free.iter().zip(&goal) {
+                    weights[*i] += part * (goal - weights[*i]);
+                }
+                weights[stopped] = 0.0;
+                free.retain(|i| *i != stopped);
+                if part <= 0.0 {
+                    barred.push(stopped);
+                } else {
+                    barred.clear();
+                }
+                continue;
+            }
+            let both = free.iter().zip(&goal);
+            both.for_each(|(i, goal)| weights[*i] = *goal);
+            match self.helpful(&free, &barred, weights)? {
+                Some(index) => free.insert(free.partition_point(|i| *i < index), index),
+                None => return Ok(()),
+            }
         }
-    };
-    let prices = std::array::from_fn(|k| found[n + k]);
-    Some((found.iter().take(n).copied().collect(), prices))
+        Err(End::Stuck)
+    }
+
+    /// The held weight whose release lowers the squares most.
+    fn helpful(
+        &self,
+        free: &[usize],
+        barred: &[usize],
+        weights: &[f64],
+    ) -> Result<Option<usize>, End> {
+        let left = &self.triangle * DVector::from_column_slice(weights) - &self.right;
+        let fit = self.triangle.tr_mul(&left);
+        let mut slopes = fit.clone();
+        if self.equations.nrows() > 0 && !free.is_empty() {
+            // What the equations are worth, by the free weights, whose slopes are none.
+            let kept = self.equations.select_columns(free).transpose();
+            let right = DVector::from_iterator(free.len(), free.iter().map(|i| fit[*i]));
+            let prices = pseudo_solved(kept, &right)?;
+            slopes -= self.equations.tr_mul(&prices);
+        }
+        let size = self
+            .right
+            .norm()
+            .max((fit - &slopes).amax())
+            .max(left.norm());
+        let mut best: Option<(f64, usize)> = None;
+        for (i, slope) in slopes.iter().enumerate() {
+            let is_held = !free.contains(&i) && !barred.contains(&i);
+            if is_held && *slope < -NO_SLOPE * size && best.is_none_or(|(least, _)| *slope < least)
+            {
+                best = Some((*slope, i));
+            }
+        }
+        Ok(best.map(|(_, i)| i))
+    }
+
+    /// Weights of the free columns, the others being zero: the least squares of those that meet
+    /// the equations.
+    fn on_free(&self, free: &[usize], weights: &[f64]) -> Result<Vec<f64>, End> {
+        let size = free.len();
+        if size == 0 {
+            return Ok(Vec::new());
+        }
+        let triangle = self.triangle.select_columns(free);
+        let equations = self.equations.select_columns(free);
+        let mut now = DVector::from_iterator(size, free.iter().map(|i| weights[*i]));
+        let mut along = DMatrix::identity(size, size);
+        if equations.nrows() > 0 {
+            // Rounding since the equations were met last.
+            now += pseudo_solved(equations.clone(), &(&self.met - &equations * &now))?;
+            let factors = equations.transpose().col_piv_qr();
+            // More equations than columns leave a triangle that is wider than high.
+            let triangle = factors.r();
+            let corners =
+                (0..triangle.nrows().min(triangle.ncols())).map(|i| triangle[(i, i)].abs());
+            let least = corners.clone().fold(0.0, f64::max) * NOTHING_OF_ITS_OWN;
+            let rank = corners.filter(|v| *v > least).count();
+            factors.q_tr_mul(&mut along);
+            along = along.rows(rank, size - rank).transpose();
+        }
+        if along.ncols() > 0 {
+            let right = &self.right - &triangle * &now;
+            now += &along * solved(triangle * &along, right)?;
+        }
+        let found: Vec<f64> = now.iter().copied().collect();
+        let is_finite = found.iter().all(|v| v.is_finite());
+        is_finite.then_some(found).ok_or(End::Stuck)
+    }
+}
+
+/// The least squares of plain equations, the most different columns first; of columns that have
+/// nothing of their own the shortest solution.
+fn solved(matrix: DMatrix<f64>, right: DVector<f64>) -> Result<DVector<f64>, End> {
+    let columns = matrix.ncols();
+    if matrix.nrows() >= columns {
+        let factors = matrix.clone().col_piv_qr();
+        let triangle = factors.r();
+        let corners = triangle.diagonal().map(f64::abs);
+        if corners.amin() > NOTHING_OF_ITS_OWN * corners.amax() {
+            let mut turned = right;
+            factors.q_tr_mul(&mut turned);
+            let mut found = turned.rows(0, columns).into_owned();
+            if triangle.solve_upper_triangular_mut(&mut found) {
+                factors.p().inv_permute_rows(&mut found);
+                return Ok(found);
+            }
+            return Err(End::Stuck);
+        }
+    }
+    pseudo_solved(matrix, &right)
+}
+
+fn pseudo_solved(matrix: DMatrix<f64>, right: &DVector<f64>) -> Result<DVector<f64>, End> {
+    let svd = matrix.svd(true, true);
+    let least = svd.singular_values.amax() * NOTHING_OF_ITS_OWN;
+    svd.solve(right, least).map_err(|_| End::Stuck)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Products of columns and of columns with the goal.
-    fn squares(columns: &[&[f64]], goal: &[f64]) -> Squares {
-        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
-        Squares {
-            products: columns
-                .iter()
-                .flat_map(|a| columns.iter().map(move |b| dot(a, b)))
-                .collect(),
-            right: columns.iter().map(|a| dot(a, goal)).collect(),
-        }
-    }
-
-    fn close(found: Option<Vec<f64>>, expected: &[f64]) {
+    fn close(found: Result<Vec<f64>, End>, expected: &[f64]) {
         let found = found.unwrap();
         for (a, b) in found.iter().zip(expected) {
-            // The evenness (1e-9) moves numbers of size one by about itself; between equal channels
-            // it alone decides, and rounding over it is 1e-7.
-            assert!((a - b).abs() < 1e-6, "{found:?} {expected:?}");
+            // A handful of operations on numbers of size one.
+            assert!((a - b).abs() < 1e-14, "{found:?} {expected:?}");
         }
     }
 
@@ -175,11 +245,11 @@ mod tests {
     fn without_equations_it_is_least_squares_with_negative_weights_held_at_zero() {
         let columns: [&[f64]; 2] = [&[1.0, 0.0], &[0.0, 1.0]];
         close(
-            least_squares::<0>(&squares(&columns, &[2.0, -3.0]), &[[]; 2], []),
+            least_squares::<0>(&columns, &[2.0, -3.0], &[[]; 2], []),
             &[2.0, 0.0],
         );
         close(
-            least_squares::<0>(&squares(&columns, &[2.0, 3.0]), &[[]; 2], []),
+            least_squares::<0>(&columns, &[2.0, 3.0], &[[]; 2], []),
             &[2.0, 3.0],
         );
     }
@@ -190,16 +260,16 @@ mod tests {
         let sum = [[1.0], [1.0]];
         // On a + b = 1 the nearest to (2, 2) is (1/2, 1/2), to (2, 0.5) is (1, 0).
         close(
-            least_squares(&squares(&columns, &[2.0, 2.0]), &sum, [1.0]),
+            least_squares(&columns, &[2.0, 2.0], &sum, [1.0]),
             &[0.5, 0.5],
         );
         close(
-            least_squares(&squares(&columns, &[2.0, 0.5]), &sum, [1.0]),
+            least_squares(&columns, &[2.0, 0.5], &sum, [1.0]),
             &[1.0, 0.0],
         );
         assert_eq!(
-            least_squares(&squares(&columns, &[2.0, 2.0]), &sum, [-1.0]),
-            None
+            least_squares(&columns, &[2.0, 2.0], &sum, [-1.0]),
+            Err(End::Impossible)
         );
     }
 
@@ -207,8 +277,27 @@ mod tests {
     fn two_channels_that_are_the_same_get_half_each() {
         let columns: [&[f64]; 3] = [&[1.0, 1.0], &[1.0, 1.0], &[0.0, 1.0]];
         close(
-            least_squares::<0>(&squares(&columns, &[2.0, 3.0]), &[[]; 3], []),
+            least_squares::<0>(&columns, &[2.0, 3.0], &[[]; 3], []),
             &[1.0, 1.0, 1.0],
         );
+    }
+
+    #[test]
+    fn columns_that_are_nearly_the_same_are_told_apart() {
+        // They differ by 1e-5, products by 1e-10: less than rounding of f32, and than any ridge.
+        let columns: [&[f64]; 3] = [&[1.0, 0.0, 1.0], &[1.0, 1e-5, 1.0], &[0.0, 1.0, 0.5]];
+        let goal = [2.5, 3.0 + 0.5e-5, 4.0];
+        let found = least_squares::<0>(&columns, &goal, &[[]; 3], []).unwrap();
+        for (a, b) in found.iter().zip([2.0, 0.5, 3.0]) {
+            // The rounding of numbers of size one, times the condition of 1e5.
+            assert!((a - b).abs() < 1e-9, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn a_weak_column_is_weighed_like_a_strong_one() {
+        let columns: [&[f64]; 2] = [&[1.0, 0.0], &[0.0, 1e-12]];
+        let found = least_squares::<0>(&columns, &[1.0, 3e-12], &[[]; 2], []).unwrap();
+        assert!((found[1] - 3.0).abs() < 1e-3, "{found:?}");
     }
 }

@@ -13,26 +13,52 @@
 //! Source of the method with bounds: Dantzig, "Linear Programming and Extensions" (1963), chapter
 //! 18; Bland's rule (1977) against going in circles.
 
+use std::fmt;
+
 use super::small::{add, dot, inverse};
 
 /// How far from a bound or an equation counts as on it, where columns have length one.
 const SLACK: f64 = 1e-11;
 
-/// How far from the equations still counts as possible: a thousand times finer than any colour is
-/// known, and coarse enough for what rounding does at the very edge.
+/// How far from the equations and bounds still counts as possible: a thousand times finer than any
+/// colour is known, and coarse enough for what rounding does at the very edge.
 const POSSIBLE: f64 = 1e-9;
 
-/// Gains below this share of the largest are none.
-const NO_GAIN: f64 = 1e-11;
+/// A gain below this share of the numbers that it is the difference of is rounding: some ten
+/// products, whose prices carry the rounding of an inverse of condition up to `1 / SMALLEST_PIVOT`
+/// at worst and of some thousands as a rule.
+const NO_GAIN: f64 = 1e-12;
 
 /// Smallest number that is divided by in an exchange.
 const SMALLEST_PIVOT: f64 = 1e-9;
 
-/// Exchanges after which the slower rule that cannot go in circles is used.
+/// Exchanges after which the slower rule that cannot go in circles is used. It decides about time
+/// alone: programmes of up to six equations take some dozen exchanges.
 const PATIENCE: usize = 400;
 
-/// Exchanges after which the place reached is taken as it is.
+/// Exchanges after which nothing is known: far more than either rule takes.
 const MOST_STEPS: usize = 4000;
+
+/// Why a programme has no best corner that is known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum End {
+    /// Nothing satisfies the equations and bounds.
+    Impossible,
+    /// The sum grows without bound.
+    Endless,
+    /// The way there ended for rounding or for patience: the best may be another.
+    Stuck,
+}
+
+impl fmt::Display for End {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Impossible => "nothing satisfies the equations and bounds",
+            Self::Endless => "the sum grows without bound",
+            Self::Stuck => "rounding or patience ended the search",
+        })
+    }
+}
 
 /// Equations and bounds.
 #[derive(Clone, Debug)]
@@ -65,18 +91,9 @@ impl<const M: usize> Programme<M> {
     /// From columns, upper bounds (`f64::INFINITY` for none) and the right side.
     pub(super) fn new(columns: &[[f64; M]], upper: &[f64], right: [f64; M]) -> Self {
         let lengths: Vec<f64> = columns.iter().map(|c| dot(c, c).sqrt()).collect();
-        let longest = lengths.iter().copied().fold(0.0, f64::max);
-        // What is too weak to be weighed is left alone.
-        let lengths: Vec<f64> = lengths
-            .into_iter()
-            .map(|length| {
-                if length > 1e-12 * longest {
-                    length
-                } else {
-                    0.0
-                }
-            })
-            .collect();
+        // Each column by its own length, however weak: only what is nothing is left alone.
+        let sound = |length: f64| if length.is_normal() { length } else { 0.0 };
+        let lengths: Vec<f64> = lengths.into_iter().map(sound).collect();
         let mut scaled: Vec<[f64; M]> = columns
             .iter()
             .zip(&lengths)
@@ -104,9 +121,12 @@ impl<const M: usize> Programme<M> {
         }
     }
 
-    /// A corner; `None` where nothing satisfies the equations and bounds. Closes the artificial
-    /// unknowns for good.
-    pub(super) fn corner(&mut self) -> Option<Corner<M>> {
+    /// A corner. Closes the artificial unknowns for good.
+    ///
+    /// # Errors
+    /// [`End::Impossible`] where nothing satisfies the equations and bounds, [`End::Stuck`] where
+    /// that is not known.
+    pub(super) fn corner(&mut self) -> Result<Corner<M>, End> {
         let count = self.lengths.len();
         let mut corner = Corner {
             basis: std::array::from_fn(|row| count + row),
@@ -116,46 +136,54 @@ impl<const M: usize> Programme<M> {
         corner.place[count..].fill(Place::Basic);
         let mut gain = vec![0.0; count + M];
         gain[count..].fill(-1.0);
-        self.climb(&mut corner, &gain);
-        let size = 1.0 + self.right.iter().fold(0.0, |a, v| v.abs().max(a));
+        let climbed = self.climb(&mut corner, &gain);
         let rest: f64 = (0..M)
             .filter(|row| corner.basis[*row] >= count)
             .map(|row| corner.values[row].abs())
             .sum();
         self.upper[count..].fill(0.0);
-        (rest <= POSSIBLE * size).then_some(corner)
+        // However it was found, a corner is one.
+        if rest <= POSSIBLE * self.size() && self.is_inside(&corner) {
+            return Ok(corner);
+        }
+        climbed.and(Err(End::Impossible))
     }
 
-    /// Goes to the corner of the greatest `sum gain_j x_j`; `None` where it grows without bound.
-    pub(super) fn maximise(&self, corner: &mut Corner<M>, gain: &[f64]) -> Option<f64> {
+    /// Goes to the corner of the greatest `sum gain_j x_j` and tells it.
+    ///
+    /// # Errors
+    /// [`End::Endless`] where it grows without bound, [`End::Stuck`] where the best is not known.
+    pub(super) fn maximise(&self, corner: &mut Corner<M>, gain: &[f64]) -> Result<f64, End> {
         let mut scaled: Vec<f64> = gain
             .iter()
             .zip(&self.lengths)
             .map(|(g, length)| if *length > 0.0 { g / length } else { 0.0 })
             .collect();
         scaled.resize(self.columns.len(), 0.0);
-        if !self.climb(corner, &scaled) {
-            return None;
-        }
-        Some(
-            self.solution(corner)
-                .iter()
-                .zip(gain)
-                .map(|(x, g)| x * g)
-                .sum(),
-        )
+        self.climb(corner, &scaled)?;
+        let found = self.solution(corner);
+        Ok(found.iter().zip(gain).map(|(x, g)| x * g).sum())
     }
 
-    /// Goes to the greatest (`sign` 1) or least (-1) value of one unknown and tells it.
-    pub(super) fn extreme(&self, corner: &mut Corner<M>, index: usize, sign: f64) -> Option<f64> {
+    /// Goes to the greatest (`sign` 1) or least (-1) value of one unknown and tells it; `None` for
+    /// one whose column is nothing, which no equation holds.
+    ///
+    /// # Errors
+    /// As [`Programme::maximise`].
+    pub(super) fn extreme(
+        &self,
+        corner: &mut Corner<M>,
+        index: usize,
+        sign: f64,
+    ) -> Result<Option<f64>, End> {
         let length = self.lengths[index];
         if length == 0.0 {
-            return None;
+            return Ok(None);
         }
         let mut gain = vec![0.0; self.columns.len()];
         gain[index] = sign;
-        self.climb(corner, &gain)
-            .then(|| self.value(corner, index) / length)
+        self.climb(corner, &gain)?;
+        Ok(Some(self.value(corner, index) / length))
     }
 
     /// The unknowns at a corner.
@@ -183,29 +211,38 @@ impl<const M: usize> Programme<M> {
         }
     }
 
-    /// Exchanges until nothing gains; false where a gain is without bound.
-    fn climb(&self, corner: &mut Corner<M>, gain: &[f64]) -> bool {
-        let largest = gain.iter().fold(0.0, |a: f64, g| a.max(g.abs()));
+    /// What rounding is measured by.
+    fn size(&self) -> f64 {
+        1.0 + self.right.iter().fold(0.0, |a, v| v.abs().max(a))
+    }
+
+    /// Whether the basic unknowns keep their bounds to rounding.
+    fn is_inside(&self, corner: &Corner<M>) -> bool {
+        let rounding = POSSIBLE * self.size();
+        let both = corner.basis.iter().zip(&corner.values);
+        let mut kept = both.map(|(index, value)| (*value, self.upper[*index]));
+        kept.all(|(value, upper)| value >= -rounding && value <= upper + rounding)
+    }
+
+    /// Exchanges until nothing gains.
+    fn climb(&self, corner: &mut Corner<M>, gain: &[f64]) -> Result<(), End> {
         for step in 0..MOST_STEPS {
             let basis: [[f64; M]; M] =
                 std::array::from_fn(|row| corner.basis.map(|b| self.columns[b][row]));
-            let Some(inverse) = inverse(&basis) else {
-                return true;
-            };
+            let inverse = inverse(&basis).ok_or(End::Stuck)?;
             corner.values = self.basic_values(corner, &inverse);
             let mut prices = [0.0; M];
             for (row, line) in inverse.iter().enumerate() {
                 add(&mut prices, line, gain[corner.basis[row]]);
             }
             let by_index = step > PATIENCE;
-            let Some((entering, sign)) = self.entering(corner, gain, &prices, largest, by_index)
-            else {
-                return true;
+            let Some((entering, sign)) = self.entering(corner, gain, &prices, by_index) else {
+                return self.is_inside(corner).then_some(()).ok_or(End::Stuck);
             };
             let column = &self.columns[entering];
             let turn: [f64; M] = std::array::from_fn(|row| sign * dot(&inverse[row], column));
             match self.first_stop(corner, &turn, self.upper[entering]) {
-                Stop::Never => return false,
+                Stop::Never => return Err(End::Endless),
                 Stop::Own => {
                     corner.place[entering] = match corner.place[entering] {
                         Place::Lower => Place::Upper,
@@ -219,7 +256,7 @@ impl<const M: usize> Programme<M> {
                 }
             }
         }
-        true
+        Err(End::Stuck)
     }
 
     fn basic_values(&self, corner: &Corner<M>, inverse: &[[f64; M]; M]) -> [f64; M] {
@@ -238,11 +275,10 @@ impl<const M: usize> Programme<M> {
         corner: &Corner<M>,
         gain: &[f64],
         prices: &[f64; M],
-        largest: f64,
         by_index: bool,
     ) -> Option<(usize, f64)> {
         let mut best = None;
-        let mut most = NO_GAIN * largest;
+        let mut most = 0.0;
         for (index, place) in corner.place.iter().enumerate() {
             let sign = match place {
                 Place::Basic => continue,
@@ -252,8 +288,11 @@ impl<const M: usize> Programme<M> {
             if self.upper[index] <= 0.0 {
                 continue;
             }
-            let rise = sign * (gain[index] - dot(prices, &self.columns[index]));
-            if rise > most {
+            let column = &self.columns[index];
+            let rise = sign * (gain[index] - dot(prices, column));
+            let parts = prices.iter().zip(column).map(|(p, c)| (p * c).abs());
+            let rounding = NO_GAIN * (gain[index].abs() + parts.sum::<f64>());
+            if rise > most && rise > rounding {
                 best = Some((index, sign));
                 if by_index {
                     return best;
@@ -317,31 +356,81 @@ mod tests {
         let mut programme = Programme::new(&columns, &[1.0; 3], [2.0, 0.5]);
         let mut corner = programme.corner().unwrap();
         // Sums of a few numbers of size one.
-        let is = |found: Option<f64>, value: f64| (found.unwrap() - value).abs() < 1e-14;
-        assert!(is(programme.maximise(&mut corner, &[1.0, 1.0, 0.0]), 1.5));
-        assert!(is(programme.extreme(&mut corner, 2, 1.0), 1.0));
-        assert!(is(programme.extreme(&mut corner, 2, -1.0), 0.5));
-        assert!(is(programme.extreme(&mut corner, 0, -1.0), 0.75));
+        let is = |found: f64, value: f64| (found - value).abs() < 1e-14;
+        let most = programme.maximise(&mut corner, &[1.0, 1.0, 0.0]);
+        assert!(is(most.unwrap(), 1.5));
+        for (index, sign, value) in [(2, 1.0, 1.0), (2, -1.0, 0.5), (0, -1.0, 0.75)] {
+            let found = programme.extreme(&mut corner, index, sign).unwrap();
+            assert!(is(found.unwrap(), value));
+        }
         assert_eq!(programme.solution(&corner).len(), 3);
     }
 
     #[test]
     fn what_cannot_be_and_what_has_no_end_are_told() {
         let columns = [[1.0], [1.0]];
-        assert!(
-            Programme::new(&columns, &[1.0; 2], [2.5])
-                .corner()
-                .is_none()
-        );
-        assert!(
-            Programme::new(&columns, &[1.0; 2], [-0.1])
-                .corner()
-                .is_none()
-        );
+        for beyond in [2.5, -0.1] {
+            let end = Programme::new(&columns, &[1.0; 2], [beyond]).corner();
+            assert_eq!(end.err(), Some(End::Impossible));
+        }
         let open = [f64::INFINITY; 2];
         let mut endless = Programme::new(&[[1.0], [-1.0]], &open, [0.0]);
         let mut corner = endless.corner().unwrap();
-        assert_eq!(endless.maximise(&mut corner, &[1.0, 0.0]), None);
+        let end = endless.maximise(&mut corner, &[1.0, 0.0]);
+        assert_eq!(end, Err(End::Endless));
+    }
+
+    #[test]
+    fn a_search_that_rounding_ends_does_not_claim_the_best() {
+        // A basis of two columns that are the same has no inverse: nothing is known from there.
+        let programme = Programme::new(&[[1.0, 1.0], [1.0, 1.0], [0.0, 1.0]], &[1.0; 3], [1.0; 2]);
+        let mut corner = Corner {
+            basis: [0, 1],
+            place: vec![
+                Place::Basic,
+                Place::Basic,
+                Place::Lower,
+                Place::Lower,
+                Place::Lower,
+            ],
+            values: [0.5, 0.5],
+        };
+        let end = programme.maximise(&mut corner, &[0.0, 0.0, 1.0]);
+        assert_eq!(end, Err(End::Stuck));
+        // Numbers that are none take no way at all.
+        let mut none = Programme::new(&[[f64::NAN, 1.0]], &[1.0], [1.0; 2]);
+        assert!(none.corner().is_err());
+    }
+
+    #[test]
+    fn a_corner_beyond_its_bounds_is_not_the_best() {
+        // x = 2 with x of 1 at most, as rounding could leave it.
+        let programme = Programme::new(&[[1.0]], &[1.0], [2.0]);
+        let mut corner = Corner {
+            basis: [0],
+            place: vec![Place::Basic, Place::Lower],
+            values: [2.0],
+        };
+        assert_eq!(programme.maximise(&mut corner, &[1.0]), Err(End::Stuck));
+    }
+
+    #[test]
+    fn what_is_weak_beside_the_others_is_weighed_like_them() {
+        // x / 10^10 + y = 1 and the least x + y: all of y. Then the least y + x / 10^11: all of x.
+        let mut programme = Programme::new(&[[1e-10], [1.0]], &[f64::INFINITY; 2], [1.0]);
+        let mut corner = programme.corner().unwrap();
+        let least = -programme.maximise(&mut corner, &[-1.0, -1.0]).unwrap();
+        assert!((least - 1.0).abs() < 1e-14, "{least}");
+        let least = -programme.maximise(&mut corner, &[-1e-11, -1.0]).unwrap();
+        assert!((least - 0.1).abs() < 1e-14, "{least}");
+        // A third that costs much for what it brings does not hide what the others gain.
+        let columns = [[1e-10], [1.0], [1.0]];
+        let mut programme = Programme::new(&columns, &[f64::INFINITY; 3], [1.0]);
+        let mut corner = programme.corner().unwrap();
+        let least = -programme
+            .maximise(&mut corner, &[-100.0, -1.0, -0.5])
+            .unwrap();
+        assert!((least - 0.5).abs() < 1e-14, "{least}");
     }
 
     #[test]

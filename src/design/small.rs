@@ -1,4 +1,4 @@
-//! Systems of a few linear equations.
+//! Systems of a few linear equations, and numbers in words.
 
 /// Solves `matrix x = right` by elimination with row exchanges; `None` where the matrix has no
 /// inverse to rounding.
@@ -49,9 +49,40 @@ pub(super) fn inverse<const M: usize>(matrix: &[[f64; M]; M]) -> Option<[[f64; M
     Some(out)
 }
 
+/// A number in words: as it is, or by its power of ten where that would be a row of noughts.
+pub(super) fn digits(value: f64) -> String {
+    match value.abs() {
+        size if size >= 1e9 || (size > 0.0 && size < 1e-9) => format!("{value:e}"),
+        _ => value.to_string(),
+    }
+}
+
 /// Sum of products.
 pub(super) fn dot<const M: usize>(a: &[f64; M], b: &[f64; M]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+/// Negative pivots of a symmetric matrix: as many as it has negative eigenvalues (Sylvester).
+/// `None` where a pivot is zero to rounding, whose sign is unknown.
+pub(super) fn negative_pivots<const M: usize>(mut matrix: [[f64; M]; M]) -> Option<usize> {
+    let largest = matrix
+        .as_flattened()
+        .iter()
+        .fold(0.0, |a, v| v.abs().max(a));
+    let mut negative = 0;
+    for column in 0..M {
+        let top = matrix[column];
+        let pivot = top[column].abs();
+        if pivot.is_nan() || pivot <= largest * f64::EPSILON {
+            return None;
+        }
+        negative += usize::from(top[column] < 0.0);
+        for row in &mut matrix[column + 1..] {
+            let factor = row[column] / top[column];
+            add(row, &top, -factor);
+        }
+    }
+    Some(negative)
 }
 
 /// Adds `factor * from` to `to`.
@@ -81,6 +112,28 @@ mod tests {
                 // A handful of operations on numbers of size one.
                 assert!((value - f64::from(u8::from(row == column))).abs() < 1e-14);
             }
+        }
+    }
+
+    #[test]
+    fn pivots_count_negative_eigenvalues_or_say_that_they_cannot() {
+        assert_eq!(negative_pivots([[2.0, 0.0], [0.0, 3.0]]), Some(0));
+        assert_eq!(negative_pivots([[1.0, 2.0], [2.0, 1.0]]), Some(1));
+        assert_eq!(negative_pivots([[-1.0, 0.5], [0.5, -1.0]]), Some(2));
+        assert_eq!(negative_pivots([[0.0, 0.0], [0.0, -1.0]]), None);
+        assert_eq!(negative_pivots([[0.0, 1.0], [1.0, 0.0]]), None);
+        assert_eq!(negative_pivots([[f64::NAN, 1.0], [1.0, 0.0]]), None);
+    }
+
+    #[test]
+    fn great_and_small_numbers_are_told_by_their_power_of_ten() {
+        for (value, words) in [
+            (1e308, "1e308"),
+            (82.5, "82.5"),
+            (0.0, "0"),
+            (-1e-12, "-1e-12"),
+        ] {
+            assert_eq!(digits(value), words);
         }
     }
 

@@ -1,18 +1,28 @@
-//! How much memory a file may take: what is packed small must not unfold without bounds.
+//! How much memory a file may take: what is packed small must not unfold without bounds, and what is
+//! honest may be packed as small as it will.
 
-/// Memory that any file may take: 16 MiB.
-const FLOOR: usize = 16 << 20;
+/// Memory that any file may take, however small it is: 512 MiB. What is read band by band or row by
+/// row keeps to it too.
+pub const CEILING: usize = 512 << 20;
 
-/// Memory that each byte of a file may take besides.
+/// Memory that each byte of a file may take where that is more: of a large table in words.
 const TIMES: usize = 20;
 
-/// Most bytes of memory that a file of some bytes may take: 16 MiB and 20 times its size.
+/// Most bytes of memory that a file of some bytes may take: 512 MiB, or 20 times its size.
 pub fn of(file_bytes: usize) -> usize {
-    FLOOR.saturating_add(file_bytes.saturating_mul(TIMES))
+    CEILING.max(file_bytes.saturating_mul(TIMES))
 }
 
-/// The limit in words, for refusals.
-pub const WORDS: &str = "at most 16 MiB of memory and 20 times the file's size";
+/// Most bytes of memory for what is written out in a text beside its numbers: records, keys,
+/// elements and repetitions, of which an honest file has few. 16 MiB, and 20 times its size.
+pub fn of_text(file_bytes: usize) -> usize {
+    file_bytes.saturating_mul(TIMES).saturating_add(16 << 20)
+}
+
+/// The limits in words, for refusals.
+pub const WORDS: &str = "at most 512 MiB of memory, or 20 times the file's size";
+/// The same of [`of_text`].
+pub const TEXT_WORDS: &str = "at most 16 MiB of memory and 20 times the file's size";
 
 /// A size in the unit that suits it.
 pub fn in_words(bytes: usize) -> String {

@@ -65,17 +65,20 @@ pub enum Counted {
     TenThousandths,
     /// 65 535 is all of the light, the largest whole number of 16 bits.
     SixteenBits,
+    /// 255 is all of the light, the largest whole number of 8 bits.
+    EightBits,
     /// Another number is, which the file states.
     Otherwise,
 }
 
 impl Counted {
     /// Those that a person may choose.
-    pub const OFFERED: [Self; 4] = [
+    pub const OFFERED: [Self; 5] = [
         Self::Fraction,
         Self::Percent,
         Self::TenThousandths,
         Self::SixteenBits,
+        Self::EightBits,
     ];
 
     /// Per cent or fraction.
@@ -101,6 +104,7 @@ impl Counted {
             Self::Percent => Some(0.01),
             Self::TenThousandths => Some(1e-4),
             Self::SixteenBits => Some(1.0 / 65_535.0),
+            Self::EightBits => Some(1.0 / 255.0),
             Self::Otherwise => None,
         }
     }
@@ -112,6 +116,7 @@ impl Counted {
             Self::Percent => "percent",
             Self::TenThousandths => "fraction x 10000",
             Self::SixteenBits => "fraction x 65535",
+            Self::EightBits => "fraction x 255",
             Self::Otherwise => "as the file states",
         }
     }

@@ -46,6 +46,7 @@ pub use formats::spectral_image::Meant;
 pub use formats::{Confidence, FORMATS, Format, envi};
 pub use input::{Input, name_of};
 pub use interpret::describe::MOST_UNDERSTOOD;
+pub(crate) use interpret::value_unit::counts_photons;
 pub use provenance::{Column, Columns, Provenance, one_line, shortest};
 pub use reading::decision::{AxisDecision, Decision, Decisions, Origin};
 pub use reading::makers_results::{MakersResult, Quantity};
@@ -58,10 +59,10 @@ pub use text::{
     MOST_BYTES, MOST_BYTES_OF_A_FORMAT, decode as decode_text, is_binary, lines as text_lines,
 };
 pub use unopened::words as why_unopened;
-pub use write::atomic::{UNFINISHED, save_atomically, save_by};
+pub use write::atomic::{UNFINISHED, save_atomically, save_by, save_together};
 pub use write::colour_png::{ColourPixels, ColourPng};
-pub use write::csv::write as csv;
-pub use write::spectral_exr::reflectance_exr;
+pub use write::csv::{no_formula, write as csv};
+pub use write::spectral_exr::{reflectance_exr, with_attributes_in_order};
 pub use write::{WRITABLE, encode, losses, write_as};
 
 /// What is said of a file beyond [`text::MOST_BYTES`].

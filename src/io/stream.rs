@@ -8,6 +8,7 @@ use std::thread;
 use std::time::Duration;
 
 use crate::io::text::MOST_BYTES;
+use crate::io::unopened;
 
 /// The word that means standard input; `./-` is a file of that name.
 pub const STANDARD_INPUT: &str = "-";
@@ -63,6 +64,28 @@ pub fn drained(path: &Path, waits: impl FnOnce()) -> io::Result<Vec<u8>> {
     reader
         .join()
         .unwrap_or_else(|_| Err(io::Error::other("the pipe could not be read")))
+}
+
+/// The bytes of a file, one more than `most` at the most: of what is no file, such as a device or a
+/// pipe, nobody knows that it ends.
+///
+/// # Errors
+/// What was found, and what was expected.
+pub fn bytes_of_file(path: &Path, most: u64) -> Result<Vec<u8>, (String, &'static str)> {
+    let about = std::fs::metadata(path);
+    if about.is_ok_and(|about| !about.is_file()) {
+        let found = if path.is_dir() {
+            "a folder"
+        } else {
+            "a device or a pipe"
+        };
+        return Err((found.to_owned(), "a file"));
+    }
+    let mut bytes = Vec::new();
+    File::open(path)
+        .and_then(|file| file.take(most + 1).read_to_end(&mut bytes))
+        .map_err(|error| unopened::words(path, &error))?;
+    Ok(bytes)
 }
 
 fn whole(stream: impl Read) -> io::Result<Vec<u8>> {

@@ -7,7 +7,7 @@ use super::{
 };
 
 /// Fewest smooth numbers beside a label: three carry the colour.
-const LEAST_LABELLED: usize = 4;
+pub(super) const LEAST_LABELLED: usize = 4;
 
 /// Fewest and most numbers of an encoding.
 pub const NUMBERS: [usize; 2] = [LEADING, MOST_LABELLED + 1];

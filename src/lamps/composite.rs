@@ -16,7 +16,10 @@
 
 use std::f64::consts::{LN_2, PI};
 
-use crate::spectrum::{Band, Basis, GAUSSIAN_AREA, Sampling, Series, Spike as IdealSpike, product};
+use crate::{
+    color::Weights,
+    spectrum::{Band, Basis, GAUSSIAN_AREA, Sampling, Series, Spike as IdealSpike, product},
+};
 
 /// A Gaussian's full width at half maximum in standard deviations.
 pub(super) const FWHM_IN_SIGMAS: f64 = 2.354_820_045_030_949;
@@ -247,15 +250,25 @@ pub struct Composite {
 
 impl From<crate::spectrum::Composite> for Composite {
     fn from(ideal: crate::spectrum::Composite) -> Self {
-        let widened = |s: &IdealSpike| Spike::ideal(s.at_nm, s.weight);
-        Self {
-            spikes: ideal.spikes.iter().map(widened).collect(),
-            smooth: ideal.smooth,
-        }
+        Self::with_widths(ideal, &[])
     }
 }
 
 impl Composite {
+    /// A composite whose lines have these widths, nm; 0, or none given, is ideal.
+    pub fn with_widths(centres: crate::spectrum::Composite, widths_nm: &[f64]) -> Self {
+        let widths_nm = widths_nm.iter().copied().chain(std::iter::repeat(0.0));
+        let line = |(s, width_nm): (&IdealSpike, f64)| Spike {
+            at_nm: s.at_nm,
+            weight: s.weight,
+            width_nm,
+        };
+        Self {
+            spikes: centres.spikes.iter().zip(widths_nm).map(line).collect(),
+            smooth: centres.smooth,
+        }
+    }
+
     /// The band of the model.
     pub fn band(&self) -> Band {
         self.smooth.band
@@ -289,6 +302,7 @@ impl Composite {
         let lines: f64 = self
             .spikes
             .iter()
+            .filter(|s| band.contains(s.at_nm))
             .map(|s| {
                 if s.is_ideal() {
                     s.weight * weight(s.at_nm)
@@ -302,7 +316,9 @@ impl Composite {
 
     /// Total power over the band: the exact integral of the series and the lines' weights.
     pub fn power(&self) -> f64 {
-        self.smooth.integral() + self.spikes.iter().map(|s| s.weight).sum::<f64>()
+        let band = self.band();
+        let lines = self.spikes.iter().filter(|s| band.contains(s.at_nm));
+        self.smooth.integral() + lines.map(|s| s.weight).sum::<f64>()
     }
 
     /// Values on the band's grid.
@@ -314,11 +330,16 @@ impl Composite {
 
     /// X, Y, Z from grid weights (colour-matching functions, times a light for what it falls on),
     /// in value x nm.
-    pub fn xyz(&self, weights: &[Vec<f64>; 3]) -> [f64; 3] {
+    pub fn xyz(&self, weights: &Weights) -> [f64; 3] {
         let (band, smooth) = (self.band(), self.smooth.on_band());
-        weights.each_ref().map(|row| {
-            let lines: f64 = self.spikes.iter().map(|s| s.integrate(band, row)).sum();
-            band.inner(&smooth, row) + lines
+        let own: [f64; 3] = weights.each_ref().map(|row| band.inner(&smooth, row));
+        self.spikes.iter().fold(own, |sum, line| {
+            let of_line = if line.is_ideal() {
+                weights.at(line.at_nm).map(|v| v * line.weight)
+            } else {
+                weights.each_ref().map(|row| line.integrate(band, row))
+            };
+            std::array::from_fn(|k| sum[k] + of_line[k])
         })
     }
 

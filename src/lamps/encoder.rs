@@ -15,6 +15,10 @@ use crate::{
     spectrum::{Band, SpikeSettings},
 };
 
+/// Longest range that is encoded, nm: ten times the visible. Time and memory grow with it, and beyond
+/// lies nothing that the eye sees.
+pub const LONGEST_RANGE_NM: usize = 4000;
+
 /// Encodes lights of one band for one observer. Made once (some tenths of a second) and shared.
 #[derive(Debug)]
 pub struct Encoder {
@@ -38,12 +42,19 @@ impl Encoder {
     /// An encoder for a band and an observer; `spikes` is how today's ways look for lines.
     ///
     /// # Errors
-    /// [`EncodingError::Unseen`] when the band misses the visible.
+    /// [`EncodingError::Unseen`] when the band misses the visible, [`EncodingError::TooLong`] when it
+    /// is longer than [`LONGEST_RANGE_NM`].
     pub fn new(
         band: Band,
         observer: Observer,
         spikes: SpikeSettings,
     ) -> Result<Self, EncodingError> {
+        if band.steps() > LONGEST_RANGE_NM {
+            return Err(EncodingError::TooLong {
+                band,
+                most: LONGEST_RANGE_NM,
+            });
+        }
         let panel = Panel::choosing(band, observer);
         let atoms = atoms_on(band);
         Ok(Self {

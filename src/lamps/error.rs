@@ -36,6 +36,13 @@ pub enum EncodingError {
         /// The band.
         band: Band,
     },
+    /// The band is longer than an encoder takes.
+    TooLong {
+        /// The band.
+        band: Band,
+        /// Most nm.
+        most: usize,
+    },
     /// Another band.
     Band {
         /// The encoding's.
@@ -93,6 +100,11 @@ impl fmt::Display for EncodingError {
             Self::Unseen { band } => write!(
                 f,
                 "expected a range that holds the visible, found {}",
+                range(*band)
+            ),
+            Self::TooLong { band, most } => write!(
+                f,
+                "expected a range of at most {most} nm, found {}",
                 range(*band)
             ),
             Self::Band { found, expected } => {

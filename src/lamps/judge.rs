@@ -14,7 +14,7 @@
 use super::{shipped, window::Window};
 use crate::{
     color::{
-        Lab, Observer, PatchSet, Xyz, delta_e_2000, lab_from_xyz,
+        Lab, Observer, PatchSet, Weights, Xyz, delta_e_2000, lab_from_xyz,
         patches::{difference, labs_into},
     },
     spectrum::{Band, Basis},
@@ -28,8 +28,12 @@ use crate::{
 /// Y that the exact light behind a band-pass is brought to, of the light's 1.
 const FILTER_Y: f64 = 0.5;
 
+/// Least share of the light's Y that is still brought there; behind a darker band-pass nobody compares
+/// colours, and noise would be brightened with it.
+const LEAST_SHARE: f64 = 0.01;
+
 /// Most that it is brightened by.
-pub(super) const MOST_GAIN: f64 = 50.0;
+pub(super) const MOST_GAIN: f64 = FILTER_Y / LEAST_SHARE;
 
 /// What errors are measured by, on one band for one observer.
 #[derive(Clone, Debug)]
@@ -43,7 +47,7 @@ pub struct Panel {
     /// Colour-matching functions times trapezoid weights.
     weighted: [Vec<f64>; 3],
     blur: Blur,
-    seen: [Vec<f64>; 3],
+    seen: Weights,
 }
 
 /// The three errors of one model.
@@ -117,7 +121,7 @@ impl Panel {
     }
 
     /// Colour-matching functions on the grid.
-    pub fn seen(&self) -> &[Vec<f64>; 3] {
+    pub fn seen(&self) -> &Weights {
         &self.seen
     }
 

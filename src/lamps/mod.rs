@@ -44,7 +44,7 @@ pub use ask::{Ask, Count, LeaveOut, NUMBERS};
 pub use choice::Chosen;
 pub use composite::{Composite, Shape, Spike, add_spikes, weigh_spikes};
 pub use detector::{WideDecomposition, as_wide_as_it_is, bell, decompose};
-pub use encoder::Encoder;
+pub use encoder::{Encoder, LONGEST_RANGE_NM};
 pub use encoding::{AtomWeight, Decoder, Encoding};
 pub use error::EncodingError;
 pub use judge::{Errors, Exact, Panel};

@@ -1,8 +1,10 @@
 //! Encodings as JSON; the keys are stable.
 
+use serde::Deserialize;
 use serde_json::{Map, Value, json};
 
 use super::{
+    ask::Count,
     encoder::Encoder,
     encoding::Encoding,
     error::EncodingError,
@@ -31,7 +33,7 @@ pub struct Encoded {
 }
 
 /// Rounds an encoding of a light (values on the band's grid) to words and judges what they decode
-/// to; the reflectances of the patches have as many numbers.
+/// to; the reflectances of the patches have `numbers` numbers, those that the light was allowed.
 ///
 /// # Errors
 /// [`EncodingError`] for a light without colour and numbers that no word holds.
@@ -39,7 +41,7 @@ pub fn judged(
     encoder: &Encoder,
     judge: &Panel,
     values: &[f64],
-    encoding: &Encoding,
+    (encoding, numbers): (&Encoding, usize),
 ) -> Result<Encoded, EncodingError> {
     let largest = values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
     if largest > 0.0 && largest < LEAST_PEAK {
@@ -55,7 +57,7 @@ pub fn judged(
         .exact(values)
         .ok_or(EncodingError::NoColour { band: judge.band() })?;
     let decoded = decoder.decode(&encoding)?;
-    let patches = judge.patches_as_cosines(words.len());
+    let patches = judge.patches_as_cosines(numbers);
     Ok(Encoded {
         errors: judge.errors(&exact, &decoded, &patches),
         own: judge.own(&exact, &decoded),
@@ -112,7 +114,12 @@ fn parts_json(encoding: &Encoding, words: &[u32]) -> Map<String, Value> {
         Basis::Fourier => (none, Some(&smooth[..])),
     };
     let mut all = Map::new();
+    let band = encoding.band();
     all.insert("numbers".to_owned(), json!(encoding.numbers()));
+    let strict = encoding.strict_numbers();
+    all.insert("strict_numbers".to_owned(), json!(strict));
+    let range_nm = [band.min_nm(), band.max_nm()];
+    all.insert("range_nm".to_owned(), json!(range_nm));
     all.insert("words".to_owned(), json!(words));
     all.insert("atoms".to_owned(), atoms.collect());
     all.insert("cosine".to_owned(), json!(cosine));
@@ -124,8 +131,9 @@ fn parts_json(encoding: &Encoding, words: &[u32]) -> Map<String, Value> {
     all
 }
 
-/// What `encode` prints without `--json`: words, makeup and errors for people.
-pub fn encode_words(encoded: &Encoded) -> String {
+/// What `encode` prints without `--json`: words, makeup and errors for people; numbers as they were
+/// counted.
+pub fn encode_words(encoded: &Encoded, count: Count) -> String {
     let Encoded {
         encoding,
         words,
@@ -138,9 +146,16 @@ pub fn encode_words(encoded: &Encoded) -> String {
     for line in makeup.lines_in_words() {
         text.push_str(&format!("  line at {line}\n"));
     }
+    let numbers = encoding.numbers();
+    let numbers = match count {
+        Count::Words => format!("{numbers} numbers"),
+        Count::Strict => format!(
+            "{} numbers, strictly counted ({numbers} words)",
+            encoding.strict_numbers()
+        ),
+    };
     text.push_str(&format!(
-        "{} numbers; patches {:.4}, behind 10 nm filters {:.4}, spectrum {:.3} %, own colour {:.1e}\n",
-        encoding.numbers(),
+        "{numbers}; patches {:.4}, behind 10 nm filters {:.4}, spectrum {:.3} %, own colour {:.1e}\n",
         errors.patches,
         errors.filters,
         100.0 * errors.blurred,
@@ -149,18 +164,33 @@ pub fn encode_words(encoded: &Encoded) -> String {
     text
 }
 
-/// The encoding in a text: words in hexadecimal digits, or the JSON that `encode` prints.
+/// The encoding in a text: words in hexadecimal digits, or the JSON that `encode` prints. JSON says
+/// the range that was encoded; words, and JSON that does not, are of `band`, or of 380-780 nm where
+/// none is given.
 ///
 /// # Errors
-/// [`EncodingError::Words`] with what is wrong.
-pub fn read_encoding(text: &str, band: Band) -> Result<(Encoding, Vec<u32>), EncodingError> {
+/// [`EncodingError::Words`] with what is wrong, [`EncodingError::Band`] for a `band` that is not the
+/// JSON's.
+pub fn read_encoding(
+    text: &str,
+    band: Option<Band>,
+) -> Result<(Encoding, Vec<u32>), EncodingError> {
     let text = text.trim();
+    let mut of_text = None;
     let words = if text.starts_with('{') {
         let wrong = |found: String| EncodingError::Words {
             found,
             expected: "JSON with the list \"words\"",
         };
         let json: Value = serde_json::from_str(text).map_err(|e| wrong(e.to_string()))?;
+        let range = &json["range_nm"];
+        if !range.is_null() {
+            let read = Band::deserialize(range).map_err(|_| EncodingError::Words {
+                found: format!("the range {range}"),
+                expected: "\"range_nm\" with two whole nm, as in [380, 780]",
+            })?;
+            of_text = Some(read);
+        }
         let list = json["words"]
             .as_array()
             .ok_or_else(|| wrong("JSON without it".to_owned()))?;
@@ -175,5 +205,9 @@ pub fn read_encoding(text: &str, band: Band) -> Result<(Encoding, Vec<u32>), Enc
     } else {
         words_from_text(text)?
     };
-    Ok((from_words(&words, band)?, words))
+    let expected = of_text.or(band).unwrap_or(Band::VISIBLE);
+    match band {
+        Some(found) if found != expected => Err(EncodingError::Band { found, expected }),
+        _ => Ok((from_words(&words, expected)?, words)),
+    }
 }

@@ -5,6 +5,7 @@
 
 use super::{composite::Spike, encoding::Encoding, judge::Panel};
 use crate::{
+    color::Weights,
     spectrum::{Basis, Spike as IdealSpike, SpikeSettings, detect_shapes},
     study::{FitBasis, ProjectedSpectrum, Way, error::Blur},
 };
@@ -13,7 +14,7 @@ use crate::{
 #[derive(Clone, Debug)]
 pub(super) struct Today {
     bases: [FitBasis; 2],
-    seen: [Vec<f64>; 3],
+    seen: Weights,
     blur: Blur,
     spikes: SpikeSettings,
     numbers: usize,

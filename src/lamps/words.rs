@@ -15,7 +15,7 @@
 //! Rounding to f32 would move the light's own colour by 1e-5. So numbers are rounded one after
 //! another, those that move the colour most first, and the rest makes up for what each rounding did.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 use super::{
     composite::Spike,
@@ -28,7 +28,7 @@ use super::{
 };
 use crate::{
     color::Observer,
-    spectrum::{Band, Basis, Series, WORST_CONDITION},
+    spectrum::{Band, Basis, Series, ThreeSums},
     study::Way,
 };
 
@@ -355,25 +355,18 @@ fn round_in_turn(numbers: &mut [Number], wanted: Vector3<f64>) {
 /// Changes free numbers as little as possible so that they add `xyz`; nothing where three of them
 /// cannot.
 fn spread(numbers: &mut [Number], xyz: Vector3<f64>) {
-    let mut gram = Matrix3::zeros();
-    for n in numbers.iter().filter(|n| !n.is_fixed && n.norm > 0.0) {
-        gram += n.xyz * n.xyz.transpose() / n.norm;
-    }
-    let spread = gram.symmetric_eigenvalues();
-    // The square of what a 3 x 3 system may have.
-    let is_solvable = spread.min() * WORST_CONDITION * WORST_CONDITION > spread.max();
-    if !is_solvable {
-        return;
-    }
-    let Some(inverse) = gram.try_inverse() else {
+    let is_free = |n: &Number| !n.is_fixed && n.norm > 0.0;
+    let free = numbers.iter().filter(|n| is_free(n));
+    let sums = ThreeSums::new(free.map(|n| (n.xyz / n.norm.sqrt()).into()));
+    let Some(change) = sums.change(xyz.into()) else {
         return;
     };
-    let multipliers = inverse * xyz;
-    if !multipliers.iter().all(|m| m.is_finite()) {
+    let change: Vec<f64> = change.collect();
+    if !change.iter().all(|c| c.is_finite()) {
         return;
     }
-    for n in numbers.iter_mut().filter(|n| !n.is_fixed && n.norm > 0.0) {
-        n.value += n.xyz.dot(&multipliers) / n.norm;
+    for (n, change) in numbers.iter_mut().filter(|n| is_free(n)).zip(change) {
+        n.value += change / n.norm.sqrt();
     }
 }
 

@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use super::{
-    ask::Ask,
+    ask::{Ask, LEAST_LABELLED},
     columns::LEADING,
     composite::Spike,
     encoder::{Counted, Encoder},
     encoding::{AtomWeight, Encoding, MOST_ATOMS, stored_line},
-    fit::{FIRST_WEIGHTS, directions, fit, score, small_errors},
+    fit::{FIRST_WEIGHTS, directions, fit, is_none, score, small_errors},
     goals::{GOALS, Goals},
     judge::{Errors, Exact},
     orthonormal::Orthonormal,
@@ -123,7 +123,21 @@ impl<'a> Work<'a> {
         // The first of equals; the plain series is always there.
         let best = (0..candidates.len())
             .min_by(|a, b| candidates[*a].score.total_cmp(&candidates[*b].score));
-        candidates.swap_remove(best.unwrap_or(0))
+        let best = candidates.swap_remove(best.unwrap_or(0));
+        self.shortest(&best).unwrap_or(best)
+    }
+
+    /// A light that is known lamps and nothing else, in as few numbers as say so: more of them would
+    /// hold rounding.
+    fn shortest(&self, best: &Candidate) -> Option<Candidate> {
+        if best.atoms.is_empty() || !is_none(best.errors.to_array()) {
+            return None;
+        }
+        let of = |count: usize| {
+            self.candidate(LEAST_LABELLED, &best.atoms[..count], &[])
+                .filter(|short| is_none(short.errors.to_array()))
+        };
+        (1..=best.atoms.len()).find_map(of)
     }
 
     /// The best makeups of all counts, best first.

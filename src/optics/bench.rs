@@ -10,7 +10,8 @@ use std::fmt;
 
 use super::{
     absorption::Absorption,
-    index::{IndexError, Material},
+    index::Material,
+    index_error::IndexError,
     prism::{Angles, Incidence, Prism, PrismError, limits, minimum_deviation},
 };
 

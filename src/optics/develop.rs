@@ -1,9 +1,12 @@
 //! From X, Y, Z to what a screen shows.
 
 use super::picture::Picture;
-use crate::color::{
-    Adapter, Srgb, Xyz,
-    srgb::{WHITE, linear_from_xyz},
+use crate::{
+    color::{
+        Adapter, Srgb, Xyz,
+        srgb::{WHITE, linear_from_xyz},
+    },
+    spectrum::quantile,
 };
 
 /// A picture for a screen.
@@ -74,12 +77,7 @@ impl Picture {
     /// The gain, over a white of Y 1, that leaves 95 % of the pixels below full brightness.
     pub fn automatic_gain(&self) -> f64 {
         let mut levels: Vec<f32> = self.xyz.iter().map(|xyz| xyz[1]).collect();
-        let place = (EXPOSED_SHARE * (levels.len().max(1) - 1) as f64) as usize;
-        let level = if levels.is_empty() {
-            0.0
-        } else {
-            f64::from(*levels.select_nth_unstable_by(place, f32::total_cmp).1)
-        };
+        let level = quantile(&mut levels, EXPOSED_SHARE).unwrap_or(0.0);
         let gain = self.white.y / level;
         if gain.is_finite() && gain > 0.0 {
             gain

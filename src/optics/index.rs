@@ -7,16 +7,21 @@
 //! Sellmeier    n^2 = 1 + sum B l^2 / (l^2 - C)
 //! absolute     the same with the wavelength in vacuum, against vacuum: n(l) = n_abs(l n_air) / n_air
 //! Cauchy       n = A + B / l^2, from two numbers n_d and V_d
+//! a formula    any of refractiveindex.info's nine, as its file has it
 //! a table      n at wavelengths, a monotone cubic between them
 //! ```
 //!
-//! A formula goes on outside the range it was published for ([`Material::is_extrapolated`]) as long
-//! as the wavelength is 5 % above the nearest ultraviolet resonance and n^2 > 1.
+//! The formula of a material of the program goes on outside the range it was published for
+//! ([`Material::is_extrapolated`]) as long as the wavelength is 5 % above the nearest ultraviolet
+//! resonance and n^2 > 1; that of a file ends with its range.
+//!
+//! Where n is 1 or less, or k above [`MOST_EXTINCTION`], nothing here holds: rays end in metals and
+//! dyes, and angles behind them are no longer Snell's. Such wavelengths have no index.
 
-use std::fmt;
+use crate::spectrum::{Formula, Outside, Sampled, index_of_air, slope_of_air};
 
-use crate::spectrum::Sampled;
-
+use super::index_error::{IndexError, MOST_EXTINCTION};
+use super::light::{Light, SEEN_NM};
 use super::lines::{
     LINE_B_NM, LINE_C_NM, LINE_C_PRIME_NM, LINE_D_NM, LINE_E_NM, LINE_F_NM, LINE_F_PRIME_NM,
     LINE_G_NM,
@@ -33,16 +38,20 @@ const ABOVE_RESONANCE: f64 = 1.05;
 /// or liquid has one near 1 um.
 const ULTRAVIOLET_UM2: f64 = 1.0;
 
-/// Half the step of a numerical derivative, nm.
-const HALF_STEP_NM: f64 = 0.01;
-
 /// What n is computed from.
 #[derive(Clone, Debug, PartialEq)]
 enum Dispersion {
-    Sellmeier(Vec<Term>),
-    Absolute(Vec<Term>),
-    Cauchy { a: f64, b: f64 },
-    Table { curve: Monotone, absolute: bool },
+    Formula {
+        formula: Formula,
+        /// Whether n and wavelengths are against vacuum.
+        absolute: bool,
+        /// Whether it ends with the range that it was published for.
+        ends: bool,
+    },
+    Table {
+        curve: Monotone,
+        absolute: bool,
+    },
 }
 
 /// A transparent material.
@@ -55,80 +64,9 @@ pub struct Material {
     /// Wavelengths that the numbers were published for, nm; `None` for two numbers by hand.
     pub published_nm: Option<[f64; 2]>,
     dispersion: Dispersion,
+    /// Extinction coefficient k; none where nobody measured it.
+    extinction: Option<Sampled>,
 }
-
-/// Why there is no index.
-#[derive(Clone, Debug, PartialEq)]
-pub enum IndexError {
-    /// A wavelength that is not a positive number.
-    NotAWavelength { found_nm: f64 },
-    /// Too near to a resonance in the ultraviolet or beyond one in the infrared.
-    Resonance {
-        material: String,
-        found_nm: f64,
-        from_nm: f64,
-        to_nm: f64,
-    },
-    /// The formula gives an index that no transparent body has.
-    NotTransparent { material: String, found_nm: f64 },
-    /// A table knows nothing there.
-    OutsideTable {
-        material: String,
-        found_nm: f64,
-        from_nm: f64,
-        to_nm: f64,
-    },
-    /// An n_d of two numbers that is no denser than air.
-    TooThin { found: f64 },
-    /// A V_d of two numbers that is not positive.
-    BadAbbe { found: f64 },
-    /// A table whose values are no indices.
-    BadTable { found: f64, at_nm: f64 },
-}
-
-impl fmt::Display for IndexError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotAWavelength { found_nm } => {
-                write!(f, "expected a wavelength above 0 nm, found {found_nm} nm")
-            }
-            Self::Resonance {
-                material,
-                found_nm,
-                from_nm,
-                to_nm,
-            } => write!(
-                f,
-                "{material}: expected a wavelength between its resonances, {from_nm:.1} to \
-                 {to_nm:.0} nm, found {found_nm} nm"
-            ),
-            Self::NotTransparent { material, found_nm } => write!(
-                f,
-                "{material}: expected an index above 1, found none at {found_nm} nm"
-            ),
-            Self::OutsideTable {
-                material,
-                found_nm,
-                from_nm,
-                to_nm,
-            } => write!(
-                f,
-                "{material}: expected a wavelength in its table, {from_nm} to {to_nm} nm, found \
-                 {found_nm} nm"
-            ),
-            Self::TooThin { found } => {
-                write!(f, "n_d: expected a number from 1.0001 to 10, found {found}")
-            }
-            Self::BadAbbe { found } => write!(f, "V_d: expected a number above 0, found {found}"),
-            Self::BadTable { found, at_nm } => write!(
-                f,
-                "expected indices of refraction above 0, found {found} at {at_nm} nm"
-            ),
-        }
-    }
-}
-
-impl std::error::Error for IndexError {}
 
 /// Figures by which glass makers and the gem trade name a dispersion.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -146,21 +84,48 @@ pub struct AbbeFigures {
 impl Material {
     /// A material by terms of a Sellmeier formula whose n is relative to air.
     pub fn sellmeier(name: &str, source: &str, published_nm: [f64; 2], terms: &[Term]) -> Self {
-        Self {
-            name: name.to_owned(),
-            source: source.to_owned(),
-            published_nm: Some(published_nm),
-            dispersion: Dispersion::Sellmeier(terms.to_vec()),
-        }
+        Self::of_terms(name, source, published_nm, terms, false)
     }
 
     /// A material by terms of a Sellmeier formula against vacuum.
     pub fn absolute(name: &str, source: &str, published_nm: [f64; 2], terms: &[Term]) -> Self {
+        Self::of_terms(name, source, published_nm, terms, true)
+    }
+
+    fn of_terms(
+        name: &str,
+        source: &str,
+        published_nm: [f64; 2],
+        terms: &[Term],
+        absolute: bool,
+    ) -> Self {
+        let coefficients = std::iter::once(0.0).chain(terms.iter().flatten().copied());
+        let formula = Formula::new(2, coefficients.collect(), published_nm);
         Self {
             name: name.to_owned(),
             source: source.to_owned(),
             published_nm: Some(published_nm),
-            dispersion: Dispersion::Absolute(terms.to_vec()),
+            dispersion: Dispersion::Formula {
+                formula: formula.expect("finite terms and a range that rises"),
+                absolute,
+                ends: false,
+            },
+            extinction: None,
+        }
+    }
+
+    /// A material by the formula of a file, which ends with its range.
+    pub fn from_formula(name: &str, source: &str, formula: Formula) -> Self {
+        Self {
+            name: name.to_owned(),
+            source: source.to_owned(),
+            published_nm: Some(formula.range_nm()),
+            dispersion: Dispersion::Formula {
+                formula,
+                absolute: false,
+                ends: true,
+            },
+            extinction: None,
         }
     }
 
@@ -177,14 +142,18 @@ impl Material {
         }
         let over_square = |nm: f64| 1e6 / (nm * nm);
         let b = (n_d - 1.0) / v_d / (over_square(LINE_F_NM) - over_square(LINE_C_NM));
+        let a = n_d - b * over_square(LINE_D_NM);
+        let cauchy = Formula::new(5, vec![a, b, -2.0], [LINE_F_NM, LINE_C_NM]);
         Ok(Self {
             name: format!("n_d {n_d}, V_d {v_d}"),
             source: "two numbers, Cauchy's formula through both".to_owned(),
             published_nm: None,
-            dispersion: Dispersion::Cauchy {
-                a: n_d - b * over_square(LINE_D_NM),
-                b,
+            dispersion: Dispersion::Formula {
+                formula: cauchy.ok_or(IndexError::BadAbbe { found: v_d })?,
+                absolute: false,
+                ends: false,
             },
+            extinction: None,
         })
     }
 
@@ -214,7 +183,18 @@ impl Material {
                 curve: Monotone::new(n.nm(), n.values()),
                 absolute,
             },
+            extinction: None,
         })
+    }
+
+    /// The same material with an extinction coefficient: where it is above [`MOST_EXTINCTION`]
+    /// there is no index. Beyond its table nobody knows, and nothing is refused.
+    #[must_use]
+    pub fn with_extinction(self, k: Sampled) -> Self {
+        Self {
+            extinction: Some(k),
+            ..self
+        }
     }
 
     /// Index of refraction relative to air at a wavelength in air, nm.
@@ -222,86 +202,104 @@ impl Material {
     /// # Errors
     /// [`IndexError`] where the material is not known or not transparent.
     pub fn index(&self, at_nm: f64) -> Result<f64, IndexError> {
-        if !(at_nm > 0.0 && at_nm.is_finite()) {
-            return Err(IndexError::NotAWavelength { found_nm: at_nm });
-        }
-        let n = match &self.dispersion {
-            Dispersion::Sellmeier(terms) => self.by_terms(terms, at_nm, 1.0)?,
-            Dispersion::Absolute(terms) => {
-                let air = n_air(at_nm);
-                self.by_terms(terms, at_nm, air)? / air
-            }
-            Dispersion::Cauchy { a, b } => a + b * 1e6 / (at_nm * at_nm),
-            Dispersion::Table { curve, absolute } => {
-                let air = if *absolute { n_air(at_nm) } else { 1.0 };
-                let n = curve.at(at_nm * air).map(|n| n / air);
-                let [from_nm, to_nm] = curve.ends();
-                n.ok_or_else(|| IndexError::OutsideTable {
-                    material: self.name.clone(),
-                    found_nm: at_nm,
-                    from_nm,
-                    to_nm,
-                })?
-            }
-        };
-        if n > 1.0 && n.is_finite() {
-            Ok(n)
-        } else {
-            Err(IndexError::NotTransparent {
-                material: self.name.clone(),
-                found_nm: at_nm,
-            })
-        }
+        self.index_and_slope(at_nm).map(|[n, _]| n)
     }
 
-    /// The formula at a wavelength that is `air` times as long in what the terms count in.
-    fn by_terms(&self, terms: &[Term], at_nm: f64, air: f64) -> Result<f64, IndexError> {
-        let um = at_nm * air / 1000.0;
-        let square = um * um;
-        let (from, to) = resonances(terms);
-        if square <= from || square >= to {
-            return Err(IndexError::Resonance {
-                material: self.name.clone(),
-                found_nm: at_nm,
-                from_nm: 1000.0 * from.sqrt(),
-                to_nm: 1000.0 * to.sqrt(),
-            });
-        }
-        let sum: f64 = terms.iter().map(|[b, c]| b * square / (square - c)).sum();
-        // Below zero there is no index: NaN, which the caller refuses.
-        Ok((1.0 + sum).sqrt())
-    }
-
-    /// Change of the index with wavelength, 1/nm: analytic for a Sellmeier and Cauchy formula, a
-    /// central difference of .01 nm otherwise.
+    /// Change of the index with wavelength, 1/nm, by the formula's derivative or that of the curve
+    /// through a table.
     ///
     /// # Errors
     /// As [`Material::index`].
     pub fn d_index_d_nm(&self, at_nm: f64) -> Result<f64, IndexError> {
-        let n = self.index(at_nm)?;
-        match &self.dispersion {
-            Dispersion::Sellmeier(terms) => {
-                let um = at_nm / 1000.0;
-                let term = |[b, c]: &Term| {
-                    let off = um * um - c;
-                    -b * um * c / (off * off)
-                };
-                Ok(terms.iter().map(term).sum::<f64>() / n / 1000.0)
+        self.index_and_slope(at_nm).map(|[_, slope]| slope)
+    }
+
+    /// The first wavelength at which a light has power and the material is not transparent; what
+    /// lies outside its table is passed over.
+    pub fn not_transparent_for(&self, light: &Light) -> Option<IndexError> {
+        let smooth = (380..=780).map(f64::from);
+        let smooth = smooth.filter(|nm| light.smooth_at(*nm) != 0.0);
+        let all = smooth.chain(light.seen_spikes().map(|spike| spike.at_nm));
+        let opaque = |nm: f64| match self.index(nm) {
+            Err(error @ IndexError::NotTransparent { .. }) => Some(error),
+            _ => None,
+        };
+        all.filter_map(opaque).next()
+    }
+
+    fn index_and_slope(&self, at_nm: f64) -> Result<[f64; 2], IndexError> {
+        if !(at_nm > 0.0 && at_nm.is_finite()) {
+            return Err(IndexError::NotAWavelength { found_nm: at_nm });
+        }
+        let [n, slope] = match &self.dispersion {
+            Dispersion::Formula {
+                formula,
+                absolute,
+                ends,
+            } => {
+                self.holds(formula, *ends, at_nm, *absolute)?;
+                in_medium(at_nm, *absolute, |nm| {
+                    let [n, slope] = formula.index_and_slope(nm / 1000.0);
+                    Some([n, slope / 1000.0])
+                })
             }
-            Dispersion::Cauchy { b, .. } => Ok(-2.0 * b * 1e6 / (at_nm * at_nm * at_nm)),
-            Dispersion::Absolute(_) | Dispersion::Table { .. } => {
-                // One-sided at the end of a table.
-                let low = at_nm - HALF_STEP_NM;
-                let high = at_nm + HALF_STEP_NM;
-                let (low, n_low) = self.index(low).map_or((at_nm, n), |n| (low, n));
-                let (high, n_high) = self.index(high).map_or((at_nm, n), |n| (high, n));
-                if high > low {
-                    Ok((n_high - n_low) / (high - low))
-                } else {
-                    Ok(0.0)
-                }
+            Dispersion::Table { curve, absolute } => {
+                in_medium(at_nm, *absolute, |nm| curve.value_and_slope(nm))
             }
         }
+        .ok_or_else(|| self.outside_table(at_nm))?;
+        let k = self
+            .extinction
+            .as_ref()
+            .map_or(0.0, |k| k.at(at_nm, Outside::Zero));
+        if n > 1.0 && n.is_finite() && k <= MOST_EXTINCTION {
+            Ok([n, slope])
+        } else {
+            Err(IndexError::NotTransparent {
+                material: self.name.clone(),
+                found_nm: at_nm,
+                n,
+                k,
+            })
+        }
+    }
+
+    /// Nothing is known there.
+    fn outside_table(&self, found_nm: f64) -> IndexError {
+        let [from_nm, to_nm] = self.published_nm.unwrap_or(SEEN_NM);
+        IndexError::OutsideTable {
+            material: self.name.clone(),
+            found_nm,
+            from_nm,
+            to_nm,
+        }
+    }
+
+    /// Refuses a wavelength at which a formula does not hold.
+    fn holds(
+        &self,
+        formula: &Formula,
+        ends: bool,
+        at_nm: f64,
+        absolute: bool,
+    ) -> Result<(), IndexError> {
+        let [from, to] = formula.range_nm();
+        if ends {
+            let known = (from..=to).contains(&at_nm);
+            return known.then_some(()).ok_or_else(|| self.outside_table(at_nm));
+        }
+        let air = if absolute { index_of_air(at_nm) } else { 1.0 };
+        let um = 1e-3 * at_nm * air;
+        let (from, to) = resonances(&formula.resonances_um2());
+        if um * um > from && um * um < to {
+            return Ok(());
+        }
+        Err(IndexError::Resonance {
+            material: self.name.clone(),
+            found_nm: at_nm,
+            from_nm: 1000.0 * from.sqrt(),
+            to_nm: 1000.0 * to.sqrt(),
+        })
     }
 
     /// Whether an index there rests on a formula outside the wavelengths it was published for.
@@ -324,11 +322,28 @@ impl Material {
     }
 }
 
+/// An index and its slope (1/nm) in air, of what is tabulated in air or against vacuum: then n is
+/// `n_abs(l a) / a` with l the wavelength and a the index of air, both as the light has them in air.
+/// (The index of air belongs to the wavelength in vacuum; the two differ by 1e-8 of n at most.)
+fn in_medium(
+    at_nm: f64,
+    absolute: bool,
+    index_and_slope: impl Fn(f64) -> Option<[f64; 2]>,
+) -> Option<[f64; 2]> {
+    if !absolute {
+        return index_and_slope(at_nm);
+    }
+    let (air, d_air) = (index_of_air(at_nm), slope_of_air(at_nm));
+    let [n, slope] = index_and_slope(at_nm * air)?;
+    let by_air = air + at_nm * d_air;
+    Some([n / air, (slope * by_air - n / air * d_air) / air])
+}
+
 /// Between which squared wavelengths (um^2) a formula holds: 5 % above its ultraviolet resonances,
 /// below its infrared ones.
-fn resonances(terms: &[Term]) -> (f64, f64) {
+fn resonances(squared: &[f64]) -> (f64, f64) {
     let mut held = (0.0_f64, f64::INFINITY);
-    for [_, c] in terms {
+    for c in squared {
         if *c < ULTRAVIOLET_UM2 {
             held.0 = held.0.max(c * ABOVE_RESONANCE * ABOVE_RESONANCE);
         } else {
@@ -336,15 +351,6 @@ fn resonances(terms: &[Term]) -> (f64, f64) {
         }
     }
     held
-}
-
-/// Index of standard air (15 C, 101325 Pa, 450 ppm CO2) at a wavelength, nm.
-///
-/// Source: Ciddor, Applied Optics 35 (1996) 1566-1573, Eq. 1.
-pub fn n_air(at_nm: f64) -> f64 {
-    let over = 1000.0 / at_nm;
-    let s = over * over;
-    1.0 + 0.057_921_05 / (238.018_5 - s) + 0.001_679_17 / (57.362 - s)
 }
 
 #[cfg(test)]
@@ -426,7 +432,7 @@ mod tests {
         assert!((slope / diamond.d_index_d_nm(600.0).unwrap() - 1.0).abs() < 1e-3);
         assert_eq!(
             tabled.index(800.0).unwrap_err().to_string(),
-            "t: expected a wavelength in its table, 380 to 780 nm, found 800 nm"
+            "t: expected a wavelength at which its index is known, 380 to 780 nm, found 800 nm"
         );
         let not = Sampled::new(vec![1.0, 2.0], vec![1.5, -1.0]).unwrap();
         assert!(Material::from_table("t", "", &not, false).is_err());
@@ -436,14 +442,11 @@ mod tests {
     fn an_absolute_table_is_turned_to_air() {
         // Water against vacuum by its own formula, as a file would hold it.
         let water = Stuff::Water.material();
-        let Dispersion::Absolute(terms) = &water.dispersion else {
-            panic!("water is given against vacuum");
+        let Dispersion::Formula { formula, .. } = &water.dispersion else {
+            panic!("water is given by a formula");
         };
         let nm: Vec<f64> = (380..=800).map(f64::from).collect();
-        let n: Vec<f64> = nm
-            .iter()
-            .map(|nm| water.by_terms(terms, *nm, 1.0).unwrap())
-            .collect();
+        let n: Vec<f64> = nm.iter().map(|nm| formula.index(nm / 1000.0)).collect();
         let table = Sampled::new(nm, n).unwrap();
         let tabled = Material::from_table("water", "", &table, true).unwrap();
         let (a, b) = (
@@ -451,5 +454,66 @@ mod tests {
             water.index(589.294).unwrap(),
         );
         assert!((a - b).abs() < 1e-8, "{a} {b}");
+    }
+
+    #[test]
+    fn metals_and_dyes_have_no_index_where_they_let_no_light_through() {
+        // Gold by Johnson and Christy 1972, three of its rows.
+        let nm = vec![450.9, 548.6, 652.6];
+        let table = Sampled::new(nm.clone(), vec![1.38, 0.43, 0.17]).unwrap();
+        let k = Sampled::new(nm, vec![1.914, 2.455, 3.15]).unwrap();
+        let gold = Material::from_table("gold", "", &table, false).unwrap();
+        let light = Light::of_line(548.6).unwrap();
+        // Without k it is told by n alone, where that is 1 or less.
+        assert!(gold.index(450.9).is_ok() && gold.index(548.6).is_err());
+        let gold = gold.with_extinction(k);
+        assert!(gold.index(450.9).is_err());
+        assert_eq!(
+            gold.not_transparent_for(&light).unwrap().to_string(),
+            "gold: expected a transparent material (n above 1, k at most 0.0001), found n 0.4300, \
+             k 2.4550 at 548.6 nm"
+        );
+        // A glass that is opaque below 400 nm alone takes light of other wavelengths.
+        let nm = vec![380.0, 400.0, 780.0];
+        let table = Sampled::new(nm.clone(), vec![1.8, 1.7, 1.6]).unwrap();
+        let k = Sampled::new(nm, vec![0.01, 1e-6, 1e-6]).unwrap();
+        let glass = Material::from_table("glass", "", &table, false).unwrap();
+        let glass = glass.with_extinction(k);
+        assert_eq!(glass.not_transparent_for(&light), None);
+        assert!(
+            glass
+                .not_transparent_for(&Light::of_line(385.0).unwrap())
+                .is_some()
+        );
+    }
+
+    #[test]
+    fn the_formula_of_a_file_keeps_its_digits_and_ends_with_its_range() {
+        let coefficients = vec![
+            0.0,
+            1.039_612_12,
+            0.006_000_698_67,
+            0.231_792_344,
+            0.020_017_914_4,
+            1.010_469_45,
+            103.560_653,
+        ];
+        let formula = Formula::new(2, coefficients, [300.0, 2500.0]).unwrap();
+        let glass = Material::from_formula("n-bk7", "", formula);
+        // By mpmath with 50 digits, at .5876 um, the slope a nm.
+        let (n, slope) = (1.516_798_437_905_008_7, -4.179_195_425_607_8e-5);
+        assert!((glass.index(587.6).unwrap() - n).abs() < 1e-14);
+        let group = |n: f64, slope: f64| n - 587.6 * slope;
+        let found = group(
+            glass.index(587.6).unwrap(),
+            glass.d_index_d_nm(587.6).unwrap(),
+        );
+        assert!((found - group(n, slope)).abs() < 1e-13, "{found}");
+        let (figures, own) = (
+            glass.abbe().unwrap(),
+            Stuff::NBk7.material().abbe().unwrap(),
+        );
+        assert!((figures.v_d - own.v_d).abs() < 1e-9 && (figures.v_e - own.v_e).abs() < 1e-9);
+        assert!(glass.index(299.0).is_err() && glass.index(2501.0).is_err());
     }
 }

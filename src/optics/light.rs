@@ -1,6 +1,6 @@
 //! The light that is sent through things: a smooth part and spikes, as the model has them.
 
-use std::fmt;
+use std::{borrow::Cow, fmt};
 
 use crate::{
     color::{Observer, Xyz},
@@ -211,6 +211,26 @@ impl Light {
         let (from, to) = (from.max(self.band.min_nm()), to.min(self.band.max_nm()));
         let piece = |[a, b]: [f64; 2]| 0.5 * (b - a) * (self.smooth_at(a) + self.smooth_at(b));
         pieces(from, to).map(piece).sum()
+    }
+
+    /// The same light in a unit in which pictures of single precision hold it: as it is, but for
+    /// one beyond 1e-20 to 1e20, which is taken times a power of two.
+    pub(super) fn in_reach(&self) -> Cow<'_, Self> {
+        let weights = self.spikes.iter().map(|spike| spike.weight);
+        let all = self.smooth.iter().copied().chain(weights);
+        let peak = all.fold(0.0_f64, |most, value| most.max(value.abs()));
+        if (1e-20..=1e20).contains(&peak) {
+            return Cow::Borrowed(self);
+        }
+        // No larger: a number just above zero has no inverse.
+        let factor = (-peak.log2().floor()).min(1000.0).exp2();
+        let mut scaled = self.clone();
+        scaled.smooth.iter_mut().for_each(|value| *value *= factor);
+        scaled
+            .spikes
+            .iter_mut()
+            .for_each(|spike| spike.weight *= factor);
+        Cow::Owned(scaled)
     }
 
     /// XYZ of the whole light between 380 and 780 nm, value x nm.

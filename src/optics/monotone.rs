@@ -35,14 +35,9 @@ impl Monotone {
         }
     }
 
-    /// First and last `x`.
-    pub(super) fn ends(&self) -> [f64; 2] {
-        [self.x[0], self.x[self.x.len() - 1]]
-    }
-
-    /// The curve at a place; `None` outside the table.
-    pub(super) fn at(&self, x: f64) -> Option<f64> {
-        let [first, last] = self.ends();
+    /// The curve at a place and its slope there; `None` outside the table.
+    pub(super) fn value_and_slope(&self, x: f64) -> Option<[f64; 2]> {
+        let [first, last] = [self.x[0], self.x[self.x.len() - 1]];
         if !(first..=last).contains(&x) {
             return None;
         }
@@ -57,7 +52,9 @@ impl Monotone {
         let (p, q) = (self.slopes[left] * step, self.slopes[right] * step);
         let rise = b - a;
         // Hermite's cubic in powers of t.
-        Some(a + t * (p + t * (3.0 * rise - 2.0 * p - q + t * (p + q - 2.0 * rise))))
+        let (second, third) = (3.0 * rise - 2.0 * p - q, p + q - 2.0 * rise);
+        let value = a + t * (p + t * (second + t * third));
+        Some([value, (p + t * (2.0 * second + t * 3.0 * third)) / step])
     }
 }
 
@@ -70,14 +67,15 @@ mod tests {
         let x = [0.0, 1.0, 3.0, 4.0];
         let line = Monotone::new(&x, &[1.0, 2.0, 4.0, 5.0]);
         for at in [0.0, 0.3, 1.0, 2.2, 3.9, 4.0] {
-            assert!((line.at(at).unwrap() - (1.0 + at)).abs() < 1e-14);
+            assert!((line.value_and_slope(at).unwrap()[0] - (1.0 + at)).abs() < 1e-14);
         }
         let step = Monotone::new(&x, &[0.0, 0.0, 1.0, 1.0]);
         for at in 0..=400 {
-            let y = step.at(f64::from(at) / 100.0).unwrap();
+            let [y, slope] = step.value_and_slope(f64::from(at) / 100.0).unwrap();
+            assert!(slope >= 0.0);
             assert!((0.0..=1.0).contains(&y));
         }
-        assert_eq!(step.at(4.1), None);
-        assert_eq!(step.at(f64::NAN), None);
+        assert_eq!(step.value_and_slope(4.1), None);
+        assert_eq!(step.value_and_slope(f64::NAN), None);
     }
 }

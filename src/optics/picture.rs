@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     color::{Observer, Xyz, delta_e_2000, lab_from_xyz},
-    spectrum::Spike,
+    spectrum::{Spike, quantile},
 };
 
 /// X, Y, Z of each pixel, row after row from the top.
@@ -142,6 +142,7 @@ impl Film {
 
     /// The picture under a light: a sum over planes, nothing is traced.
     pub fn picture(&self, light: &Light, observer: Observer) -> Picture {
+        let light = &*light.in_reach();
         let size = self.settings().size;
         let mut picture = Picture {
             size,
@@ -219,6 +220,7 @@ impl Film {
 
     /// The noise of that picture; `None` before two rays a pixel, and without a white.
     pub fn noise(&self, light: &Light, observer: Observer) -> Option<Noise> {
+        let light = &*light.in_reach();
         let picture = self.picture(light, observer);
         let white = picture.white;
         if !(white.y > 0.0 && white.is_finite()) || self.rays_a_pixel() < 1.5 {
@@ -269,15 +271,10 @@ impl Film {
                 }
             }
         }
-        deltas.sort_by(f64::total_cmp);
-        let quantile = |share: f64| {
-            let place = (share * (deltas.len() as f64 - 1.0)).round() as usize;
-            deltas.get(place).copied()
-        };
         Some(Noise {
             relative_mse: squares / pixels.max(1) as f64,
-            delta_e_median: quantile(0.5)?,
-            delta_e_p95: quantile(0.95)?,
+            delta_e_median: quantile(&mut deltas, 0.5)?,
+            delta_e_p95: quantile(&mut deltas, 0.95)?,
             delta_e_on_gem: on_gem.value(),
         })
     }
@@ -404,12 +401,10 @@ impl Picture {
                 on_gem.add(delta);
             }
         }
-        deltas.sort_by(f64::total_cmp);
-        let quantile = |share: f64| deltas[(share * (deltas.len() - 1) as f64).round() as usize];
         Some(Noise {
             relative_mse: squares / self.xyz.len() as f64,
-            delta_e_median: quantile(0.5),
-            delta_e_p95: quantile(0.95),
+            delta_e_median: quantile(&mut deltas, 0.5)?,
+            delta_e_p95: quantile(&mut deltas, 0.95)?,
             delta_e_on_gem: on_gem.value(),
         })
     }

@@ -13,6 +13,9 @@ pub fn png([width, height]: [usize; 2], pixels: &[[u8; 3]]) -> Option<Vec<u8>> {
     encoder.set_color(::png::ColorType::Rgb);
     encoder.set_depth(::png::BitDepth::Eight);
     encoder.set_source_srgb(::png::SrgbRenderingIntent::Perceptual);
+    // The command line knows its own pictures by it, and replaces no others.
+    let [key, mark] = ["Software", env!("CARGO_PKG_NAME")].map(str::to_owned);
+    encoder.add_text_chunk(key, mark).ok()?;
     let mut writer = encoder.write_header().ok()?;
     writer.write_image_data(pixels.as_flattened()).ok()?;
     writer.finish().ok()?;

@@ -6,10 +6,7 @@
 
 use std::fmt;
 
-use super::{
-    fresnel::reflectances,
-    index::{IndexError, Material},
-};
+use super::{fresnel::reflectances, index::Material, index_error::IndexError};
 
 /// How the light meets the first face.
 #[derive(Clone, Copy, Debug, PartialEq)]

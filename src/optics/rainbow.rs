@@ -4,10 +4,7 @@
 //! by `D_k = k 180 + 2 i - 2 (k + 1) r`. Geometric optics: no supernumerary bows, drops above
 //! .5 mm.
 
-use super::{
-    fresnel::reflectances,
-    index::{IndexError, Material},
-};
+use super::{fresnel::reflectances, index::Material, index_error::IndexError};
 
 /// A ray in a drop.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -152,6 +152,7 @@ impl Sky {
 
     /// The strip under a light, blurred by the sun's disc or for a point of a sun.
     pub fn strip(&self, light: &Light, observer: Observer, sun: bool) -> SkyStrip {
+        let light = &*light.in_reach();
         let width = self.columns + 2 * self.margin;
         let table = observer.table();
         // X, Y and Z apart, so that each is a plain sum of rows.

@@ -55,9 +55,8 @@ pub struct Strip {
     pub energy: f64,
     /// Share of that energy that falls beside the screen.
     pub share_beside: f64,
-    /// Where total reflection begins: this wavelength and shorter, nm; `None` where nothing of
-    /// 380-780 nm is reflected.
-    pub reflected_to_nm: Option<f64>,
+    /// What of 380-780 nm is totally reflected, from and to, nm; rising.
+    pub reflected_nm: Vec<[f64; 2]>,
     /// Whether some of it rests on an index outside the range it was published for.
     pub extrapolated: bool,
 }
@@ -73,9 +72,9 @@ impl Bench {
     pub fn whole_screen(&self, light: &Light, columns: usize) -> Option<Screen> {
         let spots = pieces(SEEN_NM[0], SEEN_NM[1]).flatten();
         let spikes = light.seen_spikes().map(|s| s.at_nm);
-        let edge = self.reflected_to_nm();
-        // Just above total reflection the light runs along the face: it lands far out.
-        let beside = edge.into_iter().map(|nm| nm + 1e-3);
+        // Just beside total reflection the light runs along the face: it lands far out.
+        let edges = self.reflected_nm().into_iter();
+        let beside = edges.flat_map(|[from, to]| [from - 1e-3, to + 1e-3]);
         let mut ends = [f64::INFINITY, f64::NEG_INFINITY];
         for nm in spots.chain(spikes).chain(beside) {
             if let Some(Spot { x, width, .. }) = self.spot(nm) {
@@ -89,31 +88,66 @@ impl Bench {
         })
     }
 
-    /// The longest wavelength of 380-780 nm that is totally reflected, nm.
-    pub fn reflected_to_nm(&self) -> Option<f64> {
-        // The index falls with wavelength, so what is reflected is a range from the blue end.
-        let last = (380..=780)
-            .map(f64::from)
-            .rfind(|nm| self.is_reflected(*nm))?;
-        if last >= SEEN_NM[1] {
-            return Some(last);
+    /// The stretches of 380-780 nm that are totally reflected, from and to, nm; rising. Usually
+    /// one from the blue end; where the index rises with wavelength any.
+    pub fn reflected_nm(&self) -> Vec<[f64; 2]> {
+        let mut found: Vec<[f64; 2]> = Vec::new();
+        let mut before: Option<f64> = None;
+        for nm in (380..=780).map(f64::from) {
+            let was = before.is_some_and(|nm| self.is_reflected(nm));
+            match (self.is_reflected(nm), was) {
+                (true, false) => {
+                    let from = before.map_or(nm, |before| self.edge(nm, before));
+                    found.push([from, nm]);
+                }
+                (true, true) => {
+                    if let Some(last) = found.last_mut() {
+                        last[1] = nm;
+                    }
+                }
+                (false, true) => {
+                    let to = self.edge(nm - 1.0, nm);
+                    if let Some(last) = found.last_mut() {
+                        last[1] = to;
+                    }
+                }
+                (false, false) => {}
+            }
+            before = Some(nm);
         }
-        let (mut low, mut high) = (last, last + 1.0);
+        found
+    }
+
+    /// Where total reflection ends between a wavelength that is reflected and one that is not, nm;
+    /// itself reflected.
+    fn edge(&self, mut reflected: f64, mut passing: f64) -> f64 {
         for _ in 0..50 {
-            let middle = 0.5 * (low + high);
+            let middle = 0.5 * (reflected + passing);
             if self.is_reflected(middle) {
-                low = middle;
+                reflected = middle;
             } else {
-                high = middle;
+                passing = middle;
             }
         }
-        Some(low)
+        reflected
+    }
+
+    /// The end of what is totally reflected from the blue end on, nm.
+    pub fn reflected_to_nm(&self) -> Option<f64> {
+        let first = self.reflected_nm().into_iter().next()?;
+        (first[0] <= SEEN_NM[0]).then_some(first[1])
     }
 
     /// What is totally reflected, in words.
     pub fn reflected_words(&self) -> Option<String> {
-        let nm = self.reflected_to_nm()?;
-        Some(format!("{nm:.1} nm and shorter are totally reflected"))
+        let words = |[from, to]: &[f64; 2]| match (*from <= SEEN_NM[0], *to >= SEEN_NM[1]) {
+            (true, _) => format!("{to:.1} nm and shorter"),
+            (false, true) => format!("{from:.1} nm and longer"),
+            (false, false) => format!("{from:.1} to {to:.1} nm"),
+        };
+        let all: Vec<String> = self.reflected_nm().iter().map(words).collect();
+        let all = all.join(", and ");
+        (!all.is_empty()).then(|| format!("{all} are totally reflected"))
     }
 
     /// Puts a light onto a screen. Columns beyond [`MOST_COLUMNS`] are left away.
@@ -127,7 +161,7 @@ impl Bench {
             width: (screen.ends_mm[1] - screen.ends_mm[0]) / screen.columns as f64,
             count: screen.columns,
         };
-        let reflected_to_nm = self.reflected_to_nm();
+        let reflected_nm = self.reflected_nm();
         let mut painter = Painter {
             bench: self,
             light,
@@ -136,10 +170,13 @@ impl Bench {
             smallest: 0.5 * columns.width,
             energy: 0.0,
         };
-        let first = reflected_to_nm.map_or(SEEN_NM[0], |nm| nm.max(SEEN_NM[0]));
         let band = light.band();
-        for [a, b] in pieces(first.max(band.min_nm()), SEEN_NM[1].min(band.max_nm())) {
-            painter.cell([a, b], [self.spot(a), self.spot(b)], 0);
+        let starts = std::iter::once(SEEN_NM[0]).chain(reflected_nm.iter().map(|s| s[1]));
+        let ends = reflected_nm.iter().map(|s| s[0]).chain([SEEN_NM[1]]);
+        for (from, to) in starts.zip(ends) {
+            for [a, b] in pieces(from.max(band.min_nm()), to.min(band.max_nm())) {
+                painter.cell([a, b], [self.spot(a), self.spot(b)], 0);
+            }
         }
         let mut energy = painter.energy;
         let smooth = painter.deposit.columns();
@@ -181,7 +218,7 @@ impl Bench {
             } else {
                 0.0
             },
-            reflected_to_nm,
+            reflected_nm,
             extrapolated: self.is_extrapolated(light),
         }
     }

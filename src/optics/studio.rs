@@ -5,7 +5,8 @@ use std::fmt;
 use super::{
     absorption::Absorption,
     chain::{Ending, Stage, Traced, Work},
-    index::{IndexError, Material},
+    index::Material,
+    index_error::IndexError,
     lanes::Start,
     scene::{Camera, Scene, SceneError},
     solid::Solid,
@@ -67,7 +68,11 @@ impl Studio {
     ) -> Result<Self, StudioError> {
         let camera = scene.camera(&solid).map_err(StudioError::Scene)?;
         if (380..=780).all(|nm| material.index(f64::from(nm)).is_err()) {
-            let error = material.index(780.0).err();
+            // That it is a metal says more than that a table ends.
+            let mut errors = (380..=780).filter_map(|nm| material.index(f64::from(nm)).err());
+            let is_opaque = |e: &IndexError| matches!(e, IndexError::NotTransparent { .. });
+            let last = material.index(780.0).err();
+            let error = errors.find(is_opaque).or(last);
             if let Some(error) = error {
                 return Err(StudioError::Index(error));
             }

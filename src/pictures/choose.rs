@@ -178,8 +178,8 @@ pub fn choose(
         tried.extend(bases.iter().filter_map(|base| ways.try_one(base, numbers)));
     }
     let (p95, rms) = match asked {
-        Asked::Bound { p95, rms } => (p95, rms.max(survey.relative_noise())),
-        Asked::Budget(_) => (BOUND_P95, BOUND_RMS.max(survey.relative_noise())),
+        Asked::Bound { p95, rms } => (p95, rms.max(survey.relative_noise(bands))),
+        Asked::Budget(_) => (BOUND_P95, BOUND_RMS.max(survey.relative_noise(bands))),
     };
     let best = |from: &mut dyn Iterator<Item = &Candidate>| {
         from.min_by(|a, b| a.over(p95, rms).total_cmp(&b.over(p95, rms)))

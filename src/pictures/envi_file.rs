@@ -8,6 +8,7 @@ use std::sync::Mutex;
 use crate::io::Meant;
 use crate::io::OfOne;
 use crate::io::envi::{self, Header, all_bytes};
+use crate::spectrum::Kind;
 use crate::spectrum::cube::{Interleave, Number, is_missing};
 
 use super::{Bands, KeptBands, PictureError, Pixels};
@@ -29,14 +30,16 @@ pub struct EnviFile {
     /// The file's bands that each kept one is the mean of.
     of: Vec<Vec<usize>>,
     said: Vec<String>,
+    is_kind_guessed: bool,
 }
 
 impl EnviFile {
-    /// Opens a cube by its header or its data; only the header and some rows are read.
+    /// Opens a cube by its header or its data; only the header and some rows are read. `kind` is
+    /// a person's word for what the values are.
     ///
     /// # Errors
     /// [`PictureError`] when there is no such pair, or it is no cube.
-    pub fn open(path: &Path, all: bool) -> Result<Self, PictureError> {
+    pub fn open(path: &Path, all: bool, kind: Option<Kind>) -> Result<Self, PictureError> {
         let trouble = |error: crate::io::ReadError| PictureError::Trouble(error.to_string());
         let header_path = if envi::starts_as_header(path) {
             path.to_owned()
@@ -66,12 +69,10 @@ impl EnviFile {
             missing,
             scale: 1.0,
             unit: String::new(),
-            bands: Bands::new(
-                channels.bands.iter().map(|b| b.0).collect(),
-                crate::spectrum::Kind::Light,
-            )?,
+            bands: Bands::new(channels.bands.iter().map(|b| b.0).collect(), Kind::Light)?,
             of: channels.bands.iter().map(|b| vec![b.1]).collect(),
             said: channels.notes,
+            is_kind_guessed: false,
             header,
         };
         let (nm, stored): (Vec<f64>, Vec<usize>) = channels.bands.into_iter().unzip();
@@ -80,8 +81,14 @@ impl EnviFile {
             .file_name()
             .map(|n| n.to_string_lossy().into_owned())
             .unwrap_or_default();
-        let (known, _) = envi::values(&opened.header, &name, &sample).map_err(trouble)?;
-        let meant = Meant::of(known, OfOne::default(), || sample);
+        let (known, notes) = envi::values(&opened.header, &name, &sample).map_err(trouble)?;
+        let chosen = OfOne {
+            kind,
+            ..OfOne::default()
+        };
+        let meant = Meant::of(known, chosen, || sample);
+        opened.said.extend(notes);
+        opened.said.extend(envi::left_over(&opened.header, found));
         let kept = KeptBands::of_file(&nm, &gone, all);
         let width = envi::bandwidth_nm(&opened.header, &nm, &stored);
         opened.bands = kept.bands(meant.kind.value)?.with_bandwidth(width);
@@ -90,6 +97,8 @@ impl EnviFile {
             .iter()
             .map(|g| g.iter().map(|b| stored[*b]).collect())
             .collect();
+        opened.said.extend(meant.said(None));
+        opened.is_kind_guessed = meant.is_kind_guessed();
         opened.said.extend(kept.said);
         (opened.scale, opened.unit) = (meant.scale, meant.unit);
         Ok(opened)
@@ -120,7 +129,12 @@ impl EnviFile {
         &self.unit
     }
 
-    /// What was merged or left out, a sentence each.
+    /// Whether neither the header nor a person says what the values are.
+    pub fn is_kind_guessed(&self) -> bool {
+        self.is_kind_guessed
+    }
+
+    /// What was guessed, merged or left out, a sentence each.
     pub fn said(&self) -> &[String] {
         &self.said
     }

@@ -66,7 +66,9 @@ impl fmt::Display for PictureError {
             Self::NothingMeasured => {
                 f.write_str("expected a measured pixel, found none that has all of its bands")
             }
-            Self::AllZero => f.write_str("expected values above zero, found only zeros"),
+            Self::AllZero => f.write_str(
+                "expected values above zero that a file of 32-bit numbers holds, found none",
+            ),
             Self::NoOwnLight { light } => write!(
                 f,
                 "expected an own light that shines on the bands, found {light}, which is zero there"

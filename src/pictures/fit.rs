@@ -5,16 +5,21 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use crate::spectrum::{Kind, Outside, Sampled};
-use crate::study::Progress;
+use crate::study::{Progress, error::height};
 
-use super::header::About;
 use super::lines::find_lines;
-use super::measure::{Errors, Exactly};
+use super::strips::over_strips;
 use super::survey::Survey;
-use super::{Bands, InMemory, Operator, Picture, PictureError, Plan, Reference, ReferenceKind};
+use super::{Bands, InMemory, Operator, PictureError, Plan, Reference, ReferenceKind};
 
 /// Most spectra or points that one line of JSON may hold.
 const MOST_POINTS: usize = 100_000;
+
+/// Wavelengths that end below this are in another unit.
+const SHORTEST_NM: f64 = 20.0;
+
+/// Spectra that one thread fits at a time.
+const AT_ONCE: usize = 512;
 
 /// What is asked of a fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,8 +41,8 @@ pub struct Fitted {
     pub operator: Operator,
     /// `[number * spectra + i]`; NaN for one that was not measured in full.
     pub numbers: Vec<f32>,
-    /// Relative rms of each.
-    pub relative_rms: Vec<f64>,
+    /// Relative rms of each; `None` for one that was not measured in full.
+    pub relative_rms: Vec<Option<f64>>,
 }
 
 /// The operator for spectra on common bands.
@@ -74,40 +79,52 @@ pub fn fit_values(
     let count = names.len();
     // As a column, so that rows are shared out over threads.
     let pixels = InMemory::new(1, count, bands.clone(), values)?;
-    let survey = Survey::of(&pixels, &Progress::default())?;
+    let survey = Survey::of(&pixels, progress)?;
     let operator = operator_for(&bands, &survey.mean, ask)?;
     let (encode, decode) = (operator.encoder(), operator.decoder());
-    let picture = if count < 1 << 12 {
-        Picture::encode(
-            &pixels,
-            &operator,
-            &Exactly,
-            (&About::default(), Errors::default()),
-            progress,
-        )?
-        .planes
-    } else {
-        let mut numbers = vec![0.0; operator.numbers() * count];
-        encode.apply(pixels.values(), count, &mut numbers);
-        numbers
-    };
-    let mut back = vec![0.0; bands.len() * count];
-    decode.apply(&picture, count, &mut back);
-    let (mut off, mut all) = (vec![0.0; count], vec![0.0; count]);
-    for (j, weight) in bands.weights_nm().iter().enumerate() {
-        for i in 0..count {
-            let (exact, found) = (pixels.values()[j * count + i], back[j * count + i]);
-            off[i] += weight * f64::from(found - exact).powi(2);
-            all[i] += weight * f64::from(exact).powi(2);
+    progress.expect(count.div_ceil(AT_ONCE));
+    let parts = over_strips(&pixels, AT_ONCE, progress, |strip| {
+        let here = strip.pixels;
+        let mut numbers = vec![0.0; operator.numbers() * here];
+        encode.apply(strip.values, here, &mut numbers);
+        let mut back = vec![0.0; bands.len() * here];
+        decode.apply(&numbers, here, &mut back);
+        let of = |i: usize| {
+            let pairs = (0..bands.len()).map(|j| (strip.values[j * here + i], back[j * here + i]));
+            relative_rms(
+                pairs.map(|(exact, found)| [exact, found].map(f64::from)),
+                &bands,
+            )
+        };
+        Ok((numbers, (0..here).map(of).collect::<Vec<_>>()))
+    })?;
+    let mut numbers = vec![0.0; operator.numbers() * count];
+    let mut relative_rms = Vec::with_capacity(count);
+    for (part, rms) in parts {
+        let (first, here) = (relative_rms.len(), rms.len());
+        for (n, plane) in part.chunks_exact(here).enumerate() {
+            numbers[n * count + first..][..here].copy_from_slice(plane);
         }
+        relative_rms.extend(rms);
     }
-    let rms = |(off, all): (&f64, &f64)| if *all > 0.0 { (off / all).sqrt() } else { 0.0 };
     Ok(Fitted {
         names,
         operator,
-        numbers: picture,
-        relative_rms: off.iter().zip(&all).map(rms).collect(),
+        numbers,
+        relative_rms,
     })
+}
+
+/// Root of the squared difference over the squared values, each band by its width; `None` where a
+/// value is missing or no number. Pairs are exact and found.
+fn relative_rms(pairs: impl Iterator<Item = [f64; 2]>, bands: &Bands) -> Option<f64> {
+    let (mut off, mut all) = (0.0, 0.0);
+    for ([exact, found], weight) in pairs.zip(bands.weights_nm()) {
+        off += weight * (found - exact).powi(2);
+        all += weight * exact.powi(2);
+    }
+    let rms = if all == 0.0 { 0.0 } else { (off / all).sqrt() };
+    rms.is_finite().then_some(rms)
 }
 
 /// Fits a table of spectra; those on other wavelengths than the first come to its by straight
@@ -134,13 +151,15 @@ pub fn fit_spectra(
             );
             return Err(PictureError::broken(found, expected));
         }
-        let same = table.nm() == bands.nm();
-        for j in 0..bands.len() {
-            let value = if same {
-                table.values()[j]
-            } else {
-                table.at(bands.nm()[j], Outside::Hold)
-            };
+        let on_bands = match table.nm() == bands.nm() {
+            true => table.values().to_vec(),
+            false => bands.by_area(table, Outside::Hold),
+        };
+        for (j, value) in on_bands.into_iter().enumerate() {
+            if !(value as f32).is_finite() {
+                let found = format!("{name} with {value:e} at {} nm", bands.nm()[j]);
+                return Err(PictureError::broken(found, "values up to 3.4e38"));
+            }
             values[j * spectra.len() + i] = value as f32;
         }
     }
@@ -197,7 +216,8 @@ impl Fitted {
             self.row(i).iter().for_each(|z| {
                 let _ = write!(out, ",{}", *z as f32);
             });
-            let _ = writeln!(out, ",{}", self.relative_rms[i] as f32);
+            let rms = self.relative_rms[i].map(|rms| (rms as f32).to_string());
+            let _ = writeln!(out, ",{}", rms.unwrap_or_default());
         }
         out
     }
@@ -254,11 +274,24 @@ pub fn fit_line(line: &str, ask: FitAsk) -> Result<String, PictureError> {
             .ok_or_else(|| bad(format!("no numbers in {key:?}")))
     };
     let (nm, values) = (list("nm")?, list("values")?);
-    let kind = match value.get("kind").and_then(Value::as_str) {
-        Some("reflectance") => Kind::Reflectance,
-        Some("transmittance") => Kind::Transmittance,
-        _ => Kind::Light,
+    let kind = match value.get("kind").map(|kind| (kind, kind.as_str())) {
+        None | Some((_, Some("light"))) => Kind::Light,
+        Some((_, Some("reflectance"))) => Kind::Reflectance,
+        Some((_, Some("transmittance"))) => Kind::Transmittance,
+        Some((other, _)) => {
+            return Err(PictureError::broken(
+                format!("the kind {other}"),
+                "light, reflectance or transmittance",
+            ));
+        }
     };
+    // Nothing is measured there, and light of 0.4 to 0.7 um is.
+    if let Some(last) = nm.last().filter(|last| **last < SHORTEST_NM) {
+        return Err(PictureError::broken(
+            format!("wavelengths up to {last} nm"),
+            "some in nm (1 um is 1000 nm)",
+        ));
+    }
     if nm.len() != values.len() {
         return Err(bad(format!(
             "{} wavelengths and {} values",
@@ -270,12 +303,10 @@ pub fn fit_line(line: &str, ask: FitAsk) -> Result<String, PictureError> {
     let operator = operator_for(&bands, &values, ask)?;
     let numbers = operator.numbers_of(&values);
     let back = operator.pixel_of(&numbers);
-    let weighed = |f: &dyn Fn(usize) -> f64| -> f64 {
-        (0..bands.len())
-            .map(|j| bands.weights_nm()[j] * f(j).powi(2))
-            .sum()
-    };
-    let (off, all) = (weighed(&|j| back[j] - values[j]), weighed(&|j| values[j]));
+    // Squares of numbers beyond 1e154 would be infinite.
+    let unit = height(&values).unwrap_or(1.0);
+    let pairs = values.iter().zip(&back);
+    let rms = relative_rms(pairs.map(|(a, b)| [unit * a, unit * b]), &bands);
     let series = operator.plan().series;
     let lines = operator.plan().lines.iter().zip(&numbers[series..]);
     let answer = json!({
@@ -284,7 +315,7 @@ pub fn fit_line(line: &str, ask: FitAsk) -> Result<String, PictureError> {
         "range_nm": operator.range_nm(),
         "coefficients": finite(&numbers[..series]),
         "lines": lines.map(|(line, w)| json!({"at_nm": line.at_nm, "weight": w})).collect::<Vec<_>>(),
-        "relative_rms": if all > 0.0 { (off / all).sqrt() } else { 0.0 },
+        "relative_rms": rms,
     });
     Ok(answer.to_string())
 }

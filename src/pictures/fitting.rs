@@ -2,15 +2,19 @@
 
 use std::f64::consts::PI;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 use super::light::emissive_weights;
 use super::plan::{LEAST_NOISE, LineFit, Plan, ReferenceKind};
 use super::{Bands, PictureError};
 
-/// Ridge, as a share of the mean diagonal.
+/// Ridge, as a share of the mean diagonal: it bounds the condition by about 1e9, which leaves seven
+/// of sixteen digits, and shifts what the bands do tell by no more than 1e-9.
 const RIDGE: f64 = 1e-9;
-/// What weighs colours against the spectrum in the weighted fit, nm.
+/// What weighs colours against the spectrum in the weighted fit, nm: a colour that is off by .001
+/// of white in X, Y and Z counts as an rms of `sqrt(3000 x 3e-6)`, .095. The one value tried: with
+/// it 1269 Munsell chips under 318 lamps, none of them weighed, came to .30 / .87 (mean, 95 %) from
+/// the plain fit's .34 / 1.07 with 11 numbers.
 const COLOUR_NM: f64 = 3000.0;
 
 /// A fit: E, and the inverse of its normal matrix.
@@ -72,17 +76,10 @@ pub(super) fn plain_fit(
     plan: &Plan,
     decode: &DMatrix<f64>,
 ) -> Result<Fit, PictureError> {
-    let length = bands.length_nm();
-    let mut metric = DMatrix::from_diagonal(&DVector::from_fn(bands.len(), |j, _| {
-        bands.weights_nm()[j] / length
-    }));
-    if let (Some(weighting), true) = (&plan.weighting, bands.is_factor()) {
-        metric += &weighting.gram * (COLOUR_NM / length);
-    }
     if plan.line_fit == LineFit::Window && !plan.lines.is_empty() {
-        return window_fit(bands, plan, decode, &metric);
+        return window_fit(bands, plan, decode);
     }
-    let right = decode.transpose() * &metric;
+    let right = weighed(bands, plan, decode);
     let inverse = inverse_of(&right * decode)?;
     Ok(Fit {
         encode: &inverse * right,
@@ -90,13 +87,23 @@ pub(super) fn plain_fit(
     })
 }
 
+/// Columns as rows times the metric of the bands: their lengths, and what weighs colours. It takes no
+/// number for each pair of bands, of which tables have many.
+fn weighed(bands: &Bands, plan: &Plan, columns: &DMatrix<f64>) -> DMatrix<f64> {
+    let length = bands.length_nm();
+    let mut rows = columns.transpose();
+    for (mut row, weight) in rows.column_iter_mut().zip(bands.weights_nm()) {
+        row *= weight / length;
+    }
+    if let (Some(weighting), true) = (&plan.weighting, bands.is_factor()) {
+        let colours = &weighting.rows * columns;
+        rows += colours.transpose() * &weighting.rows * (COLOUR_NM / length);
+    }
+    rows
+}
+
 /// Lines from their windows, the series on what they leave.
-fn window_fit(
-    bands: &Bands,
-    plan: &Plan,
-    decode: &DMatrix<f64>,
-    metric: &DMatrix<f64>,
-) -> Result<Fit, PictureError> {
+fn window_fit(bands: &Bands, plan: &Plan, decode: &DMatrix<f64>) -> Result<Fit, PictureError> {
     let (count, series, lines) = (bands.len(), plan.series, plan.lines.len());
     let (nm, weights) = (bands.nm(), bands.weights_nm());
     let mut of_lines = DMatrix::zeros(lines, count);
@@ -111,10 +118,10 @@ fn window_fit(
     }
     let smooth = decode.columns(0, series).into_owned();
     let shapes = decode.columns(series, lines).into_owned();
-    let right = smooth.transpose() * metric;
+    let right = weighed(bands, plan, &smooth);
     let inverse_smooth = inverse_of(&right * &smooth)?;
-    let left_over = DMatrix::identity(count, count) - shapes * &of_lines;
-    let of_series = &inverse_smooth * right * left_over;
+    let of_all = &inverse_smooth * right;
+    let of_series = &of_all - (&of_all * shapes) * &of_lines;
     let mut encode = DMatrix::zeros(series + lines, count);
     encode.rows_mut(0, series).copy_from(&of_series);
     encode.rows_mut(series, lines).copy_from(&of_lines);

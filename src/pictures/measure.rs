@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use std::sync::Mutex;
 
 use crate::color::{Xyz, delta_e_2000, lab_from_xyz};
+use crate::spectrum::rank;
 use crate::study::Progress;
 
 use super::kernel::Kernel;
@@ -105,8 +106,7 @@ impl Tally {
         if self.count == 0 {
             return Spread::default();
         }
-        let rank = 0.95 * (self.count - 1) as f64;
-        let (below, t) = (rank.floor(), rank.fract());
+        let (below, t) = rank(self.count as usize, 0.95);
         let low = self.ranked(below as u64);
         let high = self.ranked((below as u64 + 1).min(self.count - 1));
         Spread {

@@ -11,9 +11,8 @@ use super::fitting::{columns, lit_fit, own_weights, plain_fit};
 use super::plan::{Plan, ReferenceKind};
 use super::prior::prior;
 use super::{Bands, Kernel, PictureError};
+use crate::spectrum::ThreeSums;
 
-/// Beyond this condition number the bands miss the visible and own colour cannot be exact.
-const WORST_CONDITION: f64 = 1e8;
 /// Above this noise gain the order is lowered.
 pub(super) const MOST_NOISE_GAIN: f64 = 1.5;
 
@@ -91,8 +90,9 @@ impl Operator {
         if operator.encode.iter().any(|v| !v.is_finite()) {
             return Err(PictureError::NotSolved);
         }
-        operator.noise_gain =
-            (&operator.decode * &operator.encode).norm() / (bands.len() as f64).sqrt();
+        // D = QR has the norm of R: no number for each pair of bands.
+        let triangle = operator.decode.clone().qr().r();
+        operator.noise_gain = (triangle * &operator.encode).norm() / (bands.len() as f64).sqrt();
         Ok(operator)
     }
 
@@ -116,20 +116,24 @@ impl Operator {
         let bands = self.bands.len();
         let seen = DMatrix::from_fn(3, bands, |k, j| self.own[k][j]);
         let of_numbers = &seen * &self.decode;
-        let back = inverse * of_numbers.transpose();
-        let inner = &of_numbers * &back;
-        let values = inner.clone().symmetric_eigenvalues();
-        let (least, most) = (values.min(), values.max());
-        if !(least > 0.0 && most / least <= WORST_CONDITION) {
-            return;
-        }
-        let Some(inverse) = inner.try_inverse() else {
+        // The cost of a change is the fit's own: its inverse in two factors.
+        let Some(factor) = inverse.clone().cholesky() else {
             return;
         };
+        let factor = factor.unpack();
+        let map = &of_numbers * &factor;
+        let sums = ThreeSums::new(map.column_iter().map(|c| [c[0], c[1], c[2]]));
         // Twice: the second pass takes away what rounding left of the first.
         for _ in 0..2 {
             let missing = &seen - &of_numbers * &self.encode;
-            self.encode += &back * (&inverse * missing);
+            for (band, missing) in missing.column_iter().enumerate() {
+                let Some(change) = sums.change([missing[0], missing[1], missing[2]]) else {
+                    return;
+                };
+                let change = DVector::from_iterator(factor.ncols(), change);
+                let mut column = self.encode.column_mut(band);
+                column += &factor * change;
+            }
         }
         self.is_exact = true;
     }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 
 use crate::color::Observer;
@@ -109,7 +109,9 @@ pub enum LineFit {
 pub struct Weighting {
     /// Names of the lights.
     pub names: Vec<String>,
-    pub(super) gram: DMatrix<f64>,
+    /// `K` of all lights below one another, over the root of their count: the mean is its square, and
+    /// it takes no number for each pair of bands.
+    pub(super) rows: DMatrix<f64>,
 }
 
 impl Weighting {
@@ -126,19 +128,17 @@ impl Weighting {
         observer: Observer,
     ) -> Self {
         let count = bands.len();
-        let (mut names, mut gram) = (Vec::new(), DMatrix::zeros(count, count));
+        let (mut names, mut values) = (Vec::new(), Vec::new());
         for light in lights {
             let Ok(rows) = light.weights(bands, observer) else {
                 continue;
             };
-            for row in rows {
-                let row = DVector::from_vec(row);
-                gram += &row * row.transpose();
-            }
+            values.extend(rows.into_iter().flatten());
             names.push(light.name().to_owned());
         }
-        gram /= names.len().max(1) as f64;
-        Self { names, gram }
+        let mut rows = DMatrix::from_row_slice(values.len() / count, count, &values);
+        rows /= (names.len().max(1) as f64).sqrt();
+        Self { names, rows }
     }
 }
 

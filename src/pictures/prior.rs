@@ -57,9 +57,11 @@ pub(super) fn prior(
         return Err(PictureError::NotSolved);
     }
     let samples = samples();
-    let values = DMatrix::from_fn(bands.len(), samples.len(), |j, i| {
-        samples[i].at(bands.nm()[j], Outside::Hold)
-    });
+    let on_bands: Vec<Vec<f64>> = samples
+        .iter()
+        .map(|table| bands.by_area(table, Outside::Hold))
+        .collect();
+    let values = DMatrix::from_fn(bands.len(), samples.len(), |j, i| on_bands[i][j]);
     let numbers = &plain.encode * values;
     let of_row = |row: usize| {
         let squares = numbers.row(row).iter().map(|v| v * v).sum::<f64>();

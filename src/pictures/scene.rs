@@ -113,6 +113,7 @@ impl Scene {
             .flat_map(|group| group.items)
             .filter_map(|item| Some(item.spectrum()?.samples.clone()))
             .collect();
+        // Read off, as the scene is defined: the paints are smooth, in steps of 5 nm.
         let on_bands = |table: &Sampled| {
             let nm = bands.nm().iter();
             nm.map(|nm| table.at(*nm, Outside::Hold)).collect()

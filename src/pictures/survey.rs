@@ -1,17 +1,19 @@
 //! What a picture is like before anything is decided: its mean, its noise, a sample of its pixels.
 
-use crate::study::Progress;
+use crate::{spectrum::quantile, study::Progress};
 
 use super::strips::over_strips;
-use super::{PictureError, Pixels, STRIP_ROWS};
+use super::{Bands, PictureError, Pixels, STRIP_ROWS};
 
 /// Most pixels of the sample that a choice is made on.
 pub(super) const MOST_SAMPLED: usize = 4096;
 
-/// Standard deviation of a normal number over the median of its absolute value.
+/// Standard deviation of a normal number over the median of its absolute value: 1 / .67449, the
+/// upper quartile of the normal distribution.
 const NORMAL_OVER_MEDIAN: f64 = 1.4826;
 
-/// A known light counts as at least this share of its mean where it is divided out.
+/// A known light counts as at least this share of its mean where it is divided out: below a
+/// thousandth the quotient of a 10-bit camera is noise alone.
 const LEAST_LIGHT: f64 = 1e-3;
 
 /// What was found on a picture.
@@ -134,9 +136,13 @@ impl Survey {
         median(&mut self.noise_under(light))
     }
 
-    /// Noise relative to what there is: what no relative rms need go below.
-    pub fn relative_noise(&self) -> f64 {
-        let squares = |values: &[f64]| values.iter().map(|v| v * v).sum::<f64>();
+    /// Noise relative to what there is, bands weighed by their widths as in the relative rms: what
+    /// no relative rms need go below.
+    pub fn relative_noise(&self, bands: &Bands) -> f64 {
+        let squares = |values: &[f64]| {
+            let weighed = values.iter().zip(bands.weights_nm());
+            weighed.map(|(v, q)| q * v * v).sum::<f64>()
+        };
         let signal = self.sample.iter().map(|p| squares(p)).sum::<f64>() / self.sample.len() as f64;
         if signal > 0.0 {
             (squares(&self.noise) / signal).sqrt()
@@ -146,15 +152,13 @@ impl Survey {
     }
 }
 
-/// The value that a share (0-1) of all lies below, by the nearest rank; `values` hold one at least.
+/// The value that a share (0-1) of all lies below; 0 of none.
 pub(super) fn percentile(values: &mut [f64], share: f64) -> f64 {
-    let at = ((values.len() - 1) as f64 * share).round() as usize;
-    *values.select_nth_unstable_by(at, f64::total_cmp).1
+    quantile(values, share).unwrap_or(0.0)
 }
 
 fn median(values: &mut [f64]) -> f64 {
-    let middle = values.len() / 2;
-    *values.select_nth_unstable_by(middle, f64::total_cmp).1
+    percentile(values, 0.5)
 }
 
 /// `1.4826 median |p_j - (p_(j-1) + p_(j+1))/2| / sqrt 1.5`; the ends are as noisy as their
@@ -169,4 +173,55 @@ fn noise_of(sample: &[Vec<f64>], bands: usize) -> Vec<f64> {
     noise[0] = noise[1];
     noise[bands - 1] = noise[bands - 2];
     noise
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spectrum::Kind;
+
+    #[test]
+    fn a_percentile_lies_between_its_ranks() {
+        // Of 0, 1, .. 20 the 95th is 19, of 0, .. 10 it is 9.5; of one number the number.
+        let of = |count: i32| {
+            percentile(
+                &mut (0..=count).rev().map(f64::from).collect::<Vec<_>>(),
+                0.95,
+            )
+        };
+        assert_eq!((of(20), of(10), of(0)), (19.0, 9.5, 0.0));
+    }
+
+    #[test]
+    fn the_noise_of_wide_bands_counts_as_their_signal_does() {
+        // A flat signal of 1 and noise .1 in the last, ten times wider, band alone: the widths are
+        // half the way to each neighbour, 5, 10, 10, 55 and 50 nm of 130.
+        let bands = Bands::new(vec![400.0, 410.0, 420.0, 430.0, 530.0], Kind::Light).unwrap();
+        let survey = Survey {
+            mean: vec![1.0; 5],
+            high: vec![1.0; 5],
+            noise: vec![0.0, 0.0, 0.0, 0.0, 0.1],
+            measured: 1,
+            no_data: 0,
+            sample: vec![vec![1.0; 5]],
+        };
+        let found = survey.relative_noise(&bands);
+        assert!(
+            (found - 0.1 * (50.0_f64 / 130.0).sqrt()).abs() < 1e-15,
+            "{found}"
+        );
+    }
+
+    #[test]
+    fn the_percentile_that_chooses_is_the_one_that_is_told() {
+        let mut tally = super::super::measure::Tally::default();
+        let mut off: Vec<f64> = (1..=20).map(|i| 0.11 * f64::from(i)).collect();
+        off.iter().for_each(|v| tally.add(*v));
+        let spread = crate::study::Spread::of(&off).expect("twenty");
+        let chosen = percentile(&mut off, 0.95);
+        // Rank 18.05 of 20 by hand, and bins a 2000th of their size wide.
+        assert!((chosen - 0.11 * 19.05).abs() < 1e-12);
+        assert!((spread.p95 - chosen).abs() < 1e-12);
+        assert!((tally.spread().p95 / chosen - 1.0).abs() < 1e-3);
+    }
 }

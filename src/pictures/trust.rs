@@ -65,13 +65,35 @@ pub struct Trust {
     pub noise: f64,
     /// What to make of it.
     pub verdict: Verdict,
+    /// Whether it is only guessed what the picture's values are: counts under a lamp that are
+    /// taken for reflectances are wrong by the lamp's whole spectrum.
+    pub guessed: bool,
 }
 
 impl Trust {
+    /// The same of a picture of which nobody says what its values are: never better than care.
+    #[must_use]
+    pub fn of_a_guess(self) -> Self {
+        let verdict = match self.verdict {
+            Verdict::Good => Verdict::Care,
+            other => other,
+        };
+        Self {
+            verdict,
+            guessed: true,
+            ..self
+        }
+    }
+
     /// In one line.
     pub fn words(&self) -> String {
         let blind = self.blind.iter().copied().fold(0.0, f64::max);
         match self.verdict {
+            Verdict::Care if self.guessed => format!(
+                "with care: nothing states that the values are reflectances, and under a lamp they \
+                 would be off by its whole spectrum; noise makes about {:.2} ΔE₀₀",
+                self.noise
+            ),
             Verdict::Good => format!("trust it: noise makes about {:.2} ΔE₀₀", self.noise),
             Verdict::Care => format!(
                 "with care: the old light left {:.0} % of the new one's colour dark, noise makes about {:.2} ΔE₀₀",
@@ -164,6 +186,7 @@ impl Operator {
             blind,
             noise: self.foretold_noise(relit, noise),
             verdict: Verdict::of(worst, WARN_BLIND, REFUSE_BLIND),
+            guessed: false,
         }
     }
 

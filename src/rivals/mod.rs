@@ -334,6 +334,18 @@ mod tests {
     }
 
     #[test]
+    fn no_family_is_left_out_of_the_list_of_all() {
+        let (_, source) = include_str!("mod.rs")
+            .split_once("pub enum Family {")
+            .expect("the families");
+        let (variants, _) = source.split_once('}').expect("an end");
+        let lines = variants.lines().map(str::trim);
+        let variants = lines.filter(|line| !line.starts_with("//") && line.ends_with(','));
+        let named: Vec<String> = variants.map(|line| line.replace(',', "")).collect();
+        assert_eq!(named, Family::ALL.map(|family| format!("{family:?}")));
+    }
+
+    #[test]
     fn every_family_has_names_of_its_own_and_its_place() {
         for (place, family) in Family::ALL.into_iter().enumerate() {
             assert_eq!(family as usize, place);

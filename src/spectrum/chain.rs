@@ -13,9 +13,16 @@
 //! stand (Eq. 14). A factor's own absorption lines are part of its curve unless they are asked to
 //! be kept ([`Factor::keeping_dips`]): then the light's smooth part gets a negative spike there,
 //! and a line of the light within [`SAME_PLACE_NM`] of a dip, a product that has no finite value,
-//! is multiplied by what the dip lets through, `w (1 - depth)`. [`Stage::met`] says so.
+//! is multiplied by what the dip lets through. [`Stage::met`] says so. A Gaussian line of full width
+//! `l` loses to a Gaussian dip of width `d` and depth `h` at the same place
+//!
+//! ```text
+//! h d / sqrt(d^2 + l^2)
+//! ```
+//!
+//! of its area: all of the depth if it is ideal (`l` = 0), hardly anything if it is much the wider.
 
-use std::f64::consts::{FRAC_1_SQRT_2, PI};
+use std::f64::consts::PI;
 
 use super::{
     band::{Band, dot},
@@ -36,7 +43,8 @@ pub struct Met {
     pub line_nm: f64,
     /// Where the dip stands, nm.
     pub dip_nm: f64,
-    /// What the line lost to it beside the factor's smooth part, a share.
+    /// What the line lost to it beside the factor's smooth part, a share: the dip's depth for an
+    /// ideal line, less for one that has a width.
     pub depth: f64,
 }
 
@@ -128,12 +136,27 @@ impl ChainTables {
         (self.points > 0).then_some(self.points)
     }
 
-    /// The light behind each factor in turn.
+    /// The light behind each factor in turn, its lines ideal ([`ChainTables::pass_wide`]).
+    ///
+    /// # Panics
+    /// As there.
+    pub fn pass(&self, light: &Composite, factors: &[Factor]) -> Vec<Stage> {
+        self.pass_wide(light, &[], factors)
+    }
+
+    /// The light behind each factor in turn. `widths_nm` are the full widths at half maximum of the
+    /// light's lines in their order; lines beyond them are ideal. A width counts where a line meets
+    /// a dip, nowhere else.
     ///
     /// # Panics
     /// When light and tables differ in band, basis or count of numbers, or a factor does not have
     /// [`Band::points`] values.
-    pub fn pass(&self, light: &Composite, factors: &[Factor]) -> Vec<Stage> {
+    pub fn pass_wide(
+        &self,
+        light: &Composite,
+        widths_nm: &[f64],
+        factors: &[Factor],
+    ) -> Vec<Stage> {
         let smooth = &light.smooth;
         assert!(
             (smooth.band, smooth.basis, smooth.coefficients.len())
@@ -151,7 +174,7 @@ impl ChainTables {
             | Sampling::ThreeN
             | Sampling::FourN
             | Sampling::Double
-            | Sampling::Convolution => self.pass_series(light, factors),
+            | Sampling::Convolution => self.pass_series(light, widths_nm, factors),
         }
     }
 
@@ -174,7 +197,9 @@ impl ChainTables {
         stages
     }
 
-    fn pass_series(&self, light: &Composite, factors: &[Factor]) -> Vec<Stage> {
+    fn pass_series(&self, light: &Composite, widths_nm: &[f64], factors: &[Factor]) -> Vec<Stage> {
+        let places = light.spikes.iter().map(|spike| spike.at_nm);
+        let mut widths: Vec<[f64; 2]> = places.zip(widths_nm).map(|(at, w)| [at, *w]).collect();
         let series: Vec<Series> = factors
             .iter()
             .map(|factor| self.series(self.project(factor.background())))
@@ -192,8 +217,9 @@ impl ChainTables {
         let mut stages = Vec::with_capacity(factors.len());
         for ((factor, short), folded_share) in factors.iter().zip(&series).zip(folded) {
             let multiplied = spikes.len() + factor.dips().len();
-            let (weighed, met) = through_dips(&spikes, &product, factor, short);
+            let (weighed, met) = through_dips((&spikes, &widths), &product, factor, short);
             spikes = weighed;
+            widths.extend(factor.dips().iter().map(|dip| [dip.at_nm, dip.width_nm]));
             if self.points > 0 {
                 multiply_by(&mut values, &self.sample(&short.coefficients));
                 let rows = self.to_numbers.chunks_exact(self.points);
@@ -255,9 +281,10 @@ impl ChainTables {
     }
 }
 
-/// Spikes behind a factor: weighed by its series, and new ones where its dips stand.
+/// Spikes (with the places and widths of those that have one) behind a factor: weighed by its
+/// series, and new ones where its dips stand.
 fn through_dips(
-    spikes: &[Spike],
+    (spikes, widths): (&[Spike], &[[f64; 2]]),
     before: &Series,
     factor: &Factor,
     short: &Series,
@@ -272,18 +299,18 @@ fn through_dips(
             .min_by(|a, b| distance(a).total_cmp(&distance(b)))
             .filter(|dip| distance(dip) <= SAME_PLACE_NM);
         let Some(dip) = nearest else { continue };
-        if spike.weight < 0.0 {
-            // A dip of an earlier factor on this one: the product of two Gaussians of one width
-            // has an area of 1/sqrt(2) of either.
-            spike.weight *= 1.0 - dip.depth * FRAC_1_SQRT_2;
-            continue;
+        let width = widths.iter().find(|[at_nm, _]| *at_nm == spike.at_nm);
+        let depth = dip.depth * share_lost(width.map_or(0.0, |w| w[1]), dip.width_nm);
+        // A dip of an earlier factor is a line that hangs down.
+        let is_line = spike.weight > 0.0;
+        spike.weight *= 1.0 - depth;
+        if is_line {
+            met.push(Met {
+                line_nm: spike.at_nm,
+                dip_nm: dip.at_nm,
+                depth,
+            });
         }
-        spike.weight *= 1.0 - dip.depth;
-        met.push(Met {
-            line_nm: spike.at_nm,
-            dip_nm: dip.at_nm,
-            depth: dip.depth,
-        });
     }
     for dip in factor.dips() {
         let weight = before.at(dip.at_nm) * dip.weight;
@@ -298,6 +325,13 @@ fn through_dips(
     }
     behind.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
     (behind, met)
+}
+
+/// Share of its depth that a Gaussian dip takes from a Gaussian line at the same place: the area of
+/// their product, by the full width of each. All of it from an ideal line.
+fn share_lost(line_nm: f64, dip_nm: f64) -> f64 {
+    let both = line_nm.hypot(dip_nm);
+    if both > 0.0 { dip_nm / both } else { 1.0 }
 }
 
 /// Places (nm) where a negative spike, drawn as a Gaussian of full width `width_nm`, takes the
@@ -356,6 +390,8 @@ fn functions_on_grid(band: Band, basis: Basis, count: usize) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::LN_2;
+
     use super::*;
     use crate::spectrum::{
         BasisTable,
@@ -490,6 +526,38 @@ mod tests {
     }
 
     #[test]
+    fn a_line_loses_to_a_dip_what_the_product_of_both_lacks() {
+        let kept = Factor::keeping_dips(BAND, dented(500.0, 0.8), SpikeSettings::default());
+        let dip = kept.dips()[0];
+        // 2 nm to 1/e to either side.
+        let width = 4.0 * LN_2.sqrt();
+        assert!((dip.width_nm / width - 1.0).abs() < 0.02, "{dip:?}");
+        for line_nm in [0.5, 2.0, width, 10.0] {
+            let light = flat_light(
+                vec![Spike {
+                    at_nm: dip.at_nm,
+                    weight: 3.0,
+                }],
+                Basis::Cosine,
+            );
+            let tables = ChainTables::for_light(&light, Sampling::Double, 1);
+            let stages = tables.pass_wide(&light, &[line_nm], std::slice::from_ref(&kept));
+            let [met] = stages[0].met[..] else {
+                panic!("{:?}", stages[0].met)
+            };
+            // The product summed in steps of 1/100 nm, over the line's own sum.
+            let bell = |nm: f64, width: f64| (-4.0 * LN_2 * (nm / width).powi(2)).exp();
+            let places = || (-4000..=4000).map(|i| 0.01 * f64::from(i));
+            let all: f64 = places().map(|nm| bell(nm, line_nm)).sum();
+            let lost: f64 = places()
+                .map(|nm| bell(nm, line_nm) * dip.depth * bell(nm, dip.width_nm))
+                .sum();
+            // The line's tail beyond 40 nm is nothing, the sum of a smooth bell exact.
+            assert!((met.depth - lost / all).abs() < 1e-9, "{line_nm} {met:?}");
+        }
+    }
+
+    #[test]
     fn two_panes_deepen_the_same_dip() {
         let kept = Factor::keeping_dips(BAND, dented(500.0, 0.8), SpikeSettings::default());
         let light = flat_light(Vec::new(), Basis::Cosine);
@@ -498,7 +566,7 @@ mod tests {
         assert_eq!(stages[1].spikes.len(), 1);
         // Half of the first pane's dip times what the dip lets through, and half a dip more.
         let (one, two) = (stages[0].spikes[0].weight, stages[1].spikes[0].weight);
-        let kept = 0.5 * (1.0 + 1.0 - 0.8 * FRAC_1_SQRT_2);
+        let kept = 0.5 * (1.0 + 1.0 - 0.8 * 0.5_f64.sqrt());
         assert!((two / one - kept).abs() < 0.02, "{one} {two}");
         // No line of the light stands there.
         assert_eq!(stages[1].met.len(), 0);

@@ -61,13 +61,19 @@ impl Composite {
             .enumerate()
             .map(|(i, v)| band.weight(i) * v * weight(band.nm(i)))
             .sum();
-        let spikes: f64 = self.spikes.iter().map(|s| s.weight * weight(s.at_nm)).sum();
+        let spikes: f64 = self.on_its_band().map(|s| s.weight * weight(s.at_nm)).sum();
         smooth + spikes
     }
 
     /// Total power over the band: the exact integral of the series and the spikes' weights.
     pub fn power(&self) -> f64 {
-        self.smooth.integral() + self.spikes.iter().map(|s| s.weight).sum::<f64>()
+        self.smooth.integral() + self.on_its_band().map(|s| s.weight).sum::<f64>()
+    }
+
+    /// The spikes that count: nothing is known of the spectrum outside its band.
+    fn on_its_band(&self) -> impl Iterator<Item = &Spike> {
+        let band = self.band();
+        self.spikes.iter().filter(move |s| band.contains(s.at_nm))
     }
 
     /// Values on the band's grid, each spike split linearly over its two neighbouring nm.

@@ -2,7 +2,8 @@
 
 use super::{
     band::Band,
-    spikes::{SpikeSettings, detect_shapes},
+    composite::GAUSSIAN_AREA,
+    spikes::{SpikeSettings, dip_shapes},
 };
 
 /// Transmittance of another thickness of the same glass (Beer-Lambert): `T^(d/d0)`.
@@ -32,6 +33,9 @@ pub struct Dip {
     pub weight: f64,
     /// Share of what would pass without it that is missing at its deepest, 0-1.
     pub depth: f64,
+    /// Full width at half maximum of a Gaussian of that weight and of what is missing at its
+    /// deepest, nm.
+    pub width_nm: f64,
 }
 
 /// What light passes or bounces off: shares on the 1 nm grid of a band.
@@ -61,14 +65,9 @@ impl Factor {
     /// When `values` does not have [`Band::points`] entries.
     pub fn keeping_dips(band: Band, values: Vec<f64>, settings: SpikeSettings) -> Self {
         assert_eq!(values.len(), band.points(), "one value per grid point");
-        let settings = SpikeSettings {
-            dips: true,
-            ..settings
-        };
-        let (_, shapes) = detect_shapes(band, &values, settings);
         let mut background = values.clone();
         let mut dips = Vec::new();
-        for shape in shapes.iter().filter(|shape| shape.spike.weight < 0.0) {
+        for shape in dip_shapes(band, &values, settings) {
             let window = shape.first..shape.first + shape.residue.len();
             for (v, r) in background[window.clone()].iter_mut().zip(&shape.residue) {
                 *v -= r;
@@ -82,7 +81,12 @@ impl Factor {
                 .zip(&shape.residue)
                 .map(share)
                 .fold(0.0, f64::max);
+            let deepest = shape
+                .residue
+                .iter()
+                .fold(0.0_f64, |most, r| most.max(r.abs()));
             dips.push(Dip {
+                width_nm: shape.spike.weight.abs() / (GAUSSIAN_AREA * deepest),
                 at_nm: shape.spike.at_nm,
                 weight: shape.spike.weight,
                 depth: depth.min(1.0),

@@ -8,38 +8,33 @@
 //! c' = c + diag(1/n) G^T (G diag(1/n) G^T)^-1 (t - G c)
 //! ```
 //!
-//! one 3 x 3 solve, whatever the order.
+//! whatever the order. It is solved by orthonormal rows, not by that 3 x 3 matrix, whose condition
+//! is the square of the map's ([`ThreeSums`]).
 
-use nalgebra::{Matrix3, Vector3};
-
-use super::{band::Band, basis::BasisTable};
-
-/// Largest condition number of the 3 x 3 system that is still solved: beyond it the three weights
-/// cannot be told apart on this band (a range that misses the visible).
-pub const WORST_CONDITION: f64 = 1e8;
+use super::{band::Band, basis::BasisTable, condition::ThreeSums};
 
 /// Three weights whose inner products with a series are known by its coefficients.
 #[derive(Clone, Debug)]
 pub struct InnerProducts {
     /// `G`: for each coefficient the three inner products of its function, value x nm.
     per_number: Vec<[f64; 3]>,
-    /// One over the squared norm of each function.
-    inverse_norms: Vec<f64>,
+    /// The norm of each function.
+    norms: Vec<f64>,
 }
 
 /// How a fit with exact inner products went.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Exactness {
-    /// The three inner products are exact; the system's condition number.
+    /// The three inner products are exact.
     Exact {
-        /// Largest over smallest eigenvalue of the 3 x 3 system.
+        /// Largest over smallest singular value of the inner products.
         condition: f64,
     },
     /// Fewer than three numbers: no freedom to repair anything.
     TooFewNumbers,
     /// The weights cannot be told apart on this band: plain least squares was used.
     IllConditioned {
-        /// Largest over smallest eigenvalue of the 3 x 3 system.
+        /// Largest over smallest singular value of the inner products.
         condition: f64,
     },
 }
@@ -59,8 +54,8 @@ impl InnerProducts {
             per_number: (0..table.numbers())
                 .map(|k| std::array::from_fn(|j| band.inner(table.row(k), &weights[j])))
                 .collect(),
-            inverse_norms: (0..table.numbers())
-                .map(|k| 1.0 / table.basis().norm_squared(k, band))
+            norms: (0..table.numbers())
+                .map(|k| table.basis().norm_squared(k, band).sqrt())
                 .collect(),
         }
     }
@@ -87,39 +82,17 @@ impl InnerProducts {
         if numbers < 3 {
             return Exactness::TooFewNumbers;
         }
-        let rows = self.per_number[..numbers].iter().zip(&self.inverse_norms);
-        let mut gram = Matrix3::zeros();
-        for (g, inverse) in rows.clone() {
-            for i in 0..3 {
-                for j in 0..=i {
-                    gram[(i, j)] += g[i] * g[j] * inverse;
-                }
-            }
-        }
-        gram.fill_upper_triangle_with_lower_triangle();
-        let condition = condition_number(&gram);
-        if condition.is_nan() || condition >= WORST_CONDITION {
-            return Exactness::IllConditioned { condition };
-        }
+        let rows = self.per_number[..numbers].iter().zip(&self.norms);
+        let sums = ThreeSums::new(rows.map(|(g, norm)| g.map(|g| g / norm)));
+        let condition = sums.condition();
         let now = self.of(coefficients);
-        let missing = Vector3::from_fn(|j, _| totals[j] - now[j]);
-        let Some(multipliers) = gram.cholesky().map(|c| c.solve(&missing)) else {
+        let missing = std::array::from_fn(|j| totals[j] - now[j]);
+        let Some(change) = sums.change(missing) else {
             return Exactness::IllConditioned { condition };
         };
-        for (c, (g, inverse)) in coefficients.iter_mut().zip(rows) {
-            *c += inverse * (0..3).map(|j| g[j] * multipliers[j]).sum::<f64>();
+        for ((c, change), norm) in coefficients.iter_mut().zip(change).zip(&self.norms) {
+            *c += change / norm;
         }
         Exactness::Exact { condition }
-    }
-}
-
-/// Ratio of the eigenvalues of a symmetric positive matrix; infinite when it is singular.
-fn condition_number(gram: &Matrix3<f64>) -> f64 {
-    let eigenvalues = gram.symmetric_eigenvalues();
-    let (smallest, largest) = (eigenvalues.min(), eigenvalues.max());
-    if smallest > 0.0 {
-        largest / smallest
-    } else {
-        f64::INFINITY
     }
 }

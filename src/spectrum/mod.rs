@@ -3,14 +3,17 @@
 //! Wavelengths are `f64` nanometres in air as tabulated, values are in the spectrum's own unit,
 //! and everything that models a spectrum works on the 1 nm grid of a [`Band`].
 
+mod air;
 mod band;
 mod basis;
 mod chain;
 mod composite;
+mod condition;
 pub mod cube;
 mod edits;
 mod factor;
 mod fit;
+mod formula;
 pub mod gradient;
 mod image;
 mod kind;
@@ -18,23 +21,28 @@ mod named;
 mod noise;
 mod on_grid;
 pub mod product;
+mod quantile;
 mod rect;
 mod region;
 mod resampled;
 mod sampled;
 mod spikes;
 
+pub use air::{SHORTEST_IN_AIR_NM, in_air, in_vacuum, index_of_air, slope_of_air};
 pub use band::{Band, BandError, LONGEST_NM, MOST_STEPS, SHORTEST_NM, dot};
 pub use basis::{Basis, BasisTable, Series, numbers_of_order};
 pub use chain::{ChainTables, Met, SAME_PLACE_NM, Stage, below_zero};
 pub use composite::{Composite, GAUSSIAN_AREA, Spike, add_spikes};
+pub use condition::{ThreeSums, WORST_CONDITION, condition_number};
 pub use cube::Cube;
 pub use edits::{Decomposed, HandSpike, ModelSpike, SpikeEdits, decompose, decompose_by};
 pub use factor::{Factor, bounces, glass};
-pub use fit::{Exactness, InnerProducts, WORST_CONDITION};
+pub use fit::{Exactness, InnerProducts};
+pub use formula::{Formula, MOST_COEFFICIENTS};
 pub use image::SpectralImage;
 pub use kind::Kind;
 pub use named::NamedSpectrum;
+pub use quantile::{quantile, rank};
 pub use rect::Rect;
 pub use region::Region;
 pub use resampled::{Resampled, SampleGrid, Sampling};

@@ -15,8 +15,12 @@ use super::{
 ///
 /// `factor` holds values on the light's band. Spikes read the factor off the straight line
 /// between its two neighbouring nm.
+///
+/// # Panics
+/// When `factor` does not have one value per grid point of the light's band.
 pub fn on_grid(light: &Composite, factor: &[f64]) -> (Vec<f64>, Vec<Spike>) {
     let band = light.band();
+    assert_eq!(factor.len(), band.points(), "one value per grid point");
     let smooth = light
         .smooth
         .on_band()
@@ -35,7 +39,11 @@ pub fn on_grid(light: &Composite, factor: &[f64]) -> (Vec<f64>, Vec<Spike>) {
 /// Both series share band and basis; the result has one number per point. With
 /// [`Sampling::Convolution`] it has as many numbers as the longer factor, with
 /// [`Sampling::Exact`] every order of the product is kept, both by coefficient convolution.
+///
+/// # Panics
+/// When the two differ in band or basis, or one has no coefficient.
 pub fn resampled(light: &Composite, factor: &Series, sampling: Sampling) -> Composite {
+    assert_alike(&light.smooth, factor);
     let numbers = light
         .smooth
         .coefficients
@@ -62,7 +70,15 @@ pub fn resampled(light: &Composite, factor: &Series, sampling: Sampling) -> Comp
 }
 
 /// A chain of factors on one grid, never truncated in between.
+///
+/// # Panics
+/// When a factor differs from the light in band or basis, one of them has no coefficient, or
+/// `points` is 0.
 pub fn chain(light: &Composite, factors: &[Series], points: usize) -> Resampled {
+    assert!(points > 0, "a point at least");
+    factors
+        .iter()
+        .for_each(|factor| assert_alike(&light.smooth, factor));
     let grid = SampleGrid {
         band: light.band(),
         basis: light.smooth.basis,
@@ -93,8 +109,12 @@ pub fn chain_points(numbers: usize, factors: usize) -> usize {
 
 /// Every order of the product of two series, by convolution of their coefficients, O(N^2).
 ///
-/// The series share band and basis; the result has order 2N (`4N + 1` numbers).
+/// The result has order 2N (`4N + 1` numbers).
+///
+/// # Panics
+/// When the two differ in band or basis, or one has no coefficient.
 pub fn convolve(a: &Series, b: &Series) -> Series {
+    assert_alike(a, b);
     let coefficients = match a.basis {
         Basis::Fourier => fourier_convolution(a, b),
         Basis::Cosine => cosine_convolution(&a.coefficients, &b.coefficients),
@@ -104,6 +124,15 @@ pub fn convolve(a: &Series, b: &Series) -> Series {
         basis: a.basis,
         coefficients,
     }
+}
+
+/// Coefficients of another band or basis mean other functions: their product would be a number
+/// without a meaning.
+fn assert_alike(a: &Series, b: &Series) {
+    assert_eq!(a.band, b.band, "two series of one band");
+    assert_eq!(a.basis, b.basis, "two series of one basis");
+    let is_empty = a.coefficients.is_empty() || b.coefficients.is_empty();
+    assert!(!is_empty, "a coefficient at least");
 }
 
 fn cosine_convolution(a: &[f64], b: &[f64]) -> Vec<f64> {

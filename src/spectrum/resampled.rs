@@ -1,7 +1,7 @@
 //! Series sampled on a few points, where a product is one multiplication a point.
 //!
 //! The product of two series of order N has order 2N. On the paper's 2N+1 independent points it
-//! aliases; 3N+1 points keep orders up to N exact and 4N+1 keep all of them. The cosine basis
+//! aliases; 3N+1 points (for an odd N 3N+2) keep orders up to N exact and 4N+1 keep all of them. The cosine basis
 //! samples on midpoints, `min + (j + 1/2) L / M`.
 
 use std::f64::consts::PI;

@@ -5,7 +5,7 @@ use std::{
     sync::{Arc, OnceLock},
 };
 
-use super::band::Band;
+use super::{band::Band, formula::Formula};
 
 /// How a table continues outside its first and last wavelength.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,6 +26,7 @@ pub enum Outside {
 pub struct Sampled {
     axis: Arc<Axis>,
     values: Vec<f64>,
+    formula: Option<Arc<Formula>>,
 }
 
 /// Wavelengths, and their median step once somebody asked for it.
@@ -121,7 +122,11 @@ impl Sampled {
             step_nm: OnceLock::new(),
             is_even: OnceLock::new(),
         });
-        Ok(Self { axis, values })
+        Ok(Self {
+            axis,
+            values,
+            formula: None,
+        })
     }
 
     /// A spectrum of other values on the same wavelengths, which are kept in memory once.
@@ -145,6 +150,7 @@ impl Sampled {
         Ok(Self {
             axis: self.axis.clone(),
             values,
+            formula: None,
         })
     }
 
@@ -157,6 +163,21 @@ impl Sampled {
             .map(|i| first_nm + i as f64 * step_nm)
             .collect();
         Self::new(nm, values)
+    }
+
+    /// The same table, which is a refractive index computed from this formula.
+    #[must_use]
+    pub fn of_formula(self, formula: Formula) -> Self {
+        Self {
+            formula: Some(Arc::new(formula)),
+            ..self
+        }
+    }
+
+    /// The formula of a refractive index that the table was computed from: exact between the
+    /// samples too.
+    pub fn formula(&self) -> Option<&Formula> {
+        self.formula.as_deref()
     }
 
     /// Wavelengths, nm, strictly rising.
@@ -249,6 +270,7 @@ impl Sampled {
         Self {
             axis: self.axis.clone(),
             values: self.values.iter().map(|v| v * factor).collect(),
+            formula: None,
         }
     }
 
@@ -267,12 +289,20 @@ impl Sampled {
     /// Integral of `|S|` between two wavelengths (nm) by straight lines between samples, in value
     /// x nm; nothing outside the table.
     pub fn power_between(&self, from_nm: f64, to_nm: f64) -> f64 {
-        let pieces = self.nm().windows(2).enumerate();
+        let first = self.nm().partition_point(|nm| *nm <= from_nm).max(1) - 1;
+        let pieces = self.nm().windows(2).enumerate().skip(first);
         pieces
+            .take_while(|(_, w)| w[0] < to_nm)
             .map(|(left, w)| {
                 let (a, b) = (w[0].max(from_nm), w[1].min(to_nm));
-                let ends = self.on_segment(left, a).abs() + self.on_segment(left, b).abs();
-                if b > a { 0.5 * (b - a) * ends } else { 0.0 }
+                let [p, q] = [a, b].map(|nm| self.on_segment(left, nm));
+                // A line that crosses zero leaves a triangle on either side.
+                let mean = if p * q < 0.0 {
+                    0.5 * (p * p + q * q) / (p.abs() + q.abs())
+                } else {
+                    0.5 * (p.abs() + q.abs())
+                };
+                (b - a).max(0.0) * mean
             })
             .sum()
     }
@@ -287,6 +317,19 @@ impl Sampled {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn power_is_the_area_without_its_sign_where_a_line_crosses_zero() {
+        let of =
+            |values: Vec<f64>| Sampled::new(vec![400.0, 401.0, 402.0], values).expect("rising");
+        // Two triangles of half a nm and height 1; then of a quarter and three quarters.
+        assert_eq!(of(vec![-1.0, 1.0, 1.0]).power_between(400.0, 401.0), 0.5);
+        let uneven = of(vec![-1.0, 3.0, 3.0]);
+        assert_eq!(uneven.power_between(400.0, 401.0), 0.125 + 1.125);
+        assert_eq!(uneven.power_between(400.25, 401.5), 1.125 + 1.5);
+        assert_eq!(uneven.power_between(300.0, 900.0), 1.25 + 3.0);
+        assert_eq!(uneven.power_between(402.0, 900.0), 0.0);
+    }
 
     #[test]
     fn a_stretch_without_samples_is_a_hole_and_steps_that_grow_are_none() {

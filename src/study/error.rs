@@ -17,7 +17,7 @@ use super::{
     displacement::displacement_nm,
     measure::{Measure, Verdict},
 };
-use crate::spectrum::{Band, Spike, absolute_power, add_spikes};
+use crate::spectrum::{Band, Spike, absolute_power, add_spikes, quantile};
 
 /// Full width at half maximum of the blur, nm.
 pub const BLUR_NM: f64 = 10.0;
@@ -157,18 +157,11 @@ pub struct Spread {
 impl Spread {
     /// The spread of some values, by linear interpolation between ranks; `None` for no value.
     pub fn of(values: &[f64]) -> Option<Self> {
-        let mut sorted = values.to_vec();
-        sorted.sort_by(f64::total_cmp);
-        let worst = *sorted.last()?;
-        let at = |share: f64| {
-            let rank = share * (sorted.len() - 1) as f64;
-            let below = rank as usize;
-            let above = (below + 1).min(sorted.len() - 1);
-            sorted[below] + (rank - below as f64) * (sorted[above] - sorted[below])
-        };
+        let mut values = values.to_vec();
+        let worst = values.iter().copied().max_by(f64::total_cmp)?;
         Some(Self {
-            median: at(0.5),
-            p95: at(0.95),
+            median: quantile(&mut values, 0.5)?,
+            p95: quantile(&mut values, 0.95)?,
             worst,
         })
     }

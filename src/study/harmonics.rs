@@ -33,7 +33,10 @@
 //! larger than Eq. 10 has them, so a term may exceed its bound there, where both are tiny.
 
 use crate::{
-    color::gaussian_cmf::{self, Gaussian},
+    color::{
+        Weights,
+        gaussian_cmf::{self, Gaussian},
+    },
     spectrum::{Band, Basis, BasisTable, Spike},
 };
 
@@ -51,7 +54,7 @@ pub struct Question<'a> {
     /// The spectrum as measured, on the grid of the table's band.
     pub measured: &'a [f64],
     /// What X, Y and Z weigh the spectrum with, on the same grid.
-    pub weights: &'a [Vec<f64>; 3],
+    pub weights: &'a Weights,
     /// Whether the weights are the colour-matching functions and nothing else: only then does
     /// the Gaussian fit of Table 2 (made for CIE 1931) stand beside them.
     pub plain_colour_matching: bool,
@@ -164,7 +167,8 @@ impl Harmonics {
             std::array::from_fn(|k| times(&question.weights[k], weight_unit));
 
         let spikes: [f64; 3] = std::array::from_fn(|k| {
-            let weigh = |s: &Spike| s.weight * light_unit * band.interpolate(&weights[k], s.at_nm);
+            let weigh =
+                |s: &Spike| s.weight * light_unit * (question.weights.at(s.at_nm)[k] * weight_unit);
             question
                 .spikes
                 .iter()
@@ -502,11 +506,12 @@ mod tests {
     #[test]
     fn no_term_of_a_gaussian_weight_exceeds_the_corrected_bound() {
         let table = table(Basis::Fourier, 31);
-        let weights: [Vec<f64>; 3] = std::array::from_fn(|k| {
+        let fitted = |k: usize| {
             BAND.grid()
                 .map(|nm| gaussian_cmf::fitted_at(nm)[k])
                 .collect()
-        });
+        };
+        let weights = Weights::new(BAND, [0, 1, 2].map(fitted));
         for shift in 0..8 {
             // Every amplitude a0/n, the phases somewhere.
             let mut coefficients = vec![1.0];
@@ -579,7 +584,7 @@ mod tests {
                     weight: -value,
                 }],
                 measured: &measured,
-                weights: &weights.each_ref().map(|row| times(row, 1e200)),
+                weights: &Weights::new(BAND, weights.each_ref().map(|row| times(row, 1e200))),
                 plain_colour_matching: false,
             });
             let is_number = |v: f64| !v.is_nan();

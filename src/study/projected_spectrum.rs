@@ -6,8 +6,11 @@
 
 use std::sync::Arc;
 
-use crate::spectrum::{
-    Band, Basis, BasisTable, Composite, Exactness, InnerProducts, LineShape, Series, Spike,
+use crate::{
+    color::Weights,
+    spectrum::{
+        Band, Basis, BasisTable, Composite, Exactness, InnerProducts, LineShape, Series, Spike,
+    },
 };
 
 /// Basis functions and their inner products with what makes the colour, for one basis.
@@ -22,7 +25,7 @@ pub struct FitBasis {
 impl FitBasis {
     /// Up to `numbers` functions of a basis, for colours made by `seen` (three weights on the
     /// band's grid).
-    pub fn new(band: Band, basis: Basis, numbers: usize, seen: &[Vec<f64>; 3]) -> Self {
+    pub fn new(band: Band, basis: Basis, numbers: usize, seen: &Weights) -> Self {
         let table = BasisTable::new(band, basis, numbers);
         Self {
             colour: Arc::new(InnerProducts::new(&table, seen)),
@@ -56,12 +59,7 @@ impl ProjectedSpectrum {
     /// Projects a spectrum (values on the band's grid) and what each of its lines takes out.
     ///
     /// `seen` are the weights the basis was made with.
-    pub fn new(
-        fit_basis: &FitBasis,
-        values: &[f64],
-        shapes: &[LineShape],
-        seen: &[Vec<f64>; 3],
-    ) -> Self {
+    pub fn new(fit_basis: &FitBasis, values: &[f64], shapes: &[LineShape], seen: &Weights) -> Self {
         Self::with_bells(fit_basis, values, shapes, &[], seen)
     }
 
@@ -73,7 +71,7 @@ impl ProjectedSpectrum {
         values: &[f64],
         shapes: &[LineShape],
         bells: &[Option<LineShape>],
-        seen: &[Vec<f64>; 3],
+        seen: &Weights,
     ) -> Self {
         let (table, band) = (&fit_basis.table, fit_basis.table.band());
         let numbers = table.numbers();
@@ -87,10 +85,10 @@ impl ProjectedSpectrum {
                 ProjectedLine {
                     spike: shape.spike,
                     coefficients: table.project(&taken, numbers),
-                    xyz: seen.each_ref().map(|seen| match bell {
-                        Some(_) => band.inner(&taken, seen),
-                        None => shape.spike.weight * band.interpolate(seen, shape.spike.at_nm),
-                    }),
+                    xyz: match bell {
+                        Some(_) => seen.each_ref().map(|row| band.inner(&taken, row)),
+                        None => seen.at(shape.spike.at_nm).map(|v| v * shape.spike.weight),
+                    },
                 }
             })
             .collect();
@@ -224,7 +222,7 @@ mod tests {
         for lines in [&[][..], &[0], &[1], &[0, 1]] {
             let (model, exactness) = projected.model(7, lines, true);
             assert!(exactness.is_exact());
-            for row in &seen {
+            for row in seen.iter() {
                 let found = model.integrate(|nm| BAND.interpolate(row, nm));
                 let exact = BAND.inner(&values, row);
                 // A 3 x 3 solve of condition about 10 on sums near 100.

@@ -2,7 +2,7 @@
 //!
 //! A cell is a class of lights, a count of numbers, an error (patches, filters, blurred spectrum,
 //! each on what took no part in any choice) and a figure of its spread (median, 95th percentile,
-//! worst).
+//! worst). One light alone has one figure, which counts once.
 
 use super::{
     error::Spread,
@@ -114,6 +114,8 @@ impl Race {
         let budgets = self.budgets.iter().enumerate();
         let budgets: Vec<_> = budgets.filter(|(_, n)| counts.contains(n)).collect();
         for class in self.classes() {
+            let is_alone = self.of_class(Some(class)).count() == 1;
+            let figures_of = if is_alone { 1 } else { FIGURES.len() };
             for (budget, numbers) in &budgets {
                 for error in Judged::ALL {
                     let spread = |racer| self.judged(Some(class), *budget, racer, error);
@@ -121,7 +123,8 @@ impl Race {
                         continue;
                     };
                     let pairs = figures(ours).into_iter().zip(figures(theirs));
-                    for (figure, (ours, theirs)) in FIGURES.into_iter().zip(pairs) {
+                    for (figure, (ours, theirs)) in FIGURES.into_iter().zip(pairs).take(figures_of)
+                    {
                         wins.of += 1;
                         if ours >= theirs {
                             wins.behind.push(Cell {

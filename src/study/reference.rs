@@ -13,7 +13,7 @@ use super::{
 };
 use crate::{
     color::{
-        Lab, Observer, Xyz, delta_e_2000, lab_from_xyz,
+        Lab, Observer, Weights, Xyz, delta_e_2000, lab_from_xyz,
         patches::{PatchSet, difference, labs_into},
         xyz_of_one, xyz_of_parts,
     },
@@ -81,7 +81,7 @@ pub struct Measures {
     /// The narrow filters.
     filters: PatchSet,
     /// Colour-matching functions on the grid.
-    pub seen: [Vec<f64>; 3],
+    pub seen: Weights,
 }
 
 impl Measures {
@@ -114,7 +114,7 @@ pub struct Reference {
     measures: Arc<Measures>,
     measured: Vec<f64>,
     /// What weighs the spectrum to X, Y, Z.
-    seen: [Vec<f64>; 3],
+    seen: Weights,
     white: Xyz,
     own: Option<Lab>,
     /// Labs of the patches; `None` when there are none to see.
@@ -148,18 +148,13 @@ impl Reference {
         light: &[f64],
         perfect: f64,
     ) -> Self {
-        let seen = seen_under(&measures.seen, light);
+        let seen = measures.seen.behind(light);
         let band = measures.band();
         let white = xyz_of_one(band, &seen) * perfect;
         Self::of(measures, measured, seen, Some(white))
     }
 
-    fn of(
-        measures: &Arc<Measures>,
-        measured: &[f64],
-        seen: [Vec<f64>; 3],
-        white: Option<Xyz>,
-    ) -> Self {
+    fn of(measures: &Arc<Measures>, measured: &[f64], seen: Weights, white: Option<Xyz>) -> Self {
         let band = measures.band();
         let blurred = measures.blur.values(measured);
         let exact = xyz_of_parts(band, measured, &[], &seen);
@@ -187,7 +182,7 @@ impl Reference {
 
     /// What weighs the spectrum to X, Y, Z on the grid: the colour-matching functions, for a
     /// reflectance times the light.
-    pub fn seen(&self) -> &[Vec<f64>; 3] {
+    pub fn seen(&self) -> &Weights {
         &self.seen
     }
 
@@ -333,11 +328,6 @@ fn seen_through(patches: &PatchSet, smooth: &[f64], spikes: &[Spike]) -> Vec<[f6
         patches.add_line(spike.at_nm, spike.weight, &mut xyz);
     }
     xyz
-}
-
-/// Weights for a reflectance: the colour-matching functions times the light it is seen under.
-pub(super) fn seen_under(seen: &[Vec<f64>; 3], light: &[f64]) -> [Vec<f64>; 3] {
-    std::array::from_fn(|k| seen[k].iter().zip(light).map(|(w, s)| w * s).collect())
 }
 
 fn share(square: f64, whole: f64) -> Option<f64> {

@@ -5,12 +5,14 @@ use egui::{Label, RichText, Ui, vec2};
 
 use super::{
     kit::down,
+    swatch,
     theme::Theme,
     verdict_view::{SWATCH, counts, figure, no_colour, split},
 };
 use crate::app::{
-    App,
-    answers::{Seen, Worst},
+    App, Pair,
+    answers::{Worst, verdict},
+    verdicts::Seen,
 };
 
 /// Below this height swatch, word and numbers stand in one line, points.
@@ -52,8 +54,10 @@ pub(super) fn brief(ui: &mut Ui, app: &App, theme: Theme) {
                     };
                     let seen = Seen::of(worst.delta_e_2000);
                     let size = if theme.scale > 1.0 { 14.0 } else { 18.0 };
-                    let words = RichText::new(seen.verdict()).size(size * theme.scale);
-                    ui.add(Label::new(words.color(ui.visuals().strong_text_color())).wrap());
+                    let said = format!("Difference {}", seen.seen());
+                    let words = RichText::new(said).size(size * theme.scale);
+                    let words = Label::new(words.color(ui.visuals().strong_text_color()));
+                    ui.add(words.wrap()).on_hover_text(verdict(app, seen));
                     ui.label(format!("ΔE₀₀ {} at worst", figure(worst.delta_e_2000)));
                     let (numbers, instead) = counts(app);
                     let words = format!("{numbers} numbers, not {instead}");
@@ -61,6 +65,30 @@ pub(super) fn brief(ui: &mut Ui, app: &App, theme: Theme) {
                 });
             });
         });
+}
+
+/// Two surfaces in the same place, one beside the other under the light.
+pub(super) fn pair(ui: &mut Ui, pair: &Pair, theme: Theme) {
+    let row = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
+    let has_words = ui.available_height() >= LINE * theme.scale + row;
+    let words = if has_words { row } else { 0.0 };
+    let room = ui.available_size();
+    let [left, right] = &pair.names;
+    let name = format!(
+        "Surfaces: {left} {}, {right} {}, under {}",
+        pair.swatches[0].hex(),
+        pair.swatches[1].hex(),
+        pair.light
+    );
+    let [a, b] = &pair.swatches;
+    swatch::split(ui, vec2(room.x, (room.y - words).max(1.0)), a, b, &name).on_hover_text(format!(
+        "Left {left}, right {right}, both under {}.",
+        pair.light
+    ));
+    if has_words {
+        let words = format!("{left} | {right}, under {}", pair.light);
+        ui.add(Label::new(RichText::new(words).color(theme.faint)).truncate());
+    }
 }
 
 /// The same in one line.
@@ -74,7 +102,8 @@ fn brief_line(ui: &mut Ui, app: &App, theme: Theme, height: f32) {
         split(ui, app, theme, height - 16.0, false);
     });
     let seen = Seen::of(worst.delta_e_2000);
-    ui.label(RichText::new(seen.verdict()).color(ui.visuals().strong_text_color()));
+    let words = RichText::new(seen.word()).color(ui.visuals().strong_text_color());
+    ui.label(words).on_hover_text(verdict(app, seen));
     let (numbers, instead) = counts(app);
     let worst = figure(worst.delta_e_2000);
     let words = format!("ΔE₀₀ {worst} at worst, {numbers} numbers, not {instead}");

@@ -7,7 +7,7 @@ use egui::{Align2, Color32, FontId, Id, Rect, Shape, Stroke, Ui, Vec2, pos2};
 
 use super::{swatch, theme::swatch_ground};
 use crate::{
-    app::{Entry, Library, about::About},
+    app::{Entry, Library, about::About, tint::kelvin_words},
     color::{
         Adaptation, Observer, Swatch, Xyz,
         xyz::{xyz_from_light, xyz_from_reflectance},
@@ -92,9 +92,7 @@ impl Art {
             Kind::Absorbance | Kind::Weighting | Kind::Lines | Kind::Other => None,
         };
         let about = About::of(entry);
-        let kelvin = about
-            .kelvin
-            .map(|k| format!("{:.0} K", 10.0 * (k / 10.0).round()));
+        let kelvin = about.kelvin.map(kelvin_words);
         let words = Some(about.what).filter(|what| !what.is_empty());
         let what: Vec<String> = words.into_iter().chain(kelvin).collect();
         Self {

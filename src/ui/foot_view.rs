@@ -3,10 +3,12 @@
 
 use crate::{
     app::{
-        App, Settings,
-        answers::not_seen_from,
+        App, Detector, Settings,
+        answers::{LINE_THRESHOLDS, hard_to_see_from, line_shares},
+        figures::three_digits,
         lessons::{Lesson, shelf},
         pages::Page,
+        ticks::short,
     },
     io::many::many,
 };
@@ -31,11 +33,23 @@ pub(super) fn words(app: &App, page: Page) -> (String, String) {
             "Set another range, or open another spectrum.".to_owned(),
         );
     }
+    let below = match settings.spikes && spikes.is_empty() {
+        true => line_shares(app),
+        false => Vec::new(),
+    };
     let notice = match spikes.len() {
         0 if !settings.spikes => {
             "Lines are not taken out now: the series has to carry them.".to_owned()
         }
-        0 => "No lines stand out: the spectrum is smooth.".to_owned(),
+        0 if !below.is_empty() => format!(
+            "{} left to the waves: the largest holds {} % of the power.",
+            match below.len() {
+                1 => "1 line is".to_owned(),
+                count => format!("{count} lines are"),
+            },
+            three_digits(below[0]),
+        ),
+        0 => no_lines(app),
         count => format!(
             "{} {} {:.0} % of the power.",
             many(count, "line", "lines"),
@@ -47,23 +61,44 @@ pub(super) fn words(app: &App, page: Page) -> (String, String) {
     let as_it_starts = app.document().settings == Settings::default();
     let family = app.told().and_then(|told| told.family);
     let of_family = family.map_or("", |family| family.question.as_str());
+    if !below.is_empty() {
+        return (notice, "Push Lines to the right to keep them.".to_owned());
+    }
     if as_it_starts && !of_family.is_empty() {
         return (notice, of_family.to_owned());
     }
-    let question = match not_seen_from(app) {
+    let question = match hard_to_see_from(app) {
         Some(from) if from > 0 && order > from => {
-            format!("Pull Smoothness down to {from}. The curve goes wrong: do the colours?")
+            format!("Pull Smoothness left to {from}. The curve goes wrong: do the colours?")
         }
         Some(from) if from > 0 && order < from => {
-            format!("Push Smoothness up to {from}: what becomes right first, curve or colours?")
+            format!("Push Smoothness right to {from}: what becomes right first, curve or colours?")
         }
         Some(_) if !spikes.is_empty() => {
             "Pull Lines to the left until one drops out: which colours notice?".to_owned()
         }
-        Some(_) => "Pull Smoothness down to 0: what is left of the colours?".to_owned(),
-        None => "Push Smoothness up: do the colours ever come right?".to_owned(),
+        Some(_) => "Pull Smoothness left to 0: what is left of the colours?".to_owned(),
+        None => "Push Smoothness to the right: do the colours ever come right?".to_owned(),
     };
     (notice, question)
+}
+
+/// What is known of a spectrum in which no line was found.
+fn no_lines(app: &App) -> String {
+    let settings = app.document().settings;
+    if app.document().as_given().is_some() {
+        return "The model keeps no line.".to_owned();
+    }
+    match settings.detector {
+        Detector::Energy => {
+            let least = settings.threshold_percent.min(LINE_THRESHOLDS[0]);
+            format!("No line holds {} % of the power or more.", short(least))
+        }
+        Detector::Gradient => {
+            let least = short(settings.gradient_percent);
+            format!("No line is steeper than {least} % per nm.")
+        }
+    }
 }
 
 /// The lesson that answers what a page asks; none in Learn, where all of them are.
@@ -94,6 +129,30 @@ mod tests {
         app.apply(Command::Edit(settings));
         let (notice, _) = words(&app, Page::Spectrum);
         assert!(notice.starts_with("Lines are not taken out"), "{notice}");
+    }
+
+    #[test]
+    fn lines_below_the_threshold_are_counted_and_only_their_absence_is_said_to_be_one() {
+        let with = |key: &str, threshold_percent: f64| {
+            let mut app = crate::app::showing(key);
+            let settings = Settings {
+                threshold_percent,
+                ..app.document().settings
+            };
+            app.apply(Command::Edit(settings));
+            assert!(app.derived().model.spikes.is_empty(), "{key}");
+            words(&app, Page::Spectrum)
+        };
+        // The green line is the largest: 5.9 % of FL2's power.
+        let (notice, question) = with("cie_fluorescent_1nm/FL2", 30.0);
+        assert_eq!(
+            notice,
+            "4 lines are left to the waves: the largest holds 5.94 % of the power."
+        );
+        assert_eq!(question, "Push Lines to the right to keep them.");
+        let (notice, question) = with("cie_illuminants/CIE A", 30.0);
+        assert_eq!(notice, "No line holds 0.1 % of the power or more.");
+        assert!(!question.contains("Lines"), "{question}");
     }
 
     #[test]

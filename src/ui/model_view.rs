@@ -309,7 +309,8 @@ pub(super) fn sampling_words(sampling: Sampling) -> (&'static str, &'static str)
         ),
         Sampling::ThreeN => (
             "3N + 1 points",
-            "Orders up to N of the product are exact (Fourier). The reflectance is modelled too.",
+            "Orders up to N of the product are exact (Fourier); for an odd N it is one point more. The \
+             reflectance is modelled too.",
         ),
         Sampling::FourN => (
             "4N + 1 points",

@@ -8,7 +8,7 @@ use super::{
     swatch,
     theme::Theme,
 };
-use crate::app::{App, Command, Library, answers::Seen, derived::PatchComparison};
+use crate::app::{App, Command, Library, derived::PatchComparison, verdicts::Seen};
 
 /// Most patches in one row: the ColorChecker makes two rows.
 const PER_ROW: usize = 12;
@@ -107,7 +107,7 @@ fn grid(
                 swatch::ticks(ui, response.rect, 5.0 * theme.scale);
                 // The worst is marked only where it can be seen.
                 let is_worst =
-                    index == comparison.worst && Seen::of(patch.delta_e_2000) != Seen::Not;
+                    index == comparison.worst && Seen::of(patch.delta_e_2000) != Seen::Hardly;
                 if selected == Some(index) || is_worst {
                     let stroke = egui::Stroke::new(1.5, ui.visuals().strong_text_color());
                     swatch::outline(ui, response.rect.expand(2.0), stroke);
@@ -121,7 +121,7 @@ fn grid(
                      model {}.\nClick to see its product in the plot.",
                     patch.name,
                     patch.delta_e_2000,
-                    Seen::of(patch.delta_e_2000).word().to_lowercase(),
+                    Seen::of(patch.delta_e_2000).seen(),
                     patch.exact_swatch.hex(),
                     patch.model_swatch.hex(),
                 ));

@@ -46,6 +46,49 @@ pub fn window_image(app: &App, preferences: &Preferences, size: [u32; 2]) -> Col
     })
 }
 
+/// Size of the window in which names are looked for, points.
+const ROOM: egui::Vec2 = egui::vec2(1280.0, 800.0);
+
+/// Names of all that the window shows over a program, as screen readers are told them: of controls
+/// first, of words behind them, each from above.
+pub fn names(app: &App, preferences: &Preferences) -> Vec<String> {
+    let context = egui::Context::default();
+    context.enable_accesskit();
+    let no_files = Arc::new(|_: &super::files::Ask| Picked::Cancelled);
+    let mut window = Window::new(app.clone(), preferences.clone(), no_files, None);
+    window.quiet = true;
+    let mut found = Vec::new();
+    for pass in 0..PASSES {
+        let input = egui::RawInput {
+            screen_rect: Some(egui::Rect::from_min_size(egui::Pos2::ZERO, ROOM)),
+            time: Some(pass as f64),
+            ..egui::RawInput::default()
+        };
+        let mut output = context.run_ui(input, |ui| {
+            window.show(ui);
+            window.studies.finish();
+        });
+        // Nothing is painted.
+        output.textures_delta.clear();
+        found = output
+            .platform_output
+            .accesskit_update
+            .map_or(Vec::new(), |u| u.nodes);
+    }
+    let mut names: Vec<(bool, i64, String)> = Vec::new();
+    for (_, node) in &found {
+        let is_words = node.role() == egui::accesskit::Role::Label;
+        let top = node.bounds().map_or(0, |bounds| bounds.y0 as i64);
+        let named = [node.label(), node.value()].into_iter().flatten();
+        let named = named.filter(|name| !name.trim().is_empty());
+        names.extend(named.map(|name| (is_words, top, name.to_owned())));
+    }
+    names.sort();
+    let mut names: Vec<String> = names.into_iter().map(|(_, _, name)| name).collect();
+    names.dedup();
+    names
+}
+
 /// [`window_image`] as a PNG file.
 pub fn window_png(app: &App, preferences: &Preferences, size: [u32; 2]) -> Vec<u8> {
     encode_png(&window_image(app, preferences, size))

@@ -4,6 +4,7 @@ use std::{
     path::{Path, PathBuf},
     sync::mpsc::{Receiver, Sender, channel},
     thread::JoinHandle,
+    time::{Duration, Instant},
 };
 
 use crate::app::{
@@ -11,8 +12,16 @@ use crate::app::{
     workspace::{self, Preferences, StoredImage},
 };
 
-/// What is kept.
-type Kept = (Document, Preferences, Vec<StoredImage>);
+/// A change is kept on disk at most this long after it was made.
+const AFTER: Duration = Duration::from_millis(700);
+
+/// What is kept, and when it must be on its way to the disk.
+struct Kept {
+    document: Document,
+    preferences: Preferences,
+    waiting: Vec<StoredImage>,
+    due: Instant,
+}
 
 /// Writes the newest workspace it was given; what came in between is skipped.
 pub struct Saver {
@@ -30,10 +39,19 @@ impl Saver {
         let (trouble, troubles) = channel();
         let thread = std::thread::spawn(move || {
             while let Ok(mut job) = jobs.recv() {
-                while let Ok(newer) = jobs.try_recv() {
-                    job = newer;
+                // The clock is this thread's: a window that is covered draws no further frame.
+                while let Ok(newer) =
+                    jobs.recv_timeout(job.due.saturating_duration_since(Instant::now()))
+                {
+                    let due = job.due.min(newer.due);
+                    job = Kept { due, ..newer };
                 }
-                let (document, preferences, waiting) = job;
+                let Kept {
+                    document,
+                    preferences,
+                    waiting,
+                    ..
+                } = job;
                 let text = workspace::to_json_with(&document, Some(&preferences), &waiting);
                 let text = text.map_err(|why| format!("Workspace not saved: {why}."));
                 if let Err(why) = text.and_then(|text| workspace::save(&path, &text)) {
@@ -55,7 +73,7 @@ impl Saver {
         &self.path
     }
 
-    /// Hands over what is to be kept.
+    /// Hands over what is to be written at once.
     pub fn keep(&self, document: &Document, preferences: &Preferences) {
         self.keep_with(document, preferences, &[]);
     }
@@ -67,9 +85,32 @@ impl Saver {
         preferences: &Preferences,
         waiting: &[StoredImage],
     ) {
+        self.keep_by(Instant::now(), (document, preferences, waiting));
+    }
+
+    /// Hands over what is to be written soon: what follows within a moment is written with it.
+    pub fn keep_soon(
+        &self,
+        document: &Document,
+        preferences: &Preferences,
+        waiting: &[StoredImage],
+    ) {
+        self.keep_by(Instant::now() + AFTER, (document, preferences, waiting));
+    }
+
+    fn keep_by(
+        &self,
+        due: Instant,
+        (document, preferences, waiting): (&Document, &Preferences, &[StoredImage]),
+    ) {
         if let Some(sender) = &self.sender {
             // Fails only when the thread is gone, which it is only when the program ends.
-            let _ = sender.send((document.clone(), preferences.clone(), waiting.to_vec()));
+            let _ = sender.send(Kept {
+                document: document.clone(),
+                preferences: preferences.clone(),
+                waiting: waiting.to_vec(),
+                due,
+            });
         }
     }
 

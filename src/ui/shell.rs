@@ -181,6 +181,10 @@ struct Shell {
 }
 
 impl eframe::App for Shell {
+    fn logic(&mut self, context: &egui::Context, _frame: &mut eframe::Frame) {
+        self.window.unseen(context);
+    }
+
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         if self.frames_left.is_some()
             && self.first_shown

@@ -60,10 +60,7 @@ pub(super) fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAc
                             .map_or_else(|| "–".to_owned(), |w| format!("{w:.1}")),
                     );
                     let name = app.spike_names().get(index);
-                    let line = ui.label(
-                        name.and_then(|n| n.label.as_deref().or(n.near.as_deref()))
-                            .unwrap_or("–"),
-                    );
+                    let line = ui.label(name.and_then(|n| n.label.as_deref()).unwrap_or("–"));
                     if let Some(whole) = name.and_then(|n| n.safe.as_deref()) {
                         line.clone().on_hover_text(whole);
                     }

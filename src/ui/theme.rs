@@ -11,8 +11,8 @@ use egui::{
 
 pub use crate::app::studies::Wake;
 use crate::app::{
-    answers::Seen,
     chart::{self, Inks},
+    verdicts::Seen,
     workspace::Preferences,
 };
 
@@ -41,7 +41,7 @@ pub struct Theme {
     pub accent: Color32,
     /// Tracks of sliders.
     pub track: Color32,
-    /// "Cannot be seen" in charts.
+    /// "Hard to see" in charts.
     pub zone: [u8; 3],
     /// Multiplier of fixed sizes while presenting.
     pub scale: f32,
@@ -50,14 +50,14 @@ pub struct Theme {
 /// How a difference is seen, as a colour: always beside its word.
 pub fn of_seen(seen: Seen, dark: bool) -> Color32 {
     let [r, g, b] = match (seen, dark) {
-        (Seen::Not, true) => [72, 184, 154],
+        (Seen::Hardly, true) => [72, 184, 154],
         (Seen::SideBySide, true) => [230, 180, 34],
         (Seen::Visible, true) => [232, 131, 58],
-        (Seen::Wrong, true) => [224, 96, 94],
-        (Seen::Not, false) => [12, 109, 84],
+        (Seen::Large, true) => [224, 96, 94],
+        (Seen::Hardly, false) => [12, 109, 84],
         (Seen::SideBySide, false) => [138, 101, 0],
         (Seen::Visible, false) => [168, 72, 12],
-        (Seen::Wrong, false) => [168, 34, 34],
+        (Seen::Large, false) => [168, 34, 34],
     };
     Color32::from_rgb(r, g, b)
 }

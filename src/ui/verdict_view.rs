@@ -15,7 +15,9 @@ use super::{
 };
 use crate::app::{
     App, Command,
-    answers::{Seen, Worst, white_words},
+    answers::{Worst, judged_on, verdict},
+    tint,
+    verdicts::Seen,
     workspace::Preferences,
 };
 use crate::study::Measure;
@@ -183,8 +185,8 @@ fn headline(ui: &mut Ui, app: &App, theme: Theme) {
         return;
     };
     let seen = Seen::of(worst.delta_e_2000);
-    let size = if theme.scale > 1.0 { 22.0 } else { 26.0 };
-    let words = RichText::new(seen.verdict())
+    let size = if theme.scale > 1.0 { 18.0 } else { 20.0 };
+    let words = RichText::new(verdict(app, seen))
         .size(size * theme.scale)
         .color(ui.visuals().strong_text_color());
     ui.add(Label::new(words).wrap());
@@ -208,6 +210,15 @@ fn headline(ui: &mut Ui, app: &App, theme: Theme) {
                 .on_hover_text("CIEDE2000, the CIE's measure of how different two colours look.");
         });
     });
+    if let Some(surfaces) = app.surfaces() {
+        let words = format!("Judged {}. {}", judged_on(app), surfaces.sentence());
+        let words = RichText::new(words).small();
+        ui.add(Label::new(words.color(theme.faint)).wrap())
+            .on_hover_text(
+                "All tables of surfaces that ship and were measured, under the light and under \
+                 the model.",
+            );
+    }
 }
 
 /// The four words, the one that holds filled.
@@ -291,7 +302,7 @@ fn answers(ui: &mut Ui, app: &App, theme: Theme) {
     if let Some(Ok(cct)) = derived.colour.exact.and_then(|colour| colour.cct) {
         row(
             "What white is it?",
-            white_words(cct),
+            tint::title_words(cct),
             "Correlated colour temperature after Ohno, and which way it leaves the line of \
              blackbodies (Duv).",
         );
@@ -301,7 +312,7 @@ fn answers(ui: &mut Ui, app: &App, theme: Theme) {
 /// Numbers of the model, and points of the table in its range that they stand for.
 pub(super) fn counts(app: &App) -> (usize, usize) {
     let derived = app.derived();
-    (derived.numbers(), derived.band.points())
+    (derived.numbers(), app.table_points())
 }
 
 fn numbers(ui: &mut Ui, app: &App, theme: Theme) {
@@ -345,8 +356,10 @@ fn warnings(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
 /// The line that stands for the column where the model is no part of the page; clicked, it opens
 /// the column.
 pub fn line(ui: &mut Ui, app: &App) -> bool {
-    let words = Worst::of(app).map(|worst| Seen::of(worst.delta_e_2000).verdict().to_lowercase());
-    let words = words.unwrap_or_else(|| "no colour".to_owned());
+    let words = Worst::of(app).map_or_else(
+        || "no colour".to_owned(),
+        |worst| format!("difference {}", Seen::of(worst.delta_e_2000).seen()),
+    );
     let text = format!("Model: {} numbers, {words}", app.derived().numbers());
     ui.add(
         Button::new(RichText::new(text).small())

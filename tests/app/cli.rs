@@ -14,7 +14,10 @@ use spectral_explorer::{
     app::{
         self, App, Settings,
         chart::Theme,
+        design::wish::MixWish,
         open,
+        pages::PageMemory,
+        report,
         workspace::{self, Preferences},
     },
     cli::{self, Input, Outcome, Pictures},
@@ -165,7 +168,7 @@ fn a_report_on_a_preset_has_every_stable_key_and_the_defaults() {
     has_all_keys(&report);
     assert_eq!(at(&report, "input/name"), "FL2");
     assert_eq!(at(&report, "input/points"), 401, "the 1 nm table");
-    assert_eq!(at(&report, "model/basis"), "fourier");
+    assert_eq!(at(&report, "model/basis"), "cosine");
     assert_eq!(at(&report, "model/order"), 7);
     assert_eq!(
         at(&report, "model/range_nm"),
@@ -174,7 +177,7 @@ fn a_report_on_a_preset_has_every_stable_key_and_the_defaults() {
     for (key, expected) in [
         ("threshold_percent", Value::from(0.5)),
         ("max_width_nm", Value::from(10.0)),
-        ("colour_exact", Value::from(false)),
+        ("colour_exact", Value::from(true)),
         ("dips", Value::from(false)),
         ("spikes", Value::from(true)),
         ("observer", Value::from("1931")),
@@ -182,20 +185,13 @@ fn a_report_on_a_preset_has_every_stable_key_and_the_defaults() {
     ] {
         assert_eq!(at(&report, &format!("settings/{key}")), &expected, "{key}");
     }
-    assert_eq!(
-        at(&report, "model/coefficients/a")
-            .as_array()
-            .unwrap()
-            .len(),
-        8
-    );
-    assert_eq!(
-        at(&report, "model/coefficients/b")
-            .as_array()
-            .unwrap()
-            .len(),
-        7
-    );
+    let count = |report, key| at(report, key).as_array().unwrap().len();
+    assert_eq!(count(&report, "model/coefficients/c"), 15);
+    let paper = json(&["report", "FL2", "--as-in-paper", "--json"]);
+    assert_eq!(at(&paper, "model/basis"), "fourier");
+    assert_eq!(at(&paper, "settings/colour_exact"), false);
+    assert_eq!(count(&paper, "model/coefficients/a"), 8);
+    assert_eq!(count(&paper, "model/coefficients/b"), 7);
     let spikes = at(&report, "model/spikes").as_array().unwrap();
     assert_eq!(
         number(&report, "model/numbers"),
@@ -239,6 +235,7 @@ fn every_option_of_the_model_arrives() {
         "2.5",
         "--max-width",
         "20",
+        "--as-in-paper",
         "--basis",
         "cosine",
         "--colour-exact",
@@ -302,6 +299,96 @@ fn the_report_for_people_is_words_without_nan() {
         "{text}"
     );
     assert!(!text.contains('\u{1b}'), "no colour codes");
+}
+
+/// A lamp of broad lines: at 1 nm its model is far off, to the eye it is not.
+#[test]
+fn the_report_begins_with_what_a_person_sees_and_ends_with_the_strict_figures() {
+    let text = said(&["report", "FL11"]);
+    let at = |part: &str| {
+        let found = text.find(part);
+        found.unwrap_or_else(|| panic!("no {part} in {text}"))
+    };
+    let order = [
+        "Seen ",
+        "Colour ",
+        "Patches ",
+        "Measured ",
+        "\nModel ",
+        "Series ",
+        "  spike ",
+        "Error ",
+        "behind a 10 nm blur",
+        "energy ",
+        "; at 1 nm ",
+    ]
+    .map(at);
+    assert!(order.is_sorted(), "{order:?}: {text}");
+    let last = text.lines().rfind(|line| !line.starts_with("Note "));
+    assert!(
+        last.is_some_and(|line| line.starts_with("Error ")),
+        "{text}"
+    );
+}
+
+/// The settings that JSON tells, but for what belongs to the input.
+fn settings_of(report: &Value) -> Value {
+    let mut settings = at(report, "settings").clone();
+    for key in ["light", "hand_edits", "colour_exact_reached"] {
+        settings.as_object_mut().unwrap().remove(key);
+    }
+    settings
+}
+
+/// One place says what is taken where nothing is said: no command has defaults of its own.
+#[test]
+fn every_command_takes_what_the_window_starts_with() {
+    let fresh = App::new();
+    let of_window = report::json(&fresh);
+    let expected = settings_of(&of_window);
+    let reported = json(&["report", "FL2", "--json"]);
+    assert_eq!(settings_of(&reported), expected);
+    assert_eq!(at(&reported, "model"), at(&of_window, "model"));
+    assert_eq!(at(&reported, "patches"), at(&of_window, "patches"));
+    let pages = PageMemory::default();
+    let prism = json(&["prism", "FL2", "--json"]);
+    assert_eq!(number(&prism, "slit_mm"), pages.dispersion.prism.slit_mm);
+    assert_eq!(number(&prism, "apex"), pages.dispersion.prism.apex_deg);
+    let channels = ["450", "520", "560", "620"].map(|nm| format!("--channel=gauss:{nm},30"));
+    let mixed = |more: &[&str]| {
+        let channels = channels.iter().map(String::as_str);
+        let args = ["mix", "--target", "4000K", "--json"].into_iter();
+        let args = args.chain(channels).chain(more.iter().copied());
+        said(&args.collect::<Vec<_>>())
+    };
+    let favour = MixWish::default().favour.word();
+    assert_eq!(mixed(&[]), mixed(&["--favour", favour]));
+    // The same product with nothing said and with each setting of the window named.
+    let explicit = ["--basis", "cosine", "--colour-exact", "--sampling", "exact"];
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    for (args, out) in [
+        (&["product", "FL2", "red", "--json"][..], None),
+        (&["light", "FL2", "--json"], None),
+        (&["plot", "FL2", "--out"], Some("plot.svg")),
+        (&["convert", "FL2", "--as", "composite"], Some("model.json")),
+    ] {
+        let of = |more: &[&str], name: &str| match out {
+            None => said(&[args, more].concat()),
+            Some(kind) => {
+                let path = place(&format!("{name}{kind}"));
+                said(&[args, &[path.as_str()], more].concat());
+                fs::read_to_string(path).unwrap()
+            }
+        };
+        // Nothing is multiplied by those that do not take a sampling.
+        let explicit = match args[0] {
+            "product" => &explicit[..],
+            _ => &explicit[..3],
+        };
+        assert_eq!(of(&[], "a"), of(explicit, "b"), "{args:?}");
+        assert_ne!(of(&[], "c"), of(&["--as-in-paper"], "d"), "{args:?}");
+    }
 }
 
 #[test]
@@ -973,6 +1060,50 @@ fn a_lesson_is_rendered_without_what_it_does_not_use() {
     assert_eq!(fs::read(&alone).unwrap(), fs::read(&beside).unwrap());
 }
 
+/// Draws every page alike.
+struct Alike;
+
+impl Pictures for Alike {
+    fn window(&self, _: &App, _: &Preferences, _: [u32; 2]) -> Vec<u8> {
+        b"a page".to_vec()
+    }
+
+    fn plot(&self, _: &App, _: Theme, _: [u32; 2]) -> Vec<u8> {
+        b"a plot".to_vec()
+    }
+}
+
+#[test]
+fn options_of_the_model_are_told_on_a_page_that_does_not_show_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut count = 0;
+    let mut told = |pictures: &dyn Pictures, more: &[&str]| {
+        count += 1;
+        let out = folder.path().join(format!("{count}.png"));
+        let out = out.to_str().expect("UTF-8");
+        let start = [
+            "spectral-explorer",
+            "render",
+            "FL2",
+            "--page",
+            "glossary",
+            "--out",
+            out,
+        ];
+        let words = [&start[..], more].concat();
+        let words: Vec<OsString> = words.into_iter().map(OsString::from).collect();
+        let mut err = Vec::new();
+        let outcome = cli::run(words, Some(pictures), &mut Vec::new(), &mut err);
+        assert_eq!(outcome, Outcome::Done(0));
+        String::from_utf8(err).expect("UTF-8")
+    };
+    let unused = "no option of the model is used: the page does not show it";
+    assert!(told(&Alike, &["--order", "3"]).contains(unused));
+    // A sketch tells the order.
+    assert_eq!(told(&Sketch, &["--order", "3"]), "");
+    assert_eq!(told(&Alike, &[]), "");
+}
+
 #[test]
 fn the_window_is_rendered_with_an_input_or_as_it_starts() {
     let folder = tempfile::tempdir().unwrap();
@@ -1327,7 +1458,7 @@ fn read_lists_pixels_of_an_image_that_has_no_spectra_of_its_own() {
     }
     let text = said(&["read", &path]);
     assert!(
-        text.contains("row 9 column 9: 2 points, lowest 0.0198, highest 0.0199"),
+        text.contains("row 9 column 9: 2 points, lowest 0.7765, highest 0.7804"),
         "{text}"
     );
 }

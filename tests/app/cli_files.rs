@@ -663,7 +663,13 @@ fn tables_are_read_as_the_command_line_says() {
     };
     desk.put("angstrom.csv", rows(3800, 50));
     let plain = desk.run(&["read", "angstrom.csv"]);
-    assert!(plain.out.contains("taken as 1/cm"), "{}", plain.out);
+    assert!(
+        plain
+            .out
+            .contains("taken as Å: the range 3800 to 7800 at even steps"),
+        "{}",
+        plain.out
+    );
     let told = desk.run(&["read", "angstrom.csv", "--wavelength-unit", "A"]);
     assert!(told.out.contains("380-780 nm"), "{}", told.out);
     assert!(told.out.contains("chosen by hand"), "{}", told.out);
@@ -716,4 +722,319 @@ fn tables_are_read_as_the_command_line_says() {
         fixed.out
     );
     assert!(fixed.out.contains("no plain table"), "{}", fixed.out);
+}
+
+/// Three lights, the second much redder than the first.
+fn three_lamps() -> String {
+    let row = |i: i32| {
+        let nm = 380 + 5 * i;
+        format!("{nm},{},{},{}\n", 100 + i, 1 + i * i, 200 - i)
+    };
+    let titles = ["a", "b", "c"].map(|name| format!("{name} (W/m2/nm)"));
+    let rows: String = (0..=80).map(row).collect();
+    format!("nm,{}\n{rows}", titles.join(","))
+}
+
+#[test]
+fn the_first_of_several_is_told_and_another_is_named_wherever_one_is_taken() {
+    let desk = Desk::new();
+    desk.put("lamps.csv", three_lamps());
+    let row = |i| format!("{},{},{}\n", 380 + 5 * i, 50, 10 + i % 80);
+    let rows: String = (0..=80).map(row).collect();
+    desk.put(
+        "glass.csv",
+        format!("nm,transmittance a (%),transmittance b (%)\n{rows}"),
+    );
+    let gem = ["gem", "--size", "16", "--rays", "1", "--json"];
+    let gem = |more: &[&'static str]| [&gem[..], more].concat();
+    for args in [
+        vec!["encode", "lamps.csv"],
+        vec!["prism", "lamps.csv", "--at", "500"],
+        vec!["rainbow", "lamps.csv", "--at", "500"],
+        vec!["sweep", "lamps.csv"],
+        vec!["product", "lamps.csv", "red"],
+        vec!["product", "FL2", "glass.csv"],
+        vec!["mix", "--channel", "lamps.csv"],
+        vec![
+            "mix",
+            "--channel",
+            "line:450",
+            "--channel",
+            "line:540",
+            "--channel",
+            "line:610",
+            "--target",
+            "lamps.csv",
+        ],
+        vec!["recover", "--colour", "#c08040", "--light", "lamps.csv"],
+        vec!["plot", "lamps.csv", "--sheet", "--out", "sheet.svg"],
+        vec!["plot", "red", "--light", "lamps.csv", "--out", "plot.svg"],
+        gem(&["--light", "lamps.csv"]),
+        gem(&["--filter", "glass.csv", "--thickness", "1"]),
+    ] {
+        let file = args.iter().find(|word| word.ends_with(".csv"));
+        let file = *file.expect("a file");
+        let told = desk.done(&args);
+        let first = format!(
+            "{file}: found {} spectra",
+            if file == "lamps.csv" { 3 } else { 2 }
+        );
+        assert!(told.err.contains(&first), "{args:?}: {}", told.err);
+        assert!(
+            told.err.contains(&format!("({file}#2 is the second)")),
+            "{}",
+            told.err
+        );
+        let second = args.iter().map(|word| match *word == file {
+            true => format!("{file}#2"),
+            false => (*word).to_owned(),
+        });
+        let named = desk.done(&second.collect::<Vec<_>>());
+        assert!(
+            !named.err.contains("none of them named"),
+            "{args:?}: {}",
+            named.err
+        );
+        if args[0] != "plot" {
+            assert_ne!(named.out, told.out, "{args:?}");
+        }
+    }
+    // A report tells it among its notes.
+    let report = desk.done(&["report", "lamps.csv"]);
+    assert_eq!(report.err, "");
+    assert!(report.out.contains("Spectrum 1 of 3"), "{}", report.out);
+    let report = desk.done(&["report", "lamps.csv#lamps, column 4"]);
+    assert!(report.out.contains("Spectrum 3 of 3"), "{}", report.out);
+    // What is named so is read too, and never written onto.
+    let line = desk.refused(&["convert", "lamps.csv#2", "lamps.csv", "--force"]);
+    assert!(line.contains("which is what is read"), "{line}");
+    desk.done(&["convert", "lamps.csv#2", "second.csv"]);
+    assert!(
+        desk.get("second.csv").contains("\n385,2\n"),
+        "{}",
+        desk.get("second.csv")
+    );
+}
+
+#[test]
+fn a_fit_of_a_folder_is_written_onto_none_of_its_files() {
+    let desk = Desk::new();
+    fs::create_dir(desk.path("d")).expect("a folder");
+    desk.put("d/a.csv", lamp());
+    desk.put("d/b.csv", lamp());
+    for out in ["d/a.csv", "d/../d/b.csv"] {
+        let line = desk.refused(&["fit", "d", "--out", out, "--force"]);
+        assert!(line.contains("which is what is read"), "{line}");
+    }
+    assert_eq!([desk.get("d/a.csv"), desk.get("d/b.csv")], [lamp(), lamp()]);
+    desk.done(&["fit", "d", "--out", "numbers.csv"]);
+}
+
+#[test]
+fn spectral_pictures_and_documents_of_others_are_no_pictures_to_replace() {
+    let desk = Desk::new();
+    desk.done(&[
+        "picture",
+        "wall",
+        "--numbers",
+        "8",
+        "--out",
+        "scene.cspx.png",
+    ]);
+    let scene = fs::read(desk.path("scene.cspx.png")).expect("a picture");
+    let thesis = format!("%PDF-1.4\n{}%%EOF\n", "my thesis\n".repeat(900));
+    desk.put("thesis.pdf", &thesis);
+    desk.put("drawn.svg", "<svg xmlns='http://www.w3.org/2000/svg'/>");
+    for args in [
+        #[cfg(feature = "window")]
+        &["plot", "FL2", "--out", "scene.cspx.png"][..],
+        &[
+            "gem",
+            "--size",
+            "16",
+            "--rays",
+            "1",
+            "--out",
+            "scene.cspx.png",
+        ][..],
+        &["plot", "FL2", "--sheet", "--out", "thesis.pdf"],
+        &["plot", "FL2", "--out", "drawn.svg"],
+    ] {
+        let line = desk.refused(args);
+        assert!(
+            line.contains("is no picture that this program drew"),
+            "{line}"
+        );
+    }
+    assert_eq!(
+        fs::read(desk.path("scene.cspx.png")).expect("a picture"),
+        scene
+    );
+    assert_eq!(desk.get("thesis.pdf"), thesis);
+    // Its own sheets and pictures are drawn anew.
+    for _ in 0..2 {
+        desk.done(&["plot", "FL2", "--sheet", "--out", "own.pdf"]);
+        desk.done(&["plot", "FL2", "--sheet", "--out", "own.svg"]);
+        desk.done(&["gem", "--size", "16", "--rays", "1", "--out", "own.png"]);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_to_nothing_is_not_replaced_by_a_file() {
+    let desk = Desk::new();
+    std::os::unix::fs::symlink("gone.csv", desk.path("l.csv")).expect("a link");
+    let line = desk.refused(&["convert", "FL2", "l.csv", "--force"]);
+    assert!(
+        line.contains("a link to something that is not there"),
+        "{line}"
+    );
+    assert!(desk.path("l.csv").is_symlink());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn devices_and_pipes_are_no_pictures_and_no_lessons() {
+    let desk = Desk::new();
+    for args in [
+        &["picture", "/dev/zero", "--relight", "FL2", "--out", "x.png"][..],
+        &["lessons", "check", "/dev/zero"],
+        &["lessons", "handout", "/dev/zero", "--out", "x.md"],
+    ] {
+        let line = desk.refused(args);
+        assert!(
+            line.contains("found a device or a pipe, expected a file"),
+            "{line}"
+        );
+    }
+}
+
+#[test]
+fn a_sheet_of_a_lesson_is_written_with_all_of_its_pictures_or_not_at_all() {
+    let desk = Desk::new();
+    // Nothing can be written where a folder stands.
+    fs::create_dir(desk.path("s-1.svg")).expect("a folder");
+    desk.refused(&["lessons", "handout", "samples", "--out", "s.md"]);
+    let left = fs::read_dir(desk.path(".")).expect("a folder").count();
+    assert_eq!(left, 1, "the folder alone");
+}
+
+#[test]
+fn no_title_of_a_table_is_a_formula_and_each_comes_back() {
+    let desk = Desk::new();
+    let titles = ["=cmd|' /C calc'!A0", "@sum", "+lamp", "-lamp"];
+    let rows = rows(|_| 1.0).replace(",1\n", ",1,2,3,4\n");
+    desk.put("odd.csv", format!("nm,{}\n{rows}", titles.join(",")));
+    desk.done(&["convert", "odd.csv", "all.csv", "--all", "--kind", "light"]);
+    let text = desk.get("all.csv");
+    let head = text.lines().find(|line| line.starts_with("wavelength_nm"));
+    for cell in head.expect("a head").split(',') {
+        assert!(
+            !cell
+                .trim_start_matches('"')
+                .starts_with(['=', '+', '-', '@']),
+            "{text}"
+        );
+    }
+    let again = desk.done(&["read", "all.csv", "--json"]);
+    let again: Value = serde_json::from_str(&again.out).expect("JSON");
+    for (spectrum, title) in again[0]["spectra"]
+        .as_array()
+        .expect("spectra")
+        .iter()
+        .zip(titles)
+    {
+        assert_eq!(spectrum["name"], title);
+    }
+}
+
+#[test]
+fn refusals_say_what_was_meant_to_be_given() {
+    let desk = Desk::new();
+    let long = format!("nm,W\n380,{0}\n400,{0}\n", "1".repeat(309));
+    desk.put("long.csv", long);
+    for (args, said) in [
+        (
+            &["recover", "--lab", "nan,0,0"][..],
+            "expected L,A,B: three numbers",
+        ),
+        (
+            &["recover", "--xyz", "1,2"],
+            "expected X,Y,Z: three numbers",
+        ),
+        (
+            &["plot", "FL2", "--out", "p.jpg"],
+            "expected a file that ends in .svg or .png, with --sheet in .svg or .pdf",
+        ),
+        (&["light", "FL2", "--csv", "--full"], "--full"),
+        (
+            &["fit", "-", "--reference", "mean"],
+            "--reference: found mean, which needs all spectra",
+        ),
+    ] {
+        let line = desk.refused(args);
+        assert!(line.contains(said), "{line}");
+    }
+    let deep = "[".repeat(100_000);
+    desk.put("deep.json", deep);
+    let line = desk.refused(&["read", "deep.json"]);
+    assert!(
+        line.contains("JSON of more than 127 lists in one another"),
+        "{line}"
+    );
+    for (args, option) in [
+        (
+            &["recover", "--colour", "#c08040", "--force"][..],
+            "--force",
+        ),
+        (
+            &[
+                "plot",
+                "FL2",
+                "--out",
+                "p.svg",
+                "--plain",
+                "--observer",
+                "1964",
+            ],
+            "--observer",
+        ),
+    ] {
+        let told = desk.done(args);
+        assert!(
+            told.err.contains(&format!("{option} is not used: ")),
+            "{}",
+            told.err
+        );
+    }
+}
+
+#[test]
+fn a_line_of_json_of_an_unknown_kind_or_unit_is_answered_by_why_and_an_empty_one_by_an_empty_one() {
+    let desk = Desk::new();
+    let nm: Vec<f64> = (0..=40).map(|i| 400.0 + 10.0 * f64::from(i)).collect();
+    let um: Vec<f64> = nm.iter().map(|nm| nm / 1000.0).collect();
+    let line = |nm: &[f64], more: &str| {
+        format!(
+            "{{\"nm\":{nm:?},\"values\":{:?}{more}}}\n",
+            vec![1.0; nm.len()]
+        )
+    };
+    let all = [
+        line(&nm, ""),
+        line(&nm, ",\"kind\":\"banana\""),
+        "\n".to_owned(),
+        line(&um, ""),
+        line(&nm, ",\"kind\":\"light\""),
+    ];
+    desk.put("lines.jsonl", all.concat());
+    let told = desk.run_on("lines.jsonl", &["fit", "-", "--numbers", "9"]);
+    assert_eq!(told.code, 0, "{}", told.err);
+    let lines: Vec<&str> = told.out.lines().collect();
+    assert_eq!((lines.len(), lines[2]), (5, ""));
+    assert!(lines[1].contains("expected light, reflectance or transmittance, found the kind"));
+    assert!(
+        lines[3].contains("expected some in nm (1 um is 1000 nm), found wavelengths up to 0.8")
+    );
+    assert_eq!(lines[0], lines[4]);
 }

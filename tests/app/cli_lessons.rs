@@ -84,14 +84,14 @@ fn a_check_says_file_step_and_reason() {
             "step 1: found the figure nombers, expected one of",
         ),
         (
-            "\"above\": 5",
-            "\"above\": 0.0",
+            "544",
+            "100",
             "step 1: found a task that is done before it begins",
         ),
         (
-            "\"above\": 5",
-            "\"above\": 5000",
-            "step 1: its own show does not meet its task: found error of plain samples",
+            "544",
+            "547",
+            "step 1: its own show does not meet its task: found where the narrow filter stands",
         ),
         (
             "spectral-explorer-lesson",

@@ -366,3 +366,113 @@ fn what_changes_nothing_is_said() {
     let (_, _, err) = told_of_gem(&["--seen", "camera"]);
     assert!(err.contains("--seen is not used"), "{err}");
 }
+
+/// A file of refractiveindex.info with rows of um, n and k.
+fn yaml(folder: &Path, name: &str, rows: &str) -> String {
+    let path = folder.join(name);
+    let text =
+        format!("REFERENCES: \"A. Author\"\nDATA:\n  - type: tabulated nk\n    data: |\n{rows}");
+    fs::write(&path, text).expect("a file");
+    word(&path).to_owned()
+}
+
+#[test]
+fn metals_are_refused_by_prism_rainbow_and_gem_with_n_and_k() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let rows = "        0.3 1.5 5\n        0.5 1.6 5\n        0.9 1.7 5\n";
+    let metal = yaml(folder.path(), "metal.yml", rows);
+    // Gold by Johnson and Christy 1972: n is below 1 from 500 nm on.
+    let rows = "        0.3757 1.46 1.933\n        0.4959 1.04 1.833\n        0.6168 0.21 2.897\n        \
+        0.8211 0.16 4.902\n";
+    let gold = yaml(folder.path(), "gold.yml", rows);
+    for (material, part) in [
+        (&metal, "k 5.0000 at 380 nm"),
+        (&gold, "k 1.9294 at 380 nm"),
+    ] {
+        for command in [&["prism", "CIE D65"][..], &["rainbow", "CIE D65"], &["gem"]] {
+            for more in [&[][..], &["--json"]] {
+                let args = [command, &["--material", material], more].concat();
+                let (err, code) = refusal(&args);
+                assert_eq!(code, 1, "{err}");
+                assert!(err.contains("expected a transparent material"), "{err}");
+                assert!(err.contains(part), "{err}");
+            }
+        }
+    }
+    // At 589 nm gold's n of .5 is told, not where its table ends.
+    let (err, _) = refusal(&["gem", "--wavelength", "700", "--material", &gold]);
+    assert!(
+        err.contains("found n 0.1") && err.contains("at 700 nm"),
+        "{err}"
+    );
+    // A glass that is opaque in the violet alone takes a lamp that has none there.
+    let rows = "        0.38 1.8 0.01\n        0.42 1.7 0\n        0.78 1.6 0\n";
+    let glass = yaml(folder.path(), "glass.yml", rows);
+    let args = ["gem", "--material", &glass, "--wavelength", "589"];
+    assert_eq!(tell(&[&args[..], &SMALL].concat()).0, 0);
+}
+
+#[test]
+fn a_light_is_sent_through_as_measured_unless_its_model_is_asked_for() {
+    for command in [&["prism", "FL2"][..], &["rainbow", "FL2"]] {
+        assert_eq!(
+            json(&[command, &["--json"]].concat())["light_as"],
+            "measured"
+        );
+        let modelled = json(&[command, &["--as-modelled", "--json"]].concat());
+        assert_eq!(modelled["light_as"], "model");
+    }
+    let mean = |more: &[&str]| -> Vec<f64> {
+        let args = [&["gem", "--light", "FL2", "--json"], &SMALL[..], more].concat();
+        let told = json(&args);
+        let mean = told["mean"].as_array().expect("three numbers").iter();
+        mean.filter_map(Value::as_f64).collect()
+    };
+    // A model of order 0 is a flat line beside the spikes: bluer than a warm phosphor.
+    let bluer = |mean: Vec<f64>| mean[2] / mean[1];
+    assert!(
+        bluer(mean(&["--order", "0", "--as-modelled"])) > 1.05 * bluer(mean(&["--order", "0"]))
+    );
+    assert_eq!(mean(&["--order", "0"]), mean(&["--order", "7"]));
+}
+
+#[test]
+fn a_gem_looks_the_same_whatever_unit_its_light_is_told_in() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mean = |power: i32| -> Vec<f64> {
+        let path = folder.path().join(format!("lamp{power}.csv"));
+        let row = |nm: u32| format!("{nm},{}e{power}\n", 1.0 + f64::from(nm % 50) / 50.0);
+        let rows: String = (380..=780).step_by(5).map(row).collect();
+        fs::write(&path, format!("nm,light\n{rows}")).expect("a file");
+        let args = [&["gem", "--light", word(&path), "--json"], &SMALL[..]].concat();
+        let told = json(&args);
+        let mean = told["mean"].as_array().expect("three numbers").iter();
+        mean.filter_map(Value::as_f64).collect()
+    };
+    let usual = mean(0);
+    assert!(usual[1] > 0.01, "{usual:?}");
+    // From 1e30 on a number counts as missing.
+    for power in [-300, -30, 25, 29] {
+        // The same sums in single precision, in another order of magnitude.
+        let found = mean(power);
+        let off = usual.iter().zip(&found).map(|(a, b)| (a / b - 1.0).abs());
+        assert!(
+            off.fold(0.0, f64::max) < 1e-5,
+            "{power}: {found:?} {usual:?}"
+        );
+    }
+}
+
+#[test]
+fn a_gem_of_1024_pixels_is_opened_again_by_the_program_that_wrote_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("gem.exr");
+    let (code, _, err) = tell(&["gem", "--size", "1024", "--rays", "1", "--out", word(&path)]);
+    assert_eq!(code, 0, "{err}");
+    let told = json(&["read", word(&path), "--json"]);
+    let image = &told[0]["images"][0];
+    assert_eq!(
+        (&image["width"], &image["height"], &image["bands"]),
+        (&1024.into(), &1024.into(), &40.into())
+    );
+}

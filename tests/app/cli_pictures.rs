@@ -197,7 +197,7 @@ fn data_beyond_what_is_read_whole_stay_on_disk() {
     data.set_len(side * side * bands * 4).expect("a hole");
     let (err, code) = refusal(&["picture", &wall, "--numbers", "8"]);
     assert_eq!(code, 1);
-    assert!(err.contains("found only zeros"), "{err}");
+    assert!(err.contains("found none"), "{err}");
 }
 
 #[test]
@@ -293,7 +293,7 @@ fn pictures_of_nothing_are_refused_by_what_they_are() {
             &[],
             "expected a measured pixel",
         ),
-        (&seen, factor, |_| 0.0, &[], "found only zeros"),
+        (&seen, factor, |_| 0.0, &[], "found none"),
         (
             &unseen,
             light,
@@ -389,7 +389,9 @@ fn a_table_becomes_a_row_of_numbers_for_each_spectrum() {
     let (err, code) = refusal(&args);
     assert_eq!(code, 1);
     assert!(
-        err.ends_with("expected values above zero, found only zeros\n"),
+        err.ends_with(
+            "expected values above zero that a file of 32-bit numbers holds, found none\n"
+        ),
         "{err}"
     );
 }
@@ -494,6 +496,8 @@ fn lines_of_json_are_answered_line_by_line_wherever_they_are_cut() {
             .count(),
         2
     );
+    // A blank line is answered by one, so that lines in and out pair.
+    assert_eq!(odd.lines().nth(2), Some(""));
     // GNU parallel cuts its input into blocks and starts a process for each, in order.
     let command = format!("{program} fit - --numbers 12");
     let spread = [
@@ -508,4 +512,129 @@ fn lines_of_json_are_answered_line_by_line_wherever_they_are_cut() {
         Some(spread) => assert_eq!(spread, all),
         None => println!("GNU parallel is not installed: not run"),
     }
+}
+
+#[test]
+fn our_own_pictures_are_read_and_kept_again_and_tell_no_path() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let wall = wall(folder.path());
+    for name in ["own.exr", "own.cspx.png"] {
+        let file = folder.path().join(name);
+        let (code, _, err) = tell(&["picture", &wall, "--numbers", "9", "--out", word(&file)]);
+        assert_eq!(code, 0, "{err}");
+        let told = json(&["read", word(&file), "--json"]);
+        let image = &told[0]["images"][0];
+        assert_eq!(
+            [&image["width"], &image["height"], &image["bands"]],
+            [48, 32, 31]
+        );
+        assert_eq!(image["kind"], "reflectance");
+        let (code, out, _) = tell(&["read", word(&file)]);
+        assert_eq!(code, 0);
+        assert!(
+            out.contains("9 numbers a pixel stand for 31 bands"),
+            "{out}"
+        );
+        let again = json(&["picture", word(&file), "--numbers", "9", "--json"]);
+        assert_eq!(again["numbers"], 9);
+        // The header is JSON within the one and packed within the other: the image tells it too.
+        assert_eq!(told[0]["spectra"][0]["source"], "wall.hdr");
+        let bytes = fs::read(&file).expect("a picture");
+        let path = folder.path().to_string_lossy().into_owned();
+        assert!(
+            !bytes
+                .windows(path.len())
+                .any(|some| some == path.as_bytes())
+        );
+    }
+    let cut = folder.path().join("cut.exr");
+    let whole = fs::read(folder.path().join("own.exr")).expect("a picture");
+    fs::write(&cut, &whole[..whole.len() / 2]).expect("half of it");
+    assert!(refusal(&["read", word(&cut)]).0.contains("expected"));
+}
+
+#[test]
+fn what_is_only_guessed_of_a_pictures_values_is_said_and_relighting_is_with_care() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let nm: Vec<f64> = (0..31).map(|j| 400.0 + 10.0 * f64::from(j)).collect();
+    // Raw counts: nothing states that they are reflectances.
+    let counts = cube(folder.path(), &nm, "", |at| {
+        1000.0 + (at * 37 % 4001) as f32
+    });
+    let args = ["picture", &counts, "--numbers", "8", "--reference", "mean"];
+    let (code, out, err) = tell(&args);
+    assert_eq!(code, 0, "{err}");
+    let read = tell(&["read", &counts]).1;
+    if read.contains("taken as reflectance") {
+        assert!(err.contains("taken as reflectance"), "{err}");
+        assert!(
+            out.contains("relit to A: with care: nothing states"),
+            "{out}"
+        );
+        let trust = &json(&[&args[..], &["--json"]].concat())["trust"];
+        assert_eq!(trust["verdict"], "care");
+    }
+    // A person's word is no guess.
+    let (code, out, err) = tell(&[&args[..], &["--kind", "reflectance"]].concat());
+    assert_eq!(code, 0, "{err}");
+    assert!(!err.contains("taken as reflectance"), "{err}");
+    assert!(!out.contains("nothing states"), "{out}");
+    let light = json(&[&args[..], &["--kind", "light", "--json"]].concat());
+    assert!(light["trust"].is_null());
+}
+
+#[test]
+fn data_longer_than_their_header_and_a_factor_of_0_are_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let header = wall(folder.path());
+    let text = fs::read_to_string(&header).expect("a header");
+    let odd = text.replace(
+        "reflectance scale factor = 1",
+        "reflectance scale factor = 0",
+    );
+    fs::write(&header, odd).expect("a header");
+    let data = folder.path().join("wall.img");
+    let mut bytes = fs::read(&data).expect("data");
+    bytes.extend([0; 100]);
+    fs::write(&data, bytes).expect("data");
+    let (code, _, err) = tell(&["picture", &header, "--numbers", "8"]);
+    assert_eq!(code, 0, "{err}");
+    assert!(
+        err.contains("the data are 100 bytes longer than the header says"),
+        "{err}"
+    );
+    assert!(
+        err.contains("reflectance scale factor of 0 is not used"),
+        "{err}"
+    );
+    let (_, read, _) = tell(&["read", &header]);
+    assert!(
+        read.contains("reflectance scale factor of 0 is not used"),
+        "{read}"
+    );
+}
+
+#[test]
+fn a_bound_that_is_not_reached_names_both_figures_and_rounding_keeps_own_colour() {
+    // White noise in 61 bands: 40 numbers do not keep it.
+    let folder = tempfile::tempdir().expect("a folder");
+    let nm: Vec<f64> = (0..61).map(|j| 400.0 + 5.0 * f64::from(j)).collect();
+    let noise = cube(folder.path(), &nm, "", |at| {
+        0.05 + 0.9 * ((at * 7919 + at * at % 613) % 1009) as f32 / 1009.0
+    });
+    let args = ["picture", &noise, "--kind", "reflectance", "--bound", "0.5"];
+    let (code, out, err) = tell(&args);
+    assert_eq!(code, 0, "{err}");
+    assert!(
+        err.contains("the bound is not reached: the nearest, "),
+        "{err}"
+    );
+    assert!(
+        err.contains("(95 %) where 0.5 is asked for and a relative rms of "),
+        "{err}"
+    );
+    // Rounding takes nothing from the own colour, which 40 numbers keep.
+    let own = json(&[&args[..], &["--json"]].concat());
+    let p95 = own["error"]["own"]["p95"].as_f64().expect("a figure");
+    assert!(p95 <= 0.5, "{p95} {out} {err}");
 }

@@ -36,12 +36,13 @@ fn each_option_of_the_model_changes_an_answer_or_is_told_to_change_none() {
     let folder = tempfile::tempdir().expect("a folder");
     let notched = notched(folder.path());
     let lights = [&notched[..], "FL2", "HP1", "paper/Mercury"];
-    let options: [&[&str]; 11] = [
+    let options: [&[&str]; 12] = [
         &["--order", "3"],
         &["--threshold", "5"],
         &["--max-width", "3"],
-        &["--basis", "cosine"],
-        &["--colour-exact"],
+        &["--basis", "fourier"],
+        &["--plain"],
+        &["--as-in-paper"],
         &["--no-spikes"],
         &["--wide-lines"],
         &["--dips"],
@@ -53,6 +54,7 @@ fn each_option_of_the_model_changes_an_answer_or_is_told_to_change_none() {
         ("report", &[][..]),
         ("prism", &[]),
         ("prism", &["--json"]),
+        ("prism", &["--as-modelled", "--json"]),
         ("rainbow", &[]),
         ("product", &["red"]),
         ("product", &["red", "--check", "FL2"]),

@@ -101,6 +101,49 @@ fn a_written_composite_keeps_its_widths() {
 }
 
 #[test]
+fn a_composite_of_wide_lines_is_taken_as_it_is() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    for lamp in ["FL1", "FL11", "HP1", "F32T8/TL841 (Triphosphor)"] {
+        for name in ["model.json", "model.txt"] {
+            let file = path(name);
+            let convert = ["convert", lamp, &file, "--as", "composite", "--wide-lines"];
+            let (code, _, err) = tell(&[&convert[..], &["--force"]].concat());
+            assert_eq!(code, 0, "{err}");
+            let text = fs::read_to_string(path("model.json")).expect("written first");
+            let written: Value = serde_json::from_str(&text).expect("JSON");
+            let expected = written["spikes"].as_array().expect("lines");
+            assert!(expected.iter().any(|line| line["fwhm_nm"].is_number()));
+            let read = json(&["read", &file, "--json"]);
+            let report = json(&["report", &file, "--json"]);
+            let model = &report["model"];
+            assert_eq!(model["as_given"], true, "{lamp} {name}");
+            let told = &read[0]["composites"][0];
+            assert_eq!(model["numbers"], told["numbers"], "{lamp} {name}");
+            assert!(told["numbers"].is_u64());
+            let lines = model["spikes"].as_array().expect("lines");
+            assert_eq!(lines.len(), expected.len());
+            for (line, expected) in lines.iter().zip(expected) {
+                for key in ["at_nm", "weight", "fwhm_nm"] {
+                    // An ideal line has no width in the file.
+                    let [found, told] = [line, expected].map(|l| l[key].as_f64().unwrap_or(0.0));
+                    assert_eq!(found, told, "{lamp} {name} {key}");
+                }
+            }
+            // The table is the composite's own: a projection of a series on itself.
+            let off = number(&report["error"]["relative_rms"]);
+            assert!(off < 1e-9, "{lamp} {name}: {off}");
+            // Every command takes the same light.
+            let light = json(&["light", &file, "--json"]);
+            let [whole, model] = [&light["ra"], &light["model"]["ra"]].map(number);
+            println!("{lamp} {name}: Ra {whole} as a table, {model} as a composite");
+            let (code, _, err) = tell(&["encode", &file, "--portable"]);
+            assert_eq!(code, 0, "{err}");
+        }
+    }
+}
+
+#[test]
 fn the_auction_sells_widths_and_says_so() {
     let args = [
         "auction",

@@ -14,6 +14,7 @@ use spectral_explorer::{
     app::pages::Page,
     cli::{self, Outcome},
     optics::png,
+    spectrum::Sampling,
 };
 
 const DOCUMENT: &str = "docs/command_line.md";
@@ -85,6 +86,15 @@ fn every_command_is_told_and_no_other() {
     let known = commands();
     assert!(known.len() > 5, "{known:?}");
     assert_eq!(told, known);
+}
+
+#[test]
+fn the_points_that_3n_stands_for_are_told_as_they_are() {
+    let points = [6, 7].map(|order| Sampling::ThreeN.points(2 * order + 1));
+    assert_eq!(points, [Some(3 * 6 + 1), Some(3 * 7 + 2)]);
+    for text in [help("product"), document(DOCUMENT)] {
+        assert!(text.contains("3N+1") && text.contains("3N+2"), "{text}");
+    }
 }
 
 #[test]
@@ -261,7 +271,7 @@ fn the_keys_of_a_report_are_told() {
         "report --json",
         &[
             &["report", "FL2", "--json"],
-            &["report", "FL2", "--basis", "cosine", "--json"],
+            &["report", "FL2", "--as-in-paper", "--json"],
             &[
                 "report",
                 "solar_astm_g173/ASTM G173-03 extraterrestrial",
@@ -318,7 +328,10 @@ fn the_keys_of_a_sweep_are_told() {
 fn the_keys_of_an_auction_are_told() {
     // With so many numbers an order and a line are given back on the way.
     let args = ["auction", "FL2", "--goal", "patches", "--numbers", "61"];
-    let args: Vec<&str> = args.into_iter().chain(["--json"]).collect();
+    let args: Vec<&str> = args
+        .into_iter()
+        .chain(["--as-in-paper", "--json"])
+        .collect();
     holds("auction --json", &[&args]);
 }
 

@@ -656,7 +656,7 @@ fn a_reflectance_is_looked_at_under_the_light() {
     let cmf = Observer::Cie1931.table().on_band(band);
     let product: Vec<f64> = light.iter().zip(&red).map(|(s, r)| s * r).collect();
     let scale = 100.0 / band.inner(&light, &cmf[1]);
-    for (got, row) in exact.xyz.to_array().into_iter().zip(&cmf) {
+    for (got, row) in exact.xyz.to_array().into_iter().zip(cmf.iter()) {
         // The same sums in another order: a few rounding errors of numbers near 100.
         assert_abs_diff_eq!(got, scale * band.inner(&product, row), epsilon = 1e-10);
     }

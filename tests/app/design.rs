@@ -22,7 +22,7 @@ use spectral_explorer::{
         SampleTables,
         mixture::Source,
         recover::Method,
-        solve::{Against, FrontWish, Target, front},
+        solve::{Against, Care, FrontWish, Target, front},
     },
     spectrum::Kind,
     study::Progress,
@@ -192,7 +192,7 @@ fn a_wish_and_a_point_of_the_front_are_one_step_each() {
             ..MixWish::default()
         };
         let desk = Desk::of(app.document());
-        let found = Solved::of(&wish, &desk, app.document()).expect("channels");
+        let found = Solved::of(&wish, &desk, app.document(), Care::Full).expect("channels");
         app.apply(Command::Page(PageSetting::Mix(found.mix)));
     }
     app.end_gesture();

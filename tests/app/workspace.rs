@@ -452,3 +452,24 @@ fn a_workspace_with_very_many_overlays_loads_with_the_most_there_may_be() {
         );
     }
 }
+
+#[test]
+fn the_formula_of_an_index_comes_back_with_its_table() {
+    let text = "REFERENCES: A\nDATA:\n  - type: formula 5\n    wavelength_range: 0.4 0.7\n    \
+                coefficients: 1.5 0.004 -2\n";
+    let Loaded::File(opened) = load_bytes("glass.yml", text.as_bytes()) else {
+        panic!("it is a material");
+    };
+    let mut app = App::new();
+    app.apply(Command::Open(vec![*opened]));
+    let text = workspace::to_json_with(app.document(), None, &[]).expect("a workspace");
+    let restored = workspace::from_json(&text).expect("a workspace");
+    let formula = |own: &[Arc<spectral_explorer::app::Entry>]| {
+        own.iter()
+            .find_map(|entry| entry.spectrum.samples.formula().cloned())
+    };
+    let found = formula(&restored.document.own).expect("a formula");
+    assert_eq!(Some(&found), formula(&app.document().own).as_ref());
+    // 1.5 + .004 / .5876^2.
+    assert!((found.index(0.5876) - 1.511_585_01).abs() < 1e-8);
+}

@@ -15,7 +15,7 @@ use spectral_explorer::{
         },
         dispersion::{
             Beside, DispersionMemory, GemColour, GemMemory, LightPart, PrismMemory, RainbowMemory,
-            Substance,
+            Sent, Substance,
         },
         pages::{FieldChoice, ManyMemory, Page, PageMemory, PageSetting, WaysShown, WordsMemory},
         picture::{ImageMemory, Show, Spread},
@@ -319,6 +319,7 @@ pub(crate) fn full_preferences() -> Preferences {
                     screen_mm: 750.0,
                     stops: 0.5,
                     beside: Beside::Overlaid,
+                    sent: Sent::Model,
                 },
                 rainbow: RainbowMemory {
                     disc: false,
@@ -326,6 +327,7 @@ pub(crate) fn full_preferences() -> Preferences {
                     twice: true,
                     stops: -0.5,
                     beside: Beside::Nothing,
+                    sent: Sent::Model,
                 },
                 gem: GemMemory {
                     made_of: Substance::Own {
@@ -346,6 +348,7 @@ pub(crate) fn full_preferences() -> Preferences {
                     stops: 1.0,
                     part: LightPart::Lines,
                     under: None,
+                    sent: Sent::Model,
                 },
             },
             many: ManyMemory {

@@ -614,7 +614,7 @@ fn the_json_has_the_promised_keys() {
     let value = json(&far, &[("CIE D65", under.white())], None, &[]);
     assert_eq!(
         keys(&value["nearest"]),
-        ["delta_e", "srgb_hex", "xyz"].into()
+        ["delta_e", "delta_e_ab", "srgb_hex", "xyz"].into()
     );
     assert!(value["band"].is_null() && value["condition_number"].is_null());
 }

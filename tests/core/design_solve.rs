@@ -1,6 +1,6 @@
 //! Mixtures that are wished for and fronts of free lines, beside brute force.
 
-use std::collections::BTreeSet;
+use std::{collections::BTreeSet, sync::LazyLock};
 
 use proptest::prelude::*;
 use serde_json::Value;
@@ -69,6 +69,23 @@ fn table(name: &str) -> &'static Sampled {
         .samples
 }
 
+/// The tables that the study was made with: 5 nm, straight in between.
+fn study_tables() -> &'static SampleTables {
+    static TABLES: LazyLock<SampleTables> = LazyLock::new(|| {
+        let group = |id: &str, first: &str| -> Vec<Vec<f64>> {
+            let items = &Library::bundled().group(id).unwrap().items;
+            let named = items.iter().filter(|item| item.name.starts_with(first));
+            let on_nm = |samples: &Sampled| samples.on_whole_nm(360, 830, Outside::Hold);
+            named
+                .map(|item| on_nm(&item.spectrum().unwrap().samples))
+                .collect()
+        };
+        let tables = SampleTables::new(&group("cri_tcs", "TCS"), &group("tm30_ces99_5nm", ""));
+        tables.unwrap()
+    });
+    &TABLES
+}
+
 fn solved(channels: &[Channel], wish: Wish<'_>) -> Solution {
     Mixer::new(channels, SampleTables::shipped())
         .unwrap()
@@ -99,7 +116,7 @@ fn the_figures_of_given_lights_are_those_of_the_study() {
                     let spec = |nm: &f64| form.replace("{}", &nm.to_string());
                     let places = numbers(&light["places_nm"]);
                     let made = channels(&places.iter().map(spec).collect::<Vec<_>>());
-                    let mixer = Mixer::new(&made, SampleTables::shipped()).unwrap();
+                    let mixer = Mixer::new(&made, study_tables()).unwrap();
                     let found = mixer.figures(&numbers(&light["power_shares"]));
                     let off = |found: f64, key: &str| (found - number(&light[key])).abs();
                     // The study's suggestion, with a little more for Ra and Rf: the CCT here is
@@ -212,7 +229,7 @@ fn front_at(target: &Value, against: Against, lines: usize, floors: Vec<f64>) ->
         points: floors.len(),
         floors: Some(floors),
     };
-    front(&wish, SampleTables::shipped(), &Progress::default())
+    front(&wish, study_tables(), &Progress::default())
         .unwrap()
         .unwrap()
 }
@@ -517,15 +534,15 @@ fn no_random_mixture_of_the_colour_is_clearly_better_than_the_solved_one() {
             ..Wish::default()
         });
         assert!(found.reached);
-        // The climb stops at steps of 1e-4 or after its share of looks.
+        // Sizes of differences are rounded off by 3e-4 in the end: .002 of Ra, .003 of Rf.
         assert!(
-            found.figures.rf.unwrap() < rf + 0.3,
-            "{:?} {rf}",
+            found.figures.rf.unwrap() < rf + 0.003,
+            "{:?}",
             found.figures
         );
         assert!(
-            found.figures.ra.unwrap() < ra + 0.3,
-            "{:?} {ra}",
+            found.figures.ra.unwrap() < ra + 0.003,
+            "{:?}",
             found.figures
         );
     }
@@ -588,6 +605,12 @@ fn floors_are_kept_or_what_is_missing_is_told() {
         refused.why
     );
     assert!(refused.delta_uv_to_target.unwrap() < 1e-6);
+    // Two floors for one figure: neither is silently the one that counts.
+    let twice = Floors::default().with("rf=80").unwrap().with("rf=10");
+    assert_eq!(
+        twice.unwrap_err().to_string(),
+        "expected one floor for each figure, found \"rf=10\""
+    );
     for wrong in ["rf", "rf=x", "cri=80", "rf=nan"] {
         assert!(Floors::default().with(wrong).is_err(), "{wrong}");
     }

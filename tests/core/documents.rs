@@ -13,7 +13,7 @@ use spectral_explorer::{
         open::{batch, folders},
         pages::{Page, Place},
     },
-    io::{FORMATS, MOST_BYTES, MOST_BYTES_OF_A_FORMAT, MOST_CELLS, MOST_COLUMNS, WRITABLE},
+    io::{FORMATS, MOST_BYTES, MOST_BYTES_OF_A_FORMAT, MOST_CELLS, MOST_COLUMNS, WRITABLE, budget},
 };
 
 /// Every folder of `src` and every file of Rust in them, by their paths in the project.
@@ -163,6 +163,10 @@ fn the_limits_are_those_of_the_program() {
     let known = [
         MOST_BYTES,
         MOST_BYTES_OF_A_FORMAT as u64,
+        budget::of(0) as u64,
+        budget::of_text(0) as u64,
+        // Members of an archive, a limit that its reader keeps to itself.
+        10_000,
         MOST_CELLS as u64,
         MOST_COLUMNS as u64,
         // Spectra of one file, a limit that the reader of tables keeps to itself.

@@ -3,6 +3,7 @@
 
 use std::{f64::consts::LN_2, sync::Arc};
 
+use proptest::prelude::*;
 use spectral_explorer::{
     app::{App, Document, Entry, Library, Scale, makers, picture::BandWeights},
     color::{Observer, Xyz, cct_from_xyz, xyz_from_light, xyz_from_reflectance},
@@ -242,4 +243,75 @@ fn shipped_tables_of_whole_nm_are_read_off_and_not_averaged() {
             assert_eq!(value, read, "{} at {nm} nm", spectrum.name);
         }
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 128, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Data of any steps, moved a little: no value of the grid moves by more than the samples did,
+    /// and the area between the grid's ends is that of the straight lines.
+    #[test]
+    fn what_is_put_on_the_grid_follows_its_samples_without_a_jump(
+        steps in proptest::collection::vec(prop_oneof![0.05..0.4_f64, Just(1.0), 0.8..3.0_f64], 8..40),
+        heights in proptest::collection::vec(0.0..1.0_f64, 41),
+        start in prop_oneof![Just(400.0), 400.0..401.0_f64],
+        by in -1e-7..1e-7_f64,
+    ) {
+        let places = |by: f64| -> Vec<f64> {
+            let mut nm = vec![start + by];
+            nm.extend(steps.iter().scan(start + by, |at, step| { *at += step; Some(*at) }));
+            nm
+        };
+        let of = |by: f64| {
+            let nm = places(by);
+            let values = heights[..nm.len()].to_vec();
+            Sampled::new(nm, values).expect("rising").on_grid(390.0, 1.0, 140, Outside::Zero)
+        };
+        let (here, moved) = (of(0.0), of(by));
+        for (a, b) in here.iter().zip(&moved) {
+            // Slopes of up to 1 in .05 nm, on either side of a grid point.
+            prop_assert!((a - b).abs() <= 60.0 * by.abs() + 1e-12, "{} {}", a, b);
+        }
+        let (nm, last) = (places(0.0), steps.len());
+        let area: f64 = nm
+            .windows(2)
+            .zip(heights.windows(2))
+            .map(|(at, value)| 0.5 * (at[1] - at[0]) * (value[0] + value[1]))
+            .sum();
+        // An end counts for half its own step more where it stands on a grid point, the more the
+        // nearer.
+        let more = |at: usize, step: f64| {
+            let on_it = (1.0 - 25.0 * (nm[at] - nm[at].round()).abs()).max(0.0);
+            0.5 * step.min(1.0) * on_it * heights[at]
+        };
+        let counted = area + more(0, steps[0]) + more(last, steps[last - 1]);
+        prop_assert!((here.iter().sum::<f64>() - counted).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn a_label_that_is_rounded_takes_nothing_from_a_peak() {
+    for by in [-0.001, -1e-5, -1e-12, 0.0, 1e-12, 1e-5, 0.001] {
+        let nm: Vec<f64> = (0..11).map(|i| 540.0 + f64::from(i) + by).collect();
+        let peak = (0..11).map(|i| f64::from(u8::from(i == 5))).collect();
+        let grid = Sampled::new(nm, peak)
+            .expect("rising")
+            .on_grid(530.0, 1.0, 31, Outside::Zero);
+        // As far from the peak as the samples are from the grid: the slope is 1 a nm.
+        assert!(
+            (grid[15] - (1.0 - by.abs())).abs() < 1e-9,
+            "{by}: {}",
+            grid[15]
+        );
+        assert!((grid.iter().sum::<f64>() - 1.0).abs() < 1e-9, "{by}");
+    }
+}
+
+#[test]
+fn a_narrow_table_on_whole_nm_gains_no_more_than_half_its_own_steps() {
+    // From 546.0 to 546.2 nm in .1 nm: .2 of area, and half a step of .1 at the end on whole nm.
+    let table = Sampled::even(546.0, 0.1, vec![1.0; 3]).expect("rising");
+    let grid = table.on_grid(540.0, 1.0, 21, Outside::Zero);
+    let sum: f64 = grid.iter().sum();
+    assert!((sum - 0.25).abs() < 1e-12, "{sum}");
 }

@@ -120,8 +120,8 @@ fn a_light_is_decoded_from_its_words_with_its_own_colour() {
         ] {
             let chosen = encoder().encode(&values, ask).expect("a light");
             assert!(chosen.encoding.numbers() <= ask.numbers);
-            let encoded =
-                judged(encoder(), &judge, &values, &chosen.encoding).expect("small numbers");
+            let encoded = judged(encoder(), &judge, &values, (&chosen.encoding, ask.numbers))
+                .expect("small numbers");
             assert_eq!(encoded.words.len(), encoded.encoding.numbers());
             assert_eq!(
                 from_words(&encoded.words, BAND).expect("our own words"),
@@ -130,7 +130,7 @@ fn a_light_is_decoded_from_its_words_with_its_own_colour() {
             // The last three of the numbers to be rounded are left with their own rounding.
             assert!(encoded.own < 1e-6, "{name} {ask:?}: {}", encoded.own);
             let json = encode_json(&encoded);
-            let (back, words) = read_encoding(&json.to_string(), BAND).expect("our own JSON");
+            let (back, words) = read_encoding(&json.to_string(), Some(BAND)).expect("our own JSON");
             assert_eq!((back, words), (encoded.encoding, encoded.words));
             assert!(ask.known_lamps || json["atoms"].as_array().is_some_and(Vec::is_empty));
         }
@@ -144,8 +144,8 @@ fn the_json_has_the_keys_of_the_command() {
         .encode(&values, Ask::numbers(20).in_comparison())
         .expect("a light");
     let judge = Panel::judging(BAND, Observer::Cie1931);
-    let json =
-        encode_json(&judged(encoder(), &judge, &values, &chosen.encoding).expect("small numbers"));
+    let encoded = judged(encoder(), &judge, &values, (&chosen.encoding, 20));
+    let json = encode_json(&encoded.expect("small numbers"));
     let keys = |value: &serde_json::Value| -> Vec<String> {
         let mut keys: Vec<String> = value
             .as_object()
@@ -158,7 +158,16 @@ fn the_json_has_the_keys_of_the_command() {
     };
     assert_eq!(
         keys(&json),
-        ["atoms", "cosine", "error", "lines", "numbers", "words"]
+        [
+            "atoms",
+            "cosine",
+            "error",
+            "lines",
+            "numbers",
+            "range_nm",
+            "strict_numbers",
+            "words"
+        ]
     );
     assert_eq!(
         keys(&json["error"]),
@@ -266,7 +275,7 @@ fn hostile_lights_are_nearer_than_by_a_cosine_series_but_not_all_of_them() {
 }
 
 /// Lights in the files of others, where they are at hand: none that is shipped or like one.
-fn files_of_others() -> Vec<(String, Vec<f64>)> {
+pub(crate) fn files_of_others() -> Vec<(String, Vec<f64>)> {
     let folder = crate::root::root().join("../shared/data/real_files");
     let Ok(listed) = std::fs::read_dir(folder) else {
         return Vec::new();
@@ -440,7 +449,8 @@ proptest! {
 }
 
 /// Lamps that somebody measured and that are not shipped.
-fn measured(text: &str) -> Vec<(String, Vec<f64>)> {
+pub(crate) fn measured_lamps() -> Vec<(String, Vec<f64>)> {
+    let text = include_str!("../golden/measured_lamps.json");
     let file: serde_json::Value = serde_json::from_str(text).expect("a file of lamps");
     let numbers = |value: &serde_json::Value| -> Vec<f64> {
         value
@@ -469,7 +479,7 @@ fn measured_lamps_that_are_not_shipped_are_encoded_better_than_by_a_cosine_serie
     let judge = Panel::judging(BAND, Observer::Cie1931);
     // The errors taken together as the choice takes them: patches ^ .5 filters ^ 1.25 blurred ^ 1.25.
     let together = |e: [f64; 3]| e[0].sqrt() * (e[1] * e[2]).powf(1.25);
-    for (name, values) in measured(include_str!("../golden/measured_lamps.json")) {
+    for (name, values) in measured_lamps() {
         let exact = judge.exact(&values).expect("a light");
         for numbers in [11, 20, 31] {
             let errors_of = |ask: Ask| {

@@ -7,7 +7,7 @@ use spectral_explorer::{
         Bench, BenchSettings, Bows, DropRay, Incidence, Light, Material, Prism, Screen, Stuff, bow,
         limits, minimum_deviation, prism_json, rainbow_json,
     },
-    spectrum::{Band, Spike},
+    spectrum::{Band, Sampled, Spike},
 };
 
 fn golden() -> Value {
@@ -445,4 +445,52 @@ fn rainbows_stand_where_they_should() {
     // Six decimals printed in the definition.
     assert!((number(&sodium["primary"]) - 42.081_781).abs() < 1e-6);
     assert!((number(&sodium["secondary"]) - 50.884_135).abs() < 1e-6);
+}
+
+#[test]
+fn an_index_that_rises_with_wavelength_reflects_the_red_end() {
+    // n from 1.5 to 1.9 over 380-780 nm in a straight line. Behind an apex of 70 degrees the ray
+    // that leaves along the second face has r2 = asin(1/n), so sin i1 = n sin(70 - asin(1/n)): at
+    // 500 nm, where n is 1.62, 58.79 degrees.
+    let table = Sampled::new(vec![380.0, 780.0], vec![1.5, 1.9]).unwrap();
+    let odd = Material::from_table("odd", "", &table, false).unwrap();
+    let grazing = |n: f64| {
+        let r1 = 70.0_f64.to_radians() - (1.0 / n).asin();
+        (n * r1.sin()).asin().to_degrees()
+    };
+    let settings = BenchSettings {
+        apex_deg: 70.0,
+        incidence: Incidence::Degrees(grazing(1.62)),
+        ..BenchSettings::default()
+    };
+    let bench = Bench::new(settings, odd).unwrap();
+    let [[from, to]] = bench.reflected_nm()[..] else {
+        panic!("{:?}", bench.reflected_nm());
+    };
+    assert!((from - 500.0).abs() < 1e-9 && to == 780.0, "{from} {to}");
+    assert_eq!(
+        bench.reflected_words().unwrap(),
+        "500.0 nm and longer are totally reflected"
+    );
+    let band = Band::VISIBLE;
+    let even = Light::new("even", band, vec![1.0; band.points()], Vec::new()).unwrap();
+    let screen = bench.whole_screen(&even, 400).unwrap();
+    let strip = bench.strip(&even, screen, Observer::Cie1931);
+    // What leaves is the transmittance summed over 380-500 nm; it falls like a root towards the
+    // edge, where the sum of 12 000 middles is off by less than 1e-4.
+    let step = 0.01;
+    let passed: f64 = (0..12_000)
+        .map(|i| 380.0 + step * (f64::from(i) + 0.5))
+        .filter_map(|nm| Some(step * bench.landing(nm).unwrap()?.transmittance))
+        .sum();
+    assert!(passed > 20.0, "{passed}");
+    assert!(
+        (strip.energy / passed - 1.0).abs() < 1e-3,
+        "{} {passed}",
+        strip.energy
+    );
+    let json = prism_json(&bench, &even, &[], Some(&strip));
+    assert!(json["reflected_to_nm"].is_null());
+    assert!((number(&json["reflected_stretches"][0][0]) - 500.0).abs() < 1e-9);
+    assert_eq!(number(&json["reflected_stretches"][0][1]), 780.0);
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use spectral_explorer::color::Observer;
 use spectral_explorer::io::read_path;
 use spectral_explorer::pictures::*;
-use spectral_explorer::spectrum::Kind;
+use spectral_explorer::spectrum::{Kind, Sampled};
 use spectral_explorer::study::Progress;
 
 fn nm(first: f64, last: f64, count: usize) -> Vec<f64> {
@@ -309,7 +309,7 @@ fn a_file_on_disk_gives_the_same_pixels_in_every_interleave() {
     let pixels = InMemory::of(&Scene::reflectance(70, 40, nm(400.0, 700.0, 31)).unwrap()).unwrap();
     let mut all = Vec::new();
     for interleave in ["bsq", "bil", "bip"] {
-        let file = EnviFile::open(&envi(folder.path(), interleave, &pixels), false).unwrap();
+        let file = EnviFile::open(&envi(folder.path(), interleave, &pixels), false, None).unwrap();
         let read = InMemory::of(&file).unwrap();
         assert_eq!((file.size(), file.bands().len()), ((70, 40), 31));
         assert_eq!(file.bands().bandwidth_nm(), Some(12.5));
@@ -406,6 +406,16 @@ fn lines_of_json_do_not_know_of_one_another() {
     );
     assert!(fit_line("{\"nm\":[1,2]}", ask).is_err());
     assert!(fit_line("[]", ask).is_err());
+    // Squares of 1e200 are no numbers; what a line is off by is one, the same at any scale.
+    let off = |scale: f64| {
+        let values: Vec<f64> = scene.pixel(1, 1).iter().map(|v| scale * v).collect();
+        let line = serde_json::json!({"nm": nm(380.0, 780.0, 81), "values": values});
+        let answer = fit_line(&line.to_string(), ask).unwrap();
+        let answer: serde_json::Value = serde_json::from_str(&answer).unwrap();
+        answer["relative_rms"].as_f64().expect("a number")
+    };
+    let [plain, large] = [off(1.0), off(1e200)];
+    assert!((plain - large).abs() < 1e-9 * plain, "{plain} {large}");
     let of_all = FitAsk {
         reference: ReferenceKind::Mean,
         ..ask
@@ -444,7 +454,10 @@ fn a_table_of_spectra_is_fitted_row_by_row() {
     .unwrap();
     assert!(!fitted.operator.plan().lines.is_empty());
     assert!(
-        fitted.relative_rms.iter().all(|r| *r < 0.1),
+        fitted
+            .relative_rms
+            .iter()
+            .all(|r| r.is_some_and(|r| r < 0.1)),
         "{:?}",
         fitted.relative_rms
     );
@@ -453,4 +466,80 @@ fn a_table_of_spectra_is_fitted_row_by_row() {
     let comments = csv.lines().filter(|line| line.starts_with("# ")).count();
     assert_eq!((comments, csv.lines().count()), (3, 54));
     assert_eq!(fitted.json()["spectra"].as_array().unwrap().len(), 50);
+}
+
+#[test]
+fn many_spectra_are_fitted_as_few_are_and_a_gap_or_a_cancel_is_told() {
+    // More than any block of work holds; as reflectances, so that every fit has one operator.
+    let (width, height) = (80, 64);
+    let scene = Scene::reflectance(width, height, nm(400.0, 700.0, 31)).unwrap();
+    let pixels = InMemory::of(&scene).unwrap();
+    let (bands, count) = (pixels.bands().clone(), width * height);
+    let ask = FitAsk {
+        numbers: 9,
+        reference: ReferenceKind::One,
+        lines: false,
+    };
+    let fit = |from: usize, to: usize, progress: &Progress| {
+        let names = (from..to).map(|i| i.to_string()).collect();
+        let of_band = |j: usize| pixels.values()[j * count + from..j * count + to].to_vec();
+        let mut values: Vec<f32> = (0..bands.len()).flat_map(of_band).collect();
+        if from == 0 {
+            // The third spectrum lacks a band.
+            values[7 * (to - from) + 2] = f32::NAN;
+        }
+        fit_values(names, bands.clone(), values, ask, progress)
+    };
+    let all = fit(0, count, &quiet()).unwrap();
+    assert_eq!((all.relative_rms.len(), all.relative_rms[2]), (count, None));
+    assert!(all.row(2).iter().all(|z| z.is_nan()));
+    assert!(all.json()["spectra"][2]["relative_rms"].is_null());
+    let line = all
+        .csv()
+        .lines()
+        .find(|line| line.starts_with("2,"))
+        .map(str::to_owned);
+    assert!(line.is_some_and(|line| line.ends_with(",NaN,")));
+    for from in [511, 4000, count - 3] {
+        let few = fit(from, from + 3, &quiet()).unwrap();
+        for i in 0..3 {
+            // The same sums, whoever else is fitted.
+            assert_eq!(few.row(i), all.row(from + i), "{from} {i}");
+            assert_eq!(
+                few.relative_rms[i],
+                all.relative_rms[from + i],
+                "{from} {i}"
+            );
+        }
+    }
+    let cancelled = Progress::default();
+    cancelled.cancel();
+    assert_eq!(
+        fit(0, count, &cancelled).unwrap_err(),
+        PictureError::Cancelled
+    );
+}
+
+#[test]
+fn a_value_beyond_single_precision_is_refused_by_its_wavelength() {
+    let table = |value: f64| {
+        let nm = nm(400.0, 700.0, 31);
+        let values = nm.iter().map(|nm| if *nm == 550.0 { value } else { 1.0 });
+        let values = values.collect();
+        Sampled::new(nm, values).unwrap()
+    };
+    let ask = FitAsk {
+        numbers: 9,
+        reference: ReferenceKind::One,
+        lines: false,
+    };
+    let fit = |value: f64| {
+        let table = table(value);
+        fit_spectra(&[("lamp".to_owned(), &table)], Kind::Light, ask, &quiet())
+    };
+    assert!(fit(1e30).is_ok());
+    assert_eq!(
+        fit(1e39).unwrap_err().to_string(),
+        "expected values up to 3.4e38, found lamp with 1e39 at 550 nm"
+    );
 }

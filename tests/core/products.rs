@@ -14,7 +14,7 @@ use crate::{
 use approx::assert_relative_eq;
 use spectral_explorer::{
     app::{Command, Library, Settings},
-    color::{Observer, Xyz, delta_e_2000, lab_from_xyz, xyz_from_integral},
+    color::{Observer, Weights, Xyz, delta_e_2000, lab_from_xyz, xyz_from_integral},
     preset::Shelf,
     spectrum::{
         Band, Basis, BasisTable, Composite, InnerProducts, SampleGrid, Sampling, Series, Spike,
@@ -62,7 +62,7 @@ impl Fitting {
     }
 }
 
-fn observer() -> [Vec<f64>; 3] {
+fn observer() -> Weights {
     Observer::Cie1931.table().on_band(BAND)
 }
 
@@ -534,4 +534,59 @@ fn long_chains_of_few_numbers_get_four_times_the_points() {
     let (few, many) = (added(22), added(product::chain_points(11, factors.len())));
     println!("six factors of 11 numbers: 22 points add {few:.1e}, 44 points {many:.1e} dE00");
     assert!(many < 0.1 * few);
+}
+
+#[test]
+fn series_of_two_bands_or_bases_have_no_product() {
+    let series = |band: Band, basis: Basis, coefficients: &[f64]| Series {
+        band,
+        basis,
+        coefficients: coefficients.to_vec(),
+    };
+    let cosine = series(BAND, Basis::Cosine, &[1.0, 0.5]);
+    let light = Composite {
+        smooth: cosine.clone(),
+        spikes: Vec::new(),
+    };
+    for other in [
+        series(BAND, Basis::Fourier, &[1.0, 0.5]),
+        series(Band::PAPER, Basis::Cosine, &[1.0, 0.5]),
+        series(BAND, Basis::Cosine, &[]),
+    ] {
+        let refused =
+            |form: &dyn Fn()| std::panic::catch_unwind(std::panic::AssertUnwindSafe(form)).is_err();
+        assert!(refused(&|| drop(convolve(&cosine, &other))), "{other:?}");
+        for sampling in [Sampling::Double, Sampling::Exact, Sampling::Convolution] {
+            let form = || drop(product::resampled(&light, &other, sampling));
+            assert!(refused(&form), "{other:?} {sampling:?}");
+        }
+        let form = || drop(product::chain(&light, std::slice::from_ref(&other), 8));
+        assert!(refused(&form), "{other:?}");
+    }
+    assert_eq!(convolve(&cosine, &cosine).coefficients.len(), 3);
+}
+
+#[test]
+fn a_spike_outside_the_band_has_no_part_in_any_sum() {
+    let smooth = Series {
+        band: BAND,
+        basis: Basis::Cosine,
+        coefficients: vec![1.0],
+    };
+    let with = |spikes: Vec<Spike>| Composite {
+        smooth: smooth.clone(),
+        spikes,
+    };
+    let inside = Spike {
+        at_nm: 546.1,
+        weight: 3.0,
+    };
+    let outside = Spike {
+        at_nm: 850.0,
+        weight: 1.0,
+    };
+    let (one, both) = (with(vec![inside]), with(vec![inside, outside]));
+    assert_eq!(both.power(), one.power());
+    assert_eq!(both.integrate(|nm| nm), one.integrate(|nm| nm));
+    assert_eq!(both.on_band(), one.on_band());
 }

@@ -8,7 +8,7 @@ use crate::{
 };
 use spectral_explorer::{
     app::Library,
-    color::Observer,
+    color::{Observer, Weights},
     lamps::{Spike as WideSpike, add_spikes},
     preset::Shelf,
     spectrum::{
@@ -27,7 +27,7 @@ use spectral_explorer::{
 
 const BAND: Band = Band::VISIBLE;
 
-fn observer() -> [Vec<f64>; 3] {
+fn observer() -> Weights {
     Observer::Cie1931.table().on_band(BAND)
 }
 
@@ -238,11 +238,12 @@ fn product<'a>(
     measured: &'a [f64],
     model: &'a Composite,
     sampling: Sampling,
-    seen: &'a [Vec<f64>; 3],
+    seen: &'a Weights,
 ) -> Product<'a> {
     Product {
         measured,
         model,
+        line_widths_nm: &[],
         sampling,
         seen,
         width_nm: 10.0,

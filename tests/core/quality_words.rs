@@ -236,7 +236,7 @@ fn a_reading_says_it_plainly() {
     let figures = Figures::of(&Light::of_sampled(&shipped("cie_led_5nm", "LED-B3")), None);
     let rows = rows(&figures);
     let r9 = rows.iter().find(|row| row.key == "r9").unwrap();
-    assert_eq!(r9.reading, "skin and red things look dull: R9 24");
+    assert_eq!(r9.reading, "strong red looks wrong: R9 24, duller");
     let cct = rows.iter().find(|row| row.key == "cct").unwrap();
     assert_eq!(cct.reading, "neutral white; may be sold as 4000 K");
     assert_eq!(cct.shown(), "4102 K");
@@ -362,7 +362,9 @@ fn the_few_figures_are_those_of_all() {
     let light = Light::of_sampled(&shipped("cie_hp_5nm", "HP1"));
     let (few, all) = (FewFigures::of(&light), Figures::of(&light, None));
     assert_eq!(few.ra.unwrap(), all.rendering.unwrap().ra);
-    assert_eq!(few.rf.unwrap(), all.fidelity.unwrap().rf);
+    let fidelity = all.fidelity.unwrap();
+    assert_eq!(few.rf.unwrap(), fidelity.rf);
+    assert_eq!(few.rg.unwrap(), fidelity.rg);
     assert_eq!(
         few.melanopic_der.unwrap(),
         all.alpha_opic.unwrap().melanopic_der()

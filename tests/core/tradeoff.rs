@@ -9,7 +9,7 @@ use spectral_explorer::{
     app::{
         App, Command, Entry, Library, Settings,
         derived::OF_CURVE,
-        studies::{AuctionAsk, Question, SweepAsk, take},
+        studies::{AuctionAsk, Question, SweepAsk, paper::Claims, take},
     },
     color::{Observer, patches::PatchSet},
     lamps::bell,
@@ -98,6 +98,22 @@ fn app_about(name: &str, settings: Settings) -> App {
     ));
     app.apply(Command::Edit(settings));
     app
+}
+
+#[test]
+fn even_samples_that_do_as_well_as_twenty_numbers_are_sought_among_all_counts() {
+    let claims = Claims::of(&app_about("FL2", Settings::plain()));
+    let found = claims.samples.expect("FL2 shines");
+    assert!(found.tried.iter().map(|t| t.samples).eq((2..=401).rev()));
+    // Whole steps of a nm leave 401 alone; other even grids of less than one a nm do as well, and
+    // none of 300 does.
+    for measure in [Measure::Own, Measure::Rms, Measure::RmsBlurred] {
+        let needed = found.needed[measure].expect("a colour and a spectrum");
+        let (best, surely) = (needed.at_best.samples, needed.surely.samples);
+        println!("FL2 {measure:?}: {best} at best, {surely} surely");
+        assert!((300..=400).contains(&best), "{measure:?}: {best}");
+        assert!(surely >= best);
+    }
 }
 
 #[test]

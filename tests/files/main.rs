@@ -9,6 +9,7 @@ mod root;
 
 mod formats;
 mod readers;
+mod readings;
 mod refusals;
 mod strangers;
 mod tables;

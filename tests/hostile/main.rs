@@ -1,5 +1,5 @@
 //! Files that mean harm, and files that are merely broken: no reader panics, hangs, or takes more
-//! memory than 16 MiB and 20 times the file.
+//! memory than 512 MiB or 20 times the file.
 //!
 //! The harness is the fuzz target's own (`fuzz/harness.rs`), run here on the stable toolchain over
 //! a fixed number of changed miniature files. Large files are read by a child process, whose peak

@@ -40,7 +40,7 @@ fn a_cube_of_two_gigabytes_is_stored_within_512_mib() {
     std::fs::write(&path, header).unwrap();
     let quiet = Progress::default();
     let started = std::time::Instant::now();
-    let pixels = EnviFile::open(&path, false).unwrap();
+    let pixels = EnviFile::open(&path, false, None).unwrap();
     assert!(pixels.bands().is_factor());
     let survey = Survey::of(&pixels, &quiet).unwrap();
     println!("survey {:?}, peak {:?} MiB", started.elapsed(), peak_mib());

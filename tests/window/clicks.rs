@@ -78,9 +78,9 @@ fn whether_a_light_suits_skin_is_two_acts_away() {
     person.escapes();
     person.clicks("Quality");
     assert_eq!(person.acts, 2);
-    // FL2 is known for it: R9 below zero.
+    // FL2 is known for it: R9 below zero; skin has rows of its own.
     let painted = sizes::words(&person.ui, egui::vec2(1280.0, 800.0));
-    let told = |words: &sizes::Words| words.text.contains("skin and red things look dull: R9 -");
+    let told = |words: &sizes::Words| words.text.contains("strong red looks wrong: R9 -");
     assert!(painted.iter().any(told), "{painted:?}");
 }
 

@@ -6,7 +6,7 @@ use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{
         App,
-        dispersion::{GemColour, Handle, PrismMemory},
+        dispersion::{GemColour, Handle, PrismMemory, Sent},
         pages::Page,
         workspace::Preferences,
     },
@@ -68,6 +68,30 @@ fn the_handles_of_the_bench_are_dragged() {
     assert!(found.at_minimum, "no handle turns the prism");
     drag(&mut ui, "Drawing of the prism and the light", [30.0, 0.0]);
     assert!(!prism(&ui).at_minimum);
+}
+
+#[test]
+fn the_light_is_measured_until_a_switch_sends_the_model_whose_order_then_counts() {
+    for at in [Page::Prism, Page::Rainbow, Page::Gem] {
+        let mut ui = page(at);
+        let has = |ui: &Ui, name: &str| ui.query_by_role_and_label(Role::Slider, name).is_some();
+        let sent = |ui: &Ui| {
+            let memory = &ui.state().0.preferences.pages.dispersion;
+            match at {
+                Page::Prism => memory.prism.sent,
+                Page::Rainbow => memory.rainbow.sent,
+                _ => memory.gem.sent,
+            }
+        };
+        assert_eq!(sent(&ui), Sent::Measured, "{at:?}");
+        assert!(!has(&ui, "Smoothness N"), "{at:?}: it decides nothing");
+        assert!(has(&ui, "Lines above"), "{at:?}");
+        ui.get_by_role_and_label(Role::CheckBox, "as the model has it")
+            .click();
+        settle(&mut ui);
+        assert_eq!(sent(&ui), Sent::Model, "{at:?}");
+        assert!(has(&ui, "Smoothness N"), "{at:?}");
+    }
 }
 
 #[test]

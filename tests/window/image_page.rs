@@ -18,7 +18,7 @@ use spectral_explorer::{
     app::{
         ByAddress, Command, Library, Tone,
         open::{self, Loaded},
-        pages::Page,
+        pages::{Page, Place},
         picture::{
             self, BandWeights, ImageMemory, MOST_SIDE, RasterAsk, Show, Source, exposed, step_of,
         },
@@ -358,6 +358,51 @@ fn text(ui: &Ui) -> String {
 
 fn scene(folder: &Path) -> PathBuf {
     write_cube(folder, "scene", [20, 10], 7, "bsq")
+}
+
+#[test]
+fn every_page_about_pictures_lives_at_every_size_of_the_window() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = scene(folder.path());
+    let pictures = Page::all().filter(|page| page.place() == Place::Picture);
+    for page in pictures {
+        let mut ui = fresh([1280.0, 800.0]);
+        open_file(&mut ui, &scene);
+        ui.state_mut().0.preferences.pages.page = page;
+        // 640 x 480 pixels at 250 % are 256 x 192 points.
+        for size in [[200.0, 100.0], [256.0, 192.0], [1.0, 1.0], [560.0, 24.0]] {
+            ui.set_size(size.into());
+            for _ in 0..3 {
+                ui.step();
+            }
+        }
+    }
+}
+
+#[test]
+fn nothing_of_the_page_stands_over_the_windows_edge() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = scene(folder.path());
+    for size in [[1280.0, 800.0], [1100.0, 700.0], [1000.0, 700.0]] {
+        let mut ui = fresh(size);
+        open_file(&mut ui, &scene);
+        // A region of several pixels has the most controls.
+        ui.state_mut().0.preferences.pages.image.selection = None;
+        settle(&mut ui);
+        for shape in &ui.output().shapes {
+            let egui::Shape::Text(text) = &shape.shape else {
+                continue;
+            };
+            let words = text.galley.text();
+            let right = text.visual_bounding_rect().right();
+            let is_cut = right > shape.clip_rect.right() + 1.0 || right > size[0] + 1.0;
+            let is_of_page = text.visual_bounding_rect().top() > 48.0;
+            assert!(
+                !(is_cut && is_of_page),
+                "{size:?}: {words:?} ends at {right}"
+            );
+        }
+    }
 }
 
 #[test]

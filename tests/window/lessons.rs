@@ -6,15 +6,19 @@ use eframe::egui::{self, Key, Rect, Role, Shape};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use spectral_explorer::{
     app::{
-        App,
+        App, chart,
+        charts::spectrum::spectrum_chart,
         lessons::{Aim, Lesson, shelf},
         pages::{AskedLesson, Page},
+        verdicts::Seen,
         workspace::Preferences,
     },
-    ui::{Window, files::Picked, saver::Saver},
+    ui::{Window, files::Picked, look_view::names as knobs, saver::Saver},
 };
 
-use crate::driver::{Ui, app, assert_written, at_rest, click, is_written, no_files, wait_until};
+use crate::driver::{
+    Ui, app, assert_written, at_rest, click, is_written, no_files, wait_until, words,
+};
 
 fn at(page: Page) -> Ui {
     let mut preferences = Preferences::default();
@@ -91,9 +95,16 @@ fn a_file_of_a_lesson_joins_the_list_and_one_with_a_fault_says_where() {
         text.replace("Where samples", "Mine: where samples"),
     );
     let wrong = put("wrong.json", text.replacen("\"say\"", "\"sya\"", 1));
+    // What the check refuses the window refuses, too.
+    let unknown = put("unknown.json", text.replacen("{numbers}", "{foo}", 1));
+    let ring = put(
+        "ring.json",
+        text.replacen("\"control\": \"Centre\"", "\"control\": \"Foo\"", 1),
+    );
     let mut ui = at(Page::Spectrum);
     let wake: spectral_explorer::ui::theme::Wake = std::sync::Arc::new(|| {});
-    ui.state_mut().open_files(vec![wrong, mine], wake);
+    ui.state_mut()
+        .open_files(vec![wrong, unknown, ring, mine], wake);
     ui.run();
     assert_eq!(ui.state().preferences.pages.page, Page::Lessons);
     let said: Vec<String> = app(&ui).messages().iter().map(|m| m.text.clone()).collect();
@@ -102,10 +113,110 @@ fn a_file_of_a_lesson_joins_the_list_and_one_with_a_fault_says_where() {
             .any(|words| words.contains("step 1: found the field `sya`")),
         "{said:?}"
     );
+    for fault in [
+        "step 1: found the figure foo, expected one of",
+        "step 1: found the control \"Foo\" in point, expected the name of one on the page filter",
+    ] {
+        assert!(said.iter().any(|words| words.contains(fault)), "{said:?}");
+    }
     assert!(
         ui.query_by_label("Lesson: Mine: where samples go wrong")
             .is_some()
     );
+}
+
+#[test]
+fn a_slider_does_a_task_in_the_direction_that_the_words_name() {
+    let mut moved = 0;
+    for lesson in shelf::shipped() {
+        for (index, step) in lesson.steps.iter().enumerate() {
+            let (Some(task), Some(point)) = (&step.task, &step.point) else {
+                continue;
+            };
+            let says = |words: &str| task.words.contains(words) || point.label.contains(words);
+            let key = match (says("to the right"), says("to the left")) {
+                (true, false) => Key::ArrowRight,
+                (false, true) => Key::ArrowLeft,
+                (false, false) => continue,
+                (true, true) => panic!("{}, step {}: both ways", lesson.name, index + 1),
+            };
+            let mut ui = at(Page::Lessons);
+            begun(&mut ui, lesson, index);
+            // Where a step points at the plot its words name the slider.
+            let control = point.control.as_deref().unwrap_or(knobs::ORDER);
+            ui.get_by_role_and_label(Role::Slider, control).focus();
+            ui.run();
+            let mut left = 100;
+            while !is_written(&ui, "✔") && left > 0 {
+                press(&mut ui, key);
+                left -= 1;
+            }
+            let what = format!("{}, step {}: {}", lesson.name, index + 1, task.words);
+            assert!(is_written(&ui, "✔"), "{what}");
+            moved += 1;
+        }
+    }
+    assert!(moved >= 4, "{moved}");
+}
+
+#[test]
+fn a_lesson_that_is_not_about_the_model_judges_none() {
+    for name in [
+        "light", "metamers", "missing", "quality", "white", "recover",
+    ] {
+        let lesson = shelf::named(name).expect("shipped");
+        let mut ui = at(Page::Lessons);
+        for index in 0..lesson.steps.len() {
+            begun(&mut ui, &lesson, index);
+            for seen in Seen::ALL {
+                let brief = format!("Difference {}", seen.seen());
+                for verdict in [seen.verdict("light"), seen.verdict("surface"), brief] {
+                    let step = index + 1;
+                    assert!(!is_written(&ui, &verdict), "{name}, step {step}: {verdict}");
+                }
+            }
+            assert!(!is_written(&ui, "Model: "), "{name}, step {}", index + 1);
+        }
+    }
+}
+
+#[test]
+fn a_lamp_that_is_chosen_in_a_lesson_shines_on_the_surfaces_that_are_looked_at() {
+    let lesson = shelf::named("metamers").expect("shipped");
+    let mut ui = at(Page::Lessons);
+    // The colours of both surfaces, largest difference of a channel.
+    let apart = |ui: &Ui| {
+        let all = words(ui);
+        let pair = all
+            .iter()
+            .find(|one| one.starts_with("Surfaces: Twin of purple #"));
+        let pair = pair.unwrap_or_else(|| panic!("{all:?}"));
+        let hex: Vec<u32> = pair
+            .split('#')
+            .skip(1)
+            .map(|rest| u32::from_str_radix(&rest[..6], 16).expect("a colour"))
+            .collect();
+        let channel = |colour: u32, k: u32| (colour >> (8 * k)) & 0xff;
+        let apart = (0..3).map(|k| channel(hex[0], k).abs_diff(channel(hex[1], k)));
+        apart.max().expect("three channels")
+    };
+    begun(&mut ui, &lesson, 1);
+    assert!(apart(&ui) <= 1, "a twin in daylight");
+    click(&mut ui, "Library: Twin of purple");
+    ui.event(egui::Event::Text("CIE A".to_owned()));
+    ui.run();
+    click(&mut ui, "CIE A");
+    let document = app(&ui).document();
+    assert_eq!(document.light.name(), "CIE A");
+    assert_eq!(document.subject_entry().name(), "Twin of purple");
+    assert!(apart(&ui) >= 5, "no twin under the bulb");
+    let chart = spectrum_chart(app(&ui), chart::Theme::Dark);
+    let names: Vec<&str> = chart.series.iter().map(|one| &*one.name).collect();
+    assert!(
+        names.contains(&"purple"),
+        "the paint beside its twin: {names:?}"
+    );
+    assert_written(&ui, "✔");
 }
 
 /// The window at a step of a lesson.
@@ -406,7 +517,7 @@ fn another_lamp_is_tried_and_the_claims_that_fail_are_told() {
         click(&mut ui, light);
         wait_until(&mut ui, verdict, |ui| is_written(ui, verdict));
     }
-    assert_written(&ui, "Step 1: its own show does not meet its task");
+    assert_written(&ui, "Step 1: its claim does not hold");
 }
 
 #[test]

@@ -10,8 +10,8 @@ use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{
         App, Command, Settings,
-        chart::Theme,
-        charts::products::absorption::{absorption_chart, dip_rows},
+        chart::{Marks, Theme},
+        charts::products::absorption::{AbsorptionSheet, dip_rows},
         open::resolve,
         pages::Page,
         products::{Link, Products},
@@ -236,7 +236,10 @@ fn an_example_of_the_sun_is_one_click_and_its_lines_have_their_names() {
     ui.run();
     assert!(app(&ui).document().settings.dips);
     let rows = dip_rows(app(&ui));
-    let named: Vec<&str> = rows.iter().filter_map(|d| d.name.as_deref()).collect();
+    let sheet = AbsorptionSheet::of(app(&ui), Theme::Dark);
+    let known = sheet.known.iter().map(|line| line.name);
+    let dips = rows.iter().filter_map(|d| d.name.as_deref());
+    let named: Vec<&str> = dips.chain(known).collect();
     for name in [
         "G band 430.8",
         "Mg b 517-518",
@@ -255,6 +258,55 @@ fn an_example_of_the_sun_is_one_click_and_its_lines_have_their_names() {
         "{table}"
     );
     assert!(table.contains("Mg b 517-518"), "{table}");
+}
+
+#[test]
+fn known_lines_of_the_sun_are_named_at_their_places_and_no_other_dip_is() {
+    // Fraunhofer's lines in air, nm: NIST Atomic Spectra Database.
+    let places = [
+        ("Ca K 393.4", 393.37),
+        ("H-beta 486.1", 486.13),
+        ("Na D 589.3", 589.3),
+        ("H-alpha 656.3", 656.28),
+    ];
+    for example in ["Sun on the ground", "Sun in space"] {
+        let mut ui = open(about("FL11"), Page::Absorption, [1280.0, 800.0]);
+        ui.get_by_label(example).click();
+        ui.run();
+        let sheet = AbsorptionSheet::of(app(&ui), Theme::Dark);
+        let dips = sheet.dips.iter();
+        let dips = dips.filter_map(|dip| Some((dip.name.clone()?, dip.spike.at_nm)));
+        let known = sheet
+            .known
+            .iter()
+            .map(|line| (line.name.to_owned(), line.at_nm()));
+        let named: Vec<(String, f64)> = dips.chain(known).collect();
+        for (name, nm) in places {
+            let found = named.iter().find(|(one, _)| one == name);
+            let at = found
+                .unwrap_or_else(|| panic!("{example}: {name} in {named:?}"))
+                .1;
+            // The tables have steps of half a nanometre.
+            assert!((at - nm).abs() <= 1.0, "{example}: {name} at {at}");
+            ui.get_by_label_contains(&format!(", {name}"));
+        }
+        let labels = |series: &str| -> Vec<String> {
+            let found = sheet.chart.series.iter().find(|one| one.name == series);
+            match found.map(|one| &one.marks) {
+                Some(Marks::Stems { labels, .. }) => labels.clone(),
+                _ => panic!("{example}: {series}"),
+            }
+        };
+        for (label, dip) in labels("dark lines").iter().zip(&sheet.dips) {
+            assert_eq!(*label, dip.name.clone().unwrap_or_default(), "{example}");
+        }
+        // Iron's line at 407.2 is none of hydrogen.
+        let beside = sheet
+            .dips
+            .iter()
+            .find(|d| (d.spike.at_nm - 407.5).abs() < 0.6);
+        assert!(beside.is_none_or(|dip| dip.name.is_none()), "{beside:?}");
+    }
 }
 
 #[test]
@@ -279,7 +331,7 @@ fn every_example_is_there_and_shows_dips_that_have_names() {
                 .collect::<Vec<_>>()
         );
         assert!(named > 0, "{title}: {rows:?}");
-        let chart = absorption_chart(app(&ui), &rows, Theme::Dark);
+        let chart = AbsorptionSheet::of(app(&ui), Theme::Dark).chart;
         assert!(!chart.to_svg(800, 400).contains("NaN"));
     }
 }

@@ -18,11 +18,10 @@ use egui_kittest::{
 use egui_plot::{PlotPoint, PlotTransform};
 use spectral_explorer::{
     app::{
-        App, Command, Height, Scale, Settings, Subject, Tone, View,
-        answers::Seen,
-        chart, charts,
+        App, Command, Height, Scale, Settings, Subject, Tone, View, chart, charts,
         derived::OF_CURVE,
         export::Export,
+        verdicts::Seen,
         workspace::{self, Preferences},
     },
     io::read_bytes,
@@ -227,7 +226,7 @@ fn a_slider_moves_everything_in_the_same_frame() {
                 _ => 1,
             };
             assert_written(&ui, &format!("ΔE₀₀ {:.digits$} at", worst.delta_e_2000));
-            assert_written(&ui, Seen::of(worst.delta_e_2000).verdict());
+            assert_written(&ui, &Seen::of(worst.delta_e_2000).verdict("light"));
         } else {
             let own = app(&ui).derived().colour.delta_e_2000.expect("a colour");
             assert_written(&ui, &format!("ΔE₀₀ {own:.3}"));
@@ -344,6 +343,17 @@ fn the_exported_plot_ends_where_the_table_does() {
     let beside = chart_on(&mut app, 1000.0, 2000.0);
     assert!(beside.series.iter().all(|s| s.name != "measured"));
     assert!(beside.residual.is_none());
+}
+
+#[test]
+fn the_models_numbers_stand_beside_the_points_that_the_table_has_in_the_range() {
+    let mut ui = fresh();
+    // 300 to 830 nm by 5 nm; the range in force holds 380 to 780 nm: 81 points.
+    let table: String = (60..=166)
+        .map(|i| format!("{},{}\n", 5 * i, 1.0 + 0.01 * f64::from(i)))
+        .collect();
+    drop_file(&mut ui, "coarse.csv", table.as_bytes());
+    assert_written(&ui, "numbers instead of 81");
 }
 
 #[test]
@@ -544,6 +554,87 @@ fn a_click_with_ctrl_or_shift_lays_a_spectrum_over() {
     control(&ui, Role::CheckBox, "Show overlays");
     click(&mut ui, "Clear");
     assert!(app(&ui).document().overlays.is_empty());
+}
+
+/// The sum of a curve with the CIE 1931 y-bar at every whole nm of its range, straight between its
+/// points.
+fn luminance(points: &[[f64; 2]]) -> f64 {
+    let table = spectral_explorer::color::Observer::Cie1931.table();
+    let at = |nm: f64| {
+        let next = points.partition_point(|point| point[0] <= nm);
+        let next = next.clamp(1, points.len() - 1);
+        let [[x0, y0], [x1, y1]] = [points[next - 1], points[next]];
+        y0 + (y1 - y0) * (nm - x0) / (x1 - x0)
+    };
+    (380..=780)
+        .map(f64::from)
+        .map(|nm| at(nm) * table.at(nm)[1])
+        .sum()
+}
+
+/// The points of a curve of the spectrum plot.
+fn drawn(ui: &Ui, name: &str) -> Option<Vec<[f64; 2]>> {
+    let chart = charts::spectrum::spectrum_chart(app(ui), chart::Theme::Dark);
+    let found = chart
+        .series
+        .into_iter()
+        .find(|series| series.name == name)?;
+    match found.marks {
+        chart::Marks::Line { points, .. } | chart::Marks::Area { points, .. } => Some(points),
+        _ => None,
+    }
+}
+
+#[test]
+fn lights_of_relative_units_are_laid_over_equally_bright_and_a_surface_over_no_light() {
+    // As measured their luminances are 1 to 7.4, 1 to 7.2, and 1 to some thousand.
+    for (of, over) in [
+        ("cie_fluorescent_1nm/FL2", "cie_illuminants/CIE A"),
+        ("cie_fluorescent_1nm/FL8", "cie_illuminants/CIE D50"),
+        ("cie_led_1nm/LED-B1", "cie_fluorescent_1nm/FL2"),
+        ("cie_fluorescent_1nm/FL2", "lamps_nist_traditional/LPS"),
+    ] {
+        let mut ui = fresh();
+        let command = light(app(&ui), of);
+        apply(&mut ui, command);
+        let entry = app(&ui).entry(over).expect("shipped");
+        let name = entry.name().to_owned();
+        if name == "CIE A" {
+            click(&mut ui, "+ Compare");
+            search(&mut ui, &name);
+            click(&mut ui, &name);
+            // The first clears the search, the second closes the library.
+            press(&mut ui, Key::Escape);
+            press(&mut ui, Key::Escape);
+        } else {
+            apply(&mut ui, Command::ToggleOverlay(entry.clone()));
+        }
+        assert_eq!(app(&ui).document().overlays, [entry], "{over}");
+        let bright = |name: &str| luminance(&drawn(&ui, name).expect(name));
+        let ratio = bright(&name) / bright("measured");
+        // The eye has 4e-6 of its sensitivity outside 380 to 780 nm.
+        assert!((ratio - 1.0).abs() < 1e-4, "{of}, {over}: {ratio}");
+        assert_written(&ui, &format!("{name} at the same brightness"));
+    }
+    let mut ui = fresh();
+    let surface = app(&ui).entry("colorchecker_ohta/red").expect("shipped");
+    apply(&mut ui, Command::ToggleOverlay(surface));
+    assert_eq!(drawn(&ui, "red"), None);
+    assert_written(
+        &ui,
+        "red not drawn: power and reflectance have no common axis",
+    );
+    // A dark surface over a bright one stays dark.
+    let white = app(&ui)
+        .entry("colorchecker_ohta/white 9.5 (.05 D)")
+        .expect("shipped");
+    let black = app(&ui)
+        .entry("colorchecker_ohta/black 2 (1.5 D)")
+        .expect("shipped");
+    apply(&mut ui, Command::Show(white));
+    apply(&mut ui, Command::ToggleOverlay(black));
+    let points = drawn(&ui, "black 2 (1.5 D)").expect("drawn");
+    assert!(points.iter().all(|[_, share]| *share < 0.1), "{points:?}");
 }
 
 #[test]
@@ -845,7 +936,7 @@ fn the_spike_table_edits_locks_and_deletes() {
 fn the_plot_in_a_file_shows_what_the_window_shows() {
     let mut ui = fresh();
     let view = app(&ui).document().view;
-    for key in ["cie_fluorescent_1nm/FL2", "colorchecker_ohta/red"] {
+    for key in ["cie_fluorescent_1nm/FL2", "cie_illuminants/CIE A"] {
         let overlay = app(&ui).entry(key).expect("shipped");
         apply(&mut ui, Command::ToggleOverlay(overlay));
     }
@@ -867,7 +958,7 @@ fn the_plot_in_a_file_shows_what_the_window_shows() {
         let names: Vec<&str> = chart.legend_series().iter().map(|s| &*s.name).collect();
         for name in [
             "FL2",
-            "red",
+            "CIE A",
             "measured",
             "smooth part",
             "spikes",
@@ -1545,8 +1636,7 @@ fn a_window_is_restored_as_it_was_left() {
     control(&ui, Role::Slider, knobs::ORDER).set_value_accesskit(11.0);
     ui.run();
     click(&mut ui, "Surroundings");
-    // The workspace is kept a moment after the last change: two seconds of the program's time.
-    ui.run_steps((2.0 / FRAME) as usize);
+    ui.run();
     let left = (app(&ui).document().clone(), ui.state().preferences.clone());
     // The saver writes what it was given before it goes.
     drop(ui.into_state());
@@ -1558,6 +1648,57 @@ fn a_window_is_restored_as_it_was_left() {
     assert_eq!(settings(&ui).order, 11);
     assert_written(&ui, &numbers_words(app(&ui)));
     assert!(!ui.ctx.global_style().visuals.dark_mode);
+}
+
+/// The workspace of a file once its order is one; the longest wait is far beyond what a small file
+/// takes.
+fn kept_order(path: &Path, order: usize) -> bool {
+    let until = std::time::Instant::now() + std::time::Duration::from_secs(20);
+    while std::time::Instant::now() < until {
+        let kept = workspace::load(path).ok().flatten();
+        if kept.is_some_and(|kept| kept.document.settings.order == order) {
+            return true;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    false
+}
+
+#[test]
+fn a_change_is_kept_though_no_further_frame_is_drawn() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("workspace.json");
+    let saver = Saver::new(path.clone());
+    let first = Window::new(plain(), Preferences::default(), no_files(), Some(saver));
+    let mut ui = at_rest(first);
+    let moved = Settings {
+        order: 23,
+        ..settings(&ui)
+    };
+    ui.state_mut().app.apply(Command::Edit(moved));
+    // The last frame before another window covers this one.
+    ui.step();
+    assert!(kept_order(&path, 23));
+    // Covered from now on: the program goes on without a frame.
+    let moved = Settings {
+        order: 24,
+        ..settings(&ui)
+    };
+    let context = ui.ctx.clone();
+    let lamp = folder.path().join("covered.csv");
+    fs::write(&lamp, LAMP).expect("a file");
+    let window = ui.state_mut();
+    window.open_files(vec![lamp], Arc::new(|| {}));
+    while window.is_busy() {
+        window.unseen(&context);
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    assert_eq!(window.app.document().light.name(), "covered");
+    window.app.apply(Command::Edit(moved));
+    window.unseen(&context);
+    assert!(kept_order(&path, 24));
+    let kept = workspace::load(&path).expect("readable").expect("kept");
+    assert_eq!(kept.document.light.name(), "covered");
 }
 
 #[test]

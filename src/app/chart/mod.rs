@@ -39,7 +39,7 @@ pub use primitive::{Anchor, Field, Place, Primitive, Text};
 pub use ramp::ramp_colour;
 pub use series::{curve, stroke};
 pub use shape::{Dash, Shape};
-pub use svg::{escaped, px};
+pub use svg::{SVG_HEAD, escaped, px};
 pub use text::{elided, text_width, wrap};
 
 /// An sRGB colour, 8 bits a channel.

@@ -14,6 +14,14 @@ use super::{
 };
 use crate::app::ticks::without_trailing_zeros;
 
+/// How every SVG document of the program begins: the command line knows its own pictures by it, and
+/// replaces no others.
+pub const SVG_HEAD: &str = concat!(
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg data-drawn-by=\"",
+    env!("CARGO_PKG_NAME"),
+    "\""
+);
+
 impl Chart {
     /// The chart as an SVG document of the given size in px (at least 160 x 120).
     ///
@@ -25,8 +33,7 @@ impl Chart {
         let title = escaped(&self.title);
         let description = escaped(&self.description());
         format!(
-            r#"<?xml version="1.0" encoding="UTF-8"?>
-<svg xmlns="http://www.w3.org/2000/svg" role="img" width="{width}" height="{height}" viewBox="0 0 {width} {height}" font-family="sans-serif" fill="none">
+            r#"{SVG_HEAD} xmlns="http://www.w3.org/2000/svg" role="img" width="{width}" height="{height}" viewBox="0 0 {width} {height}" font-family="sans-serif" fill="none">
 <title>{title}</title>
 <desc>{description}</desc>
 {body}</svg>

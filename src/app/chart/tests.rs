@@ -434,12 +434,7 @@ fn series_with_places_of_their_own_stand_below_one_another() {
     };
     assert_eq!(
         rows(&chart),
-        [
-            r#"series,N,"=error""#,
-            "a,1,2",
-            "b (base),1.5,0.5",
-            "b,1.5,3"
-        ]
+        ["series,N,'=error", "a,1,2", "b (base),1.5,0.5", "b,1.5,3"]
     );
 }
 

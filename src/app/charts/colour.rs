@@ -17,14 +17,14 @@ use crate::{
 /// A slit of this width sees a line as high as it is drawn, nm.
 pub(super) const SLIT_NM: f64 = 5.0;
 
-/// The surfaces of a colour over the band of all that look the same, and below a light of lines.
+/// The surfaces of a colour over the reach of all that match it, and below a light of lines.
 pub fn colour_chart(sheet: &ColourSheet, theme: Theme) -> Chart {
     let inks = Inks::of(theme);
     let mut series = Vec::new();
     if let Some(band) = &sheet.band {
         let points = band.greatest.iter().enumerate();
         let greatest = points.map(|(i, value)| [node_nm(i), *value]).collect();
-        let name = "all that look the same";
+        let name = "reach of all surfaces that match";
         series.push(Series::area(
             name,
             inks.residual,
@@ -108,7 +108,11 @@ mod tests {
         let sheet = ColourSheet::of(&from, App::new().document()).expect("a colour");
         let chart = colour_chart(&sheet, Theme::Dark);
         let names: Vec<&str> = chart.series.iter().map(|s| s.name.as_str()).collect();
-        for name in ["all that look the same", "red", "Smoothest surface"] {
+        for name in [
+            "reach of all surfaces that match",
+            "red",
+            "Smoothest surface",
+        ] {
             assert!(names.contains(&name), "{names:?}");
         }
         assert!(chart.residual.is_some());

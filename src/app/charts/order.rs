@@ -8,13 +8,11 @@ use crate::{
         figures::SMALLEST,
         state::App,
         ticks::extent,
+        verdicts::{HARD_TO_SEE, Seen},
     },
     io::many::many,
     study::Measure,
 };
-
-/// A just noticeable colour difference, about; the line drawn for orientation.
-const NOTICEABLE: f64 = 1.0;
 
 /// An error at every order: CIEDE2000, or percent.
 fn errors(app: &App, measure: Measure) -> Vec<[f64; 2]> {
@@ -78,13 +76,13 @@ pub fn order_chart(app: &App, measure: Measure, theme: Theme) -> Option<Chart> {
     let now = points.iter().copied().filter(|p| p[0] == order).collect();
     let mut series = vec![thin(y_range.map(|y| [order, y]))];
     if measure.is_colour() {
-        let below = x_range.map(|x| [x, NOTICEABLE.min(y_range[1])]).to_vec();
+        let below = x_range.map(|x| [x, HARD_TO_SEE.min(y_range[1])]).to_vec();
         let floor = vec![y_range[0]; 2];
-        let mut zone = Series::area("cannot be seen", inks.residual, below, floor);
+        let mut zone = Series::area(Seen::Hardly.seen(), inks.residual, below, floor);
         // A chart that begins above the limit has no room for its name.
-        zone.is_tagged = y_range[0] < NOTICEABLE;
+        zone.is_tagged = y_range[0] < HARD_TO_SEE;
         series.push(zone);
-        series.push(thin(x_range.map(|x| [x, NOTICEABLE])));
+        series.push(thin(x_range.map(|x| [x, HARD_TO_SEE])));
     }
     series.push(Series::line("", inks.smooth, points.clone()));
     series.push(dots(inks.smooth, 1.8, points));

@@ -8,7 +8,7 @@ use crate::{
     color::{
         Observer, Srgb, Xyz,
         quality::{
-            Fidelity, RENDERING_NAMES, Rendering,
+            Fidelity, HUE_NAMES, RENDERING_NAMES, Rendering,
             diagram::{
                 ELLIPSES, GAMUTS, Plane, QUADRANGLES, TICKS_K, daylight_locus, planckian_locus,
                 spectral_locus, tick,
@@ -299,7 +299,8 @@ pub fn bin_bars(fidelity: &Fidelity, what: OfBins, theme: Theme) -> Chart {
         };
         let at = i as f64 + 1.0;
         let colour = of_hue(bin.reference_ab);
-        series.push(Series::bars("", colour, 0.8, vec![[at, value]]));
+        let bar = Series::bars("", colour, 0.8, vec![[at, value]]);
+        series.push(bar.with_notes(vec![HUE_NAMES[i].to_owned()]));
     }
     let (title, unit, range) = match what {
         OfBins::Fidelity => ("Fidelity of each hue", "Rf,h", [0.0, 100.0]),

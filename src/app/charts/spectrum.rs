@@ -6,12 +6,14 @@ use crate::{
         document::Height,
         entry::Entry,
         line_names::LineName,
+        scale::Scale as Switch,
+        spectral_unit::SpectralUnit,
         state::App,
         ticks::short,
     },
-    color::{srgb_of_fill, xyz::xyz_from_light},
+    color::srgb_of_fill,
     io::many::{many, numbers},
-    spectrum::{Band, Kind, NamedSpectrum, Outside, Sampled, Spike},
+    spectrum::{Band, Kind, NamedSpectrum, Sampled, Spike},
 };
 
 /// Spectra laid over that are named where they stand; more names would hide the curves.
@@ -123,7 +125,7 @@ fn spectrum_series(app: &App, theme: Theme) -> Vec<Series> {
     let mut series = Vec::new();
     if view.overlays {
         let overlays = document.overlays.iter().enumerate();
-        series.extend(overlays.map(|(i, entry)| overlay(app, entry, i, inks)));
+        series.extend(overlays.filter_map(|(i, entry)| overlay(app, entry, i, inks)));
     }
     // Where nothing was measured there is nothing to draw, not a line of zeros.
     if !app.is_measured_in_range() {
@@ -206,6 +208,8 @@ fn labels(app: &App, spikes: &[Spike]) -> Vec<String> {
     let label = |(spike, name): (&Spike, &LineName)| {
         let name = match &name.label {
             Some(name) => name.clone(),
+            // Dark lines stand close: their numbers would lie over the curve.
+            None if spike.weight < 0.0 => return String::new(),
             None => format!("{:.1}", spike.at_nm),
         };
         match share(spike) {
@@ -217,38 +221,58 @@ fn labels(app: &App, spikes: &[Spike]) -> Vec<String> {
     spikes.iter().zip(app.spike_names()).map(label).collect()
 }
 
-/// Peaks that differ by more than this have no common height.
+/// Peaks of one absolute unit that differ by more than this have no common height.
 const FAR_APART: f64 = 5.0;
 
-/// What an overlay is multiplied by, and whether that is another scale than the subject's: lights
-/// of another unit or size are as bright as the subject, another kind is as high.
-pub fn overlay_factor(app: &App, entry: &Entry) -> (f64, bool) {
-    let document = app.document();
-    let subject = &document.subject_entry().spectrum;
-    let values = entry.spectrum.samples.values().iter().copied();
-    let most = values.fold(0.0, f64::max);
-    let as_high = || if most > 0.0 { top(app) / most } else { 1.0 };
-    if entry.kind() != subject.kind {
-        return (as_high(), true);
+/// How a spectrum is laid over the subject.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Laid {
+    /// On the subject's own scale: its values are multiplied by the factor of the scale alone.
+    Alike(f64),
+    /// A light multiplied so that it has the luminance of the light that is shown.
+    EquallyBright(f64),
+    /// Neither light nor surface: multiplied so that it is as high as the subject.
+    AsHigh(f64),
+    /// Not at all: a share of light and a power have no common axis.
+    Apart,
+}
+
+impl Laid {
+    /// How an entry is laid over the present subject.
+    pub fn of(app: &App, entry: &Entry) -> Self {
+        let document = app.document();
+        let subject = &document.subject_entry().spectrum;
+        let values = entry.spectrum.samples.values().iter().copied();
+        let most = values.fold(0.0, f64::max);
+        let as_high = || Self::AsHigh(if most > 0.0 { top(app) / most } else { 1.0 });
+        match (subject.kind, entry.kind()) {
+            (Kind::Light, Kind::Light) => {}
+            (of, over) if of.is_factor() && over.is_factor() => return Self::Alike(1.0),
+            (of, over) if of.is_factor() || over.is_factor() => {
+                let both = [of, over]
+                    .iter()
+                    .all(|k| k.is_factor() || *k == Kind::Light);
+                return if both { Self::Apart } else { as_high() };
+            }
+            _ => return as_high(),
+        }
+        // A scale that was chosen says itself what is equal.
+        let own = document.scale.factor(&entry.spectrum);
+        if let Some(own) = own.filter(|_| document.scale != Switch::AsMeasured) {
+            return Self::Alike(own);
+        }
+        let ratio = most / top(app);
+        let is_near = (1.0 / FAR_APART..=FAR_APART).contains(&ratio);
+        let is_absolute = SpectralUnit::of(&subject.unit).is_some();
+        if is_absolute && is_near && entry.spectrum.unit == subject.unit {
+            return Self::Alike(1.0);
+        }
+        let per_luminance = |spectrum| Switch::LuminanceHundred.factor(spectrum);
+        let equal = per_luminance(&entry.spectrum).zip(per_luminance(subject));
+        let factor = equal.map(|(over, of)| app.scale_factor() * over / of);
+        let factor = factor.filter(|factor| factor.is_finite() && *factor > 0.0);
+        factor.map_or_else(as_high, Self::EquallyBright)
     }
-    let own = document.scale.factor(&entry.spectrum).unwrap_or(1.0);
-    let ratio = own * most / top(app);
-    let is_near = (1.0 / FAR_APART..=FAR_APART).contains(&ratio);
-    if is_near && entry.spectrum.unit == subject.unit {
-        return (own, false);
-    }
-    if entry.kind() != Kind::Light {
-        return (as_high(), true);
-    }
-    let observer = document.settings.observer;
-    let luminance = |spectrum: &NamedSpectrum| {
-        let xyz = xyz_from_light(&spectrum.samples, Outside::Zero, observer)?;
-        Some(xyz.y).filter(|y| *y > 0.0)
-    };
-    let equal = luminance(subject).zip(luminance(&entry.spectrum));
-    let factor = equal.map(|(here, there)| app.scale_factor() * here / there);
-    let factor = factor.filter(|factor| factor.is_finite() && *factor > 0.0);
-    (factor.unwrap_or_else(as_high), true)
 }
 
 /// A curve of samples, interrupted where nothing was measured.
@@ -261,9 +285,12 @@ pub(super) fn broken_at_holes(mut points: Vec<[f64; 2]>, samples: &Sampled) -> V
 }
 
 /// A spectrum laid over the subject, on its axis.
-fn overlay(app: &App, entry: &Entry, index: usize, inks: Inks) -> Series {
+fn overlay(app: &App, entry: &Entry, index: usize, inks: Inks) -> Option<Series> {
     let samples = &entry.spectrum.samples;
-    let (factor, _) = overlay_factor(app, entry);
+    let factor = match Laid::of(app, entry) {
+        Laid::Alike(factor) | Laid::EquallyBright(factor) | Laid::AsHigh(factor) => factor,
+        Laid::Apart => return None,
+    };
     let values = samples.values().iter().map(|v| v * factor);
     let points = chart::curve(samples.nm().iter().copied(), values);
     let points = broken_at_holes(points, samples);
@@ -273,7 +300,7 @@ fn overlay(app: &App, entry: &Entry, index: usize, inks: Inks) -> Series {
     let colour = colours[index % colours.len()];
     let mut series = stroke(entry.name(), colour, points, width, Dash::Solid);
     series.is_tagged = index < MOST_TAGGED;
-    series
+    Some(series)
 }
 
 /// Spikes of the model as stems on a smooth curve.

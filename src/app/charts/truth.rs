@@ -74,6 +74,18 @@ pub fn samples_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
     let inks = Inks::of(theme);
     let first = found.tried.last()?.samples.max(2) as f64;
     let last = found.tried.first()?.samples as f64;
+    // Marks a twentieth of their count apart, so that they do not cover the line.
+    let apart = |points: &[[f64; 2]]| -> Vec<[f64; 2]> {
+        let mut last = f64::INFINITY;
+        let far = points.iter().filter(|p| {
+            let is_far = p[0] <= 0.95 * last;
+            if is_far {
+                last = p[0];
+            }
+            is_far
+        });
+        far.copied().collect()
+    };
     let (mut series, mut levels) = (Vec::new(), Vec::new());
     let mut pair = |measure: Measure, ink: Rgb, shape: Shape| {
         let figure = measure.figure();
@@ -85,7 +97,12 @@ pub fn samples_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
         let own = figure.drawn(own);
         let level = vec![[first, own], [last, own]];
         series.push(thin("", ink, points.clone(), Dash::Solid));
-        series.push(Series::points(figure.with_unit(), ink, shape, points));
+        series.push(Series::points(
+            figure.with_unit(),
+            ink,
+            shape,
+            apart(&points),
+        ));
         series.push(thin("the composite", ink, level, Dash::Dashed));
         levels.push(own);
     };

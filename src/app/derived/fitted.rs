@@ -3,7 +3,7 @@
 use super::{Question, wide::Widths};
 use crate::{
     app::{settings::Detector, tables::Tables},
-    color::{Xyz, xyz_of_one, xyz_of_parts, xyz_of_spikes},
+    color::{Weights, Xyz, xyz_of_one, xyz_of_parts, xyz_of_spikes},
     spectrum::{
         Band, Decomposed, Exactness, Spike, absolute_power, decompose, decompose_by, gradient,
         numbers_of_order,
@@ -40,14 +40,17 @@ impl Fitted {
     pub(super) fn of(question: Question<'_>, tables: &Tables) -> Self {
         let settings = question.settings;
         let band = tables.band();
-        let mut parts = match question.given {
-            Some(given) => Decomposed::of_composite(given, question.measured),
-            None => take_apart(question, band),
-        };
-        let widths = if settings.wide_lines {
-            Widths::of(band, question.measured, &mut parts, settings.max_width_nm)
-        } else {
-            Widths::default()
+        let (parts, widths) = match question.given {
+            Some(given) => Widths::of_composite(given, question.measured, settings.wide_lines),
+            None => {
+                let mut parts = take_apart(question, band);
+                let widths = if settings.wide_lines {
+                    Widths::of(band, question.measured, &mut parts, settings.max_width_nm)
+                } else {
+                    Widths::default()
+                };
+                (parts, widths)
+            }
         };
         let spikes = parts.plain_spikes();
         let ideal = widths.ideal(&spikes);
@@ -146,14 +149,9 @@ fn take_apart(question: Question<'_>, band: Band) -> Decomposed {
 }
 
 /// XYZ of lines: of no width, and those that have one on the grid, if there are any.
-pub(super) fn xyz_of_lines(
-    band: Band,
-    ideal: &[Spike],
-    bells: &[f64],
-    weights: &[Vec<f64>; 3],
-) -> Xyz {
+pub(super) fn xyz_of_lines(band: Band, ideal: &[Spike], bells: &[f64], weights: &Weights) -> Xyz {
     if bells.is_empty() {
-        return xyz_of_spikes(band, ideal, weights);
+        return xyz_of_spikes(ideal, weights);
     }
     xyz_of_parts(band, bells, ideal, weights)
 }

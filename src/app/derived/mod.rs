@@ -14,6 +14,7 @@ pub use wide::Widths;
 use crate::{
     color::{Adaptation, Xyz},
     io::many::{many, numbers},
+    lamps::Composite as WideComposite,
     spectrum::{Band, Composite, Decomposed, Exactness, Series, Spike, SpikeEdits, add_spikes},
     study::{Measure, Verdict},
 };
@@ -45,7 +46,7 @@ pub struct Question<'a> {
     /// The hand edits of the subject's spikes.
     pub edits: &'a SpikeEdits,
     /// The composite that the subject is, where it is to be shown as it is.
-    pub given: Option<&'a Composite>,
+    pub given: Option<&'a WideComposite>,
     /// Bring patches to the screen's white.
     pub adaptation: Adaptation,
 }
@@ -99,7 +100,7 @@ pub fn nothing_measured(band: Band, [first_nm, last_nm]: [f64; 2]) -> String {
 }
 
 /// What is said of a composite that is shown as it is.
-pub fn as_given_words(given: &Composite) -> String {
+pub fn as_given_words(given: &WideComposite) -> String {
     format!(
         "Shown as the composite that it is: its own {} on {}-{} nm, {} among them; nothing was \
          analysed.",

@@ -3,7 +3,7 @@
 
 use super::less;
 use crate::{
-    lamps::{Spike as WideSpike, add_spikes, as_wide_as_it_is},
+    lamps::{Composite, Spike as WideSpike, add_spikes, as_wide_as_it_is},
     spectrum::{Band, Decomposed, LineShape, Spike},
 };
 
@@ -44,6 +44,29 @@ impl Widths {
             lines.push(line);
         }
         Self::of_lines(band, &lines)
+    }
+
+    /// A composite as it is, which `measured` on its band's grid is the table of, and its widths where
+    /// they are `wanted`.
+    pub(super) fn of_composite(
+        given: &Composite,
+        measured: &[f64],
+        wanted: bool,
+    ) -> (Decomposed, Self) {
+        let band = given.band();
+        let mut parts = Decomposed::of_composite(&given.idealised(), measured);
+        let inside = given.spikes.iter().filter(|line| band.contains(line.at_nm));
+        let mut lines: Vec<WideSpike> = inside.copied().collect();
+        lines.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
+        if !wanted || lines.iter().all(|line| line.is_ideal()) {
+            return (parts, Self::default());
+        }
+        for (found, line) in parts.spikes.iter_mut().zip(&lines) {
+            if !line.is_ideal() {
+                found.width_nm = Some(line.width_nm);
+            }
+        }
+        (parts, Self::of_lines(band, &lines))
     }
 
     fn of_lines(band: Band, lines: &[WideSpike]) -> Self {

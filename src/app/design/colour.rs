@@ -361,12 +361,18 @@ mod tests {
         assert_eq!(found.swatch().hex(), "#c08040");
         assert_eq!((found.under.len(), found.facts().len()), (UNDER.len(), 3));
         assert_says(&found.sentence(), "#c08040");
+        // The band is of single wavelengths, and of what is straight between its points.
+        assert_says(&found.sentence(), "At a single wavelength");
+        assert_says(&found.sentence(), "between points 5 nm apart");
+        assert_says(&found.sentence(), "standard observer");
+        assert_says(&found.sentence(), "artanh");
     }
 
     #[test]
     fn a_colour_that_no_surface_has_says_how_far_the_nearest_is() {
         let found = sheet(&of(Given::Lab([50.0, 150.0, -150.0])));
         assert!(found.sentence().starts_with("No surface has this colour"));
+        assert_says(&found.sentence(), "nearest by ΔE*ab");
         assert!(found.band.is_none());
     }
 

@@ -13,14 +13,15 @@ impl ColourSheet {
         let light = &lights.join(" and ");
         let are_two = lights.len() > 1;
         if let Some(nearest) = &self.smoothest.nearest {
-            let off = nearest.delta_e.iter().copied().fold(0.0, f64::max);
+            let most = |all: &[f64]| all.iter().copied().fold(0.0, f64::max);
+            let (off, visible) = (most(&nearest.delta_e_ab), most(&nearest.delta_e));
             let these = match are_two {
                 true => "these colours under",
                 false => "this colour under",
             };
             return format!(
-                "No surface has {these} {light}: the nearest that one can have is \
-                 {off:.1} ΔE₀₀ off, and is what is drawn."
+                "No surface has {these} {light}: the nearest by ΔE*ab that one can have is \
+                 {off:.1} ΔE*ab off ({visible:.1} ΔE₀₀), and is what is drawn."
             );
         }
         let first = match (&self.surface, &self.told) {
@@ -47,7 +48,8 @@ impl ColourSheet {
                 });
                 let each: Vec<String> = each.collect();
                 format!(
-                    "The smoothest surface of {} reflects {low:.0} to {high:.0} %.",
+                    "The smoothest surface of {} (least slope of artanh(2r - 1)) reflects {low:.0} \
+                     to {high:.0} %.",
                     each.join(" and ")
                 )
             }
@@ -55,14 +57,16 @@ impl ColourSheet {
         let spread = self.spread().map_or_else(String::new, |spread| {
             let per_cent = 100.0 * spread;
             format!(
-                " Surfaces that look just the same under {light} can be {per_cent:.0} % of \
-                 reflectance apart, on average over the wavelengths."
+                " At a single wavelength, surfaces that match it under {light} to the standard \
+                 observer can be anywhere within {per_cent:.0} % of reflectance, on average over \
+                 the wavelengths (of all that are straight between points 5 nm apart)."
             )
         });
         format!("{first}{spread}")
     }
 
-    /// Mean distance of the least and the greatest reflectance.
+    /// Mean over the wavelengths of the distance of the least and the greatest reflectance: no two
+    /// surfaces need be that far apart, since each wavelength has its own extremes.
     pub(super) fn spread(&self) -> Option<f64> {
         let band = self.band.as_ref()?;
         let seen: Vec<usize> = (0..NODES)

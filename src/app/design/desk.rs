@@ -12,6 +12,7 @@ use crate::{
         document::Document,
         make::{entry_of, table_of},
         recipe::Recipe,
+        tint,
     },
     color::{
         Observer, Srgb, Swatch, Xyz,
@@ -25,9 +26,6 @@ use crate::{
         solve::{MixFigures, Mixer},
     },
 };
-
-/// Greatest distance from the blackbodies at which a light is called white (CIE 13.3), Duv.
-const WHITE_DUV: f64 = 0.0054;
 
 /// A channel as a light, behind the gels.
 #[derive(Clone, Debug)]
@@ -197,12 +195,7 @@ pub(super) fn words(figures: &MixFigures, r9: Option<f64>) -> String {
     let Some(cct) = figures.cct else {
         return format!("A coloured light without a colour temperature: {per_watt}, {melanopic}.");
     };
-    let what = match cct.duv {
-        duv if duv.abs() > 10.0 * WHITE_DUV => "A coloured light",
-        duv if duv > WHITE_DUV => "A greenish light",
-        duv if duv < -WHITE_DUV => "A pinkish light",
-        _ => "A white light",
-    };
+    let what = tint::light_words(cct);
     let index = |name: &str, value: Option<f64>| value.map(|v| format!("{name} {v:.0}"));
     let indices = [
         index("Ra", figures.ra),
@@ -213,8 +206,8 @@ pub(super) fn words(figures: &MixFigures, r9: Option<f64>) -> String {
     let mut all: Vec<String> = indices.into_iter().flatten().collect();
     all.extend([per_watt, melanopic]);
     format!(
-        "{what} of {:.0} K (Duv {:+.4}): {}.",
-        cct.kelvin,
+        "{what} of {} (Duv {:+.4}): {}.",
+        tint::kelvin_words(cct.kelvin),
         cct.duv,
         all.join(", ")
     )
@@ -246,10 +239,10 @@ mod tests {
     fn the_first_mixture_is_white_and_its_sentence_has_its_figures() {
         let desk = Desk::of(App::new().document());
         let cct = desk.figures.as_ref().and_then(|f| f.cct).expect("a white");
-        assert!(cct.duv.abs() < WHITE_DUV, "{cct:?}");
+        assert_eq!(tint::whiteness(cct), tint::Whiteness::White, "{cct:?}");
         let sentence = desk.sentence();
         assert!(sentence.starts_with("A white light of "), "{sentence}");
-        for part in [&format!("{:.0} K", cct.kelvin), "R9 ", "Rg "] {
+        for part in [&tint::kelvin_words(cct.kelvin), "R9 ", "Rg "] {
             assert_says(&sentence, part);
         }
     }

@@ -8,11 +8,14 @@ use super::{
 };
 use crate::{
     app::{document::Document, make::table_of},
-    color::xyz::{FIRST_NM, LAST_NM},
+    color::{
+        Swatch, Xyz,
+        xyz::{FIRST_NM, LAST_NM},
+    },
     design::{
         SampleTables,
         mixture::{Channel, MixError},
-        solve::{Against, FREE_LINES, Favour, Floors, Mixer, Solution, Target, Wish},
+        solve::{Against, Care, FREE_LINES, Favour, Floors, Mixer, Solution, Target, Wish},
     },
     spectrum::Outside,
 };
@@ -139,6 +142,8 @@ pub struct Solved {
     pub target_uv: [f64; 2],
     /// The desk with its faders so.
     pub mix: Mix,
+    /// The colour of what was solved for, where `target_uv` is that asked for.
+    pub swatch: Swatch,
     /// Whether the colour and the floors are met.
     pub reached: bool,
     /// The result in a sentence.
@@ -150,7 +155,12 @@ impl Solved {
     ///
     /// # Errors
     /// Why nothing can be solved for, a sentence.
-    pub fn of(wish: &MixWish, desk: &Desk, document: &Document) -> Result<Self, String> {
+    pub fn of(
+        wish: &MixWish,
+        desk: &Desk,
+        document: &Document,
+        care: Care,
+    ) -> Result<Self, String> {
         let target = wish.target(document)?;
         let heard = desk.heard();
         let channels: Vec<Channel> = heard
@@ -173,6 +183,7 @@ impl Solved {
             favour: wish.favour,
             floors: wish.floors,
             alike: alike.as_deref(),
+            care,
         });
         let mut powers = vec![0.0; desk.mix.channels.len()];
         for ((index, _), weight) in heard.iter().zip(&solution.weights) {
@@ -181,6 +192,7 @@ impl Solved {
         Ok(Self {
             target_uv: target.uv(),
             mix: desk.mix.clone().at_powers(&powers).clamped(),
+            swatch: Swatch::of_light(solution.figures.xyz.unwrap_or(Xyz::ZERO)),
             reached: solution.reached,
             sentence: told(&wish.colour_words(document), &solution),
         })
@@ -214,7 +226,7 @@ mod tests {
     };
 
     fn tried(app: &App, wish: &MixWish) -> Result<Solved, String> {
-        Solved::of(wish, &Desk::of(app.document()), app.document())
+        Solved::of(wish, &Desk::of(app.document()), app.document(), Care::Full)
     }
 
     fn solved(app: &App, wish: &MixWish) -> Solved {
@@ -235,6 +247,9 @@ mod tests {
             let [u, v] = figures.and_then(|f| f.uv).expect("it shines");
             let off = (u - found.target_uv[0]).hypot(v - found.target_uv[1]);
             assert!(off < 1e-6, "{off}");
+            // What is shown as solved for is what the desk then shows.
+            let shown = Desk::of(app.document()).swatch();
+            assert_eq!(found.swatch.hex(), shown.hex());
             // Solving again changes nothing.
             assert_eq!(solved(&app, &wish).mix, app.document().pages.mix);
         }

@@ -1,7 +1,7 @@
 //! The bench drawn from above: the prism, one exact ray for each line, the smooth part between its
 //! neighbours.
 
-use super::{memory::Handle, words::Line};
+use super::{memory::Handle, strip::smooth_is_seen, words::Line};
 use crate::{
     app::chart::Rgb,
     color::{Observer, Srgb, Swatch, srgb_from_wavelength},
@@ -98,7 +98,11 @@ impl BenchDrawing {
         };
         let near = Bench::new(near, bench.material().clone()).ok()?;
         let path = near.ray(near.reference_nm(), 0.0)?;
-        let (smooth, lines) = (smooth_rays(&near, light), line_rays(&near, lines));
+        let smooth = match smooth_is_seen(light, observer) {
+            true => smooth_rays(&near, light),
+            false => Vec::new(),
+        };
+        let lines = line_rays(&near, lines);
         let half = (0.5 * near.prism().apex_deg()).to_radians();
         let reach = |ray: &DrawnRay| ray.at[1][0].hypot(ray.at[1][1]);
         let all = || smooth.iter().chain(&lines);
@@ -237,12 +241,43 @@ fn screen(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{app::dispersion::words::first_lines, optics::Stuff};
+    use crate::{
+        app::dispersion::words::first_lines,
+        optics::Stuff,
+        spectrum::{Band, Spike},
+    };
 
     fn drawn(settings: BenchSettings) -> BenchDrawing {
         let (light, lines) = first_lines();
         let bench = Bench::new(settings, Stuff::NSf11.material()).expect("a bench");
         BenchDrawing::of(&bench, &light, &lines, Observer::default()).expect("light leaves")
+    }
+
+    #[test]
+    fn the_fan_of_a_line_lamp_has_no_rays_between_its_lines() {
+        let band = Band::VISIBLE;
+        let lines: Vec<Line> = [435.833, 546.075, 578.0]
+            .map(|at_nm| Line {
+                at_nm,
+                weight: 100.0,
+                name: String::new(),
+            })
+            .to_vec();
+        let drawn = |glow: f64| {
+            let spike = |line: &Line| Spike {
+                at_nm: line.at_nm,
+                weight: line.weight,
+            };
+            let smooth = vec![glow; band.points()];
+            let light = Light::new("tube", band, smooth, lines.iter().map(spike).collect());
+            let bench = Bench::new(BenchSettings::default(), Stuff::NSf11.material());
+            let (bench, light) = (bench.expect("a bench"), light.expect("it shines"));
+            BenchDrawing::of(&bench, &light, &lines, Observer::default()).expect("light leaves")
+        };
+        // 400 nm of .003 are .4 % of the power of the lines, as in a mercury tube.
+        let tube = drawn(0.003);
+        assert_eq!((tube.smooth.len(), tube.lines.len()), (0, 3));
+        assert!(!drawn(0.3).smooth.is_empty());
     }
 
     #[test]

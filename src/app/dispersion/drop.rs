@@ -3,11 +3,12 @@
 
 use super::{
     memory::RainbowMemory,
+    strip::smooth_is_seen,
     words::{Line, nm},
 };
 use crate::{
     app::chart::Rgb,
-    color::{Srgb, srgb_from_wavelength},
+    color::{Observer, Srgb, srgb_from_wavelength},
     optics::{DropRay as Refracted, Light, Material, from_antisolar},
 };
 
@@ -64,7 +65,8 @@ impl DropDrawing {
         let fan = (0..=count).filter_map(|i| ray(FAN_NM, FAN_STEP * i as f64, 0.25));
         let places = || (0..=40).map(|i| 380.0 + SMOOTH_STEP_NM * f64::from(i));
         let most = places().map(|nm| light.smooth_at(nm)).fold(0.0, f64::max);
-        let smooth = places().filter_map(|nm| {
+        let is_seen = smooth_is_seen(light, Observer::default());
+        let smooth = places().filter(|_| is_seen).filter_map(|nm| {
             let share = (light.smooth_at(nm) / most).max(0.0);
             (share > 0.0).then(|| ray(nm, impact, 0.4 * share.sqrt()))?
         });

@@ -7,12 +7,12 @@ use std::{sync::Arc, time::Instant};
 
 use super::gem_memory::{GemColour, GemMemory};
 use crate::{
-    app::{answers::Seen, memo::ByAddress, state::App, studies::Question},
+    app::{memo::ByAddress, state::App, studies::Question, verdicts::Seen},
     color::Observer,
     io::many::{capitalised, many},
     optics::{
-        Absorption, Brilliant, Film, FilmSettings, Light, MOST_LINES, Material, Noise, Scene,
-        Studio, View,
+        Absorption, Brilliant, Film, FilmSettings, IndexError, Light, MOST_LINES, Material, Noise,
+        Scene, Studio, View,
     },
     spectrum::Kind,
     study::Progress,
@@ -73,8 +73,17 @@ impl GemScene {
     /// # Errors
     /// Why there is no such gem, a sentence.
     pub fn of(app: &App, memory: &GemMemory) -> Result<Self, String> {
+        let material = memory.made_of.material(app)?;
+        // A film is for every light.
+        let opaque = (380..=780).find_map(|nm| match material.index(f64::from(nm)) {
+            Err(why @ IndexError::NotTransparent { .. }) => Some(why),
+            _ => None,
+        });
+        if let Some(why) = opaque {
+            return Err(capitalised(&format!("{why}; the last gem stays.")));
+        }
         let scene = Self {
-            material: memory.made_of.material(app)?,
+            material,
             absorption: memory.absorption(app)?,
             cut: memory.cut,
             turn_deg: memory.turn_deg,
@@ -300,13 +309,8 @@ impl Question for NoiseAsk {
 /// The noise of a picture in words.
 fn noise_words(noise: &Noise) -> String {
     let delta = noise.delta_e_on_gem.unwrap_or(noise.delta_e_median);
-    let seen = match Seen::of(delta) {
-        Seen::Not => "cannot be seen",
-        Seen::SideBySide => "is seen only side by side",
-        Seen::Visible => "is visible",
-        Seen::Wrong => "is coarse still",
-    };
-    format!("the noise, \u{394}E\u{2080}\u{2080} {delta:.1} in blocks of 8 x 8 pixels, {seen}")
+    let seen = Seen::of(delta).seen();
+    format!("the noise, \u{394}E\u{2080}\u{2080} {delta:.1} in blocks of 8 x 8 pixels, is {seen}")
 }
 
 /// What the page shows, a sentence.
@@ -381,7 +385,10 @@ pub fn facts_of(film: &GemFilm, light: &Light) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::{App, Command, Settings, assert_says, dispersion::document_light};
+    use crate::app::{
+        App, Command, Settings, assert_says,
+        dispersion::{Sent, document_light},
+    };
 
     fn small() -> GemMemory {
         GemMemory {
@@ -433,7 +440,7 @@ mod tests {
     fn a_light_that_changes_is_summed_anew_over_the_same_film() {
         let mut app = App::new();
         let scene = scene().sized(16);
-        let light = document_light(&app).expect("it shines");
+        let light = document_light(&app, Sent::Model).expect("it shines");
         let pass = next_pass(None, &scene, 2, &places(&light), true).expect("a film");
         let film = pass
             .trace(None, std::slice::from_ref(&light), &Progress::default())
@@ -443,7 +450,7 @@ mod tests {
             order: 3,
             ..app.document().settings
         }));
-        let other = document_light(&app).expect("it shines");
+        let other = document_light(&app, Sent::Model).expect("it shines");
         assert!(film.film.missing_lines(&other).is_empty());
         assert_eq!(
             next_pass(Some(&film.pass), &scene, 2, &places(&other), true),

@@ -2,6 +2,7 @@
 
 use crate::{
     app::memo::ByAddress,
+    io::with_attributes_in_order,
     optics::{Light, png, spectral_exr},
 };
 
@@ -71,7 +72,9 @@ impl GemFile {
                     ("view", format!("{:?}", film.studio().scene().view)),
                     ("rays", pass.rays.to_string()),
                 ];
-                spectral_exr(film, &self.light, &facts).map_err(|why| format!("{why}."))
+                spectral_exr(film, &self.light, &facts)
+                    .map(with_attributes_in_order)
+                    .map_err(|why| format!("{why}."))
             }
         }
     }

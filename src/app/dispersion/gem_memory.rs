@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     ranges::{clamped_stops, ends, moved},
+    sent::Sent,
     substance::Substance,
 };
 use crate::optics::{Brilliant, Stuff};
@@ -105,6 +106,8 @@ pub struct GemMemory {
     pub part: LightPart,
     /// Key of the light of the second picture.
     pub under: Option<String>,
+    /// What of the lights is sent through.
+    pub sent: Sent,
 }
 
 impl Default for GemMemory {
@@ -124,6 +127,7 @@ impl Default for GemMemory {
             stops: 0.0,
             part: LightPart::Whole,
             under: Some("cie_illuminants/CIE D65".to_owned()),
+            sent: Sent::Measured,
         }
     }
 }

@@ -88,7 +88,7 @@ mod tests {
     use crate::{
         app::{
             App, assert_says,
-            dispersion::{GemMemory, GemScene, document_light, next_pass, places},
+            dispersion::{GemMemory, GemScene, Sent, document_light, next_pass, places},
         },
         spectrum::{Band, Spike},
         study::Progress,
@@ -118,7 +118,7 @@ mod tests {
     #[test]
     fn to_the_eye_a_tube_is_white_and_to_a_camera_it_is_not() {
         let app = App::new();
-        let light = document_light(&app).expect("FL2 shines");
+        let light = document_light(&app, Sent::Measured).expect("FL2 shines");
         let film = film(&app, &light);
         // The first pixel sees the dome alone: the light itself, dim.
         let first = |adaptation| {
@@ -136,7 +136,7 @@ mod tests {
     #[test]
     fn both_parts_are_darker_than_the_whole_and_a_missing_one_is_said() {
         let app = App::new();
-        let light = document_light(&app).expect("FL2 shines");
+        let light = document_light(&app, Sent::Measured).expect("FL2 shines");
         let film = film(&app, &light);
         let level = |part| {
             let shown = GemShown::of(&film, &light, look(Adaptation::ToLight, part));

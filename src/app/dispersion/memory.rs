@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::{
     gem_memory::GemMemory,
     ranges::{clamped_stops, ends, moved},
+    sent::Sent,
     substance::Substance,
 };
 use crate::optics::{SEEN_NM, Stuff};
@@ -74,6 +75,8 @@ pub struct PrismMemory {
     pub stops: f64,
     /// The second strip.
     pub beside: Beside,
+    /// What of the light is sent through.
+    pub sent: Sent,
 }
 
 /// What a hand takes hold of in the drawing of the bench.
@@ -132,6 +135,7 @@ impl Default for PrismMemory {
             screen_mm: 500.0,
             stops: 0.0,
             beside: Beside::Bulb,
+            sent: Sent::Measured,
         }
     }
 }
@@ -150,6 +154,8 @@ pub struct RainbowMemory {
     pub stops: f64,
     /// The second strip.
     pub beside: Beside,
+    /// What of the light is sent through.
+    pub sent: Sent,
 }
 
 /// Where rays of green light meet the drop that make the first and the second bow, radii.
@@ -174,6 +180,7 @@ impl Default for RainbowMemory {
             twice: false,
             stops: 0.0,
             beside: Beside::Sun,
+            sent: Sent::Measured,
         }
     }
 }

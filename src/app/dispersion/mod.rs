@@ -11,6 +11,7 @@ mod memory;
 mod prism;
 mod rainbow;
 mod ranges;
+mod sent;
 mod strip;
 mod substance;
 mod words;
@@ -23,7 +24,7 @@ pub use gem_memory::{
     CutSlider, GREYS, GemColour, GemMemory, LightPart, RAYS_SHOWN, SIZES_SHOWN, THICKNESSES,
 };
 pub use gem_shown::{GemLook, GemShown};
-pub use lights::{document_light, modelled};
+pub use lights::{another_light, document_light};
 pub use memory::{
     APEXES_DEG, Beside, DispersionMemory, Handle, IMPACTS, INCIDENCES_DEG, PrismMemory,
     RainbowMemory, SCREENS_MM, SLITS_MM,
@@ -31,5 +32,6 @@ pub use memory::{
 pub use prism::{PrismShown, StripShown};
 pub use rainbow::{RainbowShown, sky};
 pub use ranges::STOPS;
+pub use sent::Sent;
 pub use strip::Colours;
 pub use substance::{ABBES, INDICES, Substance, is_index, material_of, own_indices, stuff_title};

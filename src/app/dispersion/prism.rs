@@ -86,8 +86,12 @@ fn settings(memory: &PrismMemory) -> BenchSettings {
 impl PrismShown {
     /// Of the state.
     pub fn of(app: &App, memory: &PrismMemory) -> Self {
-        let made = document_light(app).and_then(|light| {
-            let bench = Bench::new(settings(memory), memory.made_of.material(app)?)
+        let made = document_light(app, memory.sent).and_then(|light| {
+            let material = memory.made_of.material(app)?;
+            if let Some(why) = material.not_transparent_for(&light) {
+                return Err(capitalised(&format!("{why}.")));
+            }
+            let bench = Bench::new(settings(memory), material)
                 .map_err(|why| capitalised(&format!("{why}.")))?;
             let screen = bench.whole_screen(&light, COLUMNS);
             let screen = screen.ok_or_else(|| "No light reaches the screen.".to_owned())?;
@@ -127,7 +131,7 @@ impl PrismShown {
         };
         let mut notes = notes(&bench, !doubtful.is_empty());
         let mut strips = vec![on_screen(light, landings.iter().filter_map(mark).collect())];
-        match memory.beside.light(app) {
+        match memory.beside.light(app, memory.sent) {
             None => {}
             Some(Err(why)) => notes.push(why),
             Some(Ok(other)) => strips.push(on_screen(&other, Vec::new())),

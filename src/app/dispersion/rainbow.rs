@@ -46,7 +46,7 @@ impl RainbowShown {
             ends_deg: SKY_DEG,
             ..Self::default()
         };
-        let light = match document_light(app) {
+        let light = match document_light(app, memory.sent) {
             Ok(light) => light,
             Err(sentence) => return Self { sentence, ..shown },
         };
@@ -78,7 +78,7 @@ impl RainbowShown {
         shown.drop = Some(DropDrawing::of(sky.material(), &light, &lines, memory));
         shown.sentence = sentence(&light, &bows, sky, memory.disc);
         shown.strips.push(strip(&light, marks));
-        match memory.beside.light(app) {
+        match memory.beside.light(app, memory.sent) {
             None => {}
             Some(Err(why)) => shown.notes.push(why),
             Some(Ok(other)) => shown.strips.push(strip(&other, Vec::new())),

@@ -2,8 +2,8 @@
 
 use crate::{
     app::chart::Rgb,
-    color::{Srgb, Xyz},
-    optics::into_gamut,
+    color::{Observer, Srgb, Xyz},
+    optics::{Light, into_gamut},
 };
 
 /// Columns of light as a screen shows them.
@@ -23,6 +23,18 @@ pub struct Colours {
 /// lines, which would leave the smooth part black.
 const SHARE: f64 = 0.9;
 
+/// What is dimmer than exposure 0 shows holds at least this share of all light. Else columns
+/// beside the lines would decide, however little light falls there: a mercury tube, whose weak
+/// lines and glow are a few thousandths of its light, would show a rainbow.
+const LEAST_SHARE: f64 = 0.02;
+
+/// Whether exposure 0 shows what lies beside a light's lines.
+pub(super) fn smooth_is_seen(light: &Light, observer: Observer) -> bool {
+    let smooth = light.smooth_alone();
+    let smooth = smooth.map_or(0.0, |smooth| smooth.white(observer).y);
+    smooth >= LEAST_SHARE * light.white(observer).y
+}
+
 /// How bright that column is shown, of the screen's largest channel.
 const LEVEL: f64 = 0.45;
 
@@ -39,7 +51,13 @@ impl Colours {
         let lit = |linear: &[f64; 3]| peak(linear) > least;
         levels.retain(|level| *level > least);
         levels.sort_by(f64::total_cmp);
-        let place = (SHARE * levels.len() as f64) as usize;
+        let all: f64 = levels.iter().sum();
+        let mut dimmer = levels.iter().scan(0.0, |sum, level| {
+            *sum += level;
+            Some(*sum)
+        });
+        let least = dimmer.position(|sum| sum >= LEAST_SHARE * all);
+        let place = ((SHARE * levels.len() as f64) as usize).max(least.unwrap_or(0));
         let usual = levels.get(place.min(levels.len().saturating_sub(1)));
         let gain = usual.map_or(0.0, |level| LEVEL / level) * stops.exp2();
         let share = |count: usize| count as f64 / levels.len().max(1) as f64;
@@ -72,7 +90,7 @@ impl Colours {
             ));
         }
         if self.below_zero {
-            said.push("the model is below zero in places, drawn black".to_owned());
+            said.push("the light is below zero in places, drawn black".to_owned());
         }
         said.join("; ")
     }
@@ -85,8 +103,8 @@ mod tests {
 
     #[test]
     fn what_is_too_bright_keeps_its_hue_and_darkness_is_black() {
-        let mut columns = vec![WHITE * 0.001; 99];
-        columns.push(Xyz::new(0.3, 0.6, 0.1) * 1000.0);
+        let mut columns = vec![WHITE * 0.1; 99];
+        columns.push(Xyz::new(0.3, 0.6, 0.1) * 100.0);
         columns.push(Xyz::ZERO);
         let shown = Colours::of(&columns, 0.0);
         let [r, g, b] = shown.rgb[99];
@@ -99,6 +117,21 @@ mod tests {
         assert!(shown.too_bright > 0.0 && !shown.below_zero);
         let brighter = Colours::of(&columns, 1.0);
         assert!(brighter.rgb[0][0] > shown.rgb[0][0]);
+    }
+
+    #[test]
+    fn what_is_a_thousandth_of_a_line_lamp_stays_dark() {
+        // Five lines over a glow that holds 1 % of the light; then half of it.
+        let strip = |glow: f64| {
+            let mut columns = vec![WHITE * (glow / 995.0); 1000];
+            (0..5).for_each(|i| columns[200 * i] = WHITE * ((1.0 - glow) / 5.0));
+            Colours::of(&columns, 0.0)
+        };
+        let (tube, phosphor) = (strip(0.01), strip(0.5));
+        // A column of the glow is 1e-5 of all light, a line .2 of it: .45 x 5e-5 of full scale.
+        assert_eq!((tube.rgb[100], tube.rgb[200]), ([0; 3], tube.rgb[0]));
+        assert!(tube.rgb[0][1] > 150, "{:?}", tube.rgb[0]);
+        assert!(phosphor.rgb[100][1] > 150, "{:?}", phosphor.rgb[100]);
     }
 
     #[test]

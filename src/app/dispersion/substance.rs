@@ -108,7 +108,8 @@ impl Substance {
                      another material."
                         .to_owned()
                 })?;
-                material_of(&entry.spectrum).map_err(said)
+                let own = app.document().own.iter().map(|entry| &entry.spectrum);
+                material_of(&entry.spectrum, own).map_err(said)
             }
             Self::Numbers { n_d, v_d } => Material::from_two_numbers(*n_d, *v_d).map_err(said),
         }
@@ -163,17 +164,28 @@ fn material_name(spectrum: &NamedSpectrum) -> &str {
     stem_of(&spectrum.name).unwrap_or(&spectrum.source)
 }
 
-/// The material that a curve of n tells of.
+/// The material that a curve of n tells of: by its formula where it has one, and with the k of the
+/// same file, which is looked for among other curves.
 ///
 /// # Errors
 /// For values that are no index.
-pub fn material_of(spectrum: &NamedSpectrum) -> Result<Material, IndexError> {
-    Material::from_table(
-        material_name(spectrum),
-        &spectrum.source,
-        &spectrum.samples,
-        false,
-    )
+pub fn material_of<'a>(
+    spectrum: &NamedSpectrum,
+    mut others: impl Iterator<Item = &'a NamedSpectrum>,
+) -> Result<Material, IndexError> {
+    let (name, source) = (material_name(spectrum), &spectrum.source);
+    let material = match spectrum.samples.formula() {
+        Some(formula) => Material::from_formula(name, source, formula.clone()),
+        None => Material::from_table(name, source, &spectrum.samples, false)?,
+    };
+    let extinction = stem_of(&spectrum.name).map_or("k".to_owned(), |stem| format!("{stem} k"));
+    let is_its = |other: &&NamedSpectrum| {
+        other.kind == Kind::Other && other.name == extinction && other.source == *source
+    };
+    Ok(match others.find(is_its) {
+        Some(k) => material.with_extinction(k.samples.clone()),
+        None => material,
+    })
 }
 
 #[cfg(test)]
@@ -238,5 +250,32 @@ mod tests {
             let text = serde_json::to_string(&one).expect("JSON");
             assert_eq!(read(&text), one);
         }
+    }
+
+    #[test]
+    fn the_k_of_the_same_file_makes_an_opaque_material_refused() {
+        let text = "REFERENCES: A. Author\nDATA:\n  - type: tabulated nk\n    data: |\n        \
+            0.3 1.5 5\n        0.5 1.6 5\n        0.9 1.7 5\n";
+        let reading = read_bytes("m.yml", text.as_bytes()).expect("a table");
+        let n = reading.spectra.iter().find(|s| is_index(s)).expect("n");
+        let metal = material_of(n, reading.spectra.iter()).expect("values of an index");
+        let why = metal.index(500.0).expect_err("k is 5").to_string();
+        assert_says(&why, "found n 1.6000, k 5.0000 at 500 nm");
+    }
+
+    #[test]
+    fn a_file_with_a_formula_gives_its_index_to_the_last_digit() {
+        let text = "REFERENCES: A\nDATA:\n  - type: formula 2\n    wavelength_range: 0.3 2.5\n    \
+            coefficients: 0 1.03961212 0.00600069867 0.231792344 0.0200179144 1.01046945 \
+            103.560653\n";
+        let reading = read_bytes("bk7.yml", text.as_bytes()).expect("a formula");
+        let n = reading.spectra.iter().find(|s| is_index(s)).expect("n");
+        let glass = material_of(n, reading.spectra.iter()).expect("an index");
+        // By mpmath with 50 digits; between whole nm, where a table would be straight or bent.
+        assert!((glass.index(587.6).unwrap() - 1.516_798_437_905_008_7).abs() < 1e-14);
+        assert!((glass.d_index_d_nm(587.6).unwrap() / -4.179_195_425_607_8e-5 - 1.0).abs() < 1e-12);
+        let figures = glass.abbe().expect("it covers the lines");
+        let own = Stuff::NBk7.material().abbe().expect("so does that");
+        assert!((figures.v_d - own.v_d).abs() < 1e-9 && (figures.v_e - own.v_e).abs() < 1e-9);
     }
 }

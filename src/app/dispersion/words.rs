@@ -35,7 +35,7 @@ pub(super) fn lines_of(app: &App, light: &Light) -> Vec<Line> {
 #[cfg(test)]
 pub(super) fn first_lines() -> (Light, Vec<Line>) {
     let app = App::new();
-    let light = super::document_light(&app).expect("FL2 shines");
+    let light = super::document_light(&app, super::Sent::Measured).expect("FL2 shines");
     let lines = lines_of(&app, &light);
     (light, lines)
 }

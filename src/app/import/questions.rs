@@ -222,13 +222,14 @@ fn counted_question(told: Option<&Decision<Counted>>, format: &str) -> Question 
         Counted::Fraction,
         Counted::TenThousandths,
         Counted::SixteenBits,
+        Counted::EightBits,
         Counted::Otherwise,
     ]
     .into_iter()
     .filter(|counted| match counted {
         Counted::Percent | Counted::Fraction => true,
         Counted::TenThousandths | Counted::SixteenBits => is_stored_large(*counted),
-        Counted::Otherwise => is == Some(*counted),
+        Counted::EightBits | Counted::Otherwise => is == Some(*counted),
     });
     Question {
         what: "Counted in",

@@ -1,10 +1,13 @@
 //! Every figure that a lesson may name, by its key: the figures of models and of light quality,
 //! and a few of the document.
 
+use std::sync::{Mutex, PoisonError};
+
+use super::names::{find, light};
 use crate::{
     app::{
         App, Document,
-        answers::not_seen_from,
+        answers::hard_to_see_from,
         charts::products::narrow::{Behind, Filter},
         document::first_light,
         entry::bundled_entries,
@@ -14,6 +17,7 @@ use crate::{
         products::ModelledLight,
         quality::QualityShown,
         quality_report::{Row, light_of, rows},
+        studies::{AuctionAsk, Question as _},
     },
     color::{
         Observer, Xyz, delta_e_of_xyz,
@@ -21,10 +25,8 @@ use crate::{
         xyz::{xyz_from_light, xyz_from_reflectance},
     },
     spectrum::Kind,
-    study::Measure,
+    study::{Goal, Measure, Progress},
 };
-
-use super::names::{find, light};
 
 /// What figures are taken of: the program's state and what its pages remember.
 #[derive(Clone, Copy, Debug)]
@@ -79,7 +81,7 @@ const fn row(
 }
 
 /// The figures that only a document has.
-const OF_DOCUMENT: [OfDocument; 17] = [
+const OF_DOCUMENT: [OfDocument; 20] = [
     row("order", "order N of the smooth part", Unit::NONE, |s| {
         Some(s.app.document().settings.effective_order() as f64)
     }),
@@ -88,9 +90,9 @@ const OF_DOCUMENT: [OfDocument; 17] = [
     }),
     row(
         "points",
-        "points of the table, 1 nm apart",
+        "points of the table within the range",
         Unit::NONE,
-        |s| Some(s.app.derived().band.points() as f64),
+        |s| Some(s.app.table_points() as f64),
     ),
     row(
         "spike_count",
@@ -126,9 +128,9 @@ const OF_DOCUMENT: [OfDocument; 17] = [
     ),
     row(
         "order_unseen",
-        "least order from which on nobody sees a difference",
+        "least order from which on a difference is hard to see",
         Unit::NONE,
-        |s| not_seen_from(s.app).map(|order| order as f64),
+        |s| hard_to_see_from(s.app).map(|order| order as f64),
     ),
     row("overlay_count", "spectra laid over it", Unit::NONE, |s| {
         Some(s.app.document().overlays.len() as f64)
@@ -164,6 +166,24 @@ const OF_DOCUMENT: [OfDocument; 17] = [
         |s| chain_delta_e(s.app),
     ),
     row(
+        "filter_centre_nm",
+        "where the narrow filter stands, nm",
+        Unit::NONE,
+        |s| Some(s.memory.products.narrow.centre_nm),
+    ),
+    row(
+        "auction_lines",
+        "lines that the auction keeps for its goal",
+        Unit::NONE,
+        |s| lines_bought(s, s.memory.goal),
+    ),
+    row(
+        "auction_lines_for_colours",
+        "lines that it keeps for the colours of surfaces",
+        Unit::NONE,
+        |s| lines_bought(s, Goal::PATCHES),
+    ),
+    row(
         "filter_delta_e_model",
         "error of the model behind the narrow filter",
         Unit::DELTA_E,
@@ -186,6 +206,27 @@ const OF_DOCUMENT: [OfDocument; 17] = [
 fn spikes(app: &App, sign: f64) -> f64 {
     let spikes = app.derived().model.spikes.iter();
     spikes.filter(|spike| sign * spike.weight > 0.0).count() as f64
+}
+
+/// Lines of the model that the auction of the page ends with for a goal.
+fn lines_bought(scene: &Scene<'_>, goal: Goal) -> Option<f64> {
+    /// What was asked last: a sentence asks the same as the claim behind it.
+    static LAST: Mutex<Vec<(AuctionAsk, Option<usize>)>> = Mutex::new(Vec::new());
+    const KEPT: usize = 4;
+    let ask = AuctionAsk::of(scene.app.document(), goal, scene.memory.auction_numbers);
+    let mut last = LAST.lock().unwrap_or_else(PoisonError::into_inner);
+    let known = last
+        .iter()
+        .find(|(one, _)| *one == ask)
+        .map(|(_, count)| *count);
+    let count = known.unwrap_or_else(|| {
+        let auction = ask.answer(&Progress::default());
+        let count = auction.map(|auction| auction.last().lines.len());
+        last.truncate(KEPT - 1);
+        last.insert(0, (ask, count));
+        count
+    });
+    count.map(|count| count as f64)
 }
 
 /// Lights equally bright, or surfaces under the light.
@@ -333,7 +374,14 @@ pub fn figure(scene: &Scene<'_>, key: &str, of: Option<&str>) -> Result<Told, St
     Ok(row.map_or(none, |row| Told {
         title: row.title,
         value: row.value.clone().ok(),
-        words: Row::shown(row),
+        words: match row.key {
+            // As titles have it.
+            "cct" => row
+                .value
+                .as_ref()
+                .map_or_else(|_| "–".to_owned(), |k| format!("{} K", three_digits(*k))),
+            _ => Row::shown(row),
+        },
         unit: (1.0, format!(" {}", row.unit).trim_end().to_owned()),
     }))
 }

@@ -3,12 +3,14 @@
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
-use super::{condition::Condition, parsed::parsed, point::Point, stage::Stage};
+use super::{condition::Condition, figures::Scene, parsed::parsed, point::Point, stage::Stage};
 
 /// The word that marks a file of a lesson.
 pub(super) const FORMAT: &str = "spectral-explorer-lesson";
 /// The version read.
 pub(super) const VERSION: u64 = 1;
+/// Most steps: a lesson of an hour has twenty.
+const MOST_STEPS: usize = 200;
 
 /// Whom a lesson is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -104,6 +106,14 @@ pub struct Step {
     pub claims: Vec<Condition>,
 }
 
+impl Step {
+    /// Whether what it tells at its end is so: its task is done and its claims hold.
+    pub fn holds(&self, scene: &Scene<'_>) -> bool {
+        let until = self.task.iter().flat_map(|task| &task.until);
+        until.chain(&self.claims).all(|one| one.holds(scene))
+    }
+}
+
 /// A question that wants a prediction.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -183,6 +193,10 @@ impl Lesson {
         };
         marks(&mut object).map_err(|what| fault(None, what))?;
         let steps = match object.remove("steps") {
+            Some(Value::Array(steps)) if steps.len() > MOST_STEPS => {
+                let what = format!("found {} steps, expected at most {MOST_STEPS}", steps.len());
+                return Err(fault(None, what));
+            }
             Some(Value::Array(steps)) if !steps.is_empty() => steps,
             Some(other) => {
                 let what = format!("found steps {}, expected a list of steps", short(&other));
@@ -341,6 +355,9 @@ mod tests {
         );
         let words = refusal(r#""version":1"#, r#""version":7"#);
         assert_eq!(words, "a.json: found version 7, expected 1");
+        let steps = vec![r#"{"say":"One."}"#; MOST_STEPS + 1].join(",");
+        let words = refusal(r#"{"say":"One."},{"say":"Two."}"#, &steps);
+        assert_eq!(words, "a.json: found 201 steps, expected at most 200");
         let words = refusal(r#""title":"T","#, "");
         assert_eq!(words, "a.json: found no `title`, expected it");
         let words = refusal(r#"["school"]"#, r#"["scool"]"#);

@@ -73,14 +73,14 @@ impl<'a> Sheet<'a> {
         // Writing to a string cannot fail.
         let _ = match self.form {
             Form::Html => writeln!(self.text, "<{html}>{}</{html}>", escaped(words)),
-            Form::Markdown => writeln!(self.text, "{markdown}{words}\n"),
+            Form::Markdown => writeln!(self.text, "{markdown}{}\n", unmarked(words)),
         };
     }
 
     /// A paragraph with a word in bold before it.
     fn led(&mut self, lead: &str, words: &str) {
         let html = format!("<p><b>{lead}</b> {}</p>\n", escaped(words));
-        self.raw(&html, &format!("**{lead}** {words}\n\n"));
+        self.raw(&html, &format!("**{lead}** {}\n\n", unmarked(words)));
     }
 
     fn raw(&mut self, html: &str, markdown: &str) {
@@ -171,6 +171,11 @@ impl<'a> Sheet<'a> {
     }
 }
 
+/// Words in Markdown, where an element of HTML would be one.
+fn unmarked(text: &str) -> String {
+    text.replace('<', "&lt;")
+}
+
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
@@ -181,6 +186,21 @@ fn escaped(text: &str) -> String {
 mod tests {
     use super::*;
     use crate::app::lessons::shelf;
+
+    #[test]
+    fn no_words_of_a_lesson_are_elements_of_a_sheet() {
+        let mut lesson = Lesson::clone(&shelf::shipped()[0]);
+        lesson.title = "<script>alert(1)</script>".to_owned();
+        lesson.next = "<img src=x onerror=alert(1)>".to_owned();
+        for form in [Form::Markdown, Form::Html] {
+            let sheet = handout(&lesson, form, "sheet").expect("it plays").text;
+            assert!(
+                !sheet.contains("<script") && !sheet.contains("<img"),
+                "{form:?}"
+            );
+            assert!(sheet.contains("&lt;script"), "{form:?}");
+        }
+    }
 
     #[test]
     fn a_sheet_has_every_question_and_its_answers_on_a_page_of_their_own() {

@@ -34,6 +34,6 @@ mod words;
 
 pub use format::{Fault, Lesson, Step};
 pub use point::Aim;
-pub use proof::play;
+pub use proof::{Names, check, is_sound, play};
 pub use run::{Run, Shown};
 pub use trial::{Trial, TrialAsk};

@@ -8,6 +8,7 @@ use super::{
     format::{Answer, Fault, Lesson, Step},
     names::find,
     run::Run,
+    stage::Stage,
     words::{self, filled},
 };
 use crate::app::{
@@ -57,18 +58,14 @@ pub(super) fn walk<T>(
     mut see: impl FnMut(&App, &PageMemory) -> T,
 ) -> Result<impl Iterator<Item = Result<Played<T>, Fault>>, Fault> {
     let file = lesson.name.clone();
-    let fault = move |step: Option<usize>, what: String| Fault {
+    let fault = move |index: usize, what: String| Fault {
         file: file.clone(),
-        step: step.map(|index| index + 1),
+        step: Some(index + 1),
         what,
     };
-    of_lesson(lesson).map_err(|what| fault(None, what))?;
     let own = app.document().own.clone();
-    let own = own.iter().map(|own| own.name());
-    let known: Vec<&str> = names_made(lesson).into_iter().chain(own).collect();
-    for (index, step) in lesson.steps.iter().enumerate() {
-        of_step(step, &known).map_err(|what| fault(Some(index), what))?;
-    }
+    let own: Vec<&str> = own.iter().map(|own| own.name()).collect();
+    is_sound(lesson, &own)?;
     let mut memory = PageMemory::default();
     let mut run = Run::start(Arc::new(lesson.clone()), &mut app, &mut memory);
     let count = lesson.steps.len();
@@ -76,9 +73,73 @@ pub(super) fn walk<T>(
         if index > 0 {
             run.go(index, &mut app, &mut memory);
         }
-        play_step(&mut run, (&mut app, &mut memory), &mut see)
-            .map_err(|what| fault(Some(index), what))
+        play_step(&mut run, (&mut app, &mut memory), &mut see).map_err(|what| fault(index, what))
     }))
+}
+
+/// Whether what a lesson says can be understood at all; `own` are names of spectra that are there.
+/// Nothing is played.
+///
+/// # Errors
+/// [`Fault`]: the step, what was found and what was expected.
+pub fn is_sound(lesson: &Lesson, own: &[&str]) -> Result<(), Fault> {
+    let fault = |step: Option<usize>, what: String| Fault {
+        file: lesson.name.clone(),
+        step: step.map(|index| index + 1),
+        what,
+    };
+    of_lesson(lesson).map_err(|what| fault(None, what))?;
+    let known: Vec<&str> = names_made(lesson)
+        .into_iter()
+        .chain(own.iter().copied())
+        .collect();
+    for (index, step) in lesson.steps.iter().enumerate() {
+        of_step(step, &known).map_err(|what| fault(Some(index), what))?;
+    }
+    Ok(())
+}
+
+/// Names of all that a page shows, as screen readers are told them; `None` where there is no window
+/// that could tell.
+pub type Names<'a> = &'a dyn Fn(&App, &PageMemory) -> Option<Vec<String>>;
+
+/// Checks a lesson as an author wants it checked: it is played through, also with every other light
+/// that it may be taken with, and the controls that it points at are on their pages.
+///
+/// # Errors
+/// [`Fault`]: the step, what was found and what was expected.
+pub fn check(lesson: &Lesson, names: Names<'_>) -> Result<(), Fault> {
+    let mut steps = lesson.steps.iter();
+    let played = play(lesson, |app, memory| {
+        let point = steps.next().and_then(|step| step.point.as_ref())?;
+        absent(point.control.as_deref()?, &names(app, memory)?, memory.page)
+    })?;
+    let mut missing = played.into_iter().map(|step| step.seen).enumerate();
+    if let Some((index, Some(what))) = missing.find(|(_, absent)| absent.is_some()) {
+        return Err(Fault {
+            file: lesson.name.clone(),
+            step: Some(index + 1),
+            what,
+        });
+    }
+    for light in &lesson.also {
+        play(&lesson.about(light)?, |_, _| ())?;
+    }
+    Ok(())
+}
+
+/// What is said of a control that is not on its page.
+fn absent(control: &str, names: &[String], page: Page) -> Option<String> {
+    const MOST: usize = 12;
+    if names.iter().any(|name| name.starts_with(control.trim())) {
+        return None;
+    }
+    let first: Vec<&str> = names.iter().take(MOST).map(String::as_str).collect();
+    Some(format!(
+        "found the control \"{control}\" in point, expected the name of one on the page {}, such as {}",
+        page.word(),
+        first.join(", ")
+    ))
 }
 
 fn play_step<T>(
@@ -118,11 +179,13 @@ fn play_step<T>(
             return Err(format!("its own show does not meet its task: {unmet}"));
         }
     }
-    run.tell();
+    run.tell(app, memory);
     let unmet = unmet(&step.claims, &Scene { app, memory });
     if !unmet.is_empty() {
         return Err(format!("its claim does not hold: {unmet}"));
     }
+    goes_too_far(&step, (app, memory))?;
+    comes_back(run, (app, memory), &say)?;
     let mut answers = Vec::new();
     for answer in step.ask.iter().flat_map(|ask| &ask.answers) {
         answers.push(Answer {
@@ -139,6 +202,102 @@ fn play_step<T>(
         explain: in_it(&step.explain, app, memory)?,
         seen,
     })
+}
+
+/// Tries what a hand does that does not stop where the task is done: is it done there too, the
+/// claims must hold.
+fn goes_too_far(step: &Step, (app, memory): (&App, &PageMemory)) -> Result<(), String> {
+    let Some(task) = &step.task else {
+        return Ok(());
+    };
+    let set = |key: &str| {
+        let stages = task.show.iter().rev();
+        stages
+            .filter_map(|stage| stage.settings.get(key)?.as_f64())
+            .next()
+    };
+    let mut tried: Vec<(&str, f64)> = Vec::new();
+    if let Some(order) = set("order") {
+        let further = [order + 1.0, order + 3.0, 2.0 * order, 40.0, 100.0];
+        tried.extend(further.map(|order| ("order", order)));
+    }
+    if let Some(percent) = set("threshold_percent") {
+        let further = [0.8 * percent, 0.5 * percent, 0.1];
+        tried.extend(further.map(|percent| ("threshold_percent", percent)));
+    }
+    for (key, value) in tried {
+        let whole = serde_json::Number::from_f64(value);
+        let value = match key {
+            "order" => serde_json::json!(value as u64),
+            _ => serde_json::json!(whole),
+        };
+        let words = format!("{key} {value}");
+        let further = Stage {
+            settings: std::iter::once((key.to_owned(), value)).collect(),
+            ..Stage::default()
+        };
+        let (mut app, mut memory) = (app.clone(), memory.clone());
+        // What cannot be set cannot be reached by hand either.
+        if further
+            .change(&mut app, &mut memory, &mut Vec::new())
+            .is_err()
+        {
+            continue;
+        }
+        let (app, memory) = (&app, &memory);
+        let scene = Scene { app, memory };
+        let unmet = unmet(&step.claims, &scene);
+        if task.until.iter().all(|one| one.holds(&scene)) && !unmet.is_empty() {
+            return Err(format!(
+                "found a task that is done with {words}, too, where its claim does not hold: {unmet}"
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Plays what a class does: Reset, and a step back and on again. The step must say what it said at
+/// first, and none of it may be done.
+fn comes_back(run: &Run, (app, memory): (&App, &PageMemory), say: &str) -> Result<(), String> {
+    let (mut run, mut app, mut memory) = (run.clone(), app.clone(), memory.clone());
+    let index = run.index();
+    for back in [None, index.checked_sub(1)] {
+        let after = match back {
+            None => "Reset",
+            Some(step) => {
+                run.go(step, &mut app, &mut memory);
+                run.go(index, &mut app, &mut memory);
+                "Back and Next"
+            }
+        };
+        if back.is_none() {
+            run.set_stage(&mut app, &mut memory);
+        }
+        if let Some(trouble) = run.trouble() {
+            return Err(format!("after {after}: {trouble}"));
+        }
+        run.look(&app, &memory);
+        if run.is_done() {
+            return Err(format!(
+                "found a task that is done by {after}, expected one to do"
+            ));
+        }
+        let said = run.shown(&app, &memory).say;
+        if said != say {
+            return Err(format!(
+                "found \"{said}\" after {after}, expected \"{say}\""
+            ));
+        }
+        let step = run.step();
+        if step.task.is_none() {
+            let (app, memory) = (&app, &memory);
+            let unmet = unmet(&step.claims, &Scene { app, memory });
+            if !unmet.is_empty() {
+                return Err(format!("its claim does not hold after {after}: {unmet}"));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// What does not hold, in words; empty where everything does.
@@ -304,6 +463,15 @@ mod tests {
             assert!(why.starts_with("small: step 2: "), "{why}");
             assert_says(&why, words);
         }
+        // Order 40 is a task done as well, with more numbers than the claim allows.
+        let far = task(r#"{"figure":"order","above":19}"#, order);
+        assert!(small(&far).is_ok());
+        let claims = r#""claims":[{"figure":"numbers","below":60}],"task""#;
+        let why = small(&far.replacen(r#""task""#, claims, 1)).expect_err("too far");
+        assert_says(
+            &why,
+            "done with order 40, too, where its claim does not hold: found numbers",
+        );
         let ask = r#"{"say":"A.","stage":{},"ask":{"question":"Q?","answers":[
             {"text":"x","because":"y"},{"text":"z","because":"y"}]}}"#;
         let why = small(ask).expect_err("no right one");

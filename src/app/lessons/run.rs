@@ -11,8 +11,13 @@ use super::{
 };
 use crate::app::{App, Command, Document, pages::PageMemory};
 
-/// What happened at a step.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// What stands in place of an explanation that what is shown does not bear out any more.
+pub(super) const SET_BACK: &str = "What is shown has changed since, so the reason does not fit it. \
+                                   Reset begins the step again.";
+
+/// What happened at a step. Its words have the figures of the moment in which they were said: what
+/// a person does afterwards makes none of them false.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Taken {
     /// The answer that was chosen.
     chosen: Option<usize>,
@@ -20,6 +25,54 @@ struct Taken {
     told: bool,
     /// Whether the task is done.
     done: bool,
+    /// What was said when the step began.
+    begun: Begun,
+    /// Why, as it was told.
+    reasons: Option<Reasons>,
+}
+
+/// What is said when a step begins.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+struct Begun {
+    say: String,
+    question: Option<String>,
+    answers: Vec<String>,
+    task: Option<String>,
+}
+
+/// What is told when a question is answered or a task done.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+struct Reasons {
+    /// Why each answer is right or not.
+    because: Vec<String>,
+    explain: String,
+}
+
+/// A text with its figures; as it stands in the file where one of them does not exist.
+fn in_words(text: &str, scene: &Scene<'_>) -> String {
+    filled(text, scene).unwrap_or_else(|_| text.to_owned())
+}
+
+impl Begun {
+    fn of(step: &Step, scene: &Scene<'_>) -> Self {
+        let answers = step.ask.iter().flat_map(|ask| &ask.answers);
+        Self {
+            say: in_words(&step.say, scene),
+            question: step.ask.as_ref().map(|ask| in_words(&ask.question, scene)),
+            answers: answers.map(|a| in_words(&a.text, scene)).collect(),
+            task: step.task.as_ref().map(|task| in_words(&task.words, scene)),
+        }
+    }
+}
+
+impl Reasons {
+    fn of(step: &Step, scene: &Scene<'_>) -> Self {
+        let answers = step.ask.iter().flat_map(|ask| &ask.answers);
+        Self {
+            because: answers.map(|a| in_words(&a.because, scene)).collect(),
+            explain: in_words(&step.explain, scene),
+        }
+    }
 }
 
 /// A lesson that is being taken.
@@ -104,7 +157,7 @@ impl Run {
     /// Whether answer and explanation are told.
     pub fn is_told(&self) -> bool {
         let step = self.step();
-        let taken = self.taken[self.step];
+        let taken = &self.taken[self.step];
         match (&step.ask, &step.task) {
             (None, None) => true,
             (_, Some(_)) => taken.done,
@@ -133,49 +186,90 @@ impl Run {
         Some((point.aim(app, memory).ok()?, &point.label))
     }
 
-    /// The step's words with their figures; what is not told yet is empty.
+    /// The step's words; what is not told yet is empty, and so is an explanation while what is shown
+    /// does not bear it out: then it is said how to come back.
     pub fn shown(&self, app: &App, memory: &PageMemory) -> Shown {
         let scene = Scene { app, memory };
-        let in_it = |text: &str| filled(text, &scene).unwrap_or_else(|_| text.to_owned());
-        let told = |text: &str| match self.is_told() {
-            true => in_it(text),
-            false => String::new(),
+        let (step, taken) = (self.step(), &self.taken[self.step]);
+        let told = taken.reasons.as_ref().filter(|_| self.is_told());
+        let because = |index: usize| {
+            let why = told.and_then(|told| told.because.get(index));
+            why.cloned().unwrap_or_default()
         };
-        let step = self.step();
         let answers = step.ask.iter().flat_map(|ask| &ask.answers);
+        let answers = answers.zip(&taken.begun.answers).enumerate();
         let until = step.task.iter().flat_map(|task| &task.until);
         let now: Vec<String> = until.filter_map(|one| one.now(&scene)).collect();
+        let explain = match told {
+            Some(told) if told.explain.is_empty() || step.holds(&scene) => told.explain.clone(),
+            Some(_) => SET_BACK.to_owned(),
+            None => String::new(),
+        };
         Shown {
-            say: in_it(&step.say),
-            question: step.ask.as_ref().map(|ask| in_it(&ask.question)),
+            say: taken.begun.say.clone(),
+            question: taken.begun.question.clone(),
             answers: answers
-                .map(|a| (in_it(&a.text), a.right, told(&a.because)))
+                .map(|(index, (answer, text))| (text.clone(), answer.right, because(index)))
                 .collect(),
-            task: step.task.as_ref().map(|task| in_it(&task.words)),
+            task: taken.begun.task.clone(),
             now: now.join(", "),
-            explain: told(&step.explain),
+            explain,
         }
     }
 
-    /// To another step, whose stage is set. A step without one has that of a step before it.
+    /// To another step, as it begins. One without a stage goes on with what the step before it
+    /// reached.
     pub fn go(&mut self, step: usize, app: &mut App, memory: &mut PageMemory) {
-        let forward = step == self.step + 1;
-        self.step = step.min(self.lesson.steps.len() - 1);
-        self.showing = None;
-        self.looked_at = None;
-        // What was reached is gone on with; whoever goes back begins where the step began.
-        if !forward || self.step().stage.is_some() {
+        let step = step.min(self.lesson.steps.len() - 1);
+        let goes_on = step == self.step + 1
+            && self.lesson.steps[step].stage.is_none()
+            && self.is_told()
+            && self.step().holds(&Scene { app, memory });
+        self.step = step;
+        if goes_on {
+            self.begin(app, memory);
+        } else {
             self.set_stage(app, memory);
         }
     }
 
-    /// Sets the stage of the step again.
+    /// Begins the step again: its stage, or that of a step before it with what those between do,
+    /// and nothing of it chosen, told or done.
     pub fn set_stage(&mut self, app: &mut App, memory: &mut PageMemory) {
-        let steps = &self.lesson.steps[..=self.step];
         self.trouble = None;
+        let lesson = self.lesson.clone();
+        let steps = &lesson.steps[..=self.step];
+        let from = steps.iter().rposition(|step| step.stage.is_some());
+        if let Some((from, stage)) = from.and_then(|i| Some((i, steps[i].stage.as_ref()?))) {
+            let mut set = stage.set(app, memory, &mut self.made);
+            let tasks = steps[from..self.step]
+                .iter()
+                .filter_map(|s| s.task.as_ref());
+            for change in tasks.flat_map(|task| &task.show) {
+                set = set.and_then(|()| change.change(app, memory, &mut self.made));
+            }
+            self.trouble = set.err();
+        }
+        self.begin(app, memory);
+    }
+
+    /// Says what the step says, with the figures of now.
+    fn begin(&mut self, app: &App, memory: &PageMemory) {
         self.showing = None;
-        if let Some(stage) = steps.iter().rev().find_map(|step| step.stage.as_ref()) {
-            self.trouble = stage.set(app, memory, &mut self.made).err();
+        self.looked_at = None;
+        let begun = Begun::of(self.step(), &Scene { app, memory });
+        self.taken[self.step] = Taken {
+            begun,
+            ..Taken::default()
+        };
+        self.give_reasons(app, memory);
+    }
+
+    /// Keeps why, with the figures of now, once it may be told.
+    fn give_reasons(&mut self, app: &App, memory: &PageMemory) {
+        if self.is_told() && self.taken[self.step].reasons.is_none() {
+            let reasons = Reasons::of(self.step(), &Scene { app, memory });
+            self.taken[self.step].reasons = Some(reasons);
         }
     }
 
@@ -188,8 +282,9 @@ impl Run {
     }
 
     /// Tells which answer is right: whoever predicted, and a class that raised its hands.
-    pub fn tell(&mut self) {
+    pub fn tell(&mut self, app: &App, memory: &PageMemory) {
         self.taken[self.step].told = true;
+        self.give_reasons(app, memory);
     }
 
     /// Looks whether the task is done; a task stays done.
@@ -204,6 +299,7 @@ impl Run {
         let scene = Scene { app, memory };
         self.taken[self.step].done = task.until.iter().all(|c| c.holds(&scene));
         self.looked_at = Some(state);
+        self.give_reasons(app, memory);
     }
 
     /// Begins to do the task for the person.
@@ -264,7 +360,7 @@ mod tests {
         assert_eq!((run.chosen(), run.is_told()), (Some(0), false));
         let shown = run.shown(&app, &memory);
         assert!(shown.explain.is_empty() && shown.answers.iter().all(|a| a.2.is_empty()));
-        run.tell();
+        run.tell(&app, &memory);
         run.choose(1);
         assert_eq!((run.chosen(), run.is_told()), (Some(0), true));
         let shown = run.shown(&app, &memory);
@@ -290,6 +386,56 @@ mod tests {
     }
 
     #[test]
+    fn what_was_said_stays_true_after_the_task_after_going_too_far_and_after_reset() {
+        let (mut run, mut app, mut memory) = start("filters");
+        run.go(1, &mut app, &mut memory);
+        let said = run.shown(&app, &memory).say;
+        assert!(
+            said.contains("It lets 45.5 % of the brightness through"),
+            "{said}"
+        );
+        run.show_me();
+        while run.show_next(&mut app, &mut memory) {}
+        run.look(&app, &memory);
+        let told = run.shown(&app, &memory);
+        assert_eq!(
+            told.say, said,
+            "the glass alone lets through what it let through"
+        );
+        assert!(
+            told.explain.starts_with("22.1 % is left."),
+            "{}",
+            told.explain
+        );
+        // Four times as thick it is another share: the reason waits until it fits.
+        let mut products = app.document().products.clone();
+        products.chain[0].thickness = 4.0;
+        app.apply(Command::Products(products));
+        run.look(&app, &memory);
+        let shown = run.shown(&app, &memory);
+        assert_eq!(
+            (shown.say, shown.explain),
+            (said.clone(), SET_BACK.to_owned())
+        );
+        assert!(run.is_done(), "what was done was done");
+        run.set_stage(&mut app, &mut memory);
+        let shown = run.shown(&app, &memory);
+        assert_eq!((shown.say, shown.explain), (said, String::new()));
+        assert!(!run.is_done() && !run.is_told());
+    }
+
+    #[test]
+    fn a_step_that_goes_on_begins_with_what_the_one_before_it_is_to_reach() {
+        let (mut run, mut app, mut memory) = start("filters");
+        // The third step has no stage; nobody did the task of the second.
+        run.go(1, &mut app, &mut memory);
+        run.go(2, &mut app, &mut memory);
+        assert_eq!(app.document().products.chain[0].thickness, 2.0);
+        run.go(1, &mut app, &mut memory);
+        assert_eq!(app.document().products.chain[0].thickness, 1.0);
+    }
+
+    #[test]
     fn who_goes_back_finds_the_step_as_it_began() {
         let (mut run, mut app, mut memory) = start("filters");
         let before = app.document().clone();
@@ -311,7 +457,7 @@ mod tests {
             let last = run.lesson().steps.len() - 1;
             if to_the_end {
                 run.go(last, &mut app, &mut memory);
-                run.tell();
+                run.tell(&app, &memory);
             }
             let taken = app.document().clone();
             run.leave(&mut app, &mut memory);

@@ -5,8 +5,11 @@ use std::{
     sync::{Arc, LazyLock},
 };
 
-use super::format::{Fault, Lesson};
-use crate::io::save_atomically;
+use super::{
+    format::{Fault, Lesson},
+    proof::is_sound,
+};
+use crate::io::{decode_text, is_binary, save_atomically, shown, stream::bytes_of_file};
 
 /// Files of the shipped lessons by their names, in the order of the list.
 pub const FILES: [(&str, &str); 12] = [
@@ -33,27 +36,31 @@ pub fn shipped() -> &'static [Arc<Lesson>] {
     &SHIPPED
 }
 
-/// A lesson of a file; longer ones than a few books are none.
+/// A longer file is no lesson, bytes: the longest shipped one has 9000.
+pub const MOST_BYTES: u64 = 256 << 10;
+
+/// A lesson of a file.
 ///
 /// # Errors
 /// [`Fault`]: the file, what was found and what was expected.
 pub fn read_file(path: &Path) -> Result<Lesson, Fault> {
-    const MOST_BYTES: u64 = 4 << 20;
-    let file = path.display().to_string();
+    let file = shown(path);
     let fault = |what: String| Fault {
         file: file.clone(),
         step: None,
         what,
     };
-    let bytes = std::fs::metadata(path).map_or(0, |meta| meta.len());
-    if bytes > MOST_BYTES {
+    let bytes = bytes_of_file(path, MOST_BYTES)
+        .map_err(|(found, expected)| fault(format!("found {found}, expected {expected}")))?;
+    if bytes.len() as u64 > MOST_BYTES {
         return Err(fault(format!(
-            "found {bytes} bytes, expected at most {MOST_BYTES}"
+            "found more than {MOST_BYTES} bytes, expected at most so many"
         )));
     }
-    let text = std::fs::read_to_string(path)
-        .map_err(|why| fault(format!("found a file that cannot be read ({why})")))?;
-    Lesson::read(&file, &text)
+    if is_binary(&bytes) {
+        return Err(fault("found no text, expected a lesson".to_owned()));
+    }
+    Lesson::read(&file, &decode_text(&bytes).text)
 }
 
 /// The lessons of a folder in the order of their files' names, and what is wrong with the others.
@@ -67,7 +74,9 @@ pub fn of_folder(folder: &Path) -> (Vec<Lesson>, Vec<Fault>) {
     paths.sort();
     let (mut lessons, mut faults) = (Vec::new(), Vec::new());
     for path in paths {
-        match read_file(&path) {
+        // What can be seen without playing it: a class must not wait for a folder.
+        let read = read_file(&path).and_then(|lesson| is_sound(&lesson, &[]).map(|()| lesson));
+        match read {
             Ok(lesson) => lessons.push(lesson),
             Err(why) => faults.push(why),
         }
@@ -146,5 +155,48 @@ mod tests {
             "{words:?}"
         );
         assert!(keep(&own.join("notes.txt"), lessons[0]).is_err());
+        // A name that nothing has is seen without playing the lesson; so is a book.
+        let text = &lessons[0].text;
+        let unknown = text.replacen("{cct}", "{foo}", 1);
+        let long = format!("{text}{}", " ".repeat(300 << 10));
+        for (name, text, words) in [
+            ("unknown.json", unknown, "found the figure foo"),
+            ("long.json", long, "found more than 262144 bytes"),
+        ] {
+            std::fs::write(own.join(name), text).expect("a file");
+            let (_, faults) = of_folder(&own);
+            let said = faults.iter().any(|why| why.to_string().contains(words));
+            assert!(said, "{faults:?}");
+            std::fs::remove_file(own.join(name)).expect("it is there");
+        }
+    }
+
+    #[test]
+    fn a_lesson_may_be_of_any_encoding_of_text() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("wide.json");
+        let text = format!("\u{feff}{}", FILES[0].1);
+        let bytes: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
+        std::fs::write(&path, bytes).expect("a file");
+        let lesson = read_file(&path).expect("a lesson");
+        assert_eq!(lesson.steps, shipped()[0].steps);
+    }
+
+    /// It would be waited for without end, and a device gives bytes without end.
+    #[cfg(unix)]
+    #[test]
+    fn a_pipe_or_a_device_among_the_lessons_is_no_lesson() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let pipe = folder.path().join("x.json");
+        let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+        assert!(made.is_ok_and(|status| status.success()));
+        let zero = folder.path().join("zero.json");
+        std::os::unix::fs::symlink("/dev/zero", &zero).expect("a link");
+        let (lessons, faults) = of_folder(folder.path());
+        assert!(lessons.is_empty());
+        for fault in &faults {
+            assert_eq!(fault.what, "found a device or a pipe, expected a file");
+        }
+        assert_eq!(faults.len(), 2);
     }
 }

@@ -11,10 +11,10 @@ use super::{
 };
 use crate::app::{
     App, Command,
-    document::{Document, Subject},
+    document::{Document, MOST_OVERLAYS, Subject},
     library::Library,
     pages::{Page, PageMemory},
-    products::{Link, Products},
+    products::{Link, MOST_LINKS, Products},
     recipe::Times,
 };
 
@@ -117,6 +117,24 @@ fn within<T: Serialize>(wished: &T, nearest: &T) -> Result<(), String> {
     }
 }
 
+/// Refuses what pages would remember otherwise, at any depth.
+fn moved(wished: &Value, nearest: &Value) -> Result<(), String> {
+    let (Value::Object(wished), Value::Object(nearest)) = (wished, nearest) else {
+        return Ok(());
+    };
+    for (key, value) in wished {
+        match nearest.get(key) {
+            Some(near) if near == value => {}
+            Some(near) if near.is_object() && value.is_object() => moved(value, near)?,
+            near => {
+                let near = near.map_or_else(|| "nothing".to_owned(), Value::to_string);
+                return Err(format!("found {key} {value} in remember, expected {near}"));
+            }
+        }
+    }
+    Ok(())
+}
+
 impl Stage {
     /// Sets everything anew: what is not named is as at the first start. One step of undo; the
     /// person's own spectra stay, but those that the lesson `made` before.
@@ -183,6 +201,8 @@ impl Stage {
         for making in &self.make {
             made.push(making.make(app)?);
         }
+        // Another lamp over a surface that is looked at: the surface is still looked at.
+        let of_surface = !app.document().is_about_light();
         if let Some(name) = &self.light {
             app.apply(Command::Show(light(app, name)?));
         }
@@ -196,9 +216,18 @@ impl Stage {
             }
             app.apply(Command::Show(surface));
         } else if self.light.is_some() {
-            app.apply(Command::About(Subject::Light));
+            app.apply(Command::About(match of_surface {
+                true => Subject::Factor,
+                false => Subject::Light,
+            }));
         }
         if let Some(names) = &self.overlays {
+            if names.len() > MOST_OVERLAYS {
+                return Err(format!(
+                    "found {} overlays, expected at most {MOST_OVERLAYS}",
+                    names.len()
+                ));
+            }
             app.apply(Command::ClearOverlays);
             for name in names {
                 let overlay = entry(app, name)?;
@@ -219,9 +248,18 @@ impl Stage {
         }
         if let Some(number) = self.patch {
             app.apply(Command::Patch(number.checked_sub(1)));
+            if app.document().patch != number.checked_sub(1) {
+                let set = &app.document().patch_set;
+                return Err(format!(
+                    "found the patch {number}, expected the number of one of {set}"
+                ));
+            }
         }
         self.products(app)?;
         *memory = changed(memory, &self.remember, "remember")?;
+        let wished = serde_json::to_value(&memory).map_err(|why| why.to_string())?;
+        let nearest = serde_json::to_value(memory.clone().clamped());
+        moved(&wished, &nearest.map_err(|why| why.to_string())?)?;
         if let Some(word) = &self.page {
             memory.page = Page::of_word(word)
                 .ok_or_else(|| format!("found the page {word}, expected a page's word"))?;
@@ -240,6 +278,18 @@ impl Stage {
                 entry(app, &met.name).map(|entry| Link::new(entry, times))
             };
             products.chain = met.iter().map(link).collect::<Result<_, _>>()?;
+            let nearest = products.clone().clamped().chain;
+            if nearest.len() != products.chain.len() {
+                return Err(format!(
+                    "found {} things in the chain, expected at most {MOST_LINKS}, all of them \
+                     reflectances and transmittances",
+                    products.chain.len()
+                ));
+            }
+            for (wished, nearest) in products.chain.iter().zip(&nearest) {
+                let [wished, nearest] = [wished, nearest].map(Link::times);
+                within(&wished, &nearest)?;
+            }
         }
         if let Some(name) = &self.other_light {
             products.other_light = Some(light(app, name)?);
@@ -311,8 +361,32 @@ mod tests {
                 json!({"settings": {"order": 10_000}}),
                 "found order 10000, expected 100 as the nearest that can be",
             ),
+            (
+                json!({"chain": [{"name": "red", "times": 4_000_000_000_u32}]}),
+                "found bounces 4000000000, expected 16 as the nearest that can be",
+            ),
+            (
+                json!({"chain": [{"name": "red", "thickness": -5.0}]}),
+                "found thickness -5.0, expected",
+            ),
+            (
+                json!({"chain": vec![json!({"name": "red"}); 1000]}),
+                "found 1000 things in the chain, expected at most 16",
+            ),
+            (
+                json!({"patch": 100_000_000_000_u64}),
+                "found the patch 100000000000",
+            ),
+            (
+                json!({"overlays": vec!["FL2"; 500]}),
+                "found 500 overlays, expected at most 100",
+            ),
             (json!({"page": "nowhere"}), "found the page nowhere"),
             (json!({"surface": "FL2"}), "expected a surface"),
+            (
+                json!({"remember": {"products": {"narrow": {"width_nm": 5000.0}}}}),
+                "found width_nm 5000.0 in remember, expected",
+            ),
             (
                 json!({"remember": {"products": {"narow": 1}}}),
                 "found narow in products",

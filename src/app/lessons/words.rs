@@ -72,7 +72,7 @@ mod tests {
         };
         let words = filled("Order {order}, {numbers} numbers; {cct of CIE A}.", &scene);
         let numbers = app.derived().numbers();
-        assert_eq!(words, Ok(format!("Order 7, {numbers} numbers; 2856 K.")));
+        assert_eq!(words, Ok(format!("Order 7, {numbers} numbers; 2860 K.")));
         for wrong in ["{nothing}", "{ra of FL99}", "{ra"] {
             assert!(filled(wrong, &scene).is_err(), "{wrong}");
             assert!(fault(wrong, &[]).is_err(), "{wrong}");

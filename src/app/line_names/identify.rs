@@ -155,7 +155,6 @@ fn name_of(told: Option<&Told>) -> LineName {
     told.map_or_else(LineName::default, |told| LineName {
         safe: Some(told.words.clone()),
         label: Some(told.label.clone()),
-        near: None,
     })
 }
 

@@ -32,8 +32,6 @@ pub struct LineName {
     pub safe: Option<String>,
     /// The same where there is little room: "Hg 435.8", "Tb band + Hg 546.1".
     pub label: Option<String>,
-    /// Of a dip without a name: the nearest line of a family that is in the curve, for hover.
-    pub near: Option<String>,
 }
 
 #[cfg(test)]

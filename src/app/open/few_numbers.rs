@@ -6,7 +6,7 @@ use std::{fs::File, io::Read, path::Path, sync::Arc};
 use super::{Loaded, kept_path};
 use crate::{
     app::opened::Opened,
-    io::Choices,
+    io::{Choices, ReadError, Reading},
     pictures::{CompactFile, Errors, Picture, PictureError, read_full},
     spectrum::{
         Cube, SpectralImage,
@@ -39,8 +39,8 @@ fn is_picture(bytes: &[u8]) -> bool {
     bytes.starts_with(PNG) && holds(bytes, CHUNK)
 }
 
-/// The picture in few numbers that a file is, if it is one.
-pub(super) fn at(path: &Path, choices: &Choices) -> Option<Loaded> {
+/// The bytes of a file that may be such a picture.
+fn bytes_at(path: &Path) -> Option<Vec<u8>> {
     // Looking into a pipe would eat its beginning.
     if !path.is_file() {
         return None;
@@ -56,6 +56,38 @@ pub(super) fn at(path: &Path, choices: &Choices) -> Option<Loaded> {
         return None;
     }
     file.read_to_end(&mut bytes).ok()?;
+    Some(bytes)
+}
+
+/// What the picture in few numbers at a path holds, as of any other file; `None` where there is
+/// none.
+pub fn reading_at(path: &Path) -> Option<Result<Reading, ReadError>> {
+    let name = path.file_name()?.to_string_lossy().into_owned();
+    reading_in(&name, &bytes_at(path)?)
+}
+
+/// What a picture in few numbers in memory holds, as of any other file; `None` where it is none.
+pub fn reading_in(name: &str, bytes: &[u8]) -> Option<Result<Reading, ReadError>> {
+    let (format, image) = decoded(name, bytes)?;
+    Some(match image {
+        Ok(image) => Ok(Reading {
+            file: name.to_owned(),
+            format,
+            notes: image.notes.clone(),
+            images: vec![image],
+            ..Reading::default()
+        }),
+        Err(PictureError::Broken { found, expected }) => Err(ReadError::new(name, found, expected)),
+        Err(why) => {
+            let found = format!("a picture in few numbers ({why})");
+            Err(ReadError::new(name, found, "one that can be decoded"))
+        }
+    })
+}
+
+/// The picture in few numbers that a file is, if it is one.
+pub(super) fn at(path: &Path, choices: &Choices) -> Option<Loaded> {
+    let bytes = bytes_at(path)?;
     let name = path.file_name()?.to_string_lossy().into_owned();
     let loaded = within(&name, &bytes, choices)?;
     Some(match loaded {
@@ -70,17 +102,7 @@ pub(super) fn at(path: &Path, choices: &Choices) -> Option<Loaded> {
 
 /// The picture in few numbers that a file in memory is, if it is one.
 pub(super) fn within(name: &str, bytes: &[u8], choices: &Choices) -> Option<Loaded> {
-    if !is_picture(bytes) {
-        return None;
-    }
-    let (format, picture) = if bytes.starts_with(PNG) {
-        let file = CompactFile::open(bytes.to_vec());
-        let picture = file.and_then(|file| file.picture(&Progress::default()));
-        ("composite picture (PNG)", picture)
-    } else {
-        ("composite picture (OpenEXR)", read_full(bytes))
-    };
-    let image = picture.and_then(|picture| image(name, &picture));
+    let (format, image) = decoded(name, bytes)?;
     Some(match image {
         Ok(image) => Loaded::File(Box::new(Opened {
             bytes: Some(Arc::from(bytes)),
@@ -93,6 +115,24 @@ pub(super) fn within(name: &str, bytes: &[u8], choices: &Choices) -> Option<Load
         })),
         Err(why) => Loaded::Refused(format!("{name}: {why}")),
     })
+}
+
+/// The format and the image of a picture in few numbers; `None` for other bytes.
+fn decoded(
+    name: &str,
+    bytes: &[u8],
+) -> Option<(&'static str, Result<SpectralImage, PictureError>)> {
+    if !is_picture(bytes) {
+        return None;
+    }
+    let (format, picture) = if bytes.starts_with(PNG) {
+        let file = CompactFile::open(bytes.to_vec());
+        let picture = file.and_then(|file| file.picture(&Progress::default()));
+        ("composite picture (PNG)", picture)
+    } else {
+        ("composite picture (OpenEXR)", read_full(bytes))
+    };
+    Some((format, picture.and_then(|picture| image(name, &picture))))
 }
 
 /// A picture with all of its bands.

@@ -26,8 +26,20 @@ pub struct Wanted<'a> {
     pub pixels: Option<Rect>,
     /// Decisions about the file.
     pub choices: Choices,
-    /// Whether a file of several spectra is refused where none of them is named.
-    pub alone: bool,
+    /// A file of several spectra of which none is named.
+    pub several: Several,
+}
+
+/// A file of several spectra of which none is named.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Several {
+    /// The first is meant, which whoever asked has to be told.
+    #[default]
+    First,
+    /// The first is meant, and the answer itself tells so.
+    FirstAsNoted,
+    /// It is refused.
+    Refused,
 }
 
 /// What was meant.
@@ -37,6 +49,8 @@ pub struct Found {
     pub entry: Entry,
     /// Whether nothing tells a light from a share of light: neither the file nor a person.
     pub is_kind_open: bool,
+    /// How many spectra there were to choose from.
+    pub among: usize,
 }
 
 impl Found {
@@ -113,6 +127,7 @@ fn of_kind(mut entry: Entry, wanted: &Wanted) -> Found {
     Found {
         entry,
         is_kind_open: false,
+        among: 1,
     }
 }
 
@@ -131,6 +146,7 @@ impl Choice {
             let found = spectra.into_iter().map(|spectrum| Found {
                 entry: Entry::own(1, spectrum),
                 is_kind_open,
+                among: 1,
             });
             Self {
                 all: found.collect(),
@@ -156,6 +172,7 @@ impl Choice {
                 ..Entry::own(1, spectrum)
             },
             is_kind_open,
+            among: 1,
         });
         Ok(Self {
             all: found.collect(),
@@ -178,6 +195,8 @@ impl Choice {
     fn into_found(self, kind: Option<Kind>) -> Vec<Found> {
         let count = self.all.len();
         let told = |(index, mut found): (usize, Found)| {
+            // The first of an image stands for all of it.
+            found.among = if self.is_whole { 1 } else { count };
             let spectrum = &mut found.entry.spectrum;
             // An image's pixels have the image's kind.
             spectrum.kind = kind.unwrap_or(spectrum.kind);
@@ -207,7 +226,7 @@ fn of_file(path: &Path, opened: Opened, wanted: &Wanted) -> Result<Found, String
                 choice.names()
             )
         })?,
-        None if count > 1 && wanted.alone && !choice.is_whole => {
+        None if count > 1 && wanted.several == Several::Refused && !choice.is_whole => {
             return Err(format!(
                 "{}: found {count} spectra, expected one of them (--spectrum NAME or a number from \
                  1 to {count}: {}), or --all for all of them into .csv",

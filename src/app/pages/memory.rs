@@ -201,7 +201,7 @@ impl Default for ManyMemory {
 }
 
 impl ManyMemory {
-    /// A limit worth beginning with: nobody sees the difference, or 5 % of a spectrum.
+    /// A limit worth beginning with: the difference is hard to see, or 5 % of a spectrum.
     pub fn usual_limit(measure: Measure) -> f64 {
         if measure.is_colour() { 1.0 } else { 5.0 }
     }

@@ -7,7 +7,7 @@ use super::BandWeights;
 use crate::{
     app::{memo::ByAddress, studies::Question},
     color::{Xyz, srgb::linear_from_xyz},
-    spectrum::{Cube, SpectralImage},
+    spectrum::{Cube, SpectralImage, quantile},
     study::Progress,
 };
 
@@ -219,19 +219,10 @@ fn percentile(values: &[[f32; 3]], of: impl Fn([f32; 3]) -> f32) -> f64 {
     let every = values.len().div_ceil(LOOKED_AT).max(1);
     let looked_at = values.iter().step_by(every).map(|value| of(*value));
     let mut sample: Vec<f32> = looked_at.filter(|v| v.is_finite()).collect();
-    if sample.is_empty() {
-        return 0.0;
-    }
-    let at = ((sample.len() - 1) as f64 * FULL).round() as usize;
-    let (below, found, above) = sample.select_nth_unstable_by(at, f32::total_cmp);
-    if *found > 0.0 {
-        return f64::from(*found);
+    let found = quantile(&mut sample, FULL).unwrap_or(0.0);
+    if found > 0.0 {
+        return found;
     }
     // A few bright pixels on a dark ground: the brightest.
-    let brightest = below
-        .iter()
-        .chain(above.iter())
-        .copied()
-        .fold(0.0, f32::max);
-    f64::from(brightest)
+    f64::from(sample.into_iter().fold(0.0, f32::max))
 }

@@ -22,6 +22,8 @@ pub struct ModelledLight {
     pub derived: Arc<Derived>,
     /// Colour-matching functions and bases.
     pub tables: Arc<Tables>,
+    /// Of each line of the model, nm; 0 where none is known.
+    line_widths_nm: Vec<f64>,
     settings: super::super::settings::Settings,
 }
 
@@ -30,20 +32,20 @@ impl ModelledLight {
     pub fn of(app: &App) -> Self {
         let document = app.document();
         let settings = document.settings;
-        if document.is_about_light() {
-            return Self {
-                derived: app.derived().clone(),
-                tables: app.tables().clone(),
-                settings,
-            };
-        }
-        let (derived, tables) = derived_of(&Document {
-            subject: Subject::Light,
-            ..document.clone()
-        });
+        let (derived, tables) = if document.is_about_light() {
+            (app.derived().clone(), app.tables().clone())
+        } else {
+            let (derived, tables) = derived_of(&Document {
+                subject: Subject::Light,
+                ..document.clone()
+            });
+            (Arc::new(derived), Arc::new(tables))
+        };
+        let widths = derived.parts.spikes.iter().map(|line| line.width_nm);
         Self {
-            derived: Arc::new(derived),
-            tables: Arc::new(tables),
+            line_widths_nm: widths.map(Option::unwrap_or_default).collect(),
+            derived,
+            tables,
             settings,
         }
     }
@@ -66,6 +68,7 @@ impl ModelledLight {
         Product {
             measured: &self.derived.measured,
             model: &self.derived.model,
+            line_widths_nm: &self.line_widths_nm,
             sampling: self.settings.sampling,
             seen: &self.tables.viewing.weights,
             width_nm: self.settings.max_width_nm,

@@ -13,7 +13,7 @@ use crate::{
         studies::{Pairs, reflectances},
         ticks::short,
     },
-    color::{Adaptation, Observer, Swatch, delta_e_2000},
+    color::{Adaptation, Observer, Swatch, Weights, delta_e_2000},
     spectrum::{Band, Kind, NamedSpectrum, Sampled},
     study::products::{Black, TwoLights, black_of, two_lights, two_modelled_lights},
 };
@@ -36,7 +36,7 @@ pub struct TwoLightsSheet {
     /// Their colours under the lights' models, against the same whites.
     pub model: Option<TwoLights>,
     /// Colour-matching functions on the grid.
-    pub seen: [Vec<f64>; 3],
+    pub seen: Weights,
 }
 
 /// A light that is not the document's own, as its settings model it.

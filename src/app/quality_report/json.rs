@@ -4,7 +4,7 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::color::quality::{ALPHA_OPIC_WORDS, Figures, HueBin, NoFigure, SAMPLES};
+use crate::color::quality::{ALPHA_OPIC_WORDS, Figures, HueBin, NoFigure, Radiometric, SAMPLES};
 
 /// A light and its model, if there is one; every key is present, `null` where there is no figure.
 ///
@@ -138,8 +138,11 @@ fn rest(figures: &Figures) -> Map<String, Value> {
     let shape = figures.shape.as_ref().ok();
     let width = shape.and_then(|found| found.width.as_ref().ok());
     let alpha = figures.alpha_opic.as_ref().ok();
+    let is_irradiance = absolute.is_some_and(|found| found.what == Radiometric::Irradiance);
     let samples = figures.fidelity.as_ref().ok().map(|found| &found.samples);
     debug_assert!(samples.is_none_or(|samples| samples.len() == SAMPLES));
+    // Photons and melanopic light on a square metre: only of what falls on one.
+    let on_a_surface = |value: Option<f64>| value.filter(|_| is_irradiance);
     let reasons: Vec<Value> = super::rows(figures)
         .into_iter()
         .filter_map(|row| Some(json!({ "key": row.key, "why": row.value.err()? })))
@@ -159,9 +162,10 @@ fn rest(figures: &Figures) -> Map<String, Value> {
             "unit": found.what.photometric_unit(),
             "value": found.photometric,
             "radiometric": found.radiometric,
-            "ppfd": found.ppfd,
-            "eppfd": found.eppfd,
-            "melanopic_edi": alpha.map(|alpha| alpha.melanopic_edi(found.photometric)),
+            "ppfd": on_a_surface(Some(found.ppfd)),
+            "eppfd": on_a_surface(Some(found.eppfd)),
+            "melanopic_edi":
+                on_a_surface(alpha.map(|alpha| alpha.melanopic_edi(found.photometric))),
         })),
         "reasons": reasons,
     });

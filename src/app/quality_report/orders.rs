@@ -32,7 +32,7 @@ impl ModelsByOrder {
         let spikes = derived.model.spikes.clone();
         let smooth_target = colour_exact.then(|| {
             let whole = xyz_of_parts(band, &derived.measured, &[], weights);
-            (whole - xyz_of_spikes(band, &spikes, weights)).to_array()
+            (whole - xyz_of_spikes(&spikes, weights)).to_array()
         });
         let basis = &tables.basis;
         let projected = basis.project(&derived.parts.smooth, basis.numbers());

@@ -1,7 +1,8 @@
 //! All figures of a light as rows.
 
-use crate::color::quality::{
-    ALPHA_OPIC_WORDS, Figures, NoFigure, RENDERING_NAMES, RENDERING_SAMPLES,
+use crate::{
+    app::{tint, verdicts},
+    color::quality::{ALPHA_OPIC_WORDS, Figures, NoFigure, RENDERING_SAMPLES},
 };
 
 use super::{reading, row::Row};
@@ -29,6 +30,7 @@ const SAMPLE_KEYS: [(&str, &str); RENDERING_SAMPLES] = [
 ];
 
 const CRI: &str = "CIE 13.3-1995, 1 nm, samples by Sprague, CCT not rounded";
+const R15: &str = "JIS Z 8726: the skin complexion of the CIE's data set of 2024, as CIE 13.3";
 const TM_30: &str = "ANSI/IES TM-30-20 (CIE 224:2017), 99 samples of 1 nm, 380-780 nm";
 const S_026: &str = "CIE S 026:2018, over that of D65, 380-780 nm";
 const OF_SSI: &str = "SMPTE ST 2122, 375-675 nm";
@@ -76,10 +78,14 @@ fn colour_rows(figures: &Figures) -> Vec<Row> {
     let duv = figures.cct.clone().map(|cct| cct.duv);
     let dominant = figures.dominant.clone();
     vec![
-        row(["cct", "CCT", "K"], 0, OHNO, kelvin, |k| {
-            reading::of_cct(figures, k)
+        row(["cct", "CCT", "K"], 0, OHNO, kelvin, |_| {
+            let cct = figures.cct.as_ref();
+            cct.map_or_else(|_| String::new(), |cct| reading::of_cct(figures, *cct))
         }),
-        row(["duv", "Duv", ""], 4, OHNO, duv, reading::of_duv),
+        row(["duv", "Duv", ""], 4, OHNO, duv, |_| {
+            let cct = figures.cct.as_ref();
+            cct.map_or_else(|_| String::new(), |cct| tint::duv_words(*cct))
+        }),
         row(
             ["dominant_nm", "Dominant wavelength", "nm"],
             1,
@@ -99,26 +105,34 @@ fn colour_rows(figures: &Figures) -> Vec<Row> {
 
 fn rendering_rows(figures: &Figures) -> Vec<Row> {
     let ra = figures.rendering.clone().map(|found| found.ra);
-    let mut rows = vec![row(["ra", "Ra", ""], 1, CRI, ra, reading::of_ra)];
+    let mut rows = vec![row(["ra", "Ra", ""], 1, CRI, ra, |_| {
+        let found = figures.rendering.as_ref();
+        found.map_or_else(|_| String::new(), reading::of_ra)
+    })];
     for (index, (key, title)) in SAMPLE_KEYS.into_iter().enumerate() {
         let value = figures.rendering.clone().map(|f| f.samples[index].index);
-        let name = RENDERING_NAMES[index];
-        rows.push(row([key, title, ""], 1, CRI, value, |value| {
-            reading::of_sample(index + 1, name, value)
+        let method = if index == 14 { R15 } else { CRI };
+        rows.push(row([key, title, ""], 1, method, value, |value| {
+            reading::of_sample(figures, index + 1, value)
         }));
     }
     let rf = figures.fidelity.as_ref().map(|found| found.rf);
     let rg = figures.fidelity.as_ref().map(|found| found.rg);
     let rf = rf.map_err(Clone::clone);
-    rows.push(row(["rf", "Rf", ""], 1, TM_30, rf, reading::of_rf));
+    let samples = figures.fidelity.as_ref().map(|found| &found.samples[..]);
+    rows.push(row(["rf", "Rf", ""], 1, TM_30, rf, |rf| {
+        reading::of_rf(rf, samples.unwrap_or_default())
+    }));
     let rg = rg.map_err(Clone::clone);
-    rows.push(row(["rg", "Rg", ""], 1, TM_30, rg, reading::of_rg));
+    rows.push(row(["rg", "Rg", ""], 1, TM_30, rg, |rg| {
+        verdicts::of_rg(rg).to_owned()
+    }));
     let own = figures.similarity.clone().and_then(|found| found.of_cct);
     let reference = own.clone().map(|(reference, _)| reference.to_string());
     let reference = reference.unwrap_or_default();
     let value = own.map(|(_, value)| value);
     rows.push(row(["ssi", "SSI", ""], 0, OF_SSI, value, |value| {
-        reading::of_similarity(value, &reference)
+        verdicts::of_ssi(value, &reference)
     }));
     rows.push(Row {
         key: "tlci",
@@ -215,12 +229,8 @@ fn absolute_rows(figures: &Figures) -> Vec<Row> {
             "CIE S 026:2018: DER x lx",
             edi,
             |lux| {
-                let enough = if lux >= 250.0 {
-                    "enough"
-                } else {
-                    "less than is advised"
-                };
-                format!("{enough} for the day (250 lx at the eye, Brown et al. 2022)")
+                let reaches = if lux >= 250.0 { "reaches" } else { "below" };
+                format!("{reaches} the 250 lx at the eye advised by day (Brown et al. 2022)")
             },
         ));
         rows.push(row(

@@ -20,6 +20,7 @@ use crate::{
         Between, Kernel, Light, Operator, PictureError, Plan, ReferenceKind, Relit, Spread, Tally,
         Trust, Verdict, plan_of, relit_into,
     },
+    spectrum::quantile,
     study::Progress,
 };
 
@@ -294,12 +295,8 @@ impl Question for TurnAsk {
 /// What 99 % of the numbers do not exceed; 1 where nothing shines.
 fn bright(values: &[f32]) -> f64 {
     let mut values: Vec<f32> = values.iter().copied().filter(|v| v.is_finite()).collect();
-    if values.is_empty() {
-        return 1.0;
-    }
-    let at = ((values.len() - 1) as f64 * 0.99).round() as usize;
-    let found = f64::from(*values.select_nth_unstable_by(at, f32::total_cmp).1);
-    if found > 0.0 { found } else { 1.0 }
+    let found = quantile(&mut values, 0.99);
+    found.filter(|found| *found > 0.0).unwrap_or(1.0)
 }
 
 /// XYZ as a screen shows it, Y = 1 for the white; adapted to it where that is asked for and can be

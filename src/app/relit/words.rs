@@ -2,23 +2,13 @@
 
 use super::{Fit, Looked, Stored, Turned, store::bytes_words};
 use crate::{
-    app::answers::Seen,
+    app::verdicts::Seen,
     io::many::{capitalised, many},
     pictures::{Errors, Peer, Trust, Verdict},
 };
 
 /// Cells of a table, row after row.
 pub type Rows = Vec<Vec<String>>;
-
-/// How a difference that 95 % of the pixels keep is seen.
-fn seen(p95: f64) -> &'static str {
-    match Seen::of(p95) {
-        Seen::Not => "nobody sees that",
-        Seen::SideBySide => "seen only side by side",
-        Seen::Visible => "visible",
-        Seen::Wrong => "other colours",
-    }
-}
 
 /// The result: numbers, what colours are off by, bytes.
 pub fn headline(fit: &Fit, turned: &Turned, stored: Option<&Stored>) -> String {
@@ -44,7 +34,7 @@ pub fn headline(fit: &Fit, turned: &Turned, stored: Option<&Stored>) -> String {
         looked.bands().len(),
         spread.mean,
         spread.p95,
-        seen(spread.p95),
+        Seen::of(spread.p95).seen(),
         spread.max,
         bytes.unwrap_or_default()
     )

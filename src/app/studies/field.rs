@@ -9,7 +9,7 @@ use super::{
 use crate::{
     app::{document::Document, entry::Entry, library::Library, memo::ByAddress},
     color::Observer,
-    lamps::{Count, LeaveOut, NUMBERS, Racing},
+    lamps::{Count, LONGEST_RANGE_NM, LeaveOut, NUMBERS, Racing},
     preset::{Preset, Shelf},
     rivals::PrincipalBasis,
     spectrum::{Band, Kind, NamedSpectrum, SpikeSettings},
@@ -70,6 +70,16 @@ impl RaceAsk {
             budgets,
             strict: false,
         }
+    }
+
+    /// Why nobody races on this range, in words; `None` where a race can be run.
+    pub fn why_not(&self) -> Option<String> {
+        let [least, most] = [self.band.min_nm(), self.band.max_nm()];
+        (self.band.steps() > LONGEST_RANGE_NM).then(|| {
+            format!(
+                "found {least}:{most}, expected a range of at most {LONGEST_RANGE_NM} nm for a race"
+            )
+        })
     }
 
     /// The counts at which known lamps and wide lines are judged: those that they can have.

@@ -21,7 +21,8 @@ type Maker = (Band, Observer, SpikeSettings);
 /// second.
 ///
 /// # Errors
-/// [`EncodingError::Unseen`] when the range misses the visible.
+/// [`EncodingError::Unseen`] when the range misses the visible, [`EncodingError::TooLong`] when it is
+/// too long.
 pub(super) fn encoder(maker: Maker) -> Result<Arc<Encoder>, EncodingError> {
     static LAST: Mutex<Option<(Maker, Arc<Encoder>)>> = Mutex::new(None);
     // Whoever panicked left the last encoder whole.
@@ -100,7 +101,12 @@ impl EncodeAsk {
         };
         let chosen = encoder.encode_without(&measured, ask, &left_out)?;
         let judge = Panel::judging(band, observer);
-        let encoded = judged(&encoder, &judge, &measured, &chosen.encoding)?;
+        let encoded = judged(
+            &encoder,
+            &judge,
+            &measured,
+            (&chosen.encoding, self.numbers),
+        )?;
         let decoder = encoder.decoder();
         let decoded = decoder.decode(&encoded.encoding)?;
         let makeup = Makeup::of(&encoded.encoding);

@@ -167,8 +167,12 @@ impl FieldChoice {
 impl Question for RaceAsk {
     type Answer = Race;
 
-    /// The answer; `None` when no light shines or it was cancelled.
+    /// The answer; `None` when no light shines, the range is too long ([`RaceAsk::why_not`]) or it
+    /// was cancelled.
     fn answer(&self, progress: &Progress) -> Option<Race> {
+        if self.why_not().is_some() {
+            return None;
+        }
         race::run(&self.course(), &self.lamps(), progress)
     }
 }

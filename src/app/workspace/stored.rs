@@ -20,7 +20,10 @@ use crate::{
         stored_path,
     },
     io::{Choices, MakersResult},
-    spectrum::{Band, Basis, Composite, Kind, NamedSpectrum, Sampled, Series, Spike, SpikeEdits},
+    lamps::Composite as WideComposite,
+    spectrum::{
+        Band, Basis, Composite, Formula, Kind, NamedSpectrum, Sampled, Series, Spike, SpikeEdits,
+    },
 };
 
 /// A spectrum of the user's own with all its numbers.
@@ -43,36 +46,51 @@ pub(super) struct OwnSpectrum {
     /// The composite that it is, which the numbers are the table of.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     composite: Option<StoredComposite>,
+    /// The formula of a refractive index, which the numbers are the table of.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    formula: Option<Formula>,
 }
 
-/// A composite: the series' functions, range and coefficients, and place and weight of its spikes.
+/// A composite: the series' functions, range and coefficients, place and weight of its spikes, and
+/// their widths, nm, where any has one.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct StoredComposite {
     basis: Basis,
     band: Band,
     coefficients: Vec<f64>,
     spikes: Vec<[f64; 2]>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    widths_nm: Vec<f64>,
 }
 
 impl StoredComposite {
-    fn of(composite: &Composite) -> Self {
-        let Composite { smooth, spikes } = composite;
+    fn of(composite: &WideComposite) -> Self {
+        let WideComposite { smooth, spikes } = composite;
+        let widths_nm = || spikes.iter().map(|s| s.width_nm).collect();
         Self {
             basis: smooth.basis,
             band: smooth.band,
             coefficients: smooth.coefficients.clone(),
             spikes: spikes.iter().map(|s| [s.at_nm, s.weight]).collect(),
+            widths_nm: match spikes.iter().any(|s| !s.is_ideal()) {
+                true => widths_nm(),
+                false => Vec::new(),
+            },
         }
     }
 
     /// `None` where its numbers are no composite.
-    fn found(self) -> Option<Composite> {
+    fn found(self) -> Option<WideComposite> {
         let numbers = self.coefficients.len();
-        let sound = numbers % 2 == 1 && numbers <= self.band.points();
+        let widths = &self.widths_nm;
+        let sound = numbers % 2 == 1
+            && numbers <= self.band.points()
+            && (widths.is_empty() || widths.len() == self.spikes.len())
+            && widths.iter().all(|width| *width >= 0.0);
         let all = self.spikes.iter().flatten().chain(&self.coefficients);
-        let is_finite = all.into_iter().all(|v| v.is_finite());
+        let is_finite = all.chain(widths).all(|v| v.is_finite());
         let spikes = self.spikes.into_iter();
-        (sound && is_finite).then(|| Composite {
+        let centres = || Composite {
             smooth: Series {
                 band: self.band,
                 basis: self.basis,
@@ -81,7 +99,8 @@ impl StoredComposite {
             spikes: spikes
                 .map(|[at_nm, weight]| Spike { at_nm, weight })
                 .collect(),
-        })
+        };
+        (sound && is_finite).then(|| WideComposite::with_widths(centres(), &self.widths_nm))
     }
 }
 
@@ -293,6 +312,7 @@ impl OwnSpectrum {
             makers: Vec::new(),
             made: None,
             composite: None,
+            formula: None,
         }
     }
 
@@ -320,6 +340,7 @@ impl OwnSpectrum {
             makers,
             composite: entry.composite.as_deref().map(StoredComposite::of),
             made: entry.origin.made().cloned(),
+            formula: samples.formula().cloned(),
         }
     }
 
@@ -328,7 +349,10 @@ impl OwnSpectrum {
     /// # Errors
     /// Why its numbers are no spectrum.
     pub(super) fn into_entry(self) -> Result<Entry, String> {
-        let samples = Sampled::new(self.nm, self.values).map_err(|e| e.to_string())?;
+        let mut samples = Sampled::new(self.nm, self.values).map_err(|e| e.to_string())?;
+        if let Some(formula) = self.formula {
+            samples = samples.of_formula(formula);
+        }
         Ok(Entry {
             key: self.key,
             origin: self.made.map_or(Origin::Numbers, Origin::Made),
@@ -348,5 +372,41 @@ impl OwnSpectrum {
                 .and_then(StoredComposite::found)
                 .map(Arc::new),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_composite_is_found_again_with_the_widths_of_its_lines() {
+        let centres = Composite {
+            smooth: Series {
+                band: Band::VISIBLE,
+                basis: Basis::Cosine,
+                coefficients: vec![1.0, 0.5, -0.25],
+            },
+            spikes: vec![
+                Spike {
+                    at_nm: 435.8,
+                    weight: 3.0,
+                },
+                Spike {
+                    at_nm: 611.0,
+                    weight: 2.0,
+                },
+            ],
+        };
+        for widths_nm in [&[][..], &[0.0, 7.5]] {
+            let composite = WideComposite::with_widths(centres.clone(), widths_nm);
+            let stored = serde_json::to_string(&StoredComposite::of(&composite)).expect("JSON");
+            assert_eq!(stored.contains("widths_nm"), !widths_nm.is_empty());
+            let read: StoredComposite = serde_json::from_str(&stored).expect("its own");
+            assert_eq!(read.clone().found(), Some(composite));
+            // Widths of other lines are no composite's.
+            let widths_nm = vec![1.0];
+            assert_eq!(StoredComposite { widths_nm, ..read }.found(), None);
+        }
     }
 }

@@ -25,7 +25,7 @@ pub(crate) struct Recover {
         conflicts_with_all = ["lab", "image"])]
     pub xyz: Option<[f64; 3]>,
     /// The colour as L*a*b* against the light.
-    #[arg(long, value_name = "L,A,B", allow_hyphen_values = true, value_parser = room_words::place,
+    #[arg(long, value_name = "L,A,B", allow_hyphen_values = true, value_parser = room_words::lab,
         conflicts_with = "image")]
     pub lab: Option<[f64; 3]>,
     /// The light that the surface is seen under, a file or a preset [default: CIE D65].
@@ -40,7 +40,7 @@ pub(crate) struct Recover {
         conflicts_with = "second_lab")]
     pub second_xyz: Option<[f64; 3]>,
     /// The same as L*a*b* against the second light.
-    #[arg(long, value_name = "L,A,B", allow_hyphen_values = true, value_parser = room_words::place)]
+    #[arg(long, value_name = "L,A,B", allow_hyphen_values = true, value_parser = room_words::lab)]
     pub second_lab: Option<[f64; 3]>,
     /// The second light, a file or a preset.
     #[arg(long, value_name = "LIGHT", conflicts_with = "image")]
@@ -92,7 +92,7 @@ pub(crate) struct Mix {
     #[arg(long, value_name = "DUV", requires = "target", allow_hyphen_values = true,
         value_parser = room_words::finite)]
     pub duv: Option<f64>,
-    /// What to be best at: ler, rf, ra, melanopic or fewest [default: ler].
+    /// What to be best at: ler, rf, ra, melanopic or fewest [default: rf].
     #[arg(long, value_name = "FIGURE", value_parser = room_words::favour, conflicts_with = "front")]
     pub favour: Option<Favour>,
     /// What not to fall below, such as rf=80, ra=90, ler=300 or melanopic=0.5; repeated.

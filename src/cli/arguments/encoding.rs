@@ -29,7 +29,8 @@ pub(crate) struct Encode {
     pub strict: bool,
     #[command(flatten)]
     pub pick: PickOptions,
-    /// Range that is encoded, in whole nm; decoding needs the same [default: 380:780].
+    /// Range that is encoded, in whole nm, at most 4000; decoding words needs the same [default:
+    /// 380:780].
     #[arg(long, value_name = "MIN:MAX", allow_hyphen_values = true, value_parser = words::range)]
     pub range: Option<Band>,
     /// Colour-matching functions: 1931, 1964, 2015-2 or 2015-10 [default: 1931].
@@ -47,7 +48,7 @@ pub(crate) struct Decode {
     /// (- is standard input).
     #[arg(value_name = "WORDS|FILE", required = true)]
     pub words: Vec<OsString>,
-    /// Range that was encoded, in whole nm: words do not hold it [default: 380:780].
+    /// Range that was encoded, in whole nm: words do not hold it, JSON does [default: 380:780].
     #[arg(long, value_name = "MIN:MAX", allow_hyphen_values = true, value_parser = words::range)]
     pub range: Option<Band>,
     /// The spectrum to write: .csv, .json, .sp (Argyll), .spd or .spdx.

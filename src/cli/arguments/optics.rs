@@ -46,7 +46,7 @@ pub(crate) struct Prism {
         allow_hyphen_values = true, value_parser = room_words::finite)]
     pub screen: f64,
     /// Width of the slit, mm.
-    #[arg(long, value_name = "MM", default_value = "0.2",
+    #[arg(long, value_name = "MM", default_value = "0.5",
         allow_hyphen_values = true, value_parser = room_words::finite)]
     pub slit: f64,
     /// The wavelength in whose way the screen stands, nm.
@@ -67,6 +67,10 @@ pub(crate) struct Prism {
     /// The model, whose spikes are told of.
     #[command(flatten)]
     pub model: ModelOptions,
+    /// Send the light's model through instead of the light as measured; lines are exact rays
+    /// either way.
+    #[arg(long)]
+    pub as_modelled: bool,
     #[command(flatten)]
     pub files: FileOptions,
     /// Print JSON; its keys are stable.
@@ -94,6 +98,10 @@ pub(crate) struct Rainbow {
     /// The model, whose spikes are told of.
     #[command(flatten)]
     pub model: ModelOptions,
+    /// Send the light's model through instead of the light as measured; lines are exact rays
+    /// either way.
+    #[arg(long)]
+    pub as_modelled: bool,
     #[command(flatten)]
     pub files: FileOptions,
     /// Print JSON; its keys are stable.
@@ -123,7 +131,7 @@ pub(crate) struct Gem {
     pub view: ViewOptions,
     /// What shines on it: four soft boxes and two small lamps before a dim dome (studio), or many
     /// lamps before a dark room, as in the window (jeweller).
-    #[arg(long, value_name = "LAMPS", default_value = "studio",
+    #[arg(long, value_name = "LAMPS", default_value = "jeweller",
         value_parser = room_words::lamps)]
     pub lamps: room_words::Lamps,
     /// How much it absorbs a unit of length at every wavelength; a unit is the girdle's radius.
@@ -163,7 +171,11 @@ pub(crate) struct Gem {
     /// The model, whose spikes are traced.
     #[command(flatten)]
     pub model: ModelOptions,
-    /// The picture to write: .png, which may replace a picture, or .exr with every wavelength.
+    /// Send the light's model through instead of the light as measured; lines are exact rays
+    /// either way.
+    #[arg(long)]
+    pub as_modelled: bool,
+    /// The picture to write: .png, which may replace one that this program drew, or .exr with every wavelength.
     #[arg(long, value_name = "FILE", value_parser = words::path_in(&["png", "exr"]))]
     pub out: Option<PathBuf>,
     /// Let it replace any other file too, but for what is read.

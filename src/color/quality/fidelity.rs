@@ -16,7 +16,7 @@ use crate::{
 use super::{
     appearance::Eye,
     hue_bin::{BINS, BinSum, HueBin, bin_of, index_of},
-    light::{FIRST_NM, Light, positive},
+    light::{FIRST_NM, Light, POINTS, positive},
     no_figure::NoFigure,
     reference::{Reference, fidelity_reference},
     weight::{shipped_group, value_at},
@@ -113,6 +113,18 @@ pub fn fidelity(light: &Light, cct: Cct) -> Result<Fidelity, NoFigure> {
 /// Names of the samples, in their order.
 pub fn sample_names() -> &'static [String] {
     &TABLES.names
+}
+
+/// Reflectances of the samples on whole nm 360-830, zero outside 380-780 nm.
+pub(crate) fn fidelity_factors() -> Vec<Vec<f64>> {
+    let first = (SAMPLES_FIRST_NM - FIRST_NM) as usize;
+    let rows = TABLES.samples.chunks_exact(SAMPLES_POINTS);
+    let whole = |row: &[f64]| {
+        let mut values = vec![0.0; POINTS];
+        values[first..first + SAMPLES_POINTS].copy_from_slice(row);
+        values
+    };
+    rows.map(whole).collect()
 }
 
 /// Area of a polygon.
@@ -235,8 +247,7 @@ mod tests {
         for kelvin in [2000.0, 4000.0, 4500.0, 5000.0, 9000.0] {
             let light = Light::of_nm_values(&fidelity_reference(kelvin).on_nm());
             let found = fidelity(&light, Cct { kelvin, duv: 0.0 }).unwrap();
-            // No difference reads 100 + 10 ln(1 + e^-10) = 100.00045.
-            assert!((found.rf - 100.0).abs() < 5e-4, "{kelvin}: {}", found.rf);
+            assert_eq!(found.rf, 100.0, "{kelvin}");
             assert!((found.rg - 100.0).abs() < 1e-9);
             for bin in found.bins.iter().flatten() {
                 // The 0.9th power enlarges the rounding of near-equal signals.

@@ -54,13 +54,16 @@ pub struct Figures {
     pub notes: Vec<String>,
 }
 
-/// The figures that are drawn against the order of a model.
+/// The figures that a light is judged by first, on the tables of [`Figures`]: against the order of
+/// a model, and wherever a light is designed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FewFigures {
     /// CRI.
     pub ra: Result<f64, NoFigure>,
     /// TM-30.
     pub rf: Result<f64, NoFigure>,
+    /// TM-30.
+    pub rg: Result<f64, NoFigure>,
     /// Correlated colour temperature and Duv.
     pub cct: Result<Cct, NoFigure>,
     /// Melanopic daylight efficacy ratio.
@@ -151,9 +154,12 @@ impl FewFigures {
     /// The few figures of a light.
     pub fn of(light: &Light) -> Self {
         let cct = cct_of(&xyz_of(light, Observer::Cie1931));
+        let found = cct.clone().and_then(|cct| fidelity(light, cct));
+        let found = found.map(|found| (found.rf, found.rg));
         Self {
             ra: cct.clone().and_then(|cct| Ok(rendering(light, cct)?.ra)),
-            rf: cct.clone().and_then(|cct| Ok(fidelity(light, cct)?.rf)),
+            rf: found.clone().map(|(rf, _)| rf),
+            rg: found.map(|(_, rg)| rg),
             melanopic_der: alpha_opic(light).map(|found| found.melanopic_der()),
             cct,
         }
@@ -186,7 +192,7 @@ fn sums_of(light: &Light, observer: Observer) -> Xyz {
 
 fn chromaticity(light: &Light, observer: Observer) -> Result<[f64; 2], NoFigure> {
     let first_nm = observer.table().first_nm;
-    let from = (first_nm - FIRST_NM) as usize;
+    let from = (first_nm.saturating_sub(FIRST_NM) as usize).min(POINTS);
     let is_below = light.lit()?.values()[from..].iter().all(|v| *v == 0.0)
         && !light
             .lines()

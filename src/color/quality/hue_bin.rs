@@ -41,9 +41,32 @@ pub(crate) fn bin_of([a, b]: [f64; 2]) -> usize {
     ((degrees / WIDTH_DEG) as usize).min(BINS - 1)
 }
 
-/// The index of a mean colour difference: 100 for none, never below 0.
+/// Names of the bins from hue 0 on, by the hues that look unmixed in CIECAM02: red at 20.1 degrees,
+/// yellow at 90, green at 164.3, blue at 237.5.
+pub const HUE_NAMES: [&str; BINS] = [
+    "red",
+    "orange red",
+    "orange",
+    "yellowish orange",
+    "yellow",
+    "yellow green",
+    "yellowish green",
+    "green",
+    "bluish green",
+    "blue green",
+    "blue",
+    "purplish blue",
+    "bluish violet",
+    "violet",
+    "purple",
+    "reddish purple",
+];
+
+/// The index of a mean colour difference: 100 for none, never below 0. The formula itself gives
+/// 100.0005 for none, which is more than the index has.
 pub(crate) fn index_of(difference: f64) -> f64 {
-    10.0 * ((100.0 - 6.73 * difference) / 10.0).exp().ln_1p()
+    let index = 10.0 * ((100.0 - 6.73 * difference) / 10.0).exp().ln_1p();
+    index.min(100.0)
 }
 
 /// What is summed over a bin's samples.
@@ -108,8 +131,8 @@ mod tests {
 
     #[test]
     fn no_difference_is_100_and_a_large_one_0() {
-        // ln(1 + e^10) is 4.5e-5 above 10.
-        assert!((index_of(0.0) - 100.0).abs() < 5e-4);
+        assert_eq!(index_of(0.0), 100.0);
+        assert!(index_of(1e-3) < 100.0);
         assert!(index_of(1000.0) >= 0.0 && index_of(1000.0) < 1e-9);
     }
 }

@@ -45,16 +45,16 @@ mod sprague;
 mod weight;
 
 pub(crate) use appearance::Eye;
-pub(crate) use fidelity::area;
+pub(crate) use fidelity::{area, fidelity_factors};
 pub(crate) use hue_bin::{bin_of, index_of};
-pub(crate) use rendering::{Shift, uvw};
+pub(crate) use rendering::{Shift, rendering_factors, uvw};
 
 pub use absolute::{Absolute, Measured, Radiometric, absolute};
 pub use alpha_opic::{ALPHA_OPIC_WORDS, AlphaOpic, alpha_opic};
 pub use dominant::{Dominant, dominant};
 pub use fidelity::{Fidelity, SAMPLES, fidelity, sample_names};
 pub use figures::{FewFigures, Figures, prepare};
-pub use hue_bin::{BINS, HueBin, bin_middle_deg};
+pub use hue_bin::{BINS, HUE_NAMES, HueBin, bin_middle_deg};
 pub use light::{FIRST_NM, LAST_NM, Light, POINTS};
 pub use no_figure::{Dark, NoFigure};
 pub use photometry::{LUMENS_PER_WATT, luminous_efficacy, sp_ratio};

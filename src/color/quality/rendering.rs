@@ -1,6 +1,6 @@
 //! Colour rendering index: Ra and R1 to R15.
 //!
-//! Source: CIE 13.3-1995. Fourteen test colours and the Japanese skin of R15 under the light and
+//! Source: CIE 13.3-1995. Fourteen test colours and R15 of JIS Z 8726, a skin, under the light and
 //! under a reference of the same CCT, in CIE 1964 U*V*W* with the von Kries shift of the standard;
 //! Ri = 100 - 4.6 dE, Ra the mean of the first eight. The CCT is not rounded, nor is any Ri before
 //! the mean. Sums are over 1 nm, 360-830; the test colours, given every 5 nm, are interpolated by
@@ -25,7 +25,7 @@ use super::{
 /// Number of test colours.
 pub const RENDERING_SAMPLES: usize = 15;
 
-/// What the test colours look like in daylight.
+/// What the test colours look like in daylight; the last is the skin complexion of JIS Z 8726.
 pub const RENDERING_NAMES: [&str; RENDERING_SAMPLES] = [
     "light greyish red",
     "dark greyish yellow",
@@ -41,7 +41,7 @@ pub const RENDERING_NAMES: [&str; RENDERING_SAMPLES] = [
     "strong blue",
     "light skin",
     "leaf green",
-    "Japanese skin",
+    "medium skin",
 ];
 
 /// Step of the tables of test colours, nm.
@@ -202,6 +202,11 @@ fn seen(light: &Light) -> Result<([Xyz; RENDERING_SAMPLES], Xyz), NoFigure> {
         }))
     });
     Ok((samples, Xyz::from_array(white) * unit))
+}
+
+/// Radiance factors of the test colours on whole nm 360-830.
+pub(crate) fn rendering_factors() -> &'static [Vec<f64>] {
+    &TEST_COLOURS
 }
 
 /// Radiance factors on whole nm 360-830, end values held.

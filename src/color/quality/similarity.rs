@@ -4,7 +4,8 @@
 //! light and reference each divided by its sum; relative differences `(t - r) / (r + 1/30)`,
 //! weighted, smoothed by .22 .56 .22, and `100 - 32 sqrt(sum of squares)`. The standard shows the
 //! number rounded; it may be negative for lights of a few lines and is not cut off here. A line of
-//! no width counts whole in the band that it stands in, half in either at a border.
+//! no width counts as the two whole nm beside it do, by its distance to each: whole in the band that
+//! both are in, and evenly from one to the other where it crosses a border.
 
 use std::{fmt, sync::LazyLock};
 
@@ -80,19 +81,10 @@ impl SimilarityBands {
         let light = light.lit()?;
         let mut bands = of_values(light.values());
         for line in light.lines() {
-            let x = (line.at_nm - f64::from(FROM_NM)) / BAND_NM as f64;
-            if !(0.0..=BANDS as f64).contains(&x) {
-                continue;
-            }
-            let right = x as usize;
-            // At a border half of it is either band's.
-            let share = if x == right as f64 { 0.5 } else { 1.0 };
-            if let Some(band) = bands.get_mut(right) {
-                *band += share * line.weight;
-            }
-            if share < 1.0 && right > 0 {
-                bands[right - 1] += share * line.weight;
-            }
+            let below = line.at_nm.floor();
+            let beyond = line.at_nm - below;
+            add_at(&mut bands, below, (1.0 - beyond) * line.weight);
+            add_at(&mut bands, below + 1.0, beyond * line.weight);
         }
         Self::of_sums(bands, "sum of 375-675 nm")
     }
@@ -134,6 +126,25 @@ fn of_values(values: &[f64]) -> [f64; BANDS] {
         let here = &values[first + band * BAND_NM..][..=BAND_NM];
         here.iter().sum::<f64>() - 0.5 * (here[0] + here[BAND_NM])
     })
+}
+
+/// Adds what stands at a whole nm: half to either band at a border, nothing outside.
+fn add_at(bands: &mut [f64; BANDS], nm: f64, weight: f64) {
+    let x = nm - f64::from(FROM_NM);
+    if !(0.0..=(BANDS * BAND_NM) as f64).contains(&x) {
+        return;
+    }
+    let right = x as usize / BAND_NM;
+    let is_border = (x as usize).is_multiple_of(BAND_NM);
+    if !is_border {
+        bands[right] += weight;
+        return;
+    }
+    for band in [right.checked_sub(1), Some(right)].into_iter().flatten() {
+        if let Some(band) = bands.get_mut(band) {
+            *band += 0.5 * weight;
+        }
+    }
 }
 
 fn weight_of(band: usize) -> f64 {
@@ -197,7 +208,7 @@ static FIXED: LazyLock<[SimilarityBands; 3]> = LazyLock::new(|| {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spectrum::Spike;
+    use crate::spectrum::{Band, Spike};
 
     fn line(at_nm: f64) -> [f64; BANDS] {
         let light = Light::of_line(Spike { at_nm, weight: 2.0 });
@@ -216,8 +227,10 @@ mod tests {
     #[test]
     fn a_line_counts_in_its_band_and_half_at_a_border() {
         assert_eq!(line(379.9)[0], 1.0);
-        assert_eq!(line(384.99)[0], 1.0);
+        assert_eq!(line(384.0)[0], 1.0);
         assert_eq!(line(385.0)[..2], [0.5, 0.5]);
+        // As 385 nm has half in either band and 386 nm all in the second: three quarters.
+        assert_eq!(line(385.5)[..2], [0.25, 0.75]);
         // Half of a line at either outer border is outside; shares are of what is inside.
         assert_eq!(line(375.0)[0], 1.0);
         assert_eq!(line(675.0)[29], 1.0);
@@ -226,6 +239,29 @@ mod tests {
             weight: 1.0,
         });
         assert!(SimilarityBands::of(&outside).is_err());
+    }
+
+    #[test]
+    fn a_line_that_moves_by_little_changes_the_bands_by_little() {
+        const STEP_NM: f64 = 1e-6;
+        let band = Band::new(360.0, 830.0).unwrap();
+        let shares = |at_nm: f64| {
+            let line = Spike {
+                at_nm,
+                weight: 50.0,
+            };
+            let light = Light::of_parts(band, &vec![1.0; band.points()], &[line]);
+            SimilarityBands::of(&light).unwrap().0
+        };
+        for tenth in 3740..=6760 {
+            let at_nm = f64::from(tenth) / 10.0;
+            let [below, at, above] = [at_nm - STEP_NM, at_nm, at_nm + STEP_NM].map(shares);
+            for (one, other) in below.iter().zip(at).chain(above.iter().zip(at)) {
+                // A whole line goes from a band to the next within 2 nm, and it is about one in seven
+                // of the light.
+                assert!((one - other).abs() < STEP_NM, "{at_nm}: {one} {other}");
+            }
+        }
     }
 
     #[test]

@@ -25,6 +25,9 @@ const BLACKBODY_K: [f64; 2] = [500.0, 100_000.0];
 /// Narrowest and widest Gaussian, nm: below 1 nm a sum over whole nm sees no Gaussian.
 const WIDTHS_NM: [f64; 2] = [1.0, 400.0];
 
+/// Greatest weight: beside it the least is still a share that can be told.
+const MOST_WEIGHT: f64 = 1e9;
+
 /// What a channel is made of.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -143,8 +146,11 @@ impl FromStr for Spec {
         // A name may hold the sign too: only a number behind the last one is a weight.
         let (words, fixed) = match text.rsplit_once('=') {
             Some((words, weight)) => match weight.trim().parse::<f64>() {
-                Ok(weight) if weight >= 0.0 && weight.is_finite() => (words.trim(), Some(weight)),
-                Ok(_) => return Err(refused("a weight of 0 or more behind =".to_owned())),
+                Ok(weight) if (0.0..=MOST_WEIGHT).contains(&weight) => (words.trim(), Some(weight)),
+                Ok(_) => {
+                    let weights = format!("a weight of 0 to {MOST_WEIGHT} behind =");
+                    return Err(refused(weights));
+                }
                 Err(_) => (text, None),
             },
             None => (text, None),
@@ -246,6 +252,7 @@ mod tests {
             "daylight:3000",
             "line:500=-1",
             "line:500=inf",
+            "line:500=1e308",
         ] {
             assert!(wrong.parse::<Spec>().is_err(), "{wrong:?}");
         }

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::method::Method;
+use crate::design::small::digits;
 
 /// Why a spectrum cannot be made from a colour.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,6 +52,11 @@ pub enum RecoverError {
     },
     /// Bands of a spectral picture that are no axis.
     Bands,
+    /// The search for powers ended without an answer.
+    NotSolved {
+        /// Why.
+        why: String,
+    },
 }
 
 impl fmt::Display for RecoverError {
@@ -79,7 +85,8 @@ impl fmt::Display for RecoverError {
                  {condition:.1e})"
             ),
             Self::LineOutside { found_nm } => {
-                write!(f, "lines: expected places in 380-780 nm, found {found_nm}")
+                let found = digits(*found_nm);
+                write!(f, "lines: expected places in 380-780 nm, found {found}")
             }
             Self::Lines { found } => write!(f, "lines: expected 1 to 32, found {found}"),
             Self::NoBackground => {
@@ -89,6 +96,7 @@ impl fmt::Display for RecoverError {
                 f,
                 "picture: expected {expected} numbers for its size, found {found}"
             ),
+            Self::NotSolved { why } => write!(f, "powers: found no answer: {why}"),
             Self::Bands => f.write_str("bands: expected two or more rising places in 380-780 nm"),
         }
     }

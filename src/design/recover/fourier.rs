@@ -4,11 +4,11 @@
 //! themselves are weighed (`1/2`, cosine, sine), so that the equations are the colour. Nothing
 //! keeps the series in 0-1, and often it does not stay there.
 
-use super::viewing::{FOURIER, Viewing, condition_number};
-use crate::design::small::solved;
-
-/// Above this condition number two lights tell the same.
-const WORST_CONDITION: f64 = 1e9;
+use super::viewing::{FOURIER, Viewing};
+use crate::{
+    design::small::solved,
+    spectrum::{WORST_CONDITION, condition_number},
+};
 
 /// Coefficients of a series (prefix order) and the condition number of their equations, or that
 /// number alone where there is no solution.

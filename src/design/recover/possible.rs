@@ -22,7 +22,7 @@ const STILL: f64 = 1e-9;
 pub(super) fn is_possible<const M: usize>(columns: &[[f64; M]; NODES], target: [f64; M]) -> bool {
     Programme::new(&columns[..], &[1.0; NODES], target)
         .corner()
-        .is_some()
+        .is_ok()
 }
 
 /// The reflectance whose colours come nearest to those asked for. `whites` and `targets` have one

@@ -10,7 +10,7 @@ use super::{
     viewing::{BAND, NODES, Nodes, Viewing, sampled_nodes},
 };
 use crate::{
-    color::{Xyz, delta_e_of_xyz},
+    color::{Xyz, delta_e_of_xyz, lab_from_xyz},
     spectrum::{Basis, Sampled, Series},
 };
 
@@ -40,13 +40,16 @@ pub struct Recovered {
     pub nearest: Option<Nearest>,
 }
 
-/// The nearest colours that a surface can have.
+/// The nearest colours that a surface or a light of lines can have: of a surface by the CIE 1976
+/// difference (the sum of squares of both lights'), of lines by CIE 1976 u'v'.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Nearest {
     /// One a light, Y = 100 for the light.
     pub xyz: Vec<Xyz>,
     /// CIEDE2000 between what was asked for and what can be, one a light.
     pub delta_e: Vec<f64>,
+    /// CIE 1976 difference, of which these are the nearest, one a light.
+    pub delta_e_ab: Vec<f64>,
 }
 
 /// The values of a recovered reflectance.
@@ -146,7 +149,13 @@ impl Recovered {
         let targets: Vec<Xyz> = seen.iter().map(|s| s.xyz * 0.01).collect();
         let reflectance = nodes(possible::nearest(columns, &whites, &targets));
         let xyz: Vec<Xyz> = seen.iter().map(|s| reflectance.xyz(s.under)).collect();
+        let both = seen.iter().zip(&xyz);
+        let apart = both.map(|(seen, xyz)| {
+            let lab = |xyz: Xyz| lab_from_xyz(xyz, seen.under.white());
+            lab(seen.xyz).delta_e_1976(lab(*xyz))
+        });
         let nearest = Nearest {
+            delta_e_ab: apart.collect(),
             delta_e: differences(seen, &xyz),
             xyz,
         };

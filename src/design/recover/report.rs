@@ -125,8 +125,20 @@ fn under_json(prediction: &Prediction) -> Value {
 
 /// One object; with two lights an array of two.
 fn nearest_json(nearest: &Nearest, swatches: impl Iterator<Item = Swatch>) -> Value {
-    let one = |((xyz, delta_e), swatch): ((&Xyz, &f64), Swatch)| json!({"xyz": xyz.to_array(), "srgb_hex": swatch.hex(), "delta_e": delta_e});
-    let each = nearest.xyz.iter().zip(&nearest.delta_e).zip(swatches);
+    let one = |(((xyz, delta_e), delta_e_ab), swatch): (((&Xyz, &f64), &f64), Swatch)| {
+        json!({
+            "xyz": xyz.to_array(),
+            "srgb_hex": swatch.hex(),
+            "delta_e": delta_e,
+            "delta_e_ab": delta_e_ab,
+        })
+    };
+    let each = nearest
+        .xyz
+        .iter()
+        .zip(&nearest.delta_e)
+        .zip(&nearest.delta_e_ab);
+    let each = each.zip(swatches);
     let mut each: Vec<Value> = each.map(one).collect();
     if each.len() == 1 {
         each.remove(0)

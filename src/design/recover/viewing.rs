@@ -5,12 +5,10 @@
 //! `XYZ = sum_j r_j c_j` with one column a node holds exactly for the full colour of METRICS.md
 //! (360-830 nm, plain sums), and a colour that is met here is met everywhere in the program.
 
-use nalgebra::DMatrix;
-
 use super::error::RecoverError;
 use crate::{
     color::{Observer, Xyz, xyz},
-    spectrum::{Band, Basis, Outside, Sampled},
+    spectrum::{Band, Basis, Outside, Sampled, WORST_CONDITION, condition_number},
 };
 
 /// Where recovered reflectances are given.
@@ -27,9 +25,6 @@ pub type Nodes = [f64; NODES];
 
 /// Functions of the paper's series that are weighed: those of six coefficients.
 pub(super) const FOURIER: usize = 6;
-
-/// Above this condition number three numbers are no three numbers any more.
-const WORST_CONDITION: f64 = 1e7;
 
 /// A light seen by an observer.
 #[derive(Clone, Debug)]
@@ -160,22 +155,6 @@ impl Viewing {
             (0..3).for_each(|k| sum[k] += c * column[k]);
         }
         Xyz::from_array(sum) * 100.0
-    }
-}
-
-/// Ratio of the greatest to the least singular value of the matrix of these columns, which are at
-/// least as many as they are long; infinite where the least is zero.
-pub(super) fn condition_number(columns: &[&[f64]]) -> f64 {
-    let rows = columns.first().map_or(0, |c| c.len());
-    let matrix = DMatrix::from_fn(rows, columns.len(), |row, column| columns[column][row]);
-    let values = matrix.singular_values();
-    let greatest = values.iter().copied().fold(0.0, f64::max);
-    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-    let ratio = greatest / least;
-    if ratio.is_finite() {
-        ratio
-    } else {
-        f64::INFINITY
     }
 }
 

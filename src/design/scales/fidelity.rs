@@ -3,11 +3,11 @@
 //! The formulas are those of the program's figure, 380-780 nm, CIE 1964 observer, CAM02-UCS; here
 //! the reference is prepared once and a light is 300 sums.
 
-use super::weighed;
-use crate::color::{
-    Xyz,
-    quality::{BINS, Eye, area, bin_of, fidelity_reference, index_of},
-};
+use super::{colours, weighed};
+use crate::color::quality::{BINS, Eye, area, bin_of, fidelity_reference};
+
+/// Index lost for each unit of difference in CAM02-UCS, before the bend near zero.
+const PER_UNIT: f64 = 6.73;
 
 /// Rf and Rg of lights whose reference is prepared.
 #[derive(Clone, Debug)]
@@ -30,14 +30,22 @@ impl FidelityScale {
         })
     }
 
-    pub(super) fn rf(&self, sums: &[f64]) -> Option<f64> {
-        let found = appearances(sums).filter(|found| found.len() == self.expected.len())?;
+    /// `[J', a', b']` of each sample less those under the reference.
+    pub(super) fn differences(&self, sums: &[f64]) -> Option<Vec<[f64; 3]>> {
+        let found = appearances(sums)?;
         let both = found.iter().zip(&self.expected);
-        let total: f64 = both
-            .map(|(a, b)| (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt())
-            .sum();
-        let rf = index_of(total / self.expected.len() as f64);
-        rf.is_finite().then_some(rf)
+        Some(
+            both.map(|(a, b)| std::array::from_fn(|k| a[k] - b[k]))
+                .collect(),
+        )
+    }
+
+    /// The mean difference of an index; infinite for one of zero or less, which every light has.
+    pub(super) fn mean(index: f64) -> f64 {
+        if index <= 0.0 {
+            return f64::INFINITY;
+        }
+        (100.0 - 10.0 * (index / 10.0).exp_m1().ln()) / PER_UNIT
     }
 
     pub(super) fn rg(&self, sums: &[f64]) -> Option<f64> {
@@ -61,13 +69,7 @@ fn gamut_area(found: &[[f64; 3]], bins: &[usize]) -> f64 {
 
 /// `[J', a', b']` of every sample, the last sum being the light; `None` where no eye adapts.
 fn appearances(sums: &[f64]) -> Option<Vec<[f64; 3]>> {
-    let samples = (sums.len() / 3).checked_sub(1)?;
-    let at = |i: usize| Xyz::new(sums[3 * i], sums[3 * i + 1], sums[3 * i + 2]);
-    let white = at(samples);
-    let unit = 100.0 / white.y;
-    if !(white.y > 0.0 && unit.is_finite()) {
-        return None;
-    }
-    let eye = Eye::adapted_to(white * unit)?;
-    Some((0..samples).map(|i| eye.uniform(at(i) * unit)).collect())
+    let (samples, white) = colours(sums)?;
+    let eye = Eye::adapted_to(white)?;
+    Some(samples.map(|xyz| eye.uniform(xyz)).collect())
 }

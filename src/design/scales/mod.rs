@@ -21,10 +21,8 @@ pub use samples::SampleTables;
 
 use super::whole_nm;
 use crate::{
-    color::{
-        Cct, Observer, Xyz, cct_from_xyz, quality::rendering_reference, weighting, xyz::POINTS,
-    },
-    spectrum::{Outside, Sampled},
+    color::{Observer, Xyz, cct_from_xyz, quality::index_of, weighting, xyz::POINTS},
+    spectrum::Outside,
 };
 
 /// Lumens of a watt at the peak of V, rounded as the programmes' reference counts them; 683.002 is
@@ -152,10 +150,36 @@ impl SampleTables {
     }
 }
 
+/// A figure that is a mean over samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Figure {
+    /// General colour rendering index.
+    Ra,
+    /// Fidelity index.
+    Rf,
+}
+
+impl Figure {
+    /// Its sums of a light: X, Y, Z of each sample, last of the light itself.
+    pub(super) fn of(self, sums: &Sums) -> &[f64] {
+        match self {
+            Self::Ra => &sums.rendering,
+            Self::Rf => &sums.fidelity,
+        }
+    }
+
+    /// The mean difference of an index.
+    pub(super) fn mean(self, index: f64) -> f64 {
+        match self {
+            Self::Ra => RenderingScale::mean(index),
+            Self::Rf => FidelityScale::mean(index),
+        }
+    }
+}
+
 /// Figures of lights of one colour temperature.
 #[derive(Clone, Debug)]
 pub(super) struct Scales {
-    cct: Cct,
     rendering: RenderingScale,
     fidelity: FidelityScale,
 }
@@ -165,28 +189,38 @@ impl Scales {
     pub(super) fn new(target: Xyz, tables: &SampleTables) -> Option<Self> {
         let cct = cct_from_xyz(target).ok()?;
         Some(Self {
-            cct,
             rendering: RenderingScale::new(cct.kelvin, &tables.rendering)?,
             fidelity: FidelityScale::new(cct.kelvin, &tables.fidelity)?,
         })
     }
 
-    /// The light that rendering is judged against, of unit power on whole nm.
-    pub(super) fn reference(&self) -> Option<Vec<f64>> {
-        whole_nm::of_unit_power(rendering_reference(self.cct.kelvin).on_nm())
+    /// A figure; `None` where a sample has no colour, or no eye adapts to the light.
+    pub(super) fn figure(&self, figure: Figure, sums: &Sums) -> Option<f64> {
+        self.figure_of(figure, figure.of(sums))
     }
 
-    /// General colour rendering index; `None` where a test colour has no chromaticity.
-    pub(super) fn ra(&self, sums: &Sums) -> Option<f64> {
-        self.rendering.ra(&sums.rendering)
+    /// The same from the sums of its samples alone.
+    pub(super) fn figure_of(&self, figure: Figure, samples: &[f64]) -> Option<f64> {
+        let all = self.differences(figure, samples)?;
+        let size = |d: &[f64; 3]| d.iter().map(|v| v * v).sum::<f64>().sqrt();
+        let mean = all.iter().map(size).sum::<f64>() / all.len() as f64;
+        let index = match figure {
+            Figure::Ra => RenderingScale::index(mean),
+            Figure::Rf => index_of(mean),
+        };
+        index.is_finite().then_some(index)
     }
 
-    /// Fidelity index; `None` for a light that no eye adapts to.
-    pub(super) fn rf(&self, sums: &Sums) -> Option<f64> {
-        self.fidelity.rf(&sums.fidelity)
+    /// Differences from the reference that a figure is a falling function of the mean size of:
+    /// three numbers a sample, each a function of that sample's sums and the light's own.
+    pub(super) fn differences(&self, figure: Figure, samples: &[f64]) -> Option<Vec<[f64; 3]>> {
+        match figure {
+            Figure::Ra => self.rendering.differences(samples),
+            Figure::Rf => self.fidelity.differences(samples),
+        }
     }
 
-    /// Gamut index; `None` as [`Scales::rf`].
+    /// Gamut index; `None` for a light that no eye adapts to.
     pub(super) fn rg(&self, sums: &Sums) -> Option<f64> {
         self.fidelity.rg(&sums.fidelity)
     }
@@ -202,6 +236,14 @@ fn weighed(rows: &[f64], values: &[f64]) -> Vec<f64> {
         }
     }
     sums
+}
+
+/// The samples and the light itself of a row of sums, Y = 100 for the light; `None` in the dark.
+fn colours(sums: &[f64]) -> Option<(impl Iterator<Item = Xyz> + '_, Xyz)> {
+    let (samples, white) = sums.split_at_checked(sums.len().checked_sub(3)?)?;
+    let unit = 100.0 / white[1];
+    let at = move |xyz: &[f64]| Xyz::new(xyz[0], xyz[1], xyz[2]) * unit;
+    (white[1] > 0.0 && unit.is_finite()).then(|| (samples.chunks_exact(3).map(at), at(white)))
 }
 
 /// Rows of samples (last the light itself): at each nm X, Y, Z of every sample.
@@ -224,10 +266,4 @@ fn fits(samples: &[Vec<f64>]) -> bool {
     samples
         .iter()
         .all(|s| s.len() == POINTS && s.iter().all(|v| v.is_finite()))
-}
-
-/// Samples on whole nm 360-830, end values held.
-fn on_nm(samples: &Sampled) -> Vec<f64> {
-    use crate::color::xyz::{FIRST_NM, LAST_NM};
-    samples.on_whole_nm(FIRST_NM, LAST_NM, Outside::Hold)
 }

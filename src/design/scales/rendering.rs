@@ -3,9 +3,8 @@
 //! The formulas are those of the program's figure; here the reference is prepared once and a light
 //! is 27 sums.
 
-use super::weighed;
+use super::{colours, weighed};
 use crate::color::{
-    Xyz,
     quality::{Shift, rendering_reference, uvw},
     uv_1960_from_xyz,
 };
@@ -13,12 +12,15 @@ use crate::color::{
 /// Test colours that Ra is the mean of.
 pub(super) const SAMPLES: usize = 8;
 
+/// Index lost for each unit of difference in U*V*W*.
+const PER_UNIT: f64 = 4.6;
+
 /// Ra of lights whose reference is prepared.
 #[derive(Clone, Debug)]
 pub(super) struct RenderingScale {
     white: [f64; 2],
     /// U*V*W* of the test colours under the reference.
-    expected: [[f64; 3]; SAMPLES],
+    expected: Vec<[f64; 3]>,
 }
 
 impl RenderingScale {
@@ -26,36 +28,32 @@ impl RenderingScale {
         let sums = weighed(rows, &rendering_reference(kelvin).on_nm());
         let (samples, white_xyz) = colours(&sums)?;
         let white = uv_1960_from_xyz(white_xyz)?;
-        let mut expected = [[0.0; 3]; SAMPLES];
-        for (expected, xyz) in expected.iter_mut().zip(samples) {
-            *expected = uvw(uv_1960_from_xyz(xyz)?, xyz.y, white);
-        }
-        Some(Self { white, expected })
+        let expected = samples.map(|xyz| Some(uvw(uv_1960_from_xyz(xyz)?, xyz.y, white)));
+        Some(Self {
+            white,
+            expected: expected.collect::<Option<_>>()?,
+        })
     }
 
-    pub(super) fn ra(&self, sums: &[f64]) -> Option<f64> {
+    /// `[U*, V*, W*]` of each sample less those under the reference.
+    pub(super) fn differences(&self, sums: &[f64]) -> Option<Vec<[f64; 3]>> {
         let (samples, white) = colours(sums)?;
         let shift = Shift::new(uv_1960_from_xyz(white)?, self.white);
-        let mut total = 0.0;
-        for (xyz, expected) in samples.into_iter().zip(&self.expected) {
-            let shifted = shift.of(uv_1960_from_xyz(xyz)?);
-            let found = uvw(shifted, xyz.y, self.white);
-            let square: f64 = (0..3).map(|k| (found[k] - expected[k]).powi(2)).sum();
-            total += 100.0 - 4.6 * square.sqrt();
-        }
-        let ra = total / SAMPLES as f64;
-        ra.is_finite().then_some(ra)
+        let one = |(xyz, expected): (crate::color::Xyz, &[f64; 3])| {
+            let found = uvw(shift.of(uv_1960_from_xyz(xyz)?), xyz.y, self.white);
+            Some(std::array::from_fn(|k| found[k] - expected[k]))
+        };
+        let both = samples.zip(&self.expected);
+        both.map(one).collect()
     }
-}
 
-/// The test colours and the light itself, Y = 100 for the light.
-fn colours(sums: &[f64]) -> Option<([Xyz; SAMPLES], Xyz)> {
-    let at = |i: usize| Xyz::new(sums[3 * i], sums[3 * i + 1], sums[3 * i + 2]);
-    if sums.len() != 3 * (SAMPLES + 1) {
-        return None;
+    /// The index of a mean difference.
+    pub(super) fn index(mean: f64) -> f64 {
+        100.0 - PER_UNIT * mean
     }
-    let white = at(SAMPLES);
-    let unit = 100.0 / white.y;
-    (white.y > 0.0 && unit.is_finite())
-        .then(|| (std::array::from_fn(|i| at(i) * unit), white * unit))
+
+    /// The mean difference of an index.
+    pub(super) fn mean(index: f64) -> f64 {
+        (100.0 - index) / PER_UNIT
+    }
 }

@@ -2,8 +2,11 @@
 
 use std::sync::LazyLock;
 
-use super::{fits, on_nm, rendering::SAMPLES, sample_rows};
-use crate::{color::Observer, design::whole_nm::shipped_group};
+use super::{fits, rendering::SAMPLES, sample_rows};
+use crate::color::{
+    Observer,
+    quality::{fidelity_factors, rendering_factors},
+};
 
 /// Test colours, weighed by the colour-matching functions at each whole nm of 360-830.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,17 +30,14 @@ impl SampleTables {
         })
     }
 
-    /// The shipped tables of 5 nm, straight in between, end values held; read at the first call.
+    /// The tables of the page Quality and the command `light`, so that the figures of a designed
+    /// light are those of the same spectrum there; read at the first call.
     pub fn shipped() -> &'static Self {
         &SHIPPED_TABLES
     }
 }
 
 static SHIPPED_TABLES: LazyLock<SampleTables> = LazyLock::new(|| {
-    let rendering = shipped_group("cri_tcs").into_iter();
-    let rendering = rendering.filter(|(name, _)| name.starts_with("TCS"));
-    let rendering: Vec<Vec<f64>> = rendering.take(SAMPLES).map(|(_, t)| on_nm(&t)).collect();
-    let fidelity = shipped_group("tm30_ces99_5nm").into_iter();
-    let fidelity: Vec<Vec<f64>> = fidelity.map(|(_, t)| on_nm(&t)).collect();
-    SampleTables::new(&rendering, &fidelity).expect("shipped files, read in a test")
+    let found = SampleTables::new(rendering_factors(), &fidelity_factors());
+    found.expect("shipped files, read in a test of the presets")
 });

@@ -5,7 +5,7 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 
 use super::figures::MixFigures;
-use crate::design::mixture::MixError;
+use crate::design::{mixture::MixError, scales::Figure};
 
 /// Which figure the efficacy is traded for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -19,6 +19,14 @@ pub enum Against {
 }
 
 impl Against {
+    /// The figure by its samples.
+    pub(super) fn figure(self) -> Figure {
+        match self {
+            Self::Rf => Figure::Rf,
+            Self::Ra => Figure::Ra,
+        }
+    }
+
     /// The figure of a light, where it has one.
     pub fn of(self, figures: &MixFigures) -> Option<f64> {
         match self {

@@ -326,8 +326,8 @@ fn brightest(target: [f64; 3]) -> Option<Brightest> {
         .map(f64::from)
         .collect();
     let channels: Vec<_> = places.iter().map(|nm| basic_of_line(*nm)).collect();
-    let all = Polytope::new(&channels, [0.0; 5], target, None, None)?;
-    let weights = all.most_lumens();
+    let all = Polytope::new(&channels, [0.0; 5], target, None, None).ok()?;
+    let weights = all.most_lumens().ok()?;
     let sums = all.sums(&weights);
     let lit = places.iter().zip(&weights).filter(|(_, w)| **w > 1e-9);
     let places: Vec<f64> = lit.map(|(nm, _)| *nm).collect();

@@ -77,7 +77,7 @@ impl LineSearch<'_> {
             return None;
         }
         let places = [at_nm, second_nm];
-        let worth = self.figure(self.sums(&places, &powers));
+        let worth = self.figure(&self.sums(&places, &powers));
         let both = places.into_iter().zip(powers);
         Some(Light {
             lines: both.map(|(at_nm, power)| Line { at_nm, power }).collect(),

@@ -5,7 +5,7 @@
 
 use super::against::Against;
 use crate::design::{
-    scales::{BASIC, LUMENS_PER_WATT, SampleTables, Scales, Sums},
+    scales::{BASIC, LUMENS_PER_WATT, SampleTables, Scales},
     small::solved,
 };
 
@@ -151,18 +151,8 @@ impl<'a> LineSearch<'a> {
     }
 
     /// The figure of sums of samples.
-    pub(super) fn figure(&self, samples: Vec<f64>) -> f64 {
-        let mut sums = Sums::default();
-        let found = match self.against {
-            Against::Ra => {
-                sums.rendering = samples;
-                self.scales.ra(&sums)
-            }
-            Against::Rf => {
-                sums.fidelity = samples;
-                self.scales.rf(&sums)
-            }
-        };
+    pub(super) fn figure(&self, samples: &[f64]) -> f64 {
+        let found = self.scales.figure_of(self.against.figure(), samples);
         found.unwrap_or(MISSING)
     }
 
@@ -181,7 +171,7 @@ impl<'a> LineSearch<'a> {
             let t = (index as f64 + 0.5) / shares as f64;
             let powers: [f64; L] = std::array::from_fn(|i| a[i] + t * (b[i] - a[i]));
             let ler = LUMENS_PER_WATT / Self::power(&powers);
-            each(ler, self.figure(self.sums(&places, &powers)));
+            each(ler, self.figure(&self.sums(&places, &powers)));
         }
     }
 
@@ -224,7 +214,7 @@ impl<'a> LineSearch<'a> {
         let (sums_a, sums_b) = (self.sums(&places, &a), self.sums(&places, &b));
         let figure = |t: f64| {
             let both = sums_a.iter().zip(&sums_b);
-            self.figure(both.map(|(a, b)| a + t * (b - a)).collect())
+            self.figure(&both.map(|(a, b)| a + t * (b - a)).collect::<Vec<f64>>())
         };
         if L == 3 || a == b || to - from < 1e-9 {
             let value = figure(from);

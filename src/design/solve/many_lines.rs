@@ -160,7 +160,7 @@ impl LineSearch<'_> {
         }
         let places: Vec<f64> = lines.iter().map(|line| line.at_nm).collect();
         let powers: Vec<f64> = lines.iter().map(|line| line.power).collect();
-        let worth = self.figure(self.sums(&places, &powers));
+        let worth = self.figure(&self.sums(&places, &powers));
         let ler = LUMENS_PER_WATT / power(&lines);
         Some(Light { lines, ler, worth })
     }

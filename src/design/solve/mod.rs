@@ -5,7 +5,7 @@
 //! wish      what to favour, floors
 //! figures   the figures of a mixture
 //! polytope  all mixtures of a colour
-//! climb     the best by a figure that is no sum
+//! interior  the best by a figure that is no sum
 //! solution  weights for a wish
 //! best      the best by figures of samples, the fewest channels
 //! against   what efficacy is traded for
@@ -20,9 +20,10 @@
 
 mod against;
 mod best;
-mod climb;
 mod figures;
 mod front;
+mod interior;
+mod part;
 mod light;
 mod line_moves;
 mod line_search;
@@ -40,4 +41,4 @@ pub use front::{FREE_LINES, FrontLine, FrontPoint, FrontWish, front};
 pub use report::{Fader, faders, front_json, mix_json};
 pub use solution::{Mixer, Solution};
 pub use target::Target;
-pub use wish::{Favour, Floors, Wish};
+pub use wish::{Care, Favour, Floors, Wish};

@@ -1,117 +1,114 @@
 //! All mixtures of a colour: weights that are not negative, with floors that are linear.
 //!
 //! ```text
-//! sum w_j XYZ_j + fixed = brightness x target       (brightness 1 where nothing is fixed)
-//! 683 Y - floor x power - slack = 0                 melanopic - floor x Y - slack' = 0
+//! sum w_j XYZ_j + w XYZ_fixed = target                 Y = 1
+//! 683 Y - floor x power - slack = 0                    melanopic - floor x Y - slack' = 0
 //! ```
+//!
+//! What is fixed is one more channel, whose weight all others are divided by in the end: so every
+//! mixture has Y = 1, and efficacy and melanopic ratio are greatest where a sum is.
 
 use crate::design::{
-    programme::{Corner, Programme},
+    programme::{Corner, End, Programme},
     scales::{BASIC, LUMENS_PER_WATT, MELANOPIC_OF_D65},
 };
 
 const ROWS: usize = 5;
 
-/// Turns of the method for ratios; each doubles the digits.
-const MOST_TURNS: usize = 30;
+/// What is fixed has at least this share of the power that 683 lm/W would take: else the best
+/// mixture would often be one that drowns it, however bright.
+const LEAST_FIXED: f64 = 1e-3;
 
 /// The mixtures of a colour.
 #[derive(Clone, Debug)]
 pub(super) struct Polytope {
     programme: Programme<ROWS>,
     start: Corner<ROWS>,
-    /// Basic sums of each free channel at weight one.
-    channels: Vec<[f64; BASIC]>,
-    /// Basic sums of what is fixed.
-    fixed: [f64; BASIC],
-    /// Floors of efficacy and melanopic ratio.
-    floors: [Option<f64>; 2],
-    /// Unknowns behind the channels: brightness (if anything is fixed) and two slacks.
-    others: usize,
+    /// Basic sums of each free channel at weight one, behind them of what is fixed at unit power.
+    pub(super) columns: Vec<[f64; BASIC]>,
+    /// The least power of what is fixed, beyond which its unknown counts; `None` for nothing.
+    pub(super) least_fixed: Option<f64>,
+    /// Power of what is fixed as it stands.
+    fixed_power: f64,
 }
 
 impl Polytope {
     /// Mixtures of free channels over what is fixed, of the target's colour (Y = 1), with floors
-    /// of efficacy and melanopic ratio; `None` where there is none.
+    /// of efficacy and melanopic ratio.
+    ///
+    /// # Errors
+    /// [`End::Impossible`] where there is none, [`End::Stuck`] where that is not known.
     pub(super) fn new(
         channels: &[[f64; BASIC]],
         fixed: [f64; BASIC],
         target: [f64; 3],
         ler: Option<f64>,
         melanopic: Option<f64>,
-    ) -> Option<Self> {
+    ) -> Result<Self, End> {
         let floors = [ler, melanopic];
-        let rows = |sums: &[f64; BASIC]| rows(sums, floors);
-        let is_fixed = fixed[4] > 0.0;
-        let mut columns: Vec<[f64; ROWS]> = channels.iter().map(rows).collect();
+        let mut columns = channels.to_vec();
         let [x, y, z] = target;
-        if is_fixed {
-            columns.push([-x, -y, -z, 0.0, 0.0]);
+        let mut right = [x, y, z, 0.0, 0.0];
+        let fixed_power = fixed[4];
+        let least_fixed = (fixed_power > 0.0).then_some(LEAST_FIXED * y);
+        if let Some(least) = least_fixed {
+            let fixed = fixed.map(|v| v / fixed_power);
+            columns.push(fixed);
+            let taken = rows(&fixed, floors);
+            (0..ROWS).for_each(|row| right[row] -= least * taken[row]);
         }
-        columns.push([0.0, 0.0, 0.0, -1.0, 0.0]);
-        columns.push([0.0, 0.0, 0.0, 0.0, -1.0]);
-        let right = if is_fixed {
-            rows(&fixed).map(|v| -v)
-        } else {
-            [x, y, z, 0.0, 0.0]
-        };
-        let upper = vec![f64::INFINITY; columns.len()];
-        let mut programme = Programme::new(&columns, &upper, right);
-        let start = programme.corner()?;
-        Some(Self {
+        let mut equations: Vec<[f64; ROWS]> = columns.iter().map(|c| rows(c, floors)).collect();
+        equations.push([0.0, 0.0, 0.0, -1.0, 0.0]);
+        equations.push([0.0, 0.0, 0.0, 0.0, -1.0]);
+        let upper = vec![f64::INFINITY; equations.len()];
+        let mut programme = Programme::new(&equations, &upper, right);
+        Ok(Self {
+            start: programme.corner()?,
             programme,
-            start,
-            channels: channels.to_vec(),
-            fixed,
-            floors,
-            others: columns.len() - channels.len(),
+            columns,
+            least_fixed,
+            fixed_power,
         })
     }
 
-    /// The corner of the greatest ratio of two linear sums, by turns (Dinkelbach 1967).
-    fn greatest_ratio(
-        &self,
-        part: impl Fn(&[f64; BASIC]) -> f64,
-        whole: impl Fn(&[f64; BASIC]) -> f64,
-    ) -> Vec<f64> {
+    /// The unknowns of the greatest sum of a number a column.
+    fn greatest(&self, of: impl Fn(&[f64; BASIC]) -> f64) -> Result<Vec<f64>, End> {
+        let mut gain: Vec<f64> = self.columns.iter().map(of).collect();
+        gain.resize(self.columns.len() + 2, 0.0);
         let mut corner = self.start.clone();
-        let mut ratio = f64::NEG_INFINITY;
-        for _ in 0..MOST_TURNS {
-            let sums = self.sums(&self.programme.solution(&corner));
-            let now = part(&sums) / whole(&sums);
-            if !now.is_finite() || now <= ratio * (1.0 + 1e-14) {
-                break;
-            }
-            ratio = now;
-            let gain = self.gain(|sums| part(sums) - ratio * whole(sums));
-            if self.programme.maximise(&mut corner, &gain).is_none() {
-                break;
-            }
-        }
-        self.programme.solution(&corner)
+        self.programme.maximise(&mut corner, &gain)?;
+        Ok(self.unknowns(&corner))
     }
 
-    /// Weights of the greatest luminous efficacy.
-    pub(super) fn most_lumens(&self) -> Vec<f64> {
-        self.greatest_ratio(|s| s[1], |s| s[4])
+    /// Unknowns of the greatest luminous efficacy.
+    ///
+    /// # Errors
+    /// [`End::Stuck`] where it is not known.
+    pub(super) fn most_lumens(&self) -> Result<Vec<f64>, End> {
+        self.greatest(|sums| -sums[4])
     }
 
-    /// Weights of the greatest melanopic ratio.
-    pub(super) fn most_melanopic(&self) -> Vec<f64> {
-        self.greatest_ratio(|s| s[3], |s| s[1])
+    /// Unknowns of the greatest melanopic ratio.
+    ///
+    /// # Errors
+    /// As [`Polytope::most_lumens`].
+    pub(super) fn most_melanopic(&self) -> Result<Vec<f64>, End> {
+        self.greatest(|sums| sums[3])
     }
 
-    /// Corners in many directions: all channels' greatest and least weights, greatest efficacy
-    /// and melanopic ratio. Each once, in that order.
+    /// Corners in many directions: greatest efficacy and melanopic ratio, then the greatest and the
+    /// least of every unknown and every slack. Each once, in that order.
     pub(super) fn corners(&self) -> Vec<Vec<f64>> {
-        let mut found = vec![self.most_lumens(), self.most_melanopic()];
+        let mut found: Vec<Vec<f64>> = [self.most_lumens(), self.most_melanopic()]
+            .into_iter()
+            .flatten()
+            .collect();
         let mut corner = self.start.clone();
-        for channel in 0..self.channels.len() {
+        for unknown in 0..self.columns.len() + 2 {
             for sign in [1.0, -1.0] {
-                let mut gain = vec![0.0; self.channels.len() + self.others];
-                gain[channel] = sign;
-                if self.programme.maximise(&mut corner, &gain).is_some() {
-                    found.push(self.programme.solution(&corner));
+                // One that nothing bounds is not seen, and is left out of every mixture.
+                if let Ok(Some(_)) = self.programme.extreme(&mut corner, unknown, sign) {
+                    found.push(self.unknowns(&corner));
                 }
             }
         }
@@ -119,9 +116,9 @@ impl Polytope {
         for corner in found {
             let size = corner.iter().fold(0.0_f64, |a, v| a.max(*v));
             let same = |old: &Vec<f64>| {
-                old.iter()
-                    .zip(&corner)
-                    .all(|(a, b)| (a - b).abs() <= 1e-9 * size)
+                let both = old.iter().zip(&corner);
+                both.map(|(a, b)| (a - b).abs())
+                    .all(|off| off <= 1e-9 * size)
             };
             if !once.iter().any(same) {
                 once.push(corner);
@@ -130,31 +127,34 @@ impl Polytope {
         once
     }
 
-    /// The unknowns of a mixture of the target's colour at Y = 1, its floors' slacks among them;
-    /// `None` where something is fixed, or below a floor.
-    pub(super) fn completed(&self, weights: &[f64]) -> Option<Vec<f64>> {
-        if self.fixed[4] > 0.0 {
-            return None;
-        }
-        let [_, _, _, lumens, awake] = rows(&self.sums(weights), self.floors);
-        let mut all = weights.to_vec();
-        all.extend([lumens, awake]);
-        (lumens >= 0.0 && awake >= 0.0).then_some(all)
+    fn unknowns(&self, corner: &Corner<ROWS>) -> Vec<f64> {
+        let mut all = self.programme.solution(corner);
+        all.truncate(self.columns.len());
+        all
     }
 
-    /// Basic sums of a mixture, what is fixed among it.
-    pub(super) fn sums(&self, weights: &[f64]) -> [f64; BASIC] {
-        let mut sums = self.fixed;
-        for (channel, weight) in self.channels.iter().zip(weights) {
-            (0..BASIC).for_each(|k| sums[k] += weight * channel[k]);
+    /// Basic sums of a mixture by its unknowns, Y = 1.
+    pub(super) fn sums(&self, unknowns: &[f64]) -> [f64; BASIC] {
+        let mut sums = [0.0; BASIC];
+        let mut add = |column: &[f64; BASIC], weight: f64| {
+            (0..BASIC).for_each(|k| sums[k] += weight * column[k]);
+        };
+        let both = self.columns.iter().zip(unknowns);
+        both.for_each(|(column, weight)| add(column, *weight));
+        if let (Some(least), Some(fixed)) = (self.least_fixed, self.columns.last()) {
+            add(fixed, least);
         }
         sums
     }
 
-    fn gain(&self, of: impl Fn(&[f64; BASIC]) -> f64) -> Vec<f64> {
-        let mut gain: Vec<f64> = self.channels.iter().map(of).collect();
-        gain.resize(self.channels.len() + self.others, 0.0);
-        gain
+    /// Weights of the free channels: at Y = 1, or as they are beside what is fixed.
+    pub(super) fn weights(&self, unknowns: &[f64]) -> Vec<f64> {
+        let Some(least) = self.least_fixed else {
+            return unknowns.to_vec();
+        };
+        let (fixed, free) = unknowns.split_last().unwrap_or((&0.0, &[]));
+        let factor = self.fixed_power / (least + fixed);
+        free.iter().map(|weight| weight * factor).collect()
     }
 }
 

@@ -1,7 +1,6 @@
 //! Weights of channels for a wish.
 
 use super::{
-    climb::MOST_LOOKS,
     figures::MixFigures,
     polytope::Polytope,
     wish::{Favour, Floors, Wish},
@@ -10,11 +9,12 @@ use crate::{
     color::{uv_1976_from_xyz, xyz::POINTS},
     design::{
         gamut::{nearest_mix, reach},
-        least_squares::{Squares, least_squares},
+        least_squares::least_squares,
         mixture::{Channel, MOST_CHANNELS, MixError},
+        programme::End,
         scales::{BASIC, SampleTables, Scales, Sums, basic_sums},
+        small::digits,
     },
-    spectrum::dot,
 };
 
 /// Channels weighed for a wish.
@@ -30,6 +30,20 @@ pub struct Solution {
     pub reached: bool,
     /// What was reached, or what stands in the way, in words.
     pub why: String,
+}
+
+/// Weights for a wish, and what is to be known of how they were found.
+#[derive(Debug)]
+pub(super) struct Best {
+    pub(super) weights: Vec<f64>,
+    pub(super) note: Option<String>,
+}
+
+impl From<Vec<f64>> for Best {
+    fn from(weights: Vec<f64>) -> Self {
+        let note = None;
+        Self { weights, note }
+    }
 }
 
 /// Channels with the sums that their figures need: made once, solved at every move of a fader.
@@ -72,47 +86,67 @@ impl<'a> Mixer<'a> {
     /// Weights for a wish.
     pub fn solve(&self, wish: &Wish<'_>) -> Solution {
         let Some(target) = wish.target else {
-            return self.told(self.fixed_or(1.0), wish, String::new());
+            return self.told(self.fixed_or(1.0), wish, None);
         };
         let free = self.free();
-        let unit = target.xyz() * 0.01;
-        let possible = |floors: [Option<f64>; 2]| {
-            let sums: Vec<[f64; BASIC]> = free.iter().map(|i| self.sums[*i].basic).collect();
-            let fixed = self.fixed_sums().basic;
-            Polytope::new(&sums, fixed, unit.to_array(), floors[0], floors[1])
+        let colour = Wish {
+            floors: Floors::default(),
+            ..*wish
         };
-        let Some(all) = possible([None, None]) else {
-            return self.nearest(wish);
+        let all = match self.possible(&free, &colour) {
+            Ok(all) => all,
+            Err(end) => return self.nearest(wish, end),
         };
         if let Some(alike) = wish.alike {
             return self.alike(wish, alike);
         }
-        let floors = [wish.floors.ler, wish.floors.melanopic];
-        let Some(within) = possible(floors) else {
-            // The nearest to the floor that cannot be met.
-            let weights = if wish.floors.ler.is_some() {
-                all.most_lumens()
-            } else {
-                all.most_melanopic()
-            };
-            return self.told(self.spread(&free, &weights), wish, String::new());
-        };
         let scales = Scales::new(target.xyz(), self.tables);
-        let by_samples = matches!(wish.favour, Favour::Ra | Favour::Rf) || wish.floors.of_samples();
-        let found = match (wish.favour, &scales) {
-            (Favour::Fewest, _) => self.fewest(wish, &free, scales.as_ref()),
-            (Favour::Ler | Favour::Melanopic, Some(scales)) if by_samples => {
-                self.traded(&within, &free, wish, scales, &possible)
+        match self.favoured(&all, &free, wish, scales.as_ref()) {
+            Ok(best) => {
+                let mut solution = self.told(best.weights, wish, None);
+                let note = best.note.iter();
+                note.for_each(|note| solution.why = format!("{}; {note}", solution.why));
+                solution
             }
-            (_, Some(scales)) if by_samples => {
-                let found = self.climbed(&within, &free, wish, scales, MOST_LOOKS, &|_| false);
-                found.map(|(weights, _)| weights)
+            Err(end) => self.nearest(wish, end),
+        }
+    }
+
+    /// The best for what is favoured; where a floor cannot be kept the nearest to it.
+    fn favoured(
+        &self,
+        all: &Polytope,
+        free: &[usize],
+        wish: &Wish<'_>,
+        scales: Option<&Scales>,
+    ) -> Result<Best, End> {
+        let spread =
+            |within: &Polytope, unknowns: &[f64]| self.spread(free, &within.weights(unknowns));
+        let within = match self.possible(free, wish) {
+            Ok(within) => within,
+            Err(End::Impossible) if wish.floors.ler.is_some() => {
+                return Ok(spread(all, &all.most_lumens()?).into());
             }
-            (Favour::Melanopic, _) => Some(self.spread(&free, &within.most_melanopic())),
-            _ => Some(self.spread(&free, &within.most_lumens())),
+            Err(End::Impossible) => return Ok(spread(all, &all.most_melanopic()?).into()),
+            Err(end) => return Err(end),
         };
-        let found = found.unwrap_or_else(|| self.spread(&free, &within.most_lumens()));
-        self.told(found, wish, String::new())
+        if wish.favour == Favour::Fewest
+            && let Some(found) = self.fewest(wish, free, scales)
+        {
+            return Ok(found);
+        }
+        let by_samples = matches!(wish.favour, Favour::Ra | Favour::Rf) || wish.floors.of_samples();
+        if by_samples
+            && let Some(scales) = scales
+            && let Some(found) = self.by_samples(&within, free, wish, scales)
+        {
+            return Ok(spread(&within, &found.unknowns).into());
+        }
+        let unknowns = match wish.favour {
+            Favour::Melanopic => within.most_melanopic(),
+            _ => within.most_lumens(),
+        };
+        Ok(spread(&within, &unknowns?).into())
     }
 
     pub(super) fn free(&self) -> Vec<usize> {
@@ -163,12 +197,13 @@ impl<'a> Mixer<'a> {
     /// The mixture nearest to a light in the least squares, of exactly the target's colour.
     fn alike(&self, wish: &Wish<'_>, alike: &[f64]) -> Solution {
         let free = self.free();
-        let Some(found) = self.matched(&free, wish, alike) else {
-            return self.nearest(wish);
+        let found = match self.matched(&free, wish, alike) {
+            Ok(found) => found,
+            Err(end) => return self.nearest(wish, end),
         };
         let mut weights = self.fixed_or(0.0);
         free.iter().zip(&found).for_each(|(i, w)| weights[*i] = *w);
-        let nearest = self.told(weights, wish, String::new());
+        let nearest = self.told(weights, wish, None);
         if nearest.reached || wish.floors == Floors::default() {
             return nearest;
         }
@@ -192,7 +227,7 @@ impl<'a> Mixer<'a> {
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..12 {
             let middle = 0.5 * (low + high);
-            if self.told(between(middle), wish, String::new()).reached {
+            if self.told(between(middle), wish, None).reached {
                 high = middle;
             } else {
                 low = middle;
@@ -202,22 +237,20 @@ impl<'a> Mixer<'a> {
             "colour and floors are met; the nearest spectrum alone is not enough: {}",
             nearest.why
         );
-        self.told(between(high), wish, why)
+        self.told(between(high), wish, Some(why))
     }
 
-    /// Weights of free channels nearest to a light (471 values) at the target's Y = 100; `None`
-    /// where the colour cannot be met or the light has none.
-    pub(super) fn matched(
-        &self,
-        free: &[usize],
-        wish: &Wish<'_>,
-        alike: &[f64],
-    ) -> Option<Vec<f64>> {
+    /// Weights of free channels nearest to a light (471 values) at the target's Y = 100.
+    ///
+    /// # Errors
+    /// [`End::Impossible`] where the colour cannot be met or the light has none, [`End::Stuck`]
+    /// where the search ended without an answer.
+    fn matched(&self, free: &[usize], wish: &Wish<'_>, alike: &[f64]) -> Result<Vec<f64>, End> {
         let fixed = self.fixed_sums().basic;
-        let target = wish.target?.xyz();
+        let target = wish.target.ok_or(End::Impossible)?.xyz();
         let y = basic_sums(alike)[1];
         if alike.len() != POINTS || y.is_nan() || y <= 0.0 {
-            return None;
+            return Err(End::Impossible);
         }
         let mut goal: Vec<f64> = alike.iter().map(|v| v * 100.0 / y).collect();
         for channel in self.channels {
@@ -227,13 +260,7 @@ impl<'a> Mixer<'a> {
             }
         }
         let values = |i: &usize| &self.channels[*i].values[..];
-        let squares = Squares {
-            products: free
-                .iter()
-                .flat_map(|i| free.iter().map(move |j| dot(values(i), values(j))))
-                .collect(),
-            right: free.iter().map(|i| dot(values(i), &goal)).collect(),
-        };
+        let columns: Vec<&[f64]> = free.iter().map(values).collect();
         let row = |i: &usize| {
             let sums = self.sums[*i].basic;
             [sums[0], sums[1], sums[2]]
@@ -244,11 +271,11 @@ impl<'a> Mixer<'a> {
             target.y - fixed[1],
             target.z - fixed[2],
         ];
-        least_squares(&squares, &rows, met)
+        least_squares(&columns, &goal, &rows, met)
     }
 
-    /// The mixture nearest to a target that cannot be met.
-    fn nearest(&self, wish: &Wish<'_>) -> Solution {
+    /// The mixture nearest to a target that cannot be met, for the reason given.
+    fn nearest(&self, wish: &Wish<'_>, end: End) -> Solution {
         let free = self.free();
         let uv = wish.target.map(|t| t.uv()).unwrap_or_default();
         let fixed = self.fixed_sums().basic;
@@ -262,12 +289,12 @@ impl<'a> Mixer<'a> {
         let found = nearest_mix(&rows, uv, 100.0);
         let Some(found) = found else {
             let why = "no channel has a colour".to_owned();
-            return self.told(vec![0.0; self.channels.len()], wish, why);
+            return self.told(vec![0.0; self.channels.len()], wish, Some(why));
         };
         let mut weights = self.fixed_or(0.0);
         if is_fixed && found.weights[free.len()] <= 0.0 {
             let why = "the fixed channels keep it from the target".to_owned();
-            return self.told(weights, wish, why);
+            return self.told(weights, wish, Some(why));
         }
         let scale = if is_fixed {
             1.0 / found.weights[free.len()]
@@ -284,11 +311,18 @@ impl<'a> Mixer<'a> {
             true => "the fixed channels keep it from the target",
             false => "the target lies outside the colours of these channels",
         };
-        let why = format!("{outside}: {:.4} in u'v' from the nearest", found.distance);
-        self.told(weights, wish, why)
+        let why = match end {
+            End::Impossible => format!("{outside}: {:.4} in u'v' from the nearest", found.distance),
+            // Nothing is known of what these channels can do.
+            _ => format!("not solved: {end}"),
+        };
+        let mut solution = self.told(weights, wish, Some(why));
+        solution.reached = false;
+        solution
     }
 
-    pub(super) fn told(&self, weights: Vec<f64>, wish: &Wish<'_>, mut why: String) -> Solution {
+    /// A solution with its figures; without a reason of its own it tells what is met.
+    pub(super) fn told(&self, weights: Vec<f64>, wish: &Wish<'_>, why: Option<String>) -> Solution {
         let figures = self.figures(&weights);
         let found = figures.xyz.and_then(uv_1976_from_xyz);
         let distance = wish.target.zip(found).map(|(target, [u, v])| {
@@ -300,7 +334,9 @@ impl<'a> Mixer<'a> {
             if let Some(floor) = floor {
                 match found {
                     Some(found) if found >= floor - 1e-6 * floor.abs() => {}
-                    Some(found) => missing.push(format!("{word} {found:.2} instead of {floor}")),
+                    Some(found) => {
+                        missing.push(format!("{word} {found:.2} instead of {}", digits(floor)))
+                    }
                     None => missing.push(format!("no {word} for this colour")),
                 }
             }
@@ -314,16 +350,15 @@ impl<'a> Mixer<'a> {
             Some(figures.melanopic_der),
         );
         let met = wish.target.is_none() || distance.is_some_and(|d| d < 1e-6);
-        if why.is_empty() {
-            let has_floors = wish.floors != Floors::default();
-            why = match (wish.target.is_some(), has_floors) {
-                _ if !missing.is_empty() => format!("the best found has {}", missing.join(", ")),
-                (true, true) => "colour and floors are met".to_owned(),
-                (true, false) => "the colour is met".to_owned(),
-                (false, true) => "the floors are met".to_owned(),
-                (false, false) => "the channels as they stand: no colour was asked for".to_owned(),
-            };
-        }
+        let has_floors = wish.floors != Floors::default();
+        let plain = || match (wish.target.is_some(), has_floors) {
+            _ if !missing.is_empty() => format!("the best found has {}", missing.join(", ")),
+            (true, true) => "colour and floors are met".to_owned(),
+            (true, false) => "the colour is met".to_owned(),
+            (false, true) => "the floors are met".to_owned(),
+            (false, false) => "the channels as they stand: no colour was asked for".to_owned(),
+        };
+        let why = why.unwrap_or_else(plain);
         Solution {
             weights,
             delta_uv_to_target: distance,

@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::{
     color::{Xyz, uv_1960_from_kelvin, uv_1976_from_xyz, xy_from_xyz, xyz_from_xy},
-    design::{mixture::MixError, scales::basic_sums, whole_nm},
+    design::{mixture::MixError, scales::basic_sums, small::digits, whole_nm},
     spectrum::Sampled,
 };
 
@@ -24,7 +24,7 @@ impl Target {
     /// [`MixError::Target`] for numbers that are no chromaticity of X, Y, Z of 0 or more.
     pub fn of_xy(xy: [f64; 2]) -> Result<Self, MixError> {
         let refused = || MixError::Target {
-            found: format!("{},{}", xy[0], xy[1]),
+            found: xy.map(digits).join(","),
             expected: "x,y with y above 0 and x + y of 1 at most".to_owned(),
         };
         let xyz = xyz_from_xy(xy, 100.0).ok_or_else(refused)?;
@@ -38,7 +38,7 @@ impl Target {
     /// [`MixError::Target`] for a temperature beyond 1000-100 000 K or a distance beyond 0.05.
     pub fn of_kelvin(kelvin: f64, duv: f64) -> Result<Self, MixError> {
         let refused = || MixError::Target {
-            found: format!("{kelvin} K, Duv {duv}"),
+            found: format!("{} K, Duv {}", digits(kelvin), digits(duv)),
             expected: format!(
                 "{} to {} K and a Duv of -0.05 to 0.05",
                 KELVIN[0], KELVIN[1]

@@ -38,6 +38,16 @@ impl Favour {
     }
 }
 
+/// How much is looked for where a figure of samples is favoured, or is a floor.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Care {
+    /// From one start: for what is shown while something is dragged.
+    Quick,
+    /// From several, of which the best counts.
+    #[default]
+    Full,
+}
+
 /// What a mixture must not fall below.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
@@ -56,7 +66,7 @@ impl Floors {
     /// Adds a floor in words, `rf=80`.
     ///
     /// # Errors
-    /// [`MixError::Word`] for another figure or no number.
+    /// [`MixError::Word`] for another figure, no number and a figure that has its floor.
     pub fn with(mut self, words: &str) -> Result<Self, MixError> {
         let refused = || MixError::Word {
             found: words.to_owned(),
@@ -67,14 +77,20 @@ impl Floors {
         if !value.is_finite() {
             return Err(refused());
         }
-        match figure.trim() {
-            "ler" => self.ler = Some(value),
-            "rf" => self.rf = Some(value),
-            "ra" => self.ra = Some(value),
-            "melanopic" => self.melanopic = Some(value),
+        let floor = match figure.trim() {
+            "ler" => &mut self.ler,
+            "rf" => &mut self.rf,
+            "ra" => &mut self.ra,
+            "melanopic" => &mut self.melanopic,
             _ => return Err(refused()),
+        };
+        match floor.replace(value) {
+            None => Ok(self),
+            Some(_) => Err(MixError::Word {
+                found: words.to_owned(),
+                expected: "one floor for each figure",
+            }),
         }
-        Ok(self)
     }
 
     /// Whether a floor needs the samples.
@@ -95,4 +111,6 @@ pub struct Wish<'a> {
     /// A light on whole nm 360-830 to come near to in the least squares, instead of a favour; the
     /// colour is met all the same.
     pub alike: Option<&'a [f64]>,
+    /// How much is looked for.
+    pub care: Care,
 }

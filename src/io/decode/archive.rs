@@ -77,9 +77,6 @@ impl<'a, 'b> Archive<'a, 'b> {
 
     /// Unpacks the members whose names are told and keeps nothing: for archives that another
     /// parser opens.
-    ///
-    /// # Errors
-    /// As [`Archive::member`].
     pub(crate) fn count(&mut self, is_told: impl Fn(&str) -> bool) -> Result<(), ReadError> {
         for index in 0..self.names.len() {
             if is_told(&self.names[index]) {

@@ -46,6 +46,10 @@ pub(crate) fn json_error(input: &Input, error: &serde_json::Error) -> ReadError 
     let text = text
         .rsplit_once(" at line ")
         .map_or(&*text, |(head, _)| head);
+    if text.starts_with("recursion limit") {
+        let found = "JSON of more than 127 lists in one another";
+        return input.error(found, "fewer").at_line(error.line());
+    }
     let (found, expected) = text
         .split_once(", expected ")
         .or_else(|| text.split_once(" expected "))

@@ -24,7 +24,7 @@ pub(crate) fn parse<'a>(input: &Input, text: &'a str) -> Result<Document<'a>, Re
         let found = "an element with hundreds of attributes";
         return Err(input.error_at(line, found, "at most 256"));
     }
-    let nodes = budget::of(input.bytes.len()) / 2 / NODE_BYTES;
+    let nodes = budget::of_text(input.bytes.len()) / 2 / NODE_BYTES;
     let options = ParsingOptions {
         nodes_limit: u32::try_from(nodes).unwrap_or(u32::MAX),
         ..ParsingOptions::default()

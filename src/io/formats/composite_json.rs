@@ -231,7 +231,7 @@ const WIDEST_NM: f64 = 1000.0;
 
 /// A composite of numbers that make sense, and the widths of its lines, empty where all are ideal:
 /// at least one coefficient and no more than the band carries, everything below 1e30 (what is
-/// computed from it stays finite), lines put in rising order with their widths.
+/// computed from it stays finite), lines on its range, put in rising order with their widths.
 pub(super) fn checked(
     band: Band,
     basis: Basis,
@@ -268,6 +268,14 @@ pub(super) fn checked(
             return Err(CompositeError::new(
                 format!("a spike of {weight} at {at_nm} nm"),
                 "a wavelength above 0 and a weight below 1e30",
+            ));
+        }
+        if !band.contains(*at_nm) {
+            let (from, to) = (band.min_nm(), band.max_nm());
+            let expected = format!("lines on the composite's range, {from} to {to} nm");
+            return Err(CompositeError::new(
+                format!("a line at {at_nm} nm"),
+                expected,
             ));
         }
     }

@@ -63,7 +63,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         }
     }
     let mut reading = Reading::default();
-    let mut left = budget::of(input.bytes.len()) / 2;
+    let mut left = budget::of_text(input.bytes.len()) / 2;
     for node in root.descendants().filter(Node::is_element) {
         let word = node.tag_name().name();
         if word == CUSTOM {
@@ -83,7 +83,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             .or_else(|| xml::attribute(object, "Id"))
             .unwrap_or(input.stem());
         let points = read_spectrum(input, node, &ranges, (name, *kind), &mut reading)?;
-        let too_many = || input.error("far more spectra than its size allows", budget::WORDS);
+        let too_many = || input.error("far more spectra than its size allows", budget::TEXT_WORDS);
         left = left
             .checked_sub(SPECTRUM_BYTES + 32 * points)
             .ok_or_else(|| too_many().at_line(xml::line(node)))?;

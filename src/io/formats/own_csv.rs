@@ -12,7 +12,7 @@ use crate::io::table::read::without_words;
 use crate::io::table::{no_table, pick, row_order};
 use crate::io::text::dialect::{Delimiter, Dialect, MOST_COLUMNS};
 use crate::io::text::first_line;
-use crate::io::write::csv::FIRST_TITLE;
+use crate::io::write::csv::{FIRST_TITLE, as_it_was};
 use crate::io::{Input, ReadError, Reading};
 
 pub(crate) const FORMAT: Format = Format {
@@ -77,7 +77,7 @@ impl<'a> Own<'a> {
 
     /// What a column's spectrum is called; the header's name for what was measured.
     fn name(&self, column: usize) -> Option<&'a str> {
-        let title = *self.titles.get(column)?;
+        let title = as_it_was(self.titles.get(column)?);
         (title != MEASURED || self.titles.len() > 2).then_some(title)
     }
 }
@@ -120,7 +120,7 @@ fn read_block(
     let columns: Vec<usize> = (0..block.width).filter(|c| *c != axis_column).collect();
     let said = without_words(input, &block, |_| true, true)?;
     reading.notes.extend(said);
-    let said = row_order::put_right(&mut block, axis_column, &columns);
+    let said = row_order::put_right(input, &mut block, axis_column, &columns)?;
     reading.notes.extend(said);
     reading.table.get_or_insert_with(|| TableFound {
         dialect: DIALECT,

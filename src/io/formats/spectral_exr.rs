@@ -8,16 +8,20 @@
 //! commas, since points part the names of layers. Units are metres or hertz with any prefix. The
 //! attribute `emissiveUnits` is the unit of light.
 //!
-//! Pictures of red, green and blue are refused: they hold no spectrum. Pixels and channels must
-//! fit into the memory that a file of its size may take, which is checked before they are decoded.
+//! Pictures of red, green and blue are refused: they hold no spectrum. The numbers of the spectral
+//! channels may take [`budget::of`] bytes, which is checked before one is decoded. Then block
+//! after block (some rows, or a tile) is decoded, its spectral channels are kept and the block is
+//! dropped, so that a file that ends early has taken no more than what it held.
 
 use std::io::Cursor;
 use std::sync::Arc;
 
-use exr::image::{AnyChannel, AnyChannels, FlatSamples, Image, Layer, Layers};
+use exr::block::{self, reader::ChunksReader, reader::Reader};
+use exr::error::Result as Decoded;
 use exr::meta::MetaData;
-use exr::meta::attribute::AttributeValue;
-use exr::prelude::{ReadChannels, ReadLayers, read as exr_reader};
+use exr::meta::attribute::{AttributeValue, SampleType};
+use exr::meta::header::Header;
+use exr::prelude::f16;
 
 use crate::spectrum::Kind;
 use crate::spectrum::cube::{Cube, Interleave, Layout, Number};
@@ -122,43 +126,28 @@ fn wavelength_nm(label: &str) -> Option<f64> {
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
-    let head = decoded(input, || {
-        MetaData::read_from_buffered(Cursor::new(input.bytes), false)
-    })?;
+    let file = decoded(input, || block::read(Cursor::new(input.bytes), false))?;
+    let head = file.meta_data().clone();
     check(input, &head)?;
-    let image = decoded(input, || {
-        exr_reader()
-            .no_deep_data()
-            .largest_resolution_level()
-            .all_channels()
-            .all_layers()
-            .all_attributes()
-            .non_parallel()
-            .from_buffered(Cursor::new(input.bytes))
-    })?;
-
-    let mut reading = Reading::default();
-    let several = image.layer_data.len() > 1;
-    for (number, layer) in image.layer_data.iter().enumerate() {
-        let part = match several {
-            true => format!(", layer {}", number + 1),
-            false => String::new(),
-        };
-        for kind in [Kind::Light, Kind::Reflectance] {
-            read_layer(input, &image, layer, &part, kind, &mut reading)?;
-        }
+    let mut pictures = pictures_in(&head);
+    let needed = needed(&head, &pictures);
+    if needed > budget::of(input.bytes.len()) {
+        let found = format!("an image that takes {} to decode", budget::in_words(needed));
+        return Err(input.error(found, budget::WORDS));
     }
-    if reading.images.is_empty() {
+    if pictures.is_empty() {
         return Err(input.error("fewer than two spectral channels a layer", "two or more"));
+    }
+    decoded(input, || fill(file, &head, &mut pictures))?;
+    let mut reading = Reading::default();
+    for picture in pictures {
+        add(input, &head, picture, &mut reading)?;
     }
     Ok(reading)
 }
 
 /// What the parser of others makes of the file.
-fn decoded<T>(
-    input: &Input,
-    decode: impl FnOnce() -> exr::error::Result<T>,
-) -> Result<T, ReadError> {
+fn decoded<T>(input: &Input, decode: impl FnOnce() -> Decoded<T>) -> Result<T, ReadError> {
     let why = match guarded(decode) {
         Some(Ok(decoded)) => return Ok(decoded),
         Some(Err(error)) => format!(" ({error})"),
@@ -168,20 +157,19 @@ fn decoded<T>(
     Err(input.error(found, "one that can be decoded"))
 }
 
-/// Refuses what is no spectral image, or would take too much memory.
+/// Refuses what is no spectral image.
 fn check(input: &Input, head: &MetaData) -> Result<(), ReadError> {
     let mut names: Vec<String> = Vec::new();
-    let mut memory = 0_usize;
     for header in &head.headers {
         if header.deep {
             return Err(input.error("a deep OpenEXR image", "a flat one"));
         }
-        let pixels = header.layer_size.0.saturating_mul(header.layer_size.1);
-        let channels = header.channels.list.len();
-        // Decoded samples, the copy that is kept, and a block on its way.
-        memory = memory.saturating_add(pixels.saturating_mul(channels).saturating_mul(8));
-        let channels = header.channels.list.iter();
-        names.extend(channels.map(|channel| channel.name.to_string()));
+        for channel in &header.channels.list {
+            if (channel.sampling.0, channel.sampling.1) != (1, 1) {
+                return Err(input.error("a channel of fewer samples than pixels", "one a pixel"));
+            }
+            names.push(channel.name.to_string());
+        }
     }
     let is_spectral =
         |name: &&String| matches!(channel_of(name), Channel::Light(_) | Channel::Factor(_));
@@ -193,66 +181,179 @@ fn check(input: &Input, head: &MetaData) -> Result<(), ReadError> {
             "two or more spectral channels such as \"S0.380,0nm\" or \"T.380,0nm\"",
         ));
     }
-    if memory > budget::of(input.bytes.len()) {
-        let found = format!("an image that takes {} to decode", budget::in_words(memory));
-        return Err(input.error(found, budget::WORDS));
+    Ok(())
+}
+
+/// The image that a layer holds of one kind.
+struct Picture {
+    layer: usize,
+    kind: Kind,
+    size: (usize, usize),
+    /// Wavelengths, nm, rising, each with its place among the layer's channels.
+    bands: Vec<(f64, usize)>,
+    notes: Vec<String>,
+    /// Row after row, of each row band after band, single precision; as far as it is decoded.
+    bytes: Vec<u8>,
+}
+
+impl Picture {
+    /// Bytes of one row of all bands.
+    fn row(&self) -> usize {
+        self.size.0.saturating_mul(4 * self.bands.len())
+    }
+
+    /// Keeps a piece of one row of one band, as the file has it.
+    fn keep(&mut self, band: usize, (x, y): (usize, usize), of: SampleType, piece: &[u8]) {
+        let (row, all) = (self.row(), self.row() * self.size.1);
+        let end = row * (y + 1);
+        if self.bytes.len() < end {
+            // Rows may come in any order. Doubled each time, so that few copies are made.
+            let room = end.max(2 * self.bytes.len()).min(all);
+            self.bytes.reserve_exact(room - self.bytes.len());
+            self.bytes.resize(end, 0);
+        }
+        let start = row * y + 4 * (band * self.size.0 + x);
+        let into = self.bytes[start..].chunks_exact_mut(4);
+        macro_rules! each {
+            ($kind:ty, $single:expr) => {
+                for (to, from) in into.zip(piece.as_chunks().0) {
+                    to.copy_from_slice(&$single(<$kind>::from_ne_bytes(*from)).to_le_bytes());
+                }
+            };
+        }
+        match of {
+            SampleType::F16 => each!(f16, f16::to_f32),
+            SampleType::F32 => each!(f32, std::convert::identity),
+            SampleType::U32 => each!(u32, |value: u32| value as f32),
+        }
+    }
+}
+
+/// The images of two bands or more that the layers hold, light before reflectance; empty ones.
+fn pictures_in(head: &MetaData) -> Vec<Picture> {
+    let mut pictures = Vec::new();
+    for (layer, header) in head.headers.iter().enumerate() {
+        for kind in [Kind::Light, Kind::Reflectance] {
+            let (mut reradiated, mut polarised) = (0, 0);
+            let mut bands: Vec<(f64, usize)> = Vec::new();
+            for (place, channel) in header.channels.list.iter().enumerate() {
+                match (channel_of(&channel.name.to_string()), kind) {
+                    (Channel::Light(nm), Kind::Light)
+                    | (Channel::Factor(nm), Kind::Reflectance) => bands.push((nm, place)),
+                    (Channel::Reradiated, Kind::Reflectance) => reradiated += 1,
+                    (Channel::Polarised, Kind::Light) => polarised += 1,
+                    _ => {}
+                }
+            }
+            bands.sort_by(|a, b| a.0.total_cmp(&b.0));
+            bands.dedup_by(|later, earlier| later.0 == earlier.0);
+            if bands.len() < 2 {
+                continue;
+            }
+            let mut notes = Vec::new();
+            if reradiated > 0 {
+                notes.push(format!(
+                    "bispectral: {reradiated} channels of fluorescence left out, the diagonal read"
+                ));
+            }
+            if polarised > 0 {
+                notes.push(format!("{polarised} channels of polarisation left out"));
+            }
+            pictures.push(Picture {
+                layer,
+                kind,
+                size: (header.layer_size.0, header.layer_size.1),
+                bands,
+                notes,
+                bytes: Vec::new(),
+            });
+        }
+    }
+    pictures
+}
+
+/// Bytes that all images take, and the largest block on its way to them.
+fn needed(head: &MetaData, pictures: &[Picture]) -> usize {
+    let kept = pictures.iter().map(|p| p.row().saturating_mul(p.size.1));
+    let block = |header: &Header| {
+        let (size, whole) = (header.max_block_pixel_size(), header.layer_size);
+        let pixels = size.0.min(whole.0).saturating_mul(size.1.min(whole.1));
+        // Packed, unpacked and put in order.
+        pixels.saturating_mul(2 * header.channels.bytes_per_pixel)
+    };
+    let largest = head.headers.iter().map(block).max().unwrap_or(0);
+    kept.fold(largest, usize::saturating_add)
+}
+
+/// Decodes block after block and keeps what is spectral of it.
+fn fill(file: Reader<Cursor<&[u8]>>, head: &MetaData, pictures: &mut [Picture]) -> Decoded<()> {
+    let has_picture: Vec<bool> = (0..head.headers.len())
+        .map(|layer| pictures.iter().any(|picture| picture.layer == layer))
+        .collect();
+    let chunks = file.filter_chunks(false, |_, tile, block| {
+        tile.is_largest_resolution_level() && has_picture[block.layer]
+    })?;
+    for block in chunks.sequential_decompressor(false) {
+        let block = block?;
+        let channels = &head.headers[block.index.layer].channels;
+        for picture in pictures.iter_mut().filter(|p| p.layer == block.index.layer) {
+            let mut band_of = vec![None; channels.list.len()];
+            for (band, (_, place)) in picture.bands.iter().enumerate() {
+                band_of[*place] = Some(band);
+            }
+            for line in block.lines(channels) {
+                let at = line.location;
+                if let Some(band) = band_of[at.channel] {
+                    let of = channels.list[at.channel].sample_type;
+                    picture.keep(band, (at.position.0, at.position.1), of, line.value);
+                }
+            }
+        }
     }
     Ok(())
 }
 
-/// A layer of any channels, and an image of such.
-type AnyLayer = Layer<AnyChannels<FlatSamples>>;
-type AnyImage = Image<Layers<AnyChannels<FlatSamples>>>;
-
-/// The words of an attribute of a layer, or else of the whole image.
-fn words_of(image: &AnyImage, layer: &AnyLayer, key: &str) -> Option<String> {
-    let mut found = layer.attributes.other.iter().chain(&image.attributes.other);
-    found.find_map(|(name, value)| match value {
-        AttributeValue::Text(text) if *name == *key => Some(text.to_string()),
-        _ => None,
-    })
-}
-
-/// Adds the image that a layer holds of one kind, where it has two bands or more.
-fn read_layer(
+/// Adds an image that was decoded.
+fn add(
     input: &Input,
-    image: &AnyImage,
-    layer: &AnyLayer,
-    part: &str,
-    kind: Kind,
+    head: &MetaData,
+    picture: Picture,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
-    let (mut reradiated, mut polarised) = (0, 0);
-    let mut bands: Vec<(f64, &AnyChannel<FlatSamples>)> = Vec::new();
-    for channel in &layer.channel_data.list {
-        match (channel_of(&channel.name.to_string()), kind) {
-            (Channel::Light(nm), Kind::Light) | (Channel::Factor(nm), Kind::Reflectance) => {
-                bands.push((nm, channel));
-            }
-            (Channel::Reradiated, Kind::Reflectance) => reradiated += 1,
-            (Channel::Polarised, Kind::Light) => polarised += 1,
-            _ => {}
-        }
-    }
-    bands.sort_by(|a, b| a.0.total_cmp(&b.0));
-    bands.dedup_by(|later, earlier| later.0 == earlier.0);
-    if bands.len() < 2 {
-        return Ok(());
-    }
-    let mut notes = Vec::new();
-    if reradiated > 0 {
-        notes.push(format!(
-            "bispectral: {reradiated} channels of fluorescence left out, the diagonal read"
-        ));
-    }
-    if polarised > 0 {
-        notes.push(format!("{polarised} channels of polarisation left out"));
-    }
-    let cube = cube_of((layer.size.0, layer.size.1), &bands)
-        .map_err(|why| input.error(why, "a whole image"))?;
+    let Picture {
+        layer,
+        kind,
+        size: (width, height),
+        bands,
+        notes,
+        bytes,
+    } = picture;
+    let header = &head.headers[layer];
+    let places: Vec<(f64, usize)> = bands.iter().map(|(nm, _)| *nm).zip(0..).collect();
+    let layout = Layout {
+        first_byte: 0,
+        number: Number::F32,
+        big_endian: false,
+        interleave: Interleave::Lines,
+        stored_bands: bands.len(),
+        missing: None,
+    };
+    let cube = Cube::new(width, height, &places, layout, Arc::new(bytes))
+        .map_err(|error| input.error(error.to_string(), "a whole image"))?;
+    let own = header.own_attributes.other.iter();
     let unit = match kind {
-        Kind::Light => words_of(image, layer, "emissiveUnits").unwrap_or_default(),
+        Kind::Light => own
+            .chain(&header.shared_attributes.other)
+            .find_map(|(name, value)| match value {
+                AttributeValue::Text(text) if *name == *"emissiveUnits" => Some(text.to_string()),
+                _ => None,
+            })
+            .unwrap_or_default(),
         _ => "fraction".to_owned(),
+    };
+    let part = match head.headers.len() > 1 {
+        true => format!(", layer {}", layer + 1),
+        false => String::new(),
     };
     let both = match kind == Kind::Reflectance && !reading.images.is_empty() {
         true => ", reflectance",
@@ -275,39 +376,6 @@ fn read_layer(
     };
     spectral_image::add(raw, &input.choices, reading);
     Ok(())
-}
-
-/// A cube of single precision, band after band.
-fn cube_of(
-    (width, height): (usize, usize),
-    bands: &[(f64, &AnyChannel<FlatSamples>)],
-) -> Result<Cube, String> {
-    let mut bytes = Vec::with_capacity(width * height * bands.len() * 4);
-    for (_, channel) in bands {
-        let (step_x, step_y) = (channel.sampling.0.max(1), channel.sampling.1.max(1));
-        let columns = width / step_x;
-        for y in 0..height {
-            for x in 0..width {
-                let at = (y / step_y) * columns + (x / step_x).min(columns.saturating_sub(1));
-                let value = match &channel.sample_data {
-                    FlatSamples::F16(values) => values.get(at).map(|v| v.to_f32()),
-                    FlatSamples::F32(values) => values.get(at).copied(),
-                    FlatSamples::U32(values) => values.get(at).map(|v| *v as f32),
-                };
-                bytes.extend(value.unwrap_or(f32::NAN).to_le_bytes());
-            }
-        }
-    }
-    let places: Vec<(f64, usize)> = bands.iter().map(|(nm, _)| *nm).zip(0..).collect();
-    let layout = Layout {
-        first_byte: 0,
-        number: Number::F32,
-        big_endian: false,
-        interleave: Interleave::Bands,
-        stored_bands: bands.len(),
-        missing: None,
-    };
-    Cube::new(width, height, &places, layout, Arc::new(bytes)).map_err(|error| error.to_string())
 }
 
 #[cfg(test)]

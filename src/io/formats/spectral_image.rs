@@ -85,6 +85,25 @@ impl Meant {
     }
 }
 
+impl Meant {
+    /// Whether neither the file nor a person says what the values are.
+    pub fn is_kind_guessed(&self) -> bool {
+        self.kind.is_guess()
+    }
+
+    /// What was guessed of the values, or goes against the file, a sentence each; `against` is
+    /// another unit that the file names for its wavelengths.
+    pub fn said(&self, against: Option<&str>) -> Vec<String> {
+        let decisions = Decisions {
+            axis: None,
+            kind: self.kind.clone(),
+            counted: self.counted.clone(),
+        };
+        let of_kind = self.against_choice.clone().unwrap_or(Remark::Kind);
+        guesses_in_words(&decisions, of_kind, against)
+    }
+}
+
 /// The values of some pixels all over an image.
 pub(crate) fn sample(cube: &Cube) -> Vec<f64> {
     let pixels = cube.width() * cube.height();

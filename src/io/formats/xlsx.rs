@@ -9,14 +9,14 @@
 use std::collections::BTreeMap;
 use std::io::Cursor;
 
-use calamine::{DataRef, Reader, Xlsx};
+use calamine::{DataRef, Reader, SheetVisible, Xlsx};
 
 use super::{Confidence, Format};
 use crate::io::decode::archive::{Archive, seems_to_hold};
 use crate::io::decode::guarded::guarded;
 use crate::io::table::read::read_tables;
 use crate::io::text::dialect::Dialect;
-use crate::io::text::number;
+use crate::io::text::number::{self, Cell as Number};
 use crate::io::{Choices, Input, ReadError, Reading, budget};
 
 pub(crate) const FORMAT: Format = Format {
@@ -90,9 +90,16 @@ struct Cell {
 }
 
 impl Cell {
-    /// A cell; numbers that were typed as text are numbers, with a decimal comma too.
+    /// A cell; numbers that were typed as text are numbers, with a decimal comma too, or with their
+    /// unit.
     fn of(text: String, is_number: bool) -> Self {
-        let is_number = is_number || text.parse::<f64>().is_ok();
+        let has_unit = || {
+            matches!(
+                number::parse(&text, false),
+                Number::Nanometres(_) | Number::WithUnit(_)
+            )
+        };
+        let is_number = is_number || text.parse::<f64>().is_ok() || has_unit();
         match number::number(&text, true).filter(|_| !is_number) {
             Some(value) => Self {
                 text: format!("{value:?}"),
@@ -115,7 +122,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     for (part, share) in SHARES {
         Archive::open(input, share)?.count(|name| part_of(name) == part)?;
     }
-    let sheets = guarded(|| sheets(input)).ok_or_else(|| broken(input, "unreadable"))??;
+    let (sheets, hidden) =
+        guarded(|| sheets(input)).ok_or_else(|| broken(input, "unreadable"))??;
     let mut reading = Reading::default();
     let mut refusals = Vec::new();
     let several = sheets.iter().filter(|(_, sheet)| !sheet.is_empty()).count() > 1;
@@ -155,6 +163,11 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let first = refusals.into_iter().next();
         return Err(first.map_or_else(nothing, |(_, why)| why));
     }
+    for title in hidden.into_iter().take(MOST_NOTED) {
+        reading
+            .notes
+            .push(format!("sheet {title} is hidden and was not read"));
+    }
     for (title, why) in refusals.into_iter().take(MOST_NOTED) {
         let note = format!("sheet {title} left out: found {}", why.found);
         reading.notes.push(note);
@@ -166,13 +179,20 @@ fn broken(input: &Input, why: &str) -> ReadError {
     input.error(format!("a broken workbook ({why})"), "a whole one")
 }
 
-fn sheets(input: &Input) -> Result<Vec<(String, Sheet)>, ReadError> {
+/// The sheets that are shown by their names, and what the hidden ones are called.
+type Sheets = (Vec<(String, Sheet)>, Vec<String>);
+
+fn sheets(input: &Input) -> Result<Sheets, ReadError> {
     let broken = |error: calamine::XlsxError| broken(input, &error.to_string());
     let too_many = || input.error("far more cells than its size allows", budget::WORDS);
     let mut book = Xlsx::new(Cursor::new(input.bytes)).map_err(broken)?;
     let mut left = budget::of(input.bytes.len()) / 2;
     let mut sheets = Vec::new();
-    for name in book.sheet_names() {
+    // What somebody hid is no part of what they hand on.
+    let all = book.sheets_metadata().iter().cloned();
+    let (shown, hidden): (Vec<_>, Vec<_>) =
+        all.partition(|sheet| sheet.visible == SheetVisible::Visible);
+    for name in shown.into_iter().map(|sheet| sheet.name) {
         // Sheets of charts have no cells.
         let Ok(mut cells) = book.worksheet_cells_reader(&name) else {
             continue;
@@ -196,7 +216,7 @@ fn sheets(input: &Input) -> Result<Vec<(String, Sheet)>, ReadError> {
         }
         sheets.push((name, sheet));
     }
-    Ok(sheets)
+    Ok((sheets, hidden.into_iter().map(|sheet| sheet.name).collect()))
 }
 
 /// A text on one line, without tabs.

@@ -8,7 +8,7 @@ use crate::io::text::units::{
 use crate::io::text::words::holds_any;
 
 /// What is known of an axis.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Axis<'a> {
     /// Title and unit above it.
     pub title: &'a str,
@@ -20,10 +20,22 @@ pub(crate) struct Axis<'a> {
     pub is_dpt: bool,
     /// Smallest and largest number.
     pub range: (f64, f64),
+    /// How uneven its steps are in nm if it is in a unit; `None` of few.
+    pub unevenness: &'a dyn Fn(WavelengthUnit) -> Option<f64>,
 }
 
 /// Wavelengths in nm that numbers of an axis plausibly are.
 const PLAUSIBLE_NM: (f64, f64) = (100.0, 50_000.0);
+
+/// Whether a title or a line says that its wavelengths are those in vacuum. A spectrometer may be
+/// one for the vacuum ultraviolet.
+pub(crate) fn names_vacuum(text: &str) -> bool {
+    const OF_LENGTHS: [&str; 5] = ["wavelen", "lambda", "λ", "|wl", "wellen"];
+    let text = text.to_lowercase().replace(['_', '-'], " ");
+    holds_any(&text, &["|vacuum|", "|vac|", "|vakuum"])
+        && holds_any(&text, &OF_LENGTHS)
+        && !holds_any(&text, &["|air|", "vacuum uv", "vacuum ultra"])
+}
 
 /// Units that lines of a header name for the wavelength axis, the nearest to the table first.
 pub(crate) fn units_of_header(lines: &NumberedLines) -> Vec<WavelengthUnit> {
@@ -94,7 +106,16 @@ pub(crate) fn unit(axis: &Axis) -> (Decision<WavelengthUnit>, Option<String>) {
         let because = "Bruker's .dpt tables mostly count wave numbers; flip it if these are nm";
         return (guess(WavelengthUnit::PerCentimetre, because), None);
     }
-    let guessed = match WavelengthUnit::of_range(min, max) {
+    let of_range = WavelengthUnit::of_range(min, max);
+    if let Some(unit) = of_range.and_then(|unit| by_steps(axis, unit)) {
+        let because = format!("the range {min} to {max} and its steps, even in nm");
+        return (guess(unit, &because), None);
+    }
+    let guessed = match of_range {
+        Some(WavelengthUnit::PerCentimetre) if is_visible_in_angstrom(axis) => {
+            let because = format!("the range {min} to {max} at even steps, visible light in Å");
+            guess(WavelengthUnit::Angstrom, &because)
+        }
         Some(WavelengthUnit::PerCentimetre) if of_lengths => {
             let because = format!("wavelengths in the range {min} to {max}");
             guess(WavelengthUnit::Angstrom, &because)
@@ -116,64 +137,24 @@ pub(crate) fn unit(axis: &Axis) -> (Decision<WavelengthUnit>, Option<String>) {
     (guessed, against)
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::io::reading::remark::unit_words;
+/// Energies or frequencies whose range would fit another unit: their steps are even in nm, and not
+/// in what the range suggests.
+fn by_steps(axis: &Axis, of_range: WavelengthUnit) -> Option<WavelengthUnit> {
+    let other = match of_range {
+        WavelengthUnit::Micrometre => WavelengthUnit::Electronvolt,
+        WavelengthUnit::Nanometre => WavelengthUnit::Terahertz,
+        _ => return None,
+    };
+    let (own, turned) = ((axis.unevenness)(of_range)?, (axis.unevenness)(other)?);
+    (turned < 0.1 && turned < 0.1 * own).then_some(other)
+}
 
-    fn axis<'a>(title: &'a str, header: &'a [WavelengthUnit], range: (f64, f64)) -> Axis<'a> {
-        Axis {
-            title,
-            header,
-            says_nm: false,
-            is_dpt: false,
-            range,
-        }
-    }
-
-    #[test]
-    fn a_title_outweighs_the_header_and_the_header_the_range() {
-        let header = units_of_header(&[(1, "X Units: Wavelength (micrometers)")]);
-        let mut axis = axis("Wavelength (nm)", &header, (350.0, 2500.0));
-        assert_eq!(unit(&axis).0.value, WavelengthUnit::Nanometre);
-        axis.title = "";
-        let found = unit(&axis).0.value;
-        assert_eq!(found, WavelengthUnit::Nanometre, "2500 um is nonsense");
-        axis.range = (0.35, 2.5);
-        let (found, _) = unit(&axis);
-        assert_eq!(found.value, WavelengthUnit::Micrometre);
-        assert!(!found.is_guess());
-        axis.header = &[];
-        assert!(unit(&axis).0.is_guess());
-    }
-
-    #[test]
-    fn brukers_point_tables_count_wave_numbers_unless_they_say_so() {
-        let mut axis = axis("", &[], (800.0, 2500.0));
-        axis.is_dpt = true;
-        assert_eq!(unit(&axis).0.value, WavelengthUnit::PerCentimetre);
-    }
-
-    /// The unit of 380 to 780 under a title and a header line, and whether a person should look.
-    fn of_visible(title: &str, line: &str) -> (String, bool) {
-        let header = units_of_header(&[(1, line)]);
-        let (found, against) = unit(&axis(title, &header, (380.0, 780.0)));
-        let words = unit_words(found.value, against.as_deref());
-        (words, !found.is_guess())
-    }
-
-    #[test]
-    fn a_unit_that_takes_nanometres_away_from_light_is_only_a_guess() {
-        let nm = |words: &str| (words.to_owned(), false);
-        assert_eq!(of_visible("Våglängd", ""), nm("nm"));
-        assert_eq!(of_visible("lambda (Micronix spectrometer)", ""), nm("nm"));
-        assert_eq!(
-            of_visible("", "Wavelength calibration lamp, Ångström Laboratory"),
-            nm("nm, not Å")
-        );
-        assert_eq!(of_visible("Wavelength (Å)", ""), nm("nm, not Å"));
-        assert_eq!(of_visible("Frequency (PHz)", ""), nm("nm, not PHz"));
-        assert_eq!(of_visible("Frequency (THz)", ""), ("THz".to_owned(), true));
-        assert_eq!(of_visible("[cm-1]", ""), ("1/cm".to_owned(), true));
-    }
+/// Whether wavelengths in ångström would span visible light at even steps: wave numbers of that range
+/// are of the near infrared, and mostly at steps of no whole number.
+fn is_visible_in_angstrom(axis: &Axis) -> bool {
+    let (min, max) = axis.range;
+    let is_visible = (2000.0..=4500.0).contains(&min) && (6500.0..=11_000.0).contains(&max);
+    is_visible
+        && min.fract() == 0.0
+        && (axis.unevenness)(WavelengthUnit::Angstrom).is_some_and(|uneven| uneven < 1e-6)
 }

@@ -88,9 +88,6 @@ pub(crate) fn clean(nm: &[f64], values: &[f64]) -> Result<Cleaned, Trouble> {
 }
 
 /// As [`clean`]; at most `most_reversals` of the steps may go backwards.
-///
-/// # Errors
-/// As [`clean`].
 pub(crate) fn clean_within(
     nm: &[f64],
     values: &[f64],
@@ -194,47 +191,4 @@ fn average_doubles(points: &mut Vec<(f64, f64)>, remarks: &mut Vec<Remark>) {
     points.truncate(kept);
     let doubles = before - kept;
     remarks.extend((doubles > 0).then_some(Remark::Averaged(doubles)));
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn falling_wavelengths_are_turned_round_and_said() {
-        let read = clean(&[500.0, 400.0], &[1.0, 2.0]).unwrap();
-        assert_eq!(read.samples.nm(), [400.0, 500.0]);
-        assert_eq!(read.samples.values(), [2.0, 1.0]);
-        assert_eq!(read.remarks, [Remark::TurnedRound]);
-    }
-
-    #[test]
-    fn doubles_are_averaged_and_gaps_dropped_and_both_said() {
-        let read = clean(
-            &[400.0, 410.0, 410.0, 420.0, 430.0],
-            &[1.0, 2.0, 4.0, f64::NAN, 5.0],
-        )
-        .unwrap();
-        assert_eq!(read.samples.values(), [1.0, 3.0, 5.0]);
-        assert_eq!(read.remarks, [Remark::Missing(1), Remark::Averaged(1)]);
-    }
-
-    #[test]
-    fn two_detectors_that_overlap_are_put_in_order() {
-        let nm: Vec<f64> = (0..20)
-            .map(f64::from)
-            .map(|i| 900.0 + i)
-            .chain([915.5, 930.0])
-            .collect();
-        let read = clean(&nm, &vec![1.0; nm.len()]).unwrap();
-        assert_eq!(read.samples.len(), 22);
-        assert_eq!(read.remarks, [Remark::StepsBack(1)]);
-    }
-
-    #[test]
-    fn numbers_that_run_to_and_fro_are_refused_at_the_first_step_back() {
-        let trouble = clean(&[400.0, f64::NAN, 500.0, 450.0, 600.0, 440.0], &[0.0; 6]).unwrap_err();
-        assert_eq!(trouble.index, Some(3));
-        assert_eq!(trouble.found, "wavelength 450 nm after 500 nm");
-    }
 }

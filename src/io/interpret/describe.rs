@@ -54,6 +54,7 @@ fn tell(spectrum: &mut NamedSpectrum, facts: Facts) -> String {
         Some(Counted::Percent) if tells_scale => "from per cent",
         Some(Counted::TenThousandths) if tells_scale => "from ten thousandths",
         Some(Counted::SixteenBits) if tells_scale => "from 16-bit numbers",
+        Some(Counted::EightBits) if tells_scale => "from 8-bit numbers",
         _ => "",
     };
     let mut words = vec![scale];

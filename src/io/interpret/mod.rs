@@ -71,9 +71,6 @@ pub(super) fn interpret(
 }
 
 /// The reading of a file that holds this spectrum alone.
-///
-/// # Errors
-/// As [`interpret`].
 pub(super) fn alone(raw: RawSpectrum, input: &Input) -> Result<Reading, ReadError> {
     let mut reading = Reading::default();
     interpret(raw, input, &mut reading)?;
@@ -81,11 +78,7 @@ pub(super) fn alone(raw: RawSpectrum, input: &Input) -> Result<Reading, ReadErro
 }
 
 /// As [`interpret`], where the reader saw to it that there is room.
-///
-/// # Errors
-/// As [`interpret`].
 pub(super) fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Result<(), ReadError> {
-    let index = reading.spectra.len();
     let RawSpectrum {
         axis,
         mut values,
@@ -93,7 +86,7 @@ pub(super) fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Res
         known,
         ..
     } = raw;
-    let none = Heading::default();
+    let (index, none) = (reading.spectra.len(), Heading::default());
     let is_written = matches!(axis, RawAxis::Written { .. });
     let heading = raw.heading.unwrap_or(&none);
     let mut remarks = vec![Remark::Line];
@@ -107,15 +100,18 @@ pub(super) fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Res
             drop_sentinels(&mut values, &mut remarks);
         }
     }
-    let cleaned =
-        clean(&axis, unit, values).map_err(|trouble| refusal(input, trouble, raw.lines))?;
+    let from_vacuum = from_vacuum(&axis, unit, heading, &mut remarks);
+    let cleaned = clean(&axis, (unit, from_vacuum), values)
+        .map_err(|trouble| refusal(input, trouble, raw.lines))?;
     remarks.extend(cleaned.remarks);
     let samples = cleaned.samples;
 
-    let own = match &known.kind {
-        Some(kind) => kind.clone(),
-        None => kinds::kind(&title, &heading.kind, &input.name, samples.values()),
-    };
+    let own = known.kind.clone().unwrap_or_else(|| {
+        let found = kinds::kind(&title, &heading.kind, &input.name, samples.values());
+        let signs = raw.percent_signs;
+        let is_percent = factor_scale::states_percent(&title, heading.percent, signs);
+        kinds::no_light_in_percent(found, is_percent, &title)
+    });
     let own_kind = own.value;
     let (kind, against_choice) = kind_as_chosen(own, input.choices.kind_of(index));
     remarks.push(against_choice.unwrap_or(Remark::Kind));
@@ -128,9 +124,10 @@ pub(super) fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Res
     if is_written || counted.as_ref().is_some_and(Decision::is_guess) {
         remarks.push(Remark::Counted);
     }
-    let samples = match scale {
-        1.0 => samples,
-        scale => samples.scaled(scale),
+    let samples = if scale == 1.0 {
+        samples
+    } else {
+        samples.scaled(scale)
     };
     let unit_of_values = unit_of_values(kind.value, known, &title, heading);
     let is_written_light = is_written && kind.value == Kind::Light;
@@ -167,8 +164,31 @@ pub(super) fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Res
     Ok(())
 }
 
+/// Whether wavelengths are turned from vacuum to air. All here are in air, and a frequency, an
+/// energy or a wave number knows those in vacuum alone.
+fn from_vacuum(
+    axis: &RawAxis,
+    unit: WavelengthUnit,
+    heading: &Heading,
+    remarks: &mut Vec<Remark>,
+) -> bool {
+    let RawAxis::Written { scale, title, .. } = axis else {
+        return false;
+    };
+    if unit.is_length() && !(axis::names_vacuum(title) || heading.in_vacuum) {
+        return false;
+    }
+    let is_turned = scale.tells_air_from_vacuum(unit);
+    remarks.push(Remark::FromVacuum(is_turned));
+    is_turned
+}
+
 /// The curve that values make over their axis.
-fn clean(axis: &RawAxis, unit: WavelengthUnit, values: Vec<f64>) -> Result<Cleaned, Trouble> {
+fn clean(
+    axis: &RawAxis,
+    unit: (WavelengthUnit, bool),
+    values: Vec<f64>,
+) -> Result<Cleaned, Trouble> {
     match axis {
         RawAxis::Nm(nm, _) => curve::clean(nm, &values),
         RawAxis::Written { scale, title, .. } => {
@@ -203,6 +223,7 @@ fn decide_axis(
             says_nm: *says_nm || heading.is_own,
             is_dpt: input.has_extension("dpt"),
             range: scale.extent(),
+            unevenness: &|unit| scale.unevenness(unit),
         }),
     };
     (unit.value, Some(AxisDecision::Unit(unit)), against)
@@ -232,10 +253,18 @@ fn unit_of_values(kind: Kind, known: Known, title: &str, heading: &Heading) -> S
     }
     // What a factor is counted in says nothing of what is taken for something else.
     let unit = known.unit.filter(|unit| unit != "fraction");
-    unit.unwrap_or_else(|| {
+    let unit = unit.unwrap_or_else(|| {
         let of_title = value_unit::unit_of_title(title).map(str::to_owned);
         of_title.unwrap_or_else(|| heading.unit.clone())
-    })
+    });
+    match kind {
+        Kind::Light
+            if value_unit::title_counts_photons(title) && !value_unit::counts_photons(&unit) =>
+        {
+            value_unit::PHOTONS_ALONE.to_owned()
+        }
+        _ => unit,
+    }
 }
 
 /// The refusal of numbers that are no spectrum, at their line.

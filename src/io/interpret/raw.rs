@@ -7,7 +7,7 @@ use super::factor_scale::KnownScale;
 use super::heading::Heading;
 use crate::io::reading::decision::{AxisDecision, Decision};
 use crate::io::text::units::WavelengthUnit;
-use crate::spectrum::{Kind, Sampled};
+use crate::spectrum::{Kind, Sampled, in_air};
 
 /// A spectrum on its way from a reader to [`interpret`](super::interpret()).
 pub(crate) struct RawSpectrum<'a> {
@@ -149,6 +149,12 @@ impl<'a> RawSpectrum<'a> {
     }
 }
 
+/// Most points whose steps are looked at.
+const MOST_STEPS: usize = 4096;
+
+/// Shorter wavelengths, nm, are those in vacuum in every table: air lets no such light through.
+const SHORTEST_IN_AIR_NM: f64 = 200.0;
+
 /// Wavelengths as a file gives them, and what was found of them: a long table has one column of
 /// them for many of values.
 pub(crate) struct Scale<'a> {
@@ -174,10 +180,44 @@ impl<'a> Scale<'a> {
         *self.extent.get_or_init(|| extent(self.numbers))
     }
 
-    /// A spectrum of these wavelengths and of values, in order and without gaps.
+    /// How uneven the steps between neighbours are in nm: the widest less the narrowest, over the
+    /// median; `None` of few.
+    pub(super) fn unevenness(&self, unit: WavelengthUnit) -> Option<f64> {
+        let steps = self.steps(unit);
+        let (first, last) = (steps.first()?, steps.last()?);
+        (steps.len() >= 20).then(|| (last - first) / steps[steps.len() / 2])
+    }
+
+    /// The steps between neighbours, nm, the narrowest first.
+    fn steps(&self, unit: WavelengthUnit) -> Vec<f64> {
+        // The first of very many are enough.
+        let numbers = self.numbers.iter().take(MOST_STEPS);
+        let nm: Vec<f64> = numbers.map(|x| unit.to_nm(*x)).collect();
+        let mut steps: Vec<f64> = nm
+            .windows(2)
+            .map(|pair| (pair[1] - pair[0]).abs())
+            .collect();
+        steps.retain(|step| step.is_finite());
+        steps.sort_by(f64::total_cmp);
+        steps
+    }
+
+    /// Whether wavelengths in vacuum are turned into those in air: of many points far apart the
+    /// difference is lost between two of them.
+    pub(super) fn tells_air_from_vacuum(&self, unit: WavelengthUnit) -> bool {
+        const MANY: usize = 20;
+        let (low, high) = self.extent();
+        let middle = 0.5 * (unit.to_nm(low) + unit.to_nm(high));
+        let steps = self.steps(unit);
+        let step = steps.get(steps.len() / 2).copied().unwrap_or(0.0);
+        steps.len() < MANY || step < 10.0 * (middle - in_air(middle))
+    }
+
+    /// A spectrum of these wavelengths and of values, in order and without gaps; from vacuum to air
+    /// where they were measured in the one and are wanted in the other.
     pub(super) fn clean(
         &self,
-        unit: WavelengthUnit,
+        (unit, from_vacuum): (WavelengthUnit, bool),
         values: Vec<f64>,
         reversals: f64,
     ) -> Result<Cleaned, Trouble> {
@@ -187,21 +227,25 @@ impl<'a> Scale<'a> {
         };
         match beside {
             Ok(cleaned) => Ok(cleaned),
-            Err(values) => self.clean_alone(unit, &values, reversals),
+            Err(values) => self.clean_alone((unit, from_vacuum), &values, reversals),
         }
     }
 
     fn clean_alone(
         &self,
-        unit: WavelengthUnit,
+        (unit, from_vacuum): (WavelengthUnit, bool),
         values: &[f64],
         reversals: f64,
     ) -> Result<Cleaned, Trouble> {
         let turned: Vec<f64>;
+        let to_nm = |x: &f64| match unit.to_nm(*x) {
+            nm if from_vacuum && nm >= SHORTEST_IN_AIR_NM => in_air(nm).max(SHORTEST_IN_AIR_NM),
+            nm => nm,
+        };
         let nm = match unit {
-            WavelengthUnit::Nanometre => self.numbers,
+            WavelengthUnit::Nanometre if !from_vacuum => self.numbers,
             _ => {
-                turned = self.numbers.iter().map(|x| unit.to_nm(*x)).collect();
+                turned = self.numbers.iter().map(to_nm).collect();
                 &turned
             }
         };

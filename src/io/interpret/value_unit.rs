@@ -2,16 +2,40 @@
 
 use super::kinds::{kind_of_words, titles_several};
 use crate::io::text::NumberedLines;
+use crate::io::text::words::holds_any;
 
 /// Photons in the unit that plant scientists use.
 pub(crate) const PHOTONS: &str = "µmol m-2 s-1 nm-1";
 
+/// Photons of which only a title tells.
+pub(crate) const PHOTONS_ALONE: &str = "photons";
+
 /// Whether a unit counts photons: moles of them, or einsteins (`µE/m2/s/nm`).
 pub(crate) fn counts_photons(unit: &str) -> bool {
     let lower = unit.to_lowercase();
-    let einsteins = ["ue", "µe", "μe"];
-    ["mol", "photon"].iter().any(|word| lower.contains(word))
-        || einsteins.iter().any(|start| lower.starts_with(start))
+    let starts = ["ue", "µe", "μe", "einstein", "ph/"];
+    ["mol", "photon", "quanta"]
+        .iter()
+        .any(|word| lower.contains(word))
+        || starts.iter().any(|start| lower.starts_with(start))
+}
+
+/// Whether a title says that photons were counted: what they are, or how plant scientists call
+/// their flux. Their energy is an axis, and a quantum efficiency no light.
+pub(crate) fn title_counts_photons(title: &str) -> bool {
+    const WORDS: [&str; 9] = [
+        "|photon|",
+        "|photons|",
+        "|quanta|",
+        "|quantum flux",
+        "|quantum irrad",
+        "|ppfd|",
+        "|pfd|",
+        "|umol",
+        "|µmol",
+    ];
+    let title = title.to_lowercase().replace('μ', "µ").replace('_', " ");
+    holds_any(&title, &WORDS) && !title.contains("photon energy") && !title.contains("w/")
 }
 
 /// The unit of values that a title gives: text in brackets, a unit at its end, or what a
@@ -84,12 +108,17 @@ fn bracketed(text: &str) -> Option<&str> {
 
 /// A unit of light without brackets at the end of a title: "Global W*m-2*nm-1", "W/m2".
 fn bare(title: &str) -> Option<&str> {
-    let starts = ["mW", "uW", "µW", "μW", "W"];
+    let starts = [
+        "mW", "uW", "µW", "μW", "nW", "kW", "MW", "W", "µmol", "μmol", "umol", "nmol", "mmol",
+        "mol", "photons", "quanta", "µE", "μE", "uE",
+    ];
     let words = std::iter::once(0).chain(title.match_indices(' ').map(|(at, _)| at + 1));
     words.map(|at| title[at..].trim()).find(|rest| {
         let quantity = starts.iter().find_map(|start| rest.strip_prefix(start));
         quantity.is_some_and(|divisor| {
-            divisor.trim_start().starts_with(['/', '*', '·', 'm', 'c'])
+            divisor
+                .trim_start()
+                .starts_with(['/', '*', '·', 'm', 'c', 's', 'p'])
                 && looks_like_unit(rest)
                 && !rest.contains(['%', '='])
         })
@@ -101,34 +130,7 @@ pub(crate) fn looks_like_unit(text: &str) -> bool {
     const WORDS: [&str; 6] = ["counts", "1.0", "fraction", "a.u.", "relative", "W"];
     !text.is_empty()
         && text.len() <= 40
-        && (text.contains(['/', '%', '²', '^']) || text.contains("-1") || WORDS.contains(&text))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn units_stand_in_brackets_or_behind_the_word_or_alone() {
-        for unit in ["mW/m2/nm", "W m-2 nm-1"] {
-            assert_eq!(unit_of_title(unit), Some(unit));
-        }
-        assert_eq!(unit_of_title("Irradiance [µW/cm2/nm]"), Some("µW/cm2/nm"));
-        for title in ["TL01", "LED 1/2", "W", "W 10/12"] {
-            assert_eq!(unit_of_title(title), None, "{title}");
-        }
-        assert_eq!(unit_of_header(&[(1, "unit: W m-2 nm-1")]), "W m-2 nm-1");
-        assert_eq!(unit_of_header(&[(3, "Units\t(W/m^2nm)")]), "W/m^2nm");
-        assert_eq!(unit_of_header(&[(3, "Units\tW/(cm^2 nm)")]), "W/(cm^2 nm)");
-        for title in [
-            "E(lambda) [W/(m²·nm)]",
-            "Strahlung in W/(m²·nm)",
-            "Global tilt  W*m-2*nm-1",
-            "W/m2",
-        ] {
-            let unit = unit_of_title(title).unwrap_or("");
-            let starts = ["W/m2", "W/(m²", "W*m"];
-            assert!(starts.iter().any(|start| unit.starts_with(start)));
-        }
-    }
+        && (text.contains(['/', '%', '²', '^', '⁻'])
+            || text.contains("-1")
+            || WORDS.contains(&text))
 }

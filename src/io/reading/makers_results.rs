@@ -261,7 +261,7 @@ fn number_and_unit(text: &str, decimal_comma: bool) -> Option<(f64, &str)> {
         Cell::Number(value) | Cell::Nanometres(value) => return Some((value, "")),
         Cell::Percent(value) => return Some((value, "%")),
         Cell::Empty | Cell::Gap => return None,
-        Cell::Text | Cell::WithUnit(_) => {}
+        Cell::Text | Cell::WithUnit(_) | Cell::Limit(_) => {}
     }
     if !decimal_comma && let Some(value) = with_commas(text) {
         return Some((value, ""));
@@ -275,63 +275,4 @@ fn number_and_unit(text: &str, decimal_comma: bool) -> Option<(f64, &str)> {
 
 fn shortened(text: &str) -> String {
     text.chars().filter(|c| !c.is_control()).take(80).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn keys_of_several_makers_name_the_same_quantities() {
-        for (key, quantity, unit) in [
-            ("CCT", Quantity::Cct, "K"),
-            ("Tcp [K]", Quantity::Cct, "K"),
-            ("CCT(K)", Quantity::Cct, "K"),
-            ("⊿uv", Quantity::Duv, ""),
-            ("Duv", Quantity::Duv, ""),
-            ("CRI", Quantity::Ra, ""),
-            ("CRI Ra", Quantity::Ra, ""),
-            ("CRI R9", Quantity::R(9), ""),
-            ("R15", Quantity::R(15), ""),
-            ("TM-30 Rf", Quantity::Rf, ""),
-            ("Rg", Quantity::Rg, ""),
-            ("LUX", Quantity::Illuminance, "lx"),
-            ("Illuminance [lx]", Quantity::Illuminance, "lx"),
-            ("PPFD [umolm⁻²s⁻¹]", Quantity::Ppfd, "umolm⁻²s⁻¹"),
-            ("X", Quantity::TristimulusX, ""),
-            ("x", Quantity::ChromaticityX, ""),
-            ("Tristimulus Value Z", Quantity::TristimulusZ, ""),
-            ("CIE1931 y", Quantity::ChromaticityY, ""),
-            ("CIE1976 u'", Quantity::UPrime, ""),
-            ("LambdaP", Quantity::PeakNm, "nm"),
-            ("Peak Wavelength [nm]", Quantity::PeakNm, "nm"),
-            ("R:B", Quantity::Other("R:B".to_owned()), ""),
-            ("fc", Quantity::Other("Illuminance".to_owned()), "fc"),
-            (
-                "Custom1(655~665nm)",
-                Quantity::Other("Custom1(655~665nm)".to_owned()),
-                "",
-            ),
-            (
-                "Ratio1(Custom1:Custom2)",
-                Quantity::Other("Ratio1(Custom1:Custom2)".to_owned()),
-                "",
-            ),
-            ("R16", Quantity::Other("R16".to_owned()), ""),
-        ] {
-            assert_eq!(Quantity::of_key(key), (quantity, unit.to_owned()), "{key}");
-        }
-    }
-
-    #[test]
-    fn a_value_may_carry_its_unit_and_a_word_is_no_result() {
-        let cct = MakersResult::of(Some(0), "CCT", "5528K", false).unwrap();
-        assert_eq!((cct.value, cct.unit.as_str()), (5528.0, "K"));
-        let ra = MakersResult::of(None, "CRI", "92,5", true).unwrap();
-        assert_eq!((ra.quantity, ra.value), (Quantity::Ra, 92.5));
-        assert_eq!(MakersResult::of(None, "SSI1", "---", false), None);
-        assert_eq!(MakersResult::of(None, "Time", "2021/01/04", false), None);
-        let candles = MakersResult::of(None, "Illuminance [fc]", "2.79", false).unwrap();
-        assert_eq!(candles.quantity, Quantity::Other("Illuminance".to_owned()));
-    }
 }

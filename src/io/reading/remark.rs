@@ -36,6 +36,8 @@ pub enum Remark {
     StepsBack(usize),
     /// Values at one wavelength were averaged.
     Averaged(usize),
+    /// Wavelengths in vacuum were turned into those in air, or kept.
+    FromVacuum(bool),
     /// The values count photons.
     Photons,
     /// The values may be per unit of an axis that counts no lengths.
@@ -50,6 +52,11 @@ pub enum Remark {
 /// What is said of a light over an axis that counts no lengths.
 const PER_OTHER: &str = "the values are kept as written: where they are per unit of that axis \
      (per THz, per 1/cm, per eV) and not per nm, they are not rescaled";
+
+/// What is said of wavelengths that were measured in vacuum.
+const TO_AIR: &str = "wavelengths in vacuum turned into those in air, as lines of lamps are listed";
+const KEPT_IN_VACUUM: &str = "wavelengths in vacuum kept: those in air are shorter by less than a \
+     tenth of the steps";
 
 /// A decision that was a guess, in words.
 pub(crate) fn taken_as(chosen: &str, reason: &str) -> String {
@@ -107,6 +114,7 @@ fn counted_words(counted: &Decision<Counted>) -> Option<String> {
         Counted::Percent => Some(format!("per cent divided by 100 ({reason})")),
         Counted::TenThousandths => Some(format!("values divided by 10000 ({reason})")),
         Counted::SixteenBits => Some(format!("values divided by 65535 ({reason})")),
+        Counted::EightBits => Some(format!("values divided by 255 ({reason})")),
         Counted::Fraction | Counted::Otherwise => None,
     }
 }
@@ -133,6 +141,8 @@ impl fmt::Display for Remark {
             }
             Self::Averaged(1) => f.write_str("1 doubled wavelength averaged"),
             Self::Averaged(n) => write!(f, "{n} doubled wavelengths averaged"),
+            Self::FromVacuum(true) => f.write_str(TO_AIR),
+            Self::FromVacuum(false) => f.write_str(KEPT_IN_VACUUM),
             Self::Photons => f.write_str(PHOTON_NOTE),
             Self::PerOther => f.write_str(PER_OTHER),
             Self::Before(words) | Self::Note(words) => f.write_str(words),

@@ -40,6 +40,8 @@ pub(crate) struct Column {
     pub texts: usize,
     /// Numbers with a per cent sign.
     pub percents: usize,
+    /// Limits that a number lies below or above.
+    pub limits: usize,
     /// Numbers with "nm" behind them.
     pub nanometres: usize,
     /// The unit behind its first number that has one.
@@ -135,6 +137,25 @@ impl<'a> Block<'a> {
             behind: Vec::new(),
             from,
             uncounted: 0,
+        }
+    }
+
+    /// A block of two columns with these wavelengths, values and lines, which are what the columns
+    /// here are.
+    pub(crate) fn of_points(
+        &self,
+        (axis, value): (usize, Option<usize>),
+        points: &[(f64, f64, u32)],
+    ) -> Self {
+        let value = value.unwrap_or(axis + 1);
+        Self {
+            values: vec![
+                points.iter().map(|point| point.0).collect(),
+                points.iter().map(|point| point.1).collect(),
+            ],
+            lines: points.iter().map(|point| point.2).collect(),
+            columns: [axis, value].map(|at| self.columns[at].clone()).into(),
+            ..Self::new(self.header.clone(), 2, self.from)
         }
     }
 
@@ -285,6 +306,7 @@ impl<'a> Block<'a> {
             sum.numbers += part.numbers;
             sum.texts += part.texts;
             sum.percents += part.percents;
+            sum.limits += part.limits;
             sum.nanometres += part.nanometres;
             sum.unit = sum.unit.take().or(part.unit);
         }
@@ -310,6 +332,11 @@ impl<'a> Block<'a> {
         }
     }
 
+    /// Whether some numbers have a per cent sign: all of that column must.
+    pub(crate) fn has_signs(&self) -> bool {
+        self.columns.iter().any(|column| column.percents > 0)
+    }
+
     /// Brings the columns' counts up to date after plain rows.
     pub(crate) fn count(&mut self) {
         let rows = std::mem::take(&mut self.uncounted);
@@ -333,8 +360,18 @@ impl<'a> Block<'a> {
                     _ => {}
                 }
             }
+            // Of two numbers with a per cent sign and without one, one is a hundred times too large.
+            let has_sign = matches!(kind, Cell::Percent(_));
+            let others_differ = || match has_sign {
+                true => stats.percents == 0 && values.iter().any(|v| v.abs() > 0.0),
+                false => stats.percents > 0,
+            };
+            if is_no_zero(kind) && others_differ() {
+                kind = Cell::Text;
+            }
             stats.percents += usize::from(matches!(kind, Cell::Percent(_)));
             stats.nanometres += usize::from(matches!(kind, Cell::Nanometres(_)));
+            stats.limits += usize::from(matches!(kind, Cell::Limit(_)));
             stats.texts += usize::from(kind == Cell::Text);
             if kind == Cell::Text && stats.numbers > 0 && !stats.has_bad {
                 stats.has_bad = true;
@@ -345,6 +382,11 @@ impl<'a> Block<'a> {
             values.push(value);
         }
     }
+}
+
+/// Whether a cell holds a number that a per cent sign changes.
+fn is_no_zero(kind: Cell) -> bool {
+    matches!(kind, Cell::Number(value) | Cell::Percent(value) if value != 0.0)
 }
 
 /// A line of the block's width with numbers and words, where only numbers stood.

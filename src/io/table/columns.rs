@@ -12,6 +12,7 @@ use super::{layout, no_table, row_order, samples};
 use crate::io::interpret::heading::Heading;
 use crate::io::interpret::raw::{RawSpectrum, Scale};
 use crate::io::interpret::{check_room, interpret, kinds};
+use crate::io::many::many;
 use crate::io::text::dialect::Dialect;
 use crate::io::text::units::names_wavelength;
 use crate::io::{Input, ReadError, Reading};
@@ -68,7 +69,9 @@ pub(crate) fn read_groups(
                 let named = samples::together(block, file.dialect, group.axis, &group.values);
                 if named.is_none() {
                     no_single_points(file, table, group.axis)?;
-                    let said = row_order::put_right(&mut table.block, group.axis, &group.values);
+                    let (axis, values) = (group.axis, &group.values);
+                    let block = &mut table.block;
+                    let said = row_order::put_right(file.input, block, axis, values)?;
                     reading.notes.extend(said);
                 }
                 (table.block.rows(), named)
@@ -123,6 +126,13 @@ pub(crate) fn read_groups(
     let left_out = left_out.iter().map(|column| column.words(&table.titles));
     reading.notes.extend(left_out.chain(told_apart));
     Ok(())
+}
+
+/// What is said of values that are only known to lie beyond a limit.
+fn said_of_limits(count: usize) -> Option<String> {
+    let values = many(count, "value lies", "values lie");
+    (count > 0)
+        .then(|| format!("{values} below or above a limit (\"<\", \">\"): the limit was taken"))
 }
 
 /// Refuses a list in which each row is another thing: its values are no curve.
@@ -193,6 +203,9 @@ fn read_columns(
         let raw = RawSpectrum {
             title,
             lines: block.lines.get(rows.run.clone()).unwrap_or(&[]),
+            notes: said_of_limits(block.columns[*column].limits)
+                .into_iter()
+                .collect(),
             percent_signs: block.columns[*column].percents > 0,
             ..RawSpectrum::written(name, &scale, &axis_title, of_column, heading)
         };

@@ -59,13 +59,16 @@ const SHUFFLED: u32 = 1;
 /// of a few rows beside a long table.
 pub(crate) const CLEAR: u32 = 4;
 
-/// Some tables begin with zeros or end with one that are no wavelengths.
+/// Some tables begin with zeros or end with a few that are no wavelengths.
 fn without_zero_ends(numbers: &[f64]) -> &[f64] {
     let counts = |v: &f64| !v.is_nan() && *v != 0.0;
     let first = numbers.iter().position(counts).unwrap_or(numbers.len());
     let behind = numbers.iter().rposition(counts).map_or(first, |at| at + 1);
-    match numbers[behind..].iter().filter(|v| **v == 0.0).count() {
+    let zeros = numbers[behind..].iter().filter(|v| **v == 0.0).count();
+    // Readings, too, may end with zeros.
+    match zeros {
         1 => &numbers[first..behind],
+        2.. if 10 * zeros <= behind - first => &numbers[first..behind],
         _ => &numbers[first..],
     }
 }
@@ -138,7 +141,12 @@ fn wavelength_column(block: &Block, titles: &Titles) -> (usize, u32) {
         }
         let numbers = block.column(column);
         let by_values = match strength(numbers, most_reversals) {
-            0 if column == 0 && !titled && are_shuffled_nanometres(numbers) => SHUFFLED,
+            0 if column == 0
+                && !titled
+                && are_shuffled_nanometres(numbers, block.values.get(1).map(Vec::as_slice)) =>
+            {
+                SHUFFLED
+            }
             found => found,
         };
         // One line at many times: no other column is its wavelengths.
@@ -244,58 +252,4 @@ fn are_apart(axis: &[f64], runs: &[Range<usize>]) -> bool {
     let mut spans: Vec<(f64, f64)> = runs.iter().map(|run| extent(&axis[run.clone()])).collect();
     spans.sort_by(|a, b| a.0.total_cmp(&b.0));
     spans.windows(2).all(|pair| pair[0].1 <= pair[1].0)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::io::table::scan::scan;
-    use crate::io::text::dialect::Delimiter;
-
-    fn layout(text: &str) -> Option<Layout> {
-        let dialect = Dialect::new(Delimiter::Comma, false);
-        let blocks = scan(text, 0, dialect).unwrap();
-        let block = &blocks[0];
-        of(block, &Titles::of(block, dialect), dialect).map(|found| found.0)
-    }
-
-    #[test]
-    fn wavelengths_stand_behind_a_column_that_counts_rows_and_under_a_title() {
-        for text in [
-            "0,380,1.5\n1,385,1.6\n2,390,1.7\n",
-            "counts,nm\n500,380\n510,385\n520,390\n",
-        ] {
-            assert_eq!(layout(text), Some(Layout::Column(1)));
-        }
-        assert_eq!(layout("1,2\n3,1\n2,7\n1,0\n"), None);
-    }
-
-    #[test]
-    fn a_curve_traced_by_hand_may_go_back_and_forth_under_its_title() {
-        let rows = "735,1\n734.5,0\n734.7,3\n734.1,0\n734.3,4\n733,0\n";
-        assert_eq!(layout(rows), None);
-        let titled = format!("w.length,response\n{rows}");
-        assert_eq!(layout(&titled), Some(Layout::Column(0)));
-    }
-
-    fn rows(text: &str) -> AlongRow {
-        match layout(text) {
-            Some(Layout::Row(along)) => along,
-            _ => panic!("spectra in rows expected"),
-        }
-    }
-
-    #[test]
-    fn wavelengths_in_the_first_row_or_in_labels_make_spectra_in_rows() {
-        let text = "wavelength,380,385,390,395,400\n1,.1,.2,.3,.2,.1\n2,.2,.3,.4,.3,.2\n";
-        let along = rows(text);
-        assert_eq!((along.first, along.axis[4], along.from_row), (1, 400.0, 1));
-        let text = "name,R_400,R_410,R_420,R_430,R_440\nred,1,2,3,4,5\nblue,2,3,4,5,6\n";
-        let along = rows(text);
-        assert_eq!((along.first, along.axis[0], along.from_row), (1, 400.0, 0));
-        let text =
-            "id,380 nm,390 nm,400 nm,410 nm,420 nm\nred,.1,.2,.3,.4,.5\nblue,.5,.4,.3,.2,.1\n";
-        let along = rows(text);
-        assert_eq!((along.first, along.says_nm), (1, true));
-    }
 }

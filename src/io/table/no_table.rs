@@ -39,7 +39,10 @@ fn too_many(input: &Input, too_much: TooMuch) -> ReadError {
             input.error(format!("{found} columns"), most).at_line(line)
         }
         TooMuch::Blocks { line, found } => input
-            .error(format!("{found} tables of a few rows each"), budget::WORDS)
+            .error(
+                format!("{found} tables of a few rows each"),
+                budget::TEXT_WORDS,
+            )
             .at_line(line),
     }
 }

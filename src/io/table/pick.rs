@@ -96,19 +96,23 @@ impl<'a> Look<'a> {
 ///
 /// A delimiter that a person chose is the only one that is tried.
 pub(crate) fn look(text: &str, chosen: Option<Delimiter>) -> Look<'_> {
-    let short = (SAMPLE_BYTES, usize::MAX);
-    let sample = first_lines(text, short);
+    let sample = sample(text);
     let (found, dialect) = best_of(sample, chosen);
     if found || sample.len() == text.len() {
         return Look::at_all(text, dialect);
     }
-    let sample = start(text);
-    let (found, dialect) = best_of(sample, chosen);
+    let start = start(text);
+    let (found, dialect) = best_of(start, chosen);
     Look {
         dialect,
         text,
-        seen: if found { text } else { sample },
+        seen: if found { text } else { start },
     }
+}
+
+/// As much of a text as tells how it is written.
+pub(crate) fn sample(text: &str) -> &str {
+    first_lines(text, (SAMPLE_BYTES, usize::MAX))
 }
 
 /// As much of a text as is looked at for a table, and for what to say where there is none.
@@ -304,7 +308,9 @@ fn joined<'a>(
     let mut out: Vec<Joined> = Vec::new();
     for mut block in blocks {
         let above = row_gone_wrong_above(&block, text, dialect);
-        let goes_on_with = out.last_mut().filter(|last| goes_on(&last.block, &block));
+        let goes_on_with = out
+            .last_mut()
+            .filter(|last| goes_on(&last.block, &block, dialect));
         let Some(last) = goes_on_with else {
             let (block, left) = with_rows_above(block, text, dialect);
             out.push(Joined {
@@ -362,84 +368,16 @@ fn no_rows(lines: &[(usize, &str)], places: &[usize]) -> Vec<String> {
     said.collect()
 }
 
-/// Whether `next` continues `block`: as wide, close behind, and its first column carries on.
-fn goes_on(block: &Block, next: &Block) -> bool {
+/// Whether `next` continues `block`: as wide, close behind, without other titles, and its first
+/// column carries on.
+fn goes_on(block: &Block, next: &Block, dialect: Dialect) -> bool {
+    let has_titles = |(_, line): &(usize, &str)| {
+        let cells = dialect.cells(line);
+        let is_new = !block.header.iter().any(|(_, own)| own == line);
+        is_new && cells.len() > 1 && names_wavelength(cells[0])
+    };
     block.width == next.width
         && next.header.len() <= LONGEST_BREAK
+        && !next.header.last().is_some_and(has_titles)
         && block.goes_on_with(next.first(0))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn delimiter_and_decimal_mark_are_found_together() {
-        for (row, delimiter, comma) in [
-            ("380.5,0.25", Delimiter::Comma, false),
-            ("380,5;0,25", Delimiter::Semicolon, true),
-            ("380.5; 0.25 ", Delimiter::Semicolon, false),
-            ("380,5\t0,25", Delimiter::Tab, true),
-            ("380,5 0,25 0,26", Delimiter::Space, true),
-            ("380.5  0.25", Delimiter::Space, false),
-            ("380.5,\t0.25", Delimiter::Comma, false),
-            ("\"380,5\",\"0,25\"", Delimiter::Comma, true),
-            ("380,7,464650E+000", Delimiter::Comma, false),
-        ] {
-            let text: String = (0..5)
-                .map(|i| row.replacen("380", &(380 + i).to_string(), 1) + "\n")
-                .collect();
-            let found = look(&text, None).dialect;
-            assert_eq!(found, Dialect::new(delimiter, comma), "{row}");
-        }
-    }
-
-    #[test]
-    fn numbers_above_a_column_of_wavelengths_are_titles() {
-        let text = "Wavelength,1,2,405\n380,1,2,3\n385,2,3,4\n390,3,4,5\n";
-        let tables = tables(text, look(text, None).dialect).unwrap();
-        assert_eq!(tables[0].block.rows(), 3);
-        assert_eq!(tables[0].titles.names, ["Wavelength", "1", "2", "405"]);
-        let along = "wavelength,380,385,390,395,400\n101,1,2,3,4,5\n102,2,3,4,5,6\n";
-        let tables = super::tables(along, look(along, None).dialect).unwrap();
-        assert!(matches!(tables[0].layout, Layout::Row { .. }));
-    }
-
-    #[test]
-    fn a_page_head_inside_a_table_is_passed_over_and_said() {
-        let text = "380 1\n385 2\n390 3\nPage two\n395 4\n400 5\n";
-        let tables = tables(text, look(text, None).dialect).unwrap();
-        assert_eq!(tables.len(), 1);
-        assert_eq!(tables[0].block.rows(), 5);
-        let said = "line 4 is no row of the table and was left out";
-        assert_eq!(tables[0].notes, [said]);
-    }
-
-    #[test]
-    fn a_word_in_any_row_is_an_error_also_in_the_first_and_the_last() {
-        for (at, word) in (0..5).map(|at| (at, "1.234.5")).chain([(2, "abc")]) {
-            let mut rows = ["nm,value", "380,1", "381,2", "382,3", "383,4", "384,5"];
-            let bad = format!("38{at},{word}");
-            rows[at + 1] = &bad;
-            let text = rows.join("\n") + "\n";
-            let found = tables(&text, look(&text, None).dialect);
-            let Err(NoTable::Bad(bad)) = found else {
-                panic!("row {at}: {found:?}");
-            };
-            assert_eq!((bad.line, bad.column, &*bad.text), (at + 2, 1, word));
-        }
-    }
-
-    #[test]
-    fn the_header_above_a_few_rows_of_numbers_is_the_tables() {
-        let mut text = String::from(
-            "Irradiance, W m-2 nm-1\nsza = 1 2\n 12.0 12.5 13.0\n 1.8 5.7 13.2\nend\n",
-        );
-        for nm in 290..330 {
-            text += &format!("{nm} 0.5 0.25\n");
-        }
-        let tables = tables(&text, look(&text, None).dialect).unwrap();
-        let mut header = tables[0].block.header.iter();
-        assert!(header.any(|(_, line)| line.starts_with("Irradiance")));
-    }
 }

@@ -9,9 +9,9 @@ use super::block::{BadCell, Block, most_left_out};
 use super::columns::{File, read_groups};
 use super::layout::Layout;
 use super::pick::{self, Look, NoTable, Table};
-use super::roles;
+use super::roles::{self, Group};
 use super::rows::read_rows;
-use super::{alternating, no_table};
+use super::{alternating, folded, marks, no_table};
 use crate::io::interpret::check_room;
 use crate::io::reading::TableFound;
 use crate::io::text::dialect::{Delimiter, Dialect, used};
@@ -24,6 +24,29 @@ pub(crate) fn read_tables(
     text: &str,
     known: Option<Dialect>,
 ) -> Result<Reading, ReadError> {
+    let plain = match known {
+        Some(_) => None,
+        None => marks::made_plain(input, text, pick::sample(text))?,
+    };
+    let Some(plain) = plain else {
+        return read_plain(input, text, known);
+    };
+    let mut reading = read_plain(input, &plain.text, known)?;
+    reading
+        .guesses
+        .extend(plain.is_doubtful.then(|| OpenQuestion {
+            spectrum: 0,
+            what: Guessed::Columns,
+            chosen: "marks by the other columns".to_owned(),
+            because: plain.said.clone(),
+            plain: false,
+        }));
+    reading.notes.push(plain.said);
+    Ok(reading)
+}
+
+/// The same where no mark in a number misleads.
+fn read_plain(input: &Input, text: &str, known: Option<Dialect>) -> Result<Reading, ReadError> {
     let look = match known {
         Some(dialect) => Look::at_all(text, dialect),
         None => pick::look(text, input.choices.delimiter),
@@ -113,6 +136,22 @@ fn read_table(
     match &table.layout {
         Layout::Column(wavelength) => {
             let (groups, left_out) = roles::groups(&table.block, &table.titles, *wavelength);
+            let unfolded = folded::unfold(table, &groups, *wavelength);
+            let (groups, left_out, wavelength) = match unfolded {
+                Some((unfolded, said)) => {
+                    reading.notes.push(said);
+                    *table = unfolded;
+                    (
+                        vec![Group {
+                            axis: 0,
+                            values: vec![1],
+                        }],
+                        Vec::new(),
+                        &0,
+                    )
+                }
+                None => (groups, left_out, wavelength),
+            };
             let values: Vec<usize> = groups.iter().flat_map(|g| g.values.clone()).collect();
             let is_axis = |column| groups.iter().any(|group| group.axis == column);
             let is_used =

@@ -6,6 +6,7 @@ use super::titles::Titles;
 use crate::io::interpret::kinds::kind_of_title;
 use crate::io::text::units::{BESIDE, WavelengthUnit, names_wavelength};
 use crate::io::text::words::{holds, without_brackets};
+use crate::spectrum::Kind;
 
 /// A column that is no spectrum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -97,12 +98,19 @@ pub(crate) fn value_columns(
             leave_out("counts the rows and was left out");
         } else if column < wavelength && title.is_empty() && block.is_constant(column) {
             leave_out("is one number throughout and was left out");
+        } else if column < wavelength
+            && !title.is_empty()
+            && kind_of_title(&title).is_none()
+            && is_ramp(block, column)
+        {
+            leave_out("rises by the same from row to row and was left out");
         } else if title.is_empty() && is_setting(block, column, wavelength) {
             leave_out("holds whole numbers below zero throughout, a setting, and was left out");
         } else if is_spread(&title) {
             values.push(column);
         } else if names_axis_beside(&title, titles, wavelength)
             || holds(&title.to_lowercase(), "raman shift")
+            || is_axis_by_values(block, column, wavelength)
         {
             leave_out(SECOND_AXIS);
         } else if raw_beside.binary_search(&column).is_ok() {
@@ -152,25 +160,66 @@ pub(crate) fn by_titles(
     };
     let titles: Vec<String> = without(&is_spread, "is a spread and was left out");
     let why = "is no spectrum by its title and was left out";
-    without(&is_beside(&titles), why);
+    let titles: Vec<String> = without(&is_beside(&titles), why);
+    // Where all are such functions they are what the file is for.
+    if titles
+        .iter()
+        .any(|title| kind_of_title(title) != Some(Kind::Weighting))
+    {
+        without(&is_matching_function, "weighs a light and was left out");
+    }
     (
         kept.into_iter().map(|(column, _)| column).collect(),
         left_out,
     )
 }
 
+/// Whether a title, in small letters, is of what a light is weighed with: it is no light itself.
+fn is_matching_function(title: &str) -> bool {
+    let name: String = title
+        .chars()
+        .filter(|c| c.is_alphanumeric() || "\u{304}".contains(*c))
+        .collect();
+    [
+        "xbar", "ybar", "zbar", "x\u{304}", "y\u{304}", "z\u{304}", "x̅", "y̅", "z̅", "ȳ",
+    ]
+    .iter()
+    .any(|start| name.starts_with(start))
+}
+
+/// Whether a title, in small letters, counts in a unit that no spectrum has: of time, temperature,
+/// voltage, humidity, pressure, angle.
+fn counts_beside(title: &str) -> bool {
+    const UNITS: &str = "s;sec;seconds;ms;msec;us;µs;μs;h;hr;°c;ºc;℃;degc;deg c;c;k;°f;deg;°;%rh;\
+         rh;pa;hpa;kpa;bar;mbar;rpm;hz";
+    const BEHIND: [&str; 5] = ["_ms", "_msec", "_us", "_sec", "_degc"];
+    let unit = title
+        .rsplit_once(['(', '['])
+        .map(|(_, unit)| unit.trim_end_matches([')', ']']).trim());
+    let is_unit = |unit: &str| {
+        // "R (s)" is of light that swings across.
+        let is_warm = unit.contains(['°', 'º', '℃']);
+        UNITS.split(';').any(|own| own == unit) && (is_warm || kind_of_title(title).is_none())
+    };
+    unit.is_some_and(is_unit)
+        || BEHIND.iter().any(|end| title.ends_with(end))
+        || ["t_c", "temp_c"].contains(&title.trim())
+}
+
 /// Which titles, in small letters, are of what was noted beside each point, by a word that is no
 /// other column's: days may be what several spectra are called by.
 fn is_beside(titles: &[String]) -> impl Fn(&str) -> bool {
-    const OF_POINTS: [&str; 3] = ["|flag|", "|id|", "|pixel|"];
-    let words = || BESIDE.iter().chain(&OF_POINTS).copied();
+    const OF_POINTS: &str =
+        "|flag|;|id|;|pixel|;|elapsed|;|integration|;|exposure|;|gain|;|averages|;|scans|";
+    let words = || BESIDE.split(';').chain(OF_POINTS.split(';'));
     let of_one = |word: &&str| titles.iter().filter(|title| holds(title, word)).count() == 1;
     let of_one: Vec<&str> = words().filter(of_one).collect();
     move |title| {
         let word = words().find(|word| holds(title, word));
-        word.is_some_and(|word| of_one.contains(&word))
-            && !title.contains(|c: char| c.is_ascii_digit())
-            && kind_of_title(title).is_none()
+        !title.contains(|c: char| c.is_ascii_digit())
+            && (counts_beside(title)
+                || word.is_some_and(|word| of_one.contains(&word))
+                    && kind_of_title(title).is_none())
     }
 }
 
@@ -181,6 +230,18 @@ fn is_setting(block: &Block, column: usize, wavelength: usize) -> bool {
     let mut others = (0..block.width).filter(|other| *other != column && *other != wavelength);
     numbers(column).all(|v| *v < 0.0 && v.fract() == 0.0)
         && others.any(|other| numbers(other).any(|v| *v > 0.0 && v.fract() != 0.0))
+}
+
+/// Whether a column rises by the same in every row, as times do.
+fn is_ramp(block: &Block, column: usize) -> bool {
+    let values = block.column(column);
+    let others = block.columns[column + 1..].iter();
+    if values.len() < 5 || others.filter(|c| c.numbers > 0).count() < 2 {
+        return false;
+    }
+    let step = (values[values.len() - 1] - values[0]) / (values.len() - 1) as f64;
+    let is_even = |pair: &[f64]| (pair[1] - pair[0] - step).abs() <= 1e-6 * step;
+    step > 0.0 && values.windows(2).all(is_even)
 }
 
 /// A column that counts detector elements, by its title.
@@ -224,6 +285,7 @@ fn axes(block: &Block, titles: &Titles, wavelength: usize) -> Vec<usize> {
             || names_axis_beside(&other, titles, wavelength)
                 && (other.to_lowercase() == title || runs())
             || ends_in_length(&other) && ends_in_length(&title) && !is_spread(&other) && runs()
+            || is_axis_by_values(block, *column, wavelength)
     };
     let found: Vec<usize> = (0..block.width).filter(is_axis).collect();
     let has_numbers = |mut columns: std::ops::Range<usize>| {
@@ -245,6 +307,31 @@ fn axes(block: &Block, titles: &Titles, wavelength: usize) -> Vec<usize> {
         }
     }
     kept
+}
+
+/// Whether a column is another axis by its numbers: columns stand in pairs, and it holds the first
+/// axis again, or whole wavelengths at even steps.
+fn is_axis_by_values(block: &Block, column: usize, wavelength: usize) -> bool {
+    let is_paired = block.width >= wavelength + 4
+        && (block.width - wavelength).is_multiple_of(2)
+        && column > wavelength
+        && (column - wavelength).is_multiple_of(2);
+    if !is_paired {
+        return false;
+    }
+    let numbers = |column: usize| block.column(column).iter().copied().filter(|v| !v.is_nan());
+    let own: Vec<f64> = numbers(column).collect();
+    let is_same = own.iter().copied().eq(numbers(wavelength));
+    let is_ramp = || {
+        let step = |pair: &[f64]| pair[1] - pair[0];
+        own.windows(2).all(|pair| step(pair) == step(&own[..2]))
+            && own.iter().all(|v| v.fract() == 0.0)
+    };
+    let is_nm = || {
+        let (low, high) = extent(&own);
+        WavelengthUnit::of_range(low, high) == Some(WavelengthUnit::Nanometre) && runs_one_way(&own)
+    };
+    own.len() >= 5 && (is_same || is_nm() && is_ramp())
 }
 
 /// Whether two columns hold the same wavelengths: the same numbers in one unit, or in two units to
@@ -334,126 +421,4 @@ fn beside_processed(titles: &Titles, wavelength: usize) -> Vec<usize> {
 /// Whether a title says no more than that its column is the result.
 pub(crate) fn is_processed(title: &str) -> bool {
     title.trim().eq_ignore_ascii_case("processed")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::io::table::scan::scan;
-    use crate::io::text::dialect::{Delimiter, Dialect};
-
-    const DIALECT: Dialect = Dialect::new(Delimiter::Semicolon, false);
-
-    fn values(text: &str) -> (Vec<usize>, Vec<String>) {
-        found(text, 0)
-    }
-
-    fn found(text: &str, wavelength: usize) -> (Vec<usize>, Vec<String>) {
-        let block = &scan(text, 0, DIALECT).unwrap()[0];
-        let titles = Titles::of(block, DIALECT);
-        let (values, left_out) = value_columns(block, &titles, wavelength, &[wavelength]);
-        let words = left_out.iter().map(|column| column.words(&titles));
-        (values, words.collect())
-    }
-
-    #[test]
-    fn raw_counts_beside_a_transmittance_are_left_out_and_said() {
-        let text = "Wave;Dark;Ref;Sample;Transmittance\n[nm];[counts];[counts];[counts];[%]\n300;1;9;5;50\n301;1;9;4;40\n";
-        let (columns, notes) = values(text);
-        assert_eq!(columns, [4]);
-        assert_eq!(notes.len(), 3);
-        assert!(notes[0].contains("Dark"));
-    }
-
-    #[test]
-    fn of_counts_the_sample_is_kept_where_a_dark_reading_stands_beside_it() {
-        let text =
-            "Wave;Dark;Reference;Sample\n[nm];[counts];[counts];[counts]\n300;1;9;5\n301;1;9;4\n";
-        let (columns, notes) = values(text);
-        assert_eq!(columns, [3]);
-        assert_eq!(notes.len(), 2);
-        assert_eq!(values("nm;Reference;Sample\n300;9;5\n301;9;4\n").0, [1, 2]);
-    }
-
-    #[test]
-    fn a_reflectance_comes_before_the_radiances_that_it_was_made_of() {
-        let text = "Wvl;Rad. (Ref.);Rad. (Target);Reflect. %\n350;1;9;50\n351;1;9;40\n";
-        assert_eq!(values(text).0, [3, 1, 2]);
-    }
-
-    #[test]
-    fn of_letters_and_of_what_is_processed_only_the_result_is_a_spectrum() {
-        assert_eq!(values("W;D;S;P\n300;1;5;4\n301;1;6;5\n").0, [3]);
-        assert_eq!(values("W;S;P\n300;5;4\n301;6;5\n").0, [2]);
-        assert_eq!(values("W;S\n300;5\n301;6\n").0, [1]);
-        let text = "Wavelength;Processed;Raw;Dark;Reference\n300;0.1;8;1;5\n301;0.2;9;1;5\n";
-        assert_eq!(values(text).0, [1]);
-    }
-
-    #[test]
-    fn a_number_of_a_detector_element_is_no_spectrum_and_a_line_of_units_no_second_axis() {
-        let text = "Chan.#;Wvl;Refl\n0;350;0.5\n7;351;0.4\n";
-        assert_eq!(found(text, 1).0, [2]);
-        assert_eq!(values("Unit;nm\n300;1\n301;2\n").0, [1]);
-    }
-
-    #[test]
-    fn a_setting_and_one_number_before_every_wavelength_are_no_spectra() {
-        let (columns, notes) = values("250;0.51;-10\n251;0.52;-10\n252;0.6;-9\n");
-        assert_eq!(columns, [1]);
-        assert!(notes[0].contains("a setting"), "{notes:?}");
-        assert_eq!(values("250;1;-10\n251;2;-9\n252;3;-8\n").0, [1, 2]);
-        let (columns, notes) = found("210;290;1\n210;291;2\n210;292;5\n", 1);
-        assert_eq!(columns, [2]);
-        assert!(notes[0].contains("one number throughout"), "{notes:?}");
-    }
-
-    #[test]
-    fn a_spread_is_no_spectrum_but_a_sample_alone_and_a_name_with_its_word_are() {
-        assert_eq!(values("nm;T;Std.Dev.\n300;1;0.1\n301;2;0.1\n").0, [1]);
-        assert_eq!(values("nm;Sample\n300;1\n301;2\n").0, [1]);
-        assert_eq!(values("nm;leaf;FWHM;sd\n300;1;5;2\n301;2;5;1\n").0, [1]);
-        let text = "nm;Std A;Std D65;Other\n300;1;2;3\n301;2;3;4\n";
-        assert_eq!(values(text).0, [1, 2, 3]);
-        assert_eq!(values("nm;std\n300;1\n301;2\n").0, [1]);
-        assert_eq!(values("nm;A;A std\n300;1;0.1\n301;2;0.1\n").0, [1]);
-        let text = "nm;A;Uncertainty (k=2)\n300;1;0.1\n301;2;0.1\n";
-        assert_eq!(values(text).0, [1]);
-    }
-
-    #[test]
-    fn functions_of_the_wavelength_are_no_second_axis() {
-        assert_eq!(values("nm;V(lambda)\n300;1\n301;2\n").0, [1]);
-        assert_eq!(values("nm;S(lambda);D65\n300;1;2\n301;2;3\n").0, [1, 2]);
-        assert_eq!(values("nm;x;y\n300;.1;.2\n301;.2;.3\n").0, [1, 2]);
-        assert_eq!(values("nm;A;cm-1\n300;1;33333\n301;2;33223\n").0, [1]);
-    }
-
-    fn sides(text: &str) -> Vec<(usize, Vec<usize>)> {
-        let block = &scan(text, 0, DIALECT).unwrap()[0];
-        let (groups, _) = groups(block, &Titles::of(block, DIALECT), 0);
-        groups.into_iter().map(|g| (g.axis, g.values)).collect()
-    }
-
-    #[test]
-    fn tables_side_by_side_keep_their_own_wavelengths() {
-        let text = "nm;A;Wavelength (nm);B;C\n380;1;1000;2;3\n390;2;1010;3;4\n";
-        assert_eq!(sides(text), [(0, vec![1]), (2, vec![3, 4])]);
-        let text = "nm;A;;nm;B\n380;1;;1000;2\n390;2;;1010;3\n400;3;;;\n";
-        assert_eq!(sides(text), [(0, vec![1]), (3, vec![4])]);
-    }
-
-    #[test]
-    fn the_same_points_in_another_unit_are_no_axis_of_their_own() {
-        for (text, values) in [
-            (
-                "nm;A;Wavenumber (cm-1);B\n400;1;25000;2\n500;2;20000;3\n",
-                vec![1, 3],
-            ),
-            ("nm;Wavenumber (cm-1);A\n400;900;1\n500;800;2\n", vec![2]),
-            ("nm;A;nm;B\n400;1;400;2\n500;2;500;3\n", vec![1, 3]),
-        ] {
-            assert_eq!(sides(text), [(0, values)]);
-        }
-    }
 }

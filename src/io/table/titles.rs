@@ -125,11 +125,24 @@ fn cells_for(line: &str, dialect: Dialect, block: &Block, row_names: bool) -> Op
     Some(titles)
 }
 
-/// A line of nothing but units, plain ones behind the wavelengths' own: "nm, W/m^2/nm, %".
+/// A line of nothing but units, plain ones behind the wavelengths' own: "nm, W/m^2/nm, %"; that may
+/// be missing, or the word for it stand there.
 fn is_plain_unit_line(cells: &[String]) -> bool {
     let of_values = cells.get(1..).unwrap_or(&[]);
-    let is_unit = |cell: &String| cell.is_empty() || looks_like_unit(cell);
-    ["nm", "um", "µm", "μm", "cm-1", "1/cm"].contains(&cells[0].trim())
+    let is_unit = |cell: &String| {
+        let cell = cell.trim_matches(['(', ')', '[', ']']);
+        // "R%" is a title.
+        let is_title = cell.ends_with('%') && cell.len() > 1;
+        cell.is_empty() || looks_like_unit(cell) && !is_title
+    };
+    const AXIS: [&str; 16] = [
+        "nm", "um", "µm", "μm", "cm-1", "1/cm", "нм", "å", "a", "ev", "thz", "", "unit", "units",
+        "einheit", "unité",
+    ];
+    let axis = cells[0]
+        .trim_matches(['(', ')', '[', ']', ' ', ':'])
+        .to_lowercase();
+    AXIS.contains(&axis.as_str())
         && of_values.iter().any(|cell| !cell.is_empty())
         && of_values.iter().all(is_unit)
 }
@@ -171,65 +184,4 @@ fn with_label(mut cells: Vec<String>) -> Vec<String> {
         }
     }
     cells
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::io::table::scan::scan;
-
-    fn titles(text: &str, delimiter: Delimiter) -> Titles {
-        let dialect = Dialect::new(delimiter, false);
-        let blocks = scan(text, 0, dialect).unwrap();
-        Titles::of(&blocks[0], dialect)
-    }
-
-    #[test]
-    fn titles_and_a_line_of_units_below_them_in_brackets_or_plain_are_found() {
-        let text = "Wave ;Dark ;Transmittance\n[nm] ;[counts] ;[%]\n\n300;3;1.5\n301;2;2.5\n";
-        let found = titles(text, Delimiter::Semicolon);
-        assert_eq!(found.names, ["Wave", "Dark", "Transmittance"]);
-        assert_eq!(found.units, ["[nm]", "[counts]", "[%]"]);
-        let text = "Wavelength;Irradiance;R\nnm;W/m^2/nm;%\n300;3;1.5\n301;2;2.5\n";
-        let found = titles(text, Delimiter::Semicolon);
-        assert_eq!(found.names, ["Wavelength", "Irradiance", "R"]);
-        assert_eq!(found.units, ["nm", "W/m^2/nm", "%"]);
-        let alone = titles("nm;W/m2\n300;3\n301;2\n", Delimiter::Semicolon);
-        assert_eq!(alone.whole(1), "W/m2");
-    }
-
-    #[test]
-    fn numbered_columns_take_the_word_before_them() {
-        let text = "Irradiance [uW],\nIndex,13,14,\nName,,,\n[nm],\n327.1,3.7,3.8\n329,3.5,3.6\n";
-        let found = titles(text, Delimiter::Comma);
-        assert_eq!(found.names, ["Index", "Index 13", "Index 14"]);
-    }
-
-    #[test]
-    fn settings_and_keys_with_their_values_are_no_titles() {
-        use Delimiter::{Comma, Space, Tab};
-        let rows = "250.0\t7e-11\t-10\n251.0\t1e-10\t-10\n";
-        let keyed = "Units\tW\nLine0\tsome note\n[Start Data]";
-        for (delimiter, lines, rows) in [
-            (Tab, keyed, rows),
-            (Comma, "I-Time,92.0", "380nm,1\n381nm,2\n"),
-            (Comma, "SSI1,---", "380nm,1\n381nm,2\n"),
-            (Comma, "Remarks:, none", "380nm,1\n381nm,2\n"),
-            (Space, "\"Time: 130msec\"", "380 1\n381 2\n"),
-            (Space, "#AxisUnit[1]= nm", "380 1\n381 2\n"),
-            (Space, "Serial: X1", "380 1\n381 2\n"),
-        ] {
-            let found = titles(&format!("{lines}\n{rows}"), delimiter);
-            assert!(found.names.iter().all(String::is_empty), "{found:?}");
-        }
-    }
-
-    #[test]
-    fn row_names_have_no_title_and_wide_gaps_set_titles_of_several_words_apart() {
-        let found = titles("nm lamp\n1 380 0.5\n2 385 0.6\n", Delimiter::Space);
-        assert_eq!(found.names, ["", "nm", "lamp"]);
-        let text = "Wave length   Value of it\n380 0.5\n385 0.6\n";
-        let found = titles(text, Delimiter::Space);
-        assert_eq!(found.names, ["Wave length", "Value of it"]);
-    }
 }

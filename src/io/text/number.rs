@@ -11,6 +11,8 @@ pub(crate) enum Cell {
     Nanometres(f64),
     /// A finite number with a unit of light behind it: `58 W`, `0.2 mW/m2`.
     WithUnit(f64),
+    /// A limit that the number lies below or above: `<0.6`.
+    Limit(f64),
     /// Nothing at all.
     Empty,
     /// A word or number that stands for a missing value: `NaN`, `n/a`, `-1.23e34`.
@@ -26,6 +28,7 @@ impl Cell {
             Self::Number(value)
             | Self::Percent(value)
             | Self::Nanometres(value)
+            | Self::Limit(value)
             | Self::WithUnit(value) => Some(value),
             Self::Empty | Self::Gap => Some(f64::NAN),
             Self::Text => None,
@@ -35,7 +38,7 @@ impl Cell {
     /// The same where nothing may stand behind the number.
     pub(crate) fn plain_value(self) -> Option<f64> {
         match self {
-            Self::Percent(_) | Self::Nanometres(_) | Self::WithUnit(_) => None,
+            Self::Percent(_) | Self::Nanometres(_) | Self::WithUnit(_) | Self::Limit(_) => None,
             other => other.value(),
         }
     }
@@ -45,33 +48,8 @@ impl Cell {
 pub const ABSURD: f64 = 1e30;
 
 /// Words that instruments and programs write where a value is missing (lower case).
-const GAP_WORDS: [&str; 25] = [
-    "nan",
-    "n/a",
-    "na",
-    "#n/a",
-    "null",
-    "none",
-    "inf",
-    "-inf",
-    "+inf",
-    "infinity",
-    "-infinity",
-    "-",
-    "--",
-    "---",
-    "1.#ind",
-    "-1.#ind",
-    "1.#qnan",
-    "1.#inf",
-    "#div/0!",
-    "#name?",
-    "#null!",
-    "#num!",
-    "#ref!",
-    "#value!",
-    "missing",
-];
+const GAP_WORDS: &str = "nan;n/a;na;#n/a;null;none;inf;-inf;+inf;infinity;-infinity;-;--;---;1.#ind;-1.#ind;\
+     1.#qnan;1.#inf;#div/0!;#name?;#null!;#num!;#ref!;#value!;missing";
 
 /// Reads a cell whose decimal mark is a comma (`decimal_comma`) or a point.
 pub(crate) fn parse(cell: &str, decimal_comma: bool) -> Cell {
@@ -112,7 +90,11 @@ fn slow(cell: &str, decimal_comma: bool) -> Cell {
     if let Some(value) = plain {
         return sized(value, Cell::Number);
     }
-    if cell.len() <= 12 && GAP_WORDS.iter().any(|word| cell.eq_ignore_ascii_case(word)) {
+    if cell.len() <= 12
+        && GAP_WORDS
+            .split(';')
+            .any(|word| cell.eq_ignore_ascii_case(word))
+    {
         return Cell::Gap;
     }
     if let Some(body) = cell.strip_suffix('%') {
@@ -121,6 +103,13 @@ fn slow(cell: &str, decimal_comma: bool) -> Cell {
     }
     if !cell.bytes().any(|byte| byte.is_ascii_digit()) {
         return Cell::Text;
+    }
+    if let Some(limit) = cell.strip_prefix(['<', '>', '≤', '≥']) {
+        let limit = number(limit.trim(), decimal_comma);
+        return limit.map_or(Cell::Text, |value| sized(value, Cell::Limit));
+    }
+    if let Some(value) = in_brackets(cell, decimal_comma) {
+        return sized(-value, Cell::Number);
     }
     // A typographic minus, and Fortran's double exponent.
     let is_odd = cell.len() <= 40 && cell.contains(['−', 'D', 'd']);
@@ -140,6 +129,13 @@ fn slow(cell: &str, decimal_comma: bool) -> Cell {
         .map_or(Cell::Text, |value| sized(value, Cell::WithUnit))
 }
 
+/// A number in brackets, as accountants write negative ones; a whole one may be a footnote's.
+fn in_brackets(cell: &str, decimal_comma: bool) -> Option<f64> {
+    let body = cell.strip_prefix('(')?.strip_suffix(')')?;
+    let mark = if decimal_comma { ',' } else { '.' };
+    number(body, decimal_comma).filter(|value| *value >= 0.0 && body.contains(mark))
+}
+
 /// What a unit of light begins with.
 const UNITS: [&str; 8] = ["W", "mW", "uW", "µW", "μW", "kW", "counts", "a.u."];
 
@@ -155,7 +151,7 @@ pub(crate) fn unit_behind(cell: &str) -> Option<&str> {
 
 /// A number whose thousands are set apart, as spreadsheets write it: `1.344,49` with a decimal comma,
 /// `1,630.3` with a point, `1 630,3` or `1'630.3` with either. Without decimals only the apostrophe
-/// tells: `1,630` may be a number below two.
+/// and the blank tell: `1,630` may be a number below two.
 fn in_thousands(cell: &str, decimal_comma: bool) -> Option<f64> {
     if cell.len() > 40 {
         return None;
@@ -170,7 +166,7 @@ fn in_thousands(cell: &str, decimal_comma: bool) -> Option<f64> {
         .find(|c| [other, ' ', '\u{a0}', '\u{202f}', '\'', '’'].contains(c))?;
     let (whole, decimals) = match cell.split_once(mark) {
         Some((whole, decimals)) => (whole, decimals),
-        None if ['\'', '’'].contains(&separator) => (cell, ""),
+        None if separator != other => (cell, ""),
         None => return None,
     };
     let fits = is_grouped(whole.trim_start_matches(['-', '+']), separator) && is_digits(decimals);
@@ -264,6 +260,8 @@ mod tests {
             ("-1 630,3", true, -1630.3),
             ("1'234'567.5", false, 1_234_567.5),
             ("1'630", false, 1630.0),
+            ("38 500", true, 38_500.0),
+            ("(0.503)", false, -0.503),
             ("380:", false, 380.0),
         ] {
             assert_eq!(parse(cell, comma), Cell::Number(value), "{cell}");
@@ -272,21 +270,18 @@ mod tests {
         assert_eq!(parse("58 W", false), Cell::WithUnit(58.0));
         assert_eq!(parse("0,2 mW/m2", true), Cell::WithUnit(0.2));
         assert_eq!(unit_behind("0,2 mW/m2"), Some("mW/m2"));
+        assert_eq!(parse("<0.6", false), Cell::Limit(0.6));
     }
 
     #[test]
     fn the_other_decimal_mark_or_a_word_makes_text_of_a_cell() {
         are_all(&["1,630", "1,63.5", "0,5"], false, Cell::Text);
         are_all(
-            &["1.63.5,0", "38 500", "0.5", "1.2345,5", "300,"],
+            &["1.63.5,0", "38 50", "0.5", "(5)", "300,"],
             true,
             Cell::Text,
         );
-        are_all(
-            &["5 Wide", "W", "12:30", "a: 5", "60 Watch", "abc"],
-            false,
-            Cell::Text,
-        );
+        are_all(&["5 Wide", "W", "12:30", "60 Watch"], false, Cell::Text);
     }
 
     #[test]

@@ -44,6 +44,21 @@ pub fn save_by<T, E: From<WriteError>>(
     Ok(written)
 }
 
+/// Saves several files: none of them where one has no room.
+///
+/// # Errors
+/// As [`save_atomically`], of the first that cannot be written.
+pub fn save_together(files: &[(PathBuf, &[u8])]) -> Result<(), WriteError> {
+    let Some(((path, bytes), others)) = files.split_first() else {
+        return Ok(());
+    };
+    save_by(path, |file| {
+        let written = file.write_all(bytes).and_then(|()| file.sync_all());
+        written.map_err(|error| refused(path, &error))?;
+        save_together(others)
+    })
+}
+
 fn refused(path: &Path, error: &Error) -> WriteError {
     WriteError::new(&name_of(path), words(path, error))
 }

@@ -29,9 +29,27 @@ pub fn write(spectrum: &NamedSpectrum, columns: &Columns, provenance: &Provenanc
     out
 }
 
+/// Signs that table programs take for the beginning of a formula.
+const FORMULA: [char; 4] = ['=', '+', '-', '@'];
+
+/// A text that no table program takes for a formula: an apostrophe stands before its first sign.
+pub fn no_formula(text: String) -> String {
+    match text.starts_with(FORMULA) {
+        true => format!("'{text}"),
+        false => text,
+    }
+}
+
+/// What [`no_formula`] was given.
+pub(crate) fn as_it_was(text: &str) -> &str {
+    let rest = text.strip_prefix('\'');
+    rest.filter(|rest| rest.starts_with(FORMULA))
+        .unwrap_or(text)
+}
+
 /// A text cell, quoted where it must be; a double quote inside becomes a single one.
 fn cell(text: &str) -> String {
-    let text = one_line(text);
+    let text = no_formula(one_line(text));
     if text.contains([',', '"', ';']) {
         format!("\"{}\"", text.replace('"', "'"))
     } else {

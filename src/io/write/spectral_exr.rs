@@ -58,5 +58,46 @@ pub fn reflectance_exr(
         .non_parallel()
         .to_buffered(&mut file);
     written.map_err(|why| format!("found {why}, expected to write OpenEXR"))?;
-    Ok(file.into_inner())
+    Ok(with_attributes_in_order(file.into_inner()))
+}
+
+/// The same file of one part with the attributes of its header by name, so that the same picture
+/// is the same file each time: the encoder keeps them in a map of random order. What follows the
+/// header stays where it is. Bytes that are no such file come back as they are.
+pub fn with_attributes_in_order(mut file: Vec<u8>) -> Vec<u8> {
+    // Behind the magic number and the version.
+    const FIRST: usize = 8;
+    let mut attributes: Vec<(Vec<u8>, Vec<u8>)> = Vec::new();
+    let mut at = FIRST;
+    loop {
+        let Some(end) = end_of_attribute(&file, at) else {
+            return file;
+        };
+        if end == at {
+            break;
+        }
+        let name = file[at..].split(|byte| *byte == 0).next();
+        attributes.push((name.unwrap_or_default().to_vec(), file[at..end].to_vec()));
+        at = end;
+    }
+    attributes.sort();
+    let sorted: Vec<u8> = attributes
+        .into_iter()
+        .flat_map(|(_, bytes)| bytes)
+        .collect();
+    file[FIRST..at].copy_from_slice(&sorted);
+    file
+}
+
+/// Where the attribute that starts at a place ends: a name and a type, each ended by a zero, the
+/// size of the value in 4 bytes, and the value. The place itself where the header ends.
+fn end_of_attribute(file: &[u8], start: usize) -> Option<usize> {
+    if *file.get(start)? == 0 {
+        return Some(start);
+    }
+    let zero = |from: usize| Some(from + file.get(from..)?.iter().position(|byte| *byte == 0)?);
+    let size_at = zero(zero(start)? + 1)? + 1;
+    let size = file.get(size_at..)?.first_chunk::<4>()?;
+    let end = size_at + 4 + usize::try_from(i32::from_le_bytes(*size)).ok()?;
+    (end <= file.len()).then_some(end)
 }

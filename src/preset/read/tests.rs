@@ -248,7 +248,10 @@ fn every_number_is_the_sources_bit_for_bit() {
         assert_eq!(items.len(), file.items.len(), "{}", file.group);
         for (item, original) in file.items.iter().zip(items) {
             let at = format!("{}/{}", file.group, item.name);
-            assert_eq!(original["name"], item.name.as_str());
+            // Skins are named by their tone; the source names them by people.
+            if !item.name.starts_with("Skin") {
+                assert_eq!(original["name"], item.name.as_str());
+            }
             assert_eq!(original["unit"], item.unit.as_str());
             let values = match (&item.values, &item.strengths) {
                 (Some(values), None) => bits(values),

@@ -1,6 +1,16 @@
 //! What one line takes out of a spectrum.
+//!
+//! A window is rounded outward to whole nm: its first grid point is the last one at or before its
+//! computed beginning, its last one the first at or after its computed end. Both stay within the
+//! lowest points towards the neighbours and within what was measured.
+//!
+//! At an end of the range one foot may be missing. A window that reaches the end has its ground there
+//! at the height of its other foot if the curve only falls from the peak to the end and still stands
+//! a tenth of the line's height above that foot; else its ground is the curve at the end, as
+//! everywhere. A line whose highest point is the end itself is none to the detector; one that is
+//! taken by hand has a level ground.
 
-use super::{FoundSpike, peaks::Peak};
+use super::{FoundSpike, LineShape, peaks::Peak};
 use crate::spectrum::{
     band::Band,
     composite::{GAUSSIAN_AREA, Spike},
@@ -29,6 +39,14 @@ impl Line {
     pub(super) fn take_from(&self, values: &mut [f64]) {
         for (v, r) in values[self.first..].iter_mut().zip(&self.residue) {
             *v -= r;
+        }
+    }
+
+    pub(super) fn shape(&self, band: Band, sign: f64) -> LineShape {
+        LineShape {
+            spike: self.found(band, 1, sign).spike,
+            first: self.first,
+            residue: self.residue.iter().map(|r| sign * r).collect(),
         }
     }
 

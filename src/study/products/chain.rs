@@ -2,7 +2,7 @@
 
 use super::{Colours, multiplied};
 use crate::{
-    color::{Xyz, delta_e_of_xyz, xyz_of_parts},
+    color::{Weights, Xyz, delta_e_of_xyz, xyz_of_parts},
     spectrum::{Band, ChainTables, Composite, Factor, Met, Sampling, Spike, below_zero},
     study::error::Spread,
 };
@@ -14,10 +14,13 @@ pub struct Product<'a> {
     pub measured: &'a [f64],
     /// The light's model.
     pub model: &'a Composite,
+    /// Full widths at half maximum of the model's lines in their order, nm; those beyond are
+    /// ideal. They count where a line meets a dip of a factor.
+    pub line_widths_nm: &'a [f64],
     /// How products are formed.
     pub sampling: Sampling,
     /// Colour-matching functions on the band's grid.
-    pub seen: &'a [Vec<f64>; 3],
+    pub seen: &'a Weights,
     /// Full width with which a spike is drawn, nm: decides which dips go below zero.
     pub width_nm: f64,
 }
@@ -174,7 +177,7 @@ impl Product<'_> {
         let (band, white) = (self.band(), light.exact);
         let mut exact = self.measured.to_vec();
         let mut before = light;
-        let stages = tables.pass(self.model, factors);
+        let stages = tables.pass_wide(self.model, self.line_widths_nm, factors);
         let steps = stages.into_iter().zip(factors).map(|(stage, factor)| {
             exact = multiplied(&exact, factor.values());
             let model = xyz_of_parts(band, &stage.smooth, &stage.spikes, self.seen);

@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use super::Colours;
 use crate::{
-    color::{Xyz, xyz_of_parts},
+    color::{Weights, Xyz, xyz_of_parts},
     rivals::{Representation, Samples},
     spectrum::{Band, BasisTable, Composite, InnerProducts, Series, Spike, dot},
 };
@@ -34,7 +34,7 @@ type Weighed = [Vec<f64>; 3];
 #[derive(Clone, Debug)]
 pub struct Narrow {
     band: Band,
-    seen: [Vec<f64>; 3],
+    seen: Weights,
     white: Xyz,
     /// The exact light, weighed.
     exact: Weighed,
@@ -60,12 +60,7 @@ impl Narrow {
     /// The light `measured` (on the band's grid), its model, and two others of as many numbers.
     ///
     /// With `colour_exact` the series without spikes has the light's own X, Y, Z too.
-    pub fn new(
-        measured: &[f64],
-        model: &Composite,
-        colour_exact: bool,
-        seen: &[Vec<f64>; 3],
-    ) -> Self {
+    pub fn new(measured: &[f64], model: &Composite, colour_exact: bool, seen: &Weights) -> Self {
         let values = model.smooth.on_band();
         let parts = (&values[..], &model.spikes[..], model.numbers());
         Self::of_parts(measured, &model.smooth, parts, colour_exact, seen)
@@ -79,7 +74,7 @@ impl Narrow {
         smooth: &Series,
         (values, ideal, numbers): (&[f64], &[Spike], usize),
         colour_exact: bool,
-        seen: &[Vec<f64>; 3],
+        seen: &Weights,
     ) -> Self {
         let band = smooth.band;
         let table = BasisTable::new(band, smooth.basis, numbers);
@@ -160,9 +155,9 @@ impl Narrow {
         let on_grid: Vec<f64> = range.clone().map(|i| filter(self.band.nm(i))).collect();
         let product = |smooth: &Weighed, spikes: &[Spike]| {
             Xyz::from_array(std::array::from_fn(|k| {
-                let lines = spikes.iter().map(|s| {
-                    s.weight * filter(s.at_nm) * self.band.interpolate(&self.seen[k], s.at_nm)
-                });
+                let lines = spikes
+                    .iter()
+                    .map(|s| s.weight * filter(s.at_nm) * self.seen.at(s.at_nm)[k]);
                 dot(&smooth[k][range.clone()], &on_grid) + lines.sum::<f64>()
             }))
         };

@@ -152,6 +152,7 @@ mod tests {
         let product = Product {
             measured: &measured,
             model: &model,
+            line_widths_nm: &[],
             sampling: Sampling::Double,
             seen: &seen,
             width_nm: 10.0,

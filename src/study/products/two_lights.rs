@@ -2,7 +2,7 @@
 
 use super::multiplied;
 use crate::{
-    color::{Lab, Xyz, delta_e_2000, lab_from_xyz, xyz_of_parts},
+    color::{Lab, Weights, Xyz, delta_e_2000, lab_from_xyz, xyz_of_parts},
     spectrum::{Band, Basis, Composite, Spike, product::weigh_spikes},
     study::Progress,
 };
@@ -62,7 +62,7 @@ pub fn two_lights(
     band: Band,
     surfaces: &[Vec<f64>],
     lights: [&[f64]; 2],
-    seen: &[Vec<f64>; 3],
+    seen: &Weights,
 ) -> Option<TwoLights> {
     let lamps = lights.map(|light| (light, &[][..]));
     under(band, surfaces, lamps, lights, seen)
@@ -76,7 +76,7 @@ pub fn two_modelled_lights(
     surfaces: &[Vec<f64>],
     models: [&Composite; 2],
     lights: [&[f64]; 2],
-    seen: &[Vec<f64>; 3],
+    seen: &Weights,
 ) -> Option<TwoLights> {
     let smooth = models.map(|model| model.smooth.on_band());
     let lamps = [0, 1].map(|i| (&smooth[i][..], &models[i].spikes[..]));
@@ -89,7 +89,7 @@ fn under(
     surfaces: &[Vec<f64>],
     lamps: [(&[f64], &[Spike]); 2],
     lights: [&[f64]; 2],
-    seen: &[Vec<f64>; 3],
+    seen: &Weights,
 ) -> Option<TwoLights> {
     let whites = lights.map(|light| xyz_of_parts(band, light, &[], seen));
     let scaled = [whites[0].with_y(100.0)?, whites[1].with_y(100.0)?];
@@ -245,7 +245,7 @@ pub fn metameric_black(
     band: Band,
     surface: &[f64],
     light: &[f64],
-    seen: &[Vec<f64>; 3],
+    seen: &Weights,
 ) -> Option<Vec<f64>> {
     let black = black_of(band, surface, light, seen)?;
     let [down, up] = black.room;
@@ -258,13 +258,13 @@ pub fn metameric_black(
 /// leaves any freedom) that the light shows as nothing: orthogonal to the three colour-matching
 /// functions times the light. `None` when there is no room (a surface that touches 0 or 1 where
 /// the black would leave), or the light is not seen on this band.
-pub fn black_of(band: Band, surface: &[f64], light: &[f64], seen: &[Vec<f64>; 3]) -> Option<Black> {
+pub fn black_of(band: Band, surface: &[f64], light: &[f64], seen: &Weights) -> Option<Black> {
     let cosines: [Vec<f64>; 4] = std::array::from_fn(|k| {
         let function = |nm| Basis::Cosine.function(k, band, nm);
         band.grid().map(function).collect()
     });
     let mut rows: [[f64; 4]; 3] = [[0.0; 4]; 3];
-    for (row, seen) in rows.iter_mut().zip(seen) {
+    for (row, seen) in rows.iter_mut().zip(seen.iter()) {
         let weight = multiplied(seen, light);
         *row = std::array::from_fn(|k| band.inner(&weight, &cosines[k]));
         let length = row.iter().map(|v| v * v).sum::<f64>().sqrt();

@@ -2,7 +2,7 @@
 
 use super::STATED_LINE_NM;
 use crate::{
-    color::{Xyz, delta_e_of_xyz, xyz_of_parts},
+    color::{Weights, Xyz, delta_e_of_xyz, xyz_of_parts},
     spectrum::{Band, Basis, BasisTable, Composite, SampleGrid, Series, Spike, numbers_of_order},
 };
 
@@ -65,7 +65,7 @@ pub fn eq_17(
     light: &Composite,
     factor: &[f64],
     table: &BasisTable,
-    weights: &[Vec<f64>; 3],
+    weights: &Weights,
     white: Xyz,
 ) -> Eq17 {
     let band = table.band();

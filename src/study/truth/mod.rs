@@ -26,7 +26,7 @@ pub(in crate::study) use eq_17::cut;
 pub use eq_17::{Eq17, SpikeReading, StraightLine, eq_17, straight_line};
 pub use five_percent::{ChannelTerms, FivePercent, Neglected, five_percent};
 pub use resampling::{Resampling, ResamplingWay, resampling};
-pub use samples::{Match, Question, STEPS_NM, SampledErrors, SamplesAgainstNumbers, samples};
+pub use samples::{Match, Question, SampledErrors, SamplesAgainstNumbers, samples};
 pub use table_2::{Deviation, Table2, table_2};
 
 use crate::color::gaussian_cmf::NEGLIGIBLE_SHARE;

@@ -2,7 +2,7 @@
 
 use super::eq_17::cut;
 use crate::{
-    color::{Xyz, delta_e_of_xyz, xyz_of_parts},
+    color::{Weights, Xyz, delta_e_of_xyz, xyz_of_parts},
     spectrum::product::{folded_share, resampled},
     spectrum::{Basis, BasisTable, Composite, Sampling, Series},
     study::error::height,
@@ -41,7 +41,7 @@ pub fn resampling(
     light: &Composite,
     factor: &[f64],
     table: &BasisTable,
-    weights: &[Vec<f64>; 3],
+    weights: &Weights,
     white: Xyz,
 ) -> Resampling {
     let band = table.band();

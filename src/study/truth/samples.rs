@@ -2,8 +2,8 @@
 
 use super::{MOST_SPIKES, TOTAL_NUMBERS};
 use crate::{
-    color::{Xyz, delta_e_of_xyz, xyz_of_parts},
-    spectrum::{BasisTable, LineShape, Spike},
+    color::{Weights, Xyz, delta_e_of_xyz, xyz_of_parts},
+    spectrum::{Band, BasisTable, LineShape, Spike},
     study::{
         error::{Blur, spectrum_errors},
         measure::{ByMeasure, Measure, Verdict},
@@ -22,7 +22,7 @@ pub struct Question<'a> {
     /// Its lines, each with what it takes out of the spectrum.
     pub lines: &'a [LineShape],
     /// What X, Y and Z weigh the spectrum with, on the same grid.
-    pub weights: &'a [Vec<f64>; 3],
+    pub weights: &'a Weights,
     /// XYZ of the exact light in the same unit: the white.
     pub white: Xyz,
 }
@@ -37,9 +37,7 @@ pub struct SamplesAgainstNumbers {
     /// How far the composite is off. On the 1 nm grid a spike stands in its two neighbouring nm: a
     /// line of some width counts as missed there, however well it is weighed.
     pub composite: Verdict,
-    /// The spectrum sampled every [`STEPS_NM`], as far as the range holds such a step.
-    pub sampled: Vec<SampledErrors>,
-    /// Every step that was tried, from 1 nm on: the curve to draw.
+    /// Every even grid that was tried, from 1 nm on: the curve to draw.
     pub tried: Vec<SampledErrors>,
     /// How finely one must sample to do as well as the composite by each error; `None` for colours
     /// where there are none.
@@ -53,13 +51,10 @@ impl SamplesAgainstNumbers {
     }
 }
 
-/// Samples at even steps, joined by straight lines.
+/// Samples at even steps from end to end of the range, joined by straight lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SampledErrors {
-    /// Distance between samples in nm, counted from the range's first; the last sample stands at
-    /// the range's end, however near.
-    pub step_nm: usize,
-    /// How many samples that makes.
+    /// How many samples.
     pub samples: usize,
     /// How far the straight lines are off.
     pub errors: Verdict,
@@ -67,18 +62,15 @@ pub struct SampledErrors {
 
 /// Samplings that are off by no more than the composite.
 ///
-/// Which step does depends on where the samples happen to fall, so there are two answers. A step
+/// Which count does depends on where the samples happen to fall, so there are two answers. A step
 /// of 1 nm loses nothing on the grid and is always one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Match {
-    /// The coarsest step that does as well and so does every finer one tried.
+    /// The fewest samples that do as well and so does every finer grid tried.
     pub surely: SampledErrors,
-    /// The coarsest step tried that does as well, be it by good fortune.
+    /// The fewest tried that do as well, be it by good fortune.
     pub at_best: SampledErrors,
 }
-
-/// Steps that tables of spectra have, in nm: 401, 81, 41 and 21 samples from 380 to 780.
-pub const STEPS_NM: [usize; 4] = [1, 5, 10, 20];
 
 /// Sets the paper's 20 numbers (12 for the background and 8 for the four heaviest lines; what
 /// fewer lines leave goes to the background) against samples; `None` for an all-zero spectrum.
@@ -94,10 +86,8 @@ pub fn samples(question: Question<'_>) -> Option<SamplesAgainstNumbers> {
     let (smooth, background) = background(question, &heaviest, numbers);
     let spikes: Vec<Spike> = heaviest.iter().map(|line| line.spike).collect();
     let composite = question.errors(&smooth, &spikes)?;
-    let steps = question.table.band().steps();
-    let sampled = STEPS_NM.into_iter().filter(|step| *step <= steps);
-    let tried: Vec<SampledErrors> = ladder(steps)
-        .map(|step| question.sampled_every(step))
+    let tried: Vec<SampledErrors> = counts(question.table.band().points())
+        .map(|samples| question.sampled(samples))
         .collect::<Option<_>>()?;
     let needed = ByMeasure::from_fn(|measure| {
         let is_error = Measure::COMPARED.contains(&measure);
@@ -109,9 +99,6 @@ pub fn samples(question: Question<'_>) -> Option<SamplesAgainstNumbers> {
         background,
         spikes: spikes.len(),
         composite,
-        sampled: sampled
-            .map(|step| question.sampled_every(step))
-            .collect::<Option<_>>()?,
         needed,
         tried,
     })
@@ -141,15 +128,15 @@ pub(super) fn background(
     (question.table.evaluate(&coefficients), coefficients.len())
 }
 
-/// Steps to try, in nm: every whole one to 20, then a tenth more each time, so that a long range
-/// stays quick; none longer than the range.
-pub(super) fn ladder(longest: usize) -> impl Iterator<Item = usize> {
-    let next = |step: &usize| Some(step + (step / 10).max(1));
-    std::iter::successors(Some(1), next).take_while(move |step| *step <= longest)
+/// Counts of samples to try on a grid of so many points, falling to 2: every one below 440; above,
+/// so that a long range stays quick, the fewer of them the more there are.
+pub(super) fn counts(points: usize) -> impl Iterator<Item = usize> {
+    let next = |count: &usize| count.checked_sub(1 + count.saturating_sub(400) / 40);
+    std::iter::successors(Some(points), next).take_while(|count| *count >= 2)
 }
 
 impl Match {
-    /// The matches among samplings of rising step; `None` when there is nothing to match.
+    /// The matches among samplings of falling count; `None` when there is nothing to match.
     pub(super) fn of(
         tried: &[SampledErrors],
         composite: Verdict,
@@ -175,32 +162,30 @@ impl Question<'_> {
         Some(errors)
     }
 
-    /// Samples every `step_nm` whole nm, joined by straight lines.
-    fn sampled_every(self, step_nm: usize) -> Option<SampledErrors> {
-        let (lines, samples) = straight_lines(self.measured, step_nm);
+    /// So many samples from end to end, joined by straight lines.
+    fn sampled(self, samples: usize) -> Option<SampledErrors> {
+        let lines = straight_lines(self.table.band(), self.measured, samples);
         Some(SampledErrors {
-            step_nm,
             samples,
             errors: self.errors(&lines, &[])?,
         })
     }
 }
 
-/// Values on a grid read at every `step`-th point and the last one, and the straight lines
-/// between; with the number of points read.
-pub(super) fn straight_lines(values: &[f64], step: usize) -> (Vec<f64>, usize) {
-    let last = values.len() - 1;
-    let samples = last.div_ceil(step) + 1;
-    let lines = (0..=last)
-        .map(|i| {
-            let left = i / step * step;
-            let right = (left + step).min(last);
-            if left == right {
-                return values[left];
-            }
-            let t = (i - left) as f64 / (right - left) as f64;
-            values[left] * (1.0 - t) + values[right] * t
-        })
+/// Values on a band's grid read at so many even places (at least two) from end to end, and the
+/// straight lines between.
+pub(super) fn straight_lines(band: Band, values: &[f64], samples: usize) -> Vec<f64> {
+    let step_nm = band.length_nm() / (samples - 1) as f64;
+    // A place that rounding put beyond the end is the end.
+    let place = |sample: usize| (band.min_nm() + step_nm * sample as f64).min(band.max_nm());
+    let read: Vec<f64> = (0..samples)
+        .map(|sample| band.interpolate(values, place(sample)))
         .collect();
-    (lines, samples)
+    let line = |index: usize| {
+        let at = index as f64 / step_nm;
+        let left = (at as usize).min(samples - 2);
+        let t = at - left as f64;
+        read[left] * (1.0 - t) + read[left + 1] * t
+    };
+    (0..values.len()).map(line).collect()
 }

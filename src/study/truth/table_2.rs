@@ -2,7 +2,8 @@
 
 use crate::{
     color::{
-        ColourMatching, Observer, Xyz, delta_e_of_xyz, gaussian_cmf, uv_1976_from_xyz, xyz_of_parts,
+        ColourMatching, Observer, Weights, Xyz, delta_e_of_xyz, gaussian_cmf, uv_1976_from_xyz,
+        xyz_of_parts,
     },
     spectrum::Band,
 };
@@ -54,7 +55,7 @@ pub fn table_2(band: Band, observer: Observer, light: &[f64]) -> Table2 {
         }
     }
     let by_table = xyz_of_parts(band, light, &[], &table.on_band(band));
-    let by_fit = xyz_of_parts(band, light, &[], &fit);
+    let by_fit = xyz_of_parts(band, light, &[], &Weights::new(band, fit));
     let uv = uv_1976_from_xyz(by_table).zip(uv_1976_from_xyz(by_fit));
     Table2 {
         worst: std::array::from_fn(|k| worst_deviation(band, table, k)),

@@ -1,11 +1,11 @@
 //! The paper's claims, with its own figures and with the corrected formulas.
 
 use super::{
-    samples::{ladder, straight_lines},
+    samples::{counts, straight_lines},
     *,
 };
 use crate::{
-    color::{Observer, Xyz, xyz_of_parts},
+    color::{Observer, Weights, Xyz, xyz_of_parts},
     spectrum::{
         Band, Basis, BasisTable, Composite, LineShape, SampleGrid, Series, Spike, numbers_of_order,
     },
@@ -18,7 +18,7 @@ use crate::{
 
 const BAND: Band = Band::VISIBLE;
 
-fn weights(band: Band) -> [Vec<f64>; 3] {
+fn weights(band: Band) -> Weights {
     Observer::Cie1931.table().on_band(band)
 }
 
@@ -160,10 +160,10 @@ fn lines_of_one_nm_need_a_sample_every_nm() {
     let table = BasisTable::new(BAND, Basis::Cosine, 41);
     let lines = [436.0, 545.0].map(|nm| line(nm, 30.0));
     let found = samples_of(&table, &with_lines(&background(&table), &lines), &lines);
-    let counts: Vec<usize> = found.sampled.iter().map(|s| s.samples).collect();
-    assert_eq!(counts, [401, 81, 41, 21]);
-    assert_eq!(found.sampled[0].errors[Measure::Rms], Some(0.0));
-    assert!(found.sampled[1].errors[Measure::Own].unwrap() > 5.0);
+    let of = |samples| found.tried.iter().find(|t| t.samples == samples);
+    let errors = |samples| of(samples).expect("every count is tried").errors;
+    assert_eq!(errors(401)[Measure::Rms], Some(0.0));
+    assert!(errors(81)[Measure::Own].unwrap() > 5.0);
     for measure in [Measure::Rms, Measure::Own] {
         let needed = found.needed[measure].unwrap();
         assert_eq!(needed.surely.samples, 401);
@@ -172,42 +172,46 @@ fn lines_of_one_nm_need_a_sample_every_nm() {
 }
 
 #[test]
-fn a_lucky_step_is_told_from_one_that_surely_does() {
+fn a_lucky_count_is_told_from_one_that_surely_does() {
     let errors = |rms| Verdict::from_fn(|measure| (measure == Measure::Rms).then_some(rms));
     let tried: Vec<SampledErrors> = [0.0, 0.1, 0.3, 0.2, 0.4]
         .into_iter()
-        .zip(ladder(400))
-        .map(|(off, step_nm)| SampledErrors {
-            step_nm,
-            samples: 400 / step_nm + 1,
+        .zip(counts(401))
+        .map(|(off, samples)| SampledErrors {
+            samples,
             errors: errors(off),
         })
         .collect();
     let found = Match::of(&tried, errors(0.2), Measure::Rms).unwrap();
-    assert_eq!((found.surely.step_nm, found.at_best.step_nm), (2, 4));
+    assert_eq!((found.surely.samples, found.at_best.samples), (400, 398));
     assert_eq!(Match::of(&tried, errors(0.2), Measure::Own), None);
 }
 
 #[test]
-fn every_whole_step_to_20_nm_is_tried_and_none_beyond_the_range() {
-    let steps: Vec<usize> = ladder(30).collect();
-    assert_eq!(steps[..20], (1..=20).collect::<Vec<_>>());
-    assert_eq!(steps[20..], [22, 24, 26, 28, 30]);
-    assert!(ladder(20_000).count() < 120);
+fn every_even_grid_of_the_visible_is_tried_and_a_long_range_stays_quick() {
+    assert!(counts(401).eq((2..=401).rev()));
+    let long: Vec<usize> = counts(20_001).collect();
+    assert!(long.len() < 700 && long.ends_with(&[4, 3, 2]));
 }
 
 #[test]
-fn the_last_sample_stands_at_the_end_however_near() {
-    let values = [0.0, 1.0, 4.0, 9.0, 16.0, 25.0];
-    assert_eq!(straight_lines(&values, 1), (values.to_vec(), 6));
-    let (lines, samples) = straight_lines(&values, 3);
-    assert_eq!(samples, 3);
+fn a_grid_of_any_count_reads_a_line_that_its_samples_hit() {
+    // 378 samples stand 400/377 nm apart: a triangle between two of them is lost, one whose top a
+    // sample meets is kept. A straight line is kept by every grid.
+    let ramp: Vec<f64> = BAND.grid().map(|nm| 3.0 - nm / 500.0).collect();
+    for samples in [2, 21, 378, 400, 401] {
+        let lines = straight_lines(BAND, &ramp, samples);
+        let off = lines.iter().zip(&ramp).map(|(a, b)| (a - b).abs());
+        assert!(off.fold(0.0, f64::max) < 1e-13, "{samples}");
+    }
+    let values: Vec<f64> = BAND.grid().map(|nm| (nm / 9.0).sin()).collect();
+    assert_eq!(straight_lines(BAND, &values, 401), values);
+    let lines = straight_lines(BAND, &values, 5);
     assert_eq!(
-        [lines[0], lines[3], lines[4], lines[5]],
-        [0.0, 9.0, 17.0, 25.0]
+        [lines[0], lines[100], lines[200], lines[400]],
+        [values[0], values[100], values[200], values[400]]
     );
-    let (lines, samples) = straight_lines(&values, 99);
-    assert_eq!((samples, lines[5]), (2, 25.0));
+    assert!((lines[50] - 0.5 * (values[0] + values[100])).abs() < 1e-15);
 }
 
 #[test]

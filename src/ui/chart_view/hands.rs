@@ -103,7 +103,8 @@ fn near_data([low, high]: [f64; 2], [first, last]: [f64; 2]) -> [f64; 2] {
     let beyond = BEYOND * (last - first);
     let (first, last) = (first - beyond, last + beyond);
     let length = (high - low).min(last - first);
-    let low = low.clamp(first, last - length);
+    // By rounding the ends of data that are all shown may cross.
+    let low = low.min(last - length).max(first);
     [low, low + length]
 }
 

@@ -15,7 +15,7 @@ use self::{
 };
 use super::{
     chart_view::{ChartView, ChartWish},
-    kit::{Choice, pressed, pressed_if},
+    kit::{Choice, bounded, pressed, pressed_if},
     theme::{Theme, waker},
 };
 use crate::app::{
@@ -159,7 +159,7 @@ fn body(
     let rows = 2 * questions.len() - questions.iter().filter(beside).count() + 1;
     let below = row * rows as f32 + 6.0;
     let [least, most] = CHART.map(|height| height * theme.scale);
-    let height = (room - (ui.cursor().top() - top) - below).clamp(least, most);
+    let height = bounded(room - (ui.cursor().top() - top) - below, least, most);
     let width = ui.available_width();
     let mut flips = Vec::new();
     let narrow = width < BESIDE * theme.scale && !import.head().rows.is_empty();
@@ -317,7 +317,6 @@ fn foot(ui: &mut Ui, import: &Import, wishes: &mut Vec<Wish>) {
             wishes.push(Wish::Remove);
         }
         if import.is_reading() {
-            ui.spinner();
             ui.label("reading it again");
         }
     });

@@ -6,6 +6,12 @@ use egui::{Align, Grid, Layout, ScrollArea, Ui, Vec2, vec2};
 /// Room of a scroll area's bar, which stands over the right edge, points.
 const BAR: f32 = 8.0;
 
+/// A length between two others. Where there is less room than the least, the room goes first.
+pub fn bounded(length: f32, least: f32, room: f32) -> f32 {
+    // `clamp` panics where the bounds cross.
+    length.max(least).min(room)
+}
+
 /// What may be higher than its room, in a scroll area as wide and high as that.
 pub fn scrolled<R>(ui: &mut Ui, id: &str, add: impl FnOnce(&mut Ui) -> R) -> R {
     ScrollArea::vertical()

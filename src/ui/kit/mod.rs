@@ -10,7 +10,7 @@ mod words;
 
 pub use choice::Choice;
 pub use chooser::{Chooser, are_same, factors, found, lights, reflectances, transmittances};
-pub use layout::{cell, column, down, figure_grid, line, rolled, scrolled, two_columns};
+pub use layout::{bounded, cell, column, down, figure_grid, line, rolled, scrolled, two_columns};
 pub use seen::{adapt_box, seen_choice};
 pub use stops::{Stops, hold_arrows};
 pub use table::{Column, Look, Row, Table, bar, table};

@@ -97,7 +97,7 @@ impl Stops<'_> {
         }
         if let Some(from) = self.well_from {
             let below = middle + half + 5.0 * scale;
-            let well = crate::ui::theme::of_seen(crate::app::answers::Seen::Not, theme.dark);
+            let well = crate::ui::theme::of_seen(crate::app::verdicts::Seen::Hardly, theme.dark);
             painter.hline(x(from)..=right, below, (2.0 * scale, well));
         }
         let handle =

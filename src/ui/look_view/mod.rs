@@ -10,13 +10,15 @@ pub use sliders::names;
 use sliders::{Asked, SlidersView};
 
 use super::{
-    brief_view, patches_view,
+    brief_view,
+    kit::bounded,
+    patches_view,
     spectrum_view::SpectrumView,
     theme::{Theme, Wake},
 };
 use crate::{
     app::{
-        App, Command, SpikeAct, Tone,
+        App, Command, Pair, SpikeAct, Tone,
         answers::{best_of, knobs_of},
         lamps_asked, lamps_better,
         pages::{Page, PageMemory},
@@ -47,8 +49,11 @@ pub struct Scene<'a> {
     pub theme: Theme,
     /// Wakes the window when a computation is done.
     pub wake: &'a Wake,
-    /// Whether swatch and verdict stand beside the patches, not in a column of their own.
+    /// Whether swatch and verdict, or the pair, stand beside the patches, not in a column of their
+    /// own.
     pub verdict_below: bool,
+    /// Two surfaces that are compared: they stand in the verdict's place.
+    pub pair: Option<Pair>,
     /// The plot, swatch, patches and the two knobs alone.
     pub present: bool,
     /// The plot and its title alone.
@@ -254,13 +259,13 @@ fn parts(room: Rect, scene: &Scene<'_>) -> [Rect; 3] {
     let scale = scene.theme.scale;
     let card = sliders::height(room.width() - 2.0 * CARD_MARGIN.x, scale) + 2.0 * CARD_MARGIN.y;
     let [least, most] = PATCHES;
-    let stacked = stacked(room.size(), scene.verdict_below || scene.present, scale);
+    let stacked = stacked(room.size(), scene.verdict_below, scale);
     let share = if stacked > 0.0 && is_low(room.size(), scale) {
         0.0
     } else {
         0.23
     };
-    let patches = (share * room.height()).clamp(least, most * scale) + stacked;
+    let patches = bounded(share * room.height(), least, most * scale) + stacked;
     let at = |top: f32, height: f32| {
         Rect::from_min_size(egui::pos2(room.left(), top), vec2(room.width(), height))
     };
@@ -277,7 +282,7 @@ fn parts(room: Rect, scene: &Scene<'_>) -> [Rect; 3] {
 fn below(ui: &mut Ui, scene: &Scene<'_>, room: Vec2, commands: &mut Vec<Command>) {
     let (app, theme) = (scene.app, scene.theme);
     let rect = ui.max_rect();
-    let beside = scene.verdict_below || scene.present;
+    let beside = scene.verdict_below;
     let (mut field, mut brief) = (rect, rect);
     let above = stacked(room, beside, theme.scale);
     if above > 0.0 {
@@ -291,7 +296,10 @@ fn below(ui: &mut Ui, scene: &Scene<'_>, room: Vec2, commands: &mut Vec<Command>
     if beside {
         let mut verdict = ui.new_child(UiBuilder::new().max_rect(brief));
         verdict.shrink_clip_rect(brief);
-        brief_view::brief(&mut verdict, app, theme);
+        match &scene.pair {
+            Some(pair) => brief_view::pair(&mut verdict, pair, theme),
+            None => brief_view::brief(&mut verdict, app, theme),
+        }
     }
     let mut patches = ui.new_child(UiBuilder::new().max_rect(field));
     if !scene.present {

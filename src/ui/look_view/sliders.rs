@@ -190,10 +190,10 @@ const BOX: f32 = 44.0;
 
 fn smoothness(ui: &mut Ui, app: &App, settings: &mut Settings, width: f32, theme: Theme) {
     ui.spacing_mut().item_spacing.x = 8.0;
-    let from = answers::not_seen_from(app);
+    let from = answers::hard_to_see_from(app);
     let does = from.map_or_else(String::new, |order| match order {
-        0 => "not seen at any order".to_owned(),
-        order => format!("not seen from {order} on"),
+        0 => "hard to see at any order".to_owned(),
+        order => format!("hard to see from {order} on"),
     });
     let meaning = "How many waves the smooth part is made of: an order N takes 2N + 1 numbers. \
                    Arrow keys move it by one.";

@@ -4,7 +4,7 @@ use eframe::egui;
 use egui::{Align, Button, Label, Layout, Rect, RichText, Ui};
 
 use crate::{
-    app::{App, Command, Height, View, chart::Inks, charts::spectrum::overlay_factor},
+    app::{App, Command, Height, View, chart::Inks, charts::spectrum::Laid},
     ui::{
         kit::{named, named_choice, pressed},
         theme::{Theme, ink},
@@ -100,7 +100,9 @@ pub(super) fn layers(
         if with_widths {
             widths(ui, app, width >= 880.0, commands);
         }
-        if wide {
+        // What is laid over, and on what scale, takes their place.
+        let with_others = wide && app.document().overlays.is_empty();
+        if with_others {
             others(ui, inks, view);
         }
         let menu = ui.menu_button("Layers", |ui| {
@@ -108,7 +110,7 @@ pub(super) fn layers(
                 ui.horizontal(|ui| heights(ui, app, view, true));
                 lines(ui, inks, view);
             }
-            if !wide {
+            if !with_others {
                 others(ui, inks, view);
             }
             if !with_widths {
@@ -168,20 +170,30 @@ fn others(ui: &mut Ui, inks: Inks, view: &mut View) {
     );
 }
 
-/// What lies over the spectrum, and how many are brought to its brightness.
+/// What lies over the spectrum, and on what scale.
 fn laid_over(app: &App) -> String {
     let overlays = &app.document().overlays;
-    let count = overlays.len();
-    let scaled = overlays.iter().filter(|o| overlay_factor(app, o).1).count();
+    let laid: Vec<Laid> = overlays.iter().map(|o| Laid::of(app, o)).collect();
     let names = match &overlays[..] {
         [one] => one.name().to_owned(),
-        _ => format!("{count} overlays"),
+        _ => format!("{} overlays", overlays.len()),
     };
-    match scaled {
-        0 => names,
-        n if n == count => format!("{names} at the same brightness"),
-        n => format!("{names}, {n} of them at the same brightness"),
-    }
+    let of = |words: &str, is: fn(&Laid) -> bool| match laid.iter().filter(|l| is(l)).count() {
+        0 => String::new(),
+        n if n == overlays.len() => format!(" {words}"),
+        n => format!(", {n} of them {words}"),
+    };
+    let equal = of("at the same brightness", |laid| {
+        matches!(laid, Laid::EquallyBright(_))
+    });
+    let as_high = of("as high as the spectrum", |laid| {
+        matches!(laid, Laid::AsHigh(_))
+    });
+    let apart = of(
+        "not drawn: power and reflectance have no common axis",
+        |laid| *laid == Laid::Apart,
+    );
+    names + &equal + &as_high + &apart
 }
 
 /// Whether lines are ideal, or as wide as they are.
@@ -272,7 +284,8 @@ fn overlays(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &mu
         &mut view.overlays,
         "Overlays",
         Some(inks.overlays[0]),
-        "The spectra laid over for comparison, each as bright as the light that is shown.",
+        "The spectra laid over for comparison. Lights of relative units are as bright as the one \
+         that is shown; surfaces are drawn over surfaces only.",
     );
     for (i, overlay) in document.overlays.iter().enumerate() {
         let colour = ink(inks.overlays[i % inks.overlays.len()]);

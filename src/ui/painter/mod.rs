@@ -177,8 +177,11 @@ pub fn encode_png(image: &ColorImage) -> Vec<u8> {
     encoder.set_color(colour);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    // The command line knows its own pictures by it, and replaces no others.
+    let [key, mark] = ["Software", env!("CARGO_PKG_NAME")].map(str::to_owned);
     encoder
-        .write_header()
+        .add_text_chunk(key, mark)
+        .and_then(|()| encoder.write_header())
         .and_then(|mut writer| writer.write_image_data(&bytes))
         .expect("an image with pixels can always be written to memory");
     file

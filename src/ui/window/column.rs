@@ -14,15 +14,28 @@ use super::{
     Window,
     panels::{COLUMN, Shape, fixed, in_its_size, plain},
 };
-use crate::app::{App, Command, SpikeAct, Tone, answers};
+use crate::app::{App, Command, Pair, SpikeAct, Tone, answers};
 
 /// Width of the edge that the column folds to.
 const EDGE: f32 = 24.0;
 impl Window {
+    /// Whether the model is judged beside the page: not in a lesson or at a projector that shows no
+    /// model, where the verdict would be taken for one about the light.
+    pub(super) fn tells_verdict(&self) -> bool {
+        let is_shown_to_others = self.lesson.is_some() || self.preferences.presents();
+        !is_shown_to_others || self.app.document().view.model
+    }
+
+    /// Two surfaces that are shown side by side where the model is not judged.
+    pub(super) fn pair(&self) -> Option<Pair> {
+        let is_compared = !self.tells_verdict() && !self.plot_alone;
+        is_compared.then(|| Pair::of(self.app.document())).flatten()
+    }
+
     /// Whether the column of the verdict is open.
     pub(super) fn side_is_open(&self, shape: Shape) -> bool {
         let has_model = self.preferences.pages.page.has_model();
-        !shape.bare && self.side_open.unwrap_or(shape.wide && has_model)
+        !shape.bare && self.tells_verdict() && self.side_open.unwrap_or(shape.wide && has_model)
     }
 
     /// Whether the open column leaves no room for the page.
@@ -37,7 +50,7 @@ impl Window {
     /// The model's column, or the edge that it folds to.
     pub(super) fn side_panel(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) {
         let has_model = self.preferences.pages.page.has_model();
-        if shape.bare || !(has_model || self.side_open == Some(true)) {
+        if shape.bare || !self.tells_verdict() || !(has_model || self.side_open == Some(true)) {
             return;
         }
         let open = self.side_is_open(shape);

@@ -83,12 +83,17 @@ impl Window {
         others
     }
 
-    /// What came from outside: files read, dialogs answered, files dropped, words of threads.
-    pub(super) fn take_in(&mut self, ui: &Ui) {
+    /// What threads have read.
+    pub(super) fn take_files(&mut self, context: &Context) {
         if let Some(finished) = self.loader.finished() {
             self.take_batch(finished);
         }
-        self.take_images(ui.ctx());
+        self.take_images(context);
+    }
+
+    /// What came from outside: files read, dialogs answered, files dropped, words of threads.
+    pub(super) fn take_in(&mut self, ui: &Ui) {
+        self.take_files(ui.ctx());
         let dropped = ui.input(|i| i.raw.dropped_files.clone());
         let (mut paths, mut read) = (Vec::new(), Vec::new());
         for file in dropped {

@@ -8,16 +8,17 @@ use egui::{Context, Key, Margin, Modifiers, Panel, Rect, Ui};
 use super::{
     super::{
         lesson_view::Wish,
-        pointing,
+        picture, pointing,
         theme::{Theme, waker},
     },
     Window,
     panels::{Shape, fixed, in_its_size, plain},
 };
 use crate::app::{
-    Tone,
-    lessons::{Aim, Lesson, Run, shelf},
-    pages::{Page, Place},
+    App, Command, Subject, Tone,
+    lessons::{self, Aim, Lesson, Run, shelf},
+    pages::{Page, PageMemory, Place},
+    workspace::Preferences,
 };
 
 /// Width of the column, and what it is of the window: while presenting, and at most.
@@ -30,9 +31,6 @@ const PACE: f64 = 0.9;
 
 /// Half the width of a ring around a wavelength, points.
 const AT_NM: f32 = 12.0;
-
-/// A larger file is no lesson, bytes.
-const MOST_BYTES: u64 = 4 << 20;
 
 impl Window {
     /// How much of the window's width the lesson takes.
@@ -189,7 +187,7 @@ impl Window {
         match wish {
             Wish::Go(step) => run.go(step, app, pages),
             Wish::Choose(answer) => run.choose(answer),
-            Wish::Tell => run.tell(),
+            Wish::Tell => run.tell(app, pages),
             Wish::ShowMe => {
                 run.show_me();
                 self.shows_next_at = 0.0;
@@ -199,6 +197,18 @@ impl Window {
         }
         // What stands above and beside was drawn before.
         context.request_repaint();
+    }
+
+    /// In a lesson a lamp that is chosen shines on the surface that is looked at.
+    pub(super) fn keep_surface(&self, commands: &mut Vec<Command>) {
+        let is_lamp = |command: &Command| match command {
+            Command::Show(entry) => entry.kind() == crate::spectrum::Kind::Light,
+            _ => false,
+        };
+        let of_surface = self.lesson.is_some() && !self.app.document().is_about_light();
+        if of_surface && commands.iter().any(is_lamp) {
+            commands.push(Command::About(Subject::Factor));
+        }
     }
 
     fn leave_lesson(&mut self) {
@@ -212,12 +222,25 @@ impl Window {
         let is_lesson = |path: &PathBuf| {
             path.extension()
                 .is_some_and(|e| e.eq_ignore_ascii_case("json"))
-                && std::fs::metadata(path).is_ok_and(|meta| meta.len() <= MOST_BYTES)
+                && std::fs::metadata(path).is_ok_and(|meta| {
+                    // A pipe would be waited for.
+                    meta.is_file() && meta.len() <= shelf::MOST_BYTES
+                })
                 && std::fs::read_to_string(path).is_ok_and(|text| Lesson::is_one(&text))
         };
         let (lessons, others): (Vec<PathBuf>, _) = paths.into_iter().partition(is_lesson);
         for path in lessons {
-            match shelf::read_file(&path) {
+            let checked = shelf::read_file(&path).and_then(|lesson| {
+                let names = |app: &App, pages: &PageMemory| {
+                    let preferences = Preferences {
+                        pages: pages.clone(),
+                        ..Preferences::default()
+                    };
+                    Some(picture::names(app, &preferences))
+                };
+                lessons::check(&lesson, &names).map(|()| lesson)
+            });
+            match checked {
                 Ok(lesson) => {
                     let words = format!("{} is among the lessons now.", lesson.title);
                     self.app.say(Tone::Info, words);

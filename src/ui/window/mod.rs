@@ -50,9 +50,6 @@ type Channel<T> = (Sender<T>, Receiver<T>);
 /// How often the progress of a computation is looked at.
 const WATCH_EVERY: std::time::Duration = std::time::Duration::from_millis(80);
 
-/// A change is kept on disk this long after it was made, seconds.
-const KEEP_AFTER: f64 = 0.7;
-
 /// The program's window without the system's frame around it.
 pub struct Window {
     /// The program.
@@ -89,9 +86,8 @@ pub struct Window {
     dialog: Option<Dialog>,
     saving: Option<Saving>,
     saver: Option<Saver>,
-    /// Revision and preferences on disk, and when something newer was first seen.
+    /// Revision and preferences that the saver has.
     kept: (u64, Preferences),
-    changed_at: Option<f64>,
     /// The ways to begin stand over the first screen.
     greets: bool,
     /// Leaves out what changes from run to run (the time taken), for pictures in tests.
@@ -149,7 +145,6 @@ impl Window {
             dialog: None,
             saving: None,
             saver,
-            changed_at: None,
             greets: false,
             quiet: false,
             styled_for: None,
@@ -229,7 +224,14 @@ impl Window {
         if !context.input(|i| i.pointer.any_down()) && !context.text_edit_focused() {
             self.app.end_gesture();
         }
-        self.keep(&context);
+        self.keep();
+    }
+
+    /// What goes on where no frame is drawn, since the window is wholly covered or minimised: what
+    /// was read comes in, and is kept.
+    pub fn unseen(&mut self, context: &Context) {
+        self.take_files(context);
+        self.keep();
     }
 
     /// Fonts once, style whenever the looks change.
@@ -257,20 +259,17 @@ impl Window {
         }
     }
 
-    /// Keeps the workspace on disk, a moment after it changed.
-    fn keep(&mut self, context: &Context) {
-        let now = context.input(|i| i.time);
-        let present = (self.app.revision(), self.preferences.clone());
-        if self.saver.is_none() || present == self.kept {
-            self.changed_at = None;
-            return;
-        }
-        let since = *self.changed_at.get_or_insert(now);
-        if now - since >= KEEP_AFTER {
-            self.keep_now();
-        } else {
-            let left = std::time::Duration::from_secs_f64(KEEP_AFTER - (now - since) + 0.01);
-            context.request_repaint_after(left);
+    /// Hands the workspace to the saver, which keeps it on disk a moment after it changed.
+    fn keep(&mut self) {
+        let Some(saver) = &self.saver else { return };
+        let is_kept = self.kept.0 == self.app.revision() && self.kept.1 == self.preferences;
+        if !is_kept {
+            saver.keep_soon(
+                self.app.document(),
+                &self.preferences,
+                &self.images.absent(),
+            );
+            self.kept = (self.app.revision(), self.preferences.clone());
         }
     }
 
@@ -291,7 +290,6 @@ impl Window {
                 &self.images.absent(),
             );
             self.kept = (self.app.revision(), self.preferences.clone());
-            self.changed_at = None;
         }
     }
 }

@@ -134,7 +134,11 @@ impl Window {
             .show(ui, |ui| {
                 in_its_size(ui, |ui| {
                     let page = self.preferences.pages.page;
-                    let words = foot_view::words(&self.app, page);
+                    // A lesson asks its own questions.
+                    let words = match self.lesson {
+                        Some(_) => Default::default(),
+                        None => foot_view::words(&self.app, page),
+                    };
                     let offered = foot_view::lesson(&self.app, page);
                     self.status(ui, theme, words, offered.filter(|_| self.lesson.is_none()));
                 });
@@ -194,6 +198,7 @@ impl Window {
         if closes {
             self.drawer.open = false;
         }
+        self.keep_surface(&mut commands);
         self.apply(&mut commands);
     }
 
@@ -201,7 +206,9 @@ impl Window {
     pub(super) fn page_panel(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) -> Rect {
         let room = ui.available_rect_before_wrap();
         let on_look = self.preferences.pages.page == Page::Spectrum;
-        let with_verdict = on_look && !shape.wide && !self.side_is_open(shape);
+        let folded = !shape.wide && !self.side_is_open(shape);
+        let beside = folded && self.tells_verdict() || self.pair().is_some();
+        let with_verdict = on_look && beside;
         let inner = room.width() - 2.0 * f32::from(PAGE_MARGIN.left);
         let above = look_view::stacked(vec2(inner, room.height()), with_verdict, theme.scale);
         let least = match self.plot_alone && on_look {
@@ -230,9 +237,10 @@ impl Window {
         let mut centre = ui.max_rect();
         egui::CentralPanel::default().frame(frame).show(ui, |ui| {
             centre = ui.max_rect();
+            let tells = self.tells_verdict();
             if !shape.bare {
                 let page = &mut self.preferences.pages.page;
-                let has_line = !page.has_model() && self.side_open != Some(true);
+                let has_line = tells && !page.has_model() && self.side_open != Some(true);
                 let mut opens = false;
                 if page.place().tabs().count() > 1 || has_line {
                     let beside = has_line && ui.available_width() >= LINE_BESIDE;
@@ -268,7 +276,9 @@ impl Window {
     /// The first screen.
     fn look(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) {
         let context = ui.ctx().clone();
-        let verdict_below = !shape.wide && !self.side_is_open(shape) && !self.plot_alone;
+        let folded = !shape.wide && !self.side_is_open(shape) && !self.plot_alone;
+        let pair = self.pair();
+        let verdict_below = (folded || shape.present) && self.tells_verdict() || pair.is_some();
         let wake = theme::waker(&context);
         let mut scene = Scene {
             app: &self.app,
@@ -277,6 +287,7 @@ impl Window {
             theme,
             wake: &wake,
             verdict_below,
+            pair,
             present: shape.present,
             alone: self.plot_alone,
         };
@@ -377,7 +388,9 @@ impl Window {
         match self.palette.show(context, &self.app) {
             None => {}
             Some(Chosen::Entry(entry)) => {
-                self.app.apply(Command::Show(entry));
+                let mut commands = vec![Command::Show(entry)];
+                self.keep_surface(&mut commands);
+                self.apply(&mut commands);
                 self.app.end_gesture();
             }
             Some(Chosen::Page(page)) => self.preferences.pages.page = page,

@@ -12,7 +12,10 @@ use super::{
     },
     WATCH_EVERY, Window,
 };
-use crate::app::{Tone, lessons::Lesson};
+use crate::{
+    app::{Tone, lessons::Lesson},
+    io::many::many,
+};
 
 /// Width from which on a window is large, points.
 const LARGE: f32 = 1800.0;
@@ -55,8 +58,8 @@ impl Window {
                 }
                 let images = self.images.waiting().len();
                 if images > 0 {
-                    ui.spinner();
-                    ui.label(format!("reading {images} images again"));
+                    // Nothing that moves: a file may be long in coming, and each frame costs.
+                    ui.label(format!("reading {} again", many(images, "image", "images")));
                 }
                 self.offer_to_forget(ui);
                 self.offer_larger(ui);

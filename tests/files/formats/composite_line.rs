@@ -36,6 +36,10 @@ fn each_fault_is_named() {
         ("cs1;cosine;380-780;1;", "expected MIN:MAX in nm"),
         ("cs1;cosine;380:381;1;", "at least 20 nm"),
         (
+            "cs1;cosine;380:780;1;850*2",
+            "found a line at 850 nm, expected lines on the composite's range, 380 to 780 nm",
+        ),
+        (
             "cs1;cosine;380:780;1 x;",
             "found \"x\", expected a number as coefficient",
         ),
@@ -103,10 +107,7 @@ fn small(value: f64) -> f64 {
 }
 
 fn composite() -> impl Strategy<Value = Composite> {
-    let spike = (bits(), bits()).prop_map(|(at, weight)| Spike {
-        at_nm: at.abs().max(f64::MIN_POSITIVE),
-        weight,
-    });
+    let spike = (380.0..=780.0_f64, bits()).prop_map(|(at_nm, weight)| Spike { at_nm, weight });
     (
         0..20usize,
         prop::sample::select(vec![Basis::Fourier, Basis::Cosine]),

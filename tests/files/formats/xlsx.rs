@@ -74,8 +74,99 @@ fn a_sheet_without_a_table_is_refused_by_its_row() {
     let _ = spectral_explorer::io::read_bytes("a.xlsx", &workbook(&bad));
 }
 
+/// What unfolds to 1 GiB is in `tests/hostile/large.rs`.
 #[test]
-fn bombs_are_refused() {
-    let said = refusal("a.xlsx", workbook(&" ".repeat(64 << 20)));
-    assert!(said.contains("unfolds to far more"), "{said}");
+fn a_sheet_of_many_columns_is_read_however_well_it_is_packed() {
+    // 2048 wavelengths and 57 spectra: mostly zeros, which pack a hundredfold.
+    let rows: String = (0..2048)
+        .map(|row| {
+            let values = (0..57).map(|column| {
+                let value = if row == 1000 + column { "0.5" } else { "0" };
+                format!("<c><v>{value}</v></c>")
+            });
+            let values: String = values.collect();
+            format!(
+                "<row><c><v>{}</v></c>{values}</row>",
+                350.0 + 0.25 * f64::from(row)
+            )
+        })
+        .collect();
+    let file = workbook(&rows);
+    assert!(file.len() < 300_000, "{} bytes", file.len());
+    let reading = read("a.xlsx", file);
+    assert_eq!(reading.spectra.len(), 57);
+    for (column, spectrum) in reading.spectra.iter().enumerate() {
+        assert_eq!(spectrum.samples.len(), 2048);
+        assert_eq!(spectrum.samples.values()[1000 + column], 0.5);
+    }
+}
+
+#[test]
+fn wavelengths_typed_with_their_unit_are_read_as_in_a_text() {
+    let row = |at: usize, nm: usize| {
+        let place = format!("A{at}");
+        format!(
+            "<row r=\"{at}\">{}<c r=\"B{at}\"><v>{}</v></c></row>",
+            word(&place, &format!("{nm} nm")),
+            nm / 10
+        )
+    };
+    let rows: String = (1..20).map(|at| row(at, 380 + 5 * at)).collect();
+    let samples = first("a.xlsx", workbook(&rows)).samples;
+    assert_eq!(
+        (samples.first_nm(), samples.last_nm(), samples.len()),
+        (385.0, 475.0, 19)
+    );
+}
+
+#[test]
+fn a_hidden_sheet_is_not_read_and_named() {
+    let main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
+    let office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
+    let package = "http://schemas.openxmlformats.org/package/2006/relationships";
+    let book = format!(
+        "<workbook xmlns=\"{main}\" xmlns:r=\"{office}\"><sheets>\
+         <sheet name=\"Old\" sheetId=\"1\" state=\"hidden\" r:id=\"rId1\"/>\
+         <sheet name=\"New\" sheetId=\"2\" r:id=\"rId2\"/></sheets></workbook>"
+    );
+    let link = |id: usize| {
+        format!(
+            "<Relationship Id=\"rId{id}\" Type=\"{office}/worksheet\" Target=\"worksheets/sheet{id}.xml\"/>"
+        )
+    };
+    let links = format!(
+        "<Relationships xmlns=\"{package}\">{}{}</Relationships>",
+        link(1),
+        link(2)
+    );
+    let root = format!(
+        "<Relationships xmlns=\"{package}\"><Relationship Id=\"rId1\" \
+         Type=\"{office}/officeDocument\" Target=\"xl/workbook.xml\"/></Relationships>"
+    );
+    let sheet = |value: usize| {
+        let row = |at: usize| {
+            format!(
+                "<row r=\"{at}\"><c r=\"A{at}\"><v>{}</v></c><c r=\"B{at}\"><v>{}</v></c></row>",
+                380 + 5 * at,
+                value + at
+            )
+        };
+        let rows: String = (1..20).map(row).collect();
+        format!("<worksheet xmlns=\"{main}\"><sheetData>{rows}</sheetData></worksheet>")
+    };
+    let (old, new) = (sheet(100), sheet(200));
+    let members = [
+        ("_rels/.rels", root.as_bytes()),
+        ("xl/workbook.xml", book.as_bytes()),
+        ("xl/_rels/workbook.xml.rels", links.as_bytes()),
+        ("xl/worksheets/sheet1.xml", old.as_bytes()),
+        ("xl/worksheets/sheet2.xml", new.as_bytes()),
+    ];
+    let reading = read(
+        "a.xlsx",
+        containers::zipped(&members, CompressionMethod::Deflated),
+    );
+    assert_eq!(reading.spectra.len(), 1);
+    assert_eq!(reading.spectra[0].samples.values()[0], 201.0);
+    assert_told(&reading.notes, "sheet Old is hidden and was not read");
 }

@@ -90,3 +90,21 @@ fn a_word_in_one_of_many_rows_is_left_out_and_said() {
     let said = refusal.to_string();
     assert!(said.contains("line 11: found \"abc\""), "{said}");
 }
+
+#[test]
+fn falling_wavelengths_gaps_and_readings_that_were_repeated_are_said() {
+    let falling = read(&["500,1".to_owned(), "400,2".to_owned()]);
+    let spectrum = &falling.spectra[0];
+    assert_eq!(
+        (spectrum.samples.nm().to_vec(), spectrum.samples.values()),
+        (vec![400.0, 500.0], &[2.0, 1.0][..])
+    );
+    let twice = ["400,1", "400,3", "410,2", "410,4", "420,", "430,5", "430,5"].map(str::to_owned);
+    let twice = read(&twice);
+    assert_eq!(twice.spectra[0].samples.values(), [2.0, 3.0, 5.0]);
+    let notes = twice.spectra[0].notes.join("; ");
+    assert!(
+        notes.contains("1 missing value dropped; 3 doubled wavelengths averaged"),
+        "{notes}"
+    );
+}

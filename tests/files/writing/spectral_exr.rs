@@ -1,7 +1,7 @@
 //! Spectral OpenEXR out: a picture of reflectances, one channel a band.
 
 use crate::told::read;
-use spectral_explorer::io::reflectance_exr;
+use spectral_explorer::io::{reflectance_exr, with_attributes_in_order};
 
 #[test]
 fn a_picture_reads_back_as_its_bands() {
@@ -18,4 +18,24 @@ fn a_picture_reads_back_as_its_bands() {
     assert_eq!(pixel.samples.values(), [0.0, 0.25, 0.5]);
     let wrong = reflectance_exr([3, 2], &bands, vec![vec![0.0; 6]; 2], &[]);
     assert!(wrong.is_err());
+}
+
+#[test]
+fn the_same_picture_is_the_same_file_each_time() {
+    let facts: Vec<(String, String)> = (0..12)
+        .map(|i| (format!("fact {i}"), i.to_string()))
+        .collect();
+    let facts: Vec<(&str, String)> = facts.iter().map(|(k, v)| (&**k, v.clone())).collect();
+    let file = || reflectance_exr([3, 2], &[400.0, 500.0], vec![vec![0.5; 6]; 2], &facts).unwrap();
+    // Twelve attributes in a map of random order come twice in the same by chance once in 12!.
+    let first = file();
+    assert_eq!(first, file());
+    assert_eq!(with_attributes_in_order(first.clone()), first);
+    let place = |name: &str| {
+        first
+            .windows(name.len())
+            .position(|some| some == name.as_bytes())
+    };
+    assert!(place("made.fact 0") < place("made.fact 5"));
+    assert_eq!(with_attributes_in_order(b"no image".to_vec()), b"no image");
 }

@@ -2,6 +2,7 @@
 
 use crate::{
     app::{
+        absorption_names::{Curve, dark_lines},
         cells::{line, number, words},
         chart::{Chart, Dash, Inks, Rgb, Series, Theme, stroke},
         charts::spectrum::{of_subject, on_grid, over, spike_stems, unit_or_value},
@@ -16,6 +17,8 @@ use crate::{
     study::products::depths,
 };
 
+pub use crate::app::absorption_names::DarkLine;
+
 use super::chain::strip;
 
 /// A dip of the subject as it is told.
@@ -27,8 +30,6 @@ pub struct DipRow {
     pub depth: Option<f64>,
     /// A name that is safe.
     pub name: Option<String>,
-    /// The nearest line of its family, for hover.
-    pub near: Option<String>,
     /// Whether the model's total is below zero there.
     pub below_zero: bool,
 }
@@ -37,6 +38,8 @@ pub struct DipRow {
 pub struct AbsorptionSheet {
     /// Its dips.
     pub dips: Vec<DipRow>,
+    /// Known lines that are seen in the curve, too weak or too wide here to be a dip of the model.
+    pub known: Vec<DarkLine>,
     /// The curve with its dips.
     pub chart: Chart,
     /// The dips as a table.
@@ -49,11 +52,13 @@ impl AbsorptionSheet {
     /// The dips of a state.
     pub fn of(app: &App, theme: Theme) -> Self {
         let dips = dip_rows(app);
+        let known = known_lines(app, &dips);
         Self {
-            chart: absorption_chart(app, &dips, theme),
+            chart: absorption_chart(app, (&dips, &known), theme),
             csv: csv(app, &dips),
             met: met(app),
             dips,
+            known,
         }
     }
 }
@@ -84,9 +89,23 @@ pub fn dip_rows(app: &App) -> Vec<DipRow> {
             spike: *spike,
             depth,
             name: name.safe.clone(),
-            near: name.near.clone(),
             below_zero: below.contains(&spike.at_nm),
         })
+        .collect()
+}
+
+/// Known dark lines that the subject's own curve shows where no dip is named after them.
+fn known_lines(app: &App, dips: &[DipRow]) -> Vec<DarkLine> {
+    if !looks(app.document().settings) {
+        return Vec::new();
+    }
+    let derived = app.derived();
+    let entry = app.document().subject_entry();
+    let families = dark_lines(Curve::of(entry, derived.band, &derived.measured));
+    let lines = families.into_iter().flat_map(|family| family.lines);
+    let is_a_dip = |name: &str| dips.iter().any(|dip| dip.name.as_deref() == Some(name));
+    lines
+        .filter(|line| line.is_seen && !is_a_dip(line.name))
         .collect()
 }
 
@@ -144,8 +163,9 @@ fn csv(app: &App, dips: &[DipRow]) -> String {
     out
 }
 
-/// Measured curve, what is left when dips are filled, the series, and the dips hanging from it.
-pub fn absorption_chart(app: &App, dips: &[DipRow], theme: Theme) -> Chart {
+/// Measured curve, what is left when dips are filled, the series, and what hangs from it: dips and
+/// known lines. What has a name has it written beside it.
+pub fn absorption_chart(app: &App, (dips, known): (&[DipRow], &[DarkLine]), theme: Theme) -> Chart {
     let (document, derived) = (app.document(), app.derived());
     let (inks, band, factor) = (Inks::of(theme), derived.band, app.scale_factor());
     let curve = |values: &[f64]| on_grid(band, values, factor);
@@ -173,14 +193,35 @@ pub fn absorption_chart(app: &App, dips: &[DipRow], theme: Theme) -> Chart {
         series.push(lines.labelled(none.clone()).with_notes(none));
     }
     let told = |dip: &DipRow| {
-        let label = dip.name.clone();
-        let label = label.unwrap_or_else(|| format!("{:.1}", dip.spike.at_nm));
+        let label = dip.name.clone().unwrap_or_default();
+        let at = match label.is_empty() {
+            true => format!("{:.1} nm", dip.spike.at_nm),
+            false => label.clone(),
+        };
         let note = match dip.depth {
-            Some(depth) => format!("{label}: {:.1} % deep", 100.0 * depth),
-            None => label.clone(),
+            Some(depth) => format!("{at}: {:.1} % deep", 100.0 * depth),
+            None => at,
         };
         (label, note)
     };
+    if !known.is_empty() {
+        let ends = known.iter().map(|line| {
+            let nm = line.at_nm();
+            let [tip, base] = [&derived.measured, &derived.parts.smooth];
+            let height = |values: &[f64]| factor * band.interpolate(values, nm);
+            ([nm, height(tip)], height(base))
+        });
+        let (tips, base) = ends.unzip();
+        let (labels, notes) = known
+            .iter()
+            .map(|line| {
+                let note = format!("{}: {:.1} % deep", line.name, 100.0 * line.depth);
+                (line.name.to_owned(), note)
+            })
+            .unzip();
+        let stems = Series::stems("known, no number of its own", inks.residual, tips, base);
+        series.push(stems.labelled(labels).with_notes(notes));
+    }
     if !dips.is_empty() {
         let spikes: Vec<Spike> = dips.iter().map(|dip| dip.spike).collect();
         let (labels, notes) = dips.iter().map(told).unzip();

@@ -78,9 +78,12 @@ impl Ways {
         Some(Self {
             sentence: sentence(race, &won),
             how: format!(
-                "A cell is an error, its median, 95th percentile or worst, a class of lights and a \
-                 count of numbers ({}). {} No table holds the light at hand or its likes; the 99 \
+                "A cell is an error, {}a count of numbers ({}). {} No table holds the light at hand or its likes; the 99 \
                  samples of TM-30 and filters between those of the choice judge.",
+                match race.lamps.len() {
+                    1 => "and ",
+                    _ => "its median, 95th percentile or worst, a class of lights and ",
+                },
                 budgets.join(", "),
                 if ask.strict {
                     "Strictly counted: a line takes three numbers, a known lamp two, the label one."
@@ -202,8 +205,9 @@ mod tests {
         let ask = RaceAsk::of(app.document(), field, vec![11, 15, 20]);
         let race = ask.answer(&Progress::default()).expect("a light");
         let ways = Ways::of(&ask, &race, &CELLS_AT).expect("counts in range");
-        // Three errors, three figures, two counts, six peers.
-        assert!(ways.sentence.contains(" of 108 cells"), "{}", ways.sentence);
+        // Three errors, two counts, six peers; median and worst of one light are one figure.
+        assert!(ways.sentence.contains(" of 36 cells"), "{}", ways.sentence);
+        assert!(ways.how.starts_with("A cell is an error, and a count"));
         assert!(ways.sentence.starts_with("On FL11, known lamps"));
         assert_eq!(ways.notes().len(), 3);
         let rows = ways.rows(&race, None, 2);

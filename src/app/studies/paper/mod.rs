@@ -14,7 +14,7 @@ pub use table::{truth_csv, truth_table};
 
 use crate::{
     app::{state::App, tables::Viewing, ticks::extent},
-    color::{Adaptation, Observer, Swatch, Xyz, xy_from_xyz, xyz_of_one, xyz_of_parts},
+    color::{Adaptation, Observer, Swatch, Weights, Xyz, xy_from_xyz, xyz_of_one, xyz_of_parts},
     spectrum::{Band, Basis, Composite, Sampling, Series, detect_shapes, numbers_of_order},
     study::{
         harmonics::{Harmonics, Question},
@@ -200,7 +200,7 @@ struct Product {
     name: String,
     light: Composite,
     factor: Vec<f64>,
-    weights: [Vec<f64>; 3],
+    weights: Weights,
     white: Xyz,
 }
 

@@ -163,7 +163,7 @@ pub(super) fn samples_row(claims: &Claims) -> Row {
     let measured = format!(
         "{} ({} for the background, {} for {}) leave{of_colour} rms {} % at 1 nm \
          (where a line of some width counts as missed by its spike) and {} % behind 10 nm. \
-         Samples joined by straight lines that do as well:{for_colour} rms {}, behind 10 nm {}.",
+         Even samples joined by straight lines, every count tried, that do as well:{for_colour} rms {}, behind 10 nm {}.",
         many::numbers(numbers),
         found.background,
         2 * found.spikes,

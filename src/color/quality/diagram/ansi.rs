@@ -24,7 +24,7 @@ const BASIC: [[f64; 3]; 10] = [
 ];
 
 /// How far a quadrangle reaches to either side of its middle line, Duv.
-const HALF_WIDTH_DUV: f64 = 0.006;
+pub const WHITE_HALF_WIDTH_DUV: f64 = 0.006;
 
 /// Below this the middle line is the Planckian locus itself, K.
 const OFFSET_FROM_K: f64 = 2870.0;
@@ -49,13 +49,17 @@ pub static QUADRANGLES: LazyLock<Vec<Quadrangle>> = LazyLock::new(|| {
     let xy = |kelvin: f64, duv: f64| uv_1960_of_cct(kelvin, duv).map_or([0.0; 2], xy_from_uv_1960);
     let of = |[nominal_k, target_k, tolerance_k]: [f64; 3]| {
         let (warm, cool) = (target_k - tolerance_k, target_k + tolerance_k);
-        let corner =
-            |kelvin: f64, sign: f64| xy(kelvin, middle_duv(kelvin) + sign * HALF_WIDTH_DUV);
+        let corner = |kelvin: f64, sign: f64| {
+            xy(
+                kelvin,
+                white_middle_duv(kelvin) + sign * WHITE_HALF_WIDTH_DUV,
+            )
+        };
         Quadrangle {
             nominal_k,
             target_k,
             tolerance_k,
-            centre: xy(target_k, middle_duv(target_k)),
+            centre: xy(target_k, white_middle_duv(target_k)),
             corners: [
                 corner(warm, 1.0),
                 corner(cool, 1.0),
@@ -67,8 +71,8 @@ pub static QUADRANGLES: LazyLock<Vec<Quadrangle>> = LazyLock::new(|| {
     BASIC.map(of).to_vec()
 });
 
-/// Duv of the middle line of the quadrangles.
-fn middle_duv(kelvin: f64) -> f64 {
+/// Duv of the middle line of the quadrangles; beyond them where their formula leads.
+pub fn white_middle_duv(kelvin: f64) -> f64 {
     if kelvin < OFFSET_FROM_K {
         0.0
     } else {

@@ -16,7 +16,7 @@ mod locus;
 mod macadam;
 mod plane;
 
-pub use ansi::{QUADRANGLES, Quadrangle, quadrangle_of};
+pub use ansi::{QUADRANGLES, Quadrangle, WHITE_HALF_WIDTH_DUV, quadrangle_of, white_middle_duv};
 pub use gamut::{GAMUTS, Gamut};
 pub use locus::{
     LocusPoint, TICKS_K, Tick, daylight_locus, planckian_locus, spectral_locus, tick,

@@ -217,7 +217,7 @@ pub(super) fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
 fn fields(file: &str, text: &str) -> Result<HashMap<String, (usize, String)>, ReadError> {
     let mut fields = HashMap::new();
     // A field costs its text and about 200 bytes of book-keeping.
-    let most = budget::of(text.len()) / 400;
+    let most = budget::of_text(text.len()) / 400;
     let refusal = |line: usize, found: &str, expected: &str| {
         ReadError::new(file, found, expected).at_line(line)
     };

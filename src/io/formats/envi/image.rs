@@ -34,6 +34,7 @@ pub(super) fn read(
         stored_bands: header.bands,
         missing: header.number("data ignore value")?,
     };
+    let size = data.len();
     let cube = Cube::new(
         header.samples,
         header.lines,
@@ -51,6 +52,7 @@ pub(super) fn read(
     let (known, of_values) = meaning::values(header, data_name, &sample)?;
     let mut notes = channels.notes;
     notes.extend(of_values);
+    notes.extend(meaning::left_over(header, size as u64));
     let stem = data_name
         .rsplit_once('.')
         .map_or(data_name, |(stem, _)| stem);

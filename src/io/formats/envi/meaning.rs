@@ -2,7 +2,7 @@
 
 use crate::spectrum::Kind;
 
-use super::header::Header;
+use super::{all_bytes, header::Header};
 use crate::io::error::quoted;
 use crate::io::formats::extent;
 use crate::io::interpret::axis::{self, Axis};
@@ -59,6 +59,7 @@ pub fn channels(
             says_nm: false,
             is_dpt: false,
             range: extent(&axis),
+            unevenness: &|_| None,
         }),
     };
     let unit = found.value;
@@ -162,11 +163,16 @@ pub fn values(
     // The first title is the x axis's.
     let title = header.list("z plot titles");
     let title = title.get(1).copied().unwrap_or("");
-    let factor = header
-        .number("reflectance scale factor")?
-        .filter(|factor| SENSIBLE_FACTORS.contains(factor));
+    let stated = header.number("reflectance scale factor")?;
+    let factor = stated.filter(|factor| SENSIBLE_FACTORS.contains(factor));
     let kind = kind_of_values(header, title, factor.is_some(), data_name, sample);
     let mut notes = Vec::new();
+    if let (Some(odd), None) = (stated, factor) {
+        let (least, most) = (SENSIBLE_FACTORS.start(), SENSIBLE_FACTORS.end());
+        notes.push(format!(
+            "the header's reflectance scale factor of {odd} is not used: expected {least} to {most}"
+        ));
+    }
     let mut scale = KnownScale::Stated(1.0);
     if kind.value.is_factor() {
         scale = match factor.or_else(|| stated_factor(title)) {
@@ -189,6 +195,14 @@ pub fn values(
         may_be_large: true,
     };
     Ok((known, notes))
+}
+
+/// What is said of data that go on behind what the header tells of.
+pub fn left_over(header: &Header, data_bytes: u64) -> Option<String> {
+    let beyond = data_bytes.checked_sub(all_bytes(header)? as u64)?;
+    (beyond > 0).then(|| {
+        format!("the data are {beyond} bytes longer than the header says, which are left out")
+    })
 }
 
 /// What values stand for: by their title, the key that scales factors, the words of the header, else

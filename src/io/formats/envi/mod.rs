@@ -31,7 +31,7 @@ use crate::io::input::name_of;
 use crate::io::{Input, ReadError, Reading, text};
 
 pub use header::Header;
-pub use meaning::{bandwidth_nm, channels, values};
+pub use meaning::{bandwidth_nm, channels, left_over, values};
 pub use pair::{header_of, place_of_data, read_header, starts_as_header};
 
 /// ENVI header or data.

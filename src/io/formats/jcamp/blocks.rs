@@ -65,7 +65,7 @@ pub(crate) fn of<'a>(input: &Input, text: &'a str) -> Result<Vec<Block<'a>>, Rea
     let mut in_data = false;
     let mut records = 0_usize;
     // A record takes about 200 bytes of book-keeping.
-    let most_records = budget::of(text.len()) / 400;
+    let most_records = budget::of_text(text.len()) / 400;
     let mut rows = lines(text);
     loop {
         let before = rows.rest();

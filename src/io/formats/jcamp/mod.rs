@@ -64,7 +64,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
     let blocks = blocks::of(input, text)?;
     let mut reading = Reading::default();
-    let mut left_points = budget::of(input.bytes.len()) / POINT_BYTES;
+    let mut left_points = budget::of_text(input.bytes.len()) / POINT_BYTES;
     let mut refusals = Vec::new();
     for block in &blocks {
         if block.is_link() {

@@ -85,6 +85,6 @@ fn parted_by_comma(cell: &str, decimal_comma: bool) -> [&str; 2] {
 /// The refusal of points beyond what a file of its size may unfold to.
 pub(crate) fn too_many(input: &Input, line: usize) -> ReadError {
     input
-        .error("far more points than the file has text", budget::WORDS)
+        .error("far more points than the file has text", budget::TEXT_WORDS)
         .at_line(line)
 }

@@ -1,18 +1,17 @@
 //! refractiveindex.info: YAML with the optical constants n and k over wavelengths in micrometres.
 //!
 //! `DATA` is a list of tables (`tabulated nk`, `tabulated n`, `tabulated k`, columns with blanks)
-//! and dispersion formulas 1 to 9 ([`formula`]), which are sampled at whole nanometres, and more
-//! coarsely in the far infrared ([`grid`]). Every n and k becomes a spectrum, and the reflectance
+//! and dispersion formulas 1 to 9 ([`Formula`]), which are sampled at whole nanometres, and more
+//! coarsely in the far infrared ([`grid`]); the spectrum keeps its formula. Every n and k becomes a spectrum, and the reflectance
 //! at normal incidence from air, ((n - 1)^2 + k^2) / ((n + 1)^2 + k^2), a further one that says it
 //! was computed. Where a file holds n as a table and by a formula, the table counts.
 
-pub(crate) mod formula;
 pub(crate) mod grid;
 pub(crate) mod quoted_text;
 
 use serde::Deserialize;
 
-use crate::spectrum::{Kind, Outside, Sampled};
+use crate::spectrum::{Formula, Kind, MOST_COEFFICIENTS, Outside, Sampled};
 
 use super::{Confidence, Format};
 use crate::io::decode::guarded::guarded;
@@ -34,9 +33,6 @@ pub(crate) const FORMAT: Format = Format {
 
 /// Most tables and formulas of one file.
 const MOST_DATA: usize = 20;
-
-/// Most coefficients of a formula, several times what any has: each counts at every wavelength.
-const MOST_COEFFICIENTS: usize = 100;
 
 fn sniff(input: &Input) -> Confidence {
     let is_ours = |text: &str| {
@@ -94,7 +90,7 @@ fn parse(input: &Input, text: &str) -> Result<File, ReadError> {
 fn parse_strictly(text: &str) -> Result<File, Option<String>> {
     let mut limits = serde_saphyr::Budget::default();
     limits.max_recorded_anchor_bytes = 1 << 20;
-    limits.max_total_scalar_bytes = budget::of(text.len()) / 4;
+    limits.max_total_scalar_bytes = budget::of_text(text.len()) / 4;
     limits.max_nodes = 20_000;
     let mut options = serde_saphyr::Options::default();
     options.budget = Some(limits);
@@ -123,7 +119,11 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let mut raw = RawSpectrum::known(name, samples.nm(), values, kind, "");
         raw.notes = notes;
         raw.source = Some(source.clone());
-        interpret(raw, input, &mut reading)
+        interpret(raw, input, &mut reading)?;
+        if let (Some(formula), Some(read)) = (samples.formula(), reading.spectra.last_mut()) {
+            read.samples = read.samples.clone().of_formula(formula.clone());
+        }
+        Ok::<(), ReadError>(())
     };
     let (mut n, mut k): (Option<Sampled>, Option<Sampled>) = (None, None);
     // A formula beside a table of n comes last.
@@ -247,13 +247,18 @@ fn read_formula(
         let found = format!("a wavelength range of {} numbers", range.len());
         return Err(input.error(found, "first and last wavelength in um"));
     };
-    let (nm, how) = grid::of(from_um * 1000.0, to_um * 1000.0);
-    let values: Vec<f64> = nm
-        .iter()
-        .map(|nm| formula::index(number, &coefficients, nm / 1000.0))
-        .collect();
+    let range_nm = [from_um * 1000.0, to_um * 1000.0];
+    let (nm, how) = grid::of(range_nm[0], range_nm[1]);
+    let formula = Formula::new(number, coefficients, range_nm).ok_or_else(|| {
+        input.error(
+            format!("a wavelength range from {from_um} to {to_um}"),
+            "first and last wavelength in um, rising",
+        )
+    })?;
+    let values: Vec<f64> = nm.iter().map(|nm| formula.index(nm / 1000.0)).collect();
     let how = format!("n computed from dispersion formula {number} {how}");
-    clean(input, &nm, &values, how)
+    let (samples, notes) = clean(input, &nm, &values, how)?;
+    Ok((samples.of_formula(formula), notes))
 }
 
 /// The curve of some points, and what was done to get it.

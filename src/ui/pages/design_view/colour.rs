@@ -55,7 +55,8 @@ impl DesignView {
             Ok(shown) => (shown.sheet.sentence(), shown.sheet.swatch().rgb8),
             Err(why) => (why.clone(), Swatch::of_light(crate::color::Xyz::ZERO).rgb8),
         };
-        headline(ui, context, swatch::colour(colour), &words);
+        let meaning = "Its colour as bright as the screen can show it.";
+        headline(ui, context, [swatch::colour(colour); 2], meaning, &words);
         ui.add_space(4.0);
         let sheet = shown.as_ref().ok().map(|shown| &shown.sheet);
         let room = ui.available_size();

@@ -56,7 +56,8 @@ impl DesignView {
         headline(
             ui,
             context,
-            swatch::colour(desk.swatch().rgb8),
+            [swatch::colour(desk.swatch().rgb8); 2],
+            "Its colour as bright as the screen can show it.",
             &desk.sentence(),
         );
         ui.add_space(4.0);

@@ -27,6 +27,7 @@ use crate::{
         },
         pages::PageSetting,
     },
+    design::solve::Care,
     ui::{
         kit::{self, drawing, named},
         swatch,
@@ -41,7 +42,9 @@ pub(super) struct DesignView {
     ground: Memo<chart::Theme, Chart>,
     diagram: Memo<(u64, chart::Theme, Option<[f64; 2]>), Chart>,
     spectrum: Memo<(u64, chart::Theme), Chart>,
-    solved: Memo<(u64, MixWish), Result<Solved, String>>,
+    solved: Memo<(u64, MixWish, Care), Result<Solved, String>>,
+    /// The faders stand at a first answer, the wish being dragged.
+    is_hurried: bool,
     beside: Memo<(u64, DeskSurfaces), Vec<Beside>>,
     colour: Memo<(u64, chart::Theme, FromColour), Result<Arc<colour::Shown>, String>>,
     /// A hexadecimal colour while it is typed: of the first or the second light, and its text.
@@ -80,14 +83,20 @@ impl DesignView {
 }
 
 /// The colour of the mixture and the sentence about it.
-fn headline(ui: &mut Ui, context: &PageContext<'_>, colour: egui::Color32, words: &str) {
+fn headline(
+    ui: &mut Ui,
+    context: &PageContext<'_>,
+    [left, right]: [egui::Color32; 2],
+    meaning: &str,
+    words: &str,
+) {
     let scale = context.theme.scale;
     ui.horizontal(|ui| {
         let size = vec2(44.0, 24.0) * scale;
         let (rect, response) = drawing(ui, size, egui::Sense::hover(), "Colour of the mixture");
-        ui.painter().rect_filled(rect, 3.0, colour);
+        swatch::paint_split(ui, rect, left, right);
         swatch::outline(ui, rect, ui.visuals().widgets.noninteractive.bg_stroke);
-        response.on_hover_text("Its colour as bright as the screen can show it.");
+        response.on_hover_text(meaning);
         kit::headline(ui, context.theme, words);
     });
 }

@@ -13,7 +13,7 @@ use crate::{
             wish::{DUV, KELVIN, MixWish, Solved},
         },
     },
-    design::solve::{Against, FREE_LINES, Favour},
+    design::solve::{Against, Care, FREE_LINES, Favour},
     ui::{
         kit::{
             Choice, Chooser, Column, Row, cell, column, lights, number, scrolled, table, warning,
@@ -39,8 +39,8 @@ fn favour_words(favour: Favour) -> (&'static str, &'static str) {
             "Greatest colour rendering index of CIE 13.3.",
         ),
         Favour::Melanopic => (
-            "most awakening (melanopic)",
-            "Greatest melanopic daylight efficacy ratio of CIE S 026.",
+            "greatest melanopic DER",
+            "Greatest melanopic daylight efficacy ratio of CIE S 026: most melanopic light for the lux.",
         ),
         Favour::Fewest => (
             "fewest channels",
@@ -57,16 +57,32 @@ impl DesignView {
             return;
         };
         let document = context.app.document();
-        let key = (context.app.revision(), context.memory.wish.clone());
+        // While something is dragged a first answer at once; the best when it is let go.
+        let care = match ui.input(|input| input.pointer.any_down()) {
+            true => Care::Quick,
+            false => Care::Full,
+        };
+        let key = (context.app.revision(), context.memory.wish.clone(), care);
         let solved = self
             .solved
-            .get(key, |(_, wish)| Solved::of(wish, &desk, document))
+            .get(key, |(_, wish, care)| {
+                Solved::of(wish, &desk, document, *care)
+            })
             .clone();
         let words = match &solved {
             Ok(solved) => &solved.sentence,
             Err(why) => why,
         };
-        headline(ui, context, swatch::colour(desk.swatch().rgb8), words);
+        let now = desk.swatch().rgb8;
+        let then = solved.as_ref().map_or(now, |solved| solved.swatch.rgb8);
+        headline(
+            ui,
+            context,
+            [now, then].map(swatch::colour),
+            "Left the faders as they stand, right as they are solved for: each as bright as the \
+             screen can show it.",
+            words,
+        );
         ui.add_space(4.0);
         let before = context.memory.wish.clone();
         let target = solved.as_ref().ok().map(|solved| solved.target_uv);
@@ -101,9 +117,11 @@ impl DesignView {
             lines: wish.lines,
             ..before
         } != *wish;
-        if is_other && let Ok(found) = Solved::of(wish, &desk, context.app.document()) {
+        let is_due = is_other || (self.is_hurried && care == Care::Full);
+        if is_due && let Ok(found) = Solved::of(wish, &desk, context.app.document(), care) {
             // A wish that is moved takes the faders along.
             set(context, found.mix);
+            self.is_hurried = care == Care::Quick;
         }
     }
 }

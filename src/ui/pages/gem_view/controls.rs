@@ -50,7 +50,8 @@ pub(super) fn show(
     looks(ui, context, both);
     ui.separator();
     other_light(ui, context, both.get(1));
-    model::knobs(ui, context);
+    model::sent(ui, &mut context.memory.dispersion.gem.sent);
+    model::knobs(ui, context, context.memory.dispersion.gem.sent);
     ui.separator();
     save(ui, context, film, &both[0]);
 }

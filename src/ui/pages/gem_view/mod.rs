@@ -16,8 +16,8 @@ use crate::{
     app::{
         ByAddress, Memo,
         dispersion::{
-            GemFilm, GemLook, GemMemory, GemPass, GemScene, GemShown, NoiseAsk, document_light,
-            facts_of, modelled, next_pass, places, sentence,
+            GemFilm, GemLook, GemMemory, GemPass, GemScene, GemShown, NoiseAsk, Sent,
+            another_light, document_light, facts_of, next_pass, places, sentence,
         },
         studies::Stage,
     },
@@ -52,8 +52,8 @@ struct Drawn {
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct GemView {
-    light: Memo<u64, Lit>,
-    other: Memo<(u64, Option<String>), Option<Lit>>,
+    light: Memo<(u64, Sent), Lit>,
+    other: Memo<(u64, Option<String>, Sent), Option<Lit>>,
     /// What is to be traced, or why there is no such gem.
     scene: Memo<(u64, GemMemory), Result<GemScene, String>>,
     asked: Option<GemPass>,
@@ -64,7 +64,11 @@ impl GemView {
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let (app, revision) = (context.app, context.app.revision());
-        let light = match &*self.light.get(revision, |_| document_light(app)) {
+        let sent = context.memory.dispersion.gem.sent;
+        let light = match &*self
+            .light
+            .get((revision, sent), |_| document_light(app, sent))
+        {
             Ok(light) => light.clone(),
             Err(why) => {
                 headline(ui, context.theme, why);
@@ -72,9 +76,9 @@ impl GemView {
             }
         };
         let under = context.memory.dispersion.gem.under.clone();
-        let other = self.other.get((revision, under), |(_, key)| {
+        let other = self.other.get((revision, under, sent), |(_, key, _)| {
             let entry = app.entry(key.as_ref()?)?;
-            Some(modelled(app, &entry))
+            Some(another_light(app, &entry, sent))
         });
         let (other, trouble) = match &*other {
             Some(Ok(light)) => (Some(light.clone()), None),

@@ -164,7 +164,8 @@ pub(super) fn choice(
 ) -> bool {
     let mut take = false;
     let all = shown.cube().all();
-    ui.horizontal(|ui| {
+    // A row wider than its column would take the curve below it over the window's edge.
+    ui.horizontal_wrapped(|ui| {
         let meaning = "The pixel's spectrum, or the mean of the region, becomes one of your own \
                        and is shown. Enter or a double click does the same.";
         take = pressed(ui, names::TAKE, meaning);

@@ -134,7 +134,7 @@ impl ImageView {
         } else {
             let [width, height] = [shown.cube().width(), shown.cube().height()];
             let wanted = room.x * height as f32 / width as f32;
-            let size = vec2(room.x, wanted.clamp(120.0, 0.44 * room.y));
+            let size = vec2(room.x, kit::bounded(wanted, 120.0, 0.44 * room.y));
             self.picture(ui, context, &shown, region, size);
             let left = ui.available_height();
             self.spectrum(ui, context, &shown, region, left);
@@ -312,6 +312,7 @@ impl ImageView {
         region: Option<&Arc<RegionSpectrum>>,
         height: f32,
     ) {
+        let top = ui.cursor().top();
         let colour =
             region.and_then(|region| figures::colour_of(region, shown, self.drawn.as_ref()));
         let take = controls::choice(ui, context, (shown, colour), &mut self.canvas);
@@ -335,7 +336,7 @@ impl ImageView {
             }
             return;
         };
-        let used = (1.0 + f32::from(u8::from(taken.is_some()))) * line(ui);
+        let used = ui.cursor().top() - top;
         let figures = figures::height(ui, context.theme);
         let room = vec2(
             ui.available_width(),

@@ -102,6 +102,8 @@ pub(super) fn prism(ui: &mut Ui, context: &mut PageContext<'_>) {
         slider(ui, (names::SCREEN, "From the prism to the screen."), of);
         exposure(ui, &mut memory.stops);
         beside(ui, &mut memory.beside);
-        model::knobs(ui, context);
+        model::sent(ui, &mut memory.sent);
+        let sent = memory.sent;
+        model::knobs(ui, context, sent);
     });
 }

@@ -200,7 +200,9 @@ impl PrismView {
             exposure(ui, &mut memory.stops);
             controls::beside(ui, &mut memory.beside);
             controls::drop(ui, memory);
-            model::knobs(ui, context);
+            model::sent(ui, &mut memory.sent);
+            let sent = memory.sent;
+            model::knobs(ui, context, sent);
         });
         ui.add_space(4.0);
         let room = ui.available_size();

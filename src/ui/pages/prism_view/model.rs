@@ -1,17 +1,18 @@
-//! The model's two knobs where its lines are seen: one moves the smooth part, the other what is a
-//! line of its own.
+//! What of a light is sent through: as it was measured, or as the model has it; and the model's two
+//! knobs, of which one moves its smooth part, the other what is a line of its own.
 
 use eframe::egui;
 use egui::{Slider, SliderClamping, Ui};
 
-use super::slider;
+use super::{slider, together};
 use crate::{
-    app::{Command, Detector, answers::LINE_THRESHOLDS, ticks},
+    app::{Command, Detector, answers::LINE_THRESHOLDS, dispersion::Sent, ticks},
     ui::pages::PageContext,
 };
 
 /// What people and tests call them.
 pub(crate) mod names {
+    pub(crate) const MODEL: &str = "as the model has it";
     pub(crate) const ORDER: &str = "Smoothness N";
     pub(crate) const LINES: &str = "Lines above";
 }
@@ -19,13 +20,31 @@ pub(crate) mod names {
 /// Orders that the slider reaches; more can be typed elsewhere.
 const MOST: usize = 40;
 
-/// Draws both and asks for what a hand changed.
-pub(crate) fn knobs(ui: &mut Ui, context: &mut PageContext<'_>) {
+/// The switch between what was measured and the model.
+pub(crate) fn sent(ui: &mut Ui, sent: &mut Sent) {
+    together(ui, names::MODEL, 30.0);
+    let mut of_model = *sent == Sent::Model;
+    let meaning = "Each line is one wavelength either way. The rest goes through as it was \
+                   measured, or as the model's waves draw it: what the model loses is seen.";
+    let switch = ui.checkbox(&mut of_model, names::MODEL);
+    if switch.on_hover_text(meaning).changed() {
+        *sent = if of_model {
+            Sent::Model
+        } else {
+            Sent::Measured
+        };
+    }
+}
+
+/// Draws the knobs that decide something and asks for what a hand changed.
+pub(crate) fn knobs(ui: &mut Ui, context: &mut PageContext<'_>, sent: Sent) {
     let before = context.app.document().settings;
     let mut settings = before;
-    let of = Slider::new(&mut settings.order, 0..=MOST).clamping(SliderClamping::Never);
-    let meaning = "Order of the model's smooth part: 2N + 1 numbers.";
-    slider(ui, (names::ORDER, meaning), of);
+    if sent == Sent::Model {
+        let of = Slider::new(&mut settings.order, 0..=MOST).clamping(SliderClamping::Never);
+        let meaning = "Order of the model's smooth part: 2N + 1 numbers.";
+        slider(ui, (names::ORDER, meaning), of);
+    }
     // Otherwise it decides nothing.
     if settings.spikes && settings.detector == Detector::Energy {
         let [least, most] = LINE_THRESHOLDS;

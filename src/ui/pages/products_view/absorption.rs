@@ -8,7 +8,7 @@ use egui::{DragValue, Label, RichText, Ui, vec2};
 use crate::{
     app::{
         App, Command, Detector, Entry, Memo, Settings, THRESHOLDS_PERCENT, WIDTHS_NM, chart,
-        charts::products::absorption::{AbsorptionSheet, DipRow, looks},
+        charts::products::absorption::{AbsorptionSheet, DarkLine, DipRow, looks},
         headlines,
         ticks::short,
     },
@@ -88,8 +88,17 @@ impl AbsorptionView {
         let (app, theme) = (context.app, context.chart_theme());
         let (found, rows) = &*self.found.get((app.revision(), theme), |_| {
             let found = AbsorptionSheet::of(app, theme);
-            let rows = found.dips.iter().map(|dip| row(app, dip)).collect();
-            (found, rows)
+            let dips = found
+                .dips
+                .iter()
+                .map(|dip| (dip.spike.at_nm, row(app, dip)));
+            let known = found
+                .known
+                .iter()
+                .map(|line| (line.at_nm(), known_row(line)));
+            let mut rows: Vec<(f64, Row)> = dips.chain(known).collect();
+            rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+            (found, rows.into_iter().map(|(_, row)| row).collect())
         });
         headline(ui, context.theme, headlines::dark_lines(app, &found.dips));
         examples(ui, context);
@@ -286,7 +295,7 @@ fn dip_table(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet, ro
             copy_button(ui, names::COPY, meaning, || found.csv.clone());
         }
     });
-    if found.dips.is_empty() {
+    if rows.is_empty() {
         if looks(context.app.document().settings) {
             ui.weak("Nothing narrow enough is missing. Lower the share or allow wider ones.");
         }
@@ -306,7 +315,8 @@ fn dip_table(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet, ro
         ),
         Column::words(
             "line",
-            "Named only where it is safe; otherwise the nearest line.",
+            "Named only where it is safe. A known line without a weight is seen in the curve, but \
+             takes less than the least share: it is no number of the model.",
             1.6,
         ),
     ];
@@ -348,8 +358,7 @@ fn row(app: &App, dip: &DipRow) -> Row {
     let depth = dip
         .depth
         .map_or_else(|| "–".to_owned(), |depth| format!("{:.1} %", 100.0 * depth));
-    let name = dip.name.clone().or_else(|| dip.near.clone());
-    let mut name = name.unwrap_or_else(|| "–".to_owned());
+    let mut name = dip.name.clone().unwrap_or_else(|| "–".to_owned());
     if dip.below_zero {
         name = format!("▲ {name}");
     }
@@ -367,6 +376,20 @@ fn row(app: &App, dip: &DipRow) -> Row {
             String::new()
         },
         cells,
+        ..Row::default()
+    }
+}
+
+/// A known line that is seen and is no dip of the model.
+fn known_row(line: &DarkLine) -> Row {
+    let [at, depth] = [
+        format!("{:.1}", line.at_nm()),
+        format!("{:.1} %", 100.0 * line.depth),
+    ];
+    Row {
+        name: format!("Known line at {at} nm, depth {depth}, {}", line.name),
+        note: "Seen in the curve; no number of the model stands for it.".to_owned(),
+        cells: vec![at, "–".to_owned(), depth, line.name.to_owned()],
         ..Row::default()
     }
 }

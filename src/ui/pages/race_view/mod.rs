@@ -92,6 +92,10 @@ impl RaceView {
             strict: context.memory.race_strict,
             ..RaceAsk::of(document, field.field(document), RACE_BUDGETS.to_vec())
         };
+        if let Some(why) = ask.why_not() {
+            ui.weak(format!("The race is not run: {why}."));
+            return;
+        }
         let race = context.put(&ask);
         progress(ui, race, "The race");
         if race.stage() == Stage::Impossible {

@@ -78,7 +78,7 @@ pub(super) fn one_number(value: &Tree) -> Option<f64> {
                 Some(number)
             }
             Cell::Gap => Some(f64::NAN),
-            Cell::Percent(_) | Cell::Empty | Cell::Text => None,
+            Cell::Percent(_) | Cell::Limit(_) | Cell::Empty | Cell::Text => None,
         },
         Tree::List(_) | Tree::Object(_) => None,
     }

@@ -356,7 +356,7 @@ fn row(spike: &Spike, own: &[Spike], factor: f64, known: &KnownLines) -> Row {
     let share = in_light.map(|s| spike.weight / s.weight);
     let name = known
         .at(spike.at_nm)
-        .and_then(|name| name.safe.clone().or_else(|| name.near.clone()))
+        .and_then(|name| name.safe.clone())
         .unwrap_or_else(|| "–".to_owned());
     let cells = vec![
         format!("{:.1}", spike.at_nm),

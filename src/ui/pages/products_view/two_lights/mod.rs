@@ -19,7 +19,7 @@ use crate::{
     color::{Adaptation, Swatch},
     study::products::TwoLights,
     ui::{
-        kit::{Choice, Chooser, Row, adapt_box, headline, lights, scrolled, two_columns},
+        kit::{Choice, Chooser, Row, adapt_box, bounded, headline, lights, scrolled, two_columns},
         pages::PageContext,
         patches_view::set_choice,
     },
@@ -108,7 +108,7 @@ impl TwoLightsView {
         scrolled(ui, "two lights", |ui| {
             if ui.available_width() >= WIDE * scale {
                 let chart = (0.5 * (room.y - 400.0 * scale)).clamp(180.0 * scale, 400.0 * scale);
-                let lights = (room.y - 250.0 * scale).clamp(chart, 520.0 * scale);
+                let lights = bounded(room.y - 250.0 * scale, chart, 520.0 * scale);
                 let left = |ui: &mut Ui, context: &mut PageContext<'_>| {
                     patches::show(ui, context, sheet, shown);
                     ui.add_space(6.0);

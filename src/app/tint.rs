@@ -1,0 +1,139 @@
+//! One scale of words for the white of a light: its temperature, and which way it leaves the
+//! blackbodies.
+//!
+//! White is what stands within 0.006 of the blackbodies or of the curve of ANSI C78.377, which leaves
+//! them towards daylight as it grows cooler. Farther than 0.02 a temperature says little of a colour.
+
+use super::verdicts;
+use crate::color::{
+    Cct,
+    quality::diagram::{WHITE_HALF_WIDTH_DUV, white_middle_duv},
+};
+
+/// Below this no tint is told, Duv.
+const FAINT_DUV: f64 = 0.001;
+
+/// Farther from the blackbodies than this a light is coloured, Duv: this program's border.
+const COLOURED_DUV: f64 = 0.02;
+
+/// How far a light stands from the whites.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Whiteness {
+    /// Beside the blackbodies or the curve of ANSI C78.377.
+    White,
+    /// Beside them.
+    Tinted,
+    /// Far from them.
+    Coloured,
+}
+
+/// How far a light stands from the whites.
+pub fn whiteness(cct: Cct) -> Whiteness {
+    let off = cct.duv - white_middle_duv(cct.kelvin);
+    if cct.duv.abs().min(off.abs()) <= WHITE_HALF_WIDTH_DUV {
+        Whiteness::White
+    } else if cct.duv.abs() <= COLOURED_DUV {
+        Whiteness::Tinted
+    } else {
+        Whiteness::Coloured
+    }
+}
+
+/// The tint of a Duv: "slightly green"; empty on the line of blackbodies.
+pub fn tint(duv: f64) -> &'static str {
+    match duv {
+        d if d > WHITE_HALF_WIDTH_DUV => "greenish",
+        d if d > FAINT_DUV => "slightly green",
+        d if d < -WHITE_HALF_WIDTH_DUV => "pinkish",
+        d if d < -FAINT_DUV => "slightly pink",
+        _ => "",
+    }
+}
+
+/// A temperature in the three figures that titles have: "4220 K".
+pub fn kelvin_words(kelvin: f64) -> String {
+    let step = if kelvin < 9995.0 { 10.0 } else { 100.0 };
+    format!("{:.0} K", step * (kelvin / step).round())
+}
+
+/// A temperature and its tint for a title: "4220 K, slightly green".
+pub fn title_words(cct: Cct) -> String {
+    let kelvin = kelvin_words(cct.kelvin);
+    match (whiteness(cct), tint(cct.duv)) {
+        (Whiteness::Coloured, _) => format!("none: coloured, nearest {kelvin}"),
+        (_, "") => kelvin,
+        (_, tint) => format!("{kelvin}, {tint}"),
+    }
+}
+
+/// The name of a white: "neutral white", or that it is none.
+pub fn name(cct: Cct) -> String {
+    match whiteness(cct) {
+        Whiteness::White => verdicts::of_cct(cct.kelvin).to_owned(),
+        Whiteness::Tinted => format!("{}, beside the whites", tint(cct.duv)),
+        Whiteness::Coloured => "a coloured light, no white".to_owned(),
+    }
+}
+
+/// What Duv tells.
+pub fn duv_words(cct: Cct) -> String {
+    let tint = match tint(cct.duv) {
+        "" => "on the line of blackbodies",
+        tint => tint,
+    };
+    match whiteness(cct) {
+        Whiteness::White => tint.to_owned(),
+        Whiteness::Tinted => format!("{tint}: beside the whites of ANSI C78.377"),
+        Whiteness::Coloured => {
+            let side = if cct.duv > 0.0 { "above" } else { "below" };
+            format!("far {side} the line of blackbodies: no white")
+        }
+    }
+}
+
+/// A light with its article, for the beginning of a sentence: "A greenish light".
+pub fn light_words(cct: Cct) -> String {
+    match whiteness(cct) {
+        Whiteness::White => "A white light".to_owned(),
+        Whiteness::Tinted => format!("A {} light", tint(cct.duv)),
+        Whiteness::Coloured => "A coloured light".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cct(kelvin: f64, duv: f64) -> Cct {
+        Cct { kelvin, duv }
+    }
+
+    #[test]
+    fn a_white_is_near_the_curve_of_the_standard_and_nothing_else_is() {
+        // ANSI C78.377: at 6500 K the middle lies at 0.0030, at 2700 K at 0.
+        for (kelvin, duv, expected) in [
+            (6500.0, 0.0090, Whiteness::White),
+            (6500.0, 0.0092, Whiteness::Tinted),
+            (6500.0, -0.0061, Whiteness::Tinted),
+            (50_000.0, 0.0, Whiteness::White),
+            (2700.0, 0.0059, Whiteness::White),
+            (2700.0, 0.0061, Whiteness::Tinted),
+            (4000.0, 0.036, Whiteness::Coloured),
+        ] {
+            assert_eq!(whiteness(cct(kelvin, duv)), expected, "{kelvin} {duv}");
+        }
+        assert_eq!(name(cct(4224.0, 0.0019)), "neutral white");
+        assert_eq!(name(cct(3757.0, 0.04)), "a coloured light, no white");
+    }
+
+    #[test]
+    fn a_title_has_three_figures_and_the_tint() {
+        assert_eq!(title_words(cct(4224.6, 0.0019)), "4220 K, slightly green");
+        assert_eq!(title_words(cct(2855.6, 0.0)), "2860 K");
+        assert_eq!(title_words(cct(3000.0, -0.0074)), "3000 K, pinkish");
+        assert_eq!(kelvin_words(9996.0), "10000 K");
+        assert_eq!(kelvin_words(12_345.0), "12300 K");
+        let none = title_words(cct(4000.0, 0.036));
+        assert_eq!(none, "none: coloured, nearest 4000 K");
+    }
+}

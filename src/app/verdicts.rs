@@ -1,0 +1,305 @@
+//! Words that judge figures, in one table: every page takes its verdicts from here.
+//!
+//! | figure | borders | source |
+//! |---|---|---|
+//! | ΔE₀₀ | 1, 2, 5 | this program's, beside published ones: half of the observers see 0.8 and take 1.8 for no match any more (Paravina et al. 2015, ISO/TR 28642:2016, for teeth); CIEDE2000 is meant for differences up to 5 (ISO/CIE 11664-6) |
+//! | Rf | 95, 85, 70, 50 | this program's: mean differences of 0.7, 2.2, 4.5 and 7.4 in CAM02-UCS by the formula of TM-30 |
+//! | Ra | 80; 95, 90, 60, 20 | EN 12464-1 for work indoors; the others this program's |
+//! | Rg, Rcs,h | 98 and 102; 1 % | this program's: no change of vividness is told within them |
+//! | Ri | 90, 75, 50 | this program's |
+//! | SSI | 90, 70, 50 | this program's: SMPTE ST 2122 sets none, and promises nothing of low values |
+//! | CCT | 3300, 5300 K | EN 12464-1: warm, neutral, cool |
+//! | Duv | 0.006 about a curve | ANSI C78.377 (`tint`) |
+//! | wavelength | 430 ... 617 nm | names of lights after Kelly (1943) |
+//!
+//! Ra and Rf are means: their words speak of the mean, and the worst sample stands beside them.
+
+/// How a difference of colour is seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Seen {
+    /// CIEDE2000 below [`HARD_TO_SEE`].
+    Hardly,
+    /// From there: where the two colours touch.
+    SideBySide,
+    /// From 2.
+    Visible,
+    /// From 5: beyond what CIEDE2000 was made for.
+    Large,
+}
+
+/// CIEDE2000 below which a difference is hard to see.
+pub const HARD_TO_SEE: f64 = 1.0;
+
+/// What is said of a difference: on a badge, of a model ("Model and light ..."), behind a figure,
+/// and what it means.
+struct SeenWords {
+    word: &'static str,
+    verdict: &'static str,
+    seen: &'static str,
+    meaning: &'static str,
+}
+
+const fn seen_words([word, verdict, seen, meaning]: [&'static str; 4]) -> SeenWords {
+    SeenWords {
+        word,
+        verdict,
+        seen,
+        meaning,
+    }
+}
+
+/// In the order of [`Seen::ALL`].
+const SEEN: [SeenWords; 4] = [
+    seen_words([
+        "Hard to see",
+        "are hard to tell apart by eye",
+        "hard to see",
+        "CIEDE2000 below 1: hard to see, not invisible. Half of the observers see 0.8, practised \
+         ones less (Paravina et al. 2015, ISO/TR 28642).",
+    ]),
+    seen_words([
+        "Side by side",
+        "differ side by side",
+        "seen side by side",
+        "CIEDE2000 from 1 to 2: seen where both colours touch. To half of the observers 1.8 is no \
+         match any more (ISO/TR 28642).",
+    ]),
+    seen_words([
+        "Visible",
+        "visibly differ",
+        "visible",
+        "CIEDE2000 from 2 to 5: seen by whoever looks for it.",
+    ]),
+    seen_words([
+        "Large",
+        "look different",
+        "large",
+        "CIEDE2000 above 5: a large difference, more than the formula is meant for.",
+    ]),
+];
+
+impl Seen {
+    /// From the least difference to the largest.
+    pub const ALL: [Self; 4] = [Self::Hardly, Self::SideBySide, Self::Visible, Self::Large];
+
+    /// How a CIEDE2000 is seen.
+    pub fn of(delta_e_2000: f64) -> Self {
+        match delta_e_2000 {
+            d if d < HARD_TO_SEE => Self::Hardly,
+            d if d < 2.0 => Self::SideBySide,
+            d if d <= 5.0 => Self::Visible,
+            _ => Self::Large,
+        }
+    }
+
+    fn words(self) -> &'static SeenWords {
+        &SEEN[self as usize]
+    }
+
+    /// In a word or two, for a badge.
+    pub fn word(self) -> &'static str {
+        self.words().word
+    }
+
+    /// Behind a figure, in small letters.
+    pub fn seen(self) -> &'static str {
+        self.words().seen
+    }
+
+    /// As a verdict on the model of a light, a surface or a filter.
+    pub fn verdict(self, subject: &str) -> String {
+        format!("Model and {subject} {}", self.words().verdict)
+    }
+
+    /// What it means, a sentence or two.
+    pub fn meaning(self) -> &'static str {
+        self.words().meaning
+    }
+}
+
+/// Words of a figure from a border on, the highest border first.
+type Borders = &'static [(f64, &'static str)];
+
+/// The words of the first border that a figure reaches; those of the lowest for no number.
+fn reached(borders: Borders, figure: f64) -> &'static str {
+    let found = borders.iter().find(|(border, _)| figure >= *border);
+    found.or(borders.last()).map_or("", |(_, words)| words)
+}
+
+const OF_RF: Borders = &[
+    (95.0, "shifts colours very little"),
+    (85.0, "shifts colours a little"),
+    (70.0, "shifts colours visibly"),
+    (50.0, "shifts colours strongly"),
+    (f64::NEG_INFINITY, "distorts colours"),
+];
+
+/// Behind a light's name: what it does to colours on average, by Rf.
+pub fn of_rf(rf: f64) -> &'static str {
+    reached(OF_RF, rf)
+}
+
+const OF_RA: Borders = &[
+    (95.0, "test colours hardly shift on average"),
+    (90.0, "test colours shift a little on average"),
+    (80.0, "enough for most work indoors (EN 12464-1)"),
+    (60.0, "test colours shift visibly on average"),
+    (20.0, "test colours shift strongly on average"),
+    (
+        f64::NEG_INFINITY,
+        "test colours shift very strongly on average",
+    ),
+];
+
+/// What Ra tells of the mean of its eight test colours.
+pub fn of_ra(ra: f64) -> &'static str {
+    reached(OF_RA, ra)
+}
+
+const OF_RG: Borders = &[
+    (
+        102.0,
+        "colours more vivid than under the reference on average",
+    ),
+    (98.0, "colours as vivid as under the reference on average"),
+    (80.0, "colours duller than under the reference on average"),
+    (
+        f64::NEG_INFINITY,
+        "colours much duller than under the reference on average",
+    ),
+];
+
+/// How vivid colours are, by Rg.
+pub fn of_rg(rg: f64) -> &'static str {
+    reached(OF_RG, rg)
+}
+
+const OF_SAMPLE: Borders = &[
+    (90.0, "looks right"),
+    (75.0, "looks a little off"),
+    (50.0, "looks off"),
+    (f64::NEG_INFINITY, "looks wrong"),
+];
+
+/// How a test colour looks, by its index.
+pub fn of_sample(index: f64) -> &'static str {
+    reached(OF_SAMPLE, index)
+}
+
+/// Share of the chroma that a hue must gain or lose before it is said, Rcs,h.
+const TOLD_CHROMA: f64 = 0.01;
+
+/// Which way vividness went where all of the hue bins say the same: "duller" or "more vivid".
+pub fn of_chroma(rcs: &[f64]) -> Option<&'static str> {
+    let all = |is: fn(f64) -> bool| !rcs.is_empty() && rcs.iter().all(|r| is(*r));
+    if all(|r| r > TOLD_CHROMA) {
+        Some("more vivid")
+    } else {
+        all(|r| r < -TOLD_CHROMA).then_some("duller")
+    }
+}
+
+const OF_SSI: Borders = &[
+    (90.0, "very like"),
+    (70.0, "like"),
+    (50.0, "in part unlike"),
+    (f64::NEG_INFINITY, "unlike"),
+];
+
+/// How like a reference a spectrum is, and what that tells of cameras.
+pub fn of_ssi(index: f64, reference: &str) -> String {
+    let cameras = match index {
+        i if i >= 90.0 => "cameras should match",
+        i if i >= 70.0 => "cameras should nearly match",
+        _ => "cameras may or may not match",
+    };
+    format!("{} {reference}: {cameras}", reached(OF_SSI, index))
+}
+
+const HUES: Borders = &[
+    (617.0, "red"),
+    (597.0, "reddish orange"),
+    (586.0, "orange"),
+    (580.0, "yellowish orange"),
+    (575.0, "yellow"),
+    (571.0, "greenish yellow"),
+    (558.0, "yellow green"),
+    (530.0, "yellowish green"),
+    (498.0, "green"),
+    (493.0, "bluish green"),
+    (487.0, "blue green"),
+    (482.0, "greenish blue"),
+    (465.0, "blue"),
+    (430.0, "purplish blue"),
+    (f64::NEG_INFINITY, "violet"),
+];
+
+/// The name of a wavelength's light.
+pub fn of_wavelength(nm: f64) -> &'static str {
+    reached(HUES, nm)
+}
+
+const OF_CCT: Borders = &[
+    (8000.0, "bluish white"),
+    (5300.0, "cool white"),
+    (3300.0, "neutral white"),
+    (2000.0, "warm white"),
+    (f64::NEG_INFINITY, "amber"),
+];
+
+/// The name of a white by its temperature, K; only for what is near the blackbodies.
+pub fn of_cct(kelvin: f64) -> &'static str {
+    reached(OF_CCT, kelvin)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_difference_has_words_that_claim_no_more_than_its_figure() {
+        for (delta, seen) in [
+            (0.0, Seen::Hardly),
+            (0.999, Seen::Hardly),
+            (1.0, Seen::SideBySide),
+            (2.0, Seen::Visible),
+            (5.0, Seen::Visible),
+            (5.001, Seen::Large),
+            (f64::NAN, Seen::Large),
+        ] {
+            assert_eq!(Seen::of(delta), seen, "{delta}");
+        }
+        let said = Seen::Hardly.verdict("light");
+        assert_eq!(said, "Model and light are hard to tell apart by eye");
+        assert!(Seen::Hardly.meaning().contains("ISO/TR 28642"));
+        for seen in Seen::ALL {
+            assert!(seen.meaning().ends_with('.'));
+            let all = [seen.word(), seen.seen(), seen.meaning()].join(" ");
+            for word in ["nobody", "cannot", "wrong"] {
+                assert!(!all.to_lowercase().contains(word), "{all}");
+            }
+        }
+    }
+
+    #[test]
+    fn borders_fall_and_every_figure_has_words() {
+        for borders in [OF_RF, OF_RA, OF_RG, OF_SAMPLE, OF_SSI, HUES, OF_CCT] {
+            assert!(borders.windows(2).all(|pair| pair[0].0 > pair[1].0));
+            for figure in [-1e300, -1.0, 50.0, 575.0, 1e300, f64::NAN] {
+                assert!(!reached(borders, figure).is_empty());
+            }
+        }
+        // Kelly's yellow is narrow: 560-570 nm are yellow green.
+        assert_eq!(of_wavelength(565.0), "yellow green");
+        assert_eq!(of_wavelength(578.0), "yellow");
+    }
+
+    #[test]
+    fn vividness_is_told_only_where_all_hues_say_the_same() {
+        assert_eq!(of_chroma(&[0.3]), Some("more vivid"));
+        assert_eq!(of_chroma(&[-0.3, -0.02]), Some("duller"));
+        for silent in [&[][..], &[0.005], &[-0.3, 0.2], &[f64::NAN]] {
+            assert_eq!(of_chroma(silent), None, "{silent:?}");
+        }
+    }
+}

@@ -1,0 +1,162 @@
+//! One curve that was printed in several columns: the units of the wavelengths along the head of the
+//! table and the tens down its side (`nm 0 1 2 ... 9`), or its second half beside the first.
+
+use super::pick::Table;
+use super::roles::Group;
+use super::row_order::runs_one_way;
+use super::titles::Titles;
+
+/// Fewest rows that tell that a table is folded.
+const FEWEST_ROWS: usize = 3;
+
+/// How much longer the way up and down a curve may be than that of every tenth of its points: lines
+/// of light stand between them.
+const LABELLED: f64 = 5.0;
+const UNLABELLED: f64 = 1.5;
+
+/// The table with one column of wavelengths and one of values, and what is said of it, where columns
+/// are pieces of one curve.
+pub(crate) fn unfold<'a>(
+    table: &Table<'a>,
+    groups: &[Group],
+    wavelength: usize,
+) -> Option<(Table<'a>, String)> {
+    match groups {
+        [one] => in_rows(table, one),
+        [_, _, ..] => side_by_side(table, groups),
+        [] => None,
+    }
+    .map(|(points, title, said)| (of_points(table, wavelength, points, title), said.to_owned()))
+}
+
+/// A wavelength, a value and its line.
+type Point = (f64, f64, u32);
+
+/// The points of a curve, the column whose title it has, and what is said of it.
+type Unfolded = (Vec<Point>, Option<usize>, &'static str);
+
+fn of_points<'a>(
+    table: &Table<'a>,
+    axis: usize,
+    points: Vec<Point>,
+    title: Option<usize>,
+) -> Table<'a> {
+    let of = |texts: &[String]| {
+        let value = title.map_or(String::new(), |column| texts[column].clone());
+        vec![texts[axis].clone(), value]
+    };
+    let Titles { names, units } = &table.titles;
+    Table {
+        titles: Titles {
+            names: of(names),
+            units: of(units),
+        },
+        block: table.block.of_points((axis, title), &points),
+        ..table.clone()
+    }
+}
+
+/// Pairs of columns under the same titles whose wavelengths and values go on from one to the next.
+fn side_by_side(table: &Table, groups: &[Group]) -> Option<Unfolded> {
+    let (block, titles) = (&table.block, &table.titles);
+    let mut points: Vec<Point> = Vec::new();
+    let mut joints = Vec::new();
+    let first = &groups[0];
+    for group in groups {
+        let [value] = group.values[..] else {
+            return None;
+        };
+        let is_alike = titles.whole(group.axis) == titles.whole(first.axis)
+            && titles.whole(value) == titles.whole(first.values[0]);
+        if !is_alike {
+            return None;
+        }
+        joints.push(points.len());
+        let rows = block.column(group.axis).iter().zip(block.column(value));
+        let rows = rows
+            .zip(&block.lines)
+            .filter(|((nm, v), _)| !nm.is_nan() && !v.is_nan());
+        points.extend(rows.map(|((nm, v), line)| (*nm, *v, *line)));
+    }
+    let nm: Vec<f64> = points.iter().map(|point| point.0).collect();
+    let least = groups.len() * FEWEST_ROWS;
+    if points.len() < least || !runs_one_way(&nm) {
+        return None;
+    }
+    let step = |at: usize| (points[at].0 - points[at - 1].0).abs();
+    let rise = |at: usize| (points[at].1 - points[at - 1].1).abs();
+    let inside = || (1..points.len()).filter(|at| !joints.contains(at));
+    let most_step = inside().map(step).fold(0.0, f64::max);
+    let most_rise = inside().map(rise).fold(0.0, f64::max);
+    let goes_on = |at: &usize| *at == 0 || step(*at) <= 1.01 * most_step && rise(*at) <= most_rise;
+    let said = "columns side by side go on with one another: read as one spectrum";
+    joints
+        .iter()
+        .all(goes_on)
+        .then_some((points, Some(first.values[0]), said))
+}
+
+/// Rows of as many values as lie between the wavelengths of two rows.
+fn in_rows(table: &Table, group: &Group) -> Option<Unfolded> {
+    let (block, titles) = (&table.block, &table.titles);
+    let (count, rows) = (group.values.len(), block.rows());
+    let axis = block.column(group.axis);
+    if count < 2 || rows < FEWEST_ROWS {
+        return None;
+    }
+    let step = axis[1] - axis[0];
+    let is_even = axis
+        .windows(2)
+        .all(|pair| (pair[1] - pair[0] - step).abs() <= 1e-6 * step);
+    if !(step > 0.0 && is_even) {
+        return None;
+    }
+    let along = step / count as f64;
+    // Nobody prints a curve at every seventh of a nm.
+    let is_round = (2.0 * along).fract() == 0.0;
+    let label = |column: &usize| titles.whole(*column).parse::<f64>().ok();
+    let labels: Option<Vec<f64>> = group.values.iter().map(label).collect();
+    let is_label = |(at, label): (usize, &f64)| (label - along * at as f64).abs() <= 1e-6 * step;
+    let most = match &labels {
+        Some(labels) if labels.iter().enumerate().all(is_label) => LABELLED,
+        Some(_) => return None,
+        None if is_round
+            && count >= 5
+            && group.values.iter().all(|c| titles.whole(*c).is_empty()) =>
+        {
+            UNLABELLED
+        }
+        None => return None,
+    };
+    let mut points = Vec::with_capacity(rows * count);
+    for (row, line) in block.lines.iter().enumerate() {
+        for (at, column) in group.values.iter().enumerate() {
+            let nm = axis[row] + along * at as f64;
+            points.push((nm, block.column(*column)[row], *line));
+        }
+    }
+    let way = |values: &mut dyn Iterator<Item = f64>| -> f64 {
+        let values: Vec<f64> = values.filter(|value| !value.is_nan()).collect();
+        values
+            .windows(2)
+            .map(|pair| (pair[1] - pair[0]).abs())
+            .sum()
+    };
+    let folded: f64 = group
+        .values
+        .iter()
+        .map(|c| way(&mut block.column(*c).iter().copied()))
+        .sum();
+    let whole = way(&mut points.iter().map(|point| point.1));
+    // Of repeated readings the values of a row would be one, with a step to the next row.
+    let at_ends: f64 = (1..rows)
+        .map(|row| (points[row * count].1 - points[row * count - 1].1).abs())
+        .filter(|step| !step.is_nan())
+        .sum();
+    let is_curve = whole > 0.0
+        && whole <= most * folded / count as f64
+        && at_ends * count as f64 <= 3.0 * whole.max(f64::MIN_POSITIVE);
+    points.retain(|point| !point.1.is_nan());
+    let said = "each row goes on in its columns: read as one spectrum";
+    (is_curve && points.len() > rows).then_some((points, None, said))
+}
