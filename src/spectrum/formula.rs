@@ -172,7 +172,10 @@ impl Formula {
     }
 
     fn of_gases(&self, um: f64) -> Pair {
-        above(self.c(1), gas(self.coefficients.get(1..).unwrap_or(&[]), um))
+        above(
+            self.c(1),
+            gas(self.coefficients.get(1..).unwrap_or(&[]), um),
+        )
     }
 
     fn herzberger(&self, um: f64) -> Pair {

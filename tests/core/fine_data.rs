@@ -298,11 +298,9 @@ fn a_label_that_is_rounded_takes_nothing_from_a_peak() {
             .expect("rising")
             .on_grid(530.0, 1.0, 31, Outside::Zero);
         // As far from the peak as the samples are from the grid: the slope is 1 a nm.
-        assert!(
-            (grid[15] - (1.0 - by.abs())).abs() < 1e-9,
-            "{by}: {}",
-            grid[15]
-        );
+        // As its neighbours are joined over the label, up to two thirds of that more.
+        let most = (1.0 + 2.0 / 3.0) * by.abs() + 1e-9;
+        assert!((grid[15] - 1.0).abs() <= most, "{by}: {}", grid[15]);
         assert!((grid.iter().sum::<f64>() - 1.0).abs() < 1e-9, "{by}");
     }
 }

@@ -4,6 +4,7 @@
 //! viewing     a light and an observer: colours as sums over 81 nodes
 //! colour      sRGB, XYZ, Lab, xyY, and what they ask of a surface under a light
 //! method      the ways: smoothest, three and six Fourier coefficients, lines
+//! edge        how far a colour may go from grey
 //! smoothest   the bounded smoothest reflectance
 //! fourier     the paper's Eq. 18
 //! possible    colours that no surface has, and the nearest that one has
@@ -16,6 +17,7 @@
 //! ```
 
 mod colour;
+mod edge;
 mod error;
 mod fourier;
 mod lines;

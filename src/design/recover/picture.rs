@@ -11,7 +11,7 @@ use std::sync::Arc;
 use super::{
     colour::Colour,
     error::RecoverError,
-    smoothest::{State, smoothest, towards_grey},
+    smoothest::{State, smoothest},
     viewing::{BAND, NODES, Nodes, STEP_NM, Viewing},
 };
 use crate::{

@@ -17,11 +17,11 @@
 //! Source of the idea: S. A. Burns, "Numerical methods for smoothest reflectance reconstruction",
 //! Color Research and Application 45 (2020) 8-21, "least hyperbolic tangent slope squared".
 
-use super::viewing::NODES;
-use crate::design::{
-    programme::Programme,
-    small::{add, dot, negative_pivots, solved},
+use super::{
+    edge::{edge_behind, white},
+    viewing::NODES,
 };
+use crate::design::small::{add, dot, negative_pivots, solved};
 
 /// Newton's steps from one start; most colours take six to ten.
 const MOST_STEPS: usize = 60;
@@ -90,14 +90,6 @@ impl<const M: usize> State<M> {
     pub(super) fn reflectance(&self) -> [f64; NODES] {
         self.z.map(reflectance_of)
     }
-}
-
-/// The colours of a surface that reflects everything.
-fn white<const M: usize>(columns: &[[f64; M]; NODES]) -> [f64; M] {
-    columns.iter().fold([0.0; M], |mut sum, column| {
-        add(&mut sum, column, 1.0);
-        sum
-    })
 }
 
 /// The reflectance of an unknown: (1 + tanh z) / 2.
@@ -193,43 +185,6 @@ fn mixed_with_edge<const M: usize>(
     Some(std::array::from_fn(|j| {
         (level + (at_edge[j] - level) / edge).clamp(0.0, 1.0)
     }))
-}
-
-/// How far the way from grey goes before it reaches the edge of what a surface can do, as a
-/// multiple of `away`, and the reflectance there.
-fn edge_behind<const M: usize>(
-    columns: &[[f64; M]; NODES],
-    grey: [f64; M],
-    away: [f64; M],
-) -> Option<(f64, [f64; NODES])> {
-    // sum r_j c_j - t away = grey, greatest t.
-    let mut wide: Vec<[f64; M]> = columns.to_vec();
-    wide.push(away.map(|v| -v));
-    let mut upper = vec![1.0; NODES];
-    upper.push(f64::INFINITY);
-    let mut gain = vec![0.0; NODES];
-    gain.push(1.0);
-    let mut programme = Programme::new(&wide, &upper, grey);
-    let mut corner = programme.corner().ok()?;
-    let edge = programme.maximise(&mut corner, &gain).ok()?;
-    let found = programme.solution(&corner);
-    Some((edge, std::array::from_fn(|j| found[j])))
-}
-
-/// A reflectance for a colour that no surface has: where the way to it from the grey of its
-/// luminance leaves the body of what a surface can do. Not the nearest, but found at once.
-pub(super) fn towards_grey<const M: usize>(
-    columns: &[[f64; M]; NODES],
-    target: [f64; M],
-) -> [f64; NODES] {
-    let greys = white(columns);
-    let level = target[1].clamp(0.02, 0.98);
-    let grey = greys.map(|v| v * level);
-    let away: [f64; M] = std::array::from_fn(|k| target[k] - grey[k]);
-    let edge = edge_behind(columns, grey, away);
-    edge.map_or([level; NODES], |(_, found)| {
-        found.map(|v| v.clamp(0.0, 1.0))
-    })
 }
 
 /// Newton's method from a state; false where it does not arrive at a least.

@@ -17,6 +17,7 @@ use nalgebra::{DMatrix, DVector};
 use super::{
     part::{Local, Part, Parts},
     polytope::Polytope,
+    prices::{Prices, short_of_zero},
 };
 use crate::{
     design::scales::{Scales, Sums},
@@ -38,9 +39,6 @@ const TURN: f64 = 0.1;
 /// Newton's steps of a turn; two as a rule.
 const MOST_STEPS: usize = 12;
 
-/// Share of the way to the edge that a step goes at most.
-const SHORT_OF_EDGE: f64 = 0.99;
-
 /// Sizes of differences are rounded off by this where they are limits of another goal: .005 of Ra.
 const ROUNDED: f64 = 1e-3;
 
@@ -52,10 +50,6 @@ const LEAST_FALL: f64 = 1e-4;
 
 /// A step shorter than this share of Newton's leads nowhere.
 const SHORTEST_STEP: f64 = 1e-8;
-
-/// A price is at most so many times what the barrier asks, and at least its inverse: wide enough
-/// for a step to be Newton's, and no edge is forgotten.
-const PRICES_WITHIN: f64 = 1e3;
 
 /// Share of the middle in a start that lies towards a corner: a fifth of the way from the edge.
 const OF_THE_MIDDLE: f64 = 0.2;
@@ -122,42 +116,6 @@ struct Bent {
     rooms: Vec<(f64, DVector<f64>)>,
 }
 
-/// What the edges are worth: multipliers of the unknowns and of the limits.
-struct Prices {
-    unknowns: DVector<f64>,
-    limits: Option<Vec<f64>>,
-}
-
-impl Prices {
-    /// Goes along with a step from a place.
-    fn follow(
-        &mut self,
-        place: &DVector<f64>,
-        step: &DVector<f64>,
-        barrier: f64,
-        rooms: &[(f64, DVector<f64>)],
-    ) {
-        let now = &self.unknowns;
-        let change = DVector::from_fn(step.len(), |j, _| {
-            (barrier - now[j] * step[j]) / place[j] - now[j]
-        });
-        let part = short_of_zero(now, &change);
-        self.unknowns.axpy(part, &change, 1.0);
-        let tolls = self.limits.iter_mut().flatten();
-        for ((room, rise), toll) in rooms.iter().zip(tolls) {
-            let asked = (barrier - *toll * rise.dot(step)) / room;
-            *toll = asked.max((1.0 - SHORT_OF_EDGE) * *toll);
-        }
-    }
-
-    /// Stays near what the barrier itself would ask, or a step forgets the edge.
-    fn stay_near(&mut self, place: &DVector<f64>, barrier: f64) {
-        for (price, room) in self.unknowns.iter_mut().zip(place.iter()) {
-            *price = price.clamp(barrier / room / PRICES_WITHIN, PRICES_WITHIN * barrier / room);
-        }
-    }
-}
-
 impl<'a> Interior<'a> {
     /// The mixtures of a polytope; `sums` of each of its columns. `starts` are looked for.
     pub(super) fn new(
@@ -180,7 +138,9 @@ impl<'a> Interior<'a> {
         corners
             .iter()
             .for_each(|corner| middle += corner / corners.len() as f64);
-        let towards = corners.iter().map(|corner| (1.0 - OF_THE_MIDDLE) * corner + OF_THE_MIDDLE * &middle);
+        let towards = corners
+            .iter()
+            .map(|corner| (1.0 - OF_THE_MIDDLE) * corner + OF_THE_MIDDLE * &middle);
         let rows = DMatrix::from_fn(3, kept.len(), |row, column| {
             let (index, most) = kept[column];
             within.columns[index][row] * most
@@ -223,7 +183,9 @@ impl<'a> Interior<'a> {
         };
         let room = limits
             .iter()
-            .map(|limit| Some(limit.most - self.parts.at(&limit.part, &inside, ROUNDED, false)?.value))
+            .map(|limit| {
+                Some(limit.most - self.parts.at(&limit.part, &inside, ROUNDED, false)?.value)
+            })
             .collect::<Option<Vec<f64>>>()?;
         let found = match room.iter().all(|room| *room > 0.0) {
             true => self.descended(&inside, goal, limits, None)?,
@@ -430,13 +392,6 @@ impl<'a> Interior<'a> {
             goal: value(goal)?,
         })
     }
-}
-
-/// How much of a step leaves every number positive, at most all of it.
-fn short_of_zero(from: &DVector<f64>, step: &DVector<f64>) -> f64 {
-    let both = from.iter().zip(step.iter()).filter(|(_, s)| **s < 0.0);
-    both.map(|(v, s)| -SHORT_OF_EDGE * v / s)
-        .fold(1.0, f64::min)
 }
 
 /// Rows at right angles that span the same as those given, but for what rounding alone tells apart.

@@ -6,6 +6,8 @@
 //! figures   the figures of a mixture
 //! polytope  all mixtures of a colour
 //! interior  the best by a figure that is no sum
+//! part      a figure at a mixture: value, slope, bend
+//! prices    the worth of the edges of the interior
 //! solution  weights for a wish
 //! best      the best by figures of samples, the fewest channels
 //! against   what efficacy is traded for
@@ -23,13 +25,14 @@ mod best;
 mod figures;
 mod front;
 mod interior;
-mod part;
 mod light;
 mod line_moves;
 mod line_search;
 mod many_lines;
 mod net;
+mod part;
 mod polytope;
+mod prices;
 mod report;
 mod solution;
 mod target;
