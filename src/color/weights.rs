@@ -9,7 +9,8 @@ use crate::spectrum::Band;
 /// On the grid they are three plain rows of [`Band::points`] values. Behind a factor (a filter
 /// before a light, a light on a surface) a line is weighed by the factor times the colour-matching
 /// functions, each read off at the line's own wavelength: the product of two straight lines, which
-/// is not the straight line between two products.
+/// is not the straight line between two products. In the cell of the grid where the table of the
+/// functions itself begins or ends, the functions rise from zero at the grid point before.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Weights {
     band: Band,
@@ -94,33 +95,35 @@ mod tests {
         let band = Band::VISIBLE;
         let filter = |nm: f64| (-((nm - 540.5) / 6.0).powi(2)).exp();
         let factor: Vec<f64> = band.grid().map(filter).collect();
-        let observer = Observer::Cie1931;
-        let weights = observer.table().on_band(band).behind(&factor);
-        let patches = PatchSet::new(
-            std::slice::from_ref(&factor),
-            vec!["filter".into()],
-            band,
-            observer,
-        );
-        for at_nm in [380.0_f64, 435.5, 546.5, 589.25, 611.5, 779.75, 780.0] {
-            // The straight line through the factor's grid points, by hand.
-            let left = at_nm.floor().min(779.0);
-            let t = at_nm - left;
-            let read_off = filter(left) * (1.0 - t) + filter(left + 1.0) * t;
-            let expected = observer.table().at(at_nm).map(|v| v * read_off);
-            let mut patch = patches.buffer();
-            patches.add_line(at_nm, 1.0, &mut patch);
-            for ((found, hand), patch) in weights.at(at_nm).into_iter().zip(expected).zip(patch[0])
-            {
-                // Rounding: the same sum, bracketed in another way.
-                assert!((found - hand).abs() < 1e-15, "{at_nm} nm: {found}, {hand}");
-                assert!(
-                    (found - patch).abs() < 1e-15,
-                    "{at_nm} nm: {found}, {patch}"
-                );
+        for observer in Observer::ALL {
+            let weights = observer.table().on_band(band).behind(&factor);
+            let patches = PatchSet::new(
+                std::slice::from_ref(&factor),
+                vec!["filter".into()],
+                band,
+                observer,
+            );
+            for at_nm in [435.5_f64, 546.5, 589.25, 611.5, 779.75, 780.0] {
+                // The straight line through the factor's grid points, by hand.
+                let left = at_nm.floor().min(779.0);
+                let t = at_nm - left;
+                let read_off = filter(left) * (1.0 - t) + filter(left + 1.0) * t;
+                let expected = observer.table().at(at_nm).map(|v| v * read_off);
+                let mut patch = patches.buffer();
+                patches.add_line(at_nm, 1.0, &mut patch);
+                for ((found, hand), patch) in
+                    weights.at(at_nm).into_iter().zip(expected).zip(patch[0])
+                {
+                    // Rounding: the same sum, bracketed in another way.
+                    assert!((found - hand).abs() < 1e-15, "{at_nm} nm: {found}, {hand}");
+                    assert!(
+                        (found - patch).abs() < 1e-15,
+                        "{at_nm} nm: {found}, {patch}"
+                    );
+                }
             }
+            assert_eq!(weights.at(379.9), [0.0; 3]);
+            assert_eq!(weights.at(780.1), [0.0; 3]);
         }
-        assert_eq!(weights.at(379.9), [0.0; 3]);
-        assert_eq!(weights.at(780.1), [0.0; 3]);
     }
 }

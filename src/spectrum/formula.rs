@@ -234,6 +234,12 @@ mod tests {
         formula.expect("a formula").index(um)
     }
 
+    #[test]
+    fn a_last_coefficient_without_its_partner_counts() {
+        // n = C1 + C2 um^0.
+        assert!((index(5, &[1.5, 0.004], 0.589) - 1.504).abs() < 1e-15);
+    }
+
     /// Published values: n at a wavelength (um) by the formula and coefficients of the site.
     #[test]
     fn published_indices_are_met() {

@@ -7,6 +7,20 @@ use spectral_explorer::{
     spectrum::{Kind, NamedSpectrum, Sampled},
 };
 
+/// The groups of the 137 lamps that the study counts.
+pub(crate) const COUNTED_GROUPS: [&str; 10] = [
+    "cie_illuminants",
+    "cie_fluorescent_1nm",
+    "cie_fluorescent_5nm",
+    "cie_led_1nm",
+    "cie_hp_5nm",
+    "lamps_nist_traditional",
+    "lamps_nist_philips",
+    "lamps_nist_led",
+    "lamps_rit",
+    "lamps_common",
+];
+
 /// Every shipped light of a shelf that is a table.
 pub(crate) fn on_shelf(shelf: Shelf) -> Vec<&'static NamedSpectrum> {
     Library::bundled()

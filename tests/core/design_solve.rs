@@ -549,6 +549,25 @@ fn no_random_mixture_of_the_colour_is_clearly_better_than_the_solved_one() {
 }
 
 #[test]
+fn two_floors_of_one_number_are_each_their_own() {
+    let wish = |floors: Floors| Wish {
+        target: at_4000(),
+        favour: Favour::Ra,
+        floors,
+        ..Wish::default()
+    };
+    let channels = named(&LEDS);
+    let melanopic = Floors::default().with("melanopic=0.75").unwrap();
+    let alone = solved(&channels, wish(melanopic));
+    // A floor of .75 lm/W is no floor: every white has more.
+    let both = solved(&channels, wish(melanopic.with("ler=0.75").unwrap()));
+    assert_eq!(alone.reached, both.reached);
+    let [alone, both] = [alone, both].map(|found| found.figures);
+    assert!((alone.melanopic_der - both.melanopic_der).abs() < 1e-3);
+    assert!((alone.ra.unwrap() - both.ra.unwrap()).abs() < 0.05);
+}
+
+#[test]
 fn floors_are_kept_or_what_is_missing_is_told() {
     let channels = named(&LEDS);
     let floors = Floors::default()

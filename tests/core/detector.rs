@@ -25,23 +25,9 @@ use spectral_explorer::{
 
 const BAND: Band = Band::VISIBLE;
 
-/// The groups of the 137 lamps that the study counts.
-const LAMP_GROUPS: [&str; 10] = [
-    "cie_illuminants",
-    "cie_fluorescent_1nm",
-    "cie_fluorescent_5nm",
-    "cie_led_1nm",
-    "cie_hp_5nm",
-    "lamps_nist_traditional",
-    "lamps_nist_philips",
-    "lamps_nist_led",
-    "lamps_rit",
-    "lamps_common",
-];
-
 fn lamps() -> Vec<(String, Vec<f64>)> {
     let presets = Library::bundled().presets();
-    let lamps = presets.filter(|preset| LAMP_GROUPS.contains(&preset.group.as_str()));
+    let lamps = presets.filter(|preset| lights::COUNTED_GROUPS.contains(&preset.group.as_str()));
     let tables = lamps.filter_map(|lamp| Some((lamp.id(), values(lamp.spectrum()?, BAND))));
     let tables: Vec<_> = tables.collect();
     assert_eq!(tables.len(), 137);

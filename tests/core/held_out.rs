@@ -12,7 +12,7 @@ use spectral_explorer::{
     study::{Progress, Race, race::Racer},
 };
 
-use crate::lamps::{files_of_others, measured_lamps};
+use crate::lamps::{files_of_others, likeness_to_known, measured_lamps};
 
 const COUNTS: [usize; 3] = [11, 20, 31];
 
@@ -51,14 +51,10 @@ fn won(race: &Race, ours: Racer) -> [usize; 2] {
     })
 }
 
-#[test]
-fn measured_lamps_that_nothing_was_made_from_are_told_best_by_known_lamps_and_wide_lines() {
-    let at_hand = files_of_others();
-    // The two of the repository are among those of the folder.
-    let lamps = match at_hand.is_empty() {
-        true => measured_lamps(),
-        false => at_hand,
-    };
+fn are_told_best_by_known_lamps_and_wide_lines(lamps: Vec<(String, Vec<f64>)>) {
+    for (name, values) in &lamps {
+        assert!(likeness_to_known(values) < 0.9999, "{name}");
+    }
     let count = lamps.len();
     let race = race_of(lamps);
     let of = [Racer::KnownLamps, Racer::WideLines].map(|ours| won(&race, ours));
@@ -71,4 +67,19 @@ fn measured_lamps_that_nothing_was_made_from_are_told_best_by_known_lamps_and_wi
         assert_eq!(of, 162);
         assert!(2 * won > of, "{won} of {of}");
     }
+}
+
+#[test]
+fn measured_lamps_that_nothing_was_made_from_are_told_best_by_known_lamps_and_wide_lines() {
+    are_told_best_by_known_lamps_and_wide_lines(measured_lamps());
+}
+
+#[test]
+fn so_are_the_lamps_in_the_files_of_others() {
+    let lamps = files_of_others();
+    if lamps.is_empty() {
+        println!("skipped: the folder of others' files is not at hand");
+        return;
+    }
+    are_told_best_by_known_lamps_and_wide_lines(lamps);
 }

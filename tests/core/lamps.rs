@@ -274,6 +274,22 @@ fn hostile_lights_are_nearer_than_by_a_cosine_series_but_not_all_of_them() {
     }
 }
 
+fn unit(values: &[f64]) -> Vec<f64> {
+    let norm = values.iter().map(|v| v * v).sum::<f64>().sqrt();
+    values.iter().map(|v| v / norm).collect()
+}
+
+/// The greatest cosine of a light with any known lamp.
+pub(crate) fn likeness_to_known(values: &[f64]) -> f64 {
+    let atoms = encoder().decoder().atoms().iter();
+    let cosines = atoms.map(|atom| cosine(&unit(&atom.values), &unit(values)));
+    cosines.fold(0.0, f64::max)
+}
+
+fn cosine(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
 /// Lights in the files of others, where they are at hand: none that is shipped or like one.
 pub(crate) fn files_of_others() -> Vec<(String, Vec<f64>)> {
     let folder = crate::root::root().join("../shared/data/real_files");
@@ -283,17 +299,6 @@ pub(crate) fn files_of_others() -> Vec<(String, Vec<f64>)> {
     let mut paths: Vec<_> = listed.filter_map(|item| Some(item.ok()?.path())).collect();
     paths.sort();
     let mut found: Vec<(String, Vec<f64>)> = Vec::new();
-    let unit = |values: &[f64]| {
-        let norm = values.iter().map(|v| v * v).sum::<f64>().sqrt();
-        values.iter().map(|v| v / norm).collect::<Vec<f64>>()
-    };
-    let cosine = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let shipped: Vec<Vec<f64>> = encoder()
-        .decoder()
-        .atoms()
-        .iter()
-        .map(|atom| unit(&atom.values))
-        .collect();
     for path in paths.iter().filter(|path| path.is_file()) {
         let Ok(reading) = read_path(path) else {
             continue;
@@ -305,10 +310,9 @@ pub(crate) fn files_of_others() -> Vec<(String, Vec<f64>)> {
                 continue;
             }
             let values = unit(&table.on_band(BAND, Outside::Zero));
-            let likes = shipped.iter().chain(found.iter().map(|(_, values)| values));
-            let is_new = likes
-                .into_iter()
-                .all(|other| cosine(other, &values) < 0.9999);
+            let mut others = found.iter().map(|(_, values)| values);
+            let is_new = others.all(|other| cosine(other, &values) < 0.9999)
+                && likeness_to_known(&values) < 0.9999;
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             if is_new && encoder().panel().exact(&values).is_some() {
                 found.push((format!("{name}#{}", spectrum.name), values));

@@ -13,19 +13,7 @@ use spectral_explorer::{
     spectrum::{Band, Kind},
 };
 
-/// The groups of the 137 lamps that the study counts.
-const LAMP_GROUPS: [&str; 10] = [
-    "cie_illuminants",
-    "cie_fluorescent_1nm",
-    "cie_fluorescent_5nm",
-    "cie_led_1nm",
-    "cie_hp_5nm",
-    "lamps_nist_traditional",
-    "lamps_nist_philips",
-    "lamps_nist_led",
-    "lamps_rit",
-    "lamps_common",
-];
+use crate::lights::COUNTED_GROUPS;
 
 /// A light with what its page says.
 struct Page {
@@ -71,7 +59,7 @@ fn bell(nm: f64, at_nm: f64, width_nm: f64) -> f64 {
 
 fn shipped() -> Vec<Page> {
     let presets = Library::bundled().presets();
-    let lamps = presets.filter(|preset| LAMP_GROUPS.contains(&preset.group.as_str()));
+    let lamps = presets.filter(|preset| COUNTED_GROUPS.contains(&preset.group.as_str()));
     let tables = lamps.filter_map(|lamp| Some((lamp.id(), lamp.spectrum()?)));
     let pages: Vec<Page> = tables
         .filter(|(_, table)| table.kind == Kind::Light)
@@ -413,7 +401,7 @@ fn a_verdict_on_24_surfaces_says_so_and_tells_the_share_of_all() {
     assert_eq!(app.derived().band, band);
     let (mut hard, mut beyond) = (0, 0);
     for preset in Library::bundled().presets() {
-        if !LAMP_GROUPS.contains(&preset.group.as_str()) {
+        if !COUNTED_GROUPS.contains(&preset.group.as_str()) {
             continue;
         }
         let Some(entry) = app.entry(&preset.id()) else {

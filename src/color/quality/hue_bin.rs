@@ -62,11 +62,25 @@ pub const HUE_NAMES: [&str; BINS] = [
     "reddish purple",
 ];
 
+/// Fidelity lost for each unit of difference in CAM02-UCS, before the bend near zero.
+const FIDELITY_PER_UNIT: f64 = 6.73;
+
 /// The index of a mean colour difference: 100 for none, never below 0. The formula itself gives
 /// 100.0005 for none, which is more than the index has.
 pub(crate) fn index_of(difference: f64) -> f64 {
-    let index = 10.0 * ((100.0 - 6.73 * difference) / 10.0).exp().ln_1p();
+    let index = 10.0
+        * ((100.0 - FIDELITY_PER_UNIT * difference) / 10.0)
+            .exp()
+            .ln_1p();
     index.min(100.0)
+}
+
+/// The mean colour difference of an index; infinite for one of zero or less, which every light has.
+pub(crate) fn difference_of(index: f64) -> f64 {
+    if index <= 0.0 {
+        return f64::INFINITY;
+    }
+    (100.0 - 10.0 * (index / 10.0).exp_m1().ln()) / FIDELITY_PER_UNIT
 }
 
 /// What is summed over a bin's samples.
@@ -127,6 +141,16 @@ mod tests {
         }
         assert_eq!(bin_of([1.0, 0.0]), 0);
         assert_eq!(bin_of([1.0, -1e-18]), 15);
+    }
+
+    #[test]
+    fn the_difference_of_an_index_has_that_index() {
+        for tenths in 1..=1000 {
+            let index = 0.1 * f64::from(tenths);
+            // An index near 0 lies in the tail of the bend, where differences are many.
+            assert!((index_of(difference_of(index)) - index).abs() < 1e-12 * 100.0);
+        }
+        assert_eq!(difference_of(0.0), f64::INFINITY);
     }
 
     #[test]

@@ -46,7 +46,7 @@ mod weight;
 
 pub(crate) use appearance::Eye;
 pub(crate) use fidelity::{area, fidelity_factors};
-pub(crate) use hue_bin::{bin_of, index_of};
+pub(crate) use hue_bin::{bin_of, difference_of, index_of};
 pub(crate) use rendering::{Shift, rendering_factors, uvw};
 
 pub use absolute::{Absolute, Measured, Radiometric, absolute};
@@ -63,5 +63,6 @@ pub use reference::{
     Reference, daylight, daylight_xy, fidelity_reference, planck, rendering_reference,
 };
 pub use rendering::{RENDERING_NAMES, RENDERING_SAMPLES, RenderedSample, Rendering, rendering};
+pub(crate) use rendering::{rendering_difference, rendering_index};
 pub use shape::{Peak, Shape, Width, shape};
 pub use similarity::{Similarity, SimilarityBands, SimilarityReference, similarity};

@@ -93,6 +93,19 @@ impl Rendering {
     }
 }
 
+/// Index lost for each unit of difference in U*V*W*.
+const RENDERING_PER_UNIT: f64 = 4.6;
+
+/// The index of a difference in U*V*W*.
+pub(crate) fn rendering_index(difference: f64) -> f64 {
+    100.0 - RENDERING_PER_UNIT * difference
+}
+
+/// The difference in U*V*W* of an index.
+pub(crate) fn rendering_difference(index: f64) -> f64 {
+    (100.0 - index) / RENDERING_PER_UNIT
+}
+
 /// The colour rendering of a light of this CCT.
 ///
 /// # Errors
@@ -120,7 +133,7 @@ pub fn rendering(light: &Light, cct: Cct) -> Result<Rendering, NoFigure> {
         let b = uvw(expected_uv, reference.y, to);
         let difference = (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt();
         *sample = RenderedSample {
-            index: 100.0 - 4.6 * difference,
+            index: rendering_index(difference),
             test,
             reference,
         };
@@ -226,6 +239,14 @@ static TEST_COLOURS: LazyLock<Vec<Vec<f64>>> = LazyLock::new(|| {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_difference_of_an_index_has_that_index() {
+        for index in [-40.0, 0.0, 80.0, 100.0] {
+            // Rounding of a product and a sum of numbers around 100.
+            assert!((rendering_index(rendering_difference(index)) - index).abs() < 1e-13);
+        }
+    }
 
     #[test]
     fn a_reference_renders_as_itself() {

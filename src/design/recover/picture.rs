@@ -10,6 +10,7 @@ use std::sync::Arc;
 
 use super::{
     colour::Colour,
+    edge::towards_grey,
     error::RecoverError,
     smoothest::{State, smoothest},
     viewing::{BAND, NODES, Nodes, STEP_NM, Viewing},

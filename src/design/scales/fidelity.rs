@@ -6,9 +6,6 @@
 use super::{colours, weighed};
 use crate::color::quality::{BINS, Eye, area, bin_of, fidelity_reference};
 
-/// Index lost for each unit of difference in CAM02-UCS, before the bend near zero.
-const PER_UNIT: f64 = 6.73;
-
 /// Rf and Rg of lights whose reference is prepared.
 #[derive(Clone, Debug)]
 pub(super) struct FidelityScale {
@@ -38,14 +35,6 @@ impl FidelityScale {
             both.map(|(a, b)| std::array::from_fn(|k| a[k] - b[k]))
                 .collect(),
         )
-    }
-
-    /// The mean difference of an index; infinite for one of zero or less, which every light has.
-    pub(super) fn mean(index: f64) -> f64 {
-        if index <= 0.0 {
-            return f64::INFINITY;
-        }
-        (100.0 - 10.0 * (index / 10.0).exp_m1().ln()) / PER_UNIT
     }
 
     pub(super) fn rg(&self, sums: &[f64]) -> Option<f64> {

@@ -21,7 +21,12 @@ pub use samples::SampleTables;
 
 use super::whole_nm;
 use crate::{
-    color::{Observer, Xyz, cct_from_xyz, quality::index_of, weighting, xyz::POINTS},
+    color::{
+        Observer, Xyz, cct_from_xyz,
+        quality::{difference_of, index_of, rendering_difference, rendering_index},
+        weighting,
+        xyz::POINTS,
+    },
     spectrum::Outside,
 };
 
@@ -171,8 +176,8 @@ impl Figure {
     /// The mean difference of an index.
     pub(super) fn mean(self, index: f64) -> f64 {
         match self {
-            Self::Ra => RenderingScale::mean(index),
-            Self::Rf => FidelityScale::mean(index),
+            Self::Ra => rendering_difference(index),
+            Self::Rf => difference_of(index),
         }
     }
 }
@@ -205,7 +210,7 @@ impl Scales {
         let size = |d: &[f64; 3]| d.iter().map(|v| v * v).sum::<f64>().sqrt();
         let mean = all.iter().map(size).sum::<f64>() / all.len() as f64;
         let index = match figure {
-            Figure::Ra => RenderingScale::index(mean),
+            Figure::Ra => rendering_index(mean),
             Figure::Rf => index_of(mean),
         };
         index.is_finite().then_some(index)

@@ -12,9 +12,6 @@ use crate::color::{
 /// Test colours that Ra is the mean of.
 pub(super) const SAMPLES: usize = 8;
 
-/// Index lost for each unit of difference in U*V*W*.
-const PER_UNIT: f64 = 4.6;
-
 /// Ra of lights whose reference is prepared.
 #[derive(Clone, Debug)]
 pub(super) struct RenderingScale {
@@ -45,15 +42,5 @@ impl RenderingScale {
         };
         let both = samples.zip(&self.expected);
         both.map(one).collect()
-    }
-
-    /// The index of a mean difference.
-    pub(super) fn index(mean: f64) -> f64 {
-        100.0 - PER_UNIT * mean
-    }
-
-    /// The mean difference of an index.
-    pub(super) fn mean(index: f64) -> f64 {
-        (100.0 - index) / PER_UNIT
     }
 }
