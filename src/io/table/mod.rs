@@ -3,13 +3,13 @@
 pub(super) mod alternating;
 pub(super) mod block;
 pub(super) mod columns;
+pub(super) mod commas;
 pub(super) mod folded;
 pub(super) mod head;
 pub(super) mod layout;
 pub(super) mod marks;
 pub(super) mod no_table;
 pub(super) mod pick;
-pub(super) mod plain_row;
 pub(super) mod read;
 pub(super) mod roles;
 pub(super) mod row_order;

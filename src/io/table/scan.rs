@@ -4,11 +4,10 @@
 //! a run of rows; blank lines and comments do not end it. Lines that are no rows, and runs of a
 //! single row, are the header of the block that follows. One number is kept a cell, so time and
 //! memory grow with the text's length only. Once a block has shown its width, rows that are nothing
-//! but plain numbers take a short way ([`plain_row`](super::plain_row)); lines without a figure or a
-//! delimiter are no rows at a glance; every other line is looked at cell by cell.
+//! but plain numbers take a short way; lines without a figure or a delimiter are no rows at a glance;
+//! every other line is looked at cell by cell.
 
 use super::block::{Block, LONGEST_BREAK, SETTLED, row_gone_wrong};
-use super::plain_row::PlainRow;
 use crate::io::budget;
 use crate::io::text::dialect::{Delimiter, Dialect, MOST_COLUMNS, used};
 use crate::io::text::first_line;
@@ -96,9 +95,8 @@ struct Scanner<'a> {
 
 impl<'a> Scanner<'a> {
     fn run(&mut self) -> Result<(), TooMuch> {
-        let mut plain = PlainRow::new(self.dialect);
         loop {
-            self.plain_rows(&mut plain)?;
+            self.plain_rows()?;
             self.skip_line_ends();
             let from = self.rest;
             let Some((raw, after)) = first_line(from) else {
@@ -128,26 +126,29 @@ impl<'a> Scanner<'a> {
     }
 
     /// Takes the rows that go on with the open block and are nothing but plain numbers.
-    fn plain_rows(&mut self, plain: &mut PlainRow) -> Result<(), TooMuch> {
+    fn plain_rows(&mut self) -> Result<(), TooMuch> {
         let Some(open) = &mut self.open else {
             return Ok(());
         };
         if open.rows() < SETTLED || open.has_signs() {
             return Ok(());
         }
-        while let Some((row, past)) = plain.read(self.rest, open.width) {
+        let mut row = vec![0.0; open.width];
+        while let Some((line, after)) = first_line(self.rest)
+            && plain_row(line, self.dialect, &mut row)
+        {
             self.line += 1;
             if self.held + open.width > MOST_CELLS {
                 return Err(TooMuch::Cells { line: self.line });
             }
             if open.rows() == LONG {
                 // Lines are about as long as this one: no array grows twice.
-                let rows = self.rest.len() / past + 1;
+                let rows = self.rest.len() / (line.len() + 1) + 1;
                 open.reserve(rows.min(MOST_CELLS / open.width));
             }
             self.held += open.width;
-            open.push_plain(self.line, row);
-            self.rest = &self.rest[past..];
+            open.push_plain(self.line, &row);
+            self.rest = after;
         }
         open.count();
         Ok(())
@@ -309,6 +310,29 @@ fn before_comment(line: &str) -> Option<&str> {
     Some(line[..at].trim_end_matches([',', ';', ' ']))
 }
 
+/// Puts the numbers of a line into `row`; whether they are as many and stand alone. Gaps, quotes,
+/// words and units are left to the slow way, which reads the same numbers.
+fn plain_row(line: &str, dialect: Dialect, row: &mut [f64]) -> bool {
+    fn fill<'a>(mut cells: impl Iterator<Item = &'a str>, comma: bool, row: &mut [f64]) -> bool {
+        let mut next = || cells.next().and_then(|cell| number::number(cell, comma));
+        let is_full = row.iter_mut().all(|to| {
+            let value = next().filter(|value| number::is_measured(*value));
+            value.map(|value| *to = value).is_some()
+        });
+        is_full && cells.next().is_none()
+    }
+    let comma = dialect.decimal_comma;
+    match dialect.mark() {
+        // Where one mark does both, cells are quoted, and not plain.
+        Some(b',') if comma => false,
+        Some(mark) => {
+            let cells = line.split(char::from(mark));
+            fill(cells.map(|cell| cell.trim_matches(' ')), comma, row)
+        }
+        None => fill(line.split_ascii_whitespace(), comma, row),
+    }
+}
+
 fn looks_like_row(kinds: &[Cell]) -> bool {
     let (mut numbers, mut gaps, mut empty, mut texts) = (0, 0, 0, 0);
     for kind in kinds {
@@ -359,6 +383,27 @@ mod tests {
         for block in found {
             let room = block.values[0].capacity().max(block.lines.capacity());
             assert!(room <= 2 * block.rows(), "{room} for {}", block.rows());
+        }
+    }
+
+    #[test]
+    fn a_plain_row_is_numbers_alone() {
+        let read = |text: &str, dialect| {
+            let mut row = [0.0; 2];
+            plain_row(text, dialect, &mut row).then_some(row)
+        };
+        let space = Dialect::new(Delimiter::Space, true);
+        for (dialect, text, row) in [
+            (COMMA, "380,0.5", [380.0, 0.5]),
+            (COMMA, " 380 , -.5e1 ", [380.0, -5.0]),
+            (space, "\t380,5   0,25", [380.5, 0.25]),
+        ] {
+            assert_eq!(read(text, dialect), Some(row));
+        }
+        let odd = "380|380,1,2|380,|380,NaN|380,\"1\"|380,1e999|380,1e30|380nm,1|380,1 2|380;1||\
+             #380,1|380,1%|380,--1|380,1e";
+        for text in odd.split('|') {
+            assert_eq!(read(text, COMMA), None, "{text:?}");
         }
     }
 
