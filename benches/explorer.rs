@@ -31,7 +31,7 @@ use spectral_explorer::{
         patches::{difference, labs_into},
     },
     spectrum::{
-        Band, Basis, SampleGrid, Series, Spike, SpikeSettings, Wishes, detect,
+        Band, Basis, Line, SampleGrid, Series, SpikeSettings, Wishes, detect,
         gradient::{self, DEFAULT_GRADIENT},
         numbers_of_order,
     },
@@ -54,7 +54,7 @@ struct Start {
     app: App,
     measured: Vec<f64>,
     smooth: Vec<f64>,
-    spikes: Vec<Spike>,
+    spikes: Vec<Line>,
 }
 
 impl Start {
@@ -67,7 +67,7 @@ impl Start {
         Self {
             measured: derived.measured.clone(),
             smooth: derived.parts.smooth.clone(),
-            spikes: derived.model.spikes.clone(),
+            spikes: derived.model.lines().to_vec(),
             app,
         }
     }
@@ -250,7 +250,7 @@ fn a_product(criterion: &mut Criterion) {
         values.push(values[0]);
         values
     };
-    let light = samples(&start.app.derived().model.smooth.coefficients);
+    let light = samples(&start.app.derived().model.smooth().coefficients);
     let factors: Vec<Vec<f64>> = patches.coefficients.iter().map(|c| samples(c)).collect();
     assert_eq!(light.len(), 2 * ORDER + 2);
 
@@ -466,7 +466,7 @@ mod plain {
                 .collect();
             // The model as a list of values, each spike on its two neighbouring nm.
             let mut model = reconstruction.clone();
-            add_spikes(&start.spikes, &mut model);
+            add_lines(&start.spikes, &mut model);
             let white = self.xyz(|i| start.measured[i]);
             let model_xyz = self.line_xyz(&reconstruction, &start.spikes, |_| 1.0);
             let differences: Vec<f64> = self
@@ -497,7 +497,7 @@ mod plain {
                 .map(|order| {
                     let moved = self.slider_move(start, order);
                     let mut model = moved.reconstruction.clone();
-                    add_spikes(&start.spikes, &mut model);
+                    add_lines(&start.spikes, &mut model);
                     let share = |d: &[f64], m: &[f64]| {
                         (integral(|i| d[i] * d[i]) / integral(|i| m[i] * m[i])).sqrt()
                     };
@@ -527,7 +527,7 @@ mod plain {
         }
 
         /// XYZ of values on the grid and of spikes seen through a factor.
-        fn line_xyz(&self, values: &[f64], spikes: &[Spike], factor: impl Fn(f64) -> f64) -> Xyz {
+        fn line_xyz(&self, values: &[f64], spikes: &[Line], factor: impl Fn(f64) -> f64) -> Xyz {
             spikes.iter().fold(self.xyz(|i| values[i]), |sum, spike| {
                 let seen = Observer::Cie1931.table().at(spike.at_nm);
                 sum + Xyz::from_array(seen) * (spike.weight * factor(spike.at_nm))
@@ -539,7 +539,7 @@ mod plain {
         (0..BAND.points()).map(|i| BAND.weight(i) * value(i)).sum()
     }
 
-    fn add_spikes(spikes: &[Spike], values: &mut [f64]) {
+    fn add_lines(spikes: &[Line], values: &mut [f64]) {
         for spike in spikes {
             let x = spike.at_nm - BAND.min_nm();
             let (i, t) = (x as usize, x.fract());

@@ -3,8 +3,8 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use spectral_explorer::{
     color::Observer,
-    lamps::{Ask, Composite, Encoder, Spike, table},
-    spectrum::{Band, Basis, BasisTable, Outside, SpikeSettings, detect_shapes},
+    lamps::{Ask, Encoder, table},
+    spectrum::{Band, Basis, BasisTable, Composite, Line, Outside, SpikeSettings, detect_shapes},
 };
 use std::hint::black_box;
 
@@ -70,20 +70,17 @@ fn decoding(c: &mut Criterion) {
             basis.add_series(black_box(&coefficients), &mut out);
         });
     });
-    let line = Spike {
+    let line = Line {
         at_nm: 546.07,
         weight: 2.0,
-        width_nm: 8.0,
+        fwhm_nm: 8.0,
     };
-    let composite = Composite {
-        smooth: encoding.smooth.clone(),
-        spikes: vec![line; 4],
-    };
+    let composite = Composite::of_lines_inside(encoding.smooth.clone(), vec![line; 4]);
     group.bench_function("values of a composite with 4 wide lines", |b| {
         b.iter(|| black_box(&composite).on_band())
     });
     group.bench_function("a wide line through a series, closed form", |b| {
-        b.iter(|| line.integrate_series(black_box(&composite.smooth)))
+        b.iter(|| line.integrate_series(black_box(composite.smooth())))
     });
     group.finish();
 }

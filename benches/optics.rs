@@ -30,7 +30,7 @@ use spectral_explorer::{
         Absorption, Bench, BenchSettings, Brilliant, Ending, Film, FilmSettings, Light, Scene, Sky,
         Studio, Stuff,
     },
-    spectrum::{Band, Spike, SpikeSettings, detect},
+    spectrum::{Band, Line, SpikeSettings, detect},
     study::Progress,
 };
 
@@ -249,10 +249,7 @@ fn twenty_spikes() -> Light {
         .grid()
         .map(|nm| 1.0 + 0.5 * (nm / 37.0).sin())
         .collect();
-    let spike = |i: i32| Spike {
-        at_nm: 400.3 + 17.7 * f64::from(i),
-        weight: 10.0,
-    };
+    let spike = |i: i32| Line::ideal(400.3 + 17.7 * f64::from(i), 10.0);
     Light::new("twenty", band, smooth, (0..20).map(spike).collect()).expect("a light")
 }
 

@@ -26,7 +26,7 @@ use spectral_explorer::{
         patches::{difference, labs_into},
     },
     spectrum::{
-        Band, Basis, Factor, SampleGrid, Sampling, Series, Spike, numbers_of_order,
+        Band, Basis, Factor, Line, SampleGrid, Sampling, Series, numbers_of_order,
         product::multiply_points,
     },
     study::products::Product,
@@ -191,7 +191,6 @@ fn patches_behind(app: &App, factors: &[Factor], sampling: Sampling) -> f64 {
     let passage = Product {
         measured: &derived.measured,
         model: &derived.model,
-        line_widths_nm: &[],
         sampling,
         seen: &tables.viewing.weights,
         width_nm: 10.0,
@@ -239,8 +238,8 @@ fn a_chain(criterion: &mut Criterion) {
     group.finish();
     // What has no table: light, spikes and factor read where they stand, one cosine at a time.
     let app = App::new();
-    let light: Series = app.derived().model.smooth.clone();
-    let spikes: Vec<Spike> = app.derived().model.spikes.clone();
+    let light: Series = app.derived().model.smooth().clone();
+    let spikes: Vec<Line> = app.derived().model.lines().to_vec();
     let factors: Vec<Series> = eight(&app)
         .iter()
         .map(|factor| Series {

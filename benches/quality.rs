@@ -70,9 +70,8 @@ fn models(table: &Sampled, highest: usize) -> impl Fn(usize) -> Composite {
         coefficients: basis.project(&parts.smooth, numbers),
     };
     let spikes: Vec<_> = parts.spikes.iter().map(|found| found.spike).collect();
-    move |order| Composite {
-        smooth: whole.truncated(numbers_of_order(order)),
-        spikes: spikes.clone(),
+    move |order| {
+        Composite::of_lines_inside(whole.truncated(numbers_of_order(order)), spikes.clone())
     }
 }
 

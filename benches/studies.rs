@@ -87,7 +87,7 @@ fn an_auction(criterion: &mut Criterion) {
                     let (model, _) = projected.model(numbers, &lines, false);
                     let smooth = projected.smooth(&model);
                     let reference = &examined.reference;
-                    let found = reference.figure(Measure::Patches, &smooth, &model.spikes);
+                    let found = reference.figure(Measure::Patches, &smooth, model.lines());
                     best = best.min(found.unwrap_or(f64::INFINITY));
                 }
             }

@@ -422,8 +422,8 @@ fn sound(spectrum: &NamedSpectrum, whole: bool) {
 }
 
 fn finite(composite: &Composite) {
-    all_finite(&composite.smooth.coefficients, "coefficients");
-    for spike in &composite.spikes {
+    all_finite(&composite.smooth().coefficients, "coefficients");
+    for spike in composite.lines() {
         all_finite(&[spike.at_nm, spike.weight], spike);
     }
     black_box(composite.on_band());

@@ -9,9 +9,9 @@ use super::{
     verdicts::{HARD_TO_SEE, Seen},
 };
 use crate::{
-    color::{xyz_of_one, xyz_of_parts, xyz_of_spikes},
+    color::{xyz_of_lines, xyz_of_one, xyz_of_parts},
     io::many::many,
-    spectrum::{Kind, Spike, detect},
+    spectrum::{Kind, Line, detect},
     study::{Measure, Sweep, SweepPoint, Verdict},
 };
 
@@ -75,7 +75,7 @@ pub fn hard_to_see_from(app: &App) -> Option<usize> {
 
 /// A spike of the model as it is read out while it is pointed at or dragged: where it stands, after
 /// what it is named, its weight, its share of the power, and what it adds to the light's Y of 100.
-pub fn spike_words(app: &App, spike: Spike, name: &LineName) -> String {
+pub fn spike_words(app: &App, spike: Line, name: &LineName) -> String {
     let derived = app.derived();
     let name = name.safe.as_deref();
     let name = name.map_or_else(String::new, |name| format!(" ({name})"));
@@ -94,7 +94,7 @@ pub fn spike_words(app: &App, spike: Spike, name: &LineName) -> String {
     } else {
         xyz_of_one(derived.band, weights).y
     };
-    let adds = 100.0 * xyz_of_spikes(&[spike], weights).y / white;
+    let adds = 100.0 * xyz_of_lines(&[spike], weights).y / white;
     if adds.is_finite() {
         words += &format!("   adds {adds:+.1} Y");
     }

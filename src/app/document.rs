@@ -8,7 +8,11 @@ use super::{
     entry::Entry, library::Library, opened::ImageEntry, origin::Before, pages::PageSettings,
     products::Products, scale::Scale, settings::Settings,
 };
-use crate::{color::Adaptation, lamps::Composite, preset::Preset, spectrum::SpikeEdits};
+use crate::{
+    color::Adaptation,
+    preset::Preset,
+    spectrum::{Composite, SpikeEdits},
+};
 
 /// Which of the two selected spectra the model is of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

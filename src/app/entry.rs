@@ -5,9 +5,8 @@ use std::sync::Arc;
 use super::{library::Library, origin::Origin};
 use crate::{
     io::MakersResult,
-    lamps::Composite as WideComposite,
     preset::{self, Body, Preset, Shelf},
-    spectrum::{Band, Composite, Kind, NamedSpectrum, Sampled, Series, Spike},
+    spectrum::{Band, Composite, Kind, Line, NamedSpectrum, Sampled, Series},
 };
 
 /// One spectrum of the library or of the user's own files.
@@ -24,7 +23,7 @@ pub struct Entry {
     /// What the instrument computed itself, as far as the file says.
     pub makers: Vec<MakersResult>,
     /// The composite that the spectrum is by its own source; its table is that composite's. `None` for what was measured or computed otherwise.
-    pub composite: Option<Arc<WideComposite>>,
+    pub composite: Option<Arc<Composite>>,
 }
 
 impl Entry {
@@ -44,7 +43,7 @@ impl Entry {
                 let of_the_paper = factor.filter(|_| preset.shelf == Shelf::Paper);
                 composite.weight_factor = of_the_paper.unwrap_or(printed.weight_factor);
                 let composite = composite_from_preset(&composite)?;
-                let samples = sampled_from_lines(&composite, &[])?;
+                let samples = sampled(&composite)?;
                 // A line tube is every line of an atom: what is seen of it, an analysis tells.
                 given = (preset.shelf == Shelf::Paper).then(|| Arc::new(composite.into()));
                 NamedSpectrum {
@@ -127,24 +126,21 @@ pub fn bundled_entries() -> Vec<Arc<Entry>> {
 const SAMPLED_NOTE: &str =
     "A composite, sampled at 1 nm; each spike is split linearly over its two neighbouring nm.";
 
-/// A composite as a 1 nm table over its own range, its lines with their widths in nm: 0, or none
-/// given, is an ideal spike, split linearly over its two neighbouring nm. `None` for a composite
-/// with numbers that are not finite.
-pub(super) fn sampled_from_lines(composite: &Composite, widths_nm: &[f64]) -> Option<Sampled> {
-    let band = composite.band();
-    let lines = WideComposite::with_widths(composite.clone(), widths_nm);
-    Sampled::even(band.min_nm(), 1.0, lines.on_band()).ok()
+/// A composite as a 1 nm table over its own range; an ideal spike is split linearly over its two
+/// neighbouring nm. `None` for a composite with numbers that are not finite.
+pub(super) fn sampled(composite: &Composite) -> Option<Sampled> {
+    Sampled::even(composite.band().min_nm(), 1.0, composite.on_band()).ok()
 }
 
 /// The paper's lamps as composites, the visible weight factor applied.
 pub fn composite_from_preset(printed: &preset::Composite) -> Option<Composite> {
     let [min_nm, max_nm] = printed.range_nm;
     let band = Band::new(min_nm, max_nm).ok()?;
-    Some(Composite {
-        smooth: Series::fourier(band, &printed.a, &printed.b)?,
-        spikes: printed
+    Some(Composite::of_lines_inside(
+        Series::fourier(band, &printed.a, &printed.b)?,
+        printed
             .spikes_in_unit_nm()
-            .map(|(at_nm, weight)| Spike { at_nm, weight })
+            .map(|(at_nm, weight)| Line::ideal(at_nm, weight))
             .collect(),
-    })
+    ))
 }

@@ -12,8 +12,8 @@ use super::{
 };
 use crate::{
     io::{
-        Column, Columns, CompositeFile, Provenance, composite_json, composite_lines, encode,
-        losses, many::many,
+        Column, Columns, CompositeFile, Provenance, composite_json, composite_line, encode, losses,
+        many::many,
     },
     spectrum::{NamedSpectrum, Sampled},
 };
@@ -123,9 +123,7 @@ impl Export {
         let (document, derived) = (app.document(), app.derived());
         match self {
             Self::CompositeJson => composite_json(&composite_file(app)).map_err(|e| e.to_string()),
-            Self::CompositeLine => {
-                Ok(composite_lines(&derived.model, &derived.widths.written()) + "\n")
-            }
+            Self::CompositeLine => Ok(composite_line(&derived.model) + "\n"),
             Self::Csv => {
                 let scaled = scaled_subject(app);
                 encode("csv", &scaled, &columns(app), &provenance(app))
@@ -180,7 +178,6 @@ pub fn composite_file(app: &App) -> CompositeFile {
     let spectrum = &app.document().subject_entry().spectrum;
     CompositeFile {
         composite: app.derived().model.clone(),
-        widths_nm: app.derived().widths.written(),
         unit: spectrum.unit.clone(),
         source: spectrum.source.clone(),
         name: spectrum.name.clone(),
@@ -200,7 +197,7 @@ pub fn provenance(app: &App) -> Provenance {
             "{} order {}, {}{}{}{}, {}-{} nm, {}",
             settings.basis.word(),
             settings.effective_order(),
-            many(app.derived().model.spikes.len(), "spike", "spikes"),
+            many(app.derived().model.lines().len(), "spike", "spikes"),
             match (settings.spikes, settings.detector) {
                 (false, _) => String::new(),
                 (true, Detector::Energy) => format!(

@@ -18,15 +18,14 @@ pub use named::{Found, Wanted, names_a_file, resolve};
 pub use summary::{FileRow, OpenBefore, Outcome, Summary};
 
 use super::{
-    entry::sampled_from_lines,
+    entry,
     opened::Opened,
     photons, picture,
     workspace::{self, Restored},
 };
 use crate::{
     io::{self, Choices, CompositeFile, ReadError, Reading, many},
-    lamps::Composite,
-    spectrum::{NamedSpectrum, Rect, SpectralImage},
+    spectrum::{Composite, NamedSpectrum, Rect, SpectralImage},
 };
 
 /// What a file turned out to be.
@@ -183,7 +182,7 @@ fn from_reading(
     let composites: Vec<CompositeFile> = composites.filter(|c| sampled(c).is_some()).collect();
     let first = spectra.len();
     let given = composites.iter().enumerate();
-    let given = given.map(|(index, file)| (first + index, shown_as_it_is(file)));
+    let given = given.map(|(index, file)| (first + index, Arc::new(file.composite.clone())));
     let mut given: Vec<(usize, Arc<Composite>)> = given.collect();
     let mut spectra = spectra_of(spectra, &composites, &notes, &file);
     let photons = spectra.iter().any(photons::counts_photons);
@@ -291,20 +290,11 @@ impl Opened {
     }
 }
 
-/// The composite that is shown as it is, each line as wide as the file has it.
-fn shown_as_it_is(file: &CompositeFile) -> Arc<Composite> {
-    Arc::new(Composite::with_widths(
-        file.composite.clone(),
-        &file.widths_nm,
-    ))
-}
-
 fn sampled(file: &CompositeFile) -> Option<NamedSpectrum> {
     let composite = &file.composite;
-    let count = composite.numbers() + usize::from(!file.widths_nm.is_empty());
-    let count = many::numbers(count);
+    let count = many::numbers(composite.numbers());
     Some(NamedSpectrum {
-        samples: sampled_from_lines(&file.composite, &file.widths_nm)?,
+        samples: entry::sampled(composite)?,
         name: file.name.clone(),
         kind: file.kind,
         unit: file.unit.clone(),

@@ -9,8 +9,7 @@ use super::origin::FromFile;
 
 use crate::{
     io::{Choices, Decisions, Guessed, MakersResult, OpenQuestion, TableFound},
-    lamps::Composite,
-    spectrum::{NamedSpectrum, SpectralImage},
+    spectrum::{Composite, NamedSpectrum, SpectralImage},
 };
 
 /// A file that was read.

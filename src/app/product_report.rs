@@ -21,7 +21,7 @@ use super::{
 use crate::{
     color::{Xyz, srgb::Swatch},
     io::one_line,
-    spectrum::{Factor, Spike},
+    spectrum::{Factor, Line},
     study::{
         Spread,
         products::{Colours, Passage, SetErrors, Step},
@@ -102,7 +102,7 @@ impl Told {
             names: chain.iter().map(Link::words).collect(),
             known: KnownLines::of(
                 band,
-                &lit.derived.model.spikes,
+                lit.derived.model.lines(),
                 &lit.spike_names(app),
                 chain.iter().map(|link| &*link.entry).zip(&factors),
             ),
@@ -161,7 +161,7 @@ pub fn stages_csv(app: &App, told: &Told, chain: &[Link]) -> String {
 }
 
 /// The spikes behind a stage as a table, in the light's own unit x nm.
-pub fn spikes_csv(app: &App, stage: &str, spikes: &[Spike], known: &KnownLines) -> String {
+pub fn spikes_csv(app: &App, stage: &str, spikes: &[Line], known: &KnownLines) -> String {
     let mut out = csv_head(app);
     let _ = writeln!(out, "# behind: {}", one_line(stage));
     out.push_str("place nm,weight,name\n");
@@ -262,7 +262,7 @@ fn stage_json(passage: &Passage, name: &str, step: &Step, known: &KnownLines) ->
         "model": colour_json(passage, colours.model),
         "spikes": spikes
             .iter()
-            .map(|Spike { at_nm, weight }| {
+            .map(|Line { at_nm, weight, .. }| {
                 json!({ "at_nm": at_nm, "weight": weight, "name": known.safe(*at_nm) })
             })
             .collect::<Vec<_>>(),

@@ -1,16 +1,16 @@
 //! The product of the light with one patch, as measured and by the model.
 
 use super::{derived::Derived, tables::PatchTables};
-use crate::spectrum::{Composite, Sampling, Series, Spike, product::resampled};
+use crate::spectrum::{Line, Sampling, Series, product::resampled};
 
 /// The model off a surface on the grid, lines that have a width with it, and its ideal lines.
-fn times_on_grid(derived: &Derived, reflectance: &[f64]) -> (Vec<f64>, Vec<Spike>) {
+fn times_on_grid(derived: &Derived, reflectance: &[f64]) -> (Vec<f64>, Vec<Line>) {
     let mut values = derived.outline();
     values
         .iter_mut()
         .zip(reflectance)
         .for_each(|(v, r)| *v *= r);
-    let weighed = derived.ideal_spikes().into_iter().map(|spike| Spike {
+    let weighed = derived.ideal_spikes().into_iter().map(|spike| Line {
         weight: spike.weight * derived.band.interpolate(reflectance, spike.at_nm),
         ..spike
     });
@@ -29,7 +29,7 @@ pub struct ProductView {
     /// The model's product without its spikes, on the grid.
     pub smooth: Vec<f64>,
     /// The spikes, weighed by the reflectance where they stand.
-    pub spikes: Vec<Spike>,
+    pub spikes: Vec<Line>,
     /// How the product was formed.
     pub sampling: Sampling,
 }
@@ -51,12 +51,12 @@ impl ProductView {
             | Sampling::FourN
             | Sampling::Double
             | Sampling::Convolution => {
-                let numbers = derived.model.smooth.coefficients.len();
+                let numbers = derived.model.smooth().coefficients.len();
                 let factor = Series {
                     coefficients: patches.coefficients[index][..numbers].to_vec(),
-                    ..derived.model.smooth.clone()
+                    ..derived.model.smooth().clone()
                 };
-                let Composite { smooth, spikes } = resampled(&derived.model, &factor, sampling);
+                let (smooth, spikes) = resampled(&derived.model, &factor, sampling).into_parts();
                 (smooth.on_band(), spikes)
             }
         };

@@ -146,7 +146,6 @@ fn result_json(result: &MakersResult) -> Value {
 fn composite_json(file: &CompositeFile) -> Value {
     let CompositeFile {
         composite,
-        widths_nm: _,
         unit,
         source,
         name,
@@ -158,16 +157,11 @@ fn composite_json(file: &CompositeFile) -> Value {
         "unit": unit,
         "source": source,
         "range_nm": [composite.band().min_nm(), composite.band().max_nm()],
-        "basis": composite.smooth.basis.word(),
-        "order": composite.smooth.order(),
-        "spikes": composite.spikes.len(),
-        "numbers": numbers_of(file),
+        "basis": composite.smooth().basis.word(),
+        "order": composite.smooth().order(),
+        "spikes": composite.lines().len(),
+        "numbers": composite.numbers(),
     })
-}
-
-/// The numbers of a composite: one more, the label, where its lines have widths.
-fn numbers_of(file: &CompositeFile) -> usize {
-    file.composite.numbers() + usize::from(!file.widths_nm.is_empty())
 }
 
 /// A value in the file's own number. The scale was multiplied, so that the last bits of the
@@ -227,7 +221,7 @@ pub fn text(path: &Path, read: &Result<Reading, ReadError>) -> String {
         line(format!(
             "{}: a composite of {} on {}-{} nm",
             file.name,
-            numbers(numbers_of(file)),
+            numbers(file.composite.numbers()),
             short(band.min_nm()),
             short(band.max_nm()),
         ));

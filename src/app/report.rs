@@ -130,29 +130,28 @@ pub(super) fn settings_json(app: &App) -> Value {
 
 fn model_json(app: &App, derived: &Derived) -> Value {
     let model = &derived.model;
-    let coefficients = match model.smooth.basis {
+    let coefficients = match model.smooth().basis {
         Basis::Fourier => {
-            let (a, b) = model.smooth.a_b();
+            let (a, b) = model.smooth().a_b();
             json!({ "a": a, "b": b })
         }
-        Basis::Cosine => json!({ "c": model.smooth.coefficients }),
+        Basis::Cosine => json!({ "c": model.smooth().coefficients }),
     };
     let spikes: Vec<Value> = model
-        .spikes
+        .lines()
         .iter()
         .zip(app.spike_names())
-        .enumerate()
-        .map(|(i, (spike, name))| {
+        .map(|(line, name)| {
             let mut entry = json!({
-                "at_nm": spike.at_nm,
-                "weight": spike.weight,
-                "share_of_power": derived.parts.share(spike.weight),
+                "at_nm": line.at_nm,
+                "weight": line.weight,
+                "share_of_power": derived.parts.share(line.weight),
                 "line": name.safe,
                 "label": name.label,
             });
             // Only where widths were asked for.
-            if let Some(width) = derived.widths.nm.get(i) {
-                entry["fwhm_nm"] = json!(width);
+            if app.document().settings.wide_lines {
+                entry["fwhm_nm"] = json!(line.fwhm_nm);
             }
             entry
         })
@@ -160,8 +159,8 @@ fn model_json(app: &App, derived: &Derived) -> Value {
     json!({
         "as_given": app.document().as_given().is_some(),
         "range_nm": [derived.band.min_nm(), derived.band.max_nm()],
-        "basis": model.smooth.basis.word(),
-        "order": model.smooth.order(),
+        "basis": model.smooth().basis.word(),
+        "order": model.smooth().order(),
         "coefficients": coefficients,
         "spikes": spikes,
         "numbers": derived.numbers(),
@@ -273,18 +272,18 @@ fn model_lines(app: &App) -> Vec<String> {
     let model = &derived.model;
     let mut lines = vec![format!(
         "Series    {} order {} on {}-{} nm, {}: {}{}",
-        model.smooth.basis.word(),
-        model.smooth.order(),
+        model.smooth().basis.word(),
+        model.smooth().order(),
         derived.band.min_nm(),
         derived.band.max_nm(),
-        many(model.spikes.len(), "spike", "spikes"),
+        many(model.lines().len(), "spike", "spikes"),
         numbers(derived.numbers()),
         match derived.exactness {
             Some(Exactness::Exact { .. }) => ", colour-exact",
             _ => "",
         }
     )];
-    for (spike, name) in model.spikes.iter().zip(app.spike_names()) {
+    for (spike, name) in model.lines().iter().zip(app.spike_names()) {
         lines.push(format!(
             "  spike   {:7.2} nm  {:>11}  {}  {}",
             spike.at_nm,

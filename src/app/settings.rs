@@ -6,8 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     color::Observer,
-    lamps::Composite,
-    spectrum::{Band, Basis, Sampling, SpikeSettings, gradient::DEFAULT_GRADIENT},
+    spectrum::{Band, Basis, Composite, Sampling, SpikeSettings, gradient::DEFAULT_GRADIENT},
 };
 
 /// Orders that may be asked for.
@@ -144,11 +143,11 @@ impl Settings {
     #[must_use]
     pub fn of_composite(self, composite: &Composite) -> Self {
         Self {
-            basis: composite.smooth.basis,
-            order: composite.smooth.order(),
+            basis: composite.smooth().basis,
+            order: composite.smooth().order(),
             band: composite.band(),
             spikes: true,
-            wide_lines: composite.spikes.iter().any(|line| !line.is_ideal()),
+            wide_lines: composite.lines().iter().any(|line| !line.is_ideal()),
             colour_exact: false,
             ..self
         }

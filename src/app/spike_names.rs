@@ -39,7 +39,7 @@ pub(super) fn names_of(entry: &Entry, derived: &Derived, lines: &[ElementLine]) 
 /// The same of a light whose lines are told already.
 pub(super) fn names_in(light: &Identified, entry: &Entry, derived: &Derived) -> Vec<LineName> {
     let curve = Curve::of(entry, derived.band, &derived.measured);
-    let spikes = &derived.model.spikes;
+    let spikes = derived.model.lines();
     let all: Vec<f64> = spikes.iter().map(|spike| spike.at_nm).collect();
     let mut names = light.names_at(&all);
     let dips = (0..spikes.len()).filter(|index| spikes[*index].weight < 0.0);

@@ -231,7 +231,7 @@ fn purchase_json(what: &str, purchase: Purchase, unit: f64) -> Value {
     match purchase {
         Purchase::Widths => json!({ what: "width" }),
         Purchase::Order(order) => json!({ what: "order", "order": order }),
-        Purchase::Spike(spike) => {
+        Purchase::Line(spike) => {
             json!({ what: "spike", "at_nm": spike.at_nm, "weight": spike.weight * unit })
         }
     }
@@ -330,7 +330,7 @@ pub fn auction_csv(app: &App, ask: &AuctionAsk, auction: &Auction) -> String {
         let (what, [at_nm, weight, order]) = match purchase {
             Purchase::Widths => ("width", [none(), none(), none()]),
             Purchase::Order(order) => ("order", [none(), none(), order.to_string()]),
-            Purchase::Spike(spike) => {
+            Purchase::Line(spike) => {
                 let [at_nm, weight] = [spike.at_nm, spike.weight * unit].map(number);
                 ("spike", [at_nm, weight, none()])
             }
@@ -343,7 +343,7 @@ pub fn auction_csv(app: &App, ask: &AuctionAsk, auction: &Auction) -> String {
             .map(|purchase| match purchase {
                 Purchase::Widths => "width".to_owned(),
                 Purchase::Order(order) => format!("order {order}"),
-                Purchase::Spike(spike) => format!("{:.1} nm", spike.at_nm),
+                Purchase::Line(spike) => format!("{:.1} nm", spike.at_nm),
             })
             .collect();
         cells.extend([

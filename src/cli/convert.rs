@@ -21,7 +21,7 @@ use crate::{
     },
     io::{
         self, Choices, Columns, CompositeFile, Provenance, WRITABLE, composite_in_words,
-        composite_json, composite_lines, losses, many::many, save_atomically, shown,
+        composite_json, composite_line, losses, many::many, save_atomically, shown,
         stream::is_stream, write_as,
     },
     spectrum::NamedSpectrum,
@@ -270,7 +270,7 @@ fn model(
         }
     };
     let text = if words::extension(&options.out) == LINE {
-        Ok(composite_lines(&file.composite, &file.widths_nm) + "\n")
+        Ok(composite_line(&file.composite) + "\n")
     } else {
         composite_json(&file)
     };
@@ -280,7 +280,7 @@ fn model(
     let what = format!(
         "the model of {}, {}",
         file.name,
-        composite_in_words(&file.composite, &file.widths_nm)
+        composite_in_words(&file.composite)
     );
     Ok(with_notes(what, &notes))
 }
@@ -309,7 +309,6 @@ fn composite(options: &Convert, inputs: &mut Inputs) -> Option<CompositeFile> {
     let preset = Library::bundled().find(options.input.to_str()?).ok()?;
     Some(CompositeFile {
         composite: composite_from_preset(preset.composite()?)?,
-        widths_nm: Vec::new(),
         unit: preset.unit.clone(),
         source: preset.source.clone(),
         name: preset.name.clone(),

@@ -49,6 +49,6 @@ pub use srgb::{Mapping, Srgb, Swatch};
 pub use wavelength_rgb::{srgb_from_wavelength, srgb_from_wavelength_over, srgb_of_fill};
 pub use weights::Weights;
 pub use xyz::{
-    Xyz, xyz_from_integral, xyz_from_light, xyz_from_reflectance, xyz_of_one, xyz_of_parts,
-    xyz_of_spikes,
+    Xyz, xyz_from_integral, xyz_from_light, xyz_from_reflectance, xyz_of_lines, xyz_of_one,
+    xyz_of_parts,
 };

@@ -2,7 +2,7 @@
 
 use std::ops::Deref;
 
-use crate::spectrum::Band;
+use crate::spectrum::{Band, Line};
 
 /// X, Y and Z weights on the 1 nm grid of a band, and exactly between its points.
 ///
@@ -73,6 +73,17 @@ impl Weights {
             let bend = self.bends.as_ref().map_or(0.0, |bends| bends[k][cell]);
             row[cell] * (1.0 - t) + row[cell + 1] * t - t * (1.0 - t) * bend
         })
+    }
+
+    /// X, Y and Z of a line, in value x nm: an ideal one where it stands, a wide one over its
+    /// Gaussian on the grid.
+    pub fn of_line(&self, line: &Line) -> [f64; 3] {
+        if line.is_ideal() {
+            return self.at(line.at_nm).map(|v| v * line.weight);
+        }
+        self.rows
+            .each_ref()
+            .map(|row| line.integrate(self.band, row))
     }
 }
 

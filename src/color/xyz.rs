@@ -10,7 +10,7 @@ use super::{
     observer::{ColourMatching, Observer},
     weights::Weights,
 };
-use crate::spectrum::{Band, Outside, Sampled, Spike, dot};
+use crate::spectrum::{Band, Composite, Line, Outside, Sampled, dot};
 
 /// First wavelength of the CIE sums, nm.
 pub const FIRST_NM: u32 = 360;
@@ -107,22 +107,32 @@ pub fn xyz_from_integral(
     Xyz::from_array(std::array::from_fn(|k| integrate(&|nm| table.at(nm)[k])))
 }
 
-/// XYZ of a smooth part on a band's grid and spikes, each weighed where it stands; in value x nm
-/// (not normalised). `weights` are what counts for X, Y and Z on the grid: colour-matching
+/// XYZ of a smooth part on a band's grid and lines, an ideal one weighed where it stands and a wide
+/// one over its Gaussian; in value x nm (not normalised). `weights` are what counts for X, Y and Z on the grid: colour-matching
 /// functions, times a light for what it falls on.
 ///
 /// # Panics
 /// When a slice does not have [`Band::points`] entries.
-pub fn xyz_of_parts(band: Band, smooth: &[f64], spikes: &[Spike], weights: &Weights) -> Xyz {
+pub fn xyz_of_parts(band: Band, smooth: &[f64], spikes: &[Line], weights: &Weights) -> Xyz {
     let smooth = Xyz::from_array(weights.each_ref().map(|row| band.inner(smooth, row)));
-    smooth + xyz_of_spikes(spikes, weights)
+    smooth + xyz_of_lines(spikes, weights)
 }
 
-/// XYZ of spikes alone, as [`xyz_of_parts`].
-pub fn xyz_of_spikes(spikes: &[Spike], weights: &Weights) -> Xyz {
-    spikes.iter().fold(Xyz::ZERO, |sum, spike| {
-        sum + Xyz::from_array(weights.at(spike.at_nm)) * spike.weight
-    })
+/// XYZ of lines alone, as [`xyz_of_parts`].
+pub fn xyz_of_lines(lines: &[Line], weights: &Weights) -> Xyz {
+    let of_line = |line| Xyz::from_array(weights.of_line(line));
+    lines
+        .iter()
+        .map(of_line)
+        .fold(Xyz::ZERO, |sum, xyz| sum + xyz)
+}
+
+impl Composite {
+    /// XYZ of the model by the trapezoid rule on its band's grid, each ideal line weighed where it
+    /// stands and each wide one over its Gaussian; in value x nm (not normalised).
+    pub fn xyz(&self, weights: &Weights) -> Xyz {
+        xyz_of_parts(self.band(), &self.smooth().on_band(), self.lines(), weights)
+    }
 }
 
 /// XYZ of what is 1 at every nm, as [`xyz_of_parts`]: a perfect reflector where the weights are a

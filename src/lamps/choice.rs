@@ -116,11 +116,11 @@ mod tests {
     };
     use crate::{
         lamps::{
-            LeaveOut, Spike,
+            LeaveOut,
             fit::{FIRST_WEIGHTS, score},
             table,
         },
-        spectrum::Outside,
+        spectrum::{Line, Outside},
     };
 
     #[test]
@@ -128,10 +128,9 @@ mod tests {
         let band = Band::VISIBLE;
         let encoder =
             Encoder::new(band, Observer::Cie1931, SpikeSettings::default()).expect("the visible");
-        let lines =
-            [404.7, 435.8, 546.1, 577.0, 579.1, 690.7].map(|at_nm| Spike::ideal(at_nm, 1.0));
+        let lines = [404.7, 435.8, 546.1, 577.0, 579.1, 690.7].map(|at_nm| Line::ideal(at_nm, 1.0));
         let mut mercury = vec![0.0; band.points()];
-        crate::lamps::add_spikes(band, &lines, &mut mercury);
+        crate::spectrum::add_lines(band, &lines, &mut mercury);
         let fl2 = table("cie_fluorescent_1nm", "FL2")
             .expect("shipped")
             .on_band(band, Outside::Zero);

@@ -9,10 +9,9 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::{
-    composite::Spike, encoding::MOST_LABELLED, error::EncodingError, judge::Panel, known::Atom,
-    operators::Operators,
+    encoding::MOST_LABELLED, error::EncodingError, judge::Panel, known::Atom, operators::Operators,
 };
-use crate::spectrum::{Band, Basis, BasisTable, WORST_CONDITION, dot};
+use crate::spectrum::{Band, Basis, BasisTable, Line, WORST_CONDITION, dot};
 
 /// Cosines that carry the light's own colour.
 pub(super) const LEADING: usize = 3;
@@ -40,7 +39,7 @@ pub(super) struct Column {
 #[derive(Clone, Debug)]
 pub(super) struct PoolLine {
     /// Place and width.
-    pub line: Spike,
+    pub line: Line,
     /// First grid point.
     pub first: usize,
     /// Which kernel, and which piece of it.
@@ -162,10 +161,10 @@ impl Columns {
                 let heights = self.kernels[kernel][piece.clone()].iter().enumerate();
                 let area: f64 = heights.map(|(k, v)| band.weight(first + k) * v).sum();
                 let mut line = PoolLine {
-                    line: Spike {
+                    line: Line {
                         at_nm: band.nm(i),
                         weight: 1.0,
-                        width_nm,
+                        fwhm_nm: width_nm,
                     },
                     first,
                     kernel,
@@ -226,7 +225,7 @@ mod tests {
     fn a_column_has_no_colour_left() {
         let panel = Panel::choosing(Band::VISIBLE, Observer::Cie1931);
         let columns = Columns::new(&panel, &[]).expect("the visible");
-        let shape = crate::lamps::Shape::new(Band::VISIBLE, 611.0, 5.0);
+        let shape = crate::spectrum::LineProfile::new(Band::VISIBLE, 611.0, 5.0);
         let gamma = columns.gamma(shape.first, &shape.values);
         let mut rest = vec![0.0; 401];
         shape.add_to(1.0, &mut rest);

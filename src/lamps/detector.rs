@@ -4,11 +4,8 @@
 //! What a line takes out of the spectrum is its Gaussian, not what stood above the hull, so
 //! `S = smooth + lines` holds to rounding and the smooth part keeps what a Gaussian cannot say.
 
-use super::{
-    composite::Spike,
-    encoding::{byte_of_width, width_of_byte},
-};
-use crate::spectrum::{Band, Decomposition, LineShape, SpikeSettings, detect_shapes};
+use super::encoding::{byte_of_width, width_of_byte};
+use crate::spectrum::{Band, Decomposition, Line, LineShape, SpikeSettings, detect_shapes};
 
 /// A line may be found this much wider than the detector was asked for: half a nm of grid on either
 /// side, and hulls that are not exact.
@@ -23,7 +20,7 @@ pub struct WideDecomposition {
     /// The spectrum without the lines, one value a grid point.
     pub smooth: Vec<f64>,
     /// The lines, by rising wavelength.
-    pub spikes: Vec<Spike>,
+    pub spikes: Vec<Line>,
     /// What the detector found, for windows, peaks and shares.
     pub found: Decomposition,
 }
@@ -32,14 +29,14 @@ pub struct WideDecomposition {
 pub fn decompose(band: Band, values: &[f64], settings: SpikeSettings) -> WideDecomposition {
     let (found, shapes) = detect_shapes(band, values, settings);
     let widest = settings.max_width_nm;
-    let mut spikes: Vec<Spike> = shapes
+    let mut spikes: Vec<Line> = shapes
         .iter()
         .map(|shape| as_wide_as_it_is(band, shape, widest))
         .collect();
     spikes.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
     let mut smooth = values.to_vec();
     for spike in &spikes {
-        spike.shape(band).add_to(-spike.weight, &mut smooth);
+        spike.profile(band).add_to(-spike.weight, &mut smooth);
     }
     WideDecomposition {
         smooth,
@@ -51,16 +48,16 @@ pub fn decompose(band: Band, values: &[f64], settings: SpikeSettings) -> WideDec
 /// A found line with the stored width whose Gaussian, at the line's place and of its energy, is
 /// nearest to what the detector took out (least squares on the grid); it may be somewhat wider than
 /// the `max_width_nm` that the detector was asked for.
-pub fn as_wide_as_it_is(band: Band, shape: &LineShape, max_width_nm: f64) -> Spike {
-    let spike = |byte: u8| Spike {
+pub fn as_wide_as_it_is(band: Band, shape: &LineShape, max_width_nm: f64) -> Line {
+    let spike = |byte: u8| Line {
         at_nm: shape.spike.at_nm,
         weight: shape.spike.weight,
-        width_nm: width_of_byte(byte),
+        fwhm_nm: width_of_byte(byte),
     };
     // Squares of heights up to the largest number would overflow.
     let top = shape.residue.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     let error = |byte: u8| {
-        let line = spike(byte).shape(band);
+        let line = spike(byte).profile(band);
         let last = (shape.first + shape.residue.len()).max(line.first + line.values.len());
         let at = |first: usize, values: &[f64], i: usize| {
             i.checked_sub(first)
@@ -94,7 +91,7 @@ pub fn bell(band: Band, shape: &LineShape, settings: SpikeSettings) -> Option<Li
     if line.is_ideal() {
         return None;
     }
-    let bell = line.shape(band);
+    let bell = line.profile(band);
     Some(LineShape {
         spike: shape.spike,
         first: bell.first,
@@ -110,12 +107,12 @@ mod tests {
     const BAND: Band = Band::VISIBLE;
 
     /// A broad bulge with bells of these widths on it.
-    fn lamp(lines: &[Spike]) -> Vec<f64> {
+    fn lamp(lines: &[Line]) -> Vec<f64> {
         let mut values: Vec<f64> = BAND
             .grid()
             .map(|nm| 1.0 + 0.4 * (nm / 80.0).cos())
             .collect();
-        super::super::composite::add_spikes(BAND, lines, &mut values);
+        crate::spectrum::add_lines(BAND, lines, &mut values);
         values
     }
 
@@ -123,10 +120,10 @@ mod tests {
     fn each_line_is_given_the_width_it_has() {
         let lines =
             [(405.0, 2.5), (436.0, 4.0), (546.0, 6.0), (611.0, 8.0)].map(|(at_nm, width_nm)| {
-                Spike {
+                Line {
                     at_nm,
                     weight: 60.0,
-                    width_nm,
+                    fwhm_nm: width_nm,
                 }
             });
         let parts = decompose(BAND, &lamp(&lines), SpikeSettings::default());
@@ -134,7 +131,7 @@ mod tests {
         for (found, line) in parts.spikes.iter().zip(lines) {
             // The hull cuts a foot of up to two per cent off a bell, which narrows it by as much.
             assert!(
-                (found.width_nm - line.width_nm).abs() < 0.06 * line.width_nm,
+                (found.fwhm_nm - line.fwhm_nm).abs() < 0.06 * line.fwhm_nm,
                 "{found:?}"
             );
         }
@@ -147,7 +144,7 @@ mod tests {
         let parts = decompose(BAND, &values, SpikeSettings::default());
         assert_eq!(parts.spikes.len(), 4);
         let mut sum = parts.smooth.clone();
-        super::super::composite::add_spikes(BAND, &parts.spikes, &mut sum);
+        crate::spectrum::add_lines(BAND, &parts.spikes, &mut sum);
         // One subtraction and one addition of numbers up to 60.
         assert!(sum.iter().zip(&values).all(|(a, b)| (a - b).abs() < 1e-13));
         let power =
@@ -167,7 +164,7 @@ mod tests {
         values[166] = 5.0;
         let parts = decompose(BAND, &values, SpikeSettings::default());
         assert_eq!(
-            parts.spikes.iter().map(|s| s.width_nm).collect::<Vec<_>>(),
+            parts.spikes.iter().map(|s| s.fwhm_nm).collect::<Vec<_>>(),
             [0.0]
         );
         assert!(

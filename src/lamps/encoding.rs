@@ -5,12 +5,11 @@
 //! ```
 
 use super::{
-    composite::{Composite, Spike},
     error::EncodingError,
     known::{Atom, atoms_on, known_lamps},
 };
 use crate::{
-    spectrum::{Band, Basis, BasisTable, Series},
+    spectrum::{Band, Basis, BasisTable, Composite, Line, Series},
     study::Way,
 };
 
@@ -45,7 +44,7 @@ pub struct Encoding {
     /// The smooth part.
     pub smooth: Series,
     /// Lines, in the order in which they were bought; places and widths as they are stored.
-    pub lines: Vec<Spike>,
+    pub lines: Vec<Line>,
     /// One of today's ways, which needs no label; `None` for known lamps and lines of own width.
     pub way: Option<Way>,
 }
@@ -84,10 +83,7 @@ impl Encoding {
     pub fn composite(&self) -> Composite {
         let mut spikes = self.lines.clone();
         spikes.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
-        Composite {
-            smooth: self.smooth.clone(),
-            spikes,
-        }
+        Composite::of_lines_inside(self.smooth.clone(), spikes)
     }
 
     /// Radiant power over the band.
@@ -138,11 +134,11 @@ pub(super) fn place_nm(band: Band, stored: u16) -> Option<f64> {
 }
 
 /// A line as it is stored: place and width at their nearest steps.
-pub(super) fn stored_line(band: Band, line: Spike) -> Spike {
-    Spike {
+pub(super) fn stored_line(band: Band, line: Line) -> Line {
+    Line {
         at_nm: place_nm(band, stored_place(band, line.at_nm)).unwrap_or(band.max_nm()),
         weight: line.weight,
-        width_nm: width_of_byte(byte_of_width(line.width_nm)),
+        fwhm_nm: width_of_byte(byte_of_width(line.fwhm_nm)),
     }
 }
 
@@ -239,7 +235,7 @@ impl Decoder {
                 *value += weight * a;
             }
         }
-        super::composite::add_spikes(self.band, &encoding.lines, values);
+        crate::spectrum::add_lines(self.band, &encoding.lines, values);
         Ok(())
     }
 
@@ -251,9 +247,9 @@ impl Decoder {
             Some(part.weight * self.band.interpolate(atom, nm))
         });
         let lines = encoding.lines.iter().filter(|line| !line.is_ideal());
-        let line = |line: &Spike| {
-            let d = (nm - line.at_nm) / line.width_nm;
-            line.stem_height(line.width_nm) * (-4.0 * std::f64::consts::LN_2 * d * d).exp()
+        let line = |line: &Line| {
+            let d = (nm - line.at_nm) / line.fwhm_nm;
+            line.stem_height(line.fwhm_nm) * (-4.0 * std::f64::consts::LN_2 * d * d).exp()
         };
         encoding.smooth.at(nm) + atoms.sum::<f64>() + lines.map(line).sum::<f64>()
     }
@@ -351,10 +347,10 @@ mod tests {
                 basis: Basis::Cosine,
                 coefficients: vec![0.01, 0.004, -0.002],
             },
-            lines: vec![Spike {
+            lines: vec![Line {
                 at_nm: 546.2,
                 weight: 0.5,
-                width_nm: 8.0,
+                fwhm_nm: 8.0,
             }],
             way: None,
         };

@@ -1,8 +1,8 @@
 //! What a light is made of, in words: "0.62 FL2 + 0.21 F32T8/TL841 (Triphosphor) + 9 cosine numbers
 //! + 1 line".
 
-use super::{composite::Spike, encoding::Encoding, known::known_lamps};
-use crate::spectrum::Basis;
+use super::{encoding::Encoding, known::known_lamps};
+use crate::spectrum::{Basis, Line};
 
 /// A known lamp's part of a light.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,7 +27,7 @@ pub struct Makeup {
     /// Numbers of the smooth part.
     pub smooth: usize,
     /// Lines, by rising wavelength.
-    pub lines: Vec<Spike>,
+    pub lines: Vec<Line>,
     /// Light's power, in its unit x nm.
     pub power: f64,
 }
@@ -50,7 +50,7 @@ impl Makeup {
             parts: encoding.atoms.iter().map(part).collect(),
             basis: encoding.smooth.basis,
             smooth: encoding.smooth.coefficients.len(),
-            lines: encoding.composite().spikes,
+            lines: encoding.composite().into_parts().1,
             power,
         }
     }
@@ -85,11 +85,11 @@ impl Makeup {
 
     /// The lines, one a sentence: "436.8 nm, 8.2 nm wide, 0.013 of the power".
     pub fn lines_in_words(&self) -> Vec<String> {
-        let line = |line: &Spike| {
+        let line = |line: &Line| {
             let width = if line.is_ideal() {
                 "ideal".to_owned()
             } else {
-                format!("{:.1} nm wide", line.width_nm)
+                format!("{:.1} nm wide", line.fwhm_nm)
             };
             let share = line.weight / self.power;
             if self.power > 0.0 && share.is_finite() {
@@ -126,10 +126,10 @@ mod tests {
     use super::*;
     use crate::{
         lamps::AtomWeight,
-        spectrum::{Band, Series},
+        spectrum::{Band, Line, Series},
     };
 
-    fn encoding(atoms: &[(u8, f64)], lines: Vec<Spike>) -> Encoding {
+    fn encoding(atoms: &[(u8, f64)], lines: Vec<Line>) -> Encoding {
         Encoding {
             atoms: atoms
                 .iter()
@@ -150,10 +150,10 @@ mod tests {
 
     #[test]
     fn a_makeup_reads_like_a_recipe() {
-        let line = Spike {
+        let line = Line {
             at_nm: 436.796,
             weight: 0.17,
-            width_nm: 0.0,
+            fwhm_nm: 0.0,
         };
         let makeup = Makeup::of(&encoding(&[(133, 0.62), (150, 0.21)], vec![line]));
         assert_eq!(

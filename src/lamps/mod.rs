@@ -1,7 +1,6 @@
 //! Known lamps and lines of their own width: the composite ahead of every representation.
 //!
 //! ```text
-//! composite    a line with a width, and the composite of such lines
 //! detector     the house's lines, each as wide as it is
 //! known        the lamps that an encoding may be made of
 //! encoding     an encoded light and its decoder; words, makeup: the same as bits and for people
@@ -18,7 +17,6 @@
 mod ask;
 mod choice;
 mod columns;
-mod composite;
 mod detector;
 mod encoder;
 mod encoding;
@@ -42,7 +40,6 @@ mod work;
 
 pub use ask::{Ask, Count, LeaveOut, NUMBERS};
 pub use choice::Chosen;
-pub use composite::{Composite, Shape, Spike, add_spikes, weigh_spikes};
 pub use detector::{WideDecomposition, as_wide_as_it_is, bell, decompose};
 pub use encoder::{Encoder, LONGEST_RANGE_NM};
 pub use encoding::{AtomWeight, Decoder, Encoding};

@@ -39,7 +39,7 @@ impl Operators {
         let [first, step, last] = FILTERS_NM;
         let centres = (first..=last).step_by(step as usize).map(f64::from);
         let inside = centres.filter(|nm| band.contains(*nm));
-        let sigma = BLUR_NM / super::composite::FWHM_IN_SIGMAS;
+        let sigma = BLUR_NM / crate::spectrum::FWHM_IN_SIGMAS;
         let blurred = |centre: usize| {
             let at = |i: usize| {
                 let t = (i as f64 - centre as f64) / sigma;
@@ -141,7 +141,7 @@ impl Operators {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{color::Observer, lamps::Shape};
+    use crate::{color::Observer, spectrum::LineProfile};
 
     fn operators() -> Operators {
         Operators::new(&Panel::choosing(Band::VISIBLE, Observer::Cie1931))
@@ -150,7 +150,7 @@ mod tests {
     #[test]
     fn rows_of_a_window_are_rows_of_the_whole() {
         let operators = operators();
-        let shape = Shape::new(Band::VISIBLE, 546.1, 12.0);
+        let shape = LineProfile::new(Band::VISIBLE, 546.1, 12.0);
         let mut whole = vec![0.0; 401];
         shape.add_to(1.0, &mut whole);
         let (part, all) = (

@@ -8,12 +8,11 @@ use nalgebra::{DMatrix, DVector};
 
 use super::{
     columns::Columns,
-    composite::{NARROWEST_NM, Spike},
     encoding::WIDTH_NM,
     goals::{GOALS, Goals},
     orthonormal::{Orthonormal, subtract},
 };
-use crate::spectrum::dot;
+use crate::spectrum::{Line, NARROWEST_NM, dot};
 
 /// Steps in place and width, nm.
 const STEPS_NM: [f64; 3] = [2.0, 0.8, 0.32];
@@ -52,10 +51,10 @@ pub(super) fn refine(
     columns: &Columns,
     at: &Goals,
     others: &[&[f64]],
-    lines: &[Spike],
+    lines: &[Line],
     target: &[f64],
     goals: [f64; GOALS],
-) -> Vec<Spike> {
+) -> Vec<Line> {
     let mut lines = lines.to_vec();
     let Some(mut state) = State::new(columns, at, others, &lines, target, goals) else {
         return lines;
@@ -77,7 +76,7 @@ impl<'a> State<'a> {
         columns: &'a Columns,
         at: &'a Goals,
         others: &[&[f64]],
-        lines: &[Spike],
+        lines: &[Line],
         target: &[f64],
         goals: [f64; GOALS],
     ) -> Option<Self> {
@@ -114,7 +113,7 @@ impl<'a> State<'a> {
     }
 
     /// Moves a line on by a step as long as it helps.
-    fn climb(&mut self, index: usize, line: &mut Spike, is_width: bool, step_nm: f64) {
+    fn climb(&mut self, index: usize, line: &mut Line, is_width: bool, step_nm: f64) {
         for _ in 0..MOST_MOVES {
             match self.moved(*line, is_width, step_nm) {
                 Some(moved) if self.accepts(index, moved) => *line = moved,
@@ -124,20 +123,20 @@ impl<'a> State<'a> {
     }
 
     /// A line one step on; `None` where it would leave the band or not move.
-    fn moved(&self, line: Spike, is_width: bool, step_nm: f64) -> Option<Spike> {
+    fn moved(&self, line: Line, is_width: bool, step_nm: f64) -> Option<Line> {
         let band = self.columns.band();
         let mut moved = line;
         if is_width {
-            moved.width_nm = if line.is_ideal() {
+            moved.fwhm_nm = if line.is_ideal() {
                 if step_nm < 0.0 {
                     return None;
                 }
                 WIDENED_NM
             } else {
-                (line.width_nm + step_nm).min(WIDTH_NM[1])
+                (line.fwhm_nm + step_nm).min(WIDTH_NM[1])
             };
-            if moved.width_nm < NARROWEST_NM {
-                moved.width_nm = 0.0;
+            if moved.fwhm_nm < NARROWEST_NM {
+                moved.fwhm_nm = 0.0;
             }
         } else {
             moved.at_nm = (line.at_nm + step_nm).clamp(band.min_nm(), band.max_nm());
@@ -146,7 +145,7 @@ impl<'a> State<'a> {
     }
 
     /// Takes a moved line in when it lowers the weighed error enough.
-    fn accepts(&mut self, index: usize, moved: Spike) -> bool {
+    fn accepts(&mut self, index: usize, moved: Line) -> bool {
         let place = self.others + index;
         let Some(free) = self.free_direction(place) else {
             return false;
@@ -232,7 +231,7 @@ impl<'a> State<'a> {
 }
 
 /// A line of weight 1 as errors of the goals.
-pub(super) fn errors_of(columns: &Columns, at: &Goals, line: Spike) -> Vec<f64> {
-    let shape = line.shape(columns.band());
+pub(super) fn errors_of(columns: &Columns, at: &Goals, line: Line) -> Vec<f64> {
+    let shape = line.profile(columns.band());
     at.errors_of(&columns.column(shape.first, &shape.values).rows)
 }

@@ -105,7 +105,7 @@ fn parts_json(encoding: &Encoding, words: &[u32]) -> Map<String, Value> {
     let lines = encoding
         .lines
         .iter()
-        .map(|l| json!({"at_nm": l.at_nm, "fwhm_nm": l.width_nm, "weight": l.weight}));
+        .map(|l| json!({"at_nm": l.at_nm, "fwhm_nm": l.fwhm_nm, "weight": l.weight}));
     let words: Vec<String> = words.iter().map(|word| format!("{word:08x}")).collect();
     let smooth = &encoding.smooth.coefficients;
     let none: &[f64] = &[];

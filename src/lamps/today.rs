@@ -3,10 +3,10 @@
 //! A spike costs two numbers and there is no label: `P = B + 2M`. The heaviest lines of the detector
 //! are spikes, as many as make the 10 nm-blurred error least.
 
-use super::{composite::Spike, encoding::Encoding, judge::Panel};
+use super::{encoding::Encoding, judge::Panel};
 use crate::{
     color::Weights,
-    spectrum::{Basis, Spike as IdealSpike, SpikeSettings, detect_shapes},
+    spectrum::{Basis, Line, SpikeSettings, detect_shapes},
     study::{FitBasis, ProjectedSpectrum, Way, error::Blur},
 };
 
@@ -55,11 +55,11 @@ impl Today {
                 };
                 let lines: Vec<usize> = (0..count).collect();
                 let (model, _) = projected.model(numbers - 2 * count, &lines, way.colour_exact);
-                let ideal = |s: &IdealSpike| Spike::ideal(s.at_nm, s.weight);
+                let ideal = |s: &Line| Line::ideal(s.at_nm, s.weight);
                 found.push(Encoding {
                     atoms: Vec::new(),
-                    lines: model.spikes.iter().map(ideal).collect(),
-                    smooth: model.smooth,
+                    lines: model.lines().iter().map(ideal).collect(),
+                    smooth: model.smooth().clone(),
                     way: Some(*way),
                 });
             }
@@ -82,7 +82,7 @@ impl Today {
             let (model, _) = projected.model(numbers - 2 * count, &lines, colour_exact);
             let mut rest = self.blur.values(&projected.smooth(&model));
             rest.iter_mut().zip(blurred).for_each(|(r, b)| *r -= b);
-            self.blur.add_spikes(&model.spikes, &mut rest);
+            self.blur.add_lines(model.lines(), &mut rest);
             band.inner(&rest, &rest)
         };
         (0..=most)

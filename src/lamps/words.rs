@@ -18,7 +18,6 @@
 use nalgebra::Vector3;
 
 use super::{
-    composite::Spike,
     encoding::{
         AtomWeight, Decoder, Encoding, MOST_ATOMS, byte_of_width, place_nm, stored_line,
         stored_place, width_of_byte,
@@ -28,7 +27,7 @@ use super::{
 };
 use crate::{
     color::Observer,
-    spectrum::{Band, Basis, Series, ThreeSums},
+    spectrum::{Band, Basis, Line, Series, ThreeSums},
     study::Way,
 };
 
@@ -95,7 +94,7 @@ pub fn to_words(encoding: &Encoding) -> Result<Vec<u32>, EncodingError> {
     }
     for line in &encoding.lines {
         let place = u32::from(stored_place(band, line.at_nm));
-        let width = u32::from(byte_of_width(line.width_nm));
+        let width = u32::from(byte_of_width(line.fwhm_nm));
         words.push(INTEGER | place | width << 16);
         words.push(number(line.weight)?);
     }
@@ -162,9 +161,9 @@ pub fn from_words(words: &[u32], band: Band) -> Result<Encoding, EncodingError> 
         let Some(at_nm) = place_nm(band, word as u16) else {
             return wrong(format!("place {}", word as u16), "a place up to 51200");
         };
-        lines.push(Spike {
+        lines.push(Line {
             at_nm,
-            width_nm: width_of_byte((word >> 16) as u8),
+            fwhm_nm: width_of_byte((word >> 16) as u8),
             weight: number(left.next())?,
         });
     }
@@ -315,7 +314,7 @@ pub fn rounded(
     }
     for line in &rounded.lines {
         let mut function = vec![0.0; band.points()];
-        line.shape(band).add_to(1.0, &mut function);
+        line.profile(band).add_to(1.0, &mut function);
         add(line.weight, &function, None);
     }
     round_in_turn(&mut numbers, wanted);
@@ -394,9 +393,9 @@ mod tests {
             },
             lines: lines
                 .into_iter()
-                .map(|(place, byte, weight)| Spike {
+                .map(|(place, byte, weight)| Line {
                     at_nm: place_nm(BAND, place).expect("a place"),
-                    width_nm: width_of_byte(byte),
+                    fwhm_nm: width_of_byte(byte),
                     weight,
                 })
                 .collect(),
@@ -442,7 +441,7 @@ mod tests {
                     basis,
                     coefficients: vec![1.0, 0.5, -0.25],
                 },
-                lines: vec![Spike::ideal(436.0, 3.0)],
+                lines: vec![Line::ideal(436.0, 3.0)],
                 way: Some(Way::new(basis, true, true)),
             };
             let decoder = Decoder::new(BAND);

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use super::{
     ask::{Ask, LEAST_LABELLED},
     columns::LEADING,
-    composite::Spike,
     encoder::{Counted, Encoder},
     encoding::{AtomWeight, Encoding, MOST_ATOMS, stored_line},
     fit::{FIRST_WEIGHTS, directions, fit, is_none, score, small_errors},
@@ -15,7 +14,7 @@ use super::{
     refine::{errors_of, refine},
     search::{Counts, Makeup, Search},
 };
-use crate::spectrum::{Basis, Series, dot};
+use crate::spectrum::{Basis, Line, Series, dot};
 
 /// Counts of lines that are tried.
 const LINE_COUNTS: [usize; 10] = [0, 1, 2, 3, 4, 5, 6, 8, 10, 13];
@@ -102,7 +101,7 @@ impl<'a> Work<'a> {
         // The plain series: all numbers smooth, no label.
         candidates.extend(self.candidate(ask.numbers, &[], &[]));
         for makeup in self.makeups(usable, ask) {
-            let lines: Vec<Spike> = makeup
+            let lines: Vec<Line> = makeup
                 .lines
                 .iter()
                 .map(|i| self.stored(self.encoder.columns.lines[*i].line))
@@ -177,7 +176,7 @@ impl<'a> Work<'a> {
     }
 
     /// Fits a makeup and measures it.
-    fn candidate(&self, cosines: usize, atoms: &[usize], lines: &[Spike]) -> Option<Candidate> {
+    fn candidate(&self, cosines: usize, atoms: &[usize], lines: &[Line]) -> Option<Candidate> {
         let columns = &self.encoder.columns;
         let smooth = cosines - LEADING;
         let lamps: Vec<Vec<f64>> = self.lamps(atoms);
@@ -199,7 +198,7 @@ impl<'a> Work<'a> {
         let cosine_gammas = columns.cosines[..smooth].iter().map(|c| c.gamma);
         let lamp_gammas = atoms.iter().map(|i| columns.atoms[*i].gamma);
         let line_gammas = lines.iter().map(|line| {
-            let shape = line.shape(columns.band());
+            let shape = line.profile(columns.band());
             columns.gamma(shape.first, &shape.values)
         });
         // What the columns have of the light's own colour, the leading cosines need not have.
@@ -232,7 +231,7 @@ impl<'a> Work<'a> {
             lines: lines
                 .iter()
                 .zip(of_lines)
-                .map(|(line, weight)| Spike {
+                .map(|(line, weight)| Line {
                     weight: *weight,
                     ..*line
                 })
@@ -270,11 +269,11 @@ impl<'a> Work<'a> {
             &self.target,
             *weights,
         );
-        let lines: Vec<Spike> = moved.into_iter().map(|line| self.stored(line)).collect();
+        let lines: Vec<Line> = moved.into_iter().map(|line| self.stored(line)).collect();
         self.candidate(cosines, atoms, &lines)
     }
 
-    fn stored(&self, line: Spike) -> Spike {
+    fn stored(&self, line: Line) -> Line {
         stored_line(self.encoder.columns.band(), line)
     }
 

@@ -15,7 +15,7 @@ use exr::{
 };
 
 use super::{film::Film, light::Light, plane::Plane};
-use crate::spectrum::Spike;
+use crate::spectrum::Line;
 
 /// Why there is no image.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -60,7 +60,7 @@ pub fn spectral_exr(
     facts: &[(&str, String)],
 ) -> Result<Vec<u8>, ExrError> {
     let size = film.settings().size;
-    let mut lines: Vec<(Spike, Vec<f32>)> = Vec::new();
+    let mut lines: Vec<(Line, Vec<f32>)> = Vec::new();
     for spike in light.seen_spikes() {
         let transport = film.transport(spike.at_nm);
         let weight = spike.weight as f32;

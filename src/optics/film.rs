@@ -21,7 +21,7 @@ use super::{
     studio::Studio,
     tile::{Entries, Entry, SIDE, Tile},
 };
-use crate::{color::Observer, spectrum::Spike, study::Progress};
+use crate::{color::Observer, spectrum::Line, study::Progress};
 
 /// Sides of a picture, pixels.
 pub const SIZES: std::ops::RangeInclusive<usize> = 16..=4096;
@@ -196,8 +196,8 @@ impl Film {
 
     /// Spikes of a light that a film gives planes: all between 380 and 780 nm, of more than
     /// [`MOST_LINES`] the strongest; by rising wavelength.
-    pub fn lines_of(light: &Light) -> Vec<Spike> {
-        let mut lines: Vec<Spike> = light.seen_spikes().collect();
+    pub fn lines_of(light: &Light) -> Vec<Line> {
+        let mut lines: Vec<Line> = light.seen_spikes().collect();
         lines.sort_by(|a, b| b.weight.abs().total_cmp(&a.weight.abs()));
         lines.truncate(MOST_LINES);
         lines.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
@@ -313,7 +313,7 @@ impl Film {
         Ok(places)
     }
 
-    fn importance(&self, light: &Light, lines: &[Spike]) -> Importance {
+    fn importance(&self, light: &Light, lines: &[Line]) -> Importance {
         // Rays are shared for the standard observer whoever looks.
         let observer = Observer::Cie1931;
         let table = observer.table();

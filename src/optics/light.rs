@@ -4,7 +4,7 @@ use std::{borrow::Cow, fmt};
 
 use crate::{
     color::{Observer, Xyz},
-    spectrum::{Band, Composite, Spike},
+    spectrum::{Band, Composite, Line},
 };
 
 /// First and last wavelength that is traced, nm: what the eye sees but for a trace.
@@ -24,7 +24,7 @@ pub struct Light {
     pub name: String,
     band: Band,
     smooth: Vec<f64>,
-    spikes: Vec<Spike>,
+    spikes: Vec<Line>,
 }
 
 /// Why there is no light.
@@ -65,7 +65,7 @@ impl Light {
         name: &str,
         band: Band,
         smooth: Vec<f64>,
-        mut spikes: Vec<Spike>,
+        mut spikes: Vec<Line>,
     ) -> Result<Self, LightError> {
         if smooth.len() != band.points() {
             return Err(LightError::Values {
@@ -102,8 +102,8 @@ impl Light {
         Self::new(
             name,
             composite.band(),
-            composite.smooth.on_band(),
-            composite.spikes.clone(),
+            composite.smooth().on_band(),
+            composite.lines().to_vec(),
         )
     }
 
@@ -113,7 +113,7 @@ impl Light {
     /// As [`Light::new`].
     pub fn of_line(at_nm: f64) -> Result<Self, LightError> {
         let band = Band::VISIBLE;
-        let spike = Spike { at_nm, weight: 1.0 };
+        let spike = Line::ideal(at_nm, 1.0);
         Self::new(
             &format!("{at_nm} nm"),
             band,
@@ -149,14 +149,14 @@ impl Light {
     }
 
     /// All spikes by rising wavelength.
-    pub fn spikes(&self) -> &[Spike] {
+    pub fn spikes(&self) -> &[Line] {
         &self.spikes
     }
 
     /// Spikes between 380 and 780 nm, by rising wavelength.
-    pub fn seen_spikes(&self) -> impl Iterator<Item = Spike> + '_ {
+    pub fn seen_spikes(&self) -> impl Iterator<Item = Line> + '_ {
         let [from, to] = SEEN_NM;
-        let seen = move |s: &&Spike| (from..=to).contains(&s.at_nm) && s.weight != 0.0;
+        let seen = move |s: &&Line| (from..=to).contains(&s.at_nm) && s.weight != 0.0;
         self.spikes.iter().filter(seen).copied()
     }
 
@@ -273,10 +273,7 @@ mod tests {
     #[test]
     fn both_parts_make_the_whole() {
         let band = Band::VISIBLE;
-        let spike = Spike {
-            at_nm: 546.1,
-            weight: 40.0,
-        };
+        let spike = Line::ideal(546.1, 40.0);
         let whole = Light::new("both", band, vec![1.0; band.points()], vec![spike]).unwrap();
         let (lines, smooth) = (whole.lines_alone().unwrap(), whole.smooth_alone().unwrap());
         let white = |light: &Light| light.white(Observer::Cie1931).y;

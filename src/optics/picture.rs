@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     color::{Observer, Xyz, delta_e_2000, lab_from_xyz},
-    spectrum::{Spike, quantile},
+    spectrum::{Line, quantile},
 };
 
 /// X, Y, Z of each pixel, row after row from the top.
@@ -78,7 +78,7 @@ impl Film {
             }
         }
         let table = observer.table();
-        for Spike { at_nm, weight } in light.seen_spikes() {
+        for Line { at_nm, weight, .. } in light.seen_spikes() {
             parts.push(Part {
                 nm: at_nm,
                 line: self.line(at_nm),

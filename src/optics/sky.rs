@@ -14,7 +14,7 @@ use super::{
 };
 use crate::{
     color::{Observer, Xyz},
-    spectrum::Spike,
+    spectrum::Line,
 };
 
 /// Apparent diameter of the sun, degrees.
@@ -172,7 +172,7 @@ impl Sky {
         }
         let mut lines = vec![[0.0_f64; 3]; width];
         let mut cells = vec![0.0; width];
-        for Spike { at_nm, weight } in light.seen_spikes() {
+        for Line { at_nm, weight, .. } in light.seen_spikes() {
             cells.fill(0.0);
             self.trace(at_nm, &mut cells);
             let weights = table.at(at_nm).map(|v| v * weight);
@@ -293,7 +293,7 @@ mod tests {
         let (a, b) = (546.075, 435.833);
         let one = |nm: f64| sky.strip(&Light::of_line(nm).unwrap(), Observer::Cie1931, true);
         let band = crate::spectrum::Band::VISIBLE;
-        let spikes = [a, b].map(|at_nm| Spike { at_nm, weight: 1.0 });
+        let spikes = [a, b].map(|at_nm| Line::ideal(at_nm, 1.0));
         let both = Light::new("both", band, vec![0.0; 401], spikes.to_vec()).unwrap();
         let both = sky.strip(&both, Observer::Cie1931, true);
         let (a, b) = (one(a), one(b));

@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     color::{Observer, Xyz},
-    spectrum::Spike,
+    spectrum::Line,
 };
 
 /// Which part of the screen is looked at.
@@ -27,7 +27,7 @@ pub struct Screen {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineImage {
     /// The spike.
-    pub spike: Spike,
+    pub spike: Line,
     /// Middle of its image, mm.
     pub x_mm: f64,
     /// Width of its image, mm.

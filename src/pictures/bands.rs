@@ -1,7 +1,7 @@
 //! The wavelengths of a picture: how a spectrum goes on between them, and which are kept.
 
 use crate::color::xyz::{FIRST_NM, LAST_NM, POINTS};
-use crate::spectrum::{Kind, Outside, Sampled, Spike};
+use crate::spectrum::{Kind, Line, Outside, Sampled};
 
 use super::PictureError;
 
@@ -142,7 +142,7 @@ impl Bands {
     ///
     /// Each side of a tent is summed in even steps of at most one nm, onto which the table's area
     /// is shared out ([`Sampled::on_grid`]): a line finer than that keeps its power.
-    pub fn under_tents(&self, table: &Sampled, spikes: &[Spike]) -> Vec<f64> {
+    pub fn under_tents(&self, table: &Sampled, spikes: &[Line]) -> Vec<f64> {
         let count = self.nm.len();
         let (mut sums, mut areas) = (vec![0.0; count], vec![0.0; count]);
         for (left, ends) in self.nm.windows(2).enumerate() {
@@ -165,7 +165,7 @@ impl Bands {
                 }
             }
             let last = left + 2 == count;
-            for Spike { at_nm, weight } in spikes {
+            for Line { at_nm, weight, .. } in spikes {
                 let inside = *at_nm >= ends[0] && (*at_nm < ends[1] || last && *at_nm == ends[1]);
                 if inside {
                     let rising = (at_nm - ends[0]) / width;
@@ -341,10 +341,7 @@ mod tests {
     fn a_spike_keeps_its_power_on_even_bands() {
         let dark = Sampled::new(vec![300.0, 900.0], vec![0.0, 0.0]).unwrap();
         let bands = bands(Kind::Light);
-        let spike = Spike {
-            at_nm: 546.1,
-            weight: 3.0,
-        };
+        let spike = Line::ideal(546.1, 3.0);
         let found = bands.under_tents(&dark, &[spike]);
         let power: f64 = found
             .iter()

@@ -7,7 +7,7 @@ use crate::color::Observer;
 use crate::color::Xyz;
 use crate::color::xyz::{FIRST_NM, LAST_NM, POINTS, xyz_from_nm_values};
 use crate::preset::{Group, SHIPPED};
-use crate::spectrum::{Outside, Sampled, Spike};
+use crate::spectrum::{Line, Outside, Sampled};
 
 use super::{Bands, PictureError};
 
@@ -16,7 +16,7 @@ use super::{Bands, PictureError};
 pub struct Light {
     name: String,
     table: Sampled,
-    spikes: Vec<Spike>,
+    spikes: Vec<Line>,
     on_nm: Vec<f64>,
 }
 
@@ -30,7 +30,7 @@ impl Light {
     }
 
     /// A light from its smooth part and its lines (value x nm).
-    pub fn with_spikes(name: &str, table: &Sampled, spikes: Vec<Spike>) -> Self {
+    pub fn with_spikes(name: &str, table: &Sampled, spikes: Vec<Line>) -> Self {
         Self {
             name: name.to_owned(),
             on_nm: table.on_whole_nm(FIRST_NM, LAST_NM, Outside::Zero),
@@ -91,7 +91,7 @@ impl Light {
     }
 
     /// Its lines.
-    pub fn spikes(&self) -> &[Spike] {
+    pub fn spikes(&self) -> &[Line] {
         &self.spikes
     }
 
@@ -181,10 +181,10 @@ impl Light {
             .zip(&other.on_nm)
             .map(|(x, y)| a * x + b * y);
         let table = Sampled::even(f64::from(FIRST_NM), 1.0, on_nm.collect()).ok()?;
-        let scaled = |spikes: &[Spike], factor: f64| -> Vec<Spike> {
+        let scaled = |spikes: &[Line], factor: f64| -> Vec<Line> {
             let spikes = spikes.iter();
             spikes
-                .map(|s| Spike {
+                .map(|s| Line {
                     weight: s.weight * factor,
                     ..*s
                 })
@@ -285,14 +285,7 @@ mod tests {
     #[test]
     fn a_line_acts_at_its_own_wavelength() {
         let dark = Sampled::new(vec![300.0, 900.0], vec![0.0; 2]).unwrap();
-        let line = Light::with_spikes(
-            "line",
-            &dark,
-            vec![Spike {
-                at_nm: 546.1,
-                weight: 2.0,
-            }],
-        );
+        let line = Light::with_spikes("line", &dark, vec![Line::ideal(546.1, 2.0)]);
         let bands = Bands::new(vec![400.0, 540.0, 550.0, 700.0], Kind::Reflectance).unwrap();
         let [x, y, _] = line.weights(&bands, Observer::Cie1931).unwrap();
         let seen = Observer::Cie1931.table().at(546.1);

@@ -27,9 +27,10 @@ use std::f64::consts::PI;
 use super::{
     band::{Band, dot},
     basis::{Basis, Series},
-    composite::{Composite, GAUSSIAN_AREA, Spike},
+    composite::Composite,
     factor::{Dip, Factor},
-    product::{chain_points, convolve, folded_shares, weigh_spikes},
+    line::{GAUSSIAN_AREA, Line},
+    product::{chain_points, convolve, folded_shares, weigh_lines},
     resampled::{SampleGrid, Sampling},
 };
 
@@ -56,7 +57,7 @@ pub struct Stage {
     /// The smooth part if nothing had been folded or cut: the product of the very same factors.
     pub unfolded: Vec<f64>,
     /// The spikes, by rising wavelength.
-    pub spikes: Vec<Spike>,
+    pub spikes: Vec<Line>,
     /// Lines that stood on a dip.
     pub met: Vec<Met>,
     /// Share of the product's power so far, 0-1, in orders that the points fold back (of a
@@ -122,7 +123,7 @@ impl ChainTables {
             band,
             basis,
             coefficients,
-        } = &light.smooth;
+        } = light.smooth();
         Self::new(*band, *basis, coefficients.len(), sampling, factors)
     }
 
@@ -136,28 +137,14 @@ impl ChainTables {
         (self.points > 0).then_some(self.points)
     }
 
-    /// The light behind each factor in turn, its lines ideal ([`ChainTables::pass_wide`]).
-    ///
-    /// # Panics
-    /// As there.
-    pub fn pass(&self, light: &Composite, factors: &[Factor]) -> Vec<Stage> {
-        self.pass_wide(light, &[], factors)
-    }
-
-    /// The light behind each factor in turn. `widths_nm` are the full widths at half maximum of the
-    /// light's lines in their order; lines beyond them are ideal. A width counts where a line meets
-    /// a dip, nowhere else.
+    /// The light behind each factor in turn. A line weighs a factor at its centre; its width counts
+    /// where it meets a dip, nowhere else, and the stages' lines are ideal.
     ///
     /// # Panics
     /// When light and tables differ in band, basis or count of numbers, or a factor does not have
     /// [`Band::points`] values.
-    pub fn pass_wide(
-        &self,
-        light: &Composite,
-        widths_nm: &[f64],
-        factors: &[Factor],
-    ) -> Vec<Stage> {
-        let smooth = &light.smooth;
+    pub fn pass(&self, light: &Composite, factors: &[Factor]) -> Vec<Stage> {
+        let smooth = light.smooth();
         assert!(
             (smooth.band, smooth.basis, smooth.coefficients.len())
                 == (self.band, self.basis, self.numbers),
@@ -174,32 +161,30 @@ impl ChainTables {
             | Sampling::ThreeN
             | Sampling::FourN
             | Sampling::Double
-            | Sampling::Convolution => self.pass_series(light, widths_nm, factors),
+            | Sampling::Convolution => self.pass_series(light, factors),
         }
     }
 
     fn pass_measured(&self, light: &Composite, factors: &[Factor]) -> Vec<Stage> {
-        let mut smooth = self.evaluate(&light.smooth.coefficients);
-        let mut spikes = light.spikes.clone();
+        let mut smooth = self.evaluate(&light.smooth().coefficients);
+        let mut spikes = light.lines().to_vec();
         let mut stages = Vec::with_capacity(factors.len());
         for factor in factors {
             multiply_by(&mut smooth, factor.values());
-            spikes = weigh_spikes(&spikes, |nm| self.band.interpolate(factor.values(), nm));
+            spikes = weigh_lines(&spikes, |nm| self.band.interpolate(factor.values(), nm));
             stages.push(Stage {
                 smooth: smooth.clone(),
                 unfolded: smooth.clone(),
                 met: Vec::new(),
                 folded_share: 0.0,
                 multiplications: self.band.points() + spikes.len(),
-                spikes: spikes.clone(),
+                spikes: centres(&spikes),
             });
         }
         stages
     }
 
-    fn pass_series(&self, light: &Composite, widths_nm: &[f64], factors: &[Factor]) -> Vec<Stage> {
-        let places = light.spikes.iter().map(|spike| spike.at_nm);
-        let mut widths: Vec<[f64; 2]> = places.zip(widths_nm).map(|(at, w)| [at, *w]).collect();
+    fn pass_series(&self, light: &Composite, factors: &[Factor]) -> Vec<Stage> {
         let series: Vec<Series> = factors
             .iter()
             .map(|factor| self.series(self.project(factor.background())))
@@ -209,17 +194,16 @@ impl ChainTables {
         } else {
             self.numbers
         };
-        let folded = folded_shares(&light.smooth, &series, kept);
-        let mut unfolded = self.evaluate(&light.smooth.coefficients);
-        let mut values = self.sample(&light.smooth.coefficients);
-        let mut product = light.smooth.clone();
-        let mut spikes = light.spikes.clone();
+        let folded = folded_shares(light.smooth(), &series, kept);
+        let mut unfolded = self.evaluate(&light.smooth().coefficients);
+        let mut values = self.sample(&light.smooth().coefficients);
+        let mut product = light.smooth().clone();
+        let mut spikes = light.lines().to_vec();
         let mut stages = Vec::with_capacity(factors.len());
         for ((factor, short), folded_share) in factors.iter().zip(&series).zip(folded) {
             let multiplied = spikes.len() + factor.dips().len();
-            let (weighed, met) = through_dips((&spikes, &widths), &product, factor, short);
+            let (weighed, met) = through_dips(&spikes, &product, factor, short);
             spikes = weighed;
-            widths.extend(factor.dips().iter().map(|dip| [dip.at_nm, dip.width_nm]));
             if self.points > 0 {
                 multiply_by(&mut values, &self.sample(&short.coefficients));
                 let rows = self.to_numbers.chunks_exact(self.points);
@@ -231,7 +215,7 @@ impl ChainTables {
             stages.push(Stage {
                 smooth: self.evaluate(&product.coefficients),
                 unfolded: unfolded.clone(),
-                spikes: spikes.clone(),
+                spikes: centres(&spikes),
                 met,
                 folded_share,
                 multiplications: multiplied
@@ -281,15 +265,20 @@ impl ChainTables {
     }
 }
 
-/// Spikes (with the places and widths of those that have one) behind a factor: weighed by its
-/// series, and new ones where its dips stand.
+/// The lines without their widths.
+fn centres(lines: &[Line]) -> Vec<Line> {
+    let centre = |line: &Line| Line::ideal(line.at_nm, line.weight);
+    lines.iter().map(centre).collect()
+}
+
+/// Lines behind a factor: weighed by its series, and new ones where its dips stand.
 fn through_dips(
-    (spikes, widths): (&[Spike], &[[f64; 2]]),
+    spikes: &[Line],
     before: &Series,
     factor: &Factor,
     short: &Series,
-) -> (Vec<Spike>, Vec<Met>) {
-    let mut behind = weigh_spikes(spikes, |nm| short.at(nm));
+) -> (Vec<Line>, Vec<Met>) {
+    let mut behind = weigh_lines(spikes, |nm| short.at(nm));
     let mut met = Vec::new();
     for spike in &mut behind {
         let distance = |dip: &&Dip| (dip.at_nm - spike.at_nm).abs();
@@ -299,8 +288,7 @@ fn through_dips(
             .min_by(|a, b| distance(a).total_cmp(&distance(b)))
             .filter(|dip| distance(dip) <= SAME_PLACE_NM);
         let Some(dip) = nearest else { continue };
-        let width = widths.iter().find(|[at_nm, _]| *at_nm == spike.at_nm);
-        let depth = dip.depth * share_lost(width.map_or(0.0, |w| w[1]), dip.width_nm);
+        let depth = dip.depth * share_lost(spike.fwhm_nm, dip.width_nm);
         // A dip of an earlier factor is a line that hangs down.
         let is_line = spike.weight > 0.0;
         spike.weight *= 1.0 - depth;
@@ -317,9 +305,10 @@ fn through_dips(
         // The second pane of the same glass deepens the line of the first.
         match behind.iter_mut().find(|spike| spike.at_nm == dip.at_nm) {
             Some(spike) => spike.weight += weight,
-            None => behind.push(Spike {
+            None => behind.push(Line {
                 at_nm: dip.at_nm,
                 weight,
+                fwhm_nm: dip.width_nm,
             }),
         }
     }
@@ -339,7 +328,7 @@ fn share_lost(line_nm: f64, dip_nm: f64) -> f64 {
 ///
 /// `smooth` is on the band's grid. A spectrum cannot be negative, so such a dip says that the
 /// model is not to be believed there.
-pub fn below_zero(band: Band, smooth: &[f64], spikes: &[Spike], width_nm: f64) -> Vec<f64> {
+pub fn below_zero(band: Band, smooth: &[f64], spikes: &[Line], width_nm: f64) -> Vec<f64> {
     spikes
         .iter()
         .filter(|spike| spike.weight < 0.0)
@@ -408,19 +397,19 @@ mod tests {
             .collect()
     }
 
-    fn flat_light(spikes: Vec<Spike>, basis: Basis) -> Composite {
+    fn flat_light(spikes: Vec<Line>, basis: Basis) -> Composite {
         let one = match basis {
             Basis::Fourier => 2.0,
             Basis::Cosine => 1.0,
         };
-        Composite {
-            smooth: Series {
+        Composite::of_lines_inside(
+            Series {
                 band: BAND,
                 basis,
                 coefficients: vec![one, 0.0, 0.0, 0.0, 0.0],
             },
             spikes,
-        }
+        )
     }
 
     #[test]
@@ -505,7 +494,7 @@ mod tests {
     fn a_line_on_a_dip_keeps_what_the_dip_lets_through_and_the_stage_says_so() {
         let kept = Factor::keeping_dips(BAND, dented(500.0, 0.8), SpikeSettings::default());
         let depth = kept.dips()[0].depth;
-        let line = |at_nm| Spike { at_nm, weight: 3.0 };
+        let line = |at_nm| Line::ideal(at_nm, 3.0);
         let light = flat_light(vec![line(500.4), line(500.6)], Basis::Cosine);
         let tables = ChainTables::for_light(&light, Sampling::Double, 1);
         let stages = tables.pass(&light, std::slice::from_ref(&kept));
@@ -533,15 +522,14 @@ mod tests {
         let width = 4.0 * LN_2.sqrt();
         assert!((dip.width_nm / width - 1.0).abs() < 0.02, "{dip:?}");
         for line_nm in [0.5, 2.0, width, 10.0] {
-            let light = flat_light(
-                vec![Spike {
-                    at_nm: dip.at_nm,
-                    weight: 3.0,
-                }],
-                Basis::Cosine,
-            );
+            let line = Line {
+                at_nm: dip.at_nm,
+                weight: 3.0,
+                fwhm_nm: line_nm,
+            };
+            let light = flat_light(vec![line], Basis::Cosine);
             let tables = ChainTables::for_light(&light, Sampling::Double, 1);
-            let stages = tables.pass_wide(&light, &[line_nm], std::slice::from_ref(&kept));
+            let stages = tables.pass(&light, std::slice::from_ref(&kept));
             let [met] = stages[0].met[..] else {
                 panic!("{:?}", stages[0].met)
             };

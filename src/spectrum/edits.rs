@@ -8,7 +8,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     band::Band,
-    composite::{Composite, GAUSSIAN_AREA, Spike},
+    composite::Composite,
+    line::{GAUSSIAN_AREA, Line},
     spikes::{self, Decomposition, SpikeSettings, Wishes},
 };
 
@@ -50,7 +51,7 @@ impl SpikeEdits {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ModelSpike {
     /// Place and weight as the model uses them.
-    pub spike: Spike,
+    pub spike: Line,
     /// Full width at half maximum of the line it stands for, nm; `None` where no line is.
     pub width_nm: Option<f64>,
     /// The window that line was taken from, nm.
@@ -96,7 +97,7 @@ impl Decomposed {
     /// as it stands there, over its two neighbouring nm.
     pub fn of_composite(composite: &Composite, values: &[f64]) -> Self {
         let band = composite.band();
-        let spikes = composite.spikes.iter().filter(|s| band.contains(s.at_nm));
+        let spikes = composite.lines().iter().filter(|s| band.contains(s.at_nm));
         let mut spikes: Vec<ModelSpike> = spikes
             .map(|&spike| {
                 let beyond = spike.at_nm.fract();
@@ -111,7 +112,7 @@ impl Decomposed {
             .collect();
         spikes.sort_by(|a, b| a.spike.at_nm.total_cmp(&b.spike.at_nm));
         Self {
-            smooth: composite.smooth.on_band(),
+            smooth: composite.smooth().on_band(),
             spikes,
             power: spikes::absolute_power(band, values),
         }
@@ -137,7 +138,7 @@ impl Decomposed {
     }
 
     /// Place and weight of all spikes.
-    pub fn plain_spikes(&self) -> Vec<Spike> {
+    pub fn plain_spikes(&self) -> Vec<Line> {
         self.spikes.iter().map(|s| s.spike).collect()
     }
 }
@@ -212,10 +213,7 @@ const UNCHANGED_NM: f64 = 0.01;
 fn in_their_places(found: &Decomposed, hand: &[HandSpike]) -> Option<Decomposed> {
     let mut parts = found.clone();
     for (index, hand) in hand.iter().enumerate() {
-        let spike = Spike {
-            at_nm: hand.at_nm,
-            weight: hand.weight,
-        };
+        let spike = Line::ideal(hand.at_nm, hand.weight);
         let Some(line_nm) = hand.line_nm else {
             parts.spikes.push(ModelSpike {
                 spike,
@@ -253,10 +251,7 @@ fn taken(
         spikes::take_window(band, rest, window, sign)
     });
     ModelSpike {
-        spike: Spike {
-            at_nm: hand.at_nm,
-            weight: hand.weight,
-        },
+        spike: Line::ideal(hand.at_nm, hand.weight),
         width_nm: line.map(|l| l.width_nm),
         window_nm: line.map(|l| l.window_nm),
         peaks: usize::from(line.is_some()),

@@ -2,7 +2,7 @@
 
 use super::{
     band::Band,
-    composite::GAUSSIAN_AREA,
+    line::GAUSSIAN_AREA,
     spikes::{SpikeSettings, dip_shapes},
 };
 

@@ -7,7 +7,7 @@
 
 use super::{
     band::Band,
-    composite::{GAUSSIAN_AREA, Spike},
+    line::{GAUSSIAN_AREA, Line},
     spikes::{Decomposition, FoundSpike, Wishes},
 };
 
@@ -72,10 +72,7 @@ pub fn detect(
             .map(|(i, r)| r * band.nm(left + i))
             .sum();
         let found = FoundSpike {
-            spike: Spike {
-                at_nm: moment / energy,
-                weight: energy,
-            },
+            spike: Line::ideal(moment / energy, energy),
             width_nm,
             peaks: 1,
             window_nm: [band.nm(left), band.nm(right)],

@@ -7,31 +7,28 @@
 use super::{
     band::Band,
     basis::{Basis, Series},
-    composite::{Composite, Spike},
+    composite::Composite,
+    line::{Line, add_lines},
     resampled::{Resampled, SampleGrid, Sampling},
 };
 
-/// A light as the model has it, times a factor as measured, on the 1 nm grid.
+/// A light as the model has it, times a factor as measured, on the 1 nm grid: values, with the lines
+/// that have a width among them, so that a factor narrower than a line is seen as it is; and the
+/// ideal lines, which read the factor off the straight line between its two neighbouring nm.
 ///
-/// `factor` holds values on the light's band. Spikes read the factor off the straight line
-/// between its two neighbouring nm.
+/// `factor` holds values on the light's band.
 ///
 /// # Panics
 /// When `factor` does not have one value per grid point of the light's band.
-pub fn on_grid(light: &Composite, factor: &[f64]) -> (Vec<f64>, Vec<Spike>) {
+pub fn on_grid(light: &Composite, factor: &[f64]) -> (Vec<f64>, Vec<Line>) {
     let band = light.band();
     assert_eq!(factor.len(), band.points(), "one value per grid point");
-    let smooth = light
-        .smooth
-        .on_band()
-        .iter()
-        .zip(factor)
-        .map(|(s, f)| s * f)
-        .collect();
-    (
-        smooth,
-        weigh_spikes(&light.spikes, |nm| band.interpolate(factor, nm)),
-    )
+    let (ideal, wide): (Vec<Line>, Vec<Line>) =
+        light.lines().iter().partition(|line| line.is_ideal());
+    let mut values = light.smooth().on_band();
+    add_lines(band, &wide, &mut values);
+    let lit = multiply(&values, factor);
+    (lit, weigh_lines(&ideal, |nm| band.interpolate(factor, nm)))
 }
 
 /// A light times a smooth factor by resampling: the composite through the products of the points.
@@ -43,30 +40,24 @@ pub fn on_grid(light: &Composite, factor: &[f64]) -> (Vec<f64>, Vec<Spike>) {
 /// # Panics
 /// When the two differ in band or basis, or one has no coefficient.
 pub fn resampled(light: &Composite, factor: &Series, sampling: Sampling) -> Composite {
-    assert_alike(&light.smooth, factor);
-    let numbers = light
-        .smooth
-        .coefficients
-        .len()
-        .max(factor.coefficients.len());
-    let whole = || convolve(&light.smooth, factor);
+    let light_series = light.smooth();
+    assert_alike(light_series, factor);
+    let numbers = (light_series.coefficients.len()).max(factor.coefficients.len());
+    let whole = || convolve(light_series, factor);
     let smooth = match (sampling, sampling.points(numbers)) {
         (_, Some(points)) => {
             let grid = SampleGrid {
                 band: light.band(),
-                basis: light.smooth.basis,
+                basis: light_series.basis,
                 points,
             };
-            let product = multiply(&grid.sample(&light.smooth), &grid.sample(factor));
+            let product = multiply(&grid.sample(light_series), &grid.sample(factor));
             grid.series(&product)
         }
         (Sampling::Convolution, None) => whole().truncated(numbers),
         (_, None) => whole(),
     };
-    Composite {
-        smooth,
-        spikes: weigh_spikes(&light.spikes, |nm| factor.at(nm)),
-    }
+    Composite::of_lines_inside(smooth, weighed_by_series(light.lines(), factor))
 }
 
 /// A chain of factors on one grid, never truncated in between.
@@ -78,17 +69,17 @@ pub fn chain(light: &Composite, factors: &[Series], points: usize) -> Resampled 
     assert!(points > 0, "a point at least");
     factors
         .iter()
-        .for_each(|factor| assert_alike(&light.smooth, factor));
+        .for_each(|factor| assert_alike(light.smooth(), factor));
     let grid = SampleGrid {
         band: light.band(),
-        basis: light.smooth.basis,
+        basis: light.smooth().basis,
         points,
     };
-    let mut values = grid.sample(&light.smooth);
-    let mut spikes = light.spikes.clone();
+    let mut values = grid.sample(light.smooth());
+    let mut spikes = light.lines().to_vec();
     for factor in factors {
         values = multiply(&values, &grid.sample(factor));
-        spikes = weigh_spikes(&spikes, |nm| factor.at(nm));
+        spikes = weighed_by_series(&spikes, factor);
     }
     Resampled {
         grid,
@@ -208,15 +199,17 @@ pub fn multiply_points<const POINTS: usize>(
     }
 }
 
-/// Spikes weighed by a factor where they stand (Eq. 14).
-pub fn weigh_spikes(spikes: &[Spike], factor_at: impl Fn(f64) -> f64) -> Vec<Spike> {
-    spikes
-        .iter()
-        .map(|s| Spike {
-            at_nm: s.at_nm,
-            weight: s.weight * factor_at(s.at_nm),
-        })
-        .collect()
+/// Lines weighed by a factor at their centres (Eq. 14).
+pub fn weigh_lines(lines: &[Line], factor_at: impl Fn(f64) -> f64) -> Vec<Line> {
+    let weighed = |line: &Line| line.weighing(line.weight * factor_at(line.at_nm));
+    lines.iter().map(weighed).collect()
+}
+
+/// Lines weighed by a smooth factor, each over its own width, in closed form (Eq. 17 with damping).
+/// Exact in power; a line's own skew is left out.
+pub fn weighed_by_series(lines: &[Line], factor: &Series) -> Vec<Line> {
+    let weighed = |line: &Line| line.weighing(line.integrate_series(factor));
+    lines.iter().map(weighed).collect()
 }
 
 /// Power of a product that the sample grid folds back, as a share of the product's power.
@@ -272,4 +265,67 @@ fn share_above(series: &Series, kept: usize) -> f64 {
     // An empty sum is minus zero.
     let above = 0.0 + power(kept.min(series.coefficients.len()));
     if all > 0.0 { above / all } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BAND: Band = Band::VISIBLE;
+
+    #[test]
+    fn behind_a_filter_narrower_than_the_line_the_line_is_cut_to_the_filter() {
+        let dark = Series {
+            band: BAND,
+            basis: Basis::Cosine,
+            coefficients: vec![0.0],
+        };
+        let line = Line {
+            at_nm: 546.0,
+            weight: 1.0,
+            fwhm_nm: 40.0,
+        };
+        let light = Composite::of_lines_inside(dark, vec![line]);
+        let filter: Vec<f64> = BAND
+            .grid()
+            .map(|nm| (-4.0 * std::f64::consts::LN_2 * ((nm - 546.0) / 4.0).powi(2)).exp())
+            .collect();
+        let (values, ideal) = on_grid(&light, &filter);
+        assert!(ideal.is_empty());
+        // Gaussian times Gaussian: widths add as 1/w^2, heights multiply.
+        let width = 1.0 / (1.0_f64 / 1600.0 + 1.0 / 16.0).sqrt();
+        let expected = width / 40.0;
+        assert!((BAND.integral(&values) - expected).abs() < 1e-9 * expected);
+    }
+
+    #[test]
+    fn times_one_is_the_light_itself() {
+        for basis in Basis::ALL {
+            let one = Series {
+                band: BAND,
+                basis,
+                coefficients: vec![if basis == Basis::Fourier { 2.0 } else { 1.0 }],
+            };
+            let smooth = Series {
+                band: BAND,
+                basis,
+                coefficients: vec![1.5, -0.3, 0.2],
+            };
+            let lines = [(436.0, 0.0), (546.07, 3.0), (779.5, 8.0)].map(|(at_nm, fwhm_nm)| Line {
+                at_nm,
+                weight: 2.0,
+                fwhm_nm,
+            });
+            let light = Composite::of_lines_inside(smooth, lines.to_vec());
+            let product = resampled(&light, &one, Sampling::Exact);
+            for (a, b) in product.lines().iter().zip(light.lines()) {
+                // Sums of at most 401 products.
+                assert!((a.weight - b.weight).abs() < 1e-12, "{a:?} {b:?}");
+                assert_eq!((a.at_nm, a.fwhm_nm), (b.at_nm, b.fwhm_nm));
+            }
+            for (a, b) in product.on_band().iter().zip(light.on_band()) {
+                assert!((a - b).abs() < 1e-12);
+            }
+        }
+    }
 }

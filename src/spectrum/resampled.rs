@@ -9,7 +9,8 @@ use std::f64::consts::PI;
 use super::{
     band::Band,
     basis::{Basis, Series},
-    composite::{Composite, Spike},
+    composite::Composite,
+    line::Line,
 };
 
 /// How many points a product is formed on.
@@ -241,7 +242,7 @@ pub struct Resampled {
     /// One value per point.
     pub values: Vec<f64>,
     /// Spikes, carried exactly.
-    pub spikes: Vec<Spike>,
+    pub spikes: Vec<Line>,
 }
 
 impl Resampled {
@@ -250,10 +251,8 @@ impl Resampled {
     /// The values stand for the series of lowest order through them, which is summed on the 1 nm
     /// trapezoid grid; each spike weighs the function exactly where it stands.
     pub fn integrate(&self, weight: impl Fn(f64) -> f64) -> f64 {
-        let composite = Composite {
-            smooth: self.grid.series(&self.values),
-            spikes: self.spikes.clone(),
-        };
+        let composite =
+            Composite::of_lines_inside(self.grid.series(&self.values), self.spikes.clone());
         composite.integrate(weight)
     }
 }
@@ -265,17 +264,14 @@ mod tests {
     #[test]
     fn a_resampled_composite_weighs_as_the_composite_did() {
         for basis in Basis::ALL {
-            let composite = Composite {
-                smooth: Series {
+            let composite = Composite::of_lines_inside(
+                Series {
                     band: Band::VISIBLE,
                     basis,
                     coefficients: vec![3.0, -1.0, 0.5, 0.25, 0.125],
                 },
-                spikes: vec![Spike {
-                    at_nm: 546.1,
-                    weight: 20.0,
-                }],
-            };
+                vec![Line::ideal(546.1, 20.0)],
+            );
             let grid = SampleGrid {
                 band: Band::VISIBLE,
                 basis,
@@ -283,8 +279,8 @@ mod tests {
             };
             let resampled = Resampled {
                 grid,
-                values: grid.sample(&composite.smooth),
-                spikes: composite.spikes.clone(),
+                values: grid.sample(composite.smooth()),
+                spikes: composite.lines().to_vec().clone(),
             };
             let weight = |nm: f64| 1.0 + 1e-3 * nm;
             // 401 products of numbers near 5, through a transform of nine points.

@@ -12,12 +12,12 @@ mod line;
 mod peaks;
 
 use self::{
-    line::{Line, lower_hull, weigh, weigh_window, window_of},
+    line::{Taken, lower_hull, weigh, weigh_window, window_of},
     peaks::{Peak, borders, candidates, group, measured_part},
 };
 use super::{
     band::Band,
-    composite::{GAUSSIAN_AREA, Spike},
+    line::{GAUSSIAN_AREA, Line},
     noise::Noise,
 };
 
@@ -47,7 +47,7 @@ impl Default for SpikeSettings {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoundSpike {
     /// Centroid and energy of what was taken out.
-    pub spike: Spike,
+    pub spike: Line,
     /// Full width at half maximum of a Gaussian of that energy and height, nm.
     pub width_nm: f64,
     /// Number of local maxima that no valley parted (the 577/579 nm mercury pair is one spike).
@@ -60,7 +60,7 @@ pub struct FoundSpike {
 #[derive(Clone, Debug, PartialEq)]
 pub struct LineShape {
     /// The spike that stands for it.
-    pub spike: Spike,
+    pub spike: Line,
     /// Index of the first grid point it takes something from.
     pub first: usize,
     /// What it takes from that grid point and those after it; negative for an absorption line.
@@ -154,7 +154,7 @@ pub fn detect_shapes(
     settings: SpikeSettings,
 ) -> (Decomposition, Vec<LineShape>) {
     let mut shapes = Vec::new();
-    let mut tell = |line: &Line, sign: f64| shapes.push(line.shape(band, sign));
+    let mut tell = |line: &Taken, sign: f64| shapes.push(line.shape(band, sign));
     let parts = detect_telling(band, values, settings, Wishes::default(), &mut tell);
     shapes.sort_by(|a, b| b.spike.weight.abs().total_cmp(&a.spike.weight.abs()));
     (parts, shapes)
@@ -166,7 +166,7 @@ pub(super) fn dip_shapes(band: Band, values: &[f64], settings: SpikeSettings) ->
     let mut parts = Decomposition::untouched(band, values);
     let mut shapes = Vec::new();
     if parts.power > 0.0 && parts.power.is_finite() {
-        let mut tell = |line: &Line, sign: f64| shapes.push(line.shape(band, sign));
+        let mut tell = |line: &Taken, sign: f64| shapes.push(line.shape(band, sign));
         take_dips(band, &mut parts, settings, Wishes::default(), &mut tell);
     }
     shapes
@@ -178,7 +178,7 @@ fn detect_telling(
     values: &[f64],
     settings: SpikeSettings,
     wishes: Wishes<'_>,
-    tell: &mut dyn FnMut(&Line, f64),
+    tell: &mut dyn FnMut(&Taken, f64),
 ) -> Decomposition {
     let mut parts = Decomposition::untouched(band, values);
     if let Some(power) = wishes.power {
@@ -207,7 +207,7 @@ fn take_dips(
     parts: &mut Decomposition,
     settings: SpikeSettings,
     wishes: Wishes<'_>,
-    tell: &mut dyn FnMut(&Line, f64),
+    tell: &mut dyn FnMut(&Taken, f64),
 ) {
     parts.smooth.iter_mut().for_each(|v| *v = -*v);
     take_lines(band, parts, settings, wishes, (-1.0, None), tell);
@@ -222,7 +222,7 @@ fn take_lines(
     settings: SpikeSettings,
     wishes: Wishes<'_>,
     (sign, noise): (f64, Option<&Noise>),
-    tell: &mut dyn FnMut(&Line, f64),
+    tell: &mut dyn FnMut(&Taken, f64),
 ) {
     let width = settings.max_width_nm;
     let least_energy = settings.threshold * parts.power;

@@ -21,7 +21,7 @@ use super::{
     reference::Reference,
     sweep::{Examined, Subject},
 };
-use crate::spectrum::{Basis, LineShape, Spike, numbers_of_order};
+use crate::spectrum::{Basis, Line, LineShape, numbers_of_order};
 
 /// What is auctioned.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,7 +44,7 @@ pub enum Purchase {
     /// The smooth part's next order.
     Order(usize),
     /// A line as a spike (weight over the spectrum's largest value).
-    Spike(Spike),
+    Line(Line),
 }
 
 /// One step of the path.
@@ -93,7 +93,7 @@ pub struct Auction {
     /// The path, by rising numbers and falling error.
     pub steps: Vec<Step>,
     /// The lines on offer, heaviest first; weights over the spectrum's largest value.
-    pub lines: Vec<Spike>,
+    pub lines: Vec<Line>,
     /// All lines as spikes, every order that the budget allows.
     pub with: Vec<Bid>,
     /// No spikes, every order that the budget allows.
@@ -236,13 +236,13 @@ impl<'a> Stock<'a> {
     }
 
     /// A model's values on the grid, its lines with a width among them, and the ideal ones.
-    fn model(&self, choice: &Choice, colour_exact: bool) -> (Vec<f64>, Vec<Spike>) {
+    fn model(&self, choice: &Choice, colour_exact: bool) -> (Vec<f64>, Vec<Line>) {
         let projected = if choice.wide { &self.wide } else { &self.ideal };
         let numbers = numbers_of_order(choice.order);
         let (model, _) = projected.model(numbers, &choice.lines, colour_exact);
         let mut values = projected.smooth(&model);
         if !choice.wide {
-            return (values, model.spikes);
+            return (values, model.into_parts().1);
         }
         let mut ideal = Vec::new();
         for line in &choice.lines {
@@ -423,7 +423,7 @@ impl<'a> Room<'a> {
             let lines = a.lines.iter().filter(|line| !b.lines.contains(line));
             let widths = (a.wide && !b.wide).then_some(Purchase::Widths);
             lines
-                .map(|line| Purchase::Spike(self.stock.ideal.spike(*line)))
+                .map(|line| Purchase::Line(self.stock.ideal.spike(*line)))
                 .chain(widths)
                 .chain(orders)
                 .collect()

@@ -12,7 +12,7 @@
 //! are straight lines between the points of the grid; a spike is a step at its very place. Against a
 //! sum in steps of .01 nm on 318 lamps that is up to .007 nm: the figure is told to .01 nm.
 
-use crate::spectrum::{Band, Spike};
+use crate::spectrum::{Band, Line};
 
 /// The displacement in nm; `None` where one of the two has no power to place.
 ///
@@ -21,14 +21,14 @@ pub(super) fn displacement_nm(
     band: Band,
     measured: &[f64],
     smooth: &[f64],
-    spikes: &[Spike],
+    spikes: &[Line],
 ) -> Option<f64> {
     let lines: f64 = spikes.iter().map(|spike| spike.weight).sum();
     let share = |total: f64| (total.is_finite() && total > 0.0).then(|| 1.0 / total);
     let of_measured = share(band.integral(measured))?;
     let of_model = share(band.integral(smooth) + lines)?;
     let density = |i: usize| measured[i] * of_measured - smooth[i] * of_model;
-    let mut spikes: Vec<Spike> = spikes.to_vec();
+    let mut spikes: Vec<Line> = spikes.to_vec();
     spikes.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
     let mut spikes = spikes.into_iter().peekable();
     let (mut between, mut area) = (0.0, 0.0);
@@ -81,8 +81,8 @@ mod tests {
 
     use super::*;
 
-    fn spike(at_nm: f64, weight: f64) -> Spike {
-        Spike { at_nm, weight }
+    fn spike(at_nm: f64, weight: f64) -> Line {
+        Line::ideal(at_nm, weight)
     }
 
     fn band() -> Band {

@@ -17,7 +17,7 @@ use super::{
     displacement::displacement_nm,
     measure::{Measure, Verdict},
 };
-use crate::spectrum::{Band, Spike, absolute_power, add_spikes, quantile};
+use crate::spectrum::{Band, Line, absolute_power, add_lines, quantile};
 
 /// Full width at half maximum of the blur, nm.
 pub const BLUR_NM: f64 = 10.0;
@@ -69,7 +69,7 @@ impl Blur {
     }
 
     /// Adds spikes, blurred analytically, to values that are blurred already.
-    pub fn add_spikes(&self, spikes: &[Spike], blurred: &mut [f64]) {
+    pub fn add_lines(&self, spikes: &[Line], blurred: &mut [f64]) {
         let reach = self.taps.len() as f64;
         for spike in spikes {
             let centre = spike.at_nm - self.band.min_nm();
@@ -94,7 +94,7 @@ pub fn spectrum_errors(
     blur: &Blur,
     measured: &[f64],
     smooth: &[f64],
-    spikes: &[Spike],
+    spikes: &[Line],
 ) -> Option<Verdict> {
     let band = blur.band;
     let unit = height(measured)?;
@@ -105,9 +105,9 @@ pub fn spectrum_errors(
     let square = band.inner(measured, measured);
     let smooth_difference: Vec<f64> = smooth.iter().zip(measured).map(|(s, m)| s - m).collect();
     let mut whole = smooth_difference.clone();
-    add_spikes(band, spikes, &mut whole);
+    add_lines(band, spikes, &mut whole);
     let mut blurred = blur.values(&smooth_difference);
-    blur.add_spikes(spikes, &mut blurred);
+    blur.add_lines(spikes, &mut blurred);
     let blurred_measured = blur.values(measured);
     let blurred_square = band.inner(&blurred_measured, &blurred_measured);
     Some(Verdict::from_fn(|measure| match measure {
@@ -133,10 +133,10 @@ pub fn times(values: &[f64], factor: f64) -> Vec<f64> {
 }
 
 /// Spikes with their weights times a factor.
-pub fn spikes_times(spikes: &[Spike], factor: f64) -> Vec<Spike> {
+pub fn spikes_times(spikes: &[Line], factor: f64) -> Vec<Line> {
     spikes
         .iter()
-        .map(|s| Spike {
+        .map(|s| Line {
             weight: s.weight * factor,
             ..*s
         })

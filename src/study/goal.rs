@@ -6,7 +6,7 @@ use super::{
     measure::{Measure, Verdict},
     reference::Reference,
 };
-use crate::spectrum::Spike;
+use crate::spectrum::Line;
 
 /// What is to be made small: a weighted mix of four errors, each over its value at order 0.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -152,7 +152,7 @@ impl Goal {
     }
 
     /// The errors that the goal needs of a model.
-    pub(super) fn errors(self, reference: &Reference, smooth: &[f64], spikes: &[Spike]) -> Verdict {
+    pub(super) fn errors(self, reference: &Reference, smooth: &[f64], spikes: &[Line]) -> Verdict {
         let mut errors = Verdict::default();
         for (_, measure) in self.wanted() {
             errors[measure] = reference.figure(measure, smooth, spikes);

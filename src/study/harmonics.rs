@@ -37,7 +37,7 @@ use crate::{
         Weights,
         gaussian_cmf::{self, Gaussian},
     },
-    spectrum::{Band, Basis, BasisTable, Spike},
+    spectrum::{Band, Basis, BasisTable, Line},
 };
 
 use super::error::{height, times};
@@ -50,7 +50,7 @@ pub struct Question<'a> {
     /// Coefficients of the smooth part in prefix order, in the spectrum's own unit.
     pub coefficients: &'a [f64],
     /// What was taken out of the spectrum before the fit.
-    pub spikes: &'a [Spike],
+    pub spikes: &'a [Line],
     /// The spectrum as measured, on the grid of the table's band.
     pub measured: &'a [f64],
     /// What X, Y and Z weigh the spectrum with, on the same grid.
@@ -168,7 +168,7 @@ impl Harmonics {
 
         let spikes: [f64; 3] = std::array::from_fn(|k| {
             let weigh =
-                |s: &Spike| s.weight * light_unit * (question.weights.at(s.at_nm)[k] * weight_unit);
+                |s: &Line| s.weight * light_unit * (question.weights.at(s.at_nm)[k] * weight_unit);
             question
                 .spikes
                 .iter()
@@ -348,10 +348,7 @@ mod tests {
     };
 
     const BAND: Band = Band::VISIBLE;
-    const LINE: Spike = Spike {
-        at_nm: 546.0,
-        weight: 8.0,
-    };
+    const LINE: Line = Line::ideal(546.0, 8.0);
 
     fn background() -> Vec<f64> {
         BAND.grid()
@@ -370,7 +367,7 @@ mod tests {
         BasisTable::new(BAND, basis, numbers)
     }
 
-    fn harmonics(table: &BasisTable, measured: &[f64], spikes: &[Spike]) -> Harmonics {
+    fn harmonics(table: &BasisTable, measured: &[f64], spikes: &[Line]) -> Harmonics {
         let weights = Observer::Cie1931.table().on_band(BAND);
         let mut smooth = measured.to_vec();
         for spike in spikes {
@@ -579,10 +576,7 @@ mod tests {
             let found = Harmonics::of(Question {
                 table: &table,
                 coefficients: &[2.0 * value, value, -value],
-                spikes: &[Spike {
-                    at_nm: 500.0,
-                    weight: -value,
-                }],
+                spikes: &[Line::ideal(500.0, -value)],
                 measured: &measured,
                 weights: &Weights::new(BAND, weights.each_ref().map(|row| times(row, 1e200))),
                 plain_colour_matching: false,
@@ -616,10 +610,7 @@ mod tests {
                 values: grid(&smooth).sample(&smooth),
                 spikes: vec![LINE],
             };
-            let composite = Composite {
-                smooth,
-                spikes: vec![LINE],
-            };
+            let composite = Composite::of_lines_inside(smooth, vec![LINE]);
             let observer = Observer::Cie1931;
             let by_coefficients = harmonics(&table, &measured(), &[LINE]);
             let of_model = xyz_from_integral(|w| composite.integrate(w), observer);

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use crate::{
     color::Weights,
     spectrum::{
-        Band, Basis, BasisTable, Composite, Exactness, InnerProducts, LineShape, Series, Spike,
+        Band, Basis, BasisTable, Composite, Exactness, InnerProducts, Line, LineShape, Series,
     },
 };
 
@@ -37,7 +37,7 @@ impl FitBasis {
 /// A line that may become a spike, with all that taking it out changes.
 #[derive(Clone, Debug)]
 struct ProjectedLine {
-    spike: Spike,
+    spike: Line,
     /// Coefficients of what it takes out.
     coefficients: Vec<f64>,
     /// X, Y, Z of its spike.
@@ -106,7 +106,7 @@ impl ProjectedSpectrum {
     }
 
     /// The spike that line `index` would become.
-    pub fn spike(&self, index: usize) -> Spike {
+    pub fn spike(&self, index: usize) -> Line {
         self.lines[index].spike
     }
 
@@ -142,12 +142,12 @@ impl ProjectedSpectrum {
             basis: self.fit_basis.table.basis(),
             coefficients,
         };
-        (Composite { smooth, spikes }, exactness)
+        (Composite::of_lines_inside(smooth, spikes), exactness)
     }
 
     /// A model's smooth part on the grid.
     pub fn smooth(&self, model: &Composite) -> Vec<f64> {
-        self.fit_basis.table.evaluate(&model.smooth.coefficients)
+        self.fit_basis.table.evaluate(&model.smooth().coefficients)
     }
 }
 
@@ -199,7 +199,7 @@ mod tests {
             }
             let (model, _) = projected.model(15, &[1], false);
             for (c, direct) in model
-                .smooth
+                .smooth()
                 .coefficients
                 .iter()
                 .zip(fit_basis.table.project(&left, 15))
@@ -207,7 +207,7 @@ mod tests {
                 // Sums of 401 products near 1, in another order.
                 assert!((c - direct).abs() < 1e-13);
             }
-            assert_eq!(model.spikes, [projected.spike(1)]);
+            assert_eq!(model.lines(), [projected.spike(1)]);
             assert_eq!(model.numbers(), 17);
         }
     }

@@ -28,7 +28,7 @@ use crate::{
         patches::{PatchSet, difference},
     },
     rivals::{Bounds, Family, FitTables, Rival},
-    spectrum::{Basis, Composite, Series, Spike, detect_shapes, product::chain},
+    spectrum::{Basis, Composite, Line, Series, detect_shapes, product::chain},
 };
 
 pub use super::{
@@ -60,7 +60,7 @@ struct Stable<'a> {
 /// A representation of a light: its smooth values on the grid, its spikes and its numbers.
 struct Likeness {
     smooth: Vec<f64>,
-    spikes: Vec<Spike>,
+    spikes: Vec<Line>,
     numbers: usize,
     /// Lines among the numbers, also those that stand in the values.
     lines: usize,
@@ -241,8 +241,8 @@ impl<'a> Stable<'a> {
                 Some(Likeness {
                     smooth: projected.smooth(&model),
                     numbers: model.numbers(),
-                    lines: model.spikes.len(),
-                    spikes: model.spikes,
+                    lines: model.lines().len(),
+                    spikes: model.into_parts().1,
                 })
             }
             Racer::WideLines | Racer::KnownLamps => {
@@ -293,7 +293,11 @@ impl<'a> Stable<'a> {
     fn reflectance_series(&self, way: Way, values: &[f64], numbers: usize) -> Series {
         let fit_basis = &self.bases[place(way.basis)];
         let projected = ProjectedSpectrum::new(fit_basis, values, &[], &self.course.measures.seen);
-        projected.model(numbers, &[], way.colour_exact).0.smooth
+        projected
+            .model(numbers, &[], way.colour_exact)
+            .0
+            .into_parts()
+            .0
     }
 
     fn reflectance_values(&self, racer: Racer, values: &[f64], numbers: usize) -> Vec<f64> {
@@ -339,10 +343,10 @@ impl<'a> Stable<'a> {
                 };
                 Some(Cost {
                     bytes: model.numbers() * size_of::<f64>(),
-                    points: points + model.spikes.len(),
+                    points: points + model.lines().len(),
                     ns_per_product: nanoseconds(product),
                     ns_per_evaluation: nanoseconds(|| {
-                        black_box(model.smooth.at(black_box(546.1)));
+                        black_box(model.smooth().at(black_box(546.1)));
                     }),
                 })
             }
@@ -416,7 +420,7 @@ fn best_count(
         let smooth = projected.smooth(&model);
         let error = runner
             .reference
-            .figure(Measure::RmsBlurred, &smooth, &model.spikes);
+            .figure(Measure::RmsBlurred, &smooth, model.lines());
         error.unwrap_or(f64::INFINITY)
     };
     (0..=most)

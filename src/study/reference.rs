@@ -17,7 +17,7 @@ use crate::{
         patches::{PatchSet, difference, labs_into},
         xyz_of_one, xyz_of_parts,
     },
-    spectrum::{Band, Spike, add_spikes},
+    spectrum::{Band, Line, add_lines},
 };
 
 /// Full width of the narrow filters at half their maximum, nm.
@@ -192,13 +192,13 @@ impl Reference {
     }
 
     /// Every figure of a model: its smooth part on the grid and its spikes.
-    pub fn verdict(&self, smooth: &[f64], spikes: &[Spike]) -> Verdict {
+    pub fn verdict(&self, smooth: &[f64], spikes: &[Line]) -> Verdict {
         self.verdict_through(smooth, spikes, &self.measures.patches)
     }
 
     /// Every figure, the patches' reflectances approximated too: `patches` are the same patches
     /// as a representation has them.
-    pub fn verdict_through(&self, smooth: &[f64], spikes: &[Spike], patches: &PatchSet) -> Verdict {
+    pub fn verdict_through(&self, smooth: &[f64], spikes: &[Line], patches: &PatchSet) -> Verdict {
         let (mean, worst) = self.patches_with(smooth, spikes, patches).unzip();
         Verdict::from_fn(|measure| match measure {
             Measure::Patches => mean,
@@ -209,7 +209,7 @@ impl Reference {
 
     /// One figure of a model. Those that no study compares by are the main page's alone, but for
     /// the lowest value.
-    pub fn figure(&self, measure: Measure, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
+    pub fn figure(&self, measure: Measure, smooth: &[f64], spikes: &[Line]) -> Option<f64> {
         match measure {
             Measure::Own => self.own(smooth, spikes),
             Measure::Patches => self.patches(smooth, spikes).map(|found| found.0),
@@ -223,21 +223,21 @@ impl Reference {
         }
     }
 
-    fn own(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
+    fn own(&self, smooth: &[f64], spikes: &[Line]) -> Option<f64> {
         let exact = self.own?;
         let band = self.measures.band();
         let xyz = xyz_of_parts(band, smooth, spikes, &self.seen);
         Some(delta_e_2000(exact, lab_from_xyz(xyz, self.white)))
     }
 
-    fn patches(&self, smooth: &[f64], spikes: &[Spike]) -> Option<(f64, f64)> {
+    fn patches(&self, smooth: &[f64], spikes: &[Line]) -> Option<(f64, f64)> {
         self.patches_with(smooth, spikes, &self.measures.patches)
     }
 
     fn patches_with(
         &self,
         smooth: &[f64],
-        spikes: &[Spike],
+        spikes: &[Line],
         patches: &PatchSet,
     ) -> Option<(f64, f64)> {
         let exact = self.patches.as_ref().filter(|p| !p.is_empty())?;
@@ -246,7 +246,7 @@ impl Reference {
     }
 
     /// Labs of any patches under a model, against this light as the white.
-    pub fn labs_of(&self, patches: &PatchSet, smooth: &[f64], spikes: &[Spike]) -> Vec<Lab> {
+    pub fn labs_of(&self, patches: &PatchSet, smooth: &[f64], spikes: &[Line]) -> Vec<Lab> {
         self.labs(&seen_through(patches, smooth, spikes))
     }
 
@@ -257,7 +257,7 @@ impl Reference {
         labs
     }
 
-    fn filters(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
+    fn filters(&self, smooth: &[f64], spikes: &[Line]) -> Option<f64> {
         let exact = self.filters.as_ref()?;
         self.behind(exact, &self.measures.filters, smooth, spikes)
     }
@@ -281,7 +281,7 @@ impl Reference {
         exact: &Behind,
         filters: &PatchSet,
         smooth: &[f64],
-        spikes: &[Spike],
+        spikes: &[Line],
     ) -> Option<f64> {
         if exact.labs.is_empty() || self.own.is_none() {
             return None;
@@ -297,31 +297,31 @@ impl Reference {
         self.labs(xyz)
     }
 
-    fn rms(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
+    fn rms(&self, smooth: &[f64], spikes: &[Line]) -> Option<f64> {
         let band = self.measures.band();
         let mut rest: Vec<f64> = smooth
             .iter()
             .zip(&self.measured)
             .map(|(s, m)| s - m)
             .collect();
-        add_spikes(band, spikes, &mut rest);
+        add_lines(band, spikes, &mut rest);
         share(band.inner(&rest, &rest), self.square)
     }
 
     /// Spikes are blurred analytically.
-    fn rms_blurred(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
+    fn rms_blurred(&self, smooth: &[f64], spikes: &[Line]) -> Option<f64> {
         let band = self.measures.band();
         let mut rest = self.measures.blur.values(smooth);
         for (r, m) in rest.iter_mut().zip(&self.blurred) {
             *r -= m;
         }
-        self.measures.blur.add_spikes(spikes, &mut rest);
+        self.measures.blur.add_lines(spikes, &mut rest);
         share(band.inner(&rest, &rest), self.blurred_square)
     }
 }
 
 /// X, Y, Z of what a light's smooth part and spikes leave of each patch or filter.
-fn seen_through(patches: &PatchSet, smooth: &[f64], spikes: &[Spike]) -> Vec<[f64; 3]> {
+fn seen_through(patches: &PatchSet, smooth: &[f64], spikes: &[Line]) -> Vec<[f64; 3]> {
     let mut xyz = patches.buffer();
     patches.xyz_into(smooth, &mut xyz);
     for spike in spikes {
@@ -371,10 +371,7 @@ mod tests {
         let reference = Reference::of_light(&measures(), &light());
         let mut nm_of_light = light();
         nm_of_light[166] += 3.0;
-        let spike = Spike {
-            at_nm: 546.0,
-            weight: 3.0,
-        };
+        let spike = Line::ideal(546.0, 3.0);
         let (a, b) = (
             reference.verdict(&nm_of_light, &[]),
             reference.verdict(&light(), &[spike]),
@@ -392,10 +389,7 @@ mod tests {
     fn the_errors_of_the_spectrum_are_those_of_the_main_page() {
         let reference = Reference::of_light(&measures(), &light());
         let smooth: Vec<f64> = light().iter().map(|v| 0.9 * v + 0.02).collect();
-        let spikes = [Spike {
-            at_nm: 500.3,
-            weight: 0.8,
-        }];
+        let spikes = [Line::ideal(500.3, 0.8)];
         let blur = &reference.measures().blur;
         let shown = spectrum_errors(blur, &light(), &smooth, &spikes).expect("it shines");
         let verdict = reference.verdict(&smooth, &spikes);

@@ -11,7 +11,7 @@ use super::{
     way::Way,
 };
 use crate::spectrum::{
-    Band, Basis, LineShape, Spike, SpikeSettings, detect_shapes, numbers_of_order,
+    Band, Basis, Line, LineShape, SpikeSettings, detect_shapes, numbers_of_order,
 };
 
 /// The subject of a study on the band of its measures.
@@ -141,7 +141,7 @@ impl Examined {
     ) -> Verdict {
         let (model, _) = projected.model(numbers_of_order(order), lines, exact);
         self.reference
-            .verdict(&projected.smooth(&model), &model.spikes)
+            .verdict(&projected.smooth(&model), model.lines())
     }
 }
 
@@ -188,7 +188,7 @@ pub struct Sweep {
     /// The threshold's effect.
     pub map: ThresholdMap,
     /// Spikes at the threshold in force, heaviest first; weights over the spectrum's largest value.
-    pub spikes: Vec<Spike>,
+    pub spikes: Vec<Line>,
 }
 
 /// An error below which nobody sees or measures a difference: CIEDE2000 of colours, a share of

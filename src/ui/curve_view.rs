@@ -81,7 +81,7 @@ fn plot(
 ) {
     let measure = shown(app, chosen);
     let derived = app.derived();
-    let order = derived.model.smooth.order();
+    let order = derived.model.smooth().order();
     let size = vec2(
         ui.available_width(),
         height.clamp(60.0, 240.0 * theme.scale),

@@ -19,7 +19,7 @@ pub(super) fn words(app: &App, page: Page) -> (String, String) {
         return (page.meaning().to_owned(), String::new());
     }
     let derived = app.derived();
-    let spikes = &derived.model.spikes;
+    let spikes = derived.model.lines();
     let share: f64 = spikes
         .iter()
         .filter_map(|spike| derived.parts.share(spike.weight))
@@ -57,7 +57,7 @@ pub(super) fn words(app: &App, page: Page) -> (String, String) {
             100.0 * share
         ),
     };
-    let order = derived.model.smooth.order();
+    let order = derived.model.smooth().order();
     let as_it_starts = app.document().settings == Settings::default();
     let family = app.told().and_then(|told| told.family);
     let of_family = family.map_or("", |family| family.question.as_str());
@@ -106,7 +106,7 @@ pub(super) fn lesson(app: &App, page: Page) -> Option<&'static Lesson> {
     let family = app.told().and_then(|told| told.family);
     let name = match page {
         Page::Spectrum if family.is_some_and(|family| family.key == "sun") => "missing",
-        Page::Spectrum if app.derived().model.spikes.is_empty() => "colour",
+        Page::Spectrum if app.derived().model.lines().is_empty() => "colour",
         page => page.lesson()?,
     };
     let lesson = shelf::shipped().iter().find(|lesson| lesson.name == name);
@@ -140,7 +140,7 @@ mod tests {
                 ..app.document().settings
             };
             app.apply(Command::Edit(settings));
-            assert!(app.derived().model.spikes.is_empty(), "{key}");
+            assert!(app.derived().model.lines().is_empty(), "{key}");
             words(&app, Page::Spectrum)
         };
         // The green line is the largest: 5.9 % of FL2's power.

@@ -318,7 +318,7 @@ pub(super) fn counts(app: &App) -> (usize, usize) {
 fn numbers(ui: &mut Ui, app: &App, theme: Theme) {
     let (count, instead) = counts(app);
     let model = &app.derived().model;
-    let (smooth, lines) = (model.smooth.coefficients.len(), model.spikes.len());
+    let (smooth, lines) = (model.smooth().coefficients.len(), model.lines().len());
     ui.horizontal(|ui| {
         let large = RichText::new(count.to_string())
             .size(28.0 * theme.scale)
@@ -332,7 +332,7 @@ fn numbers(ui: &mut Ui, app: &App, theme: Theme) {
                 1 => "2 for one line".to_owned(),
                 n => format!("{} for {n} lines", 2 * n),
             };
-            let label = match app.derived().widths.is_wide() {
+            let label = match app.derived().model.has_widths() {
                 true => ", 1 for widths",
                 false => "",
             };

@@ -22,7 +22,7 @@ use spectral_explorer::{
     },
     cli::{self, Input, Outcome, Pictures},
     io::read_path,
-    spectrum::Spike,
+    spectrum::Line,
 };
 
 /// Writes down what it was asked for instead of drawing it.
@@ -793,15 +793,15 @@ fn a_spectrum_keeps_every_bit_through_all_formats() {
 fn composite(path: &Path) -> (Vec<u64>, Vec<[u64; 2]>) {
     let reading = read_path(path).unwrap();
     let composite = &reading.composites[0].composite;
-    let spike = |s: &Spike| [s.at_nm.to_bits(), s.weight.to_bits()];
+    let spike = |s: &Line| [s.at_nm.to_bits(), s.weight.to_bits()];
     (
         composite
-            .smooth
+            .smooth()
             .coefficients
             .iter()
             .map(|c| c.to_bits())
             .collect(),
-        composite.spikes.iter().map(spike).collect(),
+        composite.lines().iter().map(spike).collect(),
     )
 }
 
@@ -981,7 +981,7 @@ fn the_papers_lamp_is_converted_with_its_own_printed_numbers() {
     assert!(text.contains("fourier series of order"), "{text}");
     let reading = read_path(&path).unwrap();
     assert!(reading.spectra.is_empty());
-    assert!(!reading.composites[0].composite.spikes.is_empty());
+    assert!(!reading.composites[0].composite.lines().is_empty());
 }
 
 #[test]

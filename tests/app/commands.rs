@@ -64,7 +64,7 @@ fn edit(app: &mut App, change: impl Fn(&mut Settings)) {
 }
 
 fn spikes(app: &App) -> usize {
-    app.derived().model.spikes.len()
+    app.derived().model.lines().len()
 }
 
 /// Weights of all spikes and the integral of the smooth part's target: the energy of the light.
@@ -84,8 +84,8 @@ fn numbers_shown(app: &App) -> Vec<(&'static str, f64)> {
     all.extend(list("measured", &d.measured));
     all.extend(list("smooth", &d.smooth));
     all.extend(list("residual", &d.residual));
-    all.extend(list("coefficient", &d.model.smooth.coefficients));
-    for spike in &d.model.spikes {
+    all.extend(list("coefficient", &d.model.smooth().coefficients));
+    for spike in d.model.lines() {
         all.extend(list("spike", &[spike.at_nm, spike.weight]));
     }
     let figures = Measure::ALL.map(|measure| d.figures[measure]);
@@ -142,7 +142,7 @@ fn is_one_line(text: &str) -> bool {
 fn the_first_start_shows_fl2_and_a_lamp_of_many_lines_has_them_as_spikes() {
     let first = App::new();
     assert_eq!(first.document().light.key, FIRST_LIGHT);
-    assert_eq!(first.derived().model.spikes.len(), 4, "mercury's four");
+    assert_eq!(first.derived().model.lines().len(), 4, "mercury's four");
     let app = plain();
     assert_eq!(app.document().light.name(), "FL11");
     assert!(app.document().is_about_light());
@@ -151,7 +151,7 @@ fn the_first_start_shows_fl2_and_a_lamp_of_many_lines_has_them_as_spikes() {
     assert_eq!(app.derived().numbers(), 2 * 7 + 1 + 2 * m);
     // The lamp's blue mercury line and its red europium line, on data of 1 nm.
     for line_nm in [435.8, 611.3] {
-        let nearest = app.derived().model.spikes.iter();
+        let nearest = app.derived().model.lines().iter();
         let nearest = nearest
             .map(|s| (s.at_nm - line_nm).abs())
             .fold(f64::INFINITY, f64::min);
@@ -282,7 +282,7 @@ fn an_order_that_the_range_cannot_carry_is_cut_and_said() {
     });
     let carried = app.document().settings.effective_order();
     assert!(carried < 40);
-    assert_eq!(app.derived().model.smooth.order(), carried);
+    assert_eq!(app.derived().model.smooth().order(), carried);
     let warnings = app.derived().warnings.join(" ");
     assert!(
         warnings.contains(&format!("Order cut to {carried}")),
@@ -708,7 +708,7 @@ fn a_selected_patch_gives_the_product_with_the_light() {
         );
     }
     assert_eq!(product.spikes.len(), spikes(&app));
-    for (weighed, spike) in product.spikes.iter().zip(&derived.model.spikes) {
+    for (weighed, spike) in product.spikes.iter().zip(derived.model.lines()) {
         assert_eq!(weighed.at_nm, spike.at_nm);
         let r = derived.band.interpolate(&red, spike.at_nm);
         assert_relative_eq!(weighed.weight, spike.weight * r, max_relative = 1e-12);
@@ -936,7 +936,7 @@ fn a_locked_spike_survives_a_threshold_that_drops_all_others() {
     let spike = parts.spikes[weakest].spike;
     app.act_on_spikes(SpikeAct::Lock { index: weakest });
     edit(&mut app, |s| s.threshold_percent = 50.0);
-    let left: Vec<_> = app.derived().model.spikes.clone();
+    let left: Vec<_> = app.derived().model.lines().to_vec();
     assert_eq!(left, [spike], "the lock keeps place and weight");
     app.act_on_spikes(SpikeAct::Unlock { index: 0 });
     assert_eq!(spikes(&app), 0);
@@ -975,7 +975,7 @@ fn a_deleted_spike_gives_its_energy_back_and_reset_brings_it_back() {
     let (whole, before) = (energy(&app), app.derived().clone());
     let deleted = before.parts.spikes[2].spike;
     app.act_on_spikes(SpikeAct::Delete { index: 2 });
-    assert_eq!(spikes(&app), before.model.spikes.len() - 1);
+    assert_eq!(spikes(&app), before.model.lines().len() - 1);
     // What a spike takes from the grid is its weight: the sum changes by rounding only.
     assert_relative_eq!(energy(&app), whole, max_relative = 1e-12);
     let smooth = |app: &App| app.derived().band.integral(&app.derived().parts.smooth);
@@ -988,7 +988,7 @@ fn a_deleted_spike_gives_its_energy_back_and_reset_brings_it_back() {
     // A locked one that is deleted is gone as well, not found again.
     app.act_on_spikes(SpikeAct::Lock { index: 2 });
     app.act_on_spikes(SpikeAct::Delete { index: 2 });
-    assert_eq!(spikes(&app), before.model.spikes.len() - 1);
+    assert_eq!(spikes(&app), before.model.lines().len() - 1);
     assert_relative_eq!(energy(&app), whole, max_relative = 1e-12);
 }
 
@@ -1187,7 +1187,7 @@ fn a_shipped_spectrum_cannot_be_renamed_or_turned_into_something_else() {
 
 /// Places of the model's lines.
 fn lines_nm(app: &App) -> Vec<f64> {
-    let spikes = &app.derived().model.spikes;
+    let spikes = app.derived().model.lines();
     spikes.iter().map(|spike| spike.at_nm).collect()
 }
 
@@ -1202,17 +1202,17 @@ fn the_papers_mercury_is_shown_as_the_composite_that_it_is() {
     let entry = preset(&app, "paper/Mercury");
     let given = entry.composite.as_deref().expect("a composite");
     let model = &app.derived().model;
-    assert_eq!(model.smooth.band, given.smooth.band);
+    assert_eq!(model.smooth().band, given.smooth().band);
     for (found, told) in model
-        .smooth
+        .smooth()
         .coefficients
         .iter()
-        .zip(&given.smooth.coefficients)
+        .zip(&given.smooth().coefficients)
     {
         assert_relative_eq!(
             found,
             told,
-            epsilon = 1e-9 * given.smooth.coefficients[0].abs()
+            epsilon = 1e-9 * given.smooth().coefficients[0].abs()
         );
     }
     let off = app.derived().figures[Measure::Own].expect("a colour");
@@ -1225,8 +1225,8 @@ fn the_papers_mercury_is_shown_as_the_composite_that_it_is() {
     };
     app.apply(Command::Edit(shorter));
     assert_eq!(lines_nm(&app), MERCURY_NM);
-    let cut = app.derived().model.smooth.coefficients.iter();
-    for (found, told) in cut.zip(&given.smooth.coefficients[..5]) {
+    let cut = app.derived().model.smooth().coefficients.iter();
+    for (found, told) in cut.zip(&given.smooth().coefficients[..5]) {
         assert_relative_eq!(found, told, max_relative = 1e-12);
     }
     // Another light has the knobs of before.
@@ -1320,7 +1320,7 @@ fn a_composite_from_a_file_is_shown_as_it_is_and_comes_back_so() {
     let shown = app.derived().model.clone();
     let mut again = plain();
     again.apply(Command::Open(vec![opened("lamp.json", text.as_bytes())]));
-    assert_eq!(again.derived().model.spikes, shown.spikes);
+    assert_eq!(again.derived().model.lines(), shown.lines());
     assert!(again.document().as_given().is_some());
     let stored = workspace::to_json(again.document(), None).expect("a workspace");
     let back = workspace::from_json(&stored).expect("read again");
@@ -1716,8 +1716,8 @@ fn an_exported_composite_is_read_back_to_the_bit() {
             let (back, model) = (&reading.composites[0].composite, &app.derived().model);
             assert_eq!(back, model, "{export:?}");
             assert_eq!(
-                bits(&back.smooth.coefficients),
-                bits(&model.smooth.coefficients)
+                bits(&back.smooth().coefficients),
+                bits(&model.smooth().coefficients)
             );
             if export == Export::CompositeJson {
                 assert_eq!(
@@ -1811,7 +1811,7 @@ fn exported_tables_hold_what_the_window_shows() {
     let rows = table(&text_of(Export::SpikesCsv, &app));
     let weights = column(&rows, "weight");
     assert_eq!(weights.len(), spikes(&app));
-    for (weight, spike) in weights.iter().zip(&derived.model.spikes) {
+    for (weight, spike) in weights.iter().zip(derived.model.lines()) {
         assert_eq!(*weight, Some(spike.weight * app.scale_factor()));
     }
     assert_eq!(

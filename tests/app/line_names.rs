@@ -12,7 +12,7 @@ type Names = BTreeMap<String, Vec<String>>;
 
 /// Place and name of each spike, "-" where it has none, as the first look at a light shows them.
 fn names(app: &App) -> Vec<String> {
-    let spikes = app.derived().model.spikes.iter();
+    let spikes = app.derived().model.lines().iter();
     spikes
         .zip(app.spike_names())
         .map(|(spike, name)| format!("{:.1} {}", spike.at_nm, name.safe.as_deref().unwrap_or("-")))

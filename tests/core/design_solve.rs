@@ -662,9 +662,9 @@ fn without_a_target_the_faders_are_what_they_are() {
     assert_eq!(found.weights, [1.0, 0.5, 1.0]);
     assert!(found.reached && found.delta_uv_to_target.is_none());
     let model = composite(&channels, &found.weights);
-    assert_eq!(model.spikes.len(), 1);
+    assert_eq!(model.lines().len(), 1);
     assert_eq!(
-        (model.spikes[0].at_nm, model.spikes[0].weight),
+        (model.lines()[0].at_nm, model.lines()[0].weight),
         (546.1, 0.5)
     );
 }

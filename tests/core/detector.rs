@@ -866,7 +866,7 @@ fn a_locked_spike_stays_when_the_threshold_rises_and_changes_nothing_else() {
 
     with_threshold(&mut app, 10.0);
     let kept = app.derived().parts.plain_spikes();
-    assert_eq!(kept, [before.model.spikes[index]]);
+    assert_eq!(kept, [before.model.lines()[index]]);
     app.act_on_spikes(SpikeAct::Unlock { index: 0 });
     assert!(app.derived().parts.spikes.is_empty());
     with_threshold(&mut app, 0.5);
@@ -898,7 +898,7 @@ fn a_deleted_spike_gives_its_energy_back() {
         // Another threshold does not bring it back; forgetting the edits does.
         with_threshold(&mut app, 0.4);
         let near = |nm: f64| (nm - gone.at_nm).abs() < 3.0;
-        assert!(!app.derived().model.spikes.iter().any(|s| near(s.at_nm)));
+        assert!(!app.derived().model.lines().iter().any(|s| near(s.at_nm)));
         with_threshold(&mut app, 0.5);
         app.act_on_spikes(SpikeAct::Reset);
         assert_eq!(app.derived().model, before.model);
@@ -942,7 +942,7 @@ fn an_added_spike_takes_its_line_out_of_the_smooth_part() {
     });
     let after = app.derived();
     assert_eq!(after.parts.smooth, before.parts.smooth);
-    assert_eq!(after.model.spikes.len(), before.model.spikes.len() + 1);
+    assert_eq!(after.model.lines().len(), before.model.lines().len() + 1);
     assert_eq!(
         after.parts.spikes.last().expect("just added").width_nm,
         None
@@ -967,14 +967,14 @@ fn moving_or_weighing_a_spike_does_not_change_the_smooth_target() {
         });
         let after = app.derived();
         assert_eq!(after.parts.smooth, before.parts.smooth, "at {at_nm}");
-        assert_eq!(after.model.smooth, before.model.smooth);
-        let moved = after.model.spikes.iter().filter(|s| s.at_nm == at_nm);
+        assert_eq!(after.model.smooth(), before.model.smooth());
+        let moved = after.model.lines().iter().filter(|s| s.at_nm == at_nm);
         assert_eq!(
             moved.map(|s| s.weight).collect::<Vec<_>>(),
             [weight],
             "one spike where it was put"
         );
-        assert_eq!(after.model.spikes.len(), 4);
+        assert_eq!(after.model.lines().len(), 4);
     }
 }
 

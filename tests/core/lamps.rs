@@ -5,10 +5,10 @@ use spectral_explorer::{
     color::Observer,
     io::read_path,
     lamps::{
-        Ask, Count, Encoder, EncodingError, Makeup, Panel, Spike, add_spikes, encode_json,
-        from_words, judged, known_lamps, read_encoding, table,
+        Ask, Count, Encoder, EncodingError, Makeup, Panel, encode_json, from_words, judged,
+        known_lamps, read_encoding, table,
     },
-    spectrum::{Band, Basis, BasisTable, Kind, Outside, Sampled, SpikeSettings},
+    spectrum::{Band, Basis, BasisTable, Kind, Line, Outside, Sampled, SpikeSettings, add_lines},
     study::{FitBasis, ProjectedSpectrum},
 };
 
@@ -33,12 +33,12 @@ fn hostile() -> Vec<(&'static str, Vec<f64>)> {
     let with = |lines: &[(f64, f64, f64)]| {
         let mut values = dark();
         for (at_nm, weight, width_nm) in lines {
-            add_spikes(
+            add_lines(
                 BAND,
-                &[Spike {
+                &[Line {
                     at_nm: *at_nm,
                     weight: *weight,
-                    width_nm: *width_nm,
+                    fwhm_nm: *width_nm,
                 }],
                 &mut values,
             );

@@ -3,8 +3,8 @@
 use serde_json::Value;
 use spectral_explorer::{
     color::Observer,
-    lamps::{Ask, AtomWeight, Decoder, Encoder, Encoding, Panel, Spike, atoms_on, table},
-    spectrum::{Band, Basis, Outside, Series, SpikeSettings},
+    lamps::{Ask, AtomWeight, Decoder, Encoder, Encoding, Panel, atoms_on, table},
+    spectrum::{Band, Basis, Line, Outside, Series, SpikeSettings},
 };
 
 const BAND: Band = Band::VISIBLE;
@@ -58,9 +58,9 @@ fn encoding(item: &Value) -> Encoding {
         },
         lines: list("lines")
             .iter()
-            .map(|l| Spike {
+            .map(|l| Line {
                 at_nm: number(&l[0]),
-                width_nm: stored_width(number(&l[1])),
+                fwhm_nm: stored_width(number(&l[1])),
                 weight: number(&l[2]),
             })
             .collect(),

@@ -117,10 +117,10 @@ fn lower_orders_are_prefixes_of_higher_ones() {
             ..Settings::plain()
         };
         let mut app = app_about(FL2, settings(40));
-        let all = app.derived().model.smooth.coefficients.clone();
+        let all = app.derived().model.smooth().coefficients.clone();
         for order in [0, 1, 5, 12] {
             app.apply(Command::Edit(settings(order)));
-            let some = &app.derived().model.smooth.coefficients;
+            let some = &app.derived().model.smooth().coefficients;
             assert_eq!(some[..], all[..numbers_of_order(order)], "N = {order}");
         }
     }
@@ -554,14 +554,14 @@ fn equation_18_reproduces_the_colour_only_with_half_of_the_first_product() {
             let system =
                 Matrix3::from_columns(&[columns[0] * first_factor, columns[1], columns[2]]);
             let solution = system.lu().solve(&Vector3::from(wanted.to_array()));
-            let light = Composite {
-                smooth: Series {
+            let light = Composite::of_lines_inside(
+                Series {
                     band: BAND,
                     basis: Basis::Fourier,
                     coefficients: solution.expect("regular").as_slice().to_vec(),
                 },
-                spikes: Vec::new(),
-            };
+                Vec::new(),
+            );
             xyz_from_integral(|weight| light.integrate(weight), Observer::Cie1931)
         };
         // The program's row 0 stands for a0 A0 / 2; half of it is what the paper prints.
@@ -621,12 +621,12 @@ fn table_3_is_near_on_the_programs_1_nm_grid() {
         assert_abs_diff_eq!(*found, printed, epsilon = 0.7);
     }
     let paper = paper_lamp("Source C", None);
-    let (a, b) = paper.smooth.a_b();
+    let (a, b) = paper.smooth().a_b();
     assert_eq!(
         Series::fourier(Band::PAPER, &a, &b),
-        Some(paper.smooth.clone())
+        Some(paper.smooth().clone())
     );
-    assert_eq!(paper.smooth.coefficients, SOURCE_C);
+    assert_eq!(paper.smooth().coefficients, SOURCE_C);
 }
 
 /// A lamp of Tables 3 and 4, its weights multiplied by the preset's factor or another one.
@@ -641,15 +641,15 @@ fn paper_lamp(name: &str, factor: Option<f64>) -> Composite {
 }
 
 fn share_in_lines(lamp: &Composite) -> f64 {
-    lamp.spikes.iter().map(|s| s.weight).sum::<f64>() / lamp.power()
+    lamp.lines().iter().map(|s| s.weight).sum::<f64>() / lamp.power()
 }
 
 #[test]
 fn the_papers_mercury_lamp_has_most_of_its_power_in_lines() {
     let lamp = paper_lamp("Mercury", None);
-    let places: Vec<f64> = lamp.spikes.iter().map(|s| s.at_nm).collect();
+    let places: Vec<f64> = lamp.lines().iter().map(|s| s.at_nm).collect();
     assert_eq!(places, [404.7, 435.8, 491.6, 546.1, 577.8, 693.8]);
-    assert_eq!(lamp.spikes[3].weight, 13.7 * 300.0, "weight times L = 300");
+    assert_eq!(lamp.lines()[3].weight, 13.7 * 300.0, "weight times L = 300");
     let share = share_in_lines(&lamp);
     let xyz = xyz_from_integral(|weight| lamp.integrate(weight), Observer::Cie1931);
     let [x, y] = xy_from_xyz(xyz).expect("a light");

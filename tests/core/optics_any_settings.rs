@@ -7,7 +7,7 @@ use spectral_explorer::{
         Bench, BenchSettings, Brilliant, DropRay, Incidence, Light, Material, Solid, Stuff, bow,
         prism_json,
     },
-    spectrum::{Band, Spike},
+    spectrum::{Band, Line},
 };
 
 fn stuff() -> impl Strategy<Value = Stuff> {
@@ -25,7 +25,7 @@ fn light() -> Light {
         .grid()
         .map(|nm| 1.0 + 0.4 * (nm / 50.0).cos())
         .collect();
-    let spikes = [404.656, 546.075, 611.0].map(|at_nm| Spike { at_nm, weight: 9.0 });
+    let spikes = [404.656, 546.075, 611.0].map(|at_nm| Line::ideal(at_nm, 9.0));
     Light::new("lamp", band, smooth, spikes.to_vec()).unwrap()
 }
 

@@ -7,7 +7,7 @@ use spectral_explorer::{
         Bench, BenchSettings, Bows, DropRay, Incidence, Light, Material, Prism, Screen, Stuff, bow,
         limits, minimum_deviation, prism_json, rainbow_json,
     },
-    spectrum::{Band, Sampled, Spike},
+    spectrum::{Band, Line, Sampled},
 };
 
 fn golden() -> Value {
@@ -243,10 +243,7 @@ fn fl_like() -> Light {
         .map(|nm| 1.0 + 0.5 * (nm / 37.0).sin())
         .collect();
     let spikes = [404.656, 435.833, 546.075, 578.0, 611.3]
-        .map(|at_nm| Spike {
-            at_nm,
-            weight: 30.0,
-        })
+        .map(|at_nm| Line::ideal(at_nm, 30.0))
         .to_vec();
     Light::new("lamp", Band::VISIBLE, smooth, spikes).unwrap()
 }

@@ -11,7 +11,7 @@ use spectral_explorer::{
         Light, Material, Noise, Picture, Plane, Scene, Solid, Studio, Stuff, View, gem_json,
         lines_of_exr, reflectances, spectral_exr,
     },
-    spectrum::{Band, Spike},
+    spectrum::{Band, Line},
     study::Progress,
 };
 
@@ -192,10 +192,9 @@ fn smooth_light(phase: f64) -> Light {
 }
 
 fn with_spikes(light: &Light, spikes: &[(f64, f64)]) -> Light {
-    let spikes = spikes.iter().map(|(at_nm, weight)| Spike {
-        at_nm: *at_nm,
-        weight: *weight,
-    });
+    let spikes = spikes
+        .iter()
+        .map(|(at_nm, weight)| Line::ideal(*at_nm, *weight));
     Light::new(
         "both",
         light.band(),
@@ -222,10 +221,7 @@ fn a_light_of_spikes_is_its_monochromatic_pictures() {
         "dark",
         Band::VISIBLE,
         vec![0.0; 401],
-        vec![Spike {
-            at_nm: 500.0,
-            weight: 1.0,
-        }],
+        vec![Line::ideal(500.0, 1.0)],
     )
     .unwrap();
     let light = with_spikes(&dark, &spikes);
@@ -602,10 +598,8 @@ fn monochromatic_pictures_agree_with_the_reference_block_by_block() {
 fn pictures_in_colour_agree_with_the_reference() {
     let golden = parsed(include_str!("../golden/diamond_colour.json"));
     for row in golden["lights"].as_array().unwrap() {
-        let spike = |s: &Value| Spike {
-            at_nm: s["at_nm"].as_f64().unwrap(),
-            weight: s["weight"].as_f64().unwrap(),
-        };
+        let spike =
+            |s: &Value| Line::ideal(s["at_nm"].as_f64().unwrap(), s["weight"].as_f64().unwrap());
         let spikes = row["spikes"]
             .as_array()
             .unwrap()

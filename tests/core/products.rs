@@ -17,7 +17,7 @@ use spectral_explorer::{
     color::{Observer, Weights, Xyz, delta_e_2000, lab_from_xyz, xyz_from_integral},
     preset::Shelf,
     spectrum::{
-        Band, Basis, BasisTable, Composite, InnerProducts, SampleGrid, Sampling, Series, Spike,
+        Band, Basis, BasisTable, Composite, InnerProducts, Line, SampleGrid, Sampling, Series,
         product::{self, convolve},
     },
     study::error::Spread,
@@ -213,11 +213,11 @@ fn three_n_points_keep_the_orders_up_to_n_exact_and_four_n_points_all() {
         let a = some_series(Basis::Fourier, numbers, 0.4);
         let b = some_series(Basis::Fourier, numbers, 1.9);
         let exact = convolve(&a, &b).coefficients;
-        let light = Composite {
-            smooth: a,
-            spikes: Vec::new(),
+        let light = Composite::of_lines_inside(a, Vec::new());
+        let by = |sampling| {
+            let (smooth, _) = product::resampled(&light, &b, sampling).into_parts();
+            smooth.coefficients
         };
-        let by = |sampling| product::resampled(&light, &b, sampling).smooth.coefficients;
         // Sums of a few dozen products near 1.
         let close =
             |found: &[f64], count: usize| furthest(&exact[..count], &found[..count]) < 1e-12;
@@ -232,14 +232,11 @@ fn three_n_points_keep_the_orders_up_to_n_exact_and_four_n_points_all() {
 fn twice_the_numbers_are_exact_for_one_product_in_both_bases() {
     for basis in Basis::ALL {
         for numbers in [1, 3, 11, 20, 21] {
-            let light = Composite {
-                smooth: some_series(basis, numbers, 0.1),
-                spikes: Vec::new(),
-            };
+            let light = Composite::of_lines_inside(some_series(basis, numbers, 0.1), Vec::new());
             let factor = some_series(basis, numbers, 1.3);
-            let expected = multiply(&light.smooth.on_band(), &factor.on_band());
+            let expected = multiply(&light.smooth().on_band(), &factor.on_band());
             let product = product::resampled(&light, &factor, Sampling::Double);
-            let worst = furthest(&product.smooth.on_band(), &expected);
+            let worst = furthest(&product.smooth().on_band(), &expected);
             // Values up to about 30, each a sum of 42 terms.
             assert!(worst < 1e-11, "{basis:?} {numbers}: {worst:e}");
         }
@@ -249,15 +246,12 @@ fn twice_the_numbers_are_exact_for_one_product_in_both_bases() {
 #[test]
 fn a_convolution_cut_back_has_the_lights_own_numbers_and_loses_only_what_is_above() {
     for basis in Basis::ALL {
-        let light = Composite {
-            smooth: some_series(basis, 15, 0.7),
-            spikes: Vec::new(),
-        };
+        let light = Composite::of_lines_inside(some_series(basis, 15, 0.7), Vec::new());
         let factor = some_series(basis, 15, 2.2);
         let product = product::resampled(&light, &factor, Sampling::Convolution);
         let whole = product::resampled(&light, &factor, Sampling::Exact);
-        assert_eq!(product.smooth, whole.smooth.truncated(15));
-        assert_eq!(product.smooth.coefficients.len(), 15);
+        assert_eq!(*product.smooth(), whole.smooth().truncated(15));
+        assert_eq!(product.smooth().coefficients.len(), 15);
     }
 }
 
@@ -322,17 +316,14 @@ fn the_papers_points_are_right_where_they_stand_and_wrong_between() {
 
 #[test]
 fn spikes_are_weighed_by_the_factor_where_they_stand() {
-    let spikes =
-        [(404.7, 3.0), (546.1, 1.5), (577.9, -0.5)].map(|(at_nm, weight)| Spike { at_nm, weight });
+    let spikes = [(404.7, 3.0), (546.1, 1.5), (577.9, -0.5)]
+        .map(|(at_nm, weight)| Line::ideal(at_nm, weight));
     for basis in Basis::ALL {
-        let light = Composite {
-            smooth: some_series(basis, 11, 0.2),
-            spikes: spikes.to_vec(),
-        };
+        let light = Composite::of_lines_inside(some_series(basis, 11, 0.2), spikes.to_vec());
         let factor = some_series(basis, 11, 1.0);
         for sampling in Sampling::ALL {
             let product = product::resampled(&light, &factor, sampling);
-            for (before, after) in spikes.iter().zip(&product.spikes) {
+            for (before, after) in spikes.iter().zip(product.lines()) {
                 // Eq. 14: the same multiplication, so equal to the last bit.
                 assert_eq!(after.weight, before.weight * factor.at(before.at_nm));
                 assert_eq!(after.at_nm, before.at_nm);
@@ -368,10 +359,7 @@ fn the_matrix_of_a_grid_gives_the_same_colour_as_the_integral() {
             for (value, row) in product.iter().zip(&matrix) {
                 (0..3).for_each(|k| short[k] += value * row[k]);
             }
-            let whole = Composite {
-                smooth: grid.series(&product),
-                spikes: Vec::new(),
-            };
+            let whole = Composite::of_lines_inside(grid.series(&product), Vec::new());
             let long = xyz_from_integral(|weight| whole.integrate(weight), Observer::Cie1931);
             for (short, long) in short.into_iter().zip(long.to_array()) {
                 // 401 products summed in another order.
@@ -401,10 +389,12 @@ fn patches_by_double_sampling_are_the_exact_products_of_the_two_series() {
         for item in &patches.items {
             let reflectance = on_band(&format!("colorchecker_ohta/{}", item.name), BAND);
             let factor = fitting.series(&reflectance, 21);
-            let product = Composite {
-                smooth: convolve(&derived.model.smooth, &factor),
-                spikes: product::resampled(&derived.model, &factor, Sampling::Exact).spikes,
-            };
+            let product = Composite::of_lines_inside(
+                convolve(derived.model.smooth(), &factor),
+                product::resampled(&derived.model, &factor, Sampling::Exact)
+                    .into_parts()
+                    .1,
+            );
             let xyz = xyz_from_integral(|weight| product.integrate(weight), Observer::Cie1931);
             let pairs = (xyz * (100.0 / white)).to_array().into_iter();
             for (expected, found) in pairs.zip(item.model.to_array()) {
@@ -444,13 +434,10 @@ fn chain_cost(basis: Basis, points: usize, factors: usize) -> ChainCost {
     let (mut against_truth, mut added) = (Vec::new(), Vec::new());
     for light in smooth_and_led() {
         let white = seen(&light, &weights);
-        let composite = Composite {
-            smooth: fitting.series(&light, NUMBERS),
-            spikes: Vec::new(),
-        };
+        let composite = Composite::of_lines_inside(fitting.series(&light, NUMBERS), Vec::new());
         for i in 0..samples.len() {
             let chain = (0..factors).map(|j| &samples[(i + 37 * j) % samples.len()]);
-            let (mut truth, mut modelled) = (light.clone(), composite.smooth.on_band());
+            let (mut truth, mut modelled) = (light.clone(), composite.smooth().on_band());
             let mut series = Vec::new();
             for (measured, short, short_on_grid) in chain {
                 truth = multiply(&truth, measured);
@@ -512,10 +499,8 @@ fn long_chains_of_few_numbers_get_four_times_the_points() {
     assert_eq!(product::chain_points(16, 5), 32);
     let light = shipped("CIE D65");
     let fitting = Fitting::new(Basis::Cosine);
-    let composite = Composite {
-        smooth: fitting.series(&values(light, BAND), 11),
-        spikes: Vec::new(),
-    };
+    let composite =
+        Composite::of_lines_inside(fitting.series(&values(light, BAND), 11), Vec::new());
     let factors: Vec<Series> = samples()
         .iter()
         .step_by(17)
@@ -529,7 +514,7 @@ fn long_chains_of_few_numbers_get_four_times_the_points() {
             .colour
             .of(&chain.grid.series(&chain.values).coefficients)
     };
-    let white = fitting.colour.of(&composite.smooth.coefficients);
+    let white = fitting.colour.of(&composite.smooth().coefficients);
     let added = |points| delta_e([truth(110), truth(points), white]);
     let (few, many) = (added(22), added(product::chain_points(11, factors.len())));
     println!("six factors of 11 numbers: 22 points add {few:.1e}, 44 points {many:.1e} dE00");
@@ -544,10 +529,7 @@ fn series_of_two_bands_or_bases_have_no_product() {
         coefficients: coefficients.to_vec(),
     };
     let cosine = series(BAND, Basis::Cosine, &[1.0, 0.5]);
-    let light = Composite {
-        smooth: cosine.clone(),
-        spikes: Vec::new(),
-    };
+    let light = Composite::of_lines_inside(cosine.clone(), Vec::new());
     for other in [
         series(BAND, Basis::Fourier, &[1.0, 0.5]),
         series(Band::PAPER, Basis::Cosine, &[1.0, 0.5]),
@@ -573,18 +555,9 @@ fn a_spike_outside_the_band_has_no_part_in_any_sum() {
         basis: Basis::Cosine,
         coefficients: vec![1.0],
     };
-    let with = |spikes: Vec<Spike>| Composite {
-        smooth: smooth.clone(),
-        spikes,
-    };
-    let inside = Spike {
-        at_nm: 546.1,
-        weight: 3.0,
-    };
-    let outside = Spike {
-        at_nm: 850.0,
-        weight: 1.0,
-    };
+    let with = |spikes: Vec<Line>| Composite::of_lines_inside(smooth.clone(), spikes);
+    let inside = Line::ideal(546.1, 3.0);
+    let outside = Line::ideal(850.0, 1.0);
     let (one, both) = (with(vec![inside]), with(vec![inside, outside]));
     assert_eq!(both.power(), one.power());
     assert_eq!(both.integrate(|nm| nm), one.integrate(|nm| nm));

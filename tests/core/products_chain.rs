@@ -9,11 +9,10 @@ use crate::{
 use spectral_explorer::{
     app::Library,
     color::{Observer, Weights},
-    lamps::{Spike as WideSpike, add_spikes},
     preset::Shelf,
     spectrum::{
-        Band, Basis, BasisTable, ChainTables, Composite, Factor, Sampling, Series, Spike,
-        SpikeSettings, bounces, detect, glass,
+        Band, Basis, BasisTable, ChainTables, Composite, Factor, Line, Sampling, Series,
+        SpikeSettings, add_lines, bounces, detect, glass,
         product::{chain_points, convolve, folded_share},
     },
     study::{
@@ -42,10 +41,10 @@ fn series(values: &[f64], basis: Basis, numbers: usize) -> Series {
 /// The program's model of a light: lines as spikes, the rest as a series.
 fn fitted(values: &[f64], basis: Basis, numbers: usize) -> Composite {
     let parts = detect(BAND, values, SpikeSettings::default());
-    Composite {
-        smooth: series(&parts.smooth, basis, numbers),
-        spikes: parts.spikes.iter().map(|found| found.spike).collect(),
-    }
+    Composite::of_lines_inside(
+        series(&parts.smooth, basis, numbers),
+        parts.spikes.iter().map(|found| found.spike).collect(),
+    )
 }
 
 fn factor(name: &str) -> Factor {
@@ -90,10 +89,10 @@ fn a_factor_of_one_changes_nothing_in_any_way() {
             let stages = ChainTables::for_light(&light, sampling, 6).pass(&light, &chain);
             for stage in &stages {
                 // Six transforms there and back of numbers near the light's own.
-                let miss = apart(&light.smooth.on_band(), &stage.smooth);
+                let miss = apart(&light.smooth().on_band(), &stage.smooth);
                 assert!(miss < 1e-12, "{basis:?} {sampling:?} {miss:e}");
                 assert!(stage.folded_share < 1e-20);
-                for (before, after) in light.spikes.iter().zip(&stage.spikes) {
+                for (before, after) in light.lines().iter().zip(&stage.spikes) {
                     assert_eq!(before.at_nm, after.at_nm);
                     // The series of 1 is 1 but for the rounding of its projection.
                     assert!((after.weight / before.weight - 1.0).abs() < 1e-12);
@@ -159,11 +158,11 @@ fn the_weights_of_spikes_multiply_exactly_in_every_way() {
     let factors = three_factors();
     for basis in Basis::ALL {
         let light = fitted(&on_band("FL11", BAND), basis, 15);
-        assert!(light.spikes.len() > 2);
+        assert!(light.lines().len() > 2);
         let mut by_series = Vec::new();
         for sampling in Sampling::ALL {
             let stages = ChainTables::for_light(&light, sampling, 3).pass(&light, &factors);
-            for (i, spike) in light.spikes.iter().enumerate() {
+            for (i, spike) in light.lines().iter().enumerate() {
                 let mut weight = spike.weight;
                 for (stage, factor) in stages.iter().zip(&factors) {
                     let share = match sampling {
@@ -219,7 +218,7 @@ fn the_alias_meter_of_a_chain_is_that_of_one_product_and_rises_with_its_length()
             let tables = ChainTables::for_light(&light, sampling, 4);
             let stages = tables.pass(&light, &vec![red.clone(); 4]);
             let points = tables.points().unwrap_or(15);
-            let one = folded_share(&light.smooth, &short, points);
+            let one = folded_share(light.smooth(), &short, points);
             let found = stages[0].folded_share;
             if sampling == Sampling::Exact {
                 assert!(stages.iter().all(|stage| stage.folded_share == 0.0));
@@ -229,7 +228,7 @@ fn the_alias_meter_of_a_chain_is_that_of_one_product_and_rises_with_its_length()
                 assert!(stages[3].folded_share > stages[0].folded_share);
             }
         }
-        let whole = convolve(&light.smooth, &short);
+        let whole = convolve(light.smooth(), &short);
         assert!(whole.coefficients.len() <= chain_points(15, 1));
     }
 }
@@ -243,7 +242,6 @@ fn product<'a>(
     Product {
         measured,
         model,
-        line_widths_nm: &[],
         sampling,
         seen,
         width_nm: 10.0,
@@ -272,7 +270,7 @@ fn the_stages_multiply_to_the_whole_chain() {
             Sampling::Convolution => 15 * 15,
             Sampling::Double => 30,
             other => other.points(15).expect("points"),
-        } + model.spikes.len();
+        } + model.lines().len();
         assert_eq!(total.multiplications, 3 * expected);
         assert_eq!(total.added == Some(0.0), sampling == Sampling::Exact);
     }
@@ -329,10 +327,10 @@ fn over_a_set_added_and_total_error_stand_apart() {
         for sampling in Sampling::ALL {
             let (mut added, mut total) = (Vec::new(), Vec::new());
             for light in &measured {
-                let model = Composite {
-                    smooth: series(light, Basis::Fourier, 2 * order + 1),
-                    spikes: Vec::new(),
-                };
+                let model = Composite::of_lines_inside(
+                    series(light, Basis::Fourier, 2 * order + 1),
+                    Vec::new(),
+                );
                 let set = product(light, &model, sampling, &seen).over(&factors);
                 added.extend(set.each.iter().filter_map(|each| each[0]));
                 total.extend(set.each.iter().filter_map(|each| each[1]));
@@ -478,20 +476,15 @@ fn behind_a_filter_narrower_than_a_line_the_width_counts() {
     };
     let smooth = series(0.001);
     // The light is what the model says: a line 20 nm wide on a little light.
-    let line = WideSpike {
+    let line = Line {
         at_nm: 546.0,
         weight: 1.0,
-        width_nm: 20.0,
+        fwhm_nm: 20.0,
     };
     let mut values = smooth.on_band();
-    add_spikes(BAND, &[line], &mut values);
-    let centre = Composite {
-        smooth: smooth.clone(),
-        spikes: vec![Spike {
-            at_nm: line.at_nm,
-            weight: line.weight,
-        }],
-    };
+    add_lines(BAND, &[line], &mut values);
+    let centre =
+        Composite::of_lines_inside(smooth.clone(), vec![Line::ideal(line.at_nm, line.weight)]);
     let parts = (&values[..], &[][..], centre.numbers() + 1);
     let wide = Narrow::of_parts(&values, &smooth, parts, false, &seen);
     let ideal = Narrow::new(&values, &centre, false, &seen);

@@ -10,7 +10,7 @@ use spectral_explorer::{
     },
     preset::{Body, Group, SHIPPED},
     spectrum::{
-        Band, Basis, BasisTable, Composite, Outside, Sampled, Series, Spike, SpikeSettings, detect,
+        Band, Basis, BasisTable, Composite, Line, Outside, Sampled, Series, SpikeSettings, detect,
         numbers_of_order,
     },
     study::{
@@ -37,7 +37,7 @@ fn table(nm: [f64; 2], values: [f64; 2]) -> Light {
 }
 
 fn line(at_nm: f64) -> Light {
-    Light::of_line(Spike { at_nm, weight: 1.0 })
+    Light::of_line(Line::ideal(at_nm, 1.0))
 }
 
 /// A composite of a light: spikes detected, the rest projected on cosines.
@@ -47,14 +47,14 @@ fn model(table: &Sampled, order: usize) -> Composite {
     let parts = detect(band, &values, SpikeSettings::default());
     let numbers = numbers_of_order(order);
     let basis = BasisTable::new(band, Basis::Cosine, numbers);
-    Composite {
-        smooth: Series {
+    Composite::of_lines_inside(
+        Series {
             band,
             basis: Basis::Cosine,
             coefficients: basis.project(&parts.smooth, numbers),
         },
-        spikes: parts.spikes.iter().map(|found| found.spike).collect(),
-    }
+        parts.spikes.iter().map(|found| found.spike).collect(),
+    )
 }
 
 /// Every number in a JSON value.
@@ -284,10 +284,7 @@ fn a_series_that_is_exact_has_the_figures_of_its_light() {
     let values = series.on_band();
     let nm: Vec<f64> = band.grid().collect();
     let measured = Light::of_sampled(&Sampled::new(nm, values).unwrap());
-    let model = Light::of_composite(&Composite {
-        smooth: series,
-        spikes: Vec::new(),
-    });
+    let model = Light::of_composite(&Composite::of_lines_inside(series, Vec::new()));
     assert_eq!(Figures::of(&measured, None), Figures::of(&model, None));
 }
 
@@ -296,10 +293,7 @@ fn spikes_are_weighed_where_they_stand() {
     // A line at a whole nm is the same as a table's value there, for all that weighs.
     let band = Band::VISIBLE;
     let mut values = vec![0.5; band.points()];
-    let spike = Spike {
-        at_nm: 546.0,
-        weight: 3.0,
-    };
+    let spike = Line::ideal(546.0, 3.0);
     let with_line = Figures::of(&Light::of_parts(band, &values, &[spike]), None);
     values[166] += 3.0;
     let on_grid = Figures::of(&Light::of_parts(band, &values, &[]), None);
@@ -411,9 +405,9 @@ proptest! {
         let values: Vec<f64> = values.iter().map(|v| v * size).collect();
         let table = Sampled::even(360.0, 10.0, values).unwrap();
         let band = Band::new(360.0, 830.0).unwrap();
-        let spikes: Vec<Spike> = spikes
+        let spikes: Vec<Line> = spikes
             .iter()
-            .map(|(at_nm, weight)| Spike { at_nm: *at_nm, weight: weight * size })
+            .map(|(at_nm, weight)| Line::ideal(*at_nm, weight * size))
             .collect();
         let light = Light::of_parts(band, &table.on_band(band, Outside::Zero), &spikes);
         let figures = Figures::of(&light, Some(Measured { what: Radiometric::Radiance, factor: 1.0 }));

@@ -5,8 +5,8 @@ use crate::common::{on_band, shipped, values};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use proptest::prelude::*;
 use spectral_explorer::spectrum::{
-    Band, BandError, Kind, LONGEST_NM, MOST_STEPS, Outside, SHORTEST_NM, Sampled, SampledError,
-    Spike, add_spikes,
+    Band, BandError, Kind, LONGEST_NM, Line, MOST_STEPS, Outside, SHORTEST_NM, Sampled,
+    SampledError, add_lines,
 };
 
 const BAND: Band = Band::VISIBLE;
@@ -246,11 +246,8 @@ fn a_table_of_half_and_whole_nm_is_averaged_only_where_it_is_fine() {
 fn a_spike_between_two_nm_is_split_without_loss() {
     for at_nm in [380.0, 380.25, 404.7, 546.5, 779.5, 780.0] {
         let mut grid = vec![0.0; BAND.points()];
-        let spike = Spike {
-            at_nm,
-            weight: -3.0,
-        };
-        add_spikes(BAND, &[spike], &mut grid);
+        let spike = Line::ideal(at_nm, -3.0);
+        add_lines(BAND, &[spike], &mut grid);
         // Two shares that add up to one.
         assert_abs_diff_eq!(BAND.integral(&grid), -3.0, epsilon = 1e-14);
         let moment: f64 = (0..grid.len())
@@ -266,7 +263,7 @@ fn a_spike_between_two_nm_is_split_without_loss() {
     let mut grid = on_band("CIE D65", BAND);
     let before = grid.clone();
     for at_nm in [379.9, 780.1, f64::NAN] {
-        add_spikes(BAND, &[Spike { at_nm, weight: 1.0 }], &mut grid);
+        add_lines(BAND, &[Line::ideal(at_nm, 1.0)], &mut grid);
     }
     assert_eq!(grid, before, "outside the range nothing is added");
 }

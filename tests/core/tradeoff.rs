@@ -84,7 +84,7 @@ fn purchases(auction: &Auction) -> Vec<Purchase> {
 
 fn lines_bought(purchases: &[Purchase]) -> Vec<f64> {
     let line = |purchase: &Purchase| match purchase {
-        Purchase::Spike(spike) => Some(spike.at_nm),
+        Purchase::Line(spike) => Some(spike.at_nm),
         Purchase::Order(_) | Purchase::Widths => None,
     };
     purchases.iter().filter_map(line).collect()
@@ -366,14 +366,14 @@ fn check(auction: &Auction, terms: Terms, place: &str) {
             match purchase {
                 Purchase::Order(_) => held.0 -= 1,
                 Purchase::Widths => assert!(std::mem::replace(&mut held.2, false), "{place}"),
-                Purchase::Spike(s) => assert!(held.1.remove(&s.at_nm.to_bits()), "{place}"),
+                Purchase::Line(s) => assert!(held.1.remove(&s.at_nm.to_bits()), "{place}"),
             }
         }
         for purchase in &step.bought {
             match purchase {
                 Purchase::Order(_) => held.0 += 1,
                 Purchase::Widths => assert!(!std::mem::replace(&mut held.2, true), "{place}"),
-                Purchase::Spike(s) => assert!(held.1.insert(s.at_nm.to_bits()), "{place}"),
+                Purchase::Line(s) => assert!(held.1.insert(s.at_nm.to_bits()), "{place}"),
             }
         }
         assert_eq!(

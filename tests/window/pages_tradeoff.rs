@@ -216,7 +216,7 @@ fn a_box_of_the_heat_map_that_is_taken_is_the_model_in_force() {
     for cell in (0..sweep.map.verdicts.len()).step_by(97) {
         let command = take_cell(settings(&app), &sweep, cell).expect("a box");
         app.apply(command);
-        assert_eq!(app.derived().model.smooth.order(), cell % columns);
+        assert_eq!(app.derived().model.smooth().order(), cell % columns);
         assert_same(&verdict_now(&app), &sweep.map.verdicts[cell], "box");
     }
     assert!(take_cell(settings(&app), &sweep, sweep.map.verdicts.len()).is_none());
@@ -252,12 +252,12 @@ fn a_step_of_the_auction_that_is_taken_is_the_model_in_force() {
 #[test]
 fn more_lines_than_can_be_bought_singly_are_on_offer_all_the_same() {
     let app = many_lines();
-    assert!(app.derived().model.spikes.len() > 24);
+    assert!(app.derived().model.lines().len() > 24);
     let ask = AuctionAsk::of(app.document(), Goal::SPECTRUM, 101);
     let auction = ask.answer(&Progress::default()).expect("it shines");
-    assert_eq!(auction.lines.len(), app.derived().model.spikes.len());
+    assert_eq!(auction.lines.len(), app.derived().model.lines().len());
     let bought = auction.steps.iter().flat_map(|s| &s.bought);
-    assert!(bought.filter(|p| matches!(p, Purchase::Spike(_))).count() > 5);
+    assert!(bought.filter(|p| matches!(p, Purchase::Line(_))).count() > 5);
 }
 
 #[test]

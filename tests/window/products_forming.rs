@@ -135,7 +135,7 @@ fn a_dip_of_the_surface_gives_no_line_of_the_light_another_width() {
     let named = |series: &&Series| series.name == "spikes × factor";
     let stems = chart.series.iter().find(named).expect("stems");
     assert!(
-        spikes.len() > app.derived().model.spikes.len(),
+        spikes.len() > app.derived().model.lines().len(),
         "a dip is one more"
     );
     for (spike, tip) in spikes.iter().zip(stems.marks.points()) {

@@ -25,7 +25,7 @@ use spectral_explorer::{
         workspace::{self, Preferences},
     },
     io::read_bytes,
-    spectrum::{Band, Kind, NamedSpectrum, Sampled, Sampling, Spike},
+    spectrum::{Band, Kind, Line, NamedSpectrum, Sampled, Sampling},
     study::Measure,
     ui::{
         Window,
@@ -107,8 +107,8 @@ fn with_library() -> Ui {
 fn numbers_words(app: &App) -> String {
     let derived = app.derived();
     let (smooth, spikes) = (
-        derived.model.smooth.coefficients.len(),
-        derived.model.spikes.len(),
+        derived.model.smooth().coefficients.len(),
+        derived.model.lines().len(),
     );
     let lines = match spikes {
         0 => "no lines".to_owned(),
@@ -244,12 +244,12 @@ fn a_slider_moves_everything_in_the_same_frame() {
 #[test]
 fn the_threshold_slider_drops_spikes() {
     let mut ui = fresh();
-    let before = app(&ui).derived().model.spikes.len();
+    let before = app(&ui).derived().model.lines().len();
     control(&ui, Role::Slider, knobs::LINES).set_value_accesskit(5.0);
     ui.step();
     // The slider is logarithmic: a value is reached by rounding.
     assert!((settings(&ui).threshold_percent - 5.0).abs() < 1e-9);
-    let now = app(&ui).derived().model.spikes.len();
+    let now = app(&ui).derived().model.lines().len();
     assert!(0 < now && now < before, "{now} of {before}");
     assert_written(&ui, &numbers_words(app(&ui)));
     let count = control(&ui, Role::SpinButton, knobs::LINES_TYPED);
@@ -265,7 +265,7 @@ fn the_threshold_slider_drops_spikes() {
             &count.to_string(),
         );
         press(&mut ui, Key::Enter);
-        assert_eq!(app(&ui).derived().model.spikes.len(), count);
+        assert_eq!(app(&ui).derived().model.lines().len(), count);
     }
 }
 
@@ -426,9 +426,9 @@ fn switches_and_choices_do_what_they_say() {
     assert!(delta < 1e-6, "{delta}");
     control(&ui, Role::CheckBox, names::SPIKES).click();
     ui.run();
-    assert!(app(&ui).derived().model.spikes.is_empty());
+    assert!(app(&ui).derived().model.lines().is_empty());
     click(&mut ui, "Cosine");
-    assert_eq!(app(&ui).derived().model.smooth.basis.word(), "cosine");
+    assert_eq!(app(&ui).derived().model.smooth().basis.word(), "cosine");
     control(&ui, Role::CheckBox, "Show residual").click();
     ui.run();
     assert!(!app(&ui).document().view.residual);
@@ -687,9 +687,9 @@ fn transform(ui: &Ui) -> PlotTransform {
 }
 
 /// The width of the line that a spike stands for.
-fn stem_width(app: &App, spike: Spike) -> f64 {
+fn stem_width(app: &App, spike: Line) -> f64 {
     let derived = app.derived();
-    let mut spikes = derived.model.spikes.iter();
+    let mut spikes = derived.model.lines().iter();
     let index = spikes
         .position(|s| *s == spike)
         .expect("a spike of the model");
@@ -697,21 +697,21 @@ fn stem_width(app: &App, spike: Spike) -> f64 {
 }
 
 /// Where a spike's tip stands on screen.
-fn tip(ui: &Ui, spike: Spike) -> Pos2 {
+fn tip(ui: &Ui, spike: Line) -> Pos2 {
     let (app, derived) = (app(ui), app(ui).derived());
     let base = derived.band.interpolate(&derived.smooth, spike.at_nm);
     let height = base + spike.stem_height(stem_width(app, spike));
     transform(ui).position_from_point(&PlotPoint::new(spike.at_nm, height * app.scale_factor()))
 }
 
-fn strongest(ui: &Ui) -> Spike {
-    let spikes = app(ui).derived().model.spikes.iter().copied();
+fn strongest(ui: &Ui) -> Line {
+    let spikes = app(ui).derived().model.lines().iter().copied();
     spikes
         .max_by(|a, b| a.weight.total_cmp(&b.weight))
         .expect("FL11 has spikes")
 }
 
-fn hand_spike(ui: &Ui) -> Option<Spike> {
+fn hand_spike(ui: &Ui) -> Option<Line> {
     let spikes = &app(ui).derived().parts.spikes;
     spikes.iter().find(|s| s.hand.is_some()).map(|s| s.spike)
 }
@@ -836,7 +836,7 @@ fn a_spike_is_dragged_to_the_same_place_under_another_scale_and_a_log_axis() {
         );
         let spike = strongest(&ui);
         let factor = app(&ui).scale_factor();
-        let place = |ui: &Ui, spike: Spike| {
+        let place = |ui: &Ui, spike: Line| {
             let derived = app(ui).derived();
             let base = derived.band.interpolate(&derived.smooth, spike.at_nm);
             let value = factor * (base + spike.stem_height(stem_width(app(ui), spike)));
@@ -860,7 +860,7 @@ fn a_spike_is_dragged_to_the_same_place_under_another_scale_and_a_log_axis() {
 #[test]
 fn a_double_click_beside_the_spikes_adds_one() {
     let mut ui = fresh();
-    let before = app(&ui).derived().model.spikes.len();
+    let before = app(&ui).derived().model.lines().len();
     let frame = *transform(&ui).frame();
     let at = Pos2::new(
         transform(&ui).position_from_point_x(675.0),
@@ -880,13 +880,13 @@ fn a_double_click_beside_the_spikes_adds_one() {
         ui.step();
     }
     ui.run();
-    assert_eq!(app(&ui).derived().model.spikes.len(), before + 1);
+    assert_eq!(app(&ui).derived().model.lines().len(), before + 1);
     let added = hand_spike(&ui).expect("the added one");
     // A pixel is about half a nm.
     assert!((added.at_nm - 675.0).abs() < 0.6, "{added:?}");
     assert!(added.weight > 0.0 && added.stem_height(10.0) < height);
     click(&mut ui, "Undo");
-    assert_eq!(app(&ui).derived().model.spikes.len(), before);
+    assert_eq!(app(&ui).derived().model.lines().len(), before);
     assert!(!app(&ui).can_undo());
 }
 
@@ -915,7 +915,7 @@ fn a_drag_in_the_empty_plot_pans_it_and_home_brings_it_back() {
 #[test]
 fn the_spike_table_edits_locks_and_deletes() {
     let mut ui = fresh();
-    let count = app(&ui).derived().model.spikes.len();
+    let count = app(&ui).derived().model.lines().len();
     click(&mut ui, "All figures");
     type_into(&mut ui, Role::SpinButton, "Spike 1 place", "410");
     press(&mut ui, Key::Enter);
@@ -926,7 +926,7 @@ fn the_spike_table_edits_locks_and_deletes() {
     click(&mut ui, "Forget hand edits");
     assert_eq!(hand_spike(&ui), None);
     click(&mut ui, "Delete spike 1");
-    assert_eq!(app(&ui).derived().model.spikes.len(), count - 1);
+    assert_eq!(app(&ui).derived().model.lines().len(), count - 1);
     control(&ui, Role::CheckBox, "Lock spike 1").click();
     ui.run();
     assert!(hand_spike(&ui).is_some());

@@ -71,7 +71,7 @@ fn purchase_words(purchase: &Purchase, auction: &Auction, names: &[LineName]) ->
     match purchase {
         Purchase::Widths => "the lines' own widths".to_owned(),
         Purchase::Order(order) => format!("order {order}"),
-        Purchase::Spike(spike) => {
+        Purchase::Line(spike) => {
             let index = auction.lines.iter().position(|line| line == spike);
             let name = index.and_then(|i| names.get(i)?.safe.as_deref());
             match name.and_then(|name| name.split_once(' ')) {
@@ -88,7 +88,7 @@ pub fn purchases_words(purchases: &[Purchase], auction: &Auction, names: &[LineN
         .iter()
         .filter_map(|p| match p {
             Purchase::Order(order) => Some(*order),
-            Purchase::Spike(_) | Purchase::Widths => None,
+            Purchase::Line(_) | Purchase::Widths => None,
         })
         .collect();
     let lines = purchases

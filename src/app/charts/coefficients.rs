@@ -96,7 +96,7 @@ struct Draw<'a> {
 
 impl<'a> Draw<'a> {
     fn new(app: &'a App, harmonics: &'a Harmonics, sight: Sight, theme: Theme) -> Self {
-        let in_force = app.derived().model.smooth.order();
+        let in_force = app.derived().model.smooth().order();
         let last = LEAST_SHOWN.max(in_force + 3).max(sight.partial_order);
         let shown = harmonics.orders.len().min(last + 1);
         Self {
@@ -343,7 +343,7 @@ impl<'a> Draw<'a> {
             series.push(line("bound, 2/n", self.inks.spikes, &bound));
             series.push(line("as printed, 4/n", self.inks.product, &printed).dashed(Dash::Dotted));
         }
-        let in_force = self.app.derived().model.smooth.order();
+        let in_force = self.app.derived().model.smooth().order();
         let mark = |order: &Order| {
             let here = missed(order).filter(|_| order.order == in_force);
             let value = here.map(|share| (100.0 * share.abs()).max(NEGLECTED_PERCENT[0]));

@@ -8,7 +8,7 @@ use crate::{
         studies::EncodedLight,
     },
     color::srgb_of_fill,
-    lamps::add_spikes,
+    spectrum::add_lines,
 };
 
 /// Measured and decoded above, decoded less measured below.
@@ -29,7 +29,7 @@ pub fn words_chart(name: &str, found: &EncodedLight, theme: Theme) -> Chart {
     series.push(Series::line("short series", inks.smooth, smooth).dashed(Dash::Dotted));
     if !encoding.lines.is_empty() {
         let mut lines = vec![0.0; band.points()];
-        add_spikes(band, &encoding.lines, &mut lines);
+        add_lines(band, &encoding.lines, &mut lines);
         let name = "lines of their own width";
         series.push(Series::line(name, inks.residual, points(&lines)).dashed(Dash::Dashed));
     }

@@ -40,8 +40,8 @@ pub fn curve_chart(app: &App, theme: Theme) -> Chart {
         title: format!(
             "{}: error against order ({}, {})",
             document.subject_entry().name(),
-            derived.model.smooth.basis.word(),
-            many(derived.model.spikes.len(), "spike", "spikes")
+            derived.model.smooth().basis.word(),
+            many(derived.model.lines().len(), "spike", "spikes")
         ),
         x_label: "Order N".to_owned(),
         y_label: "Error (CIEDE2000, or percent)".to_owned(),
@@ -67,7 +67,7 @@ pub fn order_chart(app: &App, measure: Measure, theme: Theme) -> Option<Chart> {
     let y_range = [decades[0] - air, decades[1] + air].map(|log| 10_f64.powf(log));
     let last = points.last().map_or(1.0, |p| p[0].max(1.0));
     let x_range = [-0.02 * last, 1.02 * last];
-    let order = app.derived().model.smooth.order() as f64;
+    let order = app.derived().model.smooth().order() as f64;
     let faint = Palette::of(theme).axis;
     let thin = |ends: [[f64; 2]; 2]| stroke("", faint, ends.to_vec(), 1.1, Dash::Solid);
     let dots = |colour: Rgb, radius: f64, points: Vec<[f64; 2]>| {

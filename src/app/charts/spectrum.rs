@@ -13,7 +13,7 @@ use crate::{
     },
     color::srgb_of_fill,
     io::many::{many, numbers},
-    spectrum::{Band, Kind, NamedSpectrum, Sampled, Spike},
+    spectrum::{Band, Kind, Line, NamedSpectrum, Sampled},
 };
 
 /// Spectra laid over that are named where they stand; more names would hide the curves.
@@ -50,9 +50,9 @@ pub fn spectrum_chart(app: &App, theme: Theme) -> Chart {
             "{}: {} ({} order {}, {})",
             subject.name(),
             numbers(derived.numbers()),
-            derived.model.smooth.basis.word(),
-            derived.model.smooth.order(),
-            many(derived.model.spikes.len(), "spike", "spikes"),
+            derived.model.smooth().basis.word(),
+            derived.model.smooth().order(),
+            many(derived.model.lines().len(), "spike", "spikes"),
         ),
         y_label: value_label(unit),
         y_scale: scale(app),
@@ -164,7 +164,7 @@ fn spectrum_series(app: &App, theme: Theme) -> Vec<Series> {
     }
     if view.spikes {
         series.extend(bells(app, inks));
-        let spikes = &derived.model.spikes;
+        let spikes = derived.model.lines();
         let stems = stems(app, (SPIKES, inks.spikes), spikes, &derived.smooth);
         series.push(stems.labelled(labels(app, spikes)));
     }
@@ -200,12 +200,12 @@ fn line_bars(app: &App) -> Vec<Series> {
 }
 
 /// What stands over the stems: the line's name, else its wavelength, and its share of the power.
-fn labels(app: &App, spikes: &[Spike]) -> Vec<String> {
+fn labels(app: &App, spikes: &[Line]) -> Vec<String> {
     let parts = &app.derived().parts;
-    let share = |spike: &Spike| parts.share(spike.weight).map(|share| 100.0 * share);
+    let share = |spike: &Line| parts.share(spike.weight).map(|share| 100.0 * share);
     let sizes = spikes.iter().map(|spike| share(spike).unwrap_or(0.0).abs());
     let largest = sizes.fold(0.0, f64::max);
-    let label = |(spike, name): (&Spike, &LineName)| {
+    let label = |(spike, name): (&Line, &LineName)| {
         let name = match &name.label {
             Some(name) => name.clone(),
             // Dark lines stand close: their numbers would lie over the curve.
@@ -304,7 +304,7 @@ fn overlay(app: &App, entry: &Entry, index: usize, inks: Inks) -> Option<Series>
 }
 
 /// Spikes of the model as stems on a smooth curve.
-fn stems(app: &App, looks: (&str, Rgb), spikes: &[Spike], smooth: &[f64]) -> Series {
+fn stems(app: &App, looks: (&str, Rgb), spikes: &[Line], smooth: &[f64]) -> Series {
     let derived = app.derived();
     let smooth = (derived.band, smooth, app.scale_factor());
     spike_stems(looks, spikes, smooth, |i| {
@@ -316,11 +316,11 @@ fn stems(app: &App, looks: (&str, Rgb), spikes: &[Spike], smooth: &[f64]) -> Ser
 /// all times a factor.
 pub(super) fn spike_stems(
     (name, colour): (&str, Rgb),
-    spikes: &[Spike],
+    spikes: &[Line],
     (band, smooth, factor): (Band, &[f64], f64),
     width_nm: impl Fn(usize) -> f64,
 ) -> Series {
-    let stem = |(i, spike): (usize, &Spike)| {
+    let stem = |(i, spike): (usize, &Line)| {
         let base = factor * band.interpolate(smooth, spike.at_nm);
         let tip = base + factor * spike.stem_height(width_nm(i));
         ([spike.at_nm, tip], base)
@@ -332,7 +332,7 @@ pub(super) fn spike_stems(
 /// Lines that have a width, each as it stands on the smooth curve.
 fn bells(app: &App, inks: Inks) -> Option<Series> {
     let derived = app.derived();
-    derived.widths.is_wide().then(|| {
+    derived.model.has_widths().then(|| {
         let points = curve(app, &derived.outline());
         let base = curve(app, &derived.smooth).iter().map(|p| p[1]).collect();
         Series::area("lines as wide as they are", inks.spikes, points, base)

@@ -85,7 +85,7 @@ pub fn mark_threshold(chart: &mut Chart, app: &App) {
         return;
     }
     let at = [
-        derived.model.smooth.order() as f64,
+        derived.model.smooth().order() as f64,
         settings.threshold_percent,
     ];
     let inside = chart.heat_map().is_some_and(|cells| cells.at(at).is_some());

@@ -265,12 +265,12 @@ pub fn mark_now(app: &App, at: [f64; 2], verdict: &Verdict, theme: Theme) -> Ser
 /// The present model in words: basis, fit, order, spikes, numbers.
 pub fn words_now(app: &App) -> String {
     let (settings, derived) = (app.document().settings, app.derived());
-    let spikes = derived.model.spikes.len();
+    let spikes = derived.model.lines().len();
     let way = Way::new(settings.basis, spikes > 0, settings.colour_exact);
     format!(
         "{}\nN = {}, {}: {}",
         way.title(),
-        derived.model.smooth.order(),
+        derived.model.smooth().order(),
         spikes_words(spikes),
         numbers(derived.numbers())
     )

@@ -2,13 +2,13 @@
 
 use super::{
     Question,
-    fitted::{Fitted, is_positive, xyz_of_lines},
+    fitted::{Fitted, is_positive},
 };
 use crate::{
     app::tables::Tables,
     color::{
         Adaptation, Cct, NoCct, Srgb, Xyz, cct_from_xyz, delta_e_2000, lab_from_xyz, srgb::Swatch,
-        uv_1976_from_xyz, xy_from_xyz, xyz_of_parts,
+        uv_1976_from_xyz, xy_from_xyz, xyz_of_lines, xyz_of_parts,
     },
 };
 
@@ -57,7 +57,7 @@ impl Fitted {
         let is_light = question.is_light;
         let exact_1931 = xyz_of_parts(band, question.measured, &[], weights_1931);
         let model_1931 = Xyz::from_array(tables.colour_1931.of(coefficients))
-            + xyz_of_lines(band, &self.ideal, &self.widths.bells, weights_1931);
+            + xyz_of_lines(&self.lines, weights_1931);
         let missing_luminance = if question.full_luminance > 0.0 {
             let seen = band.inner(
                 question.light,

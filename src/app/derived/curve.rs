@@ -7,7 +7,7 @@ use super::{
 use crate::{
     app::tables::{CURVE_ORDER, Tables},
     color::{delta_e_2000, lab_from_xyz},
-    spectrum::{Basis, add_spikes},
+    spectrum::{Basis, add_lines},
     study::{
         Measure, Verdict,
         error::{height, spikes_times, times},
@@ -51,18 +51,18 @@ impl Fitted {
         let blurred_square = band.inner(&blurred_measured, &blurred_measured);
         // What is missing before any smooth part: spikes minus measured, plain and blurred.
         let mut rest: Vec<f64> = measured.iter().map(|m| -m).collect();
-        let bells = times(&self.widths.bells, unit);
+        let bells = times(&self.bells, unit);
         rest.iter_mut().zip(&bells).for_each(|(r, b)| *r += b);
-        add_spikes(band, &spikes, &mut rest);
+        add_lines(band, &spikes, &mut rest);
         let mut blurred_rest: Vec<f64> = blurred_measured.iter().map(|m| -m).collect();
-        if self.widths.is_wide() {
+        if !self.bells.is_empty() {
             let bells = tables.blur.values(&bells);
             let rest = blurred_rest.iter_mut();
             rest.zip(bells).for_each(|(r, b)| *r += b);
         }
-        tables.blur.add_spikes(&spikes, &mut blurred_rest);
+        tables.blur.add_lines(&spikes, &mut blurred_rest);
         // One more number tells that lines have a width.
-        let label = usize::from(self.widths.is_wide());
+        let label = usize::from(!self.bells.is_empty());
 
         let mut patch_work = self.patch_work(question, tables);
         let exact_lab = lab_from_xyz(self.exact_xyz, self.white);
@@ -85,7 +85,7 @@ impl Fitted {
                 let rms_blurred = share(band.inner(d, d), blurred_square);
                 OrderPoint {
                     order,
-                    numbers: coefficients.len() + 2 * self.spikes.len() + label,
+                    numbers: coefficients.len() + 2 * self.lines.len() + label,
                     figures: Verdict::from_fn(|measure| match measure {
                         Measure::Own => own,
                         Measure::Patches => patches.map(|p| p.0),

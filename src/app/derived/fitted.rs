@@ -1,11 +1,11 @@
 //! The fit: a subject taken apart and projected once, from which every order is cut.
 
-use super::{Question, wide::Widths};
+use super::{Question, wide};
 use crate::{
     app::{settings::Detector, tables::Tables},
-    color::{Weights, Xyz, xyz_of_one, xyz_of_parts, xyz_of_spikes},
+    color::{Xyz, xyz_of_lines, xyz_of_one, xyz_of_parts},
     spectrum::{
-        Band, Decomposed, Exactness, Spike, absolute_power, decompose, decompose_by, gradient,
+        Band, Decomposed, Exactness, Line, absolute_power, decompose, decompose_by, gradient,
         numbers_of_order,
     },
     study::{
@@ -17,11 +17,11 @@ use crate::{
 /// A subject taken apart and projected to the largest order: what every order is cut from.
 pub(super) struct Fitted {
     pub parts: Decomposed,
-    pub spikes: Vec<Spike>,
-    /// How wide they are.
-    pub widths: Widths,
+    pub lines: Vec<Line>,
+    /// Those that have a width, on the grid; empty where there are none.
+    pub bells: Vec<f64>,
     /// Those of no width: all of them, unless widths were asked for.
-    pub ideal: Vec<Spike>,
+    pub ideal: Vec<Line>,
     /// Plain coefficients to the largest order.
     pub projected: Vec<f64>,
     /// XYZ that the smooth part must have for the subject's colour to be exact.
@@ -40,24 +40,24 @@ impl Fitted {
     pub(super) fn of(question: Question<'_>, tables: &Tables) -> Self {
         let settings = question.settings;
         let band = tables.band();
-        let (parts, widths) = match question.given {
-            Some(given) => Widths::of_composite(given, question.measured, settings.wide_lines),
+        let (parts, lines) = match question.given {
+            Some(given) => wide::of_composite(given, question.measured, settings.wide_lines),
             None => {
                 let mut parts = take_apart(question, band);
-                let widths = if settings.wide_lines {
-                    Widths::of(band, question.measured, &mut parts, settings.max_width_nm)
+                let lines = if settings.wide_lines {
+                    wide::widened(band, question.measured, &mut parts, settings.max_width_nm)
                 } else {
-                    Widths::default()
+                    parts.plain_spikes()
                 };
-                (parts, widths)
+                (parts, lines)
             }
         };
-        let spikes = parts.plain_spikes();
-        let ideal = widths.ideal(&spikes);
+        let bells = wide::bells(band, &lines);
+        let ideal: Vec<Line> = lines.iter().copied().filter(|l| l.is_ideal()).collect();
         let projected = tables.basis.project(&parts.smooth, tables.basis.numbers());
         let weights = &tables.viewing.weights;
         let exact_xyz = xyz_of_parts(band, question.measured, &[], weights);
-        let spikes_xyz = xyz_of_lines(band, &ideal, &widths.bells, weights);
+        let spikes_xyz = xyz_of_lines(&lines, weights);
         let white = if question.is_light {
             exact_xyz
         } else {
@@ -67,8 +67,8 @@ impl Fitted {
         Self {
             smooth_target: (exact_xyz - spikes_xyz).to_array(),
             parts,
-            spikes,
-            widths,
+            lines,
+            bells,
             ideal,
             projected,
             colour_exact: settings.colour_exact,
@@ -99,11 +99,11 @@ impl Fitted {
         smooth: &[f64],
         tables: &Tables,
     ) -> Verdict {
-        if !self.widths.is_wide() {
+        if self.bells.is_empty() {
             return spectrum_errors(&tables.blur, measured, smooth, &self.ideal)
                 .unwrap_or_default();
         }
-        let outline = self.widths.with_bells(smooth.to_vec());
+        let outline = wide::with_bells(smooth.to_vec(), &self.bells);
         let errors = spectrum_errors(&tables.blur, measured, &outline, &self.ideal);
         let mut errors = errors.unwrap_or_default();
         // A line over a dip does not hide that the smooth part dips.
@@ -146,14 +146,6 @@ fn take_apart(question: Question<'_>, band: Band) -> Decomposed {
             },
         ),
     }
-}
-
-/// XYZ of lines: of no width, and those that have one on the grid, if there are any.
-pub(super) fn xyz_of_lines(band: Band, ideal: &[Spike], bells: &[f64], weights: &Weights) -> Xyz {
-    if bells.is_empty() {
-        return xyz_of_spikes(ideal, weights);
-    }
-    xyz_of_parts(band, bells, ideal, weights)
 }
 
 /// Whether a number is finite and above zero.

@@ -9,13 +9,11 @@ mod wide;
 pub use colour::{Colour, ColourComparison};
 pub use curve::{OF_CURVE, OrderPoint};
 pub use patches::{PatchComparison, PatchPair};
-pub use wide::Widths;
 
 use crate::{
     color::{Adaptation, Xyz},
     io::many::{many, numbers},
-    lamps::Composite as WideComposite,
-    spectrum::{Band, Composite, Decomposed, Exactness, Series, Spike, SpikeEdits, add_spikes},
+    spectrum::{Band, Composite, Decomposed, Exactness, Line, Series, SpikeEdits, add_lines},
     study::{Measure, Verdict},
 };
 
@@ -46,7 +44,7 @@ pub struct Question<'a> {
     /// The hand edits of the subject's spikes.
     pub edits: &'a SpikeEdits,
     /// The composite that the subject is, where it is to be shown as it is.
-    pub given: Option<&'a WideComposite>,
+    pub given: Option<&'a Composite>,
     /// Bring patches to the screen's white.
     pub adaptation: Adaptation,
 }
@@ -60,10 +58,10 @@ pub struct Derived {
     pub measured: Vec<f64>,
     /// Smooth target, spikes, total power.
     pub parts: Decomposed,
-    /// The model, each line as an ideal spike at its centre.
+    /// The model; its lines have widths where they were asked for.
     pub model: Composite,
-    /// How wide its lines are.
-    pub widths: Widths,
+    /// Its lines that have a width, on the grid; empty where there are none.
+    pub bells: Vec<f64>,
     /// The smooth series on the grid.
     pub smooth: Vec<f64>,
     /// Smooth plus lines (ideal ones split over their neighbouring nm) minus measured, on the grid.
@@ -100,14 +98,14 @@ pub fn nothing_measured(band: Band, [first_nm, last_nm]: [f64; 2]) -> String {
 }
 
 /// What is said of a composite that is shown as it is.
-pub fn as_given_words(given: &WideComposite) -> String {
+pub fn as_given_words(given: &Composite) -> String {
     format!(
         "Shown as the composite that it is: its own {} on {}-{} nm, {} among them; nothing was \
          analysed.",
         numbers(given.numbers()),
         given.band().min_nm(),
         given.band().max_nm(),
-        many(given.spikes.len(), "line", "lines")
+        many(given.lines().len(), "line", "lines")
     )
 }
 
@@ -120,8 +118,8 @@ impl Derived {
         let order = settings.effective_order();
         let (coefficients, exactness) = fitted.coefficients(order, tables);
         let smooth = tables.basis.evaluate(&coefficients);
-        let mut residual = fitted.widths.with_bells(less(&smooth, question.measured));
-        add_spikes(band, &fitted.ideal, &mut residual);
+        let mut residual = wide::with_bells(less(&smooth, question.measured), &fitted.bells);
+        add_lines(band, &fitted.ideal, &mut residual);
         let colour = fitted.colour(question, tables, &coefficients);
         // Without a white there is nothing to bring patches to.
         let is_visible = colour.exact.is_some() && colour.model.is_some();
@@ -136,14 +134,14 @@ impl Derived {
             band,
             measured: question.measured.to_vec(),
             figures,
-            model: Composite {
-                smooth: Series {
+            model: Composite::of_lines_inside(
+                Series {
                     band,
                     basis: settings.basis,
                     coefficients,
                 },
-                spikes: fitted.spikes.clone(),
-            },
+                fitted.lines.clone(),
+            ),
             smooth,
             residual,
             exactness: settings.colour_exact.then_some(exactness),
@@ -151,7 +149,7 @@ impl Derived {
             patches,
             curve: fitted.curve(question, tables),
             parts: fitted.parts,
-            widths: fitted.widths,
+            bells: fitted.bells,
             warnings: Vec::new(),
         };
         derived.warnings = derived.warnings_for(question);
@@ -175,32 +173,33 @@ impl Derived {
 
     /// Numbers that the model takes: one more, the label, where a line has a width.
     pub fn numbers(&self) -> usize {
-        self.model.numbers() + usize::from(self.widths.is_wide())
+        self.model.numbers()
     }
 
     /// The model's lines of no width.
-    pub fn ideal_spikes(&self) -> Vec<Spike> {
-        self.widths.ideal(&self.model.spikes)
+    pub fn ideal_spikes(&self) -> Vec<Line> {
+        let lines = self.model.lines().iter().copied();
+        lines.filter(|line| line.is_ideal()).collect()
     }
 
     /// The smooth part and the lines that have a width, on the grid.
     pub fn outline(&self) -> Vec<f64> {
-        self.widths.with_bells(self.smooth.clone())
+        wide::with_bells(self.smooth.clone(), &self.bells)
     }
 
     /// The model with each line of no width split linearly over its two neighbouring nm, on the
     /// grid.
     pub fn model_values(&self) -> Vec<f64> {
         let mut values = self.outline();
-        add_spikes(self.band, &self.ideal_spikes(), &mut values);
+        add_lines(self.band, &self.ideal_spikes(), &mut values);
         values
     }
 
     /// The width that a spike at a place is drawn with in every chart, nm: that of the line which it
     /// stands for; what a surface left of it is as wide.
     pub fn stem_width_at(&self, at_nm: f64) -> f64 {
-        let spikes = &self.model.spikes;
-        let same = |spike: &&Spike| (spike.at_nm - at_nm).abs() < 1e-6;
+        let spikes = self.model.lines();
+        let same = |spike: &&Line| (spike.at_nm - at_nm).abs() < 1e-6;
         let index = spikes.iter().position(|spike| same(&spike));
         self.parts.stem_width_nm(index.unwrap_or(spikes.len()))
     }
@@ -208,7 +207,7 @@ impl Derived {
     /// The model with each spike as a Gaussian of its line's own width, less what was measured.
     pub fn widened_residual(&self) -> Vec<f64> {
         let mut values = less(&self.smooth, &self.measured);
-        for (i, spike) in self.model.spikes.iter().enumerate() {
+        for (i, spike) in self.model.lines().iter().enumerate() {
             let width = self.parts.stem_width_nm(i);
             let height = spike.stem_height(width);
             for (nm, value) in self.band.grid().zip(&mut values) {

@@ -2,7 +2,7 @@
 
 use super::{
     Question,
-    fitted::{Fitted, is_positive, xyz_of_lines},
+    fitted::{Fitted, is_positive},
 };
 use crate::{
     app::tables::Tables,
@@ -10,9 +10,9 @@ use crate::{
         Lab, PatchSet, Xyz, delta_e_2000,
         patches::{difference, labs_into},
         srgb::Swatch,
-        xyz_of_parts,
+        xyz_of_lines, xyz_of_parts,
     },
-    spectrum::{SampleGrid, Sampling, Series, Spike, product::convolve},
+    spectrum::{Line, SampleGrid, Sampling, Series, product::convolve},
 };
 
 /// One patch under the exact light and under the model.
@@ -161,9 +161,9 @@ impl Fitted {
         for spike in &self.ideal {
             patches.add_line(spike.at_nm, spike.weight, out);
         }
-        if self.widths.is_wide() {
+        if !self.bells.is_empty() {
             let mut bells = patches.buffer();
-            patches.xyz_into(&self.widths.bells, &mut bells);
+            patches.xyz_into(&self.bells, &mut bells);
             for (o, b) in out.as_flattened_mut().iter_mut().zip(bells.as_flattened()) {
                 *o += b;
             }
@@ -172,21 +172,25 @@ impl Fitted {
 
     /// Adds the lines, those of no width weighed by a reflectance where they stand.
     fn add_lines(&self, reflectance: &Series, tables: &Tables, xyz: &mut [f64; 3]) {
-        let weighed: Vec<Spike> = self
+        let weighed: Vec<Line> = self
             .ideal
             .iter()
-            .map(|spike| Spike {
+            .map(|spike| Line {
                 weight: spike.weight * reflectance.at(spike.at_nm),
                 ..*spike
             })
             .collect();
-        let mut bells = self.widths.bells.clone();
-        if self.widths.is_wide() {
+        let mut bells = self.bells.clone();
+        if !self.bells.is_empty() {
             let reflectance = reflectance.on_band();
             bells.iter_mut().zip(reflectance).for_each(|(b, r)| *b *= r);
         }
         let weights = &tables.viewing.weights;
-        let lines = xyz_of_lines(reflectance.band, &weighed, &bells, weights);
+        let lines = if bells.is_empty() {
+            xyz_of_lines(&weighed, weights)
+        } else {
+            xyz_of_parts(reflectance.band, &bells, &weighed, weights)
+        };
         for (x, l) in xyz.iter_mut().zip(lines.to_array()) {
             *x += l;
         }

@@ -244,7 +244,7 @@ mod tests {
     use crate::{
         app::dispersion::words::first_lines,
         optics::Stuff,
-        spectrum::{Band, Spike},
+        spectrum::{self, Band},
     };
 
     fn drawn(settings: BenchSettings) -> BenchDrawing {
@@ -264,10 +264,7 @@ mod tests {
             })
             .to_vec();
         let drawn = |glow: f64| {
-            let spike = |line: &Line| Spike {
-                at_nm: line.at_nm,
-                weight: line.weight,
-            };
+            let spike = |line: &Line| spectrum::Line::ideal(line.at_nm, line.weight);
             let smooth = vec![glow; band.points()];
             let light = Light::new("tube", band, smooth, lines.iter().map(spike).collect());
             let bench = Bench::new(BenchSettings::default(), Stuff::NSf11.material());

@@ -90,7 +90,7 @@ mod tests {
             App, assert_says,
             dispersion::{GemMemory, GemScene, Sent, document_light, next_pass, places},
         },
-        spectrum::{Band, Spike},
+        spectrum::{Band, Line},
         study::Progress,
     };
 
@@ -154,10 +154,7 @@ mod tests {
     #[test]
     fn a_light_too_narrow_to_adapt_to_is_shown_as_it_is() {
         let app = App::new();
-        let spike = Spike {
-            at_nm: 589.3,
-            weight: 1.0,
-        };
+        let spike = Line::ideal(589.3, 1.0);
         let dark = vec![0.0; 401];
         let sodium = Light::new("sodium", Band::VISIBLE, dark, vec![spike]).expect("a light");
         let film = film(&app, &sodium);

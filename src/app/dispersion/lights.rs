@@ -28,7 +28,7 @@ impl Sent {
             band, parts, model, ..
         } = derived;
         match self {
-            Self::Measured => Light::new(name, *band, parts.smooth.clone(), model.spikes.clone()),
+            Self::Measured => Light::new(name, *band, parts.smooth.clone(), model.lines().to_vec()),
             Self::Model => Light::of_composite(name, model),
         }
     }

@@ -364,7 +364,7 @@ mod tests {
     #[test]
     fn every_line_of_the_model_is_one_ray_one_mark_and_one_row() {
         let app = App::new();
-        let count = app.derived().model.spikes.len();
+        let count = app.derived().model.lines().len();
         let shown = PrismShown::of(&app, &usual());
         let drawing = shown.drawing.expect("light leaves");
         assert_eq!(drawing.lines.len(), count);

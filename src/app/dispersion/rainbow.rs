@@ -172,7 +172,7 @@ mod tests {
         let app = App::new();
         let sky = sky();
         let shown = RainbowShown::of(&app, &RainbowMemory::default(), &sky);
-        let count = app.derived().model.spikes.len();
+        let count = app.derived().model.lines().len();
         assert_eq!(shown.rows.len(), count);
         assert_eq!(shown.strips[0].marks.len(), 2 * count);
         assert!(shown.sentence.contains(&many(count, "line", "lines")));

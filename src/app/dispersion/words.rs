@@ -18,8 +18,8 @@ pub struct Line {
 pub(super) fn lines_of(app: &App, light: &Light) -> Vec<Line> {
     let modelled = ModelledLight::of(app);
     let names = modelled.spike_names(app);
-    let spikes = &modelled.derived.model.spikes;
-    let line = |spike: crate::spectrum::Spike| {
+    let spikes = modelled.derived.model.lines();
+    let line = |spike: crate::spectrum::Line| {
         let index = spikes.iter().position(|own| own.at_nm == spike.at_nm);
         let label = index.and_then(|i| names.get(i)?.label.clone());
         Line {

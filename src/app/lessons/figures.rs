@@ -112,7 +112,7 @@ const OF_DOCUMENT: [OfDocument; 20] = [
         Unit::PERCENT,
         |s| {
             let derived = s.app.derived();
-            let shares = derived.model.spikes.iter();
+            let shares = derived.model.lines().iter();
             Some(
                 shares
                     .filter_map(|spike| derived.parts.share(spike.weight))
@@ -204,7 +204,7 @@ const OF_DOCUMENT: [OfDocument; 20] = [
 ];
 
 fn spikes(app: &App, sign: f64) -> f64 {
-    let spikes = app.derived().model.spikes.iter();
+    let spikes = app.derived().model.lines().iter();
     spikes.filter(|spike| sign * spike.weight > 0.0).count() as f64
 }
 

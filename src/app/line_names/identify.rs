@@ -11,7 +11,7 @@ use super::{
     sodium::{NA, REVERSED},
     table::GASES,
 };
-use crate::spectrum::{Outside, Sampled, Spike};
+use crate::spectrum::{Line, Outside, Sampled};
 
 /// Names are believed when they explain at least this share of all lines' power.
 const EXPLAINED: f64 = 0.6;
@@ -160,12 +160,12 @@ fn name_of(told: Option<&Told>) -> LineName {
 
 /// The spike that the pointer is on, with its name: the nearest within a distance.
 pub fn spike_under<'a>(
-    spikes: &'a [Spike],
+    spikes: &'a [Line],
     names: &'a [LineName],
     at_nm: f64,
     within_nm: f64,
-) -> Option<(&'a Spike, &'a LineName)> {
-    let off = |spike: &Spike| (spike.at_nm - at_nm).abs();
+) -> Option<(&'a Line, &'a LineName)> {
+    let off = |spike: &Line| (spike.at_nm - at_nm).abs();
     spikes
         .iter()
         .zip(names)

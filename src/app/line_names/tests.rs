@@ -3,7 +3,7 @@
 use super::*;
 use crate::{
     app::library::Library,
-    spectrum::{Outside, Sampled, Spike},
+    spectrum::{Line, Outside, Sampled},
 };
 
 /// Lines of a width on a glow, 350 to 800 nm.
@@ -234,7 +234,7 @@ fn random_lines_are_hardly_ever_taken_for_an_element() {
 
 #[test]
 fn the_pointer_names_the_spike_it_is_on_and_nothing_else() {
-    let spikes = [435.8, 546.1].map(|at_nm| Spike { at_nm, weight: 1.0 });
+    let spikes = [435.8, 546.1].map(|at_nm| Line::ideal(at_nm, 1.0));
     let found = identified(&lamp(&MERCURY, 2.0, 1.0, 0.1));
     let names = found.names_at(&spikes.map(|spike| spike.at_nm));
     let (spike, name) = spike_under(&spikes, &names, 547.0, 2.0).expect("a spike");

@@ -28,8 +28,8 @@ fn line_tubes_are_composites_of_the_tables_lines_and_of_nothing_else() {
     for tube in &tubes.items {
         let printed = tube.composite().expect("a composite");
         let composite = composite_from_preset(printed).expect("finite numbers");
-        assert!(composite.smooth.coefficients.iter().all(|c| *c == 0.0));
-        let sum: f64 = composite.spikes.iter().map(|s| s.weight).sum();
+        assert!(composite.smooth().coefficients.iter().all(|c| *c == 0.0));
+        let sum: f64 = composite.lines().iter().map(|s| s.weight).sum();
         assert!((sum - 100.0).abs() < 1e-9, "{}: {sum}", tube.name);
         let words = tube.notes.join(" ");
         assert!(words.contains("Made by this program") && words.contains("excitation"));

@@ -27,11 +27,11 @@ fn head_text(app: &App) -> String {
     format!(
         "Light     {}\nModel     {} order {} on {}-{} nm, {}: {}\nProducts  {}\n",
         app.document().light.name(),
-        model.smooth.basis.word(),
-        model.smooth.order(),
+        model.smooth().basis.word(),
+        model.smooth().order(),
         short(model.band().min_nm()),
         short(model.band().max_nm()),
-        many(model.spikes.len(), "spike", "spikes"),
+        many(model.lines().len(), "spike", "spikes"),
         numbers(model.numbers()),
         app.document().settings.sampling.word(),
     )

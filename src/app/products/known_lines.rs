@@ -6,7 +6,7 @@ use crate::{
         entry::Entry,
         line_names::LineName,
     },
-    spectrum::{Band, Factor, Spike},
+    spectrum::{Band, Factor, Line},
 };
 
 /// Names by place: a spike keeps its place through a chain.
@@ -17,7 +17,7 @@ impl KnownLines {
     /// Names of a light's spikes, which come with them, and of the dips that its factors keep.
     pub fn of<'a>(
         band: Band,
-        spikes: &[Spike],
+        spikes: &[Line],
         names: &[LineName],
         factors: impl IntoIterator<Item = (&'a Entry, &'a Factor)>,
     ) -> Self {

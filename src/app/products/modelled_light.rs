@@ -11,7 +11,7 @@ use super::super::{
     tables::Tables,
 };
 use crate::{
-    spectrum::{Band, Factor},
+    spectrum::{Band, Composite, Factor, Line},
     study::products::Product,
 };
 
@@ -22,8 +22,8 @@ pub struct ModelledLight {
     pub derived: Arc<Derived>,
     /// Colour-matching functions and bases.
     pub tables: Arc<Tables>,
-    /// Of each line of the model, nm; 0 where none is known.
-    line_widths_nm: Vec<f64>,
+    /// The model with the widths of the lines that its spikes stand for; 0 where none is known.
+    model: Composite,
     settings: super::super::settings::Settings,
 }
 
@@ -41,9 +41,13 @@ impl ModelledLight {
             });
             (Arc::new(derived), Arc::new(tables))
         };
-        let widths = derived.parts.spikes.iter().map(|line| line.width_nm);
+        let lines = derived.parts.spikes.iter().map(|found| Line {
+            fwhm_nm: found.width_nm.unwrap_or_default(),
+            ..found.spike
+        });
+        let smooth = derived.model.smooth().clone();
         Self {
-            line_widths_nm: widths.map(Option::unwrap_or_default).collect(),
+            model: Composite::of_lines_inside(smooth, lines.collect()),
             derived,
             tables,
             settings,
@@ -67,8 +71,7 @@ impl ModelledLight {
     pub fn product(&self) -> Product<'_> {
         Product {
             measured: &self.derived.measured,
-            model: &self.derived.model,
-            line_widths_nm: &self.line_widths_nm,
+            model: &self.model,
             sampling: self.settings.sampling,
             seen: &self.tables.viewing.weights,
             width_nm: self.settings.max_width_nm,

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use crate::{
     app::{App, Derived, tables::Tables},
-    color::{xyz_of_parts, xyz_of_spikes},
-    spectrum::{Basis, Composite, Series, Spike, numbers_of_order},
+    color::{xyz_of_lines, xyz_of_parts},
+    spectrum::{Basis, Composite, Line, Series, numbers_of_order},
 };
 
 /// A light taken apart once, from which the model of any order is cut; for a thread of its own.
@@ -14,7 +14,7 @@ pub struct ModelsByOrder {
     tables: Arc<Tables>,
     /// Coefficients of the smooth part to the largest order.
     projected: Vec<f64>,
-    spikes: Vec<Spike>,
+    spikes: Vec<Line>,
     /// XYZ of the smooth part for an exact colour, where that is asked for.
     smooth_target: Option<[f64; 3]>,
 }
@@ -29,10 +29,10 @@ impl ModelsByOrder {
     /// The models of what was derived with some tables.
     pub fn new(derived: &Derived, tables: Arc<Tables>, colour_exact: bool) -> Self {
         let (band, weights) = (derived.band, &tables.viewing.weights);
-        let spikes = derived.model.spikes.clone();
+        let spikes = derived.model.lines().to_vec();
         let smooth_target = colour_exact.then(|| {
             let whole = xyz_of_parts(band, &derived.measured, &[], weights);
-            (whole - xyz_of_spikes(&spikes, weights)).to_array()
+            (whole - xyz_of_lines(&spikes, weights)).to_array()
         });
         let basis = &tables.basis;
         let projected = basis.project(&derived.parts.smooth, basis.numbers());
@@ -58,14 +58,14 @@ impl ModelsByOrder {
             // Too few numbers for an exact colour stay as they are.
             let _ = self.tables.colour.make_exact(&mut coefficients, target);
         }
-        Composite {
-            smooth: Series {
+        Composite::of_lines_inside(
+            Series {
                 band: self.tables.band(),
                 basis: self.tables.basis.basis(),
                 coefficients,
             },
-            spikes: self.spikes.clone(),
-        }
+            self.spikes.clone(),
+        )
     }
 }
 

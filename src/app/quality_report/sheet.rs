@@ -109,13 +109,13 @@ mod tests {
         let sheet = modeller.sheet("FL2".to_owned(), &document);
         let (derived, _) = derived_of(&document);
         assert_eq!(sheet, Sheet::of("FL2".to_owned(), &document, &derived));
-        assert_eq!(sheet.composite.smooth.order(), 9);
+        assert_eq!(sheet.composite.smooth().order(), 9);
         // Other settings are the document's own.
         let plain = Document {
             settings: Settings::default(),
             ..document
         };
         let sheet = modeller.sheet("FL2".to_owned(), &plain);
-        assert_eq!(sheet.composite.smooth.order(), Settings::default().order);
+        assert_eq!(sheet.composite.smooth().order(), Settings::default().order);
     }
 }

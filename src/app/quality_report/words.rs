@@ -39,11 +39,11 @@ pub fn text(sheet: &Sheet, spectrum: &NamedSpectrum) -> String {
     let _ = writeln!(
         out,
         "Model: {} order {} on {}-{} nm, {}: {}\n",
-        composite.smooth.basis.word(),
-        composite.smooth.order(),
+        composite.smooth().basis.word(),
+        composite.smooth().order(),
         band.min_nm(),
         band.max_nm(),
-        many(composite.spikes.len(), "spike", "spikes"),
+        many(composite.lines().len(), "spike", "spikes"),
         numbers(composite.numbers()),
     );
     out += &table(&lines(measured, model));

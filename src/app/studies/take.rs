@@ -6,7 +6,7 @@ use crate::{
         command::Command,
         settings::{Detector, Settings},
     },
-    spectrum::{Decomposition, HandSpike, Spike, SpikeEdits, decompose, detect_shapes},
+    spectrum::{Decomposition, HandSpike, Line, SpikeEdits, decompose, detect_shapes},
     study::{Auction, auction::Step},
 };
 
@@ -48,11 +48,11 @@ fn edits(ask: &AuctionAsk, auction: &Auction, step: &Step) -> SpikeEdits {
     let values = about.subject.0.on_band(about.band);
     let (parts, shapes) = detect_shapes(about.band, &values, about.spikes);
     // By place: the auction saw the spectrum at another scale, and rounding may change an order.
-    let is_bought = |found: &Spike| {
+    let is_bought = |found: &Line| {
         let mut places = step.lines.iter().map(|line| auction.lines[*line].at_nm);
         places.any(|at_nm| (found.at_nm - at_nm).abs() < SAME_PLACE_NM)
     };
-    let (bought, others): (Vec<Spike>, Vec<Spike>) =
+    let (bought, others): (Vec<Line>, Vec<Line>) =
         shapes.iter().map(|shape| shape.spike).partition(is_bought);
     let left = SpikeEdits {
         hand: Vec::new(),
@@ -81,7 +81,7 @@ fn edits(ask: &AuctionAsk, auction: &Auction, step: &Step) -> SpikeEdits {
 }
 
 /// A found line as a locked spike.
-fn locked(spike: Spike, parts: &Decomposition) -> HandSpike {
+fn locked(spike: Line, parts: &Decomposition) -> HandSpike {
     let found = parts.spikes.iter().find(|found| found.spike == spike);
     HandSpike {
         at_nm: spike.at_nm,

@@ -20,9 +20,8 @@ use crate::{
         stored_path,
     },
     io::{Choices, MakersResult},
-    lamps::Composite as WideComposite,
     spectrum::{
-        Band, Basis, Composite, Formula, Kind, NamedSpectrum, Sampled, Series, Spike, SpikeEdits,
+        Band, Basis, Composite, Formula, Kind, Line, NamedSpectrum, Sampled, Series, SpikeEdits,
     },
 };
 
@@ -64,15 +63,15 @@ struct StoredComposite {
 }
 
 impl StoredComposite {
-    fn of(composite: &WideComposite) -> Self {
-        let WideComposite { smooth, spikes } = composite;
-        let widths_nm = || spikes.iter().map(|s| s.width_nm).collect();
+    fn of(composite: &Composite) -> Self {
+        let (smooth, lines) = (composite.smooth(), composite.lines());
+        let widths_nm = || lines.iter().map(|line| line.fwhm_nm).collect();
         Self {
             basis: smooth.basis,
             band: smooth.band,
             coefficients: smooth.coefficients.clone(),
-            spikes: spikes.iter().map(|s| [s.at_nm, s.weight]).collect(),
-            widths_nm: match spikes.iter().any(|s| !s.is_ideal()) {
+            spikes: lines.iter().map(|line| [line.at_nm, line.weight]).collect(),
+            widths_nm: match composite.has_widths() {
                 true => widths_nm(),
                 false => Vec::new(),
             },
@@ -80,7 +79,7 @@ impl StoredComposite {
     }
 
     /// `None` where its numbers are no composite.
-    fn found(self) -> Option<WideComposite> {
+    fn found(self) -> Option<Composite> {
         let numbers = self.coefficients.len();
         let widths = &self.widths_nm;
         let sound = numbers % 2 == 1
@@ -89,18 +88,22 @@ impl StoredComposite {
             && widths.iter().all(|width| *width >= 0.0);
         let all = self.spikes.iter().flatten().chain(&self.coefficients);
         let is_finite = all.chain(widths).all(|v| v.is_finite());
-        let spikes = self.spikes.into_iter();
-        let centres = || Composite {
-            smooth: Series {
-                band: self.band,
-                basis: self.basis,
-                coefficients: self.coefficients,
-            },
-            spikes: spikes
-                .map(|[at_nm, weight]| Spike { at_nm, weight })
-                .collect(),
+        if !(sound && is_finite) {
+            return None;
+        }
+        let widths = self.widths_nm.into_iter().chain(std::iter::repeat(0.0));
+        let lines = self.spikes.into_iter().zip(widths);
+        let lines = lines.map(|([at_nm, weight], fwhm_nm)| Line {
+            at_nm,
+            weight,
+            fwhm_nm,
+        });
+        let smooth = Series {
+            band: self.band,
+            basis: self.basis,
+            coefficients: self.coefficients,
         };
-        (sound && is_finite).then(|| WideComposite::with_widths(centres(), &self.widths_nm))
+        Some(Composite::of_lines_inside(smooth, lines.collect()))
     }
 }
 
@@ -381,27 +384,21 @@ mod tests {
 
     #[test]
     fn a_composite_is_found_again_with_the_widths_of_its_lines() {
-        let centres = Composite {
-            smooth: Series {
-                band: Band::VISIBLE,
-                basis: Basis::Cosine,
-                coefficients: vec![1.0, 0.5, -0.25],
-            },
-            spikes: vec![
-                Spike {
-                    at_nm: 435.8,
-                    weight: 3.0,
-                },
-                Spike {
-                    at_nm: 611.0,
-                    weight: 2.0,
-                },
-            ],
+        let smooth = Series {
+            band: Band::VISIBLE,
+            basis: Basis::Cosine,
+            coefficients: vec![1.0, 0.5, -0.25],
         };
-        for widths_nm in [&[][..], &[0.0, 7.5]] {
-            let composite = WideComposite::with_widths(centres.clone(), widths_nm);
+        for fwhm_nm in [0.0, 7.5] {
+            let wide = Line {
+                at_nm: 611.0,
+                weight: 2.0,
+                fwhm_nm,
+            };
+            let lines = vec![Line::ideal(435.8, 3.0), wide];
+            let composite = Composite::of_lines_inside(smooth.clone(), lines);
             let stored = serde_json::to_string(&StoredComposite::of(&composite)).expect("JSON");
-            assert_eq!(stored.contains("widths_nm"), !widths_nm.is_empty());
+            assert_eq!(stored.contains("widths_nm"), fwhm_nm > 0.0);
             let read: StoredComposite = serde_json::from_str(&stored).expect("its own");
             assert_eq!(read.clone().found(), Some(composite));
             // Widths of other lines are no composite's.

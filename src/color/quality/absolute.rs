@@ -101,14 +101,11 @@ pub fn absolute(light: &Light, measured: Option<Measured>) -> Result<Absolute, N
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spectrum::Spike;
+    use crate::spectrum::Line;
 
     #[test]
     fn absolute_values_need_a_unit() {
-        let light = Light::of_line(Spike {
-            at_nm: 555.0,
-            weight: 0.25,
-        });
+        let light = Light::of_line(Line::ideal(555.0, 0.25));
         assert_eq!(absolute(&light, None), Err(NoFigure::NoUnit));
         let measured = Measured {
             what: Radiometric::Irradiance,

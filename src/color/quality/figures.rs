@@ -221,7 +221,7 @@ fn cct_of(xyz: &Result<Xyz, NoFigure>) -> Result<Cct, NoFigure> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spectrum::{Sampled, Spike};
+    use crate::spectrum::{Line, Sampled};
 
     #[test]
     fn the_unit_of_the_values_changes_no_ratio() {
@@ -238,10 +238,7 @@ mod tests {
 
     #[test]
     fn a_line_is_the_limit_of_a_narrow_triangle() {
-        let line = Spike {
-            at_nm: 546.0,
-            weight: 1.0,
-        };
+        let line = Line::ideal(546.0, 1.0);
         let table = Sampled::new(vec![545.999, 546.0, 546.001], vec![0.0, 1000.0, 0.0]).unwrap();
         let (exact, narrow) = (Light::of_line(line), Light::of_sampled(&table));
         let (exact, narrow) = (Figures::of(&exact, None), Figures::of(&narrow, None));

@@ -7,7 +7,7 @@
 
 use crate::{
     color::xyz,
-    spectrum::{Band, Composite, Outside, Sampled, Spike},
+    spectrum::{Band, Composite, Line, Outside, Sampled},
 };
 
 use super::no_figure::{Dark, NoFigure};
@@ -27,7 +27,7 @@ pub struct Light {
     /// One value a nm, in units of `scale`.
     values: Vec<f64>,
     /// Lines within 360-830 nm, weights in units of `scale` x nm.
-    lines: Vec<Spike>,
+    lines: Vec<Line>,
     /// The source's unit of 1.
     scale: f64,
     /// Indices of the first and last whole nm that the table has.
@@ -50,14 +50,14 @@ impl Light {
 
     /// A composite model: its series on its band, zero outside, and its spikes as they are.
     pub fn of_composite(model: &Composite) -> Self {
-        Self::of_parts(model.band(), &model.smooth.on_band(), &model.spikes)
+        Self::of_parts(model.band(), &model.smooth().on_band(), model.lines())
     }
 
     /// A smooth part on a band's grid and spikes.
     ///
     /// # Panics
     /// When `smooth` does not have [`Band::points`] values.
-    pub fn of_parts(band: Band, smooth: &[f64], spikes: &[Spike]) -> Self {
+    pub fn of_parts(band: Band, smooth: &[f64], spikes: &[Line]) -> Self {
         assert_eq!(smooth.len(), band.points(), "one value per grid point");
         let mut values = vec![0.0; POINTS];
         for (value, nm) in values.iter_mut().zip(FIRST_NM..) {
@@ -83,7 +83,7 @@ impl Light {
     }
 
     /// A single line without width.
-    pub fn of_line(line: Spike) -> Self {
+    pub fn of_line(line: Line) -> Self {
         let ends_nm = [line.at_nm, line.at_nm];
         Self::new(vec![0.0; POINTS], vec![line], ends_nm, line.weight == 0.0)
     }
@@ -98,7 +98,7 @@ impl Light {
         }
         let unscaled = values.iter().map(|v| v * self.scale).collect();
         let lines = self.lines.iter().filter(|l| band.contains(l.at_nm));
-        let lines = lines.map(|l| Spike {
+        let lines = lines.map(|l| Line {
             weight: l.weight * self.scale,
             ..*l
         });
@@ -111,7 +111,7 @@ impl Light {
 
     fn new(
         mut values: Vec<f64>,
-        mut lines: Vec<Spike>,
+        mut lines: Vec<Line>,
         [first_nm, last_nm]: [f64; 2],
         is_zero: bool,
     ) -> Self {
@@ -159,7 +159,7 @@ impl Light {
     }
 
     /// Lines within 360-830 nm; weights in units of [`Light::scale`] x nm.
-    pub fn lines(&self) -> &[Spike] {
+    pub fn lines(&self) -> &[Line] {
         &self.lines
     }
 

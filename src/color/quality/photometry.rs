@@ -55,13 +55,10 @@ static SCOTOPIC: LazyLock<Weight> = LazyLock::new(|| Weight::named("V'(lambda) s
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spectrum::Spike;
+    use crate::spectrum::Line;
 
     fn line(at_nm: f64) -> Light {
-        Light::of_line(Spike {
-            at_nm,
-            weight: 0.25,
-        })
+        Light::of_line(Line::ideal(at_nm, 0.25))
     }
 
     #[test]

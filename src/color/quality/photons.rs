@@ -63,7 +63,7 @@ static EPPFD: LazyLock<Weight> = LazyLock::new(|| photons(EXTENDED_LAST_NM));
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spectrum::Spike;
+    use crate::spectrum::Line;
 
     #[test]
     fn a_line_counts_its_photons_up_to_both_ends() {
@@ -77,7 +77,7 @@ mod tests {
             (750.0, [false, true]),
             (750.1, [false, false]),
         ] {
-            let sums = photon_sums(&Light::of_line(Spike { at_nm, weight: 1.0 }));
+            let sums = photon_sums(&Light::of_line(Line::ideal(at_nm, 1.0)));
             for (sum, counts) in sums.into_iter().zip(counts) {
                 let expected = if counts {
                     at_nm * MICROMOLES_PER_JOULE_NM

@@ -137,7 +137,7 @@ mod tests {
     use super::*;
     use crate::{
         color::quality::POINTS,
-        spectrum::{Band, Spike},
+        spectrum::{Band, Line},
     };
 
     #[test]
@@ -161,10 +161,7 @@ mod tests {
 
     #[test]
     fn a_model_with_lines_has_a_centroid_but_no_height() {
-        let spike = Spike {
-            at_nm: 546.1,
-            weight: 3.0,
-        };
+        let spike = Line::ideal(546.1, 3.0);
         let band = Band::VISIBLE;
         let light = Light::of_parts(band, &vec![0.0; band.points()], &[spike]);
         let found = shape(&light).unwrap();

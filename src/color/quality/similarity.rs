@@ -208,10 +208,10 @@ static FIXED: LazyLock<[SimilarityBands; 3]> = LazyLock::new(|| {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spectrum::{Band, Spike};
+    use crate::spectrum::{Band, Line};
 
     fn line(at_nm: f64) -> [f64; BANDS] {
-        let light = Light::of_line(Spike { at_nm, weight: 2.0 });
+        let light = Light::of_line(Line::ideal(at_nm, 2.0));
         SimilarityBands::of(&light).unwrap().0
     }
 
@@ -234,10 +234,7 @@ mod tests {
         // Half of a line at either outer border is outside; shares are of what is inside.
         assert_eq!(line(375.0)[0], 1.0);
         assert_eq!(line(675.0)[29], 1.0);
-        let outside = Light::of_line(Spike {
-            at_nm: 700.0,
-            weight: 1.0,
-        });
+        let outside = Light::of_line(Line::ideal(700.0, 1.0));
         assert!(SimilarityBands::of(&outside).is_err());
     }
 
@@ -246,10 +243,7 @@ mod tests {
         const STEP_NM: f64 = 1e-6;
         let band = Band::new(360.0, 830.0).unwrap();
         let shares = |at_nm: f64| {
-            let line = Spike {
-                at_nm,
-                weight: 50.0,
-            };
+            let line = Line::ideal(at_nm, 50.0);
             let light = Light::of_parts(band, &vec![1.0; band.points()], &[line]);
             SimilarityBands::of(&light).unwrap().0
         };

@@ -82,15 +82,12 @@ pub(super) fn table_of<'a>(group: &'a Group, name: &str) -> &'a Sampled {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spectrum::Spike;
+    use crate::spectrum::Line;
 
     #[test]
     fn a_line_counts_with_the_weight_at_its_exact_place() {
         let v = Weight::named("V(lambda) photopic");
-        let light = Light::of_line(Spike {
-            at_nm: 546.25,
-            weight: 3.0,
-        });
+        let light = Light::of_line(Line::ideal(546.25, 3.0));
         let expected = 0.75 * v.at(546.0) + 0.25 * v.at(547.0);
         // The light is scaled to a heaviest line of 1; one product and one sum of rounding.
         assert!((v.sum(&light) * light.scale() - 3.0 * expected).abs() < 1e-15);

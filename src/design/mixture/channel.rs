@@ -6,7 +6,7 @@ use super::{
 };
 use crate::{
     design::whole_nm::{self, of_unit_power},
-    spectrum::{Band, Basis, BasisTable, Composite, Sampled, Series, Spike},
+    spectrum::{Band, Basis, BasisTable, Composite, Line, Sampled, Series},
 };
 
 /// Numbers of the series that a mixture's smooth part is told by, half-range cosines.
@@ -115,10 +115,9 @@ pub fn composite(channels: &[Channel], weights: &[f64]) -> Composite {
     let mut spikes = Vec::new();
     for (channel, weight) in channels.iter().zip(weights) {
         match channel.line_nm() {
-            Some(at_nm) if *weight > 0.0 && band.contains(at_nm) => spikes.push(Spike {
-                at_nm,
-                weight: weight * channel.power(),
-            }),
+            Some(at_nm) if *weight > 0.0 && band.contains(at_nm) => {
+                spikes.push(Line::ideal(at_nm, weight * channel.power()))
+            }
             Some(_) => {}
             None => {
                 let values = &channel.values[within_composite()];
@@ -129,14 +128,14 @@ pub fn composite(channels: &[Channel], weights: &[f64]) -> Composite {
     }
     spikes.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
     let table = BasisTable::new(band, Basis::Cosine, COSINES);
-    Composite {
-        smooth: Series {
+    Composite::of_lines_inside(
+        Series {
             band,
             basis: Basis::Cosine,
             coefficients: table.project(&smooth, COSINES),
         },
         spikes,
-    }
+    )
 }
 
 #[cfg(test)]
@@ -152,7 +151,7 @@ mod tests {
         for (at_nm, out) in [(546.1, 0.0), (780.5, 1.0), (379.5, 1.0), (780.0, 0.0)] {
             let channels = [line(at_nm)];
             assert_eq!(left_out(&channels, &[2.0]), out, "{at_nm}");
-            let kept = composite(&channels, &[2.0]).spikes.len();
+            let kept = composite(&channels, &[2.0]).lines().len();
             assert_eq!(kept as f64, 1.0 - out, "{at_nm}");
         }
     }

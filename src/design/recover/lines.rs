@@ -17,7 +17,7 @@ use super::{error::RecoverError, method::Method, recovered::Nearest, viewing::BA
 use crate::{
     color::{Observer, Xyz, delta_e_of_xyz, lab_from_xyz, uv_1976_from_xyz, xyz},
     design::{gamut::nearest_mix, least_squares::least_squares, programme::End},
-    spectrum::{Outside, Sampled, Spike, condition_number},
+    spectrum::{Line, Outside, Sampled, condition_number},
 };
 
 /// Most lines that are solved for.
@@ -38,7 +38,7 @@ pub struct LineLight {
     /// The background on the whole nm of 380-780, per nm.
     pub background: Vec<f64>,
     /// The lines by rising place, weights in power (the background's unit x nm).
-    pub lines: Vec<Spike>,
+    pub lines: Vec<Line>,
     /// XYZ of each colour asked for, as this light gives it.
     pub xyz: Vec<Xyz>,
     /// Largest CIEDE2000 between asked and given, against the light's own colour.
@@ -102,7 +102,7 @@ impl LineLight {
         for at_nm in &places {
             let (at_nm, weight) = (*at_nm, 1.0);
             let mut values = vec![0.0; BAND.points()];
-            add_lines(&[Spike { at_nm, weight }], &mut values);
+            add_lines(&[Line::ideal(at_nm, weight)], &mut values);
             parts.push(values);
         }
         let equations: Vec<Vec<f64>> = parts
@@ -115,10 +115,7 @@ impl LineLight {
             })
             .collect();
         let (weights, nearest) = solved(&equations, colours)?;
-        let line = |(at_nm, weight): (&f64, &f64)| Spike {
-            at_nm: *at_nm,
-            weight: *weight,
-        };
+        let line = |(at_nm, weight): (&f64, &f64)| Line::ideal(*at_nm, *weight);
         let xyz = given(&equations, &weights);
         let white = colours.iter().position(|c| c.surface.is_none());
         Ok(Self {
@@ -134,7 +131,7 @@ impl LineLight {
 }
 
 /// Lines split over their two neighbouring nm, for plain sums: the ends of the range count in full.
-fn add_lines(lines: &[Spike], values: &mut [f64]) {
+fn add_lines(lines: &[Line], values: &mut [f64]) {
     for line in lines {
         let x = line.at_nm - BAND.min_nm();
         let left = (x as usize).min(BAND.steps() - 1);
@@ -265,13 +262,7 @@ mod tests {
         let sum: f64 = shape.iter().sum();
         let mut values: Vec<f64> = shape.iter().map(|v| v / sum * powers[0]).collect();
         for (at_nm, weight) in places.iter().zip(&powers[1..]) {
-            add_lines(
-                &[Spike {
-                    at_nm: *at_nm,
-                    weight: *weight,
-                }],
-                &mut values,
-            );
+            add_lines(&[Line::ideal(*at_nm, *weight)], &mut values);
         }
         let surface = |surface| LitColour {
             surface,

@@ -89,14 +89,14 @@ pub fn mix_json(channels: &[Channel], solution: &Solution) -> Value {
 fn composite_json(channels: &[Channel], weights: &[f64]) -> Value {
     let model = composite(channels, weights);
     let band = model.band();
-    let spike = |s: &crate::spectrum::Spike| json!({"at_nm": s.at_nm, "weight": s.weight});
+    let spike = |s: &crate::spectrum::Line| json!({"at_nm": s.at_nm, "weight": s.weight});
     json!({
         "format": "composite-spectrum",
         "version": 1,
         "range_nm": [band.min_nm(), band.max_nm()],
-        "basis": model.smooth.basis.word(),
-        "coefficients": {"c": model.smooth.coefficients},
-        "spikes": model.spikes.iter().map(spike).collect::<Vec<_>>(),
+        "basis": model.smooth().basis.word(),
+        "coefficients": {"c": model.smooth().coefficients},
+        "spikes": model.lines().iter().map(spike).collect::<Vec<_>>(),
         "unit": "relative",
         "source": "mixed channels",
         "name": "mixture",

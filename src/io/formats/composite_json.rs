@@ -22,7 +22,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use crate::spectrum::{Band, Basis, Composite, Kind, Series, Spike};
+use crate::spectrum::{Band, Basis, Composite, Kind, Line, Series};
 
 use super::{Confidence, Format};
 use crate::io::decode::json::json_error;
@@ -53,7 +53,7 @@ struct File {
     basis: Basis,
     coefficients: Coefficients,
     #[serde(default)]
-    spikes: Vec<Line>,
+    spikes: Vec<LineJson>,
     #[serde(default)]
     unit: String,
     #[serde(default)]
@@ -80,7 +80,7 @@ struct Coefficients {
 }
 
 #[derive(Serialize, Deserialize)]
-struct Line {
+struct LineJson {
     at_nm: f64,
     weight: f64,
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -96,28 +96,27 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let file: File = serde_json::from_str(text).map_err(|e| json_error(input, &e))?;
     let file = composite_of(file, input.stem()).map_err(|why| why.of(input))?;
     Ok(Reading {
-        notes: vec![in_words(&file.composite, &file.widths_nm)],
+        notes: vec![in_words(&file.composite)],
         composites: vec![file],
         ..Reading::default()
     })
 }
 
-/// One line about a composite with the widths of its lines, if they have any: basis, order, range,
-/// spikes. That they have one is a number more.
-pub fn in_words(composite: &Composite, widths_nm: &[f64]) -> String {
-    let (band, smooth) = (composite.band(), &composite.smooth);
+/// One line about a composite: basis, order, range, spikes, and how many numbers it takes.
+pub fn in_words(composite: &Composite) -> String {
+    let (band, smooth) = (composite.band(), composite.smooth());
     format!(
         "{} series of order {}, {}-{} nm, {}, {}",
         smooth.basis.word(),
         smooth.order(),
         band.min_nm(),
         band.max_nm(),
-        match composite.spikes.len() {
+        match composite.lines().len() {
             0 => "no spikes".to_owned(),
-            n if widths_nm.is_empty() => many(n, "spike", "spikes"),
+            n if !composite.has_widths() => many(n, "spike", "spikes"),
             n => many(n, "line with its width", "lines with their widths"),
         },
-        numbers(composite.numbers() + usize::from(!widths_nm.is_empty()))
+        numbers(composite.numbers())
     )
 }
 
@@ -182,17 +181,19 @@ fn composite_of(file: File, stem: &str) -> Result<CompositeFile, CompositeError>
     })?;
     let coefficients = prefix_order(basis, coefficients)?;
     let lines = spikes.into_iter().map(|line| {
-        let Line { at_nm, weight, .. } = line;
-        let width_nm = line.fwhm_nm.filter(|_| version == last);
-        (Spike { at_nm, weight }, width_nm.unwrap_or(0.0))
+        let fwhm_nm = line.fwhm_nm.filter(|_| version == last);
+        Line {
+            at_nm: line.at_nm,
+            weight: line.weight,
+            fwhm_nm: fwhm_nm.unwrap_or(0.0),
+        }
     });
-    let (composite, widths_nm) = checked(band, basis, coefficients, lines.collect())?;
+    let composite = checked(band, basis, coefficients, lines.collect())?;
     if name.is_empty() {
         stem.clone_into(&mut name);
     }
     Ok(CompositeFile {
         composite,
-        widths_nm,
         unit,
         source,
         name,
@@ -229,29 +230,24 @@ fn prefix_order(basis: Basis, coefficients: Coefficients) -> Result<Vec<f64>, Co
 /// The widest line that is believed, nm.
 const WIDEST_NM: f64 = 1000.0;
 
-/// A composite of numbers that make sense, and the widths of its lines, empty where all are ideal:
-/// at least one coefficient and no more than the band carries, everything below 1e30 (what is
-/// computed from it stays finite), lines on its range, put in rising order with their widths.
+/// A composite of numbers that make sense: at least one coefficient and no more than the band
+/// carries, everything below 1e30 (what is computed from it stays finite), lines on its range.
 pub(super) fn checked(
     band: Band,
     basis: Basis,
     coefficients: Vec<f64>,
-    mut lines: Vec<(Spike, f64)>,
-) -> Result<(Composite, Vec<f64>), CompositeError> {
-    let is_width = |width: &f64| (0.0..=WIDEST_NM).contains(width);
-    if let Some((_, odd)) = lines.iter().find(|(_, width)| !is_width(width)) {
+    lines: Vec<Line>,
+) -> Result<Composite, CompositeError> {
+    let widths = lines.iter().map(|line| line.fwhm_nm);
+    if let Some(odd) = widths
+        .into_iter()
+        .find(|width| !(0.0..=WIDEST_NM).contains(width))
+    {
         let expected = format!("a width of 0 to {WIDEST_NM} nm");
         return Err(CompositeError::new(
             format!("a line {odd} nm wide"),
             expected,
         ));
-    }
-    if !lines.is_sorted_by(|(x, _), (y, _)| x.at_nm <= y.at_nm) {
-        lines.sort_by(|(x, _), (y, _)| x.at_nm.total_cmp(&y.at_nm));
-    }
-    let (spikes, mut widths): (Vec<Spike>, Vec<f64>) = lines.into_iter().unzip();
-    if widths.iter().all(|width| *width == 0.0) {
-        widths.clear();
     }
     let most = 2 * Basis::highest_order(band) + 1;
     if coefficients.is_empty() || coefficients.len() > most {
@@ -263,7 +259,7 @@ pub(super) fn checked(
         let found = format!("the coefficient {odd}");
         return Err(CompositeError::new(found, "a number below 1e30"));
     }
-    for Spike { at_nm, weight } in &spikes {
+    for Line { at_nm, weight, .. } in &lines {
         if !is_measured(*at_nm) || *at_nm <= 0.0 || !is_measured(*weight) {
             return Err(CompositeError::new(
                 format!("a spike of {weight} at {at_nm} nm"),
@@ -284,7 +280,7 @@ pub(super) fn checked(
         basis,
         coefficients,
     };
-    Ok((Composite { smooth, spikes }, widths))
+    Ok(Composite::of_lines_inside(smooth, lines))
 }
 
 /// A composite as JSON.
@@ -294,16 +290,17 @@ pub(super) fn checked(
 pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
     let CompositeFile {
         composite,
-        widths_nm,
         unit,
         source,
         name,
         kind,
     } = file;
-    let smooth = &composite.smooth;
-    let spikes = composite.spikes.iter().flat_map(|s| [s.at_nm, s.weight]);
-    let numbers = smooth.coefficients.iter().chain(widths_nm).copied();
-    if !numbers.chain(spikes).all(f64::is_finite) || smooth.coefficients.is_empty() {
+    let (smooth, lines) = (composite.smooth(), composite.lines());
+    let of_lines = lines
+        .iter()
+        .flat_map(|line| [line.at_nm, line.weight, line.fwhm_nm]);
+    let numbers = smooth.coefficients.iter().copied();
+    if !numbers.chain(of_lines).all(f64::is_finite) || smooth.coefficients.is_empty() {
         return Err(WriteError::new(
             name,
             "found a coefficient or spike that is not finite, expected numbers",
@@ -314,18 +311,18 @@ pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
         Basis::Cosine => (None, Some(smooth.coefficients.clone())),
     };
     let (a, b) = ab.unzip();
-    let line = |(i, spike): (usize, &Spike)| Line {
-        at_nm: spike.at_nm,
-        weight: spike.weight,
-        fwhm_nm: widths_nm.get(i).copied().filter(|width| *width > 0.0),
+    let line = |line: &Line| LineJson {
+        at_nm: line.at_nm,
+        weight: line.weight,
+        fwhm_nm: Some(line.fwhm_nm).filter(|width| *width > 0.0),
     };
     let file = File {
         format: FORMAT_WORD.to_owned(),
-        version: VERSIONS[usize::from(!widths_nm.is_empty())],
+        version: VERSIONS[usize::from(composite.has_widths())],
         range_nm: [smooth.band.min_nm(), smooth.band.max_nm()],
         basis: smooth.basis,
         coefficients: Coefficients { a, b, c },
-        spikes: composite.spikes.iter().enumerate().map(line).collect(),
+        spikes: lines.iter().map(line).collect(),
         unit: unit.clone(),
         source: source.clone(),
         name: name.clone(),

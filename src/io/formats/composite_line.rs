@@ -11,7 +11,7 @@
 //! maximum of a Gaussian line in nm; it is written where a line has a width. Numbers are the shortest decimals that read back to the same bits. Unit, source, name
 //! and kind are not in the line: it is taken as a light unless a person says otherwise.
 
-use crate::spectrum::{Band, Basis, Composite, Kind, Spike};
+use crate::spectrum::{Band, Basis, Composite, Kind, Line};
 
 use super::composite_json::{CompositeError, checked, in_words};
 use super::{Confidence, Format};
@@ -38,13 +38,12 @@ fn sniff(input: &Input) -> Confidence {
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
-    let (composite, widths_nm) =
-        parse_lines(&input.needs_text()?.text).map_err(|why| why.of(input).at_line(1))?;
+    let text = &input.needs_text()?.text;
+    let composite = parse(text).map_err(|why| why.of(input).at_line(1))?;
     Ok(Reading {
-        notes: vec![in_words(&composite, &widths_nm)],
+        notes: vec![in_words(&composite)],
         composites: vec![CompositeFile {
             composite,
-            widths_nm,
             unit: String::new(),
             source: String::new(),
             name: input.stem().to_owned(),
@@ -61,26 +60,20 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     })
 }
 
-/// A composite of ideal spikes as one line without a line end.
+/// A composite as one line without a line end.
 pub fn write(composite: &Composite) -> String {
-    write_lines(composite, &[])
-}
-
-/// A composite with the widths of its lines (none where all are ideal) as one line without a line
-/// end.
-pub fn write_lines(composite: &Composite, widths_nm: &[f64]) -> String {
-    let mark = MARKS[usize::from(!widths_nm.is_empty())];
-    let smooth = &composite.smooth;
+    let mark = MARKS[usize::from(composite.has_widths())];
+    let smooth = composite.smooth();
     let coefficients: Vec<String> = smooth.coefficients.iter().map(|c| shortest(*c)).collect();
     let spikes: Vec<String> = composite
-        .spikes
+        .lines()
         .iter()
-        .enumerate()
-        .map(|(i, s)| {
-            let spike = format!("{}*{}", shortest(s.at_nm), shortest(s.weight));
-            match widths_nm.get(i).filter(|width| **width > 0.0) {
-                Some(width) => format!("{spike}*{}", shortest(*width)),
-                None => spike,
+        .map(|line| {
+            let spike = format!("{}*{}", shortest(line.at_nm), shortest(line.weight));
+            if line.fwhm_nm > 0.0 {
+                format!("{spike}*{}", shortest(line.fwhm_nm))
+            } else {
+                spike
             }
         })
         .collect();
@@ -99,11 +92,6 @@ pub fn write_lines(composite: &Composite, widths_nm: &[f64]) -> String {
 /// # Errors
 /// [`CompositeError`] with the part that is wrong.
 pub fn parse(text: &str) -> Result<Composite, CompositeError> {
-    parse_lines(text).map(|(composite, _)| composite)
-}
-
-/// The same with the widths of its lines; none where all are ideal.
-fn parse_lines(text: &str) -> Result<(Composite, Vec<f64>), CompositeError> {
     let fields: Vec<&str> = text.trim().split(';').map(str::trim).collect();
     let has_widths = fields[0] == MARKS[1];
     if !MARKS.contains(&fields[0]) {
@@ -152,7 +140,7 @@ fn parse_range(range: &str) -> Result<Band, CompositeError> {
 }
 
 /// A spike with its width, 0 where it has none.
-fn parse_spike(word: &str, has_widths: bool) -> Result<(Spike, f64), CompositeError> {
+fn parse_spike(word: &str, has_widths: bool) -> Result<Line, CompositeError> {
     let (at_nm, rest) = word
         .split_once('*')
         .ok_or_else(|| odd("spike", word, "nm*weight"))?;
@@ -160,9 +148,9 @@ fn parse_spike(word: &str, has_widths: bool) -> Result<(Spike, f64), CompositeEr
         Some((weight, width)) => (weight, finite(width, "a line's width in nm")?),
         None => (rest, 0.0),
     };
-    let spike = Spike {
+    Ok(Line {
         at_nm: finite(at_nm, "a spike's wavelength in nm")?,
         weight: finite(weight, "a spike's weight")?,
-    };
-    Ok((spike, width))
+        fwhm_nm: width,
+    })
 }

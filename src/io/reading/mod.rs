@@ -74,10 +74,8 @@ impl OpenQuestion {
 /// A composite with what a person needs to know about it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CompositeFile {
-    /// The model, each line at its centre.
+    /// The model.
     pub composite: Composite,
-    /// Full width at half maximum of each line, nm, 0 for an ideal spike; empty where all are ideal.
-    pub widths_nm: Vec<f64>,
     /// Unit of its smooth part; empty when unknown. A spike's weight is in this unit x nm.
     pub unit: String,
     /// Where the numbers come from; empty when unknown.

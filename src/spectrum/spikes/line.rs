@@ -13,7 +13,7 @@
 use super::{FoundSpike, LineShape, peaks::Peak};
 use crate::spectrum::{
     band::Band,
-    composite::{GAUSSIAN_AREA, Spike},
+    line::{GAUSSIAN_AREA, Line},
 };
 
 /// A line's window reaches this many of its widths beyond its peak: a Gaussian has 0.04 % left.
@@ -27,7 +27,7 @@ const NARROWEST_NM: f64 = 2.0;
 const CUT_FLANK: f64 = 0.1;
 
 /// What one group would take out.
-pub(super) struct Line {
+pub(super) struct Taken {
     pub(super) first: usize,
     pub(super) residue: Vec<f64>,
     pub(super) energy: f64,
@@ -35,7 +35,7 @@ pub(super) struct Line {
     pub(super) width_nm: f64,
 }
 
-impl Line {
+impl Taken {
     pub(super) fn take_from(&self, values: &mut [f64]) {
         for (v, r) in values[self.first..].iter_mut().zip(&self.residue) {
             *v -= r;
@@ -52,10 +52,7 @@ impl Line {
 
     pub(super) fn found(&self, band: Band, peaks: usize, sign: f64) -> FoundSpike {
         FoundSpike {
-            spike: Spike {
-                at_nm: self.at_nm,
-                weight: sign * self.energy,
-            },
+            spike: Line::ideal(self.at_nm, sign * self.energy),
             width_nm: self.width_nm,
             peaks,
             window_nm: [
@@ -74,7 +71,7 @@ pub(super) fn weigh(
     members: &[Peak],
     limits: (usize, usize),
     ends: (usize, usize),
-) -> Option<Line> {
+) -> Option<Taken> {
     let (first, last) = window_of(members, limits)?;
     let mut ground = values[first..=last].to_vec();
     // A flank that an end cuts has no foot on that side: the other foot is the ground there.
@@ -110,7 +107,7 @@ pub(super) fn weigh_window(
     values: &[f64],
     (first, last): (usize, usize),
     baseline: &[f64],
-) -> Option<Line> {
+) -> Option<Taken> {
     let window = &values[first..=last];
     let residue: Vec<f64> = window
         .iter()
@@ -125,7 +122,7 @@ pub(super) fn weigh_window(
         area += share;
         moment += share * band.nm(first + i);
     }
-    (top > 0.0).then(|| Line {
+    (top > 0.0).then(|| Taken {
         first,
         energy: area * top,
         // Rounding must not carry a line at the end of the range out of it.

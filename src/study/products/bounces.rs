@@ -49,10 +49,10 @@ pub fn bounce_errors(product: Product<'_>, surface: &Factor) -> Vec<BounceErrors
 fn one_way(product: Product<'_>, surface: &Factor) -> BounceErrors {
     let band = product.model.band();
     let white = product.white();
-    let numbers = product.model.smooth.coefficients.len();
+    let numbers = product.model.smooth().coefficients.len();
     let factors = vec![surface.clone(); MOST_BOUNCES];
     let long = ChainTables::for_light(product.model, product.sampling, MOST_BOUNCES);
-    let mut stages = long.pass_wide(product.model, product.line_widths_nm, &factors);
+    let mut stages = long.pass(product.model, &factors);
     if product.sampling == Sampling::Double {
         // Short chains get fewer points than long ones.
         let few = chain_points(numbers, 1);
@@ -60,7 +60,7 @@ fn one_way(product: Product<'_>, surface: &Factor) -> BounceErrors {
             .take_while(|count| chain_points(numbers, *count) == few)
             .count();
         let tables = ChainTables::for_light(product.model, product.sampling, short);
-        let first = tables.pass_wide(product.model, product.line_widths_nm, &factors[..short]);
+        let first = tables.pass(product.model, &factors[..short]);
         stages.splice(..short, first);
     }
     let mut exact = product.measured.to_vec();

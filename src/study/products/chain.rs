@@ -3,7 +3,7 @@
 use super::{Colours, multiplied};
 use crate::{
     color::{Weights, Xyz, delta_e_of_xyz, xyz_of_parts},
-    spectrum::{Band, ChainTables, Composite, Factor, Met, Sampling, Spike, below_zero},
+    spectrum::{Band, ChainTables, Composite, Factor, Line, Met, Sampling, below_zero},
     study::error::Spread,
 };
 
@@ -12,11 +12,9 @@ use crate::{
 pub struct Product<'a> {
     /// The light as measured, on the band's grid.
     pub measured: &'a [f64],
-    /// The light's model.
+    /// The light's model. Its lines are weighed at their centres; a width counts where a line meets
+    /// a dip of a factor.
     pub model: &'a Composite,
-    /// Full widths at half maximum of the model's lines in their order, nm; those beyond are
-    /// ideal. They count where a line meets a dip of a factor.
-    pub line_widths_nm: &'a [f64],
     /// How products are formed.
     pub sampling: Sampling,
     /// Colour-matching functions on the band's grid.
@@ -33,7 +31,7 @@ pub struct Step {
     /// The model's smooth part on the grid.
     pub smooth: Vec<f64>,
     /// The model's spikes, carried exactly.
-    pub spikes: Vec<Spike>,
+    pub spikes: Vec<Line>,
     /// Both colours: what the whole model is off by so far.
     pub colours: Colours,
     /// CIEDE2000 that forming the products adds: against the exact product of the very same model
@@ -168,8 +166,13 @@ impl Product<'_> {
     /// The light before any factor.
     fn light(&self) -> Colours {
         let white = self.white();
-        let smooth = self.model.smooth.on_band();
-        let own = xyz_of_parts(self.band(), &smooth, &self.model.spikes, self.seen);
+        let smooth = self.model.smooth().on_band();
+        let own = xyz_of_parts(
+            self.band(),
+            &smooth,
+            self.model.idealised().lines(),
+            self.seen,
+        );
         Colours::of(white, own, white)
     }
 
@@ -177,18 +180,18 @@ impl Product<'_> {
         let (band, white) = (self.band(), light.exact);
         let mut exact = self.measured.to_vec();
         let mut before = light;
-        let stages = tables.pass_wide(self.model, self.line_widths_nm, factors);
+        let stages = tables.pass(self.model, factors);
         let steps = stages.into_iter().zip(factors).map(|(stage, factor)| {
             exact = multiplied(&exact, factor.values());
             let model = xyz_of_parts(band, &stage.smooth, &stage.spikes, self.seen);
             let colours = Colours::of(xyz_of_parts(band, &exact, &[], self.seen), model, white);
             let unfolded = xyz_of_parts(band, &stage.unfolded, &stage.spikes, self.seen);
             let is_line = |nm: f64| {
-                let mut lines = self.model.spikes.iter().filter(|s| s.weight > 0.0);
+                let mut lines = self.model.lines().iter().filter(|s| s.weight > 0.0);
                 lines.any(|s| s.at_nm == nm)
             };
             let negative = stage.spikes.iter().filter(|s| s.weight < 0.0);
-            let (turned, dips): (Vec<Spike>, Vec<Spike>) =
+            let (turned, dips): (Vec<Line>, Vec<Line>) =
                 negative.copied().partition(|s| is_line(s.at_nm));
             let step = Step {
                 exact: exact.clone(),

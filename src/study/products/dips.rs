@@ -1,6 +1,6 @@
 //! Absorption lines of one spectrum: how deep its dips are.
 
-use crate::spectrum::{Band, Spike};
+use crate::spectrum::{Band, Line};
 
 /// Share of the background that is missing at the deepest place of each spike of negative weight,
 /// 0-1, in the spikes' order; `None` for one that stands up, and where the background has nothing
@@ -12,10 +12,10 @@ pub fn depths(
     band: Band,
     measured: &[f64],
     background: &[f64],
-    spikes: &[Spike],
+    spikes: &[Line],
 ) -> Vec<Option<f64>> {
     let missing = |index: usize| background[index] - measured[index];
-    let depth = |spike: &Spike| {
+    let depth = |spike: &Line| {
         if spike.weight >= 0.0 || !band.contains(spike.at_nm) {
             return None;
         }
@@ -44,7 +44,7 @@ mod tests {
             .grid()
             .map(|nm| 2.0 - 1.5 * (-((nm - 500.0) / 3.0).powi(2)).exp())
             .collect();
-        let spike = |at_nm, weight| Spike { at_nm, weight };
+        let spike = |at_nm, weight| Line::ideal(at_nm, weight);
         let spikes = [spike(500.4, -8.0), spike(600.0, 1.0), spike(900.0, -1.0)];
         let found = depths(band, &measured, &background, &spikes);
         assert_eq!(found, [Some(0.75), None, None]);

@@ -11,7 +11,7 @@ use super::Colours;
 use crate::{
     color::{Weights, Xyz, xyz_of_parts},
     rivals::{Representation, Samples},
-    spectrum::{Band, BasisTable, Composite, InnerProducts, Series, Spike, dot},
+    spectrum::{Band, BasisTable, Composite, InnerProducts, Line, Series, dot},
 };
 
 /// Y that the light behind the filter is brought to, of the whole light's 1.
@@ -39,7 +39,7 @@ pub struct Narrow {
     /// The exact light, weighed.
     exact: Weighed,
     /// The values, weighed, with their spikes of no width.
-    ways: [(Weighed, Vec<Spike>); 3],
+    ways: [(Weighed, Vec<Line>); 3],
     numbers: usize,
 }
 
@@ -61,9 +61,9 @@ impl Narrow {
     ///
     /// With `colour_exact` the series without spikes has the light's own X, Y, Z too.
     pub fn new(measured: &[f64], model: &Composite, colour_exact: bool, seen: &Weights) -> Self {
-        let values = model.smooth.on_band();
-        let parts = (&values[..], &model.spikes[..], model.numbers());
-        Self::of_parts(measured, &model.smooth, parts, colour_exact, seen)
+        let values = model.smooth().on_band();
+        let parts = (&values[..], &model.lines()[..], model.numbers());
+        Self::of_parts(measured, model.smooth(), parts, colour_exact, seen)
     }
 
     /// The same of a model whose lines have widths: its values on the grid with those lines, so
@@ -72,7 +72,7 @@ impl Narrow {
     pub fn of_parts(
         measured: &[f64],
         smooth: &Series,
-        (values, ideal, numbers): (&[f64], &[Spike], usize),
+        (values, ideal, numbers): (&[f64], &[Line], usize),
         colour_exact: bool,
         seen: &Weights,
     ) -> Self {
@@ -153,7 +153,7 @@ impl Narrow {
     /// The same for a filter that is dark but in some points of the grid.
     fn within(&self, filter: impl Fn(f64) -> f64, range: Range<usize>) -> [Colours; 3] {
         let on_grid: Vec<f64> = range.clone().map(|i| filter(self.band.nm(i))).collect();
-        let product = |smooth: &Weighed, spikes: &[Spike]| {
+        let product = |smooth: &Weighed, spikes: &[Line]| {
             Xyz::from_array(std::array::from_fn(|k| {
                 let lines = spikes
                     .iter()

@@ -3,7 +3,7 @@
 use super::{Product, Step, multiplied};
 use crate::{
     color::{delta_e_of_xyz, xyz_of_parts},
-    spectrum::{BasisTable, Factor, Sampling, Spike},
+    spectrum::{BasisTable, Factor, Line, Sampling},
     study::truth::{SpikeReading, cut, eq_17},
 };
 
@@ -34,7 +34,7 @@ pub struct Formed {
 /// # Panics
 /// When a curve does not have [`crate::spectrum::Band::points`] values.
 pub fn resampled(product: Product<'_>, factor: &Factor, table: &BasisTable) -> Resampled {
-    let numbers = product.model.smooth.coefficients.len();
+    let numbers = product.model.smooth().coefficients.len();
     let ways = Sampling::ALL.into_iter().filter_map(|sampling| {
         let own = Product {
             sampling,
@@ -53,7 +53,7 @@ pub fn resampled(product: Product<'_>, factor: &Factor, table: &BasisTable) -> R
     let short = cut(factor.background(), table, product.model);
     Resampled {
         ways: ways.collect(),
-        series_product: multiplied(&product.model.smooth.on_band(), &short.on_band()),
+        series_product: multiplied(&product.model.smooth().on_band(), &short.on_band()),
         exact: multiplied(product.measured, factor.values()),
     }
 }
@@ -80,11 +80,11 @@ pub fn spike_costs(product: Product<'_>, factor: &Factor, table: &BasisTable) ->
     let (band, seen, white) = (product.model.band(), product.seen, product.white());
     let found = eq_17(product.model, factor.values(), table, seen, white);
     let series = cut(factor.values(), table, product.model);
-    let smooth = multiplied(&product.model.smooth.on_band(), &series.on_band());
+    let smooth = multiplied(&product.model.smooth().on_band(), &series.on_band());
     let colour = |value: &dyn Fn(usize, &SpikeReading) -> f64| {
         let readings = found.readings.iter().enumerate();
-        let spikes: Vec<Spike> = readings
-            .map(|(i, reading)| Spike {
+        let spikes: Vec<Line> = readings
+            .map(|(i, reading)| Line {
                 weight: reading.spike.weight * value(i, reading),
                 ..reading.spike
             })
@@ -126,33 +126,23 @@ mod tests {
     const BAND: Band = Band::VISIBLE;
 
     fn light(basis: Basis) -> Composite {
-        Composite {
-            smooth: Series {
+        Composite::of_lines_inside(
+            Series {
                 band: BAND,
                 basis,
                 coefficients: vec![3.0, -1.0, 0.5, 0.25, 0.125],
             },
-            spikes: vec![
-                Spike {
-                    at_nm: 435.8,
-                    weight: 20.0,
-                },
-                Spike {
-                    at_nm: 546.1,
-                    weight: 30.0,
-                },
-            ],
-        }
+            vec![Line::ideal(435.8, 20.0), Line::ideal(546.1, 30.0)],
+        )
     }
 
     fn with_product(basis: Basis, look: impl FnOnce(Product<'_>, &BasisTable)) {
         let model = light(basis);
-        let measured = model.smooth.on_band();
+        let measured = model.smooth().on_band();
         let seen = Observer::Cie1931.table().on_band(BAND);
         let product = Product {
             measured: &measured,
             model: &model,
-            line_widths_nm: &[],
             sampling: Sampling::Double,
             seen: &seen,
             width_nm: 10.0,

@@ -9,7 +9,7 @@
 
 use super::multiplied;
 use crate::{
-    spectrum::{Band, BasisTable, Composite, Sampling, Series, Spike, product::resampled},
+    spectrum::{Band, BasisTable, Composite, Line, Sampling, Series, product::resampled},
     study::error::{BLUR_NM, Blur, height, spikes_times, times},
 };
 
@@ -108,11 +108,11 @@ pub struct Checker<'a> {
 impl<'a> Checker<'a> {
     /// Both composites share band and basis.
     pub fn new(light: &'a Composite, outgoing: &'a Composite) -> Self {
-        let (band, numbers) = (light.band(), light.smooth.coefficients.len());
+        let (band, numbers) = (light.band(), light.smooth().coefficients.len());
         Self {
             light,
             outgoing,
-            table: BasisTable::new(band, light.smooth.basis, numbers),
+            table: BasisTable::new(band, light.smooth().basis, numbers),
             blur: Blur::new(band, BLUR_NM),
         }
     }
@@ -126,13 +126,10 @@ impl<'a> Checker<'a> {
         let (light, outgoing) = (self.light, self.outgoing);
         let surface = Series {
             coefficients: self.table.project(reflectance, self.table.numbers()),
-            ..light.smooth.clone()
+            ..light.smooth().clone()
         };
         let product = resampled(light, &surface, Sampling::Double);
-        let product = Composite {
-            smooth: product.smooth.truncated(outgoing.smooth.coefficients.len()),
-            ..product
-        };
+        let product = product.truncated(outgoing.smooth().coefficients.len());
         let expected = blurred(&self.blur, &shared_lines(&product, outgoing))?;
         let found = blurred(&self.blur, &shared_lines(outgoing, &product))?;
         compared(light.band(), expected, found)
@@ -201,28 +198,28 @@ const SAME_LINE_NM: f64 = 4.0;
 /// A composite with the spikes that the other one lacks projected into its smooth part, whose
 /// coefficients gain what a delta has of each function.
 fn shared_lines(composite: &Composite, other: &Composite) -> Composite {
-    let (band, basis) = (composite.band(), composite.smooth.basis);
-    let is_shared = |spike: &Spike| {
-        let close = |twin: &Spike| (twin.at_nm - spike.at_nm).abs() <= SAME_LINE_NM;
-        other.spikes.iter().any(close)
+    let (band, basis) = (composite.band(), composite.smooth().basis);
+    let is_shared = |spike: &Line| {
+        let close = |twin: &Line| (twin.at_nm - spike.at_nm).abs() <= SAME_LINE_NM;
+        other.lines().iter().any(close)
     };
-    let (spikes, lone): (Vec<Spike>, Vec<Spike>) =
-        composite.spikes.iter().copied().partition(is_shared);
-    let mut smooth = composite.smooth.clone();
+    let (spikes, lone): (Vec<Line>, Vec<Line>) =
+        composite.lines().iter().copied().partition(is_shared);
+    let mut smooth = composite.smooth().clone();
     for (k, c) in smooth.coefficients.iter_mut().enumerate() {
         let norm = basis.norm_squared(k, band);
         for spike in &lone {
             *c += spike.weight * basis.function(k, band, spike.at_nm) / norm;
         }
     }
-    Composite { smooth, spikes }
+    Composite::of_lines_inside(smooth, spikes)
 }
 
 /// A composite behind a blur, on the grid, as shares of its largest value, and what it was
 /// multiplied by for that; `None` in the dark.
 fn blurred(blur: &Blur, composite: &Composite) -> Option<(Vec<f64>, f64)> {
     let unit = height(&composite.on_band())?;
-    let mut values = blur.values(&times(&composite.smooth.on_band(), unit));
-    blur.add_spikes(&spikes_times(&composite.spikes, unit), &mut values);
+    let mut values = blur.values(&times(&composite.smooth().on_band(), unit));
+    blur.add_lines(&spikes_times(composite.lines(), unit), &mut values);
     Some((values, unit))
 }

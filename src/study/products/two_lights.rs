@@ -3,7 +3,7 @@
 use super::multiplied;
 use crate::{
     color::{Lab, Weights, Xyz, delta_e_2000, lab_from_xyz, xyz_of_parts},
-    spectrum::{Band, Basis, Composite, Spike, product::weigh_spikes},
+    spectrum::{Band, Basis, Composite, Line, product::weigh_lines},
     study::Progress,
 };
 
@@ -78,8 +78,8 @@ pub fn two_modelled_lights(
     lights: [&[f64]; 2],
     seen: &Weights,
 ) -> Option<TwoLights> {
-    let smooth = models.map(|model| model.smooth.on_band());
-    let lamps = [0, 1].map(|i| (&smooth[i][..], &models[i].spikes[..]));
+    let smooth = models.map(|model| model.smooth().on_band());
+    let lamps = [0, 1].map(|i| (&smooth[i][..], &models[i].lines()[..]));
     under(band, surfaces, lamps, lights, seen)
 }
 
@@ -87,7 +87,7 @@ pub fn two_modelled_lights(
 fn under(
     band: Band,
     surfaces: &[Vec<f64>],
-    lamps: [(&[f64], &[Spike]); 2],
+    lamps: [(&[f64], &[Line]); 2],
     lights: [&[f64]; 2],
     seen: &Weights,
 ) -> Option<TwoLights> {
@@ -96,7 +96,7 @@ fn under(
     let patches = surfaces.iter().map(|surface| {
         let colours = [0, 1].map(|i| {
             let (curve, spikes) = lamps[i];
-            let lines = weigh_spikes(spikes, |nm| band.interpolate(surface, nm));
+            let lines = weigh_lines(spikes, |nm| band.interpolate(surface, nm));
             let raw = xyz_of_parts(band, &multiplied(curve, surface), &lines, seen);
             raw * (100.0 / whites[i].y)
         });

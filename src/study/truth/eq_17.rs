@@ -3,7 +3,7 @@
 use super::STATED_LINE_NM;
 use crate::{
     color::{Weights, Xyz, delta_e_of_xyz, xyz_of_parts},
-    spectrum::{Band, Basis, BasisTable, Composite, SampleGrid, Series, Spike, numbers_of_order},
+    spectrum::{Band, Basis, BasisTable, Composite, Line, SampleGrid, Series, numbers_of_order},
 };
 
 /// A factor read at every spike of a light in four ways, and what that does to the colour.
@@ -27,7 +27,7 @@ pub struct Eq17 {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpikeReading {
     /// The light's spike.
-    pub spike: Spike,
+    pub spike: Line,
     /// The factor as measured.
     pub measured: f64,
     /// Its series, evaluated exactly.
@@ -73,7 +73,7 @@ pub fn eq_17(
     let grid = paper_grid(&series);
     let samples = grid.sample(&series);
     let readings: Vec<SpikeReading> = light
-        .spikes
+        .lines()
         .iter()
         .map(|spike| SpikeReading {
             spike: *spike,
@@ -84,16 +84,16 @@ pub fn eq_17(
         })
         .collect();
     let smooth: Vec<f64> = light
-        .smooth
+        .smooth()
         .on_band()
         .iter()
         .zip(series.on_band())
         .map(|(s, f)| s * f)
         .collect();
     let weighed_by = |value: fn(&SpikeReading) -> f64| {
-        let spikes: Vec<Spike> = readings
+        let spikes: Vec<Line> = readings
             .iter()
-            .map(|reading| Spike {
+            .map(|reading| Line {
                 weight: reading.spike.weight * value(reading),
                 ..reading.spike
             })
@@ -146,6 +146,6 @@ pub(in crate::study) fn cut(factor: &[f64], table: &BasisTable, light: &Composit
     Series {
         band: table.band(),
         basis: table.basis(),
-        coefficients: table.project(factor, light.smooth.coefficients.len()),
+        coefficients: table.project(factor, light.smooth().coefficients.len()),
     }
 }

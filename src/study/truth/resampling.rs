@@ -47,14 +47,14 @@ pub fn resampling(
     let band = table.band();
     let factor = cut(factor, table, light);
     let product = |sampling| {
-        let Composite { smooth, spikes } = resampled(light, &factor, sampling);
+        let (smooth, spikes) = resampled(light, &factor, sampling).into_parts();
         xyz_of_parts(band, &smooth.on_band(), &spikes, weights)
     };
     let exact = product(Sampling::Exact);
-    let numbers = light.smooth.coefficients.len();
-    let (light_unit, factor_unit) = (in_units(&light.smooth), in_units(&factor));
+    let numbers = light.smooth().coefficients.len();
+    let (light_unit, factor_unit) = (in_units(light.smooth()), in_units(&factor));
     Resampling {
-        order: light.smooth.order(),
+        order: light.smooth().order(),
         ways: ways(table.basis())
             .iter()
             .filter_map(|sampling| {

@@ -3,7 +3,7 @@
 use super::{MOST_SPIKES, TOTAL_NUMBERS};
 use crate::{
     color::{Weights, Xyz, delta_e_of_xyz, xyz_of_parts},
-    spectrum::{Band, BasisTable, LineShape, Spike},
+    spectrum::{Band, BasisTable, Line, LineShape},
     study::{
         error::{Blur, spectrum_errors},
         measure::{ByMeasure, Measure, Verdict},
@@ -84,7 +84,7 @@ pub fn samples(question: Question<'_>) -> Option<SamplesAgainstNumbers> {
     let heaviest = heaviest(question.lines, MOST_SPIKES);
     let numbers = TOTAL_NUMBERS - 2 * heaviest.len();
     let (smooth, background) = background(question, &heaviest, numbers);
-    let spikes: Vec<Spike> = heaviest.iter().map(|line| line.spike).collect();
+    let spikes: Vec<Line> = heaviest.iter().map(|line| line.spike).collect();
     let composite = question.errors(&smooth, &spikes)?;
     let tried: Vec<SampledErrors> = counts(question.table.band().points())
         .map(|samples| question.sampled(samples))
@@ -153,7 +153,7 @@ impl Match {
 
 impl Question<'_> {
     /// Errors of a smooth part on the grid and spikes; `None` for an all-zero spectrum.
-    fn errors(self, smooth: &[f64], spikes: &[Spike]) -> Option<Verdict> {
+    fn errors(self, smooth: &[f64], spikes: &[Line]) -> Option<Verdict> {
         let band = self.table.band();
         let mut errors = spectrum_errors(self.blur, self.measured, smooth, spikes)?;
         let exact = xyz_of_parts(band, self.measured, &[], self.weights);

@@ -7,7 +7,7 @@ use super::{
 use crate::{
     color::{Observer, Weights, Xyz, xyz_of_parts},
     spectrum::{
-        Band, Basis, BasisTable, Composite, LineShape, SampleGrid, Series, Spike, numbers_of_order,
+        Band, Basis, BasisTable, Composite, Line, LineShape, SampleGrid, Series, numbers_of_order,
     },
     study::{
         Measure, Verdict,
@@ -36,7 +36,7 @@ fn background(table: &BasisTable) -> Vec<f64> {
 /// A line that is one nm wide.
 fn line(at_nm: f64, weight: f64) -> LineShape {
     LineShape {
-        spike: Spike { at_nm, weight },
+        spike: Line::ideal(at_nm, weight),
         first: (at_nm - BAND.min_nm()) as usize,
         residue: vec![weight],
     }
@@ -267,17 +267,17 @@ fn the_printed_weights_read_a_straight_line_at_553_9_on_the_papers_range() {
 fn a_flat_factor_reads_the_same_in_every_way_and_costs_nothing() {
     for basis in Basis::ALL {
         let table = BasisTable::new(BAND, basis, 11);
-        let light = Composite {
-            smooth: Series {
+        let light = Composite::of_lines_inside(
+            Series {
                 band: BAND,
                 basis,
                 coefficients: vec![2.0, 0.3, -0.1, 0.2, 0.0],
             },
-            spikes: vec![line(546.0, 20.0).spike, line(700.5, 5.0).spike],
-        };
+            vec![line(546.0, 20.0).spike, line(700.5, 5.0).spike],
+        );
         let half = vec![0.5; BAND.points()];
         let weights = weights(BAND);
-        let white = xyz_of_parts(BAND, &light.smooth.on_band(), &light.spikes, &weights);
+        let white = xyz_of_parts(BAND, &light.smooth().on_band(), light.lines(), &weights);
         let read = eq_17(&light, &half, &table, &weights, white);
         assert_eq!(read.grid.points, 5);
         for r in &read.readings {
@@ -298,14 +298,14 @@ fn a_flat_factor_reads_the_same_in_every_way_and_costs_nothing() {
 fn on_a_point_the_line_is_exact_and_the_printed_weights_read_its_neighbour() {
     let table = BasisTable::new(BAND, Basis::Fourier, 5);
     let factor = table.evaluate(&[1.0, 0.2, 0.1, -0.1, 0.05]);
-    let light = Composite {
-        smooth: Series {
+    let light = Composite::of_lines_inside(
+        Series {
             band: BAND,
             basis: Basis::Fourier,
             coefficients: vec![2.0, 0.0, 0.0, 0.0, 0.0],
         },
-        spikes: vec![line(540.0, 10.0).spike],
-    };
+        vec![line(540.0, 10.0).spike],
+    );
     // Five points 80 nm apart: 540 is the third, 620 the fourth.
     let read = eq_17(
         &light,
@@ -327,16 +327,16 @@ fn on_a_point_the_line_is_exact_and_the_printed_weights_read_its_neighbour() {
 fn the_papers_points_fold_and_four_times_the_order_does_not() {
     let table = BasisTable::new(BAND, Basis::Fourier, 41);
     let coefficients = table.project(&background(&table), 11);
-    let light = Composite {
-        smooth: Series {
+    let light = Composite::of_lines_inside(
+        Series {
             band: BAND,
             basis: Basis::Fourier,
             coefficients,
         },
-        spikes: Vec::new(),
-    };
+        Vec::new(),
+    );
     let factor: Vec<f64> = BAND.grid().map(|nm| (nm - 380.0) / 400.0).collect();
-    let white = white(BAND, &light.smooth.on_band());
+    let white = white(BAND, &light.smooth().on_band());
     let found = resampling(&light, &factor, &table, &weights(BAND), white);
     assert_eq!(found.order, 5);
     let points: Vec<usize> = found.ways.iter().map(|way| way.points).collect();
@@ -370,14 +370,14 @@ fn enormous_and_tiny_spectra_give_no_nan() {
         assert!(fit.delta_e_2000.is_none_or(f64::is_finite));
         let found = samples_of(&table, &measured, &[]);
         assert!(found.composite[Measure::Rms].is_some_and(f64::is_finite));
-        let light = Composite {
-            smooth: Series {
+        let light = Composite::of_lines_inside(
+            Series {
                 band: BAND,
                 basis: Basis::Fourier,
                 coefficients: table.project(&measured, 11),
             },
-            spikes: Vec::new(),
-        };
+            Vec::new(),
+        );
         let white = white(BAND, &measured);
         for way in resampling(&light, &measured, &table, &weights(BAND), white).ways {
             assert!(way.folded_share.is_finite());

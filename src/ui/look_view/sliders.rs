@@ -272,7 +272,7 @@ fn lines(
             let threshold = highest * (lowest / highest).powf(place);
             settings.threshold_percent = (threshold * 1e3).round() / 1e3;
         }
-        let found = app.derived().model.spikes.len();
+        let found = app.derived().model.lines().len();
         let mut count = found;
         let typed = ui
             .add_enabled_ui(by_energy, |ui| {

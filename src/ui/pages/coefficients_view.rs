@@ -112,7 +112,7 @@ impl CoefficientsView {
 
 /// The order at which playing ends: that in force, or the end of the curve from there on.
 fn last_played(context: &PageContext<'_>, highest: usize) -> usize {
-    let in_force = context.app.derived().model.smooth.order();
+    let in_force = context.app.derived().model.smooth().order();
     if in_force == 0 || context.memory.partial_order > in_force {
         CURVE_ORDER.min(highest)
     } else {

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     app::{App, SpikeAct},
-    spectrum::Spike,
+    spectrum::Line,
 };
 
 /// How near the pointer must come to a spike's tip, points.
@@ -132,7 +132,7 @@ impl Dragging {
                 .position(|s| s.hand == Some(hand))
                 .unwrap_or(drag.index);
             let width = derived.parts.stem_width_nm(index);
-            let weight = Spike::weight_from_stem(height, width);
+            let weight = Line::weight_from_stem(height, width);
             wishes.acts.push(SpikeAct::Set {
                 index,
                 at_nm,
@@ -155,10 +155,7 @@ impl Dragging {
                 let height = height - base_at(at_nm);
                 wishes.acts.push(SpikeAct::Add {
                     at_nm,
-                    weight: Spike::weight_from_stem(
-                        height,
-                        derived.parts.stem_width_nm(usize::MAX),
-                    ),
+                    weight: Line::weight_from_stem(height, derived.parts.stem_width_nm(usize::MAX)),
                 });
             }
         }

@@ -45,7 +45,7 @@ pub(super) fn hover(ui: &Ui, app: &App, theme: Theme, plot: &Screen, room: Rect)
     );
     // A line is named where a spike stands, and nowhere else.
     let reach = (plot.values(pointer + egui::vec2(SPIKE_REACH, 0.0))[0] - nm).abs();
-    let under = spike_under(&derived.model.spikes, app.spike_names(), nm, reach);
+    let under = spike_under(derived.model.lines(), app.spike_names(), nm, reach);
     if let Some((spike, name)) = under {
         text = spike_words(app, *spike, name);
     }

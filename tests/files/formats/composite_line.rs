@@ -3,19 +3,16 @@
 use crate::told::{read, refusal};
 use proptest::prelude::*;
 use spectral_explorer::{
-    io::{
-        CompositeFile, composite_json, composite_line as write, composite_lines as write_lines,
-        parse_composite_line as parse,
-    },
-    spectrum::{Band, Basis, Composite, Kind, Series, Spike},
+    io::{CompositeFile, composite_json, composite_line as write, parse_composite_line as parse},
+    spectrum::{Band, Basis, Composite, Kind, Line, Series},
 };
 
 #[test]
 fn the_line_of_the_description_is_read_and_written() {
     let line = "cs1;fourier;380:780;2 0.5 -0.25;404.87*2.39 435.84*5.94";
     let composite = parse(line).unwrap();
-    assert_eq!(composite.smooth.order(), 1);
-    assert_eq!(composite.spikes[1].at_nm, 435.84);
+    assert_eq!(composite.smooth().order(), 1);
+    assert_eq!(composite.lines()[1].at_nm, 435.84);
     assert_eq!(write(&composite), line);
     let broken = parse("  cs1; cosine;380:780;\n1 2\n3;\n").unwrap();
     assert_eq!(broken.numbers(), 3);
@@ -58,18 +55,17 @@ fn each_fault_is_named() {
 #[test]
 fn widths_come_back_in_line_and_json_and_sort_with_their_lines() {
     let line = "cs2;cosine;380:780;1 2 3;404.87*2.39*3.1 435.84*5.94";
-    let of_line = |line: &str| {
-        let file = read("x.txt", line).composites.remove(0);
-        (file.composite, file.widths_nm)
+    let of_line = |line: &str| read("x.txt", line).composites.remove(0).composite;
+    let widths = |composite: &Composite| -> Vec<f64> {
+        composite.lines().iter().map(|line| line.fwhm_nm).collect()
     };
-    let (composite, widths_nm) = of_line(line);
-    assert_eq!(widths_nm, [3.1, 0.0]);
-    assert_eq!(write_lines(&composite, &widths_nm), line);
+    let composite = of_line(line);
+    assert_eq!(widths(&composite), [3.1, 0.0]);
+    assert_eq!(write(&composite), line);
     let turned = "cs2;cosine;380:780;1 2 3;435.84*5.94 404.87*2.39*3.1";
-    assert_eq!(of_line(turned).1, widths_nm);
+    assert_eq!(of_line(turned), composite);
     let file = CompositeFile {
         composite,
-        widths_nm,
         unit: String::new(),
         source: String::new(),
         name: "wide".to_owned(),
@@ -82,7 +78,7 @@ fn widths_come_back_in_line_and_json_and_sort_with_their_lines() {
     // The first version knows no widths.
     let first = text.replace("\"version\": 2", "\"version\": 1");
     let plain = &composites(&first)[0];
-    assert!(plain.widths_nm.is_empty());
+    assert!(!plain.composite.has_widths());
     refusal("x.json", text.replace("3.1", "-3.1"));
     let text = composite_json(plain).unwrap();
     assert!(text.contains("\"version\": 1"), "{text}");
@@ -107,7 +103,12 @@ fn small(value: f64) -> f64 {
 }
 
 fn composite() -> impl Strategy<Value = Composite> {
-    let spike = (380.0..=780.0_f64, bits()).prop_map(|(at_nm, weight)| Spike { at_nm, weight });
+    let width = prop_oneof![Just(0.0), 0.1..90.0_f64];
+    let spike = (380.0..=780.0_f64, bits(), width).prop_map(|(at_nm, weight, fwhm_nm)| Line {
+        at_nm,
+        weight,
+        fwhm_nm,
+    });
     (
         0..20usize,
         prop::sample::select(vec![Basis::Fourier, Basis::Cosine]),
@@ -122,13 +123,16 @@ fn composite() -> impl Strategy<Value = Composite> {
                 basis,
                 coefficients,
             };
-            Composite { smooth, spikes }
+            Composite::of_lines_inside(smooth, spikes)
         })
 }
 
 fn all_bits(composite: &Composite) -> Vec<u64> {
-    let spikes = composite.spikes.iter().flat_map(|s| [s.at_nm, s.weight]);
-    let coefficients = composite.smooth.coefficients.iter().copied();
+    let spikes = composite
+        .lines()
+        .iter()
+        .flat_map(|s| [s.at_nm, s.weight, s.fwhm_nm]);
+    let coefficients = composite.smooth().coefficients.iter().copied();
     coefficients.chain(spikes).map(f64::to_bits).collect()
 }
 
@@ -139,7 +143,6 @@ proptest! {
         prop_assert_eq!(all_bits(&line), all_bits(&composite));
         let file = CompositeFile {
             composite: composite.clone(),
-            widths_nm: Vec::new(),
             unit: "W m-2 nm-1".to_owned(),
             source: "a \"test\"".to_owned(),
             name: "a leaf".to_owned(),

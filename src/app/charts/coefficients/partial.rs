@@ -60,7 +60,7 @@ impl Draw<'_> {
             &derived.measured,
             Dash::Solid,
         )];
-        if !derived.model.spikes.is_empty() {
+        if !derived.model.lines().is_empty() {
             series.push(thin(
                 "without its spikes",
                 self.inks.residual,

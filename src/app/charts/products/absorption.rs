@@ -13,7 +13,7 @@ use crate::{
         state::App,
         ticks::short,
     },
-    spectrum::{Spike, below_zero},
+    spectrum::{Line, below_zero},
     study::products::depths,
 };
 
@@ -25,7 +25,7 @@ use super::chain::strip;
 #[derive(Clone, Debug, PartialEq)]
 pub struct DipRow {
     /// The dip: place in nm, weight in the subject's own unit x nm.
-    pub spike: Spike,
+    pub spike: Line,
     /// Share of the background that is missing at its deepest, 0-1.
     pub depth: Option<f64>,
     /// A name that is safe.
@@ -71,7 +71,7 @@ pub fn looks(settings: Settings) -> bool {
 /// The subject's dips, by rising wavelength.
 pub fn dip_rows(app: &App) -> Vec<DipRow> {
     let derived = app.derived();
-    let spikes = &derived.model.spikes;
+    let spikes = derived.model.lines();
     let depths = depths(
         derived.band,
         &derived.measured,
@@ -119,10 +119,10 @@ fn met(app: &App) -> Vec<String> {
     let told = Told::of(app, &lit, &document.products.chain);
     let factor = document.scale.factor(&document.light.spectrum);
     let factor = factor.unwrap_or(1.0);
-    let mut before = &lit.derived.model.spikes;
+    let mut before = lit.derived.model.lines();
     let mut all = Vec::new();
     for (name, step) in told.names.iter().zip(&told.passage.steps) {
-        let weight = |spikes: &[Spike], nm: f64| {
+        let weight = |spikes: &[Line], nm: f64| {
             let found = spikes.iter().find(|s| s.at_nm == nm);
             found.map_or_else(|| "–".to_owned(), |s| short(factor * s.weight))
         };
@@ -180,13 +180,13 @@ pub fn absorption_chart(app: &App, (dips, known): (&[DipRow], &[DarkLine]), them
         Series::line("measured", inks.measured, curve(&derived.measured)),
         Series::line("smooth part", inks.smooth, curve(&derived.smooth)),
     ];
-    let stems = |name: &str, ink: Rgb, spikes: &[Spike]| {
+    let stems = |name: &str, ink: Rgb, spikes: &[Line]| {
         let width_nm = |i: usize| derived.stem_width_at(spikes[i].at_nm);
         let smooth = (band, &derived.smooth[..], factor);
         spike_stems((name, ink), spikes, smooth, width_nm)
     };
-    let lines = derived.model.spikes.iter().filter(|s| s.weight >= 0.0);
-    let lines: Vec<Spike> = lines.copied().collect();
+    let lines = derived.model.lines().iter().filter(|s| s.weight >= 0.0);
+    let lines: Vec<Line> = lines.copied().collect();
     if !lines.is_empty() {
         let none = vec![String::new(); lines.len()];
         let lines = stems("spikes", inks.spikes, &lines);
@@ -223,7 +223,7 @@ pub fn absorption_chart(app: &App, (dips, known): (&[DipRow], &[DarkLine]), them
         series.push(stems.labelled(labels).with_notes(notes));
     }
     if !dips.is_empty() {
-        let spikes: Vec<Spike> = dips.iter().map(|dip| dip.spike).collect();
+        let spikes: Vec<Line> = dips.iter().map(|dip| dip.spike).collect();
         let (labels, notes) = dips.iter().map(told).unzip();
         let stems = stems("dark lines", inks.product, &spikes);
         series.push(stems.labelled(labels).with_notes(notes));

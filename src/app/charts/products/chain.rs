@@ -10,7 +10,7 @@ use crate::{
         ticks::short,
     },
     color::{Srgb, srgb_from_wavelength_over},
-    spectrum::{Band, Spike},
+    spectrum::{Band, Line},
 };
 
 /// Points that a small spectrum is drawn with at most.
@@ -69,9 +69,9 @@ impl ChainSheet {
     }
 
     /// The model's spikes at a place.
-    pub fn spikes(&self, place: Place) -> &[Spike] {
+    pub fn spikes(&self, place: Place) -> &[Line] {
         match place {
-            Place::Light => &self.light.derived.model.spikes,
+            Place::Light => self.light.derived.model.lines(),
             Place::Stage(index) => &self.told.passage.steps[index].spikes,
         }
     }
@@ -103,7 +103,7 @@ impl ChainSheet {
             Series::line("exact", inks.measured, curve(exact)),
             Series::line("smooth part", inks.smooth, curve(smooth)),
         ];
-        let (up, down): (Vec<Spike>, Vec<Spike>) =
+        let (up, down): (Vec<Line>, Vec<Line>) =
             self.spikes(place).iter().partition(|s| s.weight >= 0.0);
         for (name, ink, spikes) in [
             ("spikes", inks.spikes, up),
@@ -125,8 +125,8 @@ impl ChainSheet {
     }
 
     /// Stems on the smooth part, with what is told of each.
-    fn stems(&self, looks: (&str, Rgb), spikes: &[Spike], smooth: &[f64], factor: f64) -> Series {
-        let label = |s: &Spike| match self.told.known.safe(s.at_nm) {
+    fn stems(&self, looks: (&str, Rgb), spikes: &[Line], smooth: &[f64], factor: f64) -> Series {
+        let label = |s: &Line| match self.told.known.safe(s.at_nm) {
             Some(name) => name.to_owned(),
             None => format!("{:.1}", s.at_nm),
         };

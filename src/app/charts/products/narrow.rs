@@ -131,7 +131,7 @@ impl Behind {
         let (values, ideal) = (derived.outline(), derived.ideal_spikes());
         let narrow = Narrow::of_parts(
             &derived.measured,
-            &derived.model.smooth,
+            derived.model.smooth(),
             (&values, &ideal, derived.numbers()),
             settings.colour_exact,
             &lit.tables.viewing.weights,
@@ -215,8 +215,8 @@ impl Behind {
         let inks = Inks::of(theme);
         let (band, derived) = (self.band, &self.lit.derived);
         let curve = |values: &[f64]| on_grid(band, values, 1.0);
-        let smooth = derived.model.smooth.on_band();
-        let spikes = &derived.model.spikes;
+        let smooth = derived.model.smooth().on_band();
+        let spikes = derived.model.lines();
         let looks = ("spikes", inks.spikes);
         let stems = spike_stems(looks, spikes, (band, &smooth, 1.0), |i| {
             derived.parts.stem_width_nm(i)

@@ -10,7 +10,7 @@ use crate::{
         products::ModelledLight,
         ticks::extent,
     },
-    spectrum::{Band, Sampling, Spike},
+    spectrum::{Band, Line, Sampling},
     study::products::{Formed, ProductTime, Resampled, Sizes, SpikeCosts, resampled, spike_costs},
 };
 
@@ -85,11 +85,11 @@ impl Bench {
         let (band, product) = (lit.band(), lit.product());
         let own = lit.factor(factor.on_band(band));
         let table = &lit.tables.basis;
-        let smooth = &product.model.smooth;
+        let smooth = product.model.smooth();
         let resampled = resampled(product, &own, table);
         // What a factor adds may stand before the light's own lines.
         let spikes = resampled.ways.first().map(|way| &way.step.spikes[..]);
-        let width_nm = |spike: &Spike| lit.derived.stem_width_at(spike.at_nm);
+        let width_nm = |spike: &Line| lit.derived.stem_width_at(spike.at_nm);
         let widths_nm = spikes.unwrap_or_default().iter().map(width_nm).collect();
         Self {
             light: app.document().light.name().to_owned(),
@@ -101,7 +101,7 @@ impl Bench {
                 band,
                 basis: smooth.basis,
                 numbers: smooth.coefficients.len(),
-                spikes: product.model.spikes.len(),
+                spikes: product.model.lines().len(),
             },
             widths_nm,
         }

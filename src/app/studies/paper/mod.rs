@@ -37,7 +37,7 @@ pub fn harmonics_of(app: &App) -> Harmonics {
     Harmonics::of(Question {
         table: &tables.basis,
         coefficients: &tables.basis.project(&derived.parts.smooth, numbers),
-        spikes: &derived.model.spikes,
+        spikes: derived.model.lines(),
         measured: &derived.measured,
         weights: &tables.viewing.weights,
         plain_colour_matching: document.is_about_light()
@@ -118,7 +118,7 @@ impl Claims {
         let (settings, band) = (document.settings, derived.band);
         let harmonics = harmonics_of(app);
         let product = Product::of(app);
-        let order = derived.model.smooth.order();
+        let order = derived.model.smooth().order();
         let lines = detect_shapes(band, &derived.measured, settings.spike_settings()).1;
         let light = document.light.on_band(band);
         Self {
@@ -240,14 +240,14 @@ fn model_of(app: &App, values: &[f64]) -> Composite {
     } else {
         (values.to_vec(), Vec::new())
     };
-    Composite {
-        smooth: Series {
+    Composite::of_lines_inside(
+        Series {
             band,
             basis: settings.basis,
             coefficients: table.project(&smooth, numbers_of_order(settings.effective_order())),
         },
         spikes,
-    }
+    )
 }
 
 /// The chosen patch, else the one called orange (steep in the middle of the visible), else the

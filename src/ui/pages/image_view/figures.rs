@@ -174,8 +174,8 @@ pub(super) fn model(
     let words = format!(
         "Model: {}, order {}, {}; ΔE₀₀ {delta_e}{}",
         numbers(derived.numbers()),
-        model.smooth.order(),
-        many(model.spikes.len(), "spike", "spikes"),
+        model.smooth().order(),
+        many(model.lines().len(), "spike", "spikes"),
         match derived.figures[Measure::Rms] {
             Some(rms) => format!(", rms {} %", short(100.0 * rms)),
             None => String::new(),

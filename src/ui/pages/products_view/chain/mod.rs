@@ -17,7 +17,7 @@ use crate::{
         products::{KnownLines, Link, MOST_LINKS},
         ticks::short,
     },
-    spectrum::{Sampling, Spike},
+    spectrum::{Line, Sampling},
     ui::{
         kit::{
             Choice, Chooser, Column, Row, down, factors, headline, pressed, pressed_small,
@@ -341,7 +341,7 @@ fn spike_table(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet, place
             1.4,
         ),
     ];
-    let own = &sheet.light.derived.model.spikes;
+    let own = sheet.light.derived.model.lines();
     let rows: Vec<Row> = spikes
         .iter()
         .map(|spike| row(spike, own, factor, &sheet.told.known))
@@ -351,7 +351,7 @@ fn spike_table(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet, place
     });
 }
 
-fn row(spike: &Spike, own: &[Spike], factor: f64, known: &KnownLines) -> Row {
+fn row(spike: &Line, own: &[Line], factor: f64, known: &KnownLines) -> Row {
     let in_light = own.iter().find(|s| s.at_nm == spike.at_nm);
     let share = in_light.map(|s| spike.weight / s.weight);
     let name = known
