@@ -45,7 +45,7 @@ impl Entry {
                 let composite = composite_from_preset(&composite)?;
                 let samples = sampled(&composite)?;
                 // A line tube is every line of an atom: what is seen of it, an analysis tells.
-                given = (preset.shelf == Shelf::Paper).then(|| Arc::new(composite.into()));
+                given = (preset.shelf == Shelf::Paper).then(|| Arc::new(composite));
                 NamedSpectrum {
                     name: preset.name.clone(),
                     kind: preset.kind,

@@ -62,7 +62,7 @@ impl Narrow {
     /// With `colour_exact` the series without spikes has the light's own X, Y, Z too.
     pub fn new(measured: &[f64], model: &Composite, colour_exact: bool, seen: &Weights) -> Self {
         let values = model.smooth().on_band();
-        let parts = (&values[..], &model.lines()[..], model.numbers());
+        let parts = (&values[..], model.lines(), model.numbers());
         Self::of_parts(measured, model.smooth(), parts, colour_exact, seen)
     }
 

@@ -79,7 +79,7 @@ pub fn two_modelled_lights(
     seen: &Weights,
 ) -> Option<TwoLights> {
     let smooth = models.map(|model| model.smooth().on_band());
-    let lamps = [0, 1].map(|i| (&smooth[i][..], &models[i].lines()[..]));
+    let lamps = [0, 1].map(|i| (&smooth[i][..], models[i].lines()));
     under(band, surfaces, lamps, lights, seen)
 }
 
