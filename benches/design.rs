@@ -81,8 +81,8 @@ fn unbounded(viewing: &Viewing, xyz: Xyz) -> DVector<f64> {
 }
 
 fn recover(c: &mut Criterion) {
-    let daylight = Viewing::new(table("CIE D65"), Observer::Cie1931).unwrap();
-    let warm = Viewing::new(table("CIE A"), Observer::Cie1931).unwrap();
+    let daylight = Viewing::new(table("CIE D65"), Observer::CIE_1931).unwrap();
+    let warm = Viewing::new(table("CIE A"), Observer::CIE_1931).unwrap();
     let colour: Srgb = "#c08040".parse().unwrap();
     let xyz = Colour::Srgb(colour).under(&daylight).unwrap();
     let one = [Seen {
@@ -110,7 +110,7 @@ fn recover(c: &mut Criterion) {
         .flat_map(|group| &group.items)
         .filter_map(|item| {
             let light = item.spectrum().filter(|s| s.kind.word() == "light")?;
-            let viewing = Viewing::to_look(&light.samples, Observer::Cie1931).ok()?;
+            let viewing = Viewing::to_look(&light.samples, Observer::CIE_1931).ok()?;
             Some((item.name.clone(), viewing))
         })
         .collect();
@@ -137,7 +137,7 @@ fn recover(c: &mut Criterion) {
 }
 
 fn recover_picture(c: &mut Criterion) {
-    let daylight = Viewing::new(table("CIE D65"), Observer::Cie1931).unwrap();
+    let daylight = Viewing::new(table("CIE D65"), Observer::CIE_1931).unwrap();
     let side = 256;
     let pixels: Vec<u8> = (0..side * side)
         .flat_map(|i| {

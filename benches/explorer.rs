@@ -447,7 +447,7 @@ mod plain {
                     .map(|k| tables.basis.row(k).to_vec())
                     .collect(),
                 norms: numbers.map(|k| basis.norm_squared(k, BAND)).collect(),
-                cmf: (*Observer::Cie1931.table().on_band(BAND)).clone(),
+                cmf: (*Observer::CIE_1931.table().on_band(BAND)).clone(),
                 reflectances: patches.reflectances.clone(),
             }
         }
@@ -529,7 +529,7 @@ mod plain {
         /// XYZ of values on the grid and of spikes seen through a factor.
         fn line_xyz(&self, values: &[f64], spikes: &[Line], factor: impl Fn(f64) -> f64) -> Xyz {
             spikes.iter().fold(self.xyz(|i| values[i]), |sum, spike| {
-                let seen = Observer::Cie1931.table().at(spike.at_nm);
+                let seen = Observer::CIE_1931.table().at(spike.at_nm);
                 sum + Xyz::from_array(seen) * (spike.weight * factor(spike.at_nm))
             })
         }

@@ -108,7 +108,7 @@ fn true_colour(path: &Path) -> Exposed {
     let image = Arc::new(reading.images.remove(0));
     let light = Library::bundled().find("CIE D65").expect("shipped");
     let light = light.spectrum().expect("a spectrum");
-    let weights = BandWeights::of(&image, Observer::Cie1931, Some(light), false).expect("light");
+    let weights = BandWeights::of(&image, Observer::CIE_1931, Some(light), false).expect("light");
     let ask = RasterAsk {
         image: ByAddress(image),
         source: Source::TrueColour(Box::new(weights)),

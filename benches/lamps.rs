@@ -18,7 +18,7 @@ fn lamp(group: &str, name: &str) -> Vec<f64> {
 
 fn encoding(c: &mut Criterion) {
     let encoder =
-        Encoder::new(BAND, Observer::Cie1931, SpikeSettings::default()).expect("the visible");
+        Encoder::new(BAND, Observer::CIE_1931, SpikeSettings::default()).expect("the visible");
     let mut group = c.benchmark_group("encode at 20");
     for (from, name) in [
         ("cie_fluorescent_1nm", "FL2"),
@@ -50,7 +50,7 @@ fn encoding(c: &mut Criterion) {
 
 fn decoding(c: &mut Criterion) {
     let encoder =
-        Encoder::new(BAND, Observer::Cie1931, SpikeSettings::default()).expect("the visible");
+        Encoder::new(BAND, Observer::CIE_1931, SpikeSettings::default()).expect("the visible");
     let values = lamp("cie_fluorescent_1nm", "FL2");
     let encoding = encoder
         .encode(&values, Ask::numbers(20).in_comparison())

@@ -150,19 +150,19 @@ fn pictures(criterion: &mut Criterion) {
         .measurement_time(Duration::from_secs(5));
     let mut reference = film(256);
     reference.trace(&fl11, 512, None, &go()).expect("rays");
-    let truth = reference.picture(&fl11, Observer::Cie1931);
+    let truth = reference.picture(&fl11, Observer::CIE_1931);
     for rays in [16, 64] {
         let mut told = film(256);
         told.trace(&fl11, rays, None, &go()).expect("rays");
         let own = told
-            .picture(&fl11, Observer::Cie1931)
+            .picture(&fl11, Observer::CIE_1931)
             .noise_against(&truth, Some(told.studio()));
         println!("256 x 256, {rays} rays: {own:?}");
         group.bench_function(format!("256 x 256, {rays} rays, one core"), |b| {
             b.iter(|| {
                 let mut film = film(256);
                 film.trace(&fl11, rays, cores(1), &go()).expect("rays");
-                black_box(film.picture(&fl11, Observer::Cie1931));
+                black_box(film.picture(&fl11, Observer::CIE_1931));
             });
         });
     }
@@ -178,7 +178,7 @@ fn pictures(criterion: &mut Criterion) {
         b.iter(|| {
             let mut film = film(120);
             film.trace(&fl11, 12, cores(2), &go()).expect("rays");
-            black_box(film.picture(&fl11, Observer::Cie1931).shown(0.0));
+            black_box(film.picture(&fl11, Observer::CIE_1931).shown(0.0));
         });
     });
     for (lamps, scene) in [
@@ -190,7 +190,7 @@ fn pictures(criterion: &mut Criterion) {
             b.iter(|| {
                 let mut film = film_in(scene.clone(), 96);
                 film.trace(&fl11, 12, cores(2), &go()).expect("rays");
-                black_box(film.picture(&fl11, Observer::Cie1931).shown(0.0));
+                black_box(film.picture(&fl11, Observer::CIE_1931).shown(0.0));
             });
         });
     }
@@ -222,7 +222,7 @@ fn relit(criterion: &mut Criterion) {
         start.elapsed().as_secs_f64()
     );
     group.bench_function("another light on 480 x 480", |b| {
-        b.iter(|| black_box(large.picture(&fl2, Observer::Cie1931)));
+        b.iter(|| black_box(large.picture(&fl2, Observer::CIE_1931)));
     });
     group.bench_function(
         "eight new spikes on 480 x 480, 1 ray each, two cores",
@@ -266,7 +266,7 @@ fn bench_and_sky(criterion: &mut Criterion) {
             for spike in light.spikes() {
                 black_box(bench.landing(spike.at_nm).expect("an index"));
             }
-            black_box(bench.strip(&light, screen, Observer::Cie1931));
+            black_box(bench.strip(&light, screen, Observer::CIE_1931));
         });
     });
     group.sample_size(10);
@@ -288,13 +288,13 @@ fn bench_and_sky(criterion: &mut Criterion) {
     group.sample_size(30);
     let sky = Sky::new(Stuff::Water.material(), 1000);
     group.bench_function("rainbow, another light", |b| {
-        b.iter(|| black_box(sky.strip(&light, Observer::Cie1931, true)));
+        b.iter(|| black_box(sky.strip(&light, Observer::CIE_1931, true)));
     });
     group.sample_size(10);
     group.bench_function("rainbow, all wavelengths anew", |b| {
         b.iter(|| {
             let sky = Sky::new(Stuff::Water.material(), 1000);
-            black_box(sky.strip(&light, Observer::Cie1931, true))
+            black_box(sky.strip(&light, Observer::CIE_1931, true))
         });
     });
     group.finish();

@@ -80,7 +80,7 @@ fn plainly(samples: &[(String, Sampled)], light: &Sampled, reference: &Sampled) 
     let xyz = |light: &Sampled| -> f64 {
         samples
             .iter()
-            .filter_map(|(_, sample)| xyz_from_reflectance(sample, light, Observer::Cie1964))
+            .filter_map(|(_, sample)| xyz_from_reflectance(sample, light, Observer::CIE_1964))
             .map(|xyz| xyz.x + xyz.y + xyz.z)
             .sum()
     };

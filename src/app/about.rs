@@ -86,7 +86,7 @@ fn kelvin_of(entry: &Entry) -> Option<f64> {
         return None;
     }
     let samples = &entry.spectrum.samples;
-    let xyz = xyz_from_light(samples, entry.kind().outside(), Observer::Cie1931)?;
+    let xyz = xyz_from_light(samples, entry.kind().outside(), Observer::CIE_1931)?;
     cct_from_xyz(xyz).ok().map(|cct| cct.kelvin)
 }
 

@@ -134,7 +134,15 @@ fn options(settings: Settings) -> String {
         flag(wide_lines, "wide-lines"),
         flag(dips, "dips"),
         flag(band != usual.band, &format!("range {least}:{most}")),
-        value("observer", observer.word(), usual.observer.word()),
+        (observer != usual.observer).then(|| {
+            let own = || quoted(observer.source());
+            let word = if observer.is_shipped() {
+                observer.word().to_owned()
+            } else {
+                own()
+            };
+            format!(" --observer {word}")
+        }),
         value("sampling", sampling.word(), usual.sampling.word()),
     ];
     said.into_iter().flatten().collect()

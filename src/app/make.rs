@@ -249,7 +249,7 @@ pub(super) fn signature(recipe: &Recipe, document: &Document) -> Vec<usize> {
         let settings = document.settings;
         let ends = [settings.band.min_nm(), settings.band.max_nm()];
         all.extend(ends.map(|nm| nm.to_bits() as usize));
-        all.push(settings.observer as usize);
+        all.push(std::ptr::from_ref(settings.observer.table()) as usize);
     }
     all
 }

@@ -157,7 +157,7 @@ impl<'a> Light<'a> {
             spectrum,
             figures: OnceCell::new(),
             unit,
-            xyz: xyz_from_nm_values(&values, Observer::Cie1931),
+            xyz: xyz_from_nm_values(&values, Observer::CIE_1931),
         }
     }
 

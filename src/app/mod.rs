@@ -35,6 +35,7 @@ mod natural;
 pub mod open;
 mod opened;
 mod origin;
+pub mod own_observers;
 pub mod pages;
 mod pair;
 mod photons;

@@ -69,7 +69,7 @@ impl Scale {
         }
         let samples = &spectrum.samples;
         let luminance = || -> f64 {
-            let table = Observer::Cie1931.table();
+            let table = Observer::CIE_1931.table();
             let values = samples.on_whole_nm(360, 830, Kind::Light.outside());
             let values = values.iter().enumerate();
             let weighed = values.map(|(i, v)| v * table.at(360.0 + i as f64)[1]);

@@ -95,7 +95,7 @@ impl Default for Settings {
             gradient_percent: 100.0 * DEFAULT_GRADIENT,
             colour_exact: true,
             band: Band::VISIBLE,
-            observer: Observer::Cie1931,
+            observer: Observer::CIE_1931,
             sampling: Sampling::Exact,
         }
     }

@@ -33,7 +33,7 @@ impl Viewing {
     pub fn of_light(band: Band, observer: Observer) -> Self {
         Self {
             weights: observer.table().on_band(band),
-            weights_1931: Observer::Cie1931.table().on_band(band),
+            weights_1931: Observer::CIE_1931.table().on_band(band),
         }
     }
 

@@ -10,7 +10,7 @@ use super::{
 use crate::{app::Entry, color::Observer, design::recover::Viewing};
 
 /// The observer that colours are meant for.
-pub(super) const OBSERVER: Observer = Observer::Cie1931;
+pub(super) const OBSERVER: Observer = Observer::CIE_1931;
 
 /// A light that colours are recovered under.
 ///

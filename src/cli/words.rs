@@ -14,6 +14,7 @@ use crate::{
     app::{
         ORDERS, THRESHOLDS_PERCENT, WIDTHS_NM,
         chart::Theme,
+        own_observers::observer_of_file,
         pages::{Page, SPENDABLE},
     },
     color::Observer,
@@ -192,9 +193,17 @@ pub(super) fn basis(word: &str) -> Result<Basis, String> {
     one_of(word, &Basis::ALL, Basis::word)
 }
 
-/// `--observer`.
+/// `--observer`: the word of a shipped one, or a file of three functions.
 pub(super) fn observer(word: &str) -> Result<Observer, String> {
-    one_of(word, &Observer::ALL, Observer::word)
+    if let Some(shipped) = Observer::from_word(word) {
+        return Ok(shipped);
+    }
+    let path = Path::new(word);
+    if path.is_file() {
+        return observer_of_file(path);
+    }
+    let expected = "1931, 1964, 2015-2, 2015-10 or a file of three functions of wavelength";
+    Err(refused(word, expected))
 }
 
 /// `--sampling`.

@@ -147,7 +147,7 @@ struct PlanckWeight {
 }
 
 static PLANCK_WEIGHTS: LazyLock<Vec<PlanckWeight>> = LazyLock::new(|| {
-    let table = Observer::Cie1931.table();
+    let table = Observer::CIE_1931.table();
     (xyz::FIRST_NM..=xyz::LAST_NM)
         .map(|nm| {
             let nm = f64::from(nm);
@@ -315,7 +315,7 @@ mod tests {
             let light: Vec<f64> = (xyz::FIRST_NM..=xyz::LAST_NM)
                 .map(|nm| blackbody::radiance(f64::from(nm), kelvin))
                 .collect();
-            let sums = xyz::xyz_from_nm_values(&light, Observer::Cie1931);
+            let sums = xyz::xyz_from_nm_values(&light, Observer::CIE_1931);
             let (planck, quick) = (
                 uv_1960_from_xyz(sums).unwrap(),
                 uv_1960_from_kelvin(kelvin).unwrap(),

@@ -180,7 +180,7 @@ mod tests {
 
     #[test]
     fn the_fit_resembles_the_functions_but_cannot_replace_them() {
-        let table = super::super::observer::Observer::Cie1931.table();
+        let table = super::super::observer::Observer::CIE_1931.table();
         let mut worst = [0.0_f64; 3];
         for nm in Band::VISIBLE.grid() {
             let (real, fitted) = (table.at(nm), fitted_at(nm));

@@ -2,9 +2,9 @@
 //!
 //! The numbers are in `presets/observers.json` with their sources and licence, never in code.
 
-use std::sync::LazyLock;
+use std::sync::{LazyLock, PoisonError, RwLock};
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 
 use super::weights::Weights;
 use crate::{
@@ -12,103 +12,239 @@ use crate::{
     spectrum::{Band, Outside, Sampled},
 };
 
-/// A set of colour-matching functions.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub enum Observer {
-    /// CIE 1931 standard observer, 2 degree field.
-    #[default]
-    #[serde(rename = "1931")]
-    Cie1931,
-    /// CIE 1964 standard observer, 10 degree field.
-    #[serde(rename = "1964")]
-    Cie1964,
-    /// CIE 2015 cone-fundamental-based observer, 2 degree field (CIE 170-2).
-    #[serde(rename = "2015-2")]
-    Cie2015Deg2,
-    /// CIE 2015 cone-fundamental-based observer, 10 degree field (CIE 170-2).
-    #[serde(rename = "2015-10")]
-    Cie2015Deg10,
+/// A set of colour-matching functions, shipped or of one's own: a handle that is as cheap as a
+/// number, compared by what it stands for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Observer(u16);
+
+/// Everything that is known of an observer.
+#[derive(Debug)]
+struct Known {
+    word: String,
+    title: String,
+    source: String,
+    table: ColourMatching,
+}
+
+/// Observers of one's own, in the order in which they came. They live as long as the program: a
+/// handle must stay true wherever it was put.
+static OWN: RwLock<Vec<&'static Known>> = RwLock::new(Vec::new());
+
+/// Most observers of one's own in one run of the program.
+const MOST_OWN: usize = 1000;
+
+/// Most whole nm of one table.
+const MOST_NM: usize = 5000;
+
+/// Words, titles and tables of the shipped observers.
+const SHIPPED: [(&str, &str, [&str; 3]); 4] = [
+    (
+        "1931",
+        "CIE 1931, 2°",
+        [
+            "CIE 1931 2deg xbar",
+            "CIE 1931 2deg ybar",
+            "CIE 1931 2deg zbar",
+        ],
+    ),
+    (
+        "1964",
+        "CIE 1964, 10°",
+        [
+            "CIE 1964 10deg xbar",
+            "CIE 1964 10deg ybar",
+            "CIE 1964 10deg zbar",
+        ],
+    ),
+    (
+        "2015-2",
+        "CIE 2015, 2°",
+        [
+            "CIE 2015 2deg xbar_F",
+            "CIE 2015 2deg ybar_F",
+            "CIE 2015 2deg zbar_F",
+        ],
+    ),
+    (
+        "2015-10",
+        "CIE 2015, 10°",
+        [
+            "CIE 2015 10deg xbar_F,10",
+            "CIE 2015 10deg ybar_F,10",
+            "CIE 2015 10deg zbar_F,10",
+        ],
+    ),
+];
+
+/// Why three columns are no observer.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ObserverError {
+    /// The three functions do not share two whole nm, or more than any table has.
+    #[error("found {found} whole nm that all three functions cover, expected 2 to {MOST_NM}")]
+    Points {
+        /// How many they share.
+        found: usize,
+    },
+    /// A value is no finite number.
+    #[error("found a value that is no finite number, expected numbers")]
+    NotFinite,
+    /// Nothing weighs luminance.
+    #[error("the second function sums to {sum}, expected more than 0: it weighs luminance")]
+    Dark {
+        /// Its sum over the table, nm.
+        sum: f64,
+    },
+    /// The list is full.
+    #[error("found more than {MOST_OWN} observers of one's own in one run")]
+    TooMany,
 }
 
 impl Observer {
-    /// Every observer, in the order in which menus list them.
-    pub const ALL: [Self; 4] = [
-        Self::Cie1931,
-        Self::Cie1964,
-        Self::Cie2015Deg2,
-        Self::Cie2015Deg10,
+    /// CIE 1931 standard observer, 2 degree field.
+    pub const CIE_1931: Self = Self(0);
+    /// CIE 1964 standard observer, 10 degree field.
+    pub const CIE_1964: Self = Self(1);
+    /// CIE 2015 cone-fundamental-based observer, 2 degree field (CIE 170-2).
+    pub const CIE_2015_2DEG: Self = Self(2);
+    /// CIE 2015 cone-fundamental-based observer, 10 degree field (CIE 170-2).
+    pub const CIE_2015_10DEG: Self = Self(3);
+
+    /// The shipped observers, in the order in which menus list them.
+    pub const CIE: [Self; 4] = [
+        Self::CIE_1931,
+        Self::CIE_1964,
+        Self::CIE_2015_2DEG,
+        Self::CIE_2015_10DEG,
     ];
 
-    /// The word used in files, in JSON and on the command line.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Cie1931 => "1931",
-            Self::Cie1964 => "1964",
-            Self::Cie2015Deg2 => "2015-2",
-            Self::Cie2015Deg10 => "2015-10",
+    /// An observer of one's own: three functions of wavelength, the second of which weighs
+    /// luminance (of a camera: its green). The same name and table lead to the same observer.
+    ///
+    /// # Errors
+    /// [`ObserverError`] where the functions weigh nothing.
+    pub fn own(name: &str, source: &str, table: ColourMatching) -> Result<Self, ObserverError> {
+        table.check()?;
+        let mut own = OWN.write().unwrap_or_else(PoisonError::into_inner);
+        let same = |known: &&Known| known.word == name && known.table == table;
+        let index = match own.iter().position(|known| same(known)) {
+            Some(index) => index,
+            None if own.len() == MOST_OWN => return Err(ObserverError::TooMany),
+            None => {
+                own.push(Box::leak(Box::new(Known {
+                    word: name.to_owned(),
+                    title: name.to_owned(),
+                    source: source.to_owned(),
+                    table,
+                })));
+                own.len() - 1
+            }
+        };
+        Ok(Self((Self::CIE.len() + index) as u16))
+    }
+
+    /// Whether it ships with the program.
+    pub fn is_shipped(self) -> bool {
+        usize::from(self.0) < Self::CIE.len()
+    }
+
+    fn known(self) -> &'static Known {
+        static TABLES: LazyLock<[Known; 4]> = LazyLock::new(|| {
+            SHIPPED.map(|(word, title, names)| Known {
+                word: word.to_owned(),
+                title: title.to_owned(),
+                source: "presets/observers.json".to_owned(),
+                table: ColourMatching::from_weightings(names),
+            })
+        });
+        let index = usize::from(self.0);
+        match index.checked_sub(Self::CIE.len()) {
+            None => &TABLES[index],
+            Some(own) => OWN.read().unwrap_or_else(PoisonError::into_inner)[own],
         }
     }
 
-    /// The observer of a [`Observer::word`].
+    /// The word used in files, in JSON and on the command line; the name of one's own.
+    pub fn word(self) -> &'static str {
+        &self.known().word
+    }
+
+    /// The shipped observer of a [`Observer::word`].
     pub fn from_word(word: &str) -> Option<Self> {
-        Self::ALL
+        Self::CIE
             .into_iter()
             .find(|observer| observer.word() == word)
     }
 
     /// The name that people read.
     pub fn title(self) -> &'static str {
-        match self {
-            Self::Cie1931 => "CIE 1931, 2°",
-            Self::Cie1964 => "CIE 1964, 10°",
-            Self::Cie2015Deg2 => "CIE 2015, 2°",
-            Self::Cie2015Deg10 => "CIE 2015, 10°",
-        }
+        &self.known().title
     }
 
-    /// The colour-matching functions on whole nm, read once.
+    /// Where the numbers come from.
+    pub fn source(self) -> &'static str {
+        &self.known().source
+    }
+
+    /// The colour-matching functions on whole nm.
     pub fn table(self) -> &'static ColourMatching {
-        static TABLES: LazyLock<[ColourMatching; 4]> = LazyLock::new(|| {
-            Observer::ALL.map(|observer| ColourMatching::from_weightings(observer.table_names()))
-        });
-        match self {
-            Self::Cie1931 => &TABLES[0],
-            Self::Cie1964 => &TABLES[1],
-            Self::Cie2015Deg2 => &TABLES[2],
-            Self::Cie2015Deg10 => &TABLES[3],
-        }
-    }
-
-    /// Names of the x-bar, y-bar and z-bar tables in the preset file.
-    fn table_names(self) -> [&'static str; 3] {
-        match self {
-            Self::Cie1931 => [
-                "CIE 1931 2deg xbar",
-                "CIE 1931 2deg ybar",
-                "CIE 1931 2deg zbar",
-            ],
-            Self::Cie1964 => [
-                "CIE 1964 10deg xbar",
-                "CIE 1964 10deg ybar",
-                "CIE 1964 10deg zbar",
-            ],
-            Self::Cie2015Deg2 => [
-                "CIE 2015 2deg xbar_F",
-                "CIE 2015 2deg ybar_F",
-                "CIE 2015 2deg zbar_F",
-            ],
-            Self::Cie2015Deg10 => [
-                "CIE 2015 10deg xbar_F,10",
-                "CIE 2015 10deg ybar_F,10",
-                "CIE 2015 10deg zbar_F,10",
-            ],
-        }
+        &self.known().table
     }
 }
 
 impl std::fmt::Display for Observer {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(self.title())
+    }
+}
+
+/// An observer in a file: the word of a shipped one, the numbers of one's own.
+#[derive(Serialize, Deserialize)]
+#[serde(untagged)]
+enum Stored {
+    Shipped(String),
+    Own {
+        name: String,
+        #[serde(default)]
+        source: String,
+        first_nm: u32,
+        xyz: [Vec<f64>; 3],
+    },
+}
+
+impl Serialize for Observer {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if self.is_shipped() {
+            return Stored::Shipped(self.word().to_owned()).serialize(serializer);
+        }
+        let table = self.table();
+        Stored::Own {
+            name: self.word().to_owned(),
+            source: self.source().to_owned(),
+            first_nm: table.first_nm,
+            xyz: table.xyz.clone(),
+        }
+        .serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Observer {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        match Stored::deserialize(deserializer)? {
+            Stored::Shipped(word) => Self::from_word(&word).ok_or_else(|| {
+                D::Error::custom(format!(
+                    "found observer {word:?}, expected 1931, 1964, 2015-2, 2015-10 or a table"
+                ))
+            }),
+            Stored::Own {
+                name,
+                source,
+                first_nm,
+                xyz,
+            } => {
+                let table = ColourMatching::new(first_nm, xyz).map_err(D::Error::custom)?;
+                Self::own(&name, &source, table).map_err(D::Error::custom)
+            }
+        }
     }
 }
 
@@ -124,6 +260,56 @@ pub struct ColourMatching {
 }
 
 impl ColourMatching {
+    /// Three functions on whole nm from `first_nm` on.
+    ///
+    /// # Errors
+    /// [`ObserverError`] where they are not equally long, too short, or weigh no luminance.
+    pub fn new(first_nm: u32, xyz: [Vec<f64>; 3]) -> Result<Self, ObserverError> {
+        let found = xyz.iter().map(Vec::len).min().unwrap_or(0);
+        let is_even = xyz.iter().all(|row| row.len() == found);
+        if !is_even || !(2..=MOST_NM).contains(&found) || first_nm > 1_000_000 {
+            return Err(ObserverError::Points { found });
+        }
+        let table = Self {
+            first_nm,
+            last_nm: first_nm + found as u32 - 1,
+            xyz,
+        };
+        table.check().map(|()| table)
+    }
+
+    /// Three measured functions of any steps, read off on the whole nm that all of them cover.
+    ///
+    /// # Errors
+    /// As [`ColourMatching::new`].
+    pub fn of(functions: [&Sampled; 3]) -> Result<Self, ObserverError> {
+        let first = functions.iter().map(|f| f.first_nm()).fold(0.0, f64::max);
+        let last = functions
+            .iter()
+            .map(|f| f.last_nm())
+            .fold(f64::MAX, f64::min);
+        let points = last.floor() - first.ceil() + 1.0;
+        if !(2.0..=MOST_NM as f64).contains(&points) {
+            let found = points.clamp(0.0, 1e9) as usize;
+            return Err(ObserverError::Points { found });
+        }
+        let (first_nm, last_nm) = (first.ceil() as u32, last.floor() as u32);
+        let xyz = functions.map(|f| f.on_whole_nm(first_nm, last_nm, Outside::Zero));
+        Self::new(first_nm, xyz)
+    }
+
+    fn check(&self) -> Result<(), ObserverError> {
+        if !self.xyz.iter().flatten().all(|value| value.is_finite()) {
+            return Err(ObserverError::NotFinite);
+        }
+        let sum = self.luminous_sum();
+        if sum > 0.0 && sum.is_finite() {
+            Ok(())
+        } else {
+            Err(ObserverError::Dark { sum })
+        }
+    }
+
     fn from_weightings(names: [&str; 3]) -> Self {
         let tables = names.map(bundled);
         let (first_nm, last_nm) = (tables[0].first_nm() as u32, tables[0].last_nm() as u32);
@@ -210,7 +396,7 @@ mod tests {
 
     #[test]
     fn every_observer_has_a_table_of_one_value_per_nm() {
-        for observer in Observer::ALL {
+        for observer in Observer::CIE {
             let table = observer.table();
             let count = (table.last_nm - table.first_nm + 1) as usize;
             assert!(
@@ -222,8 +408,60 @@ mod tests {
     }
 
     #[test]
+    fn an_observer_of_ones_own_is_a_table_with_a_name_and_goes_through_files() {
+        let cie = Observer::CIE_1964.table();
+        let from_300 = |k: usize| {
+            let values = (300..=900).map(|nm| cie.at(f64::from(nm))[k]);
+            values.collect::<Vec<f64>>()
+        };
+        let table = ColourMatching::new(300, [0, 1, 2].map(from_300)).expect("a table");
+        let own = Observer::own("mine", "a test", table.clone()).expect("it sees");
+        assert_eq!(
+            own,
+            Observer::own("mine", "again", table).expect("the same")
+        );
+        assert!(!own.is_shipped() && Observer::CIE.iter().all(|shipped| *shipped != own));
+        assert_eq!(
+            (own.word(), own.title(), own.source()),
+            ("mine", "mine", "a test")
+        );
+        let text = serde_json::to_string(&own).expect("JSON");
+        assert_eq!(
+            serde_json::from_str::<Observer>(&text).expect("its own"),
+            own
+        );
+        let shipped = serde_json::to_string(&Observer::CIE_2015_2DEG).expect("JSON");
+        assert_eq!(shipped, "\"2015-2\"");
+        assert!(serde_json::from_str::<Observer>("\"1932\"").is_err());
+        // Zeros beyond the table change nothing.
+        let light = Sampled::new(vec![250.0, 1000.0], vec![1.0, 2.0]).expect("rising");
+        let colour = |observer| crate::color::xyz_from_light(&light, Outside::Zero, observer);
+        let [own, cie] = [own, Observer::CIE_1964].map(|o| colour(o).expect("seen").to_array());
+        for (a, b) in own.iter().zip(cie) {
+            // The same products summed in another order.
+            assert!((a - b).abs() < 1e-10, "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn three_columns_that_weigh_nothing_are_no_observer() {
+        let of = |values: [f64; 3]| {
+            ColourMatching::new(400, [vec![1.0; 3], values.to_vec(), vec![1.0; 3]])
+        };
+        assert!(of([0.1, 0.2, 0.1]).is_ok());
+        assert_eq!(of([0.0, 0.0, 0.0]), Err(ObserverError::Dark { sum: 0.0 }));
+        assert_eq!(of([0.0, f64::NAN, 1.0]), Err(ObserverError::NotFinite));
+        let short = ColourMatching::new(400, [vec![1.0], vec![1.0], vec![1.0]]);
+        assert_eq!(short, Err(ObserverError::Points { found: 1 }));
+        let [a, b] = [(300.0, 400.0), (450.0, 700.0)]
+            .map(|(from, to)| Sampled::new(vec![from, to], vec![1.0; 2]).expect("rising"));
+        let apart = ColourMatching::of([&a, &b, &b]).expect_err("nothing shared");
+        assert_eq!(apart, ObserverError::Points { found: 0 });
+    }
+
+    #[test]
     fn words_are_distinct_and_lead_back_to_their_observer() {
-        for observer in Observer::ALL {
+        for observer in Observer::CIE {
             assert_eq!(Observer::from_word(observer.word()), Some(observer));
         }
         assert_eq!(Observer::from_word("1932"), None);
@@ -231,7 +469,7 @@ mod tests {
 
     #[test]
     fn the_light_that_is_equal_everywhere_is_nearly_neutral() {
-        for observer in Observer::ALL {
+        for observer in Observer::CIE {
             let [x, y, z] = observer.table().sums();
             // The functions were scaled to equal sums from finer tables; 4e-4 is what their
             // rounding to the published digits leaves (1931: 106.8655, 106.8569, 106.8923).
@@ -244,7 +482,7 @@ mod tests {
 
     #[test]
     fn between_whole_nm_the_functions_are_straight_and_outside_zero() {
-        let table = Observer::Cie1931.table();
+        let table = Observer::CIE_1931.table();
         let (left, right) = (table.at(555.0), table.at(556.0));
         let between = table.at(555.25);
         for k in 0..3 {
@@ -261,12 +499,12 @@ mod tests {
     #[test]
     fn a_band_wider_than_the_table_is_filled_with_zeros() {
         let band = Band::new(300.0, 900.0).unwrap();
-        let rows = Observer::Cie1931.table().on_band(band);
+        let rows = Observer::CIE_1931.table().on_band(band);
         assert_eq!(rows[1].len(), 601);
         assert_eq!(rows[1][0], 0.0);
         assert_eq!(rows[1][255], 1.0, "555 nm");
-        let weighted = Observer::Cie1931.table().weighted_on_band(Band::PAPER);
-        let plain = Observer::Cie1931.table().on_band(Band::PAPER);
+        let weighted = Observer::CIE_1931.table().weighted_on_band(Band::PAPER);
+        let plain = Observer::CIE_1931.table().on_band(Band::PAPER);
         assert_eq!(weighted[2][0], 0.5 * plain[2][0]);
         assert_eq!(weighted[2][1], plain[2][1]);
     }
@@ -274,7 +512,7 @@ mod tests {
     #[test]
     fn the_photopic_curve_is_the_y_function_of_1931() {
         let photopic = weighting("V(lambda) photopic").unwrap();
-        assert_eq!(photopic.values(), Observer::Cie1931.table().xyz[1]);
+        assert_eq!(photopic.values(), Observer::CIE_1931.table().xyz[1]);
         assert!(weighting("no such curve").is_none());
         assert!(weighting("S026 s_mel (melanopic)").is_some());
     }

@@ -285,7 +285,7 @@ mod tests {
             .collect();
         let names = ["ramp", "wave", "white"].map(String::from).to_vec();
         let white = vec![1.0; BAND.points()];
-        PatchSet::new(&[ramp, wave, white], names, BAND, Observer::Cie1931)
+        PatchSet::new(&[ramp, wave, white], names, BAND, Observer::CIE_1931)
     }
 
     fn light() -> Vec<f64> {
@@ -305,7 +305,7 @@ mod tests {
         let (set, light) = (set(), light());
         let mut out = set.buffer();
         set.xyz_into(&light, &mut out);
-        let cmf = Observer::Cie1931.table().on_band(BAND);
+        let cmf = Observer::CIE_1931.table().on_band(BAND);
         let seen: Vec<f64> = (0..BAND.points())
             .map(|i| light[i] * (BAND.nm(i) - 300.0) / 600.0)
             .collect();
@@ -365,7 +365,7 @@ mod tests {
         for edge_nm in [380.0, 780.0] {
             let mut at_edge = set.buffer();
             set.add_line(edge_nm, 1.0, &mut at_edge);
-            assert_eq!(at_edge[2], Observer::Cie1931.table().at(edge_nm));
+            assert_eq!(at_edge[2], Observer::CIE_1931.table().at(edge_nm));
         }
         let mut outside = set.buffer();
         set.add_line(900.0, 1.0, &mut outside);

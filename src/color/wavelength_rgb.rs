@@ -33,7 +33,7 @@ const CORNER: f64 = 0.05;
 /// Built on the sum of the three colour-matching functions rather than on y-bar alone, which
 /// would leave violet black although it is plainly seen.
 pub(super) fn visibility(at_nm: f64) -> f64 {
-    let sum: f64 = Observer::Cie1931.table().at(at_nm).iter().sum();
+    let sum: f64 = Observer::CIE_1931.table().at(at_nm).iter().sum();
     let squared = sum * sum;
     squared / (squared + HALF_SEEN * HALF_SEEN)
 }
@@ -70,7 +70,7 @@ pub fn srgb_of_fill(at_nm: f64) -> Srgb {
 
 /// The colour at full brightness in linear sRGB; black outside the table.
 fn full_linear(at_nm: f64) -> [f64; 3] {
-    let xyz = Xyz::from_array(Observer::Cie1931.table().at(at_nm));
+    let xyz = Xyz::from_array(Observer::CIE_1931.table().at(at_nm));
     let linear = linear_from_xyz(xyz);
     let lowest = linear.into_iter().fold(f64::INFINITY, f64::min);
     let white = if lowest < 0.0 {

@@ -1,7 +1,7 @@
 //! Tristimulus values.
 //!
 //! Two ways lead to XYZ. Measured data go through CIE sums on whole nm, 360-830 (the
-//! "full" colour). Models are integrated against a weight, so that spikes are exact: on a band's
+//! "full" colour; where a table is at hand, over the observer's whole range). Models are integrated against a weight, so that spikes are exact: on a band's
 //! grid by [`xyz_of_parts`], of anything that can be integrated by [`xyz_from_integral`].
 
 use std::ops::{Add, AddAssign, Mul, Sub};
@@ -108,8 +108,8 @@ pub fn xyz_from_integral(
 }
 
 /// XYZ of a smooth part on a band's grid and lines, an ideal one weighed where it stands and a wide
-/// one over its Gaussian; in value x nm (not normalised). `weights` are what counts for X, Y and Z on the grid: colour-matching
-/// functions, times a light for what it falls on.
+/// one over its Gaussian; in value x nm (not normalised). `weights` are what counts for X, Y
+/// and Z on the grid: colour-matching functions, times a light for what it falls on.
 ///
 /// # Panics
 /// When a slice does not have [`Band::points`] entries.
@@ -142,6 +142,11 @@ pub fn xyz_of_one(band: Band, weights: &[Vec<f64>; 3]) -> Xyz {
 }
 
 impl ColourMatching {
+    /// XYZ of values on the whole nm of the table.
+    fn sum_over_table(&self, values: &[f64]) -> Xyz {
+        Xyz::from_array(self.xyz.each_ref().map(|row| dot(values, row)))
+    }
+
     /// XYZ of a light from its values on whole nm 360-830: plain sums over what the table and that
     /// range share, not normalised.
     ///
@@ -169,12 +174,14 @@ pub fn xyz_from_nm_values(light: &[f64], observer: Observer) -> Xyz {
     observer.table().xyz_of_nm_values(light)
 }
 
-/// XYZ of a light with Y = 100: linear to whole nm, plain sums over 360-830.
+/// XYZ of a light with Y = 100: linear to whole nm, plain sums over the observer's whole table.
 ///
 /// `None` when Y is not positive: no light, light outside the visible, or negative samples that
 /// outweigh the rest.
 pub fn xyz_from_light(light: &Sampled, outside: Outside, observer: Observer) -> Option<Xyz> {
-    xyz_from_nm_values(&light.on_whole_nm(FIRST_NM, LAST_NM, outside), observer).with_y(100.0)
+    let table = observer.table();
+    let values = light.on_whole_nm(table.first_nm, table.last_nm, outside);
+    table.sum_over_table(&values).with_y(100.0)
 }
 
 /// XYZ of a reflectance (or transmittance) under a light, Y = 100 for the light itself.
@@ -186,15 +193,14 @@ pub fn xyz_from_reflectance(
     light: &Sampled,
     observer: Observer,
 ) -> Option<Xyz> {
-    let light = light.on_whole_nm(FIRST_NM, LAST_NM, Outside::Zero);
-    let white = xyz_from_nm_values(&light, observer);
-    let product: Vec<f64> = reflectance
-        .on_whole_nm(FIRST_NM, LAST_NM, Outside::Hold)
-        .iter()
-        .zip(&light)
-        .map(|(r, s)| r * s)
-        .collect();
-    let raw = xyz_from_nm_values(&product, observer);
+    let table = observer.table();
+    let on_table =
+        |sampled: &Sampled, outside| sampled.on_whole_nm(table.first_nm, table.last_nm, outside);
+    let light = on_table(light, Outside::Zero);
+    let white = table.sum_over_table(&light);
+    let shares = on_table(reflectance, Outside::Hold);
+    let product: Vec<f64> = shares.iter().zip(&light).map(|(r, s)| r * s).collect();
+    let raw = table.sum_over_table(&product);
     let scaled = Xyz::new(raw.x / white.y, raw.y / white.y, raw.z / white.y) * 100.0;
     (white.y > 0.0 && scaled.is_finite()).then_some(scaled)
 }
@@ -209,7 +215,7 @@ mod tests {
 
     #[test]
     fn a_table_of_any_range_is_summed_over_what_it_shares_with_the_light() {
-        let whole = Observer::Cie1931.table();
+        let whole = Observer::CIE_1931.table();
         let light: Vec<f64> = (0..POINTS).map(|i| 1.0 + (i as f64 / 40.0).sin()).collect();
         for (first_nm, last_nm) in [(300, 830), (390, 780), (300, 900), (700, 1000), (200, 300)] {
             let row = |k: usize| {
@@ -239,7 +245,7 @@ mod tests {
 
     #[test]
     fn a_flat_light_gives_the_sums_of_the_table() {
-        for observer in Observer::ALL {
+        for observer in Observer::CIE {
             let xyz = xyz_from_light(&flat(3.0), Outside::Zero, observer).unwrap();
             let [x, y, z] = observer.table().sums();
             assert_eq!(xyz.y, 100.0);
@@ -252,8 +258,8 @@ mod tests {
     #[test]
     fn a_perfect_reflector_has_the_colour_of_the_light() {
         let light = Sampled::new(vec![400.0, 550.0, 700.0], vec![0.2, 1.0, 0.7]).unwrap();
-        let seen = xyz_from_reflectance(&flat(1.0), &light, Observer::Cie1964).unwrap();
-        let own = xyz_from_light(&light, Outside::Zero, Observer::Cie1964).unwrap();
+        let seen = xyz_from_reflectance(&flat(1.0), &light, Observer::CIE_1964).unwrap();
+        let own = xyz_from_light(&light, Outside::Zero, Observer::CIE_1964).unwrap();
         // Identical products; only the order of scaling differs.
         assert!((seen.x - own.x).abs() < 1e-12 && (seen.z - own.z).abs() < 1e-12);
     }
@@ -264,11 +270,11 @@ mod tests {
         let huge = flat(f64::MAX);
         for light in [flat(0.0), flat(-1.0), infrared, huge] {
             assert_eq!(
-                xyz_from_light(&light, Outside::Zero, Observer::Cie1931),
+                xyz_from_light(&light, Outside::Zero, Observer::CIE_1931),
                 None
             );
             assert_eq!(
-                xyz_from_reflectance(&flat(0.5), &light, Observer::Cie1931),
+                xyz_from_reflectance(&flat(0.5), &light, Observer::CIE_1931),
                 None
             );
         }
@@ -276,8 +282,8 @@ mod tests {
 
     #[test]
     fn a_line_is_weighed_exactly_through_the_integral() {
-        let xyz = xyz_from_integral(|weight| 2.5 * weight(546.1), Observer::Cie1931);
-        let [x, y, z] = Observer::Cie1931.table().at(546.1);
+        let xyz = xyz_from_integral(|weight| 2.5 * weight(546.1), Observer::CIE_1931);
+        let [x, y, z] = Observer::CIE_1931.table().at(546.1);
         assert_eq!(xyz, Xyz::new(2.5 * x, 2.5 * y, 2.5 * z));
     }
 

@@ -127,7 +127,7 @@ mod tests {
     fn no_way_of_today_is_better_on_what_chooses() {
         let band = Band::VISIBLE;
         let encoder =
-            Encoder::new(band, Observer::Cie1931, SpikeSettings::default()).expect("the visible");
+            Encoder::new(band, Observer::CIE_1931, SpikeSettings::default()).expect("the visible");
         let lines = [404.7, 435.8, 546.1, 577.0, 579.1, 690.7].map(|at_nm| Line::ideal(at_nm, 1.0));
         let mut mercury = vec![0.0; band.points()];
         crate::spectrum::add_lines(band, &lines, &mut mercury);
@@ -154,7 +154,7 @@ mod tests {
 
     #[test]
     fn a_stricter_rule_leaves_out_more_lamps() {
-        let encoder = Encoder::new(Band::VISIBLE, Observer::Cie1931, SpikeSettings::default())
+        let encoder = Encoder::new(Band::VISIBLE, Observer::CIE_1931, SpikeSettings::default())
             .expect("the visible");
         let light = table("cie_fluorescent_1nm", "FL3.15")
             .expect("shipped")

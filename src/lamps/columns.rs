@@ -223,7 +223,7 @@ mod tests {
 
     #[test]
     fn a_column_has_no_colour_left() {
-        let panel = Panel::choosing(Band::VISIBLE, Observer::Cie1931);
+        let panel = Panel::choosing(Band::VISIBLE, Observer::CIE_1931);
         let columns = Columns::new(&panel, &[]).expect("the visible");
         let shape = crate::spectrum::LineProfile::new(Band::VISIBLE, 611.0, 5.0);
         let gamma = columns.gamma(shape.first, &shape.values);
@@ -242,7 +242,7 @@ mod tests {
 
     #[test]
     fn the_pool_has_every_second_nm_in_eight_widths() {
-        let panel = Panel::choosing(Band::VISIBLE, Observer::Cie1931);
+        let panel = Panel::choosing(Band::VISIBLE, Observer::CIE_1931);
         let atoms = atoms_on(Band::VISIBLE);
         let columns = Columns::new(&panel, &atoms).expect("the visible");
         assert_eq!(columns.lines.len(), 1608);
@@ -253,7 +253,7 @@ mod tests {
     #[test]
     fn a_range_without_the_visible_is_refused() {
         let infrared = Band::new(900.0, 1000.0).expect("100 nm");
-        let panel = Panel::choosing(infrared, Observer::Cie1931);
+        let panel = Panel::choosing(infrared, Observer::CIE_1931);
         assert_eq!(
             Columns::new(&panel, &[]).err(),
             Some(EncodingError::Unseen { band: infrared })

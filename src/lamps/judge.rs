@@ -229,7 +229,7 @@ mod tests {
     #[test]
     fn a_model_that_is_the_light_is_off_by_its_patches_only() {
         let band = Band::VISIBLE;
-        let panel = Panel::judging(band, Observer::Cie1931);
+        let panel = Panel::judging(band, Observer::CIE_1931);
         let light: Vec<f64> = band.grid().map(|nm| 1.0 + (nm / 70.0).cos()).collect();
         let exact = panel.exact(&light).expect("a light");
         let errors = panel.errors(&exact, &light, &panel.exact);
@@ -242,10 +242,10 @@ mod tests {
 
     #[test]
     fn darkness_and_the_unseen_have_no_exact_side() {
-        let panel = Panel::choosing(Band::VISIBLE, Observer::Cie1931);
+        let panel = Panel::choosing(Band::VISIBLE, Observer::CIE_1931);
         assert!(panel.exact(&vec![0.0; 401]).is_none());
         let infrared = Band::new(900.0, 1000.0).expect("100 nm");
-        let panel = Panel::choosing(infrared, Observer::Cie1931);
+        let panel = Panel::choosing(infrared, Observer::CIE_1931);
         assert!(panel.exact(&vec![1.0; 101]).is_none());
     }
 }

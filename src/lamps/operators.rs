@@ -144,7 +144,7 @@ mod tests {
     use crate::{color::Observer, spectrum::LineProfile};
 
     fn operators() -> Operators {
-        Operators::new(&Panel::choosing(Band::VISIBLE, Observer::Cie1931))
+        Operators::new(&Panel::choosing(Band::VISIBLE, Observer::CIE_1931))
     }
 
     #[test]

@@ -445,7 +445,7 @@ mod tests {
                 way: Some(Way::new(basis, true, true)),
             };
             let decoder = Decoder::new(BAND);
-            let rounded = rounded(&encoding, &decoder, Observer::Cie1931).expect("small numbers");
+            let rounded = rounded(&encoding, &decoder, Observer::CIE_1931).expect("small numbers");
             let words = to_words(&rounded).expect("small numbers");
             assert_eq!(words.len(), 5);
             assert_eq!(from_words(&words, BAND), Ok(rounded));

@@ -133,7 +133,7 @@ mod tests {
         let [r, g, b] = seen.shown_with(1.0).pixels[0];
         assert!(r.abs_diff(g) <= 1 && g.abs_diff(b) <= 1, "{r} {g} {b}");
         assert!((seen.white.y - bulb.y).abs() < 1e-12);
-        let sodium = Xyz::from_array(Observer::Cie1931.table().at(589.3));
+        let sodium = Xyz::from_array(Observer::CIE_1931.table().at(589.3));
         assert_eq!(of(sodium).adapted(), None);
     }
 
@@ -143,7 +143,7 @@ mod tests {
         let (shown, outside) = into_gamut(grey);
         assert!(!outside && shown.iter().all(|v| (v - 0.25).abs() < 1e-12));
         for nm in [405.0, 436.0, 500.0, 546.0, 578.0, 650.0] {
-            let line = Xyz::from_array(Observer::Cie1931.table().at(nm));
+            let line = Xyz::from_array(Observer::CIE_1931.table().at(nm));
             let (shown, outside) = into_gamut(line);
             assert!(outside && shown.iter().all(|v| *v >= 0.0), "{nm}");
             let back = crate::color::srgb::xyz_from_linear(shown);

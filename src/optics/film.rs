@@ -315,7 +315,7 @@ impl Film {
 
     fn importance(&self, light: &Light, lines: &[Line]) -> Importance {
         // Rays are shared for the standard observer whoever looks.
-        let observer = Observer::Cie1931;
+        let observer = Observer::CIE_1931;
         let table = observer.table();
         let sum = |xyz: [f64; 3]| xyz.iter().map(|v| v.abs()).sum::<f64>();
         let stratum = |plane: &Plane| match *plane {

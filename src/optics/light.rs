@@ -276,7 +276,7 @@ mod tests {
         let spike = Line::ideal(546.1, 40.0);
         let whole = Light::new("both", band, vec![1.0; band.points()], vec![spike]).unwrap();
         let (lines, smooth) = (whole.lines_alone().unwrap(), whole.smooth_alone().unwrap());
-        let white = |light: &Light| light.white(Observer::Cie1931).y;
+        let white = |light: &Light| light.white(Observer::CIE_1931).y;
         assert!((white(&lines) + white(&smooth) - white(&whole)).abs() < 1e-9 * white(&whole));
         assert!(smooth.lines_alone().is_none() && lines.smooth_alone().is_none());
     }

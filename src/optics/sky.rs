@@ -259,7 +259,7 @@ mod tests {
     fn a_sodium_bow_stands_at_the_angles_of_its_rays() {
         let sky = sky();
         let light = Light::of_line(589.294).unwrap();
-        let strip = sky.strip(&light, Observer::Cie1931, false);
+        let strip = sky.strip(&light, Observer::CIE_1931, false);
         let cell = (SKY_DEG[1] - SKY_DEG[0]) / 500.0;
         let brightest = |from: f64, to: f64| {
             let place = |deg: f64| ((deg - SKY_DEG[0]) / cell) as usize;
@@ -291,11 +291,11 @@ mod tests {
     fn the_strip_is_linear_in_the_light() {
         let sky = sky();
         let (a, b) = (546.075, 435.833);
-        let one = |nm: f64| sky.strip(&Light::of_line(nm).unwrap(), Observer::Cie1931, true);
+        let one = |nm: f64| sky.strip(&Light::of_line(nm).unwrap(), Observer::CIE_1931, true);
         let band = crate::spectrum::Band::VISIBLE;
         let spikes = [a, b].map(|at_nm| Line::ideal(at_nm, 1.0));
         let both = Light::new("both", band, vec![0.0; 401], spikes.to_vec()).unwrap();
-        let both = sky.strip(&both, Observer::Cie1931, true);
+        let both = sky.strip(&both, Observer::CIE_1931, true);
         let (a, b) = (one(a), one(b));
         for (index, xyz) in both.xyz.iter().enumerate() {
             let off = *xyz - (a.xyz[index] + b.xyz[index]);

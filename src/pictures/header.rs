@@ -40,8 +40,8 @@ pub struct StoredOwn {
     pub values_nm_first_last_step: [f64; 3],
     /// Its values; empty for a picture that is light itself.
     pub values: Vec<f64>,
-    /// The word of the observer.
-    pub observer: String,
+    /// The observer: a word, or the numbers of one that is not shipped.
+    pub observer: Observer,
 }
 
 /// How the numbers of the compact form were made whole.
@@ -171,7 +171,7 @@ impl Header {
                 light: own.map(|l| l.name().to_owned()).unwrap_or_default(),
                 values_nm_first_last_step: [f64::from(FIRST_NM), f64::from(LAST_NM), 1.0],
                 values: own.map(|l| l.on_nm().to_vec()).unwrap_or_default(),
-                observer: plan.observer.word().to_owned(),
+                observer: plan.observer,
             },
             exact: operator.is_exact(),
             weighting: weighting.map(|w| w.names.clone()).unwrap_or_default(),
@@ -270,12 +270,6 @@ impl Header {
                 );
             }
         }
-        if Observer::from_word(&self.own.observer).is_none() {
-            return broken(
-                format!("the observer {:?}", self.own.observer),
-                "one that is known",
-            );
-        }
         if !self.own.values.is_empty() {
             self.own_light()?;
         }
@@ -319,7 +313,7 @@ impl Header {
     /// [`PictureError`] when the header does not lead to one.
     pub fn operator(&self) -> Result<Operator, PictureError> {
         let bands = self.bands()?;
-        let observer = Observer::from_word(&self.own.observer).unwrap_or_default();
+        let observer = self.own.observer;
         let lines = self.lines.iter().map(|line| {
             let touched = |s: &f64| *s != 0.0;
             let first = line

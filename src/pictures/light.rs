@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use crate::color::Observer;
 use crate::color::Xyz;
-use crate::color::xyz::{FIRST_NM, LAST_NM, POINTS, xyz_from_nm_values};
+use crate::color::xyz::{FIRST_NM, LAST_NM, xyz_from_nm_values};
 use crate::preset::{Group, SHIPPED};
 use crate::spectrum::{Line, Outside, Sampled};
 
@@ -200,10 +200,8 @@ impl Light {
 /// One colour-matching function on the whole nm 360-830, zero outside its table.
 pub(super) fn seen_on_nm(observer: Observer, k: usize) -> Vec<f64> {
     let table = observer.table();
-    let mut out = vec![0.0; POINTS];
-    let skip = (table.first_nm - FIRST_NM) as usize;
-    out[skip..skip + table.xyz[k].len()].copy_from_slice(&table.xyz[k]);
-    out
+    let whole_nm = FIRST_NM..=LAST_NM;
+    whole_nm.map(|nm| table.at(f64::from(nm))[k]).collect()
 }
 
 /// XYZ of a pixel that is itself light: three weights a band, scaled so that what is 1 on
@@ -273,8 +271,8 @@ mod tests {
     fn a_perfect_reflector_has_the_colour_of_the_light() {
         let bands = Bands::new(vec![400.0, 500.0, 620.0, 700.0], Kind::Reflectance).unwrap();
         for light in Light::judges() {
-            let rows = light.weights(&bands, Observer::Cie1931).unwrap();
-            let white = light.white(Observer::Cie1931).unwrap().to_array();
+            let rows = light.weights(&bands, Observer::CIE_1931).unwrap();
+            let white = light.white(Observer::CIE_1931).unwrap().to_array();
             for (row, white) in rows.iter().zip(white) {
                 // The same 471 products, shared out over the bands and summed again.
                 assert!((row.iter().sum::<f64>() - white).abs() < 1e-12);
@@ -287,8 +285,8 @@ mod tests {
         let dark = Sampled::new(vec![300.0, 900.0], vec![0.0; 2]).unwrap();
         let line = Light::with_spikes("line", &dark, vec![Line::ideal(546.1, 2.0)]);
         let bands = Bands::new(vec![400.0, 540.0, 550.0, 700.0], Kind::Reflectance).unwrap();
-        let [x, y, _] = line.weights(&bands, Observer::Cie1931).unwrap();
-        let seen = Observer::Cie1931.table().at(546.1);
+        let [x, y, _] = line.weights(&bands, Observer::CIE_1931).unwrap();
+        let seen = Observer::CIE_1931.table().at(546.1);
         assert!((y[2] - 0.61).abs() < 1e-12 && (y[1] - 0.39).abs() < 1e-12);
         assert!((x[2] - 0.61 * seen[0] / seen[1]).abs() < 1e-12);
     }
@@ -296,8 +294,8 @@ mod tests {
     #[test]
     fn a_mixture_lies_between_its_lights() {
         let (a, b) = (Light::named("A").unwrap(), Light::named("D65").unwrap());
-        let mixed = a.mixed_with(&b, 0.25, Observer::Cie1931).unwrap();
-        let white = |light: &Light| light.white(Observer::Cie1931).unwrap();
+        let mixed = a.mixed_with(&b, 0.25, Observer::CIE_1931).unwrap();
+        let white = |light: &Light| light.white(Observer::CIE_1931).unwrap();
         let between = white(&a) * 0.25 + white(&b) * 0.75;
         // Linear, so only rounding differs.
         assert!((white(&mixed).x - between.x).abs() < 1e-12);

@@ -172,7 +172,7 @@ pub struct Plan {
 impl Plan {
     /// The default for a reflectance under D65, or for what is light: no reference, no lines.
     pub fn new(bands: &Bands, series: usize) -> Self {
-        let observer = Observer::Cie1931;
+        let observer = Observer::CIE_1931;
         Self {
             series,
             margin: MARGIN,

@@ -42,7 +42,7 @@ pub(super) fn prior(
         lines: Vec::new(),
         line_fit: LineFit::Joint,
         own: None,
-        observer: crate::color::Observer::Cie1931,
+        observer: crate::color::Observer::CIE_1931,
         weighting: None,
         exact: false,
         noise: 0.0,

@@ -368,7 +368,7 @@ mod tests {
     }
 
     fn harmonics(table: &BasisTable, measured: &[f64], spikes: &[Line]) -> Harmonics {
-        let weights = Observer::Cie1931.table().on_band(BAND);
+        let weights = Observer::CIE_1931.table().on_band(BAND);
         let mut smooth = measured.to_vec();
         for spike in spikes {
             smooth[(spike.at_nm - BAND.min_nm()) as usize] -= spike.weight;
@@ -389,7 +389,7 @@ mod tests {
             let table = table(basis, 41);
             let found = harmonics(&table, &measured(), &[LINE]);
             assert_eq!(found.orders.len(), 21);
-            let weights = Observer::Cie1931.table().on_band(BAND);
+            let weights = Observer::CIE_1931.table().on_band(BAND);
             for order in &found.orders {
                 let curve = found.partial_sum(&table, order.order);
                 for (k, weight) in weights.iter().enumerate() {
@@ -415,7 +415,7 @@ mod tests {
                 coefficients: &coefficients,
                 spikes: &[],
                 measured: &series,
-                weights: &Observer::Cie1931.table().on_band(band),
+                weights: &Observer::CIE_1931.table().on_band(band),
                 plain_colour_matching: true,
             });
             for neglected in found.orders.last().unwrap().neglected {
@@ -461,7 +461,7 @@ mod tests {
     fn spikes_are_in_the_sum_from_the_start() {
         let table = table(Basis::Fourier, 11);
         let found = harmonics(&table, &measured(), &[LINE]);
-        let xyz = xyz_from_integral(|w| LINE.weight * w(LINE.at_nm), Observer::Cie1931);
+        let xyz = xyz_from_integral(|w| LINE.weight * w(LINE.at_nm), Observer::CIE_1931);
         for k in 0..3 {
             // One product, scaled there and back.
             assert!((found.spikes[k] - xyz.to_array()[k]).abs() < 1e-14);
@@ -569,7 +569,7 @@ mod tests {
 
     #[test]
     fn dark_and_enormous_spectra_give_no_nan() {
-        let weights = Observer::Cie1931.table().on_band(BAND);
+        let weights = Observer::CIE_1931.table().on_band(BAND);
         let table = table(Basis::Fourier, 11);
         for value in [0.0, 1e-320, 1e300, -1e300] {
             let measured = vec![value; BAND.points()];
@@ -611,7 +611,7 @@ mod tests {
                 spikes: vec![LINE],
             };
             let composite = Composite::of_lines_inside(smooth, vec![LINE]);
-            let observer = Observer::Cie1931;
+            let observer = Observer::CIE_1931;
             let by_coefficients = harmonics(&table, &measured(), &[LINE]);
             let of_model = xyz_from_integral(|w| composite.integrate(w), observer);
             let of_samples = xyz_from_integral(|w| resampled.integrate(w), observer);

@@ -141,7 +141,7 @@ mod tests {
     fn measures() -> Arc<Measures> {
         let band = Band::VISIBLE;
         let grey: Vec<f64> = band.grid().map(|nm| 0.2 + 0.001 * (nm - 380.0)).collect();
-        let patches = PatchSet::new(&[grey], vec!["grey".to_owned()], band, Observer::Cie1931);
+        let patches = PatchSet::new(&[grey], vec!["grey".to_owned()], band, Observer::CIE_1931);
         Arc::new(Measures::new(patches))
     }
 

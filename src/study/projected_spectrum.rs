@@ -188,7 +188,7 @@ mod tests {
     fn subtracting_a_lines_coefficients_is_fitting_what_is_left() {
         let values = lamp();
         let (_, shapes) = detect_shapes(BAND, &values, SpikeSettings::default());
-        let seen = Observer::Cie1931.table().on_band(BAND);
+        let seen = Observer::CIE_1931.table().on_band(BAND);
         for basis in Basis::ALL {
             let fit_basis = FitBasis::new(BAND, basis, 31, &seen);
             let projected = ProjectedSpectrum::new(&fit_basis, &values, &shapes, &seen);
@@ -216,7 +216,7 @@ mod tests {
     fn the_colour_exact_model_has_the_spectrums_own_colour_with_any_lines() {
         let values = lamp();
         let (_, shapes) = detect_shapes(BAND, &values, SpikeSettings::default());
-        let seen = Observer::Cie1931.table().on_band(BAND);
+        let seen = Observer::CIE_1931.table().on_band(BAND);
         let fit_basis = FitBasis::new(BAND, Basis::Cosine, 31, &seen);
         let projected = ProjectedSpectrum::new(&fit_basis, &values, &shapes, &seen);
         for lines in [&[][..], &[0], &[1], &[0, 1]] {

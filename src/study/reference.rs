@@ -345,7 +345,7 @@ mod tests {
         let ramp: Vec<f64> = BAND.grid().map(|nm| (nm - 380.0) / 400.0).collect();
         let grey = vec![0.2; BAND.points()];
         let names = ["ramp", "grey"].map(String::from).to_vec();
-        let set = PatchSet::new(&[ramp, grey], names, BAND, Observer::Cie1931);
+        let set = PatchSet::new(&[ramp, grey], names, BAND, Observer::CIE_1931);
         Arc::new(Measures::new(set))
     }
 
@@ -436,7 +436,7 @@ mod tests {
             ],
             vec![String::new(); 2],
             BAND,
-            Observer::Cie1931,
+            Observer::CIE_1931,
         );
         let verdict = reference.verdict_through(&light(), &[], &darker);
         assert_eq!(verdict[Measure::Own], Some(0.0));
@@ -470,7 +470,7 @@ mod tests {
             std::slice::from_ref(&white),
             vec![String::new()],
             band,
-            Observer::Cie1931,
+            Observer::CIE_1931,
         );
         let reference = Reference::of_light(&Arc::new(Measures::new(set)), &white);
         let verdict = reference.verdict(&vec![0.5; band.points()], &[]);

@@ -75,7 +75,7 @@ impl Art {
         let top = values.iter().copied().fold(0.0, f64::max);
         let swatch = match entry.kind() {
             Kind::Light => {
-                xyz_from_light(samples, Outside::Zero, Observer::Cie1931).map(Swatch::of_light)
+                xyz_from_light(samples, Outside::Zero, Observer::CIE_1931).map(Swatch::of_light)
             }
             Kind::Reflectance | Kind::Transmittance => {
                 let light = Library::bundled()
@@ -84,8 +84,8 @@ impl Art {
                     .and_then(|p| p.spectrum());
                 light.and_then(|light| {
                     let white: Xyz =
-                        xyz_from_light(&light.samples, Outside::Zero, Observer::Cie1931)?;
-                    let xyz = xyz_from_reflectance(samples, &light.samples, Observer::Cie1931)?;
+                        xyz_from_light(&light.samples, Outside::Zero, Observer::CIE_1931)?;
+                    let xyz = xyz_from_reflectance(samples, &light.samples, Observer::CIE_1931)?;
                     Some(Swatch::of_patch(xyz, white, Adaptation::None))
                 })
             }

@@ -13,8 +13,10 @@ use super::{
     theme::section,
 };
 use crate::{
-    app::{App, Command, ORDERS, Scale, Settings, Subject, WEIGHT_FACTORS, range_words},
-    color::Observer,
+    app::{
+        App, Command, ORDERS, Scale, Settings, Subject, WEIGHT_FACTORS, own_observers::observers,
+        range_words,
+    },
     io::quoted,
     spectrum::{Band, Basis, LONGEST_NM, MOST_STEPS, SHORTEST_NM, Sampling},
 };
@@ -53,7 +55,7 @@ pub fn controls(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) -> Option<S
             order_row(ui, &mut settings);
             spike_rows(ui, &mut settings);
             said = range_row(ui, app, &mut settings);
-            observer_row(ui, &mut settings);
+            observer_row(ui, app, &mut settings);
             products_row(ui, &mut settings);
             scale_row(ui, app, commands);
             weight_factor_row(ui, app, commands);
@@ -203,14 +205,15 @@ fn wavelength(text: &str) -> Option<f64> {
     text.parse().ok().filter(|nm: &f64| nm.is_finite())
 }
 
-fn observer_row(ui: &mut Ui, settings: &mut Settings) {
+fn observer_row(ui: &mut Ui, app: &App, settings: &mut Settings) {
     ui.label("Observer");
     let choice = Choice {
         name: "Observer",
-        meaning: "Whose colour-matching functions make X, Y and Z.",
+        meaning: "The colour-matching functions that make X, Y and Z. A file of three sensitivities, \
+                  such as a camera's, is listed here once it is open.",
         width: ui.spacing().combo_width,
     };
-    choice.pick(ui, &mut settings.observer, Observer::ALL, |o| {
+    choice.pick(ui, &mut settings.observer, observers(app), |o| {
         (o.title(), "")
     });
     ui.end_row();

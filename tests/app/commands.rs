@@ -653,7 +653,7 @@ fn a_reflectance_is_looked_at_under_the_light() {
     let band = Band::VISIBLE;
     let light = crate::common::on_band(D65, band);
     let red = crate::common::on_band(RED, band);
-    let cmf = Observer::Cie1931.table().on_band(band);
+    let cmf = Observer::CIE_1931.table().on_band(band);
     let product: Vec<f64> = light.iter().zip(&red).map(|(s, r)| s * r).collect();
     let scale = 100.0 / band.inner(&light, &cmf[1]);
     for (got, row) in exact.xyz.to_array().into_iter().zip(cmf.iter()) {
@@ -782,7 +782,7 @@ fn how_products_are_formed_moves_the_patches_but_not_the_curve() {
 fn the_scale_switch_does_what_its_words_say() {
     let mut app = plain();
     let samples = &shipped(FL11).samples;
-    let v = Observer::Cie1931.table();
+    let v = Observer::CIE_1931.table();
     let luminance: f64 = (360..=830)
         .map(f64::from)
         .map(|nm| samples.at(nm, Kind::Light.outside()) * v.at(nm)[1])
@@ -1935,7 +1935,7 @@ fn light_that_nobody_sees_has_errors_but_no_colour() {
             .iter()
             .all(|p| p.figures[Measure::Own].is_none() && p.figures[Measure::Rms].is_some())
     );
-    for observer in Observer::ALL {
+    for observer in Observer::CIE {
         for colour_exact in [false, true] {
             edit(&mut app, |s| {
                 (s.observer, s.colour_exact) = (observer, colour_exact)

@@ -127,7 +127,7 @@ pub(crate) fn full_document() -> Document {
         gradient_percent: 3.3,
         colour_exact: true,
         band: Band::new(400.0, 701.0).expect("a range"),
-        observer: Observer::ALL[1],
+        observer: Observer::CIE[1],
         sampling: Sampling::ThreeN,
     }));
     app.apply(Command::ToggleOverlay(preset(&app, "paper/Sodium")));

@@ -150,7 +150,7 @@ fn all_lamps_have_the_tristimulus_values_and_chromaticities_of_the_reference() {
     let lamps = lamps();
     assert_eq!(lamps.len(), 119);
     for (lamp, light) in &lamps {
-        let of_1931 = light_xyz(light, Observer::Cie1931);
+        let of_1931 = light_xyz(light, Observer::CIE_1931);
         // The sun's tables step by 0.5 nm up to 400 nm: the reference picks every second sample,
         // here all of them count.
         if light
@@ -161,7 +161,7 @@ fn all_lamps_have_the_tristimulus_values_and_chromaticities_of_the_reference() {
             fine.see_all(&of_1931.to_array(), &lamp.xyz_1931, &lamp.name);
             continue;
         }
-        let of_1964 = light_xyz(light, Observer::Cie1964);
+        let of_1964 = light_xyz(light, Observer::CIE_1964);
         xyz.see_all(&of_1931.to_array(), &lamp.xyz_1931, &lamp.name);
         xyz.see_all(&of_1964.to_array(), &lamp.xyz_1964, &lamp.name);
         xy.see_all(&xy_from_xyz(of_1931).unwrap(), &lamp.xy_1931, &lamp.name);
@@ -186,7 +186,7 @@ fn all_lamps_have_the_colour_temperature_and_duv_of_the_reference() {
     let (mut cct, mut duv) = (Worst::default(), Worst::default());
     let (mut cct_exact, mut duv_exact) = (Worst::default(), Worst::default());
     for (lamp, light) in lamps() {
-        let found = cct_from_xyz(light_xyz(&light, Observer::Cie1931));
+        let found = cct_from_xyz(light_xyz(&light, Observer::CIE_1931));
         if !lamp.cct_meaningful {
             assert!(found.is_err(), "{}", lamp.name);
             continue;
@@ -209,7 +209,7 @@ fn all_lamps_have_the_colour_temperature_and_duv_of_the_reference() {
 fn all_lamps_have_the_screen_colour_of_the_reference() {
     let (mut linear, mut encoded) = (Worst::default(), Worst::default());
     for (lamp, light) in lamps() {
-        let xyz = light_xyz(&light, Observer::Cie1931);
+        let xyz = light_xyz(&light, Observer::CIE_1931);
         let found = srgb::linear_from_xyz(xyz * 0.01);
         linear.see_all(&found, &lamp.srgb_linear, &lamp.name);
         let swatch = Swatch::of_light(xyz);
@@ -263,8 +263,8 @@ fn the_colour_chart_has_the_lab_values_of_the_reference_under_seven_lights() {
         let place = format!("{} under {}", row.patch, row.light);
         let (reflectance, light) = (&reflectances[&row.patch], &lights[&row.light]);
         for (observer, golden_xyz, golden_lab) in [
-            (Observer::Cie1931, row.xyz_1931, row.lab_1931),
-            (Observer::Cie1964, row.xyz_1964, row.lab_1964),
+            (Observer::CIE_1931, row.xyz_1931, row.lab_1931),
+            (Observer::CIE_1964, row.xyz_1964, row.lab_1964),
         ] {
             let seen = xyz_from_reflectance(reflectance, light, observer).unwrap();
             xyz.see_all(&seen.to_array(), &golden_xyz, &place);

@@ -19,7 +19,7 @@ use spectral_explorer::{
     study::Progress,
 };
 
-const OBSERVER: Observer = Observer::Cie1931;
+const OBSERVER: Observer = Observer::CIE_1931;
 
 fn table(name: &str) -> &'static Sampled {
     let found = Library::bundled().find(name).unwrap();

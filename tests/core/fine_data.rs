@@ -119,7 +119,7 @@ fn plain(_: f64) -> f64 {
 #[test]
 fn the_colour_of_a_light_is_that_of_its_fine_data() {
     for (name, samples) in lamps() {
-        for observer in Observer::ALL {
+        for observer in Observer::CIE {
             let found = xyz_from_light(&samples, Outside::Zero, observer).expect("a light");
             same(
                 found,
@@ -133,7 +133,7 @@ fn the_colour_of_a_light_is_that_of_its_fine_data() {
 #[test]
 fn both_colours_of_the_panel_are_those_of_the_fine_data() {
     for (name, samples) in lamps() {
-        let expected = integral(&samples, plain, Observer::Cie1931);
+        let expected = integral(&samples, plain, Observer::CIE_1931);
         let entry = Entry::own(1, named(samples, Kind::Light));
         let app = App::with_document(Document::about(Arc::new(entry)));
         let colour = &app.derived().colour;
@@ -147,7 +147,7 @@ fn both_colours_of_the_panel_are_those_of_the_fine_data() {
 #[test]
 fn the_scales_and_the_makers_comparison_weigh_the_fine_data() {
     for (name, samples) in lamps() {
-        let expected = integral(&samples, plain, Observer::Cie1931);
+        let expected = integral(&samples, plain, Observer::CIE_1931);
         let mut entry = Entry::own(1, named(samples, Kind::Light));
         let y = Scale::LuminanceHundred
             .factor(&entry.spectrum)
@@ -185,12 +185,12 @@ fn reflectances_and_pictures_are_seen_by_the_fine_data() {
     let grey = Sampled::new(vec![360.0, 830.0], vec![0.2, 0.7]).expect("two points");
     for (name, samples) in lamps() {
         let factor = |nm: f64| grey.at(nm, Outside::Hold);
-        let expected = integral(&samples, factor, Observer::Cie1931);
-        let found = xyz_from_reflectance(&grey, &samples, Observer::Cie1931).expect("a light");
+        let expected = integral(&samples, factor, Observer::CIE_1931);
+        let found = xyz_from_reflectance(&grey, &samples, Observer::CIE_1931).expect("a light");
         same(found, expected, &format!("{name}, a grey under it"));
         let picture =
-            BandWeights::of(&image(Kind::Light), Observer::Cie1931, None, false).expect("an eye");
-        let whole = integral(&samples, plain, Observer::Cie1931);
+            BandWeights::of(&image(Kind::Light), Observer::CIE_1931, None, false).expect("an eye");
+        let whole = integral(&samples, plain, Observer::CIE_1931);
         same(
             picture.xyz(&samples),
             whole,
@@ -199,7 +199,7 @@ fn reflectances_and_pictures_are_seen_by_the_fine_data() {
         let light = named(samples, Kind::Light);
         let under = BandWeights::of(
             &image(Kind::Reflectance),
-            Observer::Cie1931,
+            Observer::CIE_1931,
             Some(&light),
             false,
         );

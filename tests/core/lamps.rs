@@ -16,7 +16,7 @@ const BAND: Band = Band::VISIBLE;
 
 fn encoder() -> &'static Encoder {
     static ENCODER: std::sync::LazyLock<Encoder> = std::sync::LazyLock::new(|| {
-        Encoder::new(BAND, Observer::Cie1931, SpikeSettings::default()).expect("the visible")
+        Encoder::new(BAND, Observer::CIE_1931, SpikeSettings::default()).expect("the visible")
     });
     &ENCODER
 }
@@ -105,7 +105,7 @@ fn hostile() -> Vec<(&'static str, Vec<f64>)> {
 
 #[test]
 fn a_light_is_decoded_from_its_words_with_its_own_colour() {
-    let judge = Panel::judging(BAND, Observer::Cie1931);
+    let judge = Panel::judging(BAND, Observer::CIE_1931);
     for (group, name) in [
         ("cie_fluorescent_1nm", "FL2"),
         ("cie_led_1nm", "LED-B3"),
@@ -143,7 +143,7 @@ fn the_json_has_the_keys_of_the_command() {
     let chosen = encoder()
         .encode(&values, Ask::numbers(20).in_comparison())
         .expect("a light");
-    let judge = Panel::judging(BAND, Observer::Cie1931);
+    let judge = Panel::judging(BAND, Observer::CIE_1931);
     let encoded = judged(encoder(), &judge, &values, (&chosen.encoding, 20));
     let json = encode_json(&encoded.expect("small numbers"));
     let keys = |value: &serde_json::Value| -> Vec<String> {
@@ -251,7 +251,7 @@ fn median(mut values: Vec<f64>) -> f64 {
 
 #[test]
 fn hostile_lights_are_nearer_than_by_a_cosine_series_but_not_all_of_them() {
-    let judge = Panel::judging(BAND, Observer::Cie1931);
+    let judge = Panel::judging(BAND, Observer::CIE_1931);
     let ask = Ask::numbers(20).in_comparison();
     let all: Vec<[[f64; 3]; 2]> = hostile()
         .iter()
@@ -324,7 +324,7 @@ pub(crate) fn files_of_others() -> Vec<(String, Vec<f64>)> {
 
 #[test]
 fn measured_lamps_of_others_are_nearer_than_by_a_cosine_series() {
-    let judge = Panel::judging(BAND, Observer::Cie1931);
+    let judge = Panel::judging(BAND, Observer::CIE_1931);
     let lamps = files_of_others();
     for numbers in [11, 20, 31].into_iter().filter(|_| !lamps.is_empty()) {
         let ask = Ask::numbers(numbers).in_comparison();
@@ -393,7 +393,7 @@ fn what_cannot_be_encoded_is_refused_in_words() {
     odd[6] = f64::NAN;
     assert_eq!(said(&odd, 20), "value 7: expected a finite number");
     let infrared = Band::new(900.0, 1000.0).expect("100 nm");
-    let refused = Encoder::new(infrared, Observer::Cie1931, SpikeSettings::default());
+    let refused = Encoder::new(infrared, Observer::CIE_1931, SpikeSettings::default());
     assert_eq!(
         refused.err(),
         Some(EncodingError::Unseen { band: infrared })
@@ -404,7 +404,7 @@ fn what_cannot_be_encoded_is_refused_in_words() {
 fn another_range_and_another_observer_are_encoded_too() {
     let band = Band::new(400.0, 700.0).expect("300 nm");
     let encoder =
-        Encoder::new(band, Observer::Cie1964, SpikeSettings::default()).expect("the visible");
+        Encoder::new(band, Observer::CIE_1964, SpikeSettings::default()).expect("the visible");
     let values = table("lamps_nist_philips", "F32T8/TL841 (Triphosphor)")
         .expect("shipped")
         .on_band(band, Outside::Zero);
@@ -480,7 +480,7 @@ pub(crate) fn measured_lamps() -> Vec<(String, Vec<f64>)> {
 
 #[test]
 fn measured_lamps_that_are_not_shipped_are_encoded_better_than_by_a_cosine_series() {
-    let judge = Panel::judging(BAND, Observer::Cie1931);
+    let judge = Panel::judging(BAND, Observer::CIE_1931);
     // The errors taken together as the choice takes them: patches ^ .5 filters ^ 1.25 blurred ^ 1.25.
     let together = |e: [f64; 3]| e[0].sqrt() * (e[1] * e[2]).powf(1.25);
     for (name, values) in measured_lamps() {

@@ -73,7 +73,7 @@ fn lamp(item: &Value) -> Vec<f64> {
     let word = |key: &str| item[key].as_str().expect("a word");
     let table = table(word("group"), word("name")).expect("a shipped lamp");
     let values = table.on_band(BAND, Outside::Zero);
-    let seen = Observer::Cie1931.table().on_band(BAND);
+    let seen = Observer::CIE_1931.table().on_band(BAND);
     let y = BAND.inner(&values, &seen[1]);
     values.iter().map(|v| v / y).collect()
 }
@@ -99,7 +99,7 @@ fn every_known_lamp_has_the_values_of_the_reference() {
 
 #[test]
 fn the_reference_encodings_decode_to_their_errors() {
-    let (panel, decoder) = (Panel::judging(BAND, Observer::Cie1931), Decoder::new(BAND));
+    let (panel, decoder) = (Panel::judging(BAND, Observer::CIE_1931), Decoder::new(BAND));
     for item in items() {
         let count = number(&item["P"]) as usize;
         let encoding = encoding(&item);
@@ -153,8 +153,8 @@ fn plain_sum_blurred(model: &[f64], lamp: &[f64]) -> f64 {
 #[test]
 fn the_encoder_reaches_the_references_errors() {
     let encoder =
-        Encoder::new(BAND, Observer::Cie1931, SpikeSettings::default()).expect("the visible");
-    let panel = Panel::judging(BAND, Observer::Cie1931);
+        Encoder::new(BAND, Observer::CIE_1931, SpikeSettings::default()).expect("the visible");
+    let panel = Panel::judging(BAND, Observer::CIE_1931);
     let mut log_sum = 0.0;
     for item in items() {
         let count = number(&item["P"]) as usize;
@@ -200,7 +200,7 @@ fn the_encoder_reaches_the_references_errors() {
 /// Mean CIEDE2000 behind the judging band-passes, negative X, Y, Z taken as none.
 fn clipped_filters(model: &[f64], lamp: &[f64]) -> f64 {
     use spectral_explorer::color::{Xyz, delta_e_2000, lab_from_xyz};
-    let seen = Observer::Cie1931.table().on_band(BAND);
+    let seen = Observer::CIE_1931.table().on_band(BAND);
     let xyz = |v: &[f64]| Xyz::from_array(seen.each_ref().map(|row| BAND.inner(v, row)));
     let white = xyz(lamp);
     let mut sum = 0.0;

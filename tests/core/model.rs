@@ -203,7 +203,7 @@ fn the_integral_of_one_is_the_power() {
 
 #[test]
 fn the_integral_and_the_coefficients_give_the_same_colour() {
-    for observer in [Observer::Cie1931, Observer::Cie1964] {
+    for observer in [Observer::CIE_1931, Observer::CIE_1964] {
         for basis in Basis::ALL {
             for spikes in [false, true] {
                 for name in LIGHTS {
@@ -232,7 +232,7 @@ fn the_integral_and_the_coefficients_give_the_same_colour() {
 
 #[test]
 fn the_colour_exact_fit_has_exactly_the_colour_of_the_light() {
-    for observer in [Observer::Cie1931, Observer::Cie1964] {
+    for observer in [Observer::CIE_1931, Observer::CIE_1964] {
         for basis in Basis::ALL {
             for spikes in [false, true] {
                 for name in LIGHTS {
@@ -274,7 +274,7 @@ fn a_range_that_sees_little_has_its_colour_exactly_and_one_that_sees_nothing_say
     for (from, to) in [(580.0, 780.0), (620.0, 780.0), (640.0, 780.0)] {
         let band = Band::new(from, to).expect("a range");
         let light: Vec<f64> = band.grid().map(|nm| 1.0 + (nm / 40.0).sin()).collect();
-        let weights = Observer::Cie1931.table().on_band(band);
+        let weights = Observer::CIE_1931.table().on_band(band);
         let exact = std::array::from_fn(|k| band.inner(&light, &weights[k]));
         for basis in Basis::ALL {
             let table = BasisTable::new(band, basis, 15);
@@ -292,7 +292,7 @@ fn a_range_that_sees_little_has_its_colour_exactly_and_one_that_sees_nothing_say
         }
     }
     let infrared = Band::new(800.0, 1000.0).expect("a range");
-    let weights = Observer::Cie1931.table().on_band(infrared);
+    let weights = Observer::CIE_1931.table().on_band(infrared);
     let table = BasisTable::new(infrared, Basis::Cosine, 15);
     let mut coefficients = vec![1.0; 15];
     let products = InnerProducts::new(&table, &weights);
@@ -307,12 +307,12 @@ fn a_range_that_sees_little_has_its_colour_exactly_and_one_that_sees_nothing_say
 #[test]
 fn the_colour_exact_fit_is_the_least_squares_fit_among_the_exact_ones() {
     let values = on_band(FL2, BAND);
-    let weights = Observer::Cie1931.table().on_band(BAND);
+    let weights = Observer::CIE_1931.table().on_band(BAND);
     for basis in Basis::ALL {
         let table = BasisTable::new(BAND, basis, 15);
         let colour = InnerProducts::new(&table, &weights);
         let mut fit = table.project(&values, 15);
-        let exact = xyz_of_values(&values, BAND, Observer::Cie1931).to_array();
+        let exact = xyz_of_values(&values, BAND, Observer::CIE_1931).to_array();
         assert!(colour.make_exact(&mut fit, exact).is_exact());
         let modelled = table.evaluate(&fit);
         let residual: Vec<f64> = values.iter().zip(&modelled).map(|(v, m)| v - m).collect();
@@ -370,7 +370,7 @@ fn by_equation_7(name: &str, band: Band, first_term: f64) -> [f64; 3] {
     let numbers = 81;
     let fourier = |values: &[f64]| series(values, band, Basis::Fourier, numbers).a_b();
     let (a, b) = fourier(&on_band(name, band));
-    Observer::Cie1931
+    Observer::CIE_1931
         .table()
         .on_band(band)
         .each_ref()
@@ -391,7 +391,7 @@ fn equation_7_has_half_of_the_first_product_not_a_quarter() {
     for (band, printed_xy) in [(Band::PAPER, [0.289, 0.301]), (BAND, [0.2928, 0.3035])] {
         let (corrected, printed) = (xy(band, 0.5), xy(band, 0.25));
         println!("C by Eq. 7 on {band:?}: corrected {corrected:.4?}, as printed {printed:.4?}");
-        let truth = xyz_of_values(&on_band("CIE C", band), band, Observer::Cie1931);
+        let truth = xyz_of_values(&on_band("CIE C", band), band, Observer::CIE_1931);
         let truth = xy_from_xyz(truth).expect("a light");
         for k in 0..2 {
             // What orders above 40 of smooth functions can still carry.
@@ -408,7 +408,7 @@ fn equation_7_has_half_of_the_first_product_not_a_quarter() {
 
 #[test]
 fn the_program_uses_the_corrected_equation_7() {
-    let weights = Observer::Cie1931.table().on_band(BAND);
+    let weights = Observer::CIE_1931.table().on_band(BAND);
     let table = BasisTable::new(BAND, Basis::Fourier, 81);
     let coefficients = table.project(&on_band("CIE C", BAND), 81);
     let found = InnerProducts::new(&table, &weights).of(&coefficients);
@@ -544,11 +544,11 @@ fn equation_17_has_its_two_weights_swapped() {
 
 #[test]
 fn equation_18_reproduces_the_colour_only_with_half_of_the_first_product() {
-    let weights = Observer::Cie1931.table().on_band(BAND);
+    let weights = Observer::CIE_1931.table().on_band(BAND);
     let table = BasisTable::new(BAND, Basis::Fourier, 3);
     let colour = InnerProducts::new(&table, &weights);
     for name in ["CIE A", "CIE C", FL2] {
-        let wanted = xyz_of_values(&on_band(name, BAND), BAND, Observer::Cie1931);
+        let wanted = xyz_of_values(&on_band(name, BAND), BAND, Observer::CIE_1931);
         let solved = |first_factor: f64| {
             let columns = [0, 1, 2].map(|k| Vector3::from(colour.row(k)));
             let system =
@@ -562,7 +562,7 @@ fn equation_18_reproduces_the_colour_only_with_half_of_the_first_product() {
                 },
                 Vec::new(),
             );
-            xyz_from_integral(|weight| light.integrate(weight), Observer::Cie1931)
+            xyz_from_integral(|weight| light.integrate(weight), Observer::CIE_1931)
         };
         // The program's row 0 stands for a0 A0 / 2; half of it is what the paper prints.
         let (corrected, printed) = (solved(1.0), solved(0.5));
@@ -651,7 +651,7 @@ fn the_papers_mercury_lamp_has_most_of_its_power_in_lines() {
     assert_eq!(places, [404.7, 435.8, 491.6, 546.1, 577.8, 693.8]);
     assert_eq!(lamp.lines()[3].weight, 13.7 * 300.0, "weight times L = 300");
     let share = share_in_lines(&lamp);
-    let xyz = xyz_from_integral(|weight| lamp.integrate(weight), Observer::Cie1931);
+    let xyz = xyz_from_integral(|weight| lamp.integrate(weight), Observer::CIE_1931);
     let [x, y] = xy_from_xyz(xyz).expect("a light");
     println!(
         "paper's mercury lamp: {:.1} % in lines, xy {x:.3}, {y:.3}",
@@ -670,8 +670,8 @@ fn the_papers_mercury_lamp_has_most_of_its_power_in_lines() {
 fn the_papers_sodium_lamp_is_one_line() {
     let lamp = paper_lamp("Sodium", None);
     assert_eq!(share_in_lines(&lamp), 1.0);
-    let xyz = xyz_from_integral(|weight| lamp.integrate(weight), Observer::Cie1931);
-    let line = Xyz::from_array(Observer::Cie1931.table().at(589.0));
+    let xyz = xyz_from_integral(|weight| lamp.integrate(weight), Observer::CIE_1931);
+    let line = Xyz::from_array(Observer::CIE_1931.table().at(589.0));
     let scaled = line * (31.95 * 300.0);
     for (found, expected) in xyz.to_array().into_iter().zip(scaled.to_array()) {
         // One product, and a smooth part that is exactly zero.

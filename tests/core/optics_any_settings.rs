@@ -74,7 +74,7 @@ proptest! {
         let Some(screen) = bench.whole_screen(&light, columns) else {
             return Ok(());
         };
-        let strip = bench.strip(&light, screen, Observer::Cie1931);
+        let strip = bench.strip(&light, screen, Observer::CIE_1931);
         let on: f64 = strip.smooth.iter().chain(&strip.lines).sum();
         prop_assert!(on.is_finite() && strip.energy.is_finite());
         let kept = on + strip.share_beside * strip.energy;

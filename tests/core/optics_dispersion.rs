@@ -264,7 +264,7 @@ fn the_screen_holds_all_the_energy_that_leaves_whatever_slit_and_columns() {
         };
         let bench = Bench::new(settings, material("N-SF11")).unwrap();
         let screen = bench.whole_screen(&light, columns).unwrap();
-        let strip = bench.strip(&light, screen, Observer::Cie1931);
+        let strip = bench.strip(&light, screen, Observer::CIE_1931);
         // The integral by itself: Simpson's rule on tenths of a nm.
         let transmitted = |nm: f64| {
             let n = bench.material().index(nm).unwrap();
@@ -299,7 +299,7 @@ fn what_falls_beside_the_screen_is_told() {
         ends_mm: [0.0, 1000.0],
         columns: 500,
     };
-    let strip = bench.strip(&light, screen, Observer::Cie1931);
+    let strip = bench.strip(&light, screen, Observer::CIE_1931);
     let on: f64 = strip.smooth.iter().chain(&strip.lines).sum();
     assert!((1.0 - on / strip.energy - strip.share_beside).abs() < 1e-12);
     assert!(strip.share_beside > 0.3 && strip.share_beside < 0.7);
@@ -316,7 +316,7 @@ fn with_a_wide_slit_the_middle_goes_white() {
         };
         let bench = Bench::new(settings, material("N-BK7")).unwrap();
         let screen = bench.whole_screen(&even, 401).unwrap();
-        let strip = bench.strip(&even, screen, Observer::Cie1931);
+        let strip = bench.strip(&even, screen, Observer::CIE_1931);
         let middle = strip.xyz[200];
         (middle.x / middle.y, middle.z / middle.y)
     };
@@ -344,7 +344,7 @@ fn turning_the_prism_puts_violet_out_first() {
     );
     let light = fl_like();
     let screen = bench.whole_screen(&light, 500).unwrap();
-    let strip = bench.strip(&light, screen, Observer::Cie1931);
+    let strip = bench.strip(&light, screen, Observer::CIE_1931);
     assert_eq!(strip.lost_spikes_nm, [404.656]);
     assert!(strip.smooth.iter().all(|v| v.is_finite() && *v >= 0.0));
     let json = prism_json(&bench, &light, &[500.0], Some(&strip));
@@ -472,7 +472,7 @@ fn an_index_that_rises_with_wavelength_reflects_the_red_end() {
     let band = Band::VISIBLE;
     let even = Light::new("even", band, vec![1.0; band.points()], Vec::new()).unwrap();
     let screen = bench.whole_screen(&even, 400).unwrap();
-    let strip = bench.strip(&even, screen, Observer::Cie1931);
+    let strip = bench.strip(&even, screen, Observer::CIE_1931);
     // What leaves is the transmittance summed over 380-500 nm; it falls like a root towards the
     // edge, where the sum of 12 000 middles is off by less than 1e-4.
     let step = 0.01;

@@ -228,9 +228,9 @@ fn a_light_of_spikes_is_its_monochromatic_pictures() {
     let mut both = film(studio(), 32);
     both.trace_lines(&[435.833, 546.075], 16, None, &go())
         .unwrap();
-    let picture = both.picture(&light, Observer::Cie1931);
+    let picture = both.picture(&light, Observer::CIE_1931);
     assert!(picture.stand_ins_nm.is_empty() && !picture.unfinished);
-    let table = Observer::Cie1931.table();
+    let table = Observer::CIE_1931.table();
     let mut expected = vec![[0.0_f64; 3]; 32 * 32];
     for (nm, weight) in spikes {
         // A film of that wavelength alone, traced by itself: the same points.
@@ -270,7 +270,7 @@ fn a_film_is_linear_in_the_light() {
     let both = Light::new("sum", Band::VISIBLE, sum, spikes).unwrap();
     let mut film = film(studio(), 48);
     film.trace(&both, 64, None, &go()).unwrap();
-    let [pa, pb, pc] = [&a, &b, &both].map(|l| film.picture(l, Observer::Cie1931));
+    let [pa, pb, pc] = [&a, &b, &both].map(|l| film.picture(l, Observer::CIE_1931));
     let added = Picture {
         xyz: pa
             .xyz
@@ -293,8 +293,8 @@ fn any_number_of_threads_gives_the_same_bits() {
         film.trace(&light, 30, threads(count), &go()).unwrap();
         film.trace(&light, 64, threads(count), &go()).unwrap();
         (
-            film.picture(&light, Observer::Cie1931),
-            film.noise(&light, Observer::Cie1931),
+            film.picture(&light, Observer::CIE_1931),
+            film.noise(&light, Observer::CIE_1931),
             film.traced(),
         )
     };
@@ -308,7 +308,7 @@ fn any_number_of_threads_gives_the_same_bits() {
     };
     let mut other = Film::new(studio(), other_seed).unwrap();
     other.trace(&light, 30, None, &go()).unwrap();
-    assert_ne!(one.0, other.picture(&light, Observer::Cie1931));
+    assert_ne!(one.0, other.picture(&light, Observer::CIE_1931));
 }
 
 #[test]
@@ -317,7 +317,7 @@ fn another_light_needs_only_its_new_spikes() {
     let second = with_spikes(&smooth_light(2.0), &[(546.075, 10.0), (589.3, 60.0)]);
     let mut film = film(studio(), 48);
     film.trace(&first, 128, None, &go()).unwrap();
-    let early = film.picture(&second, Observer::Cie1931);
+    let early = film.picture(&second, Observer::CIE_1931);
     assert_eq!(early.stand_ins_nm, [589.3]);
     assert_eq!(film.missing_lines(&second), [589.3]);
     let planes = film.planes().len();
@@ -325,7 +325,7 @@ fn another_light_needs_only_its_new_spikes() {
         .unwrap();
     assert_eq!(film.planes().len(), planes + 1);
     assert!(matches!(film.planes()[planes], Plane::Line { at_nm } if at_nm == 589.3));
-    let late = film.picture(&second, Observer::Cie1931);
+    let late = film.picture(&second, Observer::CIE_1931);
     assert!(late.stand_ins_nm.is_empty() && film.missing_lines(&second).is_empty());
     // The stratum's ten nm stand in well: not the same, but near on average.
     let (a, b) = (early.mean(), late.mean());
@@ -343,7 +343,7 @@ fn cancelled_work_is_kept_as_far_as_it_came() {
     let stopped = film.trace(&smooth_light(0.0), 16, None, &progress);
     assert_eq!(stopped, Err(FilmError::Cancelled));
     assert_eq!(film.traced().rays, 0);
-    let picture = film.picture(&smooth_light(0.0), Observer::Cie1931);
+    let picture = film.picture(&smooth_light(0.0), Observer::CIE_1931);
     assert!(picture.unfinished && picture.xyz.iter().all(|p| *p == [0.0; 3]));
 }
 
@@ -383,7 +383,7 @@ fn of_too_many_spikes_the_strongest_have_planes_and_the_others_stay_in_the_light
     assert_eq!(Film::lines_of(&light).len(), 64);
     let mut film = film(studio_of(brilliant(), world_of_ones()), 16);
     film.trace(&light, 256, None, &go()).unwrap();
-    let picture = film.picture(&light, Observer::Cie1931);
+    let picture = film.picture(&light, Observer::CIE_1931);
     assert_eq!(picture.stand_ins_nm.len(), 16);
     // In a world of ones the picture is the light, whoever stands in.
     let mean = picture.mean();
@@ -408,7 +408,7 @@ fn few_rays_are_unbiased() {
             };
             let mut film = Film::new(studio(), settings).unwrap();
             film.trace(&light, rays, None, &go()).unwrap();
-            let own = film.picture(&light, Observer::Cie1931).mean();
+            let own = film.picture(&light, Observer::CIE_1931).mean();
             (0..3).for_each(|k| sum[k] += own[k] / times as f64);
         }
         sum
@@ -433,11 +433,11 @@ fn the_noise_told_is_the_noise_there_is() {
         film.trace(&light, rays, None, &go()).unwrap();
         film
     };
-    let reference = traced(1024, 99).picture(&light, Observer::Cie1931);
+    let reference = traced(1024, 99).picture(&light, Observer::CIE_1931);
     for rays in [32, 128] {
         let film = traced(rays, 1);
-        let told = film.noise(&light, Observer::Cie1931).unwrap();
-        let picture = film.picture(&light, Observer::Cie1931);
+        let told = film.noise(&light, Observer::CIE_1931).unwrap();
+        let picture = film.picture(&light, Observer::CIE_1931);
         let true_noise = picture
             .noise_against(&reference, Some(film.studio()))
             .unwrap();
@@ -452,7 +452,7 @@ fn the_noise_told_is_the_noise_there_is() {
         let ratio = on_gem(told) / on_gem(true_noise);
         assert!((0.5..2.0).contains(&ratio), "{ratio}");
     }
-    assert_eq!(traced(1, 1).noise(&light, Observer::Cie1931), None);
+    assert_eq!(traced(1, 1).noise(&light, Observer::CIE_1931), None);
 }
 
 fn parsed(text: &str) -> Value {
@@ -608,7 +608,7 @@ fn pictures_in_colour_agree_with_the_reference() {
             .collect();
         let name = row["name"].as_str().unwrap();
         let light = Light::new(name, Band::VISIBLE, numbers(&row["smooth_1nm"]), spikes).unwrap();
-        let white = light.white(Observer::Cie1931);
+        let white = light.white(Observer::CIE_1931);
         let expected_white = numbers(&row["white"]);
         for (found, expected) in white.to_array().iter().zip(&expected_white) {
             // Seven digits there; sums over whole nm instead of integrals, 1e-5 apart.
@@ -626,7 +626,7 @@ fn pictures_in_colour_agree_with_the_reference() {
                 };
                 let mut film = Film::new(studio(), settings).unwrap();
                 film.trace(&light, 96, None, &go()).unwrap();
-                let picture = film.picture(&light, Observer::Cie1931);
+                let picture = film.picture(&light, Observer::CIE_1931);
                 // Blocks are told for a white of Y 1.
                 let back = |b: [f64; 3]| b.map(|v| v * picture.white.y);
                 picture.blocks(16).into_iter().flatten().map(back).collect()
@@ -704,12 +704,12 @@ fn the_json_has_the_keys_that_were_asked_for() {
     let light = with_spikes(&smooth_light(0.0), &[(546.075, 30.0)]);
     let mut film = film(studio(), 40);
     film.trace(&light, 64, None, &go()).unwrap();
-    let picture = film.picture(&light, Observer::Cie1931);
+    let picture = film.picture(&light, Observer::CIE_1931);
     let report = |wavelength_nm: Option<f64>| {
         gem_json(&GemReport {
             film: &film,
             picture: &picture,
-            noise: film.noise(&light, Observer::Cie1931),
+            noise: film.noise(&light, Observer::CIE_1931),
             light: &light,
             wavelength_nm,
             cut: Some(&cut),
@@ -760,6 +760,6 @@ fn a_material_that_is_known_in_part_is_traced_in_part() {
         .map(|j| film.plane(j).iter().map(|v| f64::from(*v)).sum())
         .collect();
     assert!(strata[5] == 0.0 && strata[15] > 0.0);
-    let picture = film.picture(&smooth_light(0.0), Observer::Cie1931);
+    let picture = film.picture(&smooth_light(0.0), Observer::CIE_1931);
     assert!(picture.xyz.iter().flatten().all(|v| v.is_finite()));
 }

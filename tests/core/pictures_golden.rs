@@ -66,7 +66,7 @@ fn plan_of(golden: &Value, case: &Value, bands: &Bands) -> Plan {
         .map(|n| Light::named(n.as_str().unwrap()).unwrap())
         .collect();
     Plan {
-        weighting: Some(Arc::new(Weighting::of(&lights, bands, Observer::Cie1931))),
+        weighting: Some(Arc::new(Weighting::of(&lights, bands, Observer::CIE_1931))),
         ..Plan::new(bands, series)
     }
 }
@@ -340,7 +340,7 @@ fn relit_colours_are_the_studys() {
         for (light, expected) in lights.as_object().unwrap() {
             let light = Light::named(light).unwrap();
             let relit = operator.relit(&light, None, Between::Bands).unwrap();
-            let exact = light.weights(&surfaces, Observer::Cie1931).unwrap();
+            let exact = light.weights(&surfaces, Observer::CIE_1931).unwrap();
             let found = spread_of(&pixels, &exact, &relit, &operator, &truth);
             spread_is(found, expected, &format!("{name} under {}", light.name()));
         }

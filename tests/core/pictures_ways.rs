@@ -116,7 +116,7 @@ fn trust_tells_what_the_old_light_left_dark() {
     let d65 = Light::named("D65").unwrap();
     let blind = |name: &str| {
         let old = Light::named(name).unwrap().on_bands(&bands).unwrap();
-        blind_share(&bands, &old, &d65, Observer::Cie1931)
+        blind_share(&bands, &old, &d65, Observer::CIE_1931)
     };
     // PICTURES.md, 4: zero to two decimals for these, Z .017 and .83/.88/1.00.
     for name in ["FL11", "Mercury", "HPS"] {

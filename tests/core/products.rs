@@ -63,7 +63,7 @@ impl Fitting {
 }
 
 fn observer() -> Weights {
-    Observer::Cie1931.table().on_band(BAND)
+    Observer::CIE_1931.table().on_band(BAND)
 }
 
 fn multiply(a: &[f64], b: &[f64]) -> Vec<f64> {
@@ -360,7 +360,7 @@ fn the_matrix_of_a_grid_gives_the_same_colour_as_the_integral() {
                 (0..3).for_each(|k| short[k] += value * row[k]);
             }
             let whole = Composite::of_lines_inside(grid.series(&product), Vec::new());
-            let long = xyz_from_integral(|weight| whole.integrate(weight), Observer::Cie1931);
+            let long = xyz_from_integral(|weight| whole.integrate(weight), Observer::CIE_1931);
             for (short, long) in short.into_iter().zip(long.to_array()) {
                 // 401 products summed in another order.
                 assert_relative_eq!(short, long, max_relative = 1e-12);
@@ -395,7 +395,7 @@ fn patches_by_double_sampling_are_the_exact_products_of_the_two_series() {
                     .into_parts()
                     .1,
             );
-            let xyz = xyz_from_integral(|weight| product.integrate(weight), Observer::Cie1931);
+            let xyz = xyz_from_integral(|weight| product.integrate(weight), Observer::CIE_1931);
             let pairs = (xyz * (100.0 / white)).to_array().into_iter();
             for (expected, found) in pairs.zip(item.model.to_array()) {
                 // XYZ up to 100 from sums of a few hundred terms.

@@ -27,7 +27,7 @@ use spectral_explorer::{
 const BAND: Band = Band::VISIBLE;
 
 fn observer() -> Weights {
-    Observer::Cie1931.table().on_band(BAND)
+    Observer::CIE_1931.table().on_band(BAND)
 }
 
 fn series(values: &[f64], basis: Basis, numbers: usize) -> Series {
@@ -606,7 +606,7 @@ fn a_metameric_black_is_not_seen_under_its_light_and_is_under_others() {
     let full = vec![1.0; BAND.points()];
     assert_eq!(metameric_black(BAND, &full, &d65, &seen), None);
     let infrared = Band::new(900.0, 1000.0).expect("a band");
-    let unseen = Observer::Cie1931.table().on_band(infrared);
+    let unseen = Observer::CIE_1931.table().on_band(infrared);
     let grey = vec![0.5; infrared.points()];
     assert_eq!(metameric_black(infrared, &grey, &grey, &unseen), None);
 }

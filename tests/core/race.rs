@@ -470,7 +470,7 @@ fn known_lamps_win_every_cell_of_the_race() {
 #[test]
 fn with_all_lamps_but_itself_known_lamps_win_too() {
     let (whole, _) = &*ALL;
-    let encoder = Encoder::new(BAND, Observer::Cie1931, SpikeSettings::default());
+    let encoder = Encoder::new(BAND, Observer::CIE_1931, SpikeSettings::default());
     let course = Course {
         encoder: Some(Arc::new(Racing {
             encoder: Arc::new(encoder.expect("the visible")),

@@ -34,7 +34,7 @@ fn measures(band: Band) -> Arc<Measures> {
         .filter_map(|p| p.spectrum())
         .map(|s| (s.name.clone(), values(s, band)))
         .unzip();
-    let set = PatchSet::new(&reflectances, names, band, Observer::Cie1931);
+    let set = PatchSet::new(&reflectances, names, band, Observer::CIE_1931);
     Arc::new(Measures::new(set))
 }
 

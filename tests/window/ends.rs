@@ -153,7 +153,7 @@ fn choices() -> Vec<Vec<Value>> {
     vec![
         words(Page::all()),
         words(Sampling::ALL),
-        words(Observer::ALL),
+        words(Observer::CIE),
         words(Scale::ALL),
         words(FieldChoice::ALL),
         words(Show::ALL),

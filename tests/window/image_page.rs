@@ -97,7 +97,7 @@ fn raster(image: &Arc<SpectralImage>, source: Source) -> picture::Raster {
 
 fn true_colour(image: &Arc<SpectralImage>) -> picture::Raster {
     let under = image.kind.is_factor().then(d65);
-    let weights = BandWeights::of(image, Observer::Cie1931, under, false).expect("D65 shines");
+    let weights = BandWeights::of(image, Observer::CIE_1931, under, false).expect("D65 shines");
     raster(image, Source::TrueColour(Box::new(weights)))
 }
 
@@ -112,9 +112,9 @@ fn a_pixel_of_the_picture_has_the_colour_of_its_spectrum() {
             let spectrum = image.pixel(x, y).expect("measured").samples;
             // The program's own way to the colour of a whole spectrum, Y = 100.
             let expected = if kind == Kind::Light {
-                xyz_from_light(&spectrum, Outside::Zero, Observer::Cie1931)
+                xyz_from_light(&spectrum, Outside::Zero, Observer::CIE_1931)
             } else {
-                xyz_from_reflectance(&spectrum, &d65().samples, Observer::Cie1931)
+                xyz_from_reflectance(&spectrum, &d65().samples, Observer::CIE_1931)
             };
             let expected = expected.expect("bright").to_array();
             let drawn = raster.values[y * 5 + x].map(f64::from);
@@ -206,7 +206,7 @@ fn a_dark_light_and_an_image_beyond_the_visible_have_no_eye_to_see_them() {
         ..d65().clone()
     };
     assert_eq!(
-        BandWeights::of(&image, Observer::Cie1931, Some(&dark), false),
+        BandWeights::of(&image, Observer::CIE_1931, Some(&dark), false),
         None
     );
     let black = self::image(Kind::Light, [2, 2], |_, _, _| 0.0);

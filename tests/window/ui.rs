@@ -559,7 +559,7 @@ fn a_click_with_ctrl_or_shift_lays_a_spectrum_over() {
 /// The sum of a curve with the CIE 1931 y-bar at every whole nm of its range, straight between its
 /// points.
 fn luminance(points: &[[f64; 2]]) -> f64 {
-    let table = spectral_explorer::color::Observer::Cie1931.table();
+    let table = spectral_explorer::color::Observer::CIE_1931.table();
     let at = |nm: f64| {
         let next = points.partition_point(|point| point[0] <= nm);
         let next = next.clamp(1, points.len() - 1);

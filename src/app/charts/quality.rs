@@ -100,7 +100,7 @@ pub fn diagram(
 ) -> Chart {
     let plane = shows.plane();
     let (inks, palette) = (Inks::of(theme), Palette::of(theme));
-    let locus: Vec<[f64; 2]> = spectral_locus(Observer::Cie1931, plane)
+    let locus: Vec<[f64; 2]> = spectral_locus(Observer::CIE_1931, plane)
         .into_iter()
         .filter(|point| (380..=700).contains(&point.nm))
         .map(|point| point.at)

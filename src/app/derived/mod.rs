@@ -11,7 +11,7 @@ pub use curve::{OF_CURVE, OrderPoint};
 pub use patches::{PatchComparison, PatchPair};
 
 use crate::{
-    color::{Adaptation, Xyz},
+    color::{Adaptation, Observer, Xyz},
     io::many::{many, numbers},
     spectrum::{Band, Composite, Decomposed, Exactness, Line, Series, SpikeEdits, add_lines},
     study::{Measure, Verdict},
@@ -266,6 +266,7 @@ impl Derived {
                 format!("The range leaves out {missing} nm of the visible.")
             });
         }
+        warnings.extend(self.observer_ends(settings.observer));
         warnings.extend(question.more_than_a_fraction());
         if !is_beside && (first_nm > self.band.min_nm() || last_nm < self.band.max_nm()) {
             let outside = if question.is_light {
@@ -297,6 +298,20 @@ impl Derived {
             ));
         }
         warnings
+    }
+
+    /// What an observer's table leaves out of the range.
+    fn observer_ends(&self, observer: Observer) -> Option<String> {
+        let table = observer.table();
+        let [first, last] = [table.first_nm, table.last_nm];
+        let is_short =
+            f64::from(first) > self.band.min_nm() || f64::from(last) < self.band.max_nm();
+        (is_short && !observer.is_shipped()).then(|| {
+            let title = observer.title();
+            format!(
+                "The observer {title} is known from {first} to {last} nm: beyond, nothing counts."
+            )
+        })
     }
 
     /// Why there are no errors, or no colours to compare.

@@ -176,7 +176,7 @@ impl Desk {
 
 impl Strip {
     fn of(title: String, light: Result<Channel, MixError>) -> Self {
-        let seen = |channel: &Channel| xyz_from_nm_values(&channel.values, Observer::Cie1931);
+        let seen = |channel: &Channel| xyz_from_nm_values(&channel.values, Observer::CIE_1931);
         let channel = light.as_ref().ok();
         let xyz = channel.and_then(|channel| seen(channel).with_y(100.0));
         Self {

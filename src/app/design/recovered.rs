@@ -10,7 +10,7 @@ use crate::{
 };
 
 /// The observer that colours are meant for.
-pub(crate) const OBSERVER: Observer = Observer::Cie1931;
+pub(crate) const OBSERVER: Observer = Observer::CIE_1931;
 
 /// A colour under a light.
 #[derive(Clone, Debug)]

@@ -93,8 +93,8 @@ pub fn beside(desk: &Desk, surfaces: DeskSurfaces, document: &Document) -> Vec<B
 /// XYZ of a surface, Y = 100 for the light.
 fn under(light: &[f64], shares: &[f64]) -> Option<Xyz> {
     let seen: Vec<f64> = light.iter().zip(shares).map(|(s, r)| s * r).collect();
-    let whole = xyz_from_nm_values(light, Observer::Cie1931).y;
-    let xyz = xyz_from_nm_values(&seen, Observer::Cie1931) * (100.0 / whole);
+    let whole = xyz_from_nm_values(light, Observer::CIE_1931).y;
+    let xyz = xyz_from_nm_values(&seen, Observer::CIE_1931) * (100.0 / whole);
     xyz.is_finite().then_some(xyz)
 }
 

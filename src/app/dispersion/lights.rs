@@ -114,6 +114,6 @@ mod tests {
         let whole = table.integrate(band, Outside::Zero, |_| 1.0);
         // Sums of 401 numbers.
         assert!((power(&measured) / whole - 1.0).abs() < 1e-12);
-        assert!(measured.white(Observer::Cie1931).y > 0.0);
+        assert!(measured.white(Observer::CIE_1931).y > 0.0);
     }
 }

@@ -254,7 +254,7 @@ fn chain_luminance(app: &App) -> Option<f64> {
     let document = app.document();
     let band = document.settings.band;
     let light = document.light.on_band(band);
-    let bright = &Observer::Cie1931.table().on_band(band)[1];
+    let bright = &Observer::CIE_1931.table().on_band(band)[1];
     let behind = behind(&document.products.chain, light.clone(), band);
     let whole = band.inner(&light, bright);
     (whole > 0.0).then(|| band.inner(&behind, bright) / whole)

@@ -158,7 +158,7 @@ fn recovered(
     surface: &Entry,
     lights: &[std::sync::Arc<Entry>],
 ) -> Result<NamedSpectrum, String> {
-    const OBSERVER: Observer = Observer::Cie1931;
+    const OBSERVER: Observer = Observer::CIE_1931;
     let words = |why: &dyn std::fmt::Display| format!("found what cannot be recovered: {why}");
     let mut views = Vec::new();
     for light in lights {

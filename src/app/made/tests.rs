@@ -15,7 +15,7 @@ fn table(id: &str) -> Sampled {
 
 /// CIE 1931 x, y.
 fn xy(id: &str) -> [f64; 2] {
-    let xyz = xyz_from_light(&table(id), Outside::Zero, Observer::Cie1931).expect(id);
+    let xyz = xyz_from_light(&table(id), Outside::Zero, Observer::CIE_1931).expect(id);
     let sum = xyz.x + xyz.y + xyz.z;
     [xyz.x / sum, xyz.y / sum]
 }
@@ -69,7 +69,7 @@ fn the_neon_tube_is_red_and_the_sodium_tube_yellow() {
 #[test]
 fn a_candle_has_the_temperature_of_its_soot() {
     let candle = table("thermal_lights/Candle flame");
-    let xyz = xyz_from_light(&candle, Outside::Zero, Observer::Cie1931).expect("light");
+    let xyz = xyz_from_light(&candle, Outside::Zero, Observer::CIE_1931).expect("light");
     let cct = cct_from_xyz(xyz).expect("on the locus");
     assert!(
         (cct.kelvin - 1900.0).abs() < 2.0 && cct.duv.abs() < 1e-4,

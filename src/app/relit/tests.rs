@@ -88,7 +88,7 @@ fn look(subject: Subject, taken_under: Option<&str>, wish: Wish) -> LookAsk {
         taken_under: entry.map(ByAddress),
         own: None,
         bound: 0.5,
-        observer: Observer::Cie1931,
+        observer: Observer::CIE_1931,
         wish,
         weighted: true,
     }

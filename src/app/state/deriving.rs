@@ -89,7 +89,7 @@ pub fn derive(document: &Document, tables: &Tables) -> Derived {
         let y = xyz_from_nm_values(&light_values, observer).y;
         xyz_from_nm_values(&subject_values, observer) * (100.0 / y)
     };
-    let full = (white.y > 0.0).then(|| (scaled(settings.observer), scaled(Observer::Cie1931)));
+    let full = (white.y > 0.0).then(|| (scaled(settings.observer), scaled(Observer::CIE_1931)));
     let edits = document.subject_edits();
     let samples = &subject.spectrum.samples;
     let power_outside = if is_light {

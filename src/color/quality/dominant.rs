@@ -99,7 +99,7 @@ fn meets(away: [f64; 2], from: [f64; 2], to: [f64; 2]) -> Option<(f64, f64)> {
 
 /// The CIE 1931 locus on whole nm 360-830.
 static LOCUS: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| {
-    let [x, y, z] = &Observer::Cie1931.table().xyz;
+    let [x, y, z] = &Observer::CIE_1931.table().xyz;
     let points = x.iter().zip(y).zip(z);
     points
         .map(|((x, y), z)| xy_from_xyz(Xyz::new(*x, *y, *z)).expect("a line has a colour"))

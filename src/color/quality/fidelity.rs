@@ -162,7 +162,7 @@ fn seen(light: &Light, reference: &[f64]) -> Result<([Vec<Xyz>; 2], [Xyz; 2]), N
     for line in light.lines() {
         // Nothing is known of the samples outside their table.
         let inside = value_at(SAMPLES_FIRST_NM, &tables.ones, line.at_nm);
-        let xyz = Observer::Cie1964.table().at(line.at_nm);
+        let xyz = Observer::CIE_1964.table().at(line.at_nm);
         let xyz = xyz.map(|w| w * line.weight * inside);
         let rows = tables.samples.chunks_exact(SAMPLES_POINTS);
         for (sum, row) in sums.iter_mut().zip(rows) {
@@ -227,7 +227,7 @@ static TABLES: LazyLock<Tables> = LazyLock::new(|| {
         }
     }
     assert_eq!(names.len(), SAMPLES, "a shipped file, read in a test");
-    let observer = Observer::Cie1964.table();
+    let observer = Observer::CIE_1964.table();
     Tables {
         names,
         samples,

@@ -24,7 +24,7 @@ use super::{
 pub struct Figures {
     /// CIE 1931, Y = 100.
     pub xyz: Result<Xyz, NoFigure>,
-    /// Chromaticity for each of [`Observer::ALL`].
+    /// Chromaticity for each of [`Observer::CIE`].
     pub xy: [Result<[f64; 2], NoFigure>; 4],
     /// CIE 1976 u'v' (CIE 1931 observer).
     pub uv: Result<[f64; 2], NoFigure>,
@@ -73,8 +73,8 @@ pub struct FewFigures {
 impl Figures {
     /// All figures of a light whose values measure what `measured` says.
     pub fn of(light: &Light, measured: Option<Measured>) -> Self {
-        let xyz = xyz_of(light, Observer::Cie1931);
-        let xy = Observer::ALL.map(|observer| chromaticity(light, observer));
+        let xyz = xyz_of(light, Observer::CIE_1931);
+        let xy = Observer::CIE.map(|observer| chromaticity(light, observer));
         let cct = cct_of(&xyz);
         let mut figures = Self {
             uv: xyz.clone().and_then(uv_of),
@@ -153,7 +153,7 @@ impl Figures {
 impl FewFigures {
     /// The few figures of a light.
     pub fn of(light: &Light) -> Self {
-        let cct = cct_of(&xyz_of(light, Observer::Cie1931));
+        let cct = cct_of(&xyz_of(light, Observer::CIE_1931));
         let found = cct.clone().and_then(|cct| fidelity(light, cct));
         let found = found.map(|found| (found.rf, found.rg));
         Self {

@@ -50,7 +50,7 @@ impl Reference {
                 daylight: share,
             } => {
                 let (black, day) = (planck(kelvin), daylight(kelvin));
-                let v = &Observer::Cie1931.table().xyz[1];
+                let v = &Observer::CIE_1931.table().xyz[1];
                 let (black_y, day_y) = (dot(&black, v), dot(&day, v));
                 let mixed = black.iter().zip(&day);
                 mixed

@@ -190,7 +190,7 @@ pub(crate) fn uvw([u, v]: [f64; 2], y: f64, white: [f64; 2]) -> [f64; 3] {
 
 /// Every test colour and the light itself, Y = 100 for the light.
 fn seen(light: &Light) -> Result<([Xyz; RENDERING_SAMPLES], Xyz), NoFigure> {
-    let table = Observer::Cie1931.table();
+    let table = Observer::CIE_1931.table();
     let weighted = table
         .xyz
         .each_ref()

@@ -64,7 +64,7 @@ mod tests {
 
     fn warm() -> Viewing {
         let light = Sampled::new(vec![380.0, 780.0], vec![0.1, 2.0]).unwrap();
-        Viewing::new(&light, Observer::Cie1931).unwrap()
+        Viewing::new(&light, Observer::CIE_1931).unwrap()
     }
 
     #[test]

@@ -270,7 +270,7 @@ mod tests {
         };
         std::iter::once(None)
             .chain(surfaces.iter().map(Some))
-            .map(|s| Xyz::from_array(seen(&values, &surface(s), Observer::Cie1931)))
+            .map(|s| Xyz::from_array(seen(&values, &surface(s), Observer::CIE_1931)))
             .collect()
     }
 
@@ -290,7 +290,8 @@ mod tests {
     fn one_colour_is_met_by_a_light_of_no_negative_power() {
         let xyz = Xyz::new(98.0, 100.0, 60.0);
         let colour = LitColour { surface: None, xyz };
-        let found = LineLight::new(&MERCURY_NM, &phosphor(), &[colour], Observer::Cie1931).unwrap();
+        let found =
+            LineLight::new(&MERCURY_NM, &phosphor(), &[colour], Observer::CIE_1931).unwrap();
         // Least squares meet their equations to the rounding of one elimination.
         assert!(found.round_trip_delta_e < 1e-6 && found.residual < 1e-9);
         assert!(found.lines.iter().all(|line| line.weight >= 0.0));
@@ -315,7 +316,7 @@ mod tests {
                 .zip(xyz)
                 .map(|(surface, xyz)| LitColour { surface, xyz })
                 .collect();
-            let found = LineLight::new(lines, &phosphor(), &colours, Observer::Cie1931).unwrap();
+            let found = LineLight::new(lines, &phosphor(), &colours, Observer::CIE_1931).unwrap();
             // Rounding of XYZ near 1e4 (1e-12) times a condition of up to some 1e5.
             assert!((found.background.iter().sum::<f64>() - 60.0).abs() < 1e-6);
             for (line, power) in found.lines.iter().zip(&powers[1..]) {
@@ -329,7 +330,8 @@ mod tests {
     fn a_colour_beyond_the_lines_is_answered_by_the_nearest() {
         let xyz = Xyz::new(10.0, 100.0, 5.0);
         let colour = LitColour { surface: None, xyz };
-        let found = LineLight::new(&MERCURY_NM, &phosphor(), &[colour], Observer::Cie1931).unwrap();
+        let found =
+            LineLight::new(&MERCURY_NM, &phosphor(), &[colour], Observer::CIE_1931).unwrap();
         let nearest = found.nearest.unwrap();
         assert!(nearest.delta_e[0] > 1.0 && found.round_trip_delta_e == nearest.delta_e[0]);
         assert!((found.xyz[0].y - 100.0).abs() < 1e-9);
@@ -341,7 +343,7 @@ mod tests {
         let colours = [LitColour { surface: None, xyz }];
         let dark = phosphor().scaled(0.0);
         let made = |lines: &[f64], background: &Sampled, colours: &[LitColour<'_>]| {
-            LineLight::new(lines, background, colours, Observer::Cie1931).unwrap_err()
+            LineLight::new(lines, background, colours, Observer::CIE_1931).unwrap_err()
         };
         assert_eq!(
             made(&[], &phosphor(), &colours),

@@ -172,7 +172,7 @@ mod tests {
     #[test]
     fn the_sum_over_nodes_is_the_colour_that_the_program_gives_the_same_table() {
         let nodes: Nodes = std::array::from_fn(|j| 0.5 + 0.4 * (j as f64 / 7.0).cos());
-        for observer in Observer::ALL {
+        for observer in Observer::CIE {
             let viewing = Viewing::new(&lamp(), observer).unwrap();
             let full = xyz_from_reflectance(&sampled_nodes(&nodes), &lamp(), observer).unwrap();
             let found = viewing.xyz(&nodes);
@@ -187,13 +187,13 @@ mod tests {
     fn a_light_of_one_line_shows_too_few_colours_and_no_light_none() {
         let line = Sampled::new(vec![545.0, 546.0, 547.0], vec![0.0, 1.0, 0.0]).unwrap();
         assert!(matches!(
-            Viewing::new(&line, Observer::Cie1931),
+            Viewing::new(&line, Observer::CIE_1931),
             Err(RecoverError::FewColours { .. })
         ));
-        assert!(Viewing::to_look(&line, Observer::Cie1931).is_ok());
+        assert!(Viewing::to_look(&line, Observer::CIE_1931).is_ok());
         let dark = lamp().scaled(0.0);
         assert_eq!(
-            Viewing::new(&dark, Observer::Cie1931).unwrap_err(),
+            Viewing::new(&dark, Observer::CIE_1931).unwrap_err(),
             RecoverError::NoLight
         );
     }

@@ -89,7 +89,7 @@ fn ratio(part: f64, whole: f64) -> f64 {
 
 /// The colour-matching functions, melanopic sensitivity and one, at each whole nm.
 static BASIC_ROWS: std::sync::LazyLock<Vec<[f64; BASIC]>> = std::sync::LazyLock::new(|| {
-    let table = Observer::Cie1931.table();
+    let table = Observer::CIE_1931.table();
     let melanopic = weighting("S026 s_mel (melanopic)").expect("a shipped table");
     let row = |nm: f64| {
         let [x, y, z] = table.at(nm);

@@ -25,8 +25,8 @@ impl SampleTables {
         let rendering = rendering.get(..SAMPLES).filter(|tables| fits(tables))?;
         let fidelity = Some(fidelity).filter(|tables| !tables.is_empty() && fits(tables))?;
         Some(Self {
-            rendering: sample_rows(rendering, Observer::Cie1931, 360, 830),
-            fidelity: sample_rows(fidelity, Observer::Cie1964, 380, 780),
+            rendering: sample_rows(rendering, Observer::CIE_1931, 360, 830),
+            fidelity: sample_rows(fidelity, Observer::CIE_1964, 380, 780),
         })
     }
 

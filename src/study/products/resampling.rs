@@ -139,7 +139,7 @@ mod tests {
     fn with_product(basis: Basis, look: impl FnOnce(Product<'_>, &BasisTable)) {
         let model = light(basis);
         let measured = model.smooth().on_band();
-        let seen = Observer::Cie1931.table().on_band(BAND);
+        let seen = Observer::CIE_1931.table().on_band(BAND);
         let product = Product {
             measured: &measured,
             model: &model,

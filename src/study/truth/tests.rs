@@ -19,7 +19,7 @@ use crate::{
 const BAND: Band = Band::VISIBLE;
 
 fn weights(band: Band) -> Weights {
-    Observer::Cie1931.table().on_band(band)
+    Observer::CIE_1931.table().on_band(band)
 }
 
 fn white(band: Band, light: &[f64]) -> Xyz {
@@ -124,7 +124,7 @@ fn a_range_without_visible_light_has_no_shares_and_no_colour() {
         assert_eq!(channel.sufficient_order, None);
         assert_eq!(channel.at_stated_order, None);
     }
-    let fit = table_2(band, Observer::Cie1931, &light);
+    let fit = table_2(band, Observer::CIE_1931, &light);
     assert_eq!((fit.delta_uv, fit.delta_e_2000), (None, None));
     let found = samples(Question {
         table: &BasisTable::new(band, Basis::Cosine, 20),
@@ -353,7 +353,7 @@ fn the_papers_points_fold_and_four_times_the_order_does_not() {
 
 #[test]
 fn table_2_misses_the_functions_by_this_much() {
-    let fit = table_2(BAND, Observer::Cie1931, &vec![1.0; BAND.points()]);
+    let fit = table_2(BAND, Observer::CIE_1931, &vec![1.0; BAND.points()]);
     let worst = fit.worst.map(|w| (w.at_nm, (1e3 * w.off()).round()));
     assert_eq!(worst, [(575.0, 49.0), (528.0, -83.0), (433.0, -205.0)]);
     // Equal energy: the table's three areas agree, those of the bells do not quite.
@@ -366,7 +366,7 @@ fn enormous_and_tiny_spectra_give_no_nan() {
     let table = BasisTable::new(BAND, Basis::Fourier, 20);
     for scale in [1e-300, 1e150, 1e300] {
         let measured = times(&background(&table), scale);
-        let fit = table_2(BAND, Observer::Cie1931, &measured);
+        let fit = table_2(BAND, Observer::CIE_1931, &measured);
         assert!(fit.delta_e_2000.is_none_or(f64::is_finite));
         let found = samples_of(&table, &measured, &[]);
         assert!(found.composite[Measure::Rms].is_some_and(f64::is_finite));

@@ -86,7 +86,7 @@ impl Tables {
 /// Whether the race was run as the larger collection was.
 fn comparable(ask: &RaceAsk) -> bool {
     ask.band == Band::VISIBLE
-        && ask.observer == Observer::Cie1931
+        && ask.observer == Observer::CIE_1931
         && ask.patches.set == FIRST_PATCH_SET
         && ask.patches.own.is_empty()
         && ask.spikes == SpikeSettings::default()

@@ -41,7 +41,7 @@ pub fn harmonics_of(app: &App) -> Harmonics {
         measured: &derived.measured,
         weights: &tables.viewing.weights,
         plain_colour_matching: document.is_about_light()
-            && document.settings.observer == Observer::Cie1931,
+            && document.settings.observer == Observer::CIE_1931,
     })
 }
 

@@ -262,7 +262,7 @@ pub(super) fn table_2_row(claims: &Claims) -> Row {
             .map(|d| format!("{} at {} nm", thousandths(d.off()), short(d.at_nm))),
     );
     let mut measured = format!("The largest deviations of x-bar, y-bar and z-bar are {off}.");
-    if claims.observer != Observer::Cie1931 {
+    if claims.observer != Observer::CIE_1931 {
         let _ = write!(
             measured,
             " The fit was made for CIE 1931; the observer in force is {}.",

@@ -150,6 +150,9 @@ mod tests {
             }
         }
         assert!(TICKS_K.iter().all(|k| tick(*k, 0.01, Plane::Xy).is_some()));
-        assert_eq!(spectral_locus(Observer::Cie2015Deg2, Plane::Xy)[0].nm, 390);
+        assert_eq!(
+            spectral_locus(Observer::CIE_2015_2DEG, Plane::Xy)[0].nm,
+            390
+        );
     }
 }
