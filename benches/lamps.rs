@@ -3,7 +3,8 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use spectral_explorer::{
     color::Observer,
-    lamps::{Ask, Encoder, table},
+    lamps::{Ask, Encoder},
+    preset,
     spectrum::{Band, Basis, BasisTable, Composite, Line, Outside, SpikeSettings, detect_shapes},
 };
 use std::hint::black_box;
@@ -11,7 +12,7 @@ use std::hint::black_box;
 const BAND: Band = Band::VISIBLE;
 
 fn lamp(group: &str, name: &str) -> Vec<f64> {
-    table(group, name)
+    preset::table(group, name)
         .expect("a shipped lamp")
         .on_band(BAND, Outside::Zero)
 }

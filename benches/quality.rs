@@ -26,7 +26,7 @@ use spectral_explorer::{
         quality::{FewFigures, Figures, Light, Measured, fidelity, fidelity_reference, rendering},
         xyz::xyz_from_reflectance,
     },
-    preset::{Body, Group, SHIPPED},
+    preset,
     spectrum::{
         Band, Basis, BasisTable, Composite, Outside, Sampled, Series, SpikeSettings, detect,
         numbers_of_order,
@@ -38,12 +38,10 @@ use spectral_explorer::{
 };
 
 fn tables(group: &str) -> Vec<(String, Sampled)> {
-    let groups = SHIPPED.map(|text| Group::from_json(text).expect("a shipped file"));
-    let found = groups.into_iter().find(|found| found.id == group);
-    let items = found.expect("a shipped group").items.into_iter();
-    let tables = items.filter_map(|item| match item.body {
-        Body::Spectrum(table) => Some((item.name, table.samples)),
-        Body::Composite(_) | Body::Lines(_) => None,
+    let group = preset::group(group).expect("a shipped group");
+    let tables = group.items.iter().filter_map(|item| {
+        let table = item.spectrum()?.samples.clone();
+        Some((item.name.clone(), table))
     });
     tables.collect()
 }

@@ -1,4 +1,35 @@
-//! Spectral Explorer: light spectra as a short Fourier series and a few spikes.
+//! Light spectra as a short series and a few lines: a library, a command line and a window.
+//!
+//! A spectrum of several hundred values is split into a smooth part (a Fourier or cosine series)
+//! and a few lines, each a place, a weight and perhaps a width: a [`spectrum::Composite`]. Some
+//! twenty numbers then keep the colour exactly, multiply with surfaces and filters in closed form,
+//! and keep every line at its own wavelength.
+//!
+//! ```
+//! use spectral_explorer::{
+//!     color::{Observer, xy_from_xyz},
+//!     lamps::FitOptions,
+//!     preset,
+//!     spectrum::Composite,
+//! };
+//!
+//! let lamp = preset::table("cie_fluorescent_1nm", "FL2").expect("a shipped lamp");
+//! let fit = Composite::fit(lamp, &FitOptions::default());
+//! let [x, y] = xy_from_xyz(fit.composite.xyz(Observer::CIE_1931)).expect("it shines");
+//! println!("{} numbers instead of {}", fit.composite.numbers(), lamp.nm().len());
+//! assert!((x - 0.372).abs() < 0.001 && (y - 0.375).abs() < 0.001);
+//! ```
+//!
+//! The verbs: [`spectrum::Composite::fit`], [`spectrum::Composite::times`],
+//! [`spectrum::Composite::xyz`], [`spectrum::Composite::integrate`],
+//! [`spectrum::Composite::on_band`]; files by [`io::read_path`]; light quality by
+//! [`color::quality::FewFigures`]. Three short programs stand in `examples`.
+//!
+//! Limits: wavelengths are nm in air, models stand on whole nm of a band of at least 20 nm, values
+//! are in the spectrum's own unit and never rescaled in silence, colours are of the observer that
+//! is named.
+//!
+//! # Rooms
 //!
 //! ```text
 //! spectrum   what a spectrum is                 band sampled basis spikes composite product chain
@@ -17,8 +48,8 @@
 //! ```
 //!
 //! Imports point one way: `main -> {ui, cli} -> app -> {design, lamps, optics, pictures} ->
-//! study -> {rivals, color} -> {spectrum, preset}`, and `{pictures, app} -> io -> spectrum`. docs/map.md tells of every folder. The feature
-//! `window`, on by default, builds `ui`.
+//! study -> {rivals, color} -> {spectrum, preset}`, and `{pictures, app} -> io -> spectrum`.
+//! docs/map.md tells of every folder. The feature `window`, on by default, builds `ui`.
 //!
 //! The composite model is that of Sun, Fracchia and Drew, "A Composite Spectral Model and Its
 //! Applications" (2000); its misprints are corrected and each correction is tested.

@@ -7,7 +7,7 @@ use std::{borrow::Cow, fmt, sync::LazyLock};
 
 use super::made;
 use crate::{
-    preset::{Body, Group, Preset, SHIPPED, Shelf},
+    preset::{self, Body, Group, Preset, Shelf},
     spectrum::{Kind, NamedSpectrum},
 };
 
@@ -44,7 +44,7 @@ pub(super) fn now_called(name: &str) -> Option<&'static str> {
 /// All shipped spectra, composites and lines.
 #[derive(Clone, Debug)]
 pub struct Library {
-    groups: Vec<Group>,
+    groups: Vec<&'static Group>,
     made: Vec<Group>,
     lines: Vec<ElementLine>,
 }
@@ -120,11 +120,9 @@ impl fmt::Display for FindError {
 impl std::error::Error for FindError {}
 
 static BUNDLED: LazyLock<Library> = LazyLock::new(|| {
-    let groups = SHIPPED.iter().map(|text| Group::from_json(text));
-    let groups = groups.collect::<Result<Vec<_>, _>>();
-    let groups = groups.expect("the shipped files are read in a test of this module");
+    let groups: Vec<&'static Group> = preset::groups().collect();
     Library {
-        made: made::groups(&groups),
+        made: made::groups(),
         lines: element_lines(&groups),
         groups,
     }
@@ -137,13 +135,13 @@ impl Library {
     }
 
     /// The groups of tables, lights first: what studies speak of.
-    pub fn groups(&self) -> &[Group] {
+    pub fn groups(&self) -> &[&'static Group] {
         &self.groups
     }
 
     /// All groups: those of tables, then those that are made.
     pub fn all_groups(&self) -> impl Iterator<Item = &Group> {
-        self.groups.iter().chain(&self.made)
+        self.groups.iter().copied().chain(&self.made)
     }
 
     /// The group with an id, made or not.
@@ -292,7 +290,7 @@ impl Library {
     }
 }
 
-fn element_lines(groups: &[Group]) -> Vec<ElementLine> {
+fn element_lines(groups: &[&Group]) -> Vec<ElementLine> {
     let lists = groups
         .iter()
         .flat_map(|group| &group.items)

@@ -3,7 +3,7 @@
 use std::{collections::BTreeMap, fmt::Write as _, sync::LazyLock};
 
 use super::library::Library;
-use crate::preset::{Group, UNLISTED};
+use crate::preset::{self, Group};
 
 /// A licence or notice in full.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,12 +92,7 @@ pub fn overview(library: &Library) -> String {
 }
 
 /// The tables that no library lists: read once, since a dialog shows the overview in every frame.
-static OF_UNLISTED: LazyLock<String> = LazyLock::new(|| {
-    let groups = UNLISTED
-        .iter()
-        .filter_map(|text| Group::from_json(text).ok());
-    groups.map(|group| of_group(&group)).collect()
-});
+static OF_UNLISTED: LazyLock<String> = LazyLock::new(|| preset::unlisted().map(of_group).collect());
 
 /// Where a group comes from and under which terms it stands.
 fn of_group(group: &Group) -> String {
@@ -212,8 +207,7 @@ mod tests {
     fn the_overview_tells_of_every_group_where_from_and_what_was_changed() {
         let library = Library::bundled();
         let overview = overview(library);
-        let unlisted = UNLISTED.map(|text| Group::from_json(text).expect("a shipped file"));
-        for group in library.all_groups().chain(&unlisted) {
+        for group in library.all_groups().chain(preset::unlisted()) {
             for part in [
                 &group.id,
                 &group.source,

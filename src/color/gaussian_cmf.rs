@@ -15,7 +15,7 @@
 
 use std::f64::consts::{LN_2, PI};
 
-use crate::spectrum::Band;
+use crate::spectrum::{Band, gaussian};
 
 /// `height * exp(-4 ln2 (nm - centre)^2 / width^2)`; the width is taken at half height.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,8 +70,7 @@ impl Gaussian {
 
     /// Value at a wavelength (Eq. 8).
     pub fn at(self, at_nm: f64) -> f64 {
-        let x = (at_nm - self.centre_nm) / self.width_nm;
-        self.height * (-4.0 * LN_2 * x * x).exp()
+        self.height * gaussian((at_nm - self.centre_nm) / self.width_nm)
     }
 
     /// `[A_n, B_n]` over a band in closed form (Eq. 10 with `L` outside the root); the tails

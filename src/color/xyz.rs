@@ -128,10 +128,29 @@ pub fn xyz_of_lines(lines: &[Line], weights: &Weights) -> Xyz {
 }
 
 impl Composite {
-    /// XYZ of the model by the trapezoid rule on its band's grid, each ideal line weighed where it
-    /// stands and each wide one over its Gaussian; in value x nm (not normalised).
-    pub fn xyz(&self, weights: &Weights) -> Xyz {
-        xyz_of_parts(self.band(), &self.smooth().on_band(), self.lines(), weights)
+    /// XYZ to an observer by the trapezoid rule on the band's grid, each ideal line weighed where
+    /// it stands and each wide one over its Gaussian; in value x nm (not normalised).
+    ///
+    /// ```
+    /// use spectral_explorer::{
+    ///     color::{Observer, xy_from_xyz},
+    ///     spectrum::{Band, Basis, Composite, Line, Series},
+    /// };
+    ///
+    /// let smooth = Series { band: Band::VISIBLE, basis: Basis::Cosine, coefficients: vec![1.0] };
+    /// let sodium = Line::ideal(589.3, 500.0);
+    /// let lamp = Composite::new(smooth, vec![sodium]).expect("a line of the band");
+    /// let [x, y] = xy_from_xyz(lamp.xyz(Observer::CIE_1931)).expect("a colour");
+    /// assert!(x > 0.5 && y > 0.4);
+    /// ```
+    pub fn xyz(&self, observer: Observer) -> Xyz {
+        let weights = observer.table().on_band(self.band());
+        xyz_of_parts(
+            self.band(),
+            &self.smooth().on_band(),
+            self.lines(),
+            &weights,
+        )
     }
 }
 

@@ -8,8 +8,8 @@ use crate::{
         quality,
         xyz::{FIRST_NM, LAST_NM, POINTS},
     },
-    preset::{Body, Group, SHIPPED},
-    spectrum::{Outside, Sampled},
+    preset,
+    spectrum::{Outside, Sampled, gaussian},
 };
 
 /// Hottest and coldest daylight for which the formula is stated, K (CIE 15:2018).
@@ -49,8 +49,10 @@ pub(super) fn line(at_nm: f64) -> Option<Vec<f64>> {
 
 /// A Gaussian of full width `fwhm_nm` at half its height.
 pub(super) fn gauss(centre_nm: f64, fwhm_nm: f64) -> Option<Vec<f64>> {
-    let exponent = |nm: f64| -4.0 * std::f64::consts::LN_2 * ((nm - centre_nm) / fwhm_nm).powi(2);
-    of_unit_power(nm().map(|nm| exponent(nm).exp()).collect())
+    of_unit_power(
+        nm().map(|nm| gaussian((nm - centre_nm) / fwhm_nm))
+            .collect(),
+    )
 }
 
 /// A blackbody.
@@ -69,25 +71,8 @@ pub(super) fn table(light: &Sampled) -> Vec<f64> {
 }
 
 /// The shipped table of a group; its absence is a broken build, which a test would show.
-pub(super) fn shipped(group: &str, name: &str) -> Sampled {
-    let found = shipped_group(group).into_iter().find(|(n, _)| n == name);
-    found.map_or_else(
-        || panic!("no shipped table {group}/{name}"),
-        |(_, table)| table,
-    )
-}
-
-/// The tables of a shipped group in its order.
-pub(super) fn shipped_group(id: &str) -> Vec<(String, Sampled)> {
-    let key = format!("\"group\":\"{id}\"");
-    let text = SHIPPED.iter().find(|text| text.contains(&key));
-    let text = text.unwrap_or_else(|| panic!("no shipped group {id}"));
-    let group = Group::from_json(text).expect("a shipped file, read in a test of the presets");
-    let tables = group.items.into_iter().filter_map(|item| match item.body {
-        Body::Spectrum(table) => Some((item.name, table.samples)),
-        Body::Composite(_) | Body::Lines(_) => None,
-    });
-    tables.collect()
+pub(super) fn shipped(group: &str, name: &str) -> &'static Sampled {
+    preset::table(group, name).unwrap_or_else(|| panic!("no shipped table {group}/{name}"))
 }
 
 #[cfg(test)]
@@ -105,7 +90,7 @@ mod tests {
             // Sums of 471 numbers below one.
             assert!((values.unwrap().iter().sum::<f64>() - 1.0).abs() < 1e-12);
         }
-        let d65 = of_unit_power(table(&shipped("cie_illuminants", "CIE D65"))).unwrap();
+        let d65 = of_unit_power(table(shipped("cie_illuminants", "CIE D65"))).unwrap();
         let made = daylight(6503.6).unwrap();
         for (a, b) in d65.iter().zip(&made) {
             // The table was made with M1 and M2 rounded to three decimals, the components are

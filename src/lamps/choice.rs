@@ -118,8 +118,8 @@ mod tests {
         lamps::{
             LeaveOut,
             fit::{FIRST_WEIGHTS, score},
-            table,
         },
+        preset::table,
         spectrum::{Line, Outside},
     };
 

@@ -139,7 +139,7 @@ mod tests {
 
     #[test]
     fn smooth_part_and_lines_are_the_spectrum_and_its_power() {
-        let table = crate::lamps::table("cie_fluorescent_1nm", "FL2").expect("shipped");
+        let table = crate::preset::table("cie_fluorescent_1nm", "FL2").expect("shipped");
         let values = table.on_band(BAND, Outside::Zero);
         let parts = decompose(BAND, &values, SpikeSettings::default());
         assert_eq!(parts.spikes.len(), 4);

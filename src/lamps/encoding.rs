@@ -9,7 +9,7 @@ use super::{
     known::{Atom, atoms_on, known_lamps},
 };
 use crate::{
-    spectrum::{Band, Basis, BasisTable, Composite, Line, Series},
+    spectrum::{Band, Basis, BasisTable, Composite, Line, Series, gaussian},
     study::Way,
 };
 
@@ -248,8 +248,7 @@ impl Decoder {
         });
         let lines = encoding.lines.iter().filter(|line| !line.is_ideal());
         let line = |line: &Line| {
-            let d = (nm - line.at_nm) / line.fwhm_nm;
-            line.stem_height(line.fwhm_nm) * (-4.0 * std::f64::consts::LN_2 * d * d).exp()
+            line.stem_height(line.fwhm_nm) * gaussian((nm - line.at_nm) / line.fwhm_nm)
         };
         encoding.smooth.at(nm) + atoms.sum::<f64>() + lines.map(line).sum::<f64>()
     }

@@ -6,8 +6,10 @@ use std::sync::LazyLock;
 
 use serde::Deserialize;
 
-use super::shipped;
-use crate::spectrum::{Band, Outside};
+use crate::{
+    preset,
+    spectrum::{Band, Outside},
+};
 
 /// The list: names and formulas, no numbers.
 const LIST: &str = include_str!("known_lamps.json");
@@ -136,7 +138,7 @@ pub fn atoms_on(band: Band) -> Vec<Atom> {
 
 /// A shipped table on a band's grid; `None` where it does not cover the band.
 fn covering(group: &str, name: &str, band: Band) -> Option<Vec<f64>> {
-    shipped::table(group, name)
+    preset::table(group, name)
         .filter(|table| table.first_nm() <= band.min_nm() && table.last_nm() >= band.max_nm())
         .map(|table| table.on_band(band, Outside::Zero))
 }

@@ -1,6 +1,7 @@
 //! Known lamps and lines of their own width: the composite ahead of every representation.
 //!
 //! ```text
+//! composite_fit  the verb: a composite fitted to a spectrum
 //! detector     the house's lines, each as wide as it is
 //! known        the lamps that an encoding may be made of
 //! encoding     an encoded light and its decoder; words, makeup: the same as bits and for people
@@ -17,6 +18,7 @@
 mod ask;
 mod choice;
 mod columns;
+mod composite_fit;
 mod detector;
 mod encoder;
 mod encoding;
@@ -40,6 +42,7 @@ mod work;
 
 pub use ask::{Ask, Count, LeaveOut, NUMBERS};
 pub use choice::Chosen;
+pub use composite_fit::{Fit, FitOptions};
 pub use detector::{WideDecomposition, as_wide_as_it_is, bell, decompose};
 pub use encoder::{Encoder, LONGEST_RANGE_NM};
 pub use encoding::{AtomWeight, Decoder, Encoding};
@@ -49,5 +52,4 @@ pub use known::{Atom, KnownLamp, atoms_on, known_lamps, namesakes};
 pub use makeup::{Makeup, Part};
 pub use race::Racing;
 pub use report::{Encoded, decode_json, encode_json, encode_words, judged, read_encoding};
-pub use shipped::table;
 pub use words::{from_words, rounded, to_words, words_from_text};

@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use crate::color::Observer;
 use crate::color::Xyz;
 use crate::color::xyz::{FIRST_NM, LAST_NM, xyz_from_nm_values};
-use crate::preset::{Group, SHIPPED};
+use crate::preset::{self, Preset};
 use crate::spectrum::{Line, Outside, Sampled};
 
 use super::{Bands, PictureError};
@@ -65,7 +65,7 @@ impl Light {
     pub fn weighting() -> &'static [Self] {
         static LIGHTS: LazyLock<Vec<Light>> = LazyLock::new(|| {
             let groups = ["cie_fluorescent_1nm", "cie_led_1nm"];
-            let groups = groups.into_iter().filter_map(group);
+            let groups = groups.into_iter().filter_map(preset::group);
             let lights = groups.flat_map(|group| {
                 let tables = group.items.iter();
                 let lights = tables.filter_map(|item| Some((item.name.as_str(), item.spectrum()?)));
@@ -224,34 +224,18 @@ pub(super) fn emissive_weights(
     Ok(rows.map(|row| row.into_iter().map(|w| w / y).collect()))
 }
 
-/// A shipped group by its id.
-pub(super) fn group(id: &str) -> Option<Group> {
-    let mark = format!("\"{id}\"");
-    // The id stands in the first lines of its file.
-    let text = SHIPPED.into_iter().find(|text| {
-        let head: String = text.chars().take(400).collect();
-        head.contains(&mark)
-    })?;
-    Group::from_json(text).ok().filter(|group| group.id == id)
-}
-
 fn in_group(id: &str, name: &str, full: &str) -> Option<Light> {
-    let group = group(id)?;
-    let item = group.items.iter().find(|item| item.name == full)?;
-    Some(Light::new(name, &item.spectrum()?.samples))
+    Some(Light::new(name, preset::table(id, full)?))
 }
 
 /// A light by its name or `group/name` anywhere in the library.
 fn anywhere(name: &str) -> Option<Light> {
-    let groups = SHIPPED
-        .into_iter()
-        .filter_map(|text| Group::from_json(text).ok());
-    groups.into_iter().find_map(|group| {
-        let found = group.items.iter().find(|item| {
-            item.kind == crate::spectrum::Kind::Light && (item.name == name || item.id() == name)
-        })?;
-        Some(Light::new(name, &found.spectrum()?.samples))
-    })
+    let mut items = preset::groups().flat_map(|group| &group.items);
+    let is_it = |item: &&Preset| {
+        item.kind == crate::spectrum::Kind::Light && (item.name == name || item.id() == name)
+    };
+    let found = items.find(is_it)?;
+    Some(Light::new(name, &found.spectrum()?.samples))
 }
 
 #[cfg(test)]

@@ -5,20 +5,22 @@ use std::sync::LazyLock;
 
 use nalgebra::DMatrix;
 
+use crate::preset;
 use crate::spectrum::{Outside, Sampled};
 
 use super::fitting::{columns, plain_fit};
 use super::plan::{LineFit, Plan, Reference};
-use super::{Bands, PictureError, light};
+use super::{Bands, PictureError};
 
 /// Added to every moment, as a share of their mean, so that none is zero.
 const LEAST: f64 = 1e-9;
 
 fn samples() -> &'static [Sampled] {
     static SAMPLES: LazyLock<Vec<Sampled>> = LazyLock::new(|| {
-        let group = light::group("tm30_ces99_5nm");
-        let items = group.map(|group| group.items).unwrap_or_default();
-        let tables = items.iter().filter_map(|item| item.spectrum());
+        let items = preset::group("tm30_ces99_5nm").into_iter();
+        let tables = items
+            .flat_map(|group| &group.items)
+            .filter_map(|item| item.spectrum());
         tables.map(|table| table.samples.clone()).collect()
     });
     &SAMPLES

@@ -7,10 +7,11 @@
 
 use std::f64::consts::PI;
 
+use crate::preset;
 use crate::spectrum::{Kind, Outside, Sampled};
 
 use super::pixels::Pixels;
-use super::{Bands, Light, PictureError, light};
+use super::{Bands, Light, PictureError};
 
 /// The groups whose reflectances are the paints, in this order.
 const PAINTS: [&str; 2] = ["colorchecker_ohta", "aces_training_190"];
@@ -108,9 +109,9 @@ impl Scene {
         if width == 0 || height == 0 {
             return Err(PictureError::NothingMeasured);
         }
-        let groups = PAINTS.into_iter().filter_map(light::group);
+        let groups = PAINTS.into_iter().filter_map(preset::group);
         let tables: Vec<Sampled> = groups
-            .flat_map(|group| group.items)
+            .flat_map(|group| &group.items)
             .filter_map(|item| Some(item.spectrum()?.samples.clone()))
             .collect();
         // Read off, as the scene is defined: the paints are smooth, in steps of 5 nm.

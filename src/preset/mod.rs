@@ -17,4 +17,4 @@ pub use group::{
     AtomicLine, Body, Composite, Group, LineList, OpticalConstants, Preset, PrintedSpike, Terms,
 };
 pub use shelf::Shelf;
-pub use shipped::{EVERYDAY, FAMILIES, OBSERVERS, SHIPPED, UNLISTED};
+pub use shipped::{EVERYDAY, FAMILIES, OBSERVERS, group, groups, table, unlisted};

@@ -1,9 +1,12 @@
 //! The texts of the shipped files.
 
+use std::sync::OnceLock;
+
 use super::group::Group;
+use crate::spectrum::Sampled;
 
 /// The shipped files, in the order in which the library lists their groups.
-pub const SHIPPED: [&str; 24] = [
+pub(super) const SHIPPED: [&str; 24] = [
     include_str!("../../presets/cie_illuminants.json"),
     include_str!("../../presets/cie_fluorescent_1nm.json"),
     include_str!("../../presets/cie_fluorescent_5nm.json"),
@@ -40,18 +43,51 @@ pub const FAMILIES: &str = include_str!("../../presets/families.json");
 pub const EVERYDAY: &str = include_str!("../../presets/everyday_surfaces.json");
 /// Tables that figures are computed from and that no library lists: it has their items already, in
 /// a coarser step.
-pub const UNLISTED: [&str; 1] = [include_str!("../../presets/tm30_ces99_1nm.json")];
+pub(super) const UNLISTED: [&str; 1] = [include_str!("../../presets/tm30_ces99_1nm.json")];
 
-impl Group {
-    /// The shipped group with an id, listed or not, read anew at every call; `None` when there is
-    /// none.
-    pub fn shipped(id: &str) -> Option<Self> {
-        // What a group is called stands in the first lines of its file.
-        let stated = format!("\"group\":\"{id}\"");
-        let is_it = |text: &&str| text.lines().take(6).any(|line| line.contains(&stated));
-        let text = SHIPPED.into_iter().chain(UNLISTED).find(is_it)?;
-        Self::from_json(text).ok()
-    }
+/// The groups in the order of their files, those that no library lists last, each read when it is
+/// first asked for.
+static GROUPS: [OnceLock<Group>; SHIPPED.len() + UNLISTED.len()] =
+    [const { OnceLock::new() }; SHIPPED.len() + UNLISTED.len()];
+
+fn texts() -> impl Iterator<Item = &'static str> {
+    SHIPPED.into_iter().chain(UNLISTED)
+}
+
+fn read(index: usize, text: &str) -> &'static Group {
+    GROUPS[index].get_or_init(|| {
+        Group::from_json(text).expect("a shipped file, read in a test of this room")
+    })
+}
+
+/// The shipped group with an id, listed or not.
+pub fn group(id: &str) -> Option<&'static Group> {
+    // What a group is called stands in the first lines of its file: no other file is read for it.
+    let stated = format!("\"group\":\"{id}\"");
+    let is_it = |text: &str| text.lines().take(6).any(|line| line.contains(&stated));
+    let (index, text) = texts().enumerate().find(|(_, text)| is_it(text))?;
+    Some(read(index, text))
+}
+
+/// All groups that a library lists, in its order.
+pub fn groups() -> impl Iterator<Item = &'static Group> {
+    let listed = SHIPPED.into_iter().enumerate();
+    listed.map(|(index, text)| read(index, text))
+}
+
+/// The groups that figures are computed from and that no library lists.
+pub fn unlisted() -> impl Iterator<Item = &'static Group> {
+    let behind = UNLISTED.into_iter().zip(SHIPPED.len()..);
+    behind.map(|(text, index)| read(index, text))
+}
+
+/// A shipped table by its group and name.
+pub fn table(group_id: &str, name: &str) -> Option<&'static Sampled> {
+    let item = group(group_id)?
+        .items
+        .iter()
+        .find(|item| item.name == name)?;
+    item.spectrum().map(|spectrum| &spectrum.samples)
 }
 
 #[cfg(test)]
@@ -60,11 +96,14 @@ mod tests {
 
     #[test]
     fn every_shipped_group_is_found_by_its_id() {
-        for text in SHIPPED.into_iter().chain(UNLISTED) {
-            let group = Group::from_json(text).expect("a shipped file");
-            assert_eq!(Group::shipped(&group.id), Some(group));
+        for text in texts() {
+            let stated = Group::from_json(text).expect("a shipped file");
+            assert_eq!(group(&stated.id), Some(&stated));
         }
-        assert_eq!(Group::shipped("tm30_ces99"), None);
+        assert_eq!(groups().count(), SHIPPED.len());
+        assert_eq!(group("tm30_ces99"), None);
+        assert!(table("cie_fluorescent_1nm", "FL2").is_some());
+        assert!(table("cie_fluorescent_1nm", "FL200").is_none());
     }
 
     #[test]
@@ -72,11 +111,8 @@ mod tests {
         for text in UNLISTED {
             let fine = Group::from_json(text).expect("a shipped file");
             let coarse = fine.id.replace("_1nm", "_5nm");
-            let coarse = SHIPPED
-                .iter()
-                .map(|text| Group::from_json(text).expect("a shipped file"))
-                .find(|group| group.id == coarse)
-                .expect("the listed group");
+            let coarse = groups().find(|group| group.id == coarse);
+            let coarse = coarse.expect("the listed group");
             assert_eq!(fine.licence, coarse.licence);
             assert_eq!(fine.attribution, coarse.attribution);
             assert_eq!(fine.items.len(), coarse.items.len());

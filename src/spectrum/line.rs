@@ -254,6 +254,11 @@ fn damping(basis: Basis, index: usize, band: Band, sigma_nm: f64) -> f64 {
     (-0.5 * t * t).exp()
 }
 
+/// Height of a Gaussian of height 1 so many full widths at half maximum from its centre.
+pub fn gaussian(widths: f64) -> f64 {
+    (-4.0 * LN_2 * widths * widths).exp()
+}
+
 /// Adds lines to values on a band's grid so that the trapezoid integral grows by their weights;
 /// lines outside the band are left out.
 pub fn add_lines(band: Band, lines: &[Line], values: &mut [f64]) {

@@ -43,7 +43,7 @@ pub use formula::{Formula, MOST_COEFFICIENTS};
 pub use image::SpectralImage;
 pub use kind::Kind;
 pub(crate) use line::{FWHM_IN_SIGMAS, NARROWEST_NM};
-pub use line::{GAUSSIAN_AREA, Line, LineProfile, add_lines};
+pub use line::{GAUSSIAN_AREA, Line, LineProfile, add_lines, gaussian};
 pub use named::NamedSpectrum;
 pub use quantile::{quantile, rank};
 pub use rect::Rect;

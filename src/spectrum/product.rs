@@ -31,6 +31,69 @@ pub fn on_grid(light: &Composite, factor: &[f64]) -> (Vec<f64>, Vec<Line>) {
     (lit, weigh_lines(&ideal, |nm| band.interpolate(factor, nm)))
 }
 
+/// Why a composite and a factor have no product.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum ProductError {
+    /// They stand on different bands.
+    #[error("a light on {}-{} nm and a factor on {}-{} nm have no product: one band is expected",
+        light.min_nm(), light.max_nm(), factor.min_nm(), factor.max_nm())]
+    Bands {
+        /// The light's.
+        light: Band,
+        /// The factor's.
+        factor: Band,
+    },
+    /// They are series of different functions.
+    #[error("a {} series and a {} series have no product: one basis is expected", light.word(), factor.word())]
+    Bases {
+        /// The light's.
+        light: Basis,
+        /// The factor's.
+        factor: Basis,
+    },
+    /// The factor has no coefficient.
+    #[error("the factor has no coefficient")]
+    NoCoefficient,
+}
+
+impl Composite {
+    /// The light behind a smooth factor (a filter, a surface), every order of the product kept and
+    /// each line weighed by the factor over its own width.
+    ///
+    /// ```
+    /// use spectral_explorer::spectrum::{Band, Basis, Composite, Line, Series};
+    ///
+    /// let series = |coefficients: Vec<f64>| Series {
+    ///     band: Band::VISIBLE,
+    ///     basis: Basis::Cosine,
+    ///     coefficients,
+    /// };
+    /// let lamp = Composite::new(series(vec![2.0, 0.5]), vec![Line::ideal(546.1, 30.0)])?;
+    /// let grey = lamp.times(&series(vec![0.5])).expect("one band and one basis");
+    /// assert_eq!(grey.lines()[0].weight, 15.0);
+    /// assert_eq!(grey.smooth().coefficients, [1.0, 0.25]);
+    /// # Ok::<(), spectral_explorer::spectrum::CompositeError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ProductError`] where band or basis differ.
+    pub fn times(&self, factor: &Series) -> Result<Self, ProductError> {
+        let light = self.smooth();
+        if light.band != factor.band {
+            let (light, factor) = (light.band, factor.band);
+            return Err(ProductError::Bands { light, factor });
+        }
+        if light.basis != factor.basis {
+            let (light, factor) = (light.basis, factor.basis);
+            return Err(ProductError::Bases { light, factor });
+        }
+        if factor.coefficients.is_empty() || light.coefficients.is_empty() {
+            return Err(ProductError::NoCoefficient);
+        }
+        Ok(resampled(self, factor, Sampling::Exact))
+    }
+}
+
 /// A light times a smooth factor by resampling: the composite through the products of the points.
 ///
 /// Both series share band and basis; the result has one number per point. With

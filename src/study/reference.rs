@@ -17,7 +17,7 @@ use crate::{
         patches::{PatchSet, difference, labs_into},
         xyz_of_one, xyz_of_parts,
     },
-    spectrum::{Band, Line, add_lines},
+    spectrum::{Band, Line, add_lines, gaussian},
 };
 
 /// Full width of the narrow filters at half their maximum, nm.
@@ -47,10 +47,7 @@ fn centres_from(first_nm: f64) -> impl Iterator<Item = f64> {
 
 /// A Gaussian band-pass of 10 nm on a band's grid.
 pub fn narrow_filter(band: Band, centre_nm: f64) -> Vec<f64> {
-    let bell = |nm: f64| {
-        let x = (nm - centre_nm) / FILTER_NM;
-        (-4.0 * std::f64::consts::LN_2 * x * x).exp()
-    };
+    let bell = |nm: f64| gaussian((nm - centre_nm) / FILTER_NM);
     band.grid().map(bell).collect()
 }
 

@@ -1528,3 +1528,35 @@ fn every_written_format_is_read_and_converted_on() {
     let text = said(&["convert", &uneven, &place("uneven.sp")]);
     assert!(text.contains("resampled to 201 values"), "{text}");
 }
+
+#[test]
+fn an_observer_of_ones_own_has_the_colours_of_its_table() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("ten degrees.csv");
+    let table = spectral_explorer::color::Observer::CIE_1964.table();
+    let mut text = String::from("nm,xbar,ybar,zbar\n");
+    // From 300 nm on: more than any shipped table has.
+    for nm in 300..=900 {
+        let [x, y, z] = table.at(f64::from(nm));
+        text += &format!("{nm},{x},{y},{z}\n");
+    }
+    fs::write(&path, text).expect("written");
+    let of = |observer: &str| json(&["report", "FL2", "--observer", observer, "--json"]);
+    let (own, shipped) = (of(path.to_str().expect("UTF-8")), of("1964"));
+    assert_eq!(own["settings"]["observer"], "ten degrees");
+    let numbers = |report: &Value| -> Vec<f64> {
+        let xyz = report["colour"]["exact"]["xyz"]
+            .as_array()
+            .expect("three numbers");
+        xyz.iter().map(|v| v.as_f64().expect("a number")).collect()
+    };
+    for (a, b) in numbers(&own).iter().zip(numbers(&shipped)) {
+        // The same products summed in another order.
+        assert!((a - b).abs() < 1e-9, "{a} {b}");
+    }
+    let why = refusal(2, &["report", "FL2", "--observer", "1932", "--json"]);
+    assert!(
+        why.contains("expected 1931, 1964, 2015-2, 2015-10 or a file"),
+        "{why}"
+    );
+}

@@ -6,8 +6,9 @@ use spectral_explorer::{
     io::read_path,
     lamps::{
         Ask, Count, Encoder, EncodingError, Makeup, Panel, encode_json, from_words, judged,
-        known_lamps, read_encoding, table,
+        known_lamps, read_encoding,
     },
+    preset,
     spectrum::{Band, Basis, BasisTable, Kind, Line, Outside, Sampled, SpikeSettings, add_lines},
     study::{FitBasis, ProjectedSpectrum},
 };
@@ -22,7 +23,7 @@ fn encoder() -> &'static Encoder {
 }
 
 fn shipped(group: &str, name: &str) -> Vec<f64> {
-    table(group, name)
+    preset::table(group, name)
         .expect("a shipped lamp")
         .on_band(BAND, Outside::Zero)
 }
@@ -405,7 +406,7 @@ fn another_range_and_another_observer_are_encoded_too() {
     let band = Band::new(400.0, 700.0).expect("300 nm");
     let encoder =
         Encoder::new(band, Observer::CIE_1964, SpikeSettings::default()).expect("the visible");
-    let values = table("lamps_nist_philips", "F32T8/TL841 (Triphosphor)")
+    let values = preset::table("lamps_nist_philips", "F32T8/TL841 (Triphosphor)")
         .expect("shipped")
         .on_band(band, Outside::Zero);
     let chosen = encoder

@@ -3,7 +3,8 @@
 use serde_json::Value;
 use spectral_explorer::{
     color::Observer,
-    lamps::{Ask, AtomWeight, Decoder, Encoder, Encoding, Panel, atoms_on, table},
+    lamps::{Ask, AtomWeight, Decoder, Encoder, Encoding, Panel, atoms_on},
+    preset,
     spectrum::{Band, Basis, Line, Outside, Series, SpikeSettings},
 };
 
@@ -71,7 +72,7 @@ fn encoding(item: &Value) -> Encoding {
 /// The item's lamp with Y = 1.
 fn lamp(item: &Value) -> Vec<f64> {
     let word = |key: &str| item[key].as_str().expect("a word");
-    let table = table(word("group"), word("name")).expect("a shipped lamp");
+    let table = preset::table(word("group"), word("name")).expect("a shipped lamp");
     let values = table.on_band(BAND, Outside::Zero);
     let seen = Observer::CIE_1931.table().on_band(BAND);
     let y = BAND.inner(&values, &seen[1]);

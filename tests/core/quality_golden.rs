@@ -6,7 +6,7 @@ use serde_json::Value;
 use spectral_explorer::{
     color::Observer,
     color::quality::{Figures, Light, NoFigure, POINTS},
-    preset::{Body, Group, SHIPPED, UNLISTED},
+    preset,
     spectrum::{Outside, Sampled},
 };
 
@@ -21,11 +21,10 @@ fn light_quality() -> Value {
 /// Every shipped table by group and name.
 fn tables() -> HashMap<(String, String), Sampled> {
     let mut tables = HashMap::new();
-    for text in SHIPPED {
-        let group = Group::from_json(text).expect("a shipped file");
-        for item in group.items {
-            if let Body::Spectrum(table) = item.body {
-                tables.insert((group.id.clone(), item.name), table.samples);
+    for group in preset::groups() {
+        for item in &group.items {
+            if let Some(table) = item.spectrum() {
+                tables.insert((group.id.clone(), item.name.clone()), table.samples.clone());
             }
         }
     }
@@ -479,13 +478,12 @@ fn all_edge_lights_are_golden_or_answer_in_words() {
 fn every_table_in_use_has_the_sum_of_its_source() {
     let file = golden(include_str!("../golden/table_sums.json"));
     let mut seen = 0;
-    for text in SHIPPED.into_iter().chain(UNLISTED) {
-        let group = Group::from_json(text).expect("a shipped file");
+    for group in preset::groups().chain(preset::unlisted()) {
         let Some(sums) = file["sums"].get(&group.id) else {
             continue;
         };
-        for item in group.items {
-            let Body::Spectrum(table) = item.body else {
+        for item in &group.items {
+            let Some(table) = item.spectrum() else {
                 continue;
             };
             let expected = numbers(&sums[&item.name]);

@@ -8,7 +8,7 @@ use spectral_explorer::{
         Observer,
         quality::{Dark, FewFigures, Figures, Light, Measured, NoFigure, POINTS, Radiometric},
     },
-    preset::{Body, Group, SHIPPED},
+    preset,
     spectrum::{
         Band, Basis, BasisTable, Composite, Line, Outside, Sampled, Series, SpikeSettings, detect,
         numbers_of_order,
@@ -20,16 +20,10 @@ use spectral_explorer::{
 };
 
 fn shipped(group: &str, name: &str) -> Sampled {
-    for text in SHIPPED {
-        let found = Group::from_json(text).expect("a shipped file");
-        if found.id == group {
-            let item = found.items.into_iter().find(|item| item.name == name);
-            if let Some(Body::Spectrum(table)) = item.map(|item| item.body) {
-                return table.samples;
-            }
-        }
-    }
-    panic!("no shipped {name}");
+    let table = preset::table(group, name);
+    table
+        .unwrap_or_else(|| panic!("no table {group}/{name}"))
+        .clone()
 }
 
 fn table(nm: [f64; 2], values: [f64; 2]) -> Light {

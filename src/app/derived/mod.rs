@@ -13,7 +13,9 @@ pub use patches::{PatchComparison, PatchPair};
 use crate::{
     color::{Adaptation, Observer, Xyz},
     io::many::{many, numbers},
-    spectrum::{Band, Composite, Decomposed, Exactness, Line, Series, SpikeEdits, add_lines},
+    spectrum::{
+        Band, Composite, Decomposed, Exactness, Line, Series, SpikeEdits, add_lines, gaussian,
+    },
     study::{Measure, Verdict},
 };
 
@@ -211,8 +213,7 @@ impl Derived {
             let width = self.parts.stem_width_nm(i);
             let height = spike.stem_height(width);
             for (nm, value) in self.band.grid().zip(&mut values) {
-                let off = (nm - spike.at_nm) / width;
-                *value += height * (-4.0 * std::f64::consts::LN_2 * off * off).exp();
+                *value += height * gaussian((nm - spike.at_nm) / width);
             }
         }
         values

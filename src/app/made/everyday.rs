@@ -4,7 +4,7 @@ use serde::Deserialize;
 
 use super::empty;
 use crate::{
-    preset::{Body, EVERYDAY, Group, Preset, Shelf},
+    preset::{self, Body, EVERYDAY, Group, Preset, Shelf},
     spectrum::Kind,
 };
 
@@ -34,11 +34,11 @@ struct Named {
 }
 
 /// The set, from the groups of the shipped files.
-pub(super) fn group(files: &[Group]) -> Option<Group> {
+pub(super) fn group() -> Option<Group> {
     let file: File = serde_json::from_str(EVERYDAY).ok()?;
     let find = |id: &str| {
         let (group, name) = id.split_once('/')?;
-        let items = &files.iter().find(|g| g.id == group)?.items;
+        let items = &preset::group(group)?.items;
         items.iter().find(|item| item.name == name)
     };
     let named = |Named { name, of }: Named| -> Option<Preset> {

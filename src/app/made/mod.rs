@@ -23,12 +23,12 @@ const MADE: [&str; 4] = [
     filters::FILTERS,
 ];
 
-/// The groups that are made, from the groups of the shipped files.
-pub(super) fn groups(files: &[Group]) -> Vec<Group> {
-    let mut groups = tubes::groups(files);
+/// The groups that are made.
+pub(super) fn groups() -> Vec<Group> {
+    let mut groups = tubes::groups();
     groups.push(thermal::group());
     groups.push(filters::group());
-    groups.extend(everyday::group(files));
+    groups.extend(everyday::group());
     groups
 }
 

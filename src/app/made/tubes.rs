@@ -9,7 +9,7 @@
 
 use super::{empty, preset};
 use crate::{
-    preset::{Body, Composite, Group, LineList, PrintedSpike},
+    preset::{self, Body, Composite, Group, LineList, PrintedSpike},
     spectrum::{Band, Kind},
 };
 
@@ -96,8 +96,8 @@ const HELIUM_NEON_NM: f64 = 632.8;
 const GREEN_NM: f64 = 532.1;
 
 /// The tubes and the lasers, from the shipped lists of lines.
-pub(super) fn groups(files: &[Group]) -> Vec<Group> {
-    let Some(lines) = files.iter().find(|group| group.id == LINES) else {
+pub(super) fn groups() -> Vec<Group> {
+    let Some(lines) = preset::group(LINES) else {
         return Vec::new();
     };
     let like = |id: &str, title: &str| Group {

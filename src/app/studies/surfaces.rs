@@ -34,7 +34,7 @@ pub(super) fn surfaces(group: Option<&str>, band: Band) -> Vec<Surface> {
     let library = Library::bundled();
     let groups: Vec<&Group> = match group {
         Some(id) => library.group(id).into_iter().collect(),
-        None => library.groups().iter().collect(),
+        None => library.groups().to_vec(),
     };
     groups
         .into_iter()

@@ -9,7 +9,7 @@ use super::{
     light::Light,
     no_figure::NoFigure,
     photometry::{LUMENS_PER_WATT, luminous_sum},
-    weight::{Weight, shipped_group, table_of},
+    weight::{Weight, shipped},
 };
 
 /// The five, in the order of the arrays.
@@ -76,7 +76,7 @@ static SPECTRA: LazyLock<[Weight; 5]> = LazyLock::new(|| {
 
 /// Efficacy ratios of the table of D65.
 static OF_D65: LazyLock<[f64; 5]> = LazyLock::new(|| {
-    let d65 = Light::of_sampled(table_of(&shipped_group("cie_illuminants"), "CIE D65"));
+    let d65 = Light::of_sampled(shipped("cie_illuminants", "CIE D65"));
     efficacies(&d65).expect("daylight is seen")
 });
 
@@ -90,7 +90,7 @@ mod tests {
         for (found, stated) in OF_D65.iter().zip([0.8173, 1.4558, 1.6289, 1.4497, 1.3262]) {
             assert!((found - stated).abs() < 5e-5, "{found} {stated}");
         }
-        let d65 = Light::of_sampled(table_of(&shipped_group("cie_illuminants"), "CIE D65"));
+        let d65 = Light::of_sampled(shipped("cie_illuminants", "CIE D65"));
         assert_eq!(alpha_opic(&d65).unwrap().der, [1.0; 5]);
         assert_eq!(alpha_opic(&d65).unwrap().melanopic_edi(250.0), 250.0);
     }

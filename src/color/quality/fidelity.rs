@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 
 use crate::{
     color::{Cct, Observer, Xyz},
-    preset::Body,
+    preset,
     spectrum::Outside,
 };
 
@@ -19,7 +19,7 @@ use super::{
     light::{FIRST_NM, Light, POINTS, positive},
     no_figure::NoFigure,
     reference::{Reference, fidelity_reference},
-    weight::{shipped_group, value_at},
+    weight::value_at,
 };
 
 /// Number of samples.
@@ -212,13 +212,13 @@ struct Tables {
 }
 
 static TABLES: LazyLock<Tables> = LazyLock::new(|| {
-    let group = shipped_group(GROUP);
+    let group = preset::group(GROUP).expect("a shipped file, read in a test of the presets");
     let mut names = Vec::with_capacity(SAMPLES);
     let mut samples = Vec::with_capacity(SAMPLES * SAMPLES_POINTS);
     let last_nm = SAMPLES_FIRST_NM + SAMPLES_POINTS as u32 - 1;
-    for item in group.items {
-        if let Body::Spectrum(table) = item.body {
-            names.push(item.name);
+    for item in &group.items {
+        if let Some(table) = item.spectrum() {
+            names.push(item.name.clone());
             samples.extend(
                 table
                     .samples

@@ -10,7 +10,7 @@ use crate::color::{blackbody::C2_M_K, observer::Observer};
 
 use super::{
     light::{FIRST_NM, LAST_NM, POINTS},
-    weight::{shipped_group, table_of},
+    weight::shipped,
 };
 use crate::spectrum::{Outside, dot};
 
@@ -166,9 +166,8 @@ fn daylight_factors(kelvin: f64) -> [f64; 2] {
 
 /// The daylight components S0, S1 and S2 on whole nm 360-830.
 static COMPONENTS: LazyLock<[Vec<f64>; 3]> = LazyLock::new(|| {
-    let group = shipped_group("cie_illuminants");
     [0, 1, 2].map(|k| {
-        table_of(&group, &format!("CIE daylight component S{k}")).on_whole_nm(
+        shipped("cie_illuminants", &format!("CIE daylight component S{k}")).on_whole_nm(
             FIRST_NM,
             LAST_NM,
             Outside::Zero,

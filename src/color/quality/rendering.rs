@@ -19,7 +19,7 @@ use super::{
     no_figure::NoFigure,
     reference::{Reference, rendering_reference},
     sprague::sprague,
-    weight::{shipped_group, table_of, value_at},
+    weight::{shipped, value_at},
 };
 
 /// Number of test colours.
@@ -224,9 +224,8 @@ pub(crate) fn rendering_factors() -> &'static [Vec<f64>] {
 
 /// Radiance factors on whole nm 360-830, end values held.
 static TEST_COLOURS: LazyLock<Vec<Vec<f64>>> = LazyLock::new(|| {
-    let group = shipped_group("cri_tcs");
     let table = |name: &str| {
-        let table = table_of(&group, name);
+        let table = shipped("cri_tcs", name);
         let fine = sprague(table.values(), TABLE_STEP_NM);
         let fine = Sampled::even(table.first_nm(), 1.0, fine).expect("finite values");
         fine.on_whole_nm(FIRST_NM, LAST_NM, Outside::Hold)

@@ -13,7 +13,7 @@ use super::{
     light::{FIRST_NM, Light, positive},
     no_figure::NoFigure,
     reference::{daylight, planck},
-    weight::{shipped_group, table_of},
+    weight::shipped,
 };
 
 const BANDS: usize = 30;
@@ -196,12 +196,11 @@ pub fn similarity(light: &Light, kelvin: Result<f64, NoFigure>) -> Result<Simila
 
 /// P3200, D55 and D65.
 static FIXED: LazyLock<[SimilarityBands; 3]> = LazyLock::new(|| {
-    let group = shipped_group("cie_illuminants");
     let of = |light: Light| SimilarityBands::of(&light).expect("a reference is lit");
     [
         of(Light::of_nm_values(&planck(3200.0))),
-        of(Light::of_sampled(table_of(&group, "CIE D55"))),
-        of(Light::of_sampled(table_of(&group, "CIE D65"))),
+        of(Light::of_sampled(shipped("cie_illuminants", "CIE D55"))),
+        of(Light::of_sampled(shipped("cie_illuminants", "CIE D65"))),
     ]
 });
 

@@ -2,7 +2,7 @@
 
 use crate::{
     color::observer,
-    preset::{Body, Group},
+    preset,
     spectrum::{Outside, Sampled, dot},
 };
 
@@ -65,18 +65,9 @@ pub(super) fn value_at(first_nm: u32, values: &[f64], at_nm: f64) -> f64 {
     values[left] * (1.0 - t) + values[left + 1] * t
 }
 
-/// The group of shipped presets with an id; its absence is a broken build, which a test would show.
-pub(super) fn shipped_group(id: &str) -> Group {
-    Group::shipped(id).unwrap_or_else(|| panic!("no shipped file of the group {id:?}"))
-}
-
-/// The table of a group's item.
-pub(super) fn table_of<'a>(group: &'a Group, name: &str) -> &'a Sampled {
-    let item = group.items.iter().find(|item| item.name == name);
-    match item.map(|item| &item.body) {
-        Some(Body::Spectrum(table)) => &table.samples,
-        _ => panic!("the group {:?} has no table named {name:?}", group.id),
-    }
+/// A shipped table; its absence is a broken build, which a test would show.
+pub(super) fn shipped(group: &str, name: &str) -> &'static Sampled {
+    preset::table(group, name).unwrap_or_else(|| panic!("no shipped table {group}/{name}"))
 }
 
 #[cfg(test)]

@@ -99,7 +99,7 @@ static BASIC_ROWS: std::sync::LazyLock<Vec<[f64; BASIC]>> = std::sync::LazyLock:
 });
 
 pub(super) static MELANOPIC_OF_D65: std::sync::LazyLock<f64> = std::sync::LazyLock::new(|| {
-    let d65 = whole_nm::table(&whole_nm::shipped("cie_illuminants", "CIE D65"));
+    let d65 = whole_nm::table(whole_nm::shipped("cie_illuminants", "CIE D65"));
     let sums = basic_sums(&d65);
     sums[3] / sums[1]
 });

@@ -5,7 +5,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use super::*;
-use crate::preset::{SHIPPED, UNLISTED};
+use crate::preset::shipped::{SHIPPED, UNLISTED};
 
 const SMALL: &str = r#"{"format":"spectral-explorer-presets","version":1,"group":"g","title":"t",
 "kind":"light","shelf":"LED","source":"s","licence":{"id":"MIT","words":"w"},

@@ -11,7 +11,7 @@ use super::Colours;
 use crate::{
     color::{Weights, Xyz, xyz_of_parts},
     rivals::{Representation, Samples},
-    spectrum::{Band, BasisTable, Composite, InnerProducts, Line, Series, dot},
+    spectrum::{Band, BasisTable, Composite, InnerProducts, Line, Series, dot, gaussian},
 };
 
 /// Y that the light behind the filter is brought to, of the whole light's 1.
@@ -128,10 +128,7 @@ impl Narrow {
     /// [`NARROWEST_NM`]) at half its maximum.
     pub fn behind(&self, centre_nm: f64, width_nm: f64) -> NarrowPoint {
         let width_nm = width_nm.max(NARROWEST_NM);
-        let bell = |nm: f64| {
-            let x = (nm - centre_nm) / width_nm;
-            (-4.0 * std::f64::consts::LN_2 * x * x).exp()
-        };
+        let bell = |nm: f64| gaussian((nm - centre_nm) / width_nm);
         let index = |nm: f64| (nm - self.band.min_nm()).clamp(0.0, self.band.points() as f64);
         let first = index((centre_nm - REACH_WIDTHS * width_nm).floor()) as usize;
         let beyond = index((centre_nm + REACH_WIDTHS * width_nm).ceil() + 1.0) as usize;

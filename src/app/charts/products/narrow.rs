@@ -19,7 +19,7 @@ use crate::{
     color::{Adaptation, Swatch},
     io::many::numbers,
     preset::Shelf,
-    spectrum::{Band, Kind},
+    spectrum::{Band, Kind, gaussian},
     study::products::{Colours, Narrow, NarrowPoint},
 };
 
@@ -68,10 +68,7 @@ impl Filter {
                 width_nm,
             } => band
                 .grid()
-                .map(|nm| {
-                    let x = (nm - centre_nm) / width_nm;
-                    (-4.0 * std::f64::consts::LN_2 * x * x).exp()
-                })
+                .map(|nm| gaussian((nm - centre_nm) / width_nm))
                 .collect(),
             Self::Real(entry) => entry.on_band(band),
         }
