@@ -40,7 +40,7 @@ use spectral_explorer::{
             Colour, ColourPicture, Encoded, Method, NODES, Recovered, Seen, Viewing, metamers,
             predictions, spectral_rows, usual_bands,
         },
-        solve::{Against, Care, Favour, FrontWish, MixFigures, Mixer, Target, Wish, front},
+        solve::{Against, Care, FrontWish, MixFigures, Mixer, Objective, Target, Wish, front},
     },
     spectrum::Sampled,
     study::Progress,
@@ -195,14 +195,14 @@ fn to_within_a_tenth() {
         let channels: Vec<Channel> = words.map(channel).collect();
         let mixer = Mixer::new(&channels, SampleTables::shipped()).unwrap();
         let target = Target::of_kelvin(case["kelvin"].as_f64().unwrap(), 0.0).unwrap();
-        for favour in [Favour::Ra, Favour::Rf] {
+        for favour in [Objective::Ra, Objective::Rf] {
             let found = mixer.solve(&Wish {
                 target: Some(target),
                 favour,
                 ..Wish::default()
             });
             let figure = match favour {
-                Favour::Ra => found.figures.ra,
+                Objective::Ra => found.figures.ra,
                 _ => found.figures.rf,
             };
             assert!(figure.unwrap() > case[favour.word()].as_f64().unwrap() - 0.1);
@@ -218,10 +218,10 @@ fn design(c: &mut Criterion) {
     let target = Some(Target::of_kelvin(4000.0, 0.0).unwrap());
     to_within_a_tenth();
     for (favour, care) in [
-        (Favour::Ler, Care::Full),
-        (Favour::Rf, Care::Quick),
-        (Favour::Rf, Care::Full),
-        (Favour::Ra, Care::Full),
+        (Objective::Ler, Care::Full),
+        (Objective::Rf, Care::Quick),
+        (Objective::Rf, Care::Full),
+        (Objective::Ra, Care::Full),
     ] {
         let wish = Wish {
             target,

@@ -27,8 +27,8 @@ use spectral_explorer::{
     app::Library,
     color::Observer,
     optics::{
-        Absorption, Bench, BenchSettings, Brilliant, Ending, Film, FilmSettings, Light, Scene, Sky,
-        Studio, Stuff,
+        Absorption, Bench, BenchSettings, Brilliant, BuiltinMaterial, Ending, Film, FilmSettings,
+        Light, Scene, Sky, Studio,
     },
     spectrum::{Band, Line, SpikeSettings, detect},
     study::Progress,
@@ -36,7 +36,7 @@ use spectral_explorer::{
 
 fn studio_in(scene: Scene) -> Studio {
     let solid = Brilliant::default().solid().expect("the default cut");
-    let diamond = Stuff::Diamond.material();
+    let diamond = BuiltinMaterial::Diamond.material();
     Studio::new(solid, diamond, Absorption::None, scene).expect("a scene in order")
 }
 
@@ -258,7 +258,7 @@ fn bench_and_sky(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("1000 columns, 20 spikes");
     group.bench_function("prism, set up, all figures and the screen", |b| {
         b.iter(|| {
-            let bench = Bench::new(BenchSettings::default(), Stuff::NSf11.material());
+            let bench = Bench::new(BenchSettings::default(), BuiltinMaterial::NSf11.material());
             let bench = bench.expect("the default bench");
             let screen = bench
                 .whole_screen(&light, 1000)
@@ -271,7 +271,7 @@ fn bench_and_sky(criterion: &mut Criterion) {
     });
     group.sample_size(10);
     group.bench_function("prism, plain points of 0.001 nm", |b| {
-        let bench = Bench::new(BenchSettings::default(), Stuff::NSf11.material());
+        let bench = Bench::new(BenchSettings::default(), BuiltinMaterial::NSf11.material());
         let bench = bench.expect("the default bench");
         b.iter(|| {
             let mut columns = vec![0.0; 1000];
@@ -286,14 +286,14 @@ fn bench_and_sky(criterion: &mut Criterion) {
         });
     });
     group.sample_size(30);
-    let sky = Sky::new(Stuff::Water.material(), 1000);
+    let sky = Sky::new(BuiltinMaterial::Water.material(), 1000);
     group.bench_function("rainbow, another light", |b| {
         b.iter(|| black_box(sky.strip(&light, Observer::CIE_1931, true)));
     });
     group.sample_size(10);
     group.bench_function("rainbow, all wavelengths anew", |b| {
         b.iter(|| {
-            let sky = Sky::new(Stuff::Water.material(), 1000);
+            let sky = Sky::new(BuiltinMaterial::Water.material(), 1000);
             black_box(sky.strip(&light, Observer::CIE_1931, true))
         });
     });

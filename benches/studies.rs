@@ -24,8 +24,8 @@ use spectral_explorer::{
     },
     spectrum::numbers_of_order,
     study::{
-        Examined, Goal, Measure, Progress, Way,
-        race::{self, Course, Lamp},
+        Examined, FitVariant, Goal, Measure, Progress,
+        race::{self, Lamp, RaceConfig},
     },
 };
 
@@ -41,7 +41,7 @@ fn a_sweep(criterion: &mut Criterion) {
     group.bench_function("this program, with the threshold map", |b| {
         b.iter(|| black_box(ask.answer(&go())));
     });
-    let apps: Vec<App> = Way::ALL
+    let apps: Vec<App> = FitVariant::ALL
         .map(|way| {
             let mut app = App::new();
             app.apply(Command::Edit(Settings {
@@ -115,7 +115,7 @@ fn a_race(criterion: &mut Criterion) {
             b.iter(|| black_box(race::run(&course, &lamps, &go())));
         });
     }
-    let others = Course {
+    let others = RaceConfig {
         encoder: None,
         ..course
     };

@@ -13,7 +13,7 @@ use super::{
 };
 use crate::{
     io::{WRITABLE, losses, shown},
-    lamps::{Decoder, EncodingError, Makeup, decode_json, read_encoding},
+    lamps::{Decoder, EncodingError, Ingredients, decode_json, read_encoding},
     spectrum::{Band, Kind, NamedSpectrum, Sampled},
 };
 
@@ -53,7 +53,7 @@ pub(super) fn run(
     let (encoding, read) = read_encoding(&text, *range).map_err(refused)?;
     let band = encoding.band();
     let values = Decoder::new(band).decode(&encoding).map_err(refused)?;
-    let makeup = Makeup::of(&encoding).in_words();
+    let makeup = Ingredients::of(&encoding).in_words();
     let mut told = if *json {
         format!("{:#}\n", decode_json(&encoding, &read))
     } else {

@@ -13,7 +13,7 @@ use crate::{
         ticks::short,
     },
     io::{Choices, quoted, shown},
-    optics::{Absorption, Light, Material, Stuff},
+    optics::{Absorption, BuiltinMaterial, Light, Material},
     spectrum::Kind,
 };
 
@@ -23,7 +23,7 @@ use crate::{
 /// [`Refusal`] for another word, a file without such a curve and numbers that are no material.
 pub(super) fn material(word: &OsStr, inputs: &mut Inputs) -> Result<Material, Refusal> {
     let text = word.to_string_lossy();
-    if let Some(stuff) = Stuff::from_word(&text) {
+    if let Some(stuff) = BuiltinMaterial::from_word(&text) {
         return Ok(stuff.material());
     }
     let path = Path::new(word);
@@ -34,7 +34,10 @@ pub(super) fn material(word: &OsStr, inputs: &mut Inputs) -> Result<Material, Re
         let material = Material::from_two_numbers(*n_d, *v_d);
         return material.map_err(|why| Refusal::Usage(format!("--material: {why}")));
     }
-    let known: Vec<&str> = Stuff::ALL.into_iter().map(Stuff::word).collect();
+    let known: Vec<&str> = BuiltinMaterial::ALL
+        .into_iter()
+        .map(BuiltinMaterial::word)
+        .collect();
     Err(Refusal::Usage(format!(
         "--material: found {}, expected {}, n_d,V_d or a .yml file",
         quoted(&text),

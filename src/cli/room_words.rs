@@ -6,7 +6,7 @@ use crate::{
     color::{Adaptation, Srgb},
     design::{
         recover::Method,
-        solve::{Against, FREE_LINES, Favour},
+        solve::{Against, FREE_LINES, Objective},
     },
     optics::{self, View},
     pictures::ReferenceKind,
@@ -52,8 +52,8 @@ pub(super) fn method(word: &str) -> Result<Method, String> {
 }
 
 /// `--favour`.
-pub(super) fn favour(word: &str) -> Result<Favour, String> {
-    one_of(word, &Favour::ALL, Favour::word)
+pub(super) fn favour(word: &str) -> Result<Objective, String> {
+    one_of(word, &Objective::ALL, Objective::word)
 }
 
 /// `--front`.

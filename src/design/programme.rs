@@ -74,7 +74,7 @@ pub(super) struct Programme<const M: usize> {
 
 /// A corner of what the equations and bounds allow.
 #[derive(Clone, Debug)]
-pub(super) struct Corner<const M: usize> {
+pub(super) struct BasicSolution<const M: usize> {
     basis: [usize; M],
     place: Vec<Place>,
     values: [f64; M],
@@ -126,9 +126,9 @@ impl<const M: usize> Programme<M> {
     /// # Errors
     /// [`End::Impossible`] where nothing satisfies the equations and bounds, [`End::Stuck`] where
     /// that is not known.
-    pub(super) fn corner(&mut self) -> Result<Corner<M>, End> {
+    pub(super) fn corner(&mut self) -> Result<BasicSolution<M>, End> {
         let count = self.lengths.len();
-        let mut corner = Corner {
+        let mut corner = BasicSolution {
             basis: std::array::from_fn(|row| count + row),
             place: vec![Place::Lower; count + M],
             values: self.right.map(f64::abs),
@@ -153,7 +153,7 @@ impl<const M: usize> Programme<M> {
     ///
     /// # Errors
     /// [`End::Endless`] where it grows without bound, [`End::Stuck`] where the best is not known.
-    pub(super) fn maximise(&self, corner: &mut Corner<M>, gain: &[f64]) -> Result<f64, End> {
+    pub(super) fn maximise(&self, corner: &mut BasicSolution<M>, gain: &[f64]) -> Result<f64, End> {
         let mut scaled: Vec<f64> = gain
             .iter()
             .zip(&self.lengths)
@@ -172,7 +172,7 @@ impl<const M: usize> Programme<M> {
     /// As [`Programme::maximise`].
     pub(super) fn extreme(
         &self,
-        corner: &mut Corner<M>,
+        corner: &mut BasicSolution<M>,
         index: usize,
         sign: f64,
     ) -> Result<Option<f64>, End> {
@@ -187,7 +187,7 @@ impl<const M: usize> Programme<M> {
     }
 
     /// The unknowns at a corner.
-    pub(super) fn solution(&self, corner: &Corner<M>) -> Vec<f64> {
+    pub(super) fn solution(&self, corner: &BasicSolution<M>) -> Vec<f64> {
         let lengths = self.lengths.iter().enumerate();
         let value = |(index, length): (usize, &f64)| {
             if *length > 0.0 {
@@ -199,7 +199,7 @@ impl<const M: usize> Programme<M> {
         lengths.map(value).collect()
     }
 
-    fn value(&self, corner: &Corner<M>, index: usize) -> f64 {
+    fn value(&self, corner: &BasicSolution<M>, index: usize) -> f64 {
         match corner.place[index] {
             Place::Lower => 0.0,
             Place::Upper => self.upper[index],
@@ -217,7 +217,7 @@ impl<const M: usize> Programme<M> {
     }
 
     /// Whether the basic unknowns keep their bounds to rounding.
-    fn is_inside(&self, corner: &Corner<M>) -> bool {
+    fn is_inside(&self, corner: &BasicSolution<M>) -> bool {
         let rounding = POSSIBLE * self.size();
         let both = corner.basis.iter().zip(&corner.values);
         let mut kept = both.map(|(index, value)| (*value, self.upper[*index]));
@@ -225,7 +225,7 @@ impl<const M: usize> Programme<M> {
     }
 
     /// Exchanges until nothing gains.
-    fn climb(&self, corner: &mut Corner<M>, gain: &[f64]) -> Result<(), End> {
+    fn climb(&self, corner: &mut BasicSolution<M>, gain: &[f64]) -> Result<(), End> {
         for step in 0..MOST_STEPS {
             let basis: [[f64; M]; M] =
                 std::array::from_fn(|row| corner.basis.map(|b| self.columns[b][row]));
@@ -259,7 +259,7 @@ impl<const M: usize> Programme<M> {
         Err(End::Stuck)
     }
 
-    fn basic_values(&self, corner: &Corner<M>, inverse: &[[f64; M]; M]) -> [f64; M] {
+    fn basic_values(&self, corner: &BasicSolution<M>, inverse: &[[f64; M]; M]) -> [f64; M] {
         let mut right = self.right;
         for ((column, upper), place) in self.columns.iter().zip(&self.upper).zip(&corner.place) {
             if *place == Place::Upper {
@@ -272,7 +272,7 @@ impl<const M: usize> Programme<M> {
     /// The unknown that gains most by leaving its bound (or the first that gains), and the sense.
     fn entering(
         &self,
-        corner: &Corner<M>,
+        corner: &BasicSolution<M>,
         gain: &[f64],
         prices: &[f64; M],
         by_index: bool,
@@ -304,7 +304,7 @@ impl<const M: usize> Programme<M> {
     }
 
     /// What stops the unknown that leaves its bound: a basic one, or its own other bound.
-    fn first_stop(&self, corner: &Corner<M>, turn: &[f64; M], own: f64) -> Stop {
+    fn first_stop(&self, corner: &BasicSolution<M>, turn: &[f64; M], own: f64) -> Stop {
         let mut nearest = own;
         let mut stop = if own.is_finite() {
             Stop::Own
@@ -384,7 +384,7 @@ mod tests {
     fn a_search_that_rounding_ends_does_not_claim_the_best() {
         // A basis of two columns that are the same has no inverse: nothing is known from there.
         let programme = Programme::new(&[[1.0, 1.0], [1.0, 1.0], [0.0, 1.0]], &[1.0; 3], [1.0; 2]);
-        let mut corner = Corner {
+        let mut corner = BasicSolution {
             basis: [0, 1],
             place: vec![
                 Place::Basic,
@@ -406,7 +406,7 @@ mod tests {
     fn a_corner_beyond_its_bounds_is_not_the_best() {
         // x = 2 with x of 1 at most, as rounding could leave it.
         let programme = Programme::new(&[[1.0]], &[1.0], [2.0]);
-        let mut corner = Corner {
+        let mut corner = BasicSolution {
             basis: [0],
             place: vec![Place::Basic, Place::Lower],
             values: [2.0],

@@ -16,7 +16,7 @@ use super::{
     encoding::Encoding,
     error::EncodingError,
     judge::Errors,
-    work::Work,
+    work::EncodeJob,
 };
 use crate::{spectrum::dot, study::scaled_to_one};
 
@@ -77,7 +77,7 @@ impl Encoder {
             .panel
             .exact(&unit)
             .ok_or(EncodingError::NoColour { band })?;
-        let work = Work::new(self, &unit, exact, ask.numbers);
+        let work = EncodeJob::new(self, &unit, exact, ask.numbers);
         let mut usable = self.usable(&unit, ask);
         for (usable, atom) in usable.iter_mut().zip(self.decoder.atoms()) {
             *usable &= !left_out.contains(&atom.index);
@@ -140,7 +140,7 @@ mod tests {
                 let ask = Ask::numbers(numbers).in_comparison();
                 let chosen = encoder.encode(&light, ask).expect("a light");
                 let exact = encoder.panel.exact(&unit).expect("a colour");
-                let work = Work::new(&encoder, &unit, exact, numbers);
+                let work = EncodeJob::new(&encoder, &unit, exact, numbers);
                 let own = score(chosen.errors.to_array(), work.small);
                 for way in work.counted.today.ways(&unit) {
                     let theirs = work

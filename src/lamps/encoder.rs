@@ -8,7 +8,7 @@ use std::{
 
 use super::{
     columns::Columns, encoding::Decoder, error::EncodingError, judge::Panel, known::atoms_on,
-    today::Today,
+    today::Baselines,
 };
 use crate::{
     color::{Observer, PatchSet},
@@ -35,7 +35,7 @@ pub struct Encoder {
 pub(super) struct Counted {
     /// The patches as cosine series.
     pub(super) patches: PatchSet,
-    pub(super) today: Today,
+    pub(super) today: Baselines,
 }
 
 impl Encoder {
@@ -80,7 +80,7 @@ impl Encoder {
         let mut known = self.counted.lock().unwrap_or_else(|e| e.into_inner());
         let new = || Counted {
             patches: self.panel.patches_as_cosines(numbers),
-            today: Today::new(&self.panel, numbers, self.spikes),
+            today: Baselines::new(&self.panel, numbers, self.spikes),
         };
         known
             .entry(numbers)

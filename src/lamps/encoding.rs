@@ -10,7 +10,7 @@ use super::{
 };
 use crate::{
     spectrum::{Band, Basis, BasisTable, Composite, Line, Series, gaussian},
-    study::Way,
+    study::FitVariant,
 };
 
 /// Most known lamps in one encoding: the label has room for two.
@@ -46,7 +46,7 @@ pub struct Encoding {
     /// Lines, in the order in which they were bought; places and widths as they are stored.
     pub lines: Vec<Line>,
     /// One of today's ways, which needs no label; `None` for known lamps and lines of own width.
-    pub way: Option<Way>,
+    pub way: Option<FitVariant>,
 }
 
 impl Encoding {

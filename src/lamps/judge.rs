@@ -19,9 +19,8 @@ use crate::{
     },
     spectrum::{Band, Basis},
     study::{
-        FitBasis, ProjectedSpectrum,
+        FitBasis, ProjectedSpectrum, bandpass,
         error::{BLUR_NM, Blur},
-        narrow_filter,
     },
 };
 
@@ -97,9 +96,7 @@ impl Panel {
         let inside = centres.filter(|nm| band.contains(*nm));
         Self {
             exact: PatchSet::new(&reflectances, names.clone(), band, observer),
-            filters: inside
-                .map(|nm| Window::of(&narrow_filter(band, nm)))
-                .collect(),
+            filters: inside.map(|nm| Window::of(&bandpass(band, nm))).collect(),
             weighted: observer.table().weighted_on_band(band),
             blur: Blur::new(band, BLUR_NM),
             seen: observer.table().on_band(band),

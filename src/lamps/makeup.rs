@@ -19,7 +19,7 @@ pub struct Part {
 
 /// What a light is made of.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Makeup {
+pub struct Ingredients {
     /// Known lamps.
     pub parts: Vec<Part>,
     /// Functions of the smooth part.
@@ -32,7 +32,7 @@ pub struct Makeup {
     pub power: f64,
 }
 
-impl Makeup {
+impl Ingredients {
     /// The makeup of an encoding.
     pub fn of(encoding: &Encoding) -> Self {
         let power = encoding.power();
@@ -155,7 +155,7 @@ mod tests {
             weight: 0.17,
             fwhm_nm: 0.0,
         };
-        let makeup = Makeup::of(&encoding(&[(133, 0.62), (150, 0.21)], vec![line]));
+        let makeup = Ingredients::of(&encoding(&[(133, 0.62), (150, 0.21)], vec![line]));
         assert_eq!(
             makeup.in_words(),
             "0.62 blackbody 2600 K + 0.21 daylight 5700 K + 9 cosine numbers + 1 line"
@@ -168,7 +168,7 @@ mod tests {
 
     #[test]
     fn what_is_taken_away_and_what_is_little_shows() {
-        let makeup = Makeup::of(&encoding(&[(133, 1.06), (150, -0.0612)], Vec::new()));
+        let makeup = Ingredients::of(&encoding(&[(133, 1.06), (150, -0.0612)], Vec::new()));
         assert_eq!(
             makeup.in_words(),
             "1.06 blackbody 2600 K \u{2212} 0.061 daylight 5700 K + 9 cosine numbers"
@@ -179,7 +179,7 @@ mod tests {
 
     #[test]
     fn a_light_without_power_shows_weights() {
-        let makeup = Makeup::of(&encoding(&[(133, -2.0)], Vec::new()));
+        let makeup = Ingredients::of(&encoding(&[(133, -2.0)], Vec::new()));
         assert_eq!(makeup.parts[0].share, None);
         assert_eq!(
             makeup.in_words(),

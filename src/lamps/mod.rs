@@ -49,7 +49,7 @@ pub use encoding::{AtomWeight, Decoder, Encoding};
 pub use error::EncodingError;
 pub use judge::{Errors, Exact, Panel};
 pub use known::{Atom, KnownLamp, atoms_on, known_lamps, namesakes};
-pub use makeup::{Makeup, Part};
+pub use makeup::{Ingredients, Part};
 pub use race::Racing;
 pub use report::{Encoded, decode_json, encode_json, encode_words, judged, read_encoding};
 pub use words::{from_words, rounded, to_words, words_from_text};

@@ -12,7 +12,7 @@
 use super::{judge::Panel, window::Window};
 use crate::{
     spectrum::{Band, dot},
-    study::{error::BLUR_NM, narrow_filter},
+    study::{bandpass, error::BLUR_NM},
 };
 
 /// Centres of the band-passes: first, distance, last, nm.
@@ -52,9 +52,7 @@ impl Operators {
             band,
             seen: panel.observer().table().weighted_on_band(band),
             patches: panel.reflectances().to_vec(),
-            filters: inside
-                .map(|nm| Window::of(&narrow_filter(band, nm)))
-                .collect(),
+            filters: inside.map(|nm| Window::of(&bandpass(band, nm))).collect(),
             blur: (0..band.points()).step_by(BLUR_STEP).map(blurred).collect(),
         }
     }

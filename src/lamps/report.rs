@@ -10,7 +10,7 @@ use super::{
     error::EncodingError,
     judge::{Errors, Panel},
     known::known_lamps,
-    makeup::Makeup,
+    makeup::Ingredients,
     words::{from_words, rounded, to_words, words_from_text},
 };
 use crate::spectrum::{Band, Basis};
@@ -141,7 +141,7 @@ pub fn encode_words(encoded: &Encoded, count: Count) -> String {
         own,
     } = encoded;
     let words: Vec<String> = words.iter().map(|word| format!("{word:08x}")).collect();
-    let makeup = Makeup::of(encoding);
+    let makeup = Ingredients::of(encoding);
     let mut text = format!("{}\n{}\n", words.join(" "), makeup.in_words());
     for line in makeup.lines_in_words() {
         text.push_str(&format!("  line at {line}\n"));

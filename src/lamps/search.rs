@@ -19,7 +19,7 @@ const LEAST_LEFT: f64 = 1e-9;
 
 /// What an encoding is made of, before places and widths are refined.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Makeup {
+pub(super) struct Selection {
     /// Smooth numbers.
     pub cosines: usize,
     /// Known lamps, as places in the columns' atoms.
@@ -108,12 +108,12 @@ pub(super) struct Search<'a> {
     /// nothing is chosen after the last of a makeup.
     chosen: BTreeMap<Pick, (Vec<f64>, Option<Sums>)>,
     /// Kept for the next makeup of as many cosines.
-    room: Vec<Room>,
+    room: Vec<ResidualState>,
 }
 
 /// What is left of every column beside some cosines.
 #[derive(Clone, Debug)]
-struct Room {
+struct ResidualState {
     cosines: usize,
     squares: Sums,
     towards: Sums,
@@ -193,7 +193,7 @@ impl<'a> Search<'a> {
     }
 
     /// The best makeup of these counts; `None` when the pool has no such columns.
-    pub(super) fn makeup(&mut self, counts: Counts) -> Option<Makeup> {
+    pub(super) fn makeup(&mut self, counts: Counts) -> Option<Selection> {
         let room = self.room(counts.cosines);
         let (mut squares, mut towards, mut rest) = (room.squares, room.towards, room.rest);
         let mut directions: Vec<Direction> = Vec::new();
@@ -221,7 +221,7 @@ impl<'a> Search<'a> {
                 _ => None,
             })
         };
-        Some(Makeup {
+        Some(Selection {
             cosines: counts.cosines,
             atoms: chosen(true).collect(),
             lines: chosen(false).collect(),
@@ -230,7 +230,7 @@ impl<'a> Search<'a> {
     }
 
     /// What is left of every column beside so many cosines.
-    fn room(&mut self, cosines: usize) -> Room {
+    fn room(&mut self, cosines: usize) -> ResidualState {
         if let Some(room) = self.room.iter().find(|room| room.cosines == cosines) {
             return room.clone();
         }
@@ -239,7 +239,7 @@ impl<'a> Search<'a> {
         let mut room = before
             .max_by_key(|room| room.cosines)
             .cloned()
-            .unwrap_or(Room {
+            .unwrap_or(ResidualState {
                 cosines: LEADING,
                 squares: self.squares.clone(),
                 towards: self.towards.clone(),

@@ -7,12 +7,12 @@ use super::{encoding::Encoding, judge::Panel};
 use crate::{
     color::Weights,
     spectrum::{Basis, Line, SpikeSettings, detect_shapes},
-    study::{FitBasis, ProjectedSpectrum, Way, error::Blur},
+    study::{FitBasis, FitVariant, ProjectedSpectrum, error::Blur},
 };
 
 /// What today's ways share on one band.
 #[derive(Clone, Debug)]
-pub(super) struct Today {
+pub(super) struct Baselines {
     bases: [FitBasis; 2],
     seen: Weights,
     blur: Blur,
@@ -20,7 +20,7 @@ pub(super) struct Today {
     numbers: usize,
 }
 
-impl Today {
+impl Baselines {
     /// For `numbers` numbers, lines looked for as `spikes` say.
     pub(super) fn new(panel: &Panel, numbers: usize, spikes: SpikeSettings) -> Self {
         let (band, seen) = (panel.band(), panel.seen());
@@ -39,10 +39,10 @@ impl Today {
         let band = self.bases[0].table.band();
         let (_, shapes) = detect_shapes(band, values, self.spikes);
         let blurred = self.blur.values(values);
-        let mut found = Vec::with_capacity(Way::ALL.len());
+        let mut found = Vec::with_capacity(FitVariant::ALL.len());
         for (basis, fit) in Basis::ALL.iter().zip(&self.bases) {
             let projected = ProjectedSpectrum::new(fit, values, &shapes, &self.seen);
-            for way in Way::ALL.iter().filter(|way| way.basis == *basis) {
+            for way in FitVariant::ALL.iter().filter(|way| way.basis == *basis) {
                 let most = projected.lines().min(numbers.saturating_sub(3) / 2);
                 if way.spikes && most == 0 {
                     // The same as without.

@@ -28,7 +28,7 @@ use super::{
 use crate::{
     color::Observer,
     spectrum::{Band, Basis, Line, Series, ThreeSums},
-    study::Way,
+    study::FitVariant,
 };
 
 /// The first byte of an integer.
@@ -174,7 +174,7 @@ pub fn from_words(words: &[u32], band: Band) -> Result<Encoding, EncodingError> 
         );
     }
     let way = (!(has_label || lines.is_empty() && basis == Basis::Cosine))
-        .then(|| Way::new(basis, !lines.is_empty(), true));
+        .then(|| FitVariant::new(basis, !lines.is_empty(), true));
     Ok(Encoding {
         atoms,
         smooth: Series {
@@ -442,7 +442,7 @@ mod tests {
                     coefficients: vec![1.0, 0.5, -0.25],
                 },
                 lines: vec![Line::ideal(436.0, 3.0)],
-                way: Some(Way::new(basis, true, true)),
+                way: Some(FitVariant::new(basis, true, true)),
             };
             let decoder = Decoder::new(BAND);
             let rounded = rounded(&encoding, &decoder, Observer::CIE_1931).expect("small numbers");

@@ -12,7 +12,7 @@ use super::{
     judge::{Errors, Exact},
     orthonormal::Orthonormal,
     refine::{errors_of, refine},
-    search::{Counts, Makeup, Search},
+    search::{Counts, Search, Selection},
 };
 use crate::spectrum::{Basis, Line, Series, dot};
 
@@ -40,7 +40,7 @@ pub(super) struct Candidate {
 }
 
 /// A light being encoded.
-pub(super) struct Work<'a> {
+pub(super) struct EncodeJob<'a> {
     encoder: &'a Encoder,
     goals: Goals,
     pub(super) exact: Exact,
@@ -58,7 +58,7 @@ pub(super) struct Work<'a> {
     smooth: Orthonormal,
 }
 
-impl<'a> Work<'a> {
+impl<'a> EncodeJob<'a> {
     /// Linearises the goals and fits the plain series.
     pub(super) fn new(encoder: &'a Encoder, light: &[f64], exact: Exact, numbers: usize) -> Self {
         let columns = &encoder.columns;
@@ -140,7 +140,7 @@ impl<'a> Work<'a> {
     }
 
     /// The best makeups of all counts, best first.
-    fn makeups(&self, usable: &[bool], ask: Ask) -> Vec<Makeup> {
+    fn makeups(&self, usable: &[bool], ask: Ask) -> Vec<Selection> {
         let columns = &self.encoder.columns;
         let known = usable.iter().filter(|u| **u).count();
         let mut search = Search::new(
@@ -166,7 +166,7 @@ impl<'a> Work<'a> {
         }
         // Rooms are built from smaller ones.
         counts.sort_by_key(|c| c.cosines);
-        let mut makeups: Vec<Makeup> = counts
+        let mut makeups: Vec<Selection> = counts
             .into_iter()
             .filter_map(|c| search.makeup(c))
             .collect();

@@ -15,11 +15,11 @@ pub fn reflectances(n1: f64, cos1: f64, n2: f64, cos2: f64) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::optics::Stuff;
+    use crate::optics::BuiltinMaterial;
 
     #[test]
     fn a_sixth_of_the_light_comes_back_from_diamond() {
-        let n = Stuff::Diamond.material().index(589.294).unwrap();
+        let n = BuiltinMaterial::Diamond.material().index(589.294).unwrap();
         let [s, p] = reflectances(1.0, 1.0, n, 1.0);
         // The definition's six digits.
         assert!((s - 0.172_006).abs() < 5e-7, "{s}");

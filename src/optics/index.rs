@@ -356,11 +356,11 @@ fn resonances(squared: &[f64]) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::optics::Stuff;
+    use crate::optics::BuiltinMaterial;
 
     #[test]
     fn the_analytic_slope_is_the_slope() {
-        for stuff in Stuff::ALL {
+        for stuff in BuiltinMaterial::ALL {
             let material = stuff.material();
             for at_nm in [400.0, 587.5618, 760.0] {
                 let n = |nm: f64| material.index(nm).unwrap();
@@ -402,12 +402,12 @@ mod tests {
 
     #[test]
     fn a_formula_ends_at_its_resonances() {
-        let zirconia = Stuff::Zirconia.material();
+        let zirconia = BuiltinMaterial::Zirconia.material();
         assert!(zirconia.index(361.0).is_ok() && !zirconia.is_extrapolated(361.0));
         // Its resonance is at 166.739 nm; 5 % above is 175.08.
         assert!(zirconia.index(175.2).is_ok() && zirconia.is_extrapolated(175.2));
         assert!(zirconia.index(175.0).is_err());
-        let silica = Stuff::Silica.material();
+        let silica = BuiltinMaterial::Silica.material();
         // Beyond the infrared resonance the formula would give an index again.
         assert!(silica.index(12_000.0).is_err());
         for nothing in [0.0, -1.0, f64::NAN, f64::INFINITY] {
@@ -418,7 +418,7 @@ mod tests {
 
     #[test]
     fn a_table_gives_the_formula_it_was_made_of() {
-        let diamond = Stuff::Diamond.material();
+        let diamond = BuiltinMaterial::Diamond.material();
         let nm: Vec<f64> = (380..=780).map(f64::from).collect();
         let n: Vec<f64> = nm.iter().map(|nm| diamond.index(*nm).unwrap()).collect();
         let table = Sampled::new(nm, n).unwrap();
@@ -441,7 +441,7 @@ mod tests {
     #[test]
     fn an_absolute_table_is_turned_to_air() {
         // Water against vacuum by its own formula, as a file would hold it.
-        let water = Stuff::Water.material();
+        let water = BuiltinMaterial::Water.material();
         let Dispersion::Formula { formula, .. } = &water.dispersion else {
             panic!("water is given by a formula");
         };
@@ -511,7 +511,7 @@ mod tests {
         assert!((found - group(n, slope)).abs() < 1e-13, "{found}");
         let (figures, own) = (
             glass.abbe().unwrap(),
-            Stuff::NBk7.material().abbe().unwrap(),
+            BuiltinMaterial::NBk7.material().abbe().unwrap(),
         );
         assert!((figures.v_d - own.v_d).abs() < 1e-9 && (figures.v_e - own.v_e).abs() < 1e-9);
         assert!(glass.index(299.0).is_err() && glass.index(2501.0).is_err());

@@ -10,7 +10,7 @@ use super::index::{Material, Term};
 /// A material of the program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Stuff {
+pub enum BuiltinMaterial {
     /// Diamond.
     #[default]
     Diamond,
@@ -30,7 +30,7 @@ pub enum Stuff {
     Water,
 }
 
-impl Stuff {
+impl BuiltinMaterial {
     /// All of them, in the order in which menus list them.
     pub const ALL: [Self; 8] = [
         Self::Diamond,
@@ -57,7 +57,7 @@ impl Stuff {
         }
     }
 
-    /// The material of a [`Stuff::word`].
+    /// The material of a [`BuiltinMaterial::word`].
     pub fn from_word(word: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|stuff| stuff.word() == word)
     }
@@ -157,10 +157,10 @@ mod tests {
 
     #[test]
     fn words_lead_back_to_their_material() {
-        for stuff in Stuff::ALL {
-            assert_eq!(Stuff::from_word(stuff.word()), Some(stuff));
+        for stuff in BuiltinMaterial::ALL {
+            assert_eq!(BuiltinMaterial::from_word(stuff.word()), Some(stuff));
         }
-        assert_eq!(Stuff::from_word("glass"), None);
+        assert_eq!(BuiltinMaterial::from_word("glass"), None);
     }
 
     #[test]
@@ -168,13 +168,13 @@ mod tests {
         // SCHOTT's data sheets; the gem trade's fire .044, .060, .018. Half a unit of the last
         // digit printed.
         for (stuff, n_d, v_d, fire) in [
-            (Stuff::NBk7, 1.5168, 64.17, 0.0138),
-            (Stuff::NSf11, 1.784_72, 25.68, 0.0548),
-            (Stuff::NSf10, 1.728_28, 28.53, 0.0455),
-            (Stuff::Silica, 1.458_46, 67.82, 0.0115),
-            (Stuff::Diamond, 2.417_48, 55.30, 0.044),
-            (Stuff::Zirconia, 2.158_77, 33.54, 0.060),
-            (Stuff::Sapphire, 1.768_17, 72.31, 0.018),
+            (BuiltinMaterial::NBk7, 1.5168, 64.17, 0.0138),
+            (BuiltinMaterial::NSf11, 1.784_72, 25.68, 0.0548),
+            (BuiltinMaterial::NSf10, 1.728_28, 28.53, 0.0455),
+            (BuiltinMaterial::Silica, 1.458_46, 67.82, 0.0115),
+            (BuiltinMaterial::Diamond, 2.417_48, 55.30, 0.044),
+            (BuiltinMaterial::Zirconia, 2.158_77, 33.54, 0.060),
+            (BuiltinMaterial::Sapphire, 1.768_17, 72.31, 0.018),
         ] {
             let figures = stuff.material().abbe().unwrap();
             assert!((figures.n_d - n_d).abs() < 1e-5, "{stuff:?} {figures:?}");

@@ -56,7 +56,7 @@ pub use fresnel::reflectances;
 pub use index::{AbbeFigures, Material, Term};
 pub use index_error::IndexError;
 pub use light::{Light, LightError, SEEN_NM};
-pub use materials::Stuff;
+pub use materials::BuiltinMaterial;
 pub use picture::{Noise, Picture};
 pub use plane::{FilmSettings, Plane};
 pub use png::png;

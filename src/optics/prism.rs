@@ -257,16 +257,16 @@ pub fn limits(n: f64, apex_deg: f64) -> Limits {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::optics::Stuff;
+    use crate::optics::BuiltinMaterial;
 
     fn prism(apex: f64, incidence: f64) -> Result<Prism, PrismError> {
-        let glass = Stuff::NSf11.material();
+        let glass = BuiltinMaterial::NSf11.material();
         Prism::new(apex, Incidence::Degrees(incidence), &glass)
     }
 
     #[test]
     fn the_least_deviation_is_the_least_and_symmetric() {
-        let glass = Stuff::NSf11.material();
+        let glass = BuiltinMaterial::NSf11.material();
         let n = glass.index(546.075).unwrap();
         let (least, incidence) = minimum_deviation(n, 60.0).unwrap();
         let at = |degrees: f64| prism(60.0, degrees).unwrap().passage(n).unwrap();
@@ -300,7 +300,7 @@ mod tests {
 
     #[test]
     fn no_ray_passes_a_blunt_prism() {
-        let diamond = Stuff::Diamond.material();
+        let diamond = BuiltinMaterial::Diamond.material();
         let said = Prism::new(60.0, Incidence::MinimumFor(546.075), &diamond).unwrap_err();
         assert_eq!(
             said.to_string(),

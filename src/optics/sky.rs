@@ -249,10 +249,10 @@ fn overlap([from, to]: [f64; 2], energy: f64, cells: &mut [f64]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::optics::{Stuff, bow};
+    use crate::optics::{BuiltinMaterial, bow};
 
     fn sky() -> Sky {
-        Sky::new(Stuff::Water.material(), 500)
+        Sky::new(BuiltinMaterial::Water.material(), 500)
     }
 
     #[test]

@@ -39,7 +39,7 @@ pub const SAME_PLACE_NM: f64 = 0.5;
 
 /// A line of the light that stood on a dip of a factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Met {
+pub struct LineInDip {
     /// Where the line stands, nm.
     pub line_nm: f64,
     /// Where the dip stands, nm.
@@ -59,7 +59,7 @@ pub struct Stage {
     /// The spikes, by rising wavelength.
     pub spikes: Vec<Line>,
     /// Lines that stood on a dip.
-    pub met: Vec<Met>,
+    pub met: Vec<LineInDip>,
     /// Share of the product's power so far, 0-1, in orders that the points fold back (of a
     /// convolution: that are cut off).
     pub folded_share: f64,
@@ -277,7 +277,7 @@ fn through_dips(
     before: &Series,
     factor: &Factor,
     short: &Series,
-) -> (Vec<Line>, Vec<Met>) {
+) -> (Vec<Line>, Vec<LineInDip>) {
     let mut behind = weigh_lines(spikes, |nm| short.at(nm));
     let mut met = Vec::new();
     for spike in &mut behind {
@@ -293,7 +293,7 @@ fn through_dips(
         let is_line = spike.weight > 0.0;
         spike.weight *= 1.0 - depth;
         if is_line {
-            met.push(Met {
+            met.push(LineInDip {
                 line_nm: spike.at_nm,
                 dip_nm: dip.at_nm,
                 depth,

@@ -32,7 +32,7 @@ mod spikes;
 pub use air::{SHORTEST_IN_AIR_NM, in_air, in_vacuum, index_of_air, slope_of_air};
 pub use band::{Band, BandError, LONGEST_NM, MOST_STEPS, SHORTEST_NM, dot};
 pub use basis::{Basis, BasisTable, Series, numbers_of_order};
-pub use chain::{ChainTables, Met, SAME_PLACE_NM, Stage, below_zero};
+pub use chain::{ChainTables, LineInDip, SAME_PLACE_NM, Stage, below_zero};
 pub use composite::{Composite, CompositeError};
 pub use condition::{ThreeSums, WORST_CONDITION, condition_number};
 pub use cube::Cube;

@@ -136,7 +136,7 @@ pub fn hold(subject: &Subject, terms: Terms, progress: &Progress) -> Option<Auct
 /// [`hold`] on a subject that was examined already.
 pub fn hold_on(examined: &Examined, terms: Terms, progress: &Progress) -> Option<Auction> {
     let stock = Stock::new(examined, terms.basis);
-    let mut room = Room::new(&examined.reference, &stock, terms)?;
+    let mut room = ResidualState::new(&examined.reference, &stock, terms)?;
     progress.expect(terms.numbers);
     for numbers in 1..=terms.numbers {
         if progress.is_cancelled() {
@@ -256,7 +256,7 @@ impl<'a> Stock<'a> {
 }
 
 /// The saleroom: every model bid so far, by the numbers that it takes.
-struct Room<'a> {
+struct ResidualState<'a> {
     reference: &'a Reference,
     stock: &'a Stock<'a>,
     terms: Terms,
@@ -266,7 +266,7 @@ struct Room<'a> {
     highest_order: usize,
 }
 
-impl<'a> Room<'a> {
+impl<'a> ResidualState<'a> {
     fn new(reference: &'a Reference, stock: &'a Stock<'a>, terms: Terms) -> Option<Self> {
         let band = reference.measures().band();
         let mut room = Self {

@@ -9,7 +9,7 @@ use super::{
     race::Lamp,
     reference::Measures,
     sweep::{Examined, Subject, SweepPoint},
-    way::Way,
+    way::FitVariant,
 };
 use crate::spectrum::{Basis, SpikeSettings, numbers_of_order};
 
@@ -26,13 +26,13 @@ pub struct SweptLight {
 
 impl SweptLight {
     /// The models of a way, by rising order.
-    pub fn of_way(&self, way: Way) -> impl DoubleEndedIterator<Item = &SweepPoint> {
+    pub fn of_way(&self, way: FitVariant) -> impl DoubleEndedIterator<Item = &SweepPoint> {
         self.points.iter().filter(move |point| point.way == way)
     }
 
     /// The first model of a way from which on no order is off by more than a limit; `None` where
     /// the highest order still is, or where the figure does not exist.
-    pub fn enough(&self, way: Way, measure: Measure, limit: f64) -> Option<&SweepPoint> {
+    pub fn enough(&self, way: FitVariant, measure: Measure, limit: f64) -> Option<&SweepPoint> {
         let within = |point: &&SweepPoint| point.verdict[measure].is_some_and(|off| off <= limit);
         self.of_way(way).rev().take_while(within).last()
     }
@@ -89,7 +89,7 @@ impl ManyLights {
     }
 
     /// For how many lights each order is enough, from 0 on; it never falls.
-    pub fn counts(&self, way: Way, measure: Measure, limit: f64) -> Vec<usize> {
+    pub fn counts(&self, way: FitVariant, measure: Measure, limit: f64) -> Vec<usize> {
         let enough = self.lights.iter().filter_map(|light| {
             let point = light.enough(way, measure, limit)?;
             Some(point.order)
@@ -108,7 +108,7 @@ impl ManyLights {
     /// `None` where no order looked at is.
     pub fn order_for(
         &self,
-        way: Way,
+        way: FitVariant,
         measure: Measure,
         limit: f64,
         share: f64,
@@ -156,7 +156,7 @@ mod tests {
         ]
     }
 
-    const WAY: Way = Way::new(Basis::Cosine, false, false);
+    const WAY: FitVariant = FitVariant::new(Basis::Cosine, false, false);
 
     #[test]
     fn each_light_is_swept_as_it_is_alone_and_a_dark_one_is_left_out() {

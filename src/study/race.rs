@@ -19,8 +19,8 @@ use super::{
     parallel::{in_parallel, processors},
     progress::Progress,
     projected_spectrum::{FitBasis, ProjectedSpectrum},
-    reference::{Behind, FIRST_CHECK_NM, Reference, narrow_filters, scaled_to_one},
-    way::Way,
+    reference::{Behind, FIRST_CHECK_NM, Reference, bandpasses, scaled_to_one},
+    way::FitVariant,
 };
 use crate::{
     color::{
@@ -33,11 +33,11 @@ use crate::{
 
 pub use super::{
     race_cells::{Cell, FIGURES, Judged, Wins, figures},
-    race_result::{Cost, Course, Encode, Encoded, Lamp, Race, Racer, Row, Run},
+    race_result::{Cost, Encode, Encoded, Lamp, Race, RaceConfig, Racer, Row, Run},
 };
 
 /// A light ready to race.
-struct Runner {
+struct Entrant {
     reference: Reference,
     check: Vec<Lab>,
     check_filters: Behind,
@@ -48,17 +48,17 @@ struct Runner {
 }
 
 /// What all tasks share.
-struct Stable<'a> {
-    course: &'a Course,
+struct RaceContext<'a> {
+    course: &'a RaceConfig,
     bases: [FitBasis; 2],
     fit_tables: FitTables,
     check_filters: PatchSet,
-    runners: Vec<Runner>,
+    runners: Vec<Entrant>,
     names: Vec<String>,
 }
 
 /// A representation of a light: its smooth values on the grid, its spikes and its numbers.
-struct Likeness {
+struct Reconstruction {
     smooth: Vec<f64>,
     spikes: Vec<Line>,
     numbers: usize,
@@ -67,19 +67,19 @@ struct Likeness {
 }
 
 /// What reflectances are beside lights of known lamps and wide lines.
-const COLOUR_EXACT: Way = Way::new(Basis::Cosine, false, true);
+const COLOUR_EXACT: FitVariant = FitVariant::new(Basis::Cosine, false, true);
 
 /// Runs the race on all processors; `None` when it was cancelled or no light shines.
 ///
 /// The time grows in proportion to the lights.
-pub fn run(course: &Course, lamps: &[Lamp], progress: &Progress) -> Option<Race> {
+pub fn run(course: &RaceConfig, lamps: &[Lamp], progress: &Progress) -> Option<Race> {
     let races = |racer: &Racer| course.encoder.is_some() || !Racer::ENCODED.contains(racer);
     let racers: Vec<Racer> = Racer::all().filter(races).collect();
     let tasks: Vec<(usize, usize)> = (0..course.budgets.len())
         .flat_map(|budget| (0..racers.len()).map(move |racer| (budget, racer)))
         .collect();
     progress.expect(2 * tasks.len() + lamps.len());
-    let (stable, shining) = Stable::new(course, lamps, progress)?;
+    let (stable, shining) = RaceContext::new(course, lamps, progress)?;
     let by_task = in_parallel(&tasks, processors(), progress, |(budget, racer)| {
         stable.all_runs(racers[*racer], course.budgets[*budget], progress)
     })?;
@@ -120,9 +120,9 @@ fn chosen<'a>(racers: &[Racer], run: impl Fn(usize) -> Option<&'a Run>) -> Optio
         .min_by(|a, b| error(a).total_cmp(&error(b)))
 }
 
-impl<'a> Stable<'a> {
+impl<'a> RaceContext<'a> {
     fn new(
-        course: &'a Course,
+        course: &'a RaceConfig,
         lamps: &[Lamp],
         progress: &Progress,
     ) -> Option<(Self, Vec<(String, String)>)> {
@@ -132,8 +132,8 @@ impl<'a> Stable<'a> {
         let bases = Basis::ALL.map(|basis| FitBasis::new(band, basis, most, &measures.seen));
         let names: Vec<String> = (0..course.check.len()).map(|i| i.to_string()).collect();
         let check = PatchSet::new(&course.check, names.clone(), band, observer);
-        let check_filters = narrow_filters(band, observer, FIRST_CHECK_NM);
-        let mut runners: Vec<Runner> = Vec::new();
+        let check_filters = bandpasses(band, observer, FIRST_CHECK_NM);
+        let mut runners: Vec<Entrant> = Vec::new();
         for lamp in lamps {
             if progress.is_cancelled() {
                 return None;
@@ -149,7 +149,7 @@ impl<'a> Stable<'a> {
             };
             let values = &lamp.values;
             let (_, shapes) = detect_shapes(band, values, course.spikes);
-            runners.push(Runner {
+            runners.push(Entrant {
                 check: reference.labs_of(&check, values, &[]),
                 check_filters: reference.exact_behind(&check_filters),
                 projected: std::array::from_fn(|i| {
@@ -162,7 +162,7 @@ impl<'a> Stable<'a> {
         if runners.is_empty() {
             return None;
         }
-        let named = |runner: &Runner| (runner.lamp.name.clone(), runner.lamp.class.clone());
+        let named = |runner: &Entrant| (runner.lamp.name.clone(), runner.lamp.class.clone());
         let shining = runners.iter().map(named).collect();
         let stable = Self {
             fit_tables: FitTables::new(band, most),
@@ -203,12 +203,12 @@ impl<'a> Stable<'a> {
 
     fn judged(
         &self,
-        runner: &Runner,
-        likeness: &Likeness,
+        runner: &Entrant,
+        likeness: &Reconstruction,
         patches: &PatchSet,
         check: &PatchSet,
     ) -> Run {
-        let Likeness {
+        let Reconstruction {
             smooth,
             spikes,
             numbers,
@@ -233,12 +233,12 @@ impl<'a> Stable<'a> {
     }
 
     /// The representation of a light; nothing for [`Racer::Chosen`] and where an encoder has none.
-    fn light(&self, runner: &Runner, racer: Racer, numbers: usize) -> Option<Likeness> {
+    fn light(&self, runner: &Entrant, racer: Racer, numbers: usize) -> Option<Reconstruction> {
         match racer {
             Racer::Composite(way) => {
                 let projected = &runner.projected[place(way.basis)];
                 let model = composite(runner, way, numbers);
-                Some(Likeness {
+                Some(Reconstruction {
                     smooth: projected.smooth(&model),
                     numbers: model.numbers(),
                     lines: model.lines().len(),
@@ -247,7 +247,7 @@ impl<'a> Stable<'a> {
             }
             Racer::WideLines | Racer::KnownLamps => {
                 let encoded = self.encoded(runner, racer, numbers)?;
-                Some(Likeness {
+                Some(Reconstruction {
                     smooth: encoded.on_band(),
                     spikes: Vec::new(),
                     numbers: encoded.numbers(),
@@ -256,7 +256,7 @@ impl<'a> Stable<'a> {
             }
             Racer::Rival(family) => {
                 let rival = self.rival(family, runner, numbers);
-                Some(Likeness {
+                Some(Reconstruction {
                     smooth: rival.on_band(),
                     spikes: Vec::new(),
                     numbers: rival.numbers(),
@@ -267,12 +267,12 @@ impl<'a> Stable<'a> {
         }
     }
 
-    fn encoded(&self, runner: &Runner, racer: Racer, numbers: usize) -> Option<Box<dyn Encoded>> {
+    fn encoded(&self, runner: &Entrant, racer: Racer, numbers: usize) -> Option<Box<dyn Encoded>> {
         let encoder = self.course.encoder.as_ref()?;
         encoder.encoded(&runner.lamp, numbers, racer == Racer::KnownLamps)
     }
 
-    fn rival(&self, family: Family, runner: &Runner, numbers: usize) -> Rival {
+    fn rival(&self, family: Family, runner: &Entrant, numbers: usize) -> Rival {
         let values = runner.reference.measured();
         let lights = &self.course.lights;
         let basis = match family {
@@ -290,7 +290,7 @@ impl<'a> Stable<'a> {
     }
 
     /// A reflectance as a series; colour-exact under the equal-energy light.
-    fn reflectance_series(&self, way: Way, values: &[f64], numbers: usize) -> Series {
+    fn reflectance_series(&self, way: FitVariant, values: &[f64], numbers: usize) -> Series {
         let fit_basis = &self.bases[place(way.basis)];
         let projected = ProjectedSpectrum::new(fit_basis, values, &[], &self.course.measures.seen);
         projected
@@ -317,8 +317,8 @@ impl<'a> Stable<'a> {
     }
 
     /// The light with most lines.
-    fn most_lines(&self) -> &Runner {
-        let lines = |runner: &&Runner| runner.projected[0].lines();
+    fn most_lines(&self) -> &Entrant {
+        let lines = |runner: &&Entrant| runner.projected[0].lines();
         // The first of equals.
         self.runners
             .iter()
@@ -395,7 +395,7 @@ fn place(basis: Basis) -> usize {
 }
 
 /// A light's composite of so many numbers.
-fn composite(runner: &Runner, way: Way, numbers: usize) -> Composite {
+fn composite(runner: &Entrant, way: FitVariant, numbers: usize) -> Composite {
     let projected = &runner.projected[place(way.basis)];
     let count = match way.spikes {
         true => best_count(runner, projected, numbers, way.colour_exact),
@@ -408,7 +408,7 @@ fn composite(runner: &Runner, way: Way, numbers: usize) -> Composite {
 
 /// How many of the heaviest lines are spikes: the count with the least 10 nm-blurred error.
 fn best_count(
-    runner: &Runner,
+    runner: &Entrant,
     projected: &ProjectedSpectrum,
     numbers: usize,
     colour_exact: bool,

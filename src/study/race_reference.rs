@@ -6,7 +6,7 @@
 use super::{
     measure::Measure,
     race::{Race, Racer},
-    way::Way,
+    way::FitVariant,
 };
 use crate::{rivals::Family, spectrum::Basis};
 
@@ -66,7 +66,7 @@ pub struct Line {
 }
 
 const fn composite(basis: Basis, spikes: bool, colour_exact: bool) -> Racer {
-    Racer::Composite(Way::new(basis, spikes, colour_exact))
+    Racer::Composite(FitVariant::new(basis, spikes, colour_exact))
 }
 
 /// A line from its medians and 95th percentiles, and the worst discharge lamp.

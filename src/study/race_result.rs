@@ -7,7 +7,7 @@ use super::{
     measure::{ByMeasure, Measure, Verdict},
     reference::Measures,
     training::Training,
-    way::Way,
+    way::FitVariant,
 };
 use crate::{
     rivals::{Family, PrincipalBasis},
@@ -18,7 +18,7 @@ use crate::{
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Racer {
     /// A composite, or its smooth part alone.
-    Composite(Way),
+    Composite(FitVariant),
     /// Cosines and lines of their own width.
     WideLines,
     /// Known lamps, cosines and lines of their own width.
@@ -35,7 +35,7 @@ impl Racer {
 
     /// Everybody, composites first.
     pub fn all() -> impl Iterator<Item = Self> + Clone {
-        Way::ALL
+        FitVariant::ALL
             .into_iter()
             .map(Self::Composite)
             .chain(Self::ENCODED)
@@ -128,7 +128,7 @@ impl Lamp {
 
 /// Everything that a race is run on, all on one band.
 #[derive(Clone, Debug)]
-pub struct Course {
+pub struct RaceConfig {
     /// Measures with the patches that choose.
     pub measures: Arc<Measures>,
     /// The patches' reflectances.

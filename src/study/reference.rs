@@ -46,14 +46,14 @@ fn centres_from(first_nm: f64) -> impl Iterator<Item = f64> {
 }
 
 /// A Gaussian band-pass of 10 nm on a band's grid.
-pub fn narrow_filter(band: Band, centre_nm: f64) -> Vec<f64> {
+pub fn bandpass(band: Band, centre_nm: f64) -> Vec<f64> {
     let bell = |nm: f64| gaussian((nm - centre_nm) / FILTER_NM);
     band.grid().map(bell).collect()
 }
 
 /// Narrow filters, one each 10 nm, as far as their centres lie in the band.
-pub(super) fn narrow_filters(band: Band, observer: Observer, first_nm: f64) -> PatchSet {
-    let narrow = |centre_nm: f64| narrow_filter(band, centre_nm);
+pub(super) fn bandpasses(band: Band, observer: Observer, first_nm: f64) -> PatchSet {
+    let narrow = |centre_nm: f64| bandpass(band, centre_nm);
     let inside = || centres_from(first_nm).filter(|nm| band.contains(*nm));
     let filters: Vec<Vec<f64>> = inside().map(narrow).collect();
     let names = inside().map(|nm| format!("{nm} nm")).collect();
@@ -87,7 +87,7 @@ impl Measures {
         let (band, observer): (Band, Observer) = (patches.band(), patches.observer());
         Self {
             blur: Blur::new(band, BLUR_NM),
-            filters: narrow_filters(band, observer, FIRST_NM),
+            filters: bandpasses(band, observer, FIRST_NM),
             seen: observer.table().on_band(band),
             patches,
         }

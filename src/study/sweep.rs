@@ -8,7 +8,7 @@ use super::{
     progress::Progress,
     projected_spectrum::{FitBasis, ProjectedSpectrum},
     reference::{Measures, Reference, scaled_to_one},
-    way::Way,
+    way::FitVariant,
 };
 use crate::spectrum::{
     Band, Basis, Line, LineShape, SpikeSettings, detect_shapes, numbers_of_order,
@@ -110,8 +110,8 @@ impl Examined {
         progress: &Progress,
         told: impl Fn(),
     ) -> Option<Vec<SweepPoint>> {
-        let mut points = Vec::with_capacity(Way::ALL.len() * (highest_order + 1));
-        for way in Way::ALL {
+        let mut points = Vec::with_capacity(FitVariant::ALL.len() * (highest_order + 1));
+        for way in FitVariant::ALL {
             let shapes = if way.spikes { &self.shapes[..] } else { &[] };
             let projected = self.projected(way.basis, shapes);
             let lines: Vec<usize> = (0..shapes.len()).collect();
@@ -149,7 +149,7 @@ impl Examined {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SweepPoint {
     /// How it is fitted.
-    pub way: Way,
+    pub way: FitVariant,
     /// Order N.
     pub order: usize,
     /// Spikes it has.
@@ -213,7 +213,7 @@ impl Sweep {
     ) -> Option<Self> {
         let band = subject.measures.band();
         let highest_order = highest_order.min(Basis::highest_order(band));
-        progress.expect(Way::ALL.len() + MAP_THRESHOLDS);
+        progress.expect(FitVariant::ALL.len() + MAP_THRESHOLDS);
         let examined = Examined::of(subject, numbers_of_order(highest_order))?;
         let points = examined.every_way(highest_order, progress, || progress.step())?;
         let map = threshold_map(
@@ -232,14 +232,14 @@ impl Sweep {
     }
 
     /// The points of one way, by rising order.
-    pub fn of_way(&self, way: Way) -> impl Iterator<Item = &SweepPoint> {
+    pub fn of_way(&self, way: FitVariant) -> impl Iterator<Item = &SweepPoint> {
         self.points.iter().filter(move |p| p.way == way)
     }
 
     /// The Pareto front of the ways that `counts`, as indices of points: by rising numbers, every
     /// point that is better than all cheaper ones. It ends with the first whose error is
     /// [`unseen`].
-    pub fn front(&self, measure: Measure, counts: impl Fn(Way) -> bool) -> Vec<usize> {
+    pub fn front(&self, measure: Measure, counts: impl Fn(FitVariant) -> bool) -> Vec<usize> {
         let mut by_cost: Vec<(usize, usize, f64)> = self
             .points
             .iter()

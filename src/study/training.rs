@@ -38,7 +38,7 @@ struct School {
 
 /// A spectrum that teaches.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Teacher {
+pub struct TrainingSpectrum {
     /// Its name.
     pub name: String,
     /// Its class.
@@ -58,10 +58,10 @@ struct Member {
 impl Training {
     /// Deals spectra into folds and trains up to `most` components for each; all-zero spectra
     /// are left out.
-    pub fn new(band: Band, spectra: &[Teacher], most: usize) -> Self {
+    pub fn new(band: Band, spectra: &[TrainingSpectrum], most: usize) -> Self {
         let mut members: Vec<Member> = Vec::new();
         let mut next_fold = 0;
-        for Teacher {
+        for TrainingSpectrum {
             name,
             class,
             values,
@@ -152,7 +152,7 @@ mod tests {
 
     const BAND: Band = Band::VISIBLE;
 
-    fn bells() -> Vec<Teacher> {
+    fn bells() -> Vec<TrainingSpectrum> {
         (0..20)
             .map(|i| {
                 let at = 400.0 + 18.0 * f64::from(i);
@@ -160,7 +160,7 @@ mod tests {
                     .grid()
                     .map(|nm| (-((nm - at) / 25.0).powi(2)).exp())
                     .collect();
-                Teacher {
+                TrainingSpectrum {
                     name: format!("bell {i}"),
                     class: "bells".to_owned(),
                     values,
@@ -183,7 +183,7 @@ mod tests {
     fn no_spectrum_teaches_itself_its_double_or_its_namesake() {
         let mut spectra = bells();
         let training = Training::new(BAND, &spectra, 41);
-        let Teacher {
+        let TrainingSpectrum {
             name,
             class,
             values,
@@ -204,7 +204,7 @@ mod tests {
             training.basis_for("Bell 7", &spectra[3].values, 41)
         ));
         // The double joins the fold of the first.
-        spectra.push(Teacher {
+        spectra.push(TrainingSpectrum {
             name: "double".to_owned(),
             class,
             values: double,
@@ -218,7 +218,7 @@ mod tests {
     fn a_spectrum_is_taught_by_the_class_that_knows_it_best() {
         let mut spectra = bells();
         spectra.extend((0..20).map(|i| {
-            Teacher {
+            TrainingSpectrum {
                 name: format!("wave {i}"),
                 class: "waves".to_owned(),
                 values: BAND

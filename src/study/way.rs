@@ -6,7 +6,7 @@ use crate::spectrum::Basis;
 
 /// How a composite is fitted, whatever it costs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub struct Way {
+pub struct FitVariant {
     /// Functions of the smooth part.
     pub basis: Basis,
     /// Lines become spikes.
@@ -15,7 +15,7 @@ pub struct Way {
     pub colour_exact: bool,
 }
 
-impl Way {
+impl FitVariant {
     /// All eight, the paper's basis first, plain before colour-exact.
     pub const ALL: [Self; 8] = [
         Self::new(Basis::Fourier, false, false),
@@ -74,10 +74,10 @@ mod tests {
 
     #[test]
     fn every_way_is_there_once_under_its_own_word() {
-        let words: BTreeSet<&str> = Way::ALL.iter().map(|w| w.word()).collect();
-        let titles: BTreeSet<&str> = Way::ALL.iter().map(|w| w.title()).collect();
+        let words: BTreeSet<&str> = FitVariant::ALL.iter().map(|w| w.word()).collect();
+        let titles: BTreeSet<&str> = FitVariant::ALL.iter().map(|w| w.title()).collect();
         assert_eq!((words.len(), titles.len()), (8, 8));
-        for way in Way::ALL {
+        for way in FitVariant::ALL {
             assert_eq!(way.word().contains("exact"), way.colour_exact);
             assert_eq!(way.word().contains("spikes"), way.spikes);
             assert!(way.word().starts_with(way.basis.word()));

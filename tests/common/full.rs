@@ -30,7 +30,7 @@ use spectral_explorer::{
     design::{
         mixture::Source,
         recover::Method,
-        solve::{Against, Favour, Floors},
+        solve::{Against, Floors, Objective},
     },
     optics::Brilliant,
     pictures::{ReferenceKind, Wish, WishedLines},
@@ -287,7 +287,7 @@ pub(crate) fn full_preferences() -> Preferences {
                 kelvin: 3000.0,
                 duv: 0.001,
                 alike: true,
-                favour: Favour::Fewest,
+                favour: Objective::Fewest,
                 floors: Floors {
                     rf: Some(80.0),
                     ..Floors::default()

@@ -9,7 +9,7 @@ use spectral_explorer::{
     design::{
         SampleTables,
         mixture::{Channel, mixed},
-        solve::{Care, Favour, Floors, MixFigures, Mixer, Solution, Target, Wish},
+        solve::{Care, Floors, MixFigures, Mixer, Objective, Solution, Target, Wish},
     },
 };
 
@@ -17,7 +17,7 @@ struct Case {
     channels: Vec<Channel>,
     target: Target,
     /// Favour, its figure at the best, and the weights there.
-    best: [(Favour, f64, Vec<f64>); 2],
+    best: [(Objective, f64, Vec<f64>); 2],
 }
 
 fn cases() -> Vec<Case> {
@@ -26,7 +26,7 @@ fn cases() -> Vec<Case> {
     let case = |case: &Value| {
         let channel =
             |words: &Value| Channel::new(words.as_str().unwrap().parse().unwrap(), None).unwrap();
-        let best = |favour: Favour| {
+        let best = |favour: Objective| {
             let weights = case[format!("weights_{}", favour.word())]
                 .as_array()
                 .unwrap();
@@ -41,7 +41,7 @@ fn cases() -> Vec<Case> {
                 .map(channel)
                 .collect(),
             target: Target::of_kelvin(number(&case["kelvin"]), 0.0).unwrap(),
-            best: [best(Favour::Ra), best(Favour::Rf)],
+            best: [best(Objective::Ra), best(Objective::Rf)],
         }
     };
     let cases: Vec<Case> = golden["cases"]
@@ -54,7 +54,7 @@ fn cases() -> Vec<Case> {
     cases
 }
 
-fn solved(channels: &[Channel], target: Target, favour: Favour, floors: Floors) -> Solution {
+fn solved(channels: &[Channel], target: Target, favour: Objective, floors: Floors) -> Solution {
     let mixer = Mixer::new(channels, SampleTables::shipped()).unwrap();
     mixer.solve(&Wish {
         target: Some(target),
@@ -64,16 +64,16 @@ fn solved(channels: &[Channel], target: Target, favour: Favour, floors: Floors) 
     })
 }
 
-fn figure(favour: Favour, figures: &MixFigures) -> f64 {
+fn figure(favour: Objective, figures: &MixFigures) -> f64 {
     match favour {
-        Favour::Ra => figures.ra.unwrap(),
+        Objective::Ra => figures.ra.unwrap(),
         _ => figures.rf.unwrap(),
     }
 }
 
-fn floors(favour: Favour, floor: f64) -> Floors {
+fn floors(favour: Objective, floor: f64) -> Floors {
     match favour {
-        Favour::Ra => Floors {
+        Objective::Ra => Floors {
             ra: Some(floor),
             ..Floors::default()
         },
@@ -120,7 +120,7 @@ fn mixtures_of_eight_channels_are_as_good_as_the_best_of_a_slow_search() {
 fn a_floor_below_the_best_is_met_and_one_above_it_is_not() {
     for (index, case) in cases().iter().enumerate().step_by(3) {
         for (favour, best, _) in &case.best {
-            for wish in [Favour::Ler, Favour::Melanopic] {
+            for wish in [Objective::Ler, Objective::Melanopic] {
                 let found = solved(
                     &case.channels,
                     case.target,
@@ -131,7 +131,7 @@ fn a_floor_below_the_best_is_met_and_one_above_it_is_not() {
                 // The floor costs: without it there is more of what is favoured.
                 let free = solved(&case.channels, case.target, wish, Floors::default());
                 let worth = |solution: &Solution| match wish {
-                    Favour::Ler => solution.figures.ler,
+                    Objective::Ler => solution.figures.ler,
                     _ => solution.figures.melanopic_der,
                 };
                 assert!(worth(&free) >= worth(&found) * (1.0 - 1e-9));
@@ -146,7 +146,7 @@ fn a_floor_below_the_best_is_met_and_one_above_it_is_not() {
             let above = solved(
                 &case.channels,
                 case.target,
-                Favour::Ler,
+                Objective::Ler,
                 floors(*favour, best + 0.05),
             );
             assert!(!above.reached, "{index} {favour:?}: {}", above.why);
@@ -179,7 +179,7 @@ fn two_floors_are_both_met_where_a_mixture_meets_both() {
             ler: Some(known.ler - 0.01),
             melanopic: None,
         };
-        let found = solved(&case.channels, case.target, Favour::Ler, floors);
+        let found = solved(&case.channels, case.target, Objective::Ler, floors);
         assert!(found.reached, "{index}: {} {known:?}", found.why);
     }
 }
@@ -187,7 +187,7 @@ fn two_floors_are_both_met_where_a_mixture_meets_both() {
 #[test]
 fn more_channels_are_never_worse() {
     for (index, case) in cases().iter().enumerate() {
-        for favour in [Favour::Ra, Favour::Rf] {
+        for favour in [Objective::Ra, Objective::Rf] {
             let mut before = f64::NEG_INFINITY;
             for count in 4..=8 {
                 let some = &case.channels[..count];

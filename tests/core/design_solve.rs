@@ -11,7 +11,7 @@ use spectral_explorer::{
         SampleTables,
         mixture::{Channel, MixError, Spec, composite, mixed},
         solve::{
-            Against, Favour, Floors, FrontPoint, FrontWish, MixFigures, Mixer, Solution, Target,
+            Against, Floors, FrontPoint, FrontWish, MixFigures, Mixer, Objective, Solution, Target,
             Wish, faders, front, front_json, mix_json,
         },
     },
@@ -351,7 +351,7 @@ fn each_line_more_is_no_worse_and_has_no_better_powers_than_those_it_found() {
     let target = golden()["targets"]["D65"]["target_xy"].clone();
     let floors = vec![250.0, 320.0, 380.0];
     let colour = Target::of_xy(pair(&target)).unwrap();
-    for (against, favour) in [(Against::Ra, Favour::Ra), (Against::Rf, Favour::Rf)] {
+    for (against, favour) in [(Against::Ra, Objective::Ra), (Against::Rf, Objective::Rf)] {
         let worth = |figures: &MixFigures| against.of(figures).unwrap();
         let mut before = vec![f64::NEG_INFINITY; floors.len()];
         for lines in [4, 5, 6, 8] {
@@ -484,7 +484,7 @@ fn each_favour_is_best_at_what_it_favours() {
         );
         found.figures
     };
-    let all: Vec<_> = Favour::ALL.map(value).to_vec();
+    let all: Vec<_> = Objective::ALL.map(value).to_vec();
     let [ler, rf, ra, melanopic, fewest] = &all[..] else {
         panic!("five favours");
     };
@@ -513,7 +513,10 @@ fn no_random_mixture_of_the_colour_is_clearly_better_than_the_solved_one() {
             })
             .figures
     };
-    let (rf, ra) = (best(Favour::Rf).rf.unwrap(), best(Favour::Ra).ra.unwrap());
+    let (rf, ra) = (
+        best(Objective::Rf).rf.unwrap(),
+        best(Objective::Ra).ra.unwrap(),
+    );
     // Mixtures of the colour: random mixtures of the corners that random prices lead to, here by
     // matching random lights with the colour exact.
     let mut state = 1_u64;
@@ -552,7 +555,7 @@ fn no_random_mixture_of_the_colour_is_clearly_better_than_the_solved_one() {
 fn two_floors_of_one_number_are_each_their_own() {
     let wish = |floors: Floors| Wish {
         target: at_4000(),
-        favour: Favour::Ra,
+        favour: Objective::Ra,
         floors,
         ..Wish::default()
     };
@@ -590,7 +593,7 @@ fn floors_are_kept_or_what_is_missing_is_told() {
         &channels,
         Wish {
             target: at_4000(),
-            favour: Favour::Rf,
+            favour: Objective::Rf,
             ..Wish::default()
         },
     );

@@ -5,7 +5,7 @@ use spectral_explorer::{
     color::Observer,
     io::read_path,
     lamps::{
-        Ask, Count, Encoder, EncodingError, Makeup, Panel, encode_json, from_words, judged,
+        Ask, Count, Encoder, EncodingError, Ingredients, Panel, encode_json, from_words, judged,
         known_lamps, read_encoding,
     },
     preset,
@@ -193,7 +193,7 @@ fn a_shipped_lamp_is_itself_and_nothing_else() {
     let chosen = encoder()
         .encode(&values, Ask::numbers(11))
         .expect("a light");
-    let makeup = Makeup::of(&chosen.encoding);
+    let makeup = Ingredients::of(&chosen.encoding);
     let part = makeup
         .parts
         .iter()

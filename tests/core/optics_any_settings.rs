@@ -4,14 +4,14 @@ use proptest::prelude::*;
 use spectral_explorer::{
     color::Observer,
     optics::{
-        Bench, BenchSettings, Brilliant, DropRay, Incidence, Light, Material, Solid, Stuff, bow,
-        prism_json,
+        Bench, BenchSettings, Brilliant, BuiltinMaterial, DropRay, Incidence, Light, Material,
+        Solid, bow, prism_json,
     },
     spectrum::{Band, Line},
 };
 
-fn stuff() -> impl Strategy<Value = Stuff> {
-    (0..Stuff::ALL.len()).prop_map(|i| Stuff::ALL[i])
+fn stuff() -> impl Strategy<Value = BuiltinMaterial> {
+    (0..BuiltinMaterial::ALL.len()).prop_map(|i| BuiltinMaterial::ALL[i])
 }
 
 /// Any number at all, more often one that may be meant.

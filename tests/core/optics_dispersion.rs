@@ -4,8 +4,8 @@ use serde_json::Value;
 use spectral_explorer::{
     color::Observer,
     optics::{
-        Bench, BenchSettings, Bows, DropRay, Incidence, Light, Material, Prism, Screen, Stuff, bow,
-        limits, minimum_deviation, prism_json, rainbow_json,
+        Bench, BenchSettings, Bows, BuiltinMaterial, DropRay, Incidence, Light, Material, Prism,
+        Screen, bow, limits, minimum_deviation, prism_json, rainbow_json,
     },
     spectrum::{Band, Line, Sampled},
 };
@@ -28,14 +28,14 @@ fn rows<'a>(value: &'a Value, key: &str) -> &'a Vec<Value> {
 
 fn material(name: &str) -> Material {
     let stuff = match name {
-        "N-BK7" => Stuff::NBk7,
-        "N-SF11" => Stuff::NSf11,
-        "N-SF10" => Stuff::NSf10,
-        "fused silica" => Stuff::Silica,
-        "water" => Stuff::Water,
-        "diamond" => Stuff::Diamond,
-        "sapphire (o)" => Stuff::Sapphire,
-        "cubic zirconia" => Stuff::Zirconia,
+        "N-BK7" => BuiltinMaterial::NBk7,
+        "N-SF11" => BuiltinMaterial::NSf11,
+        "N-SF10" => BuiltinMaterial::NSf10,
+        "fused silica" => BuiltinMaterial::Silica,
+        "water" => BuiltinMaterial::Water,
+        "diamond" => BuiltinMaterial::Diamond,
+        "sapphire (o)" => BuiltinMaterial::Sapphire,
+        "cubic zirconia" => BuiltinMaterial::Zirconia,
         other => panic!("no material {other}"),
     };
     stuff.material()

@@ -7,9 +7,9 @@ use spectral_explorer::{
     color::{Observer, Xyz},
     io::read_bytes,
     optics::{
-        Absorption, Brilliant, Ending, Film, FilmError, FilmSettings, GemReport, HalfSpace, Lamp,
-        Light, Material, Noise, Picture, Plane, Scene, Solid, Studio, Stuff, View, gem_json,
-        lines_of_exr, reflectances, spectral_exr,
+        Absorption, Brilliant, BuiltinMaterial, Ending, Film, FilmError, FilmSettings, GemReport,
+        HalfSpace, Lamp, Light, Material, Noise, Picture, Plane, Scene, Solid, Studio, View,
+        gem_json, lines_of_exr, reflectances, spectral_exr,
     },
     spectrum::{Band, Line},
     study::Progress,
@@ -20,7 +20,13 @@ fn go() -> Progress {
 }
 
 fn studio_of(solid: Solid, scene: Scene) -> Studio {
-    Studio::new(solid, Stuff::Diamond.material(), Absorption::None, scene).unwrap()
+    Studio::new(
+        solid,
+        BuiltinMaterial::Diamond.material(),
+        Absorption::None,
+        scene,
+    )
+    .unwrap()
 }
 
 fn brilliant() -> Solid {
@@ -146,7 +152,7 @@ fn a_cube_face_on_lets_through_what_two_faces_leave() {
     // It shines towards -y.
     scene.lamps[0].half_edge_v = [-9.0, 0.0, 0.0];
     let studio = studio_of(Solid::cube(0.5).unwrap(), scene);
-    let n = Stuff::Diamond.material().index(589.294).unwrap();
+    let n = BuiltinMaterial::Diamond.material().index(589.294).unwrap();
     let [r, _] = reflectances(1.0, 1.0, n, 1.0);
     let seen = studio.look([0.0, 0.0], 589.294, no_roulette()).unwrap();
     assert!(
@@ -566,7 +572,7 @@ fn monochromatic_pictures_agree_with_the_reference_block_by_block() {
         let absorption = set["absorption_per_unit_length"].as_f64().unwrap();
         let studio = Studio::new(
             brilliant(),
-            Stuff::Diamond.material(),
+            BuiltinMaterial::Diamond.material(),
             Absorption::even(absorption).unwrap(),
             Scene::default(),
         )

@@ -16,8 +16,8 @@ use spectral_explorer::{
     rivals::{Family, PrincipalBasis},
     spectrum::{Band, Kind, NamedSpectrum, Sampled, SpikeSettings},
     study::{
-        Measure, Progress, Race, Teacher, Training,
-        race::{self, Course, Judged, Lamp, Racer},
+        Measure, Progress, Race, Training, TrainingSpectrum,
+        race::{self, Judged, Lamp, RaceConfig, Racer},
         race_reference::{COLUMNS, TABLE},
     },
 };
@@ -55,8 +55,8 @@ fn median(race: &Race, class: &str, numbers: usize, racer: Racer) -> f64 {
     row.spreads[Measure::Patches].expect("visible light").median
 }
 
-fn teachers(lamps: &[Lamp]) -> Vec<Teacher> {
-    let teacher = |lamp: &Lamp| Teacher {
+fn teachers(lamps: &[Lamp]) -> Vec<TrainingSpectrum> {
+    let teacher = |lamp: &Lamp| TrainingSpectrum {
         name: lamp.name.clone(),
         class: lamp.class.clone(),
         values: lamp.values.clone(),
@@ -155,7 +155,7 @@ fn a_winner_has_the_least_error_and_the_choice_wins_nothing() {
 fn every_light_runs_as_it_would_alone_so_the_time_is_linear_in_lights() {
     let (whole, all) = &*ALL;
     let lamps = whole.lamps();
-    let course = Course {
+    let course = RaceConfig {
         budgets: vec![11, 20],
         ..whole.course()
     };
@@ -321,20 +321,20 @@ fn principal_components_lack_teachers_here() {
     let lamps = whole.lamps();
     let usual = teachers(&lamps);
     let principal = Racer::Rival(Family::Principal);
-    let course = Course {
+    let course = RaceConfig {
         budgets: vec![11, 20],
         encoder: None,
         ..whole.course()
     };
-    let taught_by = |teachers: &[Teacher]| {
-        let course = Course {
+    let taught_by = |teachers: &[TrainingSpectrum]| {
+        let course = RaceConfig {
             lights: Arc::new(Training::new(BAND, teachers, 20)),
             ..course.clone()
         };
         race::run(&course, &lamps, &Progress::default()).expect("lights that shine")
     };
     let smooth = |race: &Race, numbers: usize| median(race, "smooth", numbers, principal);
-    let more = temperatures().map(|kelvin| Teacher {
+    let more = temperatures().map(|kelvin| TrainingSpectrum {
         name: format!("{kelvin:.0} K"),
         class: "smooth".to_owned(),
         values: BAND.grid().map(|nm| blackbody(kelvin, nm)).collect(),
@@ -371,7 +371,7 @@ fn principal_components_lack_teachers_here() {
         }
         assert_eq!(names.len(), lamps_told, "{class}");
         let half: Vec<&str> = names.iter().copied().step_by(2).collect();
-        let some: Vec<Teacher> = usual
+        let some: Vec<TrainingSpectrum> = usual
             .iter()
             .filter(|t| t.class != class || half.contains(&t.name.as_str()))
             .cloned()
@@ -471,7 +471,7 @@ fn known_lamps_win_every_cell_of_the_race() {
 fn with_all_lamps_but_itself_known_lamps_win_too() {
     let (whole, _) = &*ALL;
     let encoder = Encoder::new(BAND, Observer::CIE_1931, SpikeSettings::default());
-    let course = Course {
+    let course = RaceConfig {
         encoder: Some(Arc::new(Racing {
             encoder: Arc::new(encoder.expect("the visible")),
             count: Count::Words,

@@ -15,7 +15,7 @@ use spectral_explorer::{
     lamps::bell,
     spectrum::{Band, Basis, Kind, NamedSpectrum, SpikeSettings},
     study::{
-        Goal, Measure, Measures, Progress, Subject, Sweep, Way,
+        FitVariant, Goal, Measure, Measures, Progress, Subject, Sweep,
         auction::{Auction, Ended, Purchase, Terms, hold},
         unseen,
     },
@@ -54,7 +54,7 @@ fn lamps() -> Vec<&'static NamedSpectrum> {
     all.filter(|s| s.kind == Kind::Light).collect()
 }
 
-fn terms(way: Way, goal: Goal, numbers: usize) -> Terms {
+fn terms(way: FitVariant, goal: Goal, numbers: usize) -> Terms {
     Terms {
         basis: way.basis,
         colour_exact: way.colour_exact,
@@ -63,14 +63,14 @@ fn terms(way: Way, goal: Goal, numbers: usize) -> Terms {
     }
 }
 
-fn auction(name: &str, way: Way, goal: Goal, numbers: usize) -> Auction {
+fn auction(name: &str, way: FitVariant, goal: Goal, numbers: usize) -> Auction {
     let subject = subject(on_band(name, BAND));
     hold(&subject, terms(way, goal, numbers), &Progress::default()).expect("a light that shines")
 }
 
 /// The ways that an auction can be held in: it decides on spikes itself.
-fn grounds() -> impl Iterator<Item = Way> {
-    Way::ALL.into_iter().filter(|way| way.spikes)
+fn grounds() -> impl Iterator<Item = FitVariant> {
+    FitVariant::ALL.into_iter().filter(|way| way.spikes)
 }
 
 /// Everything bought, in order.
@@ -126,7 +126,7 @@ fn every_point_of_the_sweep_is_what_the_main_page_shows_for_that_model() {
         _ => false,
     };
     for name in ["FL11", "CIE D65", "HP1"] {
-        for way in Way::ALL {
+        for way in FitVariant::ALL {
             let settings = Settings {
                 basis: way.basis,
                 spikes: way.spikes,
@@ -177,7 +177,7 @@ fn the_threshold_map_has_the_row_of_the_threshold_in_force() {
         };
         let own = Sweep::of(&at, 20, Basis::Cosine, true, &Progress::default());
         let own = own.expect("it shines");
-        let way = Way::new(Basis::Cosine, true, true);
+        let way = FitVariant::new(Basis::Cosine, true, true);
         for point in own.of_way(way) {
             assert_eq!(point.verdict, *map.at(i, point.order), "{percent} %");
             assert_eq!(point.spikes, map.spikes[i]);
@@ -224,7 +224,7 @@ fn a_reflectance_is_swept_under_its_light_without_patches_and_filters() {
         .answer(&Progress::default())
         .expect("it reflects");
     let points: Vec<_> = sweep
-        .of_way(Way::new(Basis::Fourier, true, false))
+        .of_way(FitVariant::new(Basis::Fourier, true, false))
         .collect();
     for (point, shown) in points.iter().zip(&app.derived().curve) {
         let (found, shown) = (point.verdict[Measure::Own], shown.figures[Measure::Own]);
@@ -243,7 +243,7 @@ fn a_reflectance_is_swept_under_its_light_without_patches_and_filters() {
 
 #[test]
 fn a_dark_spectrum_and_a_cancelled_study_have_no_answer() {
-    let way = Way::new(Basis::Cosine, true, true);
+    let way = FitVariant::new(Basis::Cosine, true, true);
     let dark = subject(vec![0.0; BAND.points()]);
     let go = Progress::default();
     assert_eq!(Sweep::of(&dark, 10, Basis::Cosine, false, &go), None);
@@ -274,7 +274,7 @@ fn behind_narrow_filters_fl2_buys_mercurys_four_lines_among_its_first_nine() {
 
 #[test]
 fn lines_of_their_own_width_are_bought_where_the_spectrum_counts() {
-    let way = Way::new(Basis::Cosine, true, true);
+    let way = FitVariant::new(Basis::Cosine, true, true);
     let wide = auction("FL11", way, Goal::SPECTRUM, 31);
     assert!(wide.last().wide, "{:?}", wide.last());
     let bought = purchases(&wide);
@@ -310,7 +310,7 @@ fn daylight_is_sold_no_line() {
 
 #[test]
 fn once_the_colour_is_exact_nothing_more_is_sold() {
-    let exact = Way::new(Basis::Cosine, true, true);
+    let exact = FitVariant::new(Basis::Cosine, true, true);
     let auction = auction("FL2", exact, Goal::OWN, 41);
     assert_eq!(auction.ended, Ended::NothingHelps);
     // Three numbers repair three inner products.
@@ -320,7 +320,7 @@ fn once_the_colour_is_exact_nothing_more_is_sold() {
 #[test]
 fn a_line_that_pays_only_with_the_next_order_is_bought_all_the_same() {
     // On FL2, judged by the patches, the line at 435.8 lowers nothing alone at this price.
-    let plain = Way::new(Basis::Cosine, true, false);
+    let plain = FitVariant::new(Basis::Cosine, true, false);
     let auction = auction("FL2", plain, Goal::PATCHES, 21);
     let lines = lines_bought(&purchases(&auction));
     assert!(lines.iter().any(|nm| (nm - 435.8).abs() < 1.0), "{lines:?}");

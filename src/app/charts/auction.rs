@@ -12,7 +12,7 @@ use crate::{
     },
     io::many::numbers,
     study::{
-        Auction, Goal, Verdict, Way,
+        Auction, FitVariant, Goal, Verdict,
         auction::{Bid, Ended, Purchase, Step},
     },
 };
@@ -202,7 +202,7 @@ impl AuctionChart {
             stroke("the auction", inks.measured, corners, 2.2, Dash::Solid),
             Series::points("bought", inks.residual, Shape::Dot, points).with_notes(notes),
         ];
-        let way = Way::new(terms.basis, false, terms.colour_exact);
+        let way = FitVariant::new(terms.basis, false, terms.colour_exact);
         let y_label = terms.goal.plain_measure().map_or_else(
             || "Mix of errors, each in % of its value at N = 0".to_owned(),
             |measure| measure.figure().with_unit(),

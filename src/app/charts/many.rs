@@ -14,14 +14,14 @@ use crate::{
     },
     io::many,
     spectrum::numbers_of_order,
-    study::{ManyLights, Measure, SweptLight, Way},
+    study::{FitVariant, ManyLights, Measure, SweptLight},
 };
 
 /// What is asked of many lights: a way, a figure with its limit, and a share of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wanted {
     /// How models are fitted.
-    pub way: Way,
+    pub way: FitVariant,
     /// The figure.
     pub measure: Measure,
     /// What it may be at most, as files have it.
@@ -35,7 +35,7 @@ impl Wanted {
     pub fn of(settings: Settings, memory: &ManyMemory) -> Self {
         let measure = memory.measure;
         Self {
-            way: Way::new(settings.basis, settings.spikes, settings.colour_exact),
+            way: FitVariant::new(settings.basis, settings.spikes, settings.colour_exact),
             measure,
             limit: memory.limit / measure.figure().unit.factor,
             share: f64::from(memory.share_percent) / 100.0,
@@ -44,7 +44,7 @@ impl Wanted {
 
     /// The same with or without lines as spikes.
     fn with_spikes(self, spikes: bool) -> Self {
-        let way = Way::new(self.way.basis, spikes, self.way.colour_exact);
+        let way = FitVariant::new(self.way.basis, spikes, self.way.colour_exact);
         Self { way, ..self }
     }
 

@@ -10,7 +10,7 @@ use crate::{
     },
     io::many::numbers,
     spectrum::SpikeEdits,
-    study::{Measure, Sweep, Way},
+    study::{FitVariant, Measure, Sweep},
 };
 
 /// The threshold's effect as a heat map over order and threshold.
@@ -42,7 +42,7 @@ pub fn threshold_chart(ask: &SweepAsk, sweep: &Sweep, measure: Measure, theme: T
         scale: Scale::Log10,
         label: measure.figure().unit.sign.to_owned(),
     };
-    let way = Way::new(ask.basis, false, ask.colour_exact);
+    let way = FitVariant::new(ask.basis, false, ask.colour_exact);
     Chart {
         title: format!(
             "{}: {} by order and threshold ({})",

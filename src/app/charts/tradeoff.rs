@@ -13,7 +13,7 @@ use crate::{
     io::many::{many, numbers},
     spectrum::{Basis, SpikeEdits},
     study::{
-        Examined, Measure, Reference, Sweep, SweepPoint, Verdict, Way,
+        Examined, FitVariant, Measure, Reference, Sweep, SweepPoint, Verdict,
         error::{height, spikes_times, times},
         filter_centres,
     },
@@ -106,7 +106,7 @@ pub fn origin(about: &About) -> Vec<String> {
 
 impl WaysShown {
     /// Whether the lines of a way are drawn.
-    pub fn shows(&self, way: Way) -> bool {
+    pub fn shows(&self, way: FitVariant) -> bool {
         let basis = match way.basis {
             Basis::Fourier => self.fourier,
             Basis::Cosine => self.cosine,
@@ -126,12 +126,12 @@ impl WaysShown {
 }
 
 /// A way in few letters, for legends and tables.
-pub fn way_name(way: Way) -> String {
+pub fn way_name(way: FitVariant) -> String {
     way.title().replace("colour-exact", "exact")
 }
 
 /// Colour and point of a way: hue and form tell basis and fit, the dash tells spikes.
-pub fn looks(way: Way, theme: Theme) -> ([u8; 3], Shape, Dash) {
+pub fn looks(way: FitVariant, theme: Theme) -> ([u8; 3], Shape, Dash) {
     let inks = Inks::of(theme);
     let (ink, shape) = match (way.basis, way.colour_exact) {
         (Basis::Fourier, false) => (inks.smooth, Shape::Dot),
@@ -189,8 +189,8 @@ impl Tradeoff {
         let at = |index: &usize| place(&sweep.points[*index], measure);
         let (mut lines, mut marks) = (Vec::new(), Vec::new());
         // Where no line was found both kinds are the same models.
-        let twice = |way: Way| way.spikes && sweep.spikes.is_empty() && shown.without_spikes;
-        let drawn = Way::ALL.into_iter().filter(|way| shown.shows(*way));
+        let twice = |way: FitVariant| way.spikes && sweep.spikes.is_empty() && shown.without_spikes;
+        let drawn = FitVariant::ALL.into_iter().filter(|way| shown.shows(*way));
         for way in drawn.filter(|way| !twice(*way)) {
             let (ink, shape, dash) = looks(way, theme);
             let models: Vec<usize> = (0..sweep.points.len())
@@ -266,7 +266,7 @@ pub fn mark_now(app: &App, at: [f64; 2], verdict: &Verdict, theme: Theme) -> Ser
 pub fn words_now(app: &App) -> String {
     let (settings, derived) = (app.document().settings, app.derived());
     let spikes = derived.model.lines().len();
-    let way = Way::new(settings.basis, spikes > 0, settings.colour_exact);
+    let way = FitVariant::new(settings.basis, spikes > 0, settings.colour_exact);
     format!(
         "{}\nN = {}, {}: {}",
         way.title(),
@@ -325,7 +325,7 @@ fn front_series(
 
 /// What a click on a point of the sweep asks for: that model, without hand edits.
 pub fn take(settings: Settings, point: &SweepPoint) -> Command {
-    let Way {
+    let FitVariant {
         basis,
         spikes,
         colour_exact,

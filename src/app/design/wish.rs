@@ -15,7 +15,7 @@ use crate::{
     design::{
         SampleTables,
         mixture::{Channel, MixError},
-        solve::{Against, Care, FREE_LINES, Favour, Floors, Mixer, Solution, Target, Wish},
+        solve::{Against, Care, FREE_LINES, Floors, Mixer, Objective, Solution, Target, Wish},
     },
     spectrum::Outside,
 };
@@ -42,7 +42,7 @@ pub struct MixWish {
     /// It is to come near to that light at every wavelength, whatever is favoured.
     pub alike: bool,
     /// What it is to be best at.
-    pub favour: Favour,
+    pub favour: Objective,
     /// What it must not fall below.
     pub floors: Floors,
     /// The front: what efficacy is traded for.
@@ -59,7 +59,7 @@ impl Default for MixWish {
             kelvin: 4000.0,
             duv: 0.0,
             alike: false,
-            favour: Favour::Rf,
+            favour: Objective::Rf,
             floors: Floors::default(),
             against: Against::Rf,
             lines: 3,

@@ -243,13 +243,13 @@ mod tests {
     use super::*;
     use crate::{
         app::dispersion::words::first_lines,
-        optics::Stuff,
+        optics::BuiltinMaterial,
         spectrum::{self, Band},
     };
 
     fn drawn(settings: BenchSettings) -> BenchDrawing {
         let (light, lines) = first_lines();
-        let bench = Bench::new(settings, Stuff::NSf11.material()).expect("a bench");
+        let bench = Bench::new(settings, BuiltinMaterial::NSf11.material()).expect("a bench");
         BenchDrawing::of(&bench, &light, &lines, Observer::default()).expect("light leaves")
     }
 
@@ -267,7 +267,7 @@ mod tests {
             let spike = |line: &Line| spectrum::Line::ideal(line.at_nm, line.weight);
             let smooth = vec![glow; band.points()];
             let light = Light::new("tube", band, smooth, lines.iter().map(spike).collect());
-            let bench = Bench::new(BenchSettings::default(), Stuff::NSf11.material());
+            let bench = Bench::new(BenchSettings::default(), BuiltinMaterial::NSf11.material());
             let (bench, light) = (bench.expect("a bench"), light.expect("it shines"));
             BenchDrawing::of(&bench, &light, &lines, Observer::default()).expect("light leaves")
         };

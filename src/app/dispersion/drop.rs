@@ -139,12 +139,12 @@ mod tests {
     use super::*;
     use crate::{
         app::{assert_says, dispersion::words::first_lines},
-        optics::Stuff,
+        optics::BuiltinMaterial,
     };
 
     fn drawn(memory: &RainbowMemory) -> DropDrawing {
         let (light, lines) = first_lines();
-        DropDrawing::of(&Stuff::Water.material(), &light, &lines, memory)
+        DropDrawing::of(&BuiltinMaterial::Water.material(), &light, &lines, memory)
     }
 
     #[test]

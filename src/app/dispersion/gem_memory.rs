@@ -7,7 +7,7 @@ use super::{
     sent::Sent,
     substance::Substance,
 };
-use crate::optics::{Brilliant, Stuff};
+use crate::optics::{Brilliant, BuiltinMaterial};
 
 /// Sides of the gem's picture, pixels.
 pub const SIZES_SHOWN: [usize; 4] = [240, 360, 480, 720];
@@ -113,7 +113,7 @@ pub struct GemMemory {
 impl Default for GemMemory {
     fn default() -> Self {
         Self {
-            made_of: Substance::Shipped(Stuff::Diamond),
+            made_of: Substance::Shipped(BuiltinMaterial::Diamond),
             colour: GemColour::Clear,
             grey: 0.1,
             filter: "filters_glass_cc0/isuzu IVG550 (Green filter) 2 mm".to_owned(),
@@ -273,7 +273,7 @@ mod tests {
     #[test]
     fn what_an_earlier_version_kept_is_understood() {
         let kept: GemMemory = serde_json::from_str("{\"stuff\":\"zirconia\"}").expect("a memory");
-        assert_eq!(kept.made_of, Substance::Shipped(Stuff::Zirconia));
+        assert_eq!(kept.made_of, Substance::Shipped(BuiltinMaterial::Zirconia));
     }
 
     #[test]

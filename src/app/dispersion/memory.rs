@@ -8,7 +8,7 @@ use super::{
     sent::Sent,
     substance::Substance,
 };
-use crate::optics::{SEEN_NM, Stuff};
+use crate::optics::{BuiltinMaterial, SEEN_NM};
 
 /// Apex angles of the prism that the slider reaches, degrees.
 pub const APEXES_DEG: std::ops::RangeInclusive<f64> = 5.0..=90.0;
@@ -126,7 +126,7 @@ impl PrismMemory {
 impl Default for PrismMemory {
     fn default() -> Self {
         Self {
-            made_of: Substance::Shipped(Stuff::NSf11),
+            made_of: Substance::Shipped(BuiltinMaterial::NSf11),
             apex_deg: 60.0,
             at_minimum: true,
             minimum_nm: 546.075,

@@ -349,7 +349,7 @@ mod tests {
     use super::*;
     use crate::{
         app::{Command, Settings, assert_says, dispersion::Substance},
-        optics::Stuff,
+        optics::BuiltinMaterial,
     };
 
     fn usual() -> PrismMemory {
@@ -410,7 +410,7 @@ mod tests {
     fn a_bench_without_light_says_why() {
         for memory in [
             PrismMemory {
-                made_of: Substance::Shipped(Stuff::Diamond),
+                made_of: Substance::Shipped(BuiltinMaterial::Diamond),
                 ..usual()
             },
             PrismMemory {
@@ -469,7 +469,7 @@ mod tests {
     fn what_rests_on_an_extrapolated_index_is_hatched() {
         assert!(shown(&usual()).strips[0].doubtful.is_empty());
         let diamond = PrismMemory {
-            made_of: Substance::Shipped(Stuff::Diamond),
+            made_of: Substance::Shipped(BuiltinMaterial::Diamond),
             apex_deg: 30.0,
             ..usual()
         };

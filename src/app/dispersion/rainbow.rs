@@ -11,7 +11,7 @@ use super::{
 use crate::{
     app::state::App,
     io::many::many,
-    optics::{Bows, Light, SKY_DEG, SUN_DEG, Sky, Stuff},
+    optics::{Bows, BuiltinMaterial, Light, SKY_DEG, SUN_DEG, Sky},
 };
 
 /// Columns of the strip of sky.
@@ -19,7 +19,7 @@ const COLUMNS: usize = 1000;
 
 /// The sky over drops of water: made once, then every light is a sum.
 pub fn sky() -> Sky {
-    Sky::new(Stuff::Water.material(), COLUMNS)
+    Sky::new(BuiltinMaterial::Water.material(), COLUMNS)
 }
 
 /// What the page shows.

@@ -9,7 +9,7 @@ use super::ranges::{ends, moved};
 use crate::{
     app::{entry::Entry, state::App},
     io::many::capitalised,
-    optics::{IndexError, Material, Stuff},
+    optics::{BuiltinMaterial, IndexError, Material},
     spectrum::{Kind, NamedSpectrum},
 };
 
@@ -18,7 +18,7 @@ use crate::{
 #[serde(from = "String", into = "String")]
 pub enum Substance {
     /// A material that comes with the program.
-    Shipped(Stuff),
+    Shipped(BuiltinMaterial),
     /// A curve of n that was opened.
     Own {
         /// The key of its spectrum.
@@ -42,7 +42,7 @@ impl From<String> for Substance {
                 v_d: v_d?,
             })
         });
-        let shipped = Stuff::from_word(&word).map(Self::Shipped);
+        let shipped = BuiltinMaterial::from_word(&word).map(Self::Shipped);
         shipped.or(numbers).unwrap_or(Self::Own { index: word })
     }
 }
@@ -129,16 +129,16 @@ impl Substance {
 }
 
 /// A material in words for people.
-pub fn stuff_title(stuff: Stuff) -> &'static str {
+pub fn stuff_title(stuff: BuiltinMaterial) -> &'static str {
     match stuff {
-        Stuff::Diamond => "diamond",
-        Stuff::Zirconia => "cubic zirconia",
-        Stuff::Sapphire => "sapphire",
-        Stuff::NBk7 => "N-BK7, crown glass",
-        Stuff::NSf11 => "N-SF11, heavy flint glass",
-        Stuff::NSf10 => "N-SF10, flint glass",
-        Stuff::Silica => "fused silica",
-        Stuff::Water => "water",
+        BuiltinMaterial::Diamond => "diamond",
+        BuiltinMaterial::Zirconia => "cubic zirconia",
+        BuiltinMaterial::Sapphire => "sapphire",
+        BuiltinMaterial::NBk7 => "N-BK7, crown glass",
+        BuiltinMaterial::NSf11 => "N-SF11, heavy flint glass",
+        BuiltinMaterial::NSf10 => "N-SF10, flint glass",
+        BuiltinMaterial::Silica => "fused silica",
+        BuiltinMaterial::Water => "water",
     }
 }
 
@@ -240,7 +240,10 @@ mod tests {
     #[test]
     fn words_of_earlier_versions_are_understood() {
         let read = |text: &str| serde_json::from_str::<Substance>(text).expect("a substance");
-        assert_eq!(read("\"n-sf11\""), Substance::Shipped(Stuff::NSf11));
+        assert_eq!(
+            read("\"n-sf11\""),
+            Substance::Shipped(BuiltinMaterial::NSf11)
+        );
         for one in [
             Substance::NUMBERS,
             Substance::Own {
@@ -275,7 +278,10 @@ mod tests {
         assert!((glass.index(587.6).unwrap() - 1.516_798_437_905_008_7).abs() < 1e-14);
         assert!((glass.d_index_d_nm(587.6).unwrap() / -4.179_195_425_607_8e-5 - 1.0).abs() < 1e-12);
         let figures = glass.abbe().expect("it covers the lines");
-        let own = Stuff::NBk7.material().abbe().expect("so does that");
+        let own = BuiltinMaterial::NBk7
+            .material()
+            .abbe()
+            .expect("so does that");
         assert!((figures.v_d - own.v_d).abs() < 1e-9 && (figures.v_e - own.v_e).abs() < 1e-9);
     }
 }

@@ -14,7 +14,7 @@ use crate::{
         SampleTables,
         mixture::{Channel, Source, Spec, mixed},
         recover::{Method, Recovered, Seen, Viewing},
-        solve::{Favour, Mixer, Target, Wish},
+        solve::{Mixer, Objective, Target, Wish},
     },
     spectrum::{Kind, NamedSpectrum, Sampled},
 };
@@ -124,8 +124,8 @@ fn mixture(
     };
     let channels = words.iter().map(channel).collect::<Result<Vec<_>, _>>()?;
     let favour = favour.map(|word| {
-        let known = Favour::ALL.into_iter().find(|one| one.word() == word);
-        let all = || Favour::ALL.map(Favour::word).join(", ");
+        let known = Objective::ALL.into_iter().find(|one| one.word() == word);
+        let all = || Objective::ALL.map(Objective::word).join(", ");
         known.ok_or_else(|| format!("found favour {word}, expected one of {}", all()))
     });
     let favour = favour.transpose()?.unwrap_or_default();

@@ -14,8 +14,8 @@ use crate::{
     rivals::PrincipalBasis,
     spectrum::{Band, Kind, NamedSpectrum, SpikeSettings},
     study::{
-        Teacher, Training,
-        race::{Course, Encode, Lamp},
+        Training, TrainingSpectrum,
+        race::{Encode, Lamp, RaceConfig},
         scaled_to_one,
     },
 };
@@ -137,19 +137,19 @@ impl RaceAsk {
     }
 
     /// Everything else that the race is run on.
-    pub fn course(&self) -> Course {
+    pub fn course(&self) -> RaceConfig {
         let band = self.band;
         let most = self.budgets.iter().copied().max().unwrap_or(1);
         let (_, patches) = self.patches.reflectances(band);
         let (_, check) = reflectances(CHECK_SET, band);
-        let lights: Vec<Teacher> = shipped_lights()
-            .map(|(preset, s)| Teacher {
+        let lights: Vec<TrainingSpectrum> = shipped_lights()
+            .map(|(preset, s)| TrainingSpectrum {
                 name: s.name.clone(),
                 class: class_word(preset).to_owned(),
                 values: s.samples.on_band(band, s.kind.outside()),
             })
             .collect();
-        Course {
+        RaceConfig {
             measures: self.patches.measures(band, self.observer),
             lights: Arc::new(Training::new(band, &lights, most)),
             reflectances: Arc::new(taught_reflectances(

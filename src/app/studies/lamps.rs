@@ -7,7 +7,7 @@ use crate::{
     app::{document::Document, entry::Entry, memo::ByAddress},
     color::Observer,
     lamps::{
-        Ask, Count, Encoded, Encoder, EncodingError, LeaveOut, Makeup, NUMBERS, Panel, judged,
+        Ask, Count, Encoded, Encoder, EncodingError, Ingredients, LeaveOut, NUMBERS, Panel, judged,
         namesakes,
     },
     spectrum::{Band, SpikeSettings},
@@ -62,7 +62,7 @@ pub struct EncodedLight {
     /// The words, what they decode to and what that is off by.
     pub encoded: Encoded,
     /// What it is made of.
-    pub makeup: Makeup,
+    pub makeup: Ingredients,
     /// The measured light on the grid.
     pub measured: Vec<f64>,
     /// What the words decode to.
@@ -109,7 +109,7 @@ impl EncodeAsk {
         )?;
         let decoder = encoder.decoder();
         let decoded = decoder.decode(&encoded.encoding)?;
-        let makeup = Makeup::of(&encoded.encoding);
+        let makeup = Ingredients::of(&encoded.encoding);
         let part = |part: &crate::lamps::Part| {
             let atom = decoder.atom(part.index)?;
             Some((part.title, atom.iter().map(|v| part.weight * v).collect()))

@@ -9,7 +9,7 @@ use crate::{
     color::Srgb,
     design::{
         recover::Method,
-        solve::{Against, Favour},
+        solve::{Against, Objective},
     },
 };
 
@@ -94,7 +94,7 @@ pub(crate) struct Mix {
     pub duv: Option<f64>,
     /// What to be best at: ler, rf, ra, melanopic or fewest [default: rf].
     #[arg(long, value_name = "FIGURE", value_parser = room_words::favour, conflicts_with = "front")]
-    pub favour: Option<Favour>,
+    pub favour: Option<Objective>,
     /// What not to fall below, such as rf=80, ra=90, ler=300 or melanopic=0.5; repeated.
     #[arg(long = "floor", value_name = "FIGURE=VALUE", conflicts_with = "front")]
     pub floors: Vec<String>,

@@ -29,7 +29,7 @@ const SURROUND: f64 = 0.69;
 
 /// An eye adapted to a white.
 #[derive(Clone, Debug)]
-pub(crate) struct Eye {
+pub(crate) struct ViewingConditions {
     /// From XYZ to adapted cone signals: adaptation and the change to cones are one matrix.
     to_cones: Matrix3,
     luminance_factor: f64,
@@ -40,7 +40,7 @@ pub(crate) struct Eye {
     white_response: f64,
 }
 
-impl Eye {
+impl ViewingConditions {
     /// An eye adapted to a white with Y = 100; `None` for a white that leaves a signal dark.
     pub(crate) fn adapted_to(white: Xyz) -> Option<Self> {
         let signals = times_vector(&CAT02, white.to_array());
@@ -115,7 +115,7 @@ mod tests {
     #[test]
     fn the_white_is_white_and_black_is_black() {
         let white = Xyz::new(95.0, 100.0, 108.0);
-        let eye = Eye::adapted_to(white).unwrap();
+        let eye = ViewingConditions::adapted_to(white).unwrap();
         let [lightness, a, b] = eye.uniform(white);
         // J is 100 of the white by definition. The published matrices have five digits (a row sums
         // to 1.00001), which leaves the white a relative difference of 1e-5 between its signals:
@@ -128,9 +128,9 @@ mod tests {
 
     #[test]
     fn only_the_chromaticity_of_the_white_counts_for_hue() {
-        let eye = Eye::adapted_to(Xyz::new(109.85, 100.0, 35.58)).unwrap();
+        let eye = ViewingConditions::adapted_to(Xyz::new(109.85, 100.0, 35.58)).unwrap();
         let [_, a, b] = eye.uniform(Xyz::new(40.0, 25.0, 5.0));
         assert!(a > 20.0 && b > 0.0, "a red is red: {a} {b}");
-        assert!(Eye::adapted_to(Xyz::new(10.0, 100.0, -5.0)).is_none());
+        assert!(ViewingConditions::adapted_to(Xyz::new(10.0, 100.0, -5.0)).is_none());
     }
 }

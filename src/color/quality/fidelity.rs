@@ -14,7 +14,7 @@ use crate::{
 };
 
 use super::{
-    appearance::Eye,
+    appearance::ViewingConditions,
     hue_bin::{BINS, BinSum, HueBin, bin_of, index_of},
     light::{FIRST_NM, Light, POINTS, positive},
     no_figure::NoFigure,
@@ -67,8 +67,8 @@ pub fn fidelity(light: &Light, cct: Cct) -> Result<Fidelity, NoFigure> {
     let too_narrow = || NoFigure::OutOfRange {
         what: "no eye adapts to a light that leaves one of its signals dark",
     };
-    let eye = Eye::adapted_to(test_white).ok_or_else(too_narrow)?;
-    let reference_eye = Eye::adapted_to(reference_white).ok_or_else(too_narrow)?;
+    let eye = ViewingConditions::adapted_to(test_white).ok_or_else(too_narrow)?;
+    let reference_eye = ViewingConditions::adapted_to(reference_white).ok_or_else(too_narrow)?;
     let mut samples = Vec::with_capacity(SAMPLES);
     let mut sums = [BinSum::default(); BINS];
     let mut total = 0.0;

@@ -44,7 +44,7 @@ mod similarity;
 mod sprague;
 mod weight;
 
-pub(crate) use appearance::Eye;
+pub(crate) use appearance::ViewingConditions;
 pub(crate) use fidelity::{area, fidelity_factors};
 pub(crate) use hue_bin::{bin_of, difference_of, index_of};
 pub(crate) use rendering::{Shift, rendering_factors, uvw};

@@ -4,7 +4,7 @@
 //! the reference is prepared once and a light is 300 sums.
 
 use super::{colours, weighed};
-use crate::color::quality::{BINS, Eye, area, bin_of, fidelity_reference};
+use crate::color::quality::{BINS, ViewingConditions, area, bin_of, fidelity_reference};
 
 /// Rf and Rg of lights whose reference is prepared.
 #[derive(Clone, Debug)]
@@ -59,6 +59,6 @@ fn gamut_area(found: &[[f64; 3]], bins: &[usize]) -> f64 {
 /// `[J', a', b']` of every sample, the last sum being the light; `None` where no eye adapts.
 fn appearances(sums: &[f64]) -> Option<Vec<[f64; 3]>> {
     let (samples, white) = colours(sums)?;
-    let eye = Eye::adapted_to(white)?;
+    let eye = ViewingConditions::adapted_to(white)?;
     Some(samples.map(|xyz| eye.uniform(xyz)).collect())
 }

@@ -5,7 +5,7 @@ use super::{
     part::Part,
     polytope::Polytope,
     solution::{Best, Mixer},
-    wish::{Care, Favour, Floors, Wish},
+    wish::{Care, Floors, Objective, Wish},
 };
 use crate::design::{
     programme::End,
@@ -28,17 +28,17 @@ fn eased(floor: f64) -> f64 {
 }
 
 /// A floor, the figure it is of, and the limit that its number sets.
-type Floor<'a> = (Option<f64>, Favour, &'a dyn Fn(f64) -> f64);
+type Floor<'a> = (Option<f64>, Objective, &'a dyn Fn(f64) -> f64);
 
 /// The floors as limits of sums and of mean differences.
 fn limits(within: &Polytope, floors: Floors) -> Vec<Limit> {
     // Y = 1.
     let most_power = |floor: f64| LUMENS_PER_WATT / floor;
     let all: [Floor; 4] = [
-        (floors.ler.filter(|f| *f > 0.0), Favour::Ler, &most_power),
-        (floors.melanopic, Favour::Melanopic, &|floor| -floor),
-        (floors.ra, Favour::Ra, &|floor| Figure::Ra.mean(floor)),
-        (floors.rf, Favour::Rf, &|floor| Figure::Rf.mean(floor)),
+        (floors.ler.filter(|f| *f > 0.0), Objective::Ler, &most_power),
+        (floors.melanopic, Objective::Melanopic, &|floor| -floor),
+        (floors.ra, Objective::Ra, &|floor| Figure::Ra.mean(floor)),
+        (floors.rf, Objective::Rf, &|floor| Figure::Rf.mean(floor)),
     ];
     let one = |(floor, favour, most): Floor| {
         let (part, most) = (part_of(within, favour), most(eased(floor?)));
@@ -48,14 +48,14 @@ fn limits(within: &Polytope, floors: Floors) -> Vec<Limit> {
 }
 
 /// The number that a favour makes small.
-fn part_of(within: &Polytope, favour: Favour) -> Part {
+fn part_of(within: &Polytope, favour: Objective) -> Part {
     let sum =
         |of: &dyn Fn(&[f64; BASIC]) -> f64| Part::Sum(within.columns.iter().map(of).collect());
     match favour {
-        Favour::Ler | Favour::Fewest => sum(&|sums| sums[4]),
-        Favour::Melanopic => sum(&|sums| -sums[3] / *MELANOPIC_OF_D65),
-        Favour::Ra => Part::Mean(Figure::Ra),
-        Favour::Rf => Part::Mean(Figure::Rf),
+        Objective::Ler | Objective::Fewest => sum(&|sums| sums[4]),
+        Objective::Melanopic => sum(&|sums| -sums[3] / *MELANOPIC_OF_D65),
+        Objective::Ra => Part::Mean(Figure::Ra),
+        Objective::Rf => Part::Mean(Figure::Rf),
     }
 }
 

@@ -44,4 +44,4 @@ pub use front::{FREE_LINES, FrontLine, FrontPoint, FrontWish, front};
 pub use report::{Fader, faders, front_json, mix_json};
 pub use solution::{Mixer, Solution};
 pub use target::Target;
-pub use wish::{Care, Favour, Floors, Wish};
+pub use wish::{Care, Floors, Objective, Wish};

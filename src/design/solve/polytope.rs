@@ -9,7 +9,7 @@
 //! mixture has Y = 1, and efficacy and melanopic ratio are greatest where a sum is.
 
 use crate::design::{
-    programme::{Corner, End, Programme},
+    programme::{BasicSolution, End, Programme},
     scales::{BASIC, LUMENS_PER_WATT, MELANOPIC_OF_D65},
 };
 
@@ -23,7 +23,7 @@ const LEAST_FIXED: f64 = 1e-3;
 #[derive(Clone, Debug)]
 pub(super) struct Polytope {
     programme: Programme<ROWS>,
-    start: Corner<ROWS>,
+    start: BasicSolution<ROWS>,
     /// Basic sums of each free channel at weight one, behind them of what is fixed at unit power.
     pub(super) columns: Vec<[f64; BASIC]>,
     /// The least power of what is fixed, beyond which its unknown counts; `None` for nothing.
@@ -127,7 +127,7 @@ impl Polytope {
         once
     }
 
-    fn unknowns(&self, corner: &Corner<ROWS>) -> Vec<f64> {
+    fn unknowns(&self, corner: &BasicSolution<ROWS>) -> Vec<f64> {
         let mut all = self.programme.solution(corner);
         all.truncate(self.columns.len());
         all

@@ -3,7 +3,7 @@
 use super::{
     figures::MixFigures,
     polytope::Polytope,
-    wish::{Favour, Floors, Wish},
+    wish::{Floors, Objective, Wish},
 };
 use crate::{
     color::{uv_1976_from_xyz, xyz::POINTS},
@@ -130,12 +130,13 @@ impl<'a> Mixer<'a> {
             Err(End::Impossible) => return Ok(spread(all, &all.most_melanopic()?).into()),
             Err(end) => return Err(end),
         };
-        if wish.favour == Favour::Fewest
+        if wish.favour == Objective::Fewest
             && let Some(found) = self.fewest(wish, free, scales)
         {
             return Ok(found);
         }
-        let by_samples = matches!(wish.favour, Favour::Ra | Favour::Rf) || wish.floors.of_samples();
+        let by_samples =
+            matches!(wish.favour, Objective::Ra | Objective::Rf) || wish.floors.of_samples();
         if by_samples
             && let Some(scales) = scales
             && let Some(found) = self.by_samples(&within, free, wish, scales)
@@ -143,7 +144,7 @@ impl<'a> Mixer<'a> {
             return Ok(spread(&within, &found.unknowns).into());
         }
         let unknowns = match wish.favour {
-            Favour::Melanopic => within.most_melanopic(),
+            Objective::Melanopic => within.most_melanopic(),
             _ => within.most_lumens(),
         };
         Ok(spread(&within, &unknowns?).into())

@@ -8,7 +8,7 @@ use crate::design::mixture::MixError;
 /// What to favour among the mixtures of the right colour.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Favour {
+pub enum Objective {
     /// Light for the power: greatest luminous efficacy of radiation.
     #[default]
     Ler,
@@ -22,7 +22,7 @@ pub enum Favour {
     Fewest,
 }
 
-impl Favour {
+impl Objective {
     /// Every favour, the default first.
     pub const ALL: [Self; 5] = [Self::Ler, Self::Rf, Self::Ra, Self::Melanopic, Self::Fewest];
 
@@ -105,7 +105,7 @@ pub struct Wish<'a> {
     /// Its colour; without one the weights are what is fixed, or one each.
     pub target: Option<Target>,
     /// What it is to be best at.
-    pub favour: Favour,
+    pub favour: Objective,
     /// What it must not fall below.
     pub floors: Floors,
     /// A light on whole nm 360-830 to come near to in the least squares, instead of a favour; the

@@ -3,7 +3,7 @@
 use super::{Colours, multiplied};
 use crate::{
     color::{Weights, Xyz, delta_e_of_xyz, xyz_of_parts},
-    spectrum::{Band, ChainTables, Composite, Factor, Line, Met, Sampling, below_zero},
+    spectrum::{Band, ChainTables, Composite, Factor, Line, LineInDip, Sampling, below_zero},
     study::error::Spread,
 };
 
@@ -44,7 +44,7 @@ pub struct Step {
     /// Multiplications of this factor.
     pub multiplications: usize,
     /// Lines of the light that stood on a dip of this factor.
-    pub met: Vec<Met>,
+    pub met: Vec<LineInDip>,
     /// Places (nm) where a dip takes the total below zero.
     pub below_zero: Vec<f64>,
     /// Places (nm) of lines that the factors' series have turned negative: a short series of a
@@ -89,7 +89,7 @@ impl Passage {
         for count in counts {
             let run: Vec<Step> = steps.by_ref().take(*count).collect();
             let multiplications = run.iter().map(|step| step.multiplications).sum();
-            let mut met: Vec<Met> = run.iter().flat_map(|step| step.met.clone()).collect();
+            let mut met: Vec<LineInDip> = run.iter().flat_map(|step| step.met.clone()).collect();
             met.dedup_by(|a, b| a == b);
             let Some(last) = run.into_iter().next_back() else {
                 continue;

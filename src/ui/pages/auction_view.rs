@@ -23,7 +23,7 @@ use crate::{
         studies::{About, AuctionAsk, Stage, take},
     },
     io::many::numbers,
-    study::{Auction, Goal, Reference, Way},
+    study::{Auction, FitVariant, Goal, Reference},
     ui::kit::{Column, Row, headline, named, rolled, table},
 };
 
@@ -160,7 +160,7 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
         .labelled_by(label.id)
         .on_hover_text("Most numbers that may be spent, 1 to 101; an order and a spike cost two.");
         let settings = context.app.document().settings;
-        let way = Way::new(settings.basis, false, settings.colour_exact);
+        let way = FitVariant::new(settings.basis, false, settings.colour_exact);
         ui.label("numbers");
         ui.weak(format!("{}, as in the model at the right.", way.title()))
             .on_hover_text("Basis, fit and threshold are the document's; change them there.");

@@ -13,7 +13,7 @@ use crate::{
             wish::{DUV, KELVIN, MixWish, Solved},
         },
     },
-    design::solve::{Against, Care, FREE_LINES, Favour},
+    design::solve::{Against, Care, FREE_LINES, Objective},
     ui::{
         kit::{
             Choice, Chooser, Column, Row, cell, column, lights, number, scrolled, table, warning,
@@ -27,22 +27,22 @@ use crate::{
 const WIDE: f32 = 720.0;
 
 /// What each figure is to be favoured for, in plain words.
-fn favour_words(favour: Favour) -> (&'static str, &'static str) {
+fn favour_words(favour: Objective) -> (&'static str, &'static str) {
     match favour {
-        Favour::Ler => (
+        Objective::Ler => (
             "most light for the power",
             "Greatest luminous efficacy of radiation.",
         ),
-        Favour::Rf => ("truest colours (Rf)", "Greatest fidelity index of TM-30."),
-        Favour::Ra => (
+        Objective::Rf => ("truest colours (Rf)", "Greatest fidelity index of TM-30."),
+        Objective::Ra => (
             "best rendering (Ra)",
             "Greatest colour rendering index of CIE 13.3.",
         ),
-        Favour::Melanopic => (
+        Objective::Melanopic => (
             "greatest melanopic DER",
             "Greatest melanopic daylight efficacy ratio of CIE S 026: most melanopic light for the lux.",
         ),
-        Favour::Fewest => (
+        Objective::Fewest => (
             "fewest channels",
             "As few channels as will do, and among those the most light for the power.",
         ),
@@ -264,7 +264,7 @@ fn favour(ui: &mut Ui, context: &mut PageContext<'_>) {
             meaning: "What the mixture is best at among all those of exactly that colour.",
             width: 210.0 * context.theme.scale,
         };
-        choice.pick(ui, &mut wish.favour, Favour::ALL, favour_words);
+        choice.pick(ui, &mut wish.favour, Objective::ALL, favour_words);
     });
 }
 

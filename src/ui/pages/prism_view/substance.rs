@@ -9,7 +9,7 @@ use crate::{
         App,
         dispersion::{ABBES, INDICES, Substance, own_indices},
     },
-    optics::Stuff,
+    optics::BuiltinMaterial,
     ui::kit::Choice,
 };
 
@@ -33,7 +33,7 @@ pub(crate) fn substance(
     };
     let now = made_of.title(app);
     let list = |ui: &mut Ui| {
-        let shipped = Stuff::ALL.map(Substance::Shipped);
+        let shipped = BuiltinMaterial::ALL.map(Substance::Shipped);
         let own = own_indices(app).map(|entry| Substance::Own {
             index: entry.key.clone(),
         });
