@@ -9,6 +9,13 @@ use super::titles::Titles;
 /// Fewest rows that tell that a table is folded.
 const FEWEST_ROWS: usize = 3;
 
+/// Fewest columns of values that a row is folded into: two or three are readings at other settings.
+const FEWEST_COLUMNS: usize = 5;
+
+/// The share of rows that start again as the row above, from which on columns are spectra of their
+/// own: of a folded curve noise makes one in five look so, of readings that drift nearly all do.
+const MOST_AGAIN: f64 = 0.4;
+
 /// How much longer the way up and down a curve may be than that of every tenth of its points: lines
 /// of light stand between them.
 const LABELLED: f64 = 5.0;
@@ -101,7 +108,7 @@ fn in_rows(table: &Table, group: &Group) -> Option<Unfolded> {
     let (block, titles) = (&table.block, &table.titles);
     let (count, rows) = (group.values.len(), block.rows());
     let axis = block.column(group.axis);
-    if count < 2 || rows < FEWEST_ROWS {
+    if count < FEWEST_COLUMNS || rows < FEWEST_ROWS {
         return None;
     }
     let step = axis[1] - axis[0];
@@ -120,12 +127,7 @@ fn in_rows(table: &Table, group: &Group) -> Option<Unfolded> {
     let most = match &labels {
         Some(labels) if labels.iter().enumerate().all(is_label) => LABELLED,
         Some(_) => return None,
-        None if is_round
-            && count >= 5
-            && group.values.iter().all(|c| titles.whole(*c).is_empty()) =>
-        {
-            UNLABELLED
-        }
+        None if is_round && group.values.iter().all(|c| titles.whole(*c).is_empty()) => UNLABELLED,
         None => return None,
     };
     let mut points = Vec::with_capacity(rows * count);
@@ -153,10 +155,65 @@ fn in_rows(table: &Table, group: &Group) -> Option<Unfolded> {
         .map(|row| (points[row * count].1 - points[row * count - 1].1).abs())
         .filter(|step| !step.is_nan())
         .sum();
+    let values: Vec<f64> = points.iter().map(|point| point.1).collect();
     let is_curve = whole > 0.0
+        && starting_again(&values, count) <= MOST_AGAIN
         && whole <= most * folded / count as f64
         && at_ends * count as f64 <= 3.0 * whole.max(f64::MIN_POSITIVE);
     points.retain(|point| !point.1.is_nan());
     let said = "each row goes on in its columns: read as one spectrum";
     (is_curve && points.len() > rows).then_some((points, None, said))
+}
+
+/// The share of rows, `count` values each, that start again as the row above: their first value
+/// moves from there as the others of the row do, and does not stand between the values beside it.
+fn starting_again(values: &[f64], count: usize) -> f64 {
+    let rows: Vec<&[f64]> = values.chunks_exact(count).collect();
+    let starts_again = |pair: &&[&[f64]]| {
+        let (above, row) = (pair[0], pair[1]);
+        let moves = above.iter().zip(row).map(|(a, b)| b - a);
+        let others = moves.skip(1).sum::<f64>() / (count - 1) as f64;
+        let off_column = (row[0] - above[0] - others).abs();
+        let off_curve = (row[0] - 0.5 * (above[count - 1] + row[1])).abs();
+        2.0 * off_column < off_curve
+    };
+    rows.windows(2).filter(starts_again).count() as f64 / (rows.len() - 1) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::read_bytes;
+
+    /// A table of a lamp in rows of `count` values: of one curve, or of readings that drift by 1 %
+    /// from column to column.
+    fn table(titles: &str, count: u32, drifts: bool) -> String {
+        let lamp = |nm: u32| 1e-3 * (f64::from(nm) / 150.0).exp();
+        let row = |row: u32| {
+            let nm = 380 + count * row;
+            let value = |at: u32| match drifts {
+                true => lamp(nm) * (1.0 + 0.01 * f64::from(at)),
+                false => lamp(nm + at),
+            };
+            let values: String = (0..count).map(|at| format!(",{:.6}", value(at))).collect();
+            format!("{nm}{values}\n")
+        };
+        titles.to_owned() + &(0..30).map(row).collect::<String>()
+    }
+
+    #[test]
+    fn rows_of_one_curve_are_one_spectrum_and_readings_that_drift_are_several() {
+        for (titles, count, drifts, spectra) in [
+            ("", 5, false, 1),
+            ("nm,0,1,2,3,4\n", 5, false, 1),
+            ("", 5, true, 5),
+            ("nm,0,1,2,3,4\n", 5, true, 5),
+            ("nm,0,1,2\n", 3, false, 3),
+            ("nm,0,1,2\n", 3, true, 3),
+        ] {
+            let text = table(titles, count, drifts);
+            let reading = read_bytes("a.csv", text.as_bytes()).expect("a table");
+            let found = reading.spectra.len();
+            assert_eq!(found, spectra, "{titles:?} {drifts}: {:?}", reading.notes);
+        }
+    }
 }
