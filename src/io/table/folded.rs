@@ -16,6 +16,9 @@ const FEWEST_COLUMNS: usize = 5;
 /// own: of a folded curve noise makes one in five look so, of readings that drift nearly all do.
 const MOST_AGAIN: f64 = 0.4;
 
+/// The share of the greatest value from which on values tell that two columns are one curve.
+const LEAST_AT_JOINT: f64 = 0.05;
+
 /// How much longer the way up and down a curve may be than that of every tenth of its points: lines
 /// of light stand between them.
 const LABELLED: f64 = 5.0;
@@ -86,21 +89,49 @@ fn side_by_side(table: &Table, groups: &[Group]) -> Option<Unfolded> {
         points.extend(rows.map(|((nm, v), line)| (*nm, *v, *line)));
     }
     let nm: Vec<f64> = points.iter().map(|point| point.0).collect();
-    let least = groups.len() * FEWEST_ROWS;
-    if points.len() < least || !runs_one_way(&nm) {
+    let ends = joints.iter().skip(1).copied().chain([points.len()]);
+    let rows: Vec<usize> = joints.iter().zip(ends).map(|(a, b)| b - a).collect();
+    // Points that do not fill all columns leave the last one short: of two by one row.
+    let (last, others) = rows.split_last()?;
+    let is_even = others.iter().all(|count| *count == rows[0]) && *last <= rows[0];
+    let is_filled = rows.len() > 2 || last + 1 >= rows[0];
+    if !(is_even && is_filled && *last >= FEWEST_ROWS && runs_one_way(&nm)) {
         return None;
     }
-    let step = |at: usize| (points[at].0 - points[at - 1].0).abs();
-    let rise = |at: usize| (points[at].1 - points[at - 1].1).abs();
-    let inside = || (1..points.len()).filter(|at| !joints.contains(at));
-    let most_step = inside().map(step).fold(0.0, f64::max);
-    let most_rise = inside().map(rise).fold(0.0, f64::max);
-    let goes_on = |at: &usize| *at == 0 || step(*at) <= 1.01 * most_step && rise(*at) <= most_rise;
+    let step = |at: usize| (nm[at] - nm[at - 1]).abs();
+    let inside = (1..nm.len()).filter(|at| !joints.contains(at));
+    let most_step = inside.map(step).fold(0.0, f64::max);
+    let greatest = points.iter().map(|p| p.1.abs()).fold(0.0, f64::max);
+    let goes_on = |at: &usize| step(*at) <= 1.01 * most_step && is_smooth(&points, *at, greatest);
+    // Two filters that let nothing through where they meet agree there as well.
+    let tells = |at: &usize| points[*at].1.abs() > LEAST_AT_JOINT * greatest;
+    let joints = &joints[1..];
     let said = "columns side by side go on with one another: read as one spectrum";
-    joints
-        .iter()
-        .all(goes_on)
-        .then_some((points, Some(first.values[0]), said))
+    (joints.iter().all(goes_on) && joints.iter().any(tells)).then_some((
+        points,
+        Some(first.values[0]),
+        said,
+    ))
+}
+
+/// Whether value and slope agree across the joint before a point: as far as slopes close by do, or
+/// to what rounding leaves of the greatest value.
+fn is_smooth(points: &[Point], joint: usize, greatest: f64) -> bool {
+    const CLOSE_BY: usize = 6;
+    let slope = |pair: &[Point]| (pair[1].1 - pair[0].1) / (pair[1].0 - pair[0].0);
+    let slopes = |points: &[Point]| points.windows(2).map(slope).collect::<Vec<f64>>();
+    let before = slopes(&points[joint.saturating_sub(CLOSE_BY)..joint]);
+    let behind = slopes(&points[joint..points.len().min(joint + CLOSE_BY)]);
+    let bend = |slopes: &[f64]| {
+        let bends = slopes.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+        bends.fold(0.0, f64::max)
+    };
+    let rounding = 2e-3 * greatest / (points[joint].0 - points[joint - 1].0).abs();
+    let most = 2.0 * bend(&before).max(bend(&behind)) + rounding;
+    let across = slope(&points[joint - 1..=joint]);
+    let beside = [before.last(), behind.first()];
+    let mut beside = beside.into_iter().flatten();
+    beside.all(|slope| (slope - across).abs() <= most)
 }
 
 /// Rows of as many values as lie between the wavelengths of two rows.
@@ -214,6 +245,48 @@ mod tests {
             let reading = read_bytes("a.csv", text.as_bytes()).expect("a table");
             let found = reading.spectra.len();
             assert_eq!(found, spectra, "{titles:?} {drifts}: {:?}", reading.notes);
+        }
+    }
+
+    #[test]
+    fn columns_side_by_side_are_one_spectrum_only_where_value_and_slope_agree() {
+        let edge = |nm: f64, at: f64| 0.9 / (1.0 + ((at - nm) / 12.0).exp()) + 0.05;
+        let band = |nm: f64, at: f64| (-((nm - at) / 15.0).powi(2)).exp();
+        let table = |rows: [i32; 2], value: &dyn Fn(usize, f64) -> f64| {
+            let cells = |of: usize, at: i32| {
+                let nm = 380.0 + f64::from(5 * (at + rows[0] * of as i32));
+                let cells = format!("{nm},{:.4}", value(of, nm));
+                if at < rows[of] { cells } else { ",".to_owned() }
+            };
+            let rows = (0..rows[0]).map(|at| format!("{},{}\n", cells(0, at), cells(1, at)));
+            "nm,T,nm,T\n".to_owned() + &rows.collect::<String>()
+        };
+        for (text, spectra) in [
+            (table([40, 40], &|_: usize, nm: f64| edge(nm, 570.0)), 1),
+            (table([40, 39], &|_: usize, nm: f64| edge(nm, 570.0)), 1),
+            (table([40, 30], &|_: usize, nm: f64| edge(nm, 570.0)), 2),
+            // Edges at 500 and 650 nm, two bands, and one that rises where the other falls.
+            (
+                table([40, 40], &|of: usize, nm: f64| {
+                    edge(nm, 500.0 + 150.0 * of as f64)
+                }),
+                2,
+            ),
+            (
+                table([40, 40], &|of: usize, nm: f64| {
+                    band(nm, 480.0 + 200.0 * of as f64)
+                }),
+                2,
+            ),
+            (
+                table([40, 40], &|_: usize, nm: f64| {
+                    0.2 + (nm - 577.5).abs() / 400.0
+                }),
+                2,
+            ),
+        ] {
+            let reading = read_bytes("a.csv", text.as_bytes()).expect("a table");
+            assert_eq!(reading.spectra.len(), spectra, "{:?}", reading.notes);
         }
     }
 }
