@@ -2,7 +2,7 @@
 
 use crate::told::{assert_told, first, read};
 use spectral_explorer::io::{Choices, read_bytes_as};
-use spectral_explorer::spectrum::Kind;
+use spectral_explorer::spectrum::{Kind, in_air};
 
 #[test]
 fn a_single_not_measured_number_is_a_gap_too() {
@@ -60,4 +60,14 @@ fn frequencies_and_small_units_are_turned_into_wavelengths_and_said() {
     assert!((mev.samples.first_nm() - 619.75).abs() < 0.01);
     let odd = read("a.csv", "Frequency (PHz),lamp [W/m2/nm]\n400,1\n500,2\n");
     assert!(odd.is_doubtful(), "{:?}", odd.guesses);
+}
+
+#[test]
+fn wavelengths_in_vacuum_are_turned_as_far_as_air_has_an_index() {
+    let read = first(
+        "a.csv",
+        "Vacuum wavelength (nm),lamp\n180,1\n190,2\n210,3\n",
+    );
+    // 185 nm, as for colours.
+    assert_eq!(read.samples.nm(), [180.0, in_air(190.0), in_air(210.0)]);
 }
