@@ -112,6 +112,8 @@ struct Marks {
     is_bare: bool,
     /// Whether all decimals are three, so that they may be thousands too.
     is_either: bool,
+    /// Whether nothing but whole numbers below 1000 tells of thousands.
+    is_unsure: bool,
 }
 
 impl Marks {
@@ -164,6 +166,10 @@ impl Marks {
             decimals,
             is_bare: has_bare && thousands.is_some(),
             is_either: !(0..2).any(|mark| has(mark, Use::Decimals)) && decimals.is_some(),
+            is_unsure: (0..2).any(|mark| {
+                let is_proven = has(mark, Use::Thousands) || has(1 - mark, Use::Decimals);
+                has(mark, Use::Either) && parts_thousands(mark) && !is_proven
+            }),
         })
     }
 
@@ -215,7 +221,7 @@ fn written_anew(text: &str, dialect: Dialect, mut marks: Vec<Option<Marks>>) -> 
     let known = || marks.iter().flatten().filter(|marks| !marks.is_either);
     let plain: Vec<char> = known().filter_map(|marks| marks.decimals).collect();
     // Where another column marks decimals otherwise, three figures are thousands.
-    let mut is_doubtful = false;
+    let mut is_doubtful = marks.iter().flatten().any(|of| of.is_unsure);
     for of in marks.iter_mut().flatten().filter(|of| of.is_either) {
         if of
             .decimals
@@ -267,7 +273,7 @@ fn written_anew(text: &str, dialect: Dialect, mut marks: Vec<Option<Marks>>) -> 
 
 #[cfg(test)]
 mod tests {
-    use crate::io::read_bytes;
+    use crate::io::{Guessed, read_bytes};
 
     #[test]
     fn rows_with_gaps_and_limits_are_written_anew_with_the_others() {
@@ -288,6 +294,28 @@ mod tests {
             assert_eq!((samples.nm()[5], samples.values()[5]), (470.5, 0.05));
             let is_lost = |note: &String| note.contains("left out");
             assert!(!reading.notes.iter().any(is_lost), "{:?}", reading.notes);
+        }
+    }
+
+    #[test]
+    fn thousands_that_only_whole_numbers_below_1000_tell_of_are_asked_about() {
+        // The last one is proven by a second mark in it.
+        for (last, is_asked) in [("1.250", true), ("1.001.250", false)] {
+            let rows = ["950", "960", "970", "1.020", last];
+            let rows = rows
+                .iter()
+                .zip(0..)
+                .map(|(v, at)| format!("{};{v}\n", 400 + at));
+            let text = "nm;Counts\n".to_owned() + &rows.collect::<String>();
+            let reading = read_bytes("a.csv", text.as_bytes()).expect("a table");
+            assert_eq!(reading.spectra[0].samples.values()[3], 1020.0);
+            let guesses = &reading.guesses;
+            let found = guesses.iter().any(|of| of.what == Guessed::Columns);
+            assert_eq!(
+                (found, reading.is_doubtful()),
+                (is_asked, is_asked),
+                "{guesses:?}"
+            );
         }
     }
 }
