@@ -71,3 +71,21 @@ fn wavelengths_in_vacuum_are_turned_as_far_as_air_has_an_index() {
     // 185 nm, as for colours.
     assert_eq!(read.samples.nm(), [180.0, in_air(190.0), in_air(210.0)]);
 }
+
+#[test]
+fn an_efficiency_of_photons_is_what_a_light_is_weighed_with_and_no_light() {
+    for title in [
+        "Photon detection efficiency (%)",
+        "PDE (%)",
+        "Incident photon-to-current efficiency [%]",
+    ] {
+        let text = format!("Wavelength (nm),{title}\n400,10\n450,40\n500,20\n");
+        let found = first("a.csv", text);
+        assert_eq!(
+            (found.kind, &*found.unit),
+            (Kind::Weighting, "%"),
+            "{title}"
+        );
+        assert_eq!(found.samples.values(), [10.0, 40.0, 20.0]);
+    }
+}
