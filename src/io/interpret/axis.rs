@@ -47,8 +47,8 @@ pub(crate) fn names_vacuum(title: &str) -> bool {
 /// Whether a line of a header says so: "vacuum wavelengths", "wavelengths (nm) are in vacuum". What
 /// was measured in a vacuum chamber, or stands under a title of its own, tells nothing of them.
 pub(crate) fn says_vacuum(line: &str) -> bool {
-    const BETWEEN: &str = "in;im;are;is;all;given;stated;quoted;scale;axis;unit;units;medium;nm;um;\
-         µm;μm;å;angstrom;)";
+    const BETWEEN: &str = "in;im;are;is;all;given;stated;quoted;measured;scale;axis;unit;units;\
+         medium;nm;um;µm;μm;å;angstrom;)";
     const BEHIND: &str = "and;as;at;by;from;unless;values;nm;um;µm;μm;å;angstrom;)";
     let has = |words: &str, word: &&&str| words.split(';').any(|own| own == **word);
     let is_length = |text: &str| holds_one(text, LENGTHS);
@@ -210,6 +210,7 @@ mod tests {
             "wavelength medium: vacuum",
             "Wavelength_vac (nm);Flux",
             "Wavelength (vacuum) nm\tFlux",
+            "Wavelengths measured in vacuum",
             "Wellenlängen im Vakuum",
             "Vakuumwellenlänge",
         ] {
