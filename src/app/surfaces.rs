@@ -49,7 +49,7 @@ impl Surfaces {
         })
     }
 
-    /// A sentence: "Of 396 measured surfaces 12 differ by 1 or more, at most 2.19 (CES81)."
+    /// A sentence: "Of 401 measured surfaces 12 differ by 1 or more, at most 2.19 (CES81)."
     pub fn sentence(&self) -> String {
         let Self {
             count,
