@@ -7,6 +7,7 @@ use super::{
     settings::{Detector, Settings},
     state::App,
     ticks::short,
+    tint,
     verdicts::{HARD_TO_SEE, Seen},
 };
 use crate::{
@@ -99,6 +100,14 @@ pub fn set_title(id: &str) -> String {
         other => other,
     };
     known.to_owned()
+}
+
+/// What white the light is: of all that its table has in 360-830 nm, as the pages of Quality tell it,
+/// whatever the model's range leaves out. `None` for what is none, or no light.
+pub fn white_words(app: &App) -> Option<String> {
+    let colour = &app.derived().colour;
+    let cct = colour.full.or(colour.exact)?.cct?.ok()?;
+    Some(tint::title_words(cct))
 }
 
 /// The least order from which on a difference is hard to see on every patch; `None` where there is
@@ -278,6 +287,25 @@ pub fn lines_words(app: &App) -> String {
 mod tests {
     use super::*;
     use crate::app::{Command, showing};
+
+    #[test]
+    fn the_white_beside_the_verdict_is_that_of_the_page_quality_on_any_range() {
+        let mut app = App::new();
+        for [first, last] in [[380, 780], [430, 640]] {
+            let settings = Settings {
+                band: crate::spectrum::Band::new(f64::from(first), f64::from(last))
+                    .expect("a range"),
+                ..app.document().settings
+            };
+            app.apply(Command::Edit(settings));
+            let white = white_words(&app).expect("a white");
+            let place = crate::app::QualityShown::of(&app).place;
+            assert!(
+                place.starts_with(&format!("FL2: {white} (")),
+                "{place}, {white}"
+            );
+        }
+    }
 
     #[test]
     fn a_verdict_says_which_surfaces_it_was_judged_on_and_how_many() {

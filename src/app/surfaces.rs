@@ -63,7 +63,9 @@ impl Surfaces {
             more => format!("{more} differ"),
         };
         let all = many(*count, "measured surface", "measured surfaces");
-        format!("Of {all} {beyond} by ΔE₀₀ 1 or more, at most {delta_e_max:.2} ({worst}).")
+        format!(
+            "Of {all} {beyond} by ΔE₀₀ {HARD_TO_SEE} or more, at most {delta_e_max:.2} ({worst})."
+        )
     }
 }
 

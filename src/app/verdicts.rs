@@ -14,6 +14,8 @@
 //!
 //! Ra and Rf are means: their words speak of the mean, and the worst sample stands beside them.
 
+use crate::study::products::MATCH_DELTA_E;
+
 /// How a difference of colour is seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Seen {
@@ -27,8 +29,8 @@ pub enum Seen {
     Large,
 }
 
-/// CIEDE2000 below which a difference is hard to see.
-pub const HARD_TO_SEE: f64 = 1.0;
+/// CIEDE2000 below which a difference is hard to see: what two surfaces match within, too.
+pub const HARD_TO_SEE: f64 = MATCH_DELTA_E;
 
 /// What is said of a difference: on a badge, of a model ("Model and light ..."), behind a figure,
 /// and what it means.

@@ -15,8 +15,7 @@ use super::{
 };
 use crate::app::{
     App, Command,
-    answers::{Worst, judged_on, of_how_many, verdict},
-    tint,
+    answers::{Worst, judged_on, of_how_many, verdict, white_words},
     verdicts::Seen,
     workspace::Preferences,
 };
@@ -298,12 +297,12 @@ fn answers(ui: &mut Ui, app: &App, theme: Theme) {
         let nothing = "nothing to compare".to_owned();
         row("The spectrum", nothing, derived.why_no_errors());
     }
-    if let Some(Ok(cct)) = derived.colour.exact.and_then(|colour| colour.cct) {
+    if let Some(white) = white_words(app) {
         row(
             "What white is it?",
-            tint::title_words(cct),
-            "Correlated colour temperature after Ohno, and which way it leaves the line of \
-             blackbodies (Duv).",
+            white,
+            "Correlated colour temperature of the light from 360 to 830 nm, after Ohno, and which \
+             way it leaves the line of blackbodies (Duv).",
         );
     }
 }
