@@ -1,5 +1,5 @@
-//! What lines at free places are found to reach at best: the trade between efficacy and colour rendering,
-//! as a job.
+//! What lines at free places are found to reach at best: the trade between efficacy and colour
+//! rendering, as a job.
 
 use super::{
     mix::{FULL, Mix, MixChannel},
