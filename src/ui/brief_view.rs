@@ -59,7 +59,8 @@ pub(super) fn brief(ui: &mut Ui, app: &App, theme: Theme) {
                     let words = Label::new(words.color(ui.visuals().strong_text_color()));
                     ui.add(words.wrap()).on_hover_text(verdict(app, seen));
                     let (off, of) = (figure(worst.delta_e_2000), of_how_many(app));
-                    ui.label(format!("ΔE₀₀ {off} at worst{of}"));
+                    let words = format!("ΔE₀₀ {off} at worst{of}");
+                    ui.add(Label::new(words).truncate());
                     let (numbers, instead) = counts(app);
                     let words = format!("{numbers} numbers, not {instead}");
                     ui.add(Label::new(words).wrap());
