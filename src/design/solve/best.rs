@@ -27,17 +27,20 @@ fn eased(floor: f64) -> f64 {
     floor - ROUNDING * floor.abs()
 }
 
+/// A floor, the figure it is of, and the limit that its number sets.
+type Floor<'a> = (Option<f64>, Favour, &'a dyn Fn(f64) -> f64);
+
 /// The floors as limits of sums and of mean differences.
 fn limits(within: &Polytope, floors: Floors) -> Vec<Limit> {
     // Y = 1.
     let most_power = |floor: f64| LUMENS_PER_WATT / floor;
-    let all: [(Option<f64>, Favour, &dyn Fn(f64) -> f64); 4] = [
+    let all: [Floor; 4] = [
         (floors.ler.filter(|f| *f > 0.0), Favour::Ler, &most_power),
         (floors.melanopic, Favour::Melanopic, &|floor| -floor),
         (floors.ra, Favour::Ra, &|floor| Figure::Ra.mean(floor)),
         (floors.rf, Favour::Rf, &|floor| Figure::Rf.mean(floor)),
     ];
-    let one = |(floor, favour, most): (Option<f64>, Favour, &dyn Fn(f64) -> f64)| {
+    let one = |(floor, favour, most): Floor| {
         let (part, most) = (part_of(within, favour), most(eased(floor?)));
         most.is_finite().then_some(Limit { part, most })
     };
