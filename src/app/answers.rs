@@ -2,10 +2,12 @@
 //! the difference, how few numbers are they, from which order on is it hard to see.
 
 use super::{
+    document::FIRST_PATCH_SET,
     line_names::LineName,
     settings::{Detector, Settings},
     state::App,
     ticks::short,
+    tint,
     verdicts::{HARD_TO_SEE, Seen},
 };
 use crate::{
@@ -39,21 +41,73 @@ impl Worst {
     }
 }
 
-/// The verdict on the model, with its subject: "Model and light are hard to tell apart by eye".
+/// The verdict on the model, with its subject and what it was judged on: "Model and light are hard
+/// to tell apart by eye, judged on 24 shipped surfaces".
 pub fn verdict(app: &App, seen: Seen) -> String {
-    seen.verdict(match app.document().subject_entry().kind() {
+    let said = seen.verdict(match app.document().subject_entry().kind() {
         Kind::Reflectance => "surface",
         Kind::Transmittance => "filter",
         _ => "light",
+    });
+    format!("{said}, judged {}", judged_on(app))
+}
+
+/// What the verdict was judged on: "on 24 shipped surfaces", "on 26 surfaces, 2 of them your own".
+/// A set other than the first is named.
+pub fn judged_on(app: &App) -> String {
+    let (document, derived) = (app.document(), app.derived());
+    let Some(patches) = &derived.patches else {
+        return "on its own colour alone".to_owned();
+    };
+    let set = document.patch_set.as_str();
+    let which = match set == FIRST_PATCH_SET {
+        true => String::new(),
+        false => format!(" ({})", set_title(set)),
+    };
+    let count = patches.items.len();
+    match document.patches_of_own().count() {
+        0 => format!(
+            "on {}{which}",
+            many(count, "shipped surface", "shipped surfaces")
+        ),
+        own => format!(
+            "on {}{which}, {own} of them your own",
+            many(count, "surface", "surfaces")
+        ),
+    }
+}
+
+/// The same behind "at worst": "of 24", nothing where there are no patches.
+pub fn of_how_many(app: &App) -> String {
+    let patches = app.derived().patches.as_ref();
+    patches.map_or_else(String::new, |patches| {
+        format!(" of {}", patches.items.len())
     })
 }
 
-/// What the verdict was judged on: "on 24 surfaces".
-pub fn judged_on(app: &App) -> String {
-    match &app.derived().patches {
-        Some(patches) => format!("on {}", many(patches.items.len(), "surface", "surfaces")),
-        None => "on its own colour".to_owned(),
-    }
+/// A patch set's short title, for menus and behind a verdict.
+pub fn set_title(id: &str) -> String {
+    let known = match id {
+        FIRST_PATCH_SET => "24 surfaces",
+        "tm30_ces99_5nm" => "TM-30, 99 samples",
+        "cri_tcs" => "CRI test colours",
+        "nist_cqs_vs" => "NIST CQS samples",
+        "pmc_chart" => "Memory colours",
+        "aces_training_190" => "AMPAS 190",
+        "metals_refractiveindex" => "Metals",
+        "usgs_splib07" => "USGS materials",
+        "filters_glass_cc0" => "Filter glasses",
+        other => other,
+    };
+    known.to_owned()
+}
+
+/// What white the light is: of all that its table has in 360-830 nm, as the pages of Quality tell it,
+/// whatever the model's range leaves out. `None` for what is none, or no light.
+pub fn white_words(app: &App) -> Option<String> {
+    let colour = &app.derived().colour;
+    let cct = colour.full.or(colour.exact)?.cct?.ok()?;
+    Some(tint::title_words(cct))
 }
 
 /// The least order from which on a difference is hard to see on every patch; `None` where there is
@@ -226,5 +280,52 @@ pub fn lines_words(app: &App) -> String {
     match settings.detector {
         Detector::Energy => format!("above {} % of the power", short(settings.threshold_percent)),
         Detector::Gradient => format!("steeper than {} % per nm", short(settings.gradient_percent)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::{Command, showing};
+
+    #[test]
+    fn the_white_beside_the_verdict_is_that_of_the_page_quality_on_any_range() {
+        let mut app = App::new();
+        for [first, last] in [[380, 780], [430, 640]] {
+            let settings = Settings {
+                band: crate::spectrum::Band::new(f64::from(first), f64::from(last))
+                    .expect("a range"),
+                ..app.document().settings
+            };
+            app.apply(Command::Edit(settings));
+            let white = white_words(&app).expect("a white");
+            let place = crate::app::QualityShown::of(&app).place;
+            assert!(
+                place.starts_with(&format!("FL2: {white} (")),
+                "{place}, {white}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_verdict_says_which_surfaces_it_was_judged_on_and_how_many() {
+        let mut app = App::new();
+        let said = verdict(&app, Seen::Hardly);
+        assert_eq!(
+            said,
+            "Model and light are hard to tell apart by eye, judged on 24 shipped surfaces"
+        );
+        assert_eq!(of_how_many(&app), " of 24");
+        app.apply(Command::PatchSet("cri_tcs".to_owned()));
+        let count = app.derived().patches.as_ref().expect("a light").items.len();
+        let expected = format!("on {count} shipped surfaces (CRI test colours)");
+        assert_eq!(judged_on(&app), expected);
+        let of_surface = showing("colorchecker_ohta/red");
+        assert_eq!(judged_on(&of_surface), "on its own colour alone");
+        assert_eq!(of_how_many(&of_surface), "");
+        // The menu's words are those of the set, whose count they name.
+        let first = crate::app::Library::bundled().group(FIRST_PATCH_SET);
+        let first = first.expect("shipped").items.len();
+        assert_eq!(set_title(FIRST_PATCH_SET), format!("{first} surfaces"));
     }
 }

@@ -109,9 +109,11 @@ pub fn two_lights(sheet: &TwoLightsSheet) -> String {
     };
     match (exact.mean(), exact.worst()) {
         (Some(mean), Some(worst)) => format!(
-            "From {first} to {second} the patches move by ΔE₀₀ {mean:.2} on average, the patch \"{}\" \
+            "From {first} to {second} the {} move by ΔE₀₀ {mean:.2} on average, the patch \"{}\" \
              most, by {:.2}.",
-            sheet.names[worst], exact.patches[worst].delta_e_2000
+            many(sheet.names.len(), "patch", "patches"),
+            sheet.names[worst],
+            exact.patches[worst].delta_e_2000
         ),
         _ => "There are no patches to compare.".to_owned(),
     }

@@ -62,5 +62,16 @@ mod tests {
             let again = tables[..i].iter().find(|t| t.samples == table.samples);
             assert!(again.is_none(), "{} is {again:?}", table.name);
         }
+        // The documents name the count.
+        for (text, words) in [
+            (include_str!("../../README.md"), "all {} measured ones"),
+            (
+                include_str!("../../docs/window.md"),
+                "the {} measured surfaces",
+            ),
+        ] {
+            let words = words.replace("{}", &MEASURED.len().to_string());
+            assert!(text.contains(&words), "{words}");
+        }
     }
 }

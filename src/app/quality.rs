@@ -126,9 +126,16 @@ fn sentence(sheet: &Sheet) -> String {
             format!(" Its model of {numbers} numbers has {how}.")
         },
     );
+    // A mean tells nothing of the worst.
+    let samples = fidelity.samples.iter().copied();
+    let lowest = samples.fold(f64::INFINITY, f64::min);
     format!(
-        "{name} {word} on average: Rf {:.0}, Ra {:.0}, R9 {:.0}.{by_model}",
-        fidelity.rf, rendering.ra, rendering.samples[8].index
+        "{name} {word} on average: Rf {:.0} ({lowest:.0} on the worst of {} samples), Ra {:.0}, \
+         R9 {:.0}.{by_model}",
+        fidelity.rf,
+        fidelity.samples.len(),
+        rendering.ra,
+        rendering.samples[8].index
     )
 }
 
@@ -158,10 +165,7 @@ fn rendition(sheet: &Sheet) -> String {
         .filter_map(|(i, bin)| Some((i, bin.as_ref()?)))
         .min_by(|a, b| a.1.rf.total_cmp(&b.1.rf));
     let worst = worst.map_or_else(String::new, |(i, bin)| {
-        let how = match bin.rcs.abs() > 0.03 {
-            true => verdicts::of_chroma(&[bin.rcs]).unwrap_or_default(),
-            false => "turned in hue",
-        };
+        let how = verdicts::of_shift(bin.rcs, bin.rhs);
         let hue = HUE_NAMES[i];
         format!(
             " Most shifts {hue} (hue {} of 16): {how}, Rf {:.0}.",
@@ -209,18 +213,25 @@ impl ByOrder {
     }
 }
 
-/// From which order on the figures are there, a sentence.
+/// From which order on the figures are near enough to the measured ones, and how near, a sentence.
 pub fn settled_words(found: &OrderFigures) -> String {
     let highest = found.points.last().map_or(0, |point| point.order);
     let said = Chosen::ALL.map(|chosen| {
         let title = chosen.title();
-        match (chosen.of(&found.exact), found.settled_from(chosen)) {
-            (None, _) => format!("{title} has no value"),
-            (_, Some(order)) => format!("{title} from order {order} on"),
-            (_, None) => format!("{title} at no order up to {highest}"),
+        let Some(exact) = chosen.of(&found.exact) else {
+            return format!("{title} has no value");
+        };
+        let near = chosen.near_enough(exact);
+        let within = match chosen {
+            Chosen::Cct => format!("{near:.0} K"),
+            _ => short(near),
+        };
+        match found.settled_from(chosen) {
+            Some(order) => format!("{title} within {within} from order {order} on"),
+            None => format!("{title} within {within} at no order up to {highest}"),
         }
     });
-    format!("As good as measured: {}.", said.join(", "))
+    format!("As measured: {}.", said.join(", "))
 }
 
 #[cfg(test)]
@@ -248,6 +259,9 @@ mod tests {
         let shown = QualityShown::of(&app);
         let fidelity = shown.sheet.measured.fidelity.as_ref().expect("a white");
         assert!(shown.sentence.contains(&format!("Rf {:.0}", fidelity.rf)));
+        let worst = fidelity.samples.iter().copied().fold(100.0, f64::min);
+        let worst = format!("({worst:.0} on the worst of 99 samples)");
+        assert!(shown.sentence.contains(&worst), "{}", shown.sentence);
         let title = "FL2: 4220 K, slightly green (Duv +0.0018)";
         assert!(shown.place.starts_with(title), "{}", shown.place);
         let worst = shown.rendition.split_once("Most shifts ").expect("a hue").1;
@@ -290,6 +304,10 @@ mod tests {
         let words = settled_words(&found);
         for chosen in Chosen::ALL {
             assert!(words.contains(chosen.title()), "{words}");
+        }
+        // How near that is, is said with it: 21 K are half a per cent of 4224 K.
+        for bound in ["Ra within 0.5 ", "CCT within 21 K ", "DER within 0.005 "] {
+            assert!(words.contains(bound), "{words}");
         }
     }
 }

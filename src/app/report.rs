@@ -8,7 +8,7 @@ use serde_json::{Map, Value, json};
 
 use super::{
     absorption_names::{Curve, DarkFamily, dark_lines},
-    answers::{Worst, judged_on, verdict},
+    answers::{Worst, verdict},
     derived::{Colour, Derived},
     figures::{ColourFigure, OF_COLOUR, OF_LIGHT, by_key},
     makers::{Beside, beside},
@@ -321,10 +321,9 @@ fn seen_lines(app: &App) -> Vec<String> {
     if let Some(worst) = Worst::of(app) {
         let patch = worst.patch.map(|patch| format!(" ({patch})"));
         lines.push(format!(
-            "Seen      {}: CIEDE2000 {:.3} at most {}{}",
+            "Seen      {}: CIEDE2000 {:.3} at most{}",
             verdict(app, Seen::of(worst.delta_e_2000)),
             worst.delta_e_2000,
-            judged_on(app),
             patch.unwrap_or_default()
         ));
         let surfaces = app.surfaces().map(Surfaces::sentence);

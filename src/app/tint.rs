@@ -39,13 +39,15 @@ pub fn whiteness(cct: Cct) -> Whiteness {
     }
 }
 
-/// The tint of a Duv: "slightly green"; empty on the line of blackbodies.
-pub fn tint(duv: f64) -> &'static str {
-    match duv {
-        d if d > WHITE_HALF_WIDTH_DUV => "greenish",
-        d if d > FAINT_DUV => "slightly green",
-        d if d < -WHITE_HALF_WIDTH_DUV => "pinkish",
-        d if d < -FAINT_DUV => "slightly pink",
+/// The tint of a light: "slightly green" of a white, "greenish" of what is none; empty on the line of
+/// blackbodies.
+pub fn tint(cct: Cct) -> &'static str {
+    let is_white = whiteness(cct) == Whiteness::White;
+    match cct.duv {
+        d if d > FAINT_DUV && is_white => "slightly green",
+        d if d > FAINT_DUV => "greenish",
+        d if d < -FAINT_DUV && is_white => "slightly pink",
+        d if d < -FAINT_DUV => "pinkish",
         _ => "",
     }
 }
@@ -59,7 +61,7 @@ pub fn kelvin_words(kelvin: f64) -> String {
 /// A temperature and its tint for a title: "4220 K, slightly green".
 pub fn title_words(cct: Cct) -> String {
     let kelvin = kelvin_words(cct.kelvin);
-    match (whiteness(cct), tint(cct.duv)) {
+    match (whiteness(cct), tint(cct)) {
         (Whiteness::Coloured, _) => format!("none: coloured, nearest {kelvin}"),
         (_, "") => kelvin,
         (_, tint) => format!("{kelvin}, {tint}"),
@@ -70,15 +72,15 @@ pub fn title_words(cct: Cct) -> String {
 pub fn name(cct: Cct) -> String {
     match whiteness(cct) {
         Whiteness::White => verdicts::of_cct(cct.kelvin).to_owned(),
-        Whiteness::Tinted => format!("{}, beside the whites", tint(cct.duv)),
+        Whiteness::Tinted => format!("{}, beside the whites", tint(cct)),
         Whiteness::Coloured => "a coloured light, no white".to_owned(),
     }
 }
 
 /// What Duv tells.
 pub fn duv_words(cct: Cct) -> String {
-    let tint = match tint(cct.duv) {
-        "" => "on the line of blackbodies",
+    let tint = match tint(cct) {
+        "" => "within 0.001 of the line of blackbodies",
         tint => tint,
     };
     match whiteness(cct) {
@@ -95,7 +97,7 @@ pub fn duv_words(cct: Cct) -> String {
 pub fn light_words(cct: Cct) -> String {
     match whiteness(cct) {
         Whiteness::White => "A white light".to_owned(),
-        Whiteness::Tinted => format!("A {} light", tint(cct.duv)),
+        Whiteness::Tinted => format!("A {} light", tint(cct)),
         Whiteness::Coloured => "A coloured light".to_owned(),
     }
 }
@@ -133,6 +135,11 @@ mod tests {
         assert_eq!(title_words(cct(3000.0, -0.0074)), "3000 K, pinkish");
         assert_eq!(kelvin_words(9996.0), "10000 K");
         assert_eq!(kelvin_words(12_345.0), "12300 K");
+        // A white of the standard is not called greenish where its name is a white.
+        let cool = cct(6500.0, 0.0085);
+        assert_eq!(title_words(cool), "6500 K, slightly green");
+        assert_eq!(duv_words(cool), "slightly green");
+        assert_eq!(name(cool), "cool white");
         let none = title_words(cct(4000.0, 0.036));
         assert_eq!(none, "none: coloured, nearest 4000 K");
     }

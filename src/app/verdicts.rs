@@ -14,6 +14,8 @@
 //!
 //! Ra and Rf are means: their words speak of the mean, and the worst sample stands beside them.
 
+use crate::study::products::MATCH_DELTA_E;
+
 /// How a difference of colour is seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Seen {
@@ -27,8 +29,8 @@ pub enum Seen {
     Large,
 }
 
-/// CIEDE2000 below which a difference is hard to see.
-pub const HARD_TO_SEE: f64 = 1.0;
+/// CIEDE2000 below which a difference is hard to see: what two surfaces match within, too.
+pub const HARD_TO_SEE: f64 = MATCH_DELTA_E;
 
 /// What is said of a difference: on a badge, of a model ("Model and light ..."), behind a figure,
 /// and what it means.
@@ -199,6 +201,16 @@ pub fn of_chroma(rcs: &[f64]) -> Option<&'static str> {
     }
 }
 
+/// Which way a hue goes most, by its local shifts of chroma (a share of it) and of hue (radians): a
+/// small turn moves a colour as far as a gain of that share of its chroma.
+pub fn of_shift(rcs: f64, rhs: f64) -> &'static str {
+    match of_chroma(&[rcs]) {
+        Some(way) if rcs.abs() >= rhs.abs() => way,
+        _ if rhs.abs() > TOLD_CHROMA => "turned in hue",
+        _ => "neither in vividness nor in hue on average",
+    }
+}
+
 const OF_SSI: Borders = &[
     (90.0, "very like"),
     (70.0, "like"),
@@ -292,6 +304,15 @@ mod tests {
         // Kelly's yellow is narrow: 560-570 nm are yellow green.
         assert_eq!(of_wavelength(565.0), "yellow green");
         assert_eq!(of_wavelength(578.0), "yellow");
+    }
+
+    #[test]
+    fn a_hue_is_said_to_turn_only_where_it_turns_more_than_it_gains_or_loses() {
+        assert_eq!(of_shift(0.02, 0.0), "more vivid");
+        assert_eq!(of_shift(-0.04, 0.03), "duller");
+        assert_eq!(of_shift(-0.04, -0.05), "turned in hue");
+        assert_eq!(of_shift(0.0, 0.02), "turned in hue");
+        assert!(of_shift(0.005, 0.005).starts_with("neither"));
     }
 
     #[test]

@@ -11,7 +11,7 @@ use super::{
 };
 use crate::app::{
     App, Pair,
-    answers::{Worst, verdict},
+    answers::{Worst, of_how_many, verdict},
     verdicts::Seen,
 };
 
@@ -58,7 +58,9 @@ pub(super) fn brief(ui: &mut Ui, app: &App, theme: Theme) {
                     let words = RichText::new(said).size(size * theme.scale);
                     let words = Label::new(words.color(ui.visuals().strong_text_color()));
                     ui.add(words.wrap()).on_hover_text(verdict(app, seen));
-                    ui.label(format!("ΔE₀₀ {} at worst", figure(worst.delta_e_2000)));
+                    let (off, of) = (figure(worst.delta_e_2000), of_how_many(app));
+                    let words = format!("ΔE₀₀ {off} at worst{of}");
+                    ui.add(Label::new(words).truncate());
                     let (numbers, instead) = counts(app);
                     let words = format!("{numbers} numbers, not {instead}");
                     ui.add(Label::new(words).wrap());
@@ -105,7 +107,7 @@ fn brief_line(ui: &mut Ui, app: &App, theme: Theme, height: f32) {
     let words = RichText::new(seen.word()).color(ui.visuals().strong_text_color());
     ui.label(words).on_hover_text(verdict(app, seen));
     let (numbers, instead) = counts(app);
-    let worst = figure(worst.delta_e_2000);
-    let words = format!("ΔE₀₀ {worst} at worst, {numbers} numbers, not {instead}");
+    let (off, of) = (figure(worst.delta_e_2000), of_how_many(app));
+    let words = format!("ΔE₀₀ {off} at worst{of}, {numbers} numbers, not {instead}");
     ui.add(Label::new(words).truncate());
 }

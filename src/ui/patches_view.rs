@@ -8,7 +8,9 @@ use super::{
     swatch,
     theme::Theme,
 };
-use crate::app::{App, Command, Library, derived::PatchComparison, verdicts::Seen};
+use crate::app::{
+    App, Command, Library, answers::set_title, derived::PatchComparison, verdicts::Seen,
+};
 
 /// Most patches in one row: the ColorChecker makes two rows.
 const PER_ROW: usize = 12;
@@ -128,21 +130,4 @@ fn grid(
             }
         });
     }
-}
-
-/// A patch set's short title for the menu.
-pub(super) fn set_title(id: &str) -> String {
-    let known = match id {
-        "colorchecker_ohta" => "24 surfaces",
-        "tm30_ces99_5nm" => "TM-30, 99 samples",
-        "cri_tcs" => "CRI test colours",
-        "nist_cqs_vs" => "NIST CQS samples",
-        "pmc_chart" => "Memory colours",
-        "aces_training_190" => "AMPAS 190",
-        "metals_refractiveindex" => "Metals",
-        "usgs_splib07" => "USGS materials",
-        "filters_glass_cc0" => "Filter glasses",
-        other => other,
-    };
-    known.to_owned()
 }

@@ -15,8 +15,7 @@ use super::{
 };
 use crate::app::{
     App, Command,
-    answers::{Worst, judged_on, verdict},
-    tint,
+    answers::{Worst, judged_on, of_how_many, verdict, white_words},
     verdicts::Seen,
     workspace::Preferences,
 };
@@ -211,8 +210,7 @@ fn headline(ui: &mut Ui, app: &App, theme: Theme) {
         });
     });
     if let Some(surfaces) = app.surfaces() {
-        let words = format!("Judged {}. {}", judged_on(app), surfaces.sentence());
-        let words = RichText::new(words).small();
+        let words = RichText::new(surfaces.sentence()).small();
         ui.add(Label::new(words.color(theme.faint)).wrap())
             .on_hover_text(
                 "All tables of surfaces that ship and were measured, under the light and under \
@@ -299,12 +297,12 @@ fn answers(ui: &mut Ui, app: &App, theme: Theme) {
         let nothing = "nothing to compare".to_owned();
         row("The spectrum", nothing, derived.why_no_errors());
     }
-    if let Some(Ok(cct)) = derived.colour.exact.and_then(|colour| colour.cct) {
+    if let Some(white) = white_words(app) {
         row(
             "What white is it?",
-            tint::title_words(cct),
-            "Correlated colour temperature after Ohno, and which way it leaves the line of \
-             blackbodies (Duv).",
+            white,
+            "Correlated colour temperature of the light from 360 to 830 nm, after Ohno, and which \
+             way it leaves the line of blackbodies (Duv).",
         );
     }
 }
@@ -358,7 +356,11 @@ fn warnings(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
 pub fn line(ui: &mut Ui, app: &App) -> bool {
     let words = Worst::of(app).map_or_else(
         || "no colour".to_owned(),
-        |worst| format!("difference {}", Seen::of(worst.delta_e_2000).seen()),
+        |worst| {
+            let seen = Seen::of(worst.delta_e_2000).seen();
+            let (off, of) = (figure(worst.delta_e_2000), of_how_many(app));
+            format!("ΔE₀₀ {off} at worst{of}: {seen}")
+        },
     );
     let text = format!("Model: {} numbers, {words}", app.derived().numbers());
     ui.add(
@@ -366,7 +368,10 @@ pub fn line(ui: &mut Ui, app: &App) -> bool {
             .frame(false)
             .truncate(),
     )
-    .on_hover_text("Opens the model's verdict and its knobs beside the page.")
+    .on_hover_text(format!(
+        "Opens the model's verdict and its knobs beside the page. Judged {}.",
+        judged_on(app)
+    ))
     .clicked()
 }
 

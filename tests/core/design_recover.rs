@@ -242,6 +242,40 @@ fn moved(nodes: &Nodes, change: &Nodes, share: f64) -> Nodes {
     std::array::from_fn(|j| (nodes[j] + share * reach * change[j]).clamp(0.0, 1.0))
 }
 
+#[test]
+fn the_nearest_colour_is_one_that_a_surface_has() {
+    // Beside these the simplex method alone said no: rounding at the edge of the colour solid.
+    let under = viewing("CIE D65");
+    for (xyz, within) in [
+        (
+            [23.95161241522296, 61.57426366578858, 116.25790974101085],
+            1e-9,
+        ),
+        (
+            [95.31938280097503, 54.52537333621499, 1.2835368609717168],
+            1e-8,
+        ),
+        (
+            [107.56861456220591, 67.1817612010733, 3.3425445985324886],
+            1e-7,
+        ),
+        (
+            [45.17301330432031, 91.92485431284285, 50.57928076021018],
+            1e-9,
+        ),
+    ] {
+        let asked = Xyz::from_array(xyz);
+        let nearest = smoothest(&under, asked)
+            .nearest
+            .expect("beyond all surfaces");
+        let there = Seen {
+            under: &under,
+            xyz: nearest.xyz[0] * (1.0 - within),
+        };
+        assert!(can_be(&[there]), "{asked:?}");
+    }
+}
+
 /// Straight pieces between a few random values: from smooth to saw-toothed.
 fn any_reflectance() -> impl Strategy<Value = Nodes> {
     proptest::collection::vec(0.0..=1.0_f64, 2..40).prop_map(|knots| {

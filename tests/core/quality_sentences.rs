@@ -424,7 +424,7 @@ fn a_verdict_on_24_surfaces_says_so_and_tells_the_share_of_all() {
         assert_eq!(report["surfaces"]["beyond_1"], found.beyond_1);
         let words = spectral_explorer::app::report::text(&app);
         assert!(words.contains(&found.sentence()), "{words}");
-        assert!(words.contains("on 24 surfaces"), "{words}");
+        assert!(words.contains("judged on 24 shipped surfaces"), "{words}");
     }
     // Of the lamps whose verdict is the best one, some have surfaces that differ by more than 1:
     // that is what the verdict must not deny.

@@ -105,7 +105,7 @@ fn a_file_of_a_lesson_joins_the_list_and_one_with_a_fault_says_where() {
     let wake: spectral_explorer::ui::theme::Wake = std::sync::Arc::new(|| {});
     ui.state_mut()
         .open_files(vec![wrong, unknown, ring, mine], wake);
-    ui.run();
+    wait_until(&mut ui, "the lessons", |ui| !ui.state().is_busy());
     assert_eq!(ui.state().preferences.pages.page, Page::Lessons);
     let said: Vec<String> = app(&ui).messages().iter().map(|m| m.text.clone()).collect();
     assert!(
@@ -336,7 +336,7 @@ fn a_control_below_the_edge_is_brought_into_view_and_a_task_that_is_done_needs_n
     std::fs::write(&path, text).expect("a file");
     let mut ui = at(Page::Lessons);
     ui.state_mut().open_files(vec![path], Arc::new(|| {}));
-    ui.run();
+    wait_until(&mut ui, "the lessons", |ui| !ui.state().is_busy());
     begun(&mut ui, &lesson, 0);
     let around = place(&ui, "Copy the patches as CSV").expect("it is on the page");
     assert!(is_ringed(&ui, around), "{around:?}");
@@ -463,7 +463,7 @@ fn a_lesson_of_ones_own_is_there_again_after_a_restart_and_the_menu_names_its_fo
     let mut ui = kept_in(home.path(), Page::Spectrum);
     ui.state_mut()
         .open_files(vec![mine.clone()], Arc::new(|| {}));
-    ui.run();
+    wait_until(&mut ui, "the lessons", |ui| !ui.state().is_busy());
     drop(ui);
     std::fs::remove_file(mine).unwrap();
     let lessons = home.path().join("lessons");

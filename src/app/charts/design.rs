@@ -157,7 +157,7 @@ pub fn front_chart(points: &[FrontPoint], against: Against, desk: &Desk, theme: 
         let ler = point.figures.ler;
         format!("{name} {value:.0}, {ler:.0} lm/W: {}", lines_words(point))
     };
-    let dots = Series::points("at best", inks.spikes, Shape::Dot, places.clone());
+    let dots = Series::points("best found", inks.spikes, Shape::Dot, places.clone());
     let mut series = vec![
         dots.with_notes(known.iter().map(note).collect()),
         Series::line("", inks.spikes, places.clone()),
@@ -180,7 +180,7 @@ pub fn front_chart(points: &[FrontPoint], against: Against, desk: &Desk, theme: 
             "No light of lines has this colour and a figure.",
         ),
         false => (
-            "What lines reach at best: click a point to take its lines",
+            "The best found with free lines: click a point to take its lines",
             "",
         ),
     };

@@ -1,5 +1,5 @@
-//! What lines at free places can reach at best: the trade between efficacy and colour rendering,
-//! as a job.
+//! What lines at free places are found to reach at best: the trade between efficacy and colour
+//! rendering, as a job.
 
 use super::{
     mix::{FULL, Mix, MixChannel},
@@ -80,7 +80,7 @@ pub fn sentence(points: &[FrontPoint], ask: &FrontWish) -> String {
     };
     match (points.first(), points.last()) {
         (Some(first), Some(last)) => format!(
-            "At best {} lines of this colour reach {} ({}) to {}.",
+            "The best found with {} lines of this colour: {} ({}) to {}.",
             ask.lines,
             told(first),
             lines_words(first),

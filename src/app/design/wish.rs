@@ -7,7 +7,7 @@ use super::{
     mix::Mix,
 };
 use crate::{
-    app::{document::Document, make::table_of},
+    app::{document::Document, make::table_of, state::App},
     color::{
         Swatch, Xyz,
         xyz::{FIRST_NM, LAST_NM},
@@ -124,6 +124,16 @@ impl MixWish {
         }
     }
 
+    /// Whether two wishes ask for the same faders: the front's own settings do not matter.
+    pub fn asks_as(&self, other: &Self) -> bool {
+        let same_front = Self {
+            against: other.against,
+            lines: other.lines,
+            ..self.clone()
+        };
+        same_front == *other
+    }
+
     /// The colour in words.
     pub fn colour_words(&self, document: &Document) -> String {
         match (&self.light, self.xy) {
@@ -199,6 +209,85 @@ impl Solved {
     }
 }
 
+/// The answer to a wish, solved for once: neither a press that moves nothing nor faders that follow
+/// the answer ask for it again.
+#[derive(Debug, Default)]
+pub struct Answered {
+    held: Option<Held>,
+    solves: usize,
+}
+
+/// An answer with all that it depends on.
+#[derive(Debug)]
+struct Held {
+    revision: u64,
+    wish: MixWish,
+    care: Care,
+    found: Result<Solved, String>,
+    /// The faders are being set to it, which is the next revision.
+    is_followed: bool,
+}
+
+impl Held {
+    fn answers(&self, app: &App, wish: &MixWish, mix: &Mix, care: Care) -> bool {
+        let is_careful = self.care == Care::Full || care == Care::Quick;
+        let (revision, now) = (self.revision, app.revision());
+        let stands_so = || self.found.as_ref().is_ok_and(|found| found.mix == *mix);
+        let is_followed = self.is_followed && now == revision + 1 && stands_so();
+        is_careful && self.wish.asks_as(wish) && (now == revision || is_followed)
+    }
+}
+
+impl Answered {
+    /// The answer for the desk of the program; `care`: how a new one is looked for.
+    ///
+    /// # Errors
+    /// Why nothing can be solved for, a sentence.
+    pub fn get(
+        &mut self,
+        app: &App,
+        wish: &MixWish,
+        desk: &Desk,
+        care: Care,
+    ) -> &Result<Solved, String> {
+        let revision = app.revision();
+        let held = self.held.take();
+        let held = held.filter(|held| held.answers(app, wish, &desk.mix, care));
+        let held = match held {
+            Some(held) => Held {
+                is_followed: held.is_followed && held.revision == revision,
+                revision,
+                ..held
+            },
+            None => {
+                self.solves += 1;
+                Held {
+                    revision,
+                    wish: wish.clone(),
+                    care,
+                    found: Solved::of(wish, desk, app.document(), care),
+                    is_followed: false,
+                }
+            }
+        };
+        &self.held.insert(held).found
+    }
+
+    /// How often it was solved.
+    pub fn solves(&self) -> usize {
+        self.solves
+    }
+
+    /// The desk that is to be set for the faders to stand as the answer has them; `None` where they
+    /// do, or where there is no answer.
+    pub fn follow(&mut self, mix: &Mix) -> Option<Mix> {
+        let held = self.held.as_mut()?;
+        let found = held.found.as_ref().ok()?;
+        held.is_followed = found.mix != *mix;
+        held.is_followed.then(|| found.mix.clone())
+    }
+}
+
 fn told(asked: &str, solution: &Solution) -> String {
     let found = words(&solution.figures, None);
     match (solution.reached, solution.delta_uv_to_target) {
@@ -219,7 +308,7 @@ mod tests {
     use super::*;
     use crate::{
         app::{
-            App, assert_says,
+            assert_says,
             design::{desk::put_on_desk, mix::MixChannel},
         },
         design::mixture::Source,
@@ -253,6 +342,51 @@ mod tests {
             // Solving again changes nothing.
             assert_eq!(solved(&app, &wish).mix, app.document().pages.mix);
         }
+    }
+
+    #[test]
+    fn a_press_solves_once_whether_it_moves_anything_and_whether_the_faders_follow() {
+        let mut app = App::new();
+        let mut answered = Answered::default();
+        let ask = |answered: &mut Answered, app: &App, wish: &MixWish, care: Care| {
+            let desk = Desk::of(app.document());
+            let found = answered.get(app, wish, &desk, care).clone();
+            found.expect("channels and a colour").mix
+        };
+        let wish = MixWish::default();
+        let found = ask(&mut answered, &app, &wish, Care::Full);
+        // The pointer goes down and up; the front is asked for more lines.
+        ask(&mut answered, &app, &wish, Care::Quick);
+        let lines = MixWish {
+            lines: 4,
+            ..wish.clone()
+        };
+        assert_eq!(ask(&mut answered, &app, &lines, Care::Full), found);
+        assert_eq!(answered.solves(), 1);
+        // The faders are set to it.
+        let followed = answered.follow(&app.document().pages.mix);
+        assert_eq!(followed.as_ref(), Some(&found));
+        put_on_desk(&mut app, found.clone());
+        for _ in 0..2 {
+            assert_eq!(ask(&mut answered, &app, &wish, Care::Full), found);
+        }
+        assert_eq!(answered.solves(), 1);
+        assert_eq!(answered.follow(&found), None);
+        // What is dragged gets a first answer, and one more when it is let go.
+        let warm = MixWish {
+            kelvin: 3000.0,
+            ..wish
+        };
+        for care in [Care::Quick, Care::Quick, Care::Full, Care::Full] {
+            ask(&mut answered, &app, &warm, care);
+        }
+        assert_eq!(answered.solves(), 3);
+        // Another desk is another question.
+        let mut mix = app.document().pages.mix.clone();
+        mix.channels[0].level *= 0.5;
+        put_on_desk(&mut app, mix);
+        ask(&mut answered, &app, &warm, Care::Full);
+        assert_eq!(answered.solves(), 4);
     }
 
     #[test]

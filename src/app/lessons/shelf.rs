@@ -39,6 +39,21 @@ pub fn shipped() -> &'static [Arc<Lesson>] {
 /// A longer file is no lesson, bytes: the longest shipped one has 9000.
 pub const MOST_BYTES: u64 = 256 << 10;
 
+/// Whether a file claims to be a lesson: JSON in any encoding of text that has the format's name, and
+/// no longer than lessons are.
+pub fn is_lesson(path: &Path) -> bool {
+    let is_json = path
+        .extension()
+        .is_some_and(|end| end.eq_ignore_ascii_case("json"));
+    is_json
+        && std::fs::metadata(path).is_ok_and(|meta| {
+            // A pipe would be waited for.
+            meta.is_file() && meta.len() <= MOST_BYTES
+        })
+        && bytes_of_file(path, MOST_BYTES)
+            .is_ok_and(|bytes| !is_binary(&bytes) && Lesson::is_one(&decode_text(&bytes).text))
+}
+
 /// A lesson of a file.
 ///
 /// # Errors
@@ -178,8 +193,13 @@ mod tests {
         let text = format!("\u{feff}{}", FILES[0].1);
         let bytes: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
         std::fs::write(&path, bytes).expect("a file");
+        // Dropped on the window it is taken for one, too.
+        assert!(is_lesson(&path));
         let lesson = read_file(&path).expect("a lesson");
         assert_eq!(lesson.steps, shipped()[0].steps);
+        let other = folder.path().join("other.json");
+        std::fs::write(&other, "{}").expect("a file");
+        assert!(!is_lesson(&other) && !is_lesson(folder.path()));
     }
 
     /// It would be waited for without end, and a device gives bytes without end.

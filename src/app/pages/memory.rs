@@ -11,6 +11,7 @@ use crate::{
         picture::ImageMemory,
         products::ProductsMemory,
         relit::RelitMemory,
+        verdicts::HARD_TO_SEE,
     },
     lamps::NUMBERS,
     study::{Goal, Measure},
@@ -203,7 +204,11 @@ impl Default for ManyMemory {
 impl ManyMemory {
     /// A limit worth beginning with: the difference is hard to see, or 5 % of a spectrum.
     pub fn usual_limit(measure: Measure) -> f64 {
-        if measure.is_colour() { 1.0 } else { 5.0 }
+        if measure.is_colour() {
+            HARD_TO_SEE
+        } else {
+            5.0
+        }
     }
 
     /// Every value moved to the nearest one that is allowed.

@@ -255,7 +255,7 @@ const ROWS: &[Row] = &[
         Place::Design,
         ("Solve", "solve"),
         "white",
-        "The faders for a colour that is wished for, and what lines can reach at best.",
+        "The faders for a colour that is wished for, and the best found with free lines.",
     ),
     row(
         Page::FromColour,

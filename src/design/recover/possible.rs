@@ -9,7 +9,11 @@
 use super::viewing::NODES;
 use crate::{
     color::{Lab, Xyz, lab_from_xyz, xyz_from_lab},
-    design::{nearest_point::nearest_shares, programme::Programme, small::add},
+    design::{
+        nearest_point::nearest_shares,
+        programme::Programme,
+        small::{add, dot},
+    },
 };
 
 /// Turns; a handful is enough, and none makes it worse.
@@ -18,11 +22,22 @@ const MOST_TURNS: usize = 60;
 /// A turn that moves no L\*a\*b\* number by more ends the search.
 const STILL: f64 = 1e-9;
 
-/// Whether some reflectance of 0-1 has these colours (white = 1).
+/// How near a surface's colours must come to those asked for, white = 1: a thousand times finer
+/// than any colour is known.
+const POSSIBLE: f64 = 1e-9;
+
+/// Whether some reflectance of 0-1 has these colours (white = 1). At the very edge of what surfaces
+/// can have, rounding stops the simplex method short, so that only two methods together say no.
 pub(super) fn is_possible<const M: usize>(columns: &[[f64; M]; NODES], target: [f64; M]) -> bool {
-    Programme::new(&columns[..], &[1.0; NODES], target)
-        .corner()
-        .is_ok()
+    let mut programme = Programme::new(&columns[..], &[1.0; NODES], target);
+    if programme.corner().is_ok() {
+        return true;
+    }
+    let mut rest = target.map(|v| -v);
+    for (column, share) in columns.iter().zip(nearest_shares(columns, target)) {
+        add(&mut rest, column, share);
+    }
+    dot(&rest, &rest).sqrt() <= POSSIBLE
 }
 
 /// The reflectance whose colours come nearest to those asked for. `whites` and `targets` have one

@@ -5,7 +5,7 @@ use crate::io::text::NumberedLines;
 use crate::io::text::units::{
     WavelengthUnit, is_of_lengths, looks_like_metres, names_wavelength, unknown_unit,
 };
-use crate::io::text::words::holds_any;
+use crate::io::text::words::{holds_any, holds_one};
 
 /// What is known of an axis.
 #[derive(Clone, Copy)]
@@ -27,14 +27,52 @@ pub(crate) struct Axis<'a> {
 /// Wavelengths in nm that numbers of an axis plausibly are.
 const PLAUSIBLE_NM: (f64, f64) = (100.0, 50_000.0);
 
-/// Whether a title or a line says that its wavelengths are those in vacuum. A spectrometer may be
-/// one for the vacuum ultraviolet.
-pub(crate) fn names_vacuum(text: &str) -> bool {
-    const OF_LENGTHS: [&str; 5] = ["wavelen", "lambda", "λ", "|wl", "wellen"];
+/// Words for wavelengths.
+const LENGTHS: &str = "wavelen;lambda;λ;|wl;wellen";
+
+/// A text in small letters, and whether it names air or the vacuum ultraviolet: a spectrometer may
+/// be one for it.
+fn in_small(text: &str) -> (String, bool) {
     let text = text.to_lowercase().replace(['_', '-'], " ");
-    holds_any(&text, &["|vacuum|", "|vac|", "|vakuum"])
-        && holds_any(&text, &OF_LENGTHS)
-        && !holds_any(&text, &["|air|", "vacuum uv", "vacuum ultra"])
+    let is_other = holds_any(&text, &["|air|", "vacuum uv", "vacuum ultra"]);
+    (text, is_other)
+}
+
+/// Whether the title of wavelengths says that they are those in vacuum.
+pub(crate) fn names_vacuum(title: &str) -> bool {
+    let (title, is_other) = in_small(title);
+    !is_other && holds_any(&title, &["|vacuum|", "|vac|", "|vakuum"]) && holds_one(&title, LENGTHS)
+}
+
+/// Whether a line of a header says so: "vacuum wavelengths", "wavelengths (nm) are in vacuum". What
+/// was measured in a vacuum chamber, or stands under a title of its own, tells nothing of them.
+pub(crate) fn says_vacuum(line: &str) -> bool {
+    const BETWEEN: &str = "in;im;are;is;all;given;stated;quoted;measured;scale;axis;unit;units;\
+         medium;nm;um;µm;μm;å;angstrom;)";
+    const BEHIND: &str = "and;as;at;by;from;unless;values;nm;um;µm;μm;å;angstrom;)";
+    let has = |words: &str, word: &&&str| words.split(';').any(|own| own == **word);
+    let is_length = |text: &str| holds_one(text, LENGTHS);
+    let (line, is_other) = in_small(line);
+    let cells = || line.split([',', ';', '\t']);
+    // Of a row of titles the one above the wavelengths tells.
+    if is_other || cells().filter(|cell| is_length(cell)).count() > 1 {
+        return false;
+    }
+    cells().any(|cell| {
+        let cell = cell.replace([')', ']'], " ) ");
+        let parts = |c: char| !c.is_alphanumeric() && c != ')';
+        let words: Vec<&str> = cell.split(parts).filter(|word| !word.is_empty()).collect();
+        words.iter().enumerate().any(|(at, word)| {
+            let (before, behind) = (&words[..at], words.get(at + 1));
+            let mut before = before.iter().rev().skip_while(|word| has(BETWEEN, word));
+            let is_of = |word: Option<&&str>| word.is_some_and(|word| is_length(word));
+            let ends = behind.as_ref().is_none_or(|word| has(BEHIND, word));
+            match *word {
+                "vacuum" | "vac" | "vakuum" => is_of(behind) || ends && is_of(before.next()),
+                _ => word.starts_with("vakuumwellen"),
+            }
+        })
+    })
 }
 
 /// Units that lines of a header name for the wavelength axis, the nearest to the table first.
@@ -157,4 +195,39 @@ fn is_visible_in_angstrom(axis: &Axis) -> bool {
     is_visible
         && min.fract() == 0.0
         && (axis.unevenness)(WavelengthUnit::Angstrom).is_some_and(|uneven| uneven < 1e-6)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_says_that_wavelengths_are_in_vacuum_or_speaks_of_something_else() {
+        for line in [
+            "Vacuum wavelengths",
+            "All wavelengths are in vacuum.",
+            "Wavelength (nm) in vacuum, measured in a chamber",
+            "wavelength medium: vacuum",
+            "Wavelength_vac (nm);Flux",
+            "Wavelength (vacuum) nm\tFlux",
+            "Wavelengths measured in vacuum",
+            "Wellenlängen im Vakuum",
+            "Vakuumwellenlänge",
+        ] {
+            assert!(says_vacuum(line), "{line}");
+        }
+        for line in [
+            "Wavelength calibrated, lamp in a vacuum chamber",
+            "wavelength scan measured in a vacuum chamber",
+            "Wavelengths of a vacuum fluorescent display",
+            "Wavelength (nm),Vacuum level",
+            "Wavelength (nm),Vacuum",
+            "Wavelength (nm),Vacuum wavelength (nm),Flux",
+            "wavelengths in air, not in vacuum",
+            "wavelengths in vacuum chamber",
+            "Vacuum UV monochromator, wavelength 120 nm",
+        ] {
+            assert!(!says_vacuum(line), "{line}");
+        }
+    }
 }

@@ -41,7 +41,7 @@ impl<'a> Heading<'a> {
             source: field(lines, "source:"),
             notes: None,
             axis_units: axis::units_of_header(lines),
-            in_vacuum: lines.iter().any(|(_, line)| axis::names_vacuum(line)),
+            in_vacuum: lines.iter().any(|(_, line)| axis::says_vacuum(line)),
             kind: kinds::FromHeader::of(lines),
             percent: factor_scale::percent_of_header(lines),
             unit: value_unit::unit_of_header(lines),

@@ -33,7 +33,8 @@ static WORDS: [(Kind, &str); 8] = [
         "|xbar;|ybar;|zbar;|x_bar;|y_bar;|z_bar;|x-bar;|y-bar;|z-bar;colour-matching;\
          color-matching;colour matching;color matching;|cmf;luminous efficiency;|v(lambda;|v(l);\
          |v(λ;action spectr;cone fundamental;spectral sensitivity;responsivity;\
-         quantum efficiency",
+         quantum efficiency;detection efficiency;collection efficiency;photon-to-current;\
+         photon to current;|ipce|;|pde|",
     ),
     (
         Kind::Absorbance,

@@ -7,7 +7,7 @@ use super::factor_scale::KnownScale;
 use super::heading::Heading;
 use crate::io::reading::decision::{AxisDecision, Decision};
 use crate::io::text::units::WavelengthUnit;
-use crate::spectrum::{Kind, Sampled, in_air};
+use crate::spectrum::{Kind, SHORTEST_IN_AIR_NM, Sampled, in_air};
 
 /// A spectrum on its way from a reader to [`interpret`](super::interpret()).
 pub(crate) struct RawSpectrum<'a> {
@@ -152,9 +152,6 @@ impl<'a> RawSpectrum<'a> {
 /// Most points whose steps are looked at.
 const MOST_STEPS: usize = 4096;
 
-/// Shorter wavelengths, nm, are those in vacuum in every table: air lets no such light through.
-const SHORTEST_IN_AIR_NM: f64 = 200.0;
-
 /// Wavelengths as a file gives them, and what was found of them: a long table has one column of
 /// them for many of values.
 pub(crate) struct Scale<'a> {
@@ -238,6 +235,7 @@ impl<'a> Scale<'a> {
         reversals: f64,
     ) -> Result<Cleaned, Trouble> {
         let turned: Vec<f64>;
+        // Shorter ones stay those in vacuum: air lets no such light through.
         let to_nm = |x: &f64| match unit.to_nm(*x) {
             nm if from_vacuum && nm >= SHORTEST_IN_AIR_NM => in_air(nm).max(SHORTEST_IN_AIR_NM),
             nm => nm,

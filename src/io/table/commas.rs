@@ -64,13 +64,17 @@ impl<'a> Commas<'a> {
             .all(|pair| of(&pair[0].1) == of(&pair[1].1))
     }
 
-    /// Whether a row ends in decimals that begin with a zero, as no whole number does.
+    /// Whether a row ends in decimals that begin with a zero, as no whole number does, and the number
+    /// before them is not filled up with zeros either.
     fn has_zeros(&self) -> bool {
-        let is_one = |(_, cells): &(usize, Vec<&str>)| {
-            let last = cells[cells.len() - 1];
-            last.len() > 1 && last.starts_with('0') && last.bytes().all(|b| b.is_ascii_digit())
+        let is_padded = |cell: &str| {
+            cell.len() > 1 && cell.starts_with('0') && cell.bytes().all(|b| b.is_ascii_digit())
         };
-        self.rows.iter().any(is_one)
+        let is = |behind: usize| {
+            let rows = self.rows.iter().map(|row| row.1.iter().rev().nth(behind));
+            rows.flatten().any(|cell| is_padded(cell))
+        };
+        is(0) && !is(1)
     }
 
     /// How many numbers a row holds that has more cells than titles; `None` where no comma seems to
@@ -239,4 +243,27 @@ pub(super) fn beside_commas(
         said: format!("commas between the cells {use_} as well"),
         is_doubtful,
     }))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::{Guessed, read_bytes};
+
+    #[test]
+    fn only_zeros_of_decimals_prove_that_commas_mark_them() {
+        let table = |titles: &str, row: &dyn Fn(u32) -> String| {
+            let text = titles.to_owned() + &(0..8).map(row).collect::<String>();
+            let reading = read_bytes("a.csv", text.as_bytes()).expect("a table");
+            let guesses = &reading.guesses;
+            let is_asked = guesses.iter().any(|of| of.what == Guessed::Columns);
+            (reading.spectra.len(), is_asked)
+        };
+        let decimals = |at: u32| format!("{},1,{:02}\n", 400 + at, 5 * at);
+        let whole = |at: u32| format!("{},1{at},{}\n", 400 + at, 11 + 7 * at);
+        let filled_up = |at: u32| format!("{},{:03},{:03}\n", 400 + at, 10 + at, 5 * at);
+        assert_eq!(table("nm,W\n", &decimals), (1, false));
+        assert_eq!(table("nm,W\n", &whole), (1, true));
+        assert_eq!(table("nm,W\n", &filled_up), (1, true));
+        assert_eq!(table("", &filled_up), (2, false));
+    }
 }

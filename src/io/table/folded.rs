@@ -9,6 +9,16 @@ use super::titles::Titles;
 /// Fewest rows that tell that a table is folded.
 const FEWEST_ROWS: usize = 3;
 
+/// Fewest columns of values that a row is folded into: two or three are readings at other settings.
+const FEWEST_COLUMNS: usize = 5;
+
+/// The share of rows that start again as the row above, from which on columns are spectra of their
+/// own: of a folded curve noise makes one in five look so, of readings that drift nearly all do.
+const MOST_AGAIN: f64 = 0.4;
+
+/// The share of the greatest value from which on values tell that two columns are one curve.
+const LEAST_AT_JOINT: f64 = 0.05;
+
 /// How much longer the way up and down a curve may be than that of every tenth of its points: lines
 /// of light stand between them.
 const LABELLED: f64 = 5.0;
@@ -79,21 +89,49 @@ fn side_by_side(table: &Table, groups: &[Group]) -> Option<Unfolded> {
         points.extend(rows.map(|((nm, v), line)| (*nm, *v, *line)));
     }
     let nm: Vec<f64> = points.iter().map(|point| point.0).collect();
-    let least = groups.len() * FEWEST_ROWS;
-    if points.len() < least || !runs_one_way(&nm) {
+    let ends = joints.iter().skip(1).copied().chain([points.len()]);
+    let rows: Vec<usize> = joints.iter().zip(ends).map(|(a, b)| b - a).collect();
+    // Points that do not fill all columns leave the last one short: of two by one row.
+    let (last, others) = rows.split_last()?;
+    let is_even = others.iter().all(|count| *count == rows[0]) && *last <= rows[0];
+    let is_filled = rows.len() > 2 || last + 1 >= rows[0];
+    if !(is_even && is_filled && *last >= FEWEST_ROWS && runs_one_way(&nm)) {
         return None;
     }
-    let step = |at: usize| (points[at].0 - points[at - 1].0).abs();
-    let rise = |at: usize| (points[at].1 - points[at - 1].1).abs();
-    let inside = || (1..points.len()).filter(|at| !joints.contains(at));
-    let most_step = inside().map(step).fold(0.0, f64::max);
-    let most_rise = inside().map(rise).fold(0.0, f64::max);
-    let goes_on = |at: &usize| *at == 0 || step(*at) <= 1.01 * most_step && rise(*at) <= most_rise;
+    let step = |at: usize| (nm[at] - nm[at - 1]).abs();
+    let inside = (1..nm.len()).filter(|at| !joints.contains(at));
+    let most_step = inside.map(step).fold(0.0, f64::max);
+    let greatest = points.iter().map(|p| p.1.abs()).fold(0.0, f64::max);
+    let goes_on = |at: &usize| step(*at) <= 1.01 * most_step && is_smooth(&points, *at, greatest);
+    // Two filters that let nothing through where they meet agree there as well.
+    let tells = |at: &usize| points[*at].1.abs() > LEAST_AT_JOINT * greatest;
+    let joints = &joints[1..];
     let said = "columns side by side go on with one another: read as one spectrum";
-    joints
-        .iter()
-        .all(goes_on)
-        .then_some((points, Some(first.values[0]), said))
+    (joints.iter().all(goes_on) && joints.iter().any(tells)).then_some((
+        points,
+        Some(first.values[0]),
+        said,
+    ))
+}
+
+/// Whether value and slope agree across the joint before a point: as far as slopes close by do, or
+/// to what rounding leaves of the greatest value.
+fn is_smooth(points: &[Point], joint: usize, greatest: f64) -> bool {
+    const CLOSE_BY: usize = 6;
+    let slope = |pair: &[Point]| (pair[1].1 - pair[0].1) / (pair[1].0 - pair[0].0);
+    let slopes = |points: &[Point]| points.windows(2).map(slope).collect::<Vec<f64>>();
+    let before = slopes(&points[joint.saturating_sub(CLOSE_BY)..joint]);
+    let behind = slopes(&points[joint..points.len().min(joint + CLOSE_BY)]);
+    let bend = |slopes: &[f64]| {
+        let bends = slopes.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+        bends.fold(0.0, f64::max)
+    };
+    let rounding = 2e-3 * greatest / (points[joint].0 - points[joint - 1].0).abs();
+    let most = 2.0 * bend(&before).max(bend(&behind)) + rounding;
+    let across = slope(&points[joint - 1..=joint]);
+    let beside = [before.last(), behind.first()];
+    let mut beside = beside.into_iter().flatten();
+    beside.all(|slope| (slope - across).abs() <= most)
 }
 
 /// Rows of as many values as lie between the wavelengths of two rows.
@@ -101,7 +139,7 @@ fn in_rows(table: &Table, group: &Group) -> Option<Unfolded> {
     let (block, titles) = (&table.block, &table.titles);
     let (count, rows) = (group.values.len(), block.rows());
     let axis = block.column(group.axis);
-    if count < 2 || rows < FEWEST_ROWS {
+    if count < FEWEST_COLUMNS || rows < FEWEST_ROWS {
         return None;
     }
     let step = axis[1] - axis[0];
@@ -120,12 +158,7 @@ fn in_rows(table: &Table, group: &Group) -> Option<Unfolded> {
     let most = match &labels {
         Some(labels) if labels.iter().enumerate().all(is_label) => LABELLED,
         Some(_) => return None,
-        None if is_round
-            && count >= 5
-            && group.values.iter().all(|c| titles.whole(*c).is_empty()) =>
-        {
-            UNLABELLED
-        }
+        None if is_round && group.values.iter().all(|c| titles.whole(*c).is_empty()) => UNLABELLED,
         None => return None,
     };
     let mut points = Vec::with_capacity(rows * count);
@@ -153,10 +186,107 @@ fn in_rows(table: &Table, group: &Group) -> Option<Unfolded> {
         .map(|row| (points[row * count].1 - points[row * count - 1].1).abs())
         .filter(|step| !step.is_nan())
         .sum();
+    let values: Vec<f64> = points.iter().map(|point| point.1).collect();
     let is_curve = whole > 0.0
+        && starting_again(&values, count) <= MOST_AGAIN
         && whole <= most * folded / count as f64
         && at_ends * count as f64 <= 3.0 * whole.max(f64::MIN_POSITIVE);
     points.retain(|point| !point.1.is_nan());
     let said = "each row goes on in its columns: read as one spectrum";
     (is_curve && points.len() > rows).then_some((points, None, said))
+}
+
+/// The share of rows, `count` values each, that start again as the row above: their first value
+/// moves from there as the others of the row do, and does not stand between the values beside it.
+fn starting_again(values: &[f64], count: usize) -> f64 {
+    let rows: Vec<&[f64]> = values.chunks_exact(count).collect();
+    let starts_again = |pair: &&[&[f64]]| {
+        let (above, row) = (pair[0], pair[1]);
+        let moves = above.iter().zip(row).map(|(a, b)| b - a);
+        let others = moves.skip(1).sum::<f64>() / (count - 1) as f64;
+        let off_column = (row[0] - above[0] - others).abs();
+        let off_curve = (row[0] - 0.5 * (above[count - 1] + row[1])).abs();
+        2.0 * off_column < off_curve
+    };
+    rows.windows(2).filter(starts_again).count() as f64 / (rows.len() - 1) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::read_bytes;
+
+    /// A table of a lamp in rows of `count` values: of one curve, or of readings that drift by 1 %
+    /// from column to column.
+    fn table(titles: &str, count: u32, drifts: bool) -> String {
+        let lamp = |nm: u32| 1e-3 * (f64::from(nm) / 150.0).exp();
+        let row = |row: u32| {
+            let nm = 380 + count * row;
+            let value = |at: u32| match drifts {
+                true => lamp(nm) * (1.0 + 0.01 * f64::from(at)),
+                false => lamp(nm + at),
+            };
+            let values: String = (0..count).map(|at| format!(",{:.6}", value(at))).collect();
+            format!("{nm}{values}\n")
+        };
+        titles.to_owned() + &(0..30).map(row).collect::<String>()
+    }
+
+    #[test]
+    fn rows_of_one_curve_are_one_spectrum_and_readings_that_drift_are_several() {
+        for (titles, count, drifts, spectra) in [
+            ("", 5, false, 1),
+            ("nm,0,1,2,3,4\n", 5, false, 1),
+            ("", 5, true, 5),
+            ("nm,0,1,2,3,4\n", 5, true, 5),
+            ("nm,0,1,2\n", 3, false, 3),
+            ("nm,0,1,2\n", 3, true, 3),
+        ] {
+            let text = table(titles, count, drifts);
+            let reading = read_bytes("a.csv", text.as_bytes()).expect("a table");
+            let found = reading.spectra.len();
+            assert_eq!(found, spectra, "{titles:?} {drifts}: {:?}", reading.notes);
+        }
+    }
+
+    #[test]
+    fn columns_side_by_side_are_one_spectrum_only_where_value_and_slope_agree() {
+        let edge = |nm: f64, at: f64| 0.9 / (1.0 + ((at - nm) / 12.0).exp()) + 0.05;
+        let band = |nm: f64, at: f64| (-((nm - at) / 15.0).powi(2)).exp();
+        let table = |rows: [i32; 2], value: &dyn Fn(usize, f64) -> f64| {
+            let cells = |of: usize, at: i32| {
+                let nm = 380.0 + f64::from(5 * (at + rows[0] * of as i32));
+                let cells = format!("{nm},{:.4}", value(of, nm));
+                if at < rows[of] { cells } else { ",".to_owned() }
+            };
+            let rows = (0..rows[0]).map(|at| format!("{},{}\n", cells(0, at), cells(1, at)));
+            "nm,T,nm,T\n".to_owned() + &rows.collect::<String>()
+        };
+        for (text, spectra) in [
+            (table([40, 40], &|_: usize, nm: f64| edge(nm, 570.0)), 1),
+            (table([40, 39], &|_: usize, nm: f64| edge(nm, 570.0)), 1),
+            (table([40, 30], &|_: usize, nm: f64| edge(nm, 570.0)), 2),
+            // Edges at 500 and 650 nm, two bands, and one that rises where the other falls.
+            (
+                table([40, 40], &|of: usize, nm: f64| {
+                    edge(nm, 500.0 + 150.0 * of as f64)
+                }),
+                2,
+            ),
+            (
+                table([40, 40], &|of: usize, nm: f64| {
+                    band(nm, 480.0 + 200.0 * of as f64)
+                }),
+                2,
+            ),
+            (
+                table([40, 40], &|_: usize, nm: f64| {
+                    0.2 + (nm - 577.5).abs() / 400.0
+                }),
+                2,
+            ),
+        ] {
+            let reading = read_bytes("a.csv", text.as_bytes()).expect("a table");
+            assert_eq!(reading.spectra.len(), spectra, "{:?}", reading.notes);
+        }
+    }
 }

@@ -8,7 +8,7 @@
 use super::commas::{FEWEST_ROWS, FEWEST_WHOLE, Plain, beside_commas};
 use crate::io::text::dialect::{Delimiter, Dialect, used};
 use crate::io::text::lines;
-use crate::io::text::number::{is_grouped, number, parse};
+use crate::io::text::number::{Cell, is_grouped, number, parse};
 use crate::io::{Input, ReadError};
 
 /// The marks that part thousands or decimals.
@@ -50,9 +50,26 @@ enum Use {
     Decimals,
 }
 
+/// A number without the sign of a limit, its own sign, and a per cent sign.
+fn bare(cell: &str) -> &str {
+    let cell = cell.trim_start_matches(['<', '>', '≤', '≥']).trim_start();
+    let cell = cell.trim_end_matches('%').trim_end();
+    cell.trim_start_matches(['-', '+', '−'])
+}
+
+/// Whether cells are a row: numbers, or one at the start and gaps.
+fn is_row(cells: &[&str]) -> bool {
+    let is_gap = |cell: &&str| matches!(parse(cell, false), Cell::Gap | Cell::Empty);
+    match cells.iter().filter(|cell| uses(cell).is_some()).count() {
+        0 => false,
+        1 => cells.len() > 1 && uses(cells[0]).is_some() && cells[1..].iter().all(is_gap),
+        _ => true,
+    }
+}
+
 /// How a number uses a point and a comma; `None` for what is no number.
 fn uses(cell: &str) -> Option<[Use; 2]> {
-    let cell = cell.trim_start_matches(['-', '+', '−']);
+    let cell = bare(cell);
     let (body, power) = match cell.split_once(['e', 'E']) {
         Some((body, power)) => (body, Some(power.trim_start_matches(['-', '+']))),
         None => (cell, None),
@@ -95,6 +112,8 @@ struct Marks {
     is_bare: bool,
     /// Whether all decimals are three, so that they may be thousands too.
     is_either: bool,
+    /// Whether nothing but whole numbers below 1000 tells of thousands.
+    is_unsure: bool,
 }
 
 impl Marks {
@@ -112,7 +131,7 @@ impl Marks {
                 of[use_ as usize] += 1;
             }
             if uses == [Use::Absent; 2] {
-                let value = number(cell, false)?;
+                let value = number(bare(cell), false)?;
                 is_large |= value.abs() >= 1000.0;
                 if whole.len() < FEWEST_WHOLE && !whole.contains(&value) {
                     whole.push(value);
@@ -147,6 +166,10 @@ impl Marks {
             decimals,
             is_bare: has_bare && thousands.is_some(),
             is_either: !(0..2).any(|mark| has(mark, Use::Decimals)) && decimals.is_some(),
+            is_unsure: (0..2).any(|mark| {
+                let is_proven = has(mark, Use::Thousands) || has(1 - mark, Use::Decimals);
+                has(mark, Use::Either) && parts_thousands(mark) && !is_proven
+            }),
         })
     }
 
@@ -174,8 +197,12 @@ fn marks_by(sample: &str, by: Delimiter) -> Option<(Dialect, Vec<Option<Marks>>)
             continue;
         }
         let cells = dialect.cells(line);
-        if cells.iter().filter(|cell| uses(cell).is_some()).count() >= 2 {
+        let is_row = is_row(&cells);
+        if is_row && used(&cells) > 1 {
             rows.push(cells);
+        } else {
+            // A wavelength alone speaks neither for nor against the rows.
+            lines_with_figures -= usize::from(is_row);
         }
     }
     let width = used(rows.get(rows.len() / 2)?);
@@ -194,7 +221,7 @@ fn written_anew(text: &str, dialect: Dialect, mut marks: Vec<Option<Marks>>) -> 
     let known = || marks.iter().flatten().filter(|marks| !marks.is_either);
     let plain: Vec<char> = known().filter_map(|marks| marks.decimals).collect();
     // Where another column marks decimals otherwise, three figures are thousands.
-    let mut is_doubtful = false;
+    let mut is_doubtful = marks.iter().flatten().any(|of| of.is_unsure);
     for of in marks.iter_mut().flatten().filter(|of| of.is_either) {
         if of
             .decimals
@@ -220,8 +247,7 @@ fn written_anew(text: &str, dialect: Dialect, mut marks: Vec<Option<Marks>>) -> 
     let mut cells = Vec::new();
     for (_, line) in lines(text) {
         dialect.split(line, &mut cells);
-        let is_row = used(&cells) <= marks.len()
-            && cells.iter().filter(|cell| uses(cell).is_some()).count() >= 2;
+        let is_row = used(&cells) <= marks.len() && is_row(&cells);
         if !is_row {
             out.push_str(line);
         }
@@ -243,4 +269,53 @@ fn written_anew(text: &str, dialect: Dialect, mut marks: Vec<Option<Marks>>) -> 
         said,
         is_doubtful,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::{Guessed, read_bytes};
+
+    #[test]
+    fn rows_with_gaps_and_limits_are_written_anew_with_the_others() {
+        for marks in [[",", "."], [".", ","]] {
+            let row = |at: u32| {
+                let value = match at {
+                    5 => String::new(),
+                    6 => "NaN".to_owned(),
+                    7 => format!("<0{}05", marks[1]),
+                    _ => format!("{}{}2345", at + 1, marks[1]),
+                };
+                format!("{}{}5;{value}\n", 400 + 10 * at, marks[0])
+            };
+            let text = "nm;W\n".to_owned() + &(0..20).map(row).collect::<String>();
+            let reading = read_bytes("a.csv", text.as_bytes()).expect("a table");
+            let samples = &reading.spectra[0].samples;
+            assert_eq!((samples.len(), samples.last_nm()), (18, 590.5), "{marks:?}");
+            assert_eq!((samples.nm()[5], samples.values()[5]), (470.5, 0.05));
+            let is_lost = |note: &String| note.contains("left out");
+            assert!(!reading.notes.iter().any(is_lost), "{:?}", reading.notes);
+        }
+    }
+
+    #[test]
+    fn thousands_that_only_whole_numbers_below_1000_tell_of_are_asked_about() {
+        // The last one is proven by a second mark in it.
+        for (last, is_asked) in [("1.250", true), ("1.001.250", false)] {
+            let rows = ["950", "960", "970", "1.020", last];
+            let rows = rows
+                .iter()
+                .zip(0..)
+                .map(|(v, at)| format!("{};{v}\n", 400 + at));
+            let text = "nm;Counts\n".to_owned() + &rows.collect::<String>();
+            let reading = read_bytes("a.csv", text.as_bytes()).expect("a table");
+            assert_eq!(reading.spectra[0].samples.values()[3], 1020.0);
+            let guesses = &reading.guesses;
+            let found = guesses.iter().any(|of| of.what == Guessed::Columns);
+            assert_eq!(
+                (found, reading.is_doubtful()),
+                (is_asked, is_asked),
+                "{guesses:?}"
+            );
+        }
+    }
 }

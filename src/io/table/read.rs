@@ -37,7 +37,7 @@ pub(crate) fn read_tables(
         .extend(plain.is_doubtful.then(|| OpenQuestion {
             spectrum: 0,
             what: Guessed::Columns,
-            chosen: "marks by the other columns".to_owned(),
+            chosen: "marks by the other numbers".to_owned(),
             because: plain.said.clone(),
             plain: false,
         }));

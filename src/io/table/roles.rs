@@ -5,7 +5,7 @@ use super::row_order::{extent, runs_one_way};
 use super::titles::Titles;
 use crate::io::interpret::kinds::kind_of_title;
 use crate::io::text::units::{BESIDE, WavelengthUnit, names_wavelength};
-use crate::io::text::words::{holds, without_brackets};
+use crate::io::text::words::{holds, holds_one, without_brackets};
 use crate::spectrum::Kind;
 
 /// A column that is no spectrum.
@@ -188,20 +188,27 @@ fn is_matching_function(title: &str) -> bool {
 }
 
 /// Whether a title, in small letters, counts in a unit that no spectrum has: of time, temperature,
-/// voltage, humidity, pressure, angle.
+/// voltage, humidity, pressure, angle. One letter may name a sample ("Leaf (K)"): it is a unit
+/// behind the word for its quantity only.
 fn counts_beside(title: &str) -> bool {
-    const UNITS: &str = "s;sec;seconds;ms;msec;us;µs;μs;h;hr;°c;ºc;℃;degc;deg c;c;k;°f;deg;°;%rh;\
-         rh;pa;hpa;kpa;bar;mbar;rpm;hz";
+    const UNITS: &str = "sec;seconds;ms;msec;us;µs;μs;hr;°c;ºc;℃;degc;deg c;°f;deg;°;%rh;rh;pa;hpa;\
+         kpa;bar;mbar;rpm;hz";
     const BEHIND: [&str; 5] = ["_ms", "_msec", "_us", "_sec", "_degc"];
-    let unit = title
-        .rsplit_once(['(', '['])
-        .map(|(_, unit)| unit.trim_end_matches([')', ']']).trim());
-    let is_unit = |unit: &str| {
-        // "R (s)" is of light that swings across.
+    const TEMPERATURES: &str = "temperatur;|temp|;|tc|;|tj|;|tcase|";
+    const TIMES: &str = "time|;|zeit|;|elapsed;|duration;|delay;|age|;|exposure|;|integration|";
+    let is_unit = |(name, unit): (&str, &str)| {
+        let unit = unit.trim_end_matches([')', ']']).trim();
         let is_warm = unit.contains(['°', 'º', '℃']);
-        UNITS.split(';').any(|own| own == unit) && (is_warm || kind_of_title(title).is_none())
+        let is_known = match unit {
+            "c" | "k" if name.trim() == "t" => return true,
+            "c" | "k" => holds_one(name, TEMPERATURES),
+            "s" | "h" => holds_one(name, TIMES),
+            _ => UNITS.split(';').any(|own| own == unit),
+        };
+        // "R (s)" is of light that swings across.
+        is_known && (is_warm || kind_of_title(title).is_none())
     };
-    unit.is_some_and(is_unit)
+    title.rsplit_once(['(', '[']).is_some_and(is_unit)
         || BEHIND.iter().any(|end| title.ends_with(end))
         || ["t_c", "temp_c"].contains(&title.trim())
 }

@@ -150,7 +150,16 @@ fn rows_beside(numbers: &[f64], lines: &[u32]) -> Vec<usize> {
     let gap = |row: usize| lines[row + 1] > lines[row] + 1;
     let head = start <= most && (0..start).all(|row| is_beside(row, gap(start - 1)));
     let tail = numbers.len() - end;
-    let tail = tail <= most && (end..numbers.len()).all(|row| is_beside(row, gap(end - 1)));
+    // Some that carry on the wavelengths at wider steps are the table's own; of a single one that is
+    // less sure.
+    let reach = 0.5 * (high - low) * tail.min(2) as f64;
+    let way = (numbers[end - 1] - numbers[start]).signum();
+    let carry_on = (end..numbers.len()).all(|row| {
+        let step = way * (numbers[row] - numbers[row - 1]);
+        step > 0.0 && step <= reach
+    });
+    let is_beside = |row| is_beside(row, !carry_on && gap(end - 1));
+    let tail = tail <= most && (end..numbers.len()).all(is_beside);
     let head = (0..start).filter(|_| head);
     head.chain((end..numbers.len()).filter(|_| tail)).collect()
 }

@@ -11,7 +11,8 @@ use crate::{
 /// square over the band): below it they are repeated measurements of the same paint.
 pub(super) const DIFFERENT_RMS: f64 = 0.01;
 
-/// Pairs this close under the first light match: a careful eye sees them side by side as one.
+/// Pairs this close under the first light match: side by side they are hard to tell apart. The one
+/// bound of a colour that is hard to tell from another (CIEDE2000).
 pub const MATCH_DELTA_E: f64 = 1.0;
 
 /// A surface under two lights, each seen against its own white.

@@ -8,6 +8,7 @@ use crate::{
         App, Command, Detector, Memo, Settings,
         answers::{self, LINE_THRESHOLDS},
         pages::SPENDABLE,
+        verdicts::HARD_TO_SEE,
     },
     ui::{
         kit::{Stops, named, number, pressed, pressed_if},
@@ -195,9 +196,18 @@ fn smoothness(ui: &mut Ui, app: &App, settings: &mut Settings, width: f32, theme
         0 => "hard to see at any order".to_owned(),
         order => format!("hard to see from {order} on"),
     });
-    let meaning = "How many waves the smooth part is made of: an order N takes 2N + 1 numbers. \
-                   Arrow keys move it by one.";
-    caption(ui, width, names::ORDER, meaning, &does, theme);
+    let judged = match from {
+        Some(_) => format!(
+            " Hard to see: ΔE₀₀ below {HARD_TO_SEE} from that order on, judged {}.",
+            answers::judged_on(app)
+        ),
+        None => String::new(),
+    };
+    let meaning = format!(
+        "How many waves the smooth part is made of: an order N takes 2N + 1 numbers. Arrow keys \
+         move it by one.{judged}"
+    );
+    caption(ui, width, names::ORDER, &meaning, &does, theme);
     ui.horizontal(|ui| {
         let most = MOST as f64;
         let mut place = (settings.order as f64 / most).min(1.0);

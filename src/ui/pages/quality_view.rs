@@ -102,7 +102,8 @@ impl QualityView {
             switch(
                 &mut shows.ellipses,
                 "Ellipses",
-                "MacAdam's ellipses of colours that look alike, ten times enlarged.",
+                "MacAdam's ellipses: how one observer's matches of a colour scattered, ten times \
+                 enlarged.",
             );
             switch(
                 &mut shows.near,

@@ -27,9 +27,13 @@ impl Window {
     }
 
     /// Two surfaces that are shown side by side where the model is not judged.
-    pub(super) fn pair(&self) -> Option<Pair> {
-        let is_compared = !self.tells_verdict() && !self.plot_alone;
-        is_compared.then(|| Pair::of(self.app.document())).flatten()
+    pub(super) fn pair(&mut self) -> Option<Pair> {
+        if self.tells_verdict() || self.plot_alone {
+            return None;
+        }
+        let app = &self.app;
+        let make = |_: &_| Pair::of(app.document());
+        self.pair_shown.get(app.revision(), make).clone()
     }
 
     /// Whether the column of the verdict is open.

@@ -59,7 +59,7 @@ pub(super) struct Waiting {
 impl Window {
     /// Opens files as if they had been chosen in the dialog.
     pub fn open_files(&mut self, paths: Vec<PathBuf>, wake: Wake) {
-        let paths = self.without_lessons(paths);
+        let paths = self.without_lessons(paths, &wake);
         let paths = self.without_photos(paths);
         if !paths.is_empty() {
             self.images.tell_needs(&paths, wake.clone());
@@ -87,6 +87,9 @@ impl Window {
     pub(super) fn take_files(&mut self, context: &Context) {
         if let Some(finished) = self.loader.finished() {
             self.take_batch(finished);
+        }
+        for checked in self.lesson_checks.take_in(&waker(context)) {
+            self.take_lesson(checked);
         }
         self.take_images(context);
     }

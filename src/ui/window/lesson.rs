@@ -1,6 +1,6 @@
 //! The lesson that is being taken: its column, its keys, its beginning and its end.
 
-use std::{path::PathBuf, sync::Arc};
+use std::path::PathBuf;
 
 use eframe::egui;
 use egui::{Context, Key, Margin, Modifiers, Panel, Rect, Ui};
@@ -8,17 +8,17 @@ use egui::{Context, Key, Margin, Modifiers, Panel, Rect, Ui};
 use super::{
     super::{
         lesson_view::Wish,
-        picture, pointing,
-        theme::{Theme, waker},
+        pointing,
+        theme::{Theme, Wake, waker},
     },
     Window,
+    checks::Checked,
     panels::{Shape, fixed, in_its_size, plain},
 };
 use crate::app::{
-    App, Command, Subject, Tone,
-    lessons::{self, Aim, Lesson, Run, shelf},
-    pages::{Page, PageMemory, Place},
-    workspace::Preferences,
+    Command, Subject, Tone,
+    lessons::{Aim, Run, shelf},
+    pages::{Page, Place},
 };
 
 /// Width of the column, and what it is of the window: while presenting, and at most.
@@ -217,45 +217,30 @@ impl Window {
         }
     }
 
-    /// Takes the lessons out of files that are to be opened; gives the others.
-    pub(super) fn without_lessons(&mut self, paths: Vec<PathBuf>) -> Vec<PathBuf> {
-        let is_lesson = |path: &PathBuf| {
-            path.extension()
-                .is_some_and(|e| e.eq_ignore_ascii_case("json"))
-                && std::fs::metadata(path).is_ok_and(|meta| {
-                    // A pipe would be waited for.
-                    meta.is_file() && meta.len() <= shelf::MOST_BYTES
-                })
-                && std::fs::read_to_string(path).is_ok_and(|text| Lesson::is_one(&text))
-        };
+    /// Takes the lessons out of files that are to be opened and has them checked; gives the others.
+    pub(super) fn without_lessons(&mut self, paths: Vec<PathBuf>, wake: &Wake) -> Vec<PathBuf> {
+        let is_lesson = |path: &PathBuf| shelf::is_lesson(path);
         let (lessons, others): (Vec<PathBuf>, _) = paths.into_iter().partition(is_lesson);
-        for path in lessons {
-            let checked = shelf::read_file(&path).and_then(|lesson| {
-                let names = |app: &App, pages: &PageMemory| {
-                    let preferences = Preferences {
-                        pages: pages.clone(),
-                        ..Preferences::default()
-                    };
-                    Some(picture::names(app, &preferences))
-                };
-                lessons::check(&lesson, &names).map(|()| lesson)
-            });
-            match checked {
-                Ok(lesson) => {
-                    let words = format!("{} is among the lessons now.", lesson.title);
-                    self.app.say(Tone::Info, words);
-                    if let Some(folder) = &self.lessons_folder
-                        && let Err(why) = shelf::keep(folder, &lesson)
-                    {
-                        self.app.say(Tone::Problem, why);
-                    }
-                    self.pages.lessons.take(Arc::new(lesson));
-                    self.preferences.pages.page = Page::Lessons;
-                }
-                Err(why) => self.app.say(Tone::Problem, why.to_string()),
-            }
-        }
+        self.lesson_checks.ask(lessons, wake);
         others
+    }
+
+    /// Takes in a lesson of a file that was checked, or says what is wrong with it.
+    pub(super) fn take_lesson(&mut self, checked: Checked) {
+        match checked {
+            Ok(lesson) => {
+                let words = format!("{} is among the lessons now.", lesson.title);
+                self.app.say(Tone::Info, words);
+                if let Some(folder) = &self.lessons_folder
+                    && let Err(why) = shelf::keep(folder, &lesson)
+                {
+                    self.app.say(Tone::Problem, why);
+                }
+                self.pages.lessons.take(lesson);
+                self.preferences.pages.page = Page::Lessons;
+            }
+            Err(why) => self.app.say(Tone::Problem, why),
+        }
     }
 
     /// Whether the shape of the window is that of a narrower one beside a lesson.

@@ -2,6 +2,7 @@
 
 mod acts;
 mod batch;
+mod checks;
 mod column;
 mod filing;
 mod images;
@@ -35,13 +36,15 @@ use super::{
     verdict_view::Side,
 };
 use crate::app::{
-    App, Command, Tone, chart,
+    App, Command, Memo, Pair, Tone, chart,
     lessons::Run,
     open::Loader,
+    pages::Page,
     picture::reload::ReloadJob,
     studies::Studies,
     workspace::{Preferences, Restored, StoredImage},
 };
+use checks::LessonChecks;
 use filing::{Saving, Waiting};
 
 /// Both ends of a queue that other threads write to.
@@ -110,6 +113,12 @@ pub struct Window {
     lessons_folder: Option<PathBuf>,
     /// Whether the list of lessons was in sight in the last frame.
     lists_lessons: bool,
+    /// Lessons of files that are being checked.
+    lesson_checks: LessonChecks,
+    /// What is to be noticed on a page, and a question to try.
+    foot_words: Memo<(u64, Page), (String, String)>,
+    /// Two surfaces side by side.
+    pair_shown: Memo<u64, Option<Pair>>,
 }
 
 impl Window {
@@ -157,6 +166,9 @@ impl Window {
             lesson_view: LessonView::default(),
             lesson_ends: 0.0,
             shows_next_at: 0.0,
+            lesson_checks: LessonChecks::default(),
+            foot_words: Memo::default(),
+            pair_shown: Memo::default(),
         }
     }
 
@@ -173,7 +185,10 @@ impl Window {
 
     /// Whether files are being read or a dialog is open.
     pub fn is_busy(&self) -> bool {
-        self.loader.is_busy() || self.waiting.is_some() || !self.images.waiting().is_empty()
+        self.loader.is_busy()
+            || self.lesson_checks.is_busy()
+            || self.waiting.is_some()
+            || !self.images.waiting().is_empty()
     }
 
     /// The theme of files that are written now.
@@ -202,7 +217,7 @@ impl Window {
         self.drawer(ui, shape, theme);
         self.side_panel(ui, shape, theme);
         self.studies.take_in();
-        if self.studies.is_running() {
+        if self.studies.is_running() || self.lesson_checks.is_busy() {
             context.request_repaint_after(WATCH_EVERY);
         }
         if !self.side_alone(shape) {

@@ -137,7 +137,11 @@ impl Window {
                     // A lesson asks its own questions.
                     let words = match self.lesson {
                         Some(_) => Default::default(),
-                        None => foot_view::words(&self.app, page),
+                        None => {
+                            let (app, key) = (&self.app, (self.app.revision(), page));
+                            let make = |_: &_| foot_view::words(app, page);
+                            self.foot_words.get(key, make).clone()
+                        }
                     };
                     let offered = foot_view::lesson(&self.app, page);
                     self.status(ui, theme, words, offered.filter(|_| self.lesson.is_none()));

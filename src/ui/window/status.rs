@@ -56,6 +56,9 @@ impl Window {
                         ui.ctx().request_repaint();
                     }
                 }
+                if self.lesson_checks.is_busy() {
+                    ui.label("checking a lesson");
+                }
                 let images = self.images.waiting().len();
                 if images > 0 {
                     // Nothing that moves: a file may be long in coming, and each frame costs.

@@ -2,7 +2,7 @@
 
 use crate::told::{assert_told, first, read};
 use spectral_explorer::io::{Choices, read_bytes_as};
-use spectral_explorer::spectrum::Kind;
+use spectral_explorer::spectrum::{Kind, in_air};
 
 #[test]
 fn a_single_not_measured_number_is_a_gap_too() {
@@ -60,4 +60,32 @@ fn frequencies_and_small_units_are_turned_into_wavelengths_and_said() {
     assert!((mev.samples.first_nm() - 619.75).abs() < 0.01);
     let odd = read("a.csv", "Frequency (PHz),lamp [W/m2/nm]\n400,1\n500,2\n");
     assert!(odd.is_doubtful(), "{:?}", odd.guesses);
+}
+
+#[test]
+fn wavelengths_in_vacuum_are_turned_as_far_as_air_has_an_index() {
+    let read = first(
+        "a.csv",
+        "Vacuum wavelength (nm),lamp\n180,1\n190,2\n210,3\n",
+    );
+    // 185 nm, as for colours.
+    assert_eq!(read.samples.nm(), [180.0, in_air(190.0), in_air(210.0)]);
+}
+
+#[test]
+fn an_efficiency_of_photons_is_what_a_light_is_weighed_with_and_no_light() {
+    for title in [
+        "Photon detection efficiency (%)",
+        "PDE (%)",
+        "Incident photon-to-current efficiency [%]",
+    ] {
+        let text = format!("Wavelength (nm),{title}\n400,10\n450,40\n500,20\n");
+        let found = first("a.csv", text);
+        assert_eq!(
+            (found.kind, &*found.unit),
+            (Kind::Weighting, "%"),
+            "{title}"
+        );
+        assert_eq!(found.samples.values(), [10.0, 40.0, 20.0]);
+    }
 }

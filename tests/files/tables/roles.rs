@@ -42,6 +42,18 @@ fn columns_that_are_no_spectra_are_left_out() {
         ("250;0.51;-10\n251;0.52;-10\n252;0.6;-9\n", &[0.51]),
         ("250;1;-10\n251;2;-9\n252;3;-8\n", &[1.0, -10.0]),
         ("210;290;1\n210;291;2\n210;292;5\n", &[1.0]),
+        // A letter in brackets is a sample's, but a unit behind the word for its quantity.
+        (
+            "nm;Illuminant (A);Illuminant (C)\n300;1;2\n301;2;3\n",
+            &[1.0, 2.0],
+        ),
+        (
+            "nm;Ink (c);Ink (y);Ink (k)\n300;1;2;3\n301;2;3;4\n",
+            &[1.0, 2.0, 3.0],
+        ),
+        ("nm;Leaf (J);Leaf (K)\n300;1;2\n301;2;3\n", &[1.0, 2.0]),
+        ("nm;A;Stage temp (C)\n300;1;20\n301;2;21\n", &[1.0]),
+        ("nm;A;T (K)\n300;1;290\n301;2;291\n", &[1.0]),
         // Spreads, but not a name with their word in it.
         ("nm;T;Std.Dev.\n300;1;0.1\n301;2;0.1\n", &[1.0]),
         ("nm;leaf;FWHM;sd\n300;1;5;2\n301;2;5;1\n", &[1.0]),

@@ -50,6 +50,23 @@ fn rows_in_random_order_are_sorted_and_said_with_and_without_titles() {
 }
 
 #[test]
+fn rows_behind_an_empty_line_that_carry_on_the_wavelengths_are_kept() {
+    for (behind, points, last) in [
+        (&["900,1", "1000,1.1", "1100,1.2"][..], 84, 1100.0),
+        (&["900,1"], 82, 900.0),
+        (&["5800,82"], 81, 780.0),
+        (&["100.3,0.5"], 81, 780.0),
+    ] {
+        let mut rows = rows();
+        rows.push(String::new());
+        rows.extend(behind.iter().map(|row| (*row).to_owned()));
+        let reading = read(&rows);
+        let samples = &reading.spectra[0].samples;
+        assert_eq!((samples.len(), samples.last_nm()), (points, last));
+    }
+}
+
+#[test]
 fn detectors_that_overlap_and_ranges_that_are_listed_twice_stay_what_they_are() {
     let mut overlap = rows();
     overlap.extend((0..40).map(|i| format!("{},1", 765 + 5 * i)));

@@ -8,12 +8,10 @@ use crate::{
         chart::{Chart, Dash, Inks, Scale, Series, Theme},
         charts::spectrum::{before_provenance, table_head},
         products::ModelledLight,
+        verdicts::HARD_TO_SEE,
     },
     study::products::{BounceErrors, MOST_BOUNCES, bounce_errors},
 };
-
-/// Differences of colour below this are not seen: what the sentence asks for.
-pub const UNSEEN: f64 = 1.0;
 
 /// Errors below this are drawn at it on a logarithmic axis.
 const SMALLEST: f64 = 1e-3;
@@ -65,7 +63,7 @@ impl Bounced {
         let mut series = vec![thin(
             "ΔE₀₀ = 1",
             inks.measured,
-            vec![[1.0, UNSEEN], [last, UNSEEN]],
+            vec![[1.0, HARD_TO_SEE], [last, HARD_TO_SEE]],
             Dash::Dashed,
         )];
         for way in &self.ways {
@@ -109,7 +107,7 @@ impl Bounced {
         let told = |way: &BounceErrors| {
             let errors = errors(way, added);
             let seen = errors.iter().take_while(|e| e.is_some()).count();
-            let below = |e: &&Option<f64>| e.is_some_and(|e| e < UNSEEN);
+            let below = |e: &&Option<f64>| e.is_some_and(|e| e < HARD_TO_SEE);
             (errors.iter().take_while(below).count(), seen)
         };
         self.ways.iter().map(told).collect()

@@ -7,7 +7,7 @@ use super::{
     row::{ROUNDING, Row, Verdict, delta_e, figure, off_percent, percent, range, three},
 };
 use crate::{
-    app::ticks::short,
+    app::{ticks::short, verdicts::HARD_TO_SEE},
     color::Observer,
     io::many,
     spectrum::{Basis, Sampling, numbers_of_order},
@@ -224,7 +224,7 @@ pub(super) fn eq_17_row(claims: &Claims) -> Row {
                 delta_e(printed),
                 delta_e(linear),
             );
-            if linear > NOTICEABLE_COST {
+            if linear >= HARD_TO_SEE {
                 condition.push_str(", and the straight line itself still costs colour here");
             }
         }
@@ -251,9 +251,6 @@ fn thousandths(value: f64) -> String {
     }
 }
 
-/// Colour differences from here on are worth a word.
-const NOTICEABLE_COST: f64 = 1.0;
-
 pub(super) fn table_2_row(claims: &Claims) -> Row {
     let found = claims.table_2;
     let off = three(
@@ -278,7 +275,7 @@ pub(super) fn table_2_row(claims: &Claims) -> Row {
                 figure(uv),
                 delta_e(colour)
             );
-            if colour < NOTICEABLE_COST {
+            if colour < HARD_TO_SEE {
                 (Verdict::Holds, String::new())
             } else {
                 let why = "for the shape of the functions, not for colour".to_owned();

@@ -23,11 +23,10 @@ use crate::{
             colour::FromColour,
             mix::Mix,
             named_lines::{NamedLine, named_lines},
-            wish::{MixWish, Solved},
+            wish::Answered,
         },
         pages::PageSetting,
     },
-    design::solve::Care,
     ui::{
         kit::{self, drawing, named},
         swatch,
@@ -42,9 +41,9 @@ pub(super) struct DesignView {
     ground: Memo<chart::Theme, Chart>,
     diagram: Memo<(u64, chart::Theme, Option<[f64; 2]>), Chart>,
     spectrum: Memo<(u64, chart::Theme), Chart>,
-    solved: Memo<(u64, MixWish, Care), Result<Solved, String>>,
-    /// The faders stand at a first answer, the wish being dragged.
-    is_hurried: bool,
+    solved: Answered,
+    /// The wish was moved: the faders follow what is solved for.
+    follows: bool,
     beside: Memo<(u64, DeskSurfaces), Vec<Beside>>,
     colour: Memo<(u64, chart::Theme, FromColour), Result<Arc<colour::Shown>, String>>,
     /// A hexadecimal colour while it is typed: of the first or the second light, and its text.

@@ -33,18 +33,25 @@ fn favour_words(favour: Objective) -> (&'static str, &'static str) {
             "most light for the power",
             "Greatest luminous efficacy of radiation.",
         ),
-        Objective::Rf => ("truest colours (Rf)", "Greatest fidelity index of TM-30."),
+        Objective::Rf => (
+            "highest Rf found",
+            "Fidelity index of TM-30, a mean over 99 surfaces: the highest of several searches.",
+        ),
         Objective::Ra => (
-            "best rendering (Ra)",
-            "Greatest colour rendering index of CIE 13.3.",
+            "highest Ra found",
+            "Colour rendering index of CIE 13.3, a mean over 8 test colours: the highest of several \
+             searches.",
         ),
         Objective::Melanopic => (
             "greatest melanopic DER",
-            "Greatest melanopic daylight efficacy ratio of CIE S 026: most melanopic light for the lux.",
+            "Greatest melanopic daylight efficacy ratio of CIE S 026 that these channels reach in \
+             this colour: most melanopic light for the lux. Above floors of Ra or Rf: the greatest \
+             of several searches.",
         ),
         Objective::Fewest => (
             "fewest channels",
-            "As few channels as will do, and among those the most light for the power.",
+            "As few channels as will do, and among those the most light for the power. Where there \
+             are too many sets of channels to look through, the weakest are left out one by one.",
         ),
     }
 }
@@ -56,19 +63,14 @@ impl DesignView {
         let Some(desk) = self.desk.held().cloned() else {
             return;
         };
-        let document = context.app.document();
-        // While something is dragged a first answer at once; the best when it is let go.
+        // While something is dragged a first answer at once; that of several searches when it is let
+        // go.
         let care = match ui.input(|input| input.pointer.any_down()) {
             true => Care::Quick,
             false => Care::Full,
         };
-        let key = (context.app.revision(), context.memory.wish.clone(), care);
-        let solved = self
-            .solved
-            .get(key, |(_, wish, care)| {
-                Solved::of(wish, &desk, document, *care)
-            })
-            .clone();
+        let wish = &context.memory.wish;
+        let solved = self.solved.get(context.app, wish, &desk, care).clone();
         let words = match &solved {
             Ok(solved) => &solved.sentence,
             Err(why) => why,
@@ -86,6 +88,7 @@ impl DesignView {
         ui.add_space(4.0);
         let before = context.memory.wish.clone();
         let target = solved.as_ref().ok().map(|solved| solved.target_uv);
+        let mut sets = false;
         let room = ui.available_size();
         let scale = context.theme.scale;
         if room.x >= WIDE * scale {
@@ -93,7 +96,7 @@ impl DesignView {
             ui.horizontal_top(|ui| {
                 column(ui, left, |ui| {
                     scrolled(ui, "wish", |ui| {
-                        wish_and_faders(ui, context, &desk, &solved)
+                        sets = wish_and_faders(ui, context, &desk, &solved);
                     });
                 });
                 ui.vertical(|ui| {
@@ -106,38 +109,39 @@ impl DesignView {
         } else {
             scrolled(ui, "solve", |ui| {
                 let width = ui.available_width();
-                wish_and_faders(ui, context, &desk, &solved);
+                sets = wish_and_faders(ui, context, &desk, &solved);
                 self.diagram(ui, context, target, vec2(width, 0.5 * room.y));
                 front(ui, context, &desk, 0.5 * room.y);
             });
         }
-        let wish = &context.memory.wish;
-        let is_other = MixWish {
-            against: wish.against,
-            lines: wish.lines,
-            ..before
-        } != *wish;
-        let is_due = is_other || (self.is_hurried && care == Care::Full);
-        if is_due && let Ok(found) = Solved::of(wish, &desk, context.app.document(), care) {
-            // A wish that is moved takes the faders along.
-            set(context, found.mix);
-            self.is_hurried = care == Care::Quick;
+        // A wish that is moved takes the faders along: in the next frame, which solves for it.
+        if (sets || self.follows)
+            && let Some(mix) = self.solved.follow(&desk.mix)
+        {
+            set(context, mix);
+        }
+        self.follows &= care == Care::Quick;
+        if !before.asks_as(&context.memory.wish) {
+            self.follows = true;
+            ui.ctx().request_repaint();
         }
     }
 }
 
+/// The wish, and the faders as they are solved for; whether they are to be set so.
 fn wish_and_faders(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
     desk: &Desk,
     solved: &Result<Solved, String>,
-) {
+) -> bool {
     colour(ui, context);
     ui.add_space(4.0);
     favour(ui, context);
     ui.add_space(4.0);
     floors(ui, context);
     ui.add_space(6.0);
+    let mut sets = false;
     if let Ok(solved) = solved {
         let is_there = solved.mix == desk.mix;
         ui.horizontal(|ui| {
@@ -145,9 +149,7 @@ fn wish_and_faders(
                 .add_enabled(!is_there, egui::Button::new("Set the faders"))
                 .on_hover_text("Moves the faders to what was solved for: one step of undo.")
                 .on_disabled_hover_text("The faders stand so.");
-            if button.clicked() {
-                set(context, solved.mix.clone());
-            }
+            sets = button.clicked();
             if !solved.reached {
                 warning(ui, context.theme, "as near as the channels come");
             }
@@ -155,6 +157,7 @@ fn wish_and_faders(
         ui.add_space(4.0);
         faders(ui, context, desk, solved);
     }
+    sets
 }
 
 /// The colour: a temperature, or that of a light.
@@ -261,7 +264,7 @@ fn favour(ui: &mut Ui, context: &mut PageContext<'_>) {
         ui.label("with");
         let choice = Choice {
             name: "What to favour",
-            meaning: "What the mixture is best at among all those of exactly that colour.",
+            meaning: "What the mixture is to be best at among those of exactly that colour.",
             width: 210.0 * context.theme.scale,
         };
         choice.pick(ui, &mut wish.favour, Objective::ALL, favour_words);
@@ -329,15 +332,17 @@ fn faders(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, solved: &Solv
     table(ui, &columns, &rows, None, false, context.theme);
 }
 
-/// What lines at free places reach at best; a click takes the lines of a point.
+/// The best that lines at free places were found to reach; a click takes the lines of a point.
 fn front(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, height: f32) {
     let top = ui.cursor().top();
     let wish = &mut context.memory.wish;
     ui.horizontal_wrapped(|ui| {
-        ui.label("At best with");
+        ui.label("The best found with");
         for lines in FREE_LINES {
             ui.selectable_value(&mut wish.lines, lines, lines.to_string())
-                .on_hover_text("Lines at the best places there are, not those of the desk.");
+                .on_hover_text(
+                    "Lines at the best places that a search finds, not those of the desk.",
+                );
         }
         ui.label("lines by");
         for (against, title) in [(Against::Rf, "Rf"), (Against::Ra, "Ra")] {

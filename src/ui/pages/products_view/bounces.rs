@@ -9,11 +9,12 @@ use crate::{
         ByAddress, Memo,
         chart::{self, Chart},
         charts::products::{
-            bounces::{Bounced, TOLD, UNSEEN, errors},
+            bounces::{Bounced, TOLD, errors},
             resampling::{way_meaning, way_name},
         },
         products::{BouncesMemory, ModelledLight},
         studies::{Stage, paper::delta_e},
+        verdicts::HARD_TO_SEE,
     },
     study::Progress,
     ui::{
@@ -127,7 +128,7 @@ fn figures(ui: &mut Ui, context: &mut PageContext<'_>, bounced: &Bounced, added:
     }));
     columns.push(Column::numbers(
         "below 1 up to",
-        &format!("The last bounce of those from the first on whose ΔE₀₀ stay below {UNSEEN}."),
+        &format!("The last bounce of those from the first on whose ΔE₀₀ stay below {HARD_TO_SEE}."),
         1.3,
     ));
     let stays = bounced.stays(added);

@@ -12,12 +12,9 @@ use eframe::egui::Ui;
 
 use super::PageContext;
 use crate::{
-    app::{Command, products::Products, studies::shipped_reflectances},
+    app::{Command, answers::set_title, products::Products, studies::shipped_reflectances},
     spectrum::Sampling,
-    ui::{
-        kit::{Choice, Chooser, factors},
-        patches_view::set_title,
-    },
+    ui::kit::{Choice, Chooser, factors},
 };
 
 /// What the pages keep from frame to frame.
