@@ -80,7 +80,7 @@ pub use document::{
 pub use entry::{Entry, bundled_entries, composite_from_preset};
 pub use families::Families;
 pub use known_lamps::{WordsShown, lamps_asked, lamps_better};
-pub use library::Library;
+pub use library::{FindError, Library};
 pub use line_names::{LineName, spike_under};
 pub use made::is_made;
 pub use memo::{ByAddress, Memo};

@@ -153,7 +153,7 @@ pub(super) struct ModelOptions {
     pub range: Option<Band>,
     /// Colour-matching functions: 1931, 1964, 2015-2, 2015-10, or a file of three functions of
     /// wavelength: x, y, z or a camera's red, green, blue [default: 1931].
-    #[arg(long, value_name = "YEAR|FILE", value_parser = words::observer)]
+    #[arg(long, value_name = "OBSERVER", value_parser = words::observer)]
     pub observer: Option<Observer>,
     /// How products with reflectances are formed: paper, 3n, 4n, double, convolution or exact; 3n
     /// takes 3N+1 points, for an odd order N 3N+2 [default: exact].

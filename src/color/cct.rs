@@ -59,14 +59,14 @@ pub struct Cct {
 pub enum NoCct {
     /// There is no chromaticity to begin with.
     NoLight,
-    /// Farther than [`FARTHEST_DUV`] from the blackbodies of every temperature.
+    /// Farther than `FARTHEST_DUV` from the blackbodies of every temperature.
     TooFar {
         /// The distance from the nearest of them, with its sign.
         duv: f64,
     },
-    /// Redder than a blackbody at [`COLDEST_K`].
+    /// Redder than a blackbody at `COLDEST_K`.
     TooCold,
-    /// Bluer than a blackbody at [`HOTTEST_K`].
+    /// Bluer than a blackbody at `HOTTEST_K`.
     TooHot,
 }
 

@@ -43,7 +43,7 @@ pub use cct::{Cct, NoCct, cct_from_uv_1960, cct_from_xyz, uv_1960_from_kelvin};
 pub use chromaticity::{uv_1960_from_xyz, uv_1976_from_xyz, xy_from_xyz, xyz_from_xy};
 pub use ciede2000::{delta_e_2000, delta_e_of_xyz};
 pub use lab::{LAB_EPSILON, LAB_KAPPA, Lab, lab_from_xyz, xyz_from_lab};
-pub use observer::{ColourMatching, Observer, weighting};
+pub use observer::{ColourMatching, Observer, ObserverError, weighting};
 pub use patches::{PatchDifference, PatchMatrix, PatchSet};
 pub use srgb::{Mapping, Srgb, Swatch};
 pub use wavelength_rgb::{srgb_from_wavelength, srgb_from_wavelength_over, srgb_of_fill};

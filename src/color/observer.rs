@@ -126,7 +126,7 @@ impl Observer {
         table.check()?;
         let mut own = OWN.write().unwrap_or_else(PoisonError::into_inner);
         let same = |known: &&Known| known.word == name && known.table == table;
-        let index = match own.iter().position(|known| same(known)) {
+        let index = match own.iter().position(same) {
             Some(index) => index,
             None if own.len() == MOST_OWN => return Err(ObserverError::TooMany),
             None => {

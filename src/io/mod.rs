@@ -38,7 +38,9 @@ pub use choices::{Choices, Counted, OfOne};
 pub use decode::guarded::guarded;
 pub(crate) use error::part_of_message;
 pub use error::{ReadError, WriteError, quoted, shown};
-pub use formats::composite_json::{in_words as composite_in_words, write as composite_json};
+pub use formats::composite_json::{
+    CompositeTextError, in_words as composite_in_words, write as composite_json,
+};
 pub use formats::composite_line::{parse as parse_composite_line, write as composite_line};
 pub use formats::spectral_image::Meant;
 pub use formats::{Confidence, FORMATS, Format, envi};

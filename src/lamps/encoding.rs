@@ -39,7 +39,7 @@ pub struct AtomWeight {
 /// An encoded light.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Encoding {
-    /// Known lamps, at most [`MOST_ATOMS`].
+    /// Known lamps, at most `MOST_ATOMS`.
     pub atoms: Vec<AtomWeight>,
     /// The smooth part.
     pub smooth: Series,

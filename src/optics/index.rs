@@ -15,7 +15,7 @@
 //! ([`Material::is_extrapolated`]) as long as the wavelength is 5 % above the nearest ultraviolet
 //! resonance and n^2 > 1; that of a file ends with its range.
 //!
-//! Where n is 1 or less, or k above [`MOST_EXTINCTION`], nothing here holds: rays end in metals and
+//! Where n is 1 or less, or k above `MOST_EXTINCTION`, nothing here holds: rays end in metals and
 //! dyes, and angles behind them are no longer Snell's. Such wavelengths have no index.
 
 use crate::spectrum::{Formula, Outside, Sampled, index_of_air, slope_of_air};
@@ -187,7 +187,7 @@ impl Material {
         })
     }
 
-    /// The same material with an extinction coefficient: where it is above [`MOST_EXTINCTION`]
+    /// The same material with an extinction coefficient: where it is above `MOST_EXTINCTION`
     /// there is no index. Beyond its table nobody knows, and nothing is refused.
     #[must_use]
     pub fn with_extinction(self, k: Sampled) -> Self {

@@ -19,7 +19,7 @@ pub enum IndexError {
         to_nm: f64,
     },
     /// A wavelength at which no ray goes on through it: n of 1 or less, k above
-    /// [`MOST_EXTINCTION`], or no real n at all.
+    /// `MOST_EXTINCTION`, or no real n at all.
     NotTransparent {
         material: String,
         found_nm: f64,

@@ -68,9 +68,9 @@ pub struct StoredQuantiser {
 /// The header.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Header {
-    /// Always [`FORMAT`].
+    /// Always `FORMAT`.
     pub format: String,
-    /// At most [`VERSION`].
+    /// At most `VERSION`.
     pub version: u64,
     /// Columns.
     pub width: usize,

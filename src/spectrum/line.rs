@@ -46,7 +46,7 @@ pub struct Line {
     pub at_nm: f64,
     /// Radiant power in the spectrum's own unit x nm; negative for absorption.
     pub weight: f64,
-    /// Full width at half maximum, nm; 0 is the paper's ideal spike. Below [`NARROWEST_NM`] a
+    /// Full width at half maximum, nm; 0 is the paper's ideal spike. Below `NARROWEST_NM` a
     /// line is treated as ideal.
     pub fwhm_nm: f64,
 }

@@ -14,7 +14,7 @@ pub fn json(name: &str, measured: &Figures, model: Option<&Figures>) -> Value {
     beside(measured, model, |figures| of(name, figures))
 }
 
-/// As [`json`] with what has no key there: all observers, single samples, shape, absolute values.
+/// As [`json()`] with what has no key there: all observers, single samples, shape, absolute values.
 pub fn full_json(name: &str, measured: &Figures, model: Option<&Figures>) -> Value {
     beside(measured, model, |figures| {
         let mut object = of(name, figures);

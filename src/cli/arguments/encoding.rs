@@ -35,7 +35,7 @@ pub(crate) struct Encode {
     pub range: Option<Band>,
     /// Colour-matching functions: 1931, 1964, 2015-2, 2015-10, or a file of three functions of
     /// wavelength: x, y, z or a camera's red, green, blue [default: 1931].
-    #[arg(long, value_name = "YEAR|FILE", value_parser = words::observer)]
+    #[arg(long, value_name = "OBSERVER", value_parser = words::observer)]
     pub observer: Option<Observer>,
     /// Print JSON; its keys are stable.
     #[arg(long)]

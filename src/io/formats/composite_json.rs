@@ -122,14 +122,14 @@ pub fn in_words(composite: &Composite) -> String {
 
 /// Why something is no composite.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct CompositeError {
+pub struct CompositeTextError {
     /// What stands there.
     pub found: String,
     /// What should.
     pub expected: String,
 }
 
-impl CompositeError {
+impl CompositeTextError {
     pub(super) fn new(found: impl Into<String>, expected: impl Into<String>) -> Self {
         Self {
             found: found.into(),
@@ -143,16 +143,16 @@ impl CompositeError {
     }
 }
 
-impl fmt::Display for CompositeError {
+impl fmt::Display for CompositeTextError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "found {}, expected {}", self.found, self.expected)
     }
 }
 
-impl std::error::Error for CompositeError {}
+impl std::error::Error for CompositeTextError {}
 
 /// What a file holds; `stem` is what a composite without a name is called.
-fn composite_of(file: File, stem: &str) -> Result<CompositeFile, CompositeError> {
+fn composite_of(file: File, stem: &str) -> Result<CompositeFile, CompositeTextError> {
     let File {
         format,
         version,
@@ -169,15 +169,18 @@ fn composite_of(file: File, stem: &str) -> Result<CompositeFile, CompositeError>
     } = file;
     if format != FORMAT_WORD {
         let found = format!("format \"{format}\"");
-        return Err(CompositeError::new(found, format!("\"{FORMAT_WORD}\"")));
+        return Err(CompositeTextError::new(found, format!("\"{FORMAT_WORD}\"")));
     }
     let [first, last] = VERSIONS;
     if !VERSIONS.contains(&version) {
         let expected = format!("version {first} or {last}");
-        return Err(CompositeError::new(format!("version {version}"), expected));
+        return Err(CompositeTextError::new(
+            format!("version {version}"),
+            expected,
+        ));
     }
     let band = Band::new(min, max).map_err(|error| {
-        CompositeError::new(format!("range_nm [{min}, {max}]"), error.to_string())
+        CompositeTextError::new(format!("range_nm [{min}, {max}]"), error.to_string())
     })?;
     let coefficients = prefix_order(basis, coefficients)?;
     let lines = spikes.into_iter().map(|line| {
@@ -201,7 +204,7 @@ fn composite_of(file: File, stem: &str) -> Result<CompositeFile, CompositeError>
     })
 }
 
-fn prefix_order(basis: Basis, coefficients: Coefficients) -> Result<Vec<f64>, CompositeError> {
+fn prefix_order(basis: Basis, coefficients: Coefficients) -> Result<Vec<f64>, CompositeTextError> {
     let Coefficients { a, b, c } = coefficients;
     let expected = match (basis, a, b, c) {
         (Basis::Cosine, None, None, Some(c)) => return Ok(c),
@@ -210,7 +213,7 @@ fn prefix_order(basis: Basis, coefficients: Coefficients) -> Result<Vec<f64>, Co
             // One sine less is a series whose last sine was dropped.
             if a.is_empty() || (a.len() != b.len() + 1 && a.len() != b.len() + 2) {
                 let found = format!("{} numbers in a and {} in b", a.len(), b.len());
-                return Err(CompositeError::new(found, "one more in a than in b"));
+                return Err(CompositeTextError::new(found, "one more in a than in b"));
             }
             let mut all = vec![a[0]];
             let mut sines = b.iter();
@@ -224,7 +227,7 @@ fn prefix_order(basis: Basis, coefficients: Coefficients) -> Result<Vec<f64>, Co
         (Basis::Fourier, ..) => "{\"a\": [...], \"b\": [...]}",
     };
     let found = format!("other coefficients with the {} basis", basis.word());
-    Err(CompositeError::new(found, expected))
+    Err(CompositeTextError::new(found, expected))
 }
 
 /// The widest line that is believed, nm.
@@ -237,14 +240,14 @@ pub(super) fn checked(
     basis: Basis,
     coefficients: Vec<f64>,
     lines: Vec<Line>,
-) -> Result<Composite, CompositeError> {
+) -> Result<Composite, CompositeTextError> {
     let widths = lines.iter().map(|line| line.fwhm_nm);
     if let Some(odd) = widths
         .into_iter()
         .find(|width| !(0.0..=WIDEST_NM).contains(width))
     {
         let expected = format!("a width of 0 to {WIDEST_NM} nm");
-        return Err(CompositeError::new(
+        return Err(CompositeTextError::new(
             format!("a line {odd} nm wide"),
             expected,
         ));
@@ -253,15 +256,15 @@ pub(super) fn checked(
     if coefficients.is_empty() || coefficients.len() > most {
         let found = format!("{} coefficients", coefficients.len());
         let expected = format!("1 to {most} on this range");
-        return Err(CompositeError::new(found, expected));
+        return Err(CompositeTextError::new(found, expected));
     }
     if let Some(odd) = coefficients.iter().find(|c| !is_measured(**c)) {
         let found = format!("the coefficient {odd}");
-        return Err(CompositeError::new(found, "a number below 1e30"));
+        return Err(CompositeTextError::new(found, "a number below 1e30"));
     }
     for Line { at_nm, weight, .. } in &lines {
         if !is_measured(*at_nm) || *at_nm <= 0.0 || !is_measured(*weight) {
-            return Err(CompositeError::new(
+            return Err(CompositeTextError::new(
                 format!("a spike of {weight} at {at_nm} nm"),
                 "a wavelength above 0 and a weight below 1e30",
             ));
@@ -269,7 +272,7 @@ pub(super) fn checked(
         if !band.contains(*at_nm) {
             let (from, to) = (band.min_nm(), band.max_nm());
             let expected = format!("lines on the composite's range, {from} to {to} nm");
-            return Err(CompositeError::new(
+            return Err(CompositeTextError::new(
                 format!("a line at {at_nm} nm"),
                 expected,
             ));

@@ -13,7 +13,7 @@
 
 use crate::spectrum::{Band, Basis, Composite, Kind, Line};
 
-use super::composite_json::{CompositeError, checked, in_words};
+use super::composite_json::{CompositeTextError, checked, in_words};
 use super::{Confidence, Format};
 use crate::io::error::quoted;
 use crate::io::provenance::shortest;
@@ -90,13 +90,13 @@ pub fn write(composite: &Composite) -> String {
 /// The composite of a line; blanks and line breaks that a message put in are no matter.
 ///
 /// # Errors
-/// [`CompositeError`] with the part that is wrong.
-pub fn parse(text: &str) -> Result<Composite, CompositeError> {
+/// [`CompositeTextError`] with the part that is wrong.
+pub fn parse(text: &str) -> Result<Composite, CompositeTextError> {
     let fields: Vec<&str> = text.trim().split(';').map(str::trim).collect();
     let has_widths = fields[0] == MARKS[1];
     if !MARKS.contains(&fields[0]) {
         let expected = "a line that begins with \"cs1;\"";
-        return Err(CompositeError::new(quoted(fields[0]), expected));
+        return Err(CompositeTextError::new(quoted(fields[0]), expected));
     }
     let (basis, range, coefficients, spikes) = match fields[..] {
         [_, basis, range, coefficients, spikes] => (basis, range, coefficients, spikes),
@@ -104,7 +104,7 @@ pub fn parse(text: &str) -> Result<Composite, CompositeError> {
         _ => {
             let expected = "5: cs1;basis;range;coefficients;spikes";
             let found = format!("{} fields", fields.len());
-            return Err(CompositeError::new(found, expected));
+            return Err(CompositeTextError::new(found, expected));
         }
     };
     let basis = Basis::from_word(basis).ok_or_else(|| odd("basis", basis, "fourier or cosine"))?;
@@ -120,18 +120,18 @@ pub fn parse(text: &str) -> Result<Composite, CompositeError> {
     checked(band, basis, coefficients, spikes)
 }
 
-fn finite(word: &str, expected: &str) -> Result<f64, CompositeError> {
+fn finite(word: &str, expected: &str) -> Result<f64, CompositeTextError> {
     number(word, false)
         .filter(|v| v.is_finite())
-        .ok_or_else(|| CompositeError::new(quoted(word), expected))
+        .ok_or_else(|| CompositeTextError::new(quoted(word), expected))
 }
 
 /// The refusal of a part of the line.
-fn odd(what: &str, part: &str, expected: impl Into<String>) -> CompositeError {
-    CompositeError::new(format!("{what} {}", quoted(part)), expected)
+fn odd(what: &str, part: &str, expected: impl Into<String>) -> CompositeTextError {
+    CompositeTextError::new(format!("{what} {}", quoted(part)), expected)
 }
 
-fn parse_range(range: &str) -> Result<Band, CompositeError> {
+fn parse_range(range: &str) -> Result<Band, CompositeTextError> {
     let (min, max) = range
         .split_once(':')
         .ok_or_else(|| odd("range", range, "MIN:MAX in nm"))?;
@@ -140,7 +140,7 @@ fn parse_range(range: &str) -> Result<Band, CompositeError> {
 }
 
 /// A spike with its width, 0 where it has none.
-fn parse_spike(word: &str, has_widths: bool) -> Result<Line, CompositeError> {
+fn parse_spike(word: &str, has_widths: bool) -> Result<Line, CompositeTextError> {
     let (at_nm, rest) = word
         .split_once('*')
         .ok_or_else(|| odd("spike", word, "nm*weight"))?;

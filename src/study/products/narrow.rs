@@ -125,7 +125,7 @@ impl Narrow {
     }
 
     /// The three behind a Gaussian band-pass of full width `width_nm` (at least
-    /// [`NARROWEST_NM`]) at half its maximum.
+    /// `NARROWEST_NM`) at half its maximum.
     pub fn behind(&self, centre_nm: f64, width_nm: f64) -> NarrowPoint {
         let width_nm = width_nm.max(NARROWEST_NM);
         let bell = |nm: f64| gaussian((nm - centre_nm) / width_nm);

@@ -75,7 +75,7 @@ pub struct SpikeCosts {
 /// as printed, on the paper's points; the smooth product is the same in all.
 ///
 /// # Panics
-/// As [`forming`].
+/// As `forming`.
 pub fn spike_costs(product: Product<'_>, factor: &Factor, table: &BasisTable) -> SpikeCosts {
     let (band, seen, white) = (product.model.band(), product.seen, product.white());
     let found = eq_17(product.model, factor.values(), table, seen, white);

@@ -56,7 +56,7 @@ pub struct StraightLine {
 /// Reads a factor (values on the grid) at the spikes of a light on the paper's points.
 ///
 /// The factor is cut to as many numbers as the light has, or as the table holds. `weights` and
-/// `white` are those of [`Question`].
+/// `white` are those of `Question`.
 ///
 /// # Panics
 /// When the factor or the weights are not on the grid of the table's band, or the light is not on

@@ -15,7 +15,7 @@ pub struct FivePercent {
     pub channels: [ChannelTerms; 3],
 }
 
-/// From where on the terms of one channel are negligible: below [`STATED_SHARE`] of its exact
+/// From where on the terms of one channel are negligible: below `STATED_SHARE` of its exact
 /// total, spikes included.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChannelTerms {

@@ -32,11 +32,11 @@ pub struct ResamplingWay {
 
 /// Forms light times factor (values on the grid) in every way that the basis offers.
 ///
-/// Arguments as for [`eq_17`]. Spikes are weighed by the factor's series in every way, so that
+/// Arguments as for `eq_17`. Spikes are weighed by the factor's series in every way, so that
 /// only the smooth product differs.
 ///
 /// # Panics
-/// As [`eq_17`].
+/// As `eq_17`.
 pub fn resampling(
     light: &Composite,
     factor: &[f64],
