@@ -177,7 +177,6 @@ fn share_of(band: Band, residual: &[f64], values: &[f64]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::{App, Command};
 
     fn sampled(composite: &Composite) -> Sampled {
         Sampled::even(composite.band().min_nm(), 1.0, composite.on_band()).expect("finite")
@@ -228,33 +227,6 @@ mod tests {
         let smooth = own.smooth().coefficients.iter();
         for (found, own) in fit.composite.smooth().coefficients.iter().zip(smooth) {
             assert!((found - own).abs() < 1e-3, "{found} {own}");
-        }
-    }
-
-    #[test]
-    fn a_fit_is_the_model_that_the_window_shows() {
-        let mut app = App::new();
-        for name in ["cie_fluorescent_1nm/FL2", "cie_fluorescent_1nm/FL11"] {
-            app.apply(Command::Show(app.entry(name).expect("shipped")));
-            let settings = app.document().settings;
-            let options = FitOptions::default()
-                .on(settings.band)
-                .basis(settings.basis)
-                .order(settings.order)
-                .lines(Some(settings.spike_settings()))
-                .colour_of(settings.colour_exact.then_some(settings.observer));
-            let samples = &app.document().subject_entry().spectrum.samples;
-            let fit = Composite::fit(samples, &options);
-            let shown = &app.derived().model;
-            assert_eq!(fit.composite.lines(), shown.lines(), "{name}");
-            let both = fit.composite.smooth().coefficients.iter();
-            for (ours, theirs) in both.zip(&shown.smooth().coefficients) {
-                // The same sums in another order.
-                assert!(
-                    (ours - theirs).abs() < 1e-9 * theirs.abs().max(1.0),
-                    "{name}"
-                );
-            }
         }
     }
 }

@@ -220,7 +220,10 @@ mod tests {
         assert!(is_refused(Line::ideal(500.0, f64::NAN)));
         assert!(is_refused(wide(500.0, 1.0, -1.0)));
         assert!(is_refused(wide(500.0, 1.0, f64::INFINITY)));
-        let no_smooth = smooth().truncated(0);
+        let no_smooth = Series {
+            coefficients: Vec::new(),
+            ..smooth()
+        };
         let error = Composite::new(no_smooth, Vec::new()).expect_err("no coefficient");
         assert_eq!(error.to_string(), "the smooth part has no coefficient");
         let ends = vec![Line::ideal(780.0, 1.0), wide(380.0, 1.0, 5.0)];

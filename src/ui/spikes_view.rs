@@ -37,12 +37,12 @@ pub(super) fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAc
                         .speed(0.1)
                         .range(band.min_nm()..=band.max_nm())
                         .fixed_decimals(2);
-                    let place = number(ui, place, &format!("Line {} place", index + 1));
+                    let place = number(ui, place, &format!("Spike {} place", index + 1));
                     let size = weight.abs().max(f64::MIN_POSITIVE);
                     let power = DragValue::new(&mut weight)
                         .speed(0.01 * size)
                         .custom_formatter(|v, _| ticks::short(v));
-                    let power = number(ui, power, &format!("Line {} weight", index + 1));
+                    let power = number(ui, power, &format!("Spike {} weight", index + 1));
                     if place.changed() || power.changed() {
                         acts.push(SpikeAct::Set {
                             index,

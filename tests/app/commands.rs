@@ -33,8 +33,9 @@ use spectral_explorer::{
     },
     color::Observer,
     io::{composite_json, read_bytes},
+    lamps::FitOptions,
     spectrum::{
-        Band, Basis, HandSpike, Kind, NamedSpectrum, Sampled, Sampling, SpikeEdits,
+        Band, Basis, Composite, HandSpike, Kind, NamedSpectrum, Sampled, Sampling, SpikeEdits,
         numbers_of_order,
     },
     study::Measure,
@@ -2209,4 +2210,31 @@ fn overlays_of_the_papers_lamps_have_the_factor_in_force() {
         values.iter().copied().fold(0.0, f64::max)
     };
     assert!(top(&app.document().overlays[0]) < 0.6 * top(&mercury));
+}
+
+#[test]
+fn a_fit_is_the_model_that_the_window_shows() {
+    let mut app = App::new();
+    for name in ["cie_fluorescent_1nm/FL2", "cie_fluorescent_1nm/FL11"] {
+        app.apply(Command::Show(app.entry(name).expect("shipped")));
+        let settings = app.document().settings;
+        let options = FitOptions::default()
+            .on(settings.band)
+            .basis(settings.basis)
+            .order(settings.order)
+            .lines(Some(settings.spike_settings()))
+            .colour_of(settings.colour_exact.then_some(settings.observer));
+        let samples = &app.document().subject_entry().spectrum.samples;
+        let fit = Composite::fit(samples, &options);
+        let shown = &app.derived().model;
+        assert_eq!(fit.composite.lines(), shown.lines(), "{name}");
+        let both = fit.composite.smooth().coefficients.iter();
+        for (ours, theirs) in both.zip(&shown.smooth().coefficients) {
+            // The same sums in another order.
+            assert!(
+                (ours - theirs).abs() < 1e-9 * theirs.abs().max(1.0),
+                "{name}"
+            );
+        }
+    }
 }
