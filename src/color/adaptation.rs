@@ -72,7 +72,7 @@ impl Adapter {
 
 /// The colour that corresponds to `xyz` when the eye's white moves from `from_white` to
 /// `to_white`; `None` where there is no [`Adapter`] for them.
-pub fn adapted(xyz: Xyz, from_white: Xyz, to_white: Xyz) -> Option<Xyz> {
+pub(crate) fn adapted(xyz: Xyz, from_white: Xyz, to_white: Xyz) -> Option<Xyz> {
     Some(Adapter::new(from_white, to_white)?.moved(xyz))
 }
 

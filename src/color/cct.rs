@@ -99,7 +99,7 @@ pub fn cct_from_xyz(xyz: Xyz) -> Result<Cct, NoCct> {
 ///
 /// # Errors
 /// [`NoCct`] says why there is no number.
-pub fn cct_from_uv_1960(uv: [f64; 2]) -> Result<Cct, NoCct> {
+pub(crate) fn cct_from_uv_1960(uv: [f64; 2]) -> Result<Cct, NoCct> {
     if !uv.iter().all(|v| v.is_finite()) {
         return Err(NoCct::NoLight);
     }

@@ -24,7 +24,7 @@ pub fn uv_1976_from_xyz(xyz: Xyz) -> Option<[f64; 2]> {
 }
 
 /// CIE 1960 `[u, v]`, the plane in which CCT and Duv are defined.
-pub fn uv_1960_from_xyz(xyz: Xyz) -> Option<[f64; 2]> {
+pub(crate) fn uv_1960_from_xyz(xyz: Xyz) -> Option<[f64; 2]> {
     shares(
         [4.0 * xyz.x, 6.0 * xyz.y],
         xyz.x + 15.0 * xyz.y + 3.0 * xyz.z,
@@ -32,7 +32,7 @@ pub fn uv_1960_from_xyz(xyz: Xyz) -> Option<[f64; 2]> {
 }
 
 /// XYZ of a chromaticity at luminance `y_total`; `None` when `y` is not positive.
-pub fn xyz_from_xy([x, y]: [f64; 2], y_total: f64) -> Option<Xyz> {
+pub(crate) fn xyz_from_xy([x, y]: [f64; 2], y_total: f64) -> Option<Xyz> {
     let xyz = Xyz::new(x / y * y_total, y_total, (1.0 - x - y) / y * y_total);
     (y > 0.0 && xyz.is_finite()).then_some(xyz)
 }

@@ -38,13 +38,13 @@ pub const Y: Gaussian = Gaussian::new(560.0, 100.0, 1.0);
 pub const Z: Gaussian = Gaussian::new(451.0, 55.0, 1.8);
 
 /// The Gaussians whose sums stand for x-bar, y-bar and z-bar (Eq. 9).
-pub const FIT: [&[Gaussian]; 3] = [&[X_SMALL, X_LARGE], &[Y], &[Z]];
+pub(crate) const FIT: [&[Gaussian]; 3] = [&[X_SMALL, X_LARGE], &[Y], &[Z]];
 
 /// The share below which the paper neglects a term.
 pub const NEGLIGIBLE_SHARE: f64 = 0.05;
 
 /// x-bar, y-bar and z-bar of the fit at a wavelength (Eq. 9).
-pub fn fitted_at(at_nm: f64) -> [f64; 3] {
+pub(crate) fn fitted_at(at_nm: f64) -> [f64; 3] {
     FIT.map(|lobes| lobes.iter().map(|lobe| lobe.at(at_nm)).sum())
 }
 

@@ -9,10 +9,10 @@
 use super::xyz::Xyz;
 
 /// `(6/29)^3`, where the cube root gives way to a straight line.
-pub const LAB_EPSILON: f64 = 216.0 / 24389.0;
+pub(crate) const LAB_EPSILON: f64 = 216.0 / 24389.0;
 
 /// `(29/3)^3`, the slope of the straight line.
-pub const LAB_KAPPA: f64 = 24389.0 / 27.0;
+pub(crate) const LAB_KAPPA: f64 = 24389.0 / 27.0;
 
 /// Share of the white's Y below which an X or Z of the white is taken as absent.
 ///
@@ -95,7 +95,7 @@ pub fn lab_from_xyz(xyz: Xyz, white: Xyz) -> Lab {
 }
 
 /// The inverse of [`lab_from_xyz`], in the white's scale.
-pub fn xyz_from_lab(lab: Lab, white: Xyz) -> Xyz {
+pub(crate) fn xyz_from_lab(lab: Lab, white: Xyz) -> Xyz {
     let fy = (lab.l + 16.0) / 116.0;
     Xyz::new(
         white.x * expanded(fy + lab.a / 500.0),

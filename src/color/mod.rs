@@ -38,17 +38,18 @@ mod wavelength_rgb;
 mod weights;
 pub mod xyz;
 
-pub use adaptation::{Adaptation, Adapter, adapted};
-pub use cct::{Cct, NoCct, cct_from_uv_1960, cct_from_xyz, uv_1960_from_kelvin};
-pub use chromaticity::{uv_1960_from_xyz, uv_1976_from_xyz, xy_from_xyz, xyz_from_xy};
+pub(crate) use adaptation::adapted;
+pub use adaptation::{Adaptation, Adapter};
+pub use cct::{Cct, NoCct, cct_from_xyz, uv_1960_from_kelvin};
+pub(crate) use chromaticity::{uv_1960_from_xyz, xyz_from_xy};
+pub use chromaticity::{uv_1976_from_xyz, xy_from_xyz};
 pub use ciede2000::{delta_e_2000, delta_e_of_xyz};
-pub use lab::{LAB_EPSILON, LAB_KAPPA, Lab, lab_from_xyz, xyz_from_lab};
+pub(crate) use lab::{LAB_EPSILON, LAB_KAPPA, xyz_from_lab};
+pub use lab::{Lab, lab_from_xyz};
 pub use observer::{ColourMatching, Observer, ObserverError, weighting};
 pub use patches::{PatchDifference, PatchMatrix, PatchSet};
 pub use srgb::{Mapping, Srgb, Swatch};
-pub use wavelength_rgb::{srgb_from_wavelength, srgb_from_wavelength_over, srgb_of_fill};
+pub(crate) use wavelength_rgb::{srgb_from_wavelength, srgb_from_wavelength_over, srgb_of_fill};
 pub use weights::Weights;
-pub use xyz::{
-    Xyz, xyz_from_integral, xyz_from_light, xyz_from_reflectance, xyz_of_lines, xyz_of_one,
-    xyz_of_parts,
-};
+pub use xyz::{Xyz, xyz_from_integral, xyz_from_light, xyz_from_reflectance};
+pub(crate) use xyz::{xyz_of_lines, xyz_of_one, xyz_of_parts};

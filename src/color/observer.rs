@@ -105,9 +105,9 @@ impl Observer {
     /// CIE 1964 standard observer, 10 degree field.
     pub const CIE_1964: Self = Self(1);
     /// CIE 2015 cone-fundamental-based observer, 2 degree field (CIE 170-2).
-    pub const CIE_2015_2DEG: Self = Self(2);
+    pub(crate) const CIE_2015_2DEG: Self = Self(2);
     /// CIE 2015 cone-fundamental-based observer, 10 degree field (CIE 170-2).
-    pub const CIE_2015_10DEG: Self = Self(3);
+    pub(crate) const CIE_2015_10DEG: Self = Self(3);
 
     /// The shipped observers, in the order in which menus list them.
     pub const CIE: [Self; 4] = [
@@ -143,7 +143,7 @@ impl Observer {
     }
 
     /// Whether it ships with the program.
-    pub fn is_shipped(self) -> bool {
+    pub(crate) fn is_shipped(self) -> bool {
         usize::from(self.0) < Self::CIE.len()
     }
 
@@ -169,7 +169,7 @@ impl Observer {
     }
 
     /// The shipped observer of a [`Observer::word`].
-    pub fn from_word(word: &str) -> Option<Self> {
+    pub(crate) fn from_word(word: &str) -> Option<Self> {
         Self::CIE
             .into_iter()
             .find(|observer| observer.word() == word)
@@ -345,7 +345,7 @@ impl ColourMatching {
 
     /// [`ColourMatching::on_band`] times the band's trapezoid weights: with these rows XYZ is
     /// three plain sums of products, in value x nm.
-    pub fn weighted_on_band(&self, band: Band) -> [Vec<f64>; 3] {
+    pub(crate) fn weighted_on_band(&self, band: Band) -> [Vec<f64>; 3] {
         self.on_band(band).each_ref().map(|row| {
             row.iter()
                 .enumerate()
@@ -357,7 +357,7 @@ impl ColourMatching {
     /// Sum of y-bar over the table (nm): the Y of a light that is 1 at every nm.
     ///
     /// Normalising constants come from this sum of the table in use, not from a pasted number.
-    pub fn luminous_sum(&self) -> f64 {
+    pub(crate) fn luminous_sum(&self) -> f64 {
         self.xyz[1].iter().sum()
     }
 

@@ -180,7 +180,7 @@ impl PatchSet {
     ///
     /// # Panics
     /// When a basis function does not have [`Band::points`] values.
-    pub fn contract<'a>(&self, basis: impl IntoIterator<Item = &'a [f64]>) -> PatchMatrix {
+    pub(crate) fn contract<'a>(&self, basis: impl IntoIterator<Item = &'a [f64]>) -> PatchMatrix {
         let mut buffer = self.buffer();
         let (mut rows, mut white) = (Vec::new(), Vec::new());
         for function in basis {

@@ -20,13 +20,13 @@ const PRIMARIES_XY: [[f64; 2]; 3] = [[0.64, 0.33], [0.30, 0.60], [0.15, 0.06]];
 const WHITE_XY: [f64; 2] = [0.3127, 0.3290];
 
 /// The screen's white, Y = 1.
-pub const WHITE: Xyz = Xyz::from_array(unit_luminance(WHITE_XY));
+pub(crate) const WHITE: Xyz = Xyz::from_array(unit_luminance(WHITE_XY));
 
 /// Linear sRGB (0-1) to XYZ with Y = 1 for white.
-pub const XYZ_FROM_LINEAR: Matrix3 = derived();
+pub(crate) const XYZ_FROM_LINEAR: Matrix3 = derived();
 
 /// XYZ (Y = 1 for white) to linear sRGB.
-pub const LINEAR_FROM_XYZ: Matrix3 = inverse(&XYZ_FROM_LINEAR);
+pub(crate) const LINEAR_FROM_XYZ: Matrix3 = inverse(&XYZ_FROM_LINEAR);
 
 /// How far (in linear light, 1 = full) a channel may leave 0-1 by rounding and still count as in gamut.
 const GAMUT_SLACK: f64 = 1e-9;
@@ -69,12 +69,12 @@ pub fn linear_from_xyz(xyz: Xyz) -> [f64; 3] {
 }
 
 /// XYZ (Y = 1 for white) of linear sRGB.
-pub fn xyz_from_linear(linear: [f64; 3]) -> Xyz {
+pub(crate) fn xyz_from_linear(linear: [f64; 3]) -> Xyz {
     Xyz::from_array(times_vector(&XYZ_FROM_LINEAR, linear))
 }
 
 /// The sRGB transfer function: linear light to encoded value, odd about zero.
-pub fn encoded_from_linear(linear: f64) -> f64 {
+pub(crate) fn encoded_from_linear(linear: f64) -> f64 {
     let size = linear.abs();
     let encoded = if size <= 0.003_130_8 {
         12.92 * size
@@ -101,18 +101,18 @@ pub struct Srgb(pub [u8; 3]);
 
 impl Srgb {
     /// From encoded channels; what lies outside 0-1 is cut off.
-    pub fn from_encoded(encoded: [f64; 3]) -> Self {
+    pub(crate) fn from_encoded(encoded: [f64; 3]) -> Self {
         // `as u8` saturates and takes NaN to 0.
         Self(encoded.map(|v| (v * 255.0).round() as u8))
     }
 
     /// From linear channels; what lies outside 0-1 is cut off.
-    pub fn from_linear(linear: [f64; 3]) -> Self {
+    pub(crate) fn from_linear(linear: [f64; 3]) -> Self {
         Self::from_encoded(linear.map(encoded_from_linear))
     }
 
     /// Linear channels, 0-1.
-    pub fn to_linear(self) -> [f64; 3] {
+    pub(crate) fn to_linear(self) -> [f64; 3] {
         self.0.map(|v| linear_from_encoded(f64::from(v) / 255.0))
     }
 
@@ -227,7 +227,7 @@ impl Swatch {
     }
 
     /// A patch under a light, both XYZ in the same scale; the light's Y is the screen's full white.
-    pub fn of_patch(xyz: Xyz, light: Xyz, adaptation: Adaptation) -> Self {
+    pub(crate) fn of_patch(xyz: Xyz, light: Xyz, adaptation: Adaptation) -> Self {
         let relative = xyz.scaled(1.0 / light.y);
         if !(light.y > 0.0 && relative.is_finite()) {
             return Self::black();
@@ -249,7 +249,7 @@ impl Swatch {
     /// Light of the same source, both XYZ in the same scale, beside the source itself as
     /// [`Swatch::of_light`] shows it: one factor for both, the one that brings the source's largest
     /// channel to the screen's full.
-    pub fn beside_light(xyz: Xyz, light: Xyz) -> Self {
+    pub(crate) fn beside_light(xyz: Xyz, light: Xyz) -> Self {
         let largest = linear_from_xyz(light).into_iter().fold(0.0, f64::max);
         if !(largest > 0.0 && largest.is_finite() && xyz.is_finite()) {
             return Self::black();

@@ -39,13 +39,13 @@ pub(super) fn visibility(at_nm: f64) -> f64 {
 }
 
 /// Colour of a wavelength on the strip, fading to black at both ends of the visible range.
-pub fn srgb_from_wavelength(at_nm: f64) -> Srgb {
+pub(crate) fn srgb_from_wavelength(at_nm: f64) -> Srgb {
     srgb_from_wavelength_over(at_nm, Srgb([0; 3]))
 }
 
 /// As [`srgb_from_wavelength`], fading to the colour of the ground that the strip lies on, mixed
 /// in linear light: black or dark grey on a dark theme, near-white on a light one.
-pub fn srgb_from_wavelength_over(at_nm: f64, ground: Srgb) -> Srgb {
+pub(crate) fn srgb_from_wavelength_over(at_nm: f64, ground: Srgb) -> Srgb {
     let share = visibility(at_nm);
     let (colour, ground) = (full_linear(at_nm), ground.to_linear());
     Srgb::from_linear(std::array::from_fn(|k| {
@@ -59,7 +59,7 @@ const LEAST_FILL: f64 = 0.34;
 
 /// Colour of a wavelength within a filled curve: as on the strip, but dimmed towards the ends, not
 /// gone. Beyond 380 and 760 nm it is the colour at these.
-pub fn srgb_of_fill(at_nm: f64) -> Srgb {
+pub(crate) fn srgb_of_fill(at_nm: f64) -> Srgb {
     let at_nm = at_nm.clamp(380.0, 760.0);
     // Between 690 and 760 nm the hue does not change any more, and its table runs out of digits.
     let colour = full_linear(at_nm.min(700.0));

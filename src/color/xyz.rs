@@ -13,10 +13,10 @@ use super::{
 use crate::spectrum::{Band, Composite, Line, Outside, Sampled, dot};
 
 /// First wavelength of the CIE sums, nm.
-pub const FIRST_NM: u32 = 360;
+pub(crate) const FIRST_NM: u32 = 360;
 
 /// Last wavelength of the CIE sums, nm.
-pub const LAST_NM: u32 = 830;
+pub(crate) const LAST_NM: u32 = 830;
 
 /// Number of whole nm in the CIE sums.
 pub const POINTS: usize = (LAST_NM - FIRST_NM + 1) as usize;
@@ -57,7 +57,7 @@ impl Xyz {
     }
 
     /// Scaled so that Y is `y`; `None` when there is no positive Y to scale.
-    pub fn with_y(self, y: f64) -> Option<Self> {
+    pub(crate) fn with_y(self, y: f64) -> Option<Self> {
         let scaled = Self::new(self.x / self.y * y, y, self.z / self.y * y);
         (self.y > 0.0 && scaled.is_finite()).then_some(scaled)
     }
@@ -113,13 +113,13 @@ pub fn xyz_from_integral(
 ///
 /// # Panics
 /// When a slice does not have [`Band::points`] entries.
-pub fn xyz_of_parts(band: Band, smooth: &[f64], spikes: &[Line], weights: &Weights) -> Xyz {
+pub(crate) fn xyz_of_parts(band: Band, smooth: &[f64], spikes: &[Line], weights: &Weights) -> Xyz {
     let smooth = Xyz::from_array(weights.each_ref().map(|row| band.inner(smooth, row)));
     smooth + xyz_of_lines(spikes, weights)
 }
 
 /// XYZ of lines alone, as [`xyz_of_parts`].
-pub fn xyz_of_lines(lines: &[Line], weights: &Weights) -> Xyz {
+pub(crate) fn xyz_of_lines(lines: &[Line], weights: &Weights) -> Xyz {
     let of_line = |line| Xyz::from_array(weights.of_line(line));
     lines
         .iter()
@@ -156,7 +156,7 @@ impl Composite {
 
 /// XYZ of what is 1 at every nm, as [`xyz_of_parts`]: a perfect reflector where the weights are a
 /// light's.
-pub fn xyz_of_one(band: Band, weights: &[Vec<f64>; 3]) -> Xyz {
+pub(crate) fn xyz_of_one(band: Band, weights: &[Vec<f64>; 3]) -> Xyz {
     Xyz::from_array(weights.each_ref().map(|row| band.integral(row)))
 }
 
@@ -171,7 +171,7 @@ impl ColourMatching {
     ///
     /// # Panics
     /// When `light` does not have [`POINTS`] values.
-    pub fn xyz_of_nm_values(&self, light: &[f64]) -> Xyz {
+    pub(crate) fn xyz_of_nm_values(&self, light: &[f64]) -> Xyz {
         assert_eq!(light.len(), POINTS, "one value per nm of 360-830");
         let first_nm = self.first_nm.max(FIRST_NM);
         let count = (self.last_nm.min(LAST_NM) + 1).saturating_sub(first_nm) as usize;
@@ -189,7 +189,7 @@ impl ColourMatching {
 ///
 /// # Panics
 /// When `light` does not have [`POINTS`] values.
-pub fn xyz_from_nm_values(light: &[f64], observer: Observer) -> Xyz {
+pub(crate) fn xyz_from_nm_values(light: &[f64], observer: Observer) -> Xyz {
     observer.table().xyz_of_nm_values(light)
 }
 

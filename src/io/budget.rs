@@ -3,7 +3,7 @@
 
 /// Memory that any file may take, however small it is: 512 MiB. What is read band by band or row by
 /// row keeps to it too.
-pub const CEILING: usize = 512 << 20;
+pub(crate) const CEILING: usize = 512 << 20;
 
 /// Memory that each byte of a file may take where that is more: of a large table in words.
 const TIMES: usize = 20;
@@ -22,7 +22,7 @@ pub fn of_text(file_bytes: usize) -> usize {
 /// The limits in words, for refusals.
 pub const WORDS: &str = "at most 512 MiB of memory, or 20 times the file's size";
 /// The same of [`of_text`].
-pub const TEXT_WORDS: &str = "at most 16 MiB of memory and 20 times the file's size";
+pub(crate) const TEXT_WORDS: &str = "at most 16 MiB of memory and 20 times the file's size";
 
 /// A size in the unit that suits it.
 pub fn in_words(bytes: usize) -> String {

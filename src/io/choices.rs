@@ -90,7 +90,7 @@ impl Counted {
     }
 
     /// What a factor from the file's numbers to fractions means.
-    pub fn of_scale(scale: f64) -> Self {
+    pub(crate) fn of_scale(scale: f64) -> Self {
         let is = |other: f64| (scale - other).abs() <= 1e-9 * other;
         let mut offered = Self::OFFERED.into_iter();
         let found = offered.find(|counted| counted.scale().is_some_and(is));
@@ -124,20 +124,20 @@ impl Counted {
 
 impl Choices {
     /// What a person said one spectrum's values are.
-    pub fn kind_of(&self, spectrum: usize) -> Option<Kind> {
+    pub(crate) fn kind_of(&self, spectrum: usize) -> Option<Kind> {
         let own = self.each.get(&spectrum).and_then(|one| one.kind);
         own.or(self.kind)
     }
 
     /// What a person said one spectrum's values are counted in.
-    pub fn counted_of(&self, spectrum: usize) -> Option<Counted> {
+    pub(crate) fn counted_of(&self, spectrum: usize) -> Option<Counted> {
         let own = self.each.get(&spectrum).and_then(|one| one.counted);
         own.or(self.counted)
     }
 
     /// The same, and how tables are written as others have it where nothing is said here.
     #[must_use]
-    pub fn or_table_of(&self, others: &Self) -> Self {
+    pub(crate) fn or_table_of(&self, others: &Self) -> Self {
         Self {
             dialect: self.dialect.or(others.dialect),
             delimiter: self.delimiter.or(others.delimiter),

@@ -43,7 +43,7 @@ impl ReadError {
 
     /// The same error at a line of the file (counted from 1).
     #[must_use]
-    pub fn at_line(mut self, line: usize) -> Self {
+    pub(crate) fn at_line(mut self, line: usize) -> Self {
         self.line = Some(line);
         self
     }
@@ -163,7 +163,7 @@ fn is_printable(c: char) -> bool {
 }
 
 /// The last part of a path, as messages show it.
-pub fn name_of(path: &Path) -> String {
+pub(crate) fn name_of(path: &Path) -> String {
     let name = path.file_name().unwrap_or(path.as_os_str());
     name.to_string_lossy().into_owned()
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::io::choices::Choices;
 use crate::io::error::ReadError;
-pub use crate::io::error::name_of;
+pub(crate) use crate::io::error::name_of;
 use crate::io::text::{self, Text};
 
 /// How much text a sniffer looks at, in bytes.
@@ -52,7 +52,7 @@ impl<'a> Input<'a> {
 
     /// The same file with decisions about it.
     #[must_use]
-    pub fn deciding(self, choices: &Choices) -> Self {
+    pub(crate) fn deciding(self, choices: &Choices) -> Self {
         Self {
             choices: choices.clone(),
             ..self
@@ -83,7 +83,7 @@ impl<'a> Input<'a> {
     ///
     /// # Errors
     /// [`ReadError`] for a binary file, and one larger than such formats are.
-    pub fn needs_text(&self) -> Result<&Text<'a>, ReadError> {
+    pub(crate) fn needs_text(&self) -> Result<&Text<'a>, ReadError> {
         if self.bytes.len() > text::MOST_BYTES_OF_A_FORMAT {
             return Err(self.error(
                 "more than 64 MiB",
@@ -97,7 +97,7 @@ impl<'a> Input<'a> {
     ///
     /// # Errors
     /// [`ReadError`] for a binary file.
-    pub fn needs_long_text(&self) -> Result<&Text<'a>, ReadError> {
+    pub(crate) fn needs_long_text(&self) -> Result<&Text<'a>, ReadError> {
         self.is_read_as_text.set(true);
         self.text()
             .ok_or_else(|| self.error("binary data", "a text file"))
@@ -105,7 +105,7 @@ impl<'a> Input<'a> {
 
     /// What is odd about the text, a sentence each; nothing where a format read the bytes
     /// themselves, whatever they look like.
-    pub fn text_notes(&self) -> Vec<String> {
+    pub(crate) fn text_notes(&self) -> Vec<String> {
         self.text()
             .filter(|_| self.is_read_as_text.get())
             .map(Text::notes)
@@ -113,7 +113,7 @@ impl<'a> Input<'a> {
     }
 
     /// Whether the name ends in an extension (lower case, without the dot).
-    pub fn has_extension(&self, extension: &str) -> bool {
+    pub(crate) fn has_extension(&self, extension: &str) -> bool {
         self.name
             .rsplit_once('.')
             .is_some_and(|(_, end)| end.eq_ignore_ascii_case(extension))
@@ -133,7 +133,7 @@ impl<'a> Input<'a> {
     }
 
     /// An error at a line of this file, from 1.
-    pub fn error_at(
+    pub(crate) fn error_at(
         &self,
         line: usize,
         found: impl Into<String>,

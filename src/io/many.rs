@@ -11,7 +11,7 @@ pub fn numbers(count: usize) -> String {
 }
 
 /// Words with a large first letter.
-pub fn capitalised(words: &str) -> String {
+pub(crate) fn capitalised(words: &str) -> String {
     let mut letters = words.chars();
     let first = letters.next().into_iter().flat_map(char::to_uppercase);
     first.chain(letters).collect()

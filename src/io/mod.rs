@@ -35,7 +35,7 @@ use std::io::Read;
 use std::path::Path;
 
 pub use choices::{Choices, Counted, OfOne};
-pub use decode::guarded::guarded;
+pub(crate) use decode::guarded::guarded;
 pub(crate) use error::part_of_message;
 pub use error::{ReadError, WriteError, quoted, shown};
 pub use formats::composite_json::{
@@ -44,10 +44,12 @@ pub use formats::composite_json::{
 pub use formats::composite_line::{parse as parse_composite_line, write as composite_line};
 pub use formats::spectral_image::Meant;
 pub use formats::{Confidence, FORMATS, Format, envi};
-pub use input::{Input, name_of};
-pub use interpret::describe::MOST_UNDERSTOOD;
+pub use input::Input;
+pub(crate) use input::name_of;
+pub(crate) use interpret::describe::MOST_UNDERSTOOD;
 pub(crate) use interpret::value_unit::counts_photons;
-pub use provenance::{Column, Columns, Provenance, one_line, shortest};
+pub(crate) use provenance::one_line;
+pub use provenance::{Column, Columns, Provenance, shortest};
 pub use reading::decision::{AxisDecision, Decision, Decisions, Origin};
 pub use reading::makers_results::{MakersResult, Quantity};
 pub use reading::{CompositeFile, Guessed, OpenQuestion, Reading, TableFound};
@@ -59,9 +61,11 @@ pub use text::{
     MOST_BYTES, MOST_BYTES_OF_A_FORMAT, decode as decode_text, is_binary, lines as text_lines,
 };
 pub use unopened::words as why_unopened;
-pub use write::atomic::{UNFINISHED, save_atomically, save_by, save_together};
+pub use write::atomic::save_atomically;
+pub(crate) use write::atomic::{UNFINISHED, save_by, save_together};
 pub use write::colour_png::{ColourPixels, ColourPng};
-pub use write::csv::{no_formula, write as csv};
+pub(crate) use write::csv::no_formula;
+pub use write::csv::write as csv;
 pub use write::spectral_exr::{reflectance_exr, with_attributes_in_order};
 pub use write::{WRITABLE, encode, losses, write_as};
 

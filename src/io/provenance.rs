@@ -54,7 +54,7 @@ impl Provenance {
     }
 
     /// The source to state for a spectrum.
-    pub fn source_of<'a>(&'a self, spectrum: &'a NamedSpectrum) -> &'a str {
+    pub(crate) fn source_of<'a>(&'a self, spectrum: &'a NamedSpectrum) -> &'a str {
         match self.source.as_str() {
             "" => &spectrum.source,
             source => source,
@@ -200,7 +200,7 @@ fn title_of(name: &str) -> String {
 }
 
 /// Text without line ends and other control characters.
-pub fn one_line(text: &str) -> String {
+pub(crate) fn one_line(text: &str) -> String {
     let text: String = text
         .chars()
         .map(|c| if c.is_control() { ' ' } else { c })

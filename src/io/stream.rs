@@ -11,21 +11,21 @@ use crate::io::text::MOST_BYTES;
 use crate::io::unopened;
 
 /// The word that means standard input; `./-` is a file of that name.
-pub const STANDARD_INPUT: &str = "-";
+pub(crate) const STANDARD_INPUT: &str = "-";
 
 /// What messages and spectra call standard input.
-pub const ITS_NAME: &str = "standard input";
+pub(crate) const ITS_NAME: &str = "standard input";
 
 /// How long nobody may write into a pipe before a word is said about it.
 const PATIENCE: Duration = Duration::from_secs(2);
 
 /// Whether what is at a path can be read only once.
-pub fn is_stream(path: &Path) -> bool {
+pub(crate) fn is_stream(path: &Path) -> bool {
     is_standard_input(path) || is_pipe(path)
 }
 
 /// Whether a path is the word for standard input.
-pub fn is_standard_input(path: &Path) -> bool {
+pub(crate) fn is_standard_input(path: &Path) -> bool {
     path.as_os_str() == STANDARD_INPUT
 }
 
@@ -45,7 +45,7 @@ fn is_pipe(_: &Path) -> bool {
 ///
 /// # Errors
 /// When it cannot be opened or read.
-pub fn drained(path: &Path, waits: impl FnOnce()) -> io::Result<Vec<u8>> {
+pub(crate) fn drained(path: &Path, waits: impl FnOnce()) -> io::Result<Vec<u8>> {
     if is_standard_input(path) {
         return whole(io::stdin().lock());
     }
@@ -71,7 +71,7 @@ pub fn drained(path: &Path, waits: impl FnOnce()) -> io::Result<Vec<u8>> {
 ///
 /// # Errors
 /// What was found, and what was expected.
-pub fn bytes_of_file(path: &Path, most: u64) -> Result<Vec<u8>, (String, &'static str)> {
+pub(crate) fn bytes_of_file(path: &Path, most: u64) -> Result<Vec<u8>, (String, &'static str)> {
     let about = std::fs::metadata(path);
     if about.is_ok_and(|about| !about.is_file()) {
         let found = if path.is_dir() {

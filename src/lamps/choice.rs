@@ -48,7 +48,7 @@ impl Encoder {
     ///
     /// # Errors
     /// As [`Encoder::encode`].
-    pub fn encode_without(
+    pub(crate) fn encode_without(
         &self,
         values: &[f64],
         ask: Ask,

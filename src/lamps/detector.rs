@@ -26,7 +26,7 @@ pub struct WideDecomposition {
 }
 
 /// Takes a spectrum apart; the lines are those of the default detector.
-pub fn decompose(band: Band, values: &[f64], settings: SpikeSettings) -> WideDecomposition {
+pub(crate) fn decompose(band: Band, values: &[f64], settings: SpikeSettings) -> WideDecomposition {
     let (found, shapes) = detect_shapes(band, values, settings);
     let widest = settings.max_width_nm;
     let mut spikes: Vec<Line> = shapes
@@ -48,7 +48,7 @@ pub fn decompose(band: Band, values: &[f64], settings: SpikeSettings) -> WideDec
 /// A found line with the stored width whose Gaussian, at the line's place and of its energy, is
 /// nearest to what the detector took out (least squares on the grid); it may be somewhat wider than
 /// the `max_width_nm` that the detector was asked for.
-pub fn as_wide_as_it_is(band: Band, shape: &LineShape, max_width_nm: f64) -> Line {
+pub(crate) fn as_wide_as_it_is(band: Band, shape: &LineShape, max_width_nm: f64) -> Line {
     let spike = |byte: u8| Line {
         at_nm: shape.spike.at_nm,
         weight: shape.spike.weight,

@@ -17,7 +17,7 @@ use crate::{
 
 /// Longest range that is encoded, nm: ten times the visible. Time and memory grow with it, and beyond
 /// lies nothing that the eye sees.
-pub const LONGEST_RANGE_NM: usize = 4000;
+pub(crate) const LONGEST_RANGE_NM: usize = 4000;
 
 /// Encodes lights of one band for one observer. Made once (some tenths of a second) and shared.
 #[derive(Debug)]

@@ -57,7 +57,7 @@ impl Encoding {
 
     /// Whether a label comes first: as soon as there is a known lamp or a line, unless it is one of
     /// today's ways.
-    pub fn has_label(&self) -> bool {
+    pub(crate) fn has_label(&self) -> bool {
         self.way.is_none() && !(self.atoms.is_empty() && self.lines.is_empty())
     }
 
@@ -161,7 +161,7 @@ impl Decoder {
     }
 
     /// A decoder that has these known lamps.
-    pub fn with_atoms(band: Band, atoms: Vec<Atom>) -> Self {
+    pub(crate) fn with_atoms(band: Band, atoms: Vec<Atom>) -> Self {
         let table = BasisTable::new(band, Basis::Cosine, MOST_LABELLED + 1);
         let place = |index: usize| atoms.iter().position(|a| usize::from(a.index) == index);
         Self {

@@ -133,7 +133,7 @@ impl Panel {
     }
 
     /// The patches as some representation has them.
-    pub fn patches_as(&self, likeness: impl Fn(&[f64]) -> Vec<f64>) -> PatchSet {
+    pub(crate) fn patches_as(&self, likeness: impl Fn(&[f64]) -> Vec<f64>) -> PatchSet {
         let likenesses: Vec<Vec<f64>> = self.reflectances.iter().map(|r| likeness(r)).collect();
         PatchSet::new(&likenesses, self.names.clone(), self.band, self.observer)
     }

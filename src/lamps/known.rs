@@ -90,7 +90,7 @@ pub fn known_lamps() -> &'static [KnownLamp] {
 }
 
 /// The indices of the lamps of a name, which are the tables of one lamp at several steps.
-pub fn namesakes(name: &str) -> Vec<u8> {
+pub(crate) fn namesakes(name: &str) -> Vec<u8> {
     let is_called = |lamp: &&KnownLamp| !name.is_empty() && lamp.name.eq_ignore_ascii_case(name);
     let called = LAMPS.iter().filter(is_called);
     called.map(|lamp| lamp.index).collect()

@@ -84,7 +84,7 @@ impl Ingredients {
     }
 
     /// The lines, one a sentence: "436.8 nm, 8.2 nm wide, 0.013 of the power".
-    pub fn lines_in_words(&self) -> Vec<String> {
+    pub(crate) fn lines_in_words(&self) -> Vec<String> {
         let line = |line: &Line| {
             let width = if line.is_ideal() {
                 "ideal".to_owned()

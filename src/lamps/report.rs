@@ -88,7 +88,7 @@ pub fn encode_json(encoded: &Encoded) -> Value {
 }
 
 /// What `decode --json` prints: the same without errors, which need the light.
-pub fn decode_json(encoding: &Encoding, words: &[u32]) -> Value {
+pub(crate) fn decode_json(encoding: &Encoding, words: &[u32]) -> Value {
     Value::Object(parts_json(encoding, words))
 }
 
@@ -133,7 +133,7 @@ fn parts_json(encoding: &Encoding, words: &[u32]) -> Map<String, Value> {
 
 /// What `encode` prints without `--json`: words, makeup and errors for people; numbers as they were
 /// counted.
-pub fn encode_words(encoded: &Encoded, count: Count) -> String {
+pub(crate) fn encode_words(encoded: &Encoded, count: Count) -> String {
     let Encoded {
         encoding,
         words,

@@ -212,7 +212,7 @@ fn number(word: Option<u32>) -> Result<f64, EncodingError> {
 ///
 /// # Errors
 /// [`EncodingError::Words`] with the first that is none.
-pub fn words_from_text(text: &str) -> Result<Vec<u32>, EncodingError> {
+pub(crate) fn words_from_text(text: &str) -> Result<Vec<u32>, EncodingError> {
     let parts = text
         .split(|c: char| c.is_whitespace() || c == ',')
         .filter(|p| !p.is_empty());

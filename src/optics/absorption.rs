@@ -74,7 +74,10 @@ impl Absorption {
     ///
     /// # Errors
     /// For a thickness that is not above 0.
-    pub fn of_filter(transmittance: &Sampled, thickness: f64) -> Result<Self, AbsorptionError> {
+    pub(crate) fn of_filter(
+        transmittance: &Sampled,
+        thickness: f64,
+    ) -> Result<Self, AbsorptionError> {
         if !(thickness > 0.0 && thickness <= 1e6) {
             return Err(AbsorptionError::Thickness { found: thickness });
         }
@@ -103,7 +106,7 @@ impl Absorption {
     }
 
     /// Whether some transmittance was so low that 1e-6 was taken for it.
-    pub fn is_floored(&self) -> bool {
+    pub(crate) fn is_floored(&self) -> bool {
         matches!(self, Self::Filter(filter) if filter.floored)
     }
 }

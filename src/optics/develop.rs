@@ -30,7 +30,7 @@ const SLACK: f64 = 1e-6;
 
 /// Linear sRGB of a colour (Y = 1 for the screen's white), not below 0: what is outside the gamut
 /// is mixed with white of the same Y. The flag says whether that was needed.
-pub fn into_gamut(xyz: Xyz) -> ([f64; 3], bool) {
+pub(crate) fn into_gamut(xyz: Xyz) -> ([f64; 3], bool) {
     if !(xyz.is_finite() && xyz.y > 0.0) {
         return ([0.0; 3], xyz != Xyz::ZERO);
     }
@@ -54,7 +54,7 @@ pub fn into_gamut(xyz: Xyz) -> ([f64; 3], bool) {
 impl Picture {
     /// The picture as an eye sees it that is adapted to the light: its white is the screen's
     /// (Bradford). `None` where the light is too narrow for an eye to adapt to.
-    pub fn adapted(&self) -> Option<Self> {
+    pub(crate) fn adapted(&self) -> Option<Self> {
         let eye = Adapter::new(self.white, WHITE)?;
         let moved = |xyz: &[f32; 3]| {
             let xyz = eye.moved(Xyz::from_array(xyz.map(f64::from)));
@@ -75,7 +75,7 @@ impl Picture {
     }
 
     /// The gain, over a white of Y 1, that leaves 95 % of the pixels below full brightness.
-    pub fn automatic_gain(&self) -> f64 {
+    pub(crate) fn automatic_gain(&self) -> f64 {
         let mut levels: Vec<f32> = self.xyz.iter().map(|xyz| xyz[1]).collect();
         let level = quantile(&mut levels, EXPOSED_SHARE).unwrap_or(0.0);
         let gain = self.white.y / level;
@@ -87,7 +87,7 @@ impl Picture {
     }
 
     /// The picture as a screen shows it: a place of the white's Y becomes `gain`.
-    pub fn shown_with(&self, gain: f64) -> Shown {
+    pub(crate) fn shown_with(&self, gain: f64) -> Shown {
         let scale = if self.white.y > 0.0 {
             gain / self.white.y
         } else {

@@ -27,7 +27,7 @@ use crate::{color::Observer, spectrum::Line, study::Progress};
 pub const SIZES: std::ops::RangeInclusive<usize> = 16..=4096;
 
 /// Rays a pixel that may be asked for.
-pub const RAYS: std::ops::RangeInclusive<u32> = 1..=65_536;
+pub(crate) const RAYS: std::ops::RangeInclusive<u32> = 1..=65_536;
 
 /// Most spikes with a plane of their own; of more the strongest have one.
 pub const MOST_LINES: usize = 64;
@@ -100,7 +100,7 @@ pub struct Film {
 
 /// Bytes that a film of a size takes with some planes: their sums, and the differences of their
 /// halves for the noise.
-pub fn film_bytes(size: usize, planes: usize) -> usize {
+pub(crate) fn film_bytes(size: usize, planes: usize) -> usize {
     let tiles = size.div_ceil(SIDE);
     let pixels = tiles * tiles * SIDE * SIDE;
     let sums = pixels.saturating_mul(planes).saturating_mul(4);
@@ -184,7 +184,7 @@ impl Film {
     }
 
     /// Rays a pixel so far.
-    pub fn rays_a_pixel(&self) -> f64 {
+    pub(crate) fn rays_a_pixel(&self) -> f64 {
         let pixels = (self.settings.size * self.settings.size) as f64;
         self.traced().rays as f64 / pixels
     }

@@ -83,7 +83,12 @@ pub struct AbbeFigures {
 
 impl Material {
     /// A material by terms of a Sellmeier formula whose n is relative to air.
-    pub fn sellmeier(name: &str, source: &str, published_nm: [f64; 2], terms: &[Term]) -> Self {
+    pub(crate) fn sellmeier(
+        name: &str,
+        source: &str,
+        published_nm: [f64; 2],
+        terms: &[Term],
+    ) -> Self {
         Self::of_terms(name, source, published_nm, terms, false)
     }
 
@@ -115,7 +120,7 @@ impl Material {
     }
 
     /// A material by the formula of a file, which ends with its range.
-    pub fn from_formula(name: &str, source: &str, formula: Formula) -> Self {
+    pub(crate) fn from_formula(name: &str, source: &str, formula: Formula) -> Self {
         Self {
             name: name.to_owned(),
             source: source.to_owned(),
@@ -190,7 +195,7 @@ impl Material {
     /// The same material with an extinction coefficient: where it is above `MOST_EXTINCTION`
     /// there is no index. Beyond its table nobody knows, and nothing is refused.
     #[must_use]
-    pub fn with_extinction(self, k: Sampled) -> Self {
+    pub(crate) fn with_extinction(self, k: Sampled) -> Self {
         Self {
             extinction: Some(k),
             ..self
@@ -216,7 +221,7 @@ impl Material {
 
     /// The first wavelength at which a light has power and the material is not transparent; what
     /// lies outside its table is passed over.
-    pub fn not_transparent_for(&self, light: &Light) -> Option<IndexError> {
+    pub(crate) fn not_transparent_for(&self, light: &Light) -> Option<IndexError> {
         let smooth = (380..=780).map(f64::from);
         let smooth = smooth.filter(|nm| light.smooth_at(*nm) != 0.0);
         let all = smooth.chain(light.seen_spikes().map(|spike| spike.at_nm));

@@ -8,7 +8,7 @@ use crate::{
 };
 
 /// First and last wavelength that is traced, nm: what the eye sees but for a trace.
-pub const SEEN_NM: [f64; 2] = [380.0, 780.0];
+pub(crate) const SEEN_NM: [f64; 2] = [380.0, 780.0];
 
 /// Places and weights of Gauss-Legendre's rule of three points on [0, 1]: exact to the fifth power.
 pub(super) const GAUSS: [[f64; 2]; 3] = [
@@ -123,13 +123,13 @@ impl Light {
     }
 
     /// The light without its smooth part; `None` where no spike of it is seen.
-    pub fn lines_alone(&self) -> Option<Self> {
+    pub(crate) fn lines_alone(&self) -> Option<Self> {
         let smooth = vec![0.0; self.smooth.len()];
         Self::new(&self.name, self.band, smooth, self.spikes.clone()).ok()
     }
 
     /// The light without its spikes; `None` where nothing else of it is seen.
-    pub fn smooth_alone(&self) -> Option<Self> {
+    pub(crate) fn smooth_alone(&self) -> Option<Self> {
         Self::new(&self.name, self.band, self.smooth.clone(), Vec::new()).ok()
     }
 
@@ -154,14 +154,14 @@ impl Light {
     }
 
     /// Spikes between 380 and 780 nm, by rising wavelength.
-    pub fn seen_spikes(&self) -> impl Iterator<Item = Line> + '_ {
+    pub(crate) fn seen_spikes(&self) -> impl Iterator<Item = Line> + '_ {
         let [from, to] = SEEN_NM;
         let seen = move |s: &&Line| (from..=to).contains(&s.at_nm) && s.weight != 0.0;
         self.spikes.iter().filter(seen).copied()
     }
 
     /// Share of the power (absolute values) outside 380-780 nm, which is not traced.
-    pub fn share_unseen(&self) -> f64 {
+    pub(crate) fn share_unseen(&self) -> f64 {
         let all = self.power_within([f64::NEG_INFINITY, f64::INFINITY]);
         (1.0 - self.power_within(SEEN_NM) / all).max(0.0)
     }

@@ -58,7 +58,7 @@ impl BuiltinMaterial {
     }
 
     /// The material of a [`BuiltinMaterial::word`].
-    pub fn from_word(word: &str) -> Option<Self> {
+    pub(crate) fn from_word(word: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|stuff| stuff.word() == word)
     }
 

@@ -102,7 +102,7 @@ pub fn bow(n: f64, reflections: u32) -> Option<Bow> {
 }
 
 /// Angle from the antisolar point, 0-180 degrees, of light that was turned by an angle.
-pub fn from_antisolar(deviation_deg: f64) -> f64 {
+pub(crate) fn from_antisolar(deviation_deg: f64) -> f64 {
     (deviation_deg.rem_euclid(360.0) - 180.0).abs()
 }
 

@@ -116,7 +116,7 @@ fn finite(x: f64) -> Option<f64> {
 }
 
 /// The same figures as a table; what is totally reflected or refused has dashes.
-pub fn prism_csv(bench: &Bench, light: &Light, at_nm: &[f64]) -> String {
+pub(crate) fn prism_csv(bench: &Bench, light: &Light, at_nm: &[f64]) -> String {
     let mut table = String::from(
         "nm,n,deviation_deg,minimum_deviation_deg,d_deviation_d_nm,transmittance,x_mm,width_mm,\
          resolving_power,limit\n",

@@ -299,7 +299,7 @@ impl Camera {
     }
 
     /// Film point of a place; `None` behind the camera.
-    pub fn film_point(&self, place: Vec3) -> Option<[f64; 2]> {
+    pub(crate) fn film_point(&self, place: Vec3) -> Option<[f64; 2]> {
         let off = minus(place, self.origin);
         let depth = dot(off, self.forward);
         let along = |axis: Vec3| dot(off, axis) / (depth * dot(axis, axis));

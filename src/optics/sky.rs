@@ -18,10 +18,10 @@ use crate::{
 };
 
 /// Apparent diameter of the sun, degrees.
-pub const SUN_DEG: f64 = 0.533;
+pub(crate) const SUN_DEG: f64 = 0.533;
 
 /// The strip that is shown, degrees from the antisolar point.
-pub const SKY_DEG: [f64; 2] = [35.0, 60.0];
+pub(crate) const SKY_DEG: [f64; 2] = [35.0, 60.0];
 
 /// Most columns of the strip.
 const MOST_COLUMNS: usize = 8192;

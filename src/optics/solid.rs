@@ -220,7 +220,7 @@ impl Solid {
     }
 
     /// Area of a facet.
-    pub fn facet_area(&self, facet: usize) -> f64 {
+    pub(crate) fn facet_area(&self, facet: usize) -> f64 {
         let Some(corners) = self.facets.get(facet) else {
             return 0.0;
         };

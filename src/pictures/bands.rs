@@ -53,7 +53,7 @@ impl Bands {
 
     /// The same, of an instrument whose bands are as wide as this at half of their height, nm.
     #[must_use]
-    pub fn with_bandwidth(mut self, nm: Option<f64>) -> Self {
+    pub(crate) fn with_bandwidth(mut self, nm: Option<f64>) -> Self {
         self.bandwidth_nm = nm.filter(|nm| nm.is_finite() && *nm > 0.0);
         self
     }
@@ -95,7 +95,7 @@ impl Bands {
     }
 
     /// The median distance between neighbours, nm.
-    pub fn median_spacing_nm(&self) -> f64 {
+    pub(crate) fn median_spacing_nm(&self) -> f64 {
         let mut steps: Vec<f64> = self.nm.windows(2).map(|w| w[1] - w[0]).collect();
         let middle = steps.len() / 2;
         *steps.select_nth_unstable_by(middle, f64::total_cmp).1
@@ -142,7 +142,7 @@ impl Bands {
     ///
     /// Each side of a tent is summed in even steps of at most one nm, onto which the table's area
     /// is shared out ([`Sampled::on_grid`]): a line finer than that keeps its power.
-    pub fn under_tents(&self, table: &Sampled, spikes: &[Line]) -> Vec<f64> {
+    pub(crate) fn under_tents(&self, table: &Sampled, spikes: &[Line]) -> Vec<f64> {
         let count = self.nm.len();
         let (mut sums, mut areas) = (vec![0.0; count], vec![0.0; count]);
         for (left, ends) in self.nm.windows(2).enumerate() {
@@ -183,7 +183,7 @@ impl Bands {
     /// A curve on the bands: read off between two bands where it has no samples of its own, else
     /// its area shared out to them ([`Sampled::on_grid`]), so that peaks finer than the bands
     /// neither vanish between them nor are counted several times.
-    pub fn by_area(&self, table: &Sampled, outside: Outside) -> Vec<f64> {
+    pub(crate) fn by_area(&self, table: &Sampled, outside: Outside) -> Vec<f64> {
         let count = self.nm.len();
         let (mut sums, mut widths) = (vec![0.0; count], vec![0.0; count]);
         for (left, ends) in self.nm.windows(2).enumerate() {
@@ -226,7 +226,7 @@ impl KeptBands {
 
     /// Decides about a file's bands (nm, rising). `missing` is each band's share of pixels without
     /// a value (1 for one flagged bad); `all` keeps what nobody sees.
-    pub fn of_file(nm: &[f64], missing: &[f64], all: bool) -> Self {
+    pub(crate) fn of_file(nm: &[f64], missing: &[f64], all: bool) -> Self {
         let mut said = Vec::new();
         let is_missing = |band: &usize| missing.get(*band).is_some_and(|m| *m > MOST_MISSING);
         let (gone, mut kept): (Vec<usize>, Vec<usize>) = (0..nm.len()).partition(is_missing);

@@ -16,7 +16,7 @@ use super::survey::{Survey, percentile};
 use super::{Bands, Light, Operator, PictureError, Plan, Reference, ReferenceKind};
 
 /// Most numbers a pixel that are tried.
-pub const MOST_NUMBERS: usize = 40;
+pub(crate) const MOST_NUMBERS: usize = 40;
 /// Default bound on the 95th percentile of dE00.
 pub const BOUND_P95: f64 = 0.5;
 /// Default bound on the relative rms.
@@ -104,7 +104,7 @@ pub struct Choice {
 
 impl Choice {
     /// The best of all that was tried with so many numbers.
-    pub fn with_numbers(&self, numbers: usize) -> Option<&Candidate> {
+    pub(crate) fn with_numbers(&self, numbers: usize) -> Option<&Candidate> {
         let over = |c: &Candidate| c.over(self.bound_p95, self.bound_rms);
         let tried = self.tried.iter().filter(|c| c.numbers == numbers);
         tried.min_by(|a, b| over(a).total_cmp(&over(b)))

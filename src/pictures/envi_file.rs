@@ -130,7 +130,7 @@ impl EnviFile {
     }
 
     /// Whether neither the header nor a person says what the values are.
-    pub fn is_kind_guessed(&self) -> bool {
+    pub(crate) fn is_kind_guessed(&self) -> bool {
         self.is_kind_guessed
     }
 

@@ -81,7 +81,7 @@ impl Kernel {
     }
 
     /// Three weighted sums.
-    pub fn of_rows(rows: &[&[f64]]) -> Self {
+    pub(crate) fn of_rows(rows: &[&[f64]]) -> Self {
         let columns = rows.first().map_or(0, |row| row.len());
         Self::new(rows.len(), columns, |r, c| {
             rows[r].get(c).copied().unwrap_or(0.0)

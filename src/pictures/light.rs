@@ -40,7 +40,7 @@ impl Light {
     }
 
     /// The light that is equal everywhere.
-    pub fn equal_energy() -> Self {
+    pub(crate) fn equal_energy() -> Self {
         let ends = vec![1.0, 1e6];
         let table = Sampled::new(ends, vec![1.0; 2]).expect("two rising wavelengths");
         Self::new("E", &table)
@@ -169,7 +169,7 @@ impl Light {
     }
 
     /// Both lights shared out, `share` of this one's Y: a slider from one to the other.
-    pub fn mixed_with(&self, other: &Self, share: f64, observer: Observer) -> Option<Self> {
+    pub(crate) fn mixed_with(&self, other: &Self, share: f64, observer: Observer) -> Option<Self> {
         let (a, b) = (self.xyz(observer).y, other.xyz(observer).y);
         if !(a > 0.0 && b > 0.0) {
             return None;

@@ -71,7 +71,11 @@ pub fn find_lines(bands: &Bands, spectrum: &[f64]) -> Result<Vec<Line>, PictureE
 ///
 /// # Errors
 /// [`PictureError::LineOutside`] for a place beyond the bands.
-pub fn lines_at(bands: &Bands, spectrum: &[f64], at_nm: &[f64]) -> Result<HandLines, PictureError> {
+pub(crate) fn lines_at(
+    bands: &Bands,
+    spectrum: &[f64],
+    at_nm: &[f64],
+) -> Result<HandLines, PictureError> {
     let (first_nm, last_nm) = (bands.nm()[0], bands.nm()[bands.len() - 1]);
     if let Some(at_nm) = at_nm.iter().find(|nm| !(first_nm..=last_nm).contains(*nm)) {
         return Err(PictureError::LineOutside {

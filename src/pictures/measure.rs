@@ -91,7 +91,7 @@ impl Tally {
     }
 
     /// Those of another tally too.
-    pub fn merge(&mut self, other: &Self) {
+    pub(crate) fn merge(&mut self, other: &Self) {
         self.bins
             .iter_mut()
             .zip(&other.bins)
@@ -232,7 +232,7 @@ fn finest(operator: &Operator) -> Result<Operator, PictureError> {
 
 impl Operator {
     /// Weights of the bands for something that is a weighted sum of the numbers.
-    pub fn of_bands(&self, relit: &Relit) -> [Vec<f64>; 3] {
+    pub(crate) fn of_bands(&self, relit: &Relit) -> [Vec<f64>; 3] {
         relit.rows.each_ref().map(|row| {
             let columns = self.encode.column_iter();
             columns
@@ -409,7 +409,7 @@ pub fn measure(
 
 /// The Y (of what is equal everywhere on the bands) that counts as white in a picture of an
 /// unknown lamp: the 99th percentile of a sample.
-pub fn white_y_of(operator: &Operator, sample: &[Vec<f64>]) -> f64 {
+pub(crate) fn white_y_of(operator: &Operator, sample: &[Vec<f64>]) -> f64 {
     if operator.bands().is_factor() || operator.plan().reference.kind == ReferenceKind::Light {
         return 1.0;
     }

@@ -45,13 +45,11 @@ mod survey;
 mod trust;
 
 pub use bands::{Bands, KeptBands};
+pub(crate) use choose::MOST_NUMBERS;
 pub use choose::{
-    Asked, BOUND_P95, BOUND_RMS, Candidate, Choice, MOST_NUMBERS, Wish, WishedLines, choose,
-    plan_of,
+    Asked, BOUND_P95, BOUND_RMS, Candidate, Choice, Wish, WishedLines, choose, plan_of,
 };
-pub use compact::{
-    Coder, CompactFile, CompactPlan, P95_OF_STEP, Plane, Quantiser, compact_plan, write_compact,
-};
+pub use compact::{Coder, CompactFile, CompactPlan, Plane, Quantiser, compact_plan, write_compact};
 pub use envi_file::EnviFile;
 pub use error::PictureError;
 pub use fit::{FitAsk, Fitted, fit_line, fit_spectra, fit_values};
@@ -59,8 +57,9 @@ pub use full::{Half, Precision, read_full, write_full};
 pub use header::{About, Header};
 pub use kernel::Kernel;
 pub use light::{JUDGES, Light};
-pub use lines::{HandLines, Line, find_lines, line_in, lines_at};
-pub use measure::{Errors, Exactly, Judge, Meter, Spread, Storage, Tally, measure, white_y_of};
+pub use lines::{HandLines, Line, find_lines, line_in};
+pub(crate) use measure::white_y_of;
+pub use measure::{Errors, Exactly, Judge, Meter, Spread, Storage, Tally, measure};
 pub use operator::Operator;
 pub use peers::{Peer, exact_bytes, peers};
 pub use picture::{Picture, relit_into};
@@ -71,6 +70,6 @@ pub use relight::{Between, Relit};
 pub use report::{Bytes, peers_json, picture_json};
 pub use save::{save_compact, save_full};
 pub use scene::{Scene, hash};
-pub use strips::{Strip, over_parts, over_strips};
+pub use strips::{Strip, over_strips};
 pub use survey::Survey;
 pub use trust::{Trust, Verdict, blind_share};

@@ -223,7 +223,7 @@ impl Operator {
     }
 
     /// Weights of the numbers for something that is a weighted sum of the bands.
-    pub fn of_numbers(&self, weights: &[Vec<f64>; 3]) -> [Vec<f64>; 3] {
+    pub(crate) fn of_numbers(&self, weights: &[Vec<f64>; 3]) -> [Vec<f64>; 3] {
         weights.each_ref().map(|row| {
             let columns = self.decode.column_iter();
             columns

@@ -57,7 +57,7 @@ impl Scene {
     ///
     /// # Errors
     /// As [`Scene::lit`].
-    pub fn at_hand(light: Option<&Light>) -> Result<Self, PictureError> {
+    pub(crate) fn at_hand(light: Option<&Light>) -> Result<Self, PictureError> {
         let nm = (0..81).map(|i| 380.0 + 5.0 * f64::from(i)).collect();
         let [width, height] = AT_HAND;
         match light {

@@ -59,7 +59,7 @@ pub fn over_strips<T: Send>(
 ///
 /// # Errors
 /// As [`over_strips`].
-pub fn over_parts<T: Send>(
+pub(crate) fn over_parts<T: Send>(
     count: usize,
     values: usize,
     progress: &Progress,

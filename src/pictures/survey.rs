@@ -109,7 +109,7 @@ impl Survey {
     }
 
     /// The noise of a band in the middle of all.
-    pub fn usual_noise(&self) -> f64 {
+    pub(crate) fn usual_noise(&self) -> f64 {
         median(&mut self.noise.clone())
     }
 
@@ -138,7 +138,7 @@ impl Survey {
 
     /// Noise relative to what there is, bands weighed by their widths as in the relative rms: what
     /// no relative rms need go below.
-    pub fn relative_noise(&self, bands: &Bands) -> f64 {
+    pub(crate) fn relative_noise(&self, bands: &Bands) -> f64 {
         let squares = |values: &[f64]| {
             let weighed = values.iter().zip(bands.weights_nm());
             weighed.map(|(v, q)| q * v * v).sum::<f64>()

@@ -73,7 +73,7 @@ pub struct Trust {
 impl Trust {
     /// The same of a picture of which nobody says what its values are: never better than care.
     #[must_use]
-    pub fn of_a_guess(self) -> Self {
+    pub(crate) fn of_a_guess(self) -> Self {
         let verdict = match self.verdict {
             Verdict::Good => Verdict::Care,
             other => other,
@@ -164,7 +164,7 @@ pub(super) fn matrix_of(rows: &[Vec<f64>; 3]) -> DMatrix<f64> {
 
 impl Operator {
     /// Mean colour difference that noise of the bands makes under a light, foretold at a mid grey.
-    pub fn foretold_noise(&self, relit: &Relit, noise: &[f64]) -> f64 {
+    pub(crate) fn foretold_noise(&self, relit: &Relit, noise: &[f64]) -> f64 {
         let to_lab = lab_by_xyz(relit.white, GREY_Y) * matrix_of(&relit.rows) * &self.encode;
         let sum: f64 = to_lab
             .column_iter()

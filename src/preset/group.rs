@@ -146,7 +146,7 @@ pub struct Composite {
 
 impl Composite {
     /// Places (nm) and weights in unit x nm, the factor applied.
-    pub fn spikes_in_unit_nm(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+    pub(crate) fn spikes_in_unit_nm(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
         self.spikes
             .iter()
             .map(|spike| (spike.at_nm, spike.weight * self.weight_factor))

@@ -17,4 +17,5 @@ pub use group::{
     AtomicLine, Body, Composite, Group, LineList, OpticalConstants, Preset, PrintedSpike, Terms,
 };
 pub use shelf::Shelf;
-pub use shipped::{EVERYDAY, FAMILIES, OBSERVERS, group, groups, table, unlisted};
+pub(crate) use shipped::{EVERYDAY, FAMILIES, OBSERVERS};
+pub use shipped::{group, groups, table, unlisted};

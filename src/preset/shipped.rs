@@ -34,13 +34,13 @@ pub(super) const SHIPPED: [&str; 24] = [
 ];
 
 /// Colour-matching functions and the other weighting tables of the CIE.
-pub const OBSERVERS: &str = include_str!("../../presets/observers.json");
+pub(crate) const OBSERVERS: &str = include_str!("../../presets/observers.json");
 
 /// What each shipped spectrum is, in words.
-pub const FAMILIES: &str = include_str!("../../presets/families.json");
+pub(crate) const FAMILIES: &str = include_str!("../../presets/families.json");
 
 /// Which shipped surfaces make a set by everyday names.
-pub const EVERYDAY: &str = include_str!("../../presets/everyday_surfaces.json");
+pub(crate) const EVERYDAY: &str = include_str!("../../presets/everyday_surfaces.json");
 /// Tables that figures are computed from and that no library lists: it has their items already, in
 /// a coarser step.
 pub(super) const UNLISTED: [&str; 1] = [include_str!("../../presets/tm30_ces99_1nm.json")];

@@ -11,15 +11,15 @@ use super::formula::gas;
 const CIDDOR: [f64; 4] = [0.057_921_05, 238.018_5, 0.001_679_17, 57.362];
 
 /// The shortest wavelength in vacuum at which the formula is used, nm.
-pub const SHORTEST_IN_AIR_NM: f64 = 185.0;
+pub(crate) const SHORTEST_IN_AIR_NM: f64 = 185.0;
 
 /// Index of refraction of standard air at a wavelength in vacuum, nm (above 0).
-pub fn index_of_air(vacuum_nm: f64) -> f64 {
+pub(crate) fn index_of_air(vacuum_nm: f64) -> f64 {
     gas(&CIDDOR, 1e-3 * vacuum_nm.max(SHORTEST_IN_AIR_NM))[0]
 }
 
 /// Change of the index of standard air with the wavelength in vacuum, 1/nm.
-pub fn slope_of_air(vacuum_nm: f64) -> f64 {
+pub(crate) fn slope_of_air(vacuum_nm: f64) -> f64 {
     if vacuum_nm < SHORTEST_IN_AIR_NM {
         return 0.0;
     }

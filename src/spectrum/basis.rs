@@ -37,7 +37,7 @@ impl Basis {
     }
 
     /// The basis of that word.
-    pub fn from_word(word: &str) -> Option<Self> {
+    pub(crate) fn from_word(word: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|basis| basis.word() == word)
     }
 

@@ -8,7 +8,7 @@
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
 /// Largest condition of a map that is still solved: its solution is right to 1e-8.
-pub const WORST_CONDITION: f64 = 1e8;
+pub(crate) const WORST_CONDITION: f64 = 1e8;
 
 /// Largest over smallest singular value of the matrix of some columns, at least as many as they are
 /// long; infinite where the least is zero.
@@ -80,7 +80,7 @@ impl ThreeSums {
     }
 
     /// Whether the sums can be set one by one: their condition is below [`WORST_CONDITION`].
-    pub fn are_told_apart(&self) -> bool {
+    pub(crate) fn are_told_apart(&self) -> bool {
         self.condition < WORST_CONDITION
     }
 

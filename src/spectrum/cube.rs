@@ -402,7 +402,7 @@ pub fn bytes_of(width: usize, height: usize, bands: usize, number: Number) -> Op
 
 /// Whether a number stands for "not measured": a header writes that in decimals, single precision
 /// rounds it.
-pub fn is_missing(value: f64, missing: f64, number: Number) -> bool {
+pub(crate) fn is_missing(value: f64, missing: f64, number: Number) -> bool {
     value == missing || number == Number::F32 && value as f32 == missing as f32
 }
 

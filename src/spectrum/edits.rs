@@ -144,7 +144,7 @@ impl Decomposed {
 }
 
 /// Takes a spectrum apart with the default detector and a person's edits.
-pub fn decompose(
+pub(crate) fn decompose(
     band: Band,
     values: &[f64],
     settings: SpikeSettings,
@@ -165,7 +165,7 @@ pub fn decompose(
 /// takes its line's place and nothing else changes. Once it does not (the threshold was moved),
 /// the hand-set lines are taken out first, each from its own window, and the detector looks at
 /// the rest: no energy is counted twice.
-pub fn decompose_by(
+pub(crate) fn decompose_by(
     band: Band,
     values: &[f64],
     max_width_nm: f64,

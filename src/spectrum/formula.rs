@@ -96,7 +96,7 @@ impl Formula {
     }
 
     /// Squared resonances, um^2, of a Sellmeier formula (1 and 2); none of the others.
-    pub fn resonances_um2(&self) -> Vec<f64> {
+    pub(crate) fn resonances_um2(&self) -> Vec<f64> {
         match self.number {
             1 => self.pairs(2).map(|(_, b)| b * b).collect(),
             2 => self.pairs(2).map(|(_, b)| b).collect(),
@@ -111,7 +111,7 @@ impl Formula {
 
     /// Refractive index at a wavelength in um, and its change with wavelength, 1/um, by the
     /// formula's derivative; NaN where the formula has no real value.
-    pub fn index_and_slope(&self, um: f64) -> [f64; 2] {
+    pub(crate) fn index_and_slope(&self, um: f64) -> [f64; 2] {
         // Most formulas give the square of n, whose slope is 2 n times that of n.
         let root = |[square, slope]: Pair| {
             let n = square.sqrt();

@@ -40,7 +40,7 @@ impl SpectralImage {
     }
 
     /// What a pixel's spectrum or a region's mean is called.
-    pub fn name_of(&self, region: Rect) -> String {
+    pub(crate) fn name_of(&self, region: Rect) -> String {
         let Rect {
             x,
             y,

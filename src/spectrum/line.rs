@@ -104,7 +104,7 @@ impl LineProfile {
     }
 
     /// Adds the profile times a weight to values on the band's grid.
-    pub fn add_to(&self, weight: f64, values: &mut [f64]) {
+    pub(crate) fn add_to(&self, weight: f64, values: &mut [f64]) {
         for (value, shape) in values[self.first..].iter_mut().zip(&self.values) {
             *value += weight * shape;
         }
@@ -176,7 +176,7 @@ impl Line {
     }
 
     /// Whether it counts as a line of no width.
-    pub fn is_ideal(self) -> bool {
+    pub(crate) fn is_ideal(self) -> bool {
         !(self.fwhm_nm >= NARROWEST_NM && self.fwhm_nm.is_finite())
     }
 
@@ -193,17 +193,17 @@ impl Line {
 
     /// The weight of a line whose stem, drawn `drawn_nm` wide, has a height; dragging a stem's tip
     /// uses it.
-    pub fn weight_from_stem(height: f64, drawn_nm: f64) -> f64 {
+    pub(crate) fn weight_from_stem(height: f64, drawn_nm: f64) -> f64 {
         height * GAUSSIAN_AREA * drawn_nm
     }
 
     /// The same line with another weight.
-    pub fn weighing(self, weight: f64) -> Self {
+    pub(crate) fn weighing(self, weight: f64) -> Self {
         Self { weight, ..self }
     }
 
     /// Its profile on the grid of a band.
-    pub fn profile(self, band: Band) -> LineProfile {
+    pub(crate) fn profile(self, band: Band) -> LineProfile {
         LineProfile::new(band, self.at_nm, self.fwhm_nm)
     }
 
@@ -255,7 +255,7 @@ fn damping(basis: Basis, index: usize, band: Band, sigma_nm: f64) -> f64 {
 }
 
 /// Height of a Gaussian of height 1 so many full widths at half maximum from its centre.
-pub fn gaussian(widths: f64) -> f64 {
+pub(crate) fn gaussian(widths: f64) -> f64 {
     (-4.0 * LN_2 * widths * widths).exp()
 }
 

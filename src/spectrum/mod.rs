@@ -29,28 +29,34 @@ mod resampled;
 mod sampled;
 mod spikes;
 
-pub use air::{SHORTEST_IN_AIR_NM, in_air, in_vacuum, index_of_air, slope_of_air};
+pub use air::in_air;
+pub use air::in_vacuum;
+pub(crate) use air::{SHORTEST_IN_AIR_NM, index_of_air, slope_of_air};
 pub use band::{Band, BandError, LONGEST_NM, MOST_STEPS, SHORTEST_NM, dot};
 pub use basis::{Basis, BasisTable, Series, numbers_of_order};
 pub use chain::{ChainTables, LineInDip, SAME_PLACE_NM, Stage, below_zero};
 pub use composite::{Composite, CompositeError};
-pub use condition::{ThreeSums, WORST_CONDITION, condition_number};
+pub(crate) use condition::WORST_CONDITION;
+pub use condition::{ThreeSums, condition_number};
 pub use cube::Cube;
-pub use edits::{Decomposed, HandSpike, ModelSpike, SpikeEdits, decompose, decompose_by};
+pub use edits::{Decomposed, HandSpike, ModelSpike, SpikeEdits};
+pub(crate) use edits::{decompose, decompose_by};
 pub use factor::{Factor, bounces, glass};
 pub use fit::{Exactness, InnerProducts};
 pub use formula::{Formula, MOST_COEFFICIENTS};
 pub use image::SpectralImage;
 pub use kind::Kind;
+pub(crate) use line::gaussian;
 pub(crate) use line::{FWHM_IN_SIGMAS, NARROWEST_NM};
-pub use line::{GAUSSIAN_AREA, Line, LineProfile, add_lines, gaussian};
+pub use line::{GAUSSIAN_AREA, Line, LineProfile, add_lines};
 pub use named::NamedSpectrum;
-pub use quantile::{quantile, rank};
+pub(crate) use quantile::quantile;
+pub use quantile::rank;
 pub use rect::Rect;
 pub use region::Region;
 pub use resampled::{Resampled, SampleGrid, Sampling};
 pub use sampled::{Outside, Sampled, SampledError};
 pub use spikes::{
-    Decomposition, FoundSpike, LineShape, SpikeSettings, Wishes, absolute_power, detect,
-    detect_shapes, window_near,
+    Decomposition, FoundSpike, LineShape, SpikeSettings, Wishes, detect, detect_shapes,
 };
+pub(crate) use spikes::{absolute_power, window_near};

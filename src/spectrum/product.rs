@@ -263,14 +263,14 @@ pub fn multiply_points<const POINTS: usize>(
 }
 
 /// Lines weighed by a factor at their centres (Eq. 14).
-pub fn weigh_lines(lines: &[Line], factor_at: impl Fn(f64) -> f64) -> Vec<Line> {
+pub(crate) fn weigh_lines(lines: &[Line], factor_at: impl Fn(f64) -> f64) -> Vec<Line> {
     let weighed = |line: &Line| line.weighing(line.weight * factor_at(line.at_nm));
     lines.iter().map(weighed).collect()
 }
 
 /// Lines weighed by a smooth factor, each over its own width, in closed form (Eq. 17 with damping).
 /// Exact in power; a line's own skew is left out.
-pub fn weighed_by_series(lines: &[Line], factor: &Series) -> Vec<Line> {
+pub(crate) fn weighed_by_series(lines: &[Line], factor: &Series) -> Vec<Line> {
     let weighed = |line: &Line| line.weighing(line.integrate_series(factor));
     lines.iter().map(weighed).collect()
 }
@@ -284,7 +284,7 @@ pub fn folded_share(a: &Series, b: &Series, points: usize) -> f64 {
 
 /// The same for a chain: behind each factor in turn, the share of the power of the whole product
 /// so far that `points` points fold back.
-pub fn folded_shares(light: &Series, factors: &[Series], points: usize) -> Vec<f64> {
+pub(crate) fn folded_shares(light: &Series, factors: &[Series], points: usize) -> Vec<f64> {
     let mut product = in_units(light);
     factors
         .iter()

@@ -12,7 +12,7 @@ pub fn rank(count: usize, share: f64) -> (usize, f64) {
 
 /// The value that a share (0-1) of all lies below; `None` of no value. The order of `values` is
 /// lost.
-pub fn quantile<T: Copy + Into<f64>>(values: &mut [T], share: f64) -> Option<f64> {
+pub(crate) fn quantile<T: Copy + Into<f64>>(values: &mut [T], share: f64) -> Option<f64> {
     if values.is_empty() {
         return None;
     }

@@ -42,7 +42,7 @@ impl Rect {
     }
 
     /// Whether it has pixels and all of them are in another rectangle.
-    pub fn is_inside(self, other: Self) -> bool {
+    pub(crate) fn is_inside(self, other: Self) -> bool {
         let fits = |at: usize, size: usize, from: usize, room: usize| {
             let end = at.checked_add(size);
             size > 0 && at >= from && end.is_some_and(|end| end <= from.saturating_add(room))

@@ -124,7 +124,7 @@ impl SampleGrid {
     }
 
     /// One row per point that takes `numbers` coefficients to the value there, rows end to end.
-    pub fn sampling_rows(self, numbers: usize) -> Vec<f64> {
+    pub(crate) fn sampling_rows(self, numbers: usize) -> Vec<f64> {
         (0..self.points)
             .flat_map(|i| (0..numbers).map(move |k| self.basis.function(k, self.band, self.nm(i))))
             .collect()
@@ -132,7 +132,7 @@ impl SampleGrid {
 
     /// One row per number that takes values on the grid to a coefficient of
     /// [`SampleGrid::series`], rows end to end.
-    pub fn series_rows(self) -> Vec<f64> {
+    pub(crate) fn series_rows(self) -> Vec<f64> {
         (0..self.points)
             .flat_map(|k| {
                 let scale = self.projection_scale(k);

@@ -133,7 +133,7 @@ impl Sampled {
     ///
     /// # Errors
     /// As [`Sampled::new`], with the values.
-    pub fn sharing(&self, values: Vec<f64>) -> Result<Self, (SampledError, Vec<f64>)> {
+    pub(crate) fn sharing(&self, values: Vec<f64>) -> Result<Self, (SampledError, Vec<f64>)> {
         if self.axis.nm.len() != values.len() {
             let error = SampledError::Lengths {
                 wavelengths: self.axis.nm.len(),
@@ -167,7 +167,7 @@ impl Sampled {
 
     /// The same table, which is a refractive index computed from this formula.
     #[must_use]
-    pub fn of_formula(self, formula: Formula) -> Self {
+    pub(crate) fn of_formula(self, formula: Formula) -> Self {
         Self {
             formula: Some(Arc::new(formula)),
             ..self
@@ -217,7 +217,7 @@ impl Sampled {
 
     /// Whether all steps are the same to the rounding of a table (3.333 nm written 373, 377, 380):
     /// within a thousandth of a nm, or a millionth of the step.
-    pub fn has_even_steps(&self) -> bool {
+    pub(crate) fn has_even_steps(&self) -> bool {
         *self.axis.is_even.get_or_init(|| {
             let step = self.step_nm();
             let rounding = 1e-3_f64.max(1e-6 * step);

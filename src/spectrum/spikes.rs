@@ -69,7 +69,7 @@ pub struct LineShape {
 
 impl LineShape {
     /// Gives its energy back to the smooth part.
-    pub fn give_back_to(&self, smooth: &mut [f64]) {
+    pub(crate) fn give_back_to(&self, smooth: &mut [f64]) {
         for (v, r) in smooth[self.first..].iter_mut().zip(&self.residue) {
             *v += r;
         }
@@ -99,7 +99,7 @@ pub struct Decomposition {
 
 impl Decomposition {
     /// Nothing taken out.
-    pub fn untouched(band: Band, values: &[f64]) -> Self {
+    pub(crate) fn untouched(band: Band, values: &[f64]) -> Self {
         Self {
             smooth: values.to_vec(),
             spikes: Vec::new(),
@@ -109,7 +109,7 @@ impl Decomposition {
 }
 
 /// Integral of `|S|` over the band, in value x nm.
-pub fn absolute_power(band: Band, values: &[f64]) -> f64 {
+pub(crate) fn absolute_power(band: Band, values: &[f64]) -> f64 {
     let last = values.len() - 1;
     let sum: f64 = values.iter().map(|v| v.abs()).sum();
     debug_assert_eq!(values.len(), band.points());
@@ -268,7 +268,7 @@ fn take_lines(
 
 /// The window of the single line nearest to a place (nm), whatever its strength; `None` when no
 /// local maximum (with `sign` -1: no minimum) stands near. Neighbours are not joined to it.
-pub fn window_near(
+pub(crate) fn window_near(
     band: Band,
     values: &[f64],
     at_nm: f64,

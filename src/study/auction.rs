@@ -134,7 +134,7 @@ pub fn hold(subject: &Subject, terms: Terms, progress: &Progress) -> Option<Auct
 }
 
 /// [`hold`] on a subject that was examined already.
-pub fn hold_on(examined: &Examined, terms: Terms, progress: &Progress) -> Option<Auction> {
+pub(crate) fn hold_on(examined: &Examined, terms: Terms, progress: &Progress) -> Option<Auction> {
     let stock = Stock::new(examined, terms.basis);
     let mut room = ResidualState::new(&examined.reference, &stock, terms)?;
     progress.expect(terms.numbers);

@@ -20,7 +20,7 @@ use super::{
 use crate::spectrum::{Band, Line, absolute_power, add_lines, quantile};
 
 /// Full width at half maximum of the blur, nm.
-pub const BLUR_NM: f64 = 10.0;
+pub(crate) const BLUR_NM: f64 = 10.0;
 
 /// A Gaussian blur on a band's grid.
 #[derive(Clone, Debug)]
@@ -90,7 +90,7 @@ fn density(distance_nm: f64, sigma_nm: f64) -> f64 {
 /// Compares a model with the measured spectrum, by shares alone; `None` for an all-zero spectrum.
 ///
 /// `measured` and `smooth` are values on the band's grid.
-pub fn spectrum_errors(
+pub(crate) fn spectrum_errors(
     blur: &Blur,
     measured: &[f64],
     smooth: &[f64],
@@ -133,7 +133,7 @@ pub fn times(values: &[f64], factor: f64) -> Vec<f64> {
 }
 
 /// Spikes with their weights times a factor.
-pub fn spikes_times(spikes: &[Line], factor: f64) -> Vec<Line> {
+pub(crate) fn spikes_times(spikes: &[Line], factor: f64) -> Vec<Line> {
     spikes
         .iter()
         .map(|s| Line {

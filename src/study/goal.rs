@@ -65,7 +65,7 @@ impl Goal {
     ];
 
     /// What the plain goals make small, in the order of [`Goal::PLAIN`].
-    pub const MEASURES: [Measure; 4] = [
+    pub(crate) const MEASURES: [Measure; 4] = [
         Measure::Own,
         Measure::Patches,
         Measure::RmsBlurred,
@@ -119,7 +119,7 @@ impl Goal {
     }
 
     /// The figure of a goal that wants one thing only.
-    pub fn plain_measure(self) -> Option<Measure> {
+    pub(crate) fn plain_measure(self) -> Option<Measure> {
         let mut wanted = self.wanted();
         let (_, measure) = wanted.next()?;
         wanted.next().is_none().then_some(measure)

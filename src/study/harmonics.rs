@@ -127,7 +127,7 @@ pub struct SlowestFall {
 
 impl SlowestFall {
     /// Whether the light meets Eq. 11, so that Eq. 12 holds for it.
-    pub fn meets_eq_11(self) -> bool {
+    pub(crate) fn meets_eq_11(self) -> bool {
         self.fall <= 1.0
     }
 }
@@ -207,7 +207,7 @@ impl Harmonics {
     }
 
     /// The smooth part up to an order, on the table's grid, in the spectrum's own unit.
-    pub fn partial_sum(&self, table: &BasisTable, order: usize) -> Vec<f64> {
+    pub(crate) fn partial_sum(&self, table: &BasisTable, order: usize) -> Vec<f64> {
         self.curve(table, |number| number.order <= order)
     }
 

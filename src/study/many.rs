@@ -106,7 +106,7 @@ impl ManyLights {
 
     /// The least order that is enough for a share (0-1) of the lights, and for how many it is;
     /// `None` where no order looked at is.
-    pub fn order_for(
+    pub(crate) fn order_for(
         &self,
         way: FitVariant,
         measure: Measure,

@@ -62,13 +62,13 @@ impl Measure {
     ];
 
     /// [`COMPARED`](Self::COMPARED) in the order of files.
-    pub fn in_files() -> impl Iterator<Item = Self> {
+    pub(crate) fn in_files() -> impl Iterator<Item = Self> {
         let all = Self::ALL.into_iter();
         all.filter(|measure| Self::COMPARED.contains(measure))
     }
 
     /// Whether it counts CIEDE2000; otherwise it is a share of the spectrum.
-    pub const fn is_colour(self) -> bool {
+    pub(crate) const fn is_colour(self) -> bool {
         matches!(
             self,
             Self::Own | Self::Patches | Self::PatchesWorst | Self::Filters

@@ -17,7 +17,7 @@ pub fn processors() -> usize {
 
 /// What `work` makes of each item, in the order given, on `threads` threads, a step of progress an
 /// item. `None` when cancelled.
-pub fn in_parallel<T: Sync, R: Send>(
+pub(crate) fn in_parallel<T: Sync, R: Send>(
     items: &[T],
     threads: usize,
     progress: &Progress,

@@ -42,7 +42,7 @@ impl Progress {
     }
 
     /// Whether it was asked to stop.
-    pub fn is_cancelled(&self) -> bool {
+    pub(crate) fn is_cancelled(&self) -> bool {
         self.cancelled.load(Ordering::Relaxed)
     }
 }

@@ -66,7 +66,7 @@ impl ProjectedSpectrum {
     /// The same where lines have bells: such a line takes its bell out of the spectrum, and its
     /// colour is that of the bell. It is for who asked to add the bell where the model has its
     /// spike.
-    pub fn with_bells(
+    pub(crate) fn with_bells(
         fit_basis: &FitBasis,
         values: &[f64],
         shapes: &[LineShape],

@@ -32,7 +32,7 @@ use crate::{
 };
 
 pub use super::{
-    race_cells::{Cell, FIGURES, Judged, Wins, figures},
+    race_cells::{Cell, Judged, Wins, figures},
     race_result::{Cost, Encode, Encoded, Lamp, Race, RaceConfig, Racer, Row, Run},
 };
 

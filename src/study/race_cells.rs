@@ -44,7 +44,7 @@ impl Judged {
 }
 
 /// Figures of a spread that are compared.
-pub const FIGURES: [&str; 3] = ["median", "p95", "worst"];
+pub(crate) const FIGURES: [&str; 3] = ["median", "p95", "worst"];
 
 /// The figures of a spread in that order.
 pub fn figures(spread: Spread) -> [f64; 3] {

@@ -11,7 +11,7 @@ use super::{
 use crate::{rivals::Family, spectrum::Basis};
 
 /// Where the figures come from.
-pub const ORIGIN: &str = "A larger collection that may not be shipped: 35 smooth, 221 LED, 79 \
+pub(crate) const ORIGIN: &str = "A larger collection that may not be shipped: 35 smooth, 221 LED, 79 \
     fluorescent and 30 discharge lights, computed independently in Python over 380-780 nm (CIE \
     1931, ColorChecker).";
 
@@ -171,10 +171,10 @@ pub struct Checked {
 }
 
 /// Numbers that [`CHECKED`] and [`OTHER_HALF`] are for.
-pub const CHECKED_NUMBERS: usize = 20;
+pub(crate) const CHECKED_NUMBERS: usize = 20;
 
 /// The half that the composite wins.
-pub const CHECKED: [Checked; 4] = [
+pub(crate) const CHECKED: [Checked; 4] = [
     Checked {
         class: "smooth",
         chosen: [0.0023, 0.0060, 0.0069],
@@ -214,7 +214,7 @@ pub struct Otherwise {
 }
 
 /// Fluorescent lights at [`CHECKED_NUMBERS`].
-pub const OTHER_HALF: [Otherwise; 3] = [
+pub(crate) const OTHER_HALF: [Otherwise; 3] = [
     Otherwise {
         racer: Racer::Chosen,
         filters: [1.3, 8.3, 12.0],
@@ -362,6 +362,6 @@ fn reason(racer: Racer, class: &str, higher: bool) -> &'static str {
 }
 
 /// Why 95th percentiles and worst cases of discharge lamps are larger here.
-pub const OF_FEW: &str = "The 95th percentile of 18 discharge lamps lies between the two worst of \
+pub(crate) const OF_FEW: &str = "The 95th percentile of 18 discharge lamps lies between the two worst of \
     them, and at 20 numbers low-pressure sodium, all but one line, is the worst of every \
     representation without spikes except box bins.";

@@ -21,7 +21,7 @@ use crate::{
 };
 
 /// Full width of the narrow filters at half their maximum, nm.
-pub const FILTER_NM: f64 = 10.0;
+pub(crate) const FILTER_NM: f64 = 10.0;
 
 /// Y that the exact light behind a narrow filter is brought to.
 const FILTER_Y: f64 = 50.0;
@@ -36,7 +36,7 @@ const FIRST_NM: f64 = 420.0;
 pub(super) const FIRST_CHECK_NM: f64 = 425.0;
 
 /// Centres of the narrow filters, nm.
-pub fn filter_centres() -> impl Iterator<Item = f64> {
+pub(crate) fn filter_centres() -> impl Iterator<Item = f64> {
     centres_from(FIRST_NM)
 }
 
@@ -46,7 +46,7 @@ fn centres_from(first_nm: f64) -> impl Iterator<Item = f64> {
 }
 
 /// A Gaussian band-pass of 10 nm on a band's grid.
-pub fn bandpass(band: Band, centre_nm: f64) -> Vec<f64> {
+pub(crate) fn bandpass(band: Band, centre_nm: f64) -> Vec<f64> {
     let bell = |nm: f64| gaussian((nm - centre_nm) / FILTER_NM);
     band.grid().map(bell).collect()
 }
@@ -100,7 +100,7 @@ impl Measures {
 }
 
 /// Values over their largest, so that no square overflows or vanishes; `None` when all are zero.
-pub fn scaled_to_one(values: &[f64]) -> Option<Vec<f64>> {
+pub(crate) fn scaled_to_one(values: &[f64]) -> Option<Vec<f64>> {
     let unit = height(values)?;
     Some(values.iter().map(|v| v * unit).collect())
 }
@@ -139,7 +139,7 @@ impl Reference {
 
     /// The reference of a reflectance or transmittance under a light, both on the band's grid: no
     /// patches, no filters. `perfect` is what a perfect reflector has in the measured scale.
-    pub fn of_factor(
+    pub(crate) fn of_factor(
         measures: &Arc<Measures>,
         measured: &[f64],
         light: &[f64],
@@ -195,7 +195,12 @@ impl Reference {
 
     /// Every figure, the patches' reflectances approximated too: `patches` are the same patches
     /// as a representation has them.
-    pub fn verdict_through(&self, smooth: &[f64], spikes: &[Line], patches: &PatchSet) -> Verdict {
+    pub(crate) fn verdict_through(
+        &self,
+        smooth: &[f64],
+        spikes: &[Line],
+        patches: &PatchSet,
+    ) -> Verdict {
         let (mean, worst) = self.patches_with(smooth, spikes, patches).unzip();
         Verdict::from_fn(|measure| match measure {
             Measure::Patches => mean,
@@ -243,7 +248,7 @@ impl Reference {
     }
 
     /// Labs of any patches under a model, against this light as the white.
-    pub fn labs_of(&self, patches: &PatchSet, smooth: &[f64], spikes: &[Line]) -> Vec<Lab> {
+    pub(crate) fn labs_of(&self, patches: &PatchSet, smooth: &[f64], spikes: &[Line]) -> Vec<Lab> {
         self.labs(&seen_through(patches, smooth, spikes))
     }
 
@@ -260,7 +265,7 @@ impl Reference {
     }
 
     /// The light itself behind any narrow filters.
-    pub fn exact_behind(&self, filters: &PatchSet) -> Behind {
+    pub(crate) fn exact_behind(&self, filters: &PatchSet) -> Behind {
         let mut exact = seen_through(filters, &self.measured, &[]);
         let gain =
             |xyz: &[f64; 3]| (FILTER_Y * self.white.y / (100.0 * xyz[1].max(0.0))).min(MOST_GAIN);

@@ -76,7 +76,7 @@ impl Examined {
     }
 
     /// Functions of a basis and their colours.
-    pub fn fit_basis(&self, basis: Basis) -> &FitBasis {
+    pub(crate) fn fit_basis(&self, basis: Basis) -> &FitBasis {
         &self.bases[Basis::ALL.iter().position(|b| *b == basis).unwrap_or(0)]
     }
 
@@ -86,7 +86,7 @@ impl Examined {
     }
 
     /// The same where lines have bells.
-    pub fn projected_with(
+    pub(crate) fn projected_with(
         &self,
         basis: Basis,
         shapes: &[LineShape],
@@ -104,7 +104,7 @@ impl Examined {
 
     /// Every order of every way: all orders of the first way, then of the next. `told` after each
     /// way; `None` when it was cancelled.
-    pub fn every_way(
+    pub(crate) fn every_way(
         &self,
         highest_order: usize,
         progress: &Progress,

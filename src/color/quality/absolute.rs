@@ -31,7 +31,7 @@ pub struct Measured {
 
 impl Radiometric {
     /// Unit of its photometric counterpart.
-    pub fn photometric_unit(self) -> &'static str {
+    pub(crate) fn photometric_unit(self) -> &'static str {
         match self {
             Self::Irradiance => "lx",
             Self::Radiance => "cd/m²",
@@ -41,7 +41,7 @@ impl Radiometric {
     }
 
     /// Name of its photometric counterpart.
-    pub fn photometric_name(self) -> &'static str {
+    pub(crate) fn photometric_name(self) -> &'static str {
         match self {
             Self::Irradiance => "illuminance",
             Self::Radiance => "luminance",

@@ -13,7 +13,8 @@ use super::{
 };
 
 /// The five, in the order of the arrays.
-pub const ALPHA_OPIC_WORDS: [&str; 5] = ["s_cone", "m_cone", "l_cone", "rhodopic", "melanopic"];
+pub(crate) const ALPHA_OPIC_WORDS: [&str; 5] =
+    ["s_cone", "m_cone", "l_cone", "rhodopic", "melanopic"];
 
 /// Index of the melanopic one.
 const MELANOPIC: usize = 4;

@@ -23,7 +23,7 @@ use super::{
 };
 
 /// Number of samples.
-pub const SAMPLES: usize = 99;
+pub(crate) const SAMPLES: usize = 99;
 
 /// Samples summed side by side: a common divisor of their number that keeps the registers full.
 const ABREAST: usize = 3;

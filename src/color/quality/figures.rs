@@ -166,12 +166,6 @@ impl FewFigures {
     }
 }
 
-/// Reads the tables and builds the locus of blackbodies, which the first light would wait for
-/// (a seventh of a second): for a thread at the start.
-pub fn prepare() {
-    let _ = Figures::of(&Light::of_nm_values(&[1.0; POINTS]), None);
-}
-
 /// XYZ with Y = 100.
 fn xyz_of(light: &Light, observer: Observer) -> Result<Xyz, NoFigure> {
     let sums = sums_of(light.lit()?, observer);

@@ -3,7 +3,7 @@
 use crate::color::Xyz;
 
 /// Number of hue bins.
-pub const BINS: usize = 16;
+pub(crate) const BINS: usize = 16;
 
 /// Width of a bin, degrees.
 const WIDTH_DEG: f64 = 360.0 / BINS as f64;
@@ -30,7 +30,7 @@ pub struct HueBin {
 }
 
 /// Middle of a bin (0-15), degrees of hue.
-pub fn bin_middle_deg(bin: usize) -> f64 {
+pub(crate) fn bin_middle_deg(bin: usize) -> f64 {
     (bin as f64 + 0.5) * WIDTH_DEG
 }
 

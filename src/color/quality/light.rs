@@ -13,10 +13,10 @@ use crate::{
 use super::no_figure::{Dark, NoFigure};
 
 /// First whole nm of every sum.
-pub const FIRST_NM: u32 = xyz::FIRST_NM;
+pub(crate) const FIRST_NM: u32 = xyz::FIRST_NM;
 
 /// Last whole nm of every sum.
-pub const LAST_NM: u32 = xyz::LAST_NM;
+pub(crate) const LAST_NM: u32 = xyz::LAST_NM;
 
 /// Number of whole nm.
 pub const POINTS: usize = xyz::POINTS;
@@ -169,7 +169,7 @@ impl Light {
     }
 
     /// First and last whole nm that the table has, within 360-830.
-    pub fn ends_nm(&self) -> [u32; 2] {
+    pub(crate) fn ends_nm(&self) -> [u32; 2] {
         self.ends.map(|index| FIRST_NM + index as u32)
     }
 
@@ -185,7 +185,7 @@ impl Light {
     }
 
     /// Number of values below zero, on whole nm or as lines.
-    pub fn negatives(&self) -> usize {
+    pub(crate) fn negatives(&self) -> usize {
         let lines = self.lines.iter().filter(|l| l.weight < 0.0).count();
         self.values.iter().filter(|v| **v < 0.0).count() + lines
     }

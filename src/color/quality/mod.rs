@@ -50,19 +50,24 @@ pub(crate) use hue_bin::{bin_of, difference_of, index_of};
 pub(crate) use rendering::{Shift, rendering_factors, uvw};
 
 pub use absolute::{Absolute, Measured, Radiometric, absolute};
-pub use alpha_opic::{ALPHA_OPIC_WORDS, AlphaOpic, alpha_opic};
+pub(crate) use alpha_opic::ALPHA_OPIC_WORDS;
+pub use alpha_opic::{AlphaOpic, alpha_opic};
 pub use dominant::{Dominant, dominant};
-pub use fidelity::{Fidelity, SAMPLES, fidelity, sample_names};
-pub use figures::{FewFigures, Figures, prepare};
-pub use hue_bin::{BINS, HUE_NAMES, HueBin, bin_middle_deg};
-pub use light::{FIRST_NM, LAST_NM, Light, POINTS};
+pub(crate) use fidelity::SAMPLES;
+pub use fidelity::{Fidelity, fidelity, sample_names};
+pub use figures::{FewFigures, Figures};
+pub(crate) use hue_bin::BINS;
+pub use hue_bin::{HUE_NAMES, HueBin};
+pub use light::{Light, POINTS};
 pub use no_figure::{Dark, NoFigure};
-pub use photometry::{LUMENS_PER_WATT, luminous_efficacy, sp_ratio};
-pub use photons::{JOULE_NM_PER_MICROMOLE, PhotonsPer100Lx, photons_per_100_lx};
-pub use reference::{
-    Reference, daylight, daylight_xy, fidelity_reference, planck, rendering_reference,
-};
-pub use rendering::{RENDERING_NAMES, RENDERING_SAMPLES, RenderedSample, Rendering, rendering};
+pub(crate) use photometry::LUMENS_PER_WATT;
+pub use photometry::{luminous_efficacy, sp_ratio};
+pub(crate) use photons::JOULE_NM_PER_MICROMOLE;
+pub use photons::PhotonsPer100Lx;
+pub use reference::{Reference, daylight, daylight_xy, fidelity_reference};
+pub(crate) use reference::{planck, rendering_reference};
+pub(crate) use rendering::{RENDERING_NAMES, RENDERING_SAMPLES};
+pub use rendering::{RenderedSample, Rendering, rendering};
 pub(crate) use rendering::{rendering_difference, rendering_index};
 pub use shape::{Peak, Shape, Width, shape};
 pub use similarity::{Similarity, SimilarityBands, SimilarityReference, similarity};

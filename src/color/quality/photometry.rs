@@ -10,7 +10,7 @@ use super::{
 
 /// Maximum luminous efficacy, lm/W: 683 lm/W at 540 THz (SI, 2019), which for air wavelengths and
 /// the CIE table's peak at 555 nm reads 683.002.
-pub const LUMENS_PER_WATT: f64 = 683.002;
+pub(crate) const LUMENS_PER_WATT: f64 = 683.002;
 
 /// What luminous efficacy of radiation is counted with: the rounded constant, by custom.
 const LUMENS_PER_WATT_ROUNDED: f64 = 683.0;

@@ -14,7 +14,7 @@ use super::{
 
 /// Planck's constant x speed of light x Avogadro's number, J nm per µmol of photons: what turns
 /// a photon flux at a wavelength in nm into power (all three exact in the SI of 2019).
-pub const JOULE_NM_PER_MICROMOLE: f64 =
+pub(crate) const JOULE_NM_PER_MICROMOLE: f64 =
     6.626_070_15e-34 * 299_792_458.0 * 1e9 * 6.022_140_76e23 * 1e-6;
 
 /// µmol of photons in a joule at 1 nm.
@@ -37,7 +37,7 @@ pub struct PhotonsPer100Lx {
 ///
 /// # Errors
 /// [`NoFigure`] when there is no light or nothing of it is seen.
-pub fn photons_per_100_lx(light: &Light) -> Result<PhotonsPer100Lx, NoFigure> {
+pub(crate) fn photons_per_100_lx(light: &Light) -> Result<PhotonsPer100Lx, NoFigure> {
     let unit = 100.0 / (LUMENS_PER_WATT * luminous_sum(light.lit()?)?);
     let [ppfd, eppfd] = photon_sums(light).map(|sum| sum * unit);
     Ok(PhotonsPer100Lx { ppfd, eppfd })

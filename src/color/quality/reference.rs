@@ -85,7 +85,7 @@ impl fmt::Display for Reference {
 }
 
 /// The reference of CRI: a blackbody below 5000 K, else daylight (CIE 13.3).
-pub fn rendering_reference(kelvin: f64) -> Reference {
+pub(crate) fn rendering_reference(kelvin: f64) -> Reference {
     if kelvin < 5000.0 {
         Reference::Planck { kelvin }
     } else {
@@ -109,7 +109,7 @@ pub fn fidelity_reference(kelvin: f64) -> Reference {
 }
 
 /// A blackbody on whole nm 360-830, relative; zeros for a temperature that is not positive.
-pub fn planck(kelvin: f64) -> Vec<f64> {
+pub(crate) fn planck(kelvin: f64) -> Vec<f64> {
     if kelvin.is_nan() || kelvin <= 0.0 {
         return vec![0.0; POINTS];
     }

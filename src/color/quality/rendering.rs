@@ -23,10 +23,10 @@ use super::{
 };
 
 /// Number of test colours.
-pub const RENDERING_SAMPLES: usize = 15;
+pub(crate) const RENDERING_SAMPLES: usize = 15;
 
 /// What the test colours look like in daylight; the last is the skin complexion of JIS Z 8726.
-pub const RENDERING_NAMES: [&str; RENDERING_SAMPLES] = [
+pub(crate) const RENDERING_NAMES: [&str; RENDERING_SAMPLES] = [
     "light greyish red",
     "dark greyish yellow",
     "strong yellow green",
@@ -88,7 +88,7 @@ impl Rendering {
     }
 
     /// Whether the light is too far from its reference for CIE 13.3 to vouch for the index.
-    pub fn is_too_far(&self) -> bool {
+    pub(crate) fn is_too_far(&self) -> bool {
         self.distance > FARTHEST_FROM_REFERENCE
     }
 }

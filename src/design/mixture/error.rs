@@ -3,7 +3,7 @@
 use std::fmt;
 
 /// Most channels of a mixture.
-pub const MOST_CHANNELS: usize = 128;
+pub(crate) const MOST_CHANNELS: usize = 128;
 
 /// Why channels do not make a light.
 #[derive(Clone, Debug, PartialEq)]

@@ -11,5 +11,6 @@ mod error;
 mod spec;
 
 pub use channel::{Channel, composite, left_out, mixed};
-pub use error::{MOST_CHANNELS, MixError};
+pub(crate) use error::MOST_CHANNELS;
+pub use error::MixError;
 pub use spec::{Source, Spec};

@@ -42,4 +42,4 @@ pub use picture::{
 pub use prediction::{Prediction, Told, predictions, told};
 pub use recovered::{Nearest, Recovered, Reflectance, Seen, can_be, metamers};
 pub use report::{json, line_light_json};
-pub use viewing::{BAND, NODES, Nodes, STEP_NM, Viewing, node_nm, sampled_nodes};
+pub use viewing::{BAND, NODES, Nodes, Viewing, node_nm, sampled_nodes};

@@ -15,7 +15,7 @@ use crate::{
 pub const BAND: Band = Band::VISIBLE;
 
 /// Distance between nodes, nm.
-pub const STEP_NM: usize = 5;
+pub(crate) const STEP_NM: usize = 5;
 
 /// Number of nodes: 380, 385, ... 780 nm.
 pub const NODES: usize = 81;
@@ -87,7 +87,7 @@ impl Viewing {
     }
 
     /// Whether a surface's colour under both is one: twice the same light, seen by one observer.
-    pub fn is_alike(&self, other: &Self) -> bool {
+    pub(crate) fn is_alike(&self, other: &Self) -> bool {
         self.columns == other.columns
     }
 
@@ -149,7 +149,7 @@ impl Viewing {
 
     /// XYZ of a Fourier series (at most six coefficients in prefix order: a0 a1 b1 a2 b2 a3), held
     /// at its end values beyond 380-780 nm; Y = 100 for the light.
-    pub fn xyz_of_series(&self, coefficients: &[f64]) -> Xyz {
+    pub(crate) fn xyz_of_series(&self, coefficients: &[f64]) -> Xyz {
         let mut sum = [0.0; 3];
         for (c, column) in coefficients.iter().zip(&self.fourier) {
             (0..3).for_each(|k| sum[k] += c * column[k]);

@@ -63,7 +63,7 @@ pub struct FrontPoint {
 }
 
 /// Lines that a light of a front may have.
-pub const FREE_LINES: std::ops::RangeInclusive<usize> = 2..=8;
+pub(crate) const FREE_LINES: std::ops::RangeInclusive<usize> = 2..=8;
 
 /// The front by rising efficacy; `None` when cancelled. With even floors a light that another one
 /// beats in both is left out.

@@ -40,7 +40,8 @@ mod wish;
 
 pub use against::Against;
 pub use figures::MixFigures;
-pub use front::{FREE_LINES, FrontLine, FrontPoint, FrontWish, front};
+pub(crate) use front::FREE_LINES;
+pub use front::{FrontLine, FrontPoint, FrontWish, front};
 pub use report::{Fader, faders, front_json, mix_json};
 pub use solution::{Mixer, Solution};
 pub use target::Target;

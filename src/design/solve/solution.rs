@@ -78,7 +78,7 @@ impl<'a> Mixer<'a> {
     }
 
     /// The corners of the region of CIE 1976 u'v' that the channels can show, against the clock.
-    pub fn reachable_uv(&self) -> Vec<[f64; 2]> {
+    pub(crate) fn reachable_uv(&self) -> Vec<[f64; 2]> {
         let xyz = |sums: &Sums| [sums.basic[0], sums.basic[1], sums.basic[2]];
         reach(&self.sums.iter().map(xyz).collect::<Vec<_>>())
     }

@@ -12,7 +12,7 @@ thread_local! {
 /// What a call gives, or `None` when it panics. What the call was building is dropped then, so
 /// nothing half-done is ever seen, and the panic's own words are not printed: the refusal says
 /// what matters. Panics of other threads, and of this one before and after, are printed as ever.
-pub fn guarded<T>(call: impl FnOnce() -> T) -> Option<T> {
+pub(crate) fn guarded<T>(call: impl FnOnce() -> T) -> Option<T> {
     static HUSHED: Once = Once::new();
     HUSHED.call_once(|| {
         let before = panic::take_hook();

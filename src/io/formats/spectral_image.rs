@@ -87,7 +87,7 @@ impl Meant {
 
 impl Meant {
     /// Whether neither the file nor a person says what the values are.
-    pub fn is_kind_guessed(&self) -> bool {
+    pub(crate) fn is_kind_guessed(&self) -> bool {
         self.kind.is_guess()
     }
 

@@ -11,7 +11,7 @@ use crate::spectrum::NamedSpectrum;
 
 /// Spectra of one file of which it is kept how they were understood; of the others the guesses
 /// tell enough.
-pub const MOST_UNDERSTOOD: usize = 64;
+pub(crate) const MOST_UNDERSTOOD: usize = 64;
 
 /// Ends a reading: all is put in words.
 pub(crate) fn finish(choices: &Choices, reading: &mut Reading) {

@@ -55,7 +55,7 @@ impl<T> Decision<T> {
     }
 
     /// One that the format leaves no choice about.
-    pub fn of_format(value: T) -> Self {
+    pub(crate) fn of_format(value: T) -> Self {
         Self::stated(value, ITS_FORMAT)
     }
 
@@ -69,7 +69,7 @@ impl<T> Decision<T> {
     }
 
     /// Whether neither a person nor the file says so.
-    pub fn is_guess(&self) -> bool {
+    pub(crate) fn is_guess(&self) -> bool {
         matches!(self.origin, Origin::Evident | Origin::Likely)
     }
 

@@ -154,7 +154,7 @@ impl Quantity {
     }
 
     /// The unit in which makers give it when they do not say.
-    pub fn usual_unit(&self) -> &'static str {
+    pub(crate) fn usual_unit(&self) -> &'static str {
         self.known().map_or("", |known| known.2)
     }
 

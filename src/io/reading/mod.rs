@@ -128,7 +128,7 @@ impl Reading {
     }
 
     /// Lets the last spectrum's line of provenance not tell of per cent: its notes do.
-    pub fn keep_scale_to_notes(&mut self) {
+    pub(crate) fn keep_scale_to_notes(&mut self) {
         if let Some(facts) = self.facts.last_mut() {
             facts.tells_scale = false;
         }
@@ -136,7 +136,7 @@ impl Reading {
 
     /// Makes every text one line without control characters: files put anything into their titles.
     /// A spectrum or image without a name gets the file's.
-    pub fn tidy(&mut self) {
+    pub(crate) fn tidy(&mut self) {
         let Self {
             file,
             format: _,
@@ -199,7 +199,7 @@ impl Reading {
     }
 
     /// Says which of a person's decisions about the table do not apply to the file's format.
-    pub fn tell_unused(&mut self, choices: &Choices) {
+    pub(crate) fn tell_unused(&mut self, choices: &Choices) {
         let is_by_hand = |decisions: &Decisions| match &decisions.axis {
             Some(AxisDecision::Unit(unit)) => unit.origin == Origin::Chosen,
             Some(AxisDecision::Laser(_)) | None => false,

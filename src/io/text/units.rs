@@ -105,7 +105,7 @@ impl WavelengthUnit {
 
     /// The unit that a title of the wavelength column names (`Wavelength (nm)`, `[um]`, `Å`), by
     /// whole words: an `å` in "våglängd" is none.
-    pub fn of_title(title: &str) -> Option<Self> {
+    pub(crate) fn of_title(title: &str) -> Option<Self> {
         let title = title.to_lowercase();
         UNIT_WORDS
             .iter()
@@ -117,7 +117,7 @@ impl WavelengthUnit {
     ///
     /// 0.2-3 is micrometres and 200-3000 nanometres; libraries of minerals go on to 50 um and
     /// filters to 20 um, so the upper bounds are wider. All above 3000 is wave numbers.
-    pub fn of_range(min: f64, max: f64) -> Option<Self> {
+    pub(crate) fn of_range(min: f64, max: f64) -> Option<Self> {
         if min >= 100.0 && (min <= 3000.0 && max <= 20_000.0) {
             Some(Self::Nanometre)
         } else if min > 3000.0 && max <= 100_000.0 {

@@ -12,7 +12,7 @@ use crate::io::error::WriteError;
 use crate::io::input::name_of;
 
 /// How the name of a file begins that is not complete yet.
-pub const UNFINISHED: &str = ".saving-";
+pub(crate) const UNFINISHED: &str = ".saving-";
 
 /// Saves bytes as a file, replacing an old one in a single step.
 ///
@@ -32,7 +32,7 @@ pub fn save_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
 ///
 /// # Errors
 /// Those of `write`, and [`WriteError`] in words.
-pub fn save_by<T, E: From<WriteError>>(
+pub(crate) fn save_by<T, E: From<WriteError>>(
     path: &Path,
     write: impl FnOnce(&mut fs::File) -> Result<T, E>,
 ) -> Result<T, E> {
@@ -48,7 +48,7 @@ pub fn save_by<T, E: From<WriteError>>(
 ///
 /// # Errors
 /// As [`save_atomically`], of the first that cannot be written.
-pub fn save_together(files: &[(PathBuf, &[u8])]) -> Result<(), WriteError> {
+pub(crate) fn save_together(files: &[(PathBuf, &[u8])]) -> Result<(), WriteError> {
     let Some(((path, bytes), others)) = files.split_first() else {
         return Ok(());
     };

@@ -33,7 +33,7 @@ pub fn write(spectrum: &NamedSpectrum, columns: &Columns, provenance: &Provenanc
 const FORMULA: [char; 4] = ['=', '+', '-', '@'];
 
 /// A text that no table program takes for a formula: an apostrophe stands before its first sign.
-pub fn no_formula(text: String) -> String {
+pub(crate) fn no_formula(text: String) -> String {
     match text.starts_with(FORMULA) {
         true => format!("'{text}"),
         false => text,

@@ -16,5 +16,5 @@ mod zlib;
 
 pub use coder::Plane;
 pub use file::{CompactFile, CompactPlan, compact_plan, write_compact};
-pub use quantiser::{P95_OF_STEP, Quantiser};
+pub use quantiser::Quantiser;
 pub use tile::Coder;

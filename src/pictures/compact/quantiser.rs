@@ -22,7 +22,7 @@ const ONE_SPECTRUM: f64 = 0.01;
 /// Least weight of a direction, as a share of the largest.
 const LEAST: f64 = 1e-9;
 /// 95th percentile of own dE00 that a step of 1 makes.
-pub const P95_OF_STEP: f64 = 0.46;
+pub(crate) const P95_OF_STEP: f64 = 0.46;
 /// Pixels on a side of a tile.
 pub(super) const TILE: usize = 256;
 /// Largest whole number.
@@ -140,7 +140,7 @@ impl Quantiser {
     }
 
     /// The same with another step.
-    pub fn with_step(&self, step: f64) -> Self {
+    pub(crate) fn with_step(&self, step: f64) -> Self {
         let mut other = self.clone();
         other.stored.step = step;
         other.stored.dc_step = OF_LIGHTNESS * step;
@@ -175,7 +175,7 @@ impl Quantiser {
     }
 
     /// As files have it.
-    pub fn as_stored(&self) -> &StoredQuantiser {
+    pub(crate) fn as_stored(&self) -> &StoredQuantiser {
         &self.stored
     }
 

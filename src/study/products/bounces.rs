@@ -10,7 +10,7 @@ use crate::{
 };
 
 /// Most bounces that are followed.
-pub const MOST_BOUNCES: usize = 16;
+pub(crate) const MOST_BOUNCES: usize = 16;
 
 /// Share of the light's Y that both sides are brought to.
 const BRIGHT: f64 = 0.5;

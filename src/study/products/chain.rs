@@ -82,7 +82,7 @@ impl Passage {
     /// The same passage with runs of steps told as one: `counts` says how many each has, as when
     /// a light bounces several times off the same surface. Runs without a step are left out.
     #[must_use]
-    pub fn grouped(self, counts: &[usize]) -> Self {
+    pub(crate) fn grouped(self, counts: &[usize]) -> Self {
         let mut before = self.light;
         let mut steps = self.steps.into_iter();
         let mut groups = Vec::with_capacity(counts.len());
@@ -159,7 +159,7 @@ impl Product<'_> {
     ///
     /// # Panics
     /// As [`ChainTables::pass`].
-    pub fn through_by(&self, tables: &ChainTables, factors: &[Factor]) -> Passage {
+    pub(crate) fn through_by(&self, tables: &ChainTables, factors: &[Factor]) -> Passage {
         self.beginning_with(self.light(), tables, factors)
     }
 

@@ -8,7 +8,7 @@ use crate::spectrum::{Band, Line};
 ///
 /// `measured` is the curve and `background` the same with its dips filled and its lines taken
 /// out, both on the band's grid. A dip reaches on both sides as far as the curve stays below.
-pub fn depths(
+pub(crate) fn depths(
     band: Band,
     measured: &[f64],
     background: &[f64],

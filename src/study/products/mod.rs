@@ -23,19 +23,22 @@ mod same_surface;
 pub mod timing;
 mod two_lights;
 
-pub use bounces::{BounceErrors, MOST_BOUNCES, bounce_errors};
+pub(crate) use bounces::MOST_BOUNCES;
+pub use bounces::{BounceErrors, bounce_errors};
 pub use chain::{Passage, Product, SetErrors, Step, Total};
-pub use dips::depths;
+pub(crate) use dips::depths;
 pub use narrow::{Narrow, NarrowPoint};
-pub use resampling::{Formed, Resampled, SpikeCosts, resampled, spike_costs};
-pub use same_surface::{
-    Checker, Compared, Reflection, SAME_RESIDUAL, Sameness, measured_check, reflection_check,
-};
-pub use timing::{ProductTime, Sizes, product_times};
+pub(crate) use resampling::spike_costs;
+pub use resampling::{Formed, Resampled, SpikeCosts, resampled};
+pub(crate) use same_surface::measured_check;
+pub use same_surface::{Checker, Compared, Reflection, SAME_RESIDUAL, Sameness, reflection_check};
+pub(crate) use timing::product_times;
+pub use timing::{ProductTime, Sizes};
 pub use two_lights::{
-    Black, MATCH_DELTA_E, MetamericPair, Metamers, TwoLights, black_of, metameric_black,
-    metameric_pairs, metameric_pairs_unless_cancelled, two_lights, two_modelled_lights,
+    Black, MATCH_DELTA_E, MetamericPair, Metamers, TwoLights, metameric_black, metameric_pairs,
+    two_lights,
 };
+pub(crate) use two_lights::{black_of, metameric_pairs_unless_cancelled, two_modelled_lights};
 
 use crate::color::{Xyz, delta_e_of_xyz};
 

@@ -76,7 +76,7 @@ pub struct SpikeCosts {
 ///
 /// # Panics
 /// As `forming`.
-pub fn spike_costs(product: Product<'_>, factor: &Factor, table: &BasisTable) -> SpikeCosts {
+pub(crate) fn spike_costs(product: Product<'_>, factor: &Factor, table: &BasisTable) -> SpikeCosts {
     let (band, seen, white) = (product.model.band(), product.seen, product.white());
     let found = eq_17(product.model, factor.values(), table, seen, white);
     let series = cut(factor.values(), table, product.model);

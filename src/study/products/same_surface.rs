@@ -154,7 +154,7 @@ pub fn reflection_check(
 /// The same test on measured curves on the band's grid, behind the same blur.
 ///
 /// `None` when one of them is dark.
-pub fn measured_check(
+pub(crate) fn measured_check(
     band: Band,
     light: &[f64],
     reflectance: &[f64],

@@ -17,13 +17,13 @@ use crate::{
 };
 
 /// Batches of which the median is told.
-pub const BATCHES: usize = 21;
+pub(crate) const BATCHES: usize = 21;
 
 /// A batch takes at least this long.
-pub const BATCH: Duration = Duration::from_micros(200);
+pub(crate) const BATCH: Duration = Duration::from_micros(200);
 
 /// Warm-up of each way.
-pub const WARM_UP: Duration = Duration::from_millis(5);
+pub(crate) const WARM_UP: Duration = Duration::from_millis(5);
 
 /// All that the time of a product depends on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,7 +52,7 @@ pub struct ProductTime {
 /// Measures every way, as [`Sampling::ALL`]; `None` when it was cancelled.
 ///
 /// The batches of the ways take turns, so that whatever else the machine does meets all of them.
-pub fn product_times(sizes: Sizes, progress: &Progress) -> Option<Vec<ProductTime>> {
+pub(crate) fn product_times(sizes: Sizes, progress: &Progress) -> Option<Vec<ProductTime>> {
     progress.expect(Sampling::ALL.len() + BATCHES);
     let mut ways = Vec::new();
     for sampling in Sampling::ALL {

@@ -72,7 +72,7 @@ pub fn two_lights(
 /// The same surfaces under the lights' models; the whites are still those of the measured lights.
 ///
 /// The spikes are carried exactly: weight times the surface where the line stands.
-pub fn two_modelled_lights(
+pub(crate) fn two_modelled_lights(
     band: Band,
     surfaces: &[Vec<f64>],
     models: [&Composite; 2],
@@ -144,7 +144,7 @@ pub fn metameric_pairs(
 }
 
 /// The same for many surfaces: a step of progress each; `None` when it was cancelled.
-pub fn metameric_pairs_unless_cancelled(
+pub(crate) fn metameric_pairs_unless_cancelled(
     band: Band,
     surfaces: &[Vec<f64>],
     both: &TwoLights,
@@ -259,7 +259,12 @@ pub fn metameric_black(
 /// leaves any freedom) that the light shows as nothing: orthogonal to the three colour-matching
 /// functions times the light. `None` when there is no room (a surface that touches 0 or 1 where
 /// the black would leave), or the light is not seen on this band.
-pub fn black_of(band: Band, surface: &[f64], light: &[f64], seen: &Weights) -> Option<Black> {
+pub(crate) fn black_of(
+    band: Band,
+    surface: &[f64],
+    light: &[f64],
+    seen: &Weights,
+) -> Option<Black> {
     let cosines: [Vec<f64>; 4] = std::array::from_fn(|k| {
         let function = |nm| Basis::Cosine.function(k, band, nm);
         band.grid().map(function).collect()

@@ -61,7 +61,7 @@ pub struct StraightLine {
 /// # Panics
 /// When the factor or the weights are not on the grid of the table's band, or the light is not on
 /// that band.
-pub fn eq_17(
+pub(crate) fn eq_17(
     light: &Composite,
     factor: &[f64],
     table: &BasisTable,
@@ -111,7 +111,7 @@ pub fn eq_17(
 }
 
 /// Reads `S(l) = l` at a place by Eq. 17 on the paper's 2N+2 points of a range; `None` outside it.
-pub fn straight_line(band: Band, order: usize, at_nm: f64) -> Option<StraightLine> {
+pub(crate) fn straight_line(band: Band, order: usize, at_nm: f64) -> Option<StraightLine> {
     if !band.contains(at_nm) {
         return None;
     }

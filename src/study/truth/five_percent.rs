@@ -47,7 +47,7 @@ pub struct Neglected {
 }
 
 /// Measures from which order on terms are negligible.
-pub fn five_percent(harmonics: &Harmonics) -> FivePercent {
+pub(crate) fn five_percent(harmonics: &Harmonics) -> FivePercent {
     FivePercent {
         highest_order: harmonics.orders.last().map_or(0, |o| o.order),
         channels: std::array::from_fn(|k| channel_terms(harmonics, k)),

@@ -23,11 +23,14 @@ mod table_2;
 mod tests;
 
 pub(in crate::study) use eq_17::cut;
-pub use eq_17::{Eq17, SpikeReading, StraightLine, eq_17, straight_line};
-pub use five_percent::{ChannelTerms, FivePercent, Neglected, five_percent};
+pub use eq_17::{Eq17, SpikeReading, StraightLine};
+pub(crate) use eq_17::{eq_17, straight_line};
+pub(crate) use five_percent::five_percent;
+pub use five_percent::{ChannelTerms, FivePercent, Neglected};
 pub use resampling::{Resampling, ResamplingWay, resampling};
 pub use samples::{Match, Question, SampledErrors, SamplesAgainstNumbers, samples};
-pub use table_2::{Deviation, Table2, table_2};
+pub(crate) use table_2::table_2;
+pub use table_2::{Deviation, Table2};
 
 use crate::color::gaussian_cmf::NEGLIGIBLE_SHARE;
 
@@ -41,25 +44,25 @@ pub struct Stated {
 }
 
 /// Share of the first term below which a term is neglected, 0-1.
-pub const STATED_SHARE: Stated = Stated {
+pub(crate) const STATED_SHARE: Stated = Stated {
     figure: NEGLIGIBLE_SHARE,
     place: "Eq. 12",
 };
 
 /// The order after which terms are negligible (11 numbers), for a range of 300 nm.
-pub const STATED_ORDER: Stated = Stated {
+pub(crate) const STATED_ORDER: Stated = Stated {
     figure: 5.0,
     place: "Sufficiency of a Low-Dimensional Representation, after Eq. 12",
 };
 
 /// Samples from 380 to 780 nm "to avoid missing any spikes".
-pub const STATED_SAMPLES: Stated = Stated {
+pub(crate) const STATED_SAMPLES: Stated = Stated {
     figure: 400.0,
     place: STORAGE,
 };
 
 /// Numbers that do the same: [`STATED_BACKGROUND`] and [`STATED_SPIKE_NUMBERS`].
-pub const STATED_NUMBERS: Stated = Stated {
+pub(crate) const STATED_NUMBERS: Stated = Stated {
     figure: TOTAL_NUMBERS as f64,
     place: STORAGE,
 };
@@ -77,7 +80,7 @@ pub const STATED_SPIKE_NUMBERS: Stated = Stated {
 };
 
 /// The green mercury line that Eq. 17 is tried on, in nm.
-pub const STATED_LINE_NM: Stated = Stated {
+pub(crate) const STATED_LINE_NM: Stated = Stated {
     figure: 546.1,
     place: "Table 4",
 };
@@ -88,7 +91,7 @@ const MOST_SPIKES: usize = 4;
 
 /// Multiplications of a product of two smooth spectra of order N, as Eq. 16 counts them: one for
 /// each of the 2N+2 points, of which the last equals the first.
-pub fn stated_multiplications(order: usize) -> Stated {
+pub(crate) fn stated_multiplications(order: usize) -> Stated {
     Stated {
         figure: (2 * order + 2) as f64,
         place: "Eq. 16",

@@ -46,7 +46,7 @@ impl Deviation {
 ///
 /// # Panics
 /// When `light` does not have one value per grid point of the band.
-pub fn table_2(band: Band, observer: Observer, light: &[f64]) -> Table2 {
+pub(crate) fn table_2(band: Band, observer: Observer, light: &[f64]) -> Table2 {
     let table = observer.table();
     let mut fit: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::with_capacity(band.points()));
     for nm in band.grid() {

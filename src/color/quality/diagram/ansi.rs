@@ -24,7 +24,7 @@ const BASIC: [[f64; 3]; 10] = [
 ];
 
 /// How far a quadrangle reaches to either side of its middle line, Duv.
-pub const WHITE_HALF_WIDTH_DUV: f64 = 0.006;
+pub(crate) const WHITE_HALF_WIDTH_DUV: f64 = 0.006;
 
 /// Below this the middle line is the Planckian locus itself, K.
 const OFFSET_FROM_K: f64 = 2870.0;
@@ -72,7 +72,7 @@ pub static QUADRANGLES: LazyLock<Vec<Quadrangle>> = LazyLock::new(|| {
 });
 
 /// Duv of the middle line of the quadrangles; beyond them where their formula leads.
-pub fn white_middle_duv(kelvin: f64) -> f64 {
+pub(crate) fn white_middle_duv(kelvin: f64) -> f64 {
     if kelvin < OFFSET_FROM_K {
         0.0
     } else {
@@ -81,7 +81,7 @@ pub fn white_middle_duv(kelvin: f64) -> f64 {
 }
 
 /// The quadrangle that a colour lies in; `None` outside all of them.
-pub fn quadrangle_of(xy: [f64; 2]) -> Option<&'static Quadrangle> {
+pub(crate) fn quadrangle_of(xy: [f64; 2]) -> Option<&'static Quadrangle> {
     QUADRANGLES.iter().find(|quadrangle| {
         let corners = quadrangle.corners;
         let next = corners.iter().cycle().skip(1);

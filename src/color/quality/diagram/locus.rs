@@ -8,7 +8,7 @@ use super::{
 };
 
 /// Temperatures at which the Planckian locus is marked, K; the last is its end.
-pub const TICKS_K: [f64; 12] = [
+pub(crate) const TICKS_K: [f64; 12] = [
     1000.0,
     1500.0,
     2000.0,

@@ -17,7 +17,7 @@ pub struct Ellipse {
 
 impl Ellipse {
     /// Points around the ellipse enlarged `steps` times, xy, not closed.
-    pub fn outline(&self, steps: f64, points: usize) -> Vec<[f64; 2]> {
+    pub(crate) fn outline(&self, steps: f64, points: usize) -> Vec<[f64; 2]> {
         let (sin, cos) = self.angle_deg.to_radians().sin_cos();
         let [long, short] = self.semi_axes.map(|axis| axis * steps);
         (0..points)

@@ -16,11 +16,12 @@ mod locus;
 mod macadam;
 mod plane;
 
-pub use ansi::{QUADRANGLES, Quadrangle, WHITE_HALF_WIDTH_DUV, quadrangle_of, white_middle_duv};
+pub use ansi::{QUADRANGLES, Quadrangle};
+pub(crate) use ansi::{WHITE_HALF_WIDTH_DUV, quadrangle_of, white_middle_duv};
 pub use gamut::{GAMUTS, Gamut};
+pub(crate) use locus::TICKS_K;
 pub use locus::{
-    LocusPoint, TICKS_K, Tick, daylight_locus, planckian_locus, spectral_locus, tick,
-    uv_1960_of_cct,
+    LocusPoint, Tick, daylight_locus, planckian_locus, spectral_locus, tick, uv_1960_of_cct,
 };
 pub use macadam::{ELLIPSES, Ellipse};
-pub use plane::{Plane, uv_1976_from_xy, xy_from_uv_1960, xy_from_uv_1976};
+pub use plane::{Plane, xy_from_uv_1960};

@@ -20,7 +20,7 @@ impl Plane {
     }
 
     /// x, y of a point in this plane.
-    pub fn to_xy(self, at: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn to_xy(self, at: [f64; 2]) -> [f64; 2] {
         match self {
             Self::Xy => at,
             Self::Uv1976 => xy_from_uv_1976(at),
@@ -29,13 +29,13 @@ impl Plane {
 }
 
 /// CIE 1976 `[u', v']` of `[x, y]`; the white E where the formula has no value.
-pub fn uv_1976_from_xy([x, y]: [f64; 2]) -> [f64; 2] {
+pub(crate) fn uv_1976_from_xy([x, y]: [f64; 2]) -> [f64; 2] {
     let below = -2.0 * x + 12.0 * y + 3.0;
     finite([4.0 * x / below, 9.0 * y / below], [4.0 / 19.0, 9.0 / 19.0])
 }
 
 /// `[x, y]` of CIE 1976 `[u', v']`; the white E where the formula has no value.
-pub fn xy_from_uv_1976([u, v]: [f64; 2]) -> [f64; 2] {
+pub(crate) fn xy_from_uv_1976([u, v]: [f64; 2]) -> [f64; 2] {
     let below = 6.0 * u - 16.0 * v + 12.0;
     finite([9.0 * u / below, 4.0 * v / below], [1.0 / 3.0; 2])
 }

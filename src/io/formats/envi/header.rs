@@ -98,7 +98,7 @@ impl Header {
     }
 
     /// Whether the data are spectra one after the other rather than an image.
-    pub fn is_library(&self) -> bool {
+    pub(crate) fn is_library(&self) -> bool {
         let kind = self.text("file type").unwrap_or("").to_lowercase();
         let without_word = self.bands == 1
             && self.samples > 1

@@ -198,7 +198,7 @@ pub fn values(
 }
 
 /// What is said of data that go on behind what the header tells of.
-pub fn left_over(header: &Header, data_bytes: u64) -> Option<String> {
+pub(crate) fn left_over(header: &Header, data_bytes: u64) -> Option<String> {
     let beyond = data_bytes.checked_sub(all_bytes(header)? as u64)?;
     (beyond > 0).then(|| {
         format!("the data are {beyond} bytes longer than the header says, which are left out")

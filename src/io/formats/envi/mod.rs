@@ -31,11 +31,12 @@ use crate::io::input::name_of;
 use crate::io::{Input, ReadError, Reading, text};
 
 pub use header::Header;
-pub use meaning::{bandwidth_nm, channels, left_over, values};
-pub use pair::{header_of, place_of_data, read_header, starts_as_header};
+pub(crate) use meaning::left_over;
+pub use meaning::{bandwidth_nm, channels, values};
+pub(crate) use pair::{header_of, place_of_data, read_header, starts_as_header};
 
 /// ENVI header or data.
-pub const FORMAT: Format = Format {
+pub(crate) const FORMAT: Format = Format {
     name: "ENVI",
     extensions: &[
         "hdr", "sli", "esl", "slb", "img", "bsq", "bil", "bip", "raw",
@@ -90,7 +91,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 
 /// The data file that would be read with the header at `path`; `None` when that is no header or
 /// has no data beside it.
-pub fn data_beside(path: &Path) -> Option<PathBuf> {
+pub(crate) fn data_beside(path: &Path) -> Option<PathBuf> {
     if !pair::starts_as_header(path) {
         return None;
     }
@@ -101,7 +102,7 @@ pub fn data_beside(path: &Path) -> Option<PathBuf> {
 }
 
 /// The other file of a pair: a header's data, or the header of data.
-pub fn pair_of(path: &Path) -> Option<PathBuf> {
+pub(crate) fn pair_of(path: &Path) -> Option<PathBuf> {
     data_beside(path).or_else(|| pair::header_of(path))
 }
 
@@ -151,7 +152,7 @@ pub fn needs(path: &Path) -> Result<Needs, ReadError> {
 }
 
 /// Bytes that the data file must have, header offset included; `None` beyond counting.
-pub fn all_bytes(header: &Header) -> Option<usize> {
+pub(crate) fn all_bytes(header: &Header) -> Option<usize> {
     bytes_of(header.samples, header.lines, header.bands, header.number)
         .and_then(|bytes| bytes.checked_add(header.offset))
 }
@@ -166,7 +167,7 @@ fn data_bytes(header: &Header) -> Result<usize, ReadError> {
 }
 
 /// The kind of number behind a `data type`.
-pub fn number_of(data_type: usize) -> Option<Number> {
+pub(crate) fn number_of(data_type: usize) -> Option<Number> {
     Some(match data_type {
         1 => Number::U8,
         2 => Number::I16,

@@ -19,7 +19,7 @@ const DATA_ENDINGS: [&str; 15] = [
 const MOST_HEADER_BYTES: u64 = 64 << 20;
 
 /// The ENVI header that belongs to a data file: `a.sli.hdr` or `a.hdr` beside `a.sli`.
-pub fn header_of(data: &Path) -> Option<PathBuf> {
+pub(crate) fn header_of(data: &Path) -> Option<PathBuf> {
     [
         longer(data, ".hdr"),
         data.with_extension("hdr"),
@@ -38,7 +38,7 @@ fn longer(path: &Path, ending: &str) -> PathBuf {
 }
 
 /// Whether a file begins as an ENVI header does.
-pub fn starts_as_header(path: &Path) -> bool {
+pub(crate) fn starts_as_header(path: &Path) -> bool {
     let mut start = [0; 8];
     let read = File::open(path).and_then(|mut file| file.read(&mut start));
     let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&start);
@@ -49,7 +49,7 @@ pub fn starts_as_header(path: &Path) -> bool {
 ///
 /// # Errors
 /// [`ReadError`] when it cannot be read or is not right.
-pub fn read_header(path: &Path) -> Result<Header, ReadError> {
+pub(crate) fn read_header(path: &Path) -> Result<Header, ReadError> {
     let name = name_of(path);
     let bytes = read_file(path, MOST_HEADER_BYTES, "at most 64 MiB in a header")?;
     header::parse(&name, &text::decode(&bytes).text)
@@ -80,7 +80,7 @@ pub(super) fn data_of(
 
 /// The data file beside a header of which `need` bytes are announced. Of several files with
 /// fitting names the first that is large enough is taken.
-pub fn place_of_data(path: &Path, need: usize) -> Option<PathBuf> {
+pub(crate) fn place_of_data(path: &Path, need: usize) -> Option<PathBuf> {
     let stem = path.with_extension("");
     let candidates = DATA_ENDINGS
         .iter()
