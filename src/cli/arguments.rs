@@ -206,6 +206,10 @@ pub(super) struct Light {
     /// observers, every sample of TM-30, the shape, and the reasons by key.
     #[arg(long, requires = "json", conflicts_with = "csv")]
     pub full: bool,
+    /// Compare one INPUT with this light, a file or a name: which is better for what. With --json
+    /// both lights' figures stand beside it.
+    #[arg(long, value_name = "LIGHT", conflicts_with = "csv")]
+    pub against: Option<OsString>,
 }
 
 /// Options of `sweep`.
