@@ -326,7 +326,8 @@ pub(super) struct List {
     #[arg(long, value_name = "KIND", value_parser = words::any_kind)]
     pub kind: Option<Kind>,
     /// Only what is called this, the best first: a name, a family, an element, a use ("street
-    /// lamp", neon, skin); twins of one lamp are one line.
+    /// lamp", neon, skin), a colour temperature ("2700 K"), a figure ("led Ra 90"), a German,
+    /// French or Spanish word (Kerze); twins of one lamp are one line.
     #[arg(long, value_name = "WORDS")]
     pub search: Option<String>,
     /// Print JSON.

@@ -133,7 +133,10 @@ fn notes(sides: &[Side; 2], shared: Option<Band>) -> Vec<String> {
 mod tests {
     use super::*;
     use crate::{
-        app::open,
+        app::{
+            open,
+            tint::{Whiteness, whiteness},
+        },
         spectrum::{Kind, NamedSpectrum, Sampled},
     };
 
@@ -280,16 +283,32 @@ mod tests {
 
     #[test]
     fn nothing_is_said_of_coloured_lights_and_of_no_light() {
-        let found = compared("Sodium tube", "CIE A");
-        let colours = of(&found, "colours");
-        assert_eq!(colours.which, None);
-        assert!(
-            colours
-                .words
-                .starts_with("Nothing can be said of colours: Sodium tube "),
-            "{}",
-            colours.words
-        );
+        // A green hump on a flat ground, until the light is no white.
+        let green = (1..60).find_map(|tenths| {
+            let value = |nm: u32| {
+                let off = (f64::from(nm) - 530.0) / 30.0;
+                1.0 + 0.1 * f64::from(tenths) * (-off * off).exp()
+            };
+            let values = (380..=780).map(value).collect();
+            let side = made("green", 380.0, 1.0, values);
+            let cct = side.figures.cct.clone().ok()?;
+            (whiteness(cct) == Whiteness::Coloured).then_some(side)
+        });
+        let green = Compared::of([green.expect("a coloured light with a CCT"), side("CIE A")]);
+        for key in ["colours", "skin", "reds", "reading", "cameras"] {
+            let found = of(&green, key);
+            assert_eq!(found.which, None, "{}", found.words);
+            assert!(
+                found.words.ends_with(": green is a coloured light."),
+                "{}",
+                found.words
+            );
+        }
+        assert!(of(&green, "energy").which.is_some());
+        let laser = compared("Green laser pointer", "CIE A");
+        let colours = &of(&laser, "colours").words;
+        let start = "Nothing can be said of colours: Green laser pointer has no Rf (";
+        assert!(colours.starts_with(start), "{colours}");
         let dark = Compared::of([side("CIE A"), made("dark", 380.0, 1.0, vec![0.0; 401])]);
         for better in &dark.better {
             assert_eq!(better.which, None, "{}", better.words);

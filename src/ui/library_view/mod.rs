@@ -73,7 +73,7 @@ impl LibraryView {
         let rows = self.listed.rows(ui, &self.search, app, preferences);
         if rows.is_empty() {
             ui.add_space(8.0);
-            ui.weak("Nothing is called that.");
+            ui.weak("Nothing found. Try: LED, candle, 4000 K, sodium.");
             return;
         }
         if search.changed() {
