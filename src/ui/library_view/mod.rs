@@ -58,7 +58,7 @@ impl LibraryView {
     ) {
         self.compares = compares;
         ui.horizontal(|ui| {
-            let words = if compares { "Lay over" } else { "Library" };
+            let words = if compares { "Compare with" } else { "Library" };
             ui.label(egui::RichText::new(words).heading());
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 ui.toggle_value(&mut preferences.pinned, "Pin")
