@@ -275,7 +275,7 @@ pub fn lines_words(app: &App) -> String {
         return "off".to_owned();
     }
     if app.document().as_given().is_some() {
-        return "as given, not looked for".to_owned();
+        return "as given, without a search".to_owned();
     }
     match settings.detector {
         Detector::Energy => format!("above {} % of the power", short(settings.threshold_percent)),

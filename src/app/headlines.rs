@@ -26,7 +26,7 @@ pub fn dark_lines(app: &App, dips: &[DipRow]) -> String {
     let name = app.document().subject_entry().name();
     let settings = app.document().settings;
     if !looks(settings) {
-        return "Dark lines are not looked for: switch them on, or choose an example.".to_owned();
+        return "Switch on \"Look for dark lines\", or choose an example.".to_owned();
     }
     if !app.derived().has_errors() {
         return format!("{name} is zero over the whole range: there is nothing to miss.");
@@ -218,7 +218,7 @@ mod tests {
     #[test]
     fn dark_lines_are_counted_only_when_they_are_looked_for() {
         let mut app = showing("solar_astm_g173/ASTM G173-03 global tilt AM1.5G");
-        assert!(dark_lines(&app, &dip_rows(&app)).contains("not looked for"));
+        assert!(dark_lines(&app, &dip_rows(&app)).starts_with("Switch on"));
         let mut settings = app.document().settings;
         settings.dips = true;
         settings.threshold_percent = 0.1;

@@ -91,9 +91,9 @@ impl WordsShown {
             },
             words: words.join(" "),
             needs: if makeup.parts.is_empty() {
-                "Whoever has the formula can decode these words."
+                "Decoding needs the formula alone."
             } else {
-                "Whoever decodes these words needs the program's list of lamps."
+                "Decoding needs this program's list of lamps."
             },
         }
     }

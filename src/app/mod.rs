@@ -9,6 +9,7 @@ pub mod chart;
 pub mod charts;
 mod command;
 mod command_line_words;
+pub mod comparison;
 pub mod derived;
 pub mod design;
 pub mod dispersion;

@@ -5,10 +5,20 @@
 //! family's words, and only then inside of words; every word typed must be found. Of equals the
 //! favourite comes first, then surfaces by everyday names, lights, what was measured, and the
 //! library's order. The first row is what Enter takes.
+//!
+//! "2700 K" finds the white lights within 150 K, "Ra 90" those that reach it, the nearest first.
+//! German, French and Spanish words find what their English finds. What nothing is called by is
+//! taken for the beginning of such a word, or for a typing error.
 
+mod foreign;
+mod known;
 mod score;
+mod wanted;
 
-use std::{collections::HashMap, sync::Arc};
+use std::{
+    collections::HashMap,
+    sync::{Arc, OnceLock},
+};
 
 use super::{
     about::About,
@@ -16,7 +26,9 @@ use super::{
     families::Families,
     made::{EVERYDAY_SET, is_made},
 };
+use known::Indices;
 use score::{Doc, Score};
+use wanted::{Figure, Wanted};
 
 /// A row of the library: an entry, and those that are the same light in another table.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,6 +94,10 @@ pub fn favourites(entries: &[Arc<Entry>]) -> Vec<Favourite> {
 #[derive(Clone, Debug, Default)]
 pub struct Index {
     rows: Vec<(Folded, Doc)>,
+    /// The temperature of every row, where it is a white light; computed when it is asked for.
+    kelvins: OnceLock<Vec<Option<f64>>>,
+    /// The other figures of every row.
+    indices: OnceLock<Vec<Indices>>,
 }
 
 impl Index {
@@ -95,33 +111,138 @@ impl Index {
                     (row, doc)
                 })
                 .collect(),
+            ..Self::default()
         }
     }
 
     /// The rows that what is typed means, the best first: Enter takes it. Nothing typed is all
     /// rows in their order. Where nothing is called that, what is called nearly that.
     pub fn search(&self, typed: &str) -> Vec<Folded> {
-        let typed = score::plain(typed);
-        if typed.is_empty() {
-            return self.rows.iter().map(|(row, _)| row.clone()).collect();
+        let found = self.places(typed).into_iter();
+        found.map(|place| self.rows[place].0.clone()).collect()
+    }
+
+    /// The places of those rows.
+    fn places(&self, typed: &str) -> Vec<usize> {
+        let words = score::plain(typed);
+        if words.is_empty() {
+            return (0..self.rows.len()).collect();
         }
-        let found = self.ranked(|doc| doc.score(&typed));
-        if found.is_empty() {
-            self.ranked(|doc| doc.nearly(&typed))
+        let own = self.called(&words);
+        // A name is a name, whatever else its words may mean.
+        if self.rows.iter().any(|(_, doc)| doc.is_called(&words)) {
+            return own;
+        }
+        let (wanted, rest) = wanted::wanted(typed);
+        if !wanted.is_empty() {
+            let found = self.that_have(&wanted, &rest);
+            if !found.is_empty() {
+                return joined(found, own);
+            }
+        }
+        if let Some(english) = foreign::english(&words) {
+            let found = self.called(&english);
+            if !found.is_empty() {
+                return joined(found, own);
+            }
+        }
+        if let Some((wanted, rest)) = wanted::bare_kelvin(typed) {
+            return joined(own, self.that_have(&[wanted], &rest));
+        }
+        if own.is_empty() {
+            self.nearly(&words)
         } else {
-            found
+            own
         }
     }
 
-    fn ranked(&self, score: impl Fn(&Doc) -> Option<Score>) -> Vec<Folded> {
-        let rows = self.rows.iter();
-        let mut found: Vec<(Score, &Folded)> = rows
-            .filter_map(|(row, doc)| Some((score(doc)?, row)))
+    /// The rows that all words are found in, the best first.
+    fn called(&self, words: &str) -> Vec<usize> {
+        self.ranked(|doc| doc.score(words))
+    }
+
+    /// What is called nearly that, in English or another language.
+    fn nearly(&self, words: &str) -> Vec<usize> {
+        let near = self.ranked(|doc| doc.nearly(words));
+        if !near.is_empty() {
+            return near;
+        }
+        let english = foreign::english_nearly(words).map(str::to_owned);
+        let mended = english.or_else(|| self.mended(words));
+        mended.map_or_else(Vec::new, |mended| self.called(&mended))
+    }
+
+    /// Several words with typing errors, each replaced by the nearest that is known; `None` where
+    /// one is far from all.
+    fn mended(&self, words: &str) -> Option<String> {
+        let each: Option<Vec<&str>> = words
+            .split(' ')
+            .map(|word| {
+                if self.rows.iter().any(|(_, doc)| doc.has(word)) {
+                    return Some(word);
+                }
+                let near = self.rows.iter().filter_map(|(_, doc)| doc.nearest(word));
+                near.min_by_key(|(errors, _)| *errors).map(|(_, near)| near)
+            })
+            .collect();
+        each.map(|each| each.join(" "))
+    }
+
+    /// The rows with these figures: those that some words mean in their order, all of them by how
+    /// near they are.
+    fn that_have(&self, wanted: &[Wanted], words: &str) -> Vec<usize> {
+        let distance = |place: usize| {
+            let each = wanted.iter().map(|wanted| {
+                let value = self.figure(place, wanted.figure)?;
+                wanted.distance(value)
+            });
+            each.sum::<Option<f64>>()
+        };
+        let words = score::plain(words);
+        if !words.is_empty() {
+            let rows = self
+                .called(&foreign::english(&words).unwrap_or(words))
+                .into_iter();
+            return rows.filter(|place| distance(*place).is_some()).collect();
+        }
+        let rows = 0..self.rows.len();
+        let mut found: Vec<(f64, usize)> = rows
+            .filter_map(|place| Some((distance(place)?, place)))
+            .collect();
+        // A stable sort keeps the library's order among equals.
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        found.into_iter().map(|(_, place)| place).collect()
+    }
+
+    fn figure(&self, place: usize, figure: Figure) -> Option<f64> {
+        let entries = || self.rows.iter().map(|(row, _)| &row.entry);
+        if figure == Figure::Kelvin {
+            let kelvins = || entries().map(|entry| known::kelvin(entry)).collect();
+            return self.kelvins.get_or_init(kelvins)[place];
+        }
+        let indices = || entries().map(|entry| Indices::of(entry)).collect();
+        self.indices.get_or_init(indices)[place].get(figure)
+    }
+
+    fn ranked(&self, score: impl Fn(&Doc) -> Option<Score>) -> Vec<usize> {
+        let rows = self.rows.iter().enumerate();
+        let mut found: Vec<(Score, usize)> = rows
+            .filter_map(|(place, (_, doc))| Some((score(doc)?, place)))
             .collect();
         // A stable sort keeps the library's order among equals.
         found.sort_by_key(|found| std::cmp::Reverse(found.0));
-        found.into_iter().map(|(_, row)| row.clone()).collect()
+        found.into_iter().map(|(_, place)| place).collect()
     }
+}
+
+/// Some rows, and others behind them that are not among them.
+fn joined(mut first: Vec<usize>, others: Vec<usize>) -> Vec<usize> {
+    let more: Vec<usize> = others
+        .into_iter()
+        .filter(|row| !first.contains(row))
+        .collect();
+    first.extend(more);
+    first
 }
 
 fn doc_of(row: &Folded) -> Doc {

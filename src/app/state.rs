@@ -212,10 +212,8 @@ impl App {
                 return self.step(History::undo, words, "Nothing to undo.");
             }
             Command::Redo => {
-                let words = self
-                    .redo_words()
-                    .map(|words| format!("Done again: {words}."));
-                return self.step(History::redo, words, "Nothing to do again.");
+                let words = self.redo_words().map(|words| format!("Redone: {words}."));
+                return self.step(History::redo, words, "Nothing to redo.");
             }
             Command::ImageIsBack(image) => return self.image_is_back(&image),
             Command::Edit(settings) => self.document.settings = settings.clamped(),

@@ -70,7 +70,7 @@ const SEEN: [SeenWords; 4] = [
         "Visible",
         "visibly differ",
         "visible",
-        "CIEDE2000 from 2 to 5: seen by whoever looks for it.",
+        "CIEDE2000 from 2 to 5: seen if you look for it.",
     ]),
     seen_words([
         "Large",

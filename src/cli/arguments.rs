@@ -206,6 +206,10 @@ pub(super) struct Light {
     /// observers, every sample of TM-30, the shape, and the reasons by key.
     #[arg(long, requires = "json", conflicts_with = "csv")]
     pub full: bool,
+    /// Compare one INPUT with this light, a file or a name: which is better for what. With --json
+    /// both lights' figures stand beside it.
+    #[arg(long, value_name = "LIGHT", conflicts_with = "csv")]
+    pub against: Option<OsString>,
 }
 
 /// Options of `sweep`.
@@ -322,7 +326,8 @@ pub(super) struct List {
     #[arg(long, value_name = "KIND", value_parser = words::any_kind)]
     pub kind: Option<Kind>,
     /// Only what is called this, the best first: a name, a family, an element, a use ("street
-    /// lamp", neon, skin); twins of one lamp are one line.
+    /// lamp", neon, skin), a colour temperature ("2700 K"), a figure ("led Ra 90"), a German,
+    /// French or Spanish word (Kerze); twins of one lamp are one line.
     #[arg(long, value_name = "WORDS")]
     pub search: Option<String>,
     /// Print JSON.

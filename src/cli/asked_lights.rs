@@ -16,16 +16,14 @@ use std::{
 use super::{inputs::Inputs, options::ModelOptions, refusal::Refusal, subject::light};
 use crate::{
     app::{
-        Document, Entry, Opened,
+        Document, Entry, Opened, coarse_words,
         open::{Came, Found, Loaded, Loader, named},
+        quality_report::{Modeller, Sheet},
         workspace::Restored,
     },
     io::{Choices, many::many, name_of, shown, stream::is_stream},
     spectrum::Kind,
 };
-
-/// What refusals call the word that named the light.
-const INPUT: &str = "INPUT";
 
 /// How often is told how far it is.
 pub(super) const TOLD_EVERY: Duration = Duration::from_millis(500);
@@ -57,9 +55,28 @@ pub(super) struct AskedLight {
     pub of: Of,
 }
 
+impl AskedLight {
+    /// Its figures and those of its model, under one of its names.
+    pub(super) fn sheet(&self, name: String, modeller: &Modeller) -> Sheet {
+        match &self.of {
+            Of::Light(light) => modeller.sheet(name, &modeller.document(light.clone())),
+            Of::Project(document) => modeller.sheet(name, document),
+        }
+    }
+
+    /// Says so where its table is coarse.
+    pub(super) fn note_coarse(&self, inputs: &mut Inputs) {
+        let light = self.of.light();
+        if let Some(words) = coarse_words(&light.spectrum) {
+            inputs.note(format!("{}: {words}", light.name()));
+        }
+    }
+}
+
 /// All that is asked for, in its order.
-#[derive(Default)]
 pub(super) struct Asked {
+    /// What refusals call the words that named the lights.
+    what: &'static str,
     /// The lights.
     pub lights: Vec<AskedLight>,
     /// Why some INPUTs were refused, a line each.
@@ -70,8 +87,19 @@ pub(super) struct Asked {
 
 impl Asked {
     /// Everything that the words mean. A word that is refused does not stop the others.
-    pub(super) fn of(words: &[OsString], model: ModelOptions, inputs: &mut Inputs) -> Self {
-        let mut asked = Self::default();
+    /// `what` is what refusals call them.
+    pub(super) fn of(
+        what: &'static str,
+        words: &[OsString],
+        model: ModelOptions,
+        inputs: &mut Inputs,
+    ) -> Self {
+        let mut asked = Self {
+            what,
+            lights: Vec::new(),
+            refused: Vec::new(),
+            has_folder: false,
+        };
         for word in words {
             if let Err(why) = asked.ask(word, model, inputs) {
                 asked.refused.push(why);
@@ -93,12 +121,12 @@ impl Asked {
             return self.folder(path, inputs);
         }
         if !is_stream(path) && !path.exists() {
-            let entry = light(INPUT, word, inputs).map_err(Refusal::into_words)?;
+            let entry = light(self.what, word, inputs).map_err(Refusal::into_words)?;
             self.add(shown(path), entry);
             return Ok(());
         }
         match inputs.load(path, &Choices::default()) {
-            Loaded::Refused(why) => Err(format!("{INPUT}: {why}")),
+            Loaded::Refused(why) => Err(format!("{}: {why}", self.what)),
             Loaded::Project { restored, .. } => self.project(path, *restored, model, inputs),
             Loaded::File(opened) => self.file(path, *opened, inputs),
         }
@@ -125,7 +153,8 @@ impl Asked {
         let mut document = restored.document;
         if !document.is_about_light() {
             return Err(format!(
-                "{INPUT}: {name}: found a project about a {}, expected a light",
+                "{}: {name}: found a project about a {}, expected a light",
+                self.what,
                 document.subject_entry().kind()
             ));
         }
@@ -144,17 +173,19 @@ impl Asked {
         let count = found.spectra.len();
         if found.is_unsaid {
             inputs.note(format!(
-                "{INPUT}: {name}: found nothing that says what its values are, taken as a light"
+                "{}: {name}: found nothing that says what its values are, taken as a light",
+                self.what
             ));
         }
         let remedy = match count {
             1 => " (convert it with --kind light if it is one)",
             _ => "",
         };
+        let what = self.what;
         match self.lights_of(&name, found.spectra) {
-            (0, Some(why)) => Err(format!("{INPUT}: {why}{remedy}")),
+            (0, Some(why)) => Err(format!("{what}: {why}{remedy}")),
             (0, None) => Err(format!(
-                "{INPUT}: {name}: found nothing measured, expected a light"
+                "{what}: {name}: found nothing measured, expected a light"
             )),
             (_, others) => {
                 if let Some(why) = others {
@@ -196,7 +227,7 @@ impl Asked {
         for (label, path, came) in files_in(folder, inputs) {
             if path == folder {
                 let why = of_folder(&label, &path, came).err().unwrap_or_default();
-                return Err(format!("{INPUT}: {why}"));
+                return Err(format!("{}: {why}", self.what));
             }
             files += usize::from(!path.is_dir());
             let opened = match of_folder(&label, &path, came) {
@@ -223,7 +254,8 @@ impl Asked {
         }
         if lights == 0 {
             return Err(format!(
-                "{INPUT}: {name}: found no light in {files}, expected at least one"
+                "{}: {name}: found no light in {files}, expected at least one",
+                self.what
             ));
         }
         let lights = many(lights, "light", "lights");

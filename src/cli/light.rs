@@ -1,6 +1,7 @@
 //! `light`: every figure of lights and of their models, in words, as JSON or as CSV.
 //!
-//! One light is told in words or as an object, several and a folder as a table or a list.
+//! One light is told in words or as an object, several and a folder as a table or a list. Two
+//! lights are compared in `against`.
 
 use std::{
     io::Write,
@@ -11,18 +12,16 @@ use std::{
 use serde_json::Value;
 
 use super::{
+    against,
     arguments::Light,
-    asked_lights::{Asked, AskedLight, Of, TOLD_EVERY},
+    asked_lights::{Asked, AskedLight, TOLD_EVERY},
     inputs::Inputs,
     options::ModelOptions,
     print,
     refusal::Refusal,
 };
 use crate::{
-    app::{
-        coarse_words,
-        quality_report::{Modeller, Sheet, csv_head, csv_line, full_json, json, text},
-    },
+    app::quality_report::{Modeller, Sheet, csv_head, csv_line, full_json, json, text},
     study::{Progress, in_parallel, processors},
 };
 
@@ -42,15 +41,16 @@ pub(super) fn run(
         json: as_json,
         csv,
         full,
+        against,
     } = options;
-    let asked = Asked::of(words, *model, inputs);
+    if let Some(other) = against {
+        return against::run(options, other, out, inputs);
+    }
+    let asked = Asked::of("INPUT", words, *model, inputs);
     let is_one = words.len() == 1 && asked.lights.len() == 1 && !asked.has_folder;
     if !asked.lights.is_empty() {
         for asked in &asked.lights {
-            let light = asked.of.light();
-            if let Some(words) = coarse_words(&light.spectrum) {
-                inputs.note(format!("{}: {words}", light.name()));
-            }
+            asked.note_coarse(inputs);
         }
         let sheets = sheets(&asked.lights, *model, is_one, inputs);
         let of_json = |sheet: &Sheet| {
@@ -92,10 +92,7 @@ fn sheets(
     let make = |asked: &AskedLight| {
         let [alone, among_others] = asked.names.clone();
         let name = if is_one { alone } else { among_others };
-        match &asked.of {
-            Of::Light(light) => modeller.sheet(name, &modeller.document(light.clone())),
-            Of::Project(document) => modeller.sheet(name, document),
-        }
+        asked.sheet(name, &modeller)
     };
     if is_one {
         return vec![make(first)];

@@ -9,6 +9,7 @@
 //! [`Pictures`], so that nothing here knows of a window. A refusal is one line on `err` that says
 //! what was found and what was expected.
 
+mod against;
 mod arguments;
 mod asked_lights;
 mod auction;

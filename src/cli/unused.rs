@@ -69,6 +69,13 @@ const RULES: &[Rule] = &[
         ..ALWAYS
     },
     Rule {
+        of: &["light"],
+        with: &["--against"],
+        without: &["--json"],
+        options: &[FIT, LINES, OTHERS],
+        why: "lights are compared as measured; with --json their models stand beside them",
+    },
+    Rule {
         of: &["light", "prism", "rainbow", "gem", "plot"],
         options: &[&["--sampling"]],
         why: "nothing is multiplied here",

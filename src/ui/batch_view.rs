@@ -37,7 +37,7 @@ pub(super) fn progress(ui: &mut Ui, progress: &Progress) -> bool {
         .text(RichText::new(&words).small());
     let response = ui.add(bar);
     named(&response, egui::Role::ProgressIndicator, &words);
-    response.on_hover_text("Files read, of those that were opened together.");
+    response.on_hover_text("How many of the files opened together were read.");
     ui.label(shortened(at_work)).on_hover_text(at_work);
     cancelled
 }
@@ -208,7 +208,7 @@ impl BatchView {
                     Shown::NotRead,
                     "Refused or not read",
                     not_read,
-                    "Files that hold nothing that can be read, and those that were not reached.",
+                    "Files in which nothing could be read, and files that were not reached.",
                 ),
             ] {
                 let label =

@@ -70,7 +70,7 @@ const fn on(modifiers: Modifiers, key: Key, act: Act, words: &'static str) -> Sh
 /// Every shortcut with what it does; those with more modifiers first, because a shortcut with
 /// fewer would swallow them.
 pub(super) const SHORTCUTS: [Shortcut; 33] = [
-    on(CTRL_SHIFT, Key::Z, Act::Redo, "Do again"),
+    on(CTRL_SHIFT, Key::Z, Act::Redo, "Redo"),
     on(
         CTRL_SHIFT,
         Key::O,
@@ -96,7 +96,7 @@ pub(super) const SHORTCUTS: [Shortcut; 33] = [
         "Copy the command line for this view",
     ),
     on(CTRL, Key::Z, Act::Undo, "Undo"),
-    on(CTRL, Key::Y, Act::Redo, "Do again"),
+    on(CTRL, Key::Y, Act::Redo, "Redo"),
     on(CTRL, Key::O, Act::Open, "Open files"),
     on(CTRL, Key::S, Act::SaveProject, "Save the project"),
     on(CTRL, Key::F, Act::Search, "Search the library"),
@@ -109,7 +109,7 @@ pub(super) const SHORTCUTS: [Shortcut; 33] = [
         CTRL,
         Key::K,
         Act::Palette,
-        "Find a light, a place or an act",
+        "Search lights, pages and commands",
     ),
     on(CTRL, Key::Num1, Act::Place(0), "Learn"),
     on(CTRL, Key::Num2, Act::Place(1), "Look"),

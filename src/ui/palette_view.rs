@@ -71,7 +71,7 @@ impl PaletteView {
         }
         let modal = egui::Modal::new(egui::Id::unique("palette")).show(context, |ui| {
             ui.set_width(420.0_f32.min(ui.ctx().content_rect().width() - 64.0));
-            let words = ["Find anything", "A light, a place or an act"];
+            let words = ["Find anything", "Search lights, pages and commands"];
             let field = text_field(ui, &mut self.text, words, f32::INFINITY);
             field.request_focus();
             if field.changed() {
@@ -87,7 +87,7 @@ impl PaletteView {
                     }
                 }
                 if found.is_empty() {
-                    ui.weak("Nothing is called that.");
+                    ui.weak("Nothing found.");
                 }
             });
         });

@@ -115,7 +115,7 @@ fn hand(ui: &mut Ui, index: usize, mut locked: bool, acts: &mut Vec<SpikeAct>) {
         });
     }
     let name = format!("Delete spike {number}");
-    let meaning = "Deletes the line: its energy goes back to the smooth part.";
+    let meaning = "Removes this line; its light goes back to the waves.";
     if sign_button(ui, "✕", &name, meaning) {
         acts.push(SpikeAct::Delete { index });
     }

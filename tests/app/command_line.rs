@@ -291,6 +291,10 @@ fn the_keys_of_a_light_are_told() {
     let lamp = put(folder.path(), "lamp.csv", rows);
     let args = ["light", &lamp, "--json", "--full"];
     holds("light --json --full", &[&args]);
+    holds(
+        "light --against --json",
+        &[&["light", "FL2", "--against", "LED-B1", "--json"]],
+    );
 }
 
 #[test]

@@ -40,3 +40,4 @@ mod race;
 mod readme;
 mod spectra;
 mod tradeoff;
+mod vocabulary;

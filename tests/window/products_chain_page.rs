@@ -231,7 +231,7 @@ fn what_goes_wrong_at_a_stage_is_told_on_its_card() {
 #[test]
 fn an_example_of_the_sun_is_one_click_and_its_lines_have_their_names() {
     let mut ui = open(about("FL11"), Page::Absorption, [1280.0, 800.0]);
-    ui.get_by_label_contains("Dark lines are not looked for");
+    ui.get_by_label_contains("Switch on \"Look for dark lines\", or choose an example.");
     ui.get_by_label("Sun on the ground").click();
     ui.run();
     assert!(app(&ui).document().settings.dips);

@@ -481,7 +481,7 @@ fn a_search_finds_a_spectrum_and_a_click_shows_it() {
     assert_eq!(app(&ui).document().light.name(), "FL2");
     assert_written(&ui, "Spectrum of FL2:");
     search(&mut ui, "no such lamp");
-    assert_written(&ui, "Nothing is called that.");
+    assert_written(&ui, "Nothing found. Try: LED, candle, 4000 K, sodium.");
     search(&mut ui, "ohta red");
     click(&mut ui, "moderate red");
     assert_eq!(app(&ui).document().subject, Subject::Factor);

@@ -120,7 +120,7 @@ pub fn mixed_spectrum(desk: &Desk, theme: Theme) -> Chart {
     }
     Chart {
         title: "The mixture: drag a line or an LED along the wavelengths".to_owned(),
-        y_label: "Power a nm (lines: by a 5 nm slit)".to_owned(),
+        y_label: "Power per nm (lines drawn 5 nm wide)".to_owned(),
         colours: strip(band, theme),
         series,
         ..over(band, theme)

@@ -112,8 +112,7 @@ pub fn chart(many: &ManyLights, wanted: Wanted, theme: Theme) -> Chart {
     let last = many.highest_order as f64;
     let wish = 100.0 * wanted.share;
     let mut series = vec![
-        Series::line("wished for", inks.measured, vec![[0.0, wish], [last, wish]])
-            .dashed(Dash::Dotted),
+        Series::line("target", inks.measured, vec![[0.0, wish], [last, wish]]).dashed(Dash::Dotted),
     ];
     for (spikes, name, ink, dash) in [
         (false, "without lines", inks.smooth, Dash::Dashed),

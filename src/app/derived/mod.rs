@@ -273,7 +273,7 @@ impl Derived {
             let outside = if question.is_light {
                 "it is zero"
             } else {
-                "its end values are held"
+                "its end values are used"
             };
             warnings.push(format!(
                 "The table covers {}-{} nm; outside {outside}.",

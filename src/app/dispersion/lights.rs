@@ -75,7 +75,7 @@ impl Beside {
                 let mut overlays = app.document().overlays.iter();
                 let light = overlays.find(|entry| entry.kind() == Kind::Light);
                 Some(light.map_or_else(
-                    || Err("No light is laid over this one: + Compare does so.".to_owned()),
+                    || Err("There is no second light yet: choose one with + Compare.".to_owned()),
                     |entry| another_light(app, entry, sent),
                 ))
             }

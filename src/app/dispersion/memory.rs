@@ -47,7 +47,7 @@ impl Beside {
             Self::Nothing => "nothing",
             Self::Bulb => "a bulb (2856 K)",
             Self::Sun => "the sun (5772 K)",
-            Self::Overlaid => "the light laid over it",
+            Self::Overlaid => "the light compared with it",
         }
     }
 }

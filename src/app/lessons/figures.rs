@@ -132,12 +132,15 @@ const OF_DOCUMENT: [OfDocument; 20] = [
         Unit::NONE,
         |s| hard_to_see_from(s.app).map(|order| order as f64),
     ),
-    row("overlay_count", "spectra laid over it", Unit::NONE, |s| {
-        Some(s.app.document().overlays.len() as f64)
-    }),
+    row(
+        "overlay_count",
+        "spectra compared with it",
+        Unit::NONE,
+        |s| Some(s.app.document().overlays.len() as f64),
+    ),
     row(
         "delta_e_overlay",
-        "colour difference to the first spectrum laid over it",
+        "colour difference to the first spectrum compared with it",
         Unit::DELTA_E,
         |s| beside_overlay(s.app.document()),
     ),

@@ -20,7 +20,7 @@ impl Link {
         let mut remarks = Vec::new();
         if first > band.min_nm() || last < band.max_nm() {
             remarks.push(format!(
-                "its table covers {}-{} nm; outside its end values are held.",
+                "its table covers {}-{} nm; beyond that its end values are used.",
                 short(first),
                 short(last)
             ));

@@ -29,4 +29,4 @@ pub use row::{Row, figure_words};
 pub use rows::{TLCI, rows};
 pub use sheet::{Modeller, Sheet};
 pub use table::{csv_head, csv_line};
-pub use words::text;
+pub use words::{table_of_two, text};

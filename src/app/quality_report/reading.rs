@@ -81,7 +81,7 @@ pub(super) fn of_melanopic(der: f64) -> String {
 pub(super) fn of_sp(ratio: f64) -> String {
     match ratio {
         r if r < 1.0 => "little for eyes adapted to the dark",
-        r if r < 2.0 => "as most lamps for eyes adapted to the dark",
+        r if r < 2.0 => "like most lamps for eyes adapted to the dark",
         _ => "much for eyes adapted to the dark; daylight has 2.5",
     }
     .to_owned()

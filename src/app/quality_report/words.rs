@@ -57,6 +57,17 @@ pub fn text(sheet: &Sheet, spectrum: &NamedSpectrum) -> String {
     out
 }
 
+/// The figures of two lights beside each other, under their names.
+pub fn table_of_two([a, b]: [&str; 2], [of_a, of_b]: [&Figures; 2]) -> String {
+    let mut lines = lines(of_a, of_b);
+    for line in &mut lines {
+        // What a figure means was told of the first light alone.
+        line[3].clear();
+    }
+    lines[0] = ["", a, b, ""].map(str::to_owned);
+    table(&lines)
+}
+
 /// Title, measured, model, meaning.
 type Line = [String; 4];
 

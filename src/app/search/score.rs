@@ -55,6 +55,8 @@ const BEGINS: u32 = 15;
 const INSIDE: u32 = 5;
 /// Shorter pieces are not looked for inside of words: "led" is in "called".
 const LEAST_INSIDE: usize = 4;
+/// Among others, shorter words are near too many to be mended.
+const LEAST_MENDED: usize = 5;
 
 impl Doc {
     pub(super) fn new(texts: Texts, ties: Ties) -> Self {
@@ -125,14 +127,39 @@ impl Doc {
         (is_found || whole > 0).then_some((sum, self.ties))
     }
 
-    /// How nearly it is called that: few letters differ.
+    /// Whether what was typed is one of its phrases, all of it.
+    pub(super) fn is_called(&self, typed: &str) -> bool {
+        self.phrases.iter().any(|(phrase, _)| phrase == typed)
+    }
+
+    /// Whether a word is found in it.
+    pub(super) fn has(&self, word: &str) -> bool {
+        self.worth(word).is_some()
+    }
+
+    /// The word of it that a word with a typing error is nearest to, and how many errors those are.
+    pub(super) fn nearest(&self, word: &str) -> Option<(usize, &str)> {
+        let letters = word.chars().count();
+        let most = if letters < LEAST_MENDED {
+            0
+        } else {
+            letters / 4
+        };
+        let all = self.words.iter().map(|(own, _)| own.as_str());
+        let errors = all.map(|own| (strsim::osa_distance(word, own), own));
+        errors
+            .filter(|(errors, _)| (1..=most).contains(errors))
+            .min_by_key(|(errors, _)| *errors)
+    }
+
+    /// How nearly it is called that: few letters differ, or two are exchanged.
     pub(super) fn nearly(&self, typed: &str) -> Option<Score> {
         let letters = typed.chars().count();
         let most = letters / 4;
         let texts = self.phrases.iter().chain(&self.words);
         let off = texts
             .filter(|(text, _)| text.chars().count().abs_diff(letters) <= most)
-            .map(|(text, worth)| (strsim::levenshtein(typed, text), *worth))
+            .map(|(text, worth)| (strsim::osa_distance(typed, text), *worth))
             .filter(|(errors, _)| (1..=most).contains(errors));
         let best = off
             .map(|(errors, worth)| worth / (1 + errors as u32))

@@ -157,6 +157,10 @@ fn nothing_is_a_dead_end_for_a_typing_error_and_nonsense_is_one() {
         ("sodum", "lamps_nist_traditional/LPS"),
         ("flourescent", "cie_fluorescent_1nm/FL2"),
         ("neodimium", "lamps_nist_traditional/Neodimium Incandescent"),
+        // Two letters exchanged, and an error in one of several words.
+        ("candel", "thermal_lights/Candle flame"),
+        ("stret lamp", "cie_hp_5nm/HP1"),
+        ("flourescent ofice", "cie_fluorescent_1nm/FL2"),
     ];
     assert_eq!(wrong(&asked), [""; 0]);
     let index = index();
@@ -219,4 +223,91 @@ fn favourites_are_twelve_and_their_labels_find_them() {
 fn nothing_typed_is_the_whole_library_in_its_order() {
     let entries = bundled_entries();
     assert_eq!(index().search("  "), fold(&entries));
+}
+
+#[test]
+fn a_temperature_finds_the_white_lights_near_it_the_nearest_first() {
+    let index = index();
+    for kelvin in [2700.0, 4000.0, 6500.0] {
+        for typed in [format!("{kelvin} K"), format!("{kelvin}k")] {
+            let found = index.search(&typed);
+            assert!(found.len() > 3, "{typed}: {}", found.len());
+            let off: Vec<f64> = found
+                .iter()
+                .map_while(|row| Some((known::kelvin(&row.entry)? - kelvin).abs()))
+                .take_while(|off| *off <= 150.0)
+                .collect();
+            assert!(off.len() > 3 && off.is_sorted(), "{typed}: {off:?}");
+        }
+    }
+    let first = &index.search("6500 K")[0].entry;
+    assert!(
+        (known::kelvin(first).unwrap() - 6500.0).abs() < 20.0,
+        "{}",
+        first.key
+    );
+    // Among words, and without its unit behind what is called so.
+    let leds = index.search("LED 2700 K");
+    assert!(leds[0].entry.key.contains("led"), "{}", leds[0].entry.key);
+    let polylux = index.search("4000");
+    assert_eq!(polylux[0].entry.key, "lamps_rit/T8 Polylux 4000");
+    assert!(polylux.len() > 5, "{}", polylux.len());
+    // A name with a temperature in it is a name.
+    let named = index.search("Black body 3000 K");
+    assert_eq!(named[0].entry.key, "thermal_lights/Black body 3000 K");
+}
+
+#[test]
+fn a_figure_finds_the_lights_that_reach_it() {
+    let index = index();
+    let ra = |row: &Folded| Indices::of(&row.entry).get(Figure::Ra);
+    for typed in ["Ra 90", "cri 90", "CRI>=90"] {
+        let found = index.search(typed);
+        let reached = found
+            .iter()
+            .take_while(|row| ra(row).is_some_and(|ra| ra.round() >= 90.0));
+        let all = index
+            .rows
+            .iter()
+            .filter(|(row, _)| ra(row).is_some_and(|ra| ra.round() >= 90.0));
+        assert_eq!(reached.count(), all.count(), "{typed}");
+        assert!(ra(&found[0]).is_some_and(|ra| ra < 93.0), "{typed}");
+    }
+    let led = index.search("led ra 90");
+    assert!(!led.is_empty());
+    for row in &led {
+        assert!(
+            ra(row).is_some_and(|ra| ra.round() >= 90.0),
+            "{}",
+            row.entry.key
+        );
+    }
+}
+
+#[test]
+fn a_german_french_or_spanish_word_finds_what_its_english_finds() {
+    let index = index();
+    let mut off = Vec::new();
+    for (word, english) in foreign::table() {
+        let (found, expected) = (index.search(word), index.search(english));
+        let [found, expected] =
+            [&found, &expected].map(|rows| rows.first().map(|row| row.entry.key.as_str()));
+        if found != expected || expected.is_none() {
+            off.push(format!("{word}: {found:?}, {english}: {expected:?}"));
+        }
+    }
+    assert!(off.is_empty(), "{}", off.join("\n"));
+    let asked = [
+        ("Kerze", "thermal_lights/Candle flame"),
+        ("gluehbirne", "cie_illuminants/CIE A"),
+        ("Energiesparlampe", "cie_fluorescent_1nm/FL12"),
+        ("soleil", "solar_astm_g173/ASTM G173-03 global tilt AM1.5G"),
+        ("lampe à sodium", "lamps_nist_traditional/LPS"),
+        ("farola", "cie_hp_5nm/HP1"),
+        ("piel", "everyday_surfaces/Skin, light"),
+        // Not typed to its end, and with an error.
+        ("Quecks", "lamps_nist_traditional/Mercury"),
+        ("Quekcsilber", "lamps_nist_traditional/Mercury"),
+    ];
+    assert_eq!(wrong(&asked), [""; 0]);
 }

@@ -85,7 +85,7 @@ impl Chooser<'_> {
             Line::Heading(_) => None,
         });
         if first.is_none() {
-            ui.weak("Nothing is called that.");
+            ui.weak("Nothing found. Try: LED, candle, 4000 K, sodium.");
         }
         if entered {
             return first;

@@ -58,7 +58,7 @@ impl LibraryView {
     ) {
         self.compares = compares;
         ui.horizontal(|ui| {
-            let words = if compares { "Lay over" } else { "Library" };
+            let words = if compares { "Compare with" } else { "Library" };
             ui.label(egui::RichText::new(words).heading());
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 ui.toggle_value(&mut preferences.pinned, "Pin")
@@ -73,7 +73,7 @@ impl LibraryView {
         let rows = self.listed.rows(ui, &self.search, app, preferences);
         if rows.is_empty() {
             ui.add_space(8.0);
-            ui.weak("Nothing is called that.");
+            ui.weak("Nothing found. Try: LED, candle, 4000 K, sodium.");
             return;
         }
         if search.changed() {

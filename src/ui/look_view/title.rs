@@ -126,7 +126,7 @@ pub(super) fn layers(
             overlays(ui, app, theme, view, commands);
         });
         menu.response
-            .on_hover_text("Further layers, and the spectra laid over for comparison.");
+            .on_hover_text("More layers, and the spectra that are compared.");
         if !tight {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 heights(ui, app, view, wide);
@@ -284,7 +284,7 @@ fn overlays(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &mu
         &mut view.overlays,
         "Overlays",
         Some(inks.overlays[0]),
-        "The spectra laid over for comparison. Lights of relative units are as bright as the one \
+        "The spectra that are compared. Lights of relative units are drawn as bright as the one \
          that is shown; surfaces are drawn over surfaces only.",
     );
     for (i, overlay) in document.overlays.iter().enumerate() {

@@ -229,7 +229,11 @@ fn lights(
     }
     let now = format!("at N = {}", app.document().settings.order);
     let columns = [
-        Column::words("light", "Those that need most stand first.", 2.6),
+        Column::words(
+            "light",
+            "Sorted by need: the light that needs most comes first.",
+            2.6,
+        ),
         Column::numbers("order", "From it on every order is good enough.", 1.0),
         Column::numbers("lines", "Lines that became spikes, two numbers each.", 0.9),
         Column::numbers("numbers", "2N + 1, and two for each line.", 1.3),

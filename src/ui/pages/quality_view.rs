@@ -53,7 +53,7 @@ impl QualityView {
             Column::numbers("measured", "Of the whole table as it was measured.", 1.2),
             Column::numbers("model", "Of the smooth part and the lines together.", 1.2),
         ];
-        let beside = "A light laid over this one (+ Compare), as it was measured.";
+        let beside = "A light compared with this one (+ Compare), as it was measured.";
         let others = shown.others.iter();
         columns.extend(others.map(|name| Column::numbers(name, beside, 1.2)));
         let reading = 4.0 - 0.6 * shown.others.len() as f32;

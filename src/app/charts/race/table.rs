@@ -152,7 +152,7 @@ pub fn about(racer: Racer) -> String {
             format!("{spikes}{exact}")
         }
         Racer::WideLines => "A short cosine series and lines of their own width, chosen together; \
-                             whoever has the formula can decode it."
+                             decoding needs the formula alone."
             .to_owned(),
         Racer::KnownLamps => "Up to two of the program's lamps, a short cosine series and lines \
                               of their own width, chosen together; needs the program's list of \

@@ -335,7 +335,7 @@ fn kept(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
         let button = ui.selectable_label(is_here, name);
         let words = match slot {
             Some(kept) => format!(
-                "{}\nClick to bring the desk back so; right click to forget it.",
+                "{}\nClick to restore this mix; right click to forget it.",
                 kept.words
             ),
             None => format!("Keeps the desk as {name}, to come back to and to compare."),

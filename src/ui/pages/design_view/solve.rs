@@ -214,7 +214,7 @@ fn whose_colour(ui: &mut Ui, context: &mut PageContext<'_>) {
             context.app.document().name_of(key)
         });
         let chosen = Chooser {
-            name: "Light whose colour is wished for",
+            name: "Light whose colour is the target",
             meaning: "The mixture is to have the colour of this light.",
             says: &says,
             offers: lights,
@@ -236,7 +236,7 @@ fn temperature_and_tint(ui: &mut Ui, wish: &mut MixWish, scale: f32) {
         });
     };
     let temperature = Fader {
-        name: "Temperature wished for",
+        name: "Target temperature",
         meaning: "Correlated colour temperature: 2700 K is a warm lamp, 6500 K daylight.",
         range: KELVIN,
         digits: 0,
@@ -245,7 +245,7 @@ fn temperature_and_tint(ui: &mut Ui, wish: &mut MixWish, scale: f32) {
     };
     fader(&mut wish.kelvin, "Temperature", temperature);
     let tint = Fader {
-        name: "Duv wished for",
+        name: "Target Duv",
         meaning: "Distance from the blackbodies: above 0 greenish, below 0 pinkish.",
         range: DUV,
         digits: 4,

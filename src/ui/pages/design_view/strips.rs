@@ -79,12 +79,12 @@ fn one(
         named(&button, egui::Role::CheckBox, &format!("{name} {place}"));
         button.on_hover_text(format!("{name}: {meaning}"));
     };
-    switch(&mut channel.mute, "M", "Mute", "this channel is silent.");
+    switch(&mut channel.mute, "M", "Mute", "switches this channel off.");
     switch(
         &mut channel.solo,
         "S",
         "Solo",
-        "only channels that are so are heard.",
+        "switches all other channels off.",
     );
     switch(
         &mut channel.lock,

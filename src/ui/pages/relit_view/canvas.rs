@@ -217,7 +217,7 @@ pub(super) fn scale(ui: &mut Ui, width: f32, theme: Theme) {
             .text(at, align, words, font.clone(), theme.faint);
     }
     response.on_hover_text(
-        "A difference below 1 is hard to see, from 1 to 2 it is seen side by side, from 2 on by \
-         whoever looks for it.",
+        "A difference below 1 is hard to see, from 1 to 2 it is seen side by side, from 2 on if \
+         you look for it.",
     );
 }

@@ -91,13 +91,13 @@ fn lines(ui: &mut Ui, context: &mut PageContext<'_>, fit: &Fit) {
             (
                 WishedLines::Best,
                 "Best",
-                "Those that are found, where they pay.",
+                "Lines that were found, where they pay.",
             ),
             (WishedLines::None, "None", "The series alone."),
             (
                 WishedLines::Found,
                 "Found",
-                "Those that stand out of the light or of the mean, the strongest first.",
+                "Lines that rise above the light or the mean, the strongest first.",
             ),
         ] {
             ui.selectable_value(lines, choice, title)

@@ -59,10 +59,10 @@ pub(super) fn show(
     let count = |verdict: Sameness| ranked.iter().filter(|r| r.verdict == verdict).count();
     let (holding, open) = (count(Sameness::Holds), count(Sameness::Unknown));
     ui.label(format!(
-        "In the model's numbers {holding} of {} hold{}{}",
+        "{holding} of {} surfaces fit the model's numbers{}{}",
         ranked.len(),
         if open > 0 {
-            format!(", of {open} it cannot be said")
+            format!("; {open} are undecided")
         } else {
             String::new()
         },

@@ -1,0 +1,154 @@
+//! One of two lights that are compared, and the figures that are compared.
+
+use crate::{
+    app::{
+        quality_report::light_of,
+        tint::{Whiteness, whiteness},
+    },
+    color::quality::{Figures, Light, NoFigure, Rendering, luminous_efficacy, photons_per_100_lx},
+    spectrum::{Band, NamedSpectrum},
+};
+
+/// One of two lights that are compared.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Side {
+    /// What the sentences call it.
+    pub name: String,
+    /// Its figures.
+    pub figures: Figures,
+    /// The light itself, over all that is known of it.
+    pub light: Light,
+    /// Where both lights are known, where that is less than all that is known of either.
+    shared: Option<Band>,
+}
+
+impl Side {
+    /// A light by its figures, which are known already.
+    pub fn new(name: String, spectrum: &NamedSpectrum, figures: Figures) -> Self {
+        Self {
+            name,
+            figures,
+            light: light_of(spectrum).0,
+            shared: None,
+        }
+    }
+
+    /// A light and its figures.
+    pub fn of(name: String, spectrum: &NamedSpectrum) -> Self {
+        let (light, measured) = light_of(spectrum);
+        Self {
+            name,
+            figures: Figures::of(&light, measured),
+            light,
+            shared: None,
+        }
+    }
+
+    /// Two lights of two names; where they are known over different ranges, the range of both.
+    pub(super) fn paired([mut a, mut b]: [Self; 2]) -> ([Self; 2], Option<Band>) {
+        if a.name == b.name {
+            a.name += " (A)";
+            b.name += " (B)";
+        }
+        let (ends_a, ends_b) = (a.light.ends_nm(), b.light.ends_nm());
+        let shared = (ends_a != ends_b)
+            .then(|| {
+                let [from, to] = [ends_a[0].max(ends_b[0]), ends_a[1].min(ends_b[1])];
+                Band::new(f64::from(from), f64::from(to)).ok()
+            })
+            .flatten();
+        a.shared = shared;
+        b.shared = shared;
+        ([a, b], shared)
+    }
+
+    /// TM-30's mean fidelity.
+    pub(super) fn rf(&self) -> Result<f64, String> {
+        let rf = self.known("Rf", self.figures.fidelity.as_ref().map(|found| found.rf))?;
+        self.white().map(|()| rf)
+    }
+
+    /// The mean of CRI.
+    pub(super) fn ra(&self) -> Result<f64, String> {
+        self.rendered("Ra", |found| found.ra)
+    }
+
+    /// The strong red of CRI.
+    pub(super) fn r9(&self) -> Result<f64, String> {
+        self.rendered("R9", |found| found.samples[8].index)
+    }
+
+    /// The light skin of CRI.
+    pub(super) fn r13(&self) -> Result<f64, String> {
+        self.rendered("R13", |found| found.samples[12].index)
+    }
+
+    /// The similarity to the reference of its own temperature.
+    pub(super) fn ssi(&self) -> Result<f64, String> {
+        let own = self.figures.similarity.as_ref();
+        let own = own.and_then(|found| found.of_cct.as_ref());
+        let ssi = self.known("SSI", own.map(|(_, value)| *value))?;
+        self.white().map(|()| ssi)
+    }
+
+    /// The melanopic ratio to daylight.
+    pub(super) fn melanopic(&self) -> Result<f64, String> {
+        let found = self.figures.alpha_opic.as_ref();
+        self.known("melanopic DER", found.map(|found| found.melanopic_der()))
+    }
+
+    /// The ratio of scotopic to photopic light.
+    pub(super) fn sp_ratio(&self) -> Result<f64, String> {
+        let found = self.figures.sp_ratio.as_ref();
+        self.known("S/P ratio", found.copied())
+    }
+
+    /// Luminous efficacy of the radiation in the range of both lights, lm/W.
+    pub(super) fn efficacy(&self) -> Result<f64, String> {
+        let found = luminous_efficacy(&self.in_range());
+        self.known("luminous efficacy", found.as_ref().copied())
+    }
+
+    /// Photons of 400-700 nm of the radiation in the range of both lights, µmol/J.
+    pub(super) fn photon_efficacy(&self) -> Result<f64, String> {
+        let light = self.in_range();
+        let found = photons_per_100_lx(&light)
+            .and_then(|photons| Ok(photons.ppfd / 100.0 * luminous_efficacy(&light)?));
+        self.known("number of photons", found.as_ref().copied())
+    }
+
+    fn in_range(&self) -> Light {
+        match self.shared {
+            Some(band) => self.light.within(band),
+            None => self.light.clone(),
+        }
+    }
+
+    /// A figure of CRI, where the standard vouches for it.
+    fn rendered(&self, figure: &str, of: impl Fn(&Rendering) -> f64) -> Result<f64, String> {
+        let found = self.known(figure, self.figures.rendering.as_ref())?;
+        self.white()?;
+        if found.is_too_far() {
+            return Err(format!(
+                "CIE 13.3 does not vouch for the {figure} of {}, whose colour is {:.4} from its \
+                 reference in CIE 1960 uv",
+                self.name, found.distance
+            ));
+        }
+        Ok(of(found))
+    }
+
+    /// Refuses coloured lights, which no white reference is like.
+    fn white(&self) -> Result<(), String> {
+        match &self.figures.cct {
+            Ok(cct) if whiteness(*cct) == Whiteness::Coloured => {
+                Err(format!("{} is a coloured light", self.name))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn known<T>(&self, figure: &str, value: Result<T, &NoFigure>) -> Result<T, String> {
+        value.map_err(|why| format!("{} has no {figure} ({why})", self.name))
+    }
+}
