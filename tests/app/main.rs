@@ -12,6 +12,7 @@ mod plain;
 mod root;
 
 mod cli;
+mod cli_combine;
 mod cli_design;
 mod cli_files;
 mod cli_lamps;
