@@ -40,6 +40,7 @@
 //! design     making lights and spectra          recover mixture solve scales
 //! lamps      lights in few words                encoder decoder known lamps, wide lines, their race
 //! optics     light through things               index prism rainbow gem film
+//! measurements  one's own measurements          combine repeats doubt splice changed
 //! io         files <-> spectra, one format a file
 //! pictures   spectral pictures in few numbers   survey choose operator relight full compact fit
 //! app        what the program is doing          document command derived state report export
@@ -47,7 +48,7 @@
 //! cli        the same engine without a window   one command a file
 //! ```
 //!
-//! Imports point one way: `main -> {ui, cli} -> app -> {design, lamps, optics, pictures} ->
+//! Imports point one way: `main -> {ui, cli} -> app -> {design, lamps, optics, measurements, pictures} ->
 //! study -> {rivals, color} -> {spectrum, preset}`, and `{pictures, app} -> io -> spectrum`.
 //! docs/map.md tells of every folder. The feature `window`, on by default, builds `ui`.
 //!
@@ -63,6 +64,7 @@ pub mod color;
 pub mod design;
 pub mod io;
 pub mod lamps;
+pub mod measurements;
 pub mod optics;
 pub mod pictures;
 pub mod preset;

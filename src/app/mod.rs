@@ -30,6 +30,7 @@ mod line_names;
 mod made;
 mod make;
 pub mod makers;
+pub mod measured;
 mod measured_surfaces;
 mod memo;
 mod natural;

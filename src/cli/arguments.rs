@@ -3,6 +3,7 @@
 mod design;
 mod encoding;
 mod lessons;
+mod measurements;
 mod optics;
 mod pictures;
 
@@ -23,6 +24,7 @@ use crate::{
 pub(super) use design::{Mix, Recover};
 pub(super) use encoding::{Decode, Encode};
 pub(super) use lessons::{LessonAct, Lessons};
+pub(super) use measurements::Combine;
 pub(super) use optics::{CutOptions, Gem, Prism, Rainbow, ViewOptions};
 pub(super) use pictures::{Fit, Picture};
 
@@ -66,6 +68,8 @@ pub(super) enum Command {
     Race(Race),
     /// Print a light through filters and off surfaces, exact beside the model.
     Product(Product),
+    /// Combine measurements: sums, quotients, means of scans with their doubt, spliced ranges.
+    Combine(Combine),
     /// Print the spectrum of a surface or a light from its colour.
     Recover(Recover),
     /// Print how channels mix to a light of a colour.
@@ -108,6 +112,7 @@ impl Command {
             Self::Auction(options) => Some(options.pick.files),
             Self::Race(options) => Some(options.pick.files),
             Self::Product(options) => Some(options.files),
+            Self::Combine(options) => Some(options.files),
             Self::Recover(options) => Some(options.files),
             Self::Mix(options) => Some(options.files),
             Self::Encode(options) => Some(options.pick.files),
@@ -139,7 +144,8 @@ impl Command {
             Self::Render(options) => Some(&mut options.model),
             Self::Plot(options) => Some(&mut options.model),
             Self::Convert(options) => Some(&mut options.model),
-            Self::Recover(_)
+            Self::Combine(_)
+            | Self::Recover(_)
             | Self::Mix(_)
             | Self::Encode(_)
             | Self::Decode(_)

@@ -13,6 +13,8 @@ mod against;
 mod arguments;
 mod asked_lights;
 mod auction;
+mod combine;
+mod combine_result;
 mod convert;
 mod decode;
 mod encode;
@@ -171,6 +173,7 @@ fn carry_out(
             Command::Auction(options) => auction::run(&options, out, inputs)?,
             Command::Race(options) => race::run(&options, out, inputs)?,
             Command::Product(options) => product::run(&options, out, inputs)?,
+            Command::Combine(options) => combine::run(&options, out, inputs)?,
             Command::Recover(options) => recover::run(&options, out, inputs)?,
             Command::Mix(options) => mix::run(&options, out, inputs)?,
             Command::Encode(options) => encode::run(&options, out, inputs)?,

@@ -20,6 +20,48 @@ pub(super) fn finite(word: &str) -> Result<f64, String> {
         .ok_or_else(|| refused(word, "a number"))
 }
 
+/// The wavelengths of a combination.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Grid {
+    /// Those of all inputs.
+    Union,
+    /// Those of one input, from 0.
+    Input(usize),
+    /// Even steps, nm.
+    Step(f64),
+}
+
+/// `--grid`.
+pub(super) fn grid(word: &str) -> Result<Grid, String> {
+    let word = word.trim();
+    let step = word.trim_end_matches("nm").trim().parse::<f64>().ok();
+    match (word.to_ascii_lowercase().as_bytes(), step) {
+        (b"union", _) => Ok(Grid::Union),
+        ([letter @ b'a'..=b'z'], _) => Ok(Grid::Input(usize::from(letter - b'a'))),
+        (_, Some(step)) if (1e-3..=1000.0).contains(&step) => Ok(Grid::Step(step)),
+        _ => Err(refused(word, "union, a letter of an input (a, b) or a step in nm")),
+    }
+}
+
+/// `--level`: a share, or per cent with its sign.
+pub(super) fn level(word: &str) -> Result<f64, String> {
+    let (number, unit) = match word.trim().strip_suffix('%') {
+        Some(number) => (number, 0.01),
+        None => (word, 1.0),
+    };
+    let level = number.trim().parse::<f64>().ok().map(|level| unit * level);
+    level
+        .filter(|level| (0.0..1.0).contains(level))
+        .ok_or_else(|| refused(word, "per cent such as 1% or a share of 1"))
+}
+
+/// `--axis`: nm, with or without the unit.
+pub(super) fn axis(word: &str) -> Result<f64, String> {
+    let axis = word.trim().trim_end_matches("nm").trim().parse::<f64>().ok();
+    axis.filter(|axis| (0.0..=100.0).contains(axis))
+        .ok_or_else(|| refused(word, "nm from 0 to 100, such as 0.1nm"))
+}
+
 /// `--size` of a traced picture.
 pub(super) fn side(word: &str) -> Result<usize, String> {
     whole(word.trim(), &optics::SIZES)

@@ -7,6 +7,7 @@ use std::{
     path::Path,
 };
 
+use crate::cli_combine;
 use crate::cli_pictures::wall;
 use crate::docs::{document, quoted, rows, section};
 use serde_json::Value;
@@ -373,6 +374,31 @@ fn the_keys_of_a_product_are_told() {
     holds(
         "product --check --json",
         &[&["product", "FL2", red, "--check", "CIE A", "--json"]],
+    );
+}
+
+#[test]
+fn the_keys_of_a_combination_are_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scans = cli_combine::scans(folder.path(), 3);
+    let mean: Vec<&str> = ["combine", "mean"]
+        .into_iter()
+        .chain(scans.iter().map(String::as_str))
+        .chain(["--json"])
+        .collect();
+    let mut changed = mean.clone();
+    changed[1] = "changed";
+    changed.push("--");
+    let tilted = cli_combine::tilted(folder.path(), 3);
+    changed.extend(tilted.iter().map(String::as_str));
+    let quotient = ["combine", "A / B", "FL2", "CIE A", "--json"];
+    let over_lines = ["combine", "A / B", "CIE A", "FL2", "--axis", "0.1", "--json"];
+    let slit = ["combine", "slit", "10", "FL2", "--json"];
+    let [lower, upper] = cli_combine::ranges(folder.path());
+    let splice = ["combine", "splice", &lower, &upper, "--json"];
+    holds(
+        "combine --json",
+        &[&mean, &changed, &quotient, &over_lines, &slit, &splice],
     );
 }
 

@@ -13,6 +13,7 @@ mod root;
 
 mod cli;
 mod cli_against;
+mod cli_combine;
 mod cli_design;
 mod cli_files;
 mod cli_lamps;

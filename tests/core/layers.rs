@@ -9,7 +9,7 @@ use std::{
 };
 
 /// The rooms of `src`, and which others each may use.
-const ROOMS: [(&str, &[&str]); 13] = [
+const ROOMS: [(&str, &[&str]); 14] = [
     ("spectrum", &[]),
     ("preset", &["spectrum"]),
     ("color", &["preset", "spectrum"]),
@@ -18,27 +18,57 @@ const ROOMS: [(&str, &[&str]); 13] = [
     ("design", &["study", "color", "preset", "spectrum"]),
     ("lamps", &["study", "rivals", "color", "preset", "spectrum"]),
     ("optics", &["study", "color", "spectrum"]),
+    ("measurements", &["color", "spectrum"]),
     ("io", &["spectrum"]),
     ("pictures", &["io", "study", "color", "preset", "spectrum"]),
     (
         "app",
         &[
-            "design", "lamps", "optics", "pictures", "study", "rivals", "color", "preset",
-            "spectrum", "io",
+            "design",
+            "lamps",
+            "optics",
+            "measurements",
+            "pictures",
+            "study",
+            "rivals",
+            "color",
+            "preset",
+            "spectrum",
+            "io",
         ],
     ),
     (
         "cli",
         &[
-            "app", "design", "lamps", "optics", "pictures", "study", "rivals", "color", "preset",
-            "spectrum", "io",
+            "app",
+            "design",
+            "lamps",
+            "optics",
+            "measurements",
+            "pictures",
+            "study",
+            "rivals",
+            "color",
+            "preset",
+            "spectrum",
+            "io",
         ],
     ),
     (
         "ui",
         &[
-            "app", "design", "lamps", "optics", "pictures", "study", "rivals", "color", "preset",
-            "spectrum", "io",
+            "app",
+            "design",
+            "lamps",
+            "optics",
+            "measurements",
+            "pictures",
+            "study",
+            "rivals",
+            "color",
+            "preset",
+            "spectrum",
+            "io",
         ],
     ),
 ];

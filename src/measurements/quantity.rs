@@ -1,0 +1,549 @@
+//! What values are, and which combination of them means what.
+
+use std::fmt;
+
+use super::error::MeasurementError;
+use crate::spectrum::Kind;
+
+/// What the values of a measurement are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// A light: radiant power, irradiance, radiance per nm, absolute or relative.
+    Light,
+    /// What an instrument counted: the response is still in it.
+    Counts,
+    /// Share of light let through.
+    Transmittance,
+    /// Share of light sent back.
+    Reflectance,
+    /// Decadic absorbance.
+    Absorbance,
+    /// Any other factor over wavelengths: a correction, a difference of two factors.
+    Factor,
+    /// A plain number, the same at every wavelength.
+    Number,
+}
+
+impl Quantity {
+    /// The word of files, JSON and the command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            // A light is what JSON and files call radiant.
+            Self::Light => "radiant",
+            Self::Counts => "counts",
+            Self::Transmittance => "transmittance",
+            Self::Reflectance => "reflectance",
+            Self::Absorbance => "absorbance",
+            Self::Factor => "factor",
+            Self::Number => "number",
+        }
+    }
+
+    /// Whether it multiplies a light.
+    pub fn is_factor(self) -> bool {
+        matches!(
+            self,
+            Self::Transmittance | Self::Reflectance | Self::Factor
+        )
+    }
+
+    /// The kind of a spectrum with such values.
+    pub fn kind(self) -> Kind {
+        match self {
+            Self::Light => Kind::Light,
+            Self::Transmittance => Kind::Transmittance,
+            Self::Reflectance => Kind::Reflectance,
+            Self::Absorbance => Kind::Absorbance,
+            Self::Counts | Self::Factor | Self::Number => Kind::Other,
+        }
+    }
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Light => "a light",
+            Self::Counts => "counts",
+            Self::Transmittance => "a transmittance",
+            Self::Reflectance => "a reflectance",
+            Self::Absorbance => "an absorbance",
+            Self::Factor => "a factor",
+            Self::Number => "a number",
+        })
+    }
+}
+
+/// Words of a unit that say that an instrument counted.
+const COUNT_WORDS: [&str; 6] = ["count", "adu", "dn", "digital", "scope", "raw"];
+
+/// What the values of a spectrum of this kind and unit are.
+///
+/// # Errors
+/// A sentence for what is no measurement: weightings, n and k, lists of lines.
+pub fn quantity_of(name: &str, kind: Kind, unit: &str) -> Result<Quantity, MeasurementError> {
+    let unit = unit.to_lowercase();
+    let mut words = unit.split(|c: char| !c.is_alphanumeric());
+    let says_counts = words.any(|word| {
+        COUNT_WORDS
+            .iter()
+            .any(|known| word == *known || *known == "count" && word.starts_with("count"))
+    });
+    let none = |what: &str| {
+        Err(MeasurementError::Meaningless(format!(
+            "{name} is {what}, not a measurement."
+        )))
+    };
+    match kind {
+        Kind::Light | Kind::Other if says_counts => Ok(Quantity::Counts),
+        Kind::Light => Ok(Quantity::Light),
+        Kind::Transmittance => Ok(Quantity::Transmittance),
+        Kind::Reflectance => Ok(Quantity::Reflectance),
+        Kind::Absorbance => Ok(Quantity::Absorbance),
+        Kind::Other if unit.trim() == "factor" => Ok(Quantity::Factor),
+        Kind::Weighting => none("a weighting"),
+        Kind::Lines => none("a list of lines"),
+        Kind::Other => none("a curve of another kind (n, k)"),
+    }
+}
+
+/// What a part of a formula is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Meaning {
+    /// How the formula writes it: `A`, `(A - C)`.
+    pub text: String,
+    /// What its values are.
+    pub quantity: Quantity,
+    /// Unit; empty where none is known.
+    pub unit: String,
+    /// Exposure, ms, where the file says it.
+    pub exposure_ms: Option<f64>,
+}
+
+/// An operation of two parts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Operation {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+}
+
+/// What becomes of two parts, and the factor that brings the second to the first one's unit.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Outcome {
+    pub meaning: Meaning,
+    pub second_by: f64,
+    pub note: Option<String>,
+}
+
+fn meaningless<T>(why: String) -> Result<T, MeasurementError> {
+    Err(MeasurementError::Meaningless(why))
+}
+
+impl Operation {
+    /// What the operation means for two parts.
+    ///
+    /// # Errors
+    /// A sentence for a combination that means nothing.
+    pub(super) fn of(self, a: &Meaning, b: &Meaning) -> Result<Outcome, MeasurementError> {
+        match self {
+            Self::Add => sum(a, b, '+'),
+            Self::Subtract => sum(a, b, '-'),
+            Self::Multiply => product(a, b),
+            Self::Divide => quotient(a, b),
+        }
+    }
+}
+
+fn outcome(text: String, quantity: Quantity, unit: &str, of: &Meaning) -> Outcome {
+    Outcome {
+        meaning: Meaning {
+            text,
+            quantity,
+            unit: unit.to_owned(),
+            exposure_ms: of.exposure_ms,
+        },
+        second_by: 1.0,
+        note: None,
+    }
+}
+
+/// What a part holds, for a sentence: its unit where it has one.
+fn held(part: &Meaning) -> String {
+    match (part.quantity, part.unit.as_str()) {
+        (Quantity::Light, "") => "a light without a unit".to_owned(),
+        (Quantity::Light, unit) => unit.to_owned(),
+        (quantity, _) => quantity.to_string(),
+    }
+}
+
+fn sum(a: &Meaning, b: &Meaning, sign: char) -> Result<Outcome, MeasurementError> {
+    use Quantity::{Absorbance, Counts, Light, Number};
+    let text = format!("({} {sign} {})", a.text, b.text);
+    let verb = if sign == '+' { "sum" } else { "difference" };
+    match (a.quantity, b.quantity) {
+        (Light, Light) => lights(a, b, text),
+        (Counts, Counts) => counts(a, b, sign, text),
+        (Number, Number) => Ok(outcome(text, Number, "", a)),
+        (Absorbance, Absorbance) => Ok(outcome(text, Absorbance, "", a)),
+        (x, y) if (x.is_factor() || x == Number) && (y.is_factor() || y == Number) => {
+            let mut found = outcome(text, Quantity::Factor, "factor", a);
+            found.note = Some(format!("A plain {verb} of factors, no filter any more."));
+            Ok(found)
+        }
+        (Counts, Light) => meaningless(format!(
+            "{} holds counts and {} {}: they cannot be {}. Divide {} by a reading of {}'s lamp \
+             first (Instruments).",
+            a.text,
+            b.text,
+            held(b),
+            added(sign),
+            a.text,
+            b.text
+        )),
+        (Light, Counts) => meaningless(format!(
+            "{} holds {} and {} counts: they cannot be {}. Divide {} by a reading of {}'s lamp \
+             first (Instruments).",
+            a.text,
+            held(a),
+            b.text,
+            added(sign),
+            b.text,
+            a.text
+        )),
+        (Light, y) if y.is_factor() => meaningless(format!(
+            "{} is a light and {} {y}: a {verb} of the two means nothing. Multiply, or choose {} \
+             over another light.",
+            a.text, b.text, a.text
+        )),
+        (x, y) => meaningless(format!(
+            "{} is {x} and {} {y}: a {verb} of the two means nothing.",
+            a.text, b.text
+        )),
+    }
+}
+
+fn added(sign: char) -> &'static str {
+    if sign == '+' { "added" } else { "subtracted" }
+}
+
+/// Words of units that state nothing absolute.
+fn is_relative(unit: &str) -> bool {
+    let unit = unit.trim().to_lowercase();
+    ["", "relative", "arbitrary", "a.u.", "au", "arb. units", "normalised", "normalized"]
+        .contains(&unit.as_str())
+}
+
+fn lights(a: &Meaning, b: &Meaning, text: String) -> Result<Outcome, MeasurementError> {
+    let mut found = outcome(text, Quantity::Light, &a.unit, a);
+    match (is_relative(&a.unit), is_relative(&b.unit)) {
+        (true, true) => {
+            found.note = Some(format!(
+                "{} and {} state no unit: taken as on one scale. Where they are not, bring both \
+                 to equal Y or area first.",
+                a.text, b.text
+            ));
+            Ok(found)
+        }
+        (false, false) => match conversion(&b.unit, &a.unit) {
+            Some(factor) => {
+                found.second_by = factor;
+                if factor != 1.0 {
+                    found.note = Some(format!(
+                        "{} is in {}, converted to {}.",
+                        b.text, b.unit, a.unit
+                    ));
+                }
+                Ok(found)
+            }
+            None => meaningless(format!(
+                "{} is in {} and {} in {}: different quantities cannot be added or subtracted.",
+                a.text, a.unit, b.text, b.unit
+            )),
+        },
+        (is_first, _) => {
+            let (relative, absolute) = if is_first { (a, b) } else { (b, a) };
+            meaningless(format!(
+                "{} is relative and {} in {}: they share no scale. Bring both to equal Y or area \
+                 first.",
+                relative.text, absolute.text, absolute.unit
+            ))
+        }
+    }
+}
+
+fn counts(
+    a: &Meaning,
+    b: &Meaning,
+    sign: char,
+    text: String,
+) -> Result<Outcome, MeasurementError> {
+    let per_ms = |m: &Meaning| m.unit.to_lowercase().contains("/ms") || m.unit.contains("per ms");
+    let found = outcome(text, Quantity::Counts, &a.unit, a);
+    if let (Some(x), Some(y)) = (a.exposure_ms, b.exposure_ms)
+        && x != y
+        && !(per_ms(a) && per_ms(b))
+    {
+        if sign == '-' {
+            return meaningless(format!(
+                "{} was read with {x} ms and the dark {} with {y} ms: a dark of another exposure \
+                 is not subtracted.",
+                a.text, b.text
+            ));
+        }
+        let mut scaled = found;
+        scaled.second_by = x / y;
+        scaled.note = Some(format!(
+            "{} was read with {y} ms and is scaled to the {x} ms of {}.",
+            b.text, a.text
+        ));
+        return Ok(scaled);
+    }
+    Ok(found)
+}
+
+fn product(a: &Meaning, b: &Meaning) -> Result<Outcome, MeasurementError> {
+    use Quantity::{Absorbance, Counts, Factor, Light, Number};
+    let text = format!("{} * {}", a.text, b.text);
+    let same = |of: &Meaning| Ok(outcome(text.clone(), of.quantity, &of.unit, of));
+    match (a.quantity, b.quantity) {
+        (Number, _) => same(b),
+        (_, Number) => same(a),
+        (Absorbance, _) | (_, Absorbance) => meaningless(format!(
+            "{} is {} and {} {}: absorbances are added, not multiplied.",
+            a.text, a.quantity, b.text, b.quantity
+        )),
+        // An instrument's factor makes a light of counts.
+        (Counts, Factor) | (Factor, Counts) => {
+            let unit = if a.quantity == Factor { &a.unit } else { &b.unit };
+            let unit = unit.trim_start_matches("factor").trim();
+            Ok(outcome(text, Light, unit, a))
+        }
+        (Light | Counts, y) if y.is_factor() => same(a),
+        (x, Light | Counts) if x.is_factor() => same(b),
+        (x, y) if x.is_factor() && y.is_factor() => {
+            let quantity = if x == y { x } else { Factor };
+            Ok(outcome(text, quantity, if quantity == Factor { "factor" } else { "" }, a))
+        }
+        (x, y) => meaningless(format!(
+            "{} is {x} and {} {y}: a product of the two means nothing.",
+            a.text, b.text
+        )),
+    }
+}
+
+fn quotient(a: &Meaning, b: &Meaning) -> Result<Outcome, MeasurementError> {
+    use Quantity::{Absorbance, Counts, Factor, Light, Number, Transmittance};
+    let text = format!("{} / {}", a.text, b.text);
+    match (a.quantity, b.quantity) {
+        (_, Number) => Ok(outcome(text, a.quantity, &a.unit, a)),
+        (Absorbance, _) | (_, Absorbance) => meaningless(format!(
+            "{} is {} and {} {}: absorbances are subtracted, not divided.",
+            a.text, a.quantity, b.text, b.quantity
+        )),
+        (Light, Light) => {
+            let factor = match (is_relative(&a.unit), is_relative(&b.unit)) {
+                (false, false) => conversion(&b.unit, &a.unit),
+                _ => Some(1.0),
+            };
+            let Some(factor) = factor else {
+                return meaningless(format!(
+                    "{} is in {} and {} in {}: a quotient of different quantities is no \
+                     transmittance.",
+                    a.text, a.unit, b.text, b.unit
+                ));
+            };
+            let mut found = outcome(text, Transmittance, "fraction", a);
+            found.second_by = factor;
+            Ok(found)
+        }
+        (Counts, Counts) => {
+            let mut found = outcome(text, Transmittance, "fraction", a);
+            if let (Some(x), Some(y)) = (a.exposure_ms, b.exposure_ms)
+                && x != y
+            {
+                found.second_by = x / y;
+                found.note = Some(format!(
+                    "{} was read with {y} ms and is scaled to the {x} ms of {}.",
+                    b.text, a.text
+                ));
+            }
+            Ok(found)
+        }
+        (Counts, Light) | (Light, Counts) => {
+            let mut found = outcome(text, Factor, "factor", a);
+            found.note = Some("Counts and a light: the response of an instrument.".to_owned());
+            Ok(found)
+        }
+        (Light | Counts, y) if y.is_factor() => Ok(outcome(text, a.quantity, &a.unit, a)),
+        (x, y) if x.is_factor() && y.is_factor() => {
+            let quantity = if x == y { x } else { Factor };
+            Ok(outcome(text, quantity, "fraction", a))
+        }
+        (Number, y) if y.is_factor() => Ok(outcome(text, Factor, "factor", a)),
+        (x, y) => meaningless(format!(
+            "{} is {x} and {} {y}: a quotient of the two means nothing.",
+            a.text, b.text
+        )),
+    }
+}
+
+/// What `-log10` of a part is.
+///
+/// # Errors
+/// A sentence for anything but a factor.
+pub(super) fn absorbance_of(a: &Meaning) -> Result<Meaning, MeasurementError> {
+    let found = |quantity| Meaning {
+        text: format!("-log10({})", a.text),
+        quantity,
+        unit: String::new(),
+        exposure_ms: None,
+    };
+    match a.quantity {
+        Quantity::Number => Ok(found(Quantity::Number)),
+        quantity if quantity.is_factor() => Ok(found(Quantity::Absorbance)),
+        quantity => meaningless(format!(
+            "{}{} has no absorbance. Divide it by a reference first.",
+            quantity.to_string()[..1].to_uppercase(),
+            &quantity.to_string()[1..]
+        )),
+    }
+}
+
+/// Factor from one unit of a light to another of the same quantity; `None` where they differ.
+pub(super) fn conversion(from: &str, to: &str) -> Option<f64> {
+    let ((from_scale, from_rest), (to_scale, to_rest)) = (parsed(from), parsed(to));
+    (from_rest == to_rest).then(|| {
+        let factor = from_scale / to_scale;
+        // W to mW is a power of ten, whatever the quotient's last bit is.
+        let power = factor.log10().round();
+        let exact = 10f64.powi(power as i32);
+        if (factor / exact - 1.0).abs() < 1e-9 { exact } else { factor }
+    })
+}
+
+/// A unit as its size in W, m and nm, and the exponents of its words.
+fn parsed(unit: &str) -> (f64, Vec<(String, i32)>) {
+    let unit = unit.replace('²', "2").replace('⁻', "-").replace('µ', "u").replace('μ', "u");
+    let mut scale = 1.0;
+    let mut words: Vec<(String, i32)> = Vec::new();
+    let mut sign = 1;
+    let mut rest = String::new();
+    let mut flush = |text: &mut String, sign: i32| {
+        let word = text.trim().trim_matches(['(', ')', '^']);
+        if !word.is_empty() {
+            let digits = word.find(|c: char| c.is_ascii_digit() || c == '-' || c == '^');
+            let (name, power) = word.split_at(digits.unwrap_or(word.len()));
+            let power = power.trim_start_matches('^').parse::<i32>().unwrap_or(1) * sign;
+            let (name, size) = match name {
+                "mW" => ("W", 1e-3),
+                "uW" => ("W", 1e-6),
+                "nW" => ("W", 1e-9),
+                "kW" => ("W", 1e3),
+                "cm" => ("m", 1e-2),
+                "mm" => ("m", 1e-3),
+                // Per nm and per um are lengths along the axis.
+                "um" => ("nm", 1e3),
+                name => (name, 1.0),
+            };
+            scale *= f64::powi(size, power);
+            words.push((name.to_owned(), power));
+        }
+        text.clear();
+    };
+    for letter in unit.chars() {
+        match letter {
+            '/' => {
+                flush(&mut rest, sign);
+                sign = -1;
+            }
+            ' ' | '·' | '*' | '.' | '(' | ')' => flush(&mut rest, sign),
+            letter => rest.push(letter),
+        }
+    }
+    flush(&mut rest, sign);
+    words.sort();
+    (scale, words)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn part(text: &str, quantity: Quantity, unit: &str) -> Meaning {
+        Meaning {
+            text: text.to_owned(),
+            quantity,
+            unit: unit.to_owned(),
+            exposure_ms: None,
+        }
+    }
+
+    #[test]
+    fn units_of_one_quantity_are_converted_and_others_are_not() {
+        assert_eq!(conversion("uW cm-2 nm-1", "W m-2 nm-1"), Some(0.01));
+        assert_eq!(conversion("mW/m2/nm", "W m-2 nm-1"), Some(1e-3));
+        assert_eq!(conversion("W m-2 nm-1", "µW/cm²/nm"), Some(100.0));
+        assert_eq!(conversion("W m-2 sr-1 nm-1", "W m-2 nm-1"), None);
+        assert_eq!(conversion("W nm-1", "W m-2 nm-1"), None);
+    }
+
+    #[test]
+    fn what_means_nothing_is_refused_in_words() {
+        use Operation::{Add, Divide, Multiply, Subtract};
+        let light = part("B", Quantity::Light, "W m-2 nm-1");
+        let counts = part("A", Quantity::Counts, "counts");
+        let glass = part("B", Quantity::Transmittance, "");
+        let lamp = part("A", Quantity::Light, "");
+        let why = |op: Operation, a, b| op.of(a, b).expect_err("refused").to_string();
+        assert_eq!(
+            why(Add, &counts, &light),
+            "A holds counts and B W m-2 nm-1: they cannot be added. Divide A by a reading of B's \
+             lamp first (Instruments)."
+        );
+        assert_eq!(
+            why(Subtract, &lamp, &glass),
+            "A is a light and B a transmittance: a difference of the two means nothing. Multiply, \
+             or choose A over another light."
+        );
+        assert_eq!(
+            absorbance_of(&lamp).expect_err("refused").to_string(),
+            "A light has no absorbance. Divide it by a reference first."
+        );
+        assert!(why(Multiply, &lamp, &light).contains("a product of the two means nothing"));
+        assert!(why(Divide, &glass, &lamp).contains("a quotient of the two means nothing"));
+        assert!(why(Add, &lamp, &light).contains("they share no scale"));
+        let mut dark = part("C", Quantity::Counts, "counts");
+        dark.exposure_ms = Some(100.0);
+        let mut lit = counts.clone();
+        lit.exposure_ms = Some(30.0);
+        assert_eq!(
+            why(Subtract, &lit, &dark),
+            "A was read with 30 ms and the dark C with 100 ms: a dark of another exposure is not \
+             subtracted."
+        );
+        let why = quantity_of("V(λ)", Kind::Weighting, "").expect_err("refused");
+        assert_eq!(why.to_string(), "V(λ) is a weighting, not a measurement.");
+    }
+
+    #[test]
+    fn what_means_something_says_what() {
+        use Operation::{Divide, Multiply, Subtract};
+        let of = |op: Operation, a: Quantity, b: Quantity| {
+            let found = op.of(&part("A", a, ""), &part("B", b, ""));
+            found.expect("it means something").meaning.quantity
+        };
+        use Quantity::{Counts, Factor, Light, Reflectance, Transmittance};
+        assert_eq!(of(Subtract, Counts, Counts), Counts);
+        assert_eq!(of(Divide, Light, Light), Transmittance);
+        assert_eq!(of(Divide, Counts, Light), Factor);
+        assert_eq!(of(Divide, Light, Transmittance), Light);
+        assert_eq!(of(Multiply, Transmittance, Transmittance), Transmittance);
+        assert_eq!(of(Multiply, Reflectance, Light), Light);
+        assert_eq!(of(Subtract, Transmittance, Transmittance), Factor);
+        assert_eq!(of(Multiply, Counts, Factor), Light);
+        let counts = quantity_of("x", Kind::Light, "Intensity (counts)");
+        assert_eq!(counts, Ok(Counts));
+        assert_eq!(quantity_of("x", Kind::Light, "W m-2 nm-1"), Ok(Light));
+    }
+}

@@ -1,0 +1,256 @@
+//! `combine`: formulas, scans, ranges and slits on the command line.
+
+use std::{ffi::OsString, fs, path::Path};
+
+use serde_json::Value;
+use spectral_explorer::{
+    cli::{self, Outcome},
+    preset,
+};
+
+/// What the command did: exit code, what it printed and what it said beside.
+fn tell(args: &[&str]) -> (u8, String, String) {
+    let words = [cli::PROGRAM, "combine"];
+    let words = words.iter().chain(args).map(OsString::from);
+    let (mut out, mut err) = (Vec::new(), Vec::new());
+    let outcome = cli::run(words, None, &mut out, &mut err);
+    let Outcome::Done(code) = outcome else {
+        panic!("{outcome:?}");
+    };
+    let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
+    (code, text(out), text(err))
+}
+
+#[track_caller]
+fn said(args: &[&str]) -> String {
+    let (code, out, err) = tell(args);
+    assert_eq!(code, 0, "{err}");
+    out
+}
+
+#[track_caller]
+fn json(args: &[&str]) -> Value {
+    serde_json::from_str(&said(&[&["--json"], args].concat())).expect("JSON")
+}
+
+#[track_caller]
+fn refused(code: u8, args: &[&str]) -> String {
+    let (found, out, err) = tell(args);
+    assert_eq!((found, out.as_str()), (code, ""), "{err}");
+    err
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    let all = value.as_array().expect("a list").iter();
+    all.map(|v| v.as_f64().unwrap_or(f64::NAN)).collect()
+}
+
+/// A file of a light, and its path in words.
+fn put(folder: &Path, name: &str, unit: &str, rows: impl Iterator<Item = (f64, f64)>) -> String {
+    let rows: String = rows.map(|(nm, value)| format!("{nm},{value}\n")).collect();
+    let path = folder.join(name);
+    fs::write(&path, format!("wavelength (nm),{unit}\n{rows}")).expect(name);
+    path.to_str().expect("UTF-8").to_owned()
+}
+
+/// Normal numbers, as near as twelve even ones come to them, from a linear congruence.
+fn noise(seed: u64) -> impl Iterator<Item = f64> {
+    let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    let mut even = move || {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    std::iter::from_fn(move || Some((0..12).map(|_| even()).sum::<f64>() - 6.0))
+}
+
+/// Files of scans of a lamp, whose ends are tilted by a share.
+fn scans_of(folder: &Path, name: &str, count: usize, tilt: f64) -> Vec<String> {
+    let lamp = preset::table("cie_led_1nm", "LED-B3").expect("a shipped lamp");
+    let top = lamp.values().iter().fold(0.0_f64, |top, v| top.max(*v));
+    let scan = |index: usize| {
+        let seed = index as u64 + 1 + if tilt > 0.0 { 100 } else { 0 };
+        let mut noise = noise(seed);
+        let level = 1.0 + 0.01 * noise.next().expect("endless");
+        let rows = lamp.nm().iter().zip(lamp.values()).zip(noise);
+        let rows = rows.map(|((nm, v), e)| {
+            let tilted = v * (1.0 + tilt * (nm - 580.0) / 200.0);
+            (*nm, level * tilted + 1e-3 * top * e)
+        });
+        put(folder, &format!("{name}{index}.csv"), "irradiance (W m-2 nm-1)", rows)
+    };
+    (0..count).map(scan).collect()
+}
+
+/// Files of scans of one lamp.
+pub(crate) fn scans(folder: &Path, count: usize) -> Vec<String> {
+    scans_of(folder, "scan", count, 0.0)
+}
+
+/// Files of scans of the lamp with its red up and its blue down by a tenth.
+pub(crate) fn tilted(folder: &Path, count: usize) -> Vec<String> {
+    scans_of(folder, "tilted", count, 0.1)
+}
+
+/// Two ranges of FL2, the upper read 1.25 times as high.
+pub(crate) fn ranges(folder: &Path) -> [String; 2] {
+    let lamp = preset::table("cie_fluorescent_1nm", "FL2").expect("a shipped lamp");
+    let part = |name: &str, from: f64, to: f64, by: f64| {
+        let rows = lamp.nm().iter().zip(lamp.values());
+        let inside = rows.filter(|(nm, _)| (from..=to).contains(*nm));
+        put(folder, name, "irradiance (W m-2 nm-1)", inside.map(|(nm, v)| (*nm, by * v)))
+    };
+    [part("lower.csv", 380.0, 580.0, 1.0), part("upper.csv", 530.0, 780.0, 1.25)]
+}
+
+#[test]
+fn words_of_a_formula_may_stand_apart_or_together() {
+    let together = json(&["A - B", "FL2", "FL2"]);
+    let apart = json(&["A", "-", "B", "FL2", "FL2"]);
+    assert_eq!(together, apart);
+    assert!(numbers(&together["values"]).iter().all(|v| *v == 0.0));
+    assert_eq!(together["result"]["quantity"], "radiant");
+    let absorbance = json(&["-log10(A / B)", "FL2", "CIE A"]);
+    assert_eq!(absorbance["result"]["quantity"], "absorbance");
+    assert_eq!(absorbance["figures"], Value::Null);
+}
+
+#[test]
+fn a_quotient_times_its_divisor_is_what_was_divided() {
+    let found = json(&["A / B * B", "--keep-all", "FL2", "CIE A"]);
+    let plain = json(&["0.5*A + 0.5*A", "FL2"]);
+    let (nm, values) = (numbers(&found["wavelengths"]), numbers(&found["values"]));
+    let own = numbers(&plain["values"]);
+    for (at, value) in numbers(&plain["wavelengths"]).iter().zip(&own) {
+        let index = nm.iter().position(|nm| nm == at).expect("a point of the union");
+        assert!((values[index] - value).abs() <= 1e-12 * value.abs().max(1.0), "{at}");
+    }
+    let coarse = json(&["A / B", "--grid", "5", "FL2", "CIE A"]);
+    let nm = numbers(&coarse["wavelengths"]);
+    assert!(nm.windows(2).all(|w| w[1] - w[0] == 5.0), "{nm:?}");
+    let of_a = json(&["A / B", "--grid", "a", "FL2", "CIE A"]);
+    assert_eq!(of_a["wavelengths"], plain["wavelengths"]);
+}
+
+#[test]
+fn scans_tell_every_figure_with_its_doubt() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let files = scans(folder.path(), 5);
+    let words: Vec<&str> = ["mean"].into_iter().chain(files.iter().map(String::as_str)).collect();
+    let found = json(&words);
+    assert_eq!(found["result"]["scans"], 5);
+    assert_eq!(found["scans"].as_array().map(Vec::len), Some(5));
+    let cct = &found["figures"]["cct"];
+    let (u, half) = (cct["u"].as_f64(), cct["half_width_95"].as_f64());
+    let (u, half) = (u.expect("u"), half.expect("half width"));
+    assert!(u > 0.0 && half > 1.9 * u && half < 3.0 * u, "{u} {half}");
+    let told = said(&words);
+    assert!(told.contains("\nCCT ") && told.contains(" ± "), "{told}");
+    let one = json(&["mean", &files[0]]);
+    assert!(one["notes"][0].as_str().is_some_and(|n| n.starts_with("One scan has no spread")));
+    let two = refused(1, &["mean", &files[0], &files[1]]);
+    assert!(two.contains("Add one more"), "{two}");
+}
+
+#[test]
+fn what_is_written_as_csv_is_read_back_bit_for_bit() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let files = scans(folder.path(), 3);
+    let out = folder.path().join("mean.csv");
+    let out = out.to_str().expect("UTF-8");
+    let words: Vec<&str> = ["mean"].into_iter().chain(files.iter().map(String::as_str)).collect();
+    said(&[&words[..], &["--out", out]].concat());
+    let text = fs::read_to_string(out).expect("written");
+    assert!(text.contains("# scans: 3\n") && text.contains("# level: "), "{text}");
+    assert!(text.contains(",sigma of "), "{text}");
+    let (mean, back) = (json(&words), json(&["mean", out]));
+    for key in ["wavelengths", "values", "sigma"] {
+        assert_eq!(mean[key], back[key], "{key}");
+    }
+    assert_eq!(mean["doubt"]["level"], back["doubt"]["level"]);
+    assert_eq!(mean["figures"], back["figures"]);
+    let again = refused(1, &[&words[..], &["--out", out]].concat());
+    assert!(again.contains("--force"), "{again}");
+    // A format without a place for it says so.
+    let sp = folder.path().join("mean.sp");
+    let (code, _, err) = tell(&[&words[..], &["--out", sp.to_str().expect("UTF-8")]].concat());
+    assert_eq!(code, 0, "{err}");
+    assert!(err.contains("keeps neither sigma nor what is masked"), "{err}");
+}
+
+#[test]
+fn sigma_that_stands_beside_a_spectrum_is_taken() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let rows: String = (380..=780).map(|nm| format!("{nm},5,0.25\n")).collect();
+    let path = folder.path().join("lamp.csv");
+    fs::write(&path, format!("wavelength (nm),irradiance (W m-2 nm-1),sd\n{rows}")).expect("a file");
+    let path = path.to_str().expect("UTF-8");
+    let (code, out, err) = tell(&["2*A", path, "--json"]);
+    assert_eq!(code, 0, "{err}");
+    assert!(err.contains("sd is taken as the sigma of"), "{err}");
+    let found: Value = serde_json::from_str(&out).expect("JSON");
+    assert!(numbers(&found["sigma"]).iter().all(|s| *s == 0.5));
+    assert_eq!(found["doubt"]["from"], "stated");
+}
+
+#[test]
+fn what_changed_is_named_and_equal_sets_are_the_same() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (a, b) = (scans(folder.path(), 5), tilted(folder.path(), 5));
+    let both = |first: &[String], second: &[String]| {
+        let words: Vec<&str> = ["--json", "changed"]
+            .into_iter()
+            .chain(first.iter().map(String::as_str))
+            .chain(["--"])
+            .chain(second.iter().map(String::as_str))
+            .collect();
+        let found: Value = serde_json::from_str(&said(&words)).expect("JSON");
+        found["changed"].clone()
+    };
+    let found = both(&a, &b);
+    assert_eq!(found["verdict"], "different");
+    let parts = found["parts"].as_array().expect("parts");
+    assert!(parts.iter().any(|p| p["what"].as_str().is_some_and(|w| w.ends_with("of the glow"))));
+    assert_eq!(both(&a, &a)["verdict"], "same");
+    let few = refused(1, &["changed", &a[0], "--", &b[0]]);
+    assert!(few.contains("Cannot say: One scan has no spread"), "{few}");
+}
+
+#[test]
+fn ranges_are_spliced_and_slits_add() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [lower, upper] = ranges(folder.path());
+    let found = json(&["splice", &lower, &upper]);
+    let factor = found["splice"]["factor"].as_f64().expect("a factor");
+    assert!((factor - 0.8).abs() < 1e-6, "{factor}");
+    assert_eq!(found["result"]["last_nm"], 780.0);
+    let seen = json(&["slit", "10", "gauss", "FL2"]);
+    assert_eq!(seen["slit"]["shape"], "gauss");
+    let out = folder.path().join("seen.csv");
+    let out = out.to_str().expect("UTF-8");
+    said(&["slit", "10", "gauss", "FL2", "--out", out]);
+    let why = refused(1, &["slit", "5", out]);
+    assert!(why.contains("This light was seen through 10 nm: it cannot be shown as a 5 nm"), "{why}");
+}
+
+#[test]
+fn what_means_nothing_is_refused_with_what_does() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let why = refused(1, &["-log10(A)", "FL2"]);
+    assert!(why.contains("A light has no absorbance. Divide it by a reference first."), "{why}");
+    let why = refused(1, &["A - B", "FL2", "colorchecker_ohta/red"]);
+    assert!(why.contains("A is a light and B a reflectance"), "{why}");
+    let even = |from: i32, to: i32| (from..=to).map(|nm| (f64::from(nm), 1.0));
+    let unit = "irradiance (W m-2 nm-1)";
+    let low = put(folder.path(), "low.csv", unit, even(400, 700));
+    let high = put(folder.path(), "high.csv", unit, even(720, 780));
+    let why = refused(1, &["A + B", &low, &high]);
+    assert!(why.contains("A ends at 700 nm and B begins at 720 nm: they share no wavelengths."), "{why}");
+    let why = refused(2, &["A +", "FL2"]);
+    assert!(why.contains("FORMULA: found"), "{why}");
+    let why = refused(2, &["A / C", "FL2", "CIE A"]);
+    assert!(why.contains("INPUT: found 2 of them"), "{why}");
+    let why = refused(2, &["A", "FL2", "--grid", "sideways"]);
+    assert!(why.contains("--grid"), "{why}");
+}
