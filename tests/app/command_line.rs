@@ -7,6 +7,7 @@ use std::{
     path::Path,
 };
 
+use crate::cli_photo::Drawn;
 use crate::cli_pictures::wall;
 use crate::docs::{document, quoted, rows, section};
 use serde_json::Value;
@@ -435,6 +436,16 @@ fn the_keys_of_a_picture_are_told() {
         "--json",
     ];
     holds("picture --relight --json", &[&relit]);
+}
+
+#[test]
+fn the_keys_of_a_photograph_are_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lamp = put(folder.path(), "lamp.png", Drawn::LAMP.png());
+    holds(
+        "photo --json",
+        &[&["photo", &lamp, "--at", "200,95", "--json"]],
+    );
 }
 
 #[test]

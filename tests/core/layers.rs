@@ -9,7 +9,7 @@ use std::{
 };
 
 /// The rooms of `src`, and which others each may use.
-const ROOMS: [(&str, &[&str]); 13] = [
+const ROOMS: [(&str, &[&str]); 14] = [
     ("spectrum", &[]),
     ("preset", &["spectrum"]),
     ("color", &["preset", "spectrum"]),
@@ -18,27 +18,57 @@ const ROOMS: [(&str, &[&str]); 13] = [
     ("design", &["study", "color", "preset", "spectrum"]),
     ("lamps", &["study", "rivals", "color", "preset", "spectrum"]),
     ("optics", &["study", "color", "spectrum"]),
+    ("photographs", &["color", "preset", "spectrum"]),
     ("io", &["spectrum"]),
     ("pictures", &["io", "study", "color", "preset", "spectrum"]),
     (
         "app",
         &[
-            "design", "lamps", "optics", "pictures", "study", "rivals", "color", "preset",
-            "spectrum", "io",
+            "design",
+            "lamps",
+            "optics",
+            "photographs",
+            "pictures",
+            "study",
+            "rivals",
+            "color",
+            "preset",
+            "spectrum",
+            "io",
         ],
     ),
     (
         "cli",
         &[
-            "app", "design", "lamps", "optics", "pictures", "study", "rivals", "color", "preset",
-            "spectrum", "io",
+            "app",
+            "design",
+            "lamps",
+            "optics",
+            "photographs",
+            "pictures",
+            "study",
+            "rivals",
+            "color",
+            "preset",
+            "spectrum",
+            "io",
         ],
     ),
     (
         "ui",
         &[
-            "app", "design", "lamps", "optics", "pictures", "study", "rivals", "color", "preset",
-            "spectrum", "io",
+            "app",
+            "design",
+            "lamps",
+            "optics",
+            "photographs",
+            "pictures",
+            "study",
+            "rivals",
+            "color",
+            "preset",
+            "spectrum",
+            "io",
         ],
     ),
 ];
@@ -490,11 +520,12 @@ fn the_search_for_circles_finds_one() {
 
 /// The folders of `src/io`, and which others each may use; "" are the files beside them, which
 /// hold what is said of a file: its bytes, what a person decided, where it is from, refusals.
-const ROOMS_OF_IO: [(&str, &[&str]); 8] = [
+const ROOMS_OF_IO: [(&str, &[&str]); 9] = [
     ("text", &[]),
     ("", &["text"]),
     ("write", &["", "text"]),
     ("decode", &["", "text"]),
+    ("photo", &["write", "decode", "", "text"]),
     ("reading", &["", "text"]),
     ("interpret", &["reading", "", "text"]),
     ("table", &["interpret", "reading", "", "text"]),
@@ -607,7 +638,7 @@ fn no_file_is_longer_than_450_lines_without_its_tests() {
 }
 
 /// Most lines of the readers and writers, tests among them.
-const MOST_LINES_OF_IO: usize = 20_500;
+const MOST_LINES_OF_IO: usize = 21_500;
 
 /// What the readers had under many names before there was one raw spectrum.
 const ONE_RAW_TYPE: [&str; 9] = [
