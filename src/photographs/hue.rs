@@ -34,8 +34,12 @@ const FARTHEST: f64 = 2.5;
 const MOST_DIFFERENCE: f64 = 0.5;
 /// Shifts that are tried: so many quarters of a column to both sides.
 const QUARTERS: i32 = 100;
+/// What is left of a channel's noise behind the smoothing.
+const CALM: f64 = 0.38;
 /// Fewer columns in common say nothing.
 const LEAST_COLUMNS: usize = 25;
+/// Hues that differ by more at any shift are those of another instrument.
+pub const MOST_ALIKE: f64 = 0.25;
 /// Another minimum, so many columns away, must be worse by this factor.
 const OTHER: (f64, f64) = (3.0, 1.25);
 
@@ -49,7 +53,7 @@ impl Hues {
         let top = calm.iter().map(|c| largest(c)).fold(0.0, f64::max);
         let seen = |k: usize, column: usize| {
             let value = calm[k][column];
-            let is_lit = value > LEAST.0 * profile.sigma[k] && value > LEAST.1 * top;
+            let is_lit = value > LEAST.0 * CALM * profile.sigma[k] && value > LEAST.1 * top;
             (is_lit && !profile.clipped[column]).then_some(value)
         };
         let ratio = |over: usize, under: usize| {
@@ -80,7 +84,7 @@ impl Hues {
             .collect();
         let best = known.iter().min_by(|a, b| a.1.total_cmp(&b.1))?;
         // A minimum at the end may lie beyond it.
-        if best.0.abs() >= f64::from(QUARTERS) / 4.0 {
+        if best.0.abs() >= f64::from(QUARTERS) / 4.0 && best.1 <= MOST_ALIKE {
             return None;
         }
         let is_minimum = |i: usize| {
@@ -96,7 +100,8 @@ impl Hues {
             .filter(|(px, _)| (px - best.0).abs() > OTHER.0)
             .map(|(_, d)| d)
             .fold(f64::MAX, f64::min);
-        (rival > OTHER.1 * best.1).then_some(Shift {
+        let is_told = rival > OTHER.1 * best.1 || best.1 > MOST_ALIKE;
+        is_told.then_some(Shift {
             px: best.0,
             difference: best.1,
         })
@@ -114,8 +119,7 @@ impl Hues {
                 }
             }
         }
-        let columns = count * other.step_px;
-        (columns >= 2 * LEAST_COLUMNS && count > 0).then(|| sum / count as f64)
+        (count * other.step_px >= LEAST_COLUMNS).then(|| sum / count as f64)
     }
 }
 

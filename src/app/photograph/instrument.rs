@@ -7,7 +7,7 @@ use serde_json::{Map, Value};
 use super::{Photograph, response::Kept};
 use crate::photographs::{
     axis::{Answer, Curve, State},
-    hue::Hues,
+    hue::{Hues, MOST_ALIKE},
     peaks::Peaks,
     strip::Strip,
 };
@@ -15,7 +15,7 @@ use crate::photographs::{
 const FORMAT: &str = "spectral-explorer-instrument";
 const VERSION: u64 = 1;
 /// Columns from one kept hue to the next.
-const HUE_STEP: usize = 2;
+pub(super) const HUE_STEP: usize = 2;
 
 /// An instrument as its file has it; unknown keys are kept.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
@@ -133,8 +133,7 @@ pub struct Applied {
     pub fit: Fit,
 }
 
-/// What tells that an instrument is another one: difference of hues, columns, nm between tests.
-const MOST_HUE: f64 = 0.25;
+/// What tells that an instrument is another one: columns, nm between tests.
 const MOST_SHIFT_PX: f64 = 25.0;
 const MOST_APART_NM: f64 = 1.0;
 /// A smaller shift is none, nm.
@@ -181,7 +180,7 @@ impl Instrument {
     }
 
     /// The instrument that a picture with an axis makes; `None` without an axis that is used.
-    pub fn of(photograph: &Photograph, name: &str, response: Option<Kept>) -> Option<Self> {
+    pub fn of(photograph: &Photograph, name: &str, mut response: Option<Kept>) -> Option<Self> {
         let curve = photograph.used_curve()?;
         let (low, high) = photograph.valid_nm()?;
         let strip = photograph.found.strip;
@@ -197,9 +196,12 @@ impl Instrument {
             clipped: peaks.peaks[m.peak].is_clipped,
         };
         let sharp = peaks.peaks.iter().filter(|p| !p.is_clipped && !p.is_band);
-        let hue = Hues::of(&photograph.found.profile, HUE_STEP).map(|hues| Hue {
+        // Of the smoothest picture at hand: that of the known light.
+        let smooth = response.as_mut().and_then(|kept| kept.hues.take());
+        let hues = smooth.or_else(|| Hues::of(&photograph.found.profile, HUE_STEP));
+        let hue = hues.map(|hues| Hue {
             first_px: 0,
-            step_px: HUE_STEP,
+            step_px: hues.step_px,
             ln_g_b: hues.ln_g_b,
             ln_r_g: hues.ln_r_g,
         });
@@ -321,7 +323,7 @@ impl Instrument {
             .zip(by_lines)
             .map(|(hue, lines)| (hue.px - lines).abs() * step);
         let fit = match shift_px {
-            _ if hue_difference.is_some_and(|d| d > MOST_HUE) => {
+            _ if hue_difference.is_some_and(|d| d > MOST_ALIKE) => {
                 Fit::No(format!("the colours of its columns differ: {another}"))
             }
             _ if apart.is_some_and(|nm| nm > MOST_APART_NM) => Fit::No(format!(

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Photograph, of_strip};
+use super::{Photograph, instrument::HUE_STEP, of_strip};
 use crate::{
     color::{blackbody::relative, quality::daylight},
     photographs::{
@@ -70,6 +70,9 @@ pub struct Kept {
     /// The power by which tones were straightened: 1 for none.
     tone_p: f64,
     disagreement: f64,
+    /// The hues of that picture's columns, until they are kept with the instrument.
+    #[serde(skip)]
+    pub(super) hues: Option<Hues>,
 }
 
 /// A picture read through a response.
@@ -124,8 +127,9 @@ impl Kept {
             .ok_or("found no axis, expected one to learn a response on")?;
         let found = of_strip(path, of.size, &of.found.strip)?;
         let profile = &found.profile;
-        let moved = Hues::of(&of.found.profile, 2)
-            .zip(Hues::of(profile, 2))
+        let hues = Hues::of(profile, HUE_STEP);
+        let moved = Hues::of(&of.found.profile, HUE_STEP)
+            .zip(hues.clone())
             .and_then(|(mine, theirs)| mine.shift(&theirs));
         let step = curve.slope(curve.centre_px).abs();
         let curve = match moved {
@@ -152,6 +156,11 @@ impl Kept {
             doubt_k: matches!(known, Known::Blackbody(_)).then_some(DOUBT_K),
             tone_p: 1.0,
             disagreement: response.disagreement,
+            hues: if moved.is_none_or(|shift| shift.px == 0.0) {
+                hues
+            } else {
+                None
+            },
         })
     }
 

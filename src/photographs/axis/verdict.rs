@@ -223,6 +223,8 @@ impl Judged<'_> {
             // Dark lines are many and alike: a name does not tell them apart.
             () if self.is_named && !self.solution.lamp.is_dark() => 0.5,
             () if is_grey || self.solution.lamp.is_dark() => 9.0,
+            // Few lines of an unknown lamp fit something by chance.
+            () if self.solution.matches.len() < 7 => 10.5,
             () => 7.5,
         }
     }
