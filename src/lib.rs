@@ -41,6 +41,7 @@
 //! lamps      lights in few words                encoder decoder known lamps, wide lines, their race
 //! optics     light through things               index prism rainbow gem film
 //! measurements  one's own measurements          combine repeats doubt splice changed
+//! photographs  a photograph of a spectrum       strip profile peaks axis
 //! io         files <-> spectra, one format a file
 //! pictures   spectral pictures in few numbers   survey choose operator relight full compact fit
 //! app        what the program is doing          document command derived state report export
@@ -48,8 +49,8 @@
 //! cli        the same engine without a window   one command a file
 //! ```
 //!
-//! Imports point one way: `main -> {ui, cli} -> app -> {design, lamps, optics, measurements, pictures} ->
-//! study -> {rivals, color} -> {spectrum, preset}`, and `{pictures, app} -> io -> spectrum`.
+//! Imports point one way: `main -> {ui, cli} -> app -> {design, lamps, optics, measurements, photographs,
+//! pictures} -> study -> {rivals, color} -> {spectrum, preset}`, and `{pictures, app} -> io -> spectrum`.
 //! docs/map.md tells of every folder. The feature `window`, on by default, builds `ui`.
 //!
 //! The composite model is that of Sun, Fracchia and Drew, "A Composite Spectral Model and Its
@@ -66,6 +67,7 @@ pub mod io;
 pub mod lamps;
 pub mod measurements;
 pub mod optics;
+pub mod photographs;
 pub mod pictures;
 pub mod preset;
 pub mod rivals;

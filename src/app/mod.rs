@@ -40,6 +40,7 @@ mod origin;
 pub mod own_observers;
 pub mod pages;
 mod pair;
+pub mod photograph;
 mod photons;
 pub mod picture;
 pub mod product_report;

@@ -5,6 +5,7 @@ mod encoding;
 mod lessons;
 mod measurements;
 mod optics;
+mod photo;
 mod pictures;
 
 use std::{ffi::OsString, path::PathBuf};
@@ -26,6 +27,7 @@ pub(super) use encoding::{Decode, Encode};
 pub(super) use lessons::{LessonAct, Lessons};
 pub(super) use measurements::Combine;
 pub(super) use optics::{CutOptions, Gem, Prism, Rainbow, ViewOptions};
+pub(super) use photo::Photo;
 pub(super) use pictures::{Fit, Picture};
 
 /// Opens light spectra and shows what they are made of: a short series and a few spikes.
@@ -84,6 +86,8 @@ pub(super) enum Command {
     Rainbow(Rainbow),
     /// Trace a brilliant under a light, and say how noisy the picture is.
     Gem(Gem),
+    /// Read the spectrum in a photograph of one: its axis by the lines of a lamp, or by pins.
+    Photo(Photo),
     /// Keep a spectral picture in few numbers a pixel, or show one under another light.
     Picture(Picture),
     /// Write tables of many spectra in few numbers each.
@@ -125,7 +129,7 @@ impl Command {
             Self::Render(options) => Some(options.pick.files),
             Self::Plot(options) => Some(options.pick.files),
             Self::Convert(options) => Some(options.pick.files),
-            Self::Decode(_) | Self::List(_) | Self::Lessons(_) => None,
+            Self::Decode(_) | Self::Photo(_) | Self::List(_) | Self::Lessons(_) => None,
         }
     }
 
@@ -149,6 +153,7 @@ impl Command {
             | Self::Mix(_)
             | Self::Encode(_)
             | Self::Decode(_)
+            | Self::Photo(_)
             | Self::Picture(_)
             | Self::Fit(_)
             | Self::Read(_)

@@ -114,9 +114,13 @@ fn understood(options: &Combine) -> Result<(Act, Vec<OsString>), Refusal> {
         "splice" => Act::Splice,
         "changed" => Act::Changed,
         "slit" => {
-            let fwhm = files.first().and_then(|w| w.to_str()?.trim_end_matches("nm").parse::<f64>().ok());
+            let fwhm = files
+                .first()
+                .and_then(|w| w.to_str()?.trim_end_matches("nm").parse::<f64>().ok());
             let Some(fwhm_nm) = fwhm.filter(|nm| (1e-3..=1000.0).contains(nm)) else {
-                return Err(usage("found slit without a width, expected one in nm behind it".to_owned()));
+                return Err(usage(
+                    "found slit without a width, expected one in nm behind it".to_owned(),
+                ));
             };
             files.remove(0);
             let shape = files.first().and_then(|w| Kernel::from_word(w.to_str()?));
@@ -155,7 +159,10 @@ fn understood(options: &Combine) -> Result<(Act, Vec<OsString>), Refusal> {
     let is_right = match &act {
         Act::Splice | Act::Slit(_) => files.len() == least,
         Act::Changed => !files.is_empty() && !options.others.is_empty(),
-        Act::Formula(..) | Act::Mean => (least.max(1)..=MOST_INPUTS).contains(&files.len()) || matches!(act, Act::Mean) && !files.is_empty(),
+        Act::Formula(..) | Act::Mean => {
+            (least.max(1)..=MOST_INPUTS).contains(&files.len())
+                || matches!(act, Act::Mean) && !files.is_empty()
+        }
     };
     match is_right {
         true => Ok((act, files)),
@@ -194,7 +201,12 @@ fn read(word: &OsStr, all: bool, inputs: &mut Inputs) -> Result<Vec<Measurement>
     let refused = |why: String| Refusal::File(format!("INPUT: {why}"));
     let named = |why: &dyn std::fmt::Display| refused(format!("{}: {why}", shown(path)));
     let is_file = path.is_file() || is_stream(path);
-    if is_file && let Some(own) = inputs.text(path).ok().and_then(|text| own_measurement(&text)) {
+    if is_file
+        && let Some(own) = inputs
+            .text(path)
+            .ok()
+            .and_then(|text| own_measurement(&text))
+    {
         return Ok(vec![own]);
     }
     let (file, pick) = named_spectrum(word);
@@ -229,7 +241,12 @@ fn read(word: &OsStr, all: bool, inputs: &mut Inputs) -> Result<Vec<Measurement>
     };
     let sigma = sigma_of(&one);
     if let Some(sigma) = sigma {
-        inputs.note(format!("{}: {} is taken as the sigma of {}", shown(path), sigma.name, one.name));
+        inputs.note(format!(
+            "{}: {} is taken as the sigma of {}",
+            shown(path),
+            sigma.name,
+            one.name
+        ));
     }
     Ok(vec![measurement(&one, sigma).map_err(|why| named(&why))?])
 }
@@ -273,7 +290,10 @@ fn of_formula(
     let from = doubt_from(&parts);
     let parts = with_noise(parts);
     let divisors = formula.divisors();
-    let has_lines = divisors.iter().filter_map(|index| parts.get(*index)).any(has_lines);
+    let has_lines = divisors
+        .iter()
+        .filter_map(|index| parts.get(*index))
+        .any(has_lines);
     let settings = Options {
         keep_all: options.keep_all,
         most_doubt: has_lines.then_some(MOST_DOUBT),
@@ -295,7 +315,10 @@ fn of_formula(
         scans: Vec::new(),
         notes: found.notes,
         step_nm: found.step_nm,
-        first_nm: parts.iter().map(|part| part.samples.nm().to_vec()).collect(),
+        first_nm: parts
+            .iter()
+            .map(|part| part.samples.nm().to_vec())
+            .collect(),
         ..Found::of(found.result, made_by, from)
     })
 }
@@ -307,7 +330,10 @@ fn has_lines(part: &Measurement) -> bool {
     let band = Band::new(samples.first_nm().ceil(), samples.last_nm().floor());
     band.is_ok_and(|band| {
         let values = samples.on_band(band, Outside::Zero);
-        is_light && !detect(band, &values, SpikeSettings::default()).spikes.is_empty()
+        is_light
+            && !detect(band, &values, SpikeSettings::default())
+                .spikes
+                .is_empty()
     })
 }
 
@@ -343,11 +369,16 @@ fn of_scans(parts: &[Measurement]) -> Result<Found, Refusal> {
     let rows: Vec<ScanRow> = rows.collect();
     notes.extend(rows.iter().filter_map(|row| {
         let why = row.why.as_ref()?;
-        Some(format!("{} does not seem to belong: {why}. It is kept; leave it out to drop it.", row.name))
+        Some(format!(
+            "{} does not seem to belong: {why}. It is kept; leave it out to drop it.",
+            row.name
+        ))
     }));
     if let Some(drift) = drift.filter(|drift| drift.is_there()) {
         let percent = 100.0 * drift.per_scan;
-        notes.push(format!("The level changes by {percent:+.2} % from scan to scan."));
+        notes.push(format!(
+            "The level changes by {percent:+.2} % from scan to scan."
+        ));
     }
     let first_nm = vec![parts[0].samples.nm().to_vec()];
     Ok(Found {
@@ -361,7 +392,9 @@ fn of_scans(parts: &[Measurement]) -> Result<Found, Refusal> {
 
 fn of_ranges(parts: &[Measurement], options: &Combine) -> Result<Found, Refusal> {
     let [first, second] = parts else {
-        return Err(Refusal::Usage("INPUT: expected 2 ranges of one light".to_owned()));
+        return Err(Refusal::Usage(
+            "INPUT: expected 2 ranges of one light".to_owned(),
+        ));
     };
     let spliced = splice(first, second, options.axis == Some(0.0)).map_err(Refusal::file)?;
     let made_by = format!("splice of {} and {}", first.name, second.name);
@@ -373,7 +406,10 @@ fn of_ranges(parts: &[Measurement], options: &Combine) -> Result<Found, Refusal>
         196.0 * spliced.u
     );
     let mut found = Found::of(spliced.result.clone(), made_by, doubt_from(parts));
-    found.first_nm = parts.iter().map(|part| part.samples.nm().to_vec()).collect();
+    found.first_nm = parts
+        .iter()
+        .map(|part| part.samples.nm().to_vec())
+        .collect();
     found.notes.push(note);
     found.splice = Some(spliced);
     Ok(found)
@@ -386,7 +422,12 @@ fn through(parts: Vec<Measurement>, slit: Slit) -> Result<Found, Refusal> {
         return Err(Refusal::Usage("INPUT: expected a light".to_owned()));
     };
     let seen = smoothed(part, slit).map_err(Refusal::file)?;
-    let made_by = format!("{} through {} nm ({})", part.name, slit.fwhm_nm, slit.shape.word());
+    let made_by = format!(
+        "{} through {} nm ({})",
+        part.name,
+        slit.fwhm_nm,
+        slit.shape.word()
+    );
     let mut found = Found::of(seen, made_by, from);
     found.first_nm = vec![part.samples.nm().to_vec()];
     Ok(found)
@@ -411,7 +452,9 @@ fn on_grid(mut found: Found, grid: Grid) -> Result<Found, Refusal> {
             let from = (first / step - 1e-9).ceil() as i64;
             let to = (last / step + 1e-9).floor() as i64;
             if to - from > 1 << 20 {
-                return Err(Refusal::Usage(format!("--grid: found a step of {step} nm, expected a larger one")));
+                return Err(Refusal::Usage(format!(
+                    "--grid: found a step of {step} nm, expected a larger one"
+                )));
             }
             (from..=to).map(|k| k as f64 * step).collect()
         }

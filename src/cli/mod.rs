@@ -30,6 +30,8 @@ mod material;
 mod mix;
 mod no_display;
 mod options;
+mod photo;
+mod photo_words;
 mod picture;
 mod picture_input;
 mod picture_relit;
@@ -181,6 +183,7 @@ fn carry_out(
             Command::Prism(options) => prism::run(&options, out, inputs)?,
             Command::Rainbow(options) => rainbow::run(&options, out, inputs)?,
             Command::Gem(options) => gem::run(&options, out, inputs)?,
+            Command::Photo(options) => return photo::run(&options, out, inputs).map(Outcome::Done),
             Command::Picture(options) => picture::run(&options, out, inputs)?,
             Command::Fit(options) => fit::run(&options, out, inputs)?,
             Command::Read(options) => read::run(&options, out, inputs)?,

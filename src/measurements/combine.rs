@@ -85,7 +85,13 @@ pub fn combine(
         step.mask(&bare_grid, options, &mut mask);
     }
     let found = step.column(&grid);
-    let result = finished(&grid, found, &meaning, &mask.on(&bare.nm, &union.nm), &mask.why)?;
+    let result = finished(
+        &grid,
+        found,
+        &meaning,
+        &mask.on(&bare.nm, &union.nm),
+        &mask.why,
+    )?;
     let kept = result.kept_values().iter().flatten().count() as f64 / union.nm.len() as f64;
     if kept == 0.0 {
         return Err(MeasurementError::AllMasked(match mask.why.as_str() {
@@ -93,9 +99,13 @@ pub fn combine(
             why => format!("{why} everywhere: nothing is left."),
         }));
     }
-    notes.extend(result.masked().iter().take(MOST_MASKED).map(|m| {
-        format!("{} from {} to {} nm.", m.why, m.from_nm, m.to_nm)
-    }));
+    notes.extend(
+        result
+            .masked()
+            .iter()
+            .take(MOST_MASKED)
+            .map(|m| format!("{} from {} to {} nm.", m.why, m.from_nm, m.to_nm)),
+    );
     let steps = parts.iter().map(|m| m.samples.step_nm());
     Ok(Combined {
         step_nm: steps.fold(f64::INFINITY, f64::min),
@@ -135,11 +145,15 @@ fn understood(
         Tree::Input(index) => {
             let of = &inputs[*index];
             let text = letter(*index).to_string();
-            (Step::Input(*index), meaning(text, of.quantity, &of.unit, of.exposure_ms))
+            (
+                Step::Input(*index),
+                meaning(text, of.quantity, &of.unit, of.exposure_ms),
+            )
         }
-        Tree::Number(value) => {
-            (Step::Number(*value), meaning(value.to_string(), Quantity::Number, "", None))
-        }
+        Tree::Number(value) => (
+            Step::Number(*value),
+            meaning(value.to_string(), Quantity::Number, "", None),
+        ),
         Tree::Of(operation, a, b) => {
             let (a, of_a) = understood(a, inputs, notes)?;
             let (b, of_b) = understood(b, inputs, notes)?;
@@ -177,7 +191,8 @@ impl<'m> Grid<'m> {
         let on = |of: &'m Measurement| {
             let places = union.places(of.samples.nm());
             let own = of.samples.values();
-            let value = |(left, share): &(usize, f64)| own[*left] * (1.0 - share) + own[left + 1] * share;
+            let value =
+                |(left, share): &(usize, f64)| own[*left] * (1.0 - share) + own[left + 1] * share;
             let is_masked = |(left, share): &(usize, f64)| {
                 *share < 1.0 && !of.is_kept(*left) || *share > 0.0 && !of.is_kept(left + 1)
             };
@@ -188,7 +203,10 @@ impl<'m> Grid<'m> {
             OnGrid {
                 of,
                 values: places.iter().map(value).collect(),
-                sigma: places.iter().map(|(left, share)| of.sigma_at(*left, *share)).collect(),
+                sigma: places
+                    .iter()
+                    .map(|(left, share)| of.sigma_at(*left, *share))
+                    .collect(),
                 masked: places.iter().map(is_masked).collect(),
                 points_a_sample: (union.nm.len() - 1) as f64 / samples,
             }
@@ -331,7 +349,8 @@ impl Step {
                 let t = a.column(grid);
                 let sigma = t.sigma(grid);
                 let pairs = t.values.iter().zip(&sigma);
-                let is_dark = pairs.map(|(t, s)| t.is_nan() || *t <= 0.0 || *t < LEAST_FOR_ABSORBANCE * s);
+                let is_dark =
+                    pairs.map(|(t, s)| t.is_nan() || *t <= 0.0 || *t < LEAST_FOR_ABSORBANCE * s);
                 let why = "The transmittance is below 7 of its noise: only \"more than\" could be \
                            told of the absorbance";
                 mask.add(is_dark.collect(), why);
@@ -370,7 +389,10 @@ fn in_the_dark(r: &Column, grid: &Grid) -> Vec<bool> {
 
 /// Where a quotient's doubt, noise and axis together, exceeds what is asked.
 fn doubtful(t: &Column, r: &Column, grid: &Grid, most: f64) -> Vec<bool> {
-    let axis_nm = grid.used().map(|(_, input)| input.of.axis_nm).fold(0.0, f64::max);
+    let axis_nm = grid
+        .used()
+        .map(|(_, input)| input.of.axis_nm)
+        .fold(0.0, f64::max);
     let sigma = t.sigma(grid);
     let (nm, last) = (grid.nm, grid.nm.len() - 1);
     let is_doubtful = |i: usize| {
@@ -410,7 +432,10 @@ impl Mask {
         if points.contains(&true) && self.why.is_empty() {
             why.clone_into(&mut self.why);
         }
-        self.points.iter_mut().zip(points).for_each(|(a, b)| *a |= b);
+        self.points
+            .iter_mut()
+            .zip(points)
+            .for_each(|(a, b)| *a |= b);
     }
 
     /// The same for a finer grid: a piece holds a value where both its ends do.
@@ -434,15 +459,22 @@ fn finished(
     let has_sigma = grid.used().any(|(_, input)| input.of.sigma.is_some());
     let sigma = found.sigma(grid);
     let is_no_number = |i: usize| !found.values[i].is_finite() || !sigma[i].is_finite();
-    let mask: Vec<bool> = (0..mask.len()).map(|i| mask[i] || is_no_number(i)).collect();
+    let mask: Vec<bool> = (0..mask.len())
+        .map(|i| mask[i] || is_no_number(i))
+        .collect();
     let or_zero = |values: &[f64]| -> Vec<f64> {
         let pairs = values.iter().zip(&mask);
-        pairs.map(|(v, masked)| if *masked { 0.0 } else { *v }).collect()
+        pairs
+            .map(|(v, masked)| if *masked { 0.0 } else { *v })
+            .collect()
     };
     let samples = Sampled::new(grid.nm.to_vec(), or_zero(&found.values))?;
     let mut result = Measurement::new(&meaning.text, meaning.quantity, &meaning.unit, samples);
     result.level = level(grid, &found, &mask);
-    result.axis_nm = grid.used().map(|(_, input)| input.of.axis_nm).fold(0.0, f64::max);
+    result.axis_nm = grid
+        .used()
+        .map(|(_, input)| input.of.axis_nm)
+        .fold(0.0, f64::max);
     result.exposure_ms = meaning.exposure_ms;
     if has_sigma {
         result.memory = memory(grid, &found, &mask);
@@ -463,15 +495,24 @@ fn finished(
 /// Relative error of the result's total by the common factors of the inputs.
 fn level(grid: &Grid, found: &Column, mask: &[bool]) -> f64 {
     let total = |of: &dyn Fn(usize) -> f64| -> f64 {
-        (0..grid.nm.len()).filter(|i| !mask[*i]).map(|i| width(grid.nm, i) * of(i)).sum()
+        (0..grid.nm.len())
+            .filter(|i| !mask[*i])
+            .map(|i| width(grid.nm, i) * of(i))
+            .sum()
     };
     let whole = total(&|i| found.values[i].abs());
     let part = |(index, input): (usize, &OnGrid)| {
-        let slopes = found.slopes[index].as_ref().map(|slopes| total(&|i| slopes[i] * input.values[i]));
+        let slopes = found.slopes[index]
+            .as_ref()
+            .map(|slopes| total(&|i| slopes[i] * input.values[i]));
         (input.of.level * slopes.unwrap_or(0.0)).powi(2)
     };
     let squares: f64 = grid.used().map(part).sum();
-    if whole > 0.0 { squares.sqrt() / whole } else { 0.0 }
+    if whole > 0.0 {
+        squares.sqrt() / whole
+    } else {
+        0.0
+    }
 }
 
 /// The stretch that a point stands for, nm.
@@ -493,7 +534,10 @@ fn memory(grid: &Grid, found: &Column, mask: &[bool]) -> Vec<f64> {
         });
         squares.unwrap_or(0.0)
     };
-    let weights: Vec<(f64, &OnGrid)> = grid.used().map(|(i, input)| (weight((i, input)), input)).collect();
+    let weights: Vec<(f64, &OnGrid)> = grid
+        .used()
+        .map(|(i, input)| (weight((i, input)), input))
+        .collect();
     let all: f64 = weights.iter().map(|(weight, _)| weight).sum();
     if all <= 0.0 {
         return Vec::new();
@@ -508,8 +552,14 @@ fn memory(grid: &Grid, found: &Column, mask: &[bool]) -> Vec<f64> {
         rho(below) * (1.0 - share) + rho(below + 1) * share
     };
     let at = |lag: usize| -> f64 {
-        weights.iter().map(|(weight, input)| weight * of_input(input, lag)).sum::<f64>() / all
+        weights
+            .iter()
+            .map(|(weight, input)| weight * of_input(input, lag))
+            .sum::<f64>()
+            / all
     };
-    (1..grid.nm.len()).map(at).take_while(|rho| *rho > LEAST_MEMORY).collect()
+    (1..grid.nm.len())
+        .map(at)
+        .take_while(|rho| *rho > LEAST_MEMORY)
+        .collect()
 }
-

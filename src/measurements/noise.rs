@@ -36,7 +36,11 @@ pub fn noise_of(samples: &Sampled) -> Option<Vec<f64>> {
             let line = values[i - 1] * (1.0 - share) + values[i + 1] * share;
             let away = (values[i] - line).abs();
             let of_one = 1.0_f64.hypot(share).hypot(1.0 - share);
-            if away > ROUNDING * highest { away / of_one } else { 0.0 }
+            if away > ROUNDING * highest {
+                away / of_one
+            } else {
+                0.0
+            }
         })
         .collect();
     let all = deviation(&differences)?;
@@ -86,10 +90,14 @@ pub(super) mod tests {
     #[test]
     fn the_noise_of_a_smooth_light_is_told_to_a_tenth_on_even_and_uneven_grids() {
         for uneven in [0.0, 0.3] {
-            let nm = (0..2000_i32).map(|i| 400.0 + 0.2 * (f64::from(i) + uneven * f64::from(i % 3)));
+            let nm =
+                (0..2000_i32).map(|i| 400.0 + 0.2 * (f64::from(i) + uneven * f64::from(i % 3)));
             let nm: Vec<f64> = nm.collect();
             let smooth = |nm: &f64| 100.0 * (-((nm - 600.0) / 120.0).powi(2)).exp();
-            let values = nm.iter().zip(normal(3)).map(|(nm, noise)| smooth(nm) + noise);
+            let values = nm
+                .iter()
+                .zip(normal(3))
+                .map(|(nm, noise)| smooth(nm) + noise);
             let samples = Sampled::new(nm.clone(), values.collect()).expect("rising");
             let sigma = noise_of(&samples).expect("enough samples");
             let mean = sigma.iter().sum::<f64>() / sigma.len() as f64;
@@ -99,7 +107,13 @@ pub(super) mod tests {
 
     #[test]
     fn tables_of_lines_and_short_ones_tell_none() {
-        let lines = (0..81).map(|i| if i % 4 == 0 { 1.0 } else { 0.01 * f64::from(i % 7) });
+        let lines = (0..81).map(|i| {
+            if i % 4 == 0 {
+                1.0
+            } else {
+                0.01 * f64::from(i % 7)
+            }
+        });
         let lines = Sampled::even(380.0, 5.0, lines.collect()).expect("finite");
         assert_eq!(noise_of(&lines), None);
         let short = Sampled::even(380.0, 1.0, vec![1.0, 2.0, 1.0]).expect("finite");

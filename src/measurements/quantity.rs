@@ -41,10 +41,7 @@ impl Quantity {
 
     /// Whether it multiplies a light.
     pub fn is_factor(self) -> bool {
-        matches!(
-            self,
-            Self::Transmittance | Self::Reflectance | Self::Factor
-        )
+        matches!(self, Self::Transmittance | Self::Reflectance | Self::Factor)
     }
 
     /// The kind of a spectrum with such values.
@@ -230,8 +227,17 @@ fn added(sign: char) -> &'static str {
 /// Words of units that state nothing absolute.
 fn is_relative(unit: &str) -> bool {
     let unit = unit.trim().to_lowercase();
-    ["", "relative", "arbitrary", "a.u.", "au", "arb. units", "normalised", "normalized"]
-        .contains(&unit.as_str())
+    [
+        "",
+        "relative",
+        "arbitrary",
+        "a.u.",
+        "au",
+        "arb. units",
+        "normalised",
+        "normalized",
+    ]
+    .contains(&unit.as_str())
 }
 
 fn lights(a: &Meaning, b: &Meaning, text: String) -> Result<Outcome, MeasurementError> {
@@ -272,12 +278,7 @@ fn lights(a: &Meaning, b: &Meaning, text: String) -> Result<Outcome, Measurement
     }
 }
 
-fn counts(
-    a: &Meaning,
-    b: &Meaning,
-    sign: char,
-    text: String,
-) -> Result<Outcome, MeasurementError> {
+fn counts(a: &Meaning, b: &Meaning, sign: char, text: String) -> Result<Outcome, MeasurementError> {
     let per_ms = |m: &Meaning| m.unit.to_lowercase().contains("/ms") || m.unit.contains("per ms");
     let found = outcome(text, Quantity::Counts, &a.unit, a);
     if let (Some(x), Some(y)) = (a.exposure_ms, b.exposure_ms)
@@ -315,7 +316,11 @@ fn product(a: &Meaning, b: &Meaning) -> Result<Outcome, MeasurementError> {
         )),
         // An instrument's factor makes a light of counts.
         (Counts, Factor) | (Factor, Counts) => {
-            let unit = if a.quantity == Factor { &a.unit } else { &b.unit };
+            let unit = if a.quantity == Factor {
+                &a.unit
+            } else {
+                &b.unit
+            };
             let unit = unit.trim_start_matches("factor").trim();
             Ok(outcome(text, Light, unit, a))
         }
@@ -323,7 +328,12 @@ fn product(a: &Meaning, b: &Meaning) -> Result<Outcome, MeasurementError> {
         (x, Light | Counts) if x.is_factor() => same(b),
         (x, y) if x.is_factor() && y.is_factor() => {
             let quantity = if x == y { x } else { Factor };
-            Ok(outcome(text, quantity, if quantity == Factor { "factor" } else { "" }, a))
+            Ok(outcome(
+                text,
+                quantity,
+                if quantity == Factor { "factor" } else { "" },
+                a,
+            ))
         }
         (x, y) => meaningless(format!(
             "{} is {x} and {} {y}: a product of the two means nothing.",
@@ -418,13 +428,21 @@ pub(super) fn conversion(from: &str, to: &str) -> Option<f64> {
         // W to mW is a power of ten, whatever the quotient's last bit is.
         let power = factor.log10().round();
         let exact = 10f64.powi(power as i32);
-        if (factor / exact - 1.0).abs() < 1e-9 { exact } else { factor }
+        if (factor / exact - 1.0).abs() < 1e-9 {
+            exact
+        } else {
+            factor
+        }
     })
 }
 
 /// A unit as its size in W, m and nm, and the exponents of its words.
 fn parsed(unit: &str) -> (f64, Vec<(String, i32)>) {
-    let unit = unit.replace('²', "2").replace('⁻', "-").replace('µ', "u").replace('μ', "u");
+    let unit = unit
+        .replace('²', "2")
+        .replace('⁻', "-")
+        .replace('µ', "u")
+        .replace('μ', "u");
     let mut scale = 1.0;
     let mut words: Vec<(String, i32)> = Vec::new();
     let mut sign = 1;

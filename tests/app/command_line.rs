@@ -8,6 +8,7 @@ use std::{
 };
 
 use crate::cli_combine;
+use crate::cli_photo::Drawn;
 use crate::cli_pictures::wall;
 use crate::docs::{document, quoted, rows, section};
 use serde_json::Value;
@@ -392,7 +393,9 @@ fn the_keys_of_a_combination_are_told() {
     let tilted = cli_combine::tilted(folder.path(), 3);
     changed.extend(tilted.iter().map(String::as_str));
     let quotient = ["combine", "A / B", "FL2", "CIE A", "--json"];
-    let over_lines = ["combine", "A / B", "CIE A", "FL2", "--axis", "0.1", "--json"];
+    let over_lines = [
+        "combine", "A / B", "CIE A", "FL2", "--axis", "0.1", "--json",
+    ];
     let slit = ["combine", "slit", "10", "FL2", "--json"];
     let [lower, upper] = cli_combine::ranges(folder.path());
     let splice = ["combine", "splice", &lower, &upper, "--json"];
@@ -465,6 +468,16 @@ fn the_keys_of_a_picture_are_told() {
         "--json",
     ];
     holds("picture --relight --json", &[&relit]);
+}
+
+#[test]
+fn the_keys_of_a_photograph_are_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lamp = put(folder.path(), "lamp.png", Drawn::LAMP.png());
+    holds(
+        "photo --json",
+        &[&["photo", &lamp, "--at", "200,95", "--json"]],
+    );
 }
 
 #[test]

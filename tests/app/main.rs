@@ -21,6 +21,7 @@ mod cli_lessons;
 mod cli_light;
 mod cli_names;
 mod cli_optics;
+mod cli_photo;
 mod cli_pictures;
 mod cli_studies;
 mod cli_unused;

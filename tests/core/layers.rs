@@ -19,6 +19,7 @@ const ROOMS: [(&str, &[&str]); 14] = [
     ("lamps", &["study", "rivals", "color", "preset", "spectrum"]),
     ("optics", &["study", "color", "spectrum"]),
     ("measurements", &["color", "spectrum"]),
+    ("photographs", &["color", "preset", "spectrum"]),
     ("io", &["spectrum"]),
     ("pictures", &["io", "study", "color", "preset", "spectrum"]),
     (
@@ -28,6 +29,7 @@ const ROOMS: [(&str, &[&str]); 14] = [
             "lamps",
             "optics",
             "measurements",
+            "photographs",
             "pictures",
             "study",
             "rivals",
@@ -45,6 +47,7 @@ const ROOMS: [(&str, &[&str]); 14] = [
             "lamps",
             "optics",
             "measurements",
+            "photographs",
             "pictures",
             "study",
             "rivals",
@@ -62,6 +65,7 @@ const ROOMS: [(&str, &[&str]); 14] = [
             "lamps",
             "optics",
             "measurements",
+            "photographs",
             "pictures",
             "study",
             "rivals",
@@ -520,11 +524,12 @@ fn the_search_for_circles_finds_one() {
 
 /// The folders of `src/io`, and which others each may use; "" are the files beside them, which
 /// hold what is said of a file: its bytes, what a person decided, where it is from, refusals.
-const ROOMS_OF_IO: [(&str, &[&str]); 8] = [
+const ROOMS_OF_IO: [(&str, &[&str]); 9] = [
     ("text", &[]),
     ("", &["text"]),
     ("write", &["", "text"]),
     ("decode", &["", "text"]),
+    ("photo", &["write", "decode", "", "text"]),
     ("reading", &["", "text"]),
     ("interpret", &["reading", "", "text"]),
     ("table", &["interpret", "reading", "", "text"]),
@@ -637,7 +642,7 @@ fn no_file_is_longer_than_450_lines_without_its_tests() {
 }
 
 /// Most lines of the readers and writers, tests among them.
-const MOST_LINES_OF_IO: usize = 20_500;
+const MOST_LINES_OF_IO: usize = 21_500;
 
 /// What the readers had under many names before there was one raw spectrum.
 const ONE_RAW_TYPE: [&str; 9] = [

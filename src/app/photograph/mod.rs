@@ -1,0 +1,328 @@
+//! A photograph of a spectrum: read, its strip found, its axis by the lines of a lamp or by pins.
+
+mod instrument;
+mod response;
+mod spectrum;
+mod words;
+
+use std::path::Path;
+
+pub use instrument::{Applied, Fit, Instrument};
+pub use response::{Kept, Known, Through};
+pub use spectrum::{Row, Rows, Stands};
+pub use words::{csv, json, sentence, warnings};
+
+use crate::{
+    io::{ColourPixels, Exif, Photo, read_photo},
+    photographs::{
+        Lamp,
+        axis::{Answer, Curve, Pin, State, Wanted, find, snapped, through_pins},
+        hue::Hues,
+        peaks::{Peak, Peaks, bright, dark},
+        picture::{Codes, Picture},
+        strip::{self, ByHand, Found, Strip},
+    },
+};
+
+/// Which lamp a person has named.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LampChoice {
+    /// Any of them.
+    #[default]
+    Auto,
+    /// None: no axis is looked for.
+    Nothing,
+    /// This one.
+    Is(Lamp),
+}
+
+/// What a person has said about a photograph.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Said {
+    /// Where its strip is.
+    pub strip: ByHand,
+    /// Which lamp it shows.
+    pub lamp: LampChoice,
+    /// Columns with their wavelengths.
+    pub pins: Vec<Pin>,
+    /// A suggested axis is taken.
+    pub yes: bool,
+    /// The strip and the axis of this one.
+    pub instrument: Option<Instrument>,
+}
+
+/// Where an axis comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// By the lines, surely.
+    Found,
+    /// By the lines, perhaps.
+    Suggested,
+    /// By pins alone.
+    Pins,
+    /// By an instrument that was kept.
+    Instrument,
+    /// There is none.
+    Nothing,
+}
+
+impl Source {
+    /// The word of the JSON.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Found => "found",
+            Self::Suggested => "suggested",
+            Self::Pins => "pins",
+            Self::Instrument => "instrument",
+            Self::Nothing => "none",
+        }
+    }
+}
+
+/// A photograph with what was found in it.
+#[derive(Clone, Debug)]
+pub struct Photograph {
+    /// What the file is called.
+    pub file: String,
+    /// Width and height as shown.
+    pub size: [usize; 2],
+    /// What is kept of its EXIF.
+    pub exif: Exif,
+    /// What was done to the picture when it was read.
+    pub notes: Vec<&'static str>,
+    /// Its strip and the light along it.
+    pub found: Found,
+    /// The strip was drawn, turned or chosen by hand.
+    pub by_hand: bool,
+    /// Lines of light.
+    pub bright: Peaks,
+    /// Dark lines, where no bright ones stand out.
+    pub dark: Option<Peaks>,
+    /// What the lines say of the axis; `None` where nothing was asked of them.
+    pub answer: Option<Answer>,
+    /// The axis through pins alone.
+    pub pinned: Option<Curve>,
+    /// Its pins.
+    pub pins: Vec<Pin>,
+    /// A suggestion was taken.
+    pub yes: bool,
+    /// The instrument that it was read with.
+    pub instrument: Option<Applied>,
+    /// What it is through a response.
+    pub through: Option<Through>,
+}
+
+/// Reads a photograph and finds its strip and its axis.
+///
+/// # Errors
+/// What was found and what was expected, after the file's name.
+pub fn read(path: &Path, said: &Said) -> Result<Photograph, String> {
+    let photo = read_photo(path).map_err(|why| why.to_string())?;
+    let name = crate::io::shown(path);
+    of_photo(&name, photo, said).map_err(|why| format!("{name}: {why}"))
+}
+
+/// A photograph as the search for strips takes it.
+fn picture_of(photo: Photo) -> Result<Picture, String> {
+    let codes = match photo.pixels {
+        ColourPixels::Eight(codes) => Codes::Eight(codes),
+        ColourPixels::Sixteen(codes) => Codes::Sixteen(codes),
+    };
+    let picture = Picture::new(photo.size, codes, photo.is_linear);
+    picture.ok_or_else(|| "found too few pixels, expected those of the whole picture".to_owned())
+}
+
+/// The light along a strip of another picture of the same size.
+fn of_strip(path: &Path, size: [usize; 2], strip: &Strip) -> Result<Found, String> {
+    let photo = read_photo(path)
+        .map_err(|why| format!("found {}, expected {}", why.found, why.expected))?;
+    if photo.size != size {
+        return Err(format!(
+            "found {} x {} px, expected {} x {}, as the other picture has",
+            photo.size[0], photo.size[1], size[0], size[1]
+        ));
+    }
+    Ok(strip::read_at(&picture_of(photo)?, strip))
+}
+
+/// The same of a photograph that was read.
+///
+/// # Errors
+/// What was found and what was expected.
+pub fn of_photo(name: &str, photo: Photo, said: &Said) -> Result<Photograph, String> {
+    let (size, exif, notes) = (photo.size, photo.exif.clone(), photo.notes.clone());
+    let kept = said
+        .instrument
+        .as_ref()
+        .map(|i| i.strip(size))
+        .transpose()?;
+    let picture = picture_of(photo)?;
+    let found = match kept {
+        Some(strip) => strip::read_at(&picture, &strip),
+        None => strip::find(&picture, &said.strip).map_err(|why| why.to_string())?,
+    };
+    drop(picture);
+    let bright = bright(&found.profile);
+    let dark = dark(&found.profile, &bright);
+    let columns = found.profile.columns();
+    let by_pins = !said.pins.is_empty() && !matches!(said.lamp, LampChoice::Is(_));
+    let pinned = by_pins
+        .then(|| through_pins(&said.pins, columns, &bright).map_err(|why| why.to_string()))
+        .transpose()?;
+    let wanted = if by_pins {
+        None
+    } else {
+        wanted(said, columns, &bright, dark.as_ref())?
+    };
+    let answer = wanted.map(|wanted| find(columns, &bright, dark.as_ref(), &wanted));
+    let instrument = said.instrument.as_ref().map(|instrument| {
+        let hues = Hues::of(&found.profile, 1);
+        instrument.applied(hues.as_ref(), answer.as_ref(), &bright)
+    });
+    Ok(Photograph {
+        file: name.to_owned(),
+        size,
+        exif,
+        notes,
+        by_hand: said.strip != ByHand::default(),
+        found,
+        bright,
+        dark,
+        answer,
+        pinned,
+        pins: said.pins.clone(),
+        yes: said.yes,
+        instrument,
+        through: None,
+    })
+}
+
+/// What is asked of the lines; `None` where nothing is.
+fn wanted(
+    said: &Said,
+    columns: usize,
+    bright: &Peaks,
+    dark: Option<&Peaks>,
+) -> Result<Option<Wanted>, String> {
+    let lamp = match said.lamp {
+        LampChoice::Nothing => return Ok(None),
+        LampChoice::Auto => None,
+        LampChoice::Is(lamp) => Some(lamp),
+    };
+    let peaks = dark
+        .filter(|_| lamp.is_some_and(Lamp::is_dark))
+        .unwrap_or(bright);
+    let pins = snapped(&said.pins, columns, peaks).map_err(|why| why.to_string())?;
+    Ok(Some(Wanted { lamp, pins }))
+}
+
+impl Photograph {
+    /// Where its axis comes from.
+    pub fn source(&self) -> Source {
+        let state = self.answer.as_ref().map(|answer| answer.state);
+        match (state, self.pinned) {
+            (_, Some(_)) => Source::Pins,
+            _ if self.instrument.is_some() => match self.instrument.as_ref().map(|i| &i.fit) {
+                Some(Fit::No(_)) => Source::Nothing,
+                _ => Source::Instrument,
+            },
+            (Some(State::Found), _) => Source::Found,
+            (Some(State::Suggested), _) => Source::Suggested,
+            _ => Source::Nothing,
+        }
+    }
+
+    /// Its axis, found or suggested.
+    pub fn curve(&self) -> Option<Curve> {
+        match self.source() {
+            Source::Pins => self.pinned,
+            Source::Instrument => Some(self.instrument.as_ref()?.curve),
+            Source::Nothing => None,
+            _ => Some(self.answer.as_ref()?.best.as_ref()?.curve),
+        }
+    }
+
+    /// The axis that may be used: where it is open only once a person said yes.
+    pub fn used_curve(&self) -> Option<Curve> {
+        self.curve().filter(|_| !self.is_open())
+    }
+
+    /// An axis is there, and nobody said yet that it is right: a suggestion, or an instrument that
+    /// has moved or that nothing in the picture checks.
+    pub fn is_open(&self) -> bool {
+        let is_doubted = match self.source() {
+            Source::Suggested => true,
+            Source::Instrument => {
+                let fit = self.instrument.as_ref().map(|i| &i.fit);
+                matches!(fit, Some(Fit::Moved(_) | Fit::Unchecked))
+            }
+            _ => false,
+        };
+        is_doubted && !self.yes
+    }
+
+    /// The peaks that the axis is made of: dark ones where it is that of daylight.
+    pub fn peaks(&self) -> &Peaks {
+        let lamp = self
+            .answer
+            .as_ref()
+            .and_then(|a| a.best.as_ref())
+            .map(|best| best.lamp);
+        match (&self.dark, lamp) {
+            (Some(dark), Some(lamp)) if lamp.is_dark() && self.is_by_lines() => dark,
+            _ => &self.bright,
+        }
+    }
+
+    /// The axis is that of the picture's own lines.
+    pub fn is_by_lines(&self) -> bool {
+        matches!(self.source(), Source::Found | Source::Suggested)
+    }
+
+    /// The wavelengths in which the axis holds: near its lines, and where its doubt is small.
+    pub fn valid_nm(&self) -> Option<(f64, f64)> {
+        let curve = self.curve()?;
+        let (low, high) = match self.source() {
+            Source::Instrument => return self.instrument.as_ref().map(|i| i.valid_nm),
+            Source::Pins => {
+                let nm = self.pins.iter().map(|pin| pin.nm);
+                let high = nm.clone().fold(f64::MIN, f64::max);
+                (nm.fold(f64::MAX, f64::min), high)
+            }
+            _ => self.answer.as_ref()?.best.as_ref()?.span_nm(),
+        };
+        let middle = 0.5 * (low + high);
+        let last = self.found.profile.columns() as f64 - 1.0;
+        let ends = [curve.nm(0.0), curve.nm(last)];
+        let (least, most) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+        let (mut from, mut to) = ((low - BEYOND_NM).max(least), (high + BEYOND_NM).min(most));
+        let sure = |nm: f64| {
+            let px = curve.px(nm, 0.0, last);
+            px.is_some_and(|px| curve.sigma(px) <= MOST_SIGMA_NM)
+        };
+        while from < middle && !sure(from) {
+            from += 1.0;
+        }
+        while to > middle && !sure(to) {
+            to -= 1.0;
+        }
+        (to > from).then_some((from, to))
+    }
+
+    /// The width of lines that are no bands and not over-exposed, nm, where there is one.
+    pub fn fwhm_nm(&self) -> Option<f64> {
+        let curve = self.curve()?;
+        let sharp = |p: &&Peak| !p.is_clipped && !p.is_band;
+        let width = |p: &Peak| p.fwhm_px * curve.slope(p.px).abs();
+        let mut widths: Vec<f64> = self.peaks().peaks.iter().filter(sharp).map(width).collect();
+        widths.sort_by(f64::total_cmp);
+        widths.get(widths.len() / 2).copied()
+    }
+}
+
+/// An axis holds so far beyond its outermost lines, where its doubt is not larger than this.
+const BEYOND_NM: f64 = 15.0;
+const MOST_SIGMA_NM: f64 = 1.5;
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,193 @@
+//! The response of an instrument, learnt from a picture of a light that is known.
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Photograph, instrument::HUE_STEP, of_strip};
+use crate::{
+    color::{blackbody::relative, quality::daylight},
+    photographs::{
+        hue::Hues,
+        response::{Corrected, Response, STEP_NM},
+    },
+    spectrum::{Outside, Sampled},
+};
+
+/// A light whose shape is known.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Known {
+    /// A bulb of so many K.
+    Blackbody(f64),
+    /// Daylight of so many K.
+    Daylight(f64),
+    /// A spectrum, and what it is called.
+    Spectrum(String, Sampled),
+}
+
+impl Known {
+    /// The light in words.
+    pub fn words(&self) -> String {
+        match self {
+            Self::Blackbody(kelvin) => format!("blackbody:{kelvin}"),
+            Self::Daylight(kelvin) => format!("daylight:{kelvin}"),
+            Self::Spectrum(name, _) => name.clone(),
+        }
+    }
+
+    /// Its power at a wavelength, up to a factor.
+    fn power(&self) -> Box<dyn Fn(f64) -> f64 + '_> {
+        match self {
+            Self::Blackbody(kelvin) => Box::new(|nm| relative(nm, *kelvin)),
+            Self::Daylight(kelvin) => {
+                let table = daylight(*kelvin);
+                Box::new(move |nm| {
+                    let place = (nm - 360.0).round();
+                    if place < 0.0 {
+                        0.0
+                    } else {
+                        table.get(place as usize).copied().unwrap_or(0.0)
+                    }
+                })
+            }
+            Self::Spectrum(_, samples) => Box::new(|nm| samples.at(nm, Outside::Zero).max(0.0)),
+        }
+    }
+}
+
+/// A response as the file of an instrument has it.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct Kept {
+    first_nm: f64,
+    step_nm: f64,
+    r: Vec<f64>,
+    g: Vec<f64>,
+    b: Vec<f64>,
+    /// The light that it was learnt from.
+    pub known_as: String,
+    /// How far a bulb's temperature is doubted, K.
+    doubt_k: Option<f64>,
+    /// The power by which tones were straightened: 1 for none.
+    tone_p: f64,
+    disagreement: f64,
+    /// The hues of that picture's columns, until they are kept with the instrument.
+    #[serde(skip)]
+    pub(super) hues: Option<Hues>,
+}
+
+/// A picture read through a response.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Through {
+    /// The light that the response was learnt from.
+    pub known_as: String,
+    /// The light.
+    pub corrected: Corrected,
+    /// How far the channels disagree, of both pictures the more.
+    pub disagreement: f64,
+}
+
+/// A bulb is no surer than this, K.
+const DOUBT_K: f64 = 100.0;
+/// The wavelengths that must not be over-exposed, nm.
+const NEEDED_NM: (f64, f64) = (420.0, 680.0);
+
+impl Kept {
+    fn response(&self) -> Option<Response> {
+        let count = self.r.len();
+        let is_whole = count > 3
+            && [&self.g, &self.b].iter().all(|c| c.len() == count)
+            && self.step_nm == STEP_NM
+            && self.first_nm.is_finite()
+            && [&self.r, &self.g, &self.b]
+                .into_iter()
+                .flatten()
+                .all(|v| *v >= 0.0 && v.is_finite());
+        is_whole.then(|| Response {
+            first_nm: self.first_nm,
+            channels: [self.r.clone(), self.g.clone(), self.b.clone()],
+            disagreement: self.disagreement,
+        })
+    }
+
+    /// Learns it from a picture of the instrument that another picture was taken with.
+    ///
+    /// # Errors
+    /// What was found and what was expected.
+    pub fn learn(path: &Path, known: &Known, of: &Photograph) -> Result<Self, String> {
+        let name = crate::io::shown(path);
+        Self::learnt(path, known, of).map_err(|why| format!("{name}: {why}"))
+    }
+
+    fn learnt(path: &Path, known: &Known, of: &Photograph) -> Result<Self, String> {
+        let curve = of
+            .used_curve()
+            .ok_or("found no axis, expected one to learn a response on")?;
+        let valid = of
+            .valid_nm()
+            .ok_or("found no axis, expected one to learn a response on")?;
+        let found = of_strip(path, of.size, &of.found.strip)?;
+        let profile = &found.profile;
+        let hues = Hues::of(profile, HUE_STEP);
+        let moved = Hues::of(&of.found.profile, HUE_STEP)
+            .zip(hues.clone())
+            .and_then(|(mine, theirs)| mine.shift(&theirs));
+        let step = curve.slope(curve.centre_px).abs();
+        let curve = match moved {
+            Some(shift) if shift.px.abs() * step >= 0.5 => curve.moved(shift.px),
+            _ => curve,
+        };
+        let inside = |column: usize| (NEEDED_NM.0..=NEEDED_NM.1).contains(&curve.nm(column as f64));
+        if (0..profile.columns()).any(|c| profile.clipped[c] && inside(c)) {
+            return Err(
+                "found over-exposed columns, expected none: take it again, darker".to_owned(),
+            );
+        }
+        let range = (valid.0.max(380.0), valid.1.min(780.0));
+        let response = Response::learn(profile, &curve, range, known.power());
+        let response = response.ok_or("the known light and this picture have no nm in common")?;
+        let [r, g, b] = response.channels;
+        Ok(Self {
+            first_nm: response.first_nm,
+            step_nm: STEP_NM,
+            r,
+            g,
+            b,
+            known_as: known.words(),
+            doubt_k: matches!(known, Known::Blackbody(_)).then_some(DOUBT_K),
+            tone_p: 1.0,
+            disagreement: response.disagreement,
+            hues: if moved.is_none_or(|shift| shift.px == 0.0) {
+                hues
+            } else {
+                None
+            },
+        })
+    }
+
+    /// A picture read through it; `None` without an axis that is used.
+    pub fn through(&self, photograph: &Photograph) -> Option<Through> {
+        let corrected = self
+            .response()?
+            .apply(&photograph.found.profile, &photograph.used_curve()?);
+        Some(Through {
+            known_as: self.known_as.clone(),
+            disagreement: corrected.disagreement.max(self.disagreement),
+            corrected,
+        })
+    }
+}
+
+impl Through {
+    /// The wavelengths where nothing is known between the first and the last.
+    pub fn undefined_nm(&self) -> Vec<[f64; 2]> {
+        let mut gaps: Vec<[f64; 2]> = Vec::new();
+        for (nm, value) in self.corrected.nm.iter().zip(&self.corrected.value) {
+            match gaps.last_mut() {
+                _ if value.is_some() => {}
+                Some(gap) if gap[1] + STEP_NM >= *nm => gap[1] = *nm,
+                _ => gaps.push([*nm, *nm]),
+            }
+        }
+        gaps
+    }
+}

@@ -1,0 +1,331 @@
+//! What is said of a photograph: in a sentence, as JSON, as a table.
+
+use std::fmt::Write as _;
+
+use serde_json::{Value, json};
+
+use super::{Fit, Photograph, Source, Stands};
+use crate::{
+    io::one_line,
+    photographs::axis::{Match, Solution},
+};
+
+/// Channels of a straight camera disagree by less.
+const MOST_DISAGREEMENT: f64 = 0.02;
+
+/// A figure for JSON: rounded to what it is worth, never a number that is none.
+fn figure(value: f64, digits: i32) -> Value {
+    let scale = 10_f64.powi(digits);
+    let rounded = (value * scale).round() / scale;
+    if rounded.is_finite() {
+        json!(rounded)
+    } else {
+        Value::Null
+    }
+}
+
+/// What the axis is, in one sentence.
+pub fn sentence(photograph: &Photograph) -> String {
+    let best = photograph
+        .answer
+        .as_ref()
+        .and_then(|answer| answer.best.as_ref());
+    match (photograph.source(), best) {
+        (Source::Pins, _) => {
+            let count = photograph.pins.len();
+            let doubt = if count == 2 {
+                ", 1-8 nm wrong between grating and line"
+            } else {
+                ""
+            };
+            format!("The axis goes through {count} pins{doubt}.")
+        }
+        (Source::Instrument, _) => of_instrument(photograph),
+        (Source::Found, Some(best)) => {
+            format!("Looks like {}: {}. Right?", called(best), lines(best))
+        }
+        (Source::Suggested, Some(best)) => {
+            format!(
+                "Perhaps {}: {}. Right? (--yes takes it)",
+                called(best),
+                lines(best)
+            )
+        }
+        _ => "Cannot be said: no axis is known.".to_owned(),
+    }
+}
+
+/// What an instrument says of a picture.
+fn of_instrument(photograph: &Photograph) -> String {
+    let Some(applied) = &photograph.instrument else {
+        return String::new();
+    };
+    let name = &applied.name;
+    match applied.fit {
+        Fit::Moved(px) if photograph.yes => {
+            format!("Read with the instrument {name}, moved by {px:.1} px since.")
+        }
+        Fit::Moved(px) => {
+            format!("The instrument {name} has moved by {px:.1} px since; taken along? (--yes)")
+        }
+        Fit::Unchecked if !photograph.yes => format!(
+            "Nothing in this picture tells whether the instrument {name} still fits. Does it? \
+             (--yes)"
+        ),
+        _ => format!("Read with the instrument {name}."),
+    }
+}
+
+/// A lamp with its article.
+fn called(best: &Solution) -> String {
+    match best.lamp.name() {
+        "daylight" => "daylight".to_owned(),
+        name @ "argon" => format!("an {name} lamp"),
+        name => format!("a {name} lamp"),
+    }
+}
+
+fn lines(best: &Solution) -> String {
+    let mut nm: Vec<f64> = best.lines_nm().collect();
+    nm.sort_by(f64::total_cmp);
+    let nm: Vec<String> = nm.iter().map(|nm| format!("{nm:.1}")).collect();
+    format!(
+        "{}; {} lines, {:.1} nm (left out {:.1})",
+        nm.join(", "),
+        nm.len(),
+        best.rms_nm(),
+        best.left_out_rms_nm()
+    )
+}
+
+/// What is to be known of a photograph before it is believed.
+pub fn warnings(photograph: &Photograph) -> Vec<String> {
+    let found = &photograph.found;
+    let mut warnings: Vec<String> = photograph.notes.iter().map(|n| (*n).to_owned()).collect();
+    if found.strips > 1 && !photograph.by_hand {
+        warnings.push(format!(
+            "{} strips were found, the strongest is read",
+            found.strips
+        ));
+    }
+    if found.profile.is_grey {
+        warnings.push(
+            "the strip is grey: no colours to check the axis by, so only a sure match counts"
+                .to_owned(),
+        );
+    }
+    if !found.profile.black_seen {
+        warnings.push("black level not seen".to_owned());
+    }
+    let columns = found.profile.columns();
+    let clipped = found.profile.clipped_columns();
+    if 10 * clipped > columns {
+        warnings.push(format!(
+            "{} % of the columns are clipped",
+            100 * clipped / columns
+        ));
+    }
+    let peaks = &photograph.peaks().peaks;
+    let of_lines = peaks.iter().filter(|p| p.is_clipped).count();
+    if of_lines > 0 {
+        warnings.push(format!(
+            "{of_lines} lines are clipped: their height is not known"
+        ));
+    }
+    if photograph.bright.hairlines > 0 {
+        let count = photograph.bright.hairlines;
+        warnings.push(format!("{count} thin drawn lines were ignored"));
+    }
+    if let Some(why) = photograph
+        .answer
+        .as_ref()
+        .and_then(|answer| answer.why.clone())
+    {
+        warnings.push(why);
+    }
+    if let Some(Fit::No(why)) = photograph.instrument.as_ref().map(|i| &i.fit) {
+        warnings.push(why.clone());
+    }
+    let disagreement = photograph.through.as_ref().map(|t| t.disagreement);
+    if disagreement.is_some_and(|d| d > MOST_DISAGREEMENT) {
+        warnings.push(
+            "the camera's values are not proportional to light: colour figures would be wrong by \
+             10 % and more"
+                .to_owned(),
+        );
+    }
+    if photograph.source() == Source::Pins && photograph.pins.len() == 2 {
+        warnings.push("two points: 1-8 nm wrong between grating and line".to_owned());
+    }
+    warnings
+}
+
+/// Everything about a photograph, with the wavelengths at some of its pixels.
+pub fn json(photograph: &Photograph, at: &[[f64; 2]]) -> Value {
+    let found = &photograph.found;
+    let strip = found.strip;
+    let curve = photograph.curve();
+    let falls = curve.map(|c| c.c[1] < 0.0).or(found.blue_is_right);
+    let answer = photograph.answer.as_ref();
+    let answer = answer.filter(|_| photograph.is_by_lines());
+    let best = answer.and_then(|a| a.best.as_ref());
+    let other = answer.and_then(|a| a.runner_up.as_ref());
+    json!({
+        "file": photograph.file,
+        "size": photograph.size,
+        "orientation": photograph.exif.orientation,
+        "strip": {
+            "vertical": strip.is_vertical,
+            "flip": falls,
+            "turn_deg": figure(strip.turn_deg, 4),
+            "shear": figure(strip.shear, 6),
+            "smile": figure(strip.smile, 9),
+            "centre_y": figure(strip.centre_y, 3),
+            "half": figure(strip.half, 3),
+            "x0": figure(strip.x0, 3),
+            "columns": strip.columns,
+            "rows": found.profile.rows,
+            "by_hand": photograph.by_hand,
+        },
+        "strips": found.strips,
+        "grey": found.profile.is_grey,
+        "black": found.profile.black_seen,
+        "clipped_columns": found.profile.clipped_columns(),
+        "state": photograph.source().word(),
+        "lamp": best.map(|b| b.lamp.name()),
+        "score": best.map(|b| figure(b.score, 2)),
+        "margin": answer.filter(|_| best.is_some()).map(|a| figure(a.margin, 2)),
+        "runner_up": other.map(|o| json!({ "lamp": o.lamp.name(), "score": figure(o.score, 2) })),
+        "lines": best.map(|b| lines_json(photograph, b)).unwrap_or_default(),
+        "peaks": peaks_json(photograph),
+        "axis": curve.map(|_| axis_json(photograph, best)),
+        "fwhm_nm": photograph.fwhm_nm().map(|nm| figure(nm, 2)),
+        "hairlines_ignored": photograph.bright.hairlines,
+        "at": at.iter().map(|pixel| at_json(photograph, *pixel)).collect::<Vec<Value>>(),
+        "instrument": photograph.instrument.as_ref().map(|i| json!({
+            "name": i.name,
+            "shift_px": i.shift_px.map(|px| figure(px, 2)),
+            "shift_nm": i.shift_nm.map(|nm| figure(nm, 3)),
+            "hue_difference": i.hue_difference.map(|d| figure(d, 4)),
+        })),
+        "response": photograph.through.as_ref().map(|t| json!({
+            "known_as": t.known_as,
+            "tone_p": 1.0,
+            "disagreement": figure(t.disagreement, 4),
+            "undefined_nm": t.undefined_nm(),
+        })),
+        "figures": null,
+        "warnings": warnings(photograph),
+    })
+}
+
+/// The wavelength at a pixel, none where the axis has none.
+fn at_json(photograph: &Photograph, [x, y]: [f64; 2]) -> Value {
+    let (column, _) = photograph.found.strip.column_of(x, y);
+    let last = photograph.found.profile.columns() as f64 - 1.0;
+    let inside = (-0.5..=last + 0.5).contains(&column);
+    let curve = photograph.curve().filter(|_| inside);
+    json!({
+        "x": x,
+        "y": y,
+        "nm": curve.map(|c| figure(c.nm(column), 3)),
+        "sigma_nm": curve.map(|c| figure(c.sigma(column), 3)),
+    })
+}
+
+fn lines_json(photograph: &Photograph, best: &Solution) -> Vec<Value> {
+    let line = |m: &Match| {
+        let peak = photograph.peaks().peaks[m.peak];
+        let width = peak.fwhm_px * best.curve.slope(peak.px).abs();
+        json!({
+            "nm": m.landmark.nm,
+            "px": figure(peak.px, 2),
+            "error_nm": figure(m.error_nm, 3),
+            "width_nm": figure(width, 2),
+            "clipped": peak.is_clipped,
+            "named": m.error_nm.abs() <= 2.0 * m.sigma_nm,
+        })
+    };
+    best.matches.iter().map(line).collect()
+}
+
+fn peaks_json(photograph: &Photograph) -> Vec<Value> {
+    let curve = photograph.curve();
+    let peaks = photograph.peaks().peaks.iter();
+    peaks
+        .map(|peak| {
+            json!({
+                "px": figure(peak.px, 2),
+                "error_px": figure(peak.error_px, 3),
+                "height": figure(peak.height, 5),
+                "width_px": figure(peak.fwhm_px, 2),
+                "clipped": peak.is_clipped,
+                "nm": curve.map(|c| figure(c.nm(peak.px), 2)),
+            })
+        })
+        .collect()
+}
+
+fn axis_json(photograph: &Photograph, best: Option<&Solution>) -> Value {
+    let Some(curve) = photograph.curve() else {
+        return Value::Null;
+    };
+    let last = photograph.found.profile.columns() as f64 - 1.0;
+    let valid = photograph.valid_nm();
+    let sigma = (38..=78)
+        .map(|ten| 10.0 * f64::from(ten))
+        .filter_map(|nm| Some((nm, curve.px(nm, 0.0, last)?)))
+        .map(|(nm, px)| json!([nm, figure(curve.sigma(px), 3)]));
+    json!({
+        "c": curve.c.map(|c| figure(c, 5)),
+        "centre_px": curve.centre_px,
+        "scale_px": curve.scale_px,
+        "rms_nm": best.map(|b| figure(b.rms_nm(), 3)),
+        "loo_nm": best.map(|b| figure(b.left_out_rms_nm(), 3)),
+        "valid_nm": valid.map(|(low, high)| [figure(low, 1), figure(high, 1)]),
+        "sigma_nm_at": sigma.collect::<Vec<Value>>(),
+    })
+}
+
+/// The spectrum as a table; `None` without an axis that may be used.
+pub fn csv(photograph: &Photograph) -> Option<String> {
+    let rows = photograph.rows()?;
+    let mut text = String::new();
+    let answer = photograph
+        .answer
+        .as_ref()
+        .filter(|_| photograph.is_by_lines());
+    let best = answer.and_then(|a| a.best.as_ref());
+    let lamp = best.map_or("none", |b| b.lamp.name());
+    let instrument = photograph.instrument.as_ref().map_or("none", |i| &i.name);
+    let error = match best {
+        Some(best) => format!("{:.2} nm rms", best.rms_nm()),
+        None => "not known".to_owned(),
+    };
+    let place = match rows.stands {
+        Stands::WholeNm => "as the camera saw it, means over 1 nm",
+        Stands::Columns => "as the camera saw it, at the columns' own places",
+        Stands::Response => "through the camera's response, means over 2 nm",
+    };
+    // Writing to a string cannot fail.
+    let _ = writeln!(
+        text,
+        "# instrument: {}\n# lamp: {lamp}\n# axis error: {error}\n# unit: relative, {place}\n\
+         # made from a picture\nnm,value,sigma,r,g,b,clipped",
+        one_line(instrument)
+    );
+    for row in rows.rows {
+        let [r, g, b] = row.channels;
+        let clipped = u8::from(row.is_clipped);
+        let nm = match rows.stands {
+            Stands::Columns => format!("{:.3}", row.nm),
+            _ => format!("{}", row.nm),
+        };
+        let _ = writeln!(
+            text,
+            "{nm},{:.6},{:.6},{r:.6},{g:.6},{b:.6},{clipped}",
+            row.value, row.sigma
+        );
+    }
+    Some(text)
+}

@@ -1,0 +1,154 @@
+//! Axes by hand: places whose wavelengths a person has given.
+
+use super::{
+    super::peaks::Peaks,
+    curve::{Curve, Degree, Point},
+};
+
+/// A column with a wavelength that a person has given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pin {
+    /// The column.
+    pub px: f64,
+    /// Its wavelength.
+    pub nm: f64,
+}
+
+/// Why pins make no axis.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum PinError {
+    /// Too few.
+    #[error("found one pin, expected two or more, or one and a lamp")]
+    TooFew,
+    /// A pin beside the strip.
+    #[error("found a pin outside the picture, at {0:.1}, expected 0 to {1}")]
+    Outside(f64, usize),
+    /// Two at one place.
+    #[error("found two pins on one peak, at {0:.1}, expected each at a place of its own")]
+    Twice(f64),
+    /// Wavelengths that rise and fall.
+    #[error("found pins out of order: nm must rise or fall all along")]
+    Order,
+    /// A curve that turns.
+    #[error("the axis would turn round at {0:.0} nm")]
+    Turns(f64),
+}
+
+/// How far a pin is from a peak that it is meant for: columns, and share of all.
+const SNAP: (f64, f64) = (4.0, 0.012);
+/// What a pin by hand is off by, columns.
+const BY_HAND_PX: f64 = 0.5;
+
+/// Pins on the peaks that they were meant for, in the order of their columns.
+///
+/// # Errors
+/// [`PinError`] for pins outside, at one place, or out of order.
+pub fn snapped(pins: &[Pin], columns: usize, peaks: &Peaks) -> Result<Vec<Pin>, PinError> {
+    let reach = SNAP.0.max(SNAP.1 * columns as f64);
+    let mut snapped = Vec::new();
+    for pin in pins {
+        if !(0.0..=columns as f64 - 1.0).contains(&pin.px) || !pin.nm.is_finite() {
+            return Err(PinError::Outside(pin.px, columns.saturating_sub(1)));
+        }
+        let away = |px: f64| (px - pin.px).abs();
+        let near = peaks
+            .peaks
+            .iter()
+            .map(|p| p.px)
+            .filter(|px| away(*px) <= reach);
+        let nearest = near.min_by(|a, b| away(*a).total_cmp(&away(*b)));
+        snapped.push(Pin {
+            px: nearest.unwrap_or(pin.px),
+            nm: pin.nm,
+        });
+    }
+    snapped.sort_by(|a, b| a.px.total_cmp(&b.px));
+    for pair in snapped.windows(2) {
+        if pair[1].px - pair[0].px < 1e-6 {
+            return Err(PinError::Twice(pair[0].px));
+        }
+    }
+    let rises = |sign: f64| {
+        snapped
+            .windows(2)
+            .all(|pair| sign * (pair[1].nm - pair[0].nm) > 0.0)
+    };
+    if rises(1.0) || rises(-1.0) {
+        Ok(snapped)
+    } else {
+        Err(PinError::Order)
+    }
+}
+
+/// The axis through pins alone: two a straight line, three a quadratic, more a cubic.
+///
+/// # Errors
+/// [`PinError`] for too few, for those that are outside or out of order, and for a curve that
+/// turns.
+pub fn through_pins(pins: &[Pin], columns: usize, peaks: &Peaks) -> Result<Curve, PinError> {
+    let pins = snapped(pins, columns, peaks)?;
+    let [first, .., last] = pins[..] else {
+        return Err(PinError::TooFew);
+    };
+    let slope = (last.nm - first.nm) / (last.px - first.px) * columns as f64;
+    let degree = match pins.len() {
+        2 => Degree::Straight,
+        3 => Degree::Quadratic,
+        _ => Degree::Cubic,
+    };
+    let sigma_nm = BY_HAND_PX * slope.abs() / columns as f64;
+    let point = |pin: &Pin| Point {
+        px: pin.px,
+        nm: pin.nm,
+        sigma_nm,
+    };
+    let points: Vec<Point> = pins.iter().map(point).collect();
+    let fitted = Curve::fit(&points, columns, slope, degree).ok_or(PinError::TooFew)?;
+    match fitted.0.turns_at() {
+        Some(nm) => Err(PinError::Turns(nm)),
+        None => Ok(fitted.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pins(pins: &[(f64, f64)]) -> Vec<Pin> {
+        pins.iter().map(|&(px, nm)| Pin { px, nm }).collect()
+    }
+
+    fn none() -> Peaks {
+        Peaks {
+            peaks: Vec::new(),
+            limit: 0.01,
+            width_px: 3.0,
+            hairlines: 0,
+        }
+    }
+
+    #[test]
+    fn two_pins_are_a_straight_line_through_both() {
+        let pins = pins(&[(500.0, 436.0), (100.0, 611.0)]);
+        let curve = through_pins(&pins, 600, &none()).expect("an axis");
+        for pin in pins {
+            assert!((curve.nm(pin.px) - pin.nm).abs() < 0.01);
+        }
+        assert!((curve.nm(300.0) - 523.5).abs() < 0.01);
+    }
+
+    #[test]
+    fn pins_that_make_no_axis_are_refused_in_words() {
+        let refused = |list: &[(f64, f64)]| {
+            let found = through_pins(&pins(list), 600, &none());
+            found.expect_err("no axis").to_string()
+        };
+        assert!(refused(&[(5.0, 400.0)]).contains("one pin"));
+        assert!(refused(&[(5.0, 400.0), (605.0, 500.0)]).contains("outside"));
+        assert!(refused(&[(5.0, 400.0), (5.0, 500.0)]).contains("one peak"));
+        let zigzag = [(5.0, 400.0), (100.0, 500.0), (200.0, 450.0)];
+        assert!(refused(&zigzag).contains("out of order"));
+        let turning = [(5.0, 400.0), (100.0, 600.0), (300.0, 640.0), (590.0, 641.0)];
+        assert!(refused(&turning).contains("turn round"));
+    }
+}

@@ -1,0 +1,291 @@
+//! Found, suggested, or nothing can be said: what an axis must show to be used.
+
+use super::{
+    super::{
+        landmarks::Lamp,
+        peaks::{Peak, Peaks},
+    },
+    Scene,
+    pins::Pin,
+    refine::{Solution, refine},
+    search,
+};
+
+/// What may be done with an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum State {
+    /// Used at once.
+    Found,
+    /// Shown, and used when a person says so.
+    Suggested,
+    /// Nothing can be said.
+    Nothing,
+}
+
+/// What a person has said of the light.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Wanted {
+    /// The lamp.
+    pub lamp: Option<Lamp>,
+    /// Places whose wavelengths are known; two or more narrow the search.
+    pub pins: Vec<Pin>,
+}
+
+/// The axis of a photograph.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// Whether it may be used.
+    pub state: State,
+    /// The likeliest axis, also where nothing can be said.
+    pub best: Option<Solution>,
+    /// The likeliest other one.
+    pub runner_up: Option<Solution>,
+    /// By how much the score is better than the other's.
+    pub margin: f64,
+    /// Why it was not found, in words.
+    pub why: Option<String>,
+}
+
+/// The score of no other solution at all.
+const NO_OTHER: f64 = -5.0;
+/// Axes that are nowhere farther apart than this are one, nm.
+const SAME_NM: f64 = 4.0;
+/// Lines nearer to one another count as one place, nm.
+const PLACE_NM: f64 = 10.0;
+/// What lines must span, nm.
+const LEAST_SPAN_NM: f64 = 90.0;
+/// Fewer columns have no axis by themselves.
+const LEAST_COLUMNS: usize = 60;
+
+/// Looks for the axis: `bright` lines for lamps, `dark` ones for daylight.
+pub fn find(columns: usize, bright: &Peaks, dark: Option<&Peaks>, wanted: &Wanted) -> Answer {
+    let mut all = Vec::new();
+    if columns >= LEAST_COLUMNS {
+        let lamps = Lamp::ALL.into_iter();
+        for lamp in lamps.filter(|lamp| wanted.lamp.is_none_or(|named| named == *lamp)) {
+            let peaks = if lamp.is_dark() { dark } else { Some(bright) };
+            let Some(peaks) = peaks.filter(|p| p.peaks.len() > 2) else {
+                continue;
+            };
+            let scene = scene(columns, peaks, &wanted.pins);
+            let axes = search::of_lamp(&scene, lamp);
+            let refined = axes.iter().filter_map(|one| refine(&scene, one));
+            all.extend(
+                refined.filter(|s| s.matches.len() > 2 && scene.is_kept(|px| s.curve.nm(px))),
+            );
+        }
+    }
+    all.sort_by(|a, b| b.score.total_cmp(&a.score));
+    let Some(best) = all.first().cloned() else {
+        return Answer {
+            state: State::Nothing,
+            best: None,
+            runner_up: None,
+            margin: 0.0,
+            why: Some(no_axis(columns, bright)),
+        };
+    };
+    let peaks = if best.lamp.is_dark() {
+        dark.unwrap_or(bright)
+    } else {
+        bright
+    };
+    let runner_up = all.into_iter().find(|other| differs(&best, other, peaks));
+    let margin = best.score - runner_up.as_ref().map_or(NO_OTHER, |other| other.score);
+    let judged = Judged {
+        solution: &best,
+        peaks,
+        margin,
+        is_named: wanted.lamp.is_some(),
+        is_pinned: wanted.lamp.is_some() && wanted.pins.len() > 1,
+    };
+    let (state, why) = judged.verdict(runner_up.as_ref());
+    Answer {
+        state,
+        best: Some(best),
+        runner_up,
+        margin,
+        why,
+    }
+}
+
+fn scene<'p>(columns: usize, peaks: &'p Peaks, pins: &[Pin]) -> Scene<'p> {
+    // One pin narrows nothing down to a side.
+    let span = match pins {
+        [first, .., last] => ((last.nm - first.nm) / (last.px - first.px)).abs(),
+        _ => 0.0,
+    };
+    let most = (4.0 * span).max(5.0);
+    Scene {
+        peaks,
+        columns,
+        pins: pins.iter().map(|pin| (*pin, most)).collect(),
+    }
+}
+
+fn no_axis(columns: usize, bright: &Peaks) -> String {
+    match bright.peaks.len() {
+        _ if columns < LEAST_COLUMNS => format!(
+            "found a strip of {columns} columns, expected {LEAST_COLUMNS} and more for an axis"
+        ),
+        0 | 1 => {
+            "this is smooth light without lines: take a picture of an energy-saving lamp with \
+                  the same set-up, then this one with it"
+                .to_owned()
+        }
+        count => format!("found {count} lines that fit no lamp, expected those of one"),
+    }
+}
+
+/// Whether two axes are apart somewhere on the lines of the first.
+fn differs(best: &Solution, other: &Solution, peaks: &Peaks) -> bool {
+    let px = best.matches.iter().map(|m| peaks.peaks[m.peak].px);
+    let off = |px: f64| (best.curve.nm(px) - other.curve.nm(px)).abs();
+    px.map(off).fold(0.0, f64::max) > SAME_NM
+}
+
+/// An axis before its verdict.
+struct Judged<'s> {
+    solution: &'s Solution,
+    peaks: &'s Peaks,
+    margin: f64,
+    is_named: bool,
+    is_pinned: bool,
+}
+
+impl Judged<'_> {
+    fn verdict(&self, runner_up: Option<&Solution>) -> (State, Option<String>) {
+        let solution = self.solution;
+        let lines = solution.matches.len();
+        let (low, high) = solution.span_nm();
+        let spans = high - low >= LEAST_SPAN_NM;
+        let least = match () {
+            () if self.is_named && !solution.lamp.is_dark() => 0.5,
+            () if solution.lamp.is_dark() || self.is_grey() => 7.0,
+            () if lines < 4 => 6.0,
+            () => 4.0,
+        };
+        let is_suggested = spans && lines >= 3 && solution.score >= least;
+        match self.against(runner_up) {
+            None => (State::Found, None),
+            Some(why) if is_suggested => (State::Suggested, Some(why)),
+            Some(why) => (State::Nothing, Some(why)),
+        }
+    }
+
+    /// What speaks against using it at once.
+    fn against(&self, runner_up: Option<&Solution>) -> Option<String> {
+        let solution = self.solution;
+        let (lines, places) = (solution.matches.len(), self.places());
+        let name = solution.lamp.name();
+        if solution.span_nm().1 - solution.span_nm().0 < LEAST_SPAN_NM {
+            return Some(format!(
+                "the lines span less than {LEAST_SPAN_NM} nm: that is no axis"
+            ));
+        }
+        if lines < 4 || places < 4 {
+            let nm: Vec<String> = solution.lines_nm().map(|nm| format!("{nm:.0}")).collect();
+            return Some(format!(
+                "{lines} lines at {places} places only ({}): this fits {name}, but so few prove \
+                 nothing. Right?",
+                nm.join(", ")
+            ));
+        }
+        let is_grey = self.is_grey();
+        let least = self.least_score(is_grey);
+        let least_margin = self.least_margin(is_grey);
+        if solution.score < least {
+            return Some(format!(
+                "the lines fit {name} too loosely: score {:.1}, expected {least}",
+                solution.score
+            ));
+        }
+        if self.margin < least_margin {
+            let other = runner_up.map_or("nothing", |other| other.lamp.name());
+            return Some(if other == name {
+                format!("fits {name} in two ways about equally: set one pin")
+            } else {
+                format!("fits {name} and {other} about equally: set one pin")
+            });
+        }
+        if is_grey && self.widest_gap() > 120.0 {
+            return Some("without colours a gap of more than 120 nm is left open".to_owned());
+        }
+        let most = self.most_left_out();
+        let left_out = solution.left_out_rms_nm();
+        (left_out >= most).then(|| {
+            format!("a line that is left out is missed by {left_out:.1} nm, expected {most:.1}")
+        })
+    }
+
+    fn least_score(&self, is_grey: bool) -> f64 {
+        match () {
+            // Dark lines are many and alike: a name does not tell them apart.
+            () if self.is_named && !self.solution.lamp.is_dark() => 0.5,
+            () if is_grey || self.solution.lamp.is_dark() => 9.0,
+            // Few lines of an unknown lamp fit something by chance.
+            () if self.solution.matches.len() < 7 => 10.5,
+            () => 7.5,
+        }
+    }
+
+    fn least_margin(&self, is_grey: bool) -> f64 {
+        match () {
+            () if self.is_pinned => 0.0,
+            () if self.is_named => 5.0,
+            () if is_grey => 9.0,
+            () => self.solution.lamp.least_margin(),
+        }
+    }
+
+    /// The most that lines may be off by when left out, nm.
+    fn most_left_out(&self) -> f64 {
+        let peak = |m: &super::refine::Match| self.peaks.peaks[m.peak];
+        let curve = &self.solution.curve;
+        let width = |p: Peak| p.fwhm_px * curve.slope(p.px).abs();
+        let widths: Vec<f64> = self
+            .solution
+            .matches
+            .iter()
+            .map(|m| width(peak(m)))
+            .collect();
+        let fwhm = super::super::smooth::median(&widths);
+        if self.is_named || self.solution.matches.len() < 6 {
+            3.0
+        } else {
+            (0.35 * fwhm + 0.5).max(1.2)
+        }
+    }
+
+    /// Most of the lines have no colour.
+    fn is_grey(&self) -> bool {
+        let matches = &self.solution.matches;
+        let grey = (matches.iter()).filter(|m| self.peaks.peaks[m.peak].hue.is_none());
+        2 * grey.count() > matches.len()
+    }
+
+    fn sorted_nm(&self) -> Vec<f64> {
+        let mut nm: Vec<f64> = self.solution.lines_nm().collect();
+        nm.sort_by(f64::total_cmp);
+        nm
+    }
+
+    /// How many lines there are that are not near one another.
+    fn places(&self) -> usize {
+        let mut last = f64::MIN;
+        let mut places = 0;
+        for nm in self.sorted_nm() {
+            if nm - last > PLACE_NM {
+                (last, places) = (nm, places + 1);
+            }
+        }
+        places
+    }
+
+    fn widest_gap(&self) -> f64 {
+        let nm = self.sorted_nm();
+        nm.windows(2)
+            .map(|pair| pair[1] - pair[0])
+            .fold(0.0, f64::max)
+    }
+}

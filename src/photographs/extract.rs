@@ -1,0 +1,157 @@
+//! From the rows of a strip to its profile: black taken off, dust evened out, doubt and clipped
+//! columns told.
+
+use super::{
+    picture::View,
+    profile::Profile,
+    smooth::{gaussian, median, percentile, robust_sigma},
+    strip::{Strip, row_of, rows_of},
+};
+
+/// Rows beside the strip that tell the black level.
+const BLACK_ROWS: usize = 8;
+/// A row below this share of the brightness of the middle one is left out.
+const LEAST_BRIGHTNESS: f64 = 0.3;
+/// A column is clipped where more of its rows are at their end.
+const CLIPPED: f64 = 0.05;
+/// Rows that are left out at each end of a mean.
+const TRIMMED: f64 = 0.15;
+/// Neighbouring rows share pixels and blocks of a JPEG.
+const SHARED: f64 = 1.1;
+/// How much of the scatter along a strip counts as noise.
+const ALONG: f64 = 0.7;
+/// A column above this share of the brightest is lit.
+const LIT: f64 = 0.02;
+
+/// The light along a strip.
+pub(super) fn profile(view: View<'_>, strip: &Strip, is_grey: bool) -> Profile {
+    let places = rows_of(strip);
+    let rows: Vec<Vec<[f32; 3]>> = places.iter().map(|v| row_of(view, strip, *v)).collect();
+    let seen = black(view, strip);
+    let black = match &seen {
+        Some(black) => black.clone(),
+        None => [0, 1, 2].map(|k| {
+            let all: Vec<f64> = rows.iter().flatten().map(|p| f64::from(p[k])).collect();
+            vec![percentile(&all, 0.01); strip.columns]
+        }),
+    };
+    let light: Vec<[Vec<f64>; 3]> = (rows.iter())
+        .map(|row| {
+            [0, 1, 2].map(|k| {
+                let above = row.iter().zip(&black[k]);
+                above.map(|(p, black)| f64::from(p[k]) - black).collect()
+            })
+        })
+        .collect();
+    let brightness: Vec<f64> = light.iter().map(|row| row.iter().flatten().sum()).collect();
+    let middle = median(&brightness);
+    let used: Vec<usize> = (0..rows.len())
+        .filter(|i| brightness[*i] > LEAST_BRIGHTNESS * middle && brightness[*i] > 0.0)
+        .collect();
+    let scale = used.iter().map(|i| brightness[*i]).sum::<f64>() / used.len().max(1) as f64;
+    let mut channels = [(); 3].map(|()| vec![0.0; strip.columns]);
+    let mut scatter = [(); 3].map(|()| vec![0.0; strip.columns]);
+    let effective = (0.5 * used.len() as f64).max(1.0).sqrt();
+    for k in 0..3 {
+        for column in 0..strip.columns {
+            let values = used
+                .iter()
+                .map(|i| light[*i][k][column] * scale / brightness[*i]);
+            let mut values: Vec<f64> = values.collect();
+            channels[k][column] = trimmed_mean(&mut values);
+            scatter[k][column] = SHARED * robust_sigma(&values) / effective;
+        }
+    }
+    if is_grey {
+        let mean = |c: usize| (channels[0][c] + channels[1][c] + channels[2][c]) / 3.0;
+        let mean: Vec<f64> = (0..strip.columns).map(mean).collect();
+        channels = [mean.clone(), mean.clone(), mean];
+    }
+    let sigma = [0, 1, 2].map(|k| noise(&channels[k], &scatter[k]));
+    Profile {
+        clipped: clipped(view, strip, &places, &used),
+        channels,
+        sigma,
+        is_grey,
+        black_seen: seen.is_some(),
+        rows: used.len(),
+    }
+}
+
+/// The mean of the middle of a list, which is sorted by it.
+fn trimmed_mean(values: &mut [f64]) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let cut = (TRIMMED * values.len() as f64) as usize;
+    let middle = &values[cut..values.len() - cut];
+    if middle.is_empty() {
+        return 0.0;
+    }
+    middle.iter().sum::<f64>() / middle.len() as f64
+}
+
+/// The noise of a channel: of its rows, and of its columns among each other.
+fn noise(channel: &[f64], scatter: &[f64]) -> f64 {
+    let top = channel.iter().copied().fold(0.0, f64::max);
+    let lit = |i: &usize| channel[*i] > LIT * top;
+    let places: Vec<usize> = (1..channel.len().saturating_sub(1)).filter(lit).collect();
+    let of_rows: Vec<f64> = places.iter().map(|i| scatter[*i]).collect();
+    let bend =
+        |i: &usize| (channel[i - 1] - 2.0 * channel[*i] + channel[i + 1]).abs() / 6_f64.sqrt();
+    let along: Vec<f64> = places.iter().map(bend).collect();
+    // A channel without light has a noise all the same.
+    median(&of_rows).hypot(ALONG * median(&along)).max(1e-6)
+}
+
+/// The light of the rows above and below a strip, the lower of both for each column and channel.
+fn black(view: View<'_>, strip: &Strip) -> Option<[Vec<f64>; 3]> {
+    let [_, height] = view.size();
+    let edge = strip.half + (0.25 * strip.half).max(2.0);
+    let side = |sign: f64| -> Option<[Vec<f64>; 3]> {
+        let rows: Vec<f64> = (0..BLACK_ROWS).map(|k| sign * (edge + k as f64)).collect();
+        let lit = |v: &f64| {
+            let ends = [0.0, strip.columns as f64 - 1.0].map(|k| strip.seen(k, *v).1);
+            ends.iter().all(|y| *y >= 0.0 && *y <= height as f64 - 1.0)
+        };
+        if !rows.iter().all(lit) {
+            return None;
+        }
+        let rows: Vec<Vec<[f32; 3]>> = rows.iter().map(|v| row_of(view, strip, *v)).collect();
+        Some([0, 1, 2].map(|k| {
+            let column = |c: usize| {
+                median(
+                    &rows
+                        .iter()
+                        .map(|row| f64::from(row[c][k]))
+                        .collect::<Vec<f64>>(),
+                )
+            };
+            (0..strip.columns).map(column).collect()
+        }))
+    };
+    let lower = match (side(-1.0), side(1.0)) {
+        (Some(above), Some(below)) => [0, 1, 2].map(|k: usize| {
+            let both = above[k].iter().zip(&below[k]);
+            both.map(|(a, b): (&f64, &f64)| a.min(*b))
+                .collect::<Vec<f64>>()
+        }),
+        (Some(one), None) | (None, Some(one)) => one,
+        (None, None) => return None,
+    };
+    Some(lower.map(|channel| {
+        let near = |i: usize| &channel[i.saturating_sub(4)..(i + 5).min(channel.len())];
+        let calm: Vec<f64> = (0..channel.len()).map(|i| median(near(i))).collect();
+        gaussian(&calm, 6.0)
+    }))
+}
+
+/// Columns where a channel is at its end in some of the rows that are used.
+fn clipped(view: View<'_>, strip: &Strip, places: &[f64], used: &[usize]) -> Vec<bool> {
+    let is_clipped = |column: usize| {
+        let full = used.iter().filter(|i| {
+            let (x, y) = strip.seen(column as f64, places[**i]);
+            view.is_full(x, y)
+        });
+        full.count() as f64 > CLIPPED * used.len() as f64
+    };
+    (0..strip.columns).map(is_clipped).collect()
+}

@@ -1,0 +1,197 @@
+//! Photographs of spectra on the command line: a strip that the test draws itself, its axis, its
+//! table, and what is refused.
+
+use std::{fs, path::Path};
+
+use crate::tell::{json, refusal, tell};
+
+/// The lines of a fluorescent lamp: nm, strength, width in nm.
+const LINES: [(f64, f64, f64); 12] = [
+    (404.66, 0.25, 1.9),
+    (435.83, 0.8, 1.9),
+    (487.7, 0.25, 4.5),
+    (542.4, 0.75, 2.6),
+    (546.07, 0.75, 1.9),
+    (576.96, 0.10, 1.9),
+    (579.07, 0.10, 1.9),
+    (587.6, 0.16, 3.0),
+    (593.0, 0.12, 2.2),
+    (599.6, 0.10, 2.2),
+    (611.3, 1.0, 2.2),
+    (631.0, 0.13, 2.6),
+];
+/// Centres and widths of the camera's red, green and blue, nm.
+const CAMERA: [(f64, f64); 3] = [(605.0, 36.0), (535.0, 38.0), (455.0, 34.0)];
+
+/// A strip of 700 x 200 px, leaning and turned a little.
+pub(crate) struct Drawn {
+    lines: &'static [(f64, f64, f64)],
+    smooth: f64,
+}
+
+impl Drawn {
+    pub(crate) const LAMP: Self = Self {
+        lines: &LINES,
+        smooth: 0.004,
+    };
+    const BULB: Self = Self {
+        lines: &[],
+        smooth: 0.3,
+    };
+
+    /// The wavelength at a pixel.
+    fn nm(x: f64, y: f64) -> f64 {
+        let u = x - 350.0 + 0.02 * (y - 100.0) - 0.04 * (y - 100.0);
+        let t = u / 700.0;
+        530.0 + 390.0 * t - 14.0 * t * t
+    }
+
+    /// The light at a pixel.
+    fn light(&self, x: f64, y: f64) -> [f64; 3] {
+        let away = (y - 100.0 - 0.02 * (x - 350.0)).abs();
+        let row = 1.0 / (1.0 + ((away - 30.0) / 1.2).exp());
+        let nm = Self::nm(x, y);
+        let of_line = |&(at, strength, fwhm): &(f64, f64, f64)| {
+            strength * (-4.0 * 2_f64.ln() * ((nm - at) / fwhm).powi(2)).exp()
+        };
+        let light = self.smooth + self.lines.iter().map(of_line).sum::<f64>();
+        CAMERA.map(|(centre, width)| {
+            0.002 + 0.8 * row * light * (-0.5 * ((nm - centre) / width).powi(2)).exp()
+        })
+    }
+
+    /// The picture as PNG, codes of sRGB with some noise.
+    pub(crate) fn png(&self) -> Vec<u8> {
+        let mut state = 1_u32;
+        let mut data = Vec::new();
+        for y in 0..200 {
+            for x in 0..700 {
+                for light in self.light(f64::from(x), f64::from(y)) {
+                    let code = if light <= 0.003_130_8 {
+                        12.92 * light
+                    } else {
+                        1.055 * light.powf(1.0 / 2.4) - 0.055
+                    };
+                    state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                    let noise = f64::from(state >> 16) / 65_536.0 - 0.5;
+                    data.push((255.0 * code + 2.0 * noise).round().clamp(0.0, 255.0) as u8);
+                }
+            }
+        }
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, 700, 200);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        let mut writer = encoder.write_header().expect("a header");
+        writer.write_image_data(&data).expect("pixels");
+        writer.finish().expect("an end");
+        bytes
+    }
+}
+
+/// A file in a folder, and its path in words.
+fn put(folder: &Path, name: &str, bytes: &[u8]) -> String {
+    let path = folder.join(name);
+    fs::write(&path, bytes).expect(name);
+    path.to_str().expect("UTF-8").to_owned()
+}
+
+#[test]
+fn the_lines_of_a_lamp_make_the_axis_and_pixels_have_their_wavelengths() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lamp = put(folder.path(), "lamp.png", &Drawn::LAMP.png());
+    let told = json(&[
+        "photo", &lamp, "--at", "200,95", "--at", "400,110", "--json",
+    ]);
+    assert_eq!(
+        (&told["state"], &told["lamp"]),
+        (&"found".into(), &"fluorescent".into())
+    );
+    assert_eq!(told["strip"]["vertical"], false);
+    for at in told["at"].as_array().expect("places") {
+        let number = |key: &str| at[key].as_f64().expect("a figure");
+        let off = number("nm") - Drawn::nm(number("x"), number("y"));
+        assert!(off.abs() < 0.6, "{at}: off by {off}");
+    }
+    let lines = told["lines"].as_array().expect("lines");
+    assert!(lines.len() >= 7, "{lines:?}");
+}
+
+#[test]
+fn the_spectrum_is_written_with_its_axis_and_its_unit() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lamp = put(folder.path(), "lamp.png", &Drawn::LAMP.png());
+    let out = folder.path().join("lamp.csv");
+    let out = out.to_str().expect("UTF-8");
+    let (code, words, err) = tell(&["photo", &lamp, "--out", out]);
+    assert_eq!(code, 0, "{err}");
+    assert!(words.contains("Looks like a fluorescent lamp"), "{words}");
+    let text = fs::read_to_string(out).expect("a table");
+    assert!(text.contains("# unit: relative") && text.contains("# lamp: fluorescent"));
+    let rows: Vec<Vec<f64>> = (text.lines())
+        .filter_map(|line| line.split(',').map(|cell| cell.parse().ok()).collect())
+        .collect();
+    assert!(rows.len() > 200, "{} rows", rows.len());
+    let top = rows
+        .iter()
+        .max_by(|a, b| a[1].total_cmp(&b[1]))
+        .expect("rows");
+    assert_eq!(top[1], 1.0);
+    assert!([611.0, 612.0, 542.0, 543.0].contains(&top[0]), "{top:?}");
+    assert!(
+        refusal(&["photo", &lamp, "--out", out])
+            .0
+            .contains("--force")
+    );
+}
+
+#[test]
+fn smooth_light_has_no_axis_by_itself_and_one_by_pins() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let bulb = put(folder.path(), "bulb.png", &Drawn::BULB.png());
+    let (code, out, _) = tell(&["photo", &bulb, "--json"]);
+    assert_eq!(code, 4, "{out}");
+    assert!(out.contains("\"state\": \"none\""), "{out}");
+    let pinned = json(&[
+        "photo", &bulb, "--pin", "40:420", "--pin", "300:610", "--json",
+    ]);
+    assert_eq!(pinned["state"], "pins");
+    let warnings = pinned["warnings"].to_string();
+    assert!(warnings.contains("two points"), "{warnings}");
+    let zigzag = [
+        "photo", &bulb, "--pin", "40:420", "--pin", "90:500", "--pin", "99:430",
+    ];
+    let (words, code) = refusal(&zigzag);
+    assert!(words.contains("out of order") && code == 2, "{words}");
+}
+
+#[test]
+fn what_is_no_picture_or_no_strip_is_refused_in_one_line() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let whole = Drawn::LAMP.png();
+    let cut = put(folder.path(), "cut.png", &whole[..whole.len() / 2]);
+    let (words, code) = refusal(&["photo", &cut]);
+    assert!(words.contains("broken") && code == 2, "{words}");
+    let text = put(folder.path(), "text.jpg", b"nm,value");
+    assert!(
+        refusal(&["photo", &text])
+            .0
+            .contains("expected a JPEG or PNG picture")
+    );
+    let lamp = put(folder.path(), "lamp.png", &whole);
+    assert!(
+        refusal(&["photo", &lamp, "--strip", "3"])
+            .0
+            .contains("strips")
+    );
+    assert!(
+        refusal(&["photo", &lamp, "--box", "0,0,900,40"])
+            .0
+            .contains("inside the picture")
+    );
+    assert!(
+        refusal(&["photo", &lamp, "--lamp", "candle"])
+            .0
+            .contains("fluorescent")
+    );
+}
