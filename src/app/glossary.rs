@@ -136,7 +136,7 @@ pub const WORDS: &[Word] = &[
     ),
     word(
         "Order N",
-        "How many waves the smooth part is made of: its smoothness. Order 0 is a level line.",
+        "How many waves draw the smooth part. Order 0 is a level line.",
     ),
     word(
         "Overlay",

@@ -69,16 +69,16 @@ pub(super) fn words(app: &App, page: Page) -> (String, String) {
     }
     let question = match hard_to_see_from(app) {
         Some(from) if from > 0 && order > from => {
-            format!("Pull Smoothness left to {from}. The curve goes wrong: do the colours?")
+            format!("Pull Waves left to {from}. The curve goes wrong: do the colours?")
         }
         Some(from) if from > 0 && order < from => {
-            format!("Push Smoothness right to {from}: what becomes right first, curve or colours?")
+            format!("Push Waves right to {from}: what becomes right first, curve or colours?")
         }
         Some(_) if !spikes.is_empty() => {
             "Pull Lines to the left until one drops out: which colours notice?".to_owned()
         }
-        Some(_) => "Pull Smoothness left to 0: what is left of the colours?".to_owned(),
-        None => "Push Smoothness to the right: do the colours ever come right?".to_owned(),
+        Some(_) => "Pull Waves left to 0: what is left of the colours?".to_owned(),
+        None => "Push Waves to the right: do the colours ever come right?".to_owned(),
     };
     (notice, question)
 }

@@ -39,8 +39,8 @@ pub(super) enum Beginning {
 /// The ways below the tiles.
 const BUTTONS: [(&str, &str, Beginning); 2] = [
     (
-        "Move N and watch",
-        "Shows FL11, a lamp of many lines: pull Smoothness and Lines, and everything follows.",
+        "Play with the waves",
+        "Shows FL11, a lamp of many lines: pull Waves and Lines, and everything follows.",
         Beginning::Live,
     ),
     (

@@ -9,7 +9,7 @@ use std::{
 };
 
 /// The rooms of `src`, and which others each may use.
-const ROOMS: [(&str, &[&str]); 14] = [
+const ROOMS: [(&str, &[&str]); 15] = [
     ("spectrum", &[]),
     ("preset", &["spectrum"]),
     ("color", &["preset", "spectrum"]),

@@ -5,7 +5,8 @@ use std::{fs, path::Path};
 use crate::root::root;
 
 /// What a reader stumbles over, and what is said instead.
-const AVOIDED: [(&str, &str); 17] = [
+const AVOIDED: [(&str, &str); 18] = [
+    ("smoothness", "waves"),
     ("wished for", "target"),
     ("lay over", "compare with"),
     ("laid over", "compared with, drawn over"),

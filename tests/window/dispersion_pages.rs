@@ -84,13 +84,13 @@ fn the_light_is_measured_until_a_switch_sends_the_model_whose_order_then_counts(
             }
         };
         assert_eq!(sent(&ui), Sent::Measured, "{at:?}");
-        assert!(!has(&ui, "Smoothness N"), "{at:?}: it decides nothing");
+        assert!(!has(&ui, "Waves"), "{at:?}: it decides nothing");
         assert!(has(&ui, "Lines above"), "{at:?}");
         ui.get_by_role_and_label(Role::CheckBox, "as the model has it")
             .click();
         settle(&mut ui);
         assert_eq!(sent(&ui), Sent::Model, "{at:?}");
-        assert!(has(&ui, "Smoothness N"), "{at:?}");
+        assert!(has(&ui, "Waves"), "{at:?}");
     }
 }
 

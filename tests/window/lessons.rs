@@ -323,7 +323,7 @@ fn a_control_below_the_edge_is_brought_into_view_and_a_task_that_is_done_needs_n
     lesson.name = "long".to_owned();
     let folder = tempfile::tempdir().expect("a folder");
     let text = lesson.text.replacen(
-        r#""control": "Smoothness: order N""#,
+        r#""control": "Waves""#,
         r#""control": "Copy the patches as CSV""#,
         1,
     );

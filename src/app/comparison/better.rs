@@ -117,8 +117,8 @@ fn told(
             Default::default(),
         ),
         Found::Same => (format!("Both {} {both}.", purpose.both), Default::default()),
-        Found::TooLow => {
-            let why = format!("{} is low in both lights {both}", purpose.figure);
+        Found::TooLow { least } => {
+            let why = format!("{} is below {least} in both lights {both}", purpose.figure);
             (nothing(purpose, &why), Default::default())
         }
     };

@@ -81,8 +81,8 @@ pub(super) enum Found {
     BothMiss,
     /// They are about the same.
     Same,
-    /// The figure is too low in both to decide anything.
-    TooLow,
+    /// The figure is too low in both to decide anything: below this.
+    TooLow { least: f64 },
 }
 
 impl Found {
@@ -93,7 +93,7 @@ impl Found {
                 Some(if place == 0 { Which::A } else { Which::B })
             }
             Self::BothReach | Self::BothMiss | Self::Same => Some(Which::Same),
-            Self::TooLow => None,
+            Self::TooLow { .. } => None,
         }
     }
 }
@@ -109,7 +109,7 @@ impl Rule {
             _ => f64::INFINITY,
         };
         match self {
-            Self::Points { least, .. } if a.max(b) < least => Found::TooLow,
+            Self::Points { least, .. } if a.max(b) < least => Found::TooLow { least },
             Self::Points { same, .. } if difference < same => Found::Same,
             Self::Points { much, .. } => Found::Better {
                 place: larger,

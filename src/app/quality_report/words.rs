@@ -65,6 +65,8 @@ pub fn table_of_two([a, b]: [&str; 2], [of_a, of_b]: [&Figures; 2]) -> String {
         line[3].clear();
     }
     lines[0] = ["", a, b, ""].map(str::to_owned);
+    // What neither light has is no row.
+    lines.retain(|line| line[1] != DASH || line[2] != DASH);
     table(&lines)
 }
 

@@ -19,7 +19,7 @@ use crate::{
 /// Names of controls, shared with the tests that move them.
 pub mod names {
     /// The order slider.
-    pub const ORDER: &str = "Smoothness: order N";
+    pub const ORDER: &str = "Waves";
     /// The threshold slider.
     pub const LINES: &str = "Lines: spike threshold";
     /// The order as a number.
@@ -82,7 +82,7 @@ impl SlidersView {
         };
         let knob = vec2(layout.knob, KNOB * theme.scale);
         let second = room.min + vec2(layout.knob + GAP, 0.0);
-        smoothness(
+        waves(
             &mut child(room.min, knob),
             app,
             &mut settings,
@@ -189,7 +189,7 @@ fn caption(ui: &mut Ui, width: f32, name: &str, meaning: &str, does: &str, theme
 
 const BOX: f32 = 44.0;
 
-fn smoothness(ui: &mut Ui, app: &App, settings: &mut Settings, width: f32, theme: Theme) {
+fn waves(ui: &mut Ui, app: &App, settings: &mut Settings, width: f32, theme: Theme) {
     ui.spacing_mut().item_spacing.x = 8.0;
     let from = answers::hard_to_see_from(app);
     let does = from.map_or_else(String::new, |order| match order {
@@ -204,7 +204,7 @@ fn smoothness(ui: &mut Ui, app: &App, settings: &mut Settings, width: f32, theme
         None => String::new(),
     };
     let meaning = format!(
-        "How many waves the smooth part is made of: an order N takes 2N + 1 numbers. Arrow keys \
+        "How many waves draw the smooth part: order N, which takes 2N + 1 numbers. Arrow keys \
          move it by one.{judged}"
     );
     caption(ui, width, names::ORDER, &meaning, &does, theme);

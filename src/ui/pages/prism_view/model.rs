@@ -13,7 +13,7 @@ use crate::{
 /// What people and tests call them.
 pub(crate) mod names {
     pub(crate) const MODEL: &str = "as the model has it";
-    pub(crate) const ORDER: &str = "Smoothness N";
+    pub(crate) const ORDER: &str = "Waves";
     pub(crate) const LINES: &str = "Lines above";
 }
 
@@ -42,7 +42,7 @@ pub(crate) fn knobs(ui: &mut Ui, context: &mut PageContext<'_>, sent: Sent) {
     let mut settings = before;
     if sent == Sent::Model {
         let of = Slider::new(&mut settings.order, 0..=MOST).clamping(SliderClamping::Never);
-        let meaning = "Order of the model's smooth part: 2N + 1 numbers.";
+        let meaning = "How many waves draw the smooth part: order N, which takes 2N + 1 numbers.";
         slider(ui, (names::ORDER, meaning), of);
     }
     // Otherwise it decides nothing.
