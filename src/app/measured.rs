@@ -48,7 +48,9 @@ pub fn measurement(
 pub fn spectrum(of: &Measurement, made_by: &str) -> NamedSpectrum {
     let kept = |values: &[f64]| -> Vec<f64> {
         let all = values.iter().enumerate();
-        all.filter(|(i, _)| of.is_kept(*i)).map(|(_, v)| *v).collect()
+        all.filter(|(i, _)| of.is_kept(*i))
+            .map(|(_, v)| *v)
+            .collect()
     };
     let samples = Sampled::new(kept(of.samples.nm()), kept(of.samples.values()));
     NamedSpectrum {
@@ -67,7 +69,8 @@ pub fn spectrum(of: &Measurement, made_by: &str) -> NamedSpectrum {
 pub fn measurement_csv(of: &Measurement, made_by: &str) -> String {
     let or_empty = |values: &[f64]| -> Vec<f64> {
         let all = values.iter().enumerate();
-        all.map(|(i, v)| if of.is_kept(i) { *v } else { f64::NAN }).collect()
+        all.map(|(i, v)| if of.is_kept(i) { *v } else { f64::NAN })
+            .collect()
     };
     let title = match one_line(&of.name) {
         name if name.parse::<f64>().is_ok() || name.is_empty() => format!("spectrum {name}"),
@@ -124,7 +127,10 @@ fn keys(of: &Measurement, made_by: &str) -> Vec<(&'static str, String)> {
         keys.push(("scans", scans.to_string()));
     }
     if let Some(slit) = of.slit {
-        keys.push(("slit", format!("{} {}", shortest(slit.fwhm_nm), slit.shape.word())));
+        keys.push((
+            "slit",
+            format!("{} {}", shortest(slit.fwhm_nm), slit.shape.word()),
+        ));
     }
     if !made_by.is_empty() {
         keys.push(("made_by", made_by.to_owned()));
@@ -162,16 +168,27 @@ pub fn own_measurement(text: &str) -> Option<Measurement> {
         values.push(found.unwrap_or(0.0));
         sigma.push(number(2)?.unwrap_or(0.0));
     }
-    let kind: Kind = value("kind").and_then(|word| Kind::ALL.into_iter().find(|k| k.word() == word))?;
-    let (name, unit) = (value("name").unwrap_or_default(), value("unit").unwrap_or_default());
+    let kind: Kind =
+        value("kind").and_then(|word| Kind::ALL.into_iter().find(|k| k.word() == word))?;
+    let (name, unit) = (
+        value("name").unwrap_or_default(),
+        value("unit").unwrap_or_default(),
+    );
     let quantity = quantity_of(name, kind, unit).ok()?;
     let mut found = Measurement::new(name, quantity, unit, Sampled::new(nm, values).ok()?);
-    let number = |key: &str| value(key).and_then(|v| v.parse::<f64>().ok()).filter(|v| *v >= 0.0);
+    let number = |key: &str| {
+        value(key)
+            .and_then(|v| v.parse::<f64>().ok())
+            .filter(|v| *v >= 0.0)
+    };
     found.sigma = has_sigma.then_some(sigma);
     found.level = number("level").unwrap_or(0.0);
     found.axis_nm = number("axis_nm").unwrap_or(0.0);
     found.scans = value("scans").and_then(|v| v.parse().ok());
-    let memory = value("memory").unwrap_or_default().split_whitespace().skip(1);
+    let memory = value("memory")
+        .unwrap_or_default()
+        .split_whitespace()
+        .skip(1);
     found.memory = memory.filter_map(|v| v.parse().ok()).collect();
     found.slit = value("slit").and_then(|v| {
         let (fwhm, shape) = v.split_once(' ')?;
@@ -214,7 +231,10 @@ mod tests {
             fwhm_nm: 7.5,
         });
         let text = measurement_csv(&light, "mean of 5 scans");
-        assert!(text.contains("\nwavelength_nm,a lamp,sigma of a lamp\n"), "{text}");
+        assert!(
+            text.contains("\nwavelength_nm,a lamp,sigma of a lamp\n"),
+            "{text}"
+        );
         assert!(text.contains("# made_by: mean of 5 scans\n"), "{text}");
         assert!(text.contains("\n400.1,,\n"), "{text}");
         assert_eq!(own_measurement(&text), Some(light.clone()));

@@ -4,13 +4,13 @@
 use std::{
     ffi::{OsStr, OsString},
     io::Write,
-    path::Path,
 };
 
 use super::{
     arguments::Combine,
+    combine_inputs::{doubt_from, has_lines, read, stated, with_noise},
     combine_result::{Found, ScanRow, json, text},
-    inputs::{Inputs, named_spectrum},
+    inputs::Inputs,
     print, print_json,
     refusal::Refusal,
     room_words::Grid,
@@ -18,16 +18,12 @@ use super::{
     words,
 };
 use crate::{
-    app::{
-        measured::{is_sigma, measurement, measurement_csv, own_measurement, spectrum},
-        open::{Loaded, Wanted},
-    },
-    io::{Choices, Columns, Provenance, shown, stream::is_stream, write_as},
+    app::measured::{measurement_csv, spectrum},
+    io::{Columns, Provenance, write_as},
     measurements::{
-        Formula, Kernel, Measurement, Options, Quantity, Repeats, Slit, changed, combine, drift,
-        letter, misfits, noise_of, resampled, smoothed, splice,
+        Formula, Kernel, Measurement, Options, Repeats, Slit, changed, combine, drift, letter,
+        misfits, resampled, smoothed, splice,
     },
-    spectrum::{Band, NamedSpectrum, Outside, SpikeSettings, detect},
 };
 
 /// Most that a quotient over a reference with lines may be off by.
@@ -78,7 +74,7 @@ pub(super) fn run(
             }
             let changed = changed(&parts, &others).map_err(Refusal::file)?;
             let found = Found::of_change(changed);
-            return told(options, &found, out, inputs);
+            return told(options, &found, out);
         }
     };
     let found = on_grid(found, options.grid)?;
@@ -88,16 +84,11 @@ pub(super) fn run(
     if options.csv {
         return print(out, &measurement_csv(found.result(), &found.made_by));
     }
-    told(options, &found, out, inputs)
+    told(options, &found, out)
 }
 
 /// Prints what was found; notes stand in JSON and in the words.
-fn told(
-    options: &Combine,
-    found: &Found,
-    out: &mut dyn Write,
-    _: &mut Inputs,
-) -> Result<(), Refusal> {
+fn told(options: &Combine, found: &Found, out: &mut dyn Write) -> Result<(), Refusal> {
     match options.json {
         true => print_json(out, &json(found)),
         false => print(out, &text(found)),
@@ -114,9 +105,13 @@ fn understood(options: &Combine) -> Result<(Act, Vec<OsString>), Refusal> {
         "splice" => Act::Splice,
         "changed" => Act::Changed,
         "slit" => {
-            let fwhm = files.first().and_then(|w| w.to_str()?.trim_end_matches("nm").parse::<f64>().ok());
+            let fwhm = files
+                .first()
+                .and_then(|w| w.to_str()?.trim_end_matches("nm").parse::<f64>().ok());
             let Some(fwhm_nm) = fwhm.filter(|nm| (1e-3..=1000.0).contains(nm)) else {
-                return Err(usage("found slit without a width, expected one in nm behind it".to_owned()));
+                return Err(usage(
+                    "found slit without a width, expected one in nm behind it".to_owned(),
+                ));
             };
             files.remove(0);
             let shape = files.first().and_then(|w| Kernel::from_word(w.to_str()?));
@@ -155,7 +150,10 @@ fn understood(options: &Combine) -> Result<(Act, Vec<OsString>), Refusal> {
     let is_right = match &act {
         Act::Splice | Act::Slit(_) => files.len() == least,
         Act::Changed => !files.is_empty() && !options.others.is_empty(),
-        Act::Formula(..) | Act::Mean => (least.max(1)..=MOST_INPUTS).contains(&files.len()) || matches!(act, Act::Mean) && !files.is_empty(),
+        Act::Formula(..) | Act::Mean => {
+            (least.max(1)..=MOST_INPUTS).contains(&files.len())
+                || matches!(act, Act::Mean) && !files.is_empty()
+        }
     };
     match is_right {
         true => Ok((act, files)),
@@ -181,89 +179,6 @@ fn target<'o>(options: &'o Combine, files: &[OsString]) -> Result<Option<Target<
     Ok(Some(target))
 }
 
-/// What the options state of each input.
-fn stated(mut part: Measurement, options: &Combine) -> Measurement {
-    part.level = options.level.unwrap_or(part.level);
-    part.axis_nm = options.axis.unwrap_or(part.axis_nm);
-    part
-}
-
-/// The measurements that a word means: one, or for scans all of a file.
-fn read(word: &OsStr, all: bool, inputs: &mut Inputs) -> Result<Vec<Measurement>, Refusal> {
-    let path = Path::new(word);
-    let refused = |why: String| Refusal::File(format!("INPUT: {why}"));
-    let named = |why: &dyn std::fmt::Display| refused(format!("{}: {why}", shown(path)));
-    let is_file = path.is_file() || is_stream(path);
-    if is_file && let Some(own) = inputs.text(path).ok().and_then(|text| own_measurement(&text)) {
-        return Ok(vec![own]);
-    }
-    let (file, pick) = named_spectrum(word);
-    let beside = match is_file || Path::new(file).is_file() {
-        true => spectra_of(Path::new(file), inputs)?,
-        false => Vec::new(),
-    };
-    let is_value = |s: &&NamedSpectrum| !is_sigma(&s.name);
-    let sigma_of = |spectrum: &NamedSpectrum| {
-        let at = beside.iter().position(|s| s.name == spectrum.name)?;
-        beside.get(at + 1).filter(|next| is_sigma(&next.name))
-    };
-    if all && pick.is_none() && beside.len() > 1 {
-        let each = beside.iter().filter(is_value);
-        return each
-            .map(|s| measurement(s, sigma_of(s)).map_err(|why| named(&why)))
-            .collect();
-    }
-    let one = match &beside[..] {
-        // Its sigma stands beside the only one.
-        [one, sigma] if pick.is_none() && is_sigma(&sigma.name) => one.clone(),
-        _ => {
-            let wanted = Wanted {
-                choices: Choices {
-                    keep_photons: true,
-                    ..Choices::default()
-                },
-                ..Wanted::default()
-            };
-            inputs.find(word, &wanted).map_err(refused)?.entry.spectrum
-        }
-    };
-    let sigma = sigma_of(&one);
-    if let Some(sigma) = sigma {
-        inputs.note(format!("{}: {} is taken as the sigma of {}", shown(path), sigma.name, one.name));
-    }
-    Ok(vec![measurement(&one, sigma).map_err(|why| named(&why))?])
-}
-
-/// Every spectrum of a file.
-fn spectra_of(path: &Path, inputs: &mut Inputs) -> Result<Vec<NamedSpectrum>, Refusal> {
-    let choices = Choices {
-        keep_photons: true,
-        ..Choices::default()
-    };
-    match inputs.load(path, &choices) {
-        Loaded::File(opened) => Ok(opened.into_spectra()),
-        Loaded::Refused(why) => Err(Refusal::File(format!("INPUT: {why}"))),
-        Loaded::Project { .. } => Ok(Vec::new()),
-    }
-}
-
-/// Where the doubt of a result is from.
-fn doubt_from(parts: &[Measurement]) -> &'static str {
-    match parts.iter().all(|part| part.sigma.is_some()) {
-        true if parts.iter().all(|part| part.scans.is_some()) => "repeats",
-        true => "stated",
-        false => "residuals",
-    }
-}
-
-/// Inputs with the noise that their own second differences tell, where none is stated.
-fn with_noise(mut parts: Vec<Measurement>) -> Vec<Measurement> {
-    for part in &mut parts {
-        part.sigma = part.sigma.take().or_else(|| noise_of(&part.samples));
-    }
-    parts
-}
-
 fn of_formula(
     formula: &Formula,
     text: &str,
@@ -273,7 +188,10 @@ fn of_formula(
     let from = doubt_from(&parts);
     let parts = with_noise(parts);
     let divisors = formula.divisors();
-    let has_lines = divisors.iter().filter_map(|index| parts.get(*index)).any(has_lines);
+    let has_lines = divisors
+        .iter()
+        .filter_map(|index| parts.get(*index))
+        .any(has_lines);
     let settings = Options {
         keep_all: options.keep_all,
         most_doubt: has_lines.then_some(MOST_DOUBT),
@@ -295,19 +213,11 @@ fn of_formula(
         scans: Vec::new(),
         notes: found.notes,
         step_nm: found.step_nm,
-        first_nm: parts.iter().map(|part| part.samples.nm().to_vec()).collect(),
+        first_nm: parts
+            .iter()
+            .map(|part| part.samples.nm().to_vec())
+            .collect(),
         ..Found::of(found.result, made_by, from)
-    })
-}
-
-/// Whether the detector finds lines in a light.
-fn has_lines(part: &Measurement) -> bool {
-    let samples = &part.samples;
-    let is_light = matches!(part.quantity, Quantity::Light | Quantity::Counts);
-    let band = Band::new(samples.first_nm().ceil(), samples.last_nm().floor());
-    band.is_ok_and(|band| {
-        let values = samples.on_band(band, Outside::Zero);
-        is_light && !detect(band, &values, SpikeSettings::default()).spikes.is_empty()
     })
 }
 
@@ -343,11 +253,16 @@ fn of_scans(parts: &[Measurement]) -> Result<Found, Refusal> {
     let rows: Vec<ScanRow> = rows.collect();
     notes.extend(rows.iter().filter_map(|row| {
         let why = row.why.as_ref()?;
-        Some(format!("{} does not seem to belong: {why}. It is kept; leave it out to drop it.", row.name))
+        Some(format!(
+            "{} does not seem to belong: {why}. It is kept; leave it out to drop it.",
+            row.name
+        ))
     }));
     if let Some(drift) = drift.filter(|drift| drift.is_there()) {
         let percent = 100.0 * drift.per_scan;
-        notes.push(format!("The level changes by {percent:+.2} % from scan to scan."));
+        notes.push(format!(
+            "The level changes by {percent:+.2} % from scan to scan."
+        ));
     }
     let first_nm = vec![parts[0].samples.nm().to_vec()];
     Ok(Found {
@@ -361,7 +276,9 @@ fn of_scans(parts: &[Measurement]) -> Result<Found, Refusal> {
 
 fn of_ranges(parts: &[Measurement], options: &Combine) -> Result<Found, Refusal> {
     let [first, second] = parts else {
-        return Err(Refusal::Usage("INPUT: expected 2 ranges of one light".to_owned()));
+        return Err(Refusal::Usage(
+            "INPUT: expected 2 ranges of one light".to_owned(),
+        ));
     };
     let spliced = splice(first, second, options.axis == Some(0.0)).map_err(Refusal::file)?;
     let made_by = format!("splice of {} and {}", first.name, second.name);
@@ -373,7 +290,10 @@ fn of_ranges(parts: &[Measurement], options: &Combine) -> Result<Found, Refusal>
         196.0 * spliced.u
     );
     let mut found = Found::of(spliced.result.clone(), made_by, doubt_from(parts));
-    found.first_nm = parts.iter().map(|part| part.samples.nm().to_vec()).collect();
+    found.first_nm = parts
+        .iter()
+        .map(|part| part.samples.nm().to_vec())
+        .collect();
     found.notes.push(note);
     found.splice = Some(spliced);
     Ok(found)
@@ -386,7 +306,12 @@ fn through(parts: Vec<Measurement>, slit: Slit) -> Result<Found, Refusal> {
         return Err(Refusal::Usage("INPUT: expected a light".to_owned()));
     };
     let seen = smoothed(part, slit).map_err(Refusal::file)?;
-    let made_by = format!("{} through {} nm ({})", part.name, slit.fwhm_nm, slit.shape.word());
+    let made_by = format!(
+        "{} through {} nm ({})",
+        part.name,
+        slit.fwhm_nm,
+        slit.shape.word()
+    );
     let mut found = Found::of(seen, made_by, from);
     found.first_nm = vec![part.samples.nm().to_vec()];
     Ok(found)
@@ -411,7 +336,9 @@ fn on_grid(mut found: Found, grid: Grid) -> Result<Found, Refusal> {
             let from = (first / step - 1e-9).ceil() as i64;
             let to = (last / step + 1e-9).floor() as i64;
             if to - from > 1 << 20 {
-                return Err(Refusal::Usage(format!("--grid: found a step of {step} nm, expected a larger one")));
+                return Err(Refusal::Usage(format!(
+                    "--grid: found a step of {step} nm, expected a larger one"
+                )));
             }
             (from..=to).map(|k| k as f64 * step).collect()
         }

@@ -170,7 +170,9 @@ fn of_result(
         .iter()
         .map(|m| json!({ "from_nm": m.from_nm, "to_nm": m.to_nm, "why": m.why }))
         .collect();
-    let memory: Vec<f64> = std::iter::once(1.0).chain(result.memory.iter().copied()).collect();
+    let memory: Vec<f64> = std::iter::once(1.0)
+        .chain(result.memory.iter().copied())
+        .collect();
     let is_counts = result.quantity == Quantity::Counts;
     let figures = figures(result).map(|all| {
         let each = all.iter().map(|doubted| {
@@ -184,7 +186,10 @@ fn of_result(
                     "bias": d.bias,
                 })
             });
-            (doubted.figure.key().to_owned(), value.unwrap_or(Value::Null))
+            (
+                doubted.figure.key().to_owned(),
+                value.unwrap_or(Value::Null),
+            )
         });
         Value::Object(each.collect())
     });
@@ -266,7 +271,11 @@ fn words_of(found: &Found, result: &Measurement, text: &mut String) {
     let _ = writeln!(text, "Values    {least} to {most}");
     if result.level > 0.0 || result.axis_nm > 0.0 {
         let (level, axis) = (100.0 * result.level, result.axis_nm);
-        let _ = writeln!(text, "Doubt     level {level:.2} %, axis {axis:.3} nm ({})", found.doubt_from);
+        let _ = writeln!(
+            text,
+            "Doubt     level {level:.2} %, axis {axis:.3} nm ({})",
+            found.doubt_from
+        );
     }
     match figures(result) {
         Some(all) => all.iter().for_each(|doubted| {
@@ -285,7 +294,11 @@ fn in_words(doubted: &Doubted) -> String {
     let Some(doubt) = doubted.doubt else {
         return format!("{name:<9} -");
     };
-    let unit = if doubted.figure == Figure::Cct { " K" } else { "" };
+    let unit = if doubted.figure == Figure::Cct {
+        " K"
+    } else {
+        ""
+    };
     let value = match doubted.figure {
         // An index is shown cut at its top.
         Figure::Ra | Figure::R9 | Figure::Rf => doubt.value.min(100.0),

@@ -39,7 +39,10 @@ pub(super) fn grid(word: &str) -> Result<Grid, String> {
         (b"union", _) => Ok(Grid::Union),
         ([letter @ b'a'..=b'z'], _) => Ok(Grid::Input(usize::from(letter - b'a'))),
         (_, Some(step)) if (1e-3..=1000.0).contains(&step) => Ok(Grid::Step(step)),
-        _ => Err(refused(word, "union, a letter of an input (a, b) or a step in nm")),
+        _ => Err(refused(
+            word,
+            "union, a letter of an input (a, b) or a step in nm",
+        )),
     }
 }
 
@@ -57,7 +60,12 @@ pub(super) fn level(word: &str) -> Result<f64, String> {
 
 /// `--axis`: nm, with or without the unit.
 pub(super) fn axis(word: &str) -> Result<f64, String> {
-    let axis = word.trim().trim_end_matches("nm").trim().parse::<f64>().ok();
+    let axis = word
+        .trim()
+        .trim_end_matches("nm")
+        .trim()
+        .parse::<f64>()
+        .ok();
     axis.filter(|axis| (0.0..=100.0).contains(axis))
         .ok_or_else(|| refused(word, "nm from 0 to 100, such as 0.1nm"))
 }

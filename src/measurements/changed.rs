@@ -147,7 +147,12 @@ pub fn changed(first: &[Measurement], second: &[Measurement]) -> Result<Changed,
     let grid = Scans::of(&both)?;
     let on_grid = |values: &Vec<f64>| -> Result<Measurement, MeasurementError> {
         let samples = Sampled::new(grid.nm.clone(), values.clone())?;
-        Ok(Measurement::new("scan", both[0].quantity, &both[0].unit, samples))
+        Ok(Measurement::new(
+            "scan",
+            both[0].quantity,
+            &both[0].unit,
+            samples,
+        ))
     };
     let all: Vec<Measurement> = grid.values.iter().map(on_grid).collect::<Result<_, _>>()?;
     let (a, b) = all.split_at(first.len());
@@ -163,21 +168,41 @@ pub fn changed(first: &[Measurement], second: &[Measurement]) -> Result<Changed,
         .collect();
     let sums = features(&grid.nm, &middle)?;
     let doubt = Pooled::new(&grid.nm, &sets, totals);
-    let mut compared: Vec<Part> = sums.iter().map(|sum| doubt.compared(sum, means, &middle)).collect();
+    let mut compared: Vec<Part> = sums
+        .iter()
+        .map(|sum| doubt.compared(sum, means, &middle))
+        .collect();
     let others: Vec<f64> = compared[1..].iter().map(|part| part.p).collect();
     let found = holm(&others, LEVEL_OF_TEST);
     compared[0].is_different = compared[0].p < LEVEL_OF_TEST;
-    compared[1..].iter_mut().zip(found).for_each(|(part, is)| part.is_different = is);
-    let mut parts: Vec<Part> = compared.iter().copied().filter(|part| part.is_different).collect();
+    compared[1..]
+        .iter_mut()
+        .zip(found)
+        .for_each(|(part, is)| part.is_different = is);
+    let mut parts: Vec<Part> = compared
+        .iter()
+        .copied()
+        .filter(|part| part.is_different)
+        .collect();
     parts.sort_by(|a, b| (b.change / b.u).abs().total_cmp(&(a.change / a.u).abs()));
     let is_different = compared[1..].iter().any(|part| part.is_different);
     parts.truncate(MOST_PARTS);
-    let seen = compared[1..].iter().filter(|part| matches!(part.feature, Feature::Line(_)));
+    let seen = compared[1..]
+        .iter()
+        .filter(|part| matches!(part.feature, Feature::Line(_)));
     let least = seen.map(|part| part.u).fold(f64::INFINITY, f64::min);
-    let least = if least.is_finite() { least } else { compared[1].u };
+    let least = if least.is_finite() {
+        least
+    } else {
+        compared[1].u
+    };
     let t = quantile_of_p(LEVEL_OF_TEST / others.len() as f64, doubt.dof);
     Ok(Changed {
-        verdict: if is_different { Verdict::Different } else { Verdict::Same },
+        verdict: if is_different {
+            Verdict::Different
+        } else {
+            Verdict::Same
+        },
         parts,
         compared,
         least_seen_percent: 100.0 * t * least,
@@ -223,7 +248,10 @@ fn lines(nm: &[f64], middle: &[f64]) -> Result<Vec<(f64, [f64; 2])>, Measurement
             _ => apart.push(line),
         }
     }
-    Ok(apart.into_iter().map(|(at, window, _)| (at, window)).collect())
+    Ok(apart
+        .into_iter()
+        .map(|(at, window, _)| (at, window))
+        .collect())
 }
 
 /// All that is compared: level first.
@@ -320,9 +348,8 @@ impl Pooled {
         let dof = counts[0] + counts[1] - 2.0;
         let pooled = |of: [f64; 2]| ((counts[0] - 1.0) * of[0] + (counts[1] - 1.0) * of[1]) / dof;
         let both = 1.0 / counts[0] + 1.0 / counts[1];
-        let white = |i: usize| {
-            pooled([0, 1].map(|k| (sets[k].sigma[i] / totals[k]).powi(2))) * both
-        };
+        let white =
+            |i: usize| pooled([0, 1].map(|k| (sets[k].sigma[i] / totals[k]).powi(2))) * both;
         let memory = sets.each_ref().map(|set| &set.mean.memory);
         let lags = memory[0].len().max(memory[1].len());
         let rho = |lag: usize| pooled(memory.map(|m| m.get(lag).copied().unwrap_or(0.0)));
@@ -366,7 +393,11 @@ impl Pooled {
             false => (weights[i] - at_middle * over[i]) / below,
         };
         let slopes: Vec<f64> = (0..weights.len()).map(|i| slope_at(i) / unit).collect();
-        let noisy: Vec<f64> = slopes.iter().zip(&self.variance).map(|(s, v)| s * v.sqrt()).collect();
+        let noisy: Vec<f64> = slopes
+            .iter()
+            .zip(&self.variance)
+            .map(|(s, v)| s * v.sqrt())
+            .collect();
         let mut white = dot(&noisy, &noisy);
         for (lag, rho) in (1..).zip(&self.memory) {
             white += 2.0 * rho * dot(&noisy, &noisy[lag.min(noisy.len())..]);
@@ -375,7 +406,11 @@ impl Pooled {
         let level = if is_level { self.level.powi(2) } else { 0.0 };
         let variance = white.max(0.0) + axis + level;
         let below = (level * level + axis * axis) / self.dof + white * white / (TELLING * self.dof);
-        let dof = if below > 0.0 { (variance * variance / below).max(self.dof) } else { self.dof };
+        let dof = if below > 0.0 {
+            (variance * variance / below).max(self.dof)
+        } else {
+            self.dof
+        };
         let u = variance.sqrt();
         let p = match (u > 0.0, change == 0.0) {
             (true, _) => two_sided_p(change / u, dof),

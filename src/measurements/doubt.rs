@@ -69,7 +69,10 @@ impl OnWholeNm {
         let samples = &light.samples;
         let step = samples.step_nm();
         let lags = |own: &dyn Fn(f64) -> f64| -> Vec<f64> {
-            (1..POINTS).map(|k| own(k as f64)).take_while(|rho| *rho > 0.01).collect()
+            (1..POINTS)
+                .map(|k| own(k as f64))
+                .take_while(|rho| *rho > 0.01)
+                .collect()
         };
         let rho = |samples_apart: f64| {
             let at = |k: usize| match k {
@@ -128,7 +131,10 @@ pub fn doubts(light: &Measurement) -> Vec<Doubted> {
     let on_nm = OnWholeNm::of(light);
     let sums = sums_of(&on_nm.values);
     let own = figures_of_sums(&sums);
-    let scale: Vec<f64> = sums.iter().map(|s| s.abs().max(f64::MIN_POSITIVE)).collect();
+    let scale: Vec<f64> = sums
+        .iter()
+        .map(|s| s.abs().max(f64::MIN_POSITIVE))
+        .collect();
     let moved = |by: &dyn Fn(usize) -> f64| {
         let at = |sign: f64| {
             let sums: Vec<f64> = (0..SUMS).map(|i| sums[i] + sign * by(i)).collect();
@@ -189,7 +195,11 @@ fn degrees([level, axis, white]: [f64; 3], scans: Option<usize>) -> f64 {
         Some(n) => {
             let n = (n - 1) as f64;
             let below = (level * level + axis * axis) / n + white * white / (TELLING * n);
-            if below > 0.0 { (all * all / below).max(n) } else { n }
+            if below > 0.0 {
+                (all * all / below).max(n)
+            } else {
+                n
+            }
         }
         // What an instrument states is known.
         None if white > 0.0 => all * all / (white * white / TELLING),
@@ -215,7 +225,10 @@ fn directions(light: &OnWholeNm, scale: &[f64]) -> Vec<Vec<f64>> {
         return Vec::new();
     }
     let weighed = |(row, scale): (&Vec<f64>, &f64)| -> Vec<f64> {
-        row.iter().zip(&light.sigma).map(|(r, s)| r * s / scale).collect()
+        row.iter()
+            .zip(&light.sigma)
+            .map(|(r, s)| r * s / scale)
+            .collect()
     };
     let rows: Vec<Vec<f64>> = rows().iter().zip(scale).map(weighed).collect();
     // Its row of the covariance, with the memory.
@@ -247,7 +260,9 @@ fn directions(light: &OnWholeNm, scale: &[f64]) -> Vec<Vec<f64>> {
             (dot(&rows[i], &of_pivot) - known) / root
         };
         let column: Vec<f64> = (0..SUMS).map(entry).collect();
-        left.iter_mut().zip(&column).for_each(|(l, c)| *l = (*l - c * c).max(0.0));
+        left.iter_mut()
+            .zip(&column)
+            .for_each(|(l, c)| *l = (*l - c * c).max(0.0));
         left[pivot] = 0.0;
         columns.push(column);
     }
@@ -258,7 +273,9 @@ fn directions(light: &OnWholeNm, scale: &[f64]) -> Vec<Vec<f64>> {
 /// root of its eigenvalue, until enough of the whole.
 fn main_directions(columns: &[Vec<f64>], whole: f64) -> Vec<Vec<f64>> {
     let n = columns.len();
-    let gram = columns.iter().map(|a| columns.iter().map(|b| dot(a, b)).collect());
+    let gram = columns
+        .iter()
+        .map(|a| columns.iter().map(|b| dot(a, b)).collect());
     let (values, vectors) = eigen(gram.collect());
     let mut order: Vec<usize> = (0..n).collect();
     order.sort_by(|a, b| values[*b].total_cmp(&values[*a]));
@@ -283,7 +300,9 @@ fn eigen(mut a: Vec<Vec<f64>>) -> (Vec<f64>, Vec<Vec<f64>>) {
         .collect();
     for _ in 0..40 {
         let size: f64 = (0..n).map(|i| a[i][i] * a[i][i]).sum();
-        let off: f64 = (0..n).map(|i| a[i][i + 1..].iter().map(|v| v * v).sum::<f64>()).sum();
+        let off: f64 = (0..n)
+            .map(|i| a[i][i + 1..].iter().map(|v| v * v).sum::<f64>())
+            .sum();
         if off <= 1e-24 * size {
             break;
         }

@@ -102,13 +102,19 @@ impl Figure {
 /// The rows that a light on whole nm is summed with.
 static ROWS: LazyLock<Vec<Vec<f64>>> = LazyLock::new(|| {
     let nm = || (0..POINTS as u32).map(|i| f64::from(FIRST_NM + i));
-    let table = |observer: Observer| -> Vec<[f64; 3]> { nm().map(|nm| observer.table().at(nm)).collect() };
+    let table =
+        |observer: Observer| -> Vec<[f64; 3]> { nm().map(|nm| observer.table().at(nm)).collect() };
     let (two, ten) = (table(Observer::CIE_1931), table(Observer::CIE_1964));
     let row = |of: &[[f64; 3]], factor: &dyn Fn(usize) -> f64, k: usize| -> Vec<f64> {
-        of.iter().enumerate().map(|(i, xyz)| xyz[k] * factor(i)).collect()
+        of.iter()
+            .enumerate()
+            .map(|(i, xyz)| xyz[k] * factor(i))
+            .collect()
     };
     // TM-30 sums the light, as its samples, over 380-780 nm.
-    let is_inside: Vec<f64> = nm().map(|nm| f64::from(u8::from((380.0..=780.0).contains(&nm)))).collect();
+    let is_inside: Vec<f64> = nm()
+        .map(|nm| f64::from(u8::from((380.0..=780.0).contains(&nm))))
+        .collect();
     let mut rows = Vec::with_capacity(SUMS);
     rows.extend((0..3).map(|k| row(&two, &|_| 1.0, k)));
     rows.extend((0..3).map(|k| row(&ten, &|i| is_inside[i], k)));
@@ -236,7 +242,10 @@ mod tests {
 
     #[test]
     fn figures_by_sums_are_those_of_the_light() {
-        for (group, name) in [("cie_fluorescent_1nm", "FL2"), ("cie_fluorescent_1nm", "FL3.9")] {
+        for (group, name) in [
+            ("cie_fluorescent_1nm", "FL2"),
+            ("cie_fluorescent_1nm", "FL3.9"),
+        ] {
             let lamp = preset::table(group, name).expect("a shipped lamp");
             let values = lamp.on_whole_nm(FIRST_NM, FIRST_NM + POINTS as u32 - 1, Outside::Zero);
             let found = figures_of(&values).map(|f| f.expect("it has all figures"));
@@ -248,7 +257,10 @@ mod tests {
             let r9 = rendering.samples[STRONG_RED].index;
             let expected = [x, y, cct.kelvin, cct.duv, rendering.ra, r9, rf];
             for (found, expected) in found[1..].iter().zip(expected) {
-                assert!((found - expected).abs() < 1e-8 * expected.abs().max(1.0), "{found} {expected}");
+                assert!(
+                    (found - expected).abs() < 1e-8 * expected.abs().max(1.0),
+                    "{found} {expected}"
+                );
             }
         }
     }

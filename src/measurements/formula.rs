@@ -70,7 +70,11 @@ impl Formula {
 
     /// How many inputs it needs: one more than the place of its last letter.
     pub fn inputs(&self) -> usize {
-        self.letters().into_iter().map(|index| index + 1).max().unwrap_or(0)
+        self.letters()
+            .into_iter()
+            .map(|index| index + 1)
+            .max()
+            .unwrap_or(0)
     }
 
     /// The inputs that it names, each once, in their order.
@@ -153,7 +157,11 @@ fn tokens(text: &str) -> Result<Vec<Token>, FormulaError> {
                     b"log10" => (Token::Log, word.len()),
                     [one @ b'A'..=b'Z'] => (Token::Input(usize::from(one - b'A')), 1),
                     _ => {
-                        let found = if word.is_empty() { letter.to_string() } else { word.to_owned() };
+                        let found = if word.is_empty() {
+                            letter.to_string()
+                        } else {
+                            word.to_owned()
+                        };
                         return Err(FormulaError {
                             found,
                             expected: "a letter of an input (A, B, ...), a number, + - * / ( ) or \
@@ -174,7 +182,9 @@ fn number(rest: &str) -> Result<(Token, usize), FormulaError> {
     let bytes = rest.as_bytes();
     let digits = |from: usize| {
         let more = bytes[from..].iter();
-        from + more.take_while(|b| b.is_ascii_digit() || **b == b'.').count()
+        from + more
+            .take_while(|b| b.is_ascii_digit() || **b == b'.')
+            .count()
     };
     let mut end = digits(0);
     if matches!(bytes.get(end), Some(b'e' | b'E')) {
@@ -211,7 +221,11 @@ impl Parser {
     fn sum(&mut self, depth: usize) -> Result<Tree, FormulaError> {
         let mut tree = self.product(depth)?;
         while let Some(sign) = self.takes(['+', '-']) {
-            let operation = if sign == '+' { Operation::Add } else { Operation::Subtract };
+            let operation = if sign == '+' {
+                Operation::Add
+            } else {
+                Operation::Subtract
+            };
             tree = Tree::Of(operation, Box::new(tree), Box::new(self.product(depth)?));
         }
         Ok(tree)
@@ -220,7 +234,11 @@ impl Parser {
     fn product(&mut self, depth: usize) -> Result<Tree, FormulaError> {
         let mut tree = self.part(depth)?;
         while let Some(sign) = self.takes(['*', '/']) {
-            let operation = if sign == '*' { Operation::Multiply } else { Operation::Divide };
+            let operation = if sign == '*' {
+                Operation::Multiply
+            } else {
+                Operation::Divide
+            };
             tree = Tree::Of(operation, Box::new(tree), Box::new(self.part(depth)?));
         }
         Ok(tree)
@@ -300,7 +318,10 @@ mod tests {
         let first = Box::new(of(Subtract, input(0), input(1)));
         assert_eq!(parse("A - B - C"), of(Subtract, first, input(2)));
         assert_eq!(parse("1e-3"), Tree::Number(1e-3));
-        assert_eq!(Formula::parse("A*C").expect("two letters").letters(), [0, 2]);
+        assert_eq!(
+            Formula::parse("A*C").expect("two letters").letters(),
+            [0, 2]
+        );
         assert_eq!(Formula::parse("A*C").expect("two letters").inputs(), 3);
     }
 
@@ -312,15 +333,24 @@ mod tests {
         assert!(!Formula::goes_on("A - B", "C"));
         assert!(!Formula::goes_on("A - B", "lamp.csv"));
         assert!(!Formula::goes_on("A", "/lamp.csv"));
-        assert_eq!(Formula::parse("A / (B - C)").expect("three").divisors(), [1, 2]);
+        assert_eq!(
+            Formula::parse("A / (B - C)").expect("three").divisors(),
+            [1, 2]
+        );
         assert!(Formula::parse("A * B").expect("two").divisors().is_empty());
     }
 
     #[test]
     fn what_is_no_formula_is_refused_with_what_was_expected() {
-        assert_eq!(why("A -"), "found the end of the formula, expected a letter of an input, a number, ( or -log10(");
+        assert_eq!(
+            why("A -"),
+            "found the end of the formula, expected a letter of an input, a number, ( or -log10("
+        );
         assert_eq!(why("(A"), "found the end of the formula, expected )");
-        assert_eq!(why("A B"), "found B, expected +, -, *, / or the end of the formula");
+        assert_eq!(
+            why("A B"),
+            "found B, expected +, -, *, / or the end of the formula"
+        );
         assert!(why("sin(A)").starts_with("found sin, expected a letter"));
         assert!(why("log10(A)").starts_with("found log10"));
         assert!(why("1.2.3*A").starts_with("found 1.2.3, expected a number"));

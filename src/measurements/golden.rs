@@ -45,15 +45,23 @@ fn grid(value: &Value) -> Vec<f64> {
 
 fn of(formula: &str, inputs: &[Measurement], options: Options) -> Measurement {
     let formula = Formula::parse(formula).expect(formula);
-    combine(&formula, inputs, options).expect("it means something").result
+    combine(&formula, inputs, options)
+        .expect("it means something")
+        .result
 }
 
 fn close(found: f64, expected: f64, relative: f64, size: f64, what: &str) {
-    assert!((found - expected).abs() <= relative * size.max(expected.abs()), "{what}: {found} {expected}");
+    assert!(
+        (found - expected).abs() <= relative * size.max(expected.abs()),
+        "{what}: {found} {expected}"
+    );
 }
 
 fn close_to(found: f64, expected: f64, within: f64, what: &str) {
-    assert!((found - expected).abs() <= within, "{what}: {found} {expected} {within}");
+    assert!(
+        (found - expected).abs() <= within,
+        "{what}: {found} {expected} {within}"
+    );
 }
 
 fn peak(values: &[f64]) -> f64 {
@@ -99,9 +107,15 @@ fn a_quotient_with_a_shared_dark_has_the_golden_mask_sigma_and_absorbance() {
         let found = of("(A - C) / (B - C)", &inputs, Options::default());
         assert_eq!(found.quantity, Quantity::Transmittance);
         let own: Vec<usize> = (0..nm.len()).map(|i| 4 * i).collect();
-        let (t, u) = (found.samples.values(), found.sigma.as_ref().expect("they had one"));
+        let (t, u) = (
+            found.samples.values(),
+            found.sigma.as_ref().expect("they had one"),
+        );
         let kept = numbers(&case["kept"]);
-        let (expected, sigma) = (numbers(&case["transmittance"]), numbers(&case["sigma_of_it"]));
+        let (expected, sigma) = (
+            numbers(&case["transmittance"]),
+            numbers(&case["sigma_of_it"]),
+        );
         for (i, at) in own.iter().enumerate() {
             assert_eq!(found.samples.nm()[*at], nm[i]);
             assert_eq!(found.is_kept(*at), kept[i] == 1.0, "{}", nm[i]);
@@ -116,7 +130,13 @@ fn a_quotient_with_a_shared_dark_has_the_golden_mask_sigma_and_absorbance() {
         for (i, at) in own.iter().enumerate() {
             assert_eq!(absorbance.is_kept(*at), !expected[i].is_nan(), "{}", nm[i]);
             if absorbance.is_kept(*at) {
-                close(absorbance.samples.values()[*at], expected[i], 1e-6, 1.0, "absorbance");
+                close(
+                    absorbance.samples.values()[*at],
+                    expected[i],
+                    1e-6,
+                    1.0,
+                    "absorbance",
+                );
             }
         }
     }
@@ -155,7 +175,10 @@ fn repeats_tell_the_golden_level_axis_noise_and_doubt() {
         let number = |key: &str| case[key].as_f64().expect(key);
         close(found.level_sd, number("level_sd"), 0.02, 0.0, name);
         close(found.axis_sd_nm, number("axis_sd_nm"), 0.02, 1e-4, name);
-        for (i, expected) in numbers(&case["white_sigma_every_20_nm"]).into_iter().enumerate() {
+        for (i, expected) in numbers(&case["white_sigma_every_20_nm"])
+            .into_iter()
+            .enumerate()
+        {
             close(found.sigma[20 * i], expected, 0.03, 0.0, name);
         }
         assert_eq!(found.mean.memory.len() + 1, numbers(&case["memory"]).len());
@@ -167,11 +190,30 @@ fn repeats_tell_the_golden_level_axis_noise_and_doubt() {
             let doubt = doubted.doubt.expect(&what);
             let u = expected("u");
             close(doubt.u, u, 0.05, 0.0, &format!("{what} u"));
-            close(doubt.half_width_95, expected("half_width_95"), 0.06, 0.0, &what);
-            // The figures themselves, to a tenth of their uncertainty.
+            close(
+                doubt.half_width_95,
+                expected("half_width_95"),
+                0.06,
+                0.0,
+                &what,
+            );
+            // The figures themselves: the study's tables of test colours are of 5 nm, straight
+            // lines between them, where CIE 13.3 has Sprague's curve.
             let of_the_mean = expected("of_the_mean");
-            close_to(doubt.of_the_table, of_the_mean, 0.1 * u, &what);
-            close_to(doubt.bias, expected("bias"), 0.05 * u.max(expected("bias").abs()), &what);
+            let tables = match doubted.figure {
+                Figure::Ra => 0.1,
+                Figure::R9 => 0.7,
+                Figure::Rf => 0.02,
+                Figure::Cct => 0.1,
+                _ => 0.0,
+            };
+            close_to(doubt.of_the_table, of_the_mean, 0.02 * u + tables, &what);
+            close_to(
+                doubt.bias,
+                expected("bias"),
+                0.05 * u.max(expected("bias").abs()),
+                &what,
+            );
         }
     }
 }
@@ -184,7 +226,11 @@ fn a_cut_light_is_spliced_to_half_a_delta_e_and_its_factor_to_two_of_its_doubts(
         let found = splice(&part("first"), &part("second"), false).expect(name);
         let gain = case["gain_of_second"].as_f64().expect("a gain");
         let off = found.factor * gain - 1.0;
-        assert!(off.abs() <= 2.0 * found.u + 1e-9, "{name}: off by {off}, u {}", found.u);
+        assert!(
+            off.abs() <= 2.0 * found.u + 1e-9,
+            "{name}: off by {off}, u {}",
+            found.u
+        );
         let xyz = |samples: &Sampled| {
             let values = samples.on_whole_nm(360, 830, Outside::Zero);
             let xyz = xyz_from_nm_values(&values, Observer::CIE_1931);
@@ -194,7 +240,8 @@ fn a_cut_light_is_spliced_to_half_a_delta_e_and_its_factor_to_two_of_its_doubts(
             panic!("x and y");
         };
         let expected = xyz_from_xy([x, y], 100.0).expect("a colour");
-        let difference = delta_e_of_xyz(xyz(&found.result.samples), expected, expected).expect("a light");
+        let difference =
+            delta_e_of_xyz(xyz(&found.result.samples), expected, expected).expect("a light");
         assert!(difference <= 0.5, "{name}: {difference}");
     }
 }
@@ -219,7 +266,11 @@ fn two_sets_of_one_light_are_the_same_and_a_tilt_of_6_percent_is_found() {
 fn noisy(name: &str, seed: u64, share: f64) -> Measurement {
     let lamp = preset::table("cie_fluorescent_1nm", name).expect("a shipped lamp");
     let sigma = share * peak(lamp.values());
-    let values = lamp.values().iter().zip(normal(seed)).map(|(v, e)| v + sigma * e);
+    let values = lamp
+        .values()
+        .iter()
+        .zip(normal(seed))
+        .map(|(v, e)| v + sigma * e);
     let mut found = light(lamp.nm().to_vec(), values.collect());
     found.sigma = Some(vec![sigma; found.samples.len()]);
     found
@@ -250,9 +301,16 @@ fn a_over_b_times_b_is_a_where_b_is_above_its_noise() {
             close(*value, a.samples.at(*nm, Outside::Zero), 1e-12, top, "a");
         }
     }
-    assert!(seen > kept.len() / 2 && seen < kept.len(), "{seen} of {}", kept.len());
+    assert!(
+        seen > kept.len() / 2 && seen < kept.len(),
+        "{seen} of {}",
+        kept.len()
+    );
     // Nothing masked is told where it is asked to keep all.
-    let all = Options { keep_all: true, ..Options::default() };
+    let all = Options {
+        keep_all: true,
+        ..Options::default()
+    };
     assert!(of("A / B", &[a, b], all).mask.is_empty());
 }
 
@@ -261,7 +319,10 @@ fn the_mean_of_one_is_itself_and_one_scan_has_no_spread() {
     let one = noisy("FL2", 1, 1e-3);
     assert_eq!(mean_of(std::slice::from_ref(&one)), Ok(one.clone()));
     let why = Repeats::of(&[one]).expect_err("one scan").to_string();
-    assert_eq!(why, "One scan has no spread. Add two more, or state the instrument's noise.");
+    assert_eq!(
+        why,
+        "One scan has no spread. Add two more, or state the instrument's noise."
+    );
 }
 
 #[test]
@@ -296,8 +357,14 @@ fn simulated(kernel: &[f64], snr: f64, count: usize, seed: u64) -> Vec<Measureme
     let mut noise = normal(seed);
     let size = kernel.iter().map(|k| k * k).sum::<f64>().sqrt();
     let scan = |_| {
-        let (g, d) = (0.01 * noise.next().unwrap_or(0.0), 0.1 * noise.next().unwrap_or(0.0));
-        let raw: Vec<f64> = noise.by_ref().take(inside.len() + kernel.len() - 1).collect();
+        let (g, d) = (
+            0.01 * noise.next().unwrap_or(0.0),
+            0.1 * noise.next().unwrap_or(0.0),
+        );
+        let raw: Vec<f64> = noise
+            .by_ref()
+            .take(inside.len() + kernel.len() - 1)
+            .collect();
         let values = inside.iter().enumerate().map(|(i, nm)| {
             let e: f64 = kernel.iter().zip(&raw[i..]).map(|(k, e)| k * e).sum();
             (1.0 + g) * lamp.at(nm - d, Outside::Hold) + e * top / snr / size
@@ -311,7 +378,10 @@ fn simulated(kernel: &[f64], snr: f64, count: usize, seed: u64) -> Vec<Measureme
 fn nineteen_of_twenty_intervals_hold_the_true_figure_with_white_noise_and_with_memory() {
     let lamp = preset::table("cie_led_1nm", "LED-B3").expect("a shipped lamp");
     let inside: Vec<f64> = (380..=780).map(f64::from).collect();
-    let values = inside.iter().map(|nm| lamp.at(*nm, Outside::Hold)).collect();
+    let values = inside
+        .iter()
+        .map(|nm| lamp.at(*nm, Outside::Hold))
+        .collect();
     let truth = doubts(&light(inside, values));
     for kernel in [&[1.0][..], &[0.5, 0.8, 1.0, 0.8, 0.5]] {
         let mut held = 0;
@@ -324,12 +394,17 @@ fn nineteen_of_twenty_intervals_hold_the_true_figure_with_white_noise_and_with_m
                     panic!("{:?}", found.figure);
                 };
                 all += 1;
-                held += usize::from((doubt.value - truth.of_the_table).abs() <= doubt.half_width_95);
+                held +=
+                    usize::from((doubt.value - truth.of_the_table).abs() <= doubt.half_width_95);
             }
         }
         let share = held as f64 / f64::from(all);
         // 320 intervals that hold .95 each, in 40 independent sets: .90 to .99.
-        assert!((0.90..=0.995).contains(&share), "{} lags: {share}", kernel.len());
+        assert!(
+            (0.90..=0.995).contains(&share),
+            "{} lags: {share}",
+            kernel.len()
+        );
     }
 }
 
@@ -338,13 +413,22 @@ fn a_quotient_brought_back_to_whole_nm_keeps_the_doubt_of_its_sums() {
     let a = noisy("FL2", 1, 1e-3);
     let mut glass = a.clone();
     glass.quantity = Quantity::Transmittance;
-    glass.samples = a.samples.sharing(vec![0.5; a.samples.len()]).expect("as many");
+    glass.samples = a
+        .samples
+        .sharing(vec![0.5; a.samples.len()])
+        .expect("as many");
     glass.sigma = None;
     let seen = of("A * B", &[a.clone(), glass], Options::default());
     assert_eq!(seen.quantity, Quantity::Light);
     assert!(seen.samples.len() > 4 * (a.samples.len() - 1));
     let back = resampled(&seen, a.samples.nm(), 1.0).expect("inside");
-    close(back.samples.values()[200], 0.5 * a.samples.values()[200], 1e-12, 0.0, "half");
+    close(
+        back.samples.values()[200],
+        0.5 * a.samples.values()[200],
+        1e-12,
+        0.0,
+        "half",
+    );
     let (of_a, of_seen) = (doubts(&a), doubts(&seen));
     for (a, seen) in of_a.iter().zip(&of_seen) {
         let (Some(a), Some(b)) = (a.doubt, seen.doubt) else {

@@ -38,11 +38,17 @@ pub fn normalised(of: &Measurement, by: Normalise) -> Result<Measurement, Measur
     let pairs = || samples.nm().windows(2).zip(samples.values().windows(2));
     let (divisor, what) = match by {
         Normalise::Peak => {
-            let peak = samples.values().iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            let peak = samples
+                .values()
+                .iter()
+                .copied()
+                .fold(f64::NEG_INFINITY, f64::max);
             (peak, "a largest value".to_owned())
         }
         Normalise::Area => {
-            let area = pairs().map(|(nm, v)| 0.5 * (nm[1] - nm[0]) * (v[0] + v[1])).sum();
+            let area = pairs()
+                .map(|(nm, v)| 0.5 * (nm[1] - nm[0]) * (v[0] + v[1]))
+                .sum();
             (area, "an area".to_owned())
         }
         Normalise::At(nm) => {
@@ -73,7 +79,10 @@ pub fn normalised(of: &Measurement, by: Normalise) -> Result<Measurement, Measur
     };
     Ok(Measurement {
         samples: samples.scaled(1.0 / divisor),
-        sigma: of.sigma.as_ref().map(|s| s.iter().map(|s| s / divisor).collect()),
+        sigma: of
+            .sigma
+            .as_ref()
+            .map(|s| s.iter().map(|s| s / divisor).collect()),
         unit: "relative".to_owned(),
         level,
         ..of.clone()
@@ -102,10 +111,15 @@ mod tests {
         assert!((at.level - 0.2 / 8.0).abs() < 1e-15);
         let y = normalised(&light, Normalise::Y).expect("positive");
         assert!((y_of(&y.samples) - 100.0).abs() < 1e-9);
-        let why = normalised(&light, Normalise::At(800.0)).expect_err("outside").to_string();
+        let why = normalised(&light, Normalise::At(800.0))
+            .expect_err("outside")
+            .to_string();
         assert_eq!(why, "found 800 nm, expected a wavelength within 400-700 nm");
         let dark = light.samples.scaled(0.0);
-        let dark = Measurement { samples: dark, ..light };
+        let dark = Measurement {
+            samples: dark,
+            ..light
+        };
         assert!(normalised(&dark, Normalise::Peak).is_err());
     }
 }

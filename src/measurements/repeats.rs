@@ -60,7 +60,10 @@ impl fmt::Display for RepeatsError {
             ),
             Self::Apart(why) => why.fmt(f),
             Self::Unlike { first, other } => {
-                write!(f, "found {first} beside {other}, expected scans of one quantity and unit")
+                write!(
+                    f,
+                    "found {first} beside {other}, expected scans of one quantity and unit"
+                )
             }
         }
     }
@@ -107,7 +110,9 @@ impl Scans {
         let on = |m: &Measurement| {
             let own = m.samples.values();
             let places = union.places(m.samples.nm()).into_iter();
-            places.map(|(left, share)| own[left] * (1.0 - share) + own[left + 1] * share).collect()
+            places
+                .map(|(left, share)| own[left] * (1.0 - share) + own[left + 1] * share)
+                .collect()
         };
         Ok(Self {
             values: scans.iter().map(on).collect(),
@@ -189,7 +194,11 @@ struct Regression {
 impl Regression {
     fn new(a: &[f64], b: &[f64], weights: &[f64]) -> Self {
         let sum = |x: &[f64], y: &[f64]| -> f64 {
-            x.iter().zip(y).zip(weights).map(|((x, y), w)| w * x * y).sum()
+            x.iter()
+                .zip(y)
+                .zip(weights)
+                .map(|((x, y), w)| w * x * y)
+                .sum()
         };
         let normal = [sum(a, a), sum(a, b), sum(b, b)];
         Self {
@@ -249,7 +258,11 @@ impl Repeats {
             for values in &on_grid.values {
                 let off: Vec<f64> = values.iter().zip(m).map(|(v, m)| v - m).collect();
                 let sum = |x: &[f64]| -> f64 {
-                    x.iter().zip(&off).zip(&weights).map(|((x, y), w)| w * x * y).sum()
+                    x.iter()
+                        .zip(&off)
+                        .zip(&weights)
+                        .map(|((x, y), w)| w * x * y)
+                        .sum()
                 };
                 let [g, d] = regression.solved(sum(m), sum(&down));
                 levels.push(g);
@@ -267,9 +280,8 @@ impl Repeats {
         mean.level = level_sd / root;
         mean.axis_nm = axis_sd_nm / root;
         mean.memory = memory(&left, &sigma);
-        let rms = |rest: &Vec<f64>| {
-            (rest.iter().map(|e| e * e).sum::<f64>() / rest.len() as f64).sqrt()
-        };
+        let rms =
+            |rest: &Vec<f64>| (rest.iter().map(|e| e * e).sum::<f64>() / rest.len() as f64).sqrt();
         Ok(Self {
             residuals: left.iter().map(rms).collect(),
             mean,

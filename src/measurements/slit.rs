@@ -26,7 +26,11 @@ fn weighed(
         let pairs = weights.iter().zip(&own[first..]);
         let is_kept = !weights.is_empty()
             && (0..weights.len()).all(|k| weights[k] == 0.0 || of.is_kept(first + k));
-        values.push(if is_kept { pairs.map(|(w, v)| w * v).sum() } else { 0.0 });
+        values.push(if is_kept {
+            pairs.map(|(w, v)| w * v).sum()
+        } else {
+            0.0
+        });
         mask.push(!is_kept);
         if let (Some(sigma), Some(own)) = (&mut sigma, &of.sigma) {
             sigma.push(shared_noise(&weights, &own[first..], &of.memory));
@@ -48,15 +52,29 @@ fn weighed(
 /// Deviation of a weighted sum of samples whose noise has a memory.
 fn shared_noise(weights: &[f64], sigma: &[f64], memory: &[f64]) -> f64 {
     let parts: Vec<f64> = weights.iter().zip(sigma).map(|(w, s)| w * s).collect();
-    let at = |lag: usize| -> f64 { parts.iter().zip(&parts[lag.min(parts.len())..]).map(|(a, b)| a * b).sum() };
-    let shared: f64 = (1..=memory.len()).map(|lag| 2.0 * memory[lag - 1] * at(lag)).sum();
+    let at = |lag: usize| -> f64 {
+        parts
+            .iter()
+            .zip(&parts[lag.min(parts.len())..])
+            .map(|(a, b)| a * b)
+            .sum()
+    };
+    let shared: f64 = (1..=memory.len())
+        .map(|lag| 2.0 * memory[lag - 1] * at(lag))
+        .sum();
     (at(0) + shared).max(0.0).sqrt()
 }
 
 /// Memory of noise that was averaged with the same weights at every place: the weights'
 /// correlation with themselves, with the memory from before, as far as it exceeds a hundredth.
 fn memory_behind(weights: &[f64], memory: &[f64]) -> Vec<f64> {
-    let before = |lag: usize| if lag == 0 { 1.0 } else { memory.get(lag - 1).copied().unwrap_or(0.0) };
+    let before = |lag: usize| {
+        if lag == 0 {
+            1.0
+        } else {
+            memory.get(lag - 1).copied().unwrap_or(0.0)
+        }
+    };
     let shared = |lag: usize| -> f64 {
         let mut sum = 0.0;
         for (i, a) in weights.iter().enumerate() {
@@ -68,7 +86,9 @@ fn memory_behind(weights: &[f64], memory: &[f64]) -> Vec<f64> {
     };
     let own = shared(0);
     let lags = 1..weights.len() + memory.len();
-    lags.map(|lag| shared(lag) / own).take_while(|rho| *rho > 0.01).collect()
+    lags.map(|lag| shared(lag) / own)
+        .take_while(|rho| *rho > 0.01)
+        .collect()
 }
 
 /// A measurement as an instrument with this slit would see it. Blur adds: what was seen through a
@@ -179,7 +199,10 @@ mod tests {
         values[150] = 1.0;
         line.samples = line.samples.sharing(values).expect("as many");
         for shape in [Kernel::Triangle, Kernel::Gauss] {
-            let slit = Slit { shape, fwhm_nm: 5.0 };
+            let slit = Slit {
+                shape,
+                fwhm_nm: 5.0,
+            };
             let seen = smoothed(&ramp, slit).expect("a width");
             for i in 60..240 {
                 let off = seen.samples.values()[i] - ramp.samples.values()[i];
@@ -197,10 +220,17 @@ mod tests {
             let (area, place) = moments(&|at| before.at(at, crate::spectrum::Outside::Zero));
             let (seen_area, seen_place) = moments(&|at| {
                 let (first, weights) = slit.weights(&nm, at);
-                weights.iter().zip(&before.values()[first..]).map(|(w, v)| w * v).sum()
+                weights
+                    .iter()
+                    .zip(&before.values()[first..])
+                    .map(|(w, v)| w * v)
+                    .sum()
             });
             assert!((seen_area / area - 1.0).abs() < 1e-3, "{shape:?}");
-            assert!((seen_place - place).abs() < 1e-3, "{shape:?} {seen_place} {place}");
+            assert!(
+                (seen_place - place).abs() < 1e-3,
+                "{shape:?} {seen_place} {place}"
+            );
         }
     }
 
@@ -210,15 +240,21 @@ mod tests {
         let mut values = vec![0.0; 400];
         values[200] = 1.0;
         let line = light(nm, values);
-        let slit = |fwhm_nm| Slit { shape: Kernel::Gauss, fwhm_nm };
+        let slit = |fwhm_nm| Slit {
+            shape: Kernel::Gauss,
+            fwhm_nm,
+        };
         let once = smoothed(&line, slit(10.0)).expect("wider");
-        let twice = smoothed(&smoothed(&line, slit(6.0)).expect("wider"), slit(10.0)).expect("wider");
+        let twice =
+            smoothed(&smoothed(&line, slit(6.0)).expect("wider"), slit(10.0)).expect("wider");
         let top = once.samples.values()[200];
         for (a, b) in once.samples.values().iter().zip(twice.samples.values()) {
             // Half a nm between samples widens the first blur by its own triangle.
             assert!((a - b).abs() < 2e-3 * top, "{a} {b}");
         }
-        let why = smoothed(&once, slit(5.0)).expect_err("narrower").to_string();
+        let why = smoothed(&once, slit(5.0))
+            .expect_err("narrower")
+            .to_string();
         assert_eq!(
             why,
             "This light was seen through 10 nm: it cannot be shown as a 5 nm instrument would see it."
@@ -243,9 +279,15 @@ mod tests {
         noisy.sigma = Some(vec![1.0; nm.len()]);
         let coarse = resampled(&noisy, &target, 1.0).expect("inside");
         let sigma = coarse.sigma.expect("it had one");
-        let weights: Vec<f64> = (-4..=4).map(|k: i32| (1.0 - f64::from(k.abs()) / 5.0) / 5.0).collect();
+        let weights: Vec<f64> = (-4..=4)
+            .map(|k: i32| (1.0 - f64::from(k.abs()) / 5.0) / 5.0)
+            .collect();
         let expected = weights.iter().map(|w| w * w).sum::<f64>().sqrt();
         // The straight lines between samples widen the weights by a hair.
-        assert!((sigma[40] / expected - 1.0).abs() < 0.05, "{} {expected}", sigma[40]);
+        assert!(
+            (sigma[40] / expected - 1.0).abs() < 0.05,
+            "{} {expected}",
+            sigma[40]
+        );
     }
 }

@@ -148,7 +148,8 @@ fn share_a_line(first: &Measurement, second: &Measurement, overlap: [f64; 2]) ->
             .collect()
     };
     let (a, b) = (lines(first), lines(second));
-    a.iter().any(|a| b.iter().any(|b| (a - b).abs() <= SAME_LINE_NM))
+    a.iter()
+        .any(|a| b.iter().any(|b| (a - b).abs() <= SAME_LINE_NM))
 }
 
 /// Both parts in the overlap.
@@ -179,11 +180,16 @@ impl<'m> Overlap<'m> {
         let sigma_of = |m: &Measurement| -> Vec<f64> {
             let own = m.sigma.clone().or_else(|| noise_of(&m.samples));
             let own = own.and_then(|sigma| m.samples.sharing(sigma).ok());
-            nm.iter().map(|at| own.as_ref().map_or(0.0, |s| s.at(*at, Outside::Hold))).collect()
+            nm.iter()
+                .map(|at| own.as_ref().map_or(0.0, |s| s.at(*at, Outside::Hold)))
+                .collect()
         };
         Ok(Self {
             x: nm.iter().map(|nm| (nm - middle) / half).collect(),
-            first: nm.iter().map(|at| first.samples.at(*at, Outside::Hold)).collect(),
+            first: nm
+                .iter()
+                .map(|at| first.samples.at(*at, Outside::Hold))
+                .collect(),
             sigma: [sigma_of(first), sigma_of(second)],
             second: &second.samples,
             nm,
@@ -199,7 +205,9 @@ impl<'m> Overlap<'m> {
         let second = |at: f64, d: f64| self.second.at(at + d, Outside::Hold);
         let points = self.nm.len();
         let start: [f64; 2] = [
-            (0..points).map(|i| self.first[i] * second(self.nm[i], 0.0)).sum(),
+            (0..points)
+                .map(|i| self.first[i] * second(self.nm[i], 0.0))
+                .sum(),
             (0..points).map(|i| second(self.nm[i], 0.0).powi(2)).sum(),
         ];
         let ratio = start[0] / start[1];
@@ -221,10 +229,15 @@ impl<'m> Overlap<'m> {
             for i in 0..points {
                 let factor = (level + slope * self.x[i]).exp();
                 let model = factor * second(self.nm[i], shift);
-                let sigma = self.sigma[0][i].hypot(factor * self.sigma[1][i]).max(1e-9 * highest);
+                let sigma = self.sigma[0][i]
+                    .hypot(factor * self.sigma[1][i])
+                    .max(1e-9 * highest);
                 let off = (self.first[i] - model) / sigma;
                 let weight = (HUBER / off.abs()).min(1.0) / (sigma * sigma);
-                let along = factor * 0.5 * (second(self.nm[i], shift + 0.5) - second(self.nm[i], shift - 0.5)) * 2.0;
+                let along = factor
+                    * 0.5
+                    * (second(self.nm[i], shift + 0.5) - second(self.nm[i], shift - 0.5))
+                    * 2.0;
                 let slopes = [model, model * self.x[i], along];
                 for (a, p) in which.iter().enumerate() {
                     right[a] += weight * slopes[*p] * (self.first[i] - model);
@@ -289,11 +302,20 @@ fn joined(
     overlap: [f64; 2],
     [level, slope, shift_nm]: [f64; 3],
 ) -> Result<Measurement, MeasurementError> {
-    let [middle, half] = [0.5 * (overlap[0] + overlap[1]), 0.5 * (overlap[1] - overlap[0]) - ENDS_NM];
+    let [middle, half] = [
+        0.5 * (overlap[0] + overlap[1]),
+        0.5 * (overlap[1] - overlap[0]) - ENDS_NM,
+    ];
     // Held beyond the overlap, where nothing tells it.
     let factor = |nm: f64| (level + slope * ((nm - middle) / half).clamp(-1.0, 1.0)).exp();
     let second_nm: Vec<f64> = second.samples.nm().iter().map(|nm| nm - shift_nm).collect();
-    let mut nm: Vec<f64> = first.samples.nm().iter().chain(&second_nm).copied().collect();
+    let mut nm: Vec<f64> = first
+        .samples
+        .nm()
+        .iter()
+        .chain(&second_nm)
+        .copied()
+        .collect();
     nm.sort_by(f64::total_cmp);
     nm.dedup_by(|later, earlier| *later - *earlier < 1e-6);
     let moved = Sampled::new(second_nm, second.samples.values().to_vec())?;
@@ -316,7 +338,9 @@ fn joined(
         let at_first = first.samples.at(*at, Outside::Hold);
         let at_second = by * moved.at(*at, Outside::Hold);
         values.push(at_first * (1.0 - of_second) + at_second * of_second);
-        let [a, b] = sigmas.each_ref().map(|s| s.as_ref().map_or(0.0, |s| s.at(*at, Outside::Hold)));
+        let [a, b] = sigmas
+            .each_ref()
+            .map(|s| s.as_ref().map_or(0.0, |s| s.at(*at, Outside::Hold)));
         doubt.push(((1.0 - of_second) * a).hypot(of_second * by * b));
     }
     let mut result = Measurement::new(

@@ -36,7 +36,8 @@ fn beta(a: f64, b: f64, x: f64) -> f64 {
         return 1.0 - beta(b, a, 1.0 - x);
     }
     const TINY: f64 = 1e-300;
-    let front = (ln_gamma(a + b) - ln_gamma(a) - ln_gamma(b) + a * x.ln() + b * (1.0 - x).ln()).exp();
+    let front =
+        (ln_gamma(a + b) - ln_gamma(a) - ln_gamma(b) + a * x.ln() + b * (1.0 - x).ln()).exp();
     let (mut c, mut d) = (1.0, 1.0 - (a + b) * x / (a + 1.0));
     d = 1.0 / if d.abs() < TINY { TINY } else { d };
     let mut fraction = d;
@@ -112,8 +113,18 @@ mod tests {
     #[test]
     fn student_is_that_of_the_tables() {
         // Tables of the t distribution, 95 % two-sided.
-        for (dof, t) in [(1.0, 12.7062), (2.0, 4.30265), (4.0, 2.77645), (10.0, 2.22814), (160.0, 1.97490)] {
-            assert!((student_95(dof) / t - 1.0).abs() < 1e-5, "{dof}: {}", student_95(dof));
+        for (dof, t) in [
+            (1.0, 12.7062),
+            (2.0, 4.30265),
+            (4.0, 2.77645),
+            (10.0, 2.22814),
+            (160.0, 1.97490),
+        ] {
+            assert!(
+                (student_95(dof) / t - 1.0).abs() < 1e-5,
+                "{dof}: {}",
+                student_95(dof)
+            );
         }
         assert!((student_95(1e9) - 1.959_964).abs() < 1e-5);
         assert!((two_sided_p(2.77645, 4.0) - 0.05).abs() < 1e-6);

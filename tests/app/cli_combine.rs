@@ -78,7 +78,12 @@ fn scans_of(folder: &Path, name: &str, count: usize, tilt: f64) -> Vec<String> {
             let tilted = v * (1.0 + tilt * (nm - 580.0) / 200.0);
             (*nm, level * tilted + 1e-3 * top * e)
         });
-        put(folder, &format!("{name}{index}.csv"), "irradiance (W m-2 nm-1)", rows)
+        put(
+            folder,
+            &format!("{name}{index}.csv"),
+            "irradiance (W m-2 nm-1)",
+            rows,
+        )
     };
     (0..count).map(scan).collect()
 }
@@ -99,9 +104,17 @@ pub(crate) fn ranges(folder: &Path) -> [String; 2] {
     let part = |name: &str, from: f64, to: f64, by: f64| {
         let rows = lamp.nm().iter().zip(lamp.values());
         let inside = rows.filter(|(nm, _)| (from..=to).contains(*nm));
-        put(folder, name, "irradiance (W m-2 nm-1)", inside.map(|(nm, v)| (*nm, by * v)))
+        put(
+            folder,
+            name,
+            "irradiance (W m-2 nm-1)",
+            inside.map(|(nm, v)| (*nm, by * v)),
+        )
     };
-    [part("lower.csv", 380.0, 580.0, 1.0), part("upper.csv", 530.0, 780.0, 1.25)]
+    [
+        part("lower.csv", 380.0, 580.0, 1.0),
+        part("upper.csv", 530.0, 780.0, 1.25),
+    ]
 }
 
 #[test]
@@ -123,8 +136,14 @@ fn a_quotient_times_its_divisor_is_what_was_divided() {
     let (nm, values) = (numbers(&found["wavelengths"]), numbers(&found["values"]));
     let own = numbers(&plain["values"]);
     for (at, value) in numbers(&plain["wavelengths"]).iter().zip(&own) {
-        let index = nm.iter().position(|nm| nm == at).expect("a point of the union");
-        assert!((values[index] - value).abs() <= 1e-12 * value.abs().max(1.0), "{at}");
+        let index = nm
+            .iter()
+            .position(|nm| nm == at)
+            .expect("a point of the union");
+        assert!(
+            (values[index] - value).abs() <= 1e-12 * value.abs().max(1.0),
+            "{at}"
+        );
     }
     let coarse = json(&["A / B", "--grid", "5", "FL2", "CIE A"]);
     let nm = numbers(&coarse["wavelengths"]);
@@ -137,7 +156,10 @@ fn a_quotient_times_its_divisor_is_what_was_divided() {
 fn scans_tell_every_figure_with_its_doubt() {
     let folder = tempfile::tempdir().expect("a folder");
     let files = scans(folder.path(), 5);
-    let words: Vec<&str> = ["mean"].into_iter().chain(files.iter().map(String::as_str)).collect();
+    let words: Vec<&str> = ["mean"]
+        .into_iter()
+        .chain(files.iter().map(String::as_str))
+        .collect();
     let found = json(&words);
     assert_eq!(found["result"]["scans"], 5);
     assert_eq!(found["scans"].as_array().map(Vec::len), Some(5));
@@ -148,7 +170,11 @@ fn scans_tell_every_figure_with_its_doubt() {
     let told = said(&words);
     assert!(told.contains("\nCCT ") && told.contains(" ± "), "{told}");
     let one = json(&["mean", &files[0]]);
-    assert!(one["notes"][0].as_str().is_some_and(|n| n.starts_with("One scan has no spread")));
+    assert!(
+        one["notes"][0]
+            .as_str()
+            .is_some_and(|n| n.starts_with("One scan has no spread"))
+    );
     let two = refused(1, &["mean", &files[0], &files[1]]);
     assert!(two.contains("Add one more"), "{two}");
 }
@@ -159,10 +185,16 @@ fn what_is_written_as_csv_is_read_back_bit_for_bit() {
     let files = scans(folder.path(), 3);
     let out = folder.path().join("mean.csv");
     let out = out.to_str().expect("UTF-8");
-    let words: Vec<&str> = ["mean"].into_iter().chain(files.iter().map(String::as_str)).collect();
+    let words: Vec<&str> = ["mean"]
+        .into_iter()
+        .chain(files.iter().map(String::as_str))
+        .collect();
     said(&[&words[..], &["--out", out]].concat());
     let text = fs::read_to_string(out).expect("written");
-    assert!(text.contains("# scans: 3\n") && text.contains("# level: "), "{text}");
+    assert!(
+        text.contains("# scans: 3\n") && text.contains("# level: "),
+        "{text}"
+    );
     assert!(text.contains(",sigma of "), "{text}");
     let (mean, back) = (json(&words), json(&["mean", out]));
     for key in ["wavelengths", "values", "sigma"] {
@@ -176,7 +208,10 @@ fn what_is_written_as_csv_is_read_back_bit_for_bit() {
     let sp = folder.path().join("mean.sp");
     let (code, _, err) = tell(&[&words[..], &["--out", sp.to_str().expect("UTF-8")]].concat());
     assert_eq!(code, 0, "{err}");
-    assert!(err.contains("keeps neither sigma nor what is masked"), "{err}");
+    assert!(
+        err.contains("keeps neither sigma nor what is masked"),
+        "{err}"
+    );
 }
 
 #[test]
@@ -184,7 +219,11 @@ fn sigma_that_stands_beside_a_spectrum_is_taken() {
     let folder = tempfile::tempdir().expect("a folder");
     let rows: String = (380..=780).map(|nm| format!("{nm},5,0.25\n")).collect();
     let path = folder.path().join("lamp.csv");
-    fs::write(&path, format!("wavelength (nm),irradiance (W m-2 nm-1),sd\n{rows}")).expect("a file");
+    fs::write(
+        &path,
+        format!("wavelength (nm),irradiance (W m-2 nm-1),sd\n{rows}"),
+    )
+    .expect("a file");
     let path = path.to_str().expect("UTF-8");
     let (code, out, err) = tell(&["2*A", path, "--json"]);
     assert_eq!(code, 0, "{err}");
@@ -211,7 +250,11 @@ fn what_changed_is_named_and_equal_sets_are_the_same() {
     let found = both(&a, &b);
     assert_eq!(found["verdict"], "different");
     let parts = found["parts"].as_array().expect("parts");
-    assert!(parts.iter().any(|p| p["what"].as_str().is_some_and(|w| w.ends_with("of the glow"))));
+    assert!(parts.iter().any(|p| {
+        p["what"]
+            .as_str()
+            .is_some_and(|w| w.ends_with("of the glow"))
+    }));
     assert_eq!(both(&a, &a)["verdict"], "same");
     let few = refused(1, &["changed", &a[0], "--", &b[0]]);
     assert!(few.contains("Cannot say: One scan has no spread"), "{few}");
@@ -231,14 +274,20 @@ fn ranges_are_spliced_and_slits_add() {
     let out = out.to_str().expect("UTF-8");
     said(&["slit", "10", "gauss", "FL2", "--out", out]);
     let why = refused(1, &["slit", "5", out]);
-    assert!(why.contains("This light was seen through 10 nm: it cannot be shown as a 5 nm"), "{why}");
+    assert!(
+        why.contains("This light was seen through 10 nm: it cannot be shown as a 5 nm"),
+        "{why}"
+    );
 }
 
 #[test]
 fn what_means_nothing_is_refused_with_what_does() {
     let folder = tempfile::tempdir().expect("a folder");
     let why = refused(1, &["-log10(A)", "FL2"]);
-    assert!(why.contains("A light has no absorbance. Divide it by a reference first."), "{why}");
+    assert!(
+        why.contains("A light has no absorbance. Divide it by a reference first."),
+        "{why}"
+    );
     let why = refused(1, &["A - B", "FL2", "colorchecker_ohta/red"]);
     assert!(why.contains("A is a light and B a reflectance"), "{why}");
     let even = |from: i32, to: i32| (from..=to).map(|nm| (f64::from(nm), 1.0));
@@ -246,7 +295,10 @@ fn what_means_nothing_is_refused_with_what_does() {
     let low = put(folder.path(), "low.csv", unit, even(400, 700));
     let high = put(folder.path(), "high.csv", unit, even(720, 780));
     let why = refused(1, &["A + B", &low, &high]);
-    assert!(why.contains("A ends at 700 nm and B begins at 720 nm: they share no wavelengths."), "{why}");
+    assert!(
+        why.contains("A ends at 700 nm and B begins at 720 nm: they share no wavelengths."),
+        "{why}"
+    );
     let why = refused(2, &["A +", "FL2"]);
     assert!(why.contains("FORMULA: found"), "{why}");
     let why = refused(2, &["A / C", "FL2", "CIE A"]);
