@@ -14,6 +14,7 @@ mod arguments;
 mod asked_lights;
 mod auction;
 mod combine;
+mod combine_inputs;
 mod combine_result;
 mod convert;
 mod decode;

@@ -5,19 +5,15 @@
 //! nothing, that of `(A - C) / (B - C)` is the shared dark's.
 
 use super::{
+    columns::{Column, Grid, OnGrid},
     error::MeasurementError,
     formula::{Formula, Tree},
+    mask::{Mask, doubtful, in_the_dark},
     measurement::{Measurement, letter},
     quantity::{Meaning, Operation, Quantity, absorbance_of},
     union::Union,
 };
 use crate::spectrum::Sampled;
-
-/// Samples whose mean is held against the noise of a divisor.
-const AROUND: usize = 5;
-
-/// How many of its sigmas that mean has to be.
-const LEAST_SIGMAS: f64 = 10.0;
 
 /// How many of its sigmas a transmittance has to be for an absorbance.
 const LEAST_FOR_ABSORBANCE: f64 = 7.0;
@@ -169,115 +165,6 @@ fn understood(
     })
 }
 
-/// The inputs on a grid.
-struct Grid<'m> {
-    nm: &'m [f64],
-    inputs: Vec<Option<OnGrid<'m>>>,
-}
-
-/// One input on a grid.
-struct OnGrid<'m> {
-    of: &'m Measurement,
-    values: Vec<f64>,
-    sigma: Vec<f64>,
-    /// Points that lie at or beside a sample without a value.
-    masked: Vec<bool>,
-    /// Grid points to a sample.
-    points_a_sample: f64,
-}
-
-impl<'m> Grid<'m> {
-    fn new(union: &'m Union, inputs: &'m [Measurement], letters: &[usize]) -> Self {
-        let on = |of: &'m Measurement| {
-            let places = union.places(of.samples.nm());
-            let own = of.samples.values();
-            let value =
-                |(left, share): &(usize, f64)| own[*left] * (1.0 - share) + own[left + 1] * share;
-            let is_masked = |(left, share): &(usize, f64)| {
-                *share < 1.0 && !of.is_kept(*left) || *share > 0.0 && !of.is_kept(left + 1)
-            };
-            let samples = match (places.first(), places.last()) {
-                (Some(a), Some(b)) => (b.0 as f64 + b.1) - (a.0 as f64 + a.1),
-                _ => 1.0,
-            };
-            OnGrid {
-                of,
-                values: places.iter().map(value).collect(),
-                sigma: places
-                    .iter()
-                    .map(|(left, share)| of.sigma_at(*left, *share))
-                    .collect(),
-                masked: places.iter().map(is_masked).collect(),
-                points_a_sample: (union.nm.len() - 1) as f64 / samples,
-            }
-        };
-        let is_used = |index: &usize| letters.contains(index);
-        Self {
-            nm: &union.nm,
-            inputs: (0..inputs.len())
-                .map(|index| is_used(&index).then(|| on(&inputs[index])))
-                .collect(),
-        }
-    }
-
-    fn used(&self) -> impl Iterator<Item = (usize, &OnGrid<'m>)> {
-        let all = self.inputs.iter().enumerate();
-        all.filter_map(|(index, input)| Some((index, input.as_ref()?)))
-    }
-}
-
-/// Values on a grid, and their slopes against each input.
-#[derive(Clone)]
-struct Column {
-    values: Vec<f64>,
-    slopes: Vec<Option<Vec<f64>>>,
-}
-
-impl Column {
-    /// Standard deviation of every value by the white noise of the inputs.
-    fn sigma(&self, grid: &Grid) -> Vec<f64> {
-        let mut variance = vec![0.0; self.values.len()];
-        for (index, input) in grid.used() {
-            let Some(slopes) = &self.slopes[index] else {
-                continue;
-            };
-            for ((v, slope), sigma) in variance.iter_mut().zip(slopes).zip(&input.sigma) {
-                *v += (slope * sigma).powi(2);
-            }
-        }
-        variance.into_iter().map(f64::sqrt).collect()
-    }
-
-    /// The same function of these values, by its slope at each.
-    fn through(self, of: impl Fn(f64) -> [f64; 2]) -> Self {
-        let both: Vec<[f64; 2]> = self.values.iter().map(|v| of(*v)).collect();
-        let chain = |slopes: Vec<f64>| slopes.iter().zip(&both).map(|(s, b)| s * b[1]).collect();
-        Self {
-            values: both.iter().map(|b| b[0]).collect(),
-            slopes: self.slopes.into_iter().map(|s| s.map(chain)).collect(),
-        }
-    }
-
-    /// A function of two values, by its slopes against either.
-    fn with(self, other: Self, of: impl Fn(f64, f64) -> [f64; 3]) -> Self {
-        let pairs = self.values.iter().zip(&other.values);
-        let all: Vec<[f64; 3]> = pairs.map(|(a, b)| of(*a, *b)).collect();
-        let chain = |slopes: &Option<Vec<f64>>, k: usize| -> Option<Vec<f64>> {
-            let slopes = slopes.as_ref()?.iter();
-            Some(slopes.zip(&all).map(|(s, f)| s * f[k]).collect())
-        };
-        let both = self.slopes.iter().zip(&other.slopes);
-        let slopes = both.map(|(a, b)| match (chain(a, 1), chain(b, 2)) {
-            (Some(a), Some(b)) => Some(a.iter().zip(b).map(|(a, b)| a + b).collect()),
-            (a, b) => a.or(b),
-        });
-        Self {
-            slopes: slopes.collect(),
-            values: all.iter().map(|f| f[0]).collect(),
-        }
-    }
-}
-
 impl Step {
     /// Whether the result is no straight line between points where its inputs are.
     fn is_curved(&self) -> bool {
@@ -370,81 +257,6 @@ impl Step {
                 }
             }
         }
-    }
-}
-
-/// Where the mean of 11 samples of a divisor is below 10 of its sigmas. The mean, not the sample:
-/// masking by the noisy sample itself keeps the lucky ones.
-fn in_the_dark(r: &Column, grid: &Grid) -> Vec<bool> {
-    let sigma = r.sigma(grid);
-    let values = &r.values;
-    let is_dark = |i: usize| {
-        let near = &values[i.saturating_sub(AROUND)..(i + AROUND + 1).min(values.len())];
-        let mean = near.iter().sum::<f64>() / near.len() as f64;
-        // A divisor that may as well be negative is one, noise or not.
-        mean.is_nan() || mean <= 0.0 || mean < LEAST_SIGMAS * sigma[i] || values[i] == 0.0
-    };
-    (0..values.len()).map(is_dark).collect()
-}
-
-/// Where a quotient's doubt, noise and axis together, exceeds what is asked.
-fn doubtful(t: &Column, r: &Column, grid: &Grid, most: f64) -> Vec<bool> {
-    let axis_nm = grid
-        .used()
-        .map(|(_, input)| input.of.axis_nm)
-        .fold(0.0, f64::max);
-    let sigma = t.sigma(grid);
-    let (nm, last) = (grid.nm, grid.nm.len() - 1);
-    let is_doubtful = |i: usize| {
-        let (left, right) = (i.saturating_sub(1), (i + 1).min(last));
-        let slope = (r.values[right] - r.values[left]) / (nm[right] - nm[left]);
-        let of_axis = t.values[i] * slope / r.values[i] * std::f64::consts::SQRT_2 * axis_nm;
-        let doubt = sigma[i].hypot(of_axis);
-        doubt.is_nan() || doubt > most
-    };
-    (0..nm.len()).map(is_doubtful).collect()
-}
-
-/// Which points of the bare union hold no value, and why.
-struct Mask {
-    points: Vec<bool>,
-    why: String,
-}
-
-impl Mask {
-    /// What the inputs themselves leave out.
-    fn new(grid: &Grid) -> Self {
-        let mut mask = Self {
-            points: vec![false; grid.nm.len()],
-            why: String::new(),
-        };
-        for (_, input) in grid.used() {
-            let why = match input.of.why_masked.as_str() {
-                "" => "An input has no value",
-                why => why,
-            };
-            mask.add(input.masked.clone(), why);
-        }
-        mask
-    }
-
-    fn add(&mut self, points: Vec<bool>, why: &str) {
-        if points.contains(&true) && self.why.is_empty() {
-            why.clone_into(&mut self.why);
-        }
-        self.points
-            .iter_mut()
-            .zip(points)
-            .for_each(|(a, b)| *a |= b);
-    }
-
-    /// The same for a finer grid: a piece holds a value where both its ends do.
-    fn on(&self, nm: &[f64], fine: &[f64]) -> Vec<bool> {
-        let place = |at: &f64| {
-            let right = nm.partition_point(|nm| nm < at).min(nm.len() - 1);
-            self.points[right] || nm[right] != *at && right > 0 && self.points[right - 1]
-        };
-        fine.iter().map(place).collect()
     }
 }
 

@@ -319,8 +319,9 @@ fn eigen(mut a: Vec<Vec<f64>>) -> (Vec<f64>, Vec<Vec<f64>>) {
                 for row in &mut a {
                     (row[p], row[q]) = (c * row[p] - s * row[q], s * row[p] + c * row[q]);
                 }
-                for k in 0..n {
-                    (a[p][k], a[q][k]) = (c * a[p][k] - s * a[q][k], s * a[p][k] + c * a[q][k]);
+                let (above, below) = a.split_at_mut(q);
+                for (x, y) in above[p].iter_mut().zip(&mut below[0]) {
+                    (*x, *y) = (c * *x - s * *y, s * *x + c * *y);
                 }
                 for row in &mut vectors {
                     (row[p], row[q]) = (c * row[p] - s * row[q], s * row[p] + c * row[q]);
@@ -340,7 +341,7 @@ pub fn rounded(value: f64, doubt: f64) -> (String, String) {
     let mut power = doubt.log10().floor() as i32;
     // 0.0996 is 0.10.
     let shown = (doubt / 10f64.powi(power - 1)).round();
-    let digits = if shown < 30.0 || shown >= 100.0 { 2 } else { 1 };
+    let digits = if (30.0..100.0).contains(&shown) { 1 } else { 2 };
     if shown >= 100.0 {
         power += 1;
     }

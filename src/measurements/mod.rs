@@ -4,8 +4,11 @@
 //! error         why a combination is refused
 //! measurement   a table with what is known of its doubt
 //! quantity      what values are, and which combination of them means what
+//! units         units of lights, converted
 //! union         the grid on which a combination is exact
 //! formula       A - B, (A - C) / (B - C), -log10(A / B): text to a tree
+//! columns       values with their slopes against each input
+//! mask          what the noise leaves nothing of
 //! combine       a tree over measurements: values, sigma, mask
 //! noise         white noise by second differences
 //! kernel        the shapes of slits
@@ -24,6 +27,7 @@
 
 mod belonging;
 mod changed;
+mod columns;
 mod combine;
 mod doubt;
 mod error;
@@ -32,6 +36,7 @@ mod formula;
 #[cfg(test)]
 mod golden;
 mod kernel;
+mod mask;
 mod measurement;
 mod noise;
 mod normalise;
@@ -41,6 +46,7 @@ mod slit;
 mod splice;
 mod statistics;
 mod union;
+mod units;
 
 pub use belonging::{Drift, Misfit, drift, misfits};
 pub use changed::{ChangeError, Changed, Feature, Part, Verdict, changed};

@@ -1,6 +1,6 @@
 //! White noise of one scan by its second differences, on any grid.
 //!
-//! The distance of a sample from the straight line between its neighbours leaves almost nothing of
+//! The distance of a sample from the straight line between those beside it leaves almost nothing of
 //! a smooth spectrum. Lines leave much but stand at few samples, so that a low quantile is taken;
 //! found over true is 1.04 at a signal of 20 times the noise, 1.34 at 1000, where a lamp's own
 //! structure begins to count: too large, which is the safe side. Memory cannot be seen this way.
@@ -13,6 +13,8 @@ const QUANTILE: f64 = 0.3;
 const NORMAL_AT_QUANTILE: f64 = 0.385_320_466_407_568;
 /// How far the surroundings of a sample reach, samples to either side.
 const REACH: usize = 60;
+/// How far the samples of a fine table stand apart that are compared.
+const APART: usize = 2;
 /// Fewer differences than this tell nothing.
 const LEAST: usize = 20;
 /// Differences below this share of the largest value are rounding.
@@ -29,11 +31,21 @@ const FAR_ABOVE: f64 = 3.0;
 pub fn noise_of(samples: &Sampled) -> Option<Vec<f64>> {
     let (nm, values) = (samples.nm(), samples.values());
     let highest = values.iter().fold(0.0_f64, |top, v| top.max(v.abs()));
+    // What was averaged onto a fine grid shares its noise with its neighbours.
+    let apart = if samples.step_nm() < COARSE_NM {
+        APART
+    } else {
+        1
+    };
+    if nm.len() <= 2 * apart {
+        return None;
+    }
     // Each in units of one sample's deviation.
-    let differences: Vec<f64> = (1..nm.len() - 1)
+    let differences: Vec<f64> = (apart..nm.len() - apart)
         .map(|i| {
-            let share = (nm[i] - nm[i - 1]) / (nm[i + 1] - nm[i - 1]);
-            let line = values[i - 1] * (1.0 - share) + values[i + 1] * share;
+            let (left, right) = (i - apart, i + apart);
+            let share = (nm[i] - nm[left]) / (nm[right] - nm[left]);
+            let line = values[left] * (1.0 - share) + values[right] * share;
             let away = (values[i] - line).abs();
             let of_one = 1.0_f64.hypot(share).hypot(1.0 - share);
             if away > ROUNDING * highest {
@@ -53,7 +65,7 @@ pub fn noise_of(samples: &Sampled) -> Option<Vec<f64>> {
     }
     let last = differences.len();
     let local = |i: usize| {
-        let near = &differences[i.saturating_sub(REACH + 1).min(last)..(i + REACH).min(last)];
+        let near = &differences[i.saturating_sub(REACH + apart).min(last)..(i + REACH).min(last)];
         deviation(near).unwrap_or(all)
     };
     Some((0..nm.len()).map(local).collect())
@@ -108,7 +120,7 @@ pub(super) mod tests {
     #[test]
     fn tables_of_lines_and_short_ones_tell_none() {
         let lines = (0..81).map(|i| {
-            if i % 4 == 0 {
+            if i % 8 == 0 {
                 1.0
             } else {
                 0.01 * f64::from(i % 7)

@@ -2,7 +2,10 @@
 
 use std::fmt;
 
-use super::error::MeasurementError;
+use super::{
+    error::MeasurementError,
+    units::{conversion, is_relative},
+};
 use crate::spectrum::Kind;
 
 /// What the values of a measurement are.
@@ -224,22 +227,6 @@ fn added(sign: char) -> &'static str {
     if sign == '+' { "added" } else { "subtracted" }
 }
 
-/// Words of units that state nothing absolute.
-fn is_relative(unit: &str) -> bool {
-    let unit = unit.trim().to_lowercase();
-    [
-        "",
-        "relative",
-        "arbitrary",
-        "a.u.",
-        "au",
-        "arb. units",
-        "normalised",
-        "normalized",
-    ]
-    .contains(&unit.as_str())
-}
-
 fn lights(a: &Meaning, b: &Meaning, text: String) -> Result<Outcome, MeasurementError> {
     let mut found = outcome(text, Quantity::Light, &a.unit, a);
     match (is_relative(&a.unit), is_relative(&b.unit)) {
@@ -420,70 +407,6 @@ pub(super) fn absorbance_of(a: &Meaning) -> Result<Meaning, MeasurementError> {
     }
 }
 
-/// Factor from one unit of a light to another of the same quantity; `None` where they differ.
-pub(super) fn conversion(from: &str, to: &str) -> Option<f64> {
-    let ((from_scale, from_rest), (to_scale, to_rest)) = (parsed(from), parsed(to));
-    (from_rest == to_rest).then(|| {
-        let factor = from_scale / to_scale;
-        // W to mW is a power of ten, whatever the quotient's last bit is.
-        let power = factor.log10().round();
-        let exact = 10f64.powi(power as i32);
-        if (factor / exact - 1.0).abs() < 1e-9 {
-            exact
-        } else {
-            factor
-        }
-    })
-}
-
-/// A unit as its size in W, m and nm, and the exponents of its words.
-fn parsed(unit: &str) -> (f64, Vec<(String, i32)>) {
-    let unit = unit
-        .replace('²', "2")
-        .replace('⁻', "-")
-        .replace('µ', "u")
-        .replace('μ', "u");
-    let mut scale = 1.0;
-    let mut words: Vec<(String, i32)> = Vec::new();
-    let mut sign = 1;
-    let mut rest = String::new();
-    let mut flush = |text: &mut String, sign: i32| {
-        let word = text.trim().trim_matches(['(', ')', '^']);
-        if !word.is_empty() {
-            let digits = word.find(|c: char| c.is_ascii_digit() || c == '-' || c == '^');
-            let (name, power) = word.split_at(digits.unwrap_or(word.len()));
-            let power = power.trim_start_matches('^').parse::<i32>().unwrap_or(1) * sign;
-            let (name, size) = match name {
-                "mW" => ("W", 1e-3),
-                "uW" => ("W", 1e-6),
-                "nW" => ("W", 1e-9),
-                "kW" => ("W", 1e3),
-                "cm" => ("m", 1e-2),
-                "mm" => ("m", 1e-3),
-                // Per nm and per um are lengths along the axis.
-                "um" => ("nm", 1e3),
-                name => (name, 1.0),
-            };
-            scale *= f64::powi(size, power);
-            words.push((name.to_owned(), power));
-        }
-        text.clear();
-    };
-    for letter in unit.chars() {
-        match letter {
-            '/' => {
-                flush(&mut rest, sign);
-                sign = -1;
-            }
-            ' ' | '·' | '*' | '.' | '(' | ')' => flush(&mut rest, sign),
-            letter => rest.push(letter),
-        }
-    }
-    flush(&mut rest, sign);
-    words.sort();
-    (scale, words)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -495,15 +418,6 @@ mod tests {
             unit: unit.to_owned(),
             exposure_ms: None,
         }
-    }
-
-    #[test]
-    fn units_of_one_quantity_are_converted_and_others_are_not() {
-        assert_eq!(conversion("uW cm-2 nm-1", "W m-2 nm-1"), Some(0.01));
-        assert_eq!(conversion("mW/m2/nm", "W m-2 nm-1"), Some(1e-3));
-        assert_eq!(conversion("W m-2 nm-1", "µW/cm²/nm"), Some(100.0));
-        assert_eq!(conversion("W m-2 sr-1 nm-1", "W m-2 nm-1"), None);
-        assert_eq!(conversion("W nm-1", "W m-2 nm-1"), None);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 /// Logarithm of the gamma function for arguments above 0 (Lanczos, g = 7, nine terms; 1e-15).
 fn ln_gamma(x: f64) -> f64 {
     const TERMS: [f64; 9] = [
-        0.999_999_999_999_809_93,
+        0.999_999_999_999_809_9,
         676.520_368_121_885_1,
         -1_259.139_216_722_402_8,
         771.323_428_777_653_1,

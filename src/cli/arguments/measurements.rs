@@ -9,8 +9,8 @@ use crate::cli::{options::FileOptions, room_words, words};
 /// Options of `combine`.
 #[derive(Args, Debug)]
 pub(crate) struct Combine {
-    /// What becomes of the inputs, whose letters are A, B, C, ... in their order: a formula of
-    /// + - * / ( ), numbers and -log10, such as "A - B", "A / B", "(A - C) / (B - C)",
+    /// What becomes of the inputs, whose letters are A, B, C, ... in their order: a formula with
+    /// the signs + - * / ( ), numbers and -log10, such as "A - B", "A / B", "(A - C) / (B - C)",
     /// "-log10(A / B)"; or mean (scans of one light), splice (two ranges), slit NM
     /// [triangle|gauss] (as such an instrument sees it), changed (what differs: the second set
     /// stands behind --).

@@ -313,10 +313,10 @@ fn assign(
             if i > 0 && j > 0 && !banned.contains(&(order[i - 1], j - 1)) {
                 let pair = gain(scene, curve, order[i - 1], &landmarks[j - 1], tolerance_nm);
                 let before = best[cell - width - j + apart[j - 1]];
-                if let Some(pair) = pair.map(|g| g + before) {
-                    if pair > value {
-                        (value, step[cell]) = (pair, 3);
-                    }
+                if let Some(pair) = pair.map(|g| g + before)
+                    && pair > value
+                {
+                    (value, step[cell]) = (pair, 3);
                 }
             }
             best[cell] = value;
