@@ -215,25 +215,6 @@ fn what_is_written_as_csv_is_read_back_bit_for_bit() {
 }
 
 #[test]
-fn sigma_that_stands_beside_a_spectrum_is_taken() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let rows: String = (380..=780).map(|nm| format!("{nm},5,0.25\n")).collect();
-    let path = folder.path().join("lamp.csv");
-    fs::write(
-        &path,
-        format!("wavelength (nm),irradiance (W m-2 nm-1),sd\n{rows}"),
-    )
-    .expect("a file");
-    let path = path.to_str().expect("UTF-8");
-    let (code, out, err) = tell(&["2*A", path, "--json"]);
-    assert_eq!(code, 0, "{err}");
-    assert!(err.contains("sd is taken as the sigma of"), "{err}");
-    let found: Value = serde_json::from_str(&out).expect("JSON");
-    assert!(numbers(&found["sigma"]).iter().all(|s| *s == 0.5));
-    assert_eq!(found["doubt"]["from"], "stated");
-}
-
-#[test]
 fn what_changed_is_named_and_equal_sets_are_the_same() {
     let folder = tempfile::tempdir().expect("a folder");
     let (a, b) = (scans(folder.path(), 5), tilted(folder.path(), 5));

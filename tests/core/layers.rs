@@ -18,7 +18,7 @@ const ROOMS: [(&str, &[&str]); 15] = [
     ("design", &["study", "color", "preset", "spectrum"]),
     ("lamps", &["study", "rivals", "color", "preset", "spectrum"]),
     ("optics", &["study", "color", "spectrum"]),
-    ("measurements", &["color", "spectrum"]),
+    ("measurements", &["color", "preset", "spectrum"]),
     ("photographs", &["color", "preset", "spectrum"]),
     ("io", &["spectrum"]),
     ("pictures", &["io", "study", "color", "preset", "spectrum"]),
