@@ -8,7 +8,6 @@
 
 pub mod axis;
 pub mod colours;
-mod extract;
 pub mod hue;
 pub mod landmarks;
 pub mod peaks;

@@ -34,7 +34,7 @@ impl Drawn {
         lines: &LINES,
         smooth: 0.004,
     };
-    const BULB: Self = Self {
+    pub(crate) const BULB: Self = Self {
         lines: &[],
         smooth: 0.3,
     };

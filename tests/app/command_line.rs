@@ -474,10 +474,33 @@ fn the_keys_of_a_picture_are_told() {
 fn the_keys_of_a_photograph_are_told() {
     let folder = tempfile::tempdir().expect("a folder");
     let lamp = put(folder.path(), "lamp.png", Drawn::LAMP.png());
-    holds(
-        "photo --json",
-        &[&["photo", &lamp, "--at", "200,95", "--json"]],
-    );
+    let bulb = put(folder.path(), "bulb.png", Drawn::BULB.png());
+    let kept = folder.path().join("bench.json");
+    let kept = kept.to_str().expect("UTF-8");
+    // A lamp's own lines tell of the other keys, an instrument of its own.
+    let known = ["--response-from", &bulb, "--as", "blackbody:2856"];
+    let found = ["photo", &lamp, "--at", "200,95", "--json"];
+    let saved = ["--save-instrument", kept];
+    printed(&[&found[..], &known[..], &saved[..]].concat());
+    let told = told_keys("photo --json");
+    let mut seen = BTreeSet::new();
+    for args in [
+        [&found[..], &known[..]].concat(),
+        [&found[..], &["--instrument", kept]].concat(),
+    ] {
+        let value: Value = serde_json::from_str(&printed(&args)).expect("JSON");
+        add_keys(&value, "", &mut seen);
+    }
+    // Where nothing is known of a whole object, its own key is null.
+    let is_told = |key: &&String| {
+        told.iter().any(|t| {
+            t == *key || t.starts_with(&format!("{key}.")) || t.starts_with(&format!("{key}[]"))
+        })
+    };
+    let untold: Vec<&String> = seen.iter().filter(|key| !is_told(key)).collect();
+    assert!(untold.is_empty(), "{untold:?}");
+    let unseen: Vec<&String> = told.iter().filter(|key| !seen.contains(*key)).collect();
+    assert!(unseen.is_empty(), "{unseen:?}");
 }
 
 #[test]

@@ -4,7 +4,10 @@
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use super::{Photograph, response::Kept};
+use super::{
+    Photograph,
+    response::{HUE_STEP, Kept},
+};
 use crate::photographs::{
     axis::{Answer, Curve, State},
     hue::{Hues, MOST_ALIKE},
@@ -14,8 +17,6 @@ use crate::photographs::{
 
 const FORMAT: &str = "spectral-explorer-instrument";
 const VERSION: u64 = 1;
-/// Columns from one kept hue to the next.
-pub(super) const HUE_STEP: usize = 2;
 
 /// An instrument as its file has it; unknown keys are kept.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]

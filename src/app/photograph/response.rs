@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Photograph, instrument::HUE_STEP, of_strip};
+use super::{Photograph, of_strip};
 use crate::{
     color::{blackbody::relative, quality::daylight},
     photographs::{
@@ -86,6 +86,8 @@ pub struct Through {
     pub disagreement: f64,
 }
 
+/// Columns from one kept hue to the next.
+pub(super) const HUE_STEP: usize = 2;
 /// A bulb is no surer than this, K.
 const DOUBT_K: f64 = 100.0;
 /// The wavelengths that must not be over-exposed, nm.

@@ -48,6 +48,8 @@ pub struct Answer {
 
 /// The score of no other solution at all.
 const NO_OTHER: f64 = -5.0;
+/// What is suggested is better than the next by this.
+const LEAST_LEAD: f64 = 1.0;
 /// Axes that are nowhere farther apart than this are one, nm.
 const SAME_NM: f64 = 4.0;
 /// Lines nearer to one another count as one place, nm.
@@ -162,10 +164,10 @@ impl Judged<'_> {
         let least = match () {
             () if self.is_named && !solution.lamp.is_dark() => 0.5,
             () if solution.lamp.is_dark() || self.is_grey() => 7.0,
-            () if lines < 4 => 6.0,
-            () => 4.0,
+            () => 6.0,
         };
-        let is_suggested = spans && lines >= 3 && solution.score >= least;
+        let is_first = self.is_named || self.margin >= LEAST_LEAD;
+        let is_suggested = spans && lines >= 3 && solution.score >= least && is_first;
         match self.against(runner_up) {
             None => (State::Found, None),
             Some(why) if is_suggested => (State::Suggested, Some(why)),

@@ -1,6 +1,7 @@
 //! The strip of colours in a photograph: which way it runs, where, turned by how much, and how its
 //! lines lean and bend.
 
+mod extract;
 mod rows;
 mod small;
 mod straighten;
@@ -11,7 +12,6 @@ use super::{
 };
 use rows::Rows;
 use small::Light;
-pub(super) use straighten::{row_of, rows_of};
 
 /// Where a strip lies in a photograph.
 ///
@@ -106,7 +106,7 @@ impl Strip {
     }
 
     /// The same as the view has it.
-    pub(super) fn seen(&self, column: f64, v: f64) -> (f64, f64) {
+    fn seen(&self, column: f64, v: f64) -> (f64, f64) {
         let (sin, cos) = self.turn_deg.to_radians().sin_cos();
         let u = column + self.x0 - self.xm + self.lean(v);
         (
@@ -165,7 +165,7 @@ pub fn read_at(picture: &Picture, strip: &Strip) -> Found {
         strip: *strip,
         strips: 1,
         blue_is_right: light.blue_is_right,
-        profile: super::extract::profile(view, strip, light.is_grey),
+        profile: extract::profile(view, strip, light.is_grey),
     }
 }
 
@@ -217,7 +217,7 @@ fn one_way(
     if strip.columns < 24 {
         return Err(StripError::None);
     }
-    let profile = super::extract::profile(view, &strip, light.is_grey);
+    let profile = extract::profile(view, &strip, light.is_grey);
     let found = Found {
         strip,
         strips,

@@ -10,7 +10,7 @@ use super::{
 };
 
 /// Most rows that are sampled.
-pub(in super::super) const MOST_ROWS: usize = 48;
+pub(super) const MOST_ROWS: usize = 48;
 /// How far rows are searched, as shares of the columns: first and later.
 const SEARCH: [f64; 3] = [1.0 / 14.0, 1.0 / 40.0, 1.0 / 40.0];
 /// Rows that are less alike are left out.
@@ -19,14 +19,14 @@ const LEAST_ALIKE: f64 = 0.35;
 const MOST_OFF: f64 = 1.2;
 
 /// Rows of a strip, from its upper to its lower edge.
-pub(in super::super) fn rows_of(strip: &Strip) -> Vec<f64> {
+pub(super) fn rows_of(strip: &Strip) -> Vec<f64> {
     let count = ((2.0 * strip.half) as usize + 1).clamp(3, MOST_ROWS);
     let step = 2.0 * strip.half / (count - 1) as f64;
     (0..count).map(|i| i as f64 * step - strip.half).collect()
 }
 
 /// The light of a row; black beside the picture.
-pub(in super::super) fn row_of(view: View<'_>, strip: &Strip, v: f64) -> Vec<[f32; 3]> {
+pub(super) fn row_of(view: View<'_>, strip: &Strip, v: f64) -> Vec<[f32; 3]> {
     (0..strip.columns)
         .map(|k| {
             let (x, y) = strip.seen(k as f64, v);

@@ -2,10 +2,13 @@
 //! columns told.
 
 use super::{
-    picture::View,
-    profile::Profile,
-    smooth::{gaussian, median, percentile, robust_sigma},
-    strip::{Strip, row_of, rows_of},
+    super::{
+        picture::View,
+        profile::Profile,
+        smooth::{gaussian, median, percentile, robust_sigma},
+    },
+    Strip,
+    straighten::{row_of, rows_of},
 };
 
 /// Rows beside the strip that tell the black level.
