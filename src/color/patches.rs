@@ -2,7 +2,7 @@
 //!
 //! XYZ of a patch is linear in the light. [`PatchSet`] holds, per patch, reflectance times
 //! colour-matching functions times trapezoid weights, so a light on the band's grid costs three
-//! sums of products per patch. [`PatchSet::contract`] goes one step further: when the light is a
+//! sums of products per patch. `PatchSet::contract` goes one step further: when the light is a
 //! sum of basis functions, those sums are done once per basis function, and a light given by its
 //! coefficients costs three products per patch and coefficient. Lines are added exactly.
 

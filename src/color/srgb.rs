@@ -84,7 +84,7 @@ pub(crate) fn encoded_from_linear(linear: f64) -> f64 {
     encoded.copysign(linear)
 }
 
-/// The inverse of [`encoded_from_linear`].
+/// The inverse of `encoded_from_linear`.
 pub fn linear_from_encoded(encoded: f64) -> f64 {
     let size = encoded.abs();
     let linear = if size <= 0.040_45 {

@@ -43,7 +43,7 @@ impl Encoder {
     ///
     /// # Errors
     /// [`EncodingError::Unseen`] when the band misses the visible, [`EncodingError::TooLong`] when it
-    /// is longer than [`LONGEST_RANGE_NM`].
+    /// is longer than `LONGEST_RANGE_NM`.
     pub fn new(
         band: Band,
         observer: Observer,

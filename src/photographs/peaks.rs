@@ -74,7 +74,7 @@ impl Bump {
     }
 }
 
-/// The lines of light in a profile, the [`MOST`] most prominent.
+/// The lines of light in a profile, the `MOST` most prominent.
 pub fn bright(profile: &Profile) -> Peaks {
     let light = gaussian(&profile.sum(), SMOOTHING.0);
     let top = largest(&light);

@@ -21,7 +21,7 @@ pub enum Outside {
 /// Between two samples the spectrum is a straight line (CIE 15 recommends linear interpolation
 /// for 1-5 nm tables of light sources).
 ///
-/// Spectra of one table share their wavelengths in memory ([`Sampled::sharing`]).
+/// Spectra of one table share their wavelengths in memory (`Sampled::sharing`).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sampled {
     axis: Arc<Axis>,

@@ -126,7 +126,7 @@ pub struct Reference {
 const BLACK: Lab = Lab::new(0.0, 0.0, 0.0);
 
 impl Reference {
-    /// The reference of a light, given on the band's grid at an ordinary scale ([`scaled_to_one`]).
+    /// The reference of a light, given on the band's grid at an ordinary scale (`scaled_to_one`).
     pub fn of_light(measures: &Arc<Measures>, measured: &[f64]) -> Self {
         let mut reference = Self::of(measures, measured, measures.seen.clone(), None);
         if reference.own.is_none() {

@@ -47,7 +47,7 @@ pub struct MixWish {
     pub floors: Floors,
     /// The front: what efficacy is traded for.
     pub against: Against,
-    /// The front: lines at free places, [`FREE_LINES`].
+    /// The front: lines at free places, `FREE_LINES`.
     pub lines: usize,
 }
 

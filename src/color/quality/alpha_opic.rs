@@ -19,7 +19,7 @@ pub(crate) const ALPHA_OPIC_WORDS: [&str; 5] =
 /// Index of the melanopic one.
 const MELANOPIC: usize = 4;
 
-/// The alpha-opic ratios of a light, in the order of [`ALPHA_OPIC_WORDS`].
+/// The alpha-opic ratios of a light, in the order of `ALPHA_OPIC_WORDS`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AlphaOpic {
     /// Alpha-opic efficacy of luminous radiation, mW/lm.

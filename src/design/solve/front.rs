@@ -34,7 +34,7 @@ pub struct FrontWish {
     pub target: Target,
     /// The figure.
     pub against: Against,
-    /// Lines of each light, [`FREE_LINES`].
+    /// Lines of each light, `FREE_LINES`.
     pub lines: usize,
     /// Points, 2 to 100, between the best of the figure and the greatest efficacy.
     pub points: usize,
@@ -69,7 +69,7 @@ pub(crate) const FREE_LINES: std::ops::RangeInclusive<usize> = 2..=8;
 /// beats in both is left out.
 ///
 /// # Errors
-/// [`MixError::Channels`] for a number of lines that is not of [`FREE_LINES`], [`MixError::Target`]
+/// [`MixError::Channels`] for a number of lines that is not of `FREE_LINES`, [`MixError::Target`]
 /// for a colour without a temperature (no figure) or outside of what lines can show.
 pub fn front(
     wish: &FrontWish,

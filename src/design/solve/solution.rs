@@ -58,7 +58,7 @@ impl<'a> Mixer<'a> {
     /// Prepares channels.
     ///
     /// # Errors
-    /// [`MixError::Channels`] for none or more than [`MOST_CHANNELS`].
+    /// [`MixError::Channels`] for none or more than `MOST_CHANNELS`.
     pub fn new(channels: &'a [Channel], tables: &'a SampleTables) -> Result<Self, MixError> {
         if channels.is_empty() || channels.len() > MOST_CHANNELS {
             return Err(MixError::Channels {

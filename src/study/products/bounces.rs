@@ -15,7 +15,7 @@ pub(crate) const MOST_BOUNCES: usize = 16;
 /// Share of the light's Y that both sides are brought to.
 const BRIGHT: f64 = 0.5;
 
-/// One way of forming products over K = 1 to [`MOST_BOUNCES`] bounces.
+/// One way of forming products over K = 1 to `MOST_BOUNCES` bounces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BounceErrors {
     /// How products are formed.

@@ -4,7 +4,7 @@
 //! points, the factor is already read where the spikes are, all numbers are in the cache, and one
 //! thread works. A convolution is the program's own, the new coefficients' memory included. The
 //! values do not matter to the time, so made-up ones do. After a warm-up each way is run in
-//! [`BATCHES`] batches of at least [`BATCH`]; the figure is the median batch.
+//! `BATCHES` batches of at least `BATCH`; the figure is the median batch.
 
 use std::{
     hint::black_box,

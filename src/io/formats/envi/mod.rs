@@ -8,7 +8,7 @@
 //! In a **library** (`file type = ENVI Spectral Library`) `samples` counts the channels and
 //! `lines` the spectra; in a **cube** they are columns and rows, and `bands` the channels.
 //! `interleave` is `bsq` (band by band), `bil` (row by row) or `bip` (pixel by pixel), `byte
-//! order` 0 (least significant first) or 1, `data type` one of [`number_of`]'s, and `header
+//! order` 0 (least significant first) or 1, `data type` one of `number_of`'s, and `header
 //! offset` the bytes before the first number. `wavelength units` may be unknown; `bbl = {1, 0}`
 //! marks bad bands with 0; `reflectance scale factor = 10000` says that 10000 is a reflectance
 //! of 1.
