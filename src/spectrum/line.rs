@@ -193,7 +193,7 @@ impl Line {
 
     /// The weight of a line whose stem, drawn `drawn_nm` wide, has a height; dragging a stem's tip
     /// uses it.
-    pub(crate) fn weight_from_stem(height: f64, drawn_nm: f64) -> f64 {
+    pub fn weight_from_stem(height: f64, drawn_nm: f64) -> f64 {
         height * GAUSSIAN_AREA * drawn_nm
     }
 

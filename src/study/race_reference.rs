@@ -11,7 +11,7 @@ use super::{
 use crate::{rivals::Family, spectrum::Basis};
 
 /// Where the figures come from.
-pub(crate) const ORIGIN: &str = "A larger collection that may not be shipped: 35 smooth, 221 LED, 79 \
+pub const ORIGIN: &str = "A larger collection that may not be shipped: 35 smooth, 221 LED, 79 \
     fluorescent and 30 discharge lights, computed independently in Python over 380-780 nm (CIE \
     1931, ColorChecker).";
 
@@ -362,6 +362,6 @@ fn reason(racer: Racer, class: &str, higher: bool) -> &'static str {
 }
 
 /// Why 95th percentiles and worst cases of discharge lamps are larger here.
-pub(crate) const OF_FEW: &str = "The 95th percentile of 18 discharge lamps lies between the two worst of \
+pub const OF_FEW: &str = "The 95th percentile of 18 discharge lamps lies between the two worst of \
     them, and at 20 numbers low-pressure sodium, all but one line, is the worst of every \
     representation without spikes except box bins.";

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::{Fit, Photograph, Source, Stands};
 use crate::{
-    io::one_line,
+    io::{many::many, one_line},
     photographs::axis::{Match, Solution},
 };
 
@@ -127,14 +127,17 @@ pub fn warnings(photograph: &Photograph) -> Vec<String> {
     }
     let peaks = &photograph.peaks().peaks;
     let of_lines = peaks.iter().filter(|p| p.is_clipped).count();
-    if of_lines > 0 {
-        warnings.push(format!(
+    match of_lines {
+        0 => {}
+        1 => warnings.push("1 line is clipped: its height is not known".to_owned()),
+        _ => warnings.push(format!(
             "{of_lines} lines are clipped: their height is not known"
-        ));
+        )),
     }
     if photograph.bright.hairlines > 0 {
         let count = photograph.bright.hairlines;
-        warnings.push(format!("{count} thin drawn lines were ignored"));
+        let lines = many(count, "thin drawn line", "thin drawn lines");
+        warnings.push(format!("{lines} ignored"));
     }
     if let Some(why) = photograph
         .answer
