@@ -5,7 +5,7 @@ use std::{path::Path, sync::Arc};
 use super::{App, Entry};
 use crate::{
     color::{ColourMatching, Observer},
-    io::read_path,
+    io::{many::many, read_path},
     spectrum::{Kind, NamedSpectrum},
 };
 
@@ -28,8 +28,8 @@ pub fn observer_of_file(path: &Path) -> Result<Observer, String> {
 fn observer_of(name: &str, source: &str, three: &[&NamedSpectrum]) -> Result<Observer, String> {
     let &[first, second, third] = three else {
         return Err(format!(
-            "found {} columns, expected three functions of wavelength: x, y, z or red, green, blue",
-            three.len()
+            "found {}, expected three functions of wavelength: x, y, z or red, green, blue",
+            many(three.len(), "column", "columns")
         ));
     };
     let mut ordered = [first, second, third];

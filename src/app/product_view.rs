@@ -56,7 +56,8 @@ impl ProductView {
                     coefficients: patches.coefficients[index][..numbers].to_vec(),
                     ..derived.model.smooth().clone()
                 };
-                let (smooth, spikes) = resampled(&derived.model, &factor, sampling).into_parts();
+                let (smooth, spikes) =
+                    resampled(&derived.model.idealised(), &factor, sampling).into_parts();
                 (smooth.on_band(), spikes)
             }
         };

@@ -6,6 +6,7 @@ use serde_json::{Map, Value, json};
 
 use crate::{
     app::measured::is_light,
+    app::ticks::short,
     measurements::{
         Changed, Doubted, Drift, Feature, Figure, Measurement, Part, Quantity, Spliced, Verdict,
         doubts, rounded,
@@ -44,6 +45,10 @@ pub(super) struct Found {
 /// Where counts are no light.
 const COUNTS: &str = "Counts, not light: the instrument's response is still in it. Correct with a \
                       known light.";
+
+/// What a doubt is of where nothing but the readings' own noise is known.
+const NOISE_ONLY: &str = "\u{b1} is of the noise alone: what level and wavelengths are known to was \
+                          not stated (--level, --axis).";
 
 impl Found {
     /// A spectrum and nothing beside it.
@@ -268,7 +273,7 @@ fn words_of(found: &Found, result: &Measurement, text: &mut String) {
     let kept: Vec<f64> = kept.into_iter().flatten().collect();
     let most = kept.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let least = kept.iter().copied().fold(f64::INFINITY, f64::min);
-    let _ = writeln!(text, "Values    {least} to {most}");
+    let _ = writeln!(text, "Values    {} to {}", short(least), short(most));
     if result.level > 0.0 || result.axis_nm > 0.0 {
         let (level, axis) = (100.0 * result.level, result.axis_nm);
         let _ = writeln!(
@@ -278,9 +283,19 @@ fn words_of(found: &Found, result: &Measurement, text: &mut String) {
         );
     }
     match figures(result) {
-        Some(all) => all.iter().for_each(|doubted| {
-            let _ = writeln!(text, "{}", in_words(doubted));
-        }),
+        Some(all) => {
+            for doubted in &all {
+                let _ = writeln!(text, "{}", in_words(doubted));
+            }
+            let of = |d: &Doubted| {
+                d.doubt
+                    .as_ref()
+                    .is_some_and(|doubt| doubt.half_width_95 > 0.0)
+            };
+            if all.iter().any(of) && result.level == 0.0 && result.axis_nm == 0.0 {
+                let _ = writeln!(text, "Note      {NOISE_ONLY}");
+            }
+        }
         None if result.quantity == Quantity::Counts => {
             let _ = writeln!(text, "Note      {COUNTS}");
         }
@@ -305,7 +320,7 @@ fn in_words(doubted: &Doubted) -> String {
         _ => doubt.value,
     };
     if doubt.half_width_95 <= 0.0 {
-        return format!("{name:<9} {value}{unit}");
+        return format!("{name:<9} {}{unit}", short(value));
     }
     let (value, half) = rounded(value, doubt.half_width_95);
     format!("{name:<9} {value} ± {half}{unit}")

@@ -219,27 +219,29 @@ impl Parser {
     }
 
     fn sum(&mut self, depth: usize) -> Result<Tree, FormulaError> {
-        let mut tree = self.product(depth)?;
-        while let Some(sign) = self.takes(['+', '-']) {
-            let operation = if sign == '+' {
-                Operation::Add
-            } else {
-                Operation::Subtract
-            };
-            tree = Tree::Of(operation, Box::new(tree), Box::new(self.product(depth)?));
-        }
-        Ok(tree)
+        self.row(depth, ['+', '-'], Self::product)
     }
 
     fn product(&mut self, depth: usize) -> Result<Tree, FormulaError> {
-        let mut tree = self.part(depth)?;
-        while let Some(sign) = self.takes(['*', '/']) {
-            let operation = if sign == '*' {
-                Operation::Multiply
-            } else {
-                Operation::Divide
+        self.row(depth, ['*', '/'], Self::part)
+    }
+
+    /// Parts with signs of one rank between them, from left to right.
+    fn row(
+        &mut self,
+        depth: usize,
+        signs: [char; 2],
+        part: fn(&mut Self, usize) -> Result<Tree, FormulaError>,
+    ) -> Result<Tree, FormulaError> {
+        let mut tree = part(self, depth)?;
+        while let Some(sign) = self.takes(signs) {
+            let operation = match sign {
+                '+' => Operation::Add,
+                '-' => Operation::Subtract,
+                '*' => Operation::Multiply,
+                _ => Operation::Divide,
             };
-            tree = Tree::Of(operation, Box::new(tree), Box::new(self.part(depth)?));
+            tree = Tree::Of(operation, Box::new(tree), Box::new(part(self, depth)?));
         }
         Ok(tree)
     }

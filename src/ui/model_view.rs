@@ -213,9 +213,9 @@ fn observer_row(ui: &mut Ui, app: &App, settings: &mut Settings) {
                   such as a camera's, is listed here once it is open.",
         width: ui.spacing().combo_width,
     };
-    choice.pick(ui, &mut settings.observer, observers(app), |o| {
-        (o.title(), "")
-    });
+    // Only while the list is open: an opened file is a table to be read off.
+    let all = std::iter::once_with(|| observers(app)).flatten();
+    choice.pick(ui, &mut settings.observer, all, |o| (o.title(), ""));
     ui.end_row();
 }
 

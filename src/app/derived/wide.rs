@@ -42,7 +42,7 @@ pub(super) fn of_composite(
     measured: &[f64],
     wanted: bool,
 ) -> (Decomposed, Vec<Line>) {
-    let mut parts = Decomposed::of_composite(given, measured);
+    let mut parts = Decomposed::of_composite(&given.idealised(), measured);
     if !wanted || given.lines().iter().all(|line| line.is_ideal()) {
         let lines = parts.plain_spikes();
         return (parts, lines);
@@ -93,6 +93,8 @@ fn shape_in(band: Band, window_nm: [f64; 2], taken: &[f64]) -> LineShape {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
+    use crate::spectrum::{Basis, Series};
     use crate::{
         app::{App, Command, Settings},
         lamps::decompose,
@@ -131,6 +133,25 @@ mod tests {
         assert!((power - of_table).abs() < 1e-10 * of_table);
         let bells = derived.bells.iter().filter(|v| **v > 0.0).count();
         assert!(bells > 20, "{bells} points under a line");
+    }
+
+    #[test]
+    fn a_composite_shown_as_it_is_has_ideal_lines_unless_widths_are_wanted() {
+        let smooth = Series {
+            band: Band::VISIBLE,
+            basis: Basis::Cosine,
+            coefficients: vec![1.0, 0.5, -0.25],
+        };
+        let line = Line {
+            at_nm: 546.1,
+            weight: 30.0,
+            fwhm_nm: 8.0,
+        };
+        let given = Composite::new(smooth, vec![line]).expect("a composite");
+        let measured = given.on_band();
+        let lines = |wanted| of_composite(&given, &measured, wanted).1;
+        assert_eq!(lines(true), [line]);
+        assert_eq!(lines(false), [Line::ideal(546.1, 30.0)]);
     }
 
     #[test]

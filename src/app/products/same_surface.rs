@@ -61,16 +61,17 @@ impl SameSurfaceSheet {
         let band = lit.band();
         let found = modelled(app, &lit, outgoing);
         let light = &lit.derived;
+        let models = [&light.model, &found.model].map(Composite::idealised);
         let left_out = |of: &Derived| of.figures[Measure::RmsBlurred].unwrap_or(0.0);
         let light_name = app.document().light.name().to_owned();
         Self {
             band,
             names: [light_name, String::new(), outgoing.name().to_owned()],
-            model: Checker::new(&light.model, &found.model).against(surface),
+            model: Checker::new(&models[0], &models[1]).against(surface),
             measured: measured_check(band, &light.measured, surface, &found.measured),
-            numbers: [light.model.numbers(), found.model.numbers()],
+            numbers: models.each_ref().map(Composite::numbers),
             left_out: [left_out(light), left_out(&found)],
-            models: Arc::new([light.model.clone(), found.model]),
+            models: Arc::new(models),
         }
     }
 

@@ -14,7 +14,7 @@ use crate::{
         ticks::short,
     },
     color::{Adaptation, Observer, Swatch, Weights, delta_e_2000},
-    spectrum::{Band, Kind, NamedSpectrum, Sampled},
+    spectrum::{Band, Composite, Kind, NamedSpectrum, Sampled},
     study::products::{Black, TwoLights, black_of, two_lights, two_modelled_lights},
 };
 
@@ -59,9 +59,15 @@ impl TwoLightsSheet {
         let observer = document.settings.observer;
         let sheet = Self::measured(lit.band(), observer, both, &document.patch_set);
         let second = modelled(app, &lit, other);
-        let models = [&lit.derived.model, &second.model];
+        let models = [&lit.derived.model, &second.model].map(Composite::idealised);
         let values = sheet.values.each_ref().map(Vec::as_slice);
-        let model = two_modelled_lights(sheet.band, &sheet.surfaces, models, values, &sheet.seen);
+        let model = two_modelled_lights(
+            sheet.band,
+            &sheet.surfaces,
+            models.each_ref(),
+            values,
+            &sheet.seen,
+        );
         Some(Self { model, ..sheet })
     }
 

@@ -29,7 +29,7 @@ impl ModelsByOrder {
     /// The models of what was derived with some tables.
     pub fn new(derived: &Derived, tables: Arc<Tables>, colour_exact: bool) -> Self {
         let (band, weights) = (derived.band, &tables.viewing.weights);
-        let spikes = derived.model.lines().to_vec();
+        let (_, spikes) = derived.model.idealised().into_parts();
         let smooth_target = colour_exact.then(|| {
             let whole = xyz_of_parts(band, &derived.measured, &[], weights);
             (whole - xyz_of_lines(&spikes, weights)).to_array()

@@ -78,7 +78,13 @@ pub struct SpikeCosts {
 /// As `forming`.
 pub(crate) fn spike_costs(product: Product<'_>, factor: &Factor, table: &BasisTable) -> SpikeCosts {
     let (band, seen, white) = (product.model.band(), product.seen, product.white());
-    let found = eq_17(product.model, factor.values(), table, seen, white);
+    let found = eq_17(
+        &product.model.idealised(),
+        factor.values(),
+        table,
+        seen,
+        white,
+    );
     let series = cut(factor.values(), table, product.model);
     let smooth = multiplied(&product.model.smooth().on_band(), &series.on_band());
     let colour = |value: &dyn Fn(usize, &SpikeReading) -> f64| {
