@@ -275,6 +275,10 @@ fn directions(light: &OnWholeNm, scale: &[f64]) -> Vec<Vec<f64>> {
 /// root of its eigenvalue, until enough of the whole.
 fn main_directions(columns: &[Vec<f64>], whole: f64) -> Vec<Vec<f64>> {
     let n = columns.len();
+    // Without noise there is no direction, and an empty matrix has no eigenvalues.
+    if n == 0 {
+        return Vec::new();
+    }
     let gram = DMatrix::from_fn(n, n, |i, j| dot(&columns[i], &columns[j])).symmetric_eigen();
     let (values, vectors) = (gram.eigenvalues, gram.eigenvectors);
     let mut order: Vec<usize> = (0..n).collect();
