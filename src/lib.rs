@@ -75,3 +75,10 @@ pub mod spectrum;
 pub mod study;
 #[cfg(feature = "window")]
 pub mod ui;
+
+// Tests of the core that need its inside: as a program of their own they would make all of it public.
+#[cfg(test)]
+extern crate self as spectral_explorer;
+#[cfg(test)]
+#[path = "../tests/core/mod.rs"]
+mod core_tests;

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::root::root;
+use super::root::root;
 
 /// The text of a document, by its path in the project.
 pub(crate) fn document(path: &str) -> String {

@@ -4,7 +4,7 @@
 
 use std::{collections::BTreeMap, fs};
 
-use crate::root::root;
+use super::root::root;
 use serde::{Deserialize, de::DeserializeOwned};
 use spectral_explorer::{
     color::{

@@ -1,12 +1,12 @@
 //! The spike detectors on every shipped lamp, on lamps made up for the purpose, and on nonsense.
 //!
 //! The figures stand beside those of the study that the default detector was designed with,
-//! printed with `cargo test --test core detector:: -- --nocapture`.
+//! printed with `cargo test --lib core_tests::detector:: -- --nocapture`.
 
 use std::{f64::consts::LN_2, sync::Arc};
 
-use crate::plain::{plain, plain_about};
-use crate::{
+use super::plain::{plain, plain_about};
+use super::{
     common::{on_band, values},
     lights,
 };

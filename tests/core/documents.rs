@@ -4,7 +4,7 @@
 
 use std::{collections::BTreeSet, fs, path::Path};
 
-use crate::{
+use super::{
     docs::{document, quoted, rows, section},
     root::root,
 };
@@ -244,13 +244,23 @@ fn every_test_that_is_named_by_a_command_is_there() {
         for command in test_commands(&text) {
             let words: Vec<&str> = command.split([' ', '#']).collect();
             let programs = words.windows(2).filter(|pair| pair[0] == "--test");
+            let subjects = words.iter().filter_map(|word| word.strip_suffix("::"));
+            let of_core: Vec<&str> = subjects
+                .clone()
+                .filter_map(|word| word.strip_prefix("core_tests::"))
+                .collect();
+            named += of_core.len();
+            for subject in of_core {
+                let subject = root().join("tests/core").join(subject).with_extension("rs");
+                assert!(subject.is_file(), "{file}: {subject:?}: {command}");
+            }
             for program in programs.map(|pair| pair[1]) {
                 named += 1;
                 let folder = root().join("tests").join(program);
                 let is_there =
                     folder.join("main.rs").is_file() || folder.with_extension("rs").is_file();
                 assert!(is_there, "{file}: no {program}: {command}");
-                for subject in words.iter().filter_map(|word| word.strip_suffix("::")) {
+                for subject in subjects.clone() {
                     let subject = folder.join(subject).with_extension("rs");
                     assert!(subject.is_file(), "{file}: {subject:?}: {command}");
                 }

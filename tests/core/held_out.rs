@@ -12,7 +12,7 @@ use spectral_explorer::{
     study::{Progress, Race, race::Racer},
 };
 
-use crate::lamps::{files_of_others, likeness_to_known, measured_lamps};
+use super::lamps::{files_of_others, likeness_to_known, measured_lamps};
 
 const COUNTS: [usize; 3] = [11, 20, 31];
 

@@ -293,7 +293,7 @@ fn cosine(a: &[f64], b: &[f64]) -> f64 {
 
 /// Lights in the files of others, where they are at hand: none that is shipped or like one.
 pub(crate) fn files_of_others() -> Vec<(String, Vec<f64>)> {
-    let folder = crate::root::root().join("../shared/data/real_files");
+    let folder = super::root::root().join("../shared/data/real_files");
     let Ok(listed) = std::fs::read_dir(folder) else {
         return Vec::new();
     };

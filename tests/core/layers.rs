@@ -1,7 +1,7 @@
 //! The promise of the house: imports point one way, widgets stay in their rooms, and no file knows
 //! on whose computer it was written.
 
-use crate::root::root;
+use super::root::root;
 use std::{
     collections::{BTreeMap, BTreeSet},
     fs,

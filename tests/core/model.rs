@@ -3,9 +3,9 @@
 
 use std::{fs, sync::Arc};
 
-use crate::common::{on_band, shipped};
-use crate::plain::plain;
-use crate::root::root;
+use super::common::{on_band, shipped};
+use super::plain::plain;
+use super::root::root;
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use serde::Deserialize;

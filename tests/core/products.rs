@@ -1,13 +1,13 @@
 //! Products of spectra: what resampling costs, measured on the shipped lights and reflectances.
 //!
 //! The figures stand beside those of the larger study that the model was designed with, printed
-//! with `cargo test --test core products:: -- --nocapture`. Here as there: 380-780 nm, plain projections
+//! with `cargo test --lib core_tests::products:: -- --nocapture`. Here as there: 380-780 nm, plain projections
 //! of light and reflectance, colours by CIE 1931 with the measured light as the white.
 
 use std::sync::Arc;
 
-use crate::plain::plain;
-use crate::{
+use super::plain::plain;
+use super::{
     common::{on_band, shipped, values},
     lights,
 };

@@ -1,8 +1,8 @@
 //! Chains of products, errors against bounces, narrow filters, two lights and the reflection check, on the
 //! shipped lights and reflectances; figures with
-//! `cargo test --test core products_chain:: -- --nocapture`.
+//! `cargo test --lib core_tests::products_chain:: -- --nocapture`.
 
-use crate::{
+use super::{
     common::{on_band, values},
     lights,
 };

@@ -13,7 +13,7 @@ use spectral_explorer::{
     spectrum::{Band, Kind},
 };
 
-use crate::lights::COUNTED_GROUPS;
+use super::lights::COUNTED_GROUPS;
 
 /// A light with what its page says.
 struct Page {

@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeSet, fs};
 
-use crate::{
+use super::{
     docs::{document, quoted, rows},
     root::root,
 };

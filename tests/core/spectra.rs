@@ -1,7 +1,7 @@
 //! Measured tables and the ranges they are modelled on: reading between samples, averaging fine
 //! data, going on outside a table, and refusing what is not a spectrum.
 
-use crate::common::{on_band, shipped, values};
+use super::common::{on_band, shipped, values};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use proptest::prelude::*;
 use spectral_explorer::spectrum::{

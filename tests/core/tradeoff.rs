@@ -2,8 +2,8 @@
 
 use std::{collections::BTreeSet, sync::Arc};
 
-use crate::common::{on_band, values};
-use crate::plain::plain;
+use super::common::{on_band, values};
+use super::plain::plain;
 use proptest::prelude::*;
 use spectral_explorer::{
     app::{

@@ -2,7 +2,7 @@
 
 use std::{fs, path::Path};
 
-use crate::root::root;
+use super::root::root;
 
 /// What a reader stumbles over, and what is said instead.
 const AVOIDED: [(&str, &str); 18] = [

@@ -1,8 +1,10 @@
 //! Golden pictures: generated ones whose wavelengths are known.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use serde::Deserialize;
+
+use crate::core_tests::root::root;
 
 use super::{Fit, Instrument, Kept, Known, LampChoice, Photograph, Said, Source, of_photo, read};
 use crate::{
@@ -34,7 +36,7 @@ struct Light {
 }
 
 fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/photographs")
+    root().join("tests/golden/photographs")
 }
 
 fn golden() -> Vec<Golden> {

@@ -1,4 +1,4 @@
-//! What needs no window and no files: spectra, colour, the other representations, studies, and the
+//! Tests of the core that need its inside: spectra, colour, the other representations, studies, and the
 //! promises of the house. One file a subject.
 
 #[path = "../common/mod.rs"]
@@ -10,7 +10,7 @@ mod lights;
 #[path = "../common/plain.rs"]
 mod plain;
 #[path = "../common/root.rs"]
-mod root;
+pub(crate) mod root;
 
 mod colour;
 mod design_best;
