@@ -1,7 +1,7 @@
 //! Spectra from colours and light design: what a picker, a fader and a front cost.
 //!
 //! ```text
-//! cargo bench --bench design
+//! cargo bench -p benches --bench design
 //! ```
 //!
 //! ```text

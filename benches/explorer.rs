@@ -1,7 +1,7 @@
 //! How long the program takes to answer, each figure beside a plain way of doing the same.
 //!
 //! ```text
-//! cargo bench --bench explorer
+//! cargo bench -p benches --bench explorer
 //! ```
 //!
 //! Everything runs on one thread. The target stands in the group's name. The plain way of a

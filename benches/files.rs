@@ -1,6 +1,6 @@
 //! Speed of reading files, each figure beside a plain baseline of the same run.
 //!
-//! `cargo bench --bench files`
+//! `cargo bench -p benches --bench files`
 
 use std::{
     fmt::Write as _,

@@ -1,7 +1,7 @@
 //! How fast light goes through things, each goal beside a plain way of doing the same.
 //!
 //! ```text
-//! cargo bench --bench optics
+//! cargo bench -p benches --bench optics
 //! ```
 //!
 //! ```text

@@ -1,7 +1,7 @@
 //! How fast spectra are multiplied: a few points against 401 samples, and a chain of factors.
 //!
 //! ```text
-//! cargo bench --bench products
+//! cargo bench -p benches --bench products
 //! ```
 //!
 //! ```text

@@ -1,7 +1,7 @@
 //! How long the figures of lights take.
 //!
 //! ```text
-//! cargo bench --bench quality
+//! cargo bench -p benches --bench quality
 //! ```
 //!
 //! ```text

@@ -1,7 +1,7 @@
 //! How long the studies take, each beside a plain way of doing the same.
 //!
 //! ```text
-//! cargo bench --bench studies
+//! cargo bench -p benches --bench studies
 //! ```
 //!
 //! ```text
