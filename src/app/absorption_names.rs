@@ -505,8 +505,8 @@ mod tests {
     }
 
     fn entry(id: &str) -> std::sync::Arc<Entry> {
-        let all = bundled_entries();
-        all.into_iter().find(|e| e.key == id).expect(id)
+        let mut all = bundled_entries().iter();
+        all.find(|e| e.key == id).expect(id).clone()
     }
 
     fn families(id: &str, band: Band) -> Vec<DarkFamily> {

@@ -2,7 +2,10 @@
 //!
 //! [`App::apply`]: super::App::apply
 
-use std::{mem::discriminant, sync::Arc};
+use std::{
+    mem::{Discriminant, discriminant},
+    sync::Arc,
+};
 
 use super::{
     document::{Document, Subject, View},
@@ -148,19 +151,31 @@ pub enum Command {
     Redo,
 }
 
+/// What a person does without letting go: its commands are one step of undo, as of a slider that is
+/// dragged, not one a frame.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Gesture {
+    Knobs,
+    Spikes,
+    WeightFactor,
+    Products,
+    Page(Discriminant<PageSetting>),
+    Making(String),
+    Naming(String),
+}
+
 impl Command {
-    /// Whether this continues a gesture: a slider that is dragged makes one step of undo, not one
-    /// a frame.
-    pub fn continues(&self, before: &Self) -> bool {
-        match (self, before) {
-            (Self::Edit(_), Self::Edit(_))
-            | (Self::EditSpikes(_), Self::EditSpikes(_))
-            | (Self::WeightFactor(_), Self::WeightFactor(_))
-            | (Self::Products(_), Self::Products(_)) => true,
-            (Self::Page(now), Self::Page(then)) => discriminant(now) == discriminant(then),
-            (Self::MakeOtherwise { key: a, .. }, Self::MakeOtherwise { key: b, .. }) => a == b,
-            (Self::Rename { key: a, .. }, Self::Rename { key: b, .. }) => a == b,
-            _ => false,
-        }
+    /// The gesture that this may be a part of; `None` for what is a step of its own.
+    pub(super) fn gesture(&self) -> Option<Gesture> {
+        Some(match self {
+            Self::Edit(_) => Gesture::Knobs,
+            Self::EditSpikes(_) => Gesture::Spikes,
+            Self::WeightFactor(_) => Gesture::WeightFactor,
+            Self::Products(_) => Gesture::Products,
+            Self::Page(setting) => Gesture::Page(discriminant(setting)),
+            Self::MakeOtherwise { key, .. } => Gesture::Making(key.clone()),
+            Self::Rename { key, .. } => Gesture::Naming(key.clone()),
+            _ => return None,
+        })
     }
 }

@@ -106,7 +106,8 @@ impl Default for View {
     }
 }
 
-/// Everything that undo brings back and a project keeps.
+/// Everything that undo brings back and a project keeps. Two versions are compared at every move of a
+/// slider: spectra that both share are not read through.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Document {
     /// The light.
@@ -224,52 +225,6 @@ impl Document {
             products: Products::first(),
             pages: PageSettings::default(),
         }
-    }
-
-    /// Whether nothing was changed between two versions of a document. Spectra are compared by
-    /// where they are: a large file must not be read through at every move of a slider.
-    pub fn is_same_as(&self, other: &Self) -> bool {
-        fn same<T>(a: &[Arc<T>], b: &[Arc<T>]) -> bool {
-            a.len() == b.len() && a.iter().zip(b).all(|(a, b)| Arc::ptr_eq(a, b))
-        }
-        let Self {
-            light,
-            factor,
-            subject,
-            overlays,
-            own,
-            images,
-            next_own,
-            settings,
-            given,
-            edits,
-            patch_set,
-            own_patches,
-            patch,
-            scale,
-            weight_factor,
-            view,
-            products,
-            pages,
-        } = self;
-        Arc::ptr_eq(light, &other.light)
-            && same(factor.as_slice(), other.factor.as_slice())
-            && *subject == other.subject
-            && same(overlays, &other.overlays)
-            && same(own, &other.own)
-            && same(images, &other.images)
-            && *next_own == other.next_own
-            && *settings == other.settings
-            && *given == other.given
-            && *edits == other.edits
-            && *patch_set == other.patch_set
-            && *own_patches == other.own_patches
-            && *patch == other.patch
-            && *scale == other.scale
-            && *weight_factor == other.weight_factor
-            && *view == other.view
-            && products.is_same_as(&other.products)
-            && *pages == other.pages
     }
 
     /// The spectrum that the model is of.

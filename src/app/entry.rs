@@ -1,6 +1,6 @@
 //! A spectrum in the window's hands: where it came from and by what name it is found again.
 
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 use super::{library::Library, origin::Origin};
 use crate::{
@@ -25,6 +25,10 @@ pub struct Entry {
     /// The composite that the spectrum is by its own source; its table is that composite's. `None` for what was measured or computed otherwise.
     pub composite: Option<Arc<Composite>>,
 }
+
+/// Its numbers are finite, so it equals itself: one that two documents share is not read through to be
+/// compared.
+impl Eq for Entry {}
 
 impl Entry {
     /// A shipped spectrum; `None` for lists of lines, which are not spectra.
@@ -114,13 +118,13 @@ impl Entry {
     }
 }
 
-/// All shipped spectra that can be shown, in the library's order.
-pub fn bundled_entries() -> Vec<Arc<Entry>> {
-    Library::bundled()
-        .everything()
-        .filter_map(Entry::of_preset)
-        .map(Arc::new)
-        .collect()
+/// All shipped spectra that can be shown, in the library's order, made once.
+pub fn bundled_entries() -> &'static [Arc<Entry>] {
+    static ALL: LazyLock<Vec<Arc<Entry>>> = LazyLock::new(|| {
+        let all = Library::bundled().everything();
+        all.filter_map(Entry::of_preset).map(Arc::new).collect()
+    });
+    &ALL
 }
 
 const SAMPLED_NOTE: &str =

@@ -127,3 +127,6 @@ impl PartialEq for ImageEntry {
             && self.image == other.image
     }
 }
+
+/// It equals itself: one that two documents share is not read through to be compared.
+impl Eq for ImageEntry {}

@@ -11,7 +11,7 @@ use std::{
 };
 
 use super::{
-    command::Command,
+    command::{Command, Gesture},
     derived::Derived,
     document::{Document, Subject, WEIGHT_FACTORS, first_light},
     entry::{Entry, bundled_entries},
@@ -35,11 +35,10 @@ use deriving::{TablesFor, make_tables, tables_for};
 /// The program without a window.
 #[derive(Clone, Debug)]
 pub struct App {
-    bundled: Arc<Vec<Arc<Entry>>>,
     document: Document,
     history: History,
-    /// The command that the present gesture is made of; `None` between gestures.
-    gesture: Option<Command>,
+    /// The present gesture; `None` between gestures.
+    gesture: Option<Gesture>,
     tables: Arc<Tables>,
     tables_for: TablesFor,
     derived: Arc<Derived>,
@@ -68,33 +67,29 @@ impl App {
     /// # Panics
     /// Never in a sound build: the first light is one of the bundled presets (a test).
     pub fn new() -> Self {
-        let bundled = bundled_entries();
-        let first = first_light(&bundled);
-        Self::about(bundled, Document::about(first))
+        Self::about(Document::about(first_light(bundled_entries())))
     }
 
     /// The program with a document that was made elsewhere.
     pub fn with_document(mut document: Document) -> Self {
-        let bundled = bundled_entries();
         // What is shown is the very one in the library: to show it again is no step.
         let factor = document.factor.iter_mut();
         let shown = std::iter::once(&mut document.light).chain(factor);
         for entry in shown.chain(&mut document.overlays) {
-            let same = bundled.iter().find(|b| b.key == entry.key && *b == entry);
+            let same = bundled_entries().iter().find(|b| **b == *entry);
             if let Some(same) = same {
                 *entry = same.clone();
             }
         }
-        Self::about(bundled, document)
+        Self::about(document)
     }
 
-    fn about(bundled: Vec<Arc<Entry>>, mut document: Document) -> Self {
+    fn about(mut document: Document) -> Self {
         document.bound_patch();
         let tables_for = tables_for(&document);
         let tables = Arc::new(make_tables(&tables_for));
         let derived = Arc::new(derive(&document, &tables));
         let mut app = Self {
-            bundled: Arc::new(bundled),
             document,
             history: History::default(),
             gesture: None,
@@ -112,7 +107,8 @@ impl App {
             steps: 0,
             revision: 0,
         };
-        app.recompute();
+        app.name_spikes();
+        app.recompute(true);
         app
     }
 
@@ -154,8 +150,8 @@ impl App {
     }
 
     /// The shipped spectra.
-    pub fn bundled(&self) -> &[Arc<Entry>] {
-        &self.bundled
+    pub fn bundled(&self) -> &'static [Arc<Entry>] {
+        bundled_entries()
     }
 
     /// Names of the model's spikes, in their order.
@@ -193,7 +189,7 @@ impl App {
 
     /// The entry of that key, shipped or the user's own.
     pub fn entry(&self, key: &str) -> Option<Arc<Entry>> {
-        let all = || self.document.own.iter().chain(self.bundled.iter());
+        let all = || self.document.own.iter().chain(self.bundled());
         let found = |key: &str| all().find(|e| e.key == key).cloned();
         found(key).or_else(|| found(now_called(key)?))
     }
@@ -206,7 +202,8 @@ impl App {
     /// The only place that changes the document.
     pub fn apply(&mut self, command: Command) {
         let before = self.document.clone();
-        match command.clone() {
+        let gesture = command.gesture();
+        match command {
             Command::Undo => {
                 let words = self.undo_words().map(|words| format!("Undone: {words}."));
                 return self.step(History::undo, words, "Nothing to undo.");
@@ -279,11 +276,11 @@ impl App {
             Command::Remove { key } => self.remove(&key),
             Command::Replace(document) => self.document = *document,
         }
-        self.settle(before, command);
+        self.settle(before, gesture);
     }
 
     /// Brings the document in order after a command, remembers what was before, and derives anew.
-    fn settle(&mut self, before: Document, command: Command) {
+    fn settle(&mut self, before: Document, gesture: Option<Gesture>) {
         self.analyse_what_was_changed(&before);
         self.document.bound_patch();
         self.make_again(&before);
@@ -291,19 +288,16 @@ impl App {
         if too_many > 0 {
             self.say(Tone::Problem, Document::overlays_left_out(too_many));
         }
-        if self.document.is_same_as(&before) {
+        if self.document == before {
             return;
         }
-        let continues = self
-            .gesture
-            .as_ref()
-            .is_some_and(|last| command.continues(last));
-        if !continues {
+        let has_same_model = deriving::same_model(&before, &self.document);
+        if gesture.is_none() || gesture != self.gesture {
             self.history.remember(before);
             self.steps += 1;
         }
-        self.gesture = Some(command);
-        self.recompute();
+        self.gesture = gesture;
+        self.recompute(has_same_model);
     }
 
     /// Carries out an act on the subject's spikes.
@@ -392,31 +386,38 @@ impl App {
         }
     }
 
-    fn recompute(&mut self) {
+    /// Derives what cannot be the same any more.
+    fn recompute(&mut self, has_same_model: bool) {
         let start = Instant::now();
-        let wanted = tables_for(&self.document);
-        if wanted != self.tables_for {
-            self.tables = Arc::new(make_tables(&wanted));
-            self.tables_for = wanted;
+        if !has_same_model {
+            let wanted = tables_for(&self.document);
+            if wanted != self.tables_for {
+                self.tables = Arc::new(make_tables(&wanted));
+                self.tables_for = wanted;
+            }
+            self.derived = Arc::new(derive(&self.document, &self.tables));
+            self.surfaces = OnceLock::new();
+            self.name_spikes();
         }
-        self.derived = Arc::new(derive(&self.document, &self.tables));
         let spectrum = &self.document.subject_entry().spectrum;
+        self.product = self.document.patch.and_then(|index| {
+            let patches = self.tables.patches.as_ref()?;
+            let sampling = self.document.settings.sampling;
+            ProductView::of(&self.derived, patches, index, sampling)
+        });
+        // Integrals over the whole table: once a change, not once a frame.
+        self.scale_factor = self.document.scale.factor(spectrum).unwrap_or(1.0);
+        self.unit = self.document.scale.unit(spectrum);
+        self.took = start.elapsed();
+        self.revision += 1;
+    }
+
+    fn name_spikes(&mut self) {
         let subject = self.document.subject_entry();
         let is_told = |told: &Arc<Told>| Arc::ptr_eq(&told.of, subject);
         let told = self.told.take().filter(is_told);
         let told = told.unwrap_or_else(|| Arc::new(Told::of(subject, self.element_lines())));
         self.names = names_in(&told.light, subject, &self.derived);
         self.told = Some(told);
-        self.product = self.document.patch.and_then(|index| {
-            let patches = self.tables.patches.as_ref()?;
-            let sampling = self.document.settings.sampling;
-            ProductView::of(&self.derived, patches, index, sampling)
-        });
-        self.surfaces = OnceLock::new();
-        // Integrals over the whole table: once a change, not once a frame.
-        self.scale_factor = self.document.scale.factor(spectrum).unwrap_or(1.0);
-        self.unit = self.document.scale.unit(spectrum);
-        self.took = start.elapsed();
-        self.revision += 1;
     }
 }

@@ -53,7 +53,7 @@ pub(super) fn difference(before: &Document, after: &Document) -> String {
     if before.view != after.view {
         words.push(of_view(before.view, after.view).to_owned());
     }
-    if !before.products.is_same_as(&after.products) {
+    if before.products != after.products {
         words.push("what light meets".to_owned());
     }
     let name_of = |key: &str| after.name_of(key);

@@ -496,6 +496,31 @@ fn every_command_is_undone_and_done_again_exactly() {
 }
 
 #[test]
+fn what_cannot_change_the_model_derives_nothing_and_what_can_derives_it_anew() {
+    let beside = [
+        "toggle overlay",
+        "clear overlays",
+        "patch",
+        "scale",
+        "view",
+        "page",
+        "products",
+    ];
+    let mut app = plain();
+    for command in session(&app) {
+        let words = variant(&command);
+        let before = app.derived().clone();
+        app.apply(command);
+        let anew = App::with_document(app.document().clone());
+        assert_eq!(app.derived(), anew.derived(), "{words}");
+        assert_eq!(app.spike_names(), anew.spike_names(), "{words}");
+        if beside.contains(&words) {
+            assert!(Arc::ptr_eq(&before, app.derived()), "{words} derived anew");
+        }
+    }
+}
+
+#[test]
 fn a_drag_is_one_step_of_undo_and_the_next_drag_another() {
     let mut app = plain();
     let first = app.document().clone();

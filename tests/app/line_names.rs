@@ -19,9 +19,9 @@ fn names(app: &App) -> Vec<String> {
         .collect()
 }
 
-fn lights() -> impl Iterator<Item = std::sync::Arc<Entry>> {
+fn lights() -> impl Iterator<Item = &'static std::sync::Arc<Entry>> {
     bundled_entries()
-        .into_iter()
+        .iter()
         .filter(|entry| entry.kind() == Kind::Light)
 }
 

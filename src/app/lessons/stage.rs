@@ -340,7 +340,7 @@ mod tests {
             (Page::Chain, 500.0)
         );
         app.apply(Command::Undo);
-        assert!(app.document().is_same_as(&before));
+        assert!(*app.document() == before);
         let set = Stage::default().set(&mut app, &mut memory, &mut Vec::new());
         set.expect("it is right");
         assert_eq!(memory.page, Page::Spectrum);

@@ -6,7 +6,7 @@ use super::*;
 use crate::app::entry::bundled_entries;
 
 fn index() -> Index {
-    Index::of(&bundled_entries())
+    Index::of(bundled_entries())
 }
 
 /// What is typed that does not find first what it should.
@@ -185,7 +185,7 @@ fn a_name_finds_its_own_spectrum_first_whatever_its_letters() {
 #[test]
 fn twins_are_one_row() {
     let entries = bundled_entries();
-    let rows = fold(&entries);
+    let rows = fold(entries);
     assert_eq!(rows.len() + 27 + 9 + 3, entries.len());
     let fl2 = rows
         .iter()
@@ -206,7 +206,7 @@ fn twins_are_one_row() {
 #[test]
 fn favourites_are_twelve_and_their_labels_find_them() {
     let entries = bundled_entries();
-    let favourites = favourites(&entries);
+    let favourites = favourites(entries);
     assert_eq!(favourites.len(), 12);
     let index = index();
     for favourite in favourites {
@@ -222,7 +222,7 @@ fn favourites_are_twelve_and_their_labels_find_them() {
 #[test]
 fn nothing_typed_is_the_whole_library_in_its_order() {
     let entries = bundled_entries();
-    assert_eq!(index().search("  "), fold(&entries));
+    assert_eq!(index().search("  "), fold(entries));
 }
 
 #[test]

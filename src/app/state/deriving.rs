@@ -39,6 +39,41 @@ pub(super) fn tables_for(document: &Document) -> TablesFor {
     }
 }
 
+/// Whether two documents have the same model, so that nothing of [`Derived`] can differ: only what
+/// lies beside it did (overlays, layers of the plot, products, what pages keep).
+pub(super) fn same_model(a: &Document, b: &Document) -> bool {
+    let Document {
+        light,
+        factor,
+        subject,
+        settings,
+        given,
+        edits,
+        view,
+        // The patches, which `tables_for` finds by them.
+        patch_set: _,
+        own_patches: _,
+        own: _,
+        // Their factor stands in the light already.
+        weight_factor: _,
+        overlays: _,
+        images: _,
+        next_own: _,
+        patch: _,
+        scale: _,
+        products: _,
+        pages: _,
+    } = a;
+    *light == b.light
+        && *factor == b.factor
+        && *subject == b.subject
+        && *settings == b.settings
+        && *given == b.given
+        && *edits == b.edits
+        && view.adaptation() == b.view.adaptation()
+        && tables_for(a) == tables_for(b)
+}
+
 pub(super) fn make_tables(wanted: &TablesFor) -> Tables {
     let (band, observer) = (wanted.band, wanted.observer);
     let viewing = match &wanted.under {

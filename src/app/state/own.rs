@@ -229,7 +229,7 @@ impl App {
 
     fn the_first_light(&self) -> Arc<Entry> {
         self.entry(FIRST_LIGHT)
-            .unwrap_or_else(|| self.bundled[0].clone())
+            .unwrap_or_else(|| self.bundled()[0].clone())
     }
 
     /// Makes a spectrum, one of the user's own from now on.

@@ -1,6 +1,6 @@
 //! Steps back and forth.
 
-use super::{App, messages::Tone};
+use super::{App, deriving::same_model, messages::Tone};
 use crate::app::{document::Document, history::History, undo_words::difference};
 
 impl App {
@@ -35,9 +35,10 @@ impl App {
     ) {
         match step(&mut self.history, &self.document) {
             Some(document) => {
+                let has_same_model = same_model(&self.document, &document);
                 self.document = document;
                 self.gesture = None;
-                self.recompute();
+                self.recompute(has_same_model);
                 if let Some(words) = words {
                     self.say_for_now(Tone::Info, words);
                 }
