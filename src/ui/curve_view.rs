@@ -1,5 +1,7 @@
 //! The whole error-against-order curve.
 
+use std::sync::Arc;
+
 use eframe::egui;
 use egui::{Id, Ui, vec2};
 
@@ -10,7 +12,11 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command, Settings, chart::Marks, charts::order::order_chart, derived::OF_CURVE, ticks,
+        App, Command, Memo, Settings,
+        chart::{Chart, Marks, Theme as ChartTheme},
+        charts::order::order_chart,
+        derived::OF_CURVE,
+        ticks,
         workspace::Preferences,
     },
     io::many::numbers,
@@ -72,6 +78,22 @@ fn quantity_row(ui: &mut Ui, app: &App, preferences: &mut Preferences) {
     });
 }
 
+/// The chart, kept until what it shows changes.
+fn kept_chart(ui: &Ui, app: &App, measure: Measure, theme: ChartTheme) -> Option<Arc<Chart>> {
+    type Kept = Memo<(u64, Measure, ChartTheme), Option<Arc<Chart>>>;
+    let id = Id::unique("the chart of errors against order");
+    let mut kept: Kept = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+    let key = (app.revision(), measure, theme);
+    let make = |_: &_| {
+        let mut chart = order_chart(app, measure, theme)?;
+        chart.title = "Error against order; click to go to an order".to_owned();
+        Some(Arc::new(chart))
+    };
+    let chart = kept.get(key, make).clone();
+    ui.data_mut(|data| data.insert_temp(id, kept));
+    chart
+}
+
 fn plot(
     ui: &mut Ui,
     app: &App,
@@ -86,13 +108,12 @@ fn plot(
         ui.available_width(),
         height.clamp(60.0, 240.0 * theme.scale),
     );
-    let Some(mut chart) = order_chart(app, measure, theme.of_charts()) else {
+    let Some(chart) = kept_chart(ui, app, measure, theme.of_charts()) else {
         ui.allocate_ui(size, |ui| {
             ui.weak("There is no colour to compare in this range.");
         });
         return;
     };
-    chart.title = "Error against order; click to go to an order".to_owned();
     let how = How {
         moves: false,
         ..How::PART

@@ -1,5 +1,7 @@
 //! The spectrum: measured, model, smooth part, spikes that can be dragged, residual below.
 
+use std::sync::Arc;
+
 use eframe::egui;
 use egui::{Id, Rect, Ui};
 use egui_plot::PlotTransform;
@@ -10,8 +12,8 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command, SpikeAct,
-        chart::{Chart, Marks},
+        App, Command, Memo, SpikeAct,
+        chart::{Chart, Marks, Theme as ChartTheme},
         charts::spectrum::{SPIKES, spectrum_chart},
     },
     io::many::{many, numbers},
@@ -31,6 +33,8 @@ pub struct SpectrumView {
     main: Option<Screen>,
     dragging: Dragging,
     reset: bool,
+    /// Kept until what it shows changes: the state of the program, the theme, a dragged range.
+    chart: Memo<(u64, ChartTheme, Option<[f64; 2]>), Arc<Chart>>,
 }
 
 /// What one frame asked for.
@@ -53,11 +57,14 @@ impl SpectrumView {
     /// Draws the chart into all the room there is, and what the pointer reads into `read_out`.
     pub fn show(&mut self, ui: &mut Ui, app: &App, theme: Theme, read_out: Rect) -> Wishes {
         let mut wishes = Wishes::default();
-        let mut chart = spectrum_chart(app, theme.of_charts());
-        chart.title = spoken(app);
-        if let Some(range) = self.dragging.range() {
-            chart.y_range = Some(range);
-        }
+        let key = (app.revision(), theme.of_charts(), self.dragging.range());
+        let make = |&(_, theme, dragged): &(u64, ChartTheme, Option<[f64; 2]>)| {
+            let mut chart = spectrum_chart(app, theme);
+            chart.title = spoken(app);
+            chart.y_range = dragged.or(chart.y_range);
+            Arc::new(chart)
+        };
+        let chart = self.chart.get(key, make).clone();
         let pointer = ui.input(|i| i.pointer.interact_pos());
         let near = self
             .main
