@@ -17,7 +17,6 @@ use crate::{
 /// What is said of an entry.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct About {
-    /// Its name.
     pub name: String,
     /// What it is in a few words; empty where nobody knows.
     pub what: String,

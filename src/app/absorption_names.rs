@@ -286,7 +286,6 @@ pub(super) fn has_dark_lines(curve: Curve<'_>) -> bool {
 /// A known dark line or band, looked for at its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DarkLine {
-    /// Its name.
     pub name: &'static str,
     /// Where it stands, from and to, nm.
     pub nm: [f64; 2],

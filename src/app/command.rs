@@ -22,7 +22,6 @@ use crate::spectrum::{Kind, NamedSpectrum, SpikeEdits};
 /// What becomes of a spectrum that was made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MadeFor {
-    /// It is shown.
     Shown,
     /// It is the last that the light meets.
     Chain,
@@ -88,7 +87,6 @@ pub enum Command {
     Adopt(Vec<NamedSpectrum>),
     /// Makes a spectrum, which joins the user's own and follows what it is made of.
     Make {
-        /// How.
         recipe: Recipe,
         /// What becomes of it.
         place: MadeFor,
@@ -97,7 +95,6 @@ pub enum Command {
     MakeOtherwise {
         /// The entry's key.
         key: String,
-        /// How.
         recipe: Recipe,
     },
     /// What was made stays as it is, whatever happens to what it was made of.
@@ -120,10 +117,7 @@ pub enum Command {
     /// history too. That it was away for a moment is nothing to undo.
     ImageIsBack(Arc<ImageEntry>),
     /// Takes an image out of the list.
-    RemoveImage {
-        /// Its key.
-        key: String,
-    },
+    RemoveImage { key: String },
     /// A new name for one of the user's own.
     Rename {
         /// The entry's key.
@@ -135,7 +129,6 @@ pub enum Command {
     SetKind {
         /// The entry's key.
         key: String,
-        /// Its kind.
         kind: Kind,
     },
     /// Takes one of the user's own out of the library.

@@ -18,7 +18,6 @@ use crate::{
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Subject {
-    /// The light.
     #[default]
     Light,
     /// The selected reflectance or transmittance, looked at under the light.
@@ -54,7 +53,6 @@ pub struct View {
     pub spikes: bool,
     /// The residual below.
     pub residual: bool,
-    /// The overlays.
     pub overlays: bool,
     /// The measured curve of a light is filled with the wavelengths' own colours.
     pub strip: bool,
@@ -110,7 +108,6 @@ impl Default for View {
 /// slider: spectra that both share are not read through.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Document {
-    /// The light.
     pub light: Arc<Entry>,
     /// The selected reflectance or transmittance.
     pub factor: Option<Arc<Entry>>,

@@ -16,7 +16,6 @@ pub struct Entry {
     pub key: String,
     /// Where it came from.
     pub origin: Origin,
-    /// The spectrum.
     pub spectrum: NamedSpectrum,
     /// Under which terms the numbers may be passed on; empty for the user's own.
     pub licence: String,
@@ -97,7 +96,6 @@ impl Entry {
         }
     }
 
-    /// Its name.
     pub fn name(&self) -> &str {
         &self.spectrum.name
     }

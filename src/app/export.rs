@@ -37,11 +37,9 @@ pub enum Export {
     SpectrumJson,
     /// The patches' colours and errors.
     PatchesCsv,
-    /// The spikes.
     SpikesCsv,
     /// The error against the order.
     CurveCsv,
-    /// The plot as SVG.
     PlotSvg,
     /// The error against the order as SVG.
     CurveSvg,

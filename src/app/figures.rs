@@ -255,7 +255,6 @@ pub const SHARES: [Measure; 6] = [
     Measure::Energy,
 ];
 
-/// A figure of a colour.
 pub struct ColourFigure {
     /// What is said of it.
     pub figure: Figure,

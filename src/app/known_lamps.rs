@@ -17,7 +17,6 @@ use crate::{
 /// One figure with what it means.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WordsFigure {
-    /// What it is.
     pub title: &'static str,
     /// How much it is, with its unit.
     pub value: String,

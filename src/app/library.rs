@@ -7,7 +7,7 @@ use std::{borrow::Cow, fmt, sync::LazyLock};
 
 use super::made;
 use crate::{
-    preset::{self, Body, Group, Preset, Shelf},
+    preset::{self, Body, Group, Preset},
     spectrum::{Kind, NamedSpectrum},
 };
 
@@ -157,11 +157,6 @@ impl Library {
     /// All items of the groups of tables, group by group.
     pub fn presets(&self) -> impl Iterator<Item = &Preset> {
         self.groups.iter().flat_map(|group| &group.items)
-    }
-
-    /// All items of tables under a heading.
-    pub fn on_shelf(&self, shelf: Shelf) -> impl Iterator<Item = &Preset> {
-        self.presets().filter(move |preset| preset.shelf == shelf)
     }
 
     /// All tables, of every kind.
@@ -334,7 +329,7 @@ mod tests {
     use std::collections::BTreeMap;
 
     use super::*;
-    use crate::preset::OpticalConstants;
+    use crate::preset::{OpticalConstants, Shelf};
 
     fn id_of(name: &str) -> String {
         match Library::bundled().find(name) {
@@ -588,7 +583,11 @@ mod tests {
             assert_eq!(shelf(name), expected, "{name}");
         }
         for shelf in Shelf::ALL {
-            assert!(Library::bundled().on_shelf(shelf).next().is_some());
+            assert!(
+                Library::bundled()
+                    .presets()
+                    .any(|preset| preset.shelf == shelf)
+            );
         }
     }
 

@@ -61,7 +61,6 @@ pub fn spectrum(of: &Measurement, made_by: &str) -> NamedSpectrum {
     }
 }
 
-/// A measurement as CSV.
 pub fn measurement_csv(of: &Measurement, made_by: &str) -> String {
     let or_empty = |values: &[f64]| -> Vec<f64> {
         let all = values.iter().enumerate();

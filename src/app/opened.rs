@@ -37,7 +37,6 @@ pub struct Opened {
     pub table: Option<TableFound>,
     /// How its first spectra were understood, in their order.
     pub understood: Vec<Decisions>,
-    /// How each of its images was understood.
     pub images_understood: Vec<Decisions>,
     /// Whether one of its lights counts photons, in the file.
     pub photons: bool,
@@ -106,7 +105,6 @@ pub struct ImageEntry {
     pub key: String,
     /// The file that it was read from, and is read from again after a restart.
     pub from: FromFile,
-    /// The image.
     pub image: Arc<SpectralImage>,
 }
 

@@ -36,16 +36,13 @@ impl PartialEq for Origin {
 /// One of the things that a file brought.
 #[derive(Clone, Debug)]
 pub struct FromFile {
-    /// How the file was read for it.
     pub reading: Arc<FileReading>,
     /// Which of the file's spectra, or of its images, from 0.
     pub index: usize,
 }
 
-/// One reading of a file.
 #[derive(Debug)]
 pub struct FileReading {
-    /// The file.
     pub file: Arc<SourceFile>,
     /// What a person decided about it.
     pub choices: Choices,

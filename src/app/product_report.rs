@@ -182,7 +182,6 @@ fn csv_head(app: &App) -> String {
     format!("{head}# products: {way}\n")
 }
 
-/// A chain as JSON.
 pub fn chain_json(app: &App, told: &Told) -> Value {
     let Told {
         remarks: _,

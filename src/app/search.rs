@@ -35,7 +35,6 @@ use wanted::{Figure, Wanted};
 pub struct Folded {
     /// The entry to show.
     pub entry: Arc<Entry>,
-    /// Its twins.
     pub twins: Vec<Arc<Entry>>,
 }
 

@@ -1,6 +1,5 @@
 //! What a unit of a light's values says: power or photons, per area, per nm, per steradian.
 
-/// What is counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Counted {
     /// Power.
@@ -16,11 +15,9 @@ pub struct SpectralUnit {
     pub counted: Counted,
     /// What turns a number in this unit into W (µmol s-1), per m2, nm and sr where it is.
     pub factor: f64,
-    /// Per area.
     pub per_area: bool,
     /// Per wavelength.
     pub per_nm: bool,
-    /// Per steradian.
     pub per_steradian: bool,
 }
 

@@ -60,7 +60,6 @@ pub struct Told {
     pub light: Identified,
     /// Its title and a sentence.
     pub about: About,
-    /// Its family.
     pub family: Option<&'static Family>,
 }
 

@@ -112,12 +112,10 @@ impl App {
         app
     }
 
-    /// The document.
     pub fn document(&self) -> &Document {
         &self.document
     }
 
-    /// What is derived from it.
     pub fn derived(&self) -> &Arc<Derived> {
         &self.derived
     }

@@ -110,7 +110,6 @@ fn head(app: &App, about: &About, title: &str, more: &str) -> String {
     out
 }
 
-/// A sweep as JSON.
 pub fn sweep_json(app: &App, ask: &SweepAsk, sweep: &Sweep) -> Value {
     let measure = front_measure(sweep);
     let front = sweep.front(measure, |_| true);
@@ -237,7 +236,6 @@ fn purchase_json(what: &str, purchase: Purchase, unit: f64) -> Value {
     }
 }
 
-/// An auction as JSON.
 pub fn auction_json(app: &App, ask: &AuctionAsk, auction: &Auction) -> Value {
     let unit = unit_of(&ask.about);
     let places =

@@ -29,7 +29,6 @@ pub const VERSION: u32 = 1;
 /// What came back from a workspace or project.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Restored {
-    /// The document.
     pub document: Document,
     /// Images that are to be read again: a text holds no picture.
     pub images: Vec<StoredImage>,

@@ -46,7 +46,6 @@ impl Of {
     }
 }
 
-/// A light that is asked for.
 pub(super) struct AskedLight {
     /// What it is called where it stands alone, and among others: there by the word or file that
     /// it came from.
@@ -77,7 +76,6 @@ impl AskedLight {
 pub(super) struct Asked {
     /// What refusals call the words that named the lights.
     what: &'static str,
-    /// The lights.
     pub lights: Vec<AskedLight>,
     /// Why some INPUTs were refused, a line each.
     pub refused: Vec<String>,

@@ -40,7 +40,6 @@ pub(super) struct FactorWord<'a> {
 /// How thick a glass is to be.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Thickness {
-    /// In mm.
     Mm(f64),
     /// As a multiple of the measured one.
     Times(f64),

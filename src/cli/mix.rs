@@ -117,7 +117,6 @@ fn target_of(word: &str, duv: Option<f64>, inputs: &mut Inputs) -> Result<Wanted
     })
 }
 
-/// `--channel`.
 fn channel(word: &str, inputs: &mut Inputs) -> Result<Channel, Refusal> {
     let refused = |why: MixError| Refusal::Usage(format!("--channel: {why}"));
     // A name that is there is taken as it stands, whatever signs are in it.

@@ -14,7 +14,6 @@ fn numbers<const N: usize>(word: &str) -> Option<[f64; N]> {
     parts.try_into().ok()
 }
 
-/// `--at`.
 pub(super) fn pixel(word: &str) -> Result<[f64; 2], String> {
     numbers(word).ok_or_else(|| refused(word, "a pixel such as 320,200"))
 }
@@ -26,7 +25,6 @@ pub(super) fn area(word: &str) -> Result<[f64; 4], String> {
         .ok_or_else(|| refused(word, "left, top, right and bottom such as 20,180,620,240"))
 }
 
-/// `--turn`.
 pub(super) fn turn(word: &str) -> Result<f64, String> {
     let degrees = word.trim().parse().ok();
     degrees
@@ -34,12 +32,10 @@ pub(super) fn turn(word: &str) -> Result<f64, String> {
         .ok_or_else(|| refused(word, "degrees from -45 to 45"))
 }
 
-/// `--strip`.
 pub(super) fn strip(word: &str) -> Result<usize, String> {
     super::words::whole(word, &(1..=100))
 }
 
-/// `--lamp`.
 pub(super) fn lamp(word: &str) -> Result<LampChoice, String> {
     match (word, Lamp::named(word)) {
         ("auto", _) => Ok(LampChoice::Auto),
@@ -69,7 +65,6 @@ pub(super) fn of_kelvin(word: &str) -> Option<Result<Known, String>> {
     }
 }
 
-/// `--pin`.
 pub(super) fn pin(word: &str) -> Result<Pin, String> {
     let parts = word.split_once(':').and_then(|(px, nm)| {
         let (px, nm): (f64, f64) = (px.trim().parse().ok()?, nm.trim().parse().ok()?);

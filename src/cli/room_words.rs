@@ -31,7 +31,6 @@ pub(super) enum Grid {
     Step(f64),
 }
 
-/// `--grid`.
 pub(super) fn grid(word: &str) -> Result<Grid, String> {
     let word = word.trim();
     let step = word.trim_end_matches("nm").trim().parse::<f64>().ok();
@@ -75,12 +74,10 @@ pub(super) fn side(word: &str) -> Result<usize, String> {
     whole(word.trim(), &optics::SIZES)
 }
 
-/// `--rays`.
 pub(super) fn rays(word: &str) -> Result<u32, String> {
     whole(word.trim(), &optics::RAYS)
 }
 
-/// `--seed`.
 pub(super) fn seed(word: &str) -> Result<u64, String> {
     whole(word.trim(), &(0..=u64::MAX))
 }
@@ -91,17 +88,14 @@ pub(super) fn whole_number(word: &str) -> Result<usize, String> {
     number.ok_or_else(|| refused(word, "a whole number"))
 }
 
-/// `--colour`.
 pub(super) fn colour(word: &str) -> Result<Srgb, String> {
     word.parse().map_err(|_| refused(word, "#rrggbb"))
 }
 
-/// `--method`.
 pub(super) fn method(word: &str) -> Result<Method, String> {
     one_of(word, &Method::ALL, Method::word)
 }
 
-/// `--favour`.
 pub(super) fn favour(word: &str) -> Result<Objective, String> {
     one_of(word, &Objective::ALL, Objective::word)
 }
@@ -116,7 +110,6 @@ pub(super) fn free_lines(word: &str) -> Result<usize, String> {
     whole(word.trim(), &FREE_LINES)
 }
 
-/// `--bound`.
 pub(super) fn bound(word: &str) -> Result<f64, String> {
     number(word, &(0.01..=20.0), "CIEDE2000")
 }
@@ -140,7 +133,6 @@ pub(super) fn fit_reference(word: &str) -> Result<ReferenceKind, String> {
 pub(super) enum Lines {
     /// Those that are found.
     Auto,
-    /// None.
     None,
     /// Those at these places, nm.
     At(Vec<f64>),
@@ -168,12 +160,10 @@ pub(super) fn fit_lines(word: &str) -> Result<bool, String> {
     )
 }
 
-/// `--blocks`.
 pub(super) fn blocks(word: &str) -> Result<usize, String> {
     whole(word.trim(), &(1..=*optics::SIZES.end()))
 }
 
-/// `--stops`.
 pub(super) fn stops(word: &str) -> Result<f64, String> {
     number(word, &(-20.0..=20.0), "stops")
 }
@@ -195,7 +185,6 @@ fn three(word: &str, expected: &str) -> Result<[f64; 3], String> {
         .ok_or_else(|| refused(word, expected))
 }
 
-/// `--view`.
 pub(super) fn view(word: &str) -> Result<View, String> {
     match word {
         "A" | "a" => Ok(View::A),
@@ -212,7 +201,6 @@ pub(super) enum Lamps {
     Jeweller,
 }
 
-/// `--lamps`.
 pub(super) fn lamps(word: &str) -> Result<Lamps, String> {
     let name = |lamps| match lamps {
         Lamps::Studio => "studio",
@@ -221,7 +209,6 @@ pub(super) fn lamps(word: &str) -> Result<Lamps, String> {
     one_of(word, &[Lamps::Studio, Lamps::Jeweller], name)
 }
 
-/// `--seen`.
 pub(super) fn seen(word: &str) -> Result<Adaptation, String> {
     let name = |seen| match seen {
         Adaptation::ToLight => "eye",

@@ -69,7 +69,6 @@ impl fmt::Display for Feature {
 /// One part and how it changed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Part {
-    /// Which.
     pub feature: Feature,
     /// From the first set to the second: a share of itself for level, lines and glow; a share of
     /// the glow for its shape.

@@ -30,7 +30,6 @@ pub struct Options {
 /// A combination, and what is to be known of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Combined {
-    /// The result.
     pub result: Measurement,
     /// Median step of the finest input, nm: the result's own where pieces are finer.
     pub step_nm: f64,

@@ -21,7 +21,6 @@ use crate::{
 /// Share of the noise in the sums that the directions hold.
 const ENOUGH: f64 = 0.9999;
 
-/// Most directions.
 const MOST_DIRECTIONS: usize = 24;
 
 /// Most columns of the factor that the directions are taken from.
@@ -53,7 +52,6 @@ pub struct Doubt {
 /// A figure and what is known of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Doubted {
-    /// Which.
     pub figure: Figure,
     /// Its doubt; `None` for a figure that the light does not have.
     pub doubt: Option<Doubt>,

@@ -26,9 +26,7 @@ pub(super) enum Tree {
 /// Why a text is no formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FormulaError {
-    /// What was found.
     pub found: String,
-    /// What was expected there.
     pub expected: &'static str,
 }
 

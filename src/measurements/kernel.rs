@@ -9,10 +9,8 @@ pub enum Kernel {
     Gauss,
 }
 
-/// A slit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slit {
-    /// Its shape.
     pub shape: Kernel,
     /// Full width at half maximum, nm.
     pub fwhm_nm: f64,

@@ -41,7 +41,6 @@ pub struct Masked {
     pub from_nm: f64,
     /// Last wavelength without a value, nm.
     pub to_nm: f64,
-    /// Why.
     pub why: String,
 }
 

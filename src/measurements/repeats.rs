@@ -120,7 +120,6 @@ impl Scans {
         })
     }
 
-    /// The mean of all.
     pub(super) fn mean(&self) -> Vec<f64> {
         let n = self.values.len() as f64;
         let at = |i: usize| self.values.iter().map(|v| v[i]).sum::<f64>() / n;

@@ -15,17 +15,11 @@ pub enum Lamp {
     Mercury,
     /// High-pressure sodium.
     Sodium,
-    /// Neon.
     Neon,
-    /// Argon.
     Argon,
-    /// Krypton.
     Krypton,
-    /// Xenon.
     Xenon,
-    /// Hydrogen.
     Hydrogen,
-    /// Helium.
     Helium,
     /// The sky or the sun: dark lines.
     Daylight,

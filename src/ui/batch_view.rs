@@ -268,7 +268,6 @@ impl BatchView {
 
 /// Where a table was clicked, by the row drawn.
 enum Clicked {
-    /// On a row.
     Row(usize),
     /// On the button of a doubtful row.
     Look(usize),

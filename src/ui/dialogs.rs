@@ -14,7 +14,6 @@ use crate::app::{
 /// The small window that is open.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Dialog {
-    /// A path to open.
     OpenPath(String),
     /// A path to save to, and what is waiting to be saved there.
     SavePath(String),
@@ -31,9 +30,7 @@ pub(super) enum Outcome {
     Open,
     /// Closed without a word.
     Closed,
-    /// A path to open.
     OpenPath(PathBuf),
-    /// A path to save to.
     SavePath(PathBuf),
 }
 

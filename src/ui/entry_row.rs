@@ -121,9 +121,7 @@ pub(super) struct Painted {
     pub common: [usize; 2],
     /// The colour of its curve in the plot, where it is laid over.
     pub marked: Option<Color32>,
-    /// Its name.
     pub ink: Color32,
-    /// What it is.
     pub faint: Color32,
     /// Multiplier of fixed sizes.
     pub scale: f32,

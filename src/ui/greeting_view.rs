@@ -28,7 +28,6 @@ const TILES: [(&str, &str, Page); 3] = [
 /// How to begin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Beginning {
-    /// On a page.
     Page(Page),
     /// With a lamp whose every knob is live.
     Live,

@@ -28,7 +28,6 @@ pub(super) enum Act {
     Theme,
     /// Plot, swatch, patches and sliders alone, large.
     Present,
-    /// The plot alone.
     PlotAlone,
     /// Into the search field.
     Search,
@@ -46,7 +45,6 @@ pub(super) enum Act {
     ZoomIn,
     /// Smaller.
     ZoomOut,
-    /// As it was.
     ZoomReset,
     /// The list of shortcuts.
     Shortcuts,

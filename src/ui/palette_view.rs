@@ -11,12 +11,10 @@ use super::{
 };
 use crate::app::{App, Entry, pages::Page};
 
-/// What was chosen.
 #[derive(Clone, Debug)]
 pub(super) enum Chosen {
     /// A spectrum.
     Entry(Arc<Entry>),
-    /// A page.
     Page(Page),
     /// An act of a key.
     Act(Act),

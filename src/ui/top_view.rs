@@ -24,13 +24,11 @@ pub(super) enum Wish {
     Summary,
     /// Save something as text.
     Save(Export),
-    /// Save the plot as PNG.
     SavePlotPng,
     /// One page about the light.
     SaveSheetPdf,
     /// Save the error against the order as PNG.
     SaveCurvePng,
-    /// Save the window as PNG.
     SaveWindowPng,
     /// Copy something as text.
     Copy(Export),

@@ -24,7 +24,6 @@ use crate::study::Measure;
 /// What of the column is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Side {
-    /// The verdict.
     #[default]
     Verdict,
     /// Every figure.

@@ -24,7 +24,8 @@ pub(crate) const COUNTED_GROUPS: [&str; 10] = [
 /// Every shipped light of a shelf that is a table.
 pub(crate) fn on_shelf(shelf: Shelf) -> Vec<&'static NamedSpectrum> {
     Library::bundled()
-        .on_shelf(shelf)
+        .presets()
+        .filter(move |preset| preset.shelf == shelf)
         .filter_map(|preset| preset.spectrum())
         .filter(|spectrum| spectrum.kind == Kind::Light)
         .collect()

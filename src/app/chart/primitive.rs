@@ -68,9 +68,7 @@ pub enum Anchor {
     /// Its beginning.
     #[default]
     Start,
-    /// Its middle.
     Middle,
-    /// Its end.
     End,
 }
 
@@ -104,7 +102,6 @@ pub enum Primitive {
         width: f64,
         /// Drawn through, dashed or dotted.
         dash: Dash,
-        /// Its colour.
         colour: Rgb,
     },
     /// The area between two borders over the same places: `[x, one, other]`.
@@ -114,7 +111,6 @@ pub enum Primitive {
         /// A colour for each corner, running into one another, in place of the one below; may be
         /// empty.
         shades: Vec<Rgb>,
-        /// Its colour.
         colour: Rgb,
         /// 0 is invisible, 1 hides what is below.
         opacity: f64,
@@ -125,16 +121,12 @@ pub enum Primitive {
     Polygon {
         /// Its corners, in order.
         corners: Vec<Place>,
-        /// Its colour.
         colour: Rgb,
     },
-    /// A circle.
     Circle {
         /// Its middle.
         at: Place,
-        /// Its radius.
         radius: f64,
-        /// Its colour.
         colour: Rgb,
         /// Thickness of the line where it is empty inside.
         hollow: Option<f64>,

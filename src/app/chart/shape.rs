@@ -55,7 +55,6 @@ pub enum Dash {
     /// Through.
     #[default]
     Solid,
-    /// In dashes.
     Dashed,
     /// In dots.
     Dotted,

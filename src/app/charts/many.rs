@@ -143,7 +143,6 @@ pub fn chart(many: &ManyLights, wanted: Wanted, theme: Theme) -> Chart {
 
 /// A light of the table, the one that needs most first.
 pub struct ManyRow<'a> {
-    /// The light.
     pub light: &'a SweptLight,
     /// Order, lines and numbers that are enough; `None` where no order looked at is.
     pub enough: Option<[usize; 3]>,

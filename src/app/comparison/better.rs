@@ -10,7 +10,6 @@ use crate::app::quality_report::figure_words;
 /// Which of two lights is better for something.
 #[derive(Clone, Debug)]
 pub struct Better {
-    /// For what.
     pub purpose: &'static Purpose,
     /// The figure of either light, where it has one.
     pub values: [Option<f64>; 2],

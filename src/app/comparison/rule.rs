@@ -72,17 +72,22 @@ pub(super) enum Found {
         ratio: f64,
     },
     /// One reaches what is asked for, and the other does not.
-    Reaches { place: usize },
+    Reaches {
+        place: usize,
+    },
     /// Neither reaches it, and one comes nearer.
-    Nearer { place: usize },
-    /// Both reach it.
+    Nearer {
+        place: usize,
+    },
     BothReach,
     /// Both miss it by about as much.
     BothMiss,
     /// They are about the same.
     Same,
     /// The figure is too low in both to decide anything: below this.
-    TooLow { least: f64 },
+    TooLow {
+        least: f64,
+    },
 }
 
 impl Found {

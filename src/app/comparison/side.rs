@@ -14,7 +14,6 @@ use crate::{
 pub struct Side {
     /// What the sentences call it.
     pub name: String,
-    /// Its figures.
     pub figures: Figures,
     /// The light itself, over all that is known of it.
     pub light: Light,

@@ -32,7 +32,6 @@ pub struct Colour {
 pub struct ColourComparison {
     /// The measured spectrum on the model's range and quadrature.
     pub exact: Option<Colour>,
-    /// The model's.
     pub model: Option<Colour>,
     /// The measured spectrum by plain 1 nm sums over 360-830 nm.
     pub full: Option<Colour>,

@@ -32,7 +32,6 @@ pub struct PatchPair {
     pub model_swatch: Swatch,
 }
 
-/// All patches.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PatchComparison {
     /// One after the other.

@@ -36,7 +36,6 @@ pub struct Strip {
     pub light: Result<Channel, MixError>,
     /// Its place in CIE 1976 u'v'; `None` for what is not seen.
     pub uv: Option<[f64; 2]>,
-    /// Its colour.
     pub colour: Srgb,
 }
 

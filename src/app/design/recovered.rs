@@ -87,7 +87,6 @@ pub(crate) struct Shown {
     pub colour: String,
     /// The light's name.
     pub lamp: String,
-    /// The light.
     pub light: Sampled,
     /// The surface that it is of, where it is of one.
     pub surface: Option<Sampled>,

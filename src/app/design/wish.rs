@@ -134,7 +134,6 @@ impl MixWish {
         same_front == *other
     }
 
-    /// The colour in words.
     pub fn colour_words(&self, document: &Document) -> String {
         match (&self.light, self.xy) {
             (Some(key), _) => document.name_of(key),

@@ -59,7 +59,6 @@ pub struct GemPass {
 /// A film that was traced.
 #[derive(Clone, Debug)]
 pub struct GemFilm {
-    /// The film.
     pub film: Film,
     /// What it answers.
     pub pass: GemPass,
@@ -94,7 +93,6 @@ impl GemScene {
         Ok(scene)
     }
 
-    /// How it is cut.
     pub fn cut(&self) -> &Brilliant {
         &self.cut
     }
@@ -289,9 +287,7 @@ pub fn places(light: &Light) -> Vec<f64> {
 /// What the noise of a picture depends on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NoiseAsk {
-    /// The film.
     pub film: ByAddress<GemFilm>,
-    /// The light.
     pub light: Light,
     /// Who looks.
     pub observer: Observer,

@@ -23,18 +23,13 @@ pub enum GemForm {
 /// A picture of a gem to be saved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GemFile {
-    /// The film.
     pub film: ByAddress<GemFilm>,
-    /// The light on it.
     pub light: Light,
-    /// How it is looked at.
     pub look: GemLook,
-    /// As what.
     pub form: GemForm,
 }
 
 impl GemFile {
-    /// Its extension.
     pub fn extension(&self) -> &'static str {
         match self.form {
             GemForm::Png => "png",

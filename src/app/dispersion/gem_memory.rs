@@ -15,7 +15,6 @@ pub const SIZES_SHOWN: [usize; 4] = [240, 360, 480, 720];
 /// Rays a pixel of the gem's picture.
 pub const RAYS_SHOWN: [u32; 5] = [8, 16, 32, 64, 256];
 
-/// What colours a gem.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum GemColour {
@@ -52,7 +51,6 @@ pub const THICKNESSES: std::ops::RangeInclusive<f64> = 0.5..=50.0;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum LightPart {
-    /// All of it.
     #[default]
     Whole,
     /// Its lines alone.
@@ -79,10 +77,8 @@ impl LightPart {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct GemMemory {
-    /// What it is made of.
     #[serde(alias = "stuff")]
     pub made_of: Substance,
-    /// What colours it.
     pub colour: GemColour,
     /// How much a grey gem absorbs for each radius of the girdle.
     pub grey: f64,
@@ -90,7 +86,6 @@ pub struct GemMemory {
     pub filter: String,
     /// How thick that filter is, radii of the girdle.
     pub thickness: f64,
-    /// How it is cut.
     pub cut: Brilliant,
     /// How far the camera went round it, degrees.
     pub turn_deg: f64,

@@ -86,7 +86,6 @@ pub enum Handle {
     Apex,
     /// A jaw of the slit.
     Slit,
-    /// The screen.
     Screen,
 }
 

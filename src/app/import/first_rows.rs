@@ -18,7 +18,6 @@ const LINE_LETTERS: usize = 110;
 /// What a column of the file was taken for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ColumnRole {
-    /// Wavelengths.
     Wavelengths,
     /// Values of a spectrum.
     Values,

@@ -51,10 +51,8 @@ impl Question {
     }
 }
 
-/// One answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
-    /// In a word.
     pub words: String,
     /// What takes the file there.
     pub flip: Flip,

@@ -38,7 +38,6 @@ pub struct Condition {
 }
 
 impl Condition {
-    /// Whether it holds.
     pub fn holds(&self, scene: &Scene<'_>) -> bool {
         let document = scene.app.document();
         let is = |shown: &crate::app::Entry, name: &str| {

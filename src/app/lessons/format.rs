@@ -27,7 +27,6 @@ pub enum Audience {
 }
 
 impl Audience {
-    /// In words.
     pub fn word(self) -> &'static str {
         match self {
             Self::School => "school",
@@ -92,7 +91,6 @@ pub struct Step {
     /// What has a ring around it.
     #[serde(default)]
     pub point: Option<Point>,
-    /// What is asked.
     #[serde(default)]
     pub ask: Option<Ask>,
     /// What is to be done.
@@ -127,13 +125,11 @@ pub struct Ask {
     pub open: bool,
 }
 
-/// One answer.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Answer {
     /// Its words.
     pub text: String,
-    /// Whether it is right.
     #[serde(default)]
     pub right: bool,
     /// Why it is, or is not.
@@ -144,7 +140,6 @@ pub struct Answer {
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Task {
-    /// What.
     pub words: String,
     /// It is done when all of these hold.
     pub until: Vec<Condition>,
@@ -159,7 +154,6 @@ pub struct Fault {
     pub file: String,
     /// The step, from 1; `None` for the lesson as a whole.
     pub step: Option<usize>,
-    /// What was found and what was expected.
     pub what: String,
 }
 

@@ -22,13 +22,11 @@ pub(super) const MOST_WORDS: usize = 60;
 /// A step as it was played: its words with their figures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Played<T> {
-    /// The page that it is on.
     pub page: Page,
     /// What is said.
     pub say: String,
     /// The question and its answers, each with why.
     pub ask: Option<(String, Vec<Answer>)>,
-    /// The task.
     pub task: Option<String>,
     /// What is said at the end of the step.
     pub explain: String,

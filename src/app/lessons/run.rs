@@ -129,7 +129,6 @@ impl Run {
         run
     }
 
-    /// The lesson.
     pub fn lesson(&self) -> &Arc<Lesson> {
         &self.lesson
     }
@@ -139,12 +138,10 @@ impl Run {
         self.step
     }
 
-    /// The step.
     pub fn step(&self) -> &Step {
         &self.lesson.steps[self.step]
     }
 
-    /// Whether it is the last one.
     pub fn is_last(&self) -> bool {
         self.step + 1 == self.lesson.steps.len()
     }

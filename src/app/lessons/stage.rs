@@ -52,7 +52,6 @@ pub struct Stage {
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Met {
-    /// Its name.
     pub name: String,
     /// How thick it is, as a multiple of what was measured.
     #[serde(default = "one")]

@@ -13,7 +13,6 @@ use crate::{
 /// Which lesson is tried on which light.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TrialAsk {
-    /// The lesson.
     pub lesson: ByAddress<Lesson>,
     /// The light: a shipped one or one of the person's own.
     pub light: ByAddress<Entry>,

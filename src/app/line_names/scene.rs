@@ -10,7 +10,6 @@ use super::{
 pub(super) struct Told {
     /// Symbol of the element that made it a witness.
     pub symbol: &'static str,
-    /// The name.
     pub words: String,
     /// The name where there is little room.
     pub label: String,
@@ -34,7 +33,6 @@ pub(super) struct BandTold {
     pub about_nm: f64,
     /// Where its peaks stand, nm.
     pub within_nm: [f64; 2],
-    /// What it is.
     pub told: Told,
 }
 

@@ -11,7 +11,6 @@ use crate::{
 /// Id of the set, which patches can be taken from.
 pub(crate) const EVERYDAY_SET: &str = "everyday_surfaces";
 
-/// The file.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {

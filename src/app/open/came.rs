@@ -20,6 +20,5 @@ pub struct FileRead {
     pub label: String,
     /// Where it is; `None` when it came without a path.
     pub path: Option<PathBuf>,
-    /// What came of it.
     pub came: Came,
 }

@@ -38,7 +38,6 @@ pub enum Several {
     First,
     /// The first is meant, and the answer itself tells so.
     FirstAsNoted,
-    /// It is refused.
     Refused,
 }
 

@@ -20,7 +20,6 @@ const MOST_FORMATS: usize = 4;
 /// What came of one file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
-    /// It was read.
     Read {
         /// The format that read it.
         format: &'static str,
@@ -41,7 +40,6 @@ pub enum Outcome {
     NotRead(String),
 }
 
-/// One file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FileRow {
     /// Its path below what was opened, or its name.
@@ -50,14 +48,12 @@ pub struct FileRow {
     pub path: Option<PathBuf>,
     /// What came of it.
     pub outcome: Outcome,
-    /// Whether it was open before.
     pub before: OpenBefore,
 }
 
 /// Whether a file of a batch was open before.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum OpenBefore {
-    /// It was not.
     #[default]
     No,
     /// It was, with the same values: it is not opened twice.
@@ -103,17 +99,14 @@ impl FileRow {
         }
     }
 
-    /// Whether it was read.
     pub fn is_read(&self) -> bool {
         matches!(self.outcome, Outcome::Read { .. } | Outcome::Project)
     }
 
-    /// Whether it was a project.
     pub fn is_project(&self) -> bool {
         self.outcome == Outcome::Project
     }
 
-    /// Whether it was refused.
     pub fn is_refused(&self) -> bool {
         matches!(self.outcome, Outcome::Refused(_))
     }

@@ -79,7 +79,6 @@ pub struct PageMemory {
 /// A lesson that is to be begun.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AskedLesson {
-    /// Its name.
     pub name: String,
     /// The step that it is to begin with, from 0.
     pub step: usize,

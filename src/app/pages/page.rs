@@ -30,7 +30,6 @@ impl Page {
         ROWS.iter().filter(under).map(|row| row.page)
     }
 
-    /// Its name.
     pub fn title(self) -> &'static str {
         self.row().title
     }
@@ -72,9 +71,25 @@ impl Page {
 mod tests {
     use super::*;
 
+    /// Every page there is: serde names them all where it refuses one.
+    fn every_page() -> Vec<Page> {
+        let refused = serde_json::from_str::<Page>("\"?\"").expect_err("no page");
+        let refused = refused.to_string();
+        let names = refused.split('`').skip(3).step_by(2);
+        names
+            .map(|name| serde_json::from_str(&format!("\"{name}\"")).expect("a page"))
+            .collect()
+    }
+
     #[test]
     fn every_page_has_one_row_and_every_place_at_most_five_tabs() {
-        for page in Page::all() {
+        let all = every_page();
+        assert_eq!(
+            all.len(),
+            ROWS.len(),
+            "a page without a row, or a row twice"
+        );
+        for page in all {
             assert_eq!(page.row().page, page);
             assert_eq!(Page::of_word(page.word()), Some(page));
             assert_eq!(page.tab().place(), page.place());

@@ -17,7 +17,6 @@ pub enum Place {
     Design,
     /// How few numbers will do?
     Numbers,
-    /// And in a picture?
     Picture,
 }
 
@@ -33,7 +32,6 @@ impl Place {
         Self::Picture,
     ];
 
-    /// Its name.
     pub fn title(self) -> &'static str {
         match self {
             Self::Learn => "Learn",
@@ -46,7 +44,6 @@ impl Place {
         }
     }
 
-    /// What is asked there.
     pub fn asks(self) -> &'static str {
         match self {
             Self::Learn => "Show me",

@@ -105,7 +105,6 @@ struct Hue {
 /// Whether an instrument still fits a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Fit {
-    /// As it is.
     AsItIs,
     /// Moved since by so many columns.
     Moved(f64),

@@ -102,7 +102,6 @@ pub struct Photograph {
     pub answer: Option<Answer>,
     /// The axis through pins alone.
     pub pinned: Option<Curve>,
-    /// Its pins.
     pub pins: Vec<Pin>,
     /// A suggestion was taken.
     pub yes: bool,

@@ -21,7 +21,6 @@ pub struct Row {
 /// A spectrum by rising wavelengths.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rows {
-    /// Its rows.
     pub rows: Vec<Row>,
     /// Where they stand.
     pub stands: Stands,

@@ -38,7 +38,6 @@ pub enum Source {
 /// What a picture is made of.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RasterAsk {
-    /// The image.
     pub image: ByAddress<SpectralImage>,
     /// What its numbers become.
     pub source: Source,

@@ -19,7 +19,6 @@ use crate::{
 /// Which spectrum of which image, and how its model is made.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RegionAsk {
-    /// The image.
     pub image: ByAddress<SpectralImage>,
     /// The pixels.
     pub rect: Rect,
@@ -29,7 +28,6 @@ pub struct RegionAsk {
     pub light: ByAddress<Entry>,
 }
 
-/// The spectrum of a region.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RegionSpectrum {
     /// The pixels.

@@ -10,20 +10,15 @@ use crate::{app::settings::within, spectrum::Sampling};
 pub struct ProductsMemory {
     /// Chain: the stage whose spectrum is drawn; beyond the last, what comes out.
     pub chain: ChainMemory,
-    /// Resampling.
     #[serde(rename = "forming")]
     pub resampling: ResamplingMemory,
-    /// Bounces.
     pub bounces: BouncesMemory,
     /// Narrow filters.
     pub narrow: NarrowMemory,
-    /// Two lights.
     #[serde(rename = "lights")]
     pub two_lights: TwoLightsMemory,
-    /// Same surface?
     #[serde(rename = "check")]
     pub same_surface: SameSurfaceMemory,
-    /// Absorption.
     pub absorption: AbsorptionMemory,
 }
 

@@ -185,7 +185,6 @@ impl NoMetamer {
 /// A metamer made for a patch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Made {
-    /// Which patch.
     pub patch: usize,
     /// The black and its room.
     pub black: Black,

@@ -90,7 +90,6 @@ impl Question for FitAsk {
 pub struct TurnAsk {
     /// The picture.
     pub fit: ByAddress<Fit>,
-    /// The light.
     pub light: ByAddress<Entry>,
     /// A second light and its share of the brightness, percent.
     pub second: Option<(ByAddress<Entry>, u32)>,

@@ -31,7 +31,6 @@ pub enum Subject {
     Image(ByAddress<SpectralImage>),
 }
 
-/// What is looked at.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LookAsk {
     /// The picture.
@@ -41,7 +40,6 @@ pub struct LookAsk {
     pub taken_under: Option<ByAddress<Entry>>,
     /// A reflectance's own light, under which its colours are exact; `None` for daylight.
     pub own: Option<ByAddress<Entry>>,
-    /// The observer.
     pub observer: Observer,
     /// What is enough: 95 % of the differences (ΔE₀₀) are within.
     pub bound: f64,
@@ -54,7 +52,6 @@ pub struct LookAsk {
 /// A picture with all that was found out about it.
 #[derive(Debug)]
 pub struct Looked {
-    /// What was asked.
     pub ask: LookAsk,
     /// What lists call it.
     pub name: String,
@@ -276,7 +273,6 @@ impl Looked {
         }
     }
 
-    /// The bands.
     pub fn bands(&self) -> &Bands {
         self.drawn.bands()
     }

@@ -152,12 +152,10 @@ pub struct PictureWish {
     pub fit: ByAddress<Fit>,
     /// How it is written.
     pub stored: ByAddress<Stored>,
-    /// In which form.
     pub form: Form,
 }
 
 impl PictureWish {
-    /// A name for the file.
     pub fn file_name(&self) -> String {
         let name = self.fit.0.looked.0.name.to_lowercase();
         let sound = |c: char| if c.is_alphanumeric() { c } else { '-' };

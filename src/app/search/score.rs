@@ -42,7 +42,6 @@ pub(super) struct Doc {
 const LABEL: u32 = 2000;
 const OWN_PHRASE: u32 = 1900;
 const NAME: u32 = 1800;
-/// It is a phrase of its family.
 const FAMILY_PHRASE: u32 = 700;
 /// Single words: of those written for it, its name, what it is, its family, its sentence.
 const OWN_WORD: u32 = 60;

@@ -29,7 +29,6 @@ pub(super) enum Bound {
 /// A figure that is wanted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Wanted {
-    /// Which.
     pub figure: Figure,
     /// How much of it.
     pub bound: Bound,

@@ -20,7 +20,6 @@ pub struct About {
     pub band: Band,
     /// Whose colour-matching functions.
     pub observer: Observer,
-    /// The patches.
     pub patches: Patches,
     /// How lines are looked for.
     pub spikes: SpikeSettings,

@@ -44,7 +44,6 @@ pub fn most_numbers(band: Band) -> usize {
 /// What is asked of a light in few words.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EncodeAsk {
-    /// The light.
     pub light: ByAddress<Entry>,
     /// What the encoder is made for.
     pub maker: Maker,

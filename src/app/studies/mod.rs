@@ -42,7 +42,6 @@ pub struct SweepAsk {
     pub basis: Basis,
     /// Fit of the threshold map.
     pub colour_exact: bool,
-    /// Highest order.
     pub highest_order: usize,
 }
 

@@ -23,7 +23,6 @@ use crate::{
 pub struct Surface {
     /// What finds it again: `group/name`.
     pub key: String,
-    /// Its name.
     pub name: String,
     /// Its shares of light.
     pub values: Vec<f64>,
@@ -125,13 +124,11 @@ pub struct RankAsk {
 pub struct Ranked {
     /// What finds it again: `group/name`.
     pub key: String,
-    /// Its name.
     pub name: String,
     /// Its colour under the light.
     pub swatch: Swatch,
     /// The check in the model's numbers.
     pub model: Option<Reflection>,
-    /// Its verdict.
     pub verdict: Sameness,
     /// The check on measured curves.
     pub measured: Option<Reflection>,

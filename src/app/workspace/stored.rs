@@ -110,7 +110,6 @@ impl StoredComposite {
 /// An image by the file that it is read from again.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StoredImage {
-    /// Its key.
     pub key: String,
     /// The file.
     #[serde(with = "stored_path")]

@@ -17,7 +17,6 @@ pub struct Pin {
 /// Why pins make no axis.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PinError {
-    /// Too few.
     #[error("found one pin, expected two or more, or one and a lamp")]
     TooFew,
     /// A pin beside the strip.

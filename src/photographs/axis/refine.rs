@@ -13,7 +13,6 @@ use super::{
 pub struct Match {
     /// Which peak, in the order of their places.
     pub peak: usize,
-    /// What it is.
     pub landmark: Landmark,
     /// How far the curve is from the landmark there.
     pub error_nm: f64,

@@ -25,7 +25,6 @@ pub enum State {
 /// What a person has said of the light.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Wanted {
-    /// The lamp.
     pub lamp: Option<Lamp>,
     /// Places whose wavelengths are known; two or more narrow the search.
     pub pins: Vec<Pin>,

@@ -43,7 +43,6 @@ impl ChartForm {
 pub struct ChartWish {
     /// The chart as it was shown.
     pub chart: Box<Chart>,
-    /// As what.
     pub form: ChartForm,
     /// The file's name without its extension; made of the title, and free to be replaced.
     pub stem: String,
@@ -61,7 +60,6 @@ impl ChartWish {
         }
     }
 
-    /// The file's name.
     pub fn file_name(&self) -> String {
         format!("{}.{}", self.stem, self.form.extension())
     }

@@ -210,7 +210,6 @@ pub fn factors(entry: &Entry) -> bool {
     entry.kind().is_factor()
 }
 
-/// Lights.
 pub fn lights(entry: &Entry) -> bool {
     entry.kind() == Kind::Light
 }

@@ -62,7 +62,6 @@ pub enum Look {
     SmallWeak,
 }
 
-/// A row.
 #[derive(Clone, Debug, Default)]
 pub struct Row {
     /// What stands in each column.
@@ -98,7 +97,6 @@ const INSET: f32 = 4.0;
 /// How a table is drawn.
 #[derive(Clone, Copy)]
 pub struct Table<'a> {
-    /// Its columns.
     pub columns: &'a [Column],
     /// The row that is drawn as selected.
     pub chosen: Option<usize>,

@@ -23,7 +23,6 @@ use crate::app::{App, Command, Entry, workspace::Preferences};
 /// What the library remembers between frames.
 #[derive(Default)]
 pub(super) struct LibraryView {
-    /// What is searched for.
     pub search: String,
     /// The search field is to get the keyboard in the next frame.
     pub wants_search: bool,

@@ -27,7 +27,6 @@ use crate::{
     io::many::numbers,
 };
 
-/// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct LookView {
     /// The plot and what is being dragged in it.
@@ -69,7 +68,6 @@ pub struct Wishes {
     pub acts: Vec<SpikeAct>,
     /// The pointer was let go after a drag.
     pub gesture_ended: bool,
-    /// What is to be said.
     pub said: Option<(Tone, String)>,
     /// Back to the whole window.
     pub leaves: bool,

@@ -55,7 +55,6 @@ struct Sheet {
     chosen: Option<usize>,
 }
 
-/// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub(super) struct AuctionView {
     sheet: Memo<(ByAddress<Auction>, chart::Theme), Sheet>,

@@ -44,7 +44,6 @@ pub mod names {
     pub const STOP: &str = "■ Stop";
 }
 
-/// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct CoefficientsView {
     harmonics: Memo<u64, Harmonics>,

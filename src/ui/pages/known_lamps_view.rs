@@ -19,7 +19,6 @@ use crate::{
 /// Room below the chart, points.
 const BELOW: f32 = 176.0;
 
-/// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub(super) struct KnownLampsView {
     shown: Memo<Key, (WordsShown, Chart)>,

@@ -31,7 +31,6 @@ pub(super) mod names {
 /// From this width on the table stands beside the chart, points.
 const WIDE: f32 = 820.0;
 
-/// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub(super) struct ManyView {
     shown: Memo<Key, Shown>,

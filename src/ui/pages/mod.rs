@@ -85,7 +85,6 @@ impl PageContext<'_> {
         job
     }
 
-    /// The theme of charts.
     pub fn chart_theme(&self) -> chart::Theme {
         self.theme.of_charts()
     }

@@ -46,7 +46,6 @@ struct Sheet {
     marked: Option<u64>,
 }
 
-/// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub(super) struct TradeoffView {
     sheet: Memo<(ByAddress<Sweep>, Measure, WaysShown, chart::Theme), Sheet>,

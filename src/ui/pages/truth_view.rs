@@ -36,7 +36,6 @@ const MOST_SPIKES: usize = 8;
 /// The button that copies everything.
 pub const COPY: &str = "Copy as CSV";
 
-/// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct TruthView {
     measured: Memo<u64, (Claims, Vec<Row>)>,

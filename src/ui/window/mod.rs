@@ -70,7 +70,6 @@ pub struct Window {
     pub side: Side,
     /// Whether the column is open: by itself where there is room, else as a hand left it.
     side_open: Option<bool>,
-    /// The plot alone.
     plot_alone: bool,
     /// A menu or list was open when the frame began: Escape is for it.
     menu_open: bool,

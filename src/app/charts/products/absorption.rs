@@ -36,7 +36,6 @@ pub struct DipRow {
 
 /// What was found in the subject of a state.
 pub struct AbsorptionSheet {
-    /// Its dips.
     pub dips: Vec<DipRow>,
     /// Known lines that are seen in the curve, too weak or too wide here to be a dip of the model.
     pub known: Vec<DarkLine>,

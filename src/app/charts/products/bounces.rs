@@ -26,7 +26,6 @@ pub struct Bounced {
     pub light: String,
     /// The surface's name.
     pub surface: String,
-    /// Way by way.
     pub ways: Vec<BounceErrors>,
 }
 

@@ -18,7 +18,6 @@ const OURS: [Racer; 2] = [Racer::KnownLamps, Racer::WideLines];
 
 /// One representation at one count.
 pub struct WaysRow {
-    /// Who.
     pub racer: Racer,
     /// Patches, filters and blurred spectrum, in the order of [`Judged::ALL`].
     pub errors: [RaceCell; 3],

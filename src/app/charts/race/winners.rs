@@ -26,9 +26,7 @@ pub struct Won {
 
 /// A light of the race.
 pub struct Lamp {
-    /// Its name.
     pub name: String,
-    /// Its class.
     pub class: String,
     /// Who wins on it.
     pub won: Won,
@@ -36,7 +34,6 @@ pub struct Lamp {
     pub entry: Option<Arc<Entry>>,
 }
 
-/// All winners.
 pub struct Winners {
     /// What decides.
     pub measure: Measure,

@@ -38,7 +38,6 @@ pub(super) struct Shown {
 }
 
 impl DesignView {
-    /// Spectra from a colour.
     pub(crate) fn spectra_of_colour(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let theme = context.chart_theme();
         let key = (context.app.revision(), theme, context.memory.colour.clone());

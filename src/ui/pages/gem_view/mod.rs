@@ -49,7 +49,6 @@ struct Drawn {
     words: String,
 }
 
-/// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct GemView {
     light: Memo<(u64, Sent), Lit>,

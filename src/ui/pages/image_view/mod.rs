@@ -71,7 +71,6 @@ type WeightsOf = (
     bool,
 );
 
-/// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct ImageView {
     canvas: Canvas,

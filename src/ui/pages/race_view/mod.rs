@@ -34,7 +34,6 @@ const WIDE: f32 = 1150.0;
 /// Width of the winners beside the chart, points.
 const WINNERS: f32 = 672.0;
 
-/// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub(super) struct RaceView {
     /// The class shown where several race; all of them without one.

@@ -25,7 +25,6 @@ const NAMES: f32 = 204.0;
 /// Space between two columns, points.
 const GAP: f32 = 8.0;
 
-/// The table as rows.
 pub(super) struct TableRows {
     /// Who stands in a line; none in a group's title.
     racers: Vec<Option<Racer>>,

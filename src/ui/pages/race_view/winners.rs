@@ -24,7 +24,6 @@ const WINNER: f32 = 77.0;
 /// Width of the list of lights, points.
 const LAMPS: f32 = 560.0;
 
-/// All winners as rows.
 pub(super) struct WinnerRows {
     winners: Winners,
     sets: Vec<Row>,

@@ -17,7 +17,6 @@ use crate::{
     },
 };
 
-/// What is drawn.
 pub(super) struct Drawn<'a> {
     /// Its name for screen readers.
     pub name: &'a str,

@@ -35,7 +35,6 @@ struct Textures {
     handles: [TextureHandle; 3],
 }
 
-/// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct RelitView {
     textures: Option<Textures>,
