@@ -28,7 +28,6 @@ pub(super) enum Act {
     Theme,
     /// Plot, swatch, patches and sliders alone, large.
     Present,
-    PlotAlone,
     /// Into the search field.
     Search,
     /// The library, or the page without it.
@@ -67,7 +66,7 @@ const fn on(modifiers: Modifiers, key: Key, act: Act, words: &'static str) -> Sh
 
 /// Every shortcut with what it does; those with more modifiers first, because a shortcut with
 /// fewer would swallow them.
-pub(super) const SHORTCUTS: [Shortcut; 33] = [
+pub(super) const SHORTCUTS: [Shortcut; 32] = [
     on(CTRL_SHIFT, Key::Z, Act::Redo, "Redo"),
     on(
         CTRL_SHIFT,
@@ -117,7 +116,6 @@ pub(super) const SHORTCUTS: [Shortcut; 33] = [
     on(CTRL, Key::Num6, Act::Place(5), "Numbers"),
     on(CTRL, Key::Num7, Act::Place(6), "Picture"),
     on(PLAIN, Key::F5, Act::Present, "Present"),
-    on(PLAIN, Key::F11, Act::PlotAlone, "The plot alone"),
     on(PLAIN, Key::R, Act::Reset, "Everything back to the start"),
     on(
         PLAIN,
@@ -151,7 +149,7 @@ pub(super) fn pressed(context: &Context) -> Vec<Act> {
     let mut acts = Vec::new();
     context.input_mut(|input| {
         for (shortcut, act, _) in &SHORTCUTS {
-            let is_function = matches!(shortcut.logical_key, Key::F1 | Key::F5 | Key::F11);
+            let is_function = matches!(shortcut.logical_key, Key::F1 | Key::F5);
             let is_plain = shortcut.modifiers.is_none() && !is_function;
             let is_history = matches!(act, Act::Undo | Act::Redo);
             if (is_plain && focused) || (is_history && writing) {

@@ -1337,12 +1337,6 @@ fn theme_presenting_and_zoom_change_by_button_and_by_key() {
         assert!(!ui.state().preferences.present, "{leaves}");
         assert_eq!(size(&ui), before, "{leaves}");
     }
-    for leaves in [Key::F11, Key::Escape] {
-        press(&mut ui, Key::F11);
-        assert!(transform(&ui).frame().area() > 1.5 * plot.area());
-        press(&mut ui, leaves);
-        assert_eq!(*transform(&ui).frame(), plot);
-    }
     click(&mut ui, "Help");
     click(&mut ui, "Larger (Ctrl++)");
     assert_eq!(

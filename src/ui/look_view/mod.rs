@@ -55,8 +55,6 @@ pub struct Scene<'a> {
     pub pair: Option<Pair>,
     /// The plot, swatch, patches and the two knobs alone.
     pub present: bool,
-    /// The plot and its title alone.
-    pub alone: bool,
 }
 
 /// What one frame asked for.
@@ -120,22 +118,19 @@ impl LookView {
             child.shrink_clip_rect(rect.expand(3.0));
             child
         };
-        if !scene.alone {
-            self.card(&mut child(card), scene, &mut wishes);
-            below(
-                &mut child(patches),
-                scene,
-                room.size(),
-                &mut wishes.commands,
-            );
-        }
+        self.card(&mut child(card), scene, &mut wishes);
+        below(
+            &mut child(patches),
+            scene,
+            room.size(),
+            &mut wishes.commands,
+        );
         let ui = &mut child(plot);
         let app = scene.app;
-        let bare = scene.present || scene.alone;
-        let read_out = title::show(ui, app, theme, bare.then_some(&mut wishes.leaves));
+        let read_out = title::show(ui, app, theme, scene.present.then_some(&mut wishes.leaves));
         let mut view = app.document().view;
         let before = view;
-        if !scene.present && !scene.alone {
+        if !scene.present {
             title::layers(ui, app, theme, &mut view, &mut wishes.commands);
         }
         if view != before {
@@ -251,9 +246,6 @@ fn automatic(
 
 /// Where plot, knobs and patches stand.
 fn parts(room: Rect, scene: &Scene<'_>) -> [Rect; 3] {
-    if scene.alone {
-        return [room, Rect::NOTHING, Rect::NOTHING];
-    }
     let scale = scene.theme.scale;
     let card = sliders::height(room.width() - 2.0 * CARD_MARGIN.x, scale) + 2.0 * CARD_MARGIN.y;
     let [least, most] = PATCHES;

@@ -35,9 +35,11 @@ impl Window {
         if self.dialog.is_some() {
             return;
         }
-        let is_bare = self.preferences.presents() || self.plot_alone;
         let others = self.palette.is_open() || self.drawer.open || self.menu_open;
-        if is_bare && !others && context.input(|i| i.key_pressed(egui::Key::Escape)) {
+        if self.preferences.presents()
+            && !others
+            && context.input(|i| i.key_pressed(egui::Key::Escape))
+        {
             self.leave();
         }
         self.lesson_keys(context);
@@ -67,7 +69,6 @@ impl Window {
                     self.preferences.pages.page = Page::Spectrum;
                 }
             }
-            Act::PlotAlone => self.plot_alone = !self.plot_alone,
             Act::Search => {
                 self.drawer.open = true;
                 self.library.wants_search = true;

@@ -28,7 +28,7 @@ impl Window {
 
     /// Two surfaces that are shown side by side where the model is not judged.
     pub(super) fn pair(&mut self) -> Option<Pair> {
-        if self.tells_verdict() || self.plot_alone {
+        if self.tells_verdict() {
             return None;
         }
         let app = &self.app;
@@ -39,7 +39,7 @@ impl Window {
     /// Whether the column of the verdict is open.
     pub(super) fn side_is_open(&self, shape: Shape) -> bool {
         let has_model = self.preferences.pages.page.has_model();
-        !shape.bare && self.tells_verdict() && self.side_open.unwrap_or(shape.wide && has_model)
+        !shape.present && self.tells_verdict() && self.side_open.unwrap_or(shape.wide && has_model)
     }
 
     /// Whether the open column leaves no room for the page.
@@ -48,13 +48,13 @@ impl Window {
             Side::Figures => shape.narrower,
             Side::Verdict | Side::Settings => shape.narrow,
         };
-        no_room && !shape.bare && self.side_is_open(shape)
+        no_room && !shape.present && self.side_is_open(shape)
     }
 
     /// The model's column, or the edge that it folds to.
     pub(super) fn side_panel(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) {
         let has_model = self.preferences.pages.page.has_model();
-        if shape.bare || !self.tells_verdict() || !(has_model || self.side_open == Some(true)) {
+        if shape.present || !self.tells_verdict() || !(has_model || self.side_open == Some(true)) {
             return;
         }
         let open = self.side_is_open(shape);

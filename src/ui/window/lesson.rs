@@ -35,7 +35,7 @@ const AT_NM: f32 = 12.0;
 impl Window {
     /// How much of the window's width the lesson takes.
     pub(super) fn lesson_width(&self, window: f32, theme: Theme) -> f32 {
-        if self.lesson.is_none() || self.plot_alone {
+        if self.lesson.is_none() {
             return 0.0;
         }
         // At a projector the words are larger, and the plot must not shrink to a strip.
@@ -110,7 +110,7 @@ impl Window {
 
     /// The ring around what the step points at.
     pub(super) fn lesson_ring(&self, context: &Context, theme: Theme) {
-        let aim = self.lesson.as_ref().filter(|_| !self.plot_alone);
+        let aim = self.lesson.as_ref();
         let aim = aim.and_then(|run| run.aim(&self.app, &self.preferences.pages));
         let name = match &aim {
             Some((Aim::Named(name), _)) => Some(name.as_str()),
@@ -246,6 +246,6 @@ impl Window {
     /// Whether the shape of the window is that of a narrower one beside a lesson.
     pub(super) fn shape(&self, ui: &Ui, theme: Theme) -> Shape {
         let taken = self.lesson_width(ui.max_rect().width(), theme);
-        Shape::of(ui, &self.preferences, theme, (self.plot_alone, taken))
+        Shape::of(ui, &self.preferences, theme, taken)
     }
 }

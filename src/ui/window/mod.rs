@@ -70,7 +70,6 @@ pub struct Window {
     pub side: Side,
     /// Whether the column is open: by itself where there is room, else as a hand left it.
     side_open: Option<bool>,
-    plot_alone: bool,
     /// A menu or list was open when the frame began: Escape is for it.
     menu_open: bool,
     palette: PaletteView,
@@ -138,7 +137,6 @@ impl Window {
             },
             side: Side::default(),
             side_open: None,
-            plot_alone: false,
             menu_open: false,
             palette: PaletteView::default(),
             loader: Loader::default(),
@@ -207,7 +205,7 @@ impl Window {
 
         let shape = self.shape(ui, theme);
         let mut centre = ui.available_rect_before_wrap();
-        if !shape.bare {
+        if !shape.present {
             self.bar(ui, shape, &context);
             self.foot(ui, shape, theme);
             self.rail(ui, shape, theme);

@@ -57,23 +57,15 @@ pub(super) struct Shape {
     /// Too narrow for a page beside every figure.
     pub(super) narrower: bool,
     low: bool,
-    /// Nothing but the page.
-    pub bare: bool,
-    /// Presenting: the page with swatch and patches.
+    /// Presenting: the page alone, with swatch and patches.
     pub present: bool,
 }
 
 impl Shape {
-    /// `alone`: the plot alone is wanted; `taken`: the width that a lesson takes.
-    pub(super) fn of(
-        ui: &Ui,
-        preferences: &Preferences,
-        theme: Theme,
-        (alone, taken): (bool, f32),
-    ) -> Self {
+    /// `taken`: the width that a lesson takes.
+    pub(super) fn of(ui: &Ui, preferences: &Preferences, theme: Theme, taken: f32) -> Self {
         let size = ui.available_size();
         let width = (size.x - taken) / theme.scale.min(1.0);
-        let on_look = preferences.pages.page == Page::Spectrum;
         let present = preferences.presents();
         Self {
             wide: width >= WIDE && !present,
@@ -81,7 +73,6 @@ impl Shape {
             narrow: width < NARROW,
             narrower: width < NARROW + COLUMN[0] - COLUMN[2],
             low: size.y < LOW,
-            bare: present || alone && on_look,
             present,
         }
     }
@@ -164,7 +155,7 @@ impl Window {
 
     /// The library: beside the page where there is room, else over it.
     pub(super) fn drawer(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) {
-        let pinned = self.preferences.pinned && shape.wide && !shape.bare;
+        let pinned = self.preferences.pinned && shape.wide && !shape.present;
         if !self.drawer.open && !pinned {
             return;
         }
@@ -209,17 +200,13 @@ impl Window {
     /// The page in force, scrolled where the window is too low for it. Gives where it is seen.
     pub(super) fn page_panel(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) -> Rect {
         let room = ui.available_rect_before_wrap();
-        let on_look = self.preferences.pages.page == Page::Spectrum;
         let folded = !shape.wide && !self.side_is_open(shape);
         let beside = folded && self.tells_verdict() || self.pair().is_some();
-        let with_verdict = on_look && beside;
+        let with_verdict = self.preferences.pages.page == Page::Spectrum && beside;
         let inner = room.width() - 2.0 * f32::from(PAGE_MARGIN.left);
         let above = look_view::stacked(vec2(inner, room.height()), with_verdict, theme.scale);
-        let least = match self.plot_alone && on_look {
-            true => 0.0,
-            // Large type at the axes and the knobs takes the plot's room.
-            false => LEAST_PAGE + above + 120.0 * (theme.scale - 1.0),
-        };
+        // Large type at the axes and the knobs takes the plot's room.
+        let least = LEAST_PAGE + above + 120.0 * (theme.scale - 1.0);
         if room.height() >= least {
             return self.whole_page(ui, shape, theme);
         }
@@ -242,7 +229,7 @@ impl Window {
         egui::CentralPanel::default().frame(frame).show(ui, |ui| {
             centre = ui.max_rect();
             let tells = self.tells_verdict();
-            if !shape.bare {
+            if !shape.present {
                 let page = &mut self.preferences.pages.page;
                 let has_line = tells && !page.has_model() && self.side_open != Some(true);
                 let mut opens = false;
@@ -271,16 +258,15 @@ impl Window {
         centre
     }
 
-    /// Back from presenting and from the plot alone to the whole window.
+    /// Back from presenting to the whole window.
     pub(super) fn leave(&mut self) {
-        self.plot_alone = false;
         self.preferences.present = false;
     }
 
     /// The first screen.
     fn look(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) {
         let context = ui.ctx().clone();
-        let folded = !shape.wide && !self.side_is_open(shape) && !self.plot_alone;
+        let folded = !shape.wide && !self.side_is_open(shape);
         let pair = self.pair();
         let verdict_below = (folded || shape.present) && self.tells_verdict() || pair.is_some();
         let wake = theme::waker(&context);
@@ -293,7 +279,6 @@ impl Window {
             verdict_below,
             pair,
             present: shape.present,
-            alone: self.plot_alone,
         };
         let wishes = self.look.show(ui, &mut scene);
         let mut commands = wishes.commands;
