@@ -57,17 +57,17 @@ pub fn dark_lines(app: &App, dips: &[DipRow]) -> String {
 pub fn chain(light: &str, told: &Told) -> String {
     let total = told.passage.total();
     let through = match told.names.as_slice() {
-        [] => return format!("Put glass or a surface behind {light}: add a factor."),
+        [] => return format!("Put glass or a surface behind {light}: add a step."),
         [one] => one.clone(),
-        more => format!("{} factors", more.len()),
+        more => format!("{} steps", more.len()),
     };
     let passes = total.transmission[0].map_or_else(
         || format!("{light} is not seen on this range"),
-        |share| format!("{} % of {light} comes through {through}", percent(share)),
+        |share| format!("{} % of {light} is left after {through}", percent(share)),
     );
     match total.colours.delta_e_2000 {
         Some(off) => format!(
-            "{passes}; the model's product is off by ΔE₀₀ {}: {}.",
+            "{passes}. The model's colour is off by ΔE₀₀ {}: {}.",
             delta_e(off),
             Seen::of(off).seen()
         ),
@@ -236,10 +236,10 @@ mod tests {
         let chain = &app.document().products.chain;
         assert!(!chain.is_empty());
         let words = super::chain("FL2", &Told::of(&app, &light, chain));
-        assert_says(&words, "% of FL2 comes through");
+        assert_says(&words, "% of FL2 is left after");
         assert_says(&words, ": hard to see.");
         let none = super::chain("FL2", &Told::of(&app, &light, &[]));
-        assert_eq!(none, "Put glass or a surface behind FL2: add a factor.");
+        assert_eq!(none, "Put glass or a surface behind FL2: add a step.");
     }
 
     #[test]

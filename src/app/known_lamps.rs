@@ -130,7 +130,7 @@ pub fn lamps_better(
     (theirs < ours).then(|| {
         format!(
             "Known lamps are better with {}: {}, {} {} against {} of the best of all eight ways. \
-             It needs the program's list of lamps.",
+             Decoding needs this program's list of lamps.",
             numbers(found.encoded.words.len()),
             found.makeup.in_words(),
             figure.title.to_lowercase(),

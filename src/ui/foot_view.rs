@@ -38,9 +38,7 @@ pub(super) fn words(app: &App, page: Page) -> (String, String) {
         false => Vec::new(),
     };
     let notice = match spikes.len() {
-        0 if !settings.spikes => {
-            "Lines are not taken out now: the series has to carry them.".to_owned()
-        }
+        0 if !settings.spikes => "Lines are off: the waves have to draw them.".to_owned(),
         0 if !below.is_empty() => format!(
             "{} left to the waves: the largest holds {} % of the power.",
             match below.len() {

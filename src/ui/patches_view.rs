@@ -64,9 +64,9 @@ pub(super) fn patches(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<C
     let Some(comparison) = &app.derived().patches else {
         ui.add_space(6.0);
         ui.weak(if app.document().is_about_light() {
-            "There is no visible light for the patches in this range."
+            "There is no visible light in this range: surfaces would be black."
         } else {
-            "The model is of a reflectance: choose the light in Settings to see patches under it."
+            "This is a surface: choose the light in Settings to see surfaces under it."
         });
         return;
     };

@@ -275,17 +275,17 @@ fn answers(ui: &mut Ui, app: &App, theme: Theme) {
         });
     };
     let figure = |measure: Measure| Some((measure.figure(), derived.figures[measure]?));
-    let place = match app.document().is_about_light() {
-        true => "Is the light in the right place?",
-        false => "Is all of it in the right place?",
+    let moved = match app.document().is_about_light() {
+        true => "Light moved along the spectrum",
+        false => "Moved along the spectrum",
     };
-    for (question, measure) in [
-        (place, Measure::Displacement),
-        ("What does a 10 nm slit see?", Measure::RmsBlurred),
+    for (question, measure, off) in [
+        (moved, Measure::Displacement, ""),
+        ("To an instrument (10 nm slit)", Measure::RmsBlurred, " off"),
     ] {
         if let Some((figure, value)) = figure(measure) {
             let words = format!(
-                "{}{} off",
+                "{}{}{off}",
                 two_digits(figure.shown(value)),
                 figure.unit.tail
             );

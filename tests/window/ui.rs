@@ -485,7 +485,7 @@ fn a_search_finds_a_spectrum_and_a_click_shows_it() {
     search(&mut ui, "ohta red");
     click(&mut ui, "moderate red");
     assert_eq!(app(&ui).document().subject, Subject::Factor);
-    assert_written(&ui, "The model is of a reflectance");
+    assert_written(&ui, "This is a surface");
     // Back to the light by the switch over the knobs.
     click(&mut ui, "Settings");
     click(&mut ui, "FL2");

@@ -65,42 +65,47 @@ impl Wanted {
 
 /// The answer in a sentence.
 pub fn sentence(many: &ManyLights, wanted: Wanted) -> String {
-    let total = many.lights.len();
-    let percent = short(100.0 * wanted.share);
-    let lights = format!(
-        "at least {percent} % of {}",
-        many::many(total, "light", "lights")
-    );
-    let ways = [wanted.with_spikes(true), wanted.with_spikes(false)];
-    let words = |(order, count): (usize, usize)| {
+    let lights = many::many(many.lights.len(), "light", "lights");
+    let waves = |order: usize| many::many(order, "wave", "waves");
+    let are = |order: usize| if order == 1 { "is" } else { "are" };
+    let limit = wanted.limit_words();
+    let highest = many.highest_order;
+    let enough = |(order, count): (usize, usize), lines: &str| {
         format!(
-            "order {order} is enough for {lights} ({count} of them), {} numbers and two for each \
-             line",
-            numbers_of_order(order)
+            "{} ({} numbers{lines}) {} enough for {count} of {lights}: {limit}.",
+            waves(order),
+            numbers_of_order(order),
+            are(order)
         )
     };
-    let limit = wanted.limit_words();
+    let with_lines = " and two for each line";
+    let ways = [wanted.with_spikes(true), wanted.with_spikes(false)];
     match ways.map(|way| way.order(many)) {
         [Some(with), Some((order, _))] if order == with.0 => {
-            format!("For {limit}, {}; without lines too.", words(with))
+            format!(
+                "{} Lines are not needed for that.",
+                enough(with, with_lines)
+            )
         }
         [Some(with), Some((order, _))] => format!(
-            "For {limit}, {}; without lines it takes order {order}.",
-            words(with)
+            "{} Without lines it takes {}.",
+            enough(with, with_lines),
+            waves(order)
         ),
         [Some(with), None] => format!(
-            "For {limit}, {}; without lines not even order {} is.",
-            words(with),
-            many.highest_order
+            "{} Without lines {} are not enough.",
+            enough(with, with_lines),
+            waves(highest)
         ),
-        [None, Some((order, _))] => format!(
-            "For {limit}, order {order} is enough for {lights} without lines; with lines no order \
-             up to {} is.",
-            many.highest_order
+        [None, Some(without)] => format!(
+            "Without lines {} With lines {} are not enough.",
+            enough(without, ""),
+            waves(highest)
         ),
         [None, None] => format!(
-            "For {limit}, no order up to {} is enough for {lights}.",
-            many.highest_order
+            "{} are not enough for {} % of {lights}: {limit}.",
+            waves(highest),
+            short(100.0 * wanted.share)
         ),
     }
 }
@@ -215,10 +220,7 @@ mod tests {
         assert_eq!((wanted.limit, wanted.share), (1.0, 0.95));
         let (order, count) = wanted.order(&many).expect("smooth lights need few");
         let told = sentence(&many, wanted);
-        assert!(
-            told.contains(&format!("order {order} is enough for at least 95 %")),
-            "{told}"
-        );
+        assert!(told.starts_with(&format!("{order} waves (")), "{told}");
         let rows = rows(&many, wanted, 7);
         let within = rows
             .iter()

@@ -242,8 +242,7 @@ impl Derived {
         warnings.extend(self.why_no_colour(question, is_beside));
         if question.power_outside > 0.5 && !is_beside {
             warnings.push(format!(
-                "{:.1} % of the light's power lies outside {}-{} nm; what only rises towards an \
-                 end of the range is not taken for a line.",
+                "{:.1} % of the light's power is outside {}-{} nm.",
                 100.0 * question.power_outside,
                 self.band.min_nm(),
                 self.band.max_nm()
@@ -271,12 +270,12 @@ impl Derived {
         warnings.extend(question.more_than_a_fraction());
         if !is_beside && (first_nm > self.band.min_nm() || last_nm < self.band.max_nm()) {
             let outside = if question.is_light {
-                "it is zero"
+                "the light is taken for zero"
             } else {
                 "its end values are used"
             };
             warnings.push(format!(
-                "The table covers {}-{} nm; outside {outside}.",
+                "Measured from {} to {} nm; beyond, {outside}.",
                 short(first_nm),
                 short(last_nm)
             ));
@@ -286,7 +285,7 @@ impl Derived {
             && !colour.swatch.in_gamut
         {
             warnings.push(format!(
-                "The colour is outside sRGB: {}.",
+                "This screen cannot show the colour exactly: {}.",
                 colour.swatch.mapping.words()
             ));
         }
@@ -294,7 +293,7 @@ impl Derived {
             && lowest < -WORTH_SAYING
         {
             warnings.push(format!(
-                "The smooth part goes below zero, to {:.1} % of the peak.",
+                "The waves dip below zero, to {:.1} % of the peak.",
                 100.0 * lowest
             ));
         }

@@ -50,7 +50,7 @@ pub enum Page {
     Coefficients,
     /// Error against numbers.
     Tradeoff,
-    /// Which order is enough for how many lights.
+    /// How many numbers most lights need.
     Many,
     /// What to buy with the next numbers.
     Auction,
@@ -241,7 +241,7 @@ const ROWS: &[Row] = &[
         Place::Quality,
         ("Against order", "quality-order"),
         "quality",
-        "From how many numbers on a model has the figures of its light.",
+        "How many numbers a model needs to give the light's own figures.",
     ),
     row(
         Page::Mix,
@@ -285,7 +285,7 @@ const ROWS: &[Row] = &[
         Place::Numbers,
         ("Many lights", "many-lights"),
         "spend",
-        "Which order is enough for how many lights of a set or of your folders.",
+        "How many numbers most of your lights need: a set, or your folders.",
     )
     .under(Page::Tradeoff),
     row(

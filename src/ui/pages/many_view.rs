@@ -66,7 +66,7 @@ impl ManyView {
         let Some((of, many)) = answer else {
             let words = match nobody {
                 true => "There are no lights of your own: open a folder of them, or drop it here.",
-                false => "Which order is enough for how many of these lights?",
+                false => "How many numbers do most of these lights need?",
             };
             headline(ui, context.theme, words);
             controls(ui, context);

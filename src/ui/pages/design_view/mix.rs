@@ -338,7 +338,7 @@ fn kept(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
                 "{}\nClick to restore this mix; right click to forget it.",
                 kept.words
             ),
-            None => format!("Keeps the desk as {name}, to come back to and to compare."),
+            None => format!("Saves this mix as {name}, to restore and to compare."),
         };
         if button.secondary_clicked() {
             *slot = None;

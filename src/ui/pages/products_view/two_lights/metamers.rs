@@ -35,8 +35,8 @@ pub(super) fn made(
 ) {
     ui.label(RichText::new("A metamer made").heading());
     ui.weak(format!(
-        "A black of {} (a curve that this light shows as nothing) is added to a patch within 0 to \
-         1: the sum matches it there.",
+        "A curve that is invisible under {} is added to a surface: the sum looks the same there, \
+         and different under other lights.",
         sheet.lights[0]
     ));
     let memory = &mut context.memory.products.two_lights;

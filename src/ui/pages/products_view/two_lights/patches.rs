@@ -38,8 +38,8 @@ pub(super) fn show(
     };
     if let (Some(mean), Some((off, most, by))) = (model.mean(), sheet.shift_error()) {
         ui.label(format!(
-            "By the models of both lights {mean:.2} on average; a patch's shift is off by {off:.3} \
-             on average, at most by {by:.3} ({}).",
+            "By the models of both lights {mean:.2} on average: a surface's shift differs by \
+             {off:.3} on average, by {by:.3} at most ({}).",
             sheet.names[most]
         ))
         .on_hover_text(
