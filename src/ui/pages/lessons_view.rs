@@ -8,7 +8,7 @@ use std::{
 use eframe::egui;
 use egui::{Align, Label, Layout, RichText, Ui, vec2};
 
-use super::PageContext;
+use super::{PageContext, PageWish};
 use crate::{
     app::{
         lessons::{Fault, Lesson, shelf},
@@ -32,8 +32,6 @@ pub struct LessonsView {
     /// The lesson that teachers look at.
     chosen: usize,
     trial: TrialView,
-    /// The lesson whose sheet or file is to be saved, once.
-    pub wants: Option<(Arc<Lesson>, LessonFile)>,
 }
 
 /// What is saved of a lesson.
@@ -149,7 +147,7 @@ impl LessonsView {
         headline(ui, context.theme, words);
         ui.add_space(6.0);
         self.chosen = self.chosen.min(all.len() - 1);
-        let (chosen, wants, trial) = (&mut self.chosen, &mut self.wants, &mut self.trial);
+        let (chosen, trial) = (&mut self.chosen, &mut self.trial);
         scrolled(ui, "teachers", |ui| {
             ui.horizontal_top(|ui| {
                 let width = (0.36 * ui.available_width()).min(320.0 * context.theme.scale);
@@ -168,8 +166,10 @@ impl LessonsView {
                 });
                 ui.vertical(|ui| {
                     let lesson = &all[*chosen];
-                    let copy = of_teachers(ui, lesson, trial, context);
-                    *wants = copy.map(|copy| (lesson.clone(), copy)).or(wants.take());
+                    if let Some(copy) = of_teachers(ui, lesson, trial, context) {
+                        let wish = PageWish::Lesson(lesson.clone(), copy);
+                        context.wishes.push(wish);
+                    }
                 });
             });
         });

@@ -20,7 +20,7 @@ pub mod truth_view;
 pub use lessons_view::LessonFile;
 pub(super) use lessons_view::begin;
 
-use std::path::PathBuf;
+use std::{path::PathBuf, sync::Arc};
 
 use eframe::egui;
 use egui::Ui;
@@ -34,6 +34,7 @@ use crate::app::{
     App, Command,
     chart::{self, Chart},
     dispersion::GemFile,
+    lessons::Lesson,
     pages::{Page, PageMemory},
     relit::PictureWish,
     studies::{Job, Question, Stage, Studies},
@@ -53,12 +54,26 @@ pub struct PageContext<'a> {
     pub wake: &'a Wake,
     /// Changes of the document that the page asks for.
     pub commands: &'a mut Vec<Command>,
-    /// Charts to copy or save.
-    pub wishes: &'a mut Vec<ChartWish>,
-    /// Pictures of gems to save.
-    pub gems: &'a mut Vec<GemFile>,
+    /// What the page asks of the window.
+    pub wishes: &'a mut Vec<PageWish>,
     /// Whether what changes from run to run (times) is left out, for pictures.
     pub quiet: bool,
+}
+
+/// What a page asks of the window.
+pub enum PageWish {
+    /// Copies or saves a chart.
+    Chart(ChartWish),
+    /// Saves a picture of a gem.
+    Gem(GemFile),
+    /// Saves a picture in few numbers.
+    FewNumbers(PictureWish),
+    /// Saves a lesson's sheet or file.
+    Lesson(Arc<Lesson>, LessonFile),
+    /// Opens a picture.
+    OpenPicture,
+    /// Shows how the image of this key was read.
+    Reading(String),
 }
 
 impl PageContext<'_> {
@@ -71,8 +86,13 @@ impl PageContext<'_> {
         size: egui::Vec2,
     ) -> ChartResponse {
         let mut shown = ChartView::show(ui, chart, id, size, self.theme);
-        self.wishes.extend(shown.wish.take());
+        self.ask_for_chart(shown.wish.take());
         shown
+    }
+
+    /// Passes on what a chart's menu was asked for.
+    pub fn ask_for_chart(&mut self, wish: Option<ChartWish>) {
+        self.wishes.extend(wish.map(PageWish::Chart));
     }
 
     /// Puts a question that holds all that its answer depends on; its job.
@@ -113,25 +133,9 @@ pub struct Pages {
 }
 
 impl Pages {
-    /// The key of an image whose reading is to be looked at, once.
-    pub fn wants_reading(&mut self) -> Option<String> {
-        self.image.wants_reading.take()
-    }
-
-    /// Whether a picture is to be opened, once.
-    pub fn wants_picture(&mut self) -> bool {
-        let (photo, image) = (&mut self.design.wants_photo, &mut self.image.wants_image);
-        std::mem::take(photo) | std::mem::take(image)
-    }
-
     /// The picture of colours whose pixels are to be taken.
     pub fn take_photo(&mut self, path: PathBuf) {
         self.design.photo = Some(path);
-    }
-
-    /// A picture in few numbers that is to be saved, once.
-    pub fn wants_save(&mut self) -> Option<PictureWish> {
-        self.relit.wants_save.take()
     }
 
     /// Draws the page in force; nothing for the spectrum, which the window draws itself.

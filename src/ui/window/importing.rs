@@ -34,12 +34,6 @@ impl Window {
             let from = own.and_then(|entry| entry.origin.file());
             self.import.again = from.map(|from| Again::of(from, &wake));
         }
-        if let Some(key) = self.pages.wants_reading() {
-            let image = document.images.iter().find(|image| image.key == key);
-            let from = image.map(|image| &image.from);
-            self.import.again = from.map(|from| Again::of(from, &wake));
-            context.request_repaint();
-        }
         if let Some(done) = self.import.again.as_mut().and_then(Again::finished) {
             self.import.again = None;
             match done {

@@ -11,7 +11,7 @@ use super::{
         keys::Act,
         kit::rolled,
         look_view::{self, Scene},
-        pages::{self, PageContext},
+        pages::{self, PageContext, PageWish},
         palette_view::Chosen,
         rail_view,
         theme::{self, Theme},
@@ -21,7 +21,7 @@ use super::{
     Window,
     filing::Saving,
 };
-use crate::app::{Command, pages::Page, workspace::Preferences};
+use crate::app::{Command, import::Again, pages::Page, workspace::Preferences};
 
 /// Widths from which the column of the verdict stands beside the page, and from which it is wider,
 /// points.
@@ -312,7 +312,7 @@ impl Window {
     /// A page beside the spectrum.
     fn page(&mut self, ui: &mut Ui, theme: Theme) {
         let context = ui.ctx().clone();
-        let (mut commands, mut wishes, mut gems) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut commands, mut wishes) = (Vec::new(), Vec::new());
         // Every page keeps its own place in its scroll area.
         let salt = self.preferences.pages.page.word();
         let pages = &mut self.pages;
@@ -324,7 +324,6 @@ impl Window {
             wake: &theme::waker(&context),
             commands: &mut commands,
             wishes: &mut wishes,
-            gems: &mut gems,
             quiet: self.quiet,
         };
         let page_ui = &mut ui.new_child(egui::UiBuilder::new().id_salt(salt));
@@ -343,25 +342,30 @@ impl Window {
                 });
         }
         for wish in wishes {
-            self.save_chart(wish, &context);
-        }
-        for gem in gems {
-            self.save(Saving::Gem(Box::new(gem)), &context);
-        }
-        if self.pages.wants_picture() {
-            self.ask(Ask::Open, None, &context);
-        }
-        if let Some(wish) = self.pages.wants_save() {
-            self.save(Saving::Picture(wish), &context);
-        }
-        if let Some((lesson, copy)) = self.pages.lessons.wants.take() {
-            self.save(Saving::Lesson(lesson, copy), &context);
+            self.grant(wish, &context);
         }
         if !commands.is_empty() {
             // The right panel was drawn before the page's click.
             context.request_repaint();
         }
         self.apply(&mut commands);
+    }
+
+    /// Does what a page asked for.
+    fn grant(&mut self, wish: PageWish, context: &Context) {
+        match wish {
+            PageWish::Chart(chart) => self.save_chart(chart, context),
+            PageWish::Gem(gem) => self.save(Saving::Gem(Box::new(gem)), context),
+            PageWish::FewNumbers(picture) => self.save(Saving::Picture(picture), context),
+            PageWish::Lesson(lesson, file) => self.save(Saving::Lesson(lesson, file), context),
+            PageWish::OpenPicture => self.ask(Ask::Open, None, context),
+            PageWish::Reading(key) => {
+                let image = self.app.document().images.iter().find(|i| i.key == key);
+                let wake = theme::waker(context);
+                self.import.again = image.map(|image| Again::of(&image.from, &wake));
+                context.request_repaint();
+            }
+        }
     }
 
     /// The colour of a swatch, as its menu asked for.

@@ -104,7 +104,7 @@ impl DesignView {
         let key = (context.app.revision(), theme);
         let chart = &*self.spectrum.get(key, |_| mixed_spectrum(desk, theme));
         let mut shown = ChartView::held(ui, chart, "mixed spectrum", size, context.theme);
-        context.wishes.extend(shown.wish.take());
+        context.ask_for_chart(shown.wish.take());
         let Some([at_nm, _]) = shown.dragged else {
             self.held = None;
             return;

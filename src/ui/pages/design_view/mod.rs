@@ -53,8 +53,6 @@ pub(super) struct DesignView {
     /// A picture whose pixels are taken as colours.
     pub(super) photo: Option<PathBuf>,
     drawn_photo: Option<photo::DrawnPhoto>,
-    /// Such a picture is to be opened.
-    pub(super) wants_photo: bool,
 }
 
 impl DesignView {

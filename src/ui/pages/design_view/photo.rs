@@ -11,7 +11,7 @@ use crate::{
     color::Srgb,
     ui::{
         kit::{drawing, sign_button},
-        pages::{PageContext, progress},
+        pages::{PageContext, PageWish, progress},
         swatch,
     },
 };
@@ -36,13 +36,13 @@ impl DesignView {
                 None => "Picture…",
                 Some(_) => "Another picture…",
             };
-            self.wants_photo |= ui
-                .button(words)
-                .on_hover_text(
-                    "Opens a picture (PNG) whose pixels can be clicked for their colours; or drop \
-                     one on this page.",
-                )
-                .clicked();
+            let opens = ui.button(words).on_hover_text(
+                "Opens a picture (PNG) whose pixels can be clicked for their colours; or drop one \
+                 on this page.",
+            );
+            if opens.clicked() {
+                context.wishes.push(PageWish::OpenPicture);
+            }
             let (name, meaning) = ("Close the picture", "Takes the picture away.");
             if self.photo.is_some() && sign_button(ui, "✖", name, meaning) {
                 self.photo = None;

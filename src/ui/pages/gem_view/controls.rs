@@ -18,7 +18,7 @@ use crate::{
     ui::{
         kit::{Choice, Chooser, lights, pressed_if, pressed_small, seen_choice},
         pages::{
-            PageContext,
+            PageContext, PageWish,
             prism_view::{exposure, model, substance},
         },
     },
@@ -196,12 +196,13 @@ fn save(ui: &mut Ui, context: &mut PageContext<'_>, film: Option<&Arc<GemFilm>>,
         for (form, words, meaning) in forms {
             let button = ui.add_enabled(film.is_some(), egui::Button::new(words).small());
             if let Some(film) = film.filter(|_| button.clicked()) {
-                context.gems.push(GemFile {
+                let gem = GemFile {
                     film: ByAddress(film.clone()),
                     light: light.clone(),
                     look: look(context),
                     form,
-                });
+                };
+                context.wishes.push(PageWish::Gem(gem));
             }
             button.on_hover_text(meaning);
         }

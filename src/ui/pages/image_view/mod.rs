@@ -11,7 +11,7 @@ use std::sync::Arc;
 use eframe::egui;
 use egui::{TextureHandle, Ui, vec2};
 
-use super::{PageContext, progress};
+use super::{PageContext, PageWish, progress};
 use crate::{
     app::{
         ByAddress, Command, Entry, ImageEntry, MadeFor, Memo, Recipe,
@@ -80,10 +80,6 @@ pub struct ImageView {
     pointed: Option<[usize; 2]>,
     /// The spectrum that was taken last: its image's key, its pixels, its name.
     taken: Option<(String, Rect, String)>,
-    /// Whether a file is to be opened.
-    pub(super) wants_image: bool,
-    /// The key of an image whose reading is to be looked at.
-    pub wants_reading: Option<String>,
 }
 
 /// The image on the page, with what is asked about it.
@@ -102,15 +98,16 @@ impl ImageView {
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let Some(entry) = shown(context.app.document(), &context.memory.image).cloned() else {
-            self.wants_image |= nothing_open(ui, context.theme);
+            if nothing_open(ui, context.theme) {
+                context.wishes.push(PageWish::OpenPicture);
+            }
             return;
         };
         let pixels = context.memory.image.rect(&entry.image.cube);
         let words = headlines::image(&entry, pixels.width * pixels.height);
         headline(ui, context.theme, words);
         if controls::images(ui, context, &entry) {
-            self.wants_reading = Some(entry.key.clone());
-            ui.ctx().request_repaint();
+            context.wishes.push(PageWish::Reading(entry.key.clone()));
         }
         controls::looks(ui, context, &entry);
         let shown = self.shown(context, entry);

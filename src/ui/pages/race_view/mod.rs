@@ -302,7 +302,7 @@ fn table_head(
         ] {
             if ui.small_button(words).on_hover_text(tip).clicked() {
                 let table = table_chart(ask, race, class, budget);
-                context.wishes.push(ChartWish::new(&table, form));
+                context.ask_for_chart(Some(ChartWish::new(&table, form)));
             }
         }
     });
@@ -320,7 +320,7 @@ fn chart(ui: &mut Ui, context: &mut PageContext<'_>, chart: &Chart, size: egui::
             let is_line = |marks: &Marks| matches!(marks, Marks::Line { .. });
             wish.chart.series.retain(|series| !is_line(&series.marks));
         }
-        context.wishes.push(wish);
+        context.ask_for_chart(Some(wish));
     }
 }
 

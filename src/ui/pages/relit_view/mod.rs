@@ -9,14 +9,14 @@ mod side;
 use eframe::egui;
 use egui::{RichText, TextureHandle, Ui, vec2};
 
-use super::{PageContext, progress};
+use super::{PageContext, PageWish, progress};
 use crate::{
     app::{
         ByAddress, Memo,
         chart::{self, Chart, Rgb},
         relit::{
-            Fit, FitAsk, Look, LookAsk, Looked, PeersAsk, PictureWish, RelitShown, Rows, TurnAsk,
-            Turned, difference_colours, headline, peer_rows, relit_shown, speed_line, trust_line,
+            Fit, FitAsk, Look, LookAsk, Looked, PeersAsk, RelitShown, Rows, TurnAsk, Turned,
+            difference_colours, headline, peer_rows, relit_shown, speed_line, trust_line,
         },
         studies::Stage,
     },
@@ -42,8 +42,6 @@ pub struct RelitView {
     pixel: Memo<(ByAddress<Fit>, [usize; 2], chart::Theme), Chart>,
     error: Memo<(ByAddress<Looked>, usize, chart::Theme), Chart>,
     off: Memo<(ByAddress<Turned>, chart::Theme), Chart>,
-    /// A picture that is to be saved.
-    pub wants_save: Option<PictureWish>,
 }
 
 impl RelitView {
@@ -68,8 +66,7 @@ impl RelitView {
             let fit = shown.turned.as_ref().map(|(fit, _)| fit);
             controls::numbers(ui, context, &looked.0, fit);
             if let Some(wish) = controls::save(ui, &shown) {
-                self.wants_save = Some(wish);
-                ui.ctx().request_repaint();
+                context.wishes.push(PageWish::FewNumbers(wish));
             }
         });
         ui.add_space(2.0);

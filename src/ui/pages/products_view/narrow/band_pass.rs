@@ -40,7 +40,7 @@ pub(super) fn light(
     let shown = ChartView::held(ui, chart, "narrow light", size, context.theme);
     let memory = &mut context.memory.products.narrow;
     drag(ui, &shown, memory, band, grip);
-    context.wishes.extend(shown.wish);
+    context.ask_for_chart(shown.wish);
 }
 
 /// Moves the band-pass, or makes it wider or narrower.
@@ -140,7 +140,7 @@ pub(super) fn errors(
     let size = vec2(size.x, size.y - row);
     let shown = ChartView::held(ui, chart, "narrow error", size, context.theme);
     let nm = shown.dragged.map(|[nm, _]| nm).or(clicked_nm(&shown));
-    context.wishes.extend(shown.wish);
+    context.ask_for_chart(shown.wish);
     if let Some(nm) = nm {
         let memory = &mut context.memory.products.narrow;
         memory.centre_nm = inside(nm, band);
