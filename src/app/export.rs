@@ -138,8 +138,8 @@ impl Export {
             Self::PatchesCsv => Ok(patches_csv(app)),
             Self::SpikesCsv => Ok(spikes_csv(app)),
             Self::CurveCsv => Ok(curve_csv(app)),
-            Self::PlotSvg => Ok(spectrum_chart(app, theme).to_svg(1000, 640)),
-            Self::CurveSvg => Ok(curve_chart(app, theme).to_svg(1000, 560)),
+            Self::PlotSvg => Ok(spectrum_chart(app).to_svg(1000, 640, theme)),
+            Self::CurveSvg => Ok(curve_chart(app).to_svg(1000, 560, theme)),
             Self::SheetSvg => Ok(sheet::to_svg(app)),
             Self::Project => workspace::to_json(document, None),
         }

@@ -45,16 +45,16 @@ pub fn to_svg(app: &App) -> String {
     let spectrum = Chart {
         title: String::new(),
         notes: Vec::new(),
-        ..spectrum_chart(app, Theme::Light)
+        ..spectrum_chart(app)
     };
     page.chart(&spectrum, [MARGIN, page.y], [whole, 236.0]);
     page.y += 244.0;
     let half = (whole - 16.0) / 2.0;
     let [measured, model] = shown.places();
-    let places = diagram(measured, model, DiagramShows::default(), Theme::Light);
+    let places = diagram(measured, model, DiagramShows::default());
     page.chart(&places, [MARGIN, page.y], [half, 280.0]);
     if let Ok(fidelity) = &shown.sheet.measured.fidelity {
-        let vectors = vector_graphic(fidelity, Theme::Light);
+        let vectors = vector_graphic(fidelity);
         let square = [half.min(290.0), 280.0];
         page.chart(&vectors, [MARGIN + half + 16.0, page.y], square);
     }
@@ -130,7 +130,7 @@ impl Page {
 
     /// A chart, its words as small as those of the page.
     fn chart(&mut self, chart: &Chart, [x, y]: [f64; 2], size: [f64; 2]) {
-        let (body, _) = chart.to_svg_body(size.map(|side| side / SHRUNK));
+        let (body, _) = chart.to_svg_body(size.map(|side| side / SHRUNK), Theme::Light);
         let [x, y] = [x, y].map(px);
         let _ = writeln!(
             self.body,

@@ -73,8 +73,8 @@ pub(super) fn run(
     let picture = match painter {
         Some(painter) => painter.plot(&app, *theme, *size),
         None => {
-            let chart = spectrum_chart(&app, *theme);
-            chart.to_svg(width, height).into_bytes()
+            let chart = spectrum_chart(&app);
+            chart.to_svg(width, height, *theme).into_bytes()
         }
     };
     target.save(&picture)?;

@@ -13,7 +13,7 @@ use super::{
 use crate::{
     app::{
         App, Command, Memo, Settings,
-        chart::{Chart, Marks, Theme as ChartTheme},
+        chart::{Chart, Marks},
         charts::order::order_chart,
         derived::OF_CURVE,
         ticks,
@@ -79,13 +79,13 @@ fn quantity_row(ui: &mut Ui, app: &App, preferences: &mut Preferences) {
 }
 
 /// The chart, kept until what it shows changes.
-fn kept_chart(ui: &Ui, app: &App, measure: Measure, theme: ChartTheme) -> Option<Arc<Chart>> {
-    type Kept = Memo<(u64, Measure, ChartTheme), Option<Arc<Chart>>>;
+fn kept_chart(ui: &Ui, app: &App, measure: Measure) -> Option<Arc<Chart>> {
+    type Kept = Memo<(u64, Measure), Option<Arc<Chart>>>;
     let id = Id::unique("the chart of errors against order");
     let mut kept: Kept = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-    let key = (app.revision(), measure, theme);
+    let key = (app.revision(), measure);
     let make = |_: &_| {
-        let mut chart = order_chart(app, measure, theme)?;
+        let mut chart = order_chart(app, measure)?;
         chart.title = "Error against order; click to go to an order".to_owned();
         Some(Arc::new(chart))
     };
@@ -108,7 +108,7 @@ fn plot(
         ui.available_width(),
         height.clamp(60.0, 240.0 * theme.scale),
     );
-    let Some(chart) = kept_chart(ui, app, measure, theme.of_charts()) else {
+    let Some(chart) = kept_chart(ui, app, measure) else {
         ui.allocate_ui(size, |ui| {
             ui.weak("There is no colour to compare in this range.");
         });

@@ -14,7 +14,7 @@ use super::{
 };
 use crate::app::{
     App,
-    chart::{Chart, Drawing, Looks},
+    chart::{Chart, Drawing, Looks, Theme},
     workspace::Preferences,
 };
 
@@ -95,11 +95,15 @@ pub fn window_png(app: &App, preferences: &Preferences, size: [u32; 2]) -> Vec<u
 }
 
 /// A chart as a PNG file, with its title, the names of its series and its notes.
-pub fn chart_png(chart: &Chart, size: [u32; 2]) -> Vec<u8> {
+pub fn chart_png(chart: &Chart, size: [u32; 2], theme: Theme) -> Vec<u8> {
     let context = egui::Context::default();
     theme::install_fonts(&context);
     let sides = sides(size);
-    let drawing = Drawing::new(chart, [sides.x, sides.y].map(f64::from), Looks::FILE);
+    let drawing = Drawing::new(
+        chart,
+        [sides.x, sides.y].map(f64::from),
+        Looks::of_file(theme),
+    );
     let primitives = drawing.primitives(chart.whole_view());
     let image = picture_with(&context, sides, 1.0, PASSES, |ui| {
         let shapes = paint::shapes(ui.painter(), egui::Vec2::ZERO, &primitives);

@@ -11,7 +11,7 @@ use egui::{
 
 pub use crate::app::studies::Wake;
 use crate::app::{
-    chart::{self, Inks},
+    chart::{self, Ink},
     verdicts::Seen,
     workspace::Preferences,
 };
@@ -25,8 +25,6 @@ const PRESENT_LINES: f32 = 2.0;
 pub struct Theme {
     /// Dark surroundings.
     pub dark: bool,
-    /// Line colours.
-    pub inks: Inks,
     /// Thickness of curves, points.
     pub line: f32,
     /// Ground of plots.
@@ -75,7 +73,6 @@ impl Theme {
         let presented = |factor| if preferences.presents() { factor } else { 1.0 };
         Self {
             dark,
-            inks: Inks::of(of_charts(dark)),
             line: 1.6 * presented(PRESENT_LINES),
             ground: grey(if dark { 18 } else { 255 }),
             faint: grey(if dark { 162 } else { 95 }),
@@ -90,16 +87,15 @@ impl Theme {
 
     /// The theme of charts in these looks.
     pub fn of_charts(self) -> chart::Theme {
-        of_charts(self.dark)
+        match self.dark {
+            true => chart::Theme::Dark,
+            false => chart::Theme::Light,
+        }
     }
-}
 
-/// The theme of charts on a dark or a light ground.
-fn of_charts(dark: bool) -> chart::Theme {
-    if dark {
-        chart::Theme::Dark
-    } else {
-        chart::Theme::Light
+    /// The colour of an ink of charts.
+    pub fn ink(self, role: Ink) -> Color32 {
+        ink(role.of(self.of_charts()))
     }
 }
 

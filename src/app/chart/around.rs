@@ -16,7 +16,10 @@ use super::{
 impl Drawing<'_> {
     /// What a series looks like, and its name.
     pub(super) fn legend_entry(&self, out: &mut Vec<Primitive>, series: &Series, field: Field) {
-        let (looks, colour) = (self.looks, self.palette().legible(series.colour));
+        let (looks, colour) = (
+            self.looks,
+            self.palette().legible(series.colour.of(self.looks.theme)),
+        );
         let length = SAMPLE * looks.scale;
         let middle = [field.left + length / 2.0, field.top + field.height / 2.0];
         let [x, y] = middle;
@@ -164,7 +167,10 @@ impl Drawing<'_> {
         for run in colours.chunk_by(|a, b| a == b) {
             let end = first + run.len();
             let corner = [border(end), room.bottom()];
-            fields.push((Field::between([border(first), room.top], corner), run[0]));
+            fields.push((
+                Field::between([border(first), room.top], corner),
+                run[0].of(self.looks.theme),
+            ));
             first = end;
         }
         fields.retain(|(field, _)| field.width > 0.0);

@@ -254,7 +254,7 @@ impl<'a> Drawing<'a> {
     }
 
     pub(super) fn palette(&self) -> &'static Palette {
-        Palette::of(self.chart.theme)
+        Palette::of(self.looks.theme)
     }
 
     pub(super) fn strip_height(&self) -> f64 {

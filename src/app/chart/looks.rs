@@ -1,6 +1,6 @@
 //! How large and how complete a chart is drawn.
 
-use super::text::LEADING;
+use super::{Theme, text::LEADING};
 
 /// How large and how complete a chart is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,16 +13,21 @@ pub struct Looks {
     pub whole: bool,
     /// With the names of the series.
     pub legend: bool,
+    /// Dark or light.
+    pub theme: Theme,
 }
 
 impl Looks {
     /// How charts look in files.
-    pub const FILE: Self = Self {
-        scale: 1.0,
-        line: 1.0,
-        whole: true,
-        legend: true,
-    };
+    pub fn of_file(theme: Theme) -> Self {
+        Self {
+            scale: 1.0,
+            line: 1.0,
+            whole: true,
+            legend: true,
+            theme,
+        }
+    }
 
     /// Size of type beside titles, px.
     pub(super) fn small(self) -> f64 {

@@ -33,7 +33,7 @@ pub use axis::{Axis, root, square};
 pub use cells::Cells;
 pub use drawing::{Drawing, View};
 pub use looks::Looks;
-pub use palette::{Inks, Palette};
+pub use palette::{Ink, OVERLAY_INKS, Palette};
 pub use plot::Plot;
 pub use primitive::{Anchor, Field, Place, Primitive, Text};
 pub use ramp::ramp_colour;
@@ -74,7 +74,7 @@ pub struct Chart {
     pub series: Vec<Series>,
     /// Colours along the horizontal axis, evenly spaced from its first value to its last: of
     /// coloured areas, and of a strip below the panel.
-    pub colours: Vec<Rgb>,
+    pub colours: Vec<Ink>,
     /// Whether the strip is drawn.
     pub strip: bool,
     /// A second, lower panel that shares the horizontal axis.
@@ -83,8 +83,6 @@ pub struct Chart {
     pub notes: Vec<String>,
     /// Said in the middle of the main panel: why it is empty.
     pub blank: String,
-    /// Dark or light background.
-    pub theme: Theme,
 }
 
 impl Default for Chart {
@@ -106,7 +104,6 @@ impl Default for Chart {
             residual: None,
             notes: Vec::new(),
             blank: String::new(),
-            theme: Theme::Light,
         }
     }
 }
@@ -150,8 +147,8 @@ pub enum Theme {
 pub struct Series {
     /// Shown in the legend; a series with an empty name, or one that was there before, is not.
     pub name: String,
-    /// Colour of its marks.
-    pub colour: Rgb,
+    /// What its marks are drawn in.
+    pub colour: Ink,
     /// What the marks are and where they stand.
     pub marks: Marks,
     /// A word on each point (or box), shown where it is pointed at; empty or missing for none.
@@ -277,11 +274,10 @@ pub fn base_at(base: &[f64], index: usize) -> f64 {
 
 impl Chart {
     /// An empty chart over wavelengths, from the first to the last.
-    pub fn over_nm(x_range: [f64; 2], theme: Theme) -> Self {
+    pub fn over_nm(x_range: [f64; 2]) -> Self {
         Self {
             x_label: "Wavelength (nm)".to_owned(),
             x_range,
-            theme,
             ..Self::default()
         }
     }
@@ -298,7 +294,7 @@ impl Chart {
     }
 
     /// The colours along the horizontal axis, if there are any.
-    pub(super) fn strip(&self) -> Option<&[Rgb]> {
+    pub(super) fn strip(&self) -> Option<&[Ink]> {
         (self.strip && !self.colours.is_empty()).then_some(&self.colours[..])
     }
 

@@ -1,6 +1,7 @@
 //! The colours of a chart's surroundings and of its curves, in both themes.
 
 use super::{Rgb, Theme};
+use crate::color::{Srgb, srgb_from_wavelength_over};
 
 /// The colours of everything but the series: greys, so that nothing tints the colours on show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,58 +62,85 @@ impl Palette {
 /// An ink all of whose parts are nearer to the paper than this is not seen on it.
 const LOST: u8 = 40;
 
-/// Line colours that colour-blind eyes tell apart, after Okabe and Ito (2008), tuned for a ground.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Inks {
+/// What a mark is drawn in: the part it has in a chart, which a theme gives a colour, or a colour of
+/// its own.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Ink {
+    /// A colour that the data have.
+    Own(Rgb),
+    /// The colour of a wavelength, nm, over the ground.
+    Wavelength(f64),
     /// The measured curve: neutral.
-    pub measured: Rgb,
+    Measured,
     /// The model: an outline.
-    pub model: Rgb,
+    Model,
     /// The smooth part: blue.
-    pub smooth: Rgb,
-    /// Spikes and model: orange.
-    pub spikes: Rgb,
+    Smooth,
+    /// Lines: orange.
+    Spikes,
     /// The residual: bluish green.
-    pub residual: Rgb,
+    Residual,
     /// The product with a patch: reddish purple.
-    pub product: Rgb,
+    Product,
     /// Overlays, one after the other.
-    pub overlays: [Rgb; 4],
+    Overlay(usize),
+    /// As numbers of the axes.
+    Faint,
+    /// As names and titles.
+    Text,
+    /// As zero lines.
+    Axis,
+    /// As lines that help to read values.
+    Grid,
+    /// As what lies behind the series.
+    Ground,
+    /// Beyond what is taken: a grey.
+    Beyond,
 }
 
-impl Inks {
-    /// Inks on near-black.
-    pub const DARK: Self = Self {
-        measured: [222, 222, 222],
-        model: [255, 255, 255],
-        smooth: [86, 180, 233],
-        spikes: [240, 165, 30],
-        residual: [64, 190, 150],
-        product: [214, 140, 185],
-        overlays: [
-            [240, 228, 66],
-            [213, 94, 0],
-            [150, 150, 220],
-            [160, 200, 120],
-        ],
-    };
+impl From<Rgb> for Ink {
+    fn from(colour: Rgb) -> Self {
+        Self::Own(colour)
+    }
+}
 
-    /// Inks on white.
-    pub const LIGHT: Self = Self {
-        measured: [40, 40, 40],
-        model: [0, 0, 0],
-        smooth: [0, 114, 178],
-        spikes: [200, 90, 0],
-        residual: [0, 128, 96],
-        product: [165, 70, 130],
-        overlays: [[150, 130, 0], [160, 60, 0], [90, 80, 170], [70, 120, 40]],
-    };
+/// How many inks overlays have.
+pub const OVERLAY_INKS: usize = 4;
 
-    /// The inks of a theme.
-    pub fn of(theme: Theme) -> Self {
+impl Ink {
+    /// Its colour in a theme. The line colours can be told apart by colour-blind eyes: after Okabe
+    /// and Ito (2008), tuned for a ground.
+    pub fn of(self, theme: Theme) -> Rgb {
+        let palette = Palette::of(theme);
+        let [dark, light]: [Rgb; 2] = match self {
+            Self::Own(colour) => return colour,
+            Self::Wavelength(nm) => {
+                let [dark, light] = [[27; 3], [255; 3]];
+                let ground = if theme == Theme::Dark { dark } else { light };
+                return srgb_from_wavelength_over(nm, Srgb(ground)).0;
+            }
+            Self::Faint => return palette.faint,
+            Self::Text => return palette.text,
+            Self::Axis => return palette.axis,
+            Self::Grid => return palette.grid,
+            Self::Ground => return palette.ground,
+            Self::Measured => [[222; 3], [40; 3]],
+            Self::Model => [[255; 3], [0; 3]],
+            Self::Smooth => [[86, 180, 233], [0, 114, 178]],
+            Self::Spikes => [[240, 165, 30], [200, 90, 0]],
+            Self::Residual => [[64, 190, 150], [0, 128, 96]],
+            Self::Product => [[214, 140, 185], [165, 70, 130]],
+            Self::Beyond => [[54; 3], [214; 3]],
+            Self::Overlay(index) => match index % OVERLAY_INKS {
+                0 => [[240, 228, 66], [150, 130, 0]],
+                1 => [[213, 94, 0], [160, 60, 0]],
+                2 => [[150, 150, 220], [90, 80, 170]],
+                _ => [[160, 200, 120], [70, 120, 40]],
+            },
+        };
         match theme {
-            Theme::Dark => Self::DARK,
-            Theme::Light => Self::LIGHT,
+            Theme::Dark => dark,
+            Theme::Light => light,
         }
     }
 }
@@ -133,9 +161,8 @@ mod tests {
                     palette.paper
                 );
             }
-            let inks = Inks::of(theme);
-            for ink in [inks.measured, inks.smooth, inks.spikes, inks.residual] {
-                assert_eq!(palette.legible(ink), ink);
+            for ink in [Ink::Measured, Ink::Smooth, Ink::Spikes, Ink::Residual] {
+                assert_eq!(palette.legible(ink.of(theme)), ink.of(theme));
             }
         }
     }

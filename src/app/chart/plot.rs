@@ -2,7 +2,7 @@
 
 use super::{
     super::ticks::short,
-    Cells, Chart, Marks, Series,
+    Cells, Chart, Marks, Rgb, Series,
     axis::Axis,
     base_at,
     cut::{cut_band, cut_segment},
@@ -67,7 +67,7 @@ pub(super) struct Pen<'a> {
     pub(super) looks: Looks,
     pub(super) palette: &'static Palette,
     /// Colours along the horizontal axis, and the values that they reach from and to.
-    colours: &'a [[u8; 3]],
+    colours: Vec<Rgb>,
     x_range: [f64; 2],
     /// The labels written so far, which go over everything, and their fields.
     pub(super) labels: Vec<Primitive>,
@@ -79,8 +79,12 @@ impl<'a> Pen<'a> {
         Self {
             plot,
             looks,
-            palette: Palette::of(chart.theme),
-            colours: &chart.colours,
+            palette: Palette::of(looks.theme),
+            colours: chart
+                .colours
+                .iter()
+                .map(|ink| ink.of(looks.theme))
+                .collect(),
             x_range: chart.x_range,
             labels: Vec::new(),
             taken: Vec::new(),
@@ -89,7 +93,7 @@ impl<'a> Pen<'a> {
 
     /// Draws the marks of a series.
     pub(super) fn series(&mut self, series: &Series) -> Vec<Primitive> {
-        let colour = series.colour;
+        let colour = series.colour.of(self.looks.theme);
         if series.is_tagged {
             self.labels.extend(self.tag(series));
         }
@@ -120,7 +124,7 @@ impl<'a> Pen<'a> {
                 base,
                 is_coloured,
             } => {
-                let colours = is_coloured.then_some(self.colours);
+                let colours = is_coloured.then_some(&self.colours[..]);
                 self.bands(points, base, colour, colours.unwrap_or_default())
             }
             Marks::Bars { points, width } => {
@@ -378,7 +382,7 @@ impl<'a> Pen<'a> {
             at: [x, y.clamp(panel.top + half + 1.0, panel.bottom() - half)],
             anchor,
             size,
-            colour: series.colour,
+            colour: series.colour.of(self.looks.theme),
             ground: Some(self.palette.ground),
             words: series.name.clone(),
             ..Text::default()

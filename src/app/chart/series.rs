@@ -1,6 +1,6 @@
 //! The short ways to make a series of each kind.
 
-use super::{Cells, Dash, Marks, Rgb, Series, Shape};
+use super::{Cells, Dash, Ink, Marks, Series, Shape};
 
 /// Values over their places as points.
 pub fn curve(
@@ -14,7 +14,7 @@ pub fn curve(
 /// A line of a thickness in px.
 pub fn stroke(
     name: impl Into<String>,
-    colour: Rgb,
+    colour: impl Into<Ink>,
     points: Vec<[f64; 2]>,
     width: f64,
     dash: Dash,
@@ -29,14 +29,14 @@ pub fn stroke(
 
 impl Series {
     /// A solid line of normal thickness.
-    pub fn line(name: impl Into<String>, colour: Rgb, points: Vec<[f64; 2]>) -> Self {
+    pub fn line(name: impl Into<String>, colour: impl Into<Ink>, points: Vec<[f64; 2]>) -> Self {
         stroke(name, colour, points, 1.8, Dash::Solid)
     }
 
     /// Points of normal size.
     pub fn points(
         name: impl Into<String>,
-        colour: Rgb,
+        colour: impl Into<Ink>,
         shape: Shape,
         points: Vec<[f64; 2]>,
     ) -> Self {
@@ -51,7 +51,7 @@ impl Series {
     /// Stems without labels; each stands on its base, or on 0 where there is none.
     pub fn stems(
         name: impl Into<String>,
-        colour: Rgb,
+        colour: impl Into<Ink>,
         points: Vec<[f64; 2]>,
         base: Vec<f64>,
     ) -> Self {
@@ -66,7 +66,7 @@ impl Series {
     /// The area between points and their bases (0 where there is none), thinly in its colour.
     pub fn area(
         name: impl Into<String>,
-        colour: Rgb,
+        colour: impl Into<Ink>,
         points: Vec<[f64; 2]>,
         base: Vec<f64>,
     ) -> Self {
@@ -79,7 +79,12 @@ impl Series {
     }
 
     /// Boxes of a width in units of the horizontal axis.
-    pub fn bars(name: impl Into<String>, colour: Rgb, width: f64, points: Vec<[f64; 2]>) -> Self {
+    pub fn bars(
+        name: impl Into<String>,
+        colour: impl Into<Ink>,
+        width: f64,
+        points: Vec<[f64; 2]>,
+    ) -> Self {
         Self::new(name, colour, Marks::Bars { points, width })
     }
 
@@ -132,10 +137,10 @@ impl Series {
     }
 
     /// A series of any kind of marks.
-    pub fn new(name: impl Into<String>, colour: Rgb, marks: Marks) -> Self {
+    pub fn new(name: impl Into<String>, colour: impl Into<Ink>, marks: Marks) -> Self {
         Self {
             name: name.into(),
-            colour,
+            colour: colour.into(),
             marks,
             notes: Vec::new(),
             is_tagged: false,

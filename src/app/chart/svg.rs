@@ -7,7 +7,7 @@
 use std::fmt::{self, Write as _};
 
 use super::{
-    Chart, Dash, Rgb,
+    Chart, Dash, Rgb, Theme,
     drawing::Drawing,
     looks::Looks,
     primitive::{Anchor, Field, Place, Primitive, Text},
@@ -26,9 +26,9 @@ impl Chart {
     /// The chart as an SVG document of the given size in px (at least 160 x 120).
     ///
     /// The document is higher than asked where titles and notes leave no room for the panels.
-    pub fn to_svg(&self, width: u32, height: u32) -> String {
+    pub fn to_svg(&self, width: u32, height: u32, theme: Theme) -> String {
         let asked = [width.max(160), height.max(120)].map(f64::from);
-        let (body, size) = self.to_svg_body(asked);
+        let (body, size) = self.to_svg_body(asked, theme);
         let [width, height] = size.map(|side| px(side.ceil()));
         let title = escaped(&self.title);
         let description = escaped(&self.description());
@@ -42,8 +42,8 @@ impl Chart {
     }
 
     /// What stands in such a document, for a page of several charts, and how large it became.
-    pub fn to_svg_body(&self, size: [f64; 2]) -> (String, [f64; 2]) {
-        let drawing = Drawing::new(self, size, Looks::FILE);
+    pub fn to_svg_body(&self, size: [f64; 2], theme: Theme) -> (String, [f64; 2]) {
+        let drawing = Drawing::new(self, size, Looks::of_file(theme));
         let mut body = String::new();
         for primitive in drawing.primitives(self.whole_view()) {
             // Writing to a String cannot fail.

@@ -4,7 +4,7 @@ use super::tradeoff::{all_figures, lack, mark_now, origin, spikes_words, stairs}
 use crate::{
     app::{
         App,
-        chart::{Chart, Dash, Inks, Scale, Series, Shape, Theme, stroke},
+        chart::{Chart, Dash, Ink, Scale, Series, Shape, stroke},
         figures::{SMALLEST, Unit, brief},
         line_names::{ElementLine, LineName},
         spike_names::identified,
@@ -163,8 +163,8 @@ const STEPS: usize = 3;
 
 impl AuctionChart {
     /// The chart of an auction.
-    pub fn of(ask: &AuctionAsk, auction: &Auction, names: &[LineName], theme: Theme) -> Self {
-        let (terms, inks) = (ask.terms, Inks::of(theme));
+    pub fn of(ask: &AuctionAsk, auction: &Auction, names: &[LineName]) -> Self {
+        let terms = ask.terms;
         let unit = goal_unit(terms.goal);
         let at = |numbers: usize, error: f64| [numbers as f64, (error * unit.factor).max(SMALLEST)];
         let bids = |bids: &[Bid]| bids.iter().map(|b| at(b.numbers, b.error)).collect();
@@ -192,15 +192,15 @@ impl AuctionChart {
             lines => format!("all {lines} lines as spikes, then orders"),
         };
         let series = vec![
-            stroke(with, inks.spikes, bids(all_lines), 1.6, Dash::Dashed),
+            stroke(with, Ink::Spikes, bids(all_lines), 1.6, Dash::Dashed),
             Series::line(
                 "no spikes, orders only",
-                inks.smooth,
+                Ink::Smooth,
                 bids(&auction.without),
             )
             .dashed(Dash::Dotted),
-            stroke("the auction", inks.measured, corners, 2.2, Dash::Solid),
-            Series::points("bought", inks.residual, Shape::Dot, points).with_notes(notes),
+            stroke("the auction", Ink::Measured, corners, 2.2, Dash::Solid),
+            Series::points("bought", Ink::Residual, Shape::Dot, points).with_notes(notes),
         ];
         let way = FitVariant::new(terms.basis, false, terms.colour_exact);
         let y_label = terms.goal.plain_measure().map_or_else(
@@ -220,7 +220,6 @@ impl AuctionChart {
             y_scale: Scale::Log10,
             series,
             notes: origin(&ask.about),
-            theme,
             ..Chart::default()
         };
         Self {
@@ -250,7 +249,7 @@ impl AuctionChart {
             && numbers <= self.chart.x_range[1]
         {
             let at = [numbers, (error * goal_unit(goal).factor).max(SMALLEST)];
-            let mark = mark_now(app, at, now, self.chart.theme);
+            let mark = mark_now(app, at, now);
             self.chart.series.push(mark);
         }
     }

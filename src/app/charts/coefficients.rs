@@ -8,7 +8,7 @@ mod partial;
 
 use crate::{
     app::{
-        chart::{Chart, Dash, Inks, Rgb, Scale, Series, Shape, Theme, stroke},
+        chart::{Chart, Dash, Ink, Scale, Series, Shape, stroke},
         charts::spectrum::of_subject,
         state::App,
         studies::paper::{CHANNELS, figure},
@@ -66,14 +66,14 @@ pub(super) const FUNCTIONS: [&str; 3] = ["x-bar", "y-bar", "z-bar"];
 pub(super) const CHANNEL_DASHES: [Dash; 3] = [Dash::Dashed, Dash::Solid, Dash::Dotted];
 
 /// And in which colours.
-pub(super) fn channel_inks(inks: Inks) -> [Rgb; 3] {
-    [inks.spikes, inks.residual, inks.smooth]
+pub(super) fn channel_inks() -> [Ink; 3] {
+    [Ink::Spikes, Ink::Residual, Ink::Smooth]
 }
 
 impl CoefficientCharts {
     /// Draws all of them.
-    pub fn of(app: &App, harmonics: &Harmonics, sight: Sight, theme: Theme) -> Self {
-        let draw = Draw::new(app, harmonics, sight, theme);
+    pub fn of(app: &App, harmonics: &Harmonics, sight: Sight) -> Self {
+        let draw = Draw::new(app, harmonics, sight);
         Self {
             partial: draw.partial(),
             light: draw.light(),
@@ -90,12 +90,10 @@ struct Draw<'a> {
     harmonics: &'a Harmonics,
     orders: &'a [Order],
     sight: Sight,
-    inks: Inks,
-    theme: Theme,
 }
 
 impl<'a> Draw<'a> {
-    fn new(app: &'a App, harmonics: &'a Harmonics, sight: Sight, theme: Theme) -> Self {
+    fn new(app: &'a App, harmonics: &'a Harmonics, sight: Sight) -> Self {
         let in_force = app.derived().model.smooth().order();
         let last = LEAST_SHOWN.max(in_force + 3).max(sight.partial_order);
         let shown = harmonics.orders.len().min(last + 1);
@@ -104,8 +102,6 @@ impl<'a> Draw<'a> {
             harmonics,
             orders: &harmonics.orders[..shown],
             sight,
-            inks: Inks::of(theme),
-            theme,
         }
     }
 
@@ -121,7 +117,6 @@ impl<'a> Draw<'a> {
             colours: self.strip(last),
             strip: true,
             notes: of_subject(self.app),
-            theme: self.theme,
             ..Chart::default()
         }
     }
@@ -140,18 +135,14 @@ impl<'a> Draw<'a> {
     }
 
     /// Under the axis: the orders in the partial sum, and the one that is pointed at.
-    fn strip(&self, last: f64) -> Vec<Rgb> {
-        let beyond = match self.theme {
-            Theme::Dark => [54; 3],
-            Theme::Light => [214; 3],
-        };
+    fn strip(&self, last: f64) -> Vec<Ink> {
         // Twenty steps an order, the half order at both ends included.
         let steps = ((last + 1.2) * 20.0) as usize;
         let order_at = |i: usize| (-0.6 + i as f64 / 20.0).round().max(0.0) as usize;
         let colour = |i: usize| match order_at(i) {
-            order if self.sight.pointed == Some(order) => self.inks.product,
-            order if order <= self.sight.partial_order => self.inks.smooth,
-            _ => beyond,
+            order if self.sight.pointed == Some(order) => Ink::Product,
+            order if order <= self.sight.partial_order => Ink::Smooth,
+            _ => Ink::Beyond,
         };
         (0..=steps).map(colour).collect()
     }
@@ -187,8 +178,8 @@ impl<'a> Draw<'a> {
         let notes = |which: usize| self.orders.iter().map(|o| word(o, which)).collect();
         let [name, second] = self.names();
         Some(vec![
-            Series::bars(name, self.inks.smooth, 0.72, points(0)).with_notes(notes(0)),
-            Series::stems(second, self.inks.spikes, points(1), Vec::new()).with_notes(notes(1)),
+            Series::bars(name, Ink::Smooth, 0.72, points(0)).with_notes(notes(0)),
+            Series::stems(second, Ink::Spikes, points(1), Vec::new()).with_notes(notes(1)),
         ])
     }
 
@@ -266,7 +257,7 @@ impl<'a> Draw<'a> {
             };
             self.orders.iter().map(point).collect()
         };
-        let ink = self.inks.measured;
+        let ink = Ink::Measured;
         Some([
             Series::points("a Eq. 10", ink, Shape::Ring, points(0)?),
             Series::points("b Eq. 10", ink, Shape::Cross, points(1)?),
@@ -281,14 +272,14 @@ impl<'a> Draw<'a> {
         };
         let points = self.orders.iter().map(point).collect();
         let name = CHANNELS[k];
-        let bars = Series::bars(format!("added to {name}"), self.inks.residual, 0.72, points);
+        let bars = Series::bars(format!("added to {name}"), Ink::Residual, 0.72, points);
         let title = format!("Their product: what each order adds to {name}");
         Some(self.chart(&title, &format!("% of {name}"), vec![bars]))
     }
 
     fn running(&self) -> Option<Chart> {
         self.exact()?;
-        let inks = channel_inks(self.inks);
+        let inks = channel_inks();
         let mut series = vec![self.level("exact, 100 %", 100.0)];
         for k in 0..3 {
             let exact = self.harmonics.exact[k];
@@ -313,13 +304,13 @@ impl<'a> Draw<'a> {
     /// A level line over all orders.
     fn level(&self, name: &str, at: f64) -> Series {
         let points = self.orders.iter().map(|o| [o.order as f64, at]).collect();
-        stroke(name, self.inks.measured, points, 1.2, Dash::Dashed)
+        stroke(name, Ink::Measured, points, 1.2, Dash::Dashed)
     }
 
     fn neglected(&self) -> Option<Chart> {
         self.exact()?;
         let k = self.sight.channel;
-        let line = |name: &str, ink: Rgb, of: &dyn Fn(&Order) -> Option<f64>| {
+        let line = |name: &str, ink: Ink, of: &dyn Fn(&Order) -> Option<f64>| {
             let point = |order: &Order| {
                 let value = of(order).map_or(f64::NAN, |share| 100.0 * share.abs());
                 [order.order as f64, value]
@@ -330,18 +321,15 @@ impl<'a> Draw<'a> {
         let missed = |order: &Order| order.neglected[k];
         let mut series = vec![
             self.level("5 %", LIMIT_PERCENT),
-            line(&format!("missed of {name}"), self.inks.residual, &missed),
-            line("term n / term 0", self.inks.smooth, &|o| {
-                o.share_of_first[k]
-            })
-            .dashed(Dash::Dashed),
+            line(&format!("missed of {name}"), Ink::Residual, &missed),
+            line("term n / term 0", Ink::Smooth, &|o| o.share_of_first[k]).dashed(Dash::Dashed),
         ];
         if self.orders.iter().any(|o| o.bound.is_some()) {
             let bound = |order: &Order| order.bound.map(|b| b.channels[k]);
             // The printed 4/n is twice the corrected 2/n for every lobe.
             let printed = |order: &Order| order.bound.map(|b| b.channels_as_printed[k]);
-            series.push(line("bound, 2/n", self.inks.spikes, &bound));
-            series.push(line("as printed, 4/n", self.inks.product, &printed).dashed(Dash::Dotted));
+            series.push(line("bound, 2/n", Ink::Spikes, &bound));
+            series.push(line("as printed, 4/n", Ink::Product, &printed).dashed(Dash::Dotted));
         }
         let in_force = self.app.derived().model.smooth().order();
         let mark = |order: &Order| {
@@ -351,7 +339,7 @@ impl<'a> Draw<'a> {
         };
         let points = self.orders.iter().map(mark).collect();
         let now = format!("N = {in_force}, in force");
-        series.push(Series::points(now, self.inks.measured, Shape::Ring, points).sized(6.0));
+        series.push(Series::points(now, Ink::Measured, Shape::Ring, points).sized(6.0));
         Some(Chart {
             y_scale: Scale::Log10,
             y_range: Some(NEGLECTED_PERCENT),

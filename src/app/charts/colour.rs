@@ -2,7 +2,7 @@
 
 use crate::{
     app::{
-        chart::{Chart, Dash, Inks, Palette, Panel, Series, Theme, curve},
+        chart::{Chart, Dash, Ink, Panel, Series, curve},
         charts::{
             products::chain::strip,
             spectrum::{on_grid, over},
@@ -18,8 +18,7 @@ use crate::{
 pub(super) const SLIT_NM: f64 = 5.0;
 
 /// The surfaces of a colour over the reach of all that match it, and below a light of lines.
-pub fn colour_chart(sheet: &ColourSheet, theme: Theme) -> Chart {
-    let inks = Inks::of(theme);
+pub fn colour_chart(sheet: &ColourSheet) -> Chart {
     let mut series = Vec::new();
     if let Some(band) = &sheet.band {
         let points = band.greatest.iter().enumerate();
@@ -27,7 +26,7 @@ pub fn colour_chart(sheet: &ColourSheet, theme: Theme) -> Chart {
         let name = "reach of all surfaces that match";
         series.push(Series::area(
             name,
-            inks.residual,
+            Ink::Residual,
             greatest,
             band.least.to_vec(),
         ));
@@ -39,11 +38,11 @@ pub fn colour_chart(sheet: &ColourSheet, theme: Theme) -> Chart {
     if let Some(surface) = &sheet.surface {
         let values = surface.spectrum.samples.on_band(BAND, Outside::Hold);
         let points = curve(BAND.grid(), values);
-        series.push(Series::line(surface.name(), inks.measured, points));
+        series.push(Series::line(surface.name(), Ink::Measured, points));
     }
     let mut ends = [0.0, 1.0];
     if let Ok(found) = &sheet.fourier {
-        let line = Series::line(method_name(found.method), inks.spikes, of(found));
+        let line = Series::line(method_name(found.method), Ink::Spikes, of(found));
         series.push(line.dashed(Dash::Dashed));
         let [low, high] = found.reflectance.extent();
         ends = [low.min(ends[0]), high.max(ends[1])];
@@ -51,13 +50,13 @@ pub fn colour_chart(sheet: &ColourSheet, theme: Theme) -> Chart {
     let smoothest = of(&sheet.smoothest);
     series.push(Series::line(
         method_name(Method::Smoothest),
-        inks.smooth,
+        Ink::Smooth,
         smoothest,
     ));
     if ends != [0.0, 1.0] {
         for level in [0.0, 1.0] {
             let points = vec![[BAND.min_nm(), level], [BAND.max_nm(), level]];
-            let edge = Series::line("", Palette::of(theme).axis, points);
+            let edge = Series::line("", Ink::Axis, points);
             series.push(edge.dashed(Dash::Dotted));
         }
     }
@@ -65,22 +64,18 @@ pub fn colour_chart(sheet: &ColourSheet, theme: Theme) -> Chart {
         title: "Surfaces that have the colour".to_owned(),
         y_label: "Reflectance".to_owned(),
         y_range: Some(ends),
-        colours: strip(BAND, theme),
+        colours: strip(BAND),
         strip: true,
-        residual: sheet
-            .lines
-            .as_ref()
-            .ok()
-            .map(|light| lines_panel(light, theme)),
+        residual: sheet.lines.as_ref().ok().map(|light| lines_panel(light)),
         series,
-        ..over(BAND, theme)
+        ..over(BAND)
     }
 }
 
 /// A light of lines over its background.
-fn lines_panel(light: &LineLight, theme: Theme) -> Panel {
+fn lines_panel(light: &LineLight) -> Panel {
     let background = on_grid(BAND, &light.background, 1.0);
-    let area = Series::area("", Inks::of(theme).measured, background, Vec::new());
+    let area = Series::area("", Ink::Measured, background, Vec::new());
     let mut series = vec![area.coloured()];
     for line in light.lines.iter().filter(|line| line.weight > 0.0) {
         let top = vec![[line.at_nm, line.weight / SLIT_NM]];
@@ -106,7 +101,7 @@ mod tests {
             ..FromColour::default()
         };
         let sheet = ColourSheet::of(&from, App::new().document()).expect("a colour");
-        let chart = colour_chart(&sheet, Theme::Dark);
+        let chart = colour_chart(&sheet);
         let names: Vec<&str> = chart.series.iter().map(|s| s.name.as_str()).collect();
         for name in [
             "reach of all surfaces that match",

@@ -2,7 +2,7 @@
 
 use crate::{
     app::{
-        chart::{Chart, Dash, Inks, Palette, Series, Shape, Theme, curve, stroke},
+        chart::{Chart, Dash, Ink, Series, Shape, curve, stroke},
         charts::{
             colour::SLIT_NM,
             products::chain::strip,
@@ -24,12 +24,12 @@ use crate::{
 };
 
 /// The diagram without a light, for [`on_diagram`].
-pub fn ground(theme: Theme) -> Chart {
+pub fn ground() -> Chart {
     let shows = DiagramShows {
         whites: false,
         ..DiagramShows::default()
     };
-    diagram(None, None, shows, theme)
+    diagram(None, None, shows)
 }
 
 /// The diagram with the channels of a desk, what they reach, the mixture and a target.
@@ -73,9 +73,8 @@ pub fn on_diagram(ground: &Chart, desk: &Desk, target: Option<[f64; 2]>) -> Char
 }
 
 /// The mixture over the wavelengths; lines as a slit of 5 nm sees them.
-pub fn mixed_spectrum(desk: &Desk, theme: Theme) -> Chart {
+pub fn mixed_spectrum(desk: &Desk) -> Chart {
     let band = Band::VISIBLE;
-    let (inks, palette) = (Inks::of(theme), Palette::of(theme));
     let (channels, powers) = desk.lights();
     let mut smooth = desk.values.clone();
     let mut lines = Vec::new();
@@ -97,7 +96,7 @@ pub fn mixed_spectrum(desk: &Desk, theme: Theme) -> Chart {
         smooth[first..].iter().map(|value| value.max(0.0)),
     );
     let whole: f64 = desk.values.iter().sum();
-    let area = Series::area("", inks.measured, points.clone(), Vec::new());
+    let area = Series::area("", Ink::Measured, points.clone(), Vec::new());
     let mut series = vec![area.coloured()];
     for ((channel, strip), power) in desk
         .mix
@@ -108,10 +107,10 @@ pub fn mixed_spectrum(desk: &Desk, theme: Theme) -> Chart {
     {
         let shape = part(channel, strip.light.as_ref().ok(), power, first);
         if let Some(points) = shape {
-            series.push(stroke("", palette.faint, points, 1.0, Dash::Dotted));
+            series.push(stroke("", Ink::Faint, points, 1.0, Dash::Dotted));
         }
     }
-    series.push(Series::line("", palette.text, points));
+    series.push(Series::line("", Ink::Text, points));
     for (top, power) in lines {
         let colour = srgb_from_wavelength(top[0]).0;
         let label = format!("{:.1}\n{:.0} %", top[0], 100.0 * power / whole);
@@ -121,9 +120,9 @@ pub fn mixed_spectrum(desk: &Desk, theme: Theme) -> Chart {
     Chart {
         title: "The mixture: drag a line or an LED along the wavelengths".to_owned(),
         y_label: "Power per nm (lines drawn 5 nm wide)".to_owned(),
-        colours: strip(band, theme),
+        colours: strip(band),
         series,
-        ..over(band, theme)
+        ..over(band)
     }
 }
 
@@ -142,8 +141,7 @@ fn part(
 
 /// What lines at free places reach at best, and where the desk's mixture stands; the first series
 /// has the points that can be taken.
-pub fn front_chart(points: &[FrontPoint], against: Against, desk: &Desk, theme: Theme) -> Chart {
-    let inks = Inks::of(theme);
+pub fn front_chart(points: &[FrontPoint], against: Against, desk: &Desk) -> Chart {
     let name = figure_name(against);
     let known: Vec<(&FrontPoint, f64)> = points
         .iter()
@@ -157,17 +155,17 @@ pub fn front_chart(points: &[FrontPoint], against: Against, desk: &Desk, theme: 
         let ler = point.figures.ler;
         format!("{name} {value:.0}, {ler:.0} lm/W: {}", lines_words(point))
     };
-    let dots = Series::points("best found", inks.spikes, Shape::Dot, places.clone());
+    let dots = Series::points("best found", Ink::Spikes, Shape::Dot, places.clone());
     let mut series = vec![
         dots.with_notes(known.iter().map(note).collect()),
-        Series::line("", inks.spikes, places.clone()),
+        Series::line("", Ink::Spikes, places.clone()),
     ];
     let here = desk
         .figures
         .as_ref()
         .and_then(|figures| Some([figures.ler, against.of(figures)?]));
     if let Some(here) = here {
-        let ring = Series::points("the faders now", inks.measured, Shape::Ring, vec![here]);
+        let ring = Series::points("the faders now", Ink::Measured, Shape::Ring, vec![here]);
         series.push(ring);
     }
     let all = || places.iter().copied().chain(here);
@@ -195,7 +193,6 @@ pub fn front_chart(points: &[FrontPoint], against: Against, desk: &Desk, theme: 
         y_range: Some([lowest, 100.0]),
         blank: blank.to_owned(),
         series,
-        theme,
         ..Chart::default()
     }
 }
@@ -221,7 +218,7 @@ mod tests {
     #[test]
     fn the_diagram_has_a_point_for_each_channel_and_the_region_between_them() {
         let desk = Desk::of(App::new().document());
-        let ground = ground(Theme::Dark);
+        let ground = ground();
         let chart = on_diagram(&ground, &desk, Some([0.2, 0.5]));
         let named = |name: &str| chart.series.iter().any(|series| series.name == name);
         assert!(named("can be mixed") && named("mixture") && named("target"));

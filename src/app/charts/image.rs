@@ -1,15 +1,14 @@
 //! The spectrum of a pixel or a region of an image, with its spread and its model.
 
 use crate::app::{
-    chart::{Chart, Dash, Inks, Series, Theme, curve},
+    chart::{Chart, Dash, Ink, Series, curve},
     charts::spectrum::{by_program, source_of},
     derived::Derived,
     picture::{RegionSpectrum, Spread},
 };
 
 /// The chart of a chosen spectrum, as measured, in the image's unit.
-pub fn region_chart(region: &RegionSpectrum, spread: Spread, theme: Theme) -> Chart {
-    let inks = Inks::of(theme);
+pub fn region_chart(region: &RegionSpectrum, spread: Spread) -> Chart {
     let spectrum = &region.spectrum;
     let nm = || region.nm.iter().copied();
     let mean = curve(nm(), spectrum.samples.values().iter().copied());
@@ -19,12 +18,12 @@ pub fn region_chart(region: &RegionSpectrum, spread: Spread, theme: Theme) -> Ch
         let (name, bounds) = bounds(region, spread);
         let upper = curve(nm(), bounds.iter().map(|b| b[1]));
         let lower = bounds.iter().map(|b| b[0]).collect();
-        series.push(Series::area(name, inks.smooth, upper, lower));
+        series.push(Series::area(name, Ink::Smooth, upper, lower));
     }
     let name = if is_region { "mean" } else { "pixel" };
-    series.push(Series::line(name, inks.measured, mean));
+    series.push(Series::line(name, Ink::Measured, mean));
     if let Some(derived) = &region.derived {
-        let line = Series::line("model", inks.spikes, model(derived, region));
+        let line = Series::line("model", Ink::Spikes, model(derived, region));
         series.push(line.dashed(Dash::Dashed));
     }
     let mut notes = source_of(spectrum);
@@ -39,10 +38,7 @@ pub fn region_chart(region: &RegionSpectrum, spread: Spread, theme: Theme) -> Ch
         },
         series,
         notes,
-        ..Chart::over_nm(
-            [spectrum.samples.first_nm(), spectrum.samples.last_nm()],
-            theme,
-        )
+        ..Chart::over_nm([spectrum.samples.first_nm(), spectrum.samples.last_nm()])
     }
 }
 

@@ -3,7 +3,7 @@
 use super::spectrum::broken_at_holes;
 use crate::{
     app::{
-        chart::{Chart, Dash, Inks, Series, Theme},
+        chart::{Chart, Dash, Ink, Series},
         ticks::{extent, short},
     },
     spectrum::NamedSpectrum,
@@ -16,15 +16,14 @@ pub const MOST_CURVES: usize = 12;
 const MOST_POINTS: usize = 2000;
 
 /// The curves of a file, as they were understood.
-pub fn curves(file: &str, spectra: &[NamedSpectrum], theme: Theme) -> Chart {
-    let inks = Inks::of(theme);
-    let [a, b, c, _] = inks.overlays;
+pub fn curves(file: &str, spectra: &[NamedSpectrum]) -> Chart {
+    let [a, b, c] = [0, 1, 2].map(Ink::Overlay);
     let colours = [
-        inks.measured,
-        inks.smooth,
-        inks.spikes,
-        inks.residual,
-        inks.product,
+        Ink::Measured,
+        Ink::Smooth,
+        Ink::Spikes,
+        Ink::Residual,
+        Ink::Product,
         a,
         b,
         c,
@@ -73,7 +72,7 @@ pub fn curves(file: &str, spectra: &[NamedSpectrum], theme: Theme) -> Chart {
         y_label,
         y_range: cut.map(|(range, _)| range),
         series: series.collect(),
-        ..Chart::over_nm(extent(ends).unwrap_or([380.0, 780.0]), theme)
+        ..Chart::over_nm(extent(ends).unwrap_or([380.0, 780.0]))
     }
 }
 
@@ -175,7 +174,7 @@ mod tests {
         let values = vec![1.0; nm.len()];
         let mut holed = spectrum(2);
         holed.samples = Sampled::new(nm, values).expect("rising");
-        let chart = curves("a.csv", &[holed], Theme::Dark);
+        let chart = curves("a.csv", &[holed]);
         let points = chart.series[0].marks.points();
         let broken: Vec<f64> = points
             .iter()
@@ -188,7 +187,7 @@ mod tests {
 
     #[test]
     fn a_long_curve_is_thinned_and_keeps_its_peak() {
-        let chart = curves("a.csv", &[spectrum(50_000)], Theme::Dark);
+        let chart = curves("a.csv", &[spectrum(50_000)]);
         let points = chart.series[0].marks.points();
         assert!(points.len() <= MOST_POINTS);
         assert!(points.iter().any(|p| p[1] == 7.0));
@@ -197,9 +196,9 @@ mod tests {
     #[test]
     fn of_many_curves_the_first_are_drawn_and_it_is_said() {
         let spectra = vec![spectrum(5); 20];
-        let chart = curves("a.csv", &spectra, Theme::Light);
+        let chart = curves("a.csv", &spectra);
         assert_eq!(chart.series.len(), MOST_CURVES);
         assert_eq!(chart.title, "The first 12 of 20 curves of a.csv (+ 8 more)");
-        assert_eq!(curves("a", &[], Theme::Light).series, []);
+        assert_eq!(curves("a", &[]).series, []);
     }
 }

@@ -3,7 +3,7 @@
 
 use crate::{
     app::{
-        chart::{Chart, Dash, Inks, Panel, Scale, Series, Theme, curve},
+        chart::{Chart, Dash, Ink, Panel, Scale, Series, curve},
         derived::less,
         studies::EncodedLight,
     },
@@ -12,29 +12,28 @@ use crate::{
 };
 
 /// Measured and decoded above, decoded less measured below.
-pub fn words_chart(name: &str, found: &EncodedLight, theme: Theme) -> Chart {
-    let inks = Inks::of(theme);
+pub fn words_chart(name: &str, found: &EncodedLight) -> Chart {
     let encoding = &found.encoded.encoding;
     let band = encoding.band();
     let top = found.measured.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     let unit = if top > 0.0 { top } else { 1.0 };
     let points = |values: &[f64]| curve(band.grid(), values.iter().map(|v| v / unit));
     let (floor, measured) = (vec![0.0; band.points()], points(&found.measured));
-    let mut series = vec![Series::area("measured", inks.measured, measured, floor).coloured()];
-    let parts = found.parts.iter().zip(inks.overlays.into_iter().cycle());
+    let mut series = vec![Series::area("measured", Ink::Measured, measured, floor).coloured()];
+    let parts = found.parts.iter().zip((0..).map(Ink::Overlay));
     for ((title, values), ink) in parts {
         series.push(Series::line(*title, ink, points(values)).dashed(Dash::Dashed));
     }
     let smooth = points(&encoding.smooth.on_band());
-    series.push(Series::line("short series", inks.smooth, smooth).dashed(Dash::Dotted));
+    series.push(Series::line("short series", Ink::Smooth, smooth).dashed(Dash::Dotted));
     if !encoding.lines.is_empty() {
         let mut lines = vec![0.0; band.points()];
         add_lines(band, &encoding.lines, &mut lines);
         let name = "lines of their own width";
-        series.push(Series::line(name, inks.residual, points(&lines)).dashed(Dash::Dashed));
+        series.push(Series::line(name, Ink::Residual, points(&lines)).dashed(Dash::Dashed));
     }
     let decoded = points(&found.decoded);
-    series.push(Series::line("from the words", inks.model, decoded));
+    series.push(Series::line("from the words", Ink::Model, decoded));
     let off = less(&found.decoded, &found.measured);
     Chart {
         title: format!("{name} in {} numbers", found.encoded.words.len()),
@@ -43,17 +42,16 @@ pub fn words_chart(name: &str, found: &EncodedLight, theme: Theme) -> Chart {
         x_range: [band.min_nm(), band.max_nm()],
         y_scale: scale(&found.measured),
         series,
-        colours: band.grid().map(|nm| srgb_of_fill(nm).0).collect(),
+        colours: band.grid().map(|nm| Ink::Own(srgb_of_fill(nm).0)).collect(),
         residual: Some(Panel {
             y_label: "Off by, at 1 nm".to_owned(),
             y_range: None,
             series: vec![Series::line(
                 "from the words less measured",
-                inks.residual,
+                Ink::Residual,
                 points(&off),
             )],
         }),
-        theme,
         ..Chart::default()
     }
 }
@@ -90,7 +88,7 @@ mod tests {
         app.apply(Command::Show(light));
         let found = EncodeAsk::of(app.document(), 20, true, false).answer(&Progress::default());
         let found = found.expect("not cancelled").expect("a light");
-        let chart = words_chart("FL11", &found, Theme::Dark);
+        let chart = words_chart("FL11", &found);
         assert!(chart.title.starts_with("FL11 in "));
         let points = |i: usize| chart.series[i].marks.points();
         let last = chart.series.len() - 1;

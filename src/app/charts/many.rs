@@ -5,7 +5,7 @@ use crate::{
     app::{
         App,
         cells::{line, number, words},
-        chart::{Chart, Dash, Inks, Series, Shape, Theme},
+        chart::{Chart, Dash, Ink, Series, Shape},
         figures::Unit,
         pages::ManyMemory,
         settings::Settings,
@@ -111,17 +111,16 @@ pub fn sentence(many: &ManyLights, wanted: Wanted) -> String {
 }
 
 /// For how many of the lights each order is enough, with and without lines.
-pub fn chart(many: &ManyLights, wanted: Wanted, theme: Theme) -> Chart {
-    let inks = Inks::of(theme);
+pub fn chart(many: &ManyLights, wanted: Wanted) -> Chart {
     let total = many.lights.len() as f64;
     let last = many.highest_order as f64;
     let wish = 100.0 * wanted.share;
     let mut series = vec![
-        Series::line("target", inks.measured, vec![[0.0, wish], [last, wish]]).dashed(Dash::Dotted),
+        Series::line("target", Ink::Measured, vec![[0.0, wish], [last, wish]]).dashed(Dash::Dotted),
     ];
     for (spikes, name, ink, dash) in [
-        (false, "without lines", inks.smooth, Dash::Dashed),
-        (true, "with lines", inks.spikes, Dash::Solid),
+        (false, "without lines", Ink::Smooth, Dash::Dashed),
+        (true, "with lines", Ink::Spikes, Dash::Solid),
     ] {
         let wanted = wanted.with_spikes(spikes);
         let counts = many.counts(wanted.way, wanted.measure, wanted.limit);
@@ -141,7 +140,6 @@ pub fn chart(many: &ManyLights, wanted: Wanted, theme: Theme) -> Chart {
         y_range: Some([0.0, 100.0]),
         series,
         notes: vec![format!("{}; {}", wanted.limit_words(), wanted.way.title())],
-        theme,
         ..Chart::default()
     }
 }
@@ -228,7 +226,7 @@ mod tests {
         assert_eq!(within.count(), count);
         let needs = |row: &ManyRow<'_>| row.enough.map_or(usize::MAX, |[o, ..]| o);
         assert!(rows.is_sorted_by_key(|row| std::cmp::Reverse(needs(row))));
-        let chart = chart(&many, wanted, Theme::Dark);
+        let chart = chart(&many, wanted);
         let line = chart
             .series
             .iter()

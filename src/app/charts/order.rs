@@ -3,7 +3,7 @@
 use super::spectrum::provenance;
 use crate::{
     app::{
-        chart::{Chart, Dash, Inks, Palette, Rgb, Scale, Series, Shape, Theme, stroke},
+        chart::{Chart, Dash, Ink, Scale, Series, Shape, stroke},
         derived::{OF_CURVE, OrderPoint},
         figures::SMALLEST,
         state::App,
@@ -22,15 +22,14 @@ fn errors(app: &App, measure: Measure) -> Vec<[f64; 2]> {
 }
 
 /// The errors against the order as a chart: colour differences, and relative errors in percent.
-pub fn curve_chart(app: &App, theme: Theme) -> Chart {
+pub fn curve_chart(app: &App) -> Chart {
     let (document, derived) = (app.document(), app.derived());
-    let inks = Inks::of(theme);
     let of_series = [
-        inks.measured,
-        inks.smooth,
-        inks.product,
-        inks.spikes,
-        inks.residual,
+        Ink::Measured,
+        Ink::Smooth,
+        Ink::Product,
+        Ink::Spikes,
+        Ink::Residual,
     ];
     let series = OF_CURVE.iter().zip(of_series).map(|(measure, ink)| {
         let name = measure.figure().with_unit();
@@ -52,14 +51,12 @@ pub fn curve_chart(app: &App, theme: Theme) -> Chart {
         y_scale: Scale::Log10,
         series: series.filter(|s| !s.marks.points().is_empty()).collect(),
         notes: provenance(app),
-        theme,
         ..Chart::default()
     }
 }
 
 /// One of the errors against the order with the order in force marked; `None` where there is none.
-pub fn order_chart(app: &App, measure: Measure, theme: Theme) -> Option<Chart> {
-    let inks = Inks::of(theme);
+pub fn order_chart(app: &App, measure: Measure) -> Option<Chart> {
     let points = errors(app, measure);
     let [lowest, highest] = extent(points.iter().map(|p| p[1].log10()))?;
     let decades = [(lowest - 0.1).floor().max(SMALLEST.log10()), highest.ceil()];
@@ -68,9 +65,9 @@ pub fn order_chart(app: &App, measure: Measure, theme: Theme) -> Option<Chart> {
     let last = points.last().map_or(1.0, |p| p[0].max(1.0));
     let x_range = [-0.02 * last, 1.02 * last];
     let order = app.derived().model.smooth().order() as f64;
-    let faint = Palette::of(theme).axis;
+    let faint = Ink::Axis;
     let thin = |ends: [[f64; 2]; 2]| stroke("", faint, ends.to_vec(), 1.1, Dash::Solid);
-    let dots = |colour: Rgb, radius: f64, points: Vec<[f64; 2]>| {
+    let dots = |colour: Ink, radius: f64, points: Vec<[f64; 2]>| {
         Series::points("", colour, Shape::Dot, points).sized(radius)
     };
     let now = points.iter().copied().filter(|p| p[0] == order).collect();
@@ -78,22 +75,21 @@ pub fn order_chart(app: &App, measure: Measure, theme: Theme) -> Option<Chart> {
     if measure.is_colour() {
         let below = x_range.map(|x| [x, HARD_TO_SEE.min(y_range[1])]).to_vec();
         let floor = vec![y_range[0]; 2];
-        let mut zone = Series::area(Seen::Hardly.seen(), inks.residual, below, floor);
+        let mut zone = Series::area(Seen::Hardly.seen(), Ink::Residual, below, floor);
         // A chart that begins above the limit has no room for its name.
         zone.is_tagged = y_range[0] < HARD_TO_SEE;
         series.push(zone);
         series.push(thin(x_range.map(|x| [x, HARD_TO_SEE])));
     }
-    series.push(Series::line("", inks.smooth, points.clone()));
-    series.push(dots(inks.smooth, 1.8, points));
-    series.push(dots(inks.spikes, 4.5, now));
+    series.push(Series::line("", Ink::Smooth, points.clone()));
+    series.push(dots(Ink::Smooth, 1.8, points));
+    series.push(dots(Ink::Spikes, 4.5, now));
     Some(Chart {
         x_range,
         y_range: Some(y_range),
         y_scale: Scale::Log10,
         y_unit: measure.figure().unit.tail.to_owned(),
         series,
-        theme,
         ..Chart::default()
     })
 }

@@ -4,7 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    app::chart::{Chart, Dash, Inks, Marks, Palette, Rgb, Series, Shape, Theme, stroke},
+    app::chart::{Chart, Dash, Ink, Marks, Rgb, Series, Shape, stroke},
     color::{
         Observer, Srgb, Xyz,
         quality::{
@@ -89,17 +89,11 @@ fn crossings(closed: &[[f64; 2]], y: f64) -> Vec<f64> {
 }
 
 /// Ink on the coloured ground, whatever the theme.
-const BLACK: Rgb = [15; 3];
+const BLACK: Ink = Ink::Own([15; 3]);
 
 /// The chromaticity diagram with a light as measured and by its model, both xy.
-pub fn diagram(
-    measured: Option<[f64; 2]>,
-    model: Option<[f64; 2]>,
-    shows: DiagramShows,
-    theme: Theme,
-) -> Chart {
+pub fn diagram(measured: Option<[f64; 2]>, model: Option<[f64; 2]>, shows: DiagramShows) -> Chart {
     let plane = shows.plane();
-    let (inks, palette) = (Inks::of(theme), Palette::of(theme));
     let locus: Vec<[f64; 2]> = spectral_locus(Observer::CIE_1931, plane)
         .into_iter()
         .filter(|point| (380..=700).contains(&point.nm))
@@ -115,18 +109,18 @@ pub fn diagram(
         None => whole,
     };
     let mut series = vec![colours(&locus, plane, [x_range, y_range])];
-    series.push(stroke("", palette.text, closed(locus), 1.4, Dash::Solid));
-    areas(&mut series, shows, palette.text);
+    series.push(stroke("", Ink::Text, closed(locus), 1.4, Dash::Solid));
+    areas(&mut series, shows, Ink::Text);
     blackbodies(&mut series, shows);
-    let point = |name: &str, colour: Rgb, shape: Shape, radius: f64, xy: [f64; 2]| {
+    let point = |name: &str, colour: Ink, shape: Shape, radius: f64, xy: [f64; 2]| {
         Series::points(name, colour, shape, vec![plane.of_xy(xy)]).sized(radius)
     };
     if let Some(xy) = measured {
         series.push(point("", BLACK, Shape::Dot, 6.0, xy));
-        series.push(point("measured", inks.measured, Shape::Dot, 4.5, xy));
+        series.push(point("measured", Ink::Measured, Shape::Dot, 4.5, xy));
     }
     if let Some(xy) = model {
-        series.push(point("model", inks.spikes, Shape::Ring, 7.0, xy));
+        series.push(point("model", Ink::Spikes, Shape::Ring, 7.0, xy));
     }
     let [x_label, y_label] = if shows.uniform {
         ["u′", "v′"]
@@ -140,7 +134,6 @@ pub fn diagram(
         x_range,
         y_range: Some(y_range),
         series,
-        theme,
         ..Chart::default()
     }
 }
@@ -152,7 +145,7 @@ fn closed(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 }
 
 /// What screens reach, what looks alike, and whites that lamps are sold by, where asked for.
-fn areas(series: &mut Vec<Series>, shows: DiagramShows, edge: Rgb) {
+fn areas(series: &mut Vec<Series>, shows: DiagramShows, edge: Ink) {
     let plane = shows.plane();
     if shows.gamuts {
         for gamut in GAMUTS.iter().filter(|gamut| gamut.name != "DCI-P3") {
@@ -229,8 +222,7 @@ fn colours(locus: &[[f64; 2]], plane: Plane, [x_range, y_range]: [[f64; 2]; 2]) 
 }
 
 /// TM-30's colour vector graphic: the reference a circle, the light around it.
-pub fn vector_graphic(fidelity: &Fidelity, theme: Theme) -> Chart {
-    let (inks, palette) = (Inks::of(theme), Palette::of(theme));
+pub fn vector_graphic(fidelity: &Fidelity) -> Chart {
     let circle = |radius: f64| -> Vec<[f64; 2]> {
         let turns = (0..=90).map(|i| f64::from(i) * std::f64::consts::TAU / 90.0);
         turns
@@ -238,10 +230,10 @@ pub fn vector_graphic(fidelity: &Fidelity, theme: Theme) -> Chart {
             .collect()
     };
     let mut series: Vec<Series> = [0.8, 0.9, 1.1, 1.2]
-        .map(|radius| stroke("", palette.grid, circle(radius), 1.0, Dash::Solid))
+        .map(|radius| stroke("", Ink::Grid, circle(radius), 1.0, Dash::Solid))
         .to_vec();
     let unit = circle(1.0);
-    series.push(stroke("reference", palette.axis, unit, 1.6, Dash::Solid));
+    series.push(stroke("reference", Ink::Axis, unit, 1.6, Dash::Solid));
     let bins: Vec<_> = fidelity.bins.iter().flatten().collect();
     let around = closed(bins.iter().map(|bin| bin.test_ab).collect());
     for bin in &bins {
@@ -251,7 +243,7 @@ pub fn vector_graphic(fidelity: &Fidelity, theme: Theme) -> Chart {
         let dot = Series::points("", colour, Shape::Dot, vec![bin.test_ab]);
         series.push(dot.sized(3.2));
     }
-    series.push(stroke("this light", inks.spikes, around, 2.0, Dash::Solid));
+    series.push(stroke("this light", Ink::Spikes, around, 2.0, Dash::Solid));
     Chart {
         title: format!(
             "Colour vectors: Rf {:.0}, Rg {:.0}",
@@ -263,7 +255,6 @@ pub fn vector_graphic(fidelity: &Fidelity, theme: Theme) -> Chart {
         y_range: Some([-1.5, 1.5]),
         even: true,
         series,
-        theme,
         ..Chart::default()
     }
 }
@@ -288,7 +279,7 @@ pub enum OfBins {
 }
 
 /// The 16 hue bins as bars.
-pub fn bin_bars(fidelity: &Fidelity, what: OfBins, theme: Theme) -> Chart {
+pub fn bin_bars(fidelity: &Fidelity, what: OfBins) -> Chart {
     let mut series = Vec::new();
     for (i, bin) in fidelity.bins.iter().enumerate() {
         let Some(bin) = bin else { continue };
@@ -314,13 +305,12 @@ pub fn bin_bars(fidelity: &Fidelity, what: OfBins, theme: Theme) -> Chart {
         x_range: [0.4, 16.6],
         y_range: Some(range),
         series,
-        theme,
         ..Chart::default()
     }
 }
 
 /// R1 to R15 as bars, each split into the sample's colour under the reference and under the light.
-pub fn sample_bars(rendering: &Rendering, theme: Theme) -> Chart {
+pub fn sample_bars(rendering: &Rendering) -> Chart {
     const HALF: f64 = 0.4;
     let mut series = Vec::new();
     let mut names = Vec::new();
@@ -353,13 +343,12 @@ pub fn sample_bars(rendering: &Rendering, theme: Theme) -> Chart {
         x_names: names,
         y_range: Some([(lowest / 20.0).floor() * 20.0, 100.0]),
         series,
-        theme,
         ..Chart::default()
     }
 }
 
 /// The fidelity of each of the 99 samples as bars.
-pub fn fidelity_bars(fidelity: &Fidelity, theme: Theme) -> Chart {
+pub fn fidelity_bars(fidelity: &Fidelity) -> Chart {
     let values = fidelity.samples.iter().enumerate();
     let points: Vec<[f64; 2]> = values.map(|(i, rf)| [i as f64 + 1.0, *rf]).collect();
     let lowest = fidelity.samples.iter().copied().fold(100.0, f64::min);
@@ -369,15 +358,13 @@ pub fn fidelity_bars(fidelity: &Fidelity, theme: Theme) -> Chart {
         y_label: "Rf".to_owned(),
         x_range: [0.0, 100.0],
         y_range: Some([0.0, 100.0]),
-        series: vec![Series::bars("", Inks::of(theme).smooth, 0.8, points)],
-        theme,
+        series: vec![Series::bars("", Ink::Smooth, 0.8, points)],
         ..Chart::default()
     }
 }
 
 /// One figure against the order of the model, the exact value a line.
-pub fn against_order(found: &OrderFigures, chosen: Chosen, theme: Theme) -> Chart {
-    let inks = Inks::of(theme);
+pub fn against_order(found: &OrderFigures, chosen: Chosen) -> Chart {
     let points: Vec<[f64; 2]> = found
         .points
         .iter()
@@ -389,19 +376,18 @@ pub fn against_order(found: &OrderFigures, chosen: Chosen, theme: Theme) -> Char
         let near = chosen.near_enough(exact);
         let upper = vec![[0.0, exact + near], [last, exact + near]];
         let lower = vec![exact - near; 2];
-        series.push(Series::area("near enough", inks.residual, upper, lower));
+        series.push(Series::area("near enough", Ink::Residual, upper, lower));
         let level = vec![[0.0, exact], [last, exact]];
-        series.push(Series::line("measured", inks.measured, level).dashed(Dash::Dashed));
+        series.push(Series::line("measured", Ink::Measured, level).dashed(Dash::Dashed));
     }
-    series.push(Series::line("model", inks.spikes, points.clone()));
-    series.push(Series::points("", inks.spikes, Shape::Dot, points));
+    series.push(Series::line("model", Ink::Spikes, points.clone()));
+    series.push(Series::points("", Ink::Spikes, Shape::Dot, points));
     Chart {
         title: format!("{} against the order", chosen.title()),
         x_label: "Order N".to_owned(),
         y_label: chosen.title().to_owned(),
         x_range: [0.0, last],
         series,
-        theme,
         ..Chart::default()
     }
 }

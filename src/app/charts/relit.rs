@@ -2,7 +2,7 @@
 
 use crate::{
     app::{
-        chart::{Chart, Dash, Inks, Palette, Scale, Series, Shape, Theme},
+        chart::{Chart, Dash, Ink, Scale, Series, Shape},
         relit::{Fit, Looked, Turned},
     },
     pictures::{Candidate, ReferenceKind},
@@ -13,8 +13,7 @@ const LEAST: f64 = 1e-3;
 
 /// The error of every way that was tried against its numbers, `now` marked: of colours under six
 /// lights, or of the spectra where nobody knows what lit the picture.
-pub fn error_chart(looked: &Looked, now: usize, theme: Theme) -> Chart {
-    let inks = Inks::of(theme);
+pub fn error_chart(looked: &Looked, now: usize) -> Chart {
     let choice = &looked.choice;
     let is_of_colour = looked.bands().is_factor() || looked.known.is_some();
     let of = |c: &Candidate| {
@@ -29,12 +28,12 @@ pub fn error_chart(looked: &Looked, now: usize, theme: Theme) -> Chart {
     let mut series: Vec<Series> = vec![
         Series::line(
             "",
-            Palette::of(theme).axis,
+            Ink::Axis,
             vec![[least as f64, bound], [most as f64, bound]],
         )
         .dashed(Dash::Dashed),
     ];
-    for (kind, has_lines, name, ink) in ways(looked, inks) {
+    for (kind, has_lines, name, ink) in ways(looked) {
         let points: Vec<[f64; 2]> = (least..=most)
             .filter_map(|numbers| {
                 let tried = choice.tried.iter().filter(|c| {
@@ -51,7 +50,7 @@ pub fn error_chart(looked: &Looked, now: usize, theme: Theme) -> Chart {
     let marked = choice.with_numbers(now);
     let marked = marked.map(|c| [c.numbers as f64, of(c).max(LEAST)]);
     let marked = marked.into_iter().collect();
-    series.push(Series::points("", inks.spikes, Shape::Dot, marked).sized(5.0));
+    series.push(Series::points("", Ink::Spikes, Shape::Dot, marked).sized(5.0));
     Chart {
         title: if is_of_colour {
             "95 % of ΔE₀₀ under six lights".to_owned()
@@ -62,27 +61,26 @@ pub fn error_chart(looked: &Looked, now: usize, theme: Theme) -> Chart {
         x_range: [least as f64 - 1.0, most as f64 + 1.0],
         y_scale: Scale::Log10,
         series,
-        theme,
         ..Chart::default()
     }
 }
 
 /// The ways that were tried: what the series multiplies, whether there are lines beside it, its
 /// name and colour.
-fn ways(looked: &Looked, inks: Inks) -> [(ReferenceKind, bool, String, [u8; 3]); 5] {
+fn ways(looked: &Looked) -> [(ReferenceKind, bool, String, Ink); 5] {
     let light = looked.known.as_ref().map_or("light", |light| light.name());
     let by_light = format!("series × {light}");
     let by_mean = "series × mean";
     [
-        (ReferenceKind::One, false, "series", inks.smooth),
-        (ReferenceKind::One, true, "series, lines", inks.residual),
-        (ReferenceKind::Light, false, &by_light, inks.smooth),
-        (ReferenceKind::Mean, false, by_mean, inks.product),
+        (ReferenceKind::One, false, "series", Ink::Smooth),
+        (ReferenceKind::One, true, "series, lines", Ink::Residual),
+        (ReferenceKind::Light, false, &by_light, Ink::Smooth),
+        (ReferenceKind::Mean, false, by_mean, Ink::Product),
         (
             ReferenceKind::Mean,
             true,
             "series × mean, lines",
-            inks.spikes,
+            Ink::Spikes,
         ),
     ]
     .map(|(kind, has_lines, name, ink)| (kind, has_lines, name.to_owned(), ink))
@@ -92,7 +90,7 @@ fn ways(looked: &Looked, inks: Inks) -> [(ReferenceKind, bool, String, [u8; 3]);
 const BOXES: usize = 40;
 
 /// How many of the drawn pixels are off by how much under the light.
-pub fn difference_chart(turned: &Turned, theme: Theme) -> Chart {
+pub fn difference_chart(turned: &Turned) -> Chart {
     let spread = turned.spread;
     let is_none = spread.max < LEAST;
     let most = if is_none { 1.0 } else { spread.max };
@@ -108,15 +106,14 @@ pub fn difference_chart(turned: &Turned, theme: Theme) -> Chart {
     // A box of none has no height on an axis of ratios.
     let boxes = boxes.filter(|(_, count)| **count > 0);
     let points = boxes.map(|(i, count)| [(i as f64 + 0.5) * width, *count as f64]);
-    let inks = Inks::of(theme);
     let mut series = Vec::new();
     if !is_none {
-        let boxes = Series::bars("", inks.smooth, 0.9 * width, points.collect());
+        let boxes = Series::bars("", Ink::Smooth, 0.9 * width, points.collect());
         series.push(boxes);
         for (name, at, ink, dash) in [
-            ("mean", spread.mean, inks.measured, Dash::Solid),
-            ("95 %", spread.p95, inks.spikes, Dash::Dashed),
-            ("most", spread.max, inks.product, Dash::Dotted),
+            ("mean", spread.mean, Ink::Measured, Dash::Solid),
+            ("95 %", spread.p95, Ink::Spikes, Dash::Dashed),
+            ("most", spread.max, Ink::Product, Dash::Dotted),
         ] {
             let line = vec![[at, 0.5], [at, 2.0 * highest]];
             series.push(Series::line(format!("{name} {at:.2}"), ink, line).dashed(dash));
@@ -135,14 +132,12 @@ pub fn difference_chart(turned: &Turned, theme: Theme) -> Chart {
             String::new()
         },
         series,
-        theme,
         ..Chart::default()
     }
 }
 
 /// A drawn pixel by every band and by few numbers, with the lines that all pixels share.
-pub fn pixel_chart(fit: &Fit, [x, y]: [usize; 2], theme: Theme) -> Chart {
-    let inks = Inks::of(theme);
+pub fn pixel_chart(fit: &Fit, [x, y]: [usize; 2]) -> Chart {
     let bands = fit.operator.bands();
     let nm = bands.nm();
     let [exact, few] = fit.pixel(x, y);
@@ -154,13 +149,13 @@ pub fn pixel_chart(fit: &Fit, [x, y]: [usize; 2], theme: Theme) -> Chart {
     };
     let step = fit.looked.0.step;
     let mut series = vec![
-        Series::line("every band", inks.measured, points(&exact)),
-        Series::line("few numbers", inks.spikes, points(&few)).dashed(Dash::Dashed),
+        Series::line("every band", Ink::Measured, points(&exact)),
+        Series::line("few numbers", Ink::Spikes, points(&few)).dashed(Dash::Dashed),
     ];
     let stems = stems(fit, &exact, &few);
     if !stems.is_empty() {
         let (base, points) = stems.into_iter().unzip();
-        series.push(Series::stems("lines", inks.spikes, points, base));
+        series.push(Series::stems("lines", Ink::Spikes, points, base));
     }
     Chart {
         title: format!("Pixel in column {}, row {}", x * step, y * step),
@@ -171,7 +166,7 @@ pub fn pixel_chart(fit: &Fit, [x, y]: [usize; 2], theme: Theme) -> Chart {
             String::new()
         },
         series,
-        ..Chart::over_nm([nm[0], nm[nm.len() - 1]], theme)
+        ..Chart::over_nm([nm[0], nm[nm.len() - 1]])
     }
 }
 

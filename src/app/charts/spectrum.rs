@@ -2,7 +2,7 @@
 
 use crate::{
     app::{
-        chart::{self, Chart, Dash, Inks, Palette, Panel, Rgb, Scale, Series, Theme, stroke},
+        chart::{self, Chart, Dash, Ink, OVERLAY_INKS, Panel, Scale, Series, stroke},
         document::Height,
         entry::Entry,
         line_names::LineName,
@@ -39,7 +39,7 @@ pub(super) fn unit_or_value(unit: &str) -> String {
 }
 
 /// The spectrum plot of the present document.
-pub fn spectrum_chart(app: &App, theme: Theme) -> Chart {
+pub fn spectrum_chart(app: &App) -> Chart {
     let (document, derived) = (app.document(), app.derived());
     let (view, band) = (document.view, derived.band);
     let subject = document.subject_entry();
@@ -56,16 +56,16 @@ pub fn spectrum_chart(app: &App, theme: Theme) -> Chart {
         ),
         y_label: value_label(unit),
         y_scale: scale(app),
-        series: spectrum_series(app, theme),
+        series: spectrum_series(app),
         colours: colours(app),
-        residual: (view.residual && has_subject).then(|| residual(app, theme)),
+        residual: (view.residual && has_subject).then(|| residual(app)),
         notes: provenance(app),
         blank: if has_subject {
             String::new()
         } else {
             nothing_here(app)
         },
-        ..over(band, theme)
+        ..over(band)
     };
     let [low, high] = chart.y_limits();
     chart.y_range = Some(match chart.y_scale {
@@ -113,19 +113,18 @@ pub(super) fn on_grid(band: Band, values: &[f64], factor: f64) -> Vec<[f64; 2]> 
 }
 
 /// An empty chart over the wavelengths of a band.
-pub(super) fn over(band: Band, theme: Theme) -> Chart {
-    Chart::over_nm([band.min_nm(), band.max_nm()], theme)
+pub(super) fn over(band: Band) -> Chart {
+    Chart::over_nm([band.min_nm(), band.max_nm()])
 }
 
 /// What the view shows, the last on top.
-fn spectrum_series(app: &App, theme: Theme) -> Vec<Series> {
-    let inks = Inks::of(theme);
+fn spectrum_series(app: &App) -> Vec<Series> {
     let (document, derived) = (app.document(), app.derived());
     let view = document.view;
     let mut series = Vec::new();
     if view.overlays {
         let overlays = document.overlays.iter().enumerate();
-        series.extend(overlays.filter_map(|(i, entry)| overlay(app, entry, i, inks)));
+        series.extend(overlays.filter_map(|(i, entry)| overlay(app, entry, i)));
     }
     // Where nothing was measured there is nothing to draw, not a line of zeros.
     if !app.is_measured_in_range() {
@@ -135,37 +134,37 @@ fn spectrum_series(app: &App, theme: Theme) -> Vec<Series> {
         let points = app.measured_points();
         let points: Vec<[f64; 2]> = points.map(|(nm, v)| [nm, v * app.scale_factor()]).collect();
         if view.strip && document.is_about_light() {
-            let area = Series::area("measured", inks.measured, points, Vec::new());
+            let area = Series::area("measured", Ink::Measured, points, Vec::new());
             series.push(area.coloured());
             series.extend(line_bars(app));
         } else {
-            series.push(Series::line("measured", inks.measured, points));
+            series.push(Series::line("measured", Ink::Measured, points));
         }
     }
     if let Some(product) = app.product() {
         let (exact, model) = (curve(app, &product.exact), curve(app, &product.smooth));
         let name = format!("through {}", product.name);
-        series.push(Series::line(&name, inks.product, exact));
+        series.push(Series::line(&name, Ink::Product, exact));
         let name = format!("{name}, by the model");
-        series.push(stroke(&name, inks.product, model, 1.8, Dash::Dashed));
+        series.push(stroke(&name, Ink::Product, model, 1.8, Dash::Dashed));
         let (spikes, smooth) = (&product.spikes, &product.smooth);
-        series.push(stems(app, (&name, inks.product), spikes, smooth));
+        series.push(stems(app, (&name, Ink::Product), spikes, smooth));
     }
     if view.model {
         // The edge keeps the outline apart from whatever it runs over.
         let points = curve(app, &derived.outline());
-        let edge = Palette::of(theme).ground;
+        let edge = Ink::Ground;
         series.push(stroke("", edge, points.clone(), 4.0, Dash::Solid));
-        series.push(stroke("model", inks.model, points, 2.0, Dash::Solid));
+        series.push(stroke("model", Ink::Model, points, 2.0, Dash::Solid));
     }
     if view.smooth {
         let line = curve(app, &derived.smooth);
-        series.push(stroke("smooth part", inks.smooth, line, 2.34, Dash::Solid));
+        series.push(stroke("smooth part", Ink::Smooth, line, 2.34, Dash::Solid));
     }
     if view.spikes {
-        series.extend(bells(app, inks));
+        series.extend(bells(app));
         let spikes = derived.model.lines();
-        let stems = stems(app, (SPIKES, inks.spikes), spikes, &derived.smooth);
+        let stems = stems(app, (SPIKES, Ink::Spikes), spikes, &derived.smooth);
         series.push(stems.labelled(labels(app, spikes)));
     }
     series
@@ -285,7 +284,7 @@ pub(super) fn broken_at_holes(mut points: Vec<[f64; 2]>, samples: &Sampled) -> V
 }
 
 /// A spectrum laid over the subject, on its axis.
-fn overlay(app: &App, entry: &Entry, index: usize, inks: Inks) -> Option<Series> {
+fn overlay(app: &App, entry: &Entry, index: usize) -> Option<Series> {
     let samples = &entry.spectrum.samples;
     let factor = match Laid::of(app, entry) {
         Laid::Alike(factor) | Laid::EquallyBright(factor) | Laid::AsHigh(factor) => factor,
@@ -294,17 +293,21 @@ fn overlay(app: &App, entry: &Entry, index: usize, inks: Inks) -> Option<Series>
     let values = samples.values().iter().map(|v| v * factor);
     let points = chart::curve(samples.nm().iter().copied(), values);
     let points = broken_at_holes(points, samples);
-    let colours = inks.overlays;
     // The second round of inks is thinner: dashes of many curves cost a third of a frame.
-    let width = (1.8 / (1 + index / colours.len()) as f64).max(0.7);
-    let colour = colours[index % colours.len()];
-    let mut series = stroke(entry.name(), colour, points, width, Dash::Solid);
+    let width = (1.8 / (1 + index / OVERLAY_INKS) as f64).max(0.7);
+    let mut series = stroke(
+        entry.name(),
+        Ink::Overlay(index),
+        points,
+        width,
+        Dash::Solid,
+    );
     series.is_tagged = index < MOST_TAGGED;
     Some(series)
 }
 
 /// Spikes of the model as stems on a smooth curve.
-fn stems(app: &App, looks: (&str, Rgb), spikes: &[Line], smooth: &[f64]) -> Series {
+fn stems(app: &App, looks: (&str, Ink), spikes: &[Line], smooth: &[f64]) -> Series {
     let derived = app.derived();
     let smooth = (derived.band, smooth, app.scale_factor());
     spike_stems(looks, spikes, smooth, |i| {
@@ -315,7 +318,7 @@ fn stems(app: &App, looks: (&str, Rgb), spikes: &[Line], smooth: &[f64]) -> Seri
 /// Spikes as stems on a smooth curve, each as high as a line of the width that it is drawn with;
 /// all times a factor.
 pub(super) fn spike_stems(
-    (name, colour): (&str, Rgb),
+    (name, colour): (&str, Ink),
     spikes: &[Line],
     (band, smooth, factor): (Band, &[f64], f64),
     width_nm: impl Fn(usize) -> f64,
@@ -330,33 +333,33 @@ pub(super) fn spike_stems(
 }
 
 /// Lines that have a width, each as it stands on the smooth curve.
-fn bells(app: &App, inks: Inks) -> Option<Series> {
+fn bells(app: &App) -> Option<Series> {
     let derived = app.derived();
     derived.model.has_widths().then(|| {
         let points = curve(app, &derived.outline());
         let base = curve(app, &derived.smooth).iter().map(|p| p[1]).collect();
-        Series::area("lines as wide as they are", inks.spikes, points, base)
+        Series::area("lines as wide as they are", Ink::Spikes, points, base)
     })
 }
 
 /// The colours of the wavelengths; none where the range shows none.
-fn colours(app: &App) -> Vec<Rgb> {
+fn colours(app: &App) -> Vec<Ink> {
     let band = app.derived().band;
     if band.min_nm() >= 830.0 || band.max_nm() <= 360.0 {
         return Vec::new();
     }
-    let colours = band.grid().map(|nm| srgb_of_fill(nm).0);
+    let colours = band.grid().map(|nm| Ink::Own(srgb_of_fill(nm).0));
     colours.collect()
 }
 
 /// Model minus measured.
-fn residual(app: &App, theme: Theme) -> Panel {
+fn residual(app: &App) -> Panel {
     // Lines are as wide as they are measured: ideal ones would dwarf all that is left over.
     let points = curve(app, &app.derived().widened_residual());
     let mut panel = Panel {
         y_label: "model − measured".to_owned(),
         y_range: None,
-        series: vec![Series::line("residual", Inks::of(theme).residual, points)],
+        series: vec![Series::line("residual", Ink::Residual, points)],
     };
     // Rounding is not worth an axis of its own.
     let least = 1e-6 * top(app);

@@ -4,7 +4,7 @@ use super::tradeoff::{all_figures, origin, spikes_words, words_now};
 use crate::{
     app::{
         App, Command, Settings,
-        chart::{Cells, Chart, Scale, Series, Shape, Theme},
+        chart::{Cells, Chart, Scale, Series, Shape},
         settings::Detector,
         studies::SweepAsk,
     },
@@ -14,7 +14,7 @@ use crate::{
 };
 
 /// The threshold's effect as a heat map over order and threshold.
-pub fn threshold_chart(ask: &SweepAsk, sweep: &Sweep, measure: Measure, theme: Theme) -> Chart {
+pub fn threshold_chart(ask: &SweepAsk, sweep: &Sweep, measure: Measure) -> Chart {
     let map = &sweep.map;
     let columns = map.highest_order + 1;
     let values = map
@@ -60,7 +60,6 @@ pub fn threshold_chart(ask: &SweepAsk, sweep: &Sweep, measure: Measure, theme: T
         y_scale: Scale::Log10,
         series: vec![Series::cells(measure.figure().title, cells).with_notes(notes)],
         notes: origin(&ask.about),
-        theme,
         ..Chart::default()
     }
 }

@@ -5,7 +5,7 @@ use super::spectrum::{by_program, source_of};
 use crate::{
     app::{
         App, Command, Settings,
-        chart::{Chart, Dash, Inks, Scale, Series, Shape, Theme, stroke},
+        chart::{Chart, Dash, Ink, Scale, Series, Shape, stroke},
         pages::WaysShown,
         settings::Detector,
         studies::{About, SweepAsk},
@@ -131,13 +131,12 @@ pub fn way_name(way: FitVariant) -> String {
 }
 
 /// Colour and point of a way: hue and form tell basis and fit, the dash tells spikes.
-pub fn looks(way: FitVariant, theme: Theme) -> ([u8; 3], Shape, Dash) {
-    let inks = Inks::of(theme);
+pub fn looks(way: FitVariant) -> (Ink, Shape, Dash) {
     let (ink, shape) = match (way.basis, way.colour_exact) {
-        (Basis::Fourier, false) => (inks.smooth, Shape::Dot),
-        (Basis::Fourier, true) => (inks.residual, Shape::Square),
-        (Basis::Cosine, false) => (inks.spikes, Shape::Triangle),
-        (Basis::Cosine, true) => (inks.product, Shape::Diamond),
+        (Basis::Fourier, false) => (Ink::Smooth, Shape::Dot),
+        (Basis::Fourier, true) => (Ink::Residual, Shape::Square),
+        (Basis::Cosine, false) => (Ink::Spikes, Shape::Triangle),
+        (Basis::Cosine, true) => (Ink::Product, Shape::Diamond),
     };
     let dash = if way.spikes {
         Dash::Solid
@@ -178,13 +177,7 @@ pub struct Tradeoff {
 
 impl Tradeoff {
     /// The chart of one figure.
-    pub fn of(
-        ask: &SweepAsk,
-        sweep: &Sweep,
-        measure: Measure,
-        shown: &WaysShown,
-        theme: Theme,
-    ) -> Self {
+    pub fn of(ask: &SweepAsk, sweep: &Sweep, measure: Measure, shown: &WaysShown) -> Self {
         let front = front(sweep, measure, shown);
         let at = |index: &usize| place(&sweep.points[*index], measure);
         let (mut lines, mut marks) = (Vec::new(), Vec::new());
@@ -192,7 +185,7 @@ impl Tradeoff {
         let twice = |way: FitVariant| way.spikes && sweep.spikes.is_empty() && shown.without_spikes;
         let drawn = FitVariant::ALL.into_iter().filter(|way| shown.shows(*way));
         for way in drawn.filter(|way| !twice(*way)) {
-            let (ink, shape, dash) = looks(way, theme);
+            let (ink, shape, dash) = looks(way);
             let models: Vec<usize> = (0..sweep.points.len())
                 .filter(|i| sweep.points[*i].way == way && at(i).is_some())
                 .collect();
@@ -203,7 +196,7 @@ impl Tradeoff {
             let points = Series::points(way_name(way), ink, shape, points).sized(2.0);
             marks.push((points.with_notes(notes), models));
         }
-        let (stairs, rings) = front_series(sweep, measure, &front, theme);
+        let (stairs, rings) = front_series(sweep, measure, &front);
         let corners = (0..stairs.marks.points().len())
             .map(|corner| front[corner / 2])
             .collect();
@@ -226,7 +219,6 @@ impl Tradeoff {
             y_scale: Scale::Log10,
             series,
             notes: origin(&ask.about),
-            theme,
             ..Chart::default()
         };
         Self {
@@ -249,15 +241,15 @@ impl Tradeoff {
         };
         let numbers = app.derived().numbers();
         let at = [numbers as f64, measure.figure().drawn(error)];
-        let mark = mark_now(app, at, verdict, self.chart.theme);
+        let mark = mark_now(app, at, verdict);
         self.chart.series.push(mark);
     }
 }
 
 /// The mark of the present model, with its figures.
-pub fn mark_now(app: &App, at: [f64; 2], verdict: &Verdict, theme: Theme) -> Series {
+pub fn mark_now(app: &App, at: [f64; 2], verdict: &Verdict) -> Series {
     let note = format!("{}\n{}", words_now(app), all_figures(verdict));
-    let ink = Inks::of(theme).overlays[1];
+    let ink = Ink::Overlay(1);
     let mark = Series::points("the model now", ink, Shape::Cross, vec![at]);
     mark.sized(8.0).with_notes(vec![note])
 }
@@ -300,14 +292,9 @@ fn note(point: &SweepPoint) -> String {
 }
 
 /// The front: a bold staircase under everything, and rings over it.
-fn front_series(
-    sweep: &Sweep,
-    measure: Measure,
-    front: &[usize],
-    theme: Theme,
-) -> (Series, Series) {
+fn front_series(sweep: &Sweep, measure: Measure, front: &[usize]) -> (Series, Series) {
     const NAME: &str = "lowest error";
-    let ink = Inks::of(theme).measured;
+    let ink = Ink::Measured;
     let points: Vec<[f64; 2]> = front
         .iter()
         .filter_map(|i| place(&sweep.points[*i], measure))

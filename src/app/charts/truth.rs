@@ -3,7 +3,7 @@
 use super::coefficients::{CHANNEL_DASHES, FUNCTIONS, NEGLECTED_PERCENT, channel_inks};
 use crate::{
     app::{
-        chart::{Chart, Dash, Inks, Rgb, Scale, Series, Shape, Theme, stroke},
+        chart::{Chart, Dash, Ink, Scale, Series, Shape, stroke},
         charts::spectrum::of_subject,
         state::App,
         studies::paper::{CHANNELS, Claims},
@@ -24,16 +24,15 @@ const HIGHEST_SHOWN: usize = 20;
 const VISIBLE_NM: [f64; 2] = [360.0, 830.0];
 
 /// What is left out beyond each order, for X, Y and Z; `None` without colour.
-pub fn neglected_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> {
-    let inks = Inks::of(theme);
+pub fn neglected_chart(app: &App, claims: &Claims) -> Option<Chart> {
     let orders = &claims.harmonics.orders;
     let orders = &orders[..orders.len().min(HIGHEST_SHOWN + 1)];
     if orders.len() < 2 || orders[0].neglected.iter().any(Option::is_none) {
         return None;
     }
     let level = orders.iter().map(|o| [o.order as f64, 5.0]).collect();
-    let mut series = vec![thin("5 %", inks.measured, level, Dash::Dashed)];
-    let colours = channel_inks(inks);
+    let mut series = vec![thin("5 %", Ink::Measured, level, Dash::Dashed)];
+    let colours = channel_inks();
     for k in 0..3 {
         let point = |o: &Order| {
             let share = o.neglected[k].unwrap_or(f64::NAN);
@@ -49,7 +48,7 @@ pub fn neglected_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart
     let foot_to_top = NEGLECTED_PERCENT.map(|y| [stated, y]).to_vec();
     series.push(thin(
         "paper: N = 5",
-        inks.product,
+        Ink::Product,
         foot_to_top,
         Dash::Dotted,
     ));
@@ -62,16 +61,14 @@ pub fn neglected_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart
         y_scale: Scale::Log10,
         series,
         notes: of_subject(app),
-        theme,
         ..Chart::default()
     })
 }
 
 /// Errors of straight lines between samples against their number, and the composite's as level
 /// lines; `None` for an all-zero spectrum.
-pub fn samples_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> {
+pub fn samples_chart(app: &App, claims: &Claims) -> Option<Chart> {
     let found = claims.samples.as_ref()?;
-    let inks = Inks::of(theme);
     let first = found.tried.last()?.samples.max(2) as f64;
     let last = found.tried.first()?.samples as f64;
     // Marks a twentieth of their count apart, so that they do not cover the line.
@@ -87,7 +84,7 @@ pub fn samples_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
         far.copied().collect()
     };
     let (mut series, mut levels) = (Vec::new(), Vec::new());
-    let mut pair = |measure: Measure, ink: Rgb, shape: Shape| {
+    let mut pair = |measure: Measure, ink: Ink, shape: Shape| {
         let figure = measure.figure();
         let at = |s: &SampledErrors| Some([s.samples as f64, figure.drawn(s.errors[measure]?)]);
         let points: Vec<[f64; 2]> = found.tried.iter().filter_map(at).collect();
@@ -106,8 +103,8 @@ pub fn samples_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
         series.push(thin("the composite", ink, level, Dash::Dashed));
         levels.push(own);
     };
-    pair(Measure::Own, inks.smooth, Shape::Dot);
-    pair(Measure::RmsBlurred, inks.spikes, Shape::Triangle);
+    pair(Measure::Own, Ink::Smooth, Shape::Dot);
+    pair(Measure::RmsBlurred, Ink::Spikes, Shape::Triangle);
     // Samples at every nm lose nothing: that end leaves the picture at its foot.
     let lowest = levels.iter().copied().fold(f64::INFINITY, f64::min);
     let heights = series.iter().flat_map(|s: &Series| s.marks.points());
@@ -122,14 +119,13 @@ pub fn samples_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
         y_scale: Scale::Log10,
         series,
         notes: of_subject(app),
-        theme,
         ..Chart::default()
     })
 }
 
 /// The colour-matching functions and Table 2's bells; `None` where the range has nothing of them.
-pub fn table_2_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> {
-    let (inks, band) = (Inks::of(theme), claims.band);
+pub fn table_2_chart(app: &App, claims: &Claims) -> Option<Chart> {
+    let band = claims.band;
     let [low, high] = [
         band.min_nm().max(VISIBLE_NM[0]),
         band.max_nm().min(VISIBLE_NM[1]),
@@ -138,7 +134,7 @@ pub fn table_2_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
         return None;
     }
     let table = claims.observer.table();
-    let colours = channel_inks(inks);
+    let colours = channel_inks();
     let grid = || band.grid().filter(|nm| (low..=high).contains(nm));
     let mut series = Vec::new();
     for k in 0..3 {
@@ -149,12 +145,12 @@ pub fn table_2_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
         let fit = grid()
             .map(|nm| [nm, gaussian_cmf::fitted_at(nm)[k]])
             .collect();
-        series.push(thin("fit", inks.measured, fit, Dash::Dashed));
+        series.push(thin("fit", Ink::Measured, fit, Dash::Dashed));
     }
     let worst = claims.table_2.worst.map(|d| [d.at_nm, d.fit]).to_vec();
     let words = claims.table_2.worst.map(|d| format!("{:+.3}", d.off()));
     series.push(
-        Series::points("largest deviation", inks.product, Shape::Ring, worst)
+        Series::points("largest deviation", Ink::Product, Shape::Ring, worst)
             .with_notes(words.to_vec()),
     );
     Some(Chart {
@@ -162,10 +158,10 @@ pub fn table_2_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
         y_label: "value".to_owned(),
         series,
         notes: of_subject(app),
-        ..Chart::over_nm([low, high], theme)
+        ..Chart::over_nm([low, high])
     })
 }
 
-fn thin(name: &str, ink: Rgb, points: Vec<[f64; 2]>, dash: Dash) -> Series {
+fn thin(name: &str, ink: Ink, points: Vec<[f64; 2]>, dash: Dash) -> Series {
     stroke(name, ink, points, 1.3, dash)
 }

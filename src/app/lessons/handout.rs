@@ -38,7 +38,7 @@ pub struct Handout {
 pub fn handout(lesson: &Lesson, form: Form, stem: &str) -> Result<Handout, Fault> {
     let [width, height] = PICTURE;
     let played = play(lesson, |app, _| {
-        spectrum_chart(app, Theme::Light).to_svg(width, height)
+        spectrum_chart(app).to_svg(width, height, Theme::Light)
     })?;
     let mut sheet = Sheet {
         form,

@@ -92,6 +92,7 @@ impl How {
             line: f64::from(theme.line) / 1.8,
             whole: false,
             legend: self.legend,
+            theme: theme.of_charts(),
         }
     }
 }

@@ -20,7 +20,7 @@ use super::{
 };
 use crate::app::{
     App, ByAddress, Memo, Opened,
-    chart::{self, Chart},
+    chart::Chart,
     charts::import::curves,
     import::{About, Again, Flip, Import, Question},
 };
@@ -48,7 +48,7 @@ pub(super) struct ImportView {
     /// A file that is being read to be looked at.
     pub again: Option<Again>,
     /// The chart and what it was made of.
-    chart: Memo<(ByAddress<Opened>, chart::Theme), Chart>,
+    chart: Memo<ByAddress<Opened>, Chart>,
     /// Tells the windows of different files apart: each comes up in its place.
     turn: u64,
 }
@@ -90,7 +90,6 @@ impl ImportView {
         context: &Context,
         app: &App,
         theme: Theme,
-        file_theme: chart::Theme,
         within: Rect,
         keys_are_free: bool,
     ) -> Vec<Wish> {
@@ -105,10 +104,8 @@ impl ImportView {
         let mut wishes = Vec::new();
         let mut open = true;
         let opened = import.opened();
-        let of = (ByAddress(opened.clone()), file_theme);
-        let chart = &*self
-            .chart
-            .get(of, |(opened, theme)| curves_of(&opened.0, *theme));
+        let of = ByAddress(opened.clone());
+        let chart = &*self.chart.get(of, |opened| curves_of(&opened.0));
         let width = (WIDTH * theme.scale).min(within.width() - 24.0);
         let height = (HEIGHT * theme.scale).min(within.height() - 40.0);
         egui::Window::new(format!("How {} was read", opened.file))
@@ -194,9 +191,9 @@ fn body(
 }
 
 /// The curves of a file; of images a few of their pixels.
-fn curves_of(opened: &Opened, theme: chart::Theme) -> Chart {
+fn curves_of(opened: &Opened) -> Chart {
     if opened.images.is_empty() {
-        return curves(&opened.file, &opened.spectra, theme);
+        return curves(&opened.file, &opened.spectra);
     }
     let pixels_of = |image: &Arc<SpectralImage>| {
         let mut pixels = image.probes();
@@ -210,7 +207,7 @@ fn curves_of(opened: &Opened, theme: chart::Theme) -> Chart {
     let pixels: Vec<_> = opened.images.iter().flat_map(pixels_of).collect();
     Chart {
         title: format!("Some pixels of {}", opened.file),
-        ..curves(&opened.file, &pixels, theme)
+        ..curves(&opened.file, &pixels)
     }
 }
 

@@ -16,7 +16,7 @@ use self::{
 use super::{
     entry_row::{Painted, row_name},
     kit::{named, named_choice, text_field},
-    theme::{Theme, ink},
+    theme::Theme,
 };
 use crate::app::{App, Command, Entry, workspace::Preferences};
 
@@ -214,10 +214,7 @@ impl LibraryView {
         } else {
             visuals.text_color()
         };
-        let marked = overlay.map(|overlay| {
-            let inks = theme.inks.overlays;
-            ink(inks[overlay % inks.len()])
-        });
+        let marked = overlay.map(|overlay| theme.ink(crate::app::chart::Ink::Overlay(overlay)));
         let painted = Painted {
             indent: in_file.map_or(0.0, |_| INDENT * theme.scale),
             common: in_file.unwrap_or_default(),

@@ -1,13 +1,13 @@
 //! What light it is, in a line and a sentence, and the layers of the plot.
 
 use eframe::egui;
-use egui::{Align, Button, Label, Layout, Rect, RichText, Ui};
+use egui::{Align, Button, Color32, Label, Layout, Rect, RichText, Ui};
 
 use crate::{
-    app::{App, Command, Height, View, chart::Inks, charts::spectrum::Laid},
+    app::{App, Command, Height, View, chart::Ink, charts::spectrum::Laid},
     ui::{
         kit::{named, named_choice, pressed},
-        theme::{Theme, ink},
+        theme::Theme,
     },
 };
 
@@ -74,7 +74,6 @@ pub(super) fn layers(
     view: &mut View,
     commands: &mut Vec<Command>,
 ) {
-    let inks = theme.inks;
     let width = ui.available_width();
     let (wide, tight) = (width >= 712.0, width < 440.0);
     ui.horizontal(|ui| {
@@ -83,19 +82,19 @@ pub(super) fn layers(
             ui,
             &mut view.measured,
             "Measured",
-            Some(inks.smooth),
+            Some(theme.ink(Ink::Smooth)),
             "The spectrum as measured, filled with the wavelengths' own colours.",
         );
         chip(
             ui,
             &mut view.model,
             "Model",
-            Some(inks.model),
+            Some(theme.ink(Ink::Model)),
             "The model's smooth part as an outline; its lines stand on it.",
         );
         let with_widths = width >= 800.0;
         if !tight {
-            lines(ui, inks, view);
+            lines(ui, theme, view);
         }
         if with_widths {
             widths(ui, app, width >= 880.0, commands);
@@ -103,15 +102,15 @@ pub(super) fn layers(
         // What is laid over, and on what scale, takes their place.
         let with_others = wide && app.document().overlays.is_empty();
         if with_others {
-            others(ui, inks, view);
+            others(ui, theme, view);
         }
         let menu = ui.menu_button("Layers", |ui| {
             if tight {
                 ui.horizontal(|ui| heights(ui, app, view, true));
-                lines(ui, inks, view);
+                lines(ui, theme, view);
             }
             if !with_others {
-                others(ui, inks, view);
+                others(ui, theme, view);
             }
             if !with_widths {
                 ui.horizontal(|ui| widths(ui, app, true, commands));
@@ -141,31 +140,31 @@ pub(super) fn layers(
     });
 }
 
-fn lines(ui: &mut Ui, inks: Inks, view: &mut View) {
+fn lines(ui: &mut Ui, theme: Theme, view: &mut View) {
     chip(
         ui,
         &mut view.spikes,
         "Lines",
-        Some(inks.spikes),
+        Some(theme.ink(Ink::Spikes)),
         "The model's lines, each as high as the line that it stands for: weight / (1.0645 x its \
          width).",
     );
 }
 
 /// The layers that are put away where there is little room.
-fn others(ui: &mut Ui, inks: Inks, view: &mut View) {
+fn others(ui: &mut Ui, theme: Theme, view: &mut View) {
     chip(
         ui,
         &mut view.smooth,
         "Smooth part",
-        Some(inks.smooth),
+        Some(theme.ink(Ink::Smooth)),
         "The smooth part alone: the short series.",
     );
     chip(
         ui,
         &mut view.residual,
         "Residual",
-        Some(inks.residual),
+        Some(theme.ink(Ink::Residual)),
         "Model minus measured, below; lines as wide as they are.",
     );
 }
@@ -274,7 +273,7 @@ fn heights(ui: &mut Ui, app: &App, view: &mut View, wide: bool) {
 
 /// The overlays' switch, their names, and what takes them away.
 fn overlays(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &mut Vec<Command>) {
-    let (document, inks) = (app.document(), theme.inks);
+    let document = app.document();
     if document.overlays.is_empty() {
         return;
     }
@@ -283,12 +282,12 @@ fn overlays(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &mu
         ui,
         &mut view.overlays,
         "Overlays",
-        Some(inks.overlays[0]),
+        Some(theme.ink(Ink::Overlay(0))),
         "The spectra that are compared. Lights of relative units are drawn as bright as the one \
          that is shown; surfaces are drawn over surfaces only.",
     );
     for (i, overlay) in document.overlays.iter().enumerate() {
-        let colour = ink(inks.overlays[i % inks.overlays.len()]);
+        let colour = theme.ink(Ink::Overlay(i));
         ui.label(RichText::new(overlay.name()).color(colour));
     }
     if pressed(ui, "Clear", "Takes all overlays away.") {
@@ -297,11 +296,11 @@ fn overlays(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &mu
     }
 }
 
-fn chip(ui: &mut Ui, on: &mut bool, name: &str, colour: Option<[u8; 3]>, meaning: &str) {
-    let button = match colour {
+fn chip(ui: &mut Ui, on: &mut bool, name: &str, mark: Option<Color32>, meaning: &str) {
+    let button = match mark {
         Some(colour) => {
             let sign = if *on { "●" } else { "○" };
-            let mark = RichText::new(sign).small().color(ink(colour));
+            let mark = RichText::new(sign).small().color(colour);
             Button::selectable(*on, (mark, name))
         }
         None => Button::selectable(*on, name),

@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     app::{
-        App, ByAddress, Command, Memo, chart,
+        App, ByAddress, Command, Memo,
         charts::{
             auction::{
                 AuctionChart, NAMES, ended_words, error_words, gain_words, goal_within, names,
@@ -57,7 +57,7 @@ struct Sheet {
 
 #[derive(Default)]
 pub(super) struct AuctionView {
-    sheet: Memo<(ByAddress<Auction>, chart::Theme), Sheet>,
+    sheet: Memo<ByAddress<Auction>, Sheet>,
     reference: Memo<About, Option<Reference>>,
 }
 
@@ -82,10 +82,10 @@ impl AuctionView {
         let Some((key, auction)) = answer else {
             return;
         };
-        let of = (ByAddress(auction.clone()), context.chart_theme());
-        let sheet = self.sheet.get(of, |(auction, theme)| {
-            Sheet::of(app, key.clone(), auction.0.clone(), *theme)
-        });
+        let of = ByAddress(auction.clone());
+        let sheet = self
+            .sheet
+            .get(of, |auction| Sheet::of(app, key.clone(), auction.0.clone()));
         let fresh = key == ask;
         if fresh && sheet.marked != Some(app.revision()) {
             let reference = self.reference.get(key.about.clone(), tradeoff::reference);
@@ -99,14 +99,14 @@ impl AuctionView {
 }
 
 impl Sheet {
-    fn of(app: &App, ask: AuctionAsk, auction: Arc<Auction>, theme: chart::Theme) -> Self {
+    fn of(app: &App, ask: AuctionAsk, auction: Arc<Auction>) -> Self {
         let names = names(&ask, &auction, app.element_lines());
         let goal = ask.terms.goal;
         let rows = (0..auction.steps.len())
             .map(|i| row(&auction, i, goal, &names))
             .collect();
         Self {
-            chart: AuctionChart::of(&ask, &auction, &names, theme),
+            chart: AuctionChart::of(&ask, &auction, &names),
             ended: ended_words(&ask, &auction),
             columns: columns(),
             rows,

@@ -9,7 +9,7 @@ use super::PageContext;
 use crate::{
     app::{
         CURVE_ORDER, Command, Memo, Settings,
-        chart::{self, Chart},
+        chart::Chart,
         charts::coefficients::{CoefficientCharts, Sight},
         studies::paper::{
             CHANNELS, colours_summed, figure, harmonics_of, off_percent, percent, three,
@@ -47,7 +47,7 @@ pub mod names {
 #[derive(Default)]
 pub struct CoefficientsView {
     harmonics: Memo<u64, Harmonics>,
-    charts: Memo<(u64, Sight, chart::Theme), CoefficientCharts>,
+    charts: Memo<(u64, Sight), CoefficientCharts>,
     /// The order whose bar is under the pointer.
     pointed: Option<usize>,
     /// When the next order comes, while playing: the program's time in s.
@@ -97,9 +97,9 @@ impl CoefficientsView {
             partial_order: context.memory.partial_order,
             pointed: self.pointed,
         };
-        let key = (revision, sight, context.chart_theme());
-        let charts = &*self.charts.get(key, |(_, sight, theme)| {
-            CoefficientCharts::of(context.app, harmonics, *sight, *theme)
+        let key = (revision, sight);
+        let charts = &*self.charts.get(key, |(_, sight)| {
+            CoefficientCharts::of(context.app, harmonics, *sight)
         });
         let pointed = draw(ui, context, charts, harmonics, self.pointed);
         if pointed != self.pointed {

@@ -7,7 +7,7 @@ use super::{PageContext, progress};
 use crate::{
     app::{
         ByAddress, Memo, WordsShown,
-        chart::{self, Chart},
+        chart::Chart,
         charts::known_lamps::words_chart,
         pages::WordsMemory,
         studies::{EncodeAsk, EncodedLight, most_numbers},
@@ -25,7 +25,7 @@ pub(super) struct KnownLampsView {
 }
 
 /// What decides how a result is shown.
-type Key = (ByAddress<Result<EncodedLight, String>>, chart::Theme);
+type Key = ByAddress<Result<EncodedLight, String>>;
 
 impl KnownLampsView {
     pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
@@ -48,7 +48,6 @@ impl KnownLampsView {
             progress(ui, job, "The makeup of the light");
             return;
         };
-        let theme = context.chart_theme();
         match &*found {
             Err(why) => {
                 headline(ui, context.theme, why);
@@ -56,9 +55,9 @@ impl KnownLampsView {
             }
             Ok(encoded) => {
                 let name = of.light.0.name();
-                let (words, chart) = &*self.shown.get((ByAddress(found.clone()), theme), |_| {
+                let (words, chart) = &*self.shown.get(ByAddress(found.clone()), |_| {
                     let shown = WordsShown::of(name, encoded);
-                    (shown, words_chart(name, encoded, theme))
+                    (shown, words_chart(name, encoded))
                 });
                 headline(ui, context.theme, &words.sentence);
                 ui.add_space(4.0);

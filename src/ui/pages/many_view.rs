@@ -10,7 +10,7 @@ use super::{
 use crate::{
     app::{
         ByAddress, Command, Memo, Settings,
-        chart::{self, Chart},
+        chart::Chart,
         charts::many::{ManyRow, Wanted, chart, csv, rows, sentence},
         figures::three_digits,
         pages::{FieldChoice, LIMITS, ManyMemory, SHARES_PERCENT},
@@ -37,7 +37,7 @@ pub(super) struct ManyView {
 }
 
 /// What decides how a result is shown: the result, what is asked of it, the order, the looks.
-type Key = (ByAddress<ManyLights>, ManyMemory, Settings, chart::Theme);
+type Key = (ByAddress<ManyLights>, ManyMemory, Settings);
 
 struct Shown {
     wanted: Wanted,
@@ -76,14 +76,9 @@ impl ManyView {
             }
             return;
         };
-        let key = (
-            ByAddress(many.clone()),
-            memory,
-            settings,
-            context.chart_theme(),
-        );
-        let shown = &*self.shown.get(key, |(many, memory, settings, theme)| {
-            Shown::of(&many.0, memory, *settings, *theme)
+        let key = (ByAddress(many.clone()), memory, settings);
+        let shown = &*self.shown.get(key, |(many, memory, settings)| {
+            Shown::of(&many.0, memory, *settings)
         });
         headline(ui, context.theme, &shown.sentence);
         controls(ui, context);
@@ -115,13 +110,13 @@ impl ManyView {
 }
 
 impl Shown {
-    fn of(many: &ManyLights, memory: &ManyMemory, settings: Settings, theme: chart::Theme) -> Self {
+    fn of(many: &ManyLights, memory: &ManyMemory, settings: Settings) -> Self {
         let wanted = Wanted::of(settings, memory);
         let found = many.order_for(wanted.way, wanted.measure, wanted.limit, wanted.share);
         let row = |row: &ManyRow<'_>| row_of(row, wanted.measure);
         Self {
             sentence: sentence(many, wanted),
-            chart: chart(many, wanted, theme),
+            chart: chart(many, wanted),
             rows: rows(many, wanted, settings.order).iter().map(row).collect(),
             order: found.map(|(order, _)| order),
             wanted,

@@ -104,10 +104,6 @@ impl PageContext<'_> {
         job.put(question, self.wake);
         job
     }
-
-    pub fn chart_theme(&self) -> chart::Theme {
-        self.theme.of_charts()
-    }
 }
 
 /// All pages with what they keep from frame to frame.

@@ -7,7 +7,7 @@ use super::{PageContext, progress};
 use crate::{
     app::{
         App, ByOrder, Memo, QualityShown,
-        chart::{self, Chart},
+        chart::Chart,
         charts::quality::{
             DiagramShows, OfBins, against_order, bin_bars, diagram, fidelity_bars, sample_bars,
             vector_graphic,
@@ -30,8 +30,8 @@ const BAR: f32 = 14.0;
 #[derive(Default)]
 pub(super) struct QualityView {
     shown: Memo<u64, QualityShown>,
-    charts: Memo<(u64, chart::Theme), Vec<Chart>>,
-    diagram: Memo<(u64, chart::Theme, DiagramShows), Chart>,
+    charts: Memo<u64, Vec<Chart>>,
+    diagram: Memo<(u64, DiagramShows), Chart>,
 }
 
 impl QualityView {
@@ -74,7 +74,6 @@ impl QualityView {
 
     /// Where the light is among colours.
     pub(super) fn diagram(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let theme = context.chart_theme();
         let revision = context.app.revision();
         let shown = self.shown(context.app);
         headline(ui, context.theme, &shown.place);
@@ -112,8 +111,8 @@ impl QualityView {
             );
         });
         let shows = *shows;
-        let make = |_: &_| diagram(measured, model, shows, theme);
-        let chart = &*self.diagram.get((revision, theme, shows), make);
+        let make = |_: &_| diagram(measured, model, shows);
+        let chart = &*self.diagram.get((revision, shows), make);
         let room = ui.available_size();
         let side = room.x.min(1.1 * room.y);
         context.chart(ui, chart, "chromaticity", vec2(side, room.y));
@@ -121,24 +120,23 @@ impl QualityView {
 
     /// What it does to colours: TM-30 and CRI.
     pub(super) fn rendition(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let theme = context.chart_theme();
         let revision = context.app.revision();
         let shown = self.shown(context.app);
         headline(ui, context.theme, &shown.rendition);
         let of = shown.sheet.measured.clone();
-        let charts = &*self.charts.get((revision, theme), |_| {
+        let charts = &*self.charts.get(revision, |_| {
             let mut charts = Vec::new();
             if let Ok(fidelity) = &of.fidelity {
-                charts.push(vector_graphic(fidelity, theme));
-                charts.push(bin_bars(fidelity, OfBins::Fidelity, theme));
+                charts.push(vector_graphic(fidelity));
+                charts.push(bin_bars(fidelity, OfBins::Fidelity));
             }
             if let Ok(rendering) = &of.rendering {
-                charts.push(sample_bars(rendering, theme));
+                charts.push(sample_bars(rendering));
             }
             if let Ok(fidelity) = &of.fidelity {
-                charts.push(bin_bars(fidelity, OfBins::Chroma, theme));
-                charts.push(bin_bars(fidelity, OfBins::Hue, theme));
-                charts.push(fidelity_bars(fidelity, theme));
+                charts.push(bin_bars(fidelity, OfBins::Chroma));
+                charts.push(bin_bars(fidelity, OfBins::Hue));
+                charts.push(fidelity_bars(fidelity));
             }
             charts
         });
@@ -147,7 +145,7 @@ impl QualityView {
 
     /// What a few numbers do to the figures.
     pub(super) fn order(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let (app, theme) = (context.app, context.chart_theme());
+        let app = context.app;
         let job = context.studies.job();
         job.ask(&app.revision(), context.wake, || {
             let ask = ByOrder::of(app);
@@ -158,7 +156,7 @@ impl QualityView {
             return;
         };
         headline(ui, context.theme, settled_words(&found));
-        let charts = Chosen::ALL.map(|chosen| against_order(&found, chosen, theme));
+        let charts = Chosen::ALL.map(|chosen| against_order(&found, chosen));
         grid(ui, context, &charts, "quality against order");
     }
 }

@@ -9,7 +9,7 @@ use super::{PageContext, progress};
 use crate::{
     app::{
         App, ByAddress, Command, Memo,
-        chart::{self, Chart},
+        chart::Chart,
         charts::{
             threshold::{mark_threshold, take_cell, threshold_chart},
             tradeoff::{
@@ -48,7 +48,7 @@ struct Sheet {
 
 #[derive(Default)]
 pub(super) struct TradeoffView {
-    sheet: Memo<(ByAddress<Sweep>, Measure, WaysShown, chart::Theme), Sheet>,
+    sheet: Memo<(ByAddress<Sweep>, Measure, WaysShown), Sheet>,
     reference: Memo<About, Option<Reference>>,
     now: Memo<u64, Option<Verdict>>,
 }
@@ -87,14 +87,9 @@ impl TradeoffView {
             let reference = reference.as_ref()?;
             tradeoff::verdict_now(app, reference)
         });
-        let of = (
-            ByAddress(sweep.clone()),
-            measure,
-            context.memory.ways,
-            context.chart_theme(),
-        );
-        let sheet = self.sheet.get(of, |(_, measure, ways, theme)| {
-            Sheet::of(&key, sweep, *measure, (ways, *theme))
+        let of = (ByAddress(sweep.clone()), measure, context.memory.ways);
+        let sheet = self.sheet.get(of, |(_, measure, ways)| {
+            Sheet::of(&key, sweep, *measure, ways)
         });
         if fresh && sheet.marked != Some(revision) {
             sheet.tradeoff.mark(app, now.as_ref(), measure);
@@ -152,13 +147,8 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, measure: Measure) {
 }
 
 impl Sheet {
-    fn of(
-        ask: &SweepAsk,
-        sweep: Arc<Sweep>,
-        measure: Measure,
-        (shown, theme): (&WaysShown, chart::Theme),
-    ) -> Self {
-        let tradeoff = Tradeoff::of(ask, &sweep, measure, shown, theme);
+    fn of(ask: &SweepAsk, sweep: Arc<Sweep>, measure: Measure, shown: &WaysShown) -> Self {
+        let tradeoff = Tradeoff::of(ask, &sweep, measure, shown);
         let sentences =
             limits(measure).map(|limit| needs(ask, &sweep, &tradeoff.front, measure, limit));
         let points = || tradeoff.front.iter().map(|index| &sweep.points[*index]);
@@ -167,7 +157,7 @@ impl Sheet {
             (columns(figures), rows.collect())
         });
         Self {
-            map: threshold_chart(ask, &sweep, measure, theme),
+            map: threshold_chart(ask, &sweep, measure),
             tables,
             sentences,
             tradeoff,

@@ -7,7 +7,7 @@ use super::PageContext;
 use crate::{
     app::{
         Memo,
-        chart::{self, Chart},
+        chart::Chart,
         charts::truth::{neglected_chart, samples_chart, table_2_chart},
         headlines,
         studies::paper::{Claims, Row, Verdict, delta_e, figure, percent, truth_csv, truth_table},
@@ -39,7 +39,7 @@ pub const COPY: &str = "Copy as CSV";
 #[derive(Default)]
 pub struct TruthView {
     measured: Memo<u64, (Claims, Vec<Row>)>,
-    charts: Memo<(u64, chart::Theme), Charts>,
+    charts: Memo<u64, Charts>,
 }
 
 /// The charts of the cards.
@@ -58,11 +58,11 @@ impl TruthView {
             let rows = truth_table(&claims);
             (claims, rows)
         });
-        let drawn = (revision, context.chart_theme());
-        let charts = &*self.charts.get(drawn, |(_, theme)| Charts {
-            neglected: neglected_chart(app, claims, *theme),
-            table_2: table_2_chart(app, claims, *theme),
-            samples: samples_chart(app, claims, *theme),
+        let drawn = revision;
+        let charts = &*self.charts.get(drawn, |_| Charts {
+            neglected: neglected_chart(app, claims),
+            table_2: table_2_chart(app, claims),
+            samples: samples_chart(app, claims),
         });
         let tall = ui.available_height() >= TALL * context.theme.scale;
         let chart_height = context.theme.scale * if tall { TALL_CHART } else { CHART };

@@ -13,7 +13,7 @@ use super::{
 use crate::{
     app::{
         App, Command, Memo, SpikeAct,
-        chart::{Chart, Marks, Theme as ChartTheme},
+        chart::{Chart, Marks},
         charts::spectrum::{SPIKES, spectrum_chart},
     },
     io::many::{many, numbers},
@@ -33,8 +33,8 @@ pub struct SpectrumView {
     main: Option<Screen>,
     dragging: Dragging,
     reset: bool,
-    /// Kept until what it shows changes: the state of the program, the theme, a dragged range.
-    chart: Memo<(u64, ChartTheme, Option<[f64; 2]>), Arc<Chart>>,
+    /// Kept until what it shows changes: the state of the program, a dragged range.
+    chart: Memo<(u64, Option<[f64; 2]>), Arc<Chart>>,
 }
 
 /// What one frame asked for.
@@ -57,9 +57,9 @@ impl SpectrumView {
     /// Draws the chart into all the room there is, and what the pointer reads into `read_out`.
     pub fn show(&mut self, ui: &mut Ui, app: &App, theme: Theme, read_out: Rect) -> Wishes {
         let mut wishes = Wishes::default();
-        let key = (app.revision(), theme.of_charts(), self.dragging.range());
-        let make = |&(_, theme, dragged): &(u64, ChartTheme, Option<[f64; 2]>)| {
-            let mut chart = spectrum_chart(app, theme);
+        let key = (app.revision(), self.dragging.range());
+        let make = |&(_, dragged): &(u64, Option<[f64; 2]>)| {
+            let mut chart = spectrum_chart(app);
             chart.title = spoken(app);
             chart.y_range = dragged.or(chart.y_range);
             Arc::new(chart)

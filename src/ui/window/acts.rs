@@ -143,7 +143,7 @@ impl Window {
             Wish::SavePlotPng => self.save(Saving::PlotPng, context),
             Wish::SaveSheetPdf => self.save(Saving::SheetPdf, context),
             Wish::SaveCurvePng => {
-                let chart = curve_chart(&self.app, self.file_theme());
+                let chart = curve_chart(&self.app);
                 let mut wish = ChartWish::new(&chart, ChartForm::Png);
                 let name = Export::CurveSvg.suggested_name(&self.app);
                 wish.stem = name.trim_end_matches(".svg").to_owned();

@@ -20,6 +20,7 @@ use super::{
 use crate::{
     app::{
         Command, Known, Tone,
+        chart::Theme,
         charts::spectrum::spectrum_chart,
         dispersion::GemFile,
         export::{self, Export},
@@ -291,8 +292,8 @@ impl Window {
             let bytes = match &saving {
                 Saving::Text(export) => export.text(&app, theme).map(String::into_bytes),
                 Saving::PlotPng => {
-                    let chart = spectrum_chart(&app, theme);
-                    Ok(picture::chart_png(&chart, CHART_SIZE))
+                    let chart = spectrum_chart(&app);
+                    Ok(picture::chart_png(&chart, CHART_SIZE, theme))
                 }
                 Saving::SheetPdf => sheet::to_pdf(&app),
                 Saving::WindowPng => Ok(picture::window_png(
@@ -300,7 +301,7 @@ impl Window {
                     &preferences,
                     [size.x as u32, size.y as u32],
                 )),
-                Saving::Chart(wish) => Ok(chart_bytes(wish)),
+                Saving::Chart(wish) => Ok(chart_bytes(wish, theme)),
                 Saving::Gem(gem) => gem.bytes(),
                 Saving::Picture(wish) => {
                     // It streams into its place: a large one is never whole in memory.
@@ -364,11 +365,11 @@ impl Window {
 /// Size of a chart's picture, px.
 const CHART_SIZE: [u32; 2] = [1200, 760];
 
-fn chart_bytes(wish: &ChartWish) -> Vec<u8> {
+fn chart_bytes(wish: &ChartWish, theme: Theme) -> Vec<u8> {
     let [width, height] = CHART_SIZE;
     match wish.form {
         ChartForm::CopyCsv | ChartForm::Csv => wish.chart.to_csv().into_bytes(),
-        ChartForm::Svg => wish.chart.to_svg(width, height).into_bytes(),
-        ChartForm::Png => picture::chart_png(&wish.chart, CHART_SIZE),
+        ChartForm::Svg => wish.chart.to_svg(width, height, theme).into_bytes(),
+        ChartForm::Png => picture::chart_png(&wish.chart, CHART_SIZE, theme),
     }
 }

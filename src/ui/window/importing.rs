@@ -42,11 +42,10 @@ impl Window {
             }
             context.request_repaint();
         }
-        let file_theme = self.file_theme();
         let keys_are_free = self.dialog.is_none();
         let wishes = self
             .import
-            .show(context, &self.app, theme, file_theme, centre, keys_are_free);
+            .show(context, &self.app, theme, centre, keys_are_free);
         for wish in wishes {
             match wish {
                 Wish::Flip(flip) => {

@@ -2,7 +2,7 @@
 
 use super::Draw;
 use crate::app::{
-    chart::{Chart, Dash, Rgb, Series, Shape, stroke},
+    chart::{Chart, Dash, Ink, Series, Shape, stroke},
     charts::spectrum::{on_grid, over, provenance, value_label},
     studies::paper::figure,
     ticks::extent,
@@ -42,7 +42,7 @@ impl Draw<'_> {
             }
         }
         let name = "goes beyond";
-        let series = Series::points(name, self.inks.measured, Shape::Triangle, points);
+        let series = Series::points(name, Ink::Measured, Shape::Triangle, points);
         (!notes.is_empty()).then(|| series.with_notes(notes))
     }
 
@@ -51,19 +51,19 @@ impl Draw<'_> {
         let (derived, table) = (self.app.derived(), &self.app.tables().basis);
         let (factor, order) = (self.app.scale_factor(), self.sight.partial_order);
         let curve = |values: &[f64]| on_grid(derived.band, values, factor);
-        let thin = |name: &str, ink: Rgb, values: &[f64], dash: Dash| {
+        let thin = |name: &str, ink: Ink, values: &[f64], dash: Dash| {
             stroke(name, ink, curve(values), 1.2, dash)
         };
         let mut series = vec![thin(
             "measured",
-            self.inks.measured,
+            Ink::Measured,
             &derived.measured,
             Dash::Solid,
         )];
         if !derived.model.lines().is_empty() {
             series.push(thin(
                 "without its spikes",
-                self.inks.residual,
+                Ink::Residual,
                 &derived.parts.smooth,
                 Dash::Dashed,
             ));
@@ -71,17 +71,11 @@ impl Draw<'_> {
         if let Some(before) = order.checked_sub(1) {
             let values = self.harmonics.partial_sum(table, before);
             let name = format!("sum to N = {before}");
-            series.push(thin(&name, self.inks.overlays[2], &values, Dash::Dotted));
+            series.push(thin(&name, Ink::Overlay(2), &values, Dash::Dotted));
         }
         let sum = self.harmonics.partial_sum(table, order);
         let name = format!("sum to N = {order}");
-        series.push(stroke(
-            name,
-            self.inks.smooth,
-            curve(&sum),
-            2.6,
-            Dash::Solid,
-        ));
+        series.push(stroke(name, Ink::Smooth, curve(&sum), 2.6, Dash::Solid));
         if let Some(pointed) = self
             .sight
             .pointed
@@ -89,7 +83,7 @@ impl Draw<'_> {
         {
             let values = self.harmonics.single(table, pointed);
             let name = format!("order {pointed} alone");
-            series.push(Series::line(name, self.inks.product, curve(&values)).dashed(Dash::Dashed));
+            series.push(Series::line(name, Ink::Product, curve(&values)).dashed(Dash::Dashed));
         }
         let y_range = self.cut(&series);
         if let Some([_, top]) = y_range {
@@ -105,7 +99,7 @@ impl Draw<'_> {
             y_label: value_label(unit),
             series,
             notes: provenance(self.app),
-            ..over(derived.band, self.theme)
+            ..over(derived.band)
         }
     }
 }

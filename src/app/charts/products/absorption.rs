@@ -4,7 +4,7 @@ use crate::{
     app::{
         absorption_names::{Curve, dark_lines},
         cells::{line, number, words},
-        chart::{Chart, Dash, Inks, Rgb, Series, Theme, stroke},
+        chart::{Chart, Dash, Ink, Series, stroke},
         charts::spectrum::{of_subject, on_grid, over, spike_stems, unit_or_value},
         export,
         product_report::Told,
@@ -49,11 +49,11 @@ pub struct AbsorptionSheet {
 
 impl AbsorptionSheet {
     /// The dips of a state.
-    pub fn of(app: &App, theme: Theme) -> Self {
+    pub fn of(app: &App) -> Self {
         let dips = dip_rows(app);
         let known = known_lines(app, &dips);
         Self {
-            chart: absorption_chart(app, (&dips, &known), theme),
+            chart: absorption_chart(app, (&dips, &known)),
             csv: csv(app, &dips),
             met: met(app),
             dips,
@@ -164,22 +164,22 @@ fn csv(app: &App, dips: &[DipRow]) -> String {
 
 /// Measured curve, what is left when dips are filled, the series, and what hangs from it: dips and
 /// known lines. What has a name has it written beside it.
-pub fn absorption_chart(app: &App, (dips, known): (&[DipRow], &[DarkLine]), theme: Theme) -> Chart {
+pub fn absorption_chart(app: &App, (dips, known): (&[DipRow], &[DarkLine])) -> Chart {
     let (document, derived) = (app.document(), app.derived());
-    let (inks, band, factor) = (Inks::of(theme), derived.band, app.scale_factor());
+    let (band, factor) = (derived.band, app.scale_factor());
     let curve = |values: &[f64]| on_grid(band, values, factor);
     let mut series = vec![
         stroke(
             "background",
-            inks.residual,
+            Ink::Residual,
             curve(&derived.parts.smooth),
             1.3,
             Dash::Dashed,
         ),
-        Series::line("measured", inks.measured, curve(&derived.measured)),
-        Series::line("smooth part", inks.smooth, curve(&derived.smooth)),
+        Series::line("measured", Ink::Measured, curve(&derived.measured)),
+        Series::line("smooth part", Ink::Smooth, curve(&derived.smooth)),
     ];
-    let stems = |name: &str, ink: Rgb, spikes: &[Line]| {
+    let stems = |name: &str, ink: Ink, spikes: &[Line]| {
         let width_nm = |i: usize| derived.stem_width_at(spikes[i].at_nm);
         let smooth = (band, &derived.smooth[..], factor);
         spike_stems((name, ink), spikes, smooth, width_nm)
@@ -188,7 +188,7 @@ pub fn absorption_chart(app: &App, (dips, known): (&[DipRow], &[DarkLine]), them
     let lines: Vec<Line> = lines.copied().collect();
     if !lines.is_empty() {
         let none = vec![String::new(); lines.len()];
-        let lines = stems("spikes", inks.spikes, &lines);
+        let lines = stems("spikes", Ink::Spikes, &lines);
         series.push(lines.labelled(none.clone()).with_notes(none));
     }
     let told = |dip: &DipRow| {
@@ -218,22 +218,22 @@ pub fn absorption_chart(app: &App, (dips, known): (&[DipRow], &[DarkLine]), them
                 (line.name.to_owned(), note)
             })
             .unzip();
-        let stems = Series::stems("known, no number of its own", inks.residual, tips, base);
+        let stems = Series::stems("known, no number of its own", Ink::Residual, tips, base);
         series.push(stems.labelled(labels).with_notes(notes));
     }
     if !dips.is_empty() {
         let spikes: Vec<Line> = dips.iter().map(|dip| dip.spike).collect();
         let (labels, notes) = dips.iter().map(told).unzip();
-        let stems = stems("dark lines", inks.product, &spikes);
+        let stems = stems("dark lines", Ink::Product, &spikes);
         series.push(stems.labelled(labels).with_notes(notes));
     }
     Chart {
         title: format!("Absorption: {}", document.subject_entry().name()),
         y_label: unit_or_value(app.unit()),
         series,
-        colours: strip(band, theme),
+        colours: strip(band),
         strip: true,
         notes: of_subject(app),
-        ..over(band, theme)
+        ..over(band)
     }
 }

@@ -5,7 +5,7 @@ use crate::{
     app::{
         App, Entry,
         cells::{line, number, words},
-        chart::{Chart, Dash, Inks, Scale, Series, Theme},
+        chart::{Chart, Dash, Ink, Scale, Series},
         charts::spectrum::{before_provenance, table_head},
         products::ModelledLight,
         verdicts::HARD_TO_SEE,
@@ -56,17 +56,16 @@ impl Bounced {
     }
 
     /// The chart: total errors, or what forming the products adds.
-    pub fn chart(&self, app: &App, added: bool, log: bool, theme: Theme) -> Chart {
-        let inks = Inks::of(theme);
+    pub fn chart(&self, app: &App, added: bool, log: bool) -> Chart {
         let last = MOST_BOUNCES as f64;
         let mut series = vec![thin(
             "ΔE₀₀ = 1",
-            inks.measured,
+            Ink::Measured,
             vec![[1.0, HARD_TO_SEE], [last, HARD_TO_SEE]],
             Dash::Dashed,
         )];
         for way in &self.ways {
-            let (ink, dash, shape) = way_looks(way.sampling, inks);
+            let (ink, dash, shape) = way_looks(way.sampling);
             let points: Vec<[f64; 2]> = errors(way, added)
                 .iter()
                 .enumerate()
@@ -96,7 +95,6 @@ impl Bounced {
             y_scale: if log { Scale::Log10 } else { Scale::Linear },
             series,
             notes: before_provenance(notes, app),
-            theme,
             ..Chart::default()
         }
     }

@@ -2,14 +2,13 @@
 
 use crate::{
     app::{
-        chart::{Chart, Inks, Rgb, Series, Theme},
+        chart::{Chart, Ink, Series},
         charts::spectrum::{before_provenance, on_grid, over, spike_stems, unit_or_value},
         product_report::Told,
         products::ModelledLight,
         state::App,
         ticks::short,
     },
-    color::{Srgb, srgb_from_wavelength_over},
     spectrum::{Band, Line},
 };
 
@@ -77,7 +76,7 @@ impl ChainSheet {
     }
 
     /// The light at a place: exact curve, smooth part, spikes as stems.
-    pub fn chart(&self, app: &App, place: Place, theme: Theme) -> Chart {
+    pub fn chart(&self, app: &App, place: Place) -> Chart {
         let document = app.document();
         let light = &document.light;
         let (steps, derived) = (&self.told.passage.steps, &self.light.derived);
@@ -96,18 +95,18 @@ impl ChainSheet {
         let mut notes = vec![format!("Light: {}", light.name())];
         let names = self.told.names.iter().enumerate();
         notes.extend(names.map(|(i, name)| format!("{}. {name}", i + 1)));
-        let (inks, band) = (Inks::of(theme), derived.band);
+        let band = derived.band;
         let factor = document.scale.factor(&light.spectrum).unwrap_or(1.0);
         let curve = |values: &[f64]| on_grid(band, values, factor);
         let mut series = vec![
-            Series::line("exact", inks.measured, curve(exact)),
-            Series::line("smooth part", inks.smooth, curve(smooth)),
+            Series::line("exact", Ink::Measured, curve(exact)),
+            Series::line("smooth part", Ink::Smooth, curve(smooth)),
         ];
         let (up, down): (Vec<Line>, Vec<Line>) =
             self.spikes(place).iter().partition(|s| s.weight >= 0.0);
         for (name, ink, spikes) in [
-            ("spikes", inks.spikes, up),
-            ("negative spikes", inks.product, down),
+            ("spikes", Ink::Spikes, up),
+            ("negative spikes", Ink::Product, down),
         ] {
             if !spikes.is_empty() {
                 series.push(self.stems((name, ink), &spikes, smooth, factor));
@@ -117,15 +116,15 @@ impl ChainSheet {
             title,
             y_label: unit_or_value(&document.scale.unit(&light.spectrum)),
             series,
-            colours: strip(band, theme),
+            colours: strip(band),
             strip: true,
             notes: before_provenance(notes, app),
-            ..over(band, theme)
+            ..over(band)
         }
     }
 
     /// Stems on the smooth part, with what is told of each.
-    fn stems(&self, looks: (&str, Rgb), spikes: &[Line], smooth: &[f64], factor: f64) -> Series {
+    fn stems(&self, looks: (&str, Ink), spikes: &[Line], smooth: &[f64], factor: f64) -> Series {
         let label = |s: &Line| match self.told.known.safe(s.at_nm) {
             Some(name) => name.to_owned(),
             None => format!("{:.1}", s.at_nm),
@@ -161,16 +160,9 @@ fn small_curves(exact: &[f64], smooth: &[f64]) -> [Vec<f32>; 2] {
 }
 
 /// The colours of the wavelengths along the axis; none where the range shows none.
-pub fn strip(band: Band, theme: Theme) -> Vec<Rgb> {
+pub fn strip(band: Band) -> Vec<Ink> {
     if band.min_nm() >= 830.0 || band.max_nm() <= 360.0 {
         return Vec::new();
     }
-    let ground = match theme {
-        Theme::Dark => Srgb([27, 27, 27]),
-        Theme::Light => Srgb([255, 255, 255]),
-    };
-    let colours = band.grid();
-    colours
-        .map(|nm| srgb_from_wavelength_over(nm, ground).0)
-        .collect()
+    band.grid().map(Ink::Wavelength).collect()
 }

@@ -8,7 +8,7 @@ use crate::{
     app::{
         App, Entry,
         cells::{line, number, words},
-        chart::{Chart, Dash, Inks, Rgb, Scale, Series, Shape, Theme},
+        chart::{Chart, Dash, Ink, Scale, Series, Shape},
         charts::spectrum::{
             before_provenance, on_grid, over, spike_stems, table_head, unit_or_value,
         },
@@ -37,11 +37,11 @@ pub const WAY_MEANINGS: [&str; 3] = [
 const MOST_CENTRES: usize = 801;
 
 /// How a representation is drawn: ink and dash.
-fn looks(way: usize, inks: Inks) -> (Rgb, Dash) {
+fn looks(way: usize) -> (Ink, Dash) {
     match way {
-        0 => (inks.spikes, Dash::Solid),
-        1 => (inks.smooth, Dash::Dashed),
-        _ => (inks.product, Dash::Dotted),
+        0 => (Ink::Spikes, Dash::Solid),
+        1 => (Ink::Smooth, Dash::Dashed),
+        _ => (Ink::Product, Dash::Dotted),
     }
 }
 
@@ -208,13 +208,12 @@ impl Behind {
     }
 
     /// The light, its model and the filter over them.
-    pub fn light_chart(&self, app: &App, filter: &Filter, theme: Theme) -> Chart {
-        let inks = Inks::of(theme);
+    pub fn light_chart(&self, app: &App, filter: &Filter) -> Chart {
         let (band, derived) = (self.band, &self.lit.derived);
         let curve = |values: &[f64]| on_grid(band, values, 1.0);
         let smooth = derived.model.smooth().on_band();
         let spikes = derived.model.lines();
-        let looks = ("spikes", inks.spikes);
+        let looks = ("spikes", Ink::Spikes);
         let stems = spike_stems(looks, spikes, (band, &smooth, 1.0), |i| {
             derived.parts.stem_width_nm(i)
         });
@@ -235,19 +234,19 @@ impl Behind {
         let mut series = vec![
             Series::area(
                 "filter, 1 at the top",
-                inks.residual,
+                Ink::Residual,
                 through.clone(),
                 Vec::new(),
             ),
-            thin("", inks.residual, through, Dash::Solid),
-            Series::points("", inks.residual, Shape::Square, handles),
+            thin("", Ink::Residual, through, Dash::Solid),
+            Series::points("", Ink::Residual, Shape::Square, handles),
             thin(
                 "measured",
-                inks.measured,
+                Ink::Measured,
                 curve(&derived.measured),
                 Dash::Solid,
             ),
-            thin("smooth part", inks.smooth, curve(&smooth), Dash::Dashed),
+            thin("smooth part", Ink::Smooth, curve(&smooth), Dash::Dashed),
         ];
         if !spikes.is_empty() {
             series.push(stems);
@@ -256,10 +255,10 @@ impl Behind {
             title: "The light and the filter over it".to_owned(),
             y_label: unit_or_value(&app.document().light.spectrum.unit),
             series,
-            colours: strip(band, theme),
+            colours: strip(band),
             strip: true,
             notes: self.notes(app),
-            ..over(band, theme)
+            ..over(band)
         }
     }
 
@@ -272,9 +271,7 @@ impl Behind {
         luminance: bool,
         width_nm: f64,
         marked: Option<f64>,
-        theme: Theme,
     ) -> Chart {
-        let inks = Inks::of(theme);
         let error = |colours: &Colours| {
             if luminance {
                 Some(100.0 * colours.luminance_error?)
@@ -285,7 +282,7 @@ impl Behind {
         let mut series = Vec::new();
         // The composite is drawn last, on top.
         for way in [2, 1, 0] {
-            let (ink, dash) = looks(way, inks);
+            let (ink, dash) = looks(way);
             let points = curve
                 .iter()
                 .map(|point| [point.centre_nm, error(&of(point, way)).unwrap_or(f64::NAN)])
@@ -295,7 +292,7 @@ impl Behind {
         let [low, high] = range(&series, luminance);
         if let Some(centre_nm) = marked {
             let foot_to_top = vec![[centre_nm, low], [centre_nm, high]];
-            series.push(thin("", inks.residual, foot_to_top, Dash::Solid));
+            series.push(thin("", Ink::Residual, foot_to_top, Dash::Solid));
         }
         series.reverse();
         Chart {
@@ -318,7 +315,7 @@ impl Behind {
             },
             series,
             notes: self.notes(app),
-            ..over(self.band, theme)
+            ..over(self.band)
         }
     }
 

@@ -4,7 +4,7 @@ use crate::{
     app::{
         App, Entry,
         cells::{line, number, words},
-        chart::{Chart, Dash, Inks, Panel, Rgb, Series, Shape, Theme, stroke},
+        chart::{Chart, Dash, Ink, Panel, Series, Shape, stroke},
         charts::spectrum::{before_provenance, on_grid, over, spike_stems, table_head},
         derived::less,
         products::ModelledLight,
@@ -48,14 +48,14 @@ pub fn way_meaning(sampling: Sampling) -> &'static str {
 }
 
 /// How a way is drawn: ink, dash and form.
-pub fn way_looks(sampling: Sampling, inks: Inks) -> (Rgb, Dash, Shape) {
+pub fn way_looks(sampling: Sampling) -> (Ink, Dash, Shape) {
     match sampling {
-        Sampling::Paper => (inks.spikes, Dash::Solid, Shape::Dot),
-        Sampling::ThreeN => (inks.smooth, Dash::Dashed, Shape::Square),
-        Sampling::FourN => (inks.residual, Dash::Dotted, Shape::Triangle),
-        Sampling::Double => (inks.product, Dash::Dashed, Shape::Ring),
-        Sampling::Convolution => (inks.overlays[2], Dash::Solid, Shape::Diamond),
-        Sampling::Exact => (inks.measured, Dash::Dotted, Shape::Cross),
+        Sampling::Paper => (Ink::Spikes, Dash::Solid, Shape::Dot),
+        Sampling::ThreeN => (Ink::Smooth, Dash::Dashed, Shape::Square),
+        Sampling::FourN => (Ink::Residual, Dash::Dotted, Shape::Triangle),
+        Sampling::Double => (Ink::Product, Dash::Dashed, Shape::Ring),
+        Sampling::Convolution => (Ink::Overlay(2), Dash::Solid, Shape::Diamond),
+        Sampling::Exact => (Ink::Measured, Dash::Dotted, Shape::Cross),
     }
 }
 
@@ -115,23 +115,22 @@ impl Bench {
 
     /// The exact product and the ways that are drawn, and below what each is off by against the
     /// exact product of the same two series.
-    pub fn chart(&self, app: &App, hidden: &[Sampling], theme: Theme) -> Chart {
-        let inks = Inks::of(theme);
+    pub fn chart(&self, app: &App, hidden: &[Sampling]) -> Chart {
         let curve = |values: &[f64]| on_grid(self.band, values, 1.0);
         let mut series = vec![Series::line(
             "measured × measured",
-            inks.measured,
+            Ink::Measured,
             curve(&self.resampled.exact),
         )];
         let mut off = Vec::new();
         for way in self.drawn(hidden) {
-            let (ink, dash, _) = way_looks(way.sampling, inks);
+            let (ink, dash, _) = way_looks(way.sampling);
             let name = way_name(way.sampling);
             series.push(thin(name, ink, curve(&way.step.smooth), dash));
             let differences = less(&way.step.smooth, &self.resampled.series_product);
             off.push(thin(name, ink, curve(&differences), dash));
         }
-        series.extend(self.stems(inks));
+        series.extend(self.stems());
         let y_range = without_tall_lines(&series);
         let notes = vec![
             format!("Light: {}. Factor: {}.", self.light, self.factor),
@@ -152,7 +151,7 @@ impl Bench {
                 series: off,
             }),
             notes: before_provenance(notes, app),
-            ..over(self.band, theme)
+            ..over(self.band)
         }
     }
 
@@ -163,14 +162,14 @@ impl Bench {
     }
 
     /// The light's spikes behind the factor, the same in all ways with points.
-    fn stems(&self, inks: Inks) -> Option<Series> {
+    fn stems(&self) -> Option<Series> {
         let way = self.resampled.ways.first()?;
         let spikes = &way.step.spikes;
         if spikes.is_empty() {
             return None;
         }
         let smooth = (self.band, &self.resampled.series_product[..], 1.0);
-        let looks = ("spikes × factor", inks.overlays[1]);
+        let looks = ("spikes × factor", Ink::Overlay(1));
         Some(spike_stems(looks, spikes, smooth, |i| self.widths_nm[i]))
     }
 
@@ -257,6 +256,6 @@ pub fn time_of(times: Option<&[ProductTime]>, sampling: Sampling) -> Option<&Pro
 }
 
 /// A line of a thickness that leaves room for others.
-pub fn thin(name: &str, ink: Rgb, points: Vec<[f64; 2]>, dash: Dash) -> Series {
+pub fn thin(name: &str, ink: Ink, points: Vec<[f64; 2]>, dash: Dash) -> Series {
     stroke(name, ink, points, 1.5, dash)
 }

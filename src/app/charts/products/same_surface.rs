@@ -2,7 +2,7 @@
 
 use crate::{
     app::{
-        chart::{Chart, Dash, Inks, Panel, Series, Theme},
+        chart::{Chart, Dash, Ink, Panel, Series},
         charts::spectrum::{before_provenance, on_grid, over},
         derived::less,
         products::same_surface::SameSurfaceSheet,
@@ -17,9 +17,7 @@ pub fn same_surface_chart(
     sheet: &SameSurfaceSheet,
     compared: &Compared,
     what: &str,
-    theme: Theme,
 ) -> Chart {
-    let inks = Inks::of(theme);
     let curve = |values: &[f64]| on_grid(sheet.band, values, 1.0);
     let Compared {
         reflection,
@@ -36,15 +34,15 @@ pub fn same_surface_chart(
         title: what.to_owned(),
         y_label: "share of the largest value, behind 10 nm".to_owned(),
         series: vec![
-            Series::line("found: S3", inks.measured, curve(found)),
-            Series::line("expected: S1 S2", inks.spikes, curve(expected)).dashed(Dash::Dashed),
+            Series::line("found: S3", Ink::Measured, curve(found)),
+            Series::line("expected: S1 S2", Ink::Spikes, curve(expected)).dashed(Dash::Dashed),
         ],
         residual: Some(Panel {
             y_label: "found - expected".to_owned(),
-            series: vec![Series::line("difference", inks.residual, curve(&rest))],
+            series: vec![Series::line("difference", Ink::Residual, curve(&rest))],
             ..Panel::default()
         }),
         notes: before_provenance(vec![told], app),
-        ..over(sheet.band, theme)
+        ..over(sheet.band)
     }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     app::{
-        chart::{Chart, Dash, Inks, Series, Theme},
+        chart::{Chart, Dash, Ink, Series},
         charts::spectrum::{before_provenance, on_grid, over},
         products::two_lights::{Made, NoMetamer, TwoLightsSheet, swatches},
         state::App,
@@ -35,11 +35,10 @@ impl MadeShown {
         sheet: &TwoLightsSheet,
         (patch, room_percent): (usize, i32),
         adaptation: Adaptation,
-        theme: Theme,
     ) -> Result<Self, NoMetamer> {
         let made = Made::of(sheet, patch, room_percent)?;
         Ok(Self {
-            chart: made_chart(app, sheet, &made, theme),
+            chart: made_chart(app, sheet, &made),
             swatches: swatches(&made.both, adaptation),
             made,
         })
@@ -67,7 +66,7 @@ impl Found {
         ask: &PairsAsk,
         pairs: &Arc<Pairs>,
         chosen: usize,
-        (adaptation, theme): (Adaptation, Theme),
+        adaptation: Adaptation,
     ) -> Self {
         let pair = pairs.metamers.pairs.get(chosen);
         Self {
@@ -76,7 +75,7 @@ impl Found {
             lights: [0, 1].map(|i| ask.lights[i].0.name().to_owned()),
             chart: pair.map(|pair| {
                 let pair = pair.pair.map(|i| &pairs.surfaces[i]);
-                pair_chart(app, ask.band, pair, theme)
+                pair_chart(app, ask.band, pair)
             }),
             pairs: pairs.clone(),
         }
@@ -84,39 +83,38 @@ impl Found {
 }
 
 /// Both lights, each scaled to Y = 100; what is not seen is left out.
-pub fn two_lights_chart(app: &App, sheet: &TwoLightsSheet, theme: Theme) -> Chart {
-    let inks = Inks::of(theme);
+pub fn two_lights_chart(app: &App, sheet: &TwoLightsSheet) -> Chart {
     let [first, second] = sheet.scaled();
     let mut series = Vec::new();
     if let Some(values) = first {
         let points = on_grid(sheet.band, &values, 1.0);
-        series.push(Series::line(&sheet.lights[0], inks.measured, points));
+        series.push(Series::line(&sheet.lights[0], Ink::Measured, points));
     }
     if let Some(values) = second {
         let points = on_grid(sheet.band, &values, 1.0);
-        let line = Series::line(&sheet.lights[1], inks.spikes, points);
+        let line = Series::line(&sheet.lights[1], Ink::Spikes, points);
         series.push(line.dashed(Dash::Dashed));
     }
     Chart {
         title: "The two lights".to_owned(),
         y_label: "value, scaled to Y = 100".to_owned(),
-        ..over_wavelength(app, sheet.band, series, theme)
+        ..over_wavelength(app, sheet.band, series)
     }
 }
 
 /// The two reflectances of a pair that was found.
-fn pair_chart(app: &App, band: Band, pair: [&Surface; 2], theme: Theme) -> Chart {
+fn pair_chart(app: &App, band: Band, pair: [&Surface; 2]) -> Chart {
     let curves = pair.map(|surface| (&surface.key[..], &surface.values[..]));
-    two_curves(app, "The chosen pair", band, curves, theme)
+    two_curves(app, "The chosen pair", band, curves)
 }
 
 /// A patch and the metamer made for it.
-pub fn made_chart(app: &App, sheet: &TwoLightsSheet, made: &Made, theme: Theme) -> Chart {
+pub fn made_chart(app: &App, sheet: &TwoLightsSheet, made: &Made) -> Chart {
     let patch = (&sheet.names[made.patch][..], &made.original[..]);
     let curves = [patch, ("made", &made.values[..])];
     Chart {
         y_range: Some([0.0, 1.0]),
-        ..two_curves(app, "A patch and its metamer", sheet.band, curves, theme)
+        ..two_curves(app, "A patch and its metamer", sheet.band, curves)
     }
 }
 
@@ -126,21 +124,19 @@ fn two_curves(
     title: &str,
     band: Band,
     [(first, values), (second, others)]: [(&str, &[f64]); 2],
-    theme: Theme,
 ) -> Chart {
-    let inks = Inks::of(theme);
     let series = vec![
-        Series::line(first, inks.smooth, on_grid(band, values, 1.0)),
-        Series::line(second, inks.spikes, on_grid(band, others, 1.0)).dashed(Dash::Dashed),
+        Series::line(first, Ink::Smooth, on_grid(band, values, 1.0)),
+        Series::line(second, Ink::Spikes, on_grid(band, others, 1.0)).dashed(Dash::Dashed),
     ];
     Chart {
         title: title.to_owned(),
         y_label: "share of light".to_owned(),
-        ..over_wavelength(app, band, series, theme)
+        ..over_wavelength(app, band, series)
     }
 }
 
-fn over_wavelength(app: &App, band: Band, series: Vec<Series>, theme: Theme) -> Chart {
+fn over_wavelength(app: &App, band: Band, series: Vec<Series>) -> Chart {
     let document = app.document();
     let mut notes = vec![format!("Light: {}", document.light.name())];
     if let Some(other) = &document.products.other_light {
@@ -154,6 +150,6 @@ fn over_wavelength(app: &App, band: Band, series: Vec<Series>, theme: Theme) -> 
     Chart {
         series,
         notes: before_provenance(notes, app),
-        ..over(band, theme)
+        ..over(band)
     }
 }

@@ -13,7 +13,7 @@ pub use winners::{Lamp, Winners, Won};
 
 use crate::{
     app::{
-        chart::{Chart, Dash, Inks, Rgb, Scale, Series, Shape, Theme, stroke},
+        chart::{Chart, Dash, Ink, Scale, Series, Shape, stroke},
         figures::SMALLEST,
         race_report::{field_words, race_notes, row_numbers, wins},
         studies::RaceAsk,
@@ -43,12 +43,12 @@ pub fn short_name(racer: Racer) -> &'static str {
 }
 
 /// How a racer is drawn: a hue a family, dashes for spikes, forms for the rest.
-pub fn looks(racer: Racer, inks: Inks) -> (Rgb, Dash, Shape) {
+pub fn looks(racer: Racer) -> (Ink, Dash, Shape) {
     match racer {
         Racer::Composite(way) => (
             match way.basis {
-                Basis::Fourier => inks.smooth,
-                Basis::Cosine => inks.spikes,
+                Basis::Fourier => Ink::Smooth,
+                Basis::Cosine => Ink::Spikes,
             },
             if way.spikes {
                 Dash::Dashed
@@ -62,16 +62,16 @@ pub fn looks(racer: Racer, inks: Inks) -> (Rgb, Dash, Shape) {
                 (true, true) => Shape::Diamond,
             },
         ),
-        Racer::WideLines => (inks.product, Dash::Solid, Shape::Ring),
-        Racer::KnownLamps => (inks.product, Dash::Solid, Shape::Dot),
+        Racer::WideLines => (Ink::Product, Dash::Solid, Shape::Ring),
+        Racer::KnownLamps => (Ink::Product, Dash::Solid, Shape::Dot),
         Racer::Rival(family) => {
             let by_place = [
-                (inks.overlays[2], Shape::Cross),
-                (inks.overlays[2], Shape::Square),
-                (inks.overlays[0], Shape::Triangle),
-                (inks.residual, Shape::Diamond),
-                (inks.product, Shape::Triangle),
-                (inks.overlays[3], Shape::Ring),
+                (Ink::Overlay(2), Shape::Cross),
+                (Ink::Overlay(2), Shape::Square),
+                (Ink::Overlay(0), Shape::Triangle),
+                (Ink::Residual, Shape::Diamond),
+                (Ink::Product, Shape::Triangle),
+                (Ink::Overlay(3), Shape::Ring),
             ];
             // A family beyond these has the marks of an earlier one and lines of its own.
             let (round, place) = (
@@ -82,7 +82,7 @@ pub fn looks(racer: Racer, inks: Inks) -> (Rgb, Dash, Shape) {
             let (ink, shape) = by_place[place];
             (ink, dash, shape)
         }
-        Racer::Chosen => (inks.measured, Dash::Solid, Shape::Cross),
+        Racer::Chosen => (Ink::Measured, Dash::Solid, Shape::Cross),
     }
 }
 
@@ -114,14 +114,7 @@ fn of_whom(ask: &RaceAsk, race: &Race, class: Option<&str>) -> String {
 }
 
 /// Error against numbers, one line a racer; medians where many lights race.
-pub fn error_chart(
-    ask: &RaceAsk,
-    race: &Race,
-    class: Option<&str>,
-    measure: Measure,
-    theme: Theme,
-) -> Chart {
-    let inks = Inks::of(theme);
+pub fn error_chart(ask: &RaceAsk, race: &Race, class: Option<&str>, measure: Measure) -> Chart {
     let of_measure = measure.figure();
     let many = race.of_class(class).count() > 1;
     let (mut lines, mut dots) = (Vec::new(), Vec::new());
@@ -143,7 +136,7 @@ pub fn error_chart(
         if points.is_empty() {
             continue;
         }
-        let (colour, dash, shape) = looks(*racer, inks);
+        let (colour, dash, shape) = looks(*racer);
         let width = if *racer == Racer::Chosen { 2.4 } else { 1.5 };
         // The points have the name: their forms tell more apart than dashes do.
         lines.push(stroke("", colour, points.clone(), width, dash));
@@ -170,7 +163,6 @@ pub fn error_chart(
         y_scale: Scale::Log10,
         series: lines.into_iter().chain(dots).collect(),
         notes,
-        theme,
         ..Chart::default()
     }
 }

@@ -39,14 +39,13 @@ pub(super) struct Shown {
 
 impl DesignView {
     pub(crate) fn spectra_of_colour(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let theme = context.chart_theme();
-        let key = (context.app.revision(), theme, context.memory.colour.clone());
+        let key = (context.app.revision(), context.memory.colour.clone());
         let document = context.app.document();
         let shown = &self
             .colour
-            .get(key, |(_, theme, from)| {
+            .get(key, |(_, from)| {
                 let sheet = ColourSheet::of(from, document)?;
-                let chart = colour_chart(&sheet, *theme);
+                let chart = colour_chart(&sheet);
                 Ok(Arc::new(Shown { sheet, chart }))
             })
             .clone();

@@ -100,9 +100,8 @@ impl DesignView {
         lines: &[NamedLine],
         size: egui::Vec2,
     ) {
-        let theme = context.chart_theme();
-        let key = (context.app.revision(), theme);
-        let chart = &*self.spectrum.get(key, |_| mixed_spectrum(desk, theme));
+        let key = context.app.revision();
+        let chart = &*self.spectrum.get(key, |_| mixed_spectrum(desk));
         let mut shown = ChartView::held(ui, chart, "mixed spectrum", size, context.theme);
         context.ask_for_chart(shown.wish.take());
         let Some([at_nm, _]) = shown.dragged else {

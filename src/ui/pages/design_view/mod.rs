@@ -16,7 +16,7 @@ use super::PageContext;
 use crate::{
     app::{
         App, Command, Memo,
-        chart::{self, Chart},
+        chart::Chart,
         charts::design::{ground, on_diagram},
         design::{
             Beside, Desk, DeskSurfaces,
@@ -38,14 +38,14 @@ use crate::{
 pub(super) struct DesignView {
     desk: Memo<u64, Desk>,
     lines: Memo<(), Vec<NamedLine>>,
-    ground: Memo<chart::Theme, Chart>,
-    diagram: Memo<(u64, chart::Theme, Option<[f64; 2]>), Chart>,
-    spectrum: Memo<(u64, chart::Theme), Chart>,
+    ground: Memo<(), Chart>,
+    diagram: Memo<(u64, Option<[f64; 2]>), Chart>,
+    spectrum: Memo<u64, Chart>,
     solved: Answered,
     /// The wish was moved: the faders follow what is solved for.
     follows: bool,
     beside: Memo<(u64, DeskSurfaces), Vec<Beside>>,
-    colour: Memo<(u64, chart::Theme, FromColour), Result<Arc<colour::Shown>, String>>,
+    colour: Memo<(u64, FromColour), Result<Arc<colour::Shown>, String>>,
     /// A hexadecimal colour while it is typed: of the first or the second light, and its text.
     typed: Option<(usize, String)>,
     /// The channel that is dragged in the spectrum.
@@ -70,10 +70,9 @@ impl DesignView {
         target: Option<[f64; 2]>,
         size: egui::Vec2,
     ) {
-        let theme = context.chart_theme();
-        let ground = &*self.ground.get(theme, |theme| ground(*theme));
+        let ground = &*self.ground.get((), |()| ground());
         let Some(desk) = self.desk.held() else { return };
-        let key = (context.app.revision(), theme, target);
+        let key = (context.app.revision(), target);
         let chart = &*self.diagram.get(key, |_| on_diagram(ground, desk, target));
         context.chart(ui, chart, "colours of channels", size);
     }

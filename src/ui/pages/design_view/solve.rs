@@ -371,7 +371,7 @@ fn front(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, height: f32) {
         }
     };
     ui.add(egui::Label::new(sentence(points, &ask)).wrap());
-    let chart = front_chart(points, ask.against, desk, context.chart_theme());
+    let chart = front_chart(points, ask.against, desk);
     let left = height - (ui.cursor().top() - top);
     let size = vec2(ui.available_width(), left.max(150.0));
     let shown = context.chart(ui, &chart, "front", size);

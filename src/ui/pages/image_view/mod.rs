@@ -15,7 +15,7 @@ use super::{PageContext, PageWish, progress};
 use crate::{
     app::{
         ByAddress, Command, Entry, ImageEntry, MadeFor, Memo, Recipe,
-        chart::{self, Chart},
+        chart::Chart,
         charts::image::region_chart,
         headlines,
         picture::{
@@ -76,7 +76,7 @@ pub struct ImageView {
     canvas: Canvas,
     weights: Memo<WeightsOf, Option<Box<BandWeights>>>,
     drawn: Option<Drawn>,
-    chart: Memo<(ByAddress<RegionSpectrum>, Spread, chart::Theme), Chart>,
+    chart: Memo<(ByAddress<RegionSpectrum>, Spread), Chart>,
     pointed: Option<[usize; 2]>,
     /// The spectrum that was taken last: its image's key, its pixels, its name.
     taken: Option<(String, Rect, String)>,
@@ -339,10 +339,10 @@ impl ImageView {
             (height - used - figures - 4.0).max(110.0 * context.theme.scale),
         );
         let spread = context.memory.image.spread;
-        let of = (ByAddress(region.clone()), spread, context.chart_theme());
-        let chart = self.chart.get(of, |(region, spread, theme)| {
-            region_chart(&region.0, *spread, *theme)
-        });
+        let of = (ByAddress(region.clone()), spread);
+        let chart = self
+            .chart
+            .get(of, |(region, spread)| region_chart(&region.0, *spread));
         context.chart(ui, chart, "image spectrum", room);
         let drawn = self.drawn.as_ref();
         figures::model(ui, context, region, shown, drawn);

@@ -7,7 +7,7 @@ use egui::{DragValue, Label, RichText, Ui, vec2};
 
 use crate::{
     app::{
-        App, Command, Detector, Entry, Memo, Settings, THRESHOLDS_PERCENT, WIDTHS_NM, chart,
+        App, Command, Detector, Entry, Memo, Settings, THRESHOLDS_PERCENT, WIDTHS_NM,
         charts::products::absorption::{AbsorptionSheet, DarkLine, DipRow, looks},
         headlines,
         ticks::short,
@@ -79,15 +79,15 @@ const EXAMPLES: [Example; 4] = [
 /// The part and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct AbsorptionView {
-    found: Memo<(u64, chart::Theme), (AbsorptionSheet, Vec<Row>)>,
+    found: Memo<u64, (AbsorptionSheet, Vec<Row>)>,
 }
 
 impl AbsorptionView {
     /// Draws the part.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let (app, theme) = (context.app, context.chart_theme());
-        let (found, rows) = &*self.found.get((app.revision(), theme), |_| {
-            let found = AbsorptionSheet::of(app, theme);
+        let app = context.app;
+        let (found, rows) = &*self.found.get(app.revision(), |_| {
+            let found = AbsorptionSheet::of(app);
             let dips = found
                 .dips
                 .iter()

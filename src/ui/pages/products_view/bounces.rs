@@ -7,7 +7,7 @@ use super::{surface_chooser, take_way};
 use crate::{
     app::{
         ByAddress, Memo,
-        chart::{self, Chart},
+        chart::Chart,
         charts::products::{
             bounces::{Bounced, TOLD, errors},
             resampling::{way_meaning, way_name},
@@ -35,7 +35,7 @@ pub mod names {
 /// The part and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct BouncesView {
-    chart: Memo<(ByAddress<Bounced>, BouncesMemory, chart::Theme), Chart>,
+    chart: Memo<(ByAddress<Bounced>, BouncesMemory), Chart>,
 }
 
 impl BouncesView {
@@ -82,11 +82,11 @@ impl BouncesView {
         let Some(bounced) = job.result().cloned() else {
             return;
         };
-        let (memory, theme) = (context.memory.products.bounces, context.chart_theme());
-        let key = (ByAddress(bounced.clone()), memory, theme);
+        let memory = context.memory.products.bounces;
+        let key = (ByAddress(bounced.clone()), memory);
         let chart = &*self
             .chart
-            .get(key, |_| bounced.chart(app, memory.added, memory.log, theme));
+            .get(key, |_| bounced.chart(app, memory.added, memory.log));
         let room = ui.available_size();
         let scale = context.theme.scale;
         scrolled(ui, "bounces", |ui| {

@@ -14,7 +14,7 @@ use super::{PageContext, progress};
 use crate::{
     app::{
         ByAddress, Memo,
-        chart::{self, Chart, Marks},
+        chart::{Chart, Marks},
         charts::race::{Larger, RaceCell, RaceTable, Winners, error_chart, looks, table_chart},
         pages::{FieldChoice, RACE_BUDGETS},
         studies::{RaceAsk, Stage},
@@ -24,7 +24,7 @@ use crate::{
     ui::{
         chart_view::{ChartForm, ChartView, ChartWish},
         kit::{Choice, Column, Look, Table, bar, named, rolled},
-        theme::{Theme, ink, section},
+        theme::{Theme, section},
     },
 };
 
@@ -45,13 +45,7 @@ pub(super) struct RaceView {
 }
 
 /// What decides how a result is shown: the race, the class, which count, the figure, the looks.
-type Key = (
-    ByAddress<Race>,
-    Option<String>,
-    usize,
-    Measure,
-    chart::Theme,
-);
+type Key = (ByAddress<Race>, Option<String>, usize, Measure);
 
 /// What is made once for a result and a choice.
 struct Shown {
@@ -62,12 +56,12 @@ struct Shown {
 }
 
 impl Shown {
-    fn of(ask: &RaceAsk, (race, class, budget, measure, theme): &Key) -> Self {
+    fn of(ask: &RaceAsk, (race, class, budget, measure): &Key) -> Self {
         let (race, class) = (&race.0, class.as_deref());
         let table = RaceTable::new(race, class, *budget, *measure);
         let winners = Winners::new(ask, race, *budget, *measure);
         Self {
-            chart: error_chart(ask, race, class, *measure, *theme),
+            chart: error_chart(ask, race, class, *measure),
             table: table::TableRows::of(&table),
             winners: winners::WinnerRows::of(winners),
             larger: Larger::new(ask, race, *budget).map(larger::LargerRows::of),
@@ -198,7 +192,6 @@ impl RaceView {
             self.class.clone(),
             budget,
             context.memory.race_measure,
-            context.chart_theme(),
         );
         let drawn = &*self.shown.get(key, |key| Shown::of(ask, key));
         let theme = context.theme;
@@ -377,6 +370,6 @@ fn with_bar(title: &str, meaning: &str, share: f32) -> Column {
 
 /// The ink of a racer before its name.
 fn winner_bar(ui: &Ui, cell: egui::Rect, racer: Racer, theme: Theme) {
-    let (colour, ..) = looks(racer, theme.inks);
-    bar(ui, cell, ink(colour));
+    let (colour, ..) = looks(racer);
+    bar(ui, cell, theme.ink(colour));
 }

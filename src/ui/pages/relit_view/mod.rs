@@ -39,9 +39,9 @@ struct Textures {
 pub struct RelitView {
     textures: Option<Textures>,
     pointed: Option<[usize; 2]>,
-    pixel: Memo<(ByAddress<Fit>, [usize; 2], chart::Theme), Chart>,
-    error: Memo<(ByAddress<Looked>, usize, chart::Theme), Chart>,
-    off: Memo<(ByAddress<Turned>, chart::Theme), Chart>,
+    pixel: Memo<(ByAddress<Fit>, [usize; 2]), Chart>,
+    error: Memo<(ByAddress<Looked>, usize), Chart>,
+    off: Memo<ByAddress<Turned>, Chart>,
 }
 
 impl RelitView {

@@ -32,7 +32,6 @@ impl RelitView {
         let (Some(looked), Some((fit, turned))) = (&shown.looked, &shown.turned) else {
             return;
         };
-        let theme = context.chart_theme();
         let row = ui.text_style_height(&egui::TextStyle::Body) + 5.0;
         let line = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
         let gaps = 3.0 * ui.spacing().item_spacing.y;
@@ -58,22 +57,22 @@ impl RelitView {
                 });
             });
         });
-        let key = (fit.clone(), pixel, theme);
-        let chart = self.pixel.get(key, |(fit, pixel, theme)| {
-            pixel_chart(&fit.0, *pixel, *theme)
-        });
+        let key = (fit.clone(), pixel);
+        let chart = self
+            .pixel
+            .get(key, |(fit, pixel)| pixel_chart(&fit.0, *pixel));
         context.chart(ui, chart, "pixel in few numbers", size);
         if context.memory.relit.look == Look::Difference {
-            let chart = self.off.get((turned.clone(), theme), |(turned, theme)| {
-                difference_chart(&turned.0, *theme)
-            });
+            let chart = self
+                .off
+                .get(turned.clone(), |turned| difference_chart(&turned.0));
             context.chart(ui, chart, "pixels by their difference", size);
         } else {
             let now = fit.0.operator.numbers();
-            let key = (looked.clone(), now, theme);
-            let chart = self.error.get(key, |(looked, now, theme)| {
-                error_chart(&looked.0, *now, *theme)
-            });
+            let key = (looked.clone(), now);
+            let chart = self
+                .error
+                .get(key, |(looked, now)| error_chart(&looked.0, *now));
             let touched = context.chart(ui, chart, "error against numbers a pixel", size);
             if let Some(hit) = touched.clicked {
                 context.memory.relit.numbers = Some(hit.at[0].round() as usize);

@@ -10,6 +10,7 @@ use super::{super::change, choose, chosen, delta, knobs, move_link, names, perce
 use crate::{
     app::{
         Command,
+        chart::Ink,
         charts::products::chain::{ChainSheet, Place},
         product_report::scaled,
         ticks::short,
@@ -276,8 +277,8 @@ fn picture(
         ui.painter().rect_filled(rect, 2.0, theme.ground);
         let [exact, smooth] = &sheet.small_curves[index];
         let within = rect.shrink2(vec2(2.0, 2.0));
-        for (heights, colour) in [(smooth, theme.inks.smooth), (exact, theme.inks.measured)] {
-            draw_curve(ui, within, heights, Stroke::new(1.2, ink(colour)));
+        for (heights, colour) in [(smooth, Ink::Smooth), (exact, Ink::Measured)] {
+            draw_curve(ui, within, heights, Stroke::new(1.2, theme.ink(colour)));
         }
         response.on_hover_text(
             "The exact light behind this stage and the model's smooth part, over the exact peak.",

@@ -10,7 +10,7 @@ use super::{change, take_way};
 use crate::{
     app::{
         Memo,
-        chart::{self, Chart},
+        chart::Chart,
         charts::products::chain::{ChainSheet, Place},
         headlines,
         product_report::{spikes_csv, stages_csv},
@@ -51,7 +51,7 @@ const TABLE_SHARE: f32 = 0.34;
 #[derive(Default)]
 pub struct ChainView {
     sheet: Memo<u64, ChainSheet>,
-    chart: Memo<(u64, Place, chart::Theme), Chart>,
+    chart: Memo<(u64, Place), Chart>,
     /// The stage that the pointer holds.
     held: Option<usize>,
 }
@@ -88,8 +88,8 @@ impl ChainView {
             ui.add_space(4.0);
             down(ui, ui.available_size(), |ui| {
                 let place = chosen(context, sheet.stages());
-                let key = (revision, place, context.chart_theme());
-                let chart = chart.get(key, |_| sheet.chart(app, place, key.2));
+                let key = (revision, place);
+                let chart = chart.get(key, |_| sheet.chart(app, place));
                 larger(ui, context, sheet, (chart, place));
             });
         });

@@ -8,7 +8,7 @@ use egui::{DragValue, RichText, Sense, Slider, Ui, Vec2, vec2};
 use crate::{
     app::{
         App, Memo,
-        chart::{self, Chart},
+        chart::Chart,
         charts::products::narrow::{Behind, Figures, Filter, FilterRow, WAY_MEANINGS, WAYS},
         headlines,
         products::{NarrowMemory, PASS_WIDTHS_NM},
@@ -46,7 +46,7 @@ pub mod names {
 pub struct NarrowView {
     behind: Memo<u64, (Behind, Vec<FilterRow>)>,
     curve: Memo<(u64, f64), Vec<NarrowPoint>>,
-    shown: Memo<(u64, NarrowMemory, chart::Theme), (Figures, [Chart; 2])>,
+    shown: Memo<(u64, NarrowMemory), (Figures, [Chart; 2])>,
     grip: Option<band_pass::Grip>,
 }
 
@@ -67,15 +67,15 @@ impl NarrowView {
             .get((revision, memory.width_nm), |(_, width_nm)| {
                 behind.curve(*width_nm)
             });
-        let key = (revision, memory, context.chart_theme());
-        let (figures, [light, errors]) = &*self.shown.get(key, |(_, memory, theme)| {
+        let key = (revision, memory);
+        let (figures, [light, errors]) = &*self.shown.get(key, |(_, memory)| {
             let marked = match &filter {
                 Filter::Gaussian { centre_nm, .. } => Some(*centre_nm),
                 Filter::Real(_) => None,
             };
             let width_nm = memory.width_nm;
-            let light = behind.light_chart(app, &filter, *theme);
-            let errors = behind.error_chart(app, curve, memory.luminance, width_nm, marked, *theme);
+            let light = behind.light_chart(app, &filter);
+            let errors = behind.error_chart(app, curve, memory.luminance, width_nm, marked);
             (behind.figures(&filter), [light, errors])
         });
         headline(

@@ -11,7 +11,7 @@ use super::{surface_chooser, take_way};
 use crate::{
     app::{
         Memo,
-        chart::{self, Chart},
+        chart::{Chart, Ink},
         charts::products::resampling::{Bench, time_of, way_meaning, way_name},
         headlines,
         studies::{
@@ -44,7 +44,7 @@ pub mod names {
 #[derive(Default)]
 pub struct ResamplingView {
     bench: Memo<u64, Bench>,
-    chart: Memo<(u64, Vec<Sampling>, chart::Theme), Chart>,
+    chart: Memo<(u64, Vec<Sampling>), Chart>,
     /// How often the times were asked for.
     turn: u32,
 }
@@ -83,10 +83,8 @@ impl ResamplingView {
         let times = times(context, bench, self.turn);
         shown_ways(ui, context);
         let hidden = context.memory.products.resampling.hidden.clone();
-        let key = (revision, hidden, context.chart_theme());
-        let chart = &*self
-            .chart
-            .get(key, |(_, hidden, theme)| bench.chart(app, hidden, *theme));
+        let key = (revision, hidden);
+        let chart = &*self.chart.get(key, |(_, hidden)| bench.chart(app, hidden));
         let room = ui.available_size();
         let scale = context.theme.scale;
         let mut asked_again = false;
@@ -324,7 +322,7 @@ fn alias_meter(ui: &Ui, cell: Rect, share: f64, theme: Theme) {
     }
     let part = 1.0 - (share.min(1.0).log10() / LEAST_SHARE.log10()) as f32;
     let full = Rect::from_min_size(track.min, vec2(part * track.width(), height));
-    painter.rect_filled(full, 2.0, crate::ui::theme::ink(theme.inks.spikes));
+    painter.rect_filled(full, 2.0, theme.ink(Ink::Spikes));
 }
 
 /// How the times were measured, and the button to do so again.

@@ -11,7 +11,7 @@ use super::change;
 use crate::{
     app::{
         ByAddress, Command, Entry, MadeFor, Memo,
-        chart::{self, Chart},
+        chart::Chart,
         charts::products::same_surface::same_surface_chart,
         headlines,
         products::same_surface::{SameSurfaceSheet, example},
@@ -47,7 +47,7 @@ pub mod names {
 #[derive(Default)]
 pub struct SameSurfaceView {
     sheet: Memo<u64, Option<SameSurfaceSheet>>,
-    charts: Memo<(u64, chart::Theme), [Option<Chart>; 2]>,
+    charts: Memo<u64, [Option<Chart>; 2]>,
     ranking: Memo<ByAddress<Vec<Ranked>>, Vec<Row>>,
     /// The surface of the example; `None` for S2.
     example: Option<Arc<Entry>>,
@@ -71,14 +71,13 @@ impl SameSurfaceView {
             explain(ui, context);
             return;
         };
-        let drawn = (revision, context.chart_theme());
+        let drawn = revision;
         let charts = &*self.charts.get(drawn, |_| {
             let sides = [
                 (&sheet.model, "In the model's numbers"),
                 (&sheet.measured, "Measured curves"),
             ];
-            let chart =
-                |compared: &Compared, what| same_surface_chart(app, sheet, compared, what, drawn.1);
+            let chart = |compared: &Compared, what| same_surface_chart(app, sheet, compared, what);
             sides.map(|(compared, what)| Some(chart(compared.as_ref()?, what)))
         });
         let everywhere = context.memory.products.same_surface.everywhere;

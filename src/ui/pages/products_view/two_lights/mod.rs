@@ -10,7 +10,7 @@ use super::change;
 use crate::{
     app::{
         ByAddress, Memo,
-        chart::{self, Chart},
+        chart::Chart,
         charts::products::two_lights::{Found, MadeShown, two_lights_chart},
         headlines,
         products::two_lights::{NoMetamer, TwoLightsSheet, swatches},
@@ -44,9 +44,9 @@ pub mod names {
 #[derive(Default)]
 pub struct TwoLightsView {
     sheet: Memo<u64, Option<TwoLightsSheet>>,
-    shown: Memo<(u64, chart::Theme), Shown>,
-    made: Memo<(u64, chart::Theme, usize, i32), Result<MadeShown, NoMetamer>>,
-    found: Memo<(ByAddress<Pairs>, Adaptation, chart::Theme, usize), Found>,
+    shown: Memo<u64, Shown>,
+    made: Memo<(u64, usize, i32), Result<MadeShown, NoMetamer>>,
+    found: Memo<(ByAddress<Pairs>, Adaptation, usize), Found>,
     rows: Memo<ByAddress<Pairs>, Vec<Row>>,
 }
 
@@ -60,7 +60,7 @@ struct Shown {
 impl TwoLightsView {
     /// Draws the part.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let (app, theme) = (context.app, context.chart_theme());
+        let app = context.app;
         let (revision, adaptation) = (app.revision(), context.app.document().view.adaptation());
         let Some(sheet) = &*self.sheet.get(revision, |_| TwoLightsSheet::of(app)) else {
             let words = "Choose a second light to see the patches under both.";
@@ -73,7 +73,7 @@ impl TwoLightsView {
         if let Some(ask) = &pairs_ask(context) {
             context.put(ask);
         }
-        let shown = &*self.shown.get((revision, theme), |_| {
+        let shown = &*self.shown.get(revision, |_| {
             let of_all = |both: &Option<TwoLights>| {
                 let both = both.as_ref();
                 both.map_or_else(Vec::new, |both| swatches(both, adaptation))
@@ -81,25 +81,25 @@ impl TwoLightsView {
             Shown {
                 exact: of_all(&sheet.exact),
                 model: of_all(&sheet.model),
-                chart: two_lights_chart(app, sheet, theme),
+                chart: two_lights_chart(app, sheet),
             }
         });
         let memory = context.memory.products.two_lights;
         let patch = memory.patch.min(sheet.names.len().saturating_sub(1));
         let room_percent = memory.room_percent;
-        let made = (revision, theme, patch, room_percent);
+        let made = (revision, patch, room_percent);
         let made = &*self.made.get(made, |_| {
-            MadeShown::of(app, sheet, (patch, room_percent), adaptation, theme)
+            MadeShown::of(app, sheet, (patch, room_percent), adaptation)
         });
         let found = context.studies.of::<PairsAsk>().answer();
         let found = found.map(|(ask, pairs)| {
             let last = pairs.metamers.pairs.len().saturating_sub(1);
             let chosen = memory.pair.min(last);
             let of = ByAddress(pairs.clone());
-            let key = (of.clone(), adaptation, theme, chosen);
-            let found = self.found.get(key, |_| {
-                Found::of(app, ask, pairs, chosen, (adaptation, theme))
-            });
+            let key = (of.clone(), adaptation, chosen);
+            let found = self
+                .found
+                .get(key, |_| Found::of(app, ask, pairs, chosen, adaptation));
             let rows = self.rows.get(of, |_| metamers::rows(pairs));
             (&*found, rows.as_slice())
         });
