@@ -1,7 +1,5 @@
 //! Loss along a path through a body.
 
-use std::fmt;
-
 use crate::spectrum::{Outside, Sampled};
 
 /// A transmittance below this counts as this: what lets nothing through has no coefficient.
@@ -27,32 +25,15 @@ pub struct FilterAbsorption {
 }
 
 /// Why there is no absorption.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum AbsorptionError {
     /// A coefficient that is negative or not finite.
+    #[error("absorption: expected a number from 0 to 1e6 per unit of length, found {found}")]
     Coefficient { found: f64 },
     /// A thickness that is not above 0.
+    #[error("thickness: expected a length above 0, up to 1e6, found {found}")]
     Thickness { found: f64 },
 }
-
-impl fmt::Display for AbsorptionError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Coefficient { found } => write!(
-                f,
-                "absorption: expected a number from 0 to 1e6 per unit of length, found {found}"
-            ),
-            Self::Thickness { found } => {
-                write!(
-                    f,
-                    "thickness: expected a length above 0, up to 1e6, found {found}"
-                )
-            }
-        }
-    }
-}
-
-impl std::error::Error for AbsorptionError {}
 
 impl Absorption {
     /// The same coefficient at every wavelength.

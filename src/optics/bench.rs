@@ -6,13 +6,11 @@
 //! the ray of the reference wavelength at a distance from where that leaves; x is positive towards
 //! larger deviation. Lengths are mm.
 
-use std::fmt;
-
 use super::{
     absorption::Absorption,
     index::Material,
     index_error::IndexError,
-    prism::{Angles, Incidence, Prism, PrismError, limits, minimum_deviation},
+    prism::{Angles, Incidence, Limits, Prism, PrismError, limits, minimum_deviation},
 };
 
 /// The bench as a person sets it.
@@ -136,53 +134,26 @@ pub struct RayPath {
 }
 
 /// Why there is no bench.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BenchError {
-    /// The prism is none.
-    Prism(PrismError),
-    /// A length that is none.
+    /// The prism is invalid.
+    #[error(transparent)]
+    Prism(#[from] PrismError),
+    /// An invalid length.
+    #[error("{what}: expected a length above 0 and up to 1e6 mm, found {found}")]
     Length { what: &'static str, found: f64 },
     /// All light is totally reflected.
-    NoLight {
-        /// Largest apex that lets the reference wavelength pass, when the prism's is above it.
-        largest_apex_deg: Option<f64>,
-        /// Smallest incidence that passes otherwise.
-        smallest_incidence_deg: Option<f64>,
-    },
+    #[error("no light leaves: {}", why_dark(.0))]
+    NoLight(Limits),
 }
 
-impl fmt::Display for BenchError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Prism(error) => error.fmt(f),
-            Self::Length { what, found } => write!(
-                f,
-                "{what}: expected a length above 0 and up to 1e6 mm, found {found}"
-            ),
-            Self::NoLight {
-                largest_apex_deg: Some(largest),
-                ..
-            } => write!(
-                f,
-                "no light leaves: apex above twice the critical angle ({largest:.1})"
-            ),
-            Self::NoLight {
-                smallest_incidence_deg: Some(smallest),
-                ..
-            } => write!(
-                f,
-                "no light leaves: incidence below the smallest that passes ({smallest:.1})"
-            ),
-            Self::NoLight { .. } => write!(f, "no light leaves: all is totally reflected"),
+fn why_dark(limits: &Limits) -> String {
+    match limits.smallest_incidence_deg {
+        Some(smallest) => format!("incidence below the smallest that passes ({smallest:.1})"),
+        None => {
+            let largest = limits.largest_apex_deg;
+            format!("apex above twice the critical angle ({largest:.1})")
         }
-    }
-}
-
-impl std::error::Error for BenchError {}
-
-impl From<PrismError> for BenchError {
-    fn from(error: PrismError) -> Self {
-        Self::Prism(error)
     }
 }
 
@@ -245,12 +216,7 @@ impl Bench {
             Some((nm, bench.prism.angles(n)?))
         });
         let Some((nm, angles)) = found else {
-            let limits = limits(n, bench.settings.apex_deg);
-            let is_blunt = limits.smallest_incidence_deg.is_none();
-            return Err(BenchError::NoLight {
-                largest_apex_deg: is_blunt.then_some(limits.largest_apex_deg),
-                smallest_incidence_deg: limits.smallest_incidence_deg,
-            });
+            return Err(BenchError::NoLight(limits(n, bench.settings.apex_deg)));
         };
         bench.reference = Reference {
             nm,

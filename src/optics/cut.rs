@@ -3,8 +3,6 @@
 //! Axis +z, girdle a regular 16-gon of circumradius 1 with z = 0 in its middle. A facet is a plane
 //! that falls outward with a slope through a point of given radius and height at its azimuth.
 
-use std::fmt;
-
 use serde::{Deserialize, Serialize};
 
 use super::solid::{HalfSpace, Solid, SolidError};
@@ -44,45 +42,25 @@ impl Default for Brilliant {
 }
 
 /// Why there is no such gem.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CutError {
     /// A parameter out of its range.
+    #[error("{what}: expected {expected}, found {found}")]
     Range {
         what: &'static str,
         expected: &'static str,
         found: f64,
     },
     /// Facets that others cut away.
+    #[error("the {name} {} with this {by}", if .name.ends_with('s') { "vanish" } else { "vanishes" })]
     Lost {
         name: &'static str,
         by: &'static str,
     },
     /// The planes make no body.
-    Solid(SolidError),
+    #[error(transparent)]
+    Solid(#[from] SolidError),
 }
-
-impl fmt::Display for CutError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Range {
-                what,
-                expected,
-                found,
-            } => write!(f, "{what}: expected {expected}, found {found}"),
-            Self::Lost { name, by } => {
-                let vanish = if name.ends_with('s') {
-                    "vanish"
-                } else {
-                    "vanishes"
-                };
-                write!(f, "the {name} {vanish} with this {by}")
-            }
-            Self::Solid(error) => error.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for CutError {}
 
 const EIGHTH_DEG: f64 = 45.0;
 const SIXTEENTH_DEG: f64 = 22.5;

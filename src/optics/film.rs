@@ -5,7 +5,6 @@
 //! library is a new sum at once; only its new spikes must be traced.
 
 use std::{
-    fmt,
     num::NonZero,
     sync::{
         Mutex,
@@ -42,50 +41,24 @@ const DIFFERENCES_BYTES: usize = 8 << 20;
 const RAYS_A_ROUND: u32 = 256;
 
 /// Why there is no film, or no more of it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum FilmError {
     /// A side out of range.
+    #[error("size: expected {} to {} pixels, found {found}", SIZES.start(), SIZES.end())]
     Size { found: usize },
     /// A count of strata out of range.
+    #[error("strata: expected 4 to 400, found {found}")]
     Strata { found: usize },
     /// A count of rays out of range.
+    #[error("rays: expected {} to {} a pixel, found {found}", RAYS.start(), RAYS.end())]
     Rays { found: u32 },
     /// The film would not fit.
+    #[error("expected a film of at most {} MB, found one of {} MB", MOST_BYTES >> 20, .bytes >> 20)]
     Memory { bytes: usize },
     /// It was asked to stop; what was traced is kept.
+    #[error("cancelled")]
     Cancelled,
 }
-
-impl fmt::Display for FilmError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Size { found } => write!(
-                f,
-                "size: expected {} to {} pixels, found {found}",
-                SIZES.start(),
-                SIZES.end()
-            ),
-            Self::Strata { found } => {
-                write!(f, "strata: expected 4 to 400, found {found}")
-            }
-            Self::Rays { found } => write!(
-                f,
-                "rays: expected {} to {} a pixel, found {found}",
-                RAYS.start(),
-                RAYS.end()
-            ),
-            Self::Memory { bytes } => write!(
-                f,
-                "expected a film of at most {} MB, found one of {} MB",
-                MOST_BYTES >> 20,
-                bytes >> 20
-            ),
-            Self::Cancelled => write!(f, "cancelled"),
-        }
-    }
-}
-
-impl std::error::Error for FilmError {}
 
 /// Planes of transport over a picture.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! The light that is sent through things: a smooth part and spikes, as the model has them.
 
-use std::{borrow::Cow, fmt};
+use std::borrow::Cow;
 
 use crate::{
     color::{Observer, Xyz},
@@ -28,32 +28,18 @@ pub struct Light {
 }
 
 /// Why there is no light.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum LightError {
     /// Not one value per grid point.
+    #[error("expected {expected} values of a light, found {found}")]
     Values { expected: usize, found: usize },
     /// A value, place or weight that is no finite number.
+    #[error("expected finite numbers of a light, found others")]
     NotFinite,
     /// Nothing shines between 380 and 780 nm.
+    #[error("{name}: expected a light with power between 380 and 780 nm, found none")]
     Dark { name: String },
 }
-
-impl fmt::Display for LightError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Values { expected, found } => {
-                write!(f, "expected {expected} values of a light, found {found}")
-            }
-            Self::NotFinite => write!(f, "expected finite numbers of a light, found others"),
-            Self::Dark { name } => write!(
-                f,
-                "{name}: expected a light with power between 380 and 780 nm, found none"
-            ),
-        }
-    }
-}
-
-impl std::error::Error for LightError {}
 
 impl Light {
     /// From a smooth part on a band's grid (value) and spikes (weights in value x nm).

@@ -4,8 +4,6 @@
 //! `r2 = A - r1`, `sin i2 = n sin r2`, deviation `D = i1 + i2 - A`. Polarisations go through both
 //! faces apart. Angles are degrees in what is public.
 
-use std::fmt;
-
 use super::{fresnel::reflectances, index::Material, index_error::IndexError};
 
 /// How the light meets the first face.
@@ -66,48 +64,22 @@ pub struct Limits {
 }
 
 /// Why there is no prism.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PrismError {
-    /// An apex that is none.
+    /// An invalid apex.
+    #[error("apex: expected an angle above 0 and below 180 degrees, found {found}")]
     Apex { found: f64 },
     /// An incidence from behind.
+    #[error("incidence: expected an angle above -90 and below 90 degrees, found {found}")]
     Incidence { found: f64 },
     /// No ray of the wavelength has a least deviation: it is totally reflected.
+    #[error(
+        "no light of {at_nm} nm leaves: apex above twice the critical angle ({largest_apex_deg:.1})"
+    )]
     NoMinimum { at_nm: f64, largest_apex_deg: f64 },
     /// The index is not known.
-    Index(IndexError),
-}
-
-impl fmt::Display for PrismError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Apex { found } => write!(
-                f,
-                "apex: expected an angle above 0 and below 180 degrees, found {found}"
-            ),
-            Self::Incidence { found } => write!(
-                f,
-                "incidence: expected an angle above -90 and below 90 degrees, found {found}"
-            ),
-            Self::NoMinimum {
-                at_nm,
-                largest_apex_deg,
-            } => write!(
-                f,
-                "no light of {at_nm} nm leaves: apex above twice the critical angle \
-                 ({largest_apex_deg:.1})"
-            ),
-            Self::Index(error) => error.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for PrismError {}
-
-impl From<IndexError> for PrismError {
-    fn from(error: IndexError) -> Self {
-        Self::Index(error)
-    }
+    #[error(transparent)]
+    Index(#[from] IndexError),
 }
 
 impl Prism {

@@ -1,7 +1,5 @@
 //! What is around a gem: a dome, lamps, and a pinhole camera.
 
-use std::fmt;
-
 use super::solid::{Solid, Vec3, cross, dot, minus, plus, unit};
 
 /// A rectangle that shines on one side, black behind.
@@ -49,63 +47,30 @@ pub struct Camera {
 }
 
 /// Why a scene cannot be looked at.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SceneError {
     /// A place or direction that is not finite, or the same twice.
+    #[error("view: expected a camera and another place it looks at, found {what}")]
     View { what: &'static str },
-    /// An angle that is none.
+    /// An invalid angle.
+    #[error("angle: expected an angle above 0 and below 180 degrees, found {found}")]
     Angle { found: f64 },
     /// The camera is inside the gem or on it.
+    #[error("view: expected a camera outside the gem, found it inside")]
     Inside,
     /// A lamp's back hides the gem.
+    #[error("view: expected a free view of the gem, found the camera behind lamp {number}")]
     BehindLamp { number: usize },
     /// A lamp that is no rectangle or shines with what is no radiance.
+    #[error("lamp {number}: expected a rectangle and a radiance from 0, found none")]
     Lamp { number: usize },
     /// A lamp reaches into the gem.
+    #[error("lamp {number}: expected it outside the gem, found it inside")]
     LampInGem { number: usize },
     /// A dome that shines with what is no radiance.
+    #[error("dome: expected a radiance from 0 to 1e6, found {found}")]
     Dome { found: f64 },
 }
-
-impl fmt::Display for SceneError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::View { what } => {
-                write!(
-                    f,
-                    "view: expected a camera and another place it looks at, found {what}"
-                )
-            }
-            Self::Angle { found } => write!(
-                f,
-                "angle: expected an angle above 0 and below 180 degrees, found {found}"
-            ),
-            Self::Inside => write!(
-                f,
-                "view: expected a camera outside the gem, found it inside"
-            ),
-            Self::BehindLamp { number } => write!(
-                f,
-                "view: expected a free view of the gem, found the camera behind lamp {number}"
-            ),
-            Self::Lamp { number } => write!(
-                f,
-                "lamp {number}: expected a rectangle and a radiance from 0, found none"
-            ),
-            Self::LampInGem { number } => {
-                write!(
-                    f,
-                    "lamp {number}: expected it outside the gem, found it inside"
-                )
-            }
-            Self::Dome { found } => {
-                write!(f, "dome: expected a radiance from 0 to 1e6, found {found}")
-            }
-        }
-    }
-}
-
-impl std::error::Error for SceneError {}
 
 impl View {
     /// View A of the definition: down on the crown from the front.

@@ -1,7 +1,5 @@
 //! A convex body as the half-spaces `n . x <= d` that it is the intersection of.
 
-use std::fmt;
-
 /// A point or direction.
 pub type Vec3 = [f64; 3];
 
@@ -64,40 +62,21 @@ pub struct Solid {
 }
 
 /// Why half-spaces are no body.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SolidError {
     /// A half-space that has fewer than three corners.
+    #[error("expected a facet for each plane, found none for the {name}")]
     LostFacet { name: &'static str },
     /// The half-spaces do not close, or close beyond a thousand units.
+    #[error("expected a closed body, found the {name} open")]
     Open { name: &'static str },
     /// Corners or edges so near to one another that they cannot be told apart.
+    #[error("expected facets that can be told apart, found some that all but coincide")]
     Degenerate,
     /// Too few or too many half-spaces, or one that is no plane.
+    #[error("expected 4 to {MOST_PLANES} planes, found {found}")]
     Planes { found: usize },
 }
-
-impl fmt::Display for SolidError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::LostFacet { name } => {
-                write!(
-                    f,
-                    "expected a facet for each plane, found none for the {name}"
-                )
-            }
-            Self::Open { name } => write!(f, "expected a closed body, found the {name} open"),
-            Self::Degenerate => write!(
-                f,
-                "expected facets that can be told apart, found some that all but coincide"
-            ),
-            Self::Planes { found } => {
-                write!(f, "expected 4 to {MOST_PLANES} planes, found {found}")
-            }
-        }
-    }
-}
-
-impl std::error::Error for SolidError {}
 
 /// Most half-spaces of a body.
 pub(super) const MOST_PLANES: usize = 512;
