@@ -222,14 +222,8 @@ impl Material {
     /// The first wavelength at which a light has power and the material is not transparent; what
     /// lies outside its table is passed over.
     pub(crate) fn not_transparent_for(&self, light: &Light) -> Option<IndexError> {
-        let smooth = (380..=780).map(f64::from);
-        let smooth = smooth.filter(|nm| light.smooth_at(*nm) != 0.0);
-        let all = smooth.chain(light.seen_spikes().map(|spike| spike.at_nm));
-        let opaque = |nm: f64| match self.index(nm) {
-            Err(error @ IndexError::NotTransparent { .. }) => Some(error),
-            _ => None,
-        };
-        all.filter_map(opaque).next()
+        let errors = light.lit_nm().filter_map(|nm| self.index(nm).err());
+        errors.into_iter().find(IndexError::is_opaque)
     }
 
     fn index_and_slope(&self, at_nm: f64) -> Result<[f64; 2], IndexError> {

@@ -52,6 +52,13 @@ pub enum IndexError {
     BadTable { found: f64, at_nm: f64 },
 }
 
+impl IndexError {
+    /// Whether no ray goes on through the material there.
+    pub(super) fn is_opaque(&self) -> bool {
+        matches!(self, Self::NotTransparent { .. })
+    }
+}
+
 fn opaque(at_nm: f64, n: f64, k: f64) -> String {
     if !n.is_finite() {
         return format!(", found no index at {at_nm} nm");

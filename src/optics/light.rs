@@ -146,6 +146,13 @@ impl Light {
         self.spikes.iter().filter(seen).copied()
     }
 
+    /// Whole nm of 380-780 at which the smooth part is not zero, then the places of its spikes.
+    pub(super) fn lit_nm(&self) -> impl Iterator<Item = f64> + '_ {
+        let smooth = (380..=780).map(f64::from);
+        let smooth = smooth.filter(|nm| self.smooth_at(*nm) != 0.0);
+        smooth.chain(self.seen_spikes().map(|spike| spike.at_nm))
+    }
+
     /// Share of the power (absolute values) outside 380-780 nm, which is not traced.
     pub(crate) fn share_unseen(&self) -> f64 {
         let all = self.power_within([f64::NEG_INFINITY, f64::INFINITY]);

@@ -5,6 +5,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// A number that rays are traced with.
 pub(super) trait Real:
     Copy
+    + Default
     + PartialOrd
     + Add<Output = Self>
     + Sub<Output = Self>

@@ -59,8 +59,7 @@ impl Studio {
         if (380..=780).all(|nm| material.index(f64::from(nm)).is_err()) {
             // That it is a metal says more than that a table ends.
             let mut errors = (380..=780).filter_map(|nm| material.index(f64::from(nm)).err());
-            let is_opaque = |e: &IndexError| matches!(e, IndexError::NotTransparent { .. });
-            if let Some(error) = errors.find(is_opaque) {
+            if let Some(error) = errors.find(IndexError::is_opaque) {
                 return Err(error.into());
             }
             material.index(780.0)?;

@@ -8,7 +8,7 @@ use crate::spectrum::{Kind, Outside, Sampled};
 use crate::study::{Progress, error::height};
 
 use super::lines::find_lines;
-use super::strips::over_strips;
+use super::strips::{joined, over_strips};
 use super::survey::Survey;
 use super::{Bands, InMemory, Operator, PictureError, Plan, Reference, ReferenceKind};
 
@@ -98,20 +98,11 @@ pub fn fit_values(
         };
         Ok((numbers, (0..here).map(of).collect::<Vec<_>>()))
     })?;
-    let mut numbers = vec![0.0; operator.numbers() * count];
-    let mut relative_rms = Vec::with_capacity(count);
-    for (part, rms) in parts {
-        let (first, here) = (relative_rms.len(), rms.len());
-        for (n, plane) in part.chunks_exact(here).enumerate() {
-            numbers[n * count + first..][..here].copy_from_slice(plane);
-        }
-        relative_rms.extend(rms);
-    }
     Ok(Fitted {
         names,
+        numbers: joined(parts.iter().map(|(numbers, _)| numbers), operator.numbers()),
+        relative_rms: parts.into_iter().flat_map(|(_, rms)| rms).collect(),
         operator,
-        numbers,
-        relative_rms,
     })
 }
 

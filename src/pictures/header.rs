@@ -8,7 +8,7 @@ use crate::color::xyz::{FIRST_NM, LAST_NM};
 use crate::spectrum::{Kind, Sampled};
 
 use super::measure::Errors;
-use super::plan::{LineFit, Reference};
+use super::plan::Reference;
 use super::{Bands, Light, Line, Operator, PictureError, Plan};
 
 /// The word that says what a header is.
@@ -330,22 +330,15 @@ impl Header {
                 window: [first, last.min(self.bands_nm.len() - 1)],
             }
         });
-        let weighting: Vec<Light> = match bands.is_factor() {
-            true => self
-                .weighting
-                .iter()
-                .take(100)
-                .filter_map(|name| Light::named(name))
-                .collect(),
-            false => Vec::new(),
-        };
+        let names = self.weighting.iter().take(100);
+        let names = names.filter(|_| bands.is_factor());
+        let weighting: Vec<Light> = names.filter_map(|name| Light::named(name)).collect();
         let plan = Plan {
             series: self.series,
             margin: (self.bands_nm[0] - self.range_nm[0]) / bands.length_nm(),
             reference: self.reference.clone(),
             second: self.second_reference.clone(),
             lines: lines.collect(),
-            line_fit: LineFit::Joint,
             own: if self.own.values.is_empty() {
                 None
             } else {

@@ -102,12 +102,20 @@ pub(crate) fn over_parts<T: Send>(
     let found = found
         .into_inner()
         .unwrap_or_else(|broken| broken.into_inner());
-    let failed = found
-        .iter()
-        .flatten()
-        .find_map(|answer| answer.as_ref().err());
-    if let Some(error) = failed {
-        return Err(error.clone());
-    }
     found.into_iter().flatten().collect()
+}
+
+/// Planes of a whole picture from those of its strips, `[plane * pixels + i]` each.
+pub(super) fn joined<'a>(
+    parts: impl Iterator<Item = &'a Vec<f32>> + Clone,
+    planes: usize,
+) -> Vec<f32> {
+    let mut all = Vec::with_capacity(parts.clone().map(Vec::len).sum());
+    for plane in 0..planes {
+        for part in parts.clone() {
+            let pixels = part.len() / planes;
+            all.extend_from_slice(&part[plane * pixels..][..pixels]);
+        }
+    }
+    all
 }
