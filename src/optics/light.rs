@@ -59,11 +59,8 @@ impl Light {
                 found: smooth.len(),
             });
         }
-        let finite = smooth.iter().all(|v| v.is_finite())
-            && spikes
-                .iter()
-                .all(|s| s.at_nm.is_finite() && s.weight.is_finite());
-        if !finite {
+        let of_spikes = spikes.iter().flat_map(|s| [s.at_nm, s.weight]);
+        if !smooth.iter().copied().chain(of_spikes).all(f64::is_finite) {
             return Err(LightError::NotFinite);
         }
         spikes.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
@@ -99,13 +96,8 @@ impl Light {
     /// As [`Light::new`].
     pub fn of_line(at_nm: f64) -> Result<Self, LightError> {
         let band = Band::VISIBLE;
-        let spike = Line::ideal(at_nm, 1.0);
-        Self::new(
-            &format!("{at_nm} nm"),
-            band,
-            vec![0.0; band.points()],
-            vec![spike],
-        )
+        let (dark, spikes) = (vec![0.0; band.points()], vec![Line::ideal(at_nm, 1.0)]);
+        Self::new(&format!("{at_nm} nm"), band, dark, spikes)
     }
 
     /// The light without its smooth part; `None` where no spike of it is seen.
@@ -161,20 +153,15 @@ impl Light {
 
     /// Absolute power between two wavelengths, value x nm.
     fn power_within(&self, [from, to]: [f64; 2]) -> f64 {
-        let spikes: f64 = self
+        let spikes = self
             .spikes
             .iter()
-            .filter(|s| (from..=to).contains(&s.at_nm))
-            .map(|s| s.weight.abs())
-            .sum();
+            .filter(|s| (from..=to).contains(&s.at_nm));
+        let spikes: f64 = spikes.map(|s| s.weight.abs()).sum();
         let (from, to) = (from.max(self.band.min_nm()), to.min(self.band.max_nm()));
-        let smooth: f64 = pieces(from, to)
-            .map(|[a, b]| {
-                let ends = self.smooth_at(a).abs() + self.smooth_at(b).abs();
-                0.5 * (b - a) * ends
-            })
-            .sum();
-        spikes + smooth
+        let ends = |a: f64, b: f64| self.smooth_at(a).abs() + self.smooth_at(b).abs();
+        let smooth = pieces(from, to).map(|[a, b]| 0.5 * (b - a) * ends(a, b));
+        spikes + smooth.sum::<f64>()
     }
 
     /// Integral of the smooth part times colour-matching functions between two wavelengths, value
@@ -218,11 +205,9 @@ impl Light {
         // No larger: a number just above zero has no inverse.
         let factor = (-peak.log2().floor()).min(1000.0).exp2();
         let mut scaled = self.clone();
-        scaled.smooth.iter_mut().for_each(|value| *value *= factor);
-        scaled
-            .spikes
-            .iter_mut()
-            .for_each(|spike| spike.weight *= factor);
+        let weights = scaled.spikes.iter_mut().map(|spike| &mut spike.weight);
+        let all = scaled.smooth.iter_mut().chain(weights);
+        all.for_each(|value| *value *= factor);
         Cow::Owned(scaled)
     }
 
@@ -239,12 +224,8 @@ impl Light {
 /// A range cut at whole nm, where straight lines bend.
 pub(super) fn pieces(from: f64, to: f64) -> impl Iterator<Item = [f64; 2]> {
     let first = from.floor();
-    let count = if to > from {
-        (to - first).ceil().max(0.0) as usize
-    } else {
-        0
-    };
-    (0..count).map(move |i| {
+    let length = if to > from { to - first } else { 0.0 };
+    (0..length.ceil() as usize).map(move |i| {
         let left = first + i as f64;
         [left.max(from), (left + 1.0).min(to)]
     })

@@ -222,7 +222,7 @@ impl Film {
         let parts = self.parts(light, observer);
         let stride = self.stride();
         let (mut squares, mut pixels) = (0.0, 0_usize);
-        let mut deltas = Vec::new();
+        let (mut deltas, mut on_gem) = (Vec::new(), Vec::new());
         for tile in self.tiles() {
             let weights = self.weights(&parts, tile);
             let mut kept = vec![0.0_f64; PIXELS / stride];
@@ -257,27 +257,18 @@ impl Film {
                 };
                 let first = block_corner(number);
                 let place = [tile.corner[0] + first[0], tile.corner[1] + first[1]];
-                deltas.push((delta, touches_gem(self.studio(), place, picture.size)));
+                deltas.push(delta);
+                if touches_gem(self.studio(), place, picture.size) {
+                    on_gem.push(delta);
+                }
             }
         }
-        Noise::of(squares / pixels.max(1) as f64, &deltas)
-    }
-}
-
-impl Noise {
-    /// From colour differences of blocks, and whether each touches the gem; `None` of no block.
-    fn of(relative_mse: f64, blocks: &[(f64, bool)]) -> Option<Self> {
-        let mut all: Vec<f64> = blocks.iter().map(|(delta, _)| *delta).collect();
-        let on_gem = || blocks.iter().filter(|(_, on_gem)| *on_gem);
-        let (sum, count) = (
-            on_gem().map(|(delta, _)| delta).sum::<f64>(),
-            on_gem().count(),
-        );
-        Some(Self {
-            relative_mse,
-            delta_e_median: quantile(&mut all, 0.5)?,
-            delta_e_p95: quantile(&mut all, 0.95)?,
-            delta_e_on_gem: (count > 0).then(|| sum / count as f64),
+        let count = on_gem.len() as f64;
+        Some(Noise {
+            relative_mse: squares / pixels.max(1) as f64,
+            delta_e_median: quantile(&mut deltas, 0.5)?,
+            delta_e_p95: quantile(&mut deltas, 0.95)?,
+            delta_e_on_gem: (count > 0.0).then(|| on_gem.iter().sum::<f64>() / count),
         })
     }
 }
@@ -303,6 +294,9 @@ fn block_delta(picture: &Picture, tile: &Tile, number: usize, difference: [f64; 
     let extent: [usize; 2] =
         std::array::from_fn(|k| tile.extent[k].saturating_sub(first[k]).min(BLOCK));
     let count = (extent[0] * extent[1]) as f64;
+    if count == 0.0 {
+        return None;
+    }
     let from: [usize; 2] = std::array::from_fn(|k| tile.corner[k] + first[k]);
     let mean = picture.mean_of(from, [from[0] + extent[0], from[1] + extent[1]]);
     let scale = 1.0 / picture.white.y;
@@ -310,7 +304,7 @@ fn block_delta(picture: &Picture, tile: &Tile, number: usize, difference: [f64; 
         let xyz = std::array::from_fn(|k| mean[k] + sign * scale * difference[k] / count);
         lab_from_xyz(Xyz::from_array(xyz), picture.white * scale)
     };
-    (count > 0.0).then(|| 0.5 * delta_e_2000(half(1.0), half(-1.0)))
+    Some(0.5 * delta_e_2000(half(1.0), half(-1.0)))
 }
 
 impl Picture {
@@ -343,37 +337,5 @@ impl Picture {
         let is_lit = self.white.y > 0.0;
         let scale = if is_lit { self.white.y } else { 1.0 };
         sum.map(|v| v / count / scale)
-    }
-
-    /// Noise against a reference of the same size and light: relative MSE of Y, median and 95th
-    /// percentile of CIEDE2000 over blocks of 8 x 8 pixels, and with a studio their mean on the gem.
-    /// `None` for other sizes and in the dark.
-    pub fn noise_against(&self, reference: &Self, studio: Option<&Studio>) -> Option<Noise> {
-        let white = reference.white;
-        let is_lit = white.y > 0.0 && self.white.y > 0.0;
-        if self.size != reference.size || !is_lit {
-            return None;
-        }
-        let scale = white.y / self.white.y;
-        let pairs = self.xyz.iter().zip(&reference.xyz);
-        let square = |(a, b): (&[f32; 3], &[f32; 3])| {
-            let level = f64::from(b[1]) + DARK * white.y;
-            ((f64::from(a[1]) * scale - f64::from(b[1])) / level).powi(2)
-        };
-        let squares: f64 = pairs.map(square).sum();
-        let count = self.size.div_ceil(BLOCK);
-        let edge = |i: usize| (i * BLOCK).min(self.size);
-        let block = |place: usize| {
-            let (x, y) = (place % count, place / count);
-            let lab = |picture: &Self| {
-                let mean = picture.mean_of([edge(x), edge(y)], [edge(x + 1), edge(y + 1)]);
-                lab_from_xyz(Xyz::from_array(mean), white * (1.0 / white.y))
-            };
-            let corner = [x * BLOCK, y * BLOCK];
-            let on_gem = studio.is_some_and(|studio| touches_gem(studio, corner, self.size));
-            (delta_e_2000(lab(self), lab(reference)), on_gem)
-        };
-        let blocks: Vec<_> = (0..count * count).map(block).collect();
-        Noise::of(squares / self.xyz.len() as f64, &blocks)
     }
 }

@@ -159,16 +159,16 @@ pub fn choose(
     let jobs: Vec<(usize, usize)> = (3..=most)
         .flat_map(|p| (0..bases.len()).map(move |b| (p, b)))
         .collect();
-    let wanted = match asked {
-        Asked::Budget(numbers) if numbers < 3 || numbers > bands.len() - 1 => {
-            return Err(PictureError::Numbers {
-                found: numbers,
-                most: bands.len() - 1,
-            });
-        }
-        Asked::Budget(numbers) => Some(numbers),
-        Asked::Bound { .. } => None,
+    let (wanted, p95, rms) = match asked {
+        Asked::Budget(numbers) => (Some(numbers), BOUND_P95, BOUND_RMS),
+        Asked::Bound { p95, rms } => (None, p95, rms),
     };
+    let rms = rms.max(survey.relative_noise(bands));
+    let possible = 3..bands.len();
+    if let Some(found) = wanted.filter(|numbers| !possible.contains(numbers)) {
+        let most = bands.len() - 1;
+        return Err(PictureError::Numbers { found, most });
+    }
     ways.check(wanted.unwrap_or(most))?;
     progress.expect(jobs.len());
     let tried = over_parts(jobs.len(), 1 << 20, progress, |at| {
@@ -179,10 +179,6 @@ pub fn choose(
     if let Some(numbers) = wanted.filter(|n| *n > most) {
         tried.extend(bases.iter().filter_map(|base| ways.try_one(base, numbers)));
     }
-    let (p95, rms) = match asked {
-        Asked::Bound { p95, rms } => (p95, rms.max(survey.relative_noise(bands))),
-        Asked::Budget(_) => (BOUND_P95, BOUND_RMS.max(survey.relative_noise(bands))),
-    };
     let over = |c: &Candidate| c.over(p95, rms);
     let by_over = |a: &&Candidate, b: &&Candidate| over(a).total_cmp(&over(b));
     let chosen = match wanted {

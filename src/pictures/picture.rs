@@ -1,6 +1,6 @@
 //! A picture as its numbers, in memory.
 
-use crate::study::Progress;
+use crate::study::{Progress, processors};
 
 use super::header::{About, Header};
 use super::measure::{Errors, Storage};
@@ -66,17 +66,6 @@ impl Picture {
     pub fn pixels(&self) -> usize {
         self.header.width * self.header.height
     }
-
-    /// The numbers of one pixel; NaN outside the picture.
-    pub fn numbers_at(&self, x: usize, y: usize) -> Vec<f64> {
-        let (all, at) = (self.pixels(), y * self.header.width + x);
-        let inside = x < self.header.width && y < self.header.height;
-        let of = |n: usize| match inside {
-            true => f64::from(self.planes[n * all + at]),
-            false => f64::NAN,
-        };
-        (0..self.header.numbers).map(of).collect()
-    }
 }
 
 /// Planes of numbers to XYZ under a light, on as many threads as there are: `[k * pixels + i]`.
@@ -88,9 +77,7 @@ pub fn relit_into(planes: &[f32], pixels: usize, relit: &Relit, out: &mut [f32])
         .rows
         .each_ref()
         .map(|row| row.iter().map(|w| *w as f32).collect());
-    let threads = std::thread::available_parallelism()
-        .map_or(1, |n| n.get())
-        .min(8);
+    let threads = processors().min(8);
     let share = pixels.div_ceil(threads).next_multiple_of(1024).max(1);
     let (x, rest) = out.split_at_mut(pixels);
     let (y, z) = rest.split_at_mut(pixels);
