@@ -148,15 +148,10 @@ fn pictures(criterion: &mut Criterion) {
     group
         .sample_size(10)
         .measurement_time(Duration::from_secs(5));
-    let mut reference = film(256);
-    reference.trace(&fl11, 512, None, &go()).expect("rays");
-    let truth = reference.picture(&fl11, Observer::CIE_1931);
     for rays in [16, 64] {
         let mut told = film(256);
         told.trace(&fl11, rays, None, &go()).expect("rays");
-        let own = told
-            .picture(&fl11, Observer::CIE_1931)
-            .noise_against(&truth, Some(told.studio()));
+        let own = told.noise(&fl11, Observer::CIE_1931);
         println!("256 x 256, {rays} rays: {own:?}");
         group.bench_function(format!("256 x 256, {rays} rays, one core"), |b| {
             b.iter(|| {

@@ -1,7 +1,5 @@
 //! Loss along a path through a body.
 
-use std::fmt;
-
 use crate::spectrum::{Outside, Sampled};
 
 /// A transmittance below this counts as this: what lets nothing through has no coefficient.
@@ -15,44 +13,25 @@ pub enum Absorption {
     None,
     /// The same at every wavelength, per unit of length.
     Even(f64),
-    /// From a transmittance.
-    Filter(FilterAbsorption),
-}
-
-/// The coefficient of a filter of known thickness.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FilterAbsorption {
-    coefficients: Sampled,
-    floored: bool,
+    /// From the transmittance of a known thickness.
+    Filter {
+        /// Coefficients, per unit of length.
+        coefficients: Sampled,
+        /// Whether some transmittance was so low that 1e-6 was taken for it.
+        floored: bool,
+    },
 }
 
 /// Why there is no absorption.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum AbsorptionError {
     /// A coefficient that is negative or not finite.
+    #[error("absorption: expected a number from 0 to 1e6 per unit of length, found {found}")]
     Coefficient { found: f64 },
     /// A thickness that is not above 0.
+    #[error("thickness: expected a length above 0, up to 1e6, found {found}")]
     Thickness { found: f64 },
 }
-
-impl fmt::Display for AbsorptionError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Coefficient { found } => write!(
-                f,
-                "absorption: expected a number from 0 to 1e6 per unit of length, found {found}"
-            ),
-            Self::Thickness { found } => {
-                write!(
-                    f,
-                    "thickness: expected a length above 0, up to 1e6, found {found}"
-                )
-            }
-        }
-    }
-}
-
-impl std::error::Error for AbsorptionError {}
 
 impl Absorption {
     /// The same coefficient at every wavelength.
@@ -78,22 +57,19 @@ impl Absorption {
         transmittance: &Sampled,
         thickness: f64,
     ) -> Result<Self, AbsorptionError> {
+        let refused = AbsorptionError::Thickness { found: thickness };
         if !(thickness > 0.0 && thickness <= 1e6) {
-            return Err(AbsorptionError::Thickness { found: thickness });
+            return Err(refused);
         }
         let values = transmittance.values();
         let coefficient = |tau: &f64| -tau.clamp(LEAST_TRANSMITTANCE, 1.0).ln() / thickness;
-        let coefficients: Vec<f64> = values.iter().map(coefficient).collect();
-        if coefficients.iter().any(|a| !a.is_finite()) {
-            return Err(AbsorptionError::Thickness { found: thickness });
-        }
-        let coefficients = transmittance
-            .sharing(coefficients)
-            .map_err(|_| AbsorptionError::Thickness { found: thickness })?;
-        Ok(Self::Filter(FilterAbsorption {
+        // A thickness near zero leaves no finite number.
+        let coefficients = values.iter().map(coefficient).collect();
+        let coefficients = transmittance.sharing(coefficients).map_err(|_| refused)?;
+        Ok(Self::Filter {
             coefficients,
             floored: values.iter().any(|tau| *tau < LEAST_TRANSMITTANCE),
-        }))
+        })
     }
 
     /// Coefficient at a wavelength, per unit of length.
@@ -101,13 +77,13 @@ impl Absorption {
         match self {
             Self::None => 0.0,
             Self::Even(a) => *a,
-            Self::Filter(filter) => filter.coefficients.at(at_nm, Outside::Hold),
+            Self::Filter { coefficients, .. } => coefficients.at(at_nm, Outside::Hold),
         }
     }
 
     /// Whether some transmittance was so low that 1e-6 was taken for it.
     pub(crate) fn is_floored(&self) -> bool {
-        matches!(self, Self::Filter(filter) if filter.floored)
+        matches!(self, Self::Filter { floored: true, .. })
     }
 }
 

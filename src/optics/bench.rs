@@ -6,13 +6,11 @@
 //! the ray of the reference wavelength at a distance from where that leaves; x is positive towards
 //! larger deviation. Lengths are mm.
 
-use std::fmt;
-
 use super::{
     absorption::Absorption,
     index::Material,
     index_error::IndexError,
-    prism::{Angles, Incidence, Prism, PrismError, limits, minimum_deviation},
+    prism::{Angles, Incidence, Limits, Prism, PrismError, limits, minimum_deviation},
 };
 
 /// The bench as a person sets it.
@@ -136,53 +134,26 @@ pub struct RayPath {
 }
 
 /// Why there is no bench.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BenchError {
-    /// The prism is none.
-    Prism(PrismError),
-    /// A length that is none.
+    /// The prism is invalid.
+    #[error(transparent)]
+    Prism(#[from] PrismError),
+    /// An invalid length.
+    #[error("{what}: expected a length above 0 and up to 1e6 mm, found {found}")]
     Length { what: &'static str, found: f64 },
     /// All light is totally reflected.
-    NoLight {
-        /// Largest apex that lets the reference wavelength pass, when the prism's is above it.
-        largest_apex_deg: Option<f64>,
-        /// Smallest incidence that passes otherwise.
-        smallest_incidence_deg: Option<f64>,
-    },
+    #[error("no light leaves: {}", why_dark(.0))]
+    NoLight(Limits),
 }
 
-impl fmt::Display for BenchError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Prism(error) => error.fmt(f),
-            Self::Length { what, found } => write!(
-                f,
-                "{what}: expected a length above 0 and up to 1e6 mm, found {found}"
-            ),
-            Self::NoLight {
-                largest_apex_deg: Some(largest),
-                ..
-            } => write!(
-                f,
-                "no light leaves: apex above twice the critical angle ({largest:.1})"
-            ),
-            Self::NoLight {
-                smallest_incidence_deg: Some(smallest),
-                ..
-            } => write!(
-                f,
-                "no light leaves: incidence below the smallest that passes ({smallest:.1})"
-            ),
-            Self::NoLight { .. } => write!(f, "no light leaves: all is totally reflected"),
+fn why_dark(limits: &Limits) -> String {
+    match limits.smallest_incidence_deg {
+        Some(smallest) => format!("incidence below the smallest that passes ({smallest:.1})"),
+        None => {
+            let largest = limits.largest_apex_deg;
+            format!("apex above twice the critical angle ({largest:.1})")
         }
-    }
-}
-
-impl std::error::Error for BenchError {}
-
-impl From<PrismError> for BenchError {
-    fn from(error: PrismError) -> Self {
-        Self::Prism(error)
     }
 }
 
@@ -245,16 +216,11 @@ impl Bench {
             Some((nm, bench.prism.angles(n)?))
         });
         let Some((nm, angles)) = found else {
-            let limits = limits(n, bench.settings.apex_deg);
-            let is_blunt = limits.smallest_incidence_deg.is_none();
-            return Err(BenchError::NoLight {
-                largest_apex_deg: is_blunt.then_some(limits.largest_apex_deg),
-                smallest_incidence_deg: limits.smallest_incidence_deg,
-            });
+            return Err(BenchError::NoLight(limits(n, bench.settings.apex_deg)));
         };
         bench.reference = Reference {
             nm,
-            exit: bench.exit(&angles),
+            exit: bench.exit(bench.settings.entry_mm, &angles).1,
             direction: bench.direction(&angles),
         };
         Ok(bench)
@@ -281,19 +247,16 @@ impl Bench {
         self.reference.nm
     }
 
-    fn exit_distance(&self, angles: &Angles) -> f64 {
-        self.settings.entry_mm * angles.cos_r1 / angles.cos_r2
-    }
-
-    fn exit(&self, angles: &Angles) -> [f64; 2] {
-        let [sin, cos] = self.prism.of_half_apex();
-        let q = self.exit_distance(angles);
-        [q * sin, -q * cos]
+    /// How far from the apex, mm, and where a ray leaves that enters at a distance from it.
+    fn exit(&self, entry_mm: f64, angles: &Angles) -> (f64, [f64; 2]) {
+        let [sin, cos] = self.prism.of_half_apex;
+        let q = entry_mm * angles.cos_r1 / angles.cos_r2;
+        (q, [q * sin, -q * cos])
     }
 
     /// Direction at half the apex less the angle of leaving above x.
     fn direction(&self, angles: &Angles) -> [f64; 2] {
-        let [sin, cos] = self.prism.of_half_apex();
+        let [sin, cos] = self.prism.of_half_apex;
         [
             cos * angles.cos_i2 + sin * angles.sin_i2,
             sin * angles.cos_i2 - cos * angles.sin_i2,
@@ -327,11 +290,12 @@ impl Bench {
         let n = self.material.index(at_nm).ok()?;
         let angles = self.prism.angles(n)?;
         let direction = self.direction(&angles);
-        let (x, _) = self.meets(self.exit(&angles), direction)?;
+        let (_, exit) = self.exit(self.settings.entry_mm, &angles);
+        let (x, _) = self.meets(exit, direction)?;
         let ahead = self.reference.direction;
         let along = direction[0] * ahead[0] + direction[1] * ahead[1];
         let width = self.settings.slit_mm * angles.cos_r1 * angles.cos_i2
-            / (self.prism.of_incidence()[1] * angles.cos_r2 * along);
+            / (self.prism.of_incidence[1] * angles.cos_r2 * along);
         Some(Spot {
             x,
             width,
@@ -371,12 +335,9 @@ impl Bench {
         let low = place(at_nm - HALF_STEP_NM).unwrap_or((at_nm, spot.x));
         let high = place(at_nm + HALF_STEP_NM).unwrap_or((at_nm, spot.x));
         let step = high.0 - low.0;
-        let d_x_d_nm = if step > 0.0 {
-            (high.1 - low.1) / step
-        } else {
-            0.0
-        };
-        let base = 2.0 * self.settings.entry_mm * self.prism.of_half_apex()[0];
+        let rise = high.1 - low.1;
+        let d_x_d_nm = if step > 0.0 { rise / step } else { 0.0 };
+        let base = 2.0 * self.settings.entry_mm * self.prism.of_half_apex[0];
         Ok(Some(Landing {
             at_nm,
             n,
@@ -384,7 +345,7 @@ impl Bench {
             minimum_deviation_deg: minimum_deviation(n, self.prism.apex_deg()).map(|(d, _)| d),
             d_deviation_d_nm: (self.prism.d_deviation_d_index(&angles) * slope).to_degrees(),
             transmittance: spot.transmittance,
-            exit_mm: self.exit_distance(&angles),
+            exit_mm: self.exit(self.settings.entry_mm, &angles).0,
             path_mm: self.path(&angles),
             x_mm: spot.x,
             width_mm: spot.width,
@@ -402,15 +363,13 @@ impl Bench {
         let n = self.material.index(at_nm).ok()?;
         let angles = self.prism.angles(n)?;
         let direction = self.direction(&angles);
-        let [sin, cos] = self.prism.of_half_apex();
+        let [sin, cos] = self.prism.of_half_apex;
         // The slit's half width lies longer on the first face.
-        let off =
-            0.5 * edge.clamp(-1.0, 1.0) * self.settings.slit_mm / self.prism.of_incidence()[1];
+        let off = 0.5 * edge.clamp(-1.0, 1.0) * self.settings.slit_mm / self.prism.of_incidence[1];
         let p = self.settings.entry_mm + off;
-        let q = p * angles.cos_r1 / angles.cos_r2;
-        let exit = [q * sin, -q * cos];
+        let (_, exit) = self.exit(p, &angles);
         let (_, way) = self.meets(exit, direction)?;
-        let [sin_i, cos_i] = self.prism.of_incidence();
+        let [sin_i, cos_i] = self.prism.of_incidence;
         Some(RayPath {
             entry: [-p * sin, -p * cos],
             exit,

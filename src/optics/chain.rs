@@ -78,10 +78,10 @@ type Wide<T> = [T; WIDE];
 pub(super) struct Stage<T> {
     /// Normal and distance of each plane.
     planes: Vec<[T; 4]>,
-    /// Normals over the camera's room behind each plane: of those it is before, and their numbers.
-    seen: Vec<([Wide<T>; 3], Wide<T>)>,
+    /// Normals over the camera's room behind each plane, and its number: of those it is before.
+    seen: Vec<[Wide<T>; 4]>,
     /// Of those it is behind.
-    hidden: Vec<[Wide<T>; 3]>,
+    hidden: Vec<[Wide<T>; 4]>,
     camera: [T; 3],
     panels: Vec<Panel<T>>,
     /// The lamps that may stand in the picture.
@@ -102,6 +102,15 @@ pub(super) trait Work<T> {
 
 fn cast<T: Real>(v: Vec3) -> [T; 3] {
     v.map(T::of)
+}
+
+/// Planes in groups; the last is repeated where a group is not full.
+fn side_by_side<T: Real>(planes: &[[T; 4]]) -> Vec<[Wide<T>; 4]> {
+    let group = |some: &[[T; 4]]| {
+        let at = |l: usize| some[l.min(some.len() - 1)];
+        std::array::from_fn(|k| std::array::from_fn(|l| at(l)[k]))
+    };
+    planes.chunks(WIDE).map(group).collect()
 }
 
 #[inline(always)]
@@ -131,29 +140,12 @@ impl<T: Real> Stage<T> {
             let room = plane.distance - dot(plane.normal, origin);
             // In a plane it is just behind it.
             let room = if room == 0.0 { 1e-12 } else { room };
-            let scaled = cast(plane.normal.map(|v| v / room));
-            if room < 0.0 {
-                seen.push((scaled, T::of(number as f64)));
-            } else {
-                hidden.push(scaled);
-            }
+            let [x, y, z] = cast(plane.normal.map(|v| v / room));
+            let side = if room < 0.0 { &mut seen } else { &mut hidden };
+            side.push([x, y, z, T::of(number as f64)]);
         }
-        stage.seen = seen
-            .chunks(WIDE)
-            .map(|some| {
-                // The last is repeated where a group is not full.
-                let at = |l: usize| some[l.min(some.len() - 1)];
-                let normals = std::array::from_fn(|k| std::array::from_fn(|l| at(l).0[k]));
-                (normals, std::array::from_fn(|l| at(l).1))
-            })
-            .collect();
-        stage.hidden = hidden
-            .chunks(WIDE)
-            .map(|some: &[[T; 3]]| {
-                let at = |l: usize| some[l.min(some.len() - 1)];
-                std::array::from_fn(|k| std::array::from_fn(|l| at(l)[k]))
-            })
-            .collect();
+        stage.seen = side_by_side(&seen);
+        stage.hidden = side_by_side(&hidden);
         for lamp in &scene.lamps {
             let Some(normal) = lamp.normal() else {
                 continue;
@@ -182,21 +174,18 @@ impl<T: Real> Stage<T> {
         let mut enters = [T::FAR; WIDE];
         let mut numbers = [T::ZERO; WIDE];
         let [x, y, z] = direction;
-        for (normal, number) in &self.seen {
+        for [n_x, n_y, n_z, number] in &self.seen {
             for l in 0..WIDE {
-                let over = normal[0][l] * x + normal[1][l] * y + normal[2][l] * z;
-                numbers[l] = if over < enters[l] {
-                    number[l]
-                } else {
-                    numbers[l]
-                };
+                let over = n_x[l] * x + n_y[l] * y + n_z[l] * z;
+                let is_nearer = over < enters[l];
+                numbers[l] = if is_nearer { number[l] } else { numbers[l] };
                 enters[l] = over.below(enters[l]);
             }
         }
         let mut leaves = [T::ZERO; WIDE];
-        for normal in &self.hidden {
+        for [n_x, n_y, n_z, _] in &self.hidden {
             for l in 0..WIDE {
-                let over = normal[0][l] * x + normal[1][l] * y + normal[2][l] * z;
+                let over = n_x[l] * x + n_y[l] * y + n_z[l] * z;
                 leaves[l] = leaves[l].above(over);
             }
         }

@@ -5,12 +5,8 @@
 //! library is a new sum at once; only its new spikes must be traced.
 
 use std::{
-    fmt,
     num::NonZero,
-    sync::{
-        Mutex,
-        atomic::{AtomicBool, Ordering},
-    },
+    sync::{Mutex, PoisonError},
 };
 
 use super::{
@@ -21,7 +17,11 @@ use super::{
     studio::Studio,
     tile::{Entries, Entry, SIDE, Tile},
 };
-use crate::{color::Observer, spectrum::Line, study::Progress};
+use crate::{
+    color::Observer,
+    spectrum::Line,
+    study::{Progress, in_parallel, processors},
+};
 
 /// Sides of a picture, pixels.
 pub const SIZES: std::ops::RangeInclusive<usize> = 16..=4096;
@@ -42,50 +42,24 @@ const DIFFERENCES_BYTES: usize = 8 << 20;
 const RAYS_A_ROUND: u32 = 256;
 
 /// Why there is no film, or no more of it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum FilmError {
     /// A side out of range.
+    #[error("size: expected {} to {} pixels, found {found}", SIZES.start(), SIZES.end())]
     Size { found: usize },
     /// A count of strata out of range.
+    #[error("strata: expected 4 to 400, found {found}")]
     Strata { found: usize },
     /// A count of rays out of range.
+    #[error("rays: expected {} to {} a pixel, found {found}", RAYS.start(), RAYS.end())]
     Rays { found: u32 },
     /// The film would not fit.
+    #[error("expected a film of at most {} MB, found one of {} MB", MOST_BYTES >> 20, .bytes >> 20)]
     Memory { bytes: usize },
     /// It was asked to stop; what was traced is kept.
+    #[error("cancelled")]
     Cancelled,
 }
-
-impl fmt::Display for FilmError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Size { found } => write!(
-                f,
-                "size: expected {} to {} pixels, found {found}",
-                SIZES.start(),
-                SIZES.end()
-            ),
-            Self::Strata { found } => {
-                write!(f, "strata: expected 4 to 400, found {found}")
-            }
-            Self::Rays { found } => write!(
-                f,
-                "rays: expected {} to {} a pixel, found {found}",
-                RAYS.start(),
-                RAYS.end()
-            ),
-            Self::Memory { bytes } => write!(
-                f,
-                "expected a film of at most {} MB, found one of {} MB",
-                MOST_BYTES >> 20,
-                bytes >> 20
-            ),
-            Self::Cancelled => write!(f, "cancelled"),
-        }
-    }
-}
-
-impl std::error::Error for FilmError {}
 
 /// Planes of transport over a picture.
 #[derive(Clone, Debug)]
@@ -106,6 +80,13 @@ pub(crate) fn film_bytes(size: usize, planes: usize) -> usize {
     let sums = pixels.saturating_mul(planes).saturating_mul(4);
     sums.saturating_add(sums / stride_of(size, planes))
         .saturating_add(sums / 64)
+}
+
+fn fits(size: usize, planes: usize) -> Result<(), FilmError> {
+    match film_bytes(size, planes) {
+        ..=MOST_BYTES => Ok(()),
+        bytes => Err(FilmError::Memory { bytes }),
+    }
 }
 
 fn stride_of(size: usize, planes: usize) -> usize {
@@ -129,10 +110,7 @@ impl Film {
         if !(4..=400).contains(&strata) {
             return Err(FilmError::Strata { found: strata });
         }
-        let bytes = film_bytes(size, strata);
-        if bytes > MOST_BYTES {
-            return Err(FilmError::Memory { bytes });
-        }
+        fits(size, strata)?;
         let width = (SEEN_NM[1] - SEEN_NM[0]) / strata as f64;
         let edge = |j: usize| SEEN_NM[0] + width * j as f64;
         let planes: Vec<Plane> = (0..strata)
@@ -295,10 +273,7 @@ impl Film {
         }
         let lines: Vec<f64> = lines_nm.collect();
         let new = lines.iter().filter(|nm| self.line(**nm).is_none()).count();
-        let bytes = film_bytes(self.settings.size, self.planes.len() + new);
-        if bytes > MOST_BYTES {
-            return Err(FilmError::Memory { bytes });
-        }
+        fits(self.settings.size, self.planes.len() + new)?;
         let mut places = Vec::with_capacity(lines.len());
         for at_nm in lines {
             places.push(self.line(at_nm).unwrap_or_else(|| {
@@ -353,35 +328,14 @@ impl Film {
         threads: Option<NonZero<usize>>,
         progress: &Progress,
     ) -> Result<(), FilmError> {
-        let threads = threads.or_else(|| std::thread::available_parallelism().ok());
-        let threads = threads.map_or(1, NonZero::get).min(self.tiles.len());
+        let threads = threads.map_or_else(processors, NonZero::get);
         let (studio, settings, planes) = (&self.studio, self.settings, &self.planes[..]);
         let stride = self.stride;
-        let cancelled = AtomicBool::new(false);
-        let queue = Mutex::new(self.tiles.iter_mut());
-        let work = || {
-            loop {
-                if progress.is_cancelled() {
-                    cancelled.store(true, Ordering::Relaxed);
-                    return;
-                }
-                let next = queue.lock().unwrap_or_else(|e| e.into_inner()).next();
-                let Some(tile) = next else {
-                    return;
-                };
-                tile.trace(studio, settings, planes, entries, stride);
-                progress.step();
-            }
-        };
-        std::thread::scope(|scope| {
-            for _ in 1..threads {
-                scope.spawn(work);
-            }
-            work();
+        let tiles: Vec<Mutex<&mut Tile>> = self.tiles.iter_mut().map(Mutex::new).collect();
+        let traced = in_parallel(&tiles, threads, progress, |tile| {
+            let mut tile = tile.lock().unwrap_or_else(PoisonError::into_inner);
+            tile.trace(studio, settings, planes, entries, stride);
         });
-        if cancelled.load(Ordering::Relaxed) {
-            return Err(FilmError::Cancelled);
-        }
-        Ok(())
+        traced.map(drop).ok_or(FilmError::Cancelled)
     }
 }

@@ -106,32 +106,38 @@ impl Material {
     ) -> Self {
         let coefficients = std::iter::once(0.0).chain(terms.iter().flatten().copied());
         let formula = Formula::new(2, coefficients.collect(), published_nm);
+        let dispersion = Dispersion::Formula {
+            formula: formula.expect("finite terms and a range that rises"),
+            absolute,
+            ends: false,
+        };
+        Self::of(name, source, Some(published_nm), dispersion)
+    }
+
+    fn of(
+        name: &str,
+        source: &str,
+        published_nm: Option<[f64; 2]>,
+        dispersion: Dispersion,
+    ) -> Self {
         Self {
             name: name.to_owned(),
             source: source.to_owned(),
-            published_nm: Some(published_nm),
-            dispersion: Dispersion::Formula {
-                formula: formula.expect("finite terms and a range that rises"),
-                absolute,
-                ends: false,
-            },
+            published_nm,
+            dispersion,
             extinction: None,
         }
     }
 
     /// A material by the formula of a file, which ends with its range.
     pub(crate) fn from_formula(name: &str, source: &str, formula: Formula) -> Self {
-        Self {
-            name: name.to_owned(),
-            source: source.to_owned(),
-            published_nm: Some(formula.range_nm()),
-            dispersion: Dispersion::Formula {
-                formula,
-                absolute: false,
-                ends: true,
-            },
-            extinction: None,
-        }
+        let range_nm = Some(formula.range_nm());
+        let dispersion = Dispersion::Formula {
+            formula,
+            absolute: false,
+            ends: true,
+        };
+        Self::of(name, source, range_nm, dispersion)
     }
 
     /// A material by two numbers: Cauchy's formula through n_d and V_d.
@@ -149,17 +155,14 @@ impl Material {
         let b = (n_d - 1.0) / v_d / (over_square(LINE_F_NM) - over_square(LINE_C_NM));
         let a = n_d - b * over_square(LINE_D_NM);
         let cauchy = Formula::new(5, vec![a, b, -2.0], [LINE_F_NM, LINE_C_NM]);
-        Ok(Self {
-            name: format!("n_d {n_d}, V_d {v_d}"),
-            source: "two numbers, Cauchy's formula through both".to_owned(),
-            published_nm: None,
-            dispersion: Dispersion::Formula {
-                formula: cauchy.ok_or(IndexError::BadAbbe { found: v_d })?,
-                absolute: false,
-                ends: false,
-            },
-            extinction: None,
-        })
+        let dispersion = Dispersion::Formula {
+            formula: cauchy.ok_or(IndexError::BadAbbe { found: v_d })?,
+            absolute: false,
+            ends: false,
+        };
+        let source = "two numbers, Cauchy's formula through both";
+        let name = format!("n_d {n_d}, V_d {v_d}");
+        Ok(Self::of(&name, source, None, dispersion))
     }
 
     /// A material by a table of n, such as a file of refractiveindex.info holds. `absolute` says
@@ -173,23 +176,15 @@ impl Material {
         n: &Sampled,
         absolute: bool,
     ) -> Result<Self, IndexError> {
-        let bad = n.values().iter().position(|v| !(*v > 0.0 && *v < 100.0));
-        if let Some(index) = bad {
-            return Err(IndexError::BadTable {
-                found: n.values()[index],
-                at_nm: n.nm()[index],
-            });
+        let mut rows = n.nm().iter().zip(n.values());
+        if let Some((at_nm, found)) = rows.find(|(_, v)| !(**v > 0.0 && **v < 100.0)) {
+            let (found, at_nm) = (*found, *at_nm);
+            return Err(IndexError::BadTable { found, at_nm });
         }
-        Ok(Self {
-            name: name.to_owned(),
-            source: source.to_owned(),
-            published_nm: Some([n.first_nm(), n.last_nm()]),
-            dispersion: Dispersion::Table {
-                curve: Monotone::new(n.nm(), n.values()),
-                absolute,
-            },
-            extinction: None,
-        })
+        let curve = Monotone::new(n.nm(), n.values());
+        let range_nm = Some([n.first_nm(), n.last_nm()]);
+        let dispersion = Dispersion::Table { curve, absolute };
+        Ok(Self::of(name, source, range_nm, dispersion))
     }
 
     /// The same material with an extinction coefficient: where it is above `MOST_EXTINCTION`
@@ -222,14 +217,8 @@ impl Material {
     /// The first wavelength at which a light has power and the material is not transparent; what
     /// lies outside its table is passed over.
     pub(crate) fn not_transparent_for(&self, light: &Light) -> Option<IndexError> {
-        let smooth = (380..=780).map(f64::from);
-        let smooth = smooth.filter(|nm| light.smooth_at(*nm) != 0.0);
-        let all = smooth.chain(light.seen_spikes().map(|spike| spike.at_nm));
-        let opaque = |nm: f64| match self.index(nm) {
-            Err(error @ IndexError::NotTransparent { .. }) => Some(error),
-            _ => None,
-        };
-        all.filter_map(opaque).next()
+        let mut errors = light.lit_nm().filter_map(|nm| self.index(nm).err());
+        errors.find(IndexError::is_opaque)
     }
 
     fn index_and_slope(&self, at_nm: f64) -> Result<[f64; 2], IndexError> {
@@ -362,86 +351,6 @@ fn resonances(squared: &[f64]) -> (f64, f64) {
 mod tests {
     use super::*;
     use crate::optics::BuiltinMaterial;
-
-    #[test]
-    fn the_analytic_slope_is_the_slope() {
-        for stuff in BuiltinMaterial::ALL {
-            let material = stuff.material();
-            for at_nm in [400.0, 587.5618, 760.0] {
-                let n = |nm: f64| material.index(nm).unwrap();
-                let slope = (n(at_nm + 0.05) - n(at_nm - 0.05)) / 0.1;
-                let found = material.d_index_d_nm(at_nm).unwrap();
-                // The central difference of .1 nm is off by its third derivative, about 1e-10 of
-                // 1e-4, and rounding of 1e-15 over 0.1.
-                assert!((found / slope - 1.0).abs() < 1e-6, "{stuff:?} {at_nm}");
-            }
-        }
-    }
-
-    #[test]
-    fn two_numbers_come_back() {
-        let glass = Material::from_two_numbers(1.62, 36.3).unwrap();
-        let figures = glass.abbe().unwrap();
-        assert!((figures.n_d - 1.62).abs() < 1e-14);
-        assert!((figures.v_d - 36.3).abs() < 1e-10);
-        assert!(
-            glass.is_extrapolated(500.0),
-            "two numbers are no measurement"
-        );
-    }
-
-    #[test]
-    fn two_numbers_that_are_no_glass_are_refused_in_words() {
-        let said = |n: f64, v: f64| Material::from_two_numbers(n, v).unwrap_err().to_string();
-        assert_eq!(
-            said(1.0, 50.0),
-            "n_d: expected a number from 1.0001 to 10, found 1"
-        );
-        assert_eq!(
-            said(f64::NAN, 50.0),
-            "n_d: expected a number from 1.0001 to 10, found NaN"
-        );
-        assert_eq!(said(1.5, 0.0), "V_d: expected a number above 0, found 0");
-        assert_eq!(said(1.5, -3.0), "V_d: expected a number above 0, found -3");
-    }
-
-    #[test]
-    fn a_formula_ends_at_its_resonances() {
-        let zirconia = BuiltinMaterial::Zirconia.material();
-        assert!(zirconia.index(361.0).is_ok() && !zirconia.is_extrapolated(361.0));
-        // Its resonance is at 166.739 nm; 5 % above is 175.08.
-        assert!(zirconia.index(175.2).is_ok() && zirconia.is_extrapolated(175.2));
-        assert!(zirconia.index(175.0).is_err());
-        let silica = BuiltinMaterial::Silica.material();
-        // Beyond the infrared resonance the formula would give an index again.
-        assert!(silica.index(12_000.0).is_err());
-        for nothing in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            assert!(silica.index(nothing).is_err());
-            assert!(silica.d_index_d_nm(nothing).is_err());
-        }
-    }
-
-    #[test]
-    fn a_table_gives_the_formula_it_was_made_of() {
-        let diamond = BuiltinMaterial::Diamond.material();
-        let nm: Vec<f64> = (380..=780).map(f64::from).collect();
-        let n: Vec<f64> = nm.iter().map(|nm| diamond.index(*nm).unwrap()).collect();
-        let table = Sampled::new(nm, n).unwrap();
-        let tabled = Material::from_table("t", "", &table, false).unwrap();
-        for at_nm in [380.0, 404.656, 546.074, 779.9] {
-            let exact = diamond.index(at_nm).unwrap();
-            // Between whole nm the third derivative of n, 4e-8 a nm^3, is left.
-            assert!((tabled.index(at_nm).unwrap() - exact).abs() < 1e-7);
-        }
-        let slope = tabled.d_index_d_nm(600.0).unwrap();
-        assert!((slope / diamond.d_index_d_nm(600.0).unwrap() - 1.0).abs() < 1e-3);
-        assert_eq!(
-            tabled.index(800.0).unwrap_err().to_string(),
-            "t: expected a wavelength at which its index is known, 380 to 780 nm, found 800 nm"
-        );
-        let not = Sampled::new(vec![1.0, 2.0], vec![1.5, -1.0]).unwrap();
-        assert!(Material::from_table("t", "", &not, false).is_err());
-    }
 
     #[test]
     fn an_absolute_table_is_turned_to_air() {

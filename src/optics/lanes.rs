@@ -21,7 +21,7 @@ pub(super) struct Panel<T> {
 }
 
 /// A chain that begins: inside the body, after its first face.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Start<T> {
     pub(super) origin: [T; 3],
     pub(super) direction: [T; 3],
@@ -36,6 +36,7 @@ pub(super) struct Start<T> {
 }
 
 /// The state of all lanes.
+#[derive(Default)]
 pub(super) struct Lanes<T> {
     pub(super) origin: [All<T>; 3],
     pub(super) direction: [All<T>; 3],
@@ -164,37 +165,20 @@ pub(super) fn reflected_share<T: Real>(n1: T, cos1: T, n2: T, cos2: T) -> T {
 
 impl<T: Real> Lanes<T> {
     pub(super) fn idle() -> Self {
-        let mut lanes = Self {
-            origin: [[T::ZERO; LANES]; 3],
-            direction: [[T::ZERO; LANES]; 3],
-            weight: [T::ZERO; LANES],
-            radiance: [T::ZERO; LANES],
-            index: [T::ONE; LANES],
-            absorption: [T::ZERO; LANES],
-            state: [1; LANES],
-            owner: [0; LANES],
-            faces: [0; LANES],
-            busy: [false; LANES],
-        };
+        let mut lanes = Self::default();
         (0..LANES).for_each(|lane| lanes.rest(lane));
         lanes
     }
 
     /// An idle lane weighs nothing and stays in the body.
     pub(super) fn rest(&mut self, lane: usize) {
-        self.put(
-            lane,
-            &Start {
-                origin: [T::ZERO; 3],
-                direction: [T::ZERO, T::ZERO, T::ONE],
-                weight: T::ZERO,
-                radiance: T::ZERO,
-                index: T::ONE,
-                absorption: T::ZERO,
-                state: 1,
-                owner: 0,
-            },
-        );
+        let resting = Start {
+            direction: [T::ZERO, T::ZERO, T::ONE],
+            index: T::ONE,
+            state: 1,
+            ..Start::default()
+        };
+        self.put(lane, &resting);
         self.busy[lane] = false;
     }
 

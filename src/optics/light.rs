@@ -1,6 +1,6 @@
 //! The light that is sent through things: a smooth part and spikes, as the model has them.
 
-use std::{borrow::Cow, fmt};
+use std::borrow::Cow;
 
 use crate::{
     color::{Observer, Xyz},
@@ -28,32 +28,18 @@ pub struct Light {
 }
 
 /// Why there is no light.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum LightError {
     /// Not one value per grid point.
+    #[error("expected {expected} values of a light, found {found}")]
     Values { expected: usize, found: usize },
     /// A value, place or weight that is no finite number.
+    #[error("expected finite numbers of a light, found others")]
     NotFinite,
     /// Nothing shines between 380 and 780 nm.
+    #[error("{name}: expected a light with power between 380 and 780 nm, found none")]
     Dark { name: String },
 }
-
-impl fmt::Display for LightError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Values { expected, found } => {
-                write!(f, "expected {expected} values of a light, found {found}")
-            }
-            Self::NotFinite => write!(f, "expected finite numbers of a light, found others"),
-            Self::Dark { name } => write!(
-                f,
-                "{name}: expected a light with power between 380 and 780 nm, found none"
-            ),
-        }
-    }
-}
-
-impl std::error::Error for LightError {}
 
 impl Light {
     /// From a smooth part on a band's grid (value) and spikes (weights in value x nm).
@@ -73,11 +59,8 @@ impl Light {
                 found: smooth.len(),
             });
         }
-        let finite = smooth.iter().all(|v| v.is_finite())
-            && spikes
-                .iter()
-                .all(|s| s.at_nm.is_finite() && s.weight.is_finite());
-        if !finite {
+        let of_spikes = spikes.iter().flat_map(|s| [s.at_nm, s.weight]);
+        if !smooth.iter().copied().chain(of_spikes).all(f64::is_finite) {
             return Err(LightError::NotFinite);
         }
         spikes.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
@@ -113,13 +96,8 @@ impl Light {
     /// As [`Light::new`].
     pub fn of_line(at_nm: f64) -> Result<Self, LightError> {
         let band = Band::VISIBLE;
-        let spike = Line::ideal(at_nm, 1.0);
-        Self::new(
-            &format!("{at_nm} nm"),
-            band,
-            vec![0.0; band.points()],
-            vec![spike],
-        )
+        let (dark, spikes) = (vec![0.0; band.points()], vec![Line::ideal(at_nm, 1.0)]);
+        Self::new(&format!("{at_nm} nm"), band, dark, spikes)
     }
 
     /// The light without its smooth part; `None` where no spike of it is seen.
@@ -160,6 +138,13 @@ impl Light {
         self.spikes.iter().filter(seen).copied()
     }
 
+    /// Whole nm of 380-780 at which the smooth part is not zero, then the places of its spikes.
+    pub(super) fn lit_nm(&self) -> impl Iterator<Item = f64> + '_ {
+        let smooth = (380..=780).map(f64::from);
+        let smooth = smooth.filter(|nm| self.smooth_at(*nm) != 0.0);
+        smooth.chain(self.seen_spikes().map(|spike| spike.at_nm))
+    }
+
     /// Share of the power (absolute values) outside 380-780 nm, which is not traced.
     pub(crate) fn share_unseen(&self) -> f64 {
         let all = self.power_within([f64::NEG_INFINITY, f64::INFINITY]);
@@ -168,20 +153,15 @@ impl Light {
 
     /// Absolute power between two wavelengths, value x nm.
     fn power_within(&self, [from, to]: [f64; 2]) -> f64 {
-        let spikes: f64 = self
+        let spikes = self
             .spikes
             .iter()
-            .filter(|s| (from..=to).contains(&s.at_nm))
-            .map(|s| s.weight.abs())
-            .sum();
+            .filter(|s| (from..=to).contains(&s.at_nm));
+        let spikes: f64 = spikes.map(|s| s.weight.abs()).sum();
         let (from, to) = (from.max(self.band.min_nm()), to.min(self.band.max_nm()));
-        let smooth: f64 = pieces(from, to)
-            .map(|[a, b]| {
-                let ends = self.smooth_at(a).abs() + self.smooth_at(b).abs();
-                0.5 * (b - a) * ends
-            })
-            .sum();
-        spikes + smooth
+        let ends = |a: f64, b: f64| self.smooth_at(a).abs() + self.smooth_at(b).abs();
+        let smooth = pieces(from, to).map(|[a, b]| 0.5 * (b - a) * ends(a, b));
+        spikes + smooth.sum::<f64>()
     }
 
     /// Integral of the smooth part times colour-matching functions between two wavelengths, value
@@ -225,11 +205,9 @@ impl Light {
         // No larger: a number just above zero has no inverse.
         let factor = (-peak.log2().floor()).min(1000.0).exp2();
         let mut scaled = self.clone();
-        scaled.smooth.iter_mut().for_each(|value| *value *= factor);
-        scaled
-            .spikes
-            .iter_mut()
-            .for_each(|spike| spike.weight *= factor);
+        let weights = scaled.spikes.iter_mut().map(|spike| &mut spike.weight);
+        let all = scaled.smooth.iter_mut().chain(weights);
+        all.for_each(|value| *value *= factor);
         Cow::Owned(scaled)
     }
 
@@ -246,12 +224,8 @@ impl Light {
 /// A range cut at whole nm, where straight lines bend.
 pub(super) fn pieces(from: f64, to: f64) -> impl Iterator<Item = [f64; 2]> {
     let first = from.floor();
-    let count = if to > from {
-        (to - first).ceil().max(0.0) as usize
-    } else {
-        0
-    };
-    (0..count).map(move |i| {
+    let length = if to > from { to - first } else { 0.0 };
+    (0..length.ceil() as usize).map(move |i| {
         let left = first + i as f64;
         [left.max(from), (left + 1.0).min(to)]
     })

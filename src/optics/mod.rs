@@ -45,7 +45,7 @@ mod strip;
 mod studio;
 mod tile;
 
-pub use absorption::{Absorption, AbsorptionError, FilterAbsorption};
+pub use absorption::{Absorption, AbsorptionError};
 pub use bench::{Bench, BenchError, BenchSettings, Landing, RayPath, Resolving};
 pub use chain::{Ending, Traced};
 pub use cut::{Brilliant, CutError};

@@ -56,7 +56,8 @@ struct Weights {
 /// A part of a light: wavelengths and X, Y, Z.
 struct Part {
     nm: f64,
-    line: Option<usize>,
+    /// Its own plane; none of a line that has none.
+    plane: Option<usize>,
     is_line: bool,
     xyz: [f64; 3],
 }
@@ -64,29 +65,25 @@ struct Part {
 impl Film {
     /// The light's parts in the order of the planes: strata, then spikes.
     fn parts(&self, light: &Light, observer: Observer) -> Vec<Part> {
-        let mut parts: Vec<Part> = Vec::new();
-        for plane in self.planes() {
-            if let Plane::Stratum { from_nm, to_nm } = *plane {
-                parts.push(Part {
-                    nm: 0.5 * (from_nm + to_nm),
-                    line: None,
-                    is_line: false,
-                    xyz: light
-                        .smooth_xyz([from_nm, to_nm], observer, false)
-                        .to_array(),
-                });
-            }
-        }
-        let table = observer.table();
-        for Line { at_nm, weight, .. } in light.seen_spikes() {
-            parts.push(Part {
-                nm: at_nm,
-                line: self.line(at_nm),
-                is_line: true,
-                xyz: table.at(at_nm).map(|v| v * weight),
-            });
-        }
-        parts
+        let stratum = |(place, plane): (usize, &Plane)| match *plane {
+            Plane::Stratum { from_nm, to_nm } => Some(Part {
+                nm: 0.5 * (from_nm + to_nm),
+                plane: Some(place),
+                is_line: false,
+                xyz: light
+                    .smooth_xyz([from_nm, to_nm], observer, false)
+                    .to_array(),
+            }),
+            Plane::Line { .. } => None,
+        };
+        let line = |Line { at_nm, weight, .. }| Part {
+            nm: at_nm,
+            plane: self.line(at_nm),
+            is_line: true,
+            xyz: observer.table().at(at_nm).map(|v| v * weight),
+        };
+        let strata = self.planes().iter().enumerate().filter_map(stratum);
+        strata.chain(light.seen_spikes().map(line)).collect()
     }
 
     /// Weights of a tile's planes. What a plane without rays should show, the plane nearest in
@@ -105,12 +102,8 @@ impl Film {
             Plane::Line { at_nm } => (at_nm - nm).abs(),
         };
         let traced = |place: &usize| tile.count(*place) > 0.0;
-        for (index, part) in parts.iter().enumerate() {
-            if part.xyz == [0.0; 3] {
-                continue;
-            }
-            let own = if part.is_line { part.line } else { Some(index) };
-            let place = own.filter(traced).or_else(|| {
+        for part in parts.iter().filter(|part| part.xyz != [0.0; 3]) {
+            let place = part.plane.filter(traced).or_else(|| {
                 let nearest = |places: std::ops::Range<usize>| {
                     places
                         .filter(traced)
@@ -118,12 +111,12 @@ impl Film {
                 };
                 nearest(0..strata).or_else(|| nearest(strata..planes.len()))
             });
-            if part.is_line && place != own {
+            if part.is_line && place != part.plane {
                 weights.stand_ins_nm.push(part.nm);
             }
             match place {
                 Some(place) => {
-                    weights.unfinished |= !part.is_line && place != index;
+                    weights.unfinished |= !part.is_line && Some(place) != part.plane;
                     for (sum, v) in sums[place].iter_mut().zip(part.xyz) {
                         *sum += v;
                     }
@@ -229,8 +222,7 @@ impl Film {
         let parts = self.parts(light, observer);
         let stride = self.stride();
         let (mut squares, mut pixels) = (0.0, 0_usize);
-        let mut deltas = Vec::new();
-        let mut on_gem = Mean::default();
+        let (mut deltas, mut on_gem) = (Vec::new(), Vec::new());
         for tile in self.tiles() {
             let weights = self.weights(&parts, tile);
             let mut kept = vec![0.0_f64; PIXELS / stride];
@@ -263,38 +255,21 @@ impl Film {
                 let Some(delta) = block_delta(&picture, tile, number, *block) else {
                     continue;
                 };
-                deltas.push(delta);
                 let first = block_corner(number);
                 let place = [tile.corner[0] + first[0], tile.corner[1] + first[1]];
+                deltas.push(delta);
                 if touches_gem(self.studio(), place, picture.size) {
-                    on_gem.add(delta);
+                    on_gem.push(delta);
                 }
             }
         }
+        let count = on_gem.len() as f64;
         Some(Noise {
             relative_mse: squares / pixels.max(1) as f64,
             delta_e_median: quantile(&mut deltas, 0.5)?,
             delta_e_p95: quantile(&mut deltas, 0.95)?,
-            delta_e_on_gem: on_gem.value(),
+            delta_e_on_gem: (count > 0.0).then(|| on_gem.iter().sum::<f64>() / count),
         })
-    }
-}
-
-/// A mean that grows.
-#[derive(Default)]
-struct Mean {
-    sum: f64,
-    count: usize,
-}
-
-impl Mean {
-    fn add(&mut self, value: f64) {
-        self.sum += value;
-        self.count += 1;
-    }
-
-    fn value(&self) -> Option<f64> {
-        (self.count > 0).then(|| self.sum / self.count as f64)
     }
 }
 
@@ -316,22 +291,20 @@ fn touches_gem(studio: &Studio, [column, row]: [usize; 2], size: usize) -> bool 
 /// Half the colour difference between a block's two halves.
 fn block_delta(picture: &Picture, tile: &Tile, number: usize, difference: [f64; 3]) -> Option<f64> {
     let first = block_corner(number);
-    let end: [usize; 2] = std::array::from_fn(|k| (first[k] + BLOCK).min(tile.extent[k]));
-    let (mut sum, mut count) = ([0.0; 3], 0_usize);
-    for y in first[1]..end[1] {
-        for x in first[0]..end[0] {
-            let index = (tile.corner[1] + y) * picture.size + tile.corner[0] + x;
-            for (sum, v) in sum.iter_mut().zip(picture.xyz[index]) {
-                *sum += f64::from(v);
-            }
-            count += 1;
-        }
+    let extent: [usize; 2] =
+        std::array::from_fn(|k| tile.extent[k].saturating_sub(first[k]).min(BLOCK));
+    let count = (extent[0] * extent[1]) as f64;
+    if count == 0.0 {
+        return None;
     }
+    let from: [usize; 2] = std::array::from_fn(|k| tile.corner[k] + first[k]);
+    let mean = picture.mean_of(from, [from[0] + extent[0], from[1] + extent[1]]);
+    let scale = 1.0 / picture.white.y;
     let half = |sign: f64| {
-        let xyz = std::array::from_fn(|k| (sum[k] + sign * difference[k]) / count as f64);
-        lab_from_xyz(Xyz::from_array(xyz), picture.white)
+        let xyz = std::array::from_fn(|k| mean[k] + sign * scale * difference[k] / count);
+        lab_from_xyz(Xyz::from_array(xyz), picture.white * scale)
     };
-    (count > 0).then(|| 0.5 * delta_e_2000(half(1.0), half(-1.0)))
+    Some(0.5 * delta_e_2000(half(1.0), half(-1.0)))
 }
 
 impl Picture {
@@ -361,51 +334,8 @@ impl Picture {
             }
         }
         let count = ((end[0] - first[0]) * (end[1] - first[1])).max(1) as f64;
-        let scale = if self.white.y > 0.0 {
-            self.white.y
-        } else {
-            1.0
-        };
+        let is_lit = self.white.y > 0.0;
+        let scale = if is_lit { self.white.y } else { 1.0 };
         sum.map(|v| v / count / scale)
-    }
-
-    /// Noise against a reference of the same size and light: relative MSE of Y, median and 95th
-    /// percentile of CIEDE2000 over blocks of 8 x 8 pixels, and with a studio their mean on the gem.
-    /// `None` for other sizes and in the dark.
-    pub fn noise_against(&self, reference: &Self, studio: Option<&Studio>) -> Option<Noise> {
-        let white = reference.white;
-        let is_lit = white.y > 0.0 && self.white.y > 0.0;
-        if self.size != reference.size || !is_lit {
-            return None;
-        }
-        let scale = white.y / self.white.y;
-        let pairs = self.xyz.iter().zip(&reference.xyz);
-        let square = |(a, b): (&[f32; 3], &[f32; 3])| {
-            let level = f64::from(b[1]) + DARK * white.y;
-            ((f64::from(a[1]) * scale - f64::from(b[1])) / level).powi(2)
-        };
-        let squares: f64 = pairs.map(square).sum();
-        let count = self.size.div_ceil(BLOCK);
-        let edge = |i: usize| (i * BLOCK).min(self.size);
-        let mut deltas = Vec::with_capacity(count * count);
-        let mut on_gem = Mean::default();
-        for place in 0..count * count {
-            let (x, y) = (place % count, place / count);
-            let lab = |picture: &Self| {
-                let mean = picture.mean_of([edge(x), edge(y)], [edge(x + 1), edge(y + 1)]);
-                lab_from_xyz(Xyz::from_array(mean), white * (1.0 / white.y))
-            };
-            let delta = delta_e_2000(lab(self), lab(reference));
-            deltas.push(delta);
-            if studio.is_some_and(|s| touches_gem(s, [x * BLOCK, y * BLOCK], self.size)) {
-                on_gem.add(delta);
-            }
-        }
-        Some(Noise {
-            relative_mse: squares / self.xyz.len() as f64,
-            delta_e_median: quantile(&mut deltas, 0.5)?,
-            delta_e_p95: quantile(&mut deltas, 0.95)?,
-            delta_e_on_gem: on_gem.value(),
-        })
     }
 }

@@ -53,16 +53,11 @@ impl Plan {
         let least_strata = (strata_count * (rays / RAYS_A_STRATUM).floor()).max(1.0);
         let most = (rays - least_strata).max(0.0);
         let wanted = (rays * share).round().max(lines.len() as f64);
-        let for_lines = if lines.is_empty() {
-            0.0
-        } else {
-            wanted.min(most)
-        };
+        let has_lines = !lines.is_empty();
+        let for_lines = if has_lines { wanted.min(most) } else { 0.0 };
         let mut strata = powers(&importance.strata);
-        let even = strata.iter().sum::<f64>() / strata_count;
-        strata
-            .iter_mut()
-            .for_each(|c| *c = c.max(LEAST_SHARE * even));
+        let least = LEAST_SHARE * strata.iter().sum::<f64>() / strata_count;
+        strata.iter_mut().for_each(|c| *c = c.max(least));
         Self {
             lines: counts(&lines, for_lines),
             strata: counts(&strata, rays - for_lines),
@@ -90,40 +85,23 @@ fn counts(parts: &[f64], rays: f64) -> Vec<f64> {
     let wish = |c: f64| (rays * share(c)).max(1.0);
     let mut found: Vec<f64> = parts.iter().map(|c| wish(*c).floor()).collect();
     let mut left = rays - found.iter().sum::<f64>();
-    while left >= 1.0 {
-        let Some(place) = most_wanting(parts, &found, |c, n| rays * share(c) - n) else {
-            break;
-        };
-        found[place] += 1.0;
-        left -= 1.0;
-    }
-    while left < 0.0 {
+    while !(0.0..1.0).contains(&left) {
+        let step = left.signum();
         // Those that have more than one give back where it is missed least.
-        let has_more = |c: f64, n: f64| {
-            if n > 1.0 {
-                n - rays * share(c)
-            } else {
-                f64::MIN
-            }
+        let may = |n: f64| step > 0.0 || n > 1.0;
+        let want = |at: &usize| match may(found[*at]) {
+            true => step * (rays * share(parts[*at]) - found[*at]),
+            false => f64::MIN,
         };
-        let Some(place) = most_wanting(parts, &found, has_more) else {
+        // The first of equals.
+        let places = (0..parts.len()).rev();
+        let Some(place) = places.max_by(|a, b| want(a).total_cmp(&want(b))) else {
             break;
         };
-        found[place] -= 1.0;
-        left += 1.0;
+        found[place] += step;
+        left -= step;
     }
     found
-}
-
-fn most_wanting(parts: &[f64], found: &[f64], want: impl Fn(f64, f64) -> f64) -> Option<usize> {
-    let mut best: Option<(usize, f64)> = None;
-    for (place, (c, n)) in parts.iter().zip(found).enumerate() {
-        let want = want(*c, *n);
-        if best.is_none_or(|(_, most)| want > most) {
-            best = Some((place, want));
-        }
-    }
-    best.map(|(place, _)| place)
 }
 
 /// Numbers up to 1 in proportion to parts, with a sum.

@@ -4,8 +4,6 @@
 //! `r2 = A - r1`, `sin i2 = n sin r2`, deviation `D = i1 + i2 - A`. Polarisations go through both
 //! faces apart. Angles are degrees in what is public.
 
-use std::fmt;
-
 use super::{fresnel::reflectances, index::Material, index_error::IndexError};
 
 /// How the light meets the first face.
@@ -26,8 +24,8 @@ pub struct Prism {
     incidence_deg: f64,
     /// Sine and cosine of the apex, of half of it, and of the incidence.
     of_apex: [f64; 2],
-    of_half_apex: [f64; 2],
-    of_incidence: [f64; 2],
+    pub(super) of_half_apex: [f64; 2],
+    pub(super) of_incidence: [f64; 2],
 }
 
 /// What a ray of one wavelength does.
@@ -66,48 +64,22 @@ pub struct Limits {
 }
 
 /// Why there is no prism.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PrismError {
-    /// An apex that is none.
+    /// An invalid apex.
+    #[error("apex: expected an angle above 0 and below 180 degrees, found {found}")]
     Apex { found: f64 },
     /// An incidence from behind.
+    #[error("incidence: expected an angle above -90 and below 90 degrees, found {found}")]
     Incidence { found: f64 },
     /// No ray of the wavelength has a least deviation: it is totally reflected.
+    #[error(
+        "no light of {at_nm} nm leaves: apex above twice the critical angle ({largest_apex_deg:.1})"
+    )]
     NoMinimum { at_nm: f64, largest_apex_deg: f64 },
     /// The index is not known.
-    Index(IndexError),
-}
-
-impl fmt::Display for PrismError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Apex { found } => write!(
-                f,
-                "apex: expected an angle above 0 and below 180 degrees, found {found}"
-            ),
-            Self::Incidence { found } => write!(
-                f,
-                "incidence: expected an angle above -90 and below 90 degrees, found {found}"
-            ),
-            Self::NoMinimum {
-                at_nm,
-                largest_apex_deg,
-            } => write!(
-                f,
-                "no light of {at_nm} nm leaves: apex above twice the critical angle \
-                 ({largest_apex_deg:.1})"
-            ),
-            Self::Index(error) => error.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for PrismError {}
-
-impl From<IndexError> for PrismError {
-    fn from(error: IndexError) -> Self {
-        Self::Index(error)
-    }
+    #[error(transparent)]
+    Index(#[from] IndexError),
 }
 
 impl Prism {
@@ -162,16 +134,6 @@ impl Prism {
     /// The angle of incidence.
     pub fn incidence_deg(&self) -> f64 {
         self.incidence_deg
-    }
-
-    /// Sine and cosine of the incidence.
-    pub(super) fn of_incidence(&self) -> [f64; 2] {
-        self.of_incidence
-    }
-
-    /// Sine and cosine of half the apex.
-    pub(super) fn of_half_apex(&self) -> [f64; 2] {
-        self.of_half_apex
     }
 
     /// Sine of the apex.
@@ -251,80 +213,5 @@ pub fn limits(n: f64, apex_deg: f64) -> Limits {
         critical_deg: critical.to_degrees(),
         largest_apex_deg,
         smallest_incidence_deg: passes.then(|| smallest.asin().to_degrees()),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::optics::BuiltinMaterial;
-
-    fn prism(apex: f64, incidence: f64) -> Result<Prism, PrismError> {
-        let glass = BuiltinMaterial::NSf11.material();
-        Prism::new(apex, Incidence::Degrees(incidence), &glass)
-    }
-
-    #[test]
-    fn the_least_deviation_is_the_least_and_symmetric() {
-        let glass = BuiltinMaterial::NSf11.material();
-        let n = glass.index(546.075).unwrap();
-        let (least, incidence) = minimum_deviation(n, 60.0).unwrap();
-        let at = |degrees: f64| prism(60.0, degrees).unwrap().passage(n).unwrap();
-        let there = at(incidence);
-        // Sums of a few angles near 60 degrees.
-        assert!((there.deviation_deg - least).abs() < 1e-12);
-        assert!((there.exit_deg - incidence).abs() < 1e-12);
-        for off in [-2.0, -0.1, 0.1, 2.0] {
-            assert!(at(incidence + off).deviation_deg > least);
-        }
-    }
-
-    #[test]
-    fn the_way_back_is_the_way_there() {
-        let n = 1.5168;
-        let there = prism(60.0, 45.0).unwrap().passage(n).unwrap();
-        let back = prism(60.0, there.exit_deg).unwrap().passage(n).unwrap();
-        assert!((back.exit_deg - 45.0).abs() < 1e-11);
-        assert!((back.deviation_deg - there.deviation_deg).abs() < 1e-11);
-        assert!((back.transmittance() - there.transmittance()).abs() < 1e-12);
-    }
-
-    #[test]
-    fn at_the_smallest_incidence_the_ray_leaves_along_the_face() {
-        let n = 1.842_352_46;
-        let smallest = limits(n, 60.0).smallest_incidence_deg.unwrap();
-        assert!(prism(60.0, smallest - 1e-6).unwrap().passage(n).is_none());
-        let grazing = prism(60.0, smallest + 1e-6).unwrap().passage(n).unwrap();
-        assert!(grazing.exit_deg > 89.9 && grazing.transmittance() < 0.01);
-    }
-
-    #[test]
-    fn no_ray_passes_a_blunt_prism() {
-        let diamond = BuiltinMaterial::Diamond.material();
-        let said = Prism::new(60.0, Incidence::MinimumFor(546.075), &diamond).unwrap_err();
-        assert_eq!(
-            said.to_string(),
-            "no light of 546.075 nm leaves: apex above twice the critical angle (48.7)"
-        );
-        for degrees in -89..90 {
-            for apex in [100.0, 150.0, 179.0] {
-                let prism = prism(apex, f64::from(degrees)).unwrap();
-                assert!(prism.passage(1.79).is_none(), "{apex} {degrees}");
-            }
-        }
-    }
-
-    #[test]
-    fn angles_out_of_range_are_refused_in_words() {
-        for apex in [0.0, -1.0, 180.0, f64::NAN, f64::INFINITY] {
-            let said = prism(apex, 45.0).unwrap_err().to_string();
-            assert_eq!(
-                said,
-                format!("apex: expected an angle above 0 and below 180 degrees, found {apex}")
-            );
-        }
-        for incidence in [90.0, -90.0, f64::NAN] {
-            assert!(prism(60.0, incidence).is_err());
-        }
     }
 }

@@ -5,6 +5,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// A number that rays are traced with.
 pub(super) trait Real:
     Copy
+    + Default
     + PartialOrd
     + Add<Output = Self>
     + Sub<Output = Self>
@@ -15,11 +16,8 @@ pub(super) trait Real:
     + Sync
     + 'static
 {
-    /// 0.
     const ZERO: Self;
-    /// 1.
     const ONE: Self;
-    /// 1/2.
     const HALF: Self;
     /// So small that a way of it is none, and still not 0 when divided by.
     const TINY: Self;
@@ -28,11 +26,8 @@ pub(super) trait Real:
 
     /// The nearest to a double.
     fn of(value: f64) -> Self;
-    /// As a double.
     fn double(self) -> f64;
-    /// Square root.
     fn root(self) -> Self;
-    /// Exponential.
     fn exponential(self) -> Self;
     /// Without sign.
     fn size(self) -> Self;

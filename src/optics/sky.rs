@@ -249,35 +249,6 @@ fn overlap([from, to]: [f64; 2], energy: f64, cells: &mut [f64]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::optics::{BuiltinMaterial, bow};
-
-    fn sky() -> Sky {
-        Sky::new(BuiltinMaterial::Water.material(), 500)
-    }
-
-    #[test]
-    fn a_sodium_bow_stands_at_the_angles_of_its_rays() {
-        let sky = sky();
-        let light = Light::of_line(589.294).unwrap();
-        let strip = sky.strip(&light, Observer::CIE_1931, false);
-        let cell = (SKY_DEG[1] - SKY_DEG[0]) / 500.0;
-        let brightest = |from: f64, to: f64| {
-            let place = |deg: f64| ((deg - SKY_DEG[0]) / cell) as usize;
-            (place(from)..place(to))
-                .max_by(|a, b| strip.xyz[*a].y.total_cmp(&strip.xyz[*b].y))
-                .map(|index| SKY_DEG[0] + (index as f64 + 0.5) * cell)
-                .unwrap()
-        };
-        let n = sky.material().index(589.294).unwrap();
-        let primary = bow(n, 1).unwrap().from_antisolar_deg;
-        let secondary = bow(n, 2).unwrap().from_antisolar_deg;
-        // Within the column of .05 degrees that holds the bow.
-        assert!((brightest(38.0, 45.0) - primary).abs() <= cell);
-        assert!((brightest(47.0, 58.0) - secondary).abs() <= cell);
-        // Alexander's dark band between them: no ray of one or two reflections goes there.
-        let dark = ((46.0 - SKY_DEG[0]) / cell) as usize;
-        assert_eq!(strip.xyz[dark], Xyz::ZERO);
-    }
 
     #[test]
     fn the_sun_takes_no_energy() {
@@ -285,22 +256,5 @@ mod tests {
         // A sum of 23 parts of 1.
         assert!((weights.iter().sum::<f64>() - 1.0).abs() < 1e-13);
         assert_eq!(weights.len() % 2, 1);
-    }
-
-    #[test]
-    fn the_strip_is_linear_in_the_light() {
-        let sky = sky();
-        let (a, b) = (546.075, 435.833);
-        let one = |nm: f64| sky.strip(&Light::of_line(nm).unwrap(), Observer::CIE_1931, true);
-        let band = crate::spectrum::Band::VISIBLE;
-        let spikes = [a, b].map(|at_nm| Line::ideal(at_nm, 1.0));
-        let both = Light::new("both", band, vec![0.0; 401], spikes.to_vec()).unwrap();
-        let both = sky.strip(&both, Observer::CIE_1931, true);
-        let (a, b) = (one(a), one(b));
-        for (index, xyz) in both.xyz.iter().enumerate() {
-            let off = *xyz - (a.xyz[index] + b.xyz[index]);
-            // A few sums of numbers about 1.
-            assert!(off.to_array().iter().all(|v| v.abs() < 1e-12));
-        }
     }
 }

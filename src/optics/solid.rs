@@ -1,7 +1,5 @@
 //! A convex body as the half-spaces `n . x <= d` that it is the intersection of.
 
-use std::fmt;
-
 /// A point or direction.
 pub type Vec3 = [f64; 3];
 
@@ -29,6 +27,11 @@ pub(super) fn plus(a: Vec3, b: Vec3, factor: f64) -> Vec3 {
 pub(super) fn unit(a: Vec3) -> Option<Vec3> {
     let length = dot(a, a).sqrt();
     (length > 0.0 && length.is_finite()).then(|| a.map(|v| v / length))
+}
+
+/// Whether all of it is a number no larger than 1e6.
+pub(super) fn is_near(a: Vec3) -> bool {
+    a.iter().all(|v| v.abs() <= 1e6)
 }
 
 /// A half-space: outward normal of length 1, distance from the origin, and what its facet is.
@@ -64,40 +67,21 @@ pub struct Solid {
 }
 
 /// Why half-spaces are no body.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SolidError {
     /// A half-space that has fewer than three corners.
+    #[error("expected a facet for each plane, found none for the {name}")]
     LostFacet { name: &'static str },
     /// The half-spaces do not close, or close beyond a thousand units.
+    #[error("expected a closed body, found the {name} open")]
     Open { name: &'static str },
     /// Corners or edges so near to one another that they cannot be told apart.
+    #[error("expected facets that can be told apart, found some that all but coincide")]
     Degenerate,
     /// Too few or too many half-spaces, or one that is no plane.
+    #[error("expected 4 to {MOST_PLANES} planes, found {found}")]
     Planes { found: usize },
 }
-
-impl fmt::Display for SolidError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::LostFacet { name } => {
-                write!(
-                    f,
-                    "expected a facet for each plane, found none for the {name}"
-                )
-            }
-            Self::Open { name } => write!(f, "expected a closed body, found the {name} open"),
-            Self::Degenerate => write!(
-                f,
-                "expected facets that can be told apart, found some that all but coincide"
-            ),
-            Self::Planes { found } => {
-                write!(f, "expected 4 to {MOST_PLANES} planes, found {found}")
-            }
-        }
-    }
-}
-
-impl std::error::Error for SolidError {}
 
 /// Most half-spaces of a body.
 pub(super) const MOST_PLANES: usize = 512;
@@ -122,18 +106,16 @@ impl Solid {
             });
         }
         let polygons: Vec<Vec<Vec3>> = (0..planes.len()).map(|own| polygon(&planes, own)).collect();
-        for (polygon, plane) in polygons.iter().zip(&planes) {
-            let open = polygon.iter().flatten().any(|v| v.abs() > 0.1 * FAR);
-            if open {
-                return Err(SolidError::Open { name: plane.name });
-            }
+        let reach_of = |polygon: &Vec<Vec3>| {
+            let all = polygon.iter().flatten();
+            all.fold(0.0_f64, |reach, v| reach.max(v.abs()))
+        };
+        let reaches: Vec<f64> = polygons.iter().map(reach_of).collect();
+        if let Some(open) = reaches.iter().position(|reach| *reach > 0.1 * FAR) {
+            let name = planes[open].name;
+            return Err(SolidError::Open { name });
         }
-        let reach = polygons
-            .iter()
-            .flatten()
-            .flatten()
-            .fold(0.0_f64, |reach, v| reach.max(v.abs()));
-        let same = SAME * reach;
+        let same = SAME * reaches.into_iter().fold(0.0, f64::max);
         let mut corners: Vec<Vec3> = Vec::new();
         let mut facets = Vec::new();
         for (polygon, plane) in polygons.iter().zip(&planes) {
@@ -297,45 +279,4 @@ fn cut(polygon: &[Vec3], plane: &HalfSpace) -> Vec<Vec3> {
         }
     }
     left
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn bodies_of_school_have_their_measures() {
-        let cube = Solid::cube(0.5).unwrap();
-        assert_eq!((cube.corners().len(), cube.edges()), (8, 12));
-        // Corners come from a square of ten thousand units, rounded at 1e-12.
-        assert!((cube.volume() - 1.0).abs() < 1e-9 && (cube.area() - 6.0).abs() < 1e-9);
-        let octahedron = Solid::octahedron(1.0).unwrap();
-        assert_eq!((octahedron.corners().len(), octahedron.edges()), (6, 12));
-        assert!((octahedron.volume() - 4.0 / 3.0).abs() < 1e-9);
-        assert!(octahedron.contains([0.3, 0.3, 0.3]) && !octahedron.contains([0.5, 0.5, 0.5]));
-    }
-
-    #[test]
-    fn what_is_no_body_is_refused_in_words() {
-        let mut planes = Solid::cube(1.0).unwrap().planes().to_vec();
-        let lid = planes.remove(4);
-        let open = Solid::new(planes.clone()).unwrap_err();
-        assert_eq!(
-            open.to_string(),
-            "expected a closed body, found the side open"
-        );
-        planes.push(lid.clone());
-        planes.push(HalfSpace {
-            distance: 3.0,
-            name: "halo",
-            ..lid
-        });
-        let lost = Solid::new(planes).unwrap_err().to_string();
-        assert_eq!(
-            lost,
-            "expected a facet for each plane, found none for the halo"
-        );
-        assert!(Solid::cube(-1.0).is_err() && Solid::cube(f64::NAN).is_err());
-        assert!(Solid::new(Vec::new()).is_err());
-    }
 }

@@ -91,31 +91,24 @@ impl Bench {
     /// The stretches of 380-780 nm that are totally reflected, from and to, nm; rising. Usually
     /// one from the blue end; where the index rises with wavelength any.
     pub fn reflected_nm(&self) -> Vec<[f64; 2]> {
-        let mut found: Vec<[f64; 2]> = Vec::new();
-        let mut before: Option<f64> = None;
-        for nm in (380..=780).map(f64::from) {
-            let was = before.is_some_and(|nm| self.is_reflected(nm));
-            match (self.is_reflected(nm), was) {
-                (true, false) => {
-                    let from = before.map_or(nm, |before| self.edge(nm, before));
-                    found.push([from, nm]);
-                }
-                (true, true) => {
-                    if let Some(last) = found.last_mut() {
-                        last[1] = nm;
-                    }
-                }
-                (false, true) => {
-                    let to = self.edge(nm - 1.0, nm);
-                    if let Some(last) = found.last_mut() {
-                        last[1] = to;
-                    }
-                }
-                (false, false) => {}
-            }
-            before = Some(nm);
-        }
-        found
+        let whole: Vec<f64> = (380..=780).map(f64::from).collect();
+        let runs = whole.chunk_by(|a, b| self.is_reflected(*a) == self.is_reflected(*b));
+        let ends = |run: &[f64]| {
+            let [from, to] = [run[0], run[run.len() - 1]];
+            let is_first = from <= SEEN_NM[0];
+            let is_last = to >= SEEN_NM[1];
+            [
+                if is_first {
+                    from
+                } else {
+                    self.edge(from, from - 1.0)
+                },
+                if is_last { to } else { self.edge(to, to + 1.0) },
+            ]
+        };
+        runs.filter(|run| self.is_reflected(run[0]))
+            .map(ends)
+            .collect()
     }
 
     /// Where total reflection ends between a wavelength that is reflected and one that is not, nm;
@@ -188,8 +181,8 @@ impl Bench {
                 continue;
             };
             let own = spike.weight * spot.transmittance;
-            let [x, y, z] = observer.table().at(spike.at_nm);
-            deposit.spread([spot.x; 2], spot.width, [own, own * x, own * y, own * z]);
+            let energies = with_xyz(own, observer.table().at(spike.at_nm));
+            deposit.spread([spot.x; 2], spot.width, energies);
             energy += own;
             images.push(LineImage {
                 spike,
@@ -225,14 +218,12 @@ impl Bench {
 
     /// Whether a light has power where the index is a formula's outside its published range.
     fn is_extrapolated(&self, light: &Light) -> bool {
-        let smooth = (380..=780)
-            .map(f64::from)
-            .any(|nm| light.smooth_at(nm) != 0.0 && self.material().is_extrapolated(nm));
-        smooth
-            || light
-                .seen_spikes()
-                .any(|s| self.material().is_extrapolated(s.at_nm))
+        light.lit_nm().any(|nm| self.material().is_extrapolated(nm))
     }
+}
+
+fn with_xyz(energy: f64, [x, y, z]: [f64; 3]) -> [f64; 4] {
+    [energy, energy * x, energy * y, energy * z]
 }
 
 /// The smooth part on its way to the columns.
@@ -269,20 +260,17 @@ impl Painter<'_> {
                 continue;
             };
             let own = self.light.smooth_at(nm) * spot.transmittance * weight * (b - a);
-            let [x, y, z] = table.at(nm);
-            energy[0] += own;
-            energy[1] += own * x;
-            energy[2] += own * y;
-            energy[3] += own * z;
+            let parts = with_xyz(own, table.at(nm));
+            energy
+                .iter_mut()
+                .zip(parts)
+                .for_each(|(sum, part)| *sum += part);
             width += weight * spot.width;
         }
         self.energy += energy[0];
-        match ends {
-            [Some(a), Some(b)] => self.deposit.spread([a.x, b.x], width, energy),
-            [Some(one), None] | [None, Some(one)] => {
-                self.deposit.spread([one.x; 2], width, energy);
-            }
-            [None, None] => {}
+        let [a, b] = ends;
+        if let (Some(a), Some(b)) = (a.or(b), b.or(a)) {
+            self.deposit.spread([a.x, b.x], width, energy);
         }
     }
 }

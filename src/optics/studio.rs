@@ -1,7 +1,5 @@
 //! A body of a material in a scene, ready to be looked at.
 
-use std::fmt;
-
 use super::{
     absorption::Absorption,
     chain::{Ending, Stage, Traced, Work},
@@ -35,24 +33,15 @@ pub struct Seen {
 }
 
 /// Why there is nothing to look at.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StudioError {
-    /// The scene is none.
-    Scene(SceneError),
+    /// The scene is invalid.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
     /// The material is transparent nowhere between 380 and 780 nm.
-    Index(IndexError),
+    #[error(transparent)]
+    Index(#[from] IndexError),
 }
-
-impl fmt::Display for StudioError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Scene(error) => error.fmt(f),
-            Self::Index(error) => error.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for StudioError {}
 
 impl Studio {
     /// Puts a body into a scene.
@@ -66,16 +55,14 @@ impl Studio {
         absorption: Absorption,
         scene: Scene,
     ) -> Result<Self, StudioError> {
-        let camera = scene.camera(&solid).map_err(StudioError::Scene)?;
+        let camera = scene.camera(&solid)?;
         if (380..=780).all(|nm| material.index(f64::from(nm)).is_err()) {
             // That it is a metal says more than that a table ends.
             let mut errors = (380..=780).filter_map(|nm| material.index(f64::from(nm)).err());
-            let is_opaque = |e: &IndexError| matches!(e, IndexError::NotTransparent { .. });
-            let last = material.index(780.0).err();
-            let error = errors.find(is_opaque).or(last);
-            if let Some(error) = error {
-                return Err(StudioError::Index(error));
+            if let Some(error) = errors.find(IndexError::is_opaque) {
+                return Err(error.into());
             }
+            material.index(780.0)?;
         }
         let fast = Stage::new(&solid, &scene, &camera, Ending::default());
         Ok(Self {

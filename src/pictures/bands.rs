@@ -1,6 +1,6 @@
 //! The wavelengths of a picture: how a spectrum goes on between them, and which are kept.
 
-use crate::color::xyz::{FIRST_NM, LAST_NM, POINTS};
+use crate::color::xyz::{FIRST_NM, LAST_NM};
 use crate::spectrum::{Kind, Line, Outside, Sampled};
 
 use super::PictureError;
@@ -117,21 +117,16 @@ impl Bands {
         Some((right - 1, (at_nm - a) / (b - a)))
     }
 
-    /// What each band weighs when a spectrum, linear between bands, is summed with weights on the
-    /// whole nm 360-830 and at single places (nm, weight).
-    ///
-    /// # Panics
-    /// When `on_nm` does not have 471 values.
-    pub fn fold(&self, on_nm: &[f64], at: &[(f64, f64)]) -> Vec<f64> {
-        assert_eq!(on_nm.len(), POINTS, "one weight per nm of 360-830");
-        let mut out = vec![0.0; self.nm.len()];
-        let whole = (FIRST_NM..=LAST_NM)
-            .map(f64::from)
-            .zip(on_nm.iter().copied());
-        for (nm, weight) in whole.chain(at.iter().copied()) {
-            if let Some((left, t)) = self.about(nm) {
-                out[left] += weight * (1.0 - t);
-                out[left + 1] += weight * t;
+    /// What each band weighs when a spectrum, linear between bands, is summed with weights for X, Y
+    /// and Z at some places (nm).
+    pub(super) fn fold(&self, places: &[(f64, [f64; 3])]) -> [Vec<f64>; 3] {
+        let mut out = [0; 3].map(|_| vec![0.0; self.nm.len()]);
+        for (nm, weights) in places {
+            if let Some((left, t)) = self.about(*nm) {
+                for (row, weight) in out.iter_mut().zip(weights) {
+                    row[left] += weight * (1.0 - t);
+                    row[left + 1] += weight * t;
+                }
             }
         }
         out
@@ -284,15 +279,13 @@ mod tests {
 
     #[test]
     fn folded_weights_of_one_are_the_nm_a_spectrum_covers() {
-        let ones = vec![1.0; POINTS];
+        let whole = (FIRST_NM..=LAST_NM).map(|nm| (f64::from(nm), [1.0; 3]));
+        let mut places: Vec<_> = whole.collect();
+        let sum = |kind: Kind, places: &[_]| bands(kind).fold(places)[2].iter().sum::<f64>();
         // A reflectance covers all 471 nm, a light the 401 from its first band to its last.
-        let sum: f64 = bands(Kind::Reflectance).fold(&ones, &[]).iter().sum();
-        assert!((sum - 471.0).abs() < 1e-10, "{sum}");
-        let sum: f64 = bands(Kind::Light)
-            .fold(&ones, &[(546.1, 2.0), (900.0, 5.0)])
-            .iter()
-            .sum();
-        assert!((sum - 403.0).abs() < 1e-10, "{sum}");
+        assert!((sum(Kind::Reflectance, &places) - 471.0).abs() < 1e-10);
+        places.extend([(546.1, [2.0; 3]), (900.0, [5.0; 3])]);
+        assert!((sum(Kind::Light, &places) - 403.0).abs() < 1e-10);
     }
 
     #[test]

@@ -4,15 +4,17 @@
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 
-use crate::color::{Lab, Xyz, delta_e_2000, lab_from_xyz};
+use crate::color::{delta_e_2000, lab_from_xyz};
+use crate::spectrum::quantile;
 use crate::study::Progress;
 
+use super::light::{Rows, sums};
 use super::lines::{Line, find_lines, lines_at};
 use super::measure::{Judge, white_y_of};
 use super::operator::MOST_NOISE_GAIN;
 use super::plan::MARGIN;
 use super::strips::over_parts;
-use super::survey::{Survey, percentile};
+use super::survey::Survey;
 use super::{Bands, Light, Operator, PictureError, Plan, Reference, ReferenceKind};
 
 /// Most numbers a pixel that are tried.
@@ -157,16 +159,16 @@ pub fn choose(
     let jobs: Vec<(usize, usize)> = (3..=most)
         .flat_map(|p| (0..bases.len()).map(move |b| (p, b)))
         .collect();
-    let wanted = match asked {
-        Asked::Budget(numbers) if numbers < 3 || numbers > bands.len() - 1 => {
-            return Err(PictureError::Numbers {
-                found: numbers,
-                most: bands.len() - 1,
-            });
-        }
-        Asked::Budget(numbers) => Some(numbers),
-        Asked::Bound { .. } => None,
+    let (wanted, p95, rms) = match asked {
+        Asked::Budget(numbers) => (Some(numbers), BOUND_P95, BOUND_RMS),
+        Asked::Bound { p95, rms } => (None, p95, rms),
     };
+    let rms = rms.max(survey.relative_noise(bands));
+    let possible = 3..bands.len();
+    if let Some(found) = wanted.filter(|numbers| !possible.contains(numbers)) {
+        let most = bands.len() - 1;
+        return Err(PictureError::Numbers { found, most });
+    }
     ways.check(wanted.unwrap_or(most))?;
     progress.expect(jobs.len());
     let tried = over_parts(jobs.len(), 1 << 20, progress, |at| {
@@ -177,36 +179,27 @@ pub fn choose(
     if let Some(numbers) = wanted.filter(|n| *n > most) {
         tried.extend(bases.iter().filter_map(|base| ways.try_one(base, numbers)));
     }
-    let (p95, rms) = match asked {
-        Asked::Bound { p95, rms } => (p95, rms.max(survey.relative_noise(bands))),
-        Asked::Budget(_) => (BOUND_P95, BOUND_RMS.max(survey.relative_noise(bands))),
-    };
-    let best = |from: &mut dyn Iterator<Item = &Candidate>| {
-        from.min_by(|a, b| a.over(p95, rms).total_cmp(&b.over(p95, rms)))
-            .cloned()
-    };
+    let over = |c: &Candidate| c.over(p95, rms);
+    let by_over = |a: &&Candidate, b: &&Candidate| over(a).total_cmp(&over(b));
     let chosen = match wanted {
         Some(numbers) => {
             // Fewer where so many would amplify noise.
             let counts = tried.iter().map(|c| c.numbers);
             let nearest = counts.filter(|n| *n <= numbers).max();
-            best(&mut tried.iter().filter(|c| Some(c.numbers) == nearest))
+            let all = tried.iter().filter(|c| Some(c.numbers) == nearest);
+            all.min_by(by_over)
         }
         None => {
-            let keeps = |c: &&Candidate| c.over(p95, rms) <= 1.0;
-            let least = tried.iter().filter(keeps).map(|c| c.numbers).min();
-            match least {
-                Some(least) => tried
-                    .iter()
-                    .filter(keeps)
-                    .filter(|c| c.numbers == least)
-                    .min_by(|a, b| a.rms.total_cmp(&b.rms))
-                    .cloned(),
-                None => best(&mut tried.iter()),
-            }
+            let keeps = tried.iter().filter(|c| over(c) <= 1.0);
+            let fewest = |a: &&Candidate, b: &&Candidate| {
+                (a.numbers.cmp(&b.numbers)).then(a.rms.total_cmp(&b.rms))
+            };
+            keeps
+                .min_by(fewest)
+                .or_else(|| tried.iter().min_by(by_over))
         }
     };
-    let chosen = chosen.ok_or(PictureError::NotSolved)?;
+    let chosen = chosen.cloned().ok_or(PictureError::NotSolved)?;
     Ok(Choice {
         plan: ways.plan(&chosen),
         is_reached: chosen.over(p95, rms) <= 1.0,
@@ -225,29 +218,27 @@ fn references(
     known: Option<&Light>,
     wish: Option<ReferenceKind>,
 ) -> Result<Vec<Reference>, PictureError> {
-    let light = || {
-        match known {
-        Some(light) => Reference::of_light(bands, light),
-        None => Err(PictureError::NoRelighting(
+    let of = |kind: ReferenceKind| {
+        match (kind, known) {
+        (ReferenceKind::One, _) => Ok(Reference::one(bands)),
+        (ReferenceKind::Mean, _) => Reference::of_mean(&survey.mean),
+        (ReferenceKind::Light, Some(light)) => Reference::of_light(bands, light),
+        (ReferenceKind::Light, None) => Err(PictureError::NoRelighting(
             "expected a picture of light and the light that lit it for a light as reference, found \
              none"
                 .to_owned(),
         )),
     }
     };
-    Ok(match wish {
-        Some(ReferenceKind::One) => vec![Reference::one(bands)],
-        Some(ReferenceKind::Light) => vec![light()?],
-        Some(ReferenceKind::Mean) => vec![Reference::of_mean(&survey.mean)?],
-        None => {
-            let first = match known {
-                Some(_) => light()?,
-                None => Reference::one(bands),
-            };
-            let mean = Reference::of_mean(&survey.mean).ok();
-            std::iter::once(first).chain(mean).collect()
-        }
-    })
+    if let Some(kind) = wish {
+        return Ok(vec![of(kind)?]);
+    }
+    let usual = match known {
+        Some(_) => ReferenceKind::Light,
+        None => ReferenceKind::One,
+    };
+    let mean = of(ReferenceKind::Mean).ok();
+    Ok(std::iter::once(of(usual)?).chain(mean).collect())
 }
 
 /// A reference, whether lines are taken, and a margin.
@@ -301,14 +292,9 @@ impl<'a> Ways<'a> {
         let mut bases = Vec::new();
         for margin in [MARGIN, 0.0] {
             for (at, reference) in self.references.iter().enumerate() {
-                let lit = reference.kind == ReferenceKind::Light;
                 // A known light carries its lines itself.
-                let lines = if lit && is_left_to_us {
-                    0
-                } else {
-                    self.lines.len()
-                };
-                let has_lines = lines > 0;
+                let carries = is_left_to_us && reference.kind == ReferenceKind::Light;
+                let has_lines = !carries && !self.lines.is_empty();
                 if is_left_to_us || !has_lines {
                     bases.push((at, false, margin));
                 }
@@ -337,11 +323,8 @@ impl<'a> Ways<'a> {
     }
 
     fn form(&self, (reference, lines, margin): Base, numbers: usize) -> Plan {
-        let lines = if lines {
-            self.lines.len().min(Self::room(numbers))
-        } else {
-            0
-        };
+        let room = if lines { Self::room(numbers) } else { 0 };
+        let lines = self.lines.len().min(room);
         Plan {
             series: numbers - lines,
             margin,
@@ -353,14 +336,10 @@ impl<'a> Ways<'a> {
     }
 
     fn plan(&self, chosen: &Candidate) -> Plan {
-        let at = self
-            .references
-            .iter()
-            .position(|r| r.kind == chosen.reference);
-        let mut plan = self.form(
-            (at.unwrap_or(0), chosen.lines > 0, chosen.margin),
-            chosen.numbers,
-        );
+        let is_it = |reference: &Reference| reference.kind == chosen.reference;
+        let at = self.references.iter().position(is_it).unwrap_or(0);
+        let base = (at, chosen.lines > 0, chosen.margin);
+        let mut plan = self.form(base, chosen.numbers);
         plan.lines.truncate(chosen.lines);
         plan.series = chosen.numbers - plan.lines.len();
         plan
@@ -405,28 +384,16 @@ impl<'a> Ways<'a> {
     fn colour_error(&self, operator: &Operator) -> Option<f64> {
         let white_y = white_y_of(operator, &self.survey.sample);
         let judges = Judge::all(operator, white_y, self.known).ok()?;
-        let judges = if judges.len() > 1 {
-            &judges[1..]
-        } else {
-            &judges[..]
-        };
+        let judges = &judges[usize::from(judges.len() > 1)..];
         let step = self.survey.sample.len().div_ceil(MOST_JUDGED).max(1);
         let sample: Vec<&Vec<f64>> = self.survey.sample.iter().step_by(step).collect();
         let mut off: Vec<f64> = Vec::with_capacity(judges.len() * sample.len());
         for judge in judges {
-            let ends = judge.ends(operator);
-            let lab = |rows: &[Vec<f64>; 3], pixel: &[f64]| -> Lab {
-                let sum = |row: &Vec<f64>| crate::spectrum::dot(row, pixel);
-                lab_from_xyz(Xyz::from_array(rows.each_ref().map(sum)), ends.2)
-            };
-            let differences = sample
-                .iter()
-                .map(|p| delta_e_2000(lab(ends.0, p), lab(&ends.1, p)));
-            off.extend(differences.filter(|d| d.is_finite()));
+            let (exact, found, white) = judge.ends(operator);
+            let lab = |rows: &Rows, pixel: &[f64]| lab_from_xyz(sums(rows, pixel), white);
+            let difference = |p: &&Vec<f64>| delta_e_2000(lab(exact, p), lab(&found, p));
+            off.extend(sample.iter().map(difference).filter(|d| d.is_finite()));
         }
-        if off.is_empty() {
-            return None;
-        }
-        Some(percentile(&mut off, 0.95))
+        quantile(&mut off, 0.95)
     }
 }

@@ -8,7 +8,7 @@ use crate::spectrum::{Kind, Outside, Sampled};
 use crate::study::{Progress, error::height};
 
 use super::lines::find_lines;
-use super::strips::over_strips;
+use super::strips::{joined, over_strips};
 use super::survey::Survey;
 use super::{Bands, InMemory, Operator, PictureError, Plan, Reference, ReferenceKind};
 
@@ -47,20 +47,20 @@ pub struct Fitted {
 
 /// The operator for spectra on common bands.
 fn operator_for(bands: &Bands, mean: &[f64], ask: FitAsk) -> Result<Operator, PictureError> {
-    let lines = if ask.lines {
-        find_lines(bands, mean)?
-    } else {
-        Vec::new()
+    let mut lines = match ask.lines {
+        true => find_lines(bands, mean)?,
+        false => Vec::new(),
     };
-    let count = lines.len().min(ask.numbers.saturating_sub(3));
+    lines.truncate(ask.numbers.saturating_sub(3));
     let reference = match ask.reference {
         ReferenceKind::Mean => Reference::of_mean(mean)?,
         ReferenceKind::One | ReferenceKind::Light => Reference::one(bands),
     };
+    let series = ask.numbers.saturating_sub(lines.len());
     let plan = Plan {
         reference,
-        lines: lines.into_iter().take(count).collect(),
-        ..Plan::new(bands, ask.numbers.saturating_sub(count))
+        lines,
+        ..Plan::new(bands, series)
     };
     Operator::steady(bands, &plan)
 }
@@ -98,20 +98,11 @@ pub fn fit_values(
         };
         Ok((numbers, (0..here).map(of).collect::<Vec<_>>()))
     })?;
-    let mut numbers = vec![0.0; operator.numbers() * count];
-    let mut relative_rms = Vec::with_capacity(count);
-    for (part, rms) in parts {
-        let (first, here) = (relative_rms.len(), rms.len());
-        for (n, plane) in part.chunks_exact(here).enumerate() {
-            numbers[n * count + first..][..here].copy_from_slice(plane);
-        }
-        relative_rms.extend(rms);
-    }
     Ok(Fitted {
         names,
+        numbers: joined(parts.iter().map(|(numbers, _)| numbers), operator.numbers()),
+        relative_rms: parts.into_iter().flat_map(|(_, rms)| rms).collect(),
         operator,
-        numbers,
-        relative_rms,
     })
 }
 
@@ -142,14 +133,13 @@ pub fn fit_spectra(
     let bands = Bands::new(first.nm().to_vec(), kind)?;
     let mut values = vec![0.0; bands.len() * spectra.len()];
     for (i, (name, table)) in spectra.iter().enumerate() {
-        if table.first_nm() > first.first_nm() || table.last_nm() < first.last_nm() {
-            let found = format!("{name} from {} to {} nm", table.first_nm(), table.last_nm());
-            let expected = format!(
-                "spectra that cover {} to {} nm",
-                first.first_nm(),
-                first.last_nm()
-            );
-            return Err(PictureError::broken(found, expected));
+        let [from, to] = [table.first_nm(), table.last_nm()];
+        let [first_nm, last_nm] = [first.first_nm(), first.last_nm()];
+        if from > first_nm || to < last_nm {
+            return Err(PictureError::broken(
+                format!("{name} from {from} to {to} nm"),
+                format!("spectra that cover {first_nm} to {last_nm} nm"),
+            ));
         }
         let on_bands = match table.nm() == bands.nm() {
             true => table.values().to_vec(),
@@ -264,14 +254,10 @@ pub fn fit_line(line: &str, ask: FitAsk) -> Result<String, PictureError> {
             .get(key)
             .and_then(Value::as_array)
             .ok_or_else(|| bad(format!("no list {key:?}")))?;
-        let numbers: Option<Vec<f64>> = list
-            .iter()
-            .take(MOST_POINTS + 1)
-            .map(Value::as_f64)
-            .collect();
-        numbers
-            .filter(|n| n.len() <= MOST_POINTS)
-            .ok_or_else(|| bad(format!("no numbers in {key:?}")))
+        let numbers = list.iter().take(MOST_POINTS + 1).map(Value::as_f64);
+        let numbers: Option<Vec<f64>> = numbers.collect();
+        let numbers = numbers.filter(|n| n.len() <= MOST_POINTS);
+        numbers.ok_or_else(|| bad(format!("no numbers in {key:?}")))
     };
     let (nm, values) = (list("nm")?, list("values")?);
     let kind = match value.get("kind").map(|kind| (kind, kind.as_str())) {
@@ -292,12 +278,10 @@ pub fn fit_line(line: &str, ask: FitAsk) -> Result<String, PictureError> {
             "some in nm (1 um is 1000 nm)",
         ));
     }
-    if nm.len() != values.len() {
-        return Err(bad(format!(
-            "{} wavelengths and {} values",
-            nm.len(),
-            values.len()
-        )));
+    let counts = [nm.len(), values.len()];
+    if counts[0] != counts[1] {
+        let [nm, values] = counts;
+        return Err(bad(format!("{nm} wavelengths and {values} values")));
     }
     let bands = Bands::new(nm, kind)?;
     let operator = operator_for(&bands, &values, ask)?;

@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use nalgebra::DMatrix;
 
-use super::light::emissive_weights;
-use super::plan::{LEAST_NOISE, LineFit, Plan, ReferenceKind};
+use super::light::{Rows, emissive_weights};
+use super::plan::{Plan, ReferenceKind, Weighting};
 use super::{Bands, PictureError};
 
 /// Ridge, as a share of the mean diagonal: it bounds the condition by about 1e9, which leaves seven
@@ -45,7 +45,7 @@ pub(super) fn columns(bands: &Bands, plan: &Plan, range_nm: [f64; 2]) -> DMatrix
     })
 }
 
-pub(super) fn own_weights(bands: &Bands, plan: &Plan) -> Result<[Vec<f64>; 3], PictureError> {
+pub(super) fn own_weights(bands: &Bands, plan: &Plan) -> Result<Rows, PictureError> {
     match &plan.own {
         Some(light) if bands.is_factor() => light.weights(bands, plan.observer),
         _ => {
@@ -59,106 +59,53 @@ pub(super) fn own_weights(bands: &Bands, plan: &Plan) -> Result<[Vec<f64>; 3], P
     }
 }
 
-/// A ridge that makes a normal matrix safe, and its inverse.
-fn inverse_of(mut normal: DMatrix<f64>) -> Result<DMatrix<f64>, PictureError> {
+/// The least squares of the bands, weighted with colours where there are any.
+pub(super) fn plain_fit(
+    bands: &Bands,
+    weighting: Option<&Weighting>,
+    columns: &DMatrix<f64>,
+) -> Result<Fit, PictureError> {
+    let length = bands.length_nm();
+    let mut right = columns.transpose();
+    for (mut row, weight) in right.column_iter_mut().zip(bands.weights_nm()) {
+        row *= weight / length;
+    }
+    // It takes no number for each pair of bands, of which tables have many.
+    if let Some(weighting) = weighting {
+        let colours = &weighting.rows * columns;
+        right += colours.transpose() * &weighting.rows * (COLOUR_NM / length);
+    }
+    let mut normal = &right * columns;
     let ridge = RIDGE * normal.trace() / normal.nrows() as f64;
     for i in 0..normal.nrows() {
         normal[(i, i)] += ridge;
     }
-    normal
-        .cholesky()
-        .map(|c| c.inverse())
-        .ok_or(PictureError::NotSolved)
+    solved(normal, right)
 }
 
-pub(super) fn plain_fit(
-    bands: &Bands,
-    plan: &Plan,
-    decode: &DMatrix<f64>,
-) -> Result<Fit, PictureError> {
-    if plan.line_fit == LineFit::Window && !plan.lines.is_empty() {
-        return window_fit(bands, plan, decode);
-    }
-    let right = weighed(bands, plan, decode);
-    let inverse = inverse_of(&right * decode)?;
-    Ok(Fit {
-        encode: &inverse * right,
-        inverse,
-    })
-}
-
-/// Columns as rows times the metric of the bands: their lengths, and what weighs colours. It takes no
-/// number for each pair of bands, of which tables have many.
-fn weighed(bands: &Bands, plan: &Plan, columns: &DMatrix<f64>) -> DMatrix<f64> {
-    let length = bands.length_nm();
-    let mut rows = columns.transpose();
-    for (mut row, weight) in rows.column_iter_mut().zip(bands.weights_nm()) {
-        row *= weight / length;
-    }
-    if let (Some(weighting), true) = (&plan.weighting, bands.is_factor()) {
-        let colours = &weighting.rows * columns;
-        rows += colours.transpose() * &weighting.rows * (COLOUR_NM / length);
-    }
-    rows
-}
-
-/// Lines from their windows, the series on what they leave.
-fn window_fit(bands: &Bands, plan: &Plan, decode: &DMatrix<f64>) -> Result<Fit, PictureError> {
-    let (count, series, lines) = (bands.len(), plan.series, plan.lines.len());
-    let (nm, weights) = (bands.nm(), bands.weights_nm());
-    let mut of_lines = DMatrix::zeros(lines, count);
-    for (row, line) in plan.lines.iter().enumerate() {
-        let [first, last] = line.window;
-        for j in first..=last {
-            let t = (nm[j] - nm[first]) / (nm[last] - nm[first]).max(f64::MIN_POSITIVE);
-            of_lines[(row, j)] += weights[j];
-            of_lines[(row, first)] -= weights[j] * (1.0 - t);
-            of_lines[(row, last)] -= weights[j] * t;
-        }
-    }
-    let smooth = decode.columns(0, series).into_owned();
-    let shapes = decode.columns(series, lines).into_owned();
-    let right = weighed(bands, plan, &smooth);
-    let inverse_smooth = inverse_of(&right * &smooth)?;
-    let of_all = &inverse_smooth * right;
-    let of_series = &of_all - (&of_all * shapes) * &of_lines;
-    let mut encode = DMatrix::zeros(series + lines, count);
-    encode.rows_mut(0, series).copy_from(&of_series);
-    encode.rows_mut(series, lines).copy_from(&of_lines);
-    // Only the series is moved to make own colour exact: the weights were read off.
-    let mut inverse = DMatrix::zeros(series + lines, series + lines);
-    inverse
-        .view_mut((0, 0), (series, series))
-        .copy_from(&inverse_smooth);
-    Ok(Fit { encode, inverse })
-}
-
-/// The regularised division by a known light (or two); `moments` say what reflectances usually do.
+/// The regularised division by what lit the bands: their noise, and `moments` that say what the
+/// first numbers usually are. The others are free: no reflectance says how strong a line is.
 pub(super) fn lit_fit(
     bands: &Bands,
-    plan: &Plan,
-    decode: &DMatrix<f64>,
+    columns: &DMatrix<f64>,
     moments: &[f64],
+    noise: f64,
 ) -> Result<Fit, PictureError> {
     let largest = bands.weights_nm().iter().copied().fold(0.0, f64::max);
-    let noise = if plan.noise.is_finite() {
-        plan.noise.max(1e-6)
-    } else {
-        LEAST_NOISE
-    };
     let per_noise = 1.0 / (largest * noise * noise);
-    let right = DMatrix::from_fn(plan.numbers(), bands.len(), |n, j| {
-        decode[(j, n)] * bands.weights_nm()[j] * per_noise
+    let right = DMatrix::from_fn(columns.ncols(), bands.len(), |n, j| {
+        columns[(j, n)] * bands.weights_nm()[j] * per_noise
     });
-    let mut normal = &right * decode;
-    // A line beside a known light is free: no reflectance says how strong it is.
+    let mut normal = &right * columns;
     for (i, moment) in moments.iter().enumerate() {
         normal[(i, i)] += 1.0 / moment;
     }
-    let inverse = normal
-        .cholesky()
-        .map(|c| c.inverse())
-        .ok_or(PictureError::NotSolved)?;
+    solved(normal, right)
+}
+
+fn solved(normal: DMatrix<f64>, right: DMatrix<f64>) -> Result<Fit, PictureError> {
+    let factors = normal.cholesky().ok_or(PictureError::NotSolved)?;
+    let inverse = factors.inverse();
     Ok(Fit {
         encode: &inverse * right,
         inverse,

@@ -8,7 +8,7 @@ use crate::color::xyz::{FIRST_NM, LAST_NM};
 use crate::spectrum::{Kind, Sampled};
 
 use super::measure::Errors;
-use super::plan::{LineFit, Reference};
+use super::plan::Reference;
 use super::{Bands, Light, Line, Operator, PictureError, Plan};
 
 /// The word that says what a header is.
@@ -225,8 +225,8 @@ impl Header {
     fn check(&self) -> Result<(), PictureError> {
         let broken = |found: String, expected: &str| Err(PictureError::broken(found, expected));
         let count = self.bands_nm.len();
-        if self.width == 0 || self.height == 0 || self.width > MOST_SIDE || self.height > MOST_SIDE
-        {
+        let mut sides = [self.width, self.height].into_iter();
+        if !sides.all(|side| (1..=MOST_SIDE).contains(&side)) {
             let found = format!("a picture of {} x {} pixels", self.width, self.height);
             return broken(found, "1 to 1048576 pixels on a side");
         }
@@ -238,17 +238,10 @@ impl Header {
             return broken(format!("the basis {:?}", self.basis), "\"cosine\"");
         }
         let numbers = self.series.checked_add(self.lines.len());
-        if numbers != Some(self.numbers)
-            || self.series == 0
-            || self.numbers < 3
-            || self.numbers >= count
-        {
-            let found = format!(
-                "{} numbers of {} and {} lines",
-                self.numbers,
-                self.series,
-                self.lines.len()
-            );
+        let fits = self.series > 0 && (3..count).contains(&self.numbers);
+        if numbers != Some(self.numbers) || !fits {
+            let (series, lines) = (self.series, self.lines.len());
+            let found = format!("{} numbers of {series} and {lines} lines", self.numbers);
             return broken(found, "3 or more, fewer than bands, that add up");
         }
         let [lo, hi] = self.range_nm;
@@ -281,21 +274,16 @@ impl Header {
 
     fn own_light(&self) -> Result<Light, PictureError> {
         let [first, last, step] = self.own.values_nm_first_last_step;
-        let bad = || {
-            PictureError::broken(
+        let rises = step > 0.0 && first > 0.0 && last > first && last < 1e6;
+        let steps = ((last - first) / step).round();
+        let fits = (steps + 1.0 - self.own.values.len() as f64).abs() < 0.5;
+        match Sampled::even(first, step, self.own.values.clone()) {
+            Ok(table) if rises && fits => Ok(Light::new(&self.own.light, &table)),
+            _ => Err(PictureError::broken(
                 "an own light that is no table",
                 "values from first to last nm",
-            )
-        };
-        let steps = (last - first) / step;
-        let fits = (steps.round() + 1.0 - self.own.values.len() as f64).abs() < 0.5;
-        if !(step > 0.0 && first > 0.0 && last > first && last < 1e6 && fits)
-            || self.own.values.len() < 2
-        {
-            return Err(bad());
+            )),
         }
-        let table = Sampled::even(first, step, self.own.values.clone()).map_err(|_| bad())?;
-        Ok(Light::new(&self.own.light, &table))
     }
 
     /// The bands.
@@ -316,12 +304,8 @@ impl Header {
         let observer = self.own.observer;
         let lines = self.lines.iter().map(|line| {
             let touched = |s: &f64| *s != 0.0;
-            let first = line
-                .shape
-                .iter()
-                .position(touched)
-                .unwrap_or(0)
-                .saturating_sub(1);
+            let first = line.shape.iter().position(touched).unwrap_or(0);
+            let first = first.saturating_sub(1);
             let last = line.shape.iter().rposition(touched).unwrap_or(0) + 1;
             Line {
                 at_nm: line.at_nm,
@@ -330,26 +314,18 @@ impl Header {
                 window: [first, last.min(self.bands_nm.len() - 1)],
             }
         });
-        let weighting: Vec<Light> = match bands.is_factor() {
-            true => self
-                .weighting
-                .iter()
-                .take(100)
-                .filter_map(|name| Light::named(name))
-                .collect(),
-            false => Vec::new(),
-        };
+        let names = self.weighting.iter().take(100);
+        let names = names.filter(|_| bands.is_factor());
+        let weighting: Vec<Light> = names.filter_map(|name| Light::named(name)).collect();
         let plan = Plan {
             series: self.series,
             margin: (self.bands_nm[0] - self.range_nm[0]) / bands.length_nm(),
             reference: self.reference.clone(),
             second: self.second_reference.clone(),
             lines: lines.collect(),
-            line_fit: LineFit::Joint,
-            own: if self.own.values.is_empty() {
-                None
-            } else {
-                Some(self.own_light()?)
+            own: match self.own.values.is_empty() {
+                true => None,
+                false => Some(self.own_light()?),
             },
             observer,
             weighting: (!weighting.is_empty())

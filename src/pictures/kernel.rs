@@ -194,38 +194,3 @@ fn block<const ROWS: usize, const LANES: usize, const FUSED: bool>(
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use proptest::prelude::*;
-
-    proptest! {
-        #[test]
-        fn it_is_the_plain_sum_for_any_shape(rows in 1_usize..40, columns in 1_usize..90, count in 1_usize..200) {
-            let entry = |r: usize, c: usize| ((r * 7 + c * 13) % 11) as f64 - 5.0;
-            let kernel = Kernel::new(rows, columns, entry);
-            let input: Vec<f32> = (0..columns * count).map(|i| ((i * 31) % 17) as f32 - 8.0).collect();
-            let mut out = vec![0.0; rows * count];
-            kernel.apply(&input, count, &mut out);
-            for r in 0..rows {
-                for i in 0..count {
-                    let sum: f64 = (0..columns).map(|c| entry(r, c) * f64::from(input[c * count + i])).sum();
-                    // Whole numbers below 2^24: no rounding at all.
-                    prop_assert_eq!(f64::from(out[r * count + i]), sum);
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn a_missing_number_takes_its_own_pixel_only() {
-        let kernel = Kernel::new(3, 4, |r, c| (r + c) as f64);
-        let mut input = vec![1.0; 4 * 70];
-        input[2 * 70 + 69] = f32::NAN;
-        let mut out = vec![0.0; 3 * 70];
-        kernel.apply(&input, 70, &mut out);
-        let missing: Vec<usize> = (0..210).filter(|i| out[*i].is_nan()).collect();
-        assert_eq!(missing, [69, 139, 209]);
-    }
-}

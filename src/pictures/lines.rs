@@ -76,14 +76,7 @@ pub(crate) fn lines_at(
     spectrum: &[f64],
     at_nm: &[f64],
 ) -> Result<HandLines, PictureError> {
-    let (first_nm, last_nm) = (bands.nm()[0], bands.nm()[bands.len() - 1]);
-    if let Some(at_nm) = at_nm.iter().find(|nm| !(first_nm..=last_nm).contains(*nm)) {
-        return Err(PictureError::LineOutside {
-            at_nm: *at_nm,
-            first_nm,
-            last_nm,
-        });
-    }
+    at_nm.iter().try_for_each(|at_nm| inside(bands, *at_nm))?;
     let mut places = at_nm.to_vec();
     places.sort_by(f64::total_cmp);
     let near = 0.5 * bands.median_spacing_nm();
@@ -152,6 +145,19 @@ pub fn line_in(
         shape,
         window,
     })
+}
+
+/// Refuses a line beyond the bands.
+fn inside(bands: &Bands, at_nm: f64) -> Result<(), PictureError> {
+    let (first_nm, last_nm) = (bands.nm()[0], bands.nm()[bands.len() - 1]);
+    match (first_nm..=last_nm).contains(&at_nm) {
+        true => Ok(()),
+        false => Err(PictureError::LineOutside {
+            at_nm,
+            first_nm,
+            last_nm,
+        }),
+    }
 }
 
 /// A spectrum on whole nm of its bands; `None` where these are too few, or too many, for lines.

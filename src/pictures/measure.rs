@@ -5,10 +5,11 @@ use std::collections::BTreeMap;
 use std::sync::Mutex;
 
 use crate::color::{Xyz, delta_e_2000, lab_from_xyz};
-use crate::spectrum::rank;
+use crate::spectrum::{dot, rank};
 use crate::study::Progress;
 
 use super::kernel::Kernel;
+use super::light::{Rows, times};
 use super::relight::Between;
 use super::strips::{Strip, over_strips};
 use super::survey::percentile;
@@ -92,13 +93,15 @@ impl Tally {
 
     /// Those of another tally too.
     pub(crate) fn merge(&mut self, other: &Self) {
-        self.bins
-            .iter_mut()
-            .zip(&other.bins)
-            .for_each(|(a, b)| *a += b);
+        self.add_bins(&other.bins);
         self.count += other.count;
         self.sum += other.sum;
         self.max = self.max.max(other.max);
+    }
+
+    fn add_bins(&mut self, bins: &[u32]) {
+        let pairs = self.bins.iter_mut().zip(bins);
+        pairs.for_each(|(all, part)| *all += part);
     }
 
     /// What was counted.
@@ -141,20 +144,16 @@ const FINEST: usize = 40;
 pub struct Judge {
     /// Its name.
     pub name: String,
-    exact: [Vec<f64>; 3],
-    numbers: [Vec<f64>; 3],
+    exact: Rows,
+    numbers: Rows,
     white: Xyz,
 }
 
 impl Judge {
     /// Weights of the bands for the exact colour and for that of the decoded numbers, and white.
-    pub(super) fn ends(&self, operator: &Operator) -> (&[Vec<f64>; 3], [Vec<f64>; 3], Xyz) {
-        let relit = Relit {
-            light: String::new(),
-            rows: self.numbers.clone(),
-            white: self.white,
-        };
-        (&self.exact, operator.of_bands(&relit), self.white)
+    pub(super) fn ends(&self, operator: &Operator) -> (&Rows, Rows, Xyz) {
+        let found = times(&self.numbers, &operator.encode);
+        (&self.exact, found, self.white)
     }
 
     /// The own colour first, then the six lights where the picture can be relit. `white_y` is the
@@ -169,15 +168,10 @@ impl Judge {
     ) -> Result<Vec<Self>, PictureError> {
         let own = operator.own_colour();
         let plan = operator.plan();
-        let (factor, lit) = (
-            operator.bands().is_factor(),
-            plan.reference.kind == ReferenceKind::Light,
-        );
-        let scale = if factor || lit || white_y <= 0.0 || white_y.is_nan() {
-            1.0
-        } else {
-            white_y
-        };
+        let factor = operator.bands().is_factor();
+        let lit = plan.reference.kind == ReferenceKind::Light;
+        let is_unknown = !factor && !lit && white_y > 0.0;
+        let scale = if is_unknown { white_y } else { 1.0 };
         let mut judges = vec![Self {
             name: own.light.clone(),
             exact: operator.own_weights().clone(),
@@ -224,7 +218,6 @@ fn finest(operator: &Operator) -> Result<Operator, PictureError> {
     let plan = Plan {
         series: (operator.bands().len() - 1).min(FINEST) - plan.lines.len().min(2),
         lines: Vec::new(),
-        second: plan.second.clone(),
         ..plan.clone()
     };
     Operator::new(operator.bands(), &plan)
@@ -232,13 +225,8 @@ fn finest(operator: &Operator) -> Result<Operator, PictureError> {
 
 impl Operator {
     /// Weights of the bands for something that is a weighted sum of the numbers.
-    pub(crate) fn of_bands(&self, relit: &Relit) -> [Vec<f64>; 3] {
-        relit.rows.each_ref().map(|row| {
-            let columns = self.encode.column_iter();
-            columns
-                .map(|c| c.iter().zip(row).map(|(e, w)| e * w).sum())
-                .collect()
-        })
+    pub(crate) fn of_bands(&self, relit: &Relit) -> Rows {
+        times(&relit.rows, &self.encode)
     }
 }
 
@@ -262,20 +250,35 @@ pub struct Counted {
     no_data: u64,
 }
 
+impl Counted {
+    /// Nothing yet, for so many judges.
+    fn none(judges: usize) -> Self {
+        Self {
+            tallies: vec![Tally::default(); judges],
+            ..Self::default()
+        }
+    }
+
+    fn merge(&mut self, other: &Self) {
+        let tallies = self.tallies.iter_mut().zip(&other.tallies);
+        tallies.for_each(|(all, part)| all.merge(part));
+        self.off += other.off;
+        self.all += other.all;
+        self.negative += other.negative;
+        self.no_data += other.no_data;
+    }
+}
+
 impl Meter {
     /// A meter for an operator.
     pub fn new(operator: &Operator, judges: Vec<Judge>) -> Self {
-        let exact: Vec<&[f64]> = judges
-            .iter()
-            .flat_map(|j| j.exact.iter().map(Vec::as_slice))
-            .collect();
-        let numbers: Vec<&[f64]> = judges
-            .iter()
-            .flat_map(|j| j.numbers.iter().map(Vec::as_slice))
-            .collect();
+        let kernel = |rows: fn(&Judge) -> &Rows| {
+            let rows = judges.iter().flat_map(|judge| rows(judge).iter());
+            Kernel::of_rows(&rows.map(Vec::as_slice).collect::<Vec<_>>())
+        };
         Self {
-            exact: Kernel::of_rows(&exact),
-            numbers: Kernel::of_rows(&numbers),
+            exact: kernel(|judge| &judge.exact),
+            numbers: kernel(|judge| &judge.numbers),
             decode: operator.decoder(),
             encode: operator.encoder(),
             weights_nm: operator.bands().weights_nm().to_vec(),
@@ -295,13 +298,10 @@ impl Meter {
     /// What numbers of some pixels are off by.
     pub fn compare(&self, values: &[f32], numbers: &[f32], pixels: usize) -> Counted {
         let rows = 3 * self.judges.len();
-        let (mut exact, mut found) = (vec![0.0; rows * pixels], vec![0.0; rows * pixels]);
+        let [mut exact, mut found] = [0; 2].map(|_| vec![0.0; rows * pixels]);
         self.exact.apply(values, pixels, &mut exact);
         self.numbers.apply(numbers, pixels, &mut found);
-        let mut counted = Counted {
-            tallies: vec![Tally::default(); self.judges.len()],
-            ..Counted::default()
-        };
+        let mut counted = Counted::none(self.judges.len());
         let good: Vec<bool> = (0..pixels)
             .map(|i| numbers[i].is_finite() && exact[i].is_finite())
             .collect();
@@ -344,27 +344,18 @@ impl Meter {
 
     /// The errors of all that was counted.
     pub fn errors(&self, parts: &[Counted]) -> Errors {
-        let mut tallies = vec![Tally::default(); self.judges.len()];
-        let (mut off, mut all, mut negative, mut no_data) = (0.0, 0.0, 0, 0);
-        for part in parts {
-            tallies
-                .iter_mut()
-                .zip(&part.tallies)
-                .for_each(|(a, b)| a.merge(b));
-            off += part.off;
-            all += part.all;
-            negative += part.negative;
-            no_data += part.no_data;
-        }
-        let mut spreads = tallies.iter().map(Tally::spread);
+        let mut all = Counted::none(self.judges.len());
+        parts.iter().for_each(|part| all.merge(part));
+        let share = all.off / all.all;
+        let mut spreads = all.tallies.iter().map(Tally::spread);
         let own = spreads.next().unwrap_or_default();
         let names = self.judges.iter().skip(1).map(|judge| judge.name.clone());
         Errors {
             own,
             lights: names.zip(spreads).collect(),
-            relative_rms: if all > 0.0 { (off / all).sqrt() } else { 0.0 },
-            negative,
-            no_data,
+            relative_rms: if all.all > 0.0 { share.sqrt() } else { 0.0 },
+            negative: all.negative,
+            no_data: all.no_data,
         }
     }
 }
@@ -385,25 +376,19 @@ pub fn measure(
     progress.expect(pixels.size().1.div_ceil(rows));
     // Bins are whole numbers and may be summed in any order as they come, so that a large picture
     // keeps one set of them; sums of floating point wait for the order of the strips.
-    let bins = Mutex::new(vec![Tally::default(); meter.judges.len()]);
+    let bins = Mutex::new(Counted::none(meter.judges.len()));
     let mut parts = over_strips(pixels, rows, progress, |strip| {
         let mut counted = meter.count(strip, storage);
         let mut all = bins.lock().unwrap_or_else(|broken| broken.into_inner());
-        for (all, part) in all.iter_mut().zip(&mut counted.tallies) {
-            all.bins
-                .iter_mut()
-                .zip(&part.bins)
-                .for_each(|(a, b)| *a += b);
-            part.bins = Vec::new();
+        for (all, part) in all.tallies.iter_mut().zip(&mut counted.tallies) {
+            all.add_bins(&std::mem::take(&mut part.bins));
         }
         Ok(counted)
     })?;
-    parts.push(Counted {
-        tallies: bins
-            .into_inner()
+    parts.push(
+        bins.into_inner()
             .unwrap_or_else(|broken| broken.into_inner()),
-        ..Counted::default()
-    });
+    );
     Ok(meter.errors(&parts))
 }
 
@@ -414,14 +399,8 @@ pub(crate) fn white_y_of(operator: &Operator, sample: &[Vec<f64>]) -> f64 {
         return 1.0;
     }
     let row = &operator.own_weights()[1];
-    let mut y: Vec<f64> = sample
-        .iter()
-        .map(|p| p.iter().zip(row).map(|(v, w)| v * w).sum())
-        .filter(|y: &f64| y.is_finite())
-        .collect();
-    if y.is_empty() {
-        return 1.0;
-    }
+    let y = sample.iter().map(|pixel| dot(pixel, row));
+    let mut y: Vec<f64> = y.filter(|y| y.is_finite()).collect();
     let white = percentile(&mut y, 0.99);
     if white > 0.0 { white } else { 1.0 }
 }
@@ -448,15 +427,11 @@ mod tests {
 
     #[test]
     fn tallies_of_parts_are_the_tally_of_the_whole() {
-        let (mut one, mut two, mut all) = (Tally::default(), Tally::default(), Tally::default());
+        let [mut one, mut two, mut all] = [0; 3].map(|_| Tally::default());
         for i in 0..100 {
-            let value = f64::from(i) * 0.01;
-            if i % 3 == 0 {
-                one.add(value)
-            } else {
-                two.add(value)
-            }
-            all.add(value);
+            let part = if i % 3 == 0 { &mut one } else { &mut two };
+            part.add(f64::from(i) * 0.01);
+            all.add(f64::from(i) * 0.01);
         }
         one.merge(&two);
         assert_eq!((one.bins, one.max), (all.bins, all.max));

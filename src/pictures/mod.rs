@@ -64,7 +64,7 @@ pub use operator::Operator;
 pub use peers::{Peer, exact_bytes, peers};
 pub use picture::{Picture, relit_into};
 pub use pixels::{InMemory, OfImage, Pixels, STRIP_ROWS};
-pub use plan::{LineFit, Plan, Reference, ReferenceKind, Weighting};
+pub use plan::{Plan, Reference, ReferenceKind, Weighting};
 pub use preview::Preview;
 pub use relight::{Between, Relit};
 pub use report::{Bytes, peers_json, picture_json};

@@ -8,7 +8,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::fitting::{columns, lit_fit, own_weights, plain_fit};
-use super::plan::{Plan, ReferenceKind};
+use super::light::{Rows, times};
+use super::plan::{LEAST_NOISE, Plan, ReferenceKind};
 use super::prior::prior;
 use super::{Bands, Kernel, PictureError};
 use crate::spectrum::ThreeSums;
@@ -23,7 +24,7 @@ pub struct Operator {
     pub(super) plan: Plan,
     pub(super) decode: DMatrix<f64>,
     pub(super) encode: DMatrix<f64>,
-    pub(super) own: [Vec<f64>; 3],
+    pub(super) own: Rows,
     range_nm: [f64; 2],
     prior: Option<Vec<f64>>,
     is_exact: bool,
@@ -69,9 +70,15 @@ impl Operator {
         let lit = plan.reference.kind == ReferenceKind::Light;
         let (fit, prior) = if lit {
             let moments = moments(bands, plan, range_nm)?;
-            (lit_fit(bands, plan, &decode, &moments)?, Some(moments))
+            let noise = match plan.noise.is_finite() {
+                true => plan.noise.max(1e-6),
+                false => LEAST_NOISE,
+            };
+            let fit = lit_fit(bands, &decode, &moments, noise)?;
+            (fit, Some(moments))
         } else {
-            (plain_fit(bands, plan, &decode)?, None)
+            let weighting = plan.weighting.as_deref().filter(|_| bands.is_factor());
+            (plain_fit(bands, weighting, &decode)?, None)
         };
         let mut operator = Self {
             bands: bands.clone(),
@@ -223,12 +230,7 @@ impl Operator {
     }
 
     /// Weights of the numbers for something that is a weighted sum of the bands.
-    pub(crate) fn of_numbers(&self, weights: &[Vec<f64>; 3]) -> [Vec<f64>; 3] {
-        weights.each_ref().map(|row| {
-            let columns = self.decode.column_iter();
-            columns
-                .map(|c| c.iter().zip(row).map(|(d, w)| d * w).sum())
-                .collect()
-        })
+    pub(super) fn of_numbers(&self, weights: &Rows) -> Rows {
+        times(weights, &self.decode)
     }
 }

@@ -135,8 +135,9 @@ fn components(operator: &Operator, plan: &Plan, survey: &Survey) -> Option<Opera
     if eigen.eigenvalues.iter().any(|v| !v.is_finite()) {
         return None;
     }
+    let values = &eigen.eigenvalues;
     let mut order: Vec<usize> = (0..count).collect();
-    order.sort_by(|a, b| eigen.eigenvalues[*b].total_cmp(&eigen.eigenvalues[*a]));
+    order.sort_by(|a, b| values[*b].total_cmp(&values[*a]));
     let decode = DMatrix::from_fn(count, operator.numbers(), |j, n| {
         eigen.eigenvectors[(j, order[n])]
     });
@@ -223,17 +224,9 @@ pub fn exact_bytes(
         Precision::Single => SampleType::F32,
     };
     let prefix = if bands.is_factor() { "T." } else { "S0." };
-    let mut names: Vec<(String, usize)> = (0..bands.len())
-        .map(|j| {
-            (
-                format!("{prefix}{:.6}nm", bands.nm()[j])
-                    .replacen('.', "#", 1)
-                    .replace('.', ",")
-                    .replace('#', "."),
-                j,
-            )
-        })
-        .collect();
+    let name = |nm: &f64| format!("{prefix}{}nm", format!("{nm:.6}").replace('.', ","));
+    let names = bands.nm().iter().map(name);
+    let mut names: Vec<(String, usize)> = names.zip(0..).collect();
     names.sort();
     let channels = names
         .iter()

@@ -1,10 +1,10 @@
 //! A picture as its numbers, in memory.
 
-use crate::study::Progress;
+use crate::study::{Progress, processors};
 
 use super::header::{About, Header};
 use super::measure::{Errors, Storage};
-use super::strips::over_strips;
+use super::strips::{joined, over_strips};
 use super::{Operator, PictureError, Pixels, Relit};
 
 /// Rows that one thread encodes at a time.
@@ -49,7 +49,7 @@ impl Picture {
         progress: &Progress,
     ) -> Result<Self, PictureError> {
         let (width, height) = pixels.size();
-        let (kernel, all) = (operator.encoder(), width * height);
+        let kernel = operator.encoder();
         progress.expect(height.div_ceil(ROWS));
         let parts = over_strips(pixels, ROWS, progress, |strip| {
             let mut numbers = vec![0.0; operator.numbers() * strip.pixels];
@@ -57,13 +57,7 @@ impl Picture {
             storage.kept(&mut numbers, strip.pixels);
             Ok(numbers)
         })?;
-        let mut planes = vec![0.0; all * operator.numbers()];
-        for (part, numbers) in parts.iter().enumerate() {
-            let pixels = numbers.len() / operator.numbers();
-            for (n, plane) in numbers.chunks_exact(pixels).enumerate() {
-                planes[n * all + part * ROWS * width..][..pixels].copy_from_slice(plane);
-            }
-        }
+        let planes = joined(parts.iter(), operator.numbers());
         let header = Header::of(operator, (width, height), about, error);
         Self::new(header, planes)
     }
@@ -71,21 +65,6 @@ impl Picture {
     /// Pixels.
     pub fn pixels(&self) -> usize {
         self.header.width * self.header.height
-    }
-
-    /// The numbers of one pixel; NaN outside the picture.
-    pub fn numbers_at(&self, x: usize, y: usize) -> Vec<f64> {
-        let (all, at) = (self.pixels(), y * self.header.width + x);
-        let inside = x < self.header.width && y < self.header.height;
-        (0..self.header.numbers)
-            .map(|n| {
-                if inside {
-                    f64::from(self.planes[n * all + at])
-                } else {
-                    f64::NAN
-                }
-            })
-            .collect()
     }
 }
 
@@ -98,9 +77,7 @@ pub fn relit_into(planes: &[f32], pixels: usize, relit: &Relit, out: &mut [f32])
         .rows
         .each_ref()
         .map(|row| row.iter().map(|w| *w as f32).collect());
-    let threads = std::thread::available_parallelism()
-        .map_or(1, |n| n.get())
-        .min(8);
+    let threads = processors().min(8);
     let share = pixels.div_ceil(threads).next_multiple_of(1024).max(1);
     let (x, rest) = out.split_at_mut(pixels);
     let (y, z) = rest.split_at_mut(pixels);

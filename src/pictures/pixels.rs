@@ -99,11 +99,8 @@ impl Pixels for InMemory {
     }
 
     fn rows(&self, first: usize, count: usize, into: &mut [f32]) -> Result<(), PictureError> {
-        let (from, pixels, all) = (
-            first * self.width,
-            count * self.width,
-            self.width * self.height,
-        );
+        let (from, pixels) = (first * self.width, count * self.width);
+        let all = self.width * self.height;
         for (j, band) in into.chunks_mut(pixels).enumerate().take(self.bands.len()) {
             band.copy_from_slice(&self.values[j * all + from..][..pixels]);
         }
@@ -132,18 +129,15 @@ impl<'a> OfImage<'a> {
         let pixels = cube.width() * cube.height();
         let step = pixels.div_ceil(LOOKED_AT).max(1);
         let looked_at = pixels.div_ceil(step);
-        let missing: Vec<f64> = (0..cube.nm().len())
-            .map(|band| {
-                let places = (0..pixels).step_by(step);
-                let gone = places
-                    .filter(|i| {
-                        cube.value(i % cube.width(), i / cube.width(), band)
-                            .is_nan()
-                    })
-                    .count();
-                gone as f64 / looked_at as f64
-            })
-            .collect();
+        let is_gone = |i: usize, band| {
+            let value = cube.value(i % cube.width(), i / cube.width(), band);
+            value.is_nan()
+        };
+        let missing = |band: usize| {
+            let places = (0..pixels).step_by(step);
+            places.filter(|i| is_gone(*i, band)).count() as f64 / looked_at as f64
+        };
+        let missing: Vec<f64> = (0..cube.nm().len()).map(missing).collect();
         let kept = KeptBands::of_file(cube.nm(), &missing, all);
         let bands = kept.bands(image.kind)?;
         let bands = bands.with_bandwidth(image.bandwidth_nm);

@@ -94,16 +94,6 @@ impl Reference {
     }
 }
 
-/// How weights of lines are found.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum LineFit {
-    /// Together with the series.
-    #[default]
-    Joint,
-    /// From each line's own window, the series on what is left.
-    Window,
-}
-
 /// Colours that a fit is weighted with: the mean of `K^T K` over lights.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Weighting {
@@ -155,8 +145,6 @@ pub struct Plan {
     pub second: Option<Reference>,
     /// Lines, one number each.
     pub lines: Vec<Line>,
-    /// How the lines' weights are found.
-    pub line_fit: LineFit,
     /// The own light of a reflectance.
     pub own: Option<Light>,
     /// The observer.
@@ -179,7 +167,6 @@ impl Plan {
             reference: Reference::one(bands),
             second: None,
             lines: Vec::new(),
-            line_fit: LineFit::Joint,
             own: match bands.is_factor() {
                 true => Light::named("D65"),
                 false => None,
@@ -203,11 +190,7 @@ impl Plan {
     ) -> Result<Self, PictureError> {
         Ok(Self {
             reference: Reference::of_light(bands, light)?,
-            noise: if noise.is_finite() {
-                noise.max(LEAST_NOISE)
-            } else {
-                LEAST_NOISE
-            },
+            noise: if noise.is_finite() { noise } else { 0.0 }.max(LEAST_NOISE),
             ..Self::new(bands, series)
         })
     }

@@ -31,11 +31,8 @@ pub struct Preview {
 pub(super) fn to_linear(relit: &Relit) -> impl Fn(Xyz) -> [f64; 3] + '_ {
     let white = relit.white;
     move |xyz| {
-        let relative = if white.y > 0.0 {
-            xyz * (1.0 / white.y)
-        } else {
-            xyz
-        };
+        let scale = if white.y > 0.0 { 1.0 / white.y } else { 1.0 };
+        let relative = xyz * scale;
         linear_from_xyz(adapted(relative, white, WHITE).unwrap_or(relative))
     }
 }
@@ -72,38 +69,22 @@ impl Preview {
             Ok(blocks)
         })?;
         let linear = to_linear(&own);
-        let pixels: Vec<Option<[f64; 3]>> = drawn
-            .into_iter()
-            .flatten()
-            .map(|(sum, count)| {
-                (count > 0.0).then(|| linear(Xyz::from_array(sum.map(|s| s / count))))
-            })
-            .collect();
-        let mut strongest: Vec<f64> = pixels
-            .iter()
-            .flatten()
-            .map(|rgb| rgb.iter().copied().fold(0.0, f64::max))
-            .collect();
-        let full = if strongest.is_empty() {
-            1.0
-        } else {
-            percentile(&mut strongest, FULL)
+        let mean = |(sum, count): ([f64; 3], f64)| {
+            (count > 0.0).then(|| linear(Xyz::from_array(sum.map(|s| s / count))))
         };
+        let pixels: Vec<_> = drawn.into_iter().flatten().map(mean).collect();
+        let strongest = |rgb: &[f64; 3]| rgb.iter().copied().fold(0.0, f64::max);
+        let mut strongest: Vec<f64> = pixels.iter().flatten().map(strongest).collect();
+        let full = percentile(&mut strongest, FULL);
         let full = if full > 0.0 { full } else { 1.0 };
-        let rgb = pixels
-            .iter()
-            .enumerate()
-            .flat_map(|(i, pixel)| match pixel {
+        let rgb = pixels.iter().enumerate().flat_map(|(i, pixel)| {
+            let is_dark = (i % across / 4 + i / across / 4) % 2 == 0;
+            match pixel {
                 Some(linear) => Srgb::from_linear(linear.map(|v| (v / full).clamp(0.0, 1.0))).0,
                 // Not measured: chequered.
-                None => {
-                    [if (i % across / 4 + i / across / 4) % 2 == 0 {
-                        96
-                    } else {
-                        160
-                    }; 3]
-                }
-            });
+                None => [if is_dark { 96 } else { 160 }; 3],
+            }
+        });
         Ok(Self {
             width: across,
             height: height.div_ceil(step),

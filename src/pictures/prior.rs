@@ -8,8 +8,7 @@ use nalgebra::DMatrix;
 use crate::preset;
 use crate::spectrum::{Outside, Sampled};
 
-use super::fitting::{columns, plain_fit};
-use super::plan::{LineFit, Plan, Reference};
+use super::fitting::{cosines, plain_fit};
 use super::{Bands, PictureError};
 
 /// Added to every moment, as a share of their mean, so that none is zero.
@@ -35,26 +34,12 @@ pub(super) fn prior(
     range_nm: [f64; 2],
     count: usize,
 ) -> Result<Vec<f64>, PictureError> {
-    let count_asked = count.max(3);
-    let plan = Plan {
-        series: count_asked,
-        margin: 0.0,
-        reference: Reference::one(bands),
-        second: None,
-        lines: Vec::new(),
-        line_fit: LineFit::Joint,
-        own: None,
-        observer: crate::color::Observer::CIE_1931,
-        weighting: None,
-        exact: false,
-        noise: 0.0,
-    };
+    let asked = count.max(3);
     let most = bands.len() - 1;
-    if count_asked > most {
-        let found = count_asked;
-        return Err(PictureError::Numbers { found, most });
+    if asked > most {
+        return Err(PictureError::Numbers { found: asked, most });
     }
-    let plain = plain_fit(bands, &plan, &columns(bands, &plan, range_nm))?;
+    let plain = plain_fit(bands, None, &cosines(bands.nm(), range_nm, asked))?;
     if plain.encode.iter().any(|v| !v.is_finite()) {
         return Err(PictureError::NotSolved);
     }
@@ -69,7 +54,7 @@ pub(super) fn prior(
         let squares = numbers.row(row).iter().map(|v| v * v).sum::<f64>();
         squares / samples.len().max(1) as f64
     };
-    let mut moments: Vec<f64> = (0..count_asked).map(of_row).collect();
+    let mut moments: Vec<f64> = (0..asked).map(of_row).collect();
     let mean = moments.iter().sum::<f64>() / moments.len() as f64;
     moments.iter_mut().for_each(|v| *v += LEAST * mean);
     moments.truncate(count);

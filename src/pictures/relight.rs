@@ -1,14 +1,14 @@
 //! Other lights in coefficients: XYZ of a pixel is three weighted sums of its numbers, and a new
 //! light is new weights.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
-use crate::color::xyz::{FIRST_NM, LAST_NM};
 use crate::color::{Observer, Xyz};
-use crate::spectrum::Kind;
+use crate::spectrum::{Kind, Outside, Sampled};
 
-use super::fitting::cosines;
-use super::light::seen_on_nm;
+use super::fitting::{cosines, lit_fit};
+use super::light::{Rows, sums, times};
+use super::plan::LEAST_NOISE;
 use super::prior::prior;
 use super::{Bands, Light, Operator, PictureError, ReferenceKind};
 
@@ -28,7 +28,7 @@ pub struct Relit {
     /// Name of the light.
     pub light: String,
     /// X, Y and Z: a weight a number.
-    pub rows: [Vec<f64>; 3],
+    pub rows: Rows,
     /// Colour of the light itself, Y = 1.
     pub white: Xyz,
 }
@@ -36,8 +36,7 @@ pub struct Relit {
 impl Relit {
     /// XYZ of one pixel, Y = 1 for the light.
     pub fn xyz(&self, numbers: &[f64]) -> Xyz {
-        let sum = |row: &Vec<f64>| row.iter().zip(numbers).map(|(w, z)| w * z).sum();
-        Xyz::from_array(self.rows.each_ref().map(sum))
+        sums(&self.rows, numbers)
     }
 }
 
@@ -46,10 +45,7 @@ impl Operator {
     /// the own light's, a known light's as it fell on the bands, or what is equal everywhere.
     pub fn own_colour(&self) -> Relit {
         let plan = self.plan();
-        let of_bands = |values: &[f64]| {
-            let sum = |row: &Vec<f64>| row.iter().zip(values).map(|(w, v)| w * v).sum();
-            Xyz::from_array(self.own_weights().each_ref().map(sum))
-        };
+        let of_bands = |values: &[f64]| sums(self.own_weights(), values);
         let white = match (&plan.own, plan.reference.kind) {
             (Some(light), _) if self.bands().is_factor() => light.white(plan.observer),
             (_, ReferenceKind::Light) => Some(of_bands(&plan.reference.values)),
@@ -109,24 +105,13 @@ impl Operator {
     }
 
     /// Of a picture with its known light (or two) as reference: the series without it.
-    fn divided_rows(
-        &self,
-        light: &Light,
-        weights: &[Vec<f64>; 3],
-        between: Between,
-    ) -> [Vec<f64>; 3] {
+    fn divided_rows(&self, light: &Light, weights: &Rows, between: Between) -> Rows {
         let plan = self.plan();
         let (one, two) = plan.shares();
         let of_series = if between == Between::Series {
             self.series_rows(light, plan.observer, false)
         } else {
-            let waves = cosines(self.bands().nm(), self.range_nm(), one);
-            weights.each_ref().map(|row| {
-                let columns = waves.column_iter();
-                columns
-                    .map(|c| c.iter().zip(row).map(|(d, w)| d * w).sum())
-                    .collect()
-            })
+            times(weights, &cosines(self.bands().nm(), self.range_nm(), one))
         };
         // Both halves are parts of one reflectance; lines beside a known light are light.
         of_series.map(|mut row: Vec<f64>| {
@@ -138,40 +123,23 @@ impl Operator {
     }
 
     /// The series at every whole nm rather than at the bands, times its reference where asked.
-    fn series_rows(
-        &self,
-        light: &Light,
-        observer: Observer,
-        with_reference: bool,
-    ) -> [Vec<f64>; 3] {
+    fn series_rows(&self, light: &Light, observer: Observer, with_reference: bool) -> Rows {
         let (plan, bands) = (self.plan(), self.bands());
         let count = plan.shares().0;
         let nm = bands.nm();
         let (first, last) = (nm[0], nm[nm.len() - 1]);
         let y = light.xyz(observer).y;
-        let mut places: Vec<(f64, [f64; 3])> = Vec::new();
-        let seen: [Vec<f64>; 3] = std::array::from_fn(|k| seen_on_nm(observer, k));
-        for (i, whole) in (FIRST_NM..=LAST_NM).enumerate() {
-            let weight = light.on_nm()[i] / y;
-            places.push((
-                f64::from(whole),
-                std::array::from_fn(|k| seen[k][i] * weight),
-            ));
-        }
-        for spike in light.spikes() {
-            let seen = observer.table().at(spike.at_nm);
-            places.push((spike.at_nm, seen.map(|s| s * spike.weight / y)));
-        }
+        let places = light.seen(observer);
         let held: Vec<f64> = places.iter().map(|(at, _)| at.clamp(first, last)).collect();
         let waves = cosines(&held, self.range_nm(), count);
-        let reference = crate::spectrum::Sampled::new(nm.to_vec(), plan.reference.values.clone());
+        let reference = Sampled::new(nm.to_vec(), plan.reference.values.clone());
         let factor = |at: f64| match &reference {
-            Ok(reference) if with_reference => reference.at(at, crate::spectrum::Outside::Hold),
+            Ok(reference) if with_reference => reference.at(at, Outside::Hold),
             _ => 1.0,
         };
-        let mut rows: [Vec<f64>; 3] = std::array::from_fn(|_| vec![0.0; count]);
+        let mut rows = [0; 3].map(|_| vec![0.0; count]);
         for (m, (_, weights)) in places.iter().enumerate() {
-            let factor = factor(held[m]);
+            let factor = factor(held[m]) / y;
             for (row, weight) in rows.iter_mut().zip(weights) {
                 for (n, value) in row.iter_mut().enumerate() {
                     *value += weight * factor * waves[(m, n)];
@@ -182,35 +150,15 @@ impl Operator {
     }
 
     /// Of a picture stored without its light: the regularised division, folded into the weights.
-    fn divided_later(
-        &self,
-        known: &Light,
-        weights: &[Vec<f64>; 3],
-    ) -> Result<[Vec<f64>; 3], PictureError> {
-        let (plan, bands) = (self.plan(), self.bands());
+    fn divided_later(&self, known: &Light, weights: &Rows) -> Result<Rows, PictureError> {
+        let bands = self.bands();
         let light = known.on_bands(bands)?;
-        let count = self.numbers();
-        let range = self.range_nm();
+        let (count, range) = (self.numbers(), self.range_nm());
         let waves = cosines(bands.nm(), range, count);
-        let moments = prior(bands, range, count)?;
-        let largest = bands.weights_nm().iter().copied().fold(0.0, f64::max);
-        let noise = plan.noise.max(super::plan::LEAST_NOISE);
-        let per_noise = 1.0 / (largest * noise * noise);
-        let right = DMatrix::from_fn(count, bands.len(), |n, j| {
-            waves[(j, n)] * light[j] * bands.weights_nm()[j] * per_noise
-        });
         let lit = DMatrix::from_fn(bands.len(), count, |j, n| waves[(j, n)] * light[j]);
-        let mut normal = &right * lit;
-        for (i, moment) in moments.iter().enumerate() {
-            normal[(i, i)] += 1.0 / moment;
-        }
-        let solved = normal
-            .cholesky()
-            .ok_or(PictureError::NotSolved)?
-            .solve(&(right * &self.decode));
-        Ok(weights.each_ref().map(|row| {
-            let seen = waves.transpose() * DVector::from_column_slice(row);
-            (solved.transpose() * seen).as_slice().to_vec()
-        }))
+        let moments = prior(bands, range, count)?;
+        let noise = self.plan().noise.max(LEAST_NOISE);
+        let divided = lit_fit(bands, &lit, &moments, noise)?.encode * &self.decode;
+        Ok(times(&times(weights, &waves), &divided))
     }
 }

@@ -72,13 +72,7 @@ impl Scene {
     /// [`PictureError`] when there is no pixel, or the wavelengths (nm) are no bands.
     pub fn reflectance(width: usize, height: usize, nm: Vec<f64>) -> Result<Self, PictureError> {
         let bands = Bands::new(nm, Kind::Reflectance)?;
-        Self::new(
-            width,
-            height,
-            bands,
-            Vec::new(),
-            "a wall of paints".to_owned(),
-        )
+        Self::new(width, height, bands, Vec::new(), "a wall of paints")
     }
 
     /// The wall under one light, or under two that share it out across the wall.
@@ -92,11 +86,11 @@ impl Scene {
         lights: &[Light],
     ) -> Result<Self, PictureError> {
         let bands = Bands::new(nm, Kind::Light)?;
-        let on_bands: Result<Vec<_>, _> =
-            lights.iter().take(2).map(|l| l.on_bands(&bands)).collect();
-        let names: Vec<&str> = lights.iter().take(2).map(Light::name).collect();
+        let lights = lights.iter().take(2);
+        let names: Vec<&str> = lights.clone().map(Light::name).collect();
         let name = format!("a wall of paints under {}", names.join(" and "));
-        Self::new(width, height, bands, on_bands?, name)
+        let on_bands: Result<Vec<_>, _> = lights.map(|light| light.on_bands(&bands)).collect();
+        Self::new(width, height, bands, on_bands?, &name)
     }
 
     fn new(
@@ -104,7 +98,7 @@ impl Scene {
         height: usize,
         bands: Bands,
         lights: Vec<Vec<f64>>,
-        name: String,
+        name: &str,
     ) -> Result<Self, PictureError> {
         if width == 0 || height == 0 {
             return Err(PictureError::NothingMeasured);
@@ -126,7 +120,7 @@ impl Scene {
             bands,
             lights,
             has_noise: true,
-            name,
+            name: name.to_owned(),
         })
     }
 
@@ -165,7 +159,8 @@ impl Scene {
         let shade = (0.12 + 0.88 * (0.5 + 0.5 * (2.0 * PI * (1.5 * u + v)).cos()))
             * (1.0 + 0.08 * (2.0 * uniform(place) - 1.0));
         let far = (fx - 0.5).powi(2) + (fy - 0.5).powi(2);
-        let gloss = if tile.is_multiple_of(2) {
+        let has_gloss = tile.is_multiple_of(2);
+        let gloss = if has_gloss {
             0.15 * (-far / 0.01).exp()
         } else {
             0.0

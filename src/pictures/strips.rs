@@ -1,9 +1,8 @@
 //! A picture some rows at a time, on as many threads as there are.
 
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::study::Progress;
+use crate::study::{Progress, in_parallel, processors};
 
 use super::{PictureError, Pixels};
 
@@ -65,49 +64,35 @@ pub(crate) fn over_parts<T: Send>(
     progress: &Progress,
     work: impl Fn(usize) -> Result<T, PictureError> + Sync,
 ) -> Result<Vec<T>, PictureError> {
-    let next = AtomicUsize::new(0);
-    let found: Mutex<Vec<Option<Result<T, PictureError>>>> = Mutex::new(Vec::new());
     let at_once = (MOST_VALUES / values.max(1)).clamp(1, MOST_THREADS);
-    let threads = std::thread::available_parallelism()
-        .map_or(1, |n| n.get())
-        .min(at_once)
-        .min(count);
-    let worker = || {
-        loop {
-            let index = next.fetch_add(1, Ordering::Relaxed);
-            if index >= count || progress.is_cancelled() {
-                return;
-            }
-            let answer = work(index);
-            let failed = answer.is_err();
-            let mut found = found.lock().unwrap_or_else(|broken| broken.into_inner());
-            if found.len() <= index {
-                found.resize_with(index + 1, || None);
-            }
-            found[index] = Some(answer);
-            progress.step();
-            if failed {
-                next.store(count, Ordering::Relaxed);
-            }
+    let first_failed = AtomicUsize::new(usize::MAX);
+    let parts: Vec<usize> = (0..count).collect();
+    let made = in_parallel(&parts, processors().min(at_once), progress, |index| {
+        if *index > first_failed.load(Ordering::Relaxed) {
+            return None;
         }
-    };
-    if threads <= 1 {
-        worker();
-    } else {
-        std::thread::scope(|scope| (0..threads).for_each(|_| drop(scope.spawn(worker))));
+        let answer = work(*index);
+        if answer.is_err() {
+            first_failed.fetch_min(*index, Ordering::Relaxed);
+        }
+        Some(answer)
+    });
+    let made = made.filter(|_| !progress.is_cancelled());
+    let made = made.ok_or(PictureError::Cancelled)?;
+    made.into_iter().flatten().collect()
+}
+
+/// Planes of a whole picture from those of its strips, `[plane * pixels + i]` each.
+pub(super) fn joined<'a>(
+    parts: impl Iterator<Item = &'a Vec<f32>> + Clone,
+    planes: usize,
+) -> Vec<f32> {
+    let mut all = Vec::with_capacity(parts.clone().map(Vec::len).sum());
+    for plane in 0..planes {
+        for part in parts.clone() {
+            let pixels = part.len() / planes;
+            all.extend_from_slice(&part[plane * pixels..][..pixels]);
+        }
     }
-    if progress.is_cancelled() {
-        return Err(PictureError::Cancelled);
-    }
-    let found = found
-        .into_inner()
-        .unwrap_or_else(|broken| broken.into_inner());
-    let failed = found
-        .iter()
-        .flatten()
-        .find_map(|answer| answer.as_ref().err());
-    if let Some(error) = failed {
-        return Err(error.clone());
-    }
-    found.into_iter().flatten().collect()
+    all
 }

@@ -51,8 +51,7 @@ impl Survey {
         };
         progress.expect(height.div_ceil(STRIP_ROWS));
         let parts = over_strips(pixels, STRIP_ROWS, progress, |strip| {
-            let (mut sums, mut measured) = (vec![0.0; bands], 0);
-            let mut sample = Vec::new();
+            let mut sums = vec![0.0; bands];
             let mut good = vec![true; strip.pixels];
             for band in strip.values.chunks_exact(strip.pixels) {
                 good.iter_mut()
@@ -63,21 +62,17 @@ impl Survey {
                 let values = band.iter().zip(&good).filter(|(_, good)| **good);
                 *sum = values.map(|(v, _)| f64::from(*v)).sum::<f64>();
             }
-            for (i, _) in good.iter().enumerate().filter(|(_, good)| **good) {
-                measured += 1;
-                if is_sampled(i % width, strip.first + i / width) {
-                    let pixel = (0..bands).map(|j| f64::from(strip.values[j * strip.pixels + i]));
-                    sample.push(pixel.collect::<Vec<f64>>());
-                }
+            let all_good: Vec<usize> = (0..strip.pixels).filter(|i| good[*i]).collect();
+            let on_grid = |i: &&usize| is_sampled(**i % width, strip.first + **i / width);
+            let mut sampled: Vec<usize> = all_good.iter().filter(on_grid).copied().collect();
+            if sampled.is_empty() {
+                // A few measured pixels may all lie beside the grid.
+                sampled.extend(all_good.first());
             }
-            // A few measured pixels may all lie beside the grid.
-            if sample.is_empty()
-                && let Some(i) = good.iter().position(|good| *good)
-            {
-                let pixel = (0..bands).map(|j| f64::from(strip.values[j * strip.pixels + i]));
-                sample.push(pixel.collect());
-            }
-            Ok((sums, measured, sample))
+            let value = |j: usize, i: usize| f64::from(strip.values[j * strip.pixels + i]);
+            let pixel = |i: &usize| (0..bands).map(|j| value(j, *i)).collect();
+            let sample: Vec<Vec<f64>> = sampled.iter().map(pixel).collect();
+            Ok((sums, all_good.len(), sample))
         })?;
         let mut mean = vec![0.0; bands];
         let (mut measured, mut sample) = (0, Vec::new());
@@ -100,7 +95,7 @@ impl Survey {
         };
         Ok(Self {
             high: (0..bands).map(high).collect(),
-            noise: noise_of(&sample, bands),
+            noise: noise_of(&sample, bands, &[]),
             mean,
             measured,
             no_data: width * height - measured,
@@ -116,19 +111,7 @@ impl Survey {
     /// Noise of each band of a picture that a known light lit: neighbours are compared after the
     /// light is divided out, so that its lines are not taken for noise.
     pub fn noise_under(&self, light: &[f64]) -> Vec<f64> {
-        let bands = self.mean.len();
-        let g = |j: usize| light.get(j).copied().unwrap_or(1.0).max(LEAST_LIGHT);
-        let mut noise = vec![0.0; bands];
-        for j in 1..bands - 1 {
-            let (left, right) = (0.5 * g(j) / g(j - 1), 0.5 * g(j) / g(j + 1));
-            let spread = (1.0 + left * left + right * right).sqrt();
-            let off = |p: &Vec<f64>| (p[j] - left * p[j - 1] - right * p[j + 1]).abs();
-            let mut values: Vec<f64> = self.sample.iter().map(off).collect();
-            noise[j] = NORMAL_OVER_MEDIAN * median(&mut values) / spread;
-        }
-        noise[0] = noise[1];
-        noise[bands - 1] = noise[bands - 2];
-        noise
+        noise_of(&self.sample, self.mean.len(), light)
     }
 
     /// That of a band in the middle of all.
@@ -161,14 +144,17 @@ fn median(values: &mut [f64]) -> f64 {
     percentile(values, 0.5)
 }
 
-/// `1.4826 median |p_j - (p_(j-1) + p_(j+1))/2| / sqrt 1.5`; the ends are as noisy as their
-/// neighbours.
-fn noise_of(sample: &[Vec<f64>], bands: usize) -> Vec<f64> {
+/// `1.4826 median |p_j - (p_(j-1) + p_(j+1))/2| / sqrt 1.5` under an even light, of which there is
+/// no value; the ends are as noisy as their neighbours.
+fn noise_of(sample: &[Vec<f64>], bands: usize, light: &[f64]) -> Vec<f64> {
+    let g = |j: usize| light.get(j).copied().unwrap_or(1.0).max(LEAST_LIGHT);
     let mut noise = vec![0.0; bands];
     for j in 1..bands - 1 {
-        let off = |p: &Vec<f64>| (p[j] - 0.5 * (p[j - 1] + p[j + 1])).abs();
+        let (left, right) = (0.5 * g(j) / g(j - 1), 0.5 * g(j) / g(j + 1));
+        let spread = (1.0 + left * left + right * right).sqrt();
+        let off = |p: &Vec<f64>| (p[j] - left * p[j - 1] - right * p[j + 1]).abs();
         let mut values: Vec<f64> = sample.iter().map(off).collect();
-        noise[j] = NORMAL_OVER_MEDIAN * median(&mut values) / 1.5_f64.sqrt();
+        noise[j] = NORMAL_OVER_MEDIAN * median(&mut values) / spread;
     }
     noise[0] = noise[1];
     noise[bands - 1] = noise[bands - 2];

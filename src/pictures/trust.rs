@@ -3,11 +3,12 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::color::xyz::{FIRST_NM, LAST_NM};
 use crate::color::{Observer, Xyz};
 use crate::spectrum::{Outside, Sampled};
 
-use super::light::seen_on_nm;
+use super::fitting::lit_fit;
+use super::light::{Rows, sums};
+use super::plan::LEAST_NOISE;
 use super::{Bands, Light, Operator, Relit};
 
 /// Below this share of its mean the old light shows nothing of a surface.
@@ -121,26 +122,15 @@ pub fn blind_share(bands: &Bands, old: &[f64], new: &Light, observer: Observer) 
             .map_or(0.0, |table| table.at(nm, Outside::Hold))
     };
     let is_dark = |nm: f64| value(nm) < DARK * mean;
-    std::array::from_fn(|k| {
-        let seen = seen_on_nm(observer, k);
-        let (mut dark, mut all) = (0.0, 0.0);
-        let mut count = |nm: f64, weight: f64| {
-            all += weight;
-            if is_dark(nm) {
-                dark += weight;
-            }
-        };
-        for (i, nm) in (FIRST_NM..=LAST_NM).enumerate() {
-            count(f64::from(nm), seen[i] * new.on_nm()[i]);
+    let (mut dark, mut all) = ([0.0; 3], [0.0; 3]);
+    for (nm, xyz) in new.seen(observer) {
+        let missing = if is_dark(nm) { 1.0 } else { 0.0 };
+        for (k, value) in xyz.into_iter().enumerate() {
+            all[k] += value;
+            dark[k] += missing * value;
         }
-        for spike in new.spikes() {
-            count(
-                spike.at_nm,
-                observer.table().at(spike.at_nm)[k] * spike.weight,
-            );
-        }
-        if all > 0.0 { dark / all } else { 0.0 }
-    })
+    }
+    std::array::from_fn(|k| if all[k] > 0.0 { dark[k] / all[k] } else { 0.0 })
 }
 
 /// Lab by XYZ at a grey of some Y of a white.
@@ -158,7 +148,7 @@ pub(super) fn lab_by_xyz(white: Xyz, grey_y: f64) -> DMatrix<f64> {
     turn * DMatrix::from_diagonal(&DVector::from_row_slice(&per_white))
 }
 
-pub(super) fn matrix_of(rows: &[Vec<f64>; 3]) -> DMatrix<f64> {
+pub(super) fn matrix_of(rows: &Rows) -> DMatrix<f64> {
     DMatrix::from_fn(3, rows[0].len(), |k, n| rows[k][n])
 }
 
@@ -195,32 +185,15 @@ impl Operator {
     pub fn parts_rank(&self) -> Option<([f64; 2], Verdict)> {
         let plan = self.plan();
         let (one, two) = plan.shares();
-        let prior = self.prior()?;
-        let largest = self
-            .bands()
-            .weights_nm()
-            .iter()
-            .copied()
-            .fold(0.0, f64::max);
-        let noise = plan.noise.max(super::plan::LEAST_NOISE);
-        let scaled = DMatrix::from_fn(self.numbers(), self.bands().len(), |n, j| {
-            self.decode(j, n) * self.bands().weights_nm()[j] / (largest * noise * noise)
-        });
-        let mut normal = scaled * &self.decode;
-        for (i, moment) in prior.iter().enumerate() {
-            normal[(i, i)] += 1.0 / moment;
-        }
-        let spread = normal.cholesky()?.inverse();
+        let noise = plan.noise.max(LEAST_NOISE);
+        let fit = lit_fit(self.bands(), &self.decode, self.prior()?, noise).ok()?;
+        let spread = fit.inverse;
         let rank = |from: usize, count: usize, light: &[f64]| {
             let mut rows = self.own_colour().rows;
-            let of_light = |row: &Vec<f64>| row.iter().zip(light).map(|(w, v)| w * v).sum();
-            let white = Xyz::from_array(self.own_weights().each_ref().map(of_light));
+            let white = sums(self.own_weights(), light);
             for row in &mut rows {
-                for (n, value) in row.iter_mut().enumerate() {
-                    if n < from || n >= from + count {
-                        *value = 0.0;
-                    }
-                }
+                row[..from].fill(0.0);
+                row[from + count..].fill(0.0);
             }
             let to_lab = lab_by_xyz(white, GREY_OF_PARTS) * matrix_of(&rows);
             (&to_lab * &spread * to_lab.transpose())

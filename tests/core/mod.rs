@@ -27,6 +27,7 @@ mod model;
 mod optics_any_settings;
 mod optics_dispersion;
 mod optics_gem;
+mod optics_laws;
 mod pictures_files;
 mod pictures_golden;
 mod pictures_ways;

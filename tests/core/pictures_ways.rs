@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
+use proptest::prelude::*;
 use spectral_explorer::color::Observer;
 use spectral_explorer::io::read_path;
 use spectral_explorer::pictures::*;
-use spectral_explorer::spectrum::{Kind, Sampled};
+use spectral_explorer::spectrum::{self, Kind, Sampled};
 use spectral_explorer::study::Progress;
 
 fn nm(first: f64, last: f64, count: usize) -> Vec<f64> {
@@ -542,4 +543,76 @@ fn a_value_beyond_single_precision_is_refused_by_its_wavelength() {
         fit(1e39).unwrap_err().to_string(),
         "expected values up to 3.4e38, found lamp with 1e39 at 550 nm"
     );
+}
+
+#[test]
+fn every_judge_and_thirty_six_weighting_lights_are_in_the_library() {
+    assert_eq!(Light::judges().len(), 6);
+    assert_eq!(Light::weighting().len(), 36);
+    assert!(Light::named("H38HT-100 (Mercury)").is_some());
+    assert!(Light::named("no such lamp").is_none());
+}
+
+#[test]
+fn a_perfect_reflector_has_the_colour_of_the_light() {
+    let bands = Bands::new(vec![400.0, 500.0, 620.0, 700.0], Kind::Reflectance).unwrap();
+    for light in Light::judges() {
+        let rows = light.weights(&bands, Observer::CIE_1931).unwrap();
+        let white = light.white(Observer::CIE_1931).unwrap().to_array();
+        for (row, white) in rows.iter().zip(white) {
+            // The same 471 products, shared out over the bands and summed again.
+            assert!((row.iter().sum::<f64>() - white).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn a_line_acts_at_its_own_wavelength() {
+    let dark = Sampled::new(vec![300.0, 900.0], vec![0.0; 2]).unwrap();
+    let line = Light::with_spikes("line", &dark, vec![spectrum::Line::ideal(546.1, 2.0)]);
+    let bands = Bands::new(vec![400.0, 540.0, 550.0, 700.0], Kind::Reflectance).unwrap();
+    let [x, y, _] = line.weights(&bands, Observer::CIE_1931).unwrap();
+    let seen = Observer::CIE_1931.table().at(546.1);
+    assert!((y[2] - 0.61).abs() < 1e-12 && (y[1] - 0.39).abs() < 1e-12);
+    assert!((x[2] - 0.61 * seen[0] / seen[1]).abs() < 1e-12);
+}
+
+#[test]
+fn a_light_beyond_the_bands_is_refused_in_words() {
+    let far = Sampled::new(vec![1000.0, 1100.0], vec![1.0; 2]).unwrap();
+    let bands = Bands::new(vec![400.0, 500.0, 600.0], Kind::Light).unwrap();
+    let said = Light::new("heater", &far).on_bands(&bands).unwrap_err();
+    assert!(
+        said.to_string()
+            .contains("overlaps the bands, found heater")
+    );
+}
+
+proptest! {
+    #[test]
+    fn it_is_the_plain_sum_for_any_shape(rows in 1_usize..40, columns in 1_usize..90, count in 1_usize..200) {
+        let entry = |r: usize, c: usize| ((r * 7 + c * 13) % 11) as f64 - 5.0;
+        let kernel = Kernel::new(rows, columns, entry);
+        let input: Vec<f32> = (0..columns * count).map(|i| ((i * 31) % 17) as f32 - 8.0).collect();
+        let mut out = vec![0.0; rows * count];
+        kernel.apply(&input, count, &mut out);
+        for r in 0..rows {
+            for i in 0..count {
+                let sum: f64 = (0..columns).map(|c| entry(r, c) * f64::from(input[c * count + i])).sum();
+                // Whole numbers below 2^24: no rounding at all.
+                prop_assert_eq!(f64::from(out[r * count + i]), sum);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_missing_number_takes_its_own_pixel_only() {
+    let kernel = Kernel::new(3, 4, |r, c| (r + c) as f64);
+    let mut input = vec![1.0; 4 * 70];
+    input[2 * 70 + 69] = f32::NAN;
+    let mut out = vec![0.0; 3 * 70];
+    kernel.apply(&input, 70, &mut out);
+    let missing: Vec<usize> = (0..210).filter(|i| out[*i].is_nan()).collect();
+    assert_eq!(missing, [69, 139, 209]);
 }
