@@ -14,7 +14,6 @@ mod projected_spectrum;
 pub mod quality;
 pub mod race;
 mod race_cells;
-pub mod race_reference;
 mod race_result;
 mod reference;
 mod sweep;
