@@ -34,5 +34,5 @@ pub use race::Race;
 pub use reference::{Measures, Reference};
 pub(crate) use reference::{bandpass, filter_centres, scaled_to_one};
 pub use sweep::{Examined, Subject, Sweep, SweepPoint, unseen};
-pub use training::{Training, TrainingSpectrum};
+pub use training::Training;
 pub use way::FitVariant;

@@ -16,7 +16,7 @@ use spectral_explorer::{
     rivals::{Family, PrincipalBasis},
     spectrum::{Band, SpikeSettings},
     study::{
-        Measure, Progress, Race, Training, TrainingSpectrum,
+        Measure, Progress, Race, Training,
         race::{self, Judged, Lamp, RaceConfig, Racer},
     },
 };
@@ -47,20 +47,6 @@ fn place(race: &Race, racer: Racer) -> usize {
 fn budget(race: &Race, numbers: usize) -> usize {
     let found = race.budgets.iter().position(|n| *n == numbers);
     found.expect("it is one of the counts")
-}
-
-fn median(race: &Race, class: &str, numbers: usize, racer: Racer) -> f64 {
-    let row = race.row(Some(class), budget(race, numbers), place(race, racer));
-    row.spreads[Measure::Patches].expect("visible light").median
-}
-
-fn teachers(lamps: &[Lamp]) -> Vec<TrainingSpectrum> {
-    let teacher = |lamp: &Lamp| TrainingSpectrum {
-        name: lamp.name.clone(),
-        class: lamp.class.clone(),
-        values: lamp.values.clone(),
-    };
-    lamps.iter().map(teacher).collect()
 }
 
 #[test]
@@ -170,7 +156,7 @@ fn every_light_runs_as_it_would_alone_so_the_time_is_linear_in_lights() {
 #[test]
 fn principal_components_never_saw_the_light_they_are_fitted_to() {
     let lamps = ask(Field::Shipped, &[20]).lamps();
-    let training = Training::new(BAND, &teachers(&lamps), 20);
+    let training = Training::new(BAND, &lamps, 20);
     let caught = |basis: &PrincipalBasis, values: &[f64]| -> f64 {
         let whole = BAND.inner(values, values);
         let rows = basis.rows().iter().take(20);
