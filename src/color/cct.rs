@@ -9,7 +9,7 @@
 //! the step: at the 0.1 % used here it would be 0.999999, far below what a lamp's CCT means, and
 //! is left out.
 
-use std::{fmt, sync::LazyLock};
+use std::sync::LazyLock;
 
 use super::{
     blackbody,
@@ -55,37 +55,27 @@ pub struct Cct {
 }
 
 /// Why a light has no correlated colour temperature.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum NoCct {
     /// There is no chromaticity to begin with.
+    #[error("no CCT: there is no visible light")]
     NoLight,
     /// Farther than `FARTHEST_DUV` from the blackbodies of every temperature.
+    #[error(
+        "no CCT: the colour is {:.3} from the blackbody locus, more than {FARTHEST_DUV}",
+        duv.abs()
+    )]
     TooFar {
         /// The distance from the nearest of them, with its sign.
         duv: f64,
     },
     /// Redder than a blackbody at `COLDEST_K`.
+    #[error("no CCT: redder than a blackbody at {COLDEST_K} K")]
     TooCold,
     /// Bluer than a blackbody at `HOTTEST_K`.
+    #[error("no CCT: bluer than a blackbody at {HOTTEST_K} K")]
     TooHot,
 }
-
-impl fmt::Display for NoCct {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoLight => f.write_str("no CCT: there is no visible light"),
-            Self::TooFar { duv } => write!(
-                f,
-                "no CCT: the colour is {:.3} from the blackbody locus, more than {FARTHEST_DUV}",
-                duv.abs()
-            ),
-            Self::TooCold => write!(f, "no CCT: redder than a blackbody at {COLDEST_K} K"),
-            Self::TooHot => write!(f, "no CCT: bluer than a blackbody at {HOTTEST_K} K"),
-        }
-    }
-}
-
-impl std::error::Error for NoCct {}
 
 /// CCT and Duv of a light from its CIE 1931 XYZ in any scale.
 ///

@@ -8,7 +8,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 
 use super::weights::Weights;
 use crate::{
-    preset::{Body, Group, OBSERVERS},
+    preset,
     spectrum::{Band, Outside, Sampled},
 };
 
@@ -36,44 +36,13 @@ const MOST_OWN: usize = 1000;
 /// Most whole nm of one table.
 const MOST_NM: usize = 5000;
 
-/// Words, titles and tables of the shipped observers.
-const SHIPPED: [(&str, &str, [&str; 3]); 4] = [
-    (
-        "1931",
-        "CIE 1931, 2°",
-        [
-            "CIE 1931 2deg xbar",
-            "CIE 1931 2deg ybar",
-            "CIE 1931 2deg zbar",
-        ],
-    ),
-    (
-        "1964",
-        "CIE 1964, 10°",
-        [
-            "CIE 1964 10deg xbar",
-            "CIE 1964 10deg ybar",
-            "CIE 1964 10deg zbar",
-        ],
-    ),
-    (
-        "2015-2",
-        "CIE 2015, 2°",
-        [
-            "CIE 2015 2deg xbar_F",
-            "CIE 2015 2deg ybar_F",
-            "CIE 2015 2deg zbar_F",
-        ],
-    ),
-    (
-        "2015-10",
-        "CIE 2015, 10°",
-        [
-            "CIE 2015 10deg xbar_F,10",
-            "CIE 2015 10deg ybar_F,10",
-            "CIE 2015 10deg zbar_F,10",
-        ],
-    ),
+/// Words and titles of the shipped observers, and what stands before and behind `xbar`, `ybar` and
+/// `zbar` in the names of their tables.
+const SHIPPED: [[&str; 4]; 4] = [
+    ["1931", "CIE 1931, 2°", "CIE 1931 2deg", ""],
+    ["1964", "CIE 1964, 10°", "CIE 1964 10deg", ""],
+    ["2015-2", "CIE 2015, 2°", "CIE 2015 2deg", "_F"],
+    ["2015-10", "CIE 2015, 10°", "CIE 2015 10deg", "_F,10"],
 ];
 
 /// Why three columns are no observer.
@@ -149,11 +118,11 @@ impl Observer {
 
     fn known(self) -> &'static Known {
         static TABLES: LazyLock<[Known; 4]> = LazyLock::new(|| {
-            SHIPPED.map(|(word, title, names)| Known {
+            SHIPPED.map(|[word, title, before, behind]| Known {
                 word: word.to_owned(),
                 title: title.to_owned(),
                 source: "presets/observers.json".to_owned(),
-                table: ColourMatching::from_weightings(names),
+                table: ColourMatching::from_weightings(before, behind),
             })
         });
         let index = usize::from(self.0);
@@ -310,8 +279,9 @@ impl ColourMatching {
         }
     }
 
-    fn from_weightings(names: [&str; 3]) -> Self {
-        let tables = names.map(bundled);
+    fn from_weightings(before: &str, behind: &str) -> Self {
+        let table = |axis| bundled(&format!("{before} {axis}bar{behind}"));
+        let tables = ["x", "y", "z"].map(table);
         let (first_nm, last_nm) = (tables[0].first_nm() as u32, tables[0].last_nm() as u32);
         Self {
             first_nm,
@@ -370,23 +340,11 @@ impl ColourMatching {
 /// A weighting table by its name in `presets/observers.json`, such as `"V(lambda) photopic"`,
 /// `"V'(lambda) scotopic"` or `"S026 s_mel (melanopic)"`; zero outside its wavelengths.
 pub fn weighting(name: &str) -> Option<&'static Sampled> {
-    WEIGHTINGS
-        .iter()
-        .find(|(known, _)| known == name)
-        .map(|(_, table)| table)
+    preset::table("observers", name)
 }
 
-static WEIGHTINGS: LazyLock<Vec<(String, Sampled)>> = LazyLock::new(|| {
-    let group = Group::from_json(OBSERVERS).expect("a shipped file, read in a test of the presets");
-    let weightings = group.items.into_iter().filter_map(|item| match item.body {
-        Body::Spectrum(table) => Some((item.name, table.samples)),
-        Body::Composite(_) | Body::Lines(_) => None,
-    });
-    weightings.collect()
-});
-
 /// A table that ships with the program; its absence is a broken build, which a test would show.
-fn bundled(name: &str) -> &'static Sampled {
+pub(super) fn bundled(name: &str) -> &'static Sampled {
     weighting(name).unwrap_or_else(|| panic!("the observer file has no table named {name:?}"))
 }
 

@@ -14,10 +14,10 @@ use super::{
 };
 
 /// Chromaticities of the primaries (IEC 61966-2-1, the same as Rec. ITU-R BT.709).
-const PRIMARIES_XY: [[f64; 2]; 3] = [[0.64, 0.33], [0.30, 0.60], [0.15, 0.06]];
+pub(crate) const PRIMARIES_XY: [[f64; 2]; 3] = [[0.64, 0.33], [0.30, 0.60], [0.15, 0.06]];
 
 /// Chromaticity of the white, D65 as the standard rounds it.
-const WHITE_XY: [f64; 2] = [0.3127, 0.3290];
+pub(crate) const WHITE_XY: [f64; 2] = [0.3127, 0.3290];
 
 /// The screen's white, Y = 1.
 pub(crate) const WHITE: Xyz = Xyz::from_array(unit_luminance(WHITE_XY));
@@ -130,23 +130,12 @@ impl fmt::Display for Srgb {
 }
 
 /// A text that is not `#rrggbb`.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("colour: expected #rrggbb with six hexadecimal digits, found {found:?}")]
 pub struct NotHex {
     /// The text.
     pub found: String,
 }
-
-impl fmt::Display for NotHex {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "colour: expected #rrggbb with six hexadecimal digits, found {:?}",
-            self.found
-        )
-    }
-}
-
-impl std::error::Error for NotHex {}
 
 impl FromStr for Srgb {
     type Err = NotHex;

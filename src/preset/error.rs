@@ -3,7 +3,8 @@
 use std::fmt;
 
 /// Why a text is not a preset file.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("preset file{}: expected {expected}, found {found}", at(*line))]
 pub struct PresetError {
     /// Line in the file, counted from 1, where it is known.
     pub line: Option<usize>,
@@ -13,17 +14,9 @@ pub struct PresetError {
     pub expected: String,
 }
 
-impl fmt::Display for PresetError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("preset file")?;
-        if let Some(line) = self.line {
-            write!(f, ", line {line}")?;
-        }
-        write!(f, ": expected {}, found {}", self.expected, self.found)
-    }
+fn at(line: Option<usize>) -> String {
+    line.map_or_else(String::new, |line| format!(", line {line}"))
 }
-
-impl std::error::Error for PresetError {}
 
 impl PresetError {
     pub(super) fn of_item(

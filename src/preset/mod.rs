@@ -17,5 +17,5 @@ pub use group::{
     AtomicLine, Body, Composite, Group, LineList, OpticalConstants, Preset, PrintedSpike, Terms,
 };
 pub use shelf::Shelf;
-pub(crate) use shipped::{EVERYDAY, FAMILIES, OBSERVERS};
+pub(crate) use shipped::{EVERYDAY, FAMILIES};
 pub use shipped::{group, groups, table, unlisted};

@@ -168,33 +168,19 @@ impl Group {
         if let Some(error) = header_error(&file.format, file.version) {
             return Err(error);
         }
-        let File {
-            format: _,
-            version: _,
-            group: id,
-            title,
-            kind,
-            shelf,
-            source,
-            licence,
-            attribution,
-            changes,
-            note,
-            items,
-        } = file;
         let mut group = Self {
-            id,
-            title,
-            shelf,
-            kind,
-            source,
-            licence,
-            attribution,
-            changes,
-            note,
-            items: Vec::with_capacity(items.len()),
+            id: file.group,
+            title: file.title,
+            shelf: file.shelf,
+            kind: file.kind,
+            source: file.source,
+            licence: file.licence,
+            attribution: file.attribution,
+            changes: file.changes,
+            note: file.note,
+            items: Vec::with_capacity(file.items.len()),
         };
-        for item in items {
+        for item in file.items {
             if group.items.iter().any(|other| other.name == item.name) {
                 return Err(PresetError::of_item(
                     &item.name,
@@ -360,13 +346,7 @@ impl Item {
 
 impl CompositeText {
     fn checked(self, item: &str) -> Result<Composite, PresetError> {
-        let Self {
-            range_nm: [min_nm, max_nm],
-            _basis: Basis::Fourier,
-            coefficients: Coefficients { a, b },
-            spikes,
-            weight_factor,
-        } = self;
+        let ([min_nm, max_nm], Coefficients { a, b }) = (self.range_nm, self.coefficients);
         if a.len() != b.len() + 1 {
             let found = format!("{} and {}", a.len(), b.len());
             return Err(PresetError::of_item(item, "one more a than b", found));
@@ -376,11 +356,11 @@ impl CompositeText {
             return Err(PresetError::of_item(item, "a rising range", found));
         }
         Ok(Composite {
-            range_nm: [min_nm, max_nm],
+            range_nm: self.range_nm,
             a,
             b,
-            spikes,
-            weight_factor,
+            spikes: self.spikes,
+            weight_factor: self.weight_factor,
         })
     }
 }

@@ -30,17 +30,15 @@ pub(super) const SHIPPED: [&str; 24] = [
     include_str!("../../presets/metals_refractiveindex.json"),
     include_str!("../../presets/usgs_splib07.json"),
     include_str!("../../presets/filters_glass_cc0.json"),
-    OBSERVERS,
+    include_str!("../../presets/observers.json"),
 ];
-
-/// Colour-matching functions and the other weighting tables of the CIE.
-pub(crate) const OBSERVERS: &str = include_str!("../../presets/observers.json");
 
 /// What each shipped spectrum is, in words.
 pub(crate) const FAMILIES: &str = include_str!("../../presets/families.json");
 
 /// Which shipped surfaces make a set by everyday names.
 pub(crate) const EVERYDAY: &str = include_str!("../../presets/everyday_surfaces.json");
+
 /// Tables that figures are computed from and that no library lists: it has their items already, in
 /// a coarser step.
 pub(super) const UNLISTED: [&str; 1] = [include_str!("../../presets/tm30_ces99_1nm.json")];

@@ -26,13 +26,6 @@ impl Bins {
                 .collect(),
         }
     }
-
-    /// Every value times a factor.
-    pub(super) fn times(mut self, factor: f64) -> Self {
-        self.values.iter_mut().for_each(|v| *v *= factor);
-        self
-    }
-
     /// Average of the boxes over an interval given in bins from the band's start.
     fn average_of_boxes(&self, from: f64, to: f64) -> f64 {
         let last = self.values.len() - 1;
@@ -66,6 +59,10 @@ impl Representation for Bins {
 
     fn stored(&self) -> Vec<f64> {
         self.values.clone()
+    }
+
+    fn scale(&mut self, factor: f64) {
+        self.values.iter_mut().for_each(|v| *v *= factor);
     }
 
     fn inside(&self, at_nm: f64) -> f64 {

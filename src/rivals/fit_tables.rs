@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::{
-    Bins, Bounds, Family, Legendre, Moments, Principal, PrincipalBasis, Rival, Samples, Wavelet,
-    legendre::PolynomialTable, phases::PhaseTable, wavelet::WaveletTable,
+    Bins, Bounds, Family, Legendre, Moments, Principal, PrincipalBasis, Representation, Rival,
+    Samples, Wavelet, legendre::PolynomialTable, phases::PhaseTable, wavelet::WaveletTable,
 };
 use crate::spectrum::Band;
 
@@ -32,11 +32,11 @@ impl FitTables {
 
     /// Fits values on the band's 1 nm grid (in the spectrum's own unit) with `numbers` numbers.
     ///
-    /// A count that a family cannot have is brought to the nearest it can: at least
-    /// [`Family::least_numbers`], at most the grid's points (a wavelet: all its coefficients),
-    /// for polynomial and moments at most the tables' own, for principal components at most
-    /// the rows of `basis`, which no other family looks at. An odd count leaves a wavelet one
-    /// unused. [`Rival::numbers`] tells what was taken.
+    /// A count that a family cannot have is brought to the nearest it can: at least one (a wavelet:
+    /// two, place and value), at most the grid's points (a wavelet: all its coefficients), for
+    /// polynomial and moments at most the tables' own, for principal components at most the rows of
+    /// `basis`, which no other family looks at. An odd count leaves a wavelet one unused.
+    /// [`Rival::numbers`] tells what was taken.
     ///
     /// # Panics
     /// When `values` does not have [`Band::points`] entries.
@@ -49,30 +49,22 @@ impl FitTables {
         basis: &Arc<PrincipalBasis>,
     ) -> Rival {
         assert_eq!(values.len(), self.band.points(), "one value per grid point");
-        if (family, bounds) == (Family::Moments, Bounds::Reflectance) {
-            // A reflectance's own unit matters: it is bounded by 1.
-            return Rival::Moments(Moments::fit(&self.phases, values, numbers, bounds));
-        }
-        let height = height(values);
+        // A reflectance's own unit matters to its moments: it is bounded by 1.
+        let height = match (family, bounds) {
+            (Family::Moments, Bounds::Reflectance) => 1.0,
+            _ => height(values),
+        };
         let unit: Vec<f64> = values.iter().map(|v| v / height).collect();
-        match family {
-            Family::Samples => {
-                Rival::Samples(Samples::fit(self.band, &unit, numbers).times(height))
-            }
-            Family::Bins => Rival::Bins(Bins::fit(self.band, &unit, numbers).times(height)),
-            Family::Legendre => {
-                Rival::Legendre(Legendre::fit(&self.polynomials, &unit, numbers).times(height))
-            }
-            Family::Principal => {
-                Rival::Principal(Principal::fit(self.band, basis, &unit, numbers).times(height))
-            }
-            Family::Moments => {
-                Rival::Moments(Moments::fit(&self.phases, &unit, numbers, bounds).times(height))
-            }
-            Family::Wavelet => {
-                Rival::Wavelet(Wavelet::fit(&self.wavelets, &unit, numbers).times(height))
-            }
-        }
+        let mut fitted: Box<dyn Representation> = match family {
+            Family::Samples => Box::new(Samples::fit(self.band, &unit, numbers)),
+            Family::Bins => Box::new(Bins::fit(self.band, &unit, numbers)),
+            Family::Legendre => Box::new(Legendre::fit(&self.polynomials, &unit, numbers)),
+            Family::Principal => Box::new(Principal::fit(self.band, basis, &unit, numbers)),
+            Family::Moments => Box::new(Moments::fit(&self.phases, &unit, numbers, bounds)),
+            Family::Wavelet => Box::new(Wavelet::fit(&self.wavelets, &unit, numbers)),
+        };
+        fitted.scale(height);
+        Rival { family, fitted }
     }
 }
 

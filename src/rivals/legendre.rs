@@ -128,12 +128,6 @@ impl Legendre {
             coefficients: table.project(values, numbers.max(1)),
         }
     }
-
-    /// Every coefficient times a factor.
-    pub(super) fn times(mut self, factor: f64) -> Self {
-        self.coefficients.iter_mut().for_each(|c| *c *= factor);
-        self
-    }
 }
 
 impl Representation for Legendre {
@@ -143,6 +137,10 @@ impl Representation for Legendre {
 
     fn stored(&self) -> Vec<f64> {
         self.coefficients.clone()
+    }
+
+    fn scale(&mut self, factor: f64) {
+        self.coefficients.iter_mut().for_each(|v| *v *= factor);
     }
 
     fn inside(&self, at_nm: f64) -> f64 {

@@ -34,6 +34,8 @@ pub use principal::{Principal, PrincipalBasis};
 pub use samples::Samples;
 pub use wavelet::Wavelet;
 
+use std::{fmt::Debug, ops::Deref};
+
 use crate::spectrum::{Band, Kind};
 
 /// Which representation.
@@ -128,15 +130,6 @@ impl Family {
     pub fn needs_table(self) -> bool {
         self == Self::Principal
     }
-
-    /// Fewest numbers that a fit takes.
-    pub fn least_numbers(self) -> usize {
-        match self {
-            Self::Samples | Self::Bins | Self::Legendre | Self::Principal | Self::Moments => 1,
-            // One coefficient: its place and its value.
-            Self::Wavelet => 2,
-        }
-    }
 }
 
 /// The names of a family.
@@ -165,28 +158,42 @@ pub enum Bounds {
 
 impl From<Kind> for Bounds {
     fn from(kind: Kind) -> Self {
-        match kind {
-            Kind::Reflectance | Kind::Transmittance => Self::Reflectance,
-            Kind::Light | Kind::Absorbance | Kind::Weighting | Kind::Lines | Kind::Other => {
-                Self::Light
-            }
+        if kind.is_factor() {
+            Self::Reflectance
+        } else {
+            Self::Light
         }
     }
 }
 
 /// The few verbs that every representation has.
-pub trait Representation {
+pub trait Representation: Debug {
     /// The band that was fitted.
     fn band(&self) -> Band;
 
-    /// The stored numbers, in order; values are in the spectrum's own unit.
+    /// The stored numbers, in order (wavelet: place, value, place, value, ...); values are in the
+    /// spectrum's own unit.
     fn stored(&self) -> Vec<f64>;
+
+    /// Multiplies what is stored by a positive factor, where it has a scale.
+    fn scale(&mut self, factor: f64);
 
     /// Value at a wavelength inside the band.
     fn inside(&self, at_nm: f64) -> f64;
 
     /// Values on the band's 1 nm grid.
+    ///
+    /// They are those at the grid points, except for bins, which give the average over the nm
+    /// around each grid point so that no energy is lost on the grid.
     fn on_band(&self) -> Vec<f64>;
+
+    /// What the numbers take in memory: 8 bytes each, but 2 for a wavelet's place.
+    ///
+    /// Not counted are the band, tables shared by all fits (principal components), and what is
+    /// only worked out from the numbers once (the polynomial of the moments).
+    fn bytes(&self) -> usize {
+        self.stored().len() * size_of::<f64>()
+    }
 
     /// Where [`Representation::points`] stand, nm, rising; the 1 nm grid unless said otherwise.
     fn places_nm(&self) -> Vec<f64> {
@@ -195,49 +202,25 @@ pub trait Representation {
 
     /// Values where a product of two spectra is formed, from the stored numbers; those on the 1 nm
     /// grid unless said otherwise.
+    ///
+    /// Samples and bins multiply themselves, polynomial and moments on the midpoints of twice as
+    /// many intervals as they have numbers, principal components and wavelets on the 1 nm grid.
     fn points(&self) -> Vec<f64> {
         self.on_band()
     }
 }
 
 /// One fitted representation.
-#[derive(Clone, Debug)]
-pub enum Rival {
-    /// Equally spaced samples, straight lines between them.
-    Samples(Samples),
-    /// Averages over equal boxes.
-    Bins(Bins),
-    /// Least-squares polynomial.
-    Legendre(Legendre),
-    /// Projection on the principal components of a training set.
-    Principal(Principal),
-    /// Trigonometric moments, read by maximum entropy.
-    Moments(Moments),
-    /// The largest wavelet coefficients.
-    Wavelet(Wavelet),
+#[derive(Debug)]
+pub struct Rival {
+    family: Family,
+    fitted: Box<dyn Representation>,
 }
 
 impl Rival {
     /// Which representation it is.
     pub fn family(&self) -> Family {
-        match self {
-            Self::Samples(_) => Family::Samples,
-            Self::Bins(_) => Family::Bins,
-            Self::Legendre(_) => Family::Legendre,
-            Self::Principal(_) => Family::Principal,
-            Self::Moments(_) => Family::Moments,
-            Self::Wavelet(_) => Family::Wavelet,
-        }
-    }
-
-    /// The band that was fitted.
-    pub fn band(&self) -> Band {
-        self.representation().band()
-    }
-
-    /// The stored numbers, in order (wavelet: place, value, place, value, ...).
-    pub fn stored(&self) -> Vec<f64> {
-        self.representation().stored()
+        self.family
     }
 
     /// How many numbers it takes; two for each wavelet coefficient kept.
@@ -245,56 +228,21 @@ impl Rival {
         self.stored().len()
     }
 
-    /// What the numbers take in memory: 8 bytes each, but 2 for a wavelet's place.
-    ///
-    /// Not counted are the band, tables shared by all fits (principal components), and what is
-    /// only worked out from the numbers once (the polynomial of the moments).
-    pub fn bytes(&self) -> usize {
-        match self {
-            Self::Wavelet(wavelet) => wavelet.kept().len() * (size_of::<u16>() + size_of::<f64>()),
-            _ => self.numbers() * size_of::<f64>(),
-        }
-    }
-
     /// Value at a wavelength; zero outside the band.
     pub fn at(&self, at_nm: f64) -> f64 {
         if self.band().contains(at_nm) {
-            self.representation().inside(at_nm)
+            self.inside(at_nm)
         } else {
             0.0
         }
     }
+}
 
-    /// Values on the band's 1 nm grid.
-    ///
-    /// They are [`Rival::at`] the grid points, except for bins, which give the average over the
-    /// nm around each grid point so that no energy is lost on the grid.
-    pub fn on_band(&self) -> Vec<f64> {
-        self.representation().on_band()
-    }
+impl Deref for Rival {
+    type Target = dyn Representation;
 
-    /// Values where this representation multiplies two spectra, from its stored numbers.
-    ///
-    /// Samples and bins multiply themselves, polynomial and moments on the midpoints of twice as
-    /// many intervals as they have numbers, principal components and wavelets on the 1 nm grid.
-    pub fn points(&self) -> Vec<f64> {
-        self.representation().points()
-    }
-
-    /// Where the [`Rival::points`] stand, nm; for bins the middle of each box.
-    pub fn places_nm(&self) -> Vec<f64> {
-        self.representation().places_nm()
-    }
-
-    fn representation(&self) -> &dyn Representation {
-        match self {
-            Self::Samples(samples) => samples,
-            Self::Bins(bins) => bins,
-            Self::Legendre(legendre) => legendre,
-            Self::Principal(principal) => principal,
-            Self::Moments(moments) => moments,
-            Self::Wavelet(wavelet) => wavelet,
-        }
+    fn deref(&self) -> &Self::Target {
+        &*self.fitted
     }
 }
 
@@ -395,7 +343,8 @@ mod tests {
     fn a_count_that_cannot_be_had_is_brought_to_the_nearest_that_can() {
         let values = fluorescent(Band::VISIBLE);
         for rival in every_rival(Band::VISIBLE, &values, 0, Bounds::Light) {
-            assert_eq!(rival.numbers(), rival.family().least_numbers());
+            let least = 1 + usize::from(rival.family() == Family::Wavelet);
+            assert_eq!(rival.numbers(), least);
         }
         for rival in every_rival(Band::VISIBLE, &values, 5000, Bounds::Light) {
             assert!(rival.numbers() <= 2 * Band::VISIBLE.points());

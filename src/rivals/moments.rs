@@ -70,15 +70,6 @@ impl Moments {
         }
     }
 
-    /// A light's moments times a positive factor; a reflectance has no scale and stays.
-    pub(super) fn times(mut self, factor: f64) -> Self {
-        if let Reading::Light(predictor) = &mut self.reading {
-            predictor.error *= factor;
-            self.moments.iter_mut().for_each(|c| *c *= factor);
-        }
-        self
-    }
-
     /// The reconstruction at a phase, 0 to pi.
     fn at_phase(&self, phi: f64) -> f64 {
         match &self.reading {
@@ -116,6 +107,14 @@ impl Representation for Moments {
 
     fn stored(&self) -> Vec<f64> {
         self.moments.clone()
+    }
+
+    /// Only of a light: a reflectance is bounded by 1 and has no scale.
+    fn scale(&mut self, factor: f64) {
+        if let Reading::Light(predictor) = &mut self.reading {
+            predictor.error *= factor;
+            self.moments.iter_mut().for_each(|c| *c *= factor);
+        }
     }
 
     fn inside(&self, at_nm: f64) -> f64 {

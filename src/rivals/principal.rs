@@ -172,12 +172,6 @@ impl Principal {
             basis,
         }
     }
-
-    /// Every coefficient times a factor.
-    pub(super) fn times(mut self, factor: f64) -> Self {
-        self.coefficients.iter_mut().for_each(|c| *c *= factor);
-        self
-    }
 }
 
 impl Representation for Principal {
@@ -187,6 +181,10 @@ impl Representation for Principal {
 
     fn stored(&self) -> Vec<f64> {
         self.coefficients.clone()
+    }
+
+    fn scale(&mut self, factor: f64) {
+        self.coefficients.iter_mut().for_each(|v| *v *= factor);
     }
 
     fn inside(&self, at_nm: f64) -> f64 {

@@ -26,12 +26,6 @@ impl Samples {
                 .collect(),
         }
     }
-
-    /// Every value times a factor.
-    pub(super) fn times(mut self, factor: f64) -> Self {
-        self.values.iter_mut().for_each(|v| *v *= factor);
-        self
-    }
 }
 
 /// Where `count` samples stand, nm.
@@ -53,6 +47,10 @@ impl Representation for Samples {
 
     fn stored(&self) -> Vec<f64> {
         self.values.clone()
+    }
+
+    fn scale(&mut self, factor: f64) {
+        self.values.iter_mut().for_each(|v| *v *= factor);
     }
 
     fn inside(&self, at_nm: f64) -> f64 {

@@ -147,12 +147,6 @@ impl Wavelet {
     pub fn kept(&self) -> &[Kept] {
         &self.kept
     }
-
-    /// Every value times a factor.
-    pub(super) fn times(mut self, factor: f64) -> Self {
-        self.kept.iter_mut().for_each(|k| k.value *= factor);
-        self
-    }
 }
 
 impl Representation for Wavelet {
@@ -163,6 +157,14 @@ impl Representation for Wavelet {
     fn stored(&self) -> Vec<f64> {
         let pairs = self.kept.iter().map(|k| [f64::from(k.place), k.value]);
         pairs.flatten().collect()
+    }
+
+    fn scale(&mut self, factor: f64) {
+        self.kept.iter_mut().for_each(|k| k.value *= factor);
+    }
+
+    fn bytes(&self) -> usize {
+        self.kept.len() * (size_of::<u16>() + size_of::<f64>())
     }
 
     /// Straight lines between the reconstructed grid points; one value costs the whole synthesis.

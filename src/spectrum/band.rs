@@ -1,7 +1,5 @@
 //! The wavelength range of a model and its 1 nm trapezoid grid.
 
-use std::fmt;
-
 use serde::{Deserialize, Serialize};
 
 /// Shortest range that a model may have, in nm.
@@ -27,35 +25,22 @@ pub struct Band {
 }
 
 /// Why a range was refused.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BandError {
     /// A bound is not a whole, non-negative number of nm.
+    #[error("range: expected whole nm, found {found}")]
     NotWhole { found: f64 },
     /// The range is shorter than [`SHORTEST_NM`] (or runs backwards).
+    #[error(
+        "range: expected MIN:MAX, MAX at least {SHORTEST_NM} nm above MIN, found {min_nm}:{max_nm}"
+    )]
     TooShort { min_nm: f64, max_nm: f64 },
     /// The range is longer than [`MOST_STEPS`] or ends beyond [`LONGEST_NM`].
+    #[error(
+        "range: expected at most {MOST_STEPS} nm below {LONGEST_NM} nm, found {min_nm}:{max_nm}"
+    )]
     TooLong { min_nm: f64, max_nm: f64 },
 }
-
-impl fmt::Display for BandError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotWhole { found } => {
-                write!(f, "range: expected whole nm, found {found}")
-            }
-            Self::TooShort { min_nm, max_nm } => write!(
-                f,
-                "range: expected MIN:MAX, MAX at least {SHORTEST_NM} nm above MIN, found {min_nm}:{max_nm}"
-            ),
-            Self::TooLong { min_nm, max_nm } => write!(
-                f,
-                "range: expected at most {MOST_STEPS} nm below {LONGEST_NM} nm, found {min_nm}:{max_nm}"
-            ),
-        }
-    }
-}
-
-impl std::error::Error for BandError {}
 
 impl TryFrom<[f64; 2]> for Band {
     type Error = BandError;

@@ -185,6 +185,15 @@ pub struct Series {
 }
 
 impl Series {
+    /// A series of these coefficients in prefix order.
+    pub fn new(band: Band, basis: Basis, coefficients: Vec<f64>) -> Self {
+        Self {
+            band,
+            basis,
+            coefficients,
+        }
+    }
+
     /// A Fourier series from the paper's `a_0..a_N` and `b_1..b_N`; `None` unless there is
     /// exactly one `a` more than there are `b`.
     pub fn fourier(band: Band, a: &[f64], b: &[f64]) -> Option<Self> {
@@ -195,11 +204,7 @@ impl Series {
         for (a, b) in a[1..].iter().zip(b) {
             coefficients.extend([*a, *b]);
         }
-        Some(Self {
-            band,
-            basis: Basis::Fourier,
-            coefficients,
-        })
+        Some(Self::new(band, Basis::Fourier, coefficients))
     }
 
     /// The order `N`: the highest with any of its numbers present.
@@ -225,11 +230,7 @@ impl Series {
     /// The first `numbers` coefficients.
     pub fn truncated(&self, numbers: usize) -> Self {
         let count = numbers.clamp(1, self.coefficients.len());
-        Self {
-            band: self.band,
-            basis: self.basis,
-            coefficients: self.coefficients[..count].to_vec(),
-        }
+        Self::new(self.band, self.basis, self.coefficients[..count].to_vec())
     }
 
     /// Value at a wavelength inside the band; zero outside it.

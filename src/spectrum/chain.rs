@@ -99,11 +99,7 @@ impl ChainTables {
             Sampling::Double => chain_points(numbers, factors),
             other => other.points(numbers).unwrap_or(0),
         };
-        let grid = SampleGrid {
-            band,
-            basis,
-            points,
-        };
+        let grid = SampleGrid::new(band, basis, points);
         let functions = functions_on_grid(band, basis, points.max(numbers));
         Self {
             band,
@@ -119,12 +115,9 @@ impl ChainTables {
 
     /// Tables for a light and a count of factors.
     pub fn for_light(light: &Composite, sampling: Sampling, factors: usize) -> Self {
-        let Series {
-            band,
-            basis,
-            coefficients,
-        } = light.smooth();
-        Self::new(*band, *basis, coefficients.len(), sampling, factors)
+        let smooth = light.smooth();
+        let numbers = smooth.coefficients.len();
+        Self::new(smooth.band, smooth.basis, numbers, sampling, factors)
     }
 
     /// How products are formed.
@@ -157,11 +150,7 @@ impl ChainTables {
         );
         match self.sampling {
             Sampling::Exact => self.pass_measured(light, factors),
-            Sampling::Paper
-            | Sampling::ThreeN
-            | Sampling::FourN
-            | Sampling::Double
-            | Sampling::Convolution => self.pass_series(light, factors),
+            _ => self.pass_series(light, factors),
         }
     }
 
@@ -185,14 +174,10 @@ impl ChainTables {
     }
 
     fn pass_series(&self, light: &Composite, factors: &[Factor]) -> Vec<Stage> {
-        let series: Vec<Series> = factors
-            .iter()
-            .map(|factor| self.series(self.project(factor.background())))
-            .collect();
-        let kept = if self.points > 0 {
-            self.points
-        } else {
-            self.numbers
+        let series: Vec<Series> = factors.iter().map(|factor| self.series(factor)).collect();
+        let (kept, multiplications) = match self.points {
+            0 => (self.numbers, self.numbers * self.numbers),
+            points => (points, points),
         };
         let folded = folded_shares(light.smooth(), &series, kept);
         let mut unfolded = self.evaluate(&light.smooth().coefficients);
@@ -218,32 +203,23 @@ impl ChainTables {
                 spikes: centres(&spikes),
                 met,
                 folded_share,
-                multiplications: multiplied
-                    + if self.points > 0 {
-                        self.points
-                    } else {
-                        self.numbers * self.numbers
-                    },
+                multiplications: multiplied + multiplications,
             });
         }
         stages
     }
 
-    fn series(&self, coefficients: Vec<f64>) -> Series {
-        Series {
-            band: self.band,
-            basis: self.basis,
-            coefficients,
-        }
-    }
-
-    /// Eq. 5 by the trapezoid rule.
-    fn project(&self, values: &[f64]) -> Vec<f64> {
-        let rows = self.functions.chunks_exact(self.band.points());
-        rows.take(self.numbers)
+    /// What a factor is beside its dips, by Eq. 5 with the trapezoid rule.
+    fn series(&self, factor: &Factor) -> Series {
+        let (band, values) = (self.band, factor.background());
+        let rows = self
+            .functions
+            .chunks_exact(band.points())
+            .take(self.numbers);
+        let projected = rows
             .enumerate()
-            .map(|(k, row)| self.band.inner(row, values) / self.basis.norm_squared(k, self.band))
-            .collect()
+            .map(|(k, row)| band.inner(row, values) / self.basis.norm_squared(k, band));
+        Series::new(band, self.basis, projected.collect())
     }
 
     /// A series on the 1 nm grid.
@@ -305,11 +281,7 @@ fn through_dips(
         // The second pane of the same glass deepens the line of the first.
         match behind.iter_mut().find(|spike| spike.at_nm == dip.at_nm) {
             Some(spike) => spike.weight += weight,
-            None => behind.push(Line {
-                at_nm: dip.at_nm,
-                weight,
-                fwhm_nm: dip.width_nm,
-            }),
+            None => behind.push(Line::new(dip.at_nm, weight, dip.width_nm)),
         }
     }
     behind.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
@@ -403,11 +375,7 @@ mod tests {
             Basis::Cosine => 1.0,
         };
         Composite::of_lines_inside(
-            Series {
-                band: BAND,
-                basis,
-                coefficients: vec![one, 0.0, 0.0, 0.0, 0.0],
-            },
+            Series::new(BAND, basis, vec![one, 0.0, 0.0, 0.0, 0.0]),
             spikes,
         )
     }
@@ -498,7 +466,7 @@ mod tests {
         let light = flat_light(vec![line(500.4), line(500.6)], Basis::Cosine);
         let tables = ChainTables::for_light(&light, Sampling::Double, 1);
         let stages = tables.pass(&light, std::slice::from_ref(&kept));
-        let short = tables.series(tables.project(kept.background()));
+        let short = tables.series(&kept);
         let weight = |at_nm: f64| {
             let found = stages[0].spikes.iter().find(|s| s.at_nm == at_nm);
             found.expect("the line is still there").weight
@@ -522,11 +490,7 @@ mod tests {
         let width = 4.0 * LN_2.sqrt();
         assert!((dip.width_nm / width - 1.0).abs() < 0.02, "{dip:?}");
         for line_nm in [0.5, 2.0, width, 10.0] {
-            let line = Line {
-                at_nm: dip.at_nm,
-                weight: 3.0,
-                fwhm_nm: line_nm,
-            };
+            let line = Line::new(dip.at_nm, 3.0, line_nm);
             let light = flat_light(vec![line], Basis::Cosine);
             let tables = ChainTables::for_light(&light, Sampling::Double, 1);
             let stages = tables.pass(&light, std::slice::from_ref(&kept));

@@ -190,21 +190,17 @@ mod tests {
     const BAND: Band = Band::VISIBLE;
 
     fn series(basis: Basis) -> Series {
-        Series {
-            band: BAND,
+        Series::new(
+            BAND,
             basis,
-            coefficients: (0..21)
+            (0..21)
                 .map(|n| (0.7_f64).powi(n) * if n % 3 == 0 { 1.0 } else { -0.6 })
                 .collect(),
-        }
+        )
     }
 
     fn wide(at_nm: f64, weight: f64, fwhm_nm: f64) -> Line {
-        Line {
-            at_nm,
-            weight,
-            fwhm_nm,
-        }
+        Line::new(at_nm, weight, fwhm_nm)
     }
 
     #[test]
@@ -249,14 +245,7 @@ mod tests {
     fn the_integral_of_a_weight_is_that_of_the_values() {
         let light = Composite {
             smooth: series(Basis::Fourier),
-            lines: vec![
-                Line::ideal(436.0, 0.5),
-                Line {
-                    at_nm: 590.0,
-                    weight: 0.8,
-                    fwhm_nm: 12.0,
-                },
-            ],
+            lines: vec![Line::ideal(436.0, 0.5), Line::new(590.0, 0.8, 12.0)],
         };
         let weight = |nm: f64| (nm / 50.0).sin();
         let weights: Vec<f64> = BAND.grid().map(weight).collect();

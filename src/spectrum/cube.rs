@@ -48,31 +48,12 @@ impl Number {
 
     /// The number that starts at a place; NaN beyond the end.
     pub fn read(self, bytes: &[u8], at: usize, big_endian: bool) -> f64 {
-        macro_rules! number {
-            ($kind:ty) => {{
-                let end = at.saturating_add(size_of::<$kind>());
-                match bytes.get(at..end).and_then(|b| b.try_into().ok()) {
-                    Some(b) if big_endian => <$kind>::from_be_bytes(b) as f64,
-                    Some(b) => <$kind>::from_le_bytes(b) as f64,
-                    None => f64::NAN,
-                }
-            }};
-        }
-        match self {
-            Self::U8 => number!(u8),
-            Self::I16 => number!(i16),
-            Self::I32 => number!(i32),
-            Self::F32 => number!(f32),
-            Self::F64 => number!(f64),
-            Self::U16 => number!(u16),
-            Self::U32 => number!(u32),
-            Self::I64 => number!(i64),
-            Self::U64 => number!(u64),
-        }
+        let mut number = [f64::NAN];
+        let there = bytes.get(at..).unwrap_or_default();
+        self.read_many(there, self.bytes(), big_endian, &mut number);
+        number[0]
     }
-}
 
-impl Number {
     /// Numbers that start every `step` bytes; places that the bytes do not reach keep what they
     /// had.
     fn read_many(self, bytes: &[u8], step: usize, big_endian: bool, into: &mut [f64]) {
@@ -133,7 +114,7 @@ pub struct Layout {
 }
 
 /// An image whose every pixel is a spectrum on the same wavelengths.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 pub struct Cube {
     width: usize,
     height: usize,
@@ -145,36 +126,24 @@ pub struct Cube {
 }
 
 /// Why bytes are no cube.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CubeError {
     /// No pixel.
+    #[error("expected at least one pixel, found none")]
     Empty,
     /// Fewer than two bands, wavelengths that do not rise strictly, or a band that is not stored.
+    #[error("expected two or more bands at rising wavelengths above 0")]
     Bands,
     /// Fewer bytes than its numbers take (`expected` is `None` beyond what can be counted).
+    #[error("expected {}, found {found} bytes", match expected {
+        Some(expected) => format!("{expected} bytes"),
+        None => "a size that can be counted".to_owned(),
+    })]
     Short {
         found: usize,
         expected: Option<usize>,
     },
 }
-
-impl fmt::Display for CubeError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Empty => f.write_str("expected at least one pixel, found none"),
-            Self::Bands => f.write_str("expected two or more bands at rising wavelengths above 0"),
-            Self::Short { found, expected } => match expected {
-                Some(expected) => write!(f, "expected {expected} bytes, found {found}"),
-                None => write!(
-                    f,
-                    "expected a size that can be counted, found {found} bytes"
-                ),
-            },
-        }
-    }
-}
-
-impl std::error::Error for CubeError {}
 
 impl Cube {
     /// A cube of `width` x `height` pixels. `bands` pairs a wavelength (nm, strictly rising) with
@@ -257,22 +226,9 @@ impl Cube {
     /// One number, as the file has it; NaN where it is missing, of a size that nothing has (1e30),
     /// or outside the image.
     pub fn value(&self, x: usize, y: usize, band: usize) -> f64 {
-        if x >= self.width || y >= self.height || band >= self.bands.len() {
-            return f64::NAN;
-        }
-        let Layout {
-            number,
-            big_endian,
-            missing,
-            ..
-        } = self.layout;
-        let value = number.read(&self.bytes, self.place(x, y, band), big_endian);
-        let is_told = missing.is_some_and(|missing| is_missing(value, missing, number));
-        if is_told || value.abs() >= ABSURD {
-            f64::NAN
-        } else {
-            value
-        }
+        let mut value = [f64::NAN];
+        self.row(y, band, x, &mut value);
+        value[0]
     }
 
     /// The numbers of one pixel, a band each, as the file has them; NaN where one is missing.
@@ -367,28 +323,6 @@ impl fmt::Debug for Cube {
             .field("bands", &self.nm.len())
             .field("layout", &self.layout)
             .finish_non_exhaustive()
-    }
-}
-
-impl PartialEq for Cube {
-    fn eq(&self, other: &Self) -> bool {
-        let Self {
-            width,
-            height,
-            nm,
-            bands,
-            bytes,
-            layout,
-        } = self;
-        (*width, *height, nm, bands, *layout)
-            == (
-                other.width,
-                other.height,
-                &other.nm,
-                &other.bands,
-                other.layout,
-            )
-            && (Arc::ptr_eq(bytes, &other.bytes) || *bytes == other.bytes)
     }
 }
 

@@ -68,15 +68,12 @@ impl Factor {
         let mut background = values.clone();
         let mut dips = Vec::new();
         for shape in dip_shapes(band, &values, settings) {
-            let window = shape.first..shape.first + shape.residue.len();
-            for (v, r) in background[window.clone()].iter_mut().zip(&shape.residue) {
-                *v -= r;
-            }
+            shape.take_from(&mut background);
             let share = |(whole, missing): (&f64, &f64)| {
                 let share = -missing / whole;
                 if share.is_finite() { share } else { 0.0 }
             };
-            let depth = background[window]
+            let depth = background[shape.first..]
                 .iter()
                 .zip(&shape.residue)
                 .map(share)

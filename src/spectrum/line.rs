@@ -166,13 +166,18 @@ fn flank<'a>(a: f64, d: f64, mut out: impl Iterator<Item = &'a mut f64>) {
 }
 
 impl Line {
-    /// A line of no width.
-    pub const fn ideal(at_nm: f64, weight: f64) -> Self {
+    /// A line at a place (nm) of a weight (unit x nm) and a full width at half maximum (nm).
+    pub const fn new(at_nm: f64, weight: f64, fwhm_nm: f64) -> Self {
         Self {
             at_nm,
             weight,
-            fwhm_nm: 0.0,
+            fwhm_nm,
         }
+    }
+
+    /// A line of no width.
+    pub const fn ideal(at_nm: f64, weight: f64) -> Self {
+        Self::new(at_nm, weight, 0.0)
     }
 
     /// Whether it counts as a line of no width.
@@ -274,13 +279,13 @@ mod tests {
     const BAND: Band = Band::VISIBLE;
 
     fn series(basis: Basis) -> Series {
-        Series {
-            band: BAND,
+        Series::new(
+            BAND,
             basis,
-            coefficients: (0..21)
+            (0..21)
                 .map(|n| (0.7_f64).powi(n) * if n % 3 == 0 { 1.0 } else { -0.6 })
                 .collect(),
-        }
+        )
     }
 
     #[test]
@@ -288,13 +293,9 @@ mod tests {
         for at_nm in [380.0, 380.3, 436.0, 546.07, 779.9, 780.0] {
             for fwhm_nm in [0.0, 1.9, 2.0, 7.3, 55.0, 90.0] {
                 let mut values = vec![0.0; BAND.points()];
-                Line {
-                    at_nm,
-                    weight: 3.0,
-                    fwhm_nm,
-                }
-                .profile(BAND)
-                .add_to(3.0, &mut values);
+                Line::new(at_nm, 3.0, fwhm_nm)
+                    .profile(BAND)
+                    .add_to(3.0, &mut values);
                 // At most 630 products of numbers below 1.
                 assert!(
                     (BAND.integral(&values) - 3.0).abs() < 1e-13,
@@ -304,14 +305,10 @@ mod tests {
         }
         assert!(Line::ideal(900.0, 1.0).profile(BAND).values.is_empty());
         assert!(
-            Line {
-                at_nm: f64::NAN,
-                weight: 1.0,
-                fwhm_nm: 5.0
-            }
-            .profile(BAND)
-            .values
-            .is_empty()
+            Line::new(f64::NAN, 1.0, 5.0)
+                .profile(BAND)
+                .values
+                .is_empty()
         );
     }
 
@@ -335,11 +332,7 @@ mod tests {
             let values = series.on_band();
             for at_nm in [480.0, 546.07, 611.3] {
                 for fwhm_nm in [3.0, 8.0, 20.0, 38.0] {
-                    let line = Line {
-                        at_nm,
-                        weight: 2.0,
-                        fwhm_nm,
-                    };
+                    let line = Line::new(at_nm, 2.0, fwhm_nm);
                     let (closed, summed) = (
                         line.integrate_series(&series),
                         line.integrate(BAND, &values),

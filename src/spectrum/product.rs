@@ -109,11 +109,7 @@ pub fn resampled(light: &Composite, factor: &Series, sampling: Sampling) -> Comp
     let whole = || convolve(light_series, factor);
     let smooth = match (sampling, sampling.points(numbers)) {
         (_, Some(points)) => {
-            let grid = SampleGrid {
-                band: light.band(),
-                basis: light_series.basis,
-                points,
-            };
+            let grid = SampleGrid::new(light.band(), light_series.basis, points);
             let product = multiply(&grid.sample(light_series), &grid.sample(factor));
             grid.series(&product)
         }
@@ -133,11 +129,7 @@ pub fn chain(light: &Composite, factors: &[Series], points: usize) -> Resampled 
     factors
         .iter()
         .for_each(|factor| assert_alike(light.smooth(), factor));
-    let grid = SampleGrid {
-        band: light.band(),
-        basis: light.smooth().basis,
-        points,
-    };
+    let grid = SampleGrid::new(light.band(), light.smooth().basis, points);
     let mut values = grid.sample(light.smooth());
     let mut spikes = light.lines().to_vec();
     for factor in factors {
@@ -173,11 +165,7 @@ pub fn convolve(a: &Series, b: &Series) -> Series {
         Basis::Fourier => fourier_convolution(a, b),
         Basis::Cosine => cosine_convolution(&a.coefficients, &b.coefficients),
     };
-    Series {
-        band: a.band,
-        basis: a.basis,
-        coefficients,
-    }
+    Series::new(a.band, a.basis, coefficients)
 }
 
 /// Coefficients of another band or basis mean other functions: their product would be a number
@@ -245,7 +233,8 @@ fn with_zero(b: &[f64]) -> Vec<f64> {
     std::iter::once(0.0).chain(b.iter().copied()).collect()
 }
 
-fn multiply(a: &[f64], b: &[f64]) -> Vec<f64> {
+/// Two curves on the same grid, multiplied.
+pub(crate) fn multiply(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a * b).collect()
 }
 
@@ -296,16 +285,14 @@ pub(crate) fn folded_shares(light: &Series, factors: &[Series], points: usize) -
 }
 
 /// A series as shares of its largest coefficient, so that no square overflows or vanishes.
-fn in_units(series: &Series) -> Series {
+pub(crate) fn in_units(series: &Series) -> Series {
     let top = series
         .coefficients
         .iter()
         .fold(0.0_f64, |m, c| m.max(c.abs()));
-    let unit = if (1.0 / top).is_finite() {
-        1.0 / top
-    } else {
-        1.0
-    };
+    let unit = Some(1.0 / top)
+        .filter(|unit| unit.is_finite())
+        .unwrap_or(1.0);
     Series {
         coefficients: series.coefficients.iter().map(|c| c * unit).collect(),
         ..*series
@@ -338,16 +325,8 @@ mod tests {
 
     #[test]
     fn behind_a_filter_narrower_than_the_line_the_line_is_cut_to_the_filter() {
-        let dark = Series {
-            band: BAND,
-            basis: Basis::Cosine,
-            coefficients: vec![0.0],
-        };
-        let line = Line {
-            at_nm: 546.0,
-            weight: 1.0,
-            fwhm_nm: 40.0,
-        };
+        let dark = Series::new(BAND, Basis::Cosine, vec![0.0]);
+        let line = Line::new(546.0, 1.0, 40.0);
         let light = Composite::of_lines_inside(dark, vec![line]);
         let filter: Vec<f64> = BAND
             .grid()
@@ -364,21 +343,14 @@ mod tests {
     #[test]
     fn times_one_is_the_light_itself() {
         for basis in Basis::ALL {
-            let one = Series {
-                band: BAND,
+            let one = Series::new(
+                BAND,
                 basis,
-                coefficients: vec![if basis == Basis::Fourier { 2.0 } else { 1.0 }],
-            };
-            let smooth = Series {
-                band: BAND,
-                basis,
-                coefficients: vec![1.5, -0.3, 0.2],
-            };
-            let lines = [(436.0, 0.0), (546.07, 3.0), (779.5, 8.0)].map(|(at_nm, fwhm_nm)| Line {
-                at_nm,
-                weight: 2.0,
-                fwhm_nm,
-            });
+                vec![if basis == Basis::Fourier { 2.0 } else { 1.0 }],
+            );
+            let smooth = Series::new(BAND, basis, vec![1.5, -0.3, 0.2]);
+            let lines = [(436.0, 0.0), (546.07, 3.0), (779.5, 8.0)]
+                .map(|(at_nm, fwhm_nm)| Line::new(at_nm, 2.0, fwhm_nm));
             let light = Composite::of_lines_inside(smooth, lines.to_vec());
             let product = resampled(&light, &one, Sampling::Exact);
             for (a, b) in product.lines().iter().zip(light.lines()) {

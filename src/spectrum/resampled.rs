@@ -83,6 +83,15 @@ pub struct SampleGrid {
 }
 
 impl SampleGrid {
+    /// A grid of `points` independent points, at least one.
+    pub fn new(band: Band, basis: Basis, points: usize) -> Self {
+        Self {
+            band,
+            basis,
+            points,
+        }
+    }
+
     /// Distance between neighbouring points, nm.
     pub fn step_nm(self) -> f64 {
         self.band.length_nm() / self.points as f64
@@ -116,11 +125,7 @@ impl SampleGrid {
                 sum * self.projection_scale(k)
             })
             .collect();
-        Series {
-            band: self.band,
-            basis: self.basis,
-            coefficients,
-        }
+        Series::new(self.band, self.basis, coefficients)
     }
 
     /// One row per point that takes `numbers` coefficients to the value there, rows end to end.
@@ -265,18 +270,10 @@ mod tests {
     fn a_resampled_composite_weighs_as_the_composite_did() {
         for basis in Basis::ALL {
             let composite = Composite::of_lines_inside(
-                Series {
-                    band: Band::VISIBLE,
-                    basis,
-                    coefficients: vec![3.0, -1.0, 0.5, 0.25, 0.125],
-                },
+                Series::new(Band::VISIBLE, basis, vec![3.0, -1.0, 0.5, 0.25, 0.125]),
                 vec![Line::ideal(546.1, 20.0)],
             );
-            let grid = SampleGrid {
-                band: Band::VISIBLE,
-                basis,
-                points: 9,
-            };
+            let grid = SampleGrid::new(Band::VISIBLE, basis, 9);
             let resampled = Resampled {
                 grid,
                 values: grid.sample(composite.smooth()),

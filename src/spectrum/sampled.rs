@@ -1,9 +1,6 @@
 //! A measured spectrum: the table as it was read, never splined.
 
-use std::{
-    fmt,
-    sync::{Arc, OnceLock},
-};
+use std::sync::{Arc, OnceLock};
 
 use super::{band::Band, formula::Formula};
 
@@ -44,50 +41,30 @@ impl PartialEq for Axis {
 }
 
 /// Why a table is not a spectrum.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SampledError {
     /// Wavelengths and values differ in number.
+    #[error(
+        "expected one value per wavelength, found {wavelengths} wavelengths and {values} values"
+    )]
     Lengths { wavelengths: usize, values: usize },
     /// Fewer than two points.
+    #[error("expected at least 2 points, found {found}")]
     TooFew { found: usize },
     /// A wavelength or a value is not a finite number (`index` counts from 0).
+    #[error("point {}: expected finite numbers", index + 1)]
     NotFinite { index: usize },
     /// A wavelength does not exceed the one before it (`index` counts from 0).
+    #[error(
+        "point {}: expected a wavelength above {after_nm} nm, found {found_nm} nm",
+        index + 1
+    )]
     NotRising {
         index: usize,
         found_nm: f64,
         after_nm: f64,
     },
 }
-
-impl fmt::Display for SampledError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Lengths {
-                wavelengths,
-                values,
-            } => write!(
-                f,
-                "expected one value per wavelength, found {wavelengths} wavelengths and {values} values"
-            ),
-            Self::TooFew { found } => write!(f, "expected at least 2 points, found {found}"),
-            Self::NotFinite { index } => {
-                write!(f, "point {}: expected finite numbers", index + 1)
-            }
-            Self::NotRising {
-                index,
-                found_nm,
-                after_nm,
-            } => write!(
-                f,
-                "point {}: expected a wavelength above {after_nm} nm, found {found_nm} nm",
-                index + 1
-            ),
-        }
-    }
-}
-
-impl std::error::Error for SampledError {}
 
 impl Sampled {
     /// A spectrum from wavelengths in nm and values in the spectrum's own unit.

@@ -68,6 +68,13 @@ pub struct LineShape {
 }
 
 impl LineShape {
+    /// Takes its energy out of the smooth part.
+    pub(crate) fn take_from(&self, smooth: &mut [f64]) {
+        for (v, r) in smooth[self.first..].iter_mut().zip(&self.residue) {
+            *v -= r;
+        }
+    }
+
     /// Gives its energy back to the smooth part.
     pub(crate) fn give_back_to(&self, smooth: &mut [f64]) {
         for (v, r) in smooth[self.first..].iter_mut().zip(&self.residue) {

@@ -121,6 +121,11 @@ pub(crate) fn spectrum_errors(
     }))
 }
 
+/// A quotient of what is not negative, where there is one.
+pub(super) fn ratio(part: f64, whole: f64) -> Option<f64> {
+    Some(part / whole).filter(|share| whole > 0.0 && share.is_finite())
+}
+
 /// One over the largest absolute value; `None` for an all-zero spectrum.
 pub fn height(values: &[f64]) -> Option<f64> {
     let top = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
@@ -134,13 +139,8 @@ pub fn times(values: &[f64], factor: f64) -> Vec<f64> {
 
 /// Spikes with their weights times a factor.
 pub(crate) fn spikes_times(spikes: &[Line], factor: f64) -> Vec<Line> {
-    spikes
-        .iter()
-        .map(|s| Line {
-            weight: s.weight * factor,
-            ..*s
-        })
-        .collect()
+    let times = |s: &Line| s.weighing(s.weight * factor);
+    spikes.iter().map(times).collect()
 }
 
 /// Median, 95th percentile and largest of a set of errors.

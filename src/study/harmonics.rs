@@ -40,7 +40,7 @@ use crate::{
     spectrum::{Band, Basis, BasisTable, Line},
 };
 
-use super::error::{height, times};
+use super::error::{height, ratio, times};
 
 /// A spectrum taken apart, and what weighs it.
 #[derive(Clone, Copy, Debug)]
@@ -306,11 +306,6 @@ fn orders(numbers: &[Number], table: &BasisTable, spikes: [f64; 3], exact: [f64;
         });
     }
     orders
-}
-
-/// A quotient of non-negative numbers, where there is one.
-fn ratio(part: f64, whole: f64) -> Option<f64> {
-    Some(part / whole).filter(|share| whole > 0.0 && share.is_finite())
 }
 
 fn slowest_fall(orders: &[Order]) -> Option<SlowestFall> {
@@ -593,18 +588,10 @@ mod tests {
     #[test]
     fn every_representation_weighs_alike_through_its_integral() {
         let sampled = Sampled::even(380.0, 1.0, background()).unwrap();
-        let grid = |series: &Series| SampleGrid {
-            band: BAND,
-            basis: series.basis,
-            points: series.coefficients.len(),
-        };
+        let grid = |series: &Series| SampleGrid::new(BAND, series.basis, series.coefficients.len());
         for basis in Basis::ALL {
             let table = table(basis, 41);
-            let smooth = Series {
-                band: BAND,
-                basis,
-                coefficients: table.project(&background(), 41),
-            };
+            let smooth = Series::new(BAND, basis, table.project(&background(), 41));
             let resampled = Resampled {
                 grid: grid(&smooth),
                 values: grid(&smooth).sample(&smooth),

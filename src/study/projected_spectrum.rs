@@ -137,11 +137,11 @@ impl ProjectedSpectrum {
         } else {
             Exactness::TooFewNumbers
         };
-        let smooth = Series {
-            band: self.fit_basis.table.band(),
-            basis: self.fit_basis.table.basis(),
+        let smooth = Series::new(
+            self.fit_basis.table.band(),
+            self.fit_basis.table.basis(),
             coefficients,
-        };
+        );
         (Composite::of_lines_inside(smooth, spikes), exactness)
     }
 
@@ -194,9 +194,7 @@ mod tests {
             let projected = ProjectedSpectrum::new(&fit_basis, &values, &shapes, &seen);
             assert_eq!(projected.lines(), 2);
             let mut left = values.clone();
-            for (i, r) in shapes[1].residue.iter().enumerate() {
-                left[shapes[1].first + i] -= r;
-            }
+            shapes[1].take_from(&mut left);
             let (model, _) = projected.model(15, &[1], false);
             for (c, direct) in model
                 .smooth()

@@ -28,12 +28,16 @@ use crate::{
         patches::{PatchSet, difference},
     },
     rivals::{Bounds, Family, FitTables, Rival},
-    spectrum::{Basis, Composite, Line, Series, detect_shapes, product::chain},
+    spectrum::{
+        Basis, Composite, Line, Series, detect_shapes,
+        product::{chain, multiply},
+    },
 };
 
 pub use super::{
     race_cells::{Cell, Judged, Wins, figures},
-    race_result::{Cost, Encode, Encoded, Lamp, Race, RaceConfig, Racer, Row, Run},
+    race_result::{Cost, Encode, Encoded, Race, RaceConfig, Racer, Row, Run},
+    training::Lamp,
 };
 
 /// A light ready to race.
@@ -338,17 +342,13 @@ impl<'a> RaceContext<'a> {
                 let model = composite(runner, way, numbers);
                 let factor = [self.reflectance_series(way, reflectance, numbers)];
                 let points = 2 * numbers;
-                let product = || {
-                    black_box(chain(black_box(&model), black_box(&factor), points));
-                };
-                Some(Cost {
-                    bytes: model.numbers() * size_of::<f64>(),
-                    points: points + model.lines().len(),
-                    ns_per_product: nanoseconds(product),
-                    ns_per_evaluation: nanoseconds(|| {
-                        black_box(model.smooth().at(black_box(546.1)));
-                    }),
-                })
+                let product = || chain(black_box(&model), black_box(&factor), points);
+                let value = || model.smooth().at(black_box(546.1));
+                let sizes = [
+                    model.numbers() * size_of::<f64>(),
+                    points + model.lines().len(),
+                ];
+                Some(cost_of(sizes, product, value))
             }
             Racer::WideLines | Racer::KnownLamps => {
                 let light = self.encoded(runner, racer, numbers)?;
@@ -356,37 +356,37 @@ impl<'a> RaceContext<'a> {
                 let table = &self.bases[place(COLOUR_EXACT.basis)].table;
                 let product = || {
                     let (a, b) = (black_box(&light).on_band(), black_box(&factor));
-                    let b = table.evaluate(&b.coefficients);
-                    let both: Vec<f64> = a.iter().zip(&b).map(|(a, b)| a * b).collect();
-                    black_box(both);
+                    multiply(&a, &table.evaluate(&b.coefficients))
                 };
-                Some(Cost {
-                    bytes: light.bytes(),
-                    points: flat.len(),
-                    ns_per_product: nanoseconds(product),
-                    ns_per_evaluation: nanoseconds(|| {
-                        black_box(light.at(black_box(546.1)));
-                    }),
-                })
+                let value = || light.at(black_box(546.1));
+                Some(cost_of([light.bytes(), flat.len()], product, value))
             }
             Racer::Rival(family) => {
                 let light = self.rival(family, runner, numbers);
                 let factor = self.rival_reflectance(family, reflectance, numbers);
                 let product = || {
                     let (a, b) = (black_box(&light).points(), black_box(&factor).points());
-                    let both: Vec<f64> = a.iter().zip(&b).map(|(a, b)| a * b).collect();
-                    black_box(both);
+                    multiply(&a, &b)
                 };
-                Some(Cost {
-                    bytes: light.bytes(),
-                    points: light.points().len(),
-                    ns_per_product: nanoseconds(product),
-                    ns_per_evaluation: nanoseconds(|| {
-                        black_box(light.at(black_box(546.1)));
-                    }),
-                })
+                let value = || light.at(black_box(546.1));
+                let sizes = [light.bytes(), light.points().len()];
+                Some(cost_of(sizes, product, value))
             }
         }
+    }
+}
+
+/// The cost of so many bytes and points, timed.
+fn cost_of<T>(
+    [bytes, points]: [usize; 2],
+    product: impl Fn() -> T,
+    value: impl Fn() -> f64,
+) -> Cost {
+    Cost {
+        bytes,
+        points,
+        ns_per_product: nanoseconds(product),
+        ns_per_evaluation: nanoseconds(value),
     }
 }
 
@@ -430,14 +430,14 @@ fn best_count(
 }
 
 /// Shortest of a few batches, ns a call: what disturbs a measurement only ever makes it longer.
-fn nanoseconds(call: impl Fn()) -> f64 {
+fn nanoseconds<T>(call: impl Fn() -> T) -> f64 {
     const BATCHES: usize = 5;
     const BATCH: Duration = Duration::from_micros(30);
     let mut best = f64::INFINITY;
     for _ in 0..BATCHES {
         let (start, mut calls) = (Instant::now(), 0_u32);
         while start.elapsed() < BATCH {
-            (0..8).for_each(|_| call());
+            (0..8).for_each(|_| drop(black_box(call())));
             calls += 8;
         }
         best = best.min(start.elapsed().as_nanos() as f64 / f64::from(calls));

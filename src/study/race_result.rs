@@ -6,7 +6,7 @@ use super::{
     error::Spread,
     measure::{ByMeasure, Measure, Verdict},
     reference::Measures,
-    training::Training,
+    training::{Lamp, Training},
     way::FitVariant,
 };
 use crate::{
@@ -106,24 +106,6 @@ pub trait Encoded {
     fn on_band(&self) -> Vec<f64>;
     /// The light at a wavelength, without lines of no width.
     fn at(&self, nm: f64) -> f64;
-}
-
-/// A light in the race.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Lamp {
-    /// Its name.
-    pub name: String,
-    /// The class it is counted in.
-    pub class: String,
-    /// Its values on the band's grid.
-    pub values: Vec<f64>,
-}
-
-impl Lamp {
-    /// Whether any of its values is above zero: what is below shines on nothing.
-    pub fn shines(&self) -> bool {
-        self.values.iter().any(|value| *value > 0.0)
-    }
 }
 
 /// Everything that a race is run on, all on one band.

@@ -36,15 +36,22 @@ struct School {
     all: Arc<PrincipalBasis>,
 }
 
-/// A spectrum that teaches.
+/// A light that races or teaches.
 #[derive(Clone, Debug, PartialEq)]
-pub struct TrainingSpectrum {
+pub struct Lamp {
     /// Its name.
     pub name: String,
-    /// Its class.
+    /// The class it is counted in.
     pub class: String,
     /// Its values on the band's grid.
     pub values: Vec<f64>,
+}
+
+impl Lamp {
+    /// Whether any of its values is above zero: what is below shines on nothing.
+    pub fn shines(&self) -> bool {
+        self.values.iter().any(|value| *value > 0.0)
+    }
 }
 
 #[derive(Clone, Debug)]
@@ -58,10 +65,10 @@ struct Member {
 impl Training {
     /// Deals spectra into folds and trains up to `most` components for each; all-zero spectra
     /// are left out.
-    pub fn new(band: Band, spectra: &[TrainingSpectrum], most: usize) -> Self {
+    pub fn new(band: Band, spectra: &[Lamp], most: usize) -> Self {
         let mut members: Vec<Member> = Vec::new();
         let mut next_fold = 0;
-        for TrainingSpectrum {
+        for Lamp {
             name,
             class,
             values,
@@ -152,7 +159,7 @@ mod tests {
 
     const BAND: Band = Band::VISIBLE;
 
-    fn bells() -> Vec<TrainingSpectrum> {
+    fn bells() -> Vec<Lamp> {
         (0..20)
             .map(|i| {
                 let at = 400.0 + 18.0 * f64::from(i);
@@ -160,7 +167,7 @@ mod tests {
                     .grid()
                     .map(|nm| (-((nm - at) / 25.0).powi(2)).exp())
                     .collect();
-                TrainingSpectrum {
+                Lamp {
                     name: format!("bell {i}"),
                     class: "bells".to_owned(),
                     values,
@@ -183,7 +190,7 @@ mod tests {
     fn no_spectrum_teaches_itself_its_double_or_its_namesake() {
         let mut spectra = bells();
         let training = Training::new(BAND, &spectra, 41);
-        let TrainingSpectrum {
+        let Lamp {
             name,
             class,
             values,
@@ -204,7 +211,7 @@ mod tests {
             training.basis_for("Bell 7", &spectra[3].values, 41)
         ));
         // The double joins the fold of the first.
-        spectra.push(TrainingSpectrum {
+        spectra.push(Lamp {
             name: "double".to_owned(),
             class,
             values: double,
@@ -218,7 +225,7 @@ mod tests {
     fn a_spectrum_is_taught_by_the_class_that_knows_it_best() {
         let mut spectra = bells();
         spectra.extend((0..20).map(|i| {
-            TrainingSpectrum {
+            Lamp {
                 name: format!("wave {i}"),
                 class: "waves".to_owned(),
                 values: BAND

@@ -1,4 +1,4 @@
-//! The race on the shipped lamps: its promises, and the figures of a larger collection beside it.
+//! The race on the shipped lamps: its promises and its figures.
 
 use std::sync::{Arc, LazyLock};
 
@@ -14,11 +14,10 @@ use spectral_explorer::{
     color::Observer,
     lamps::{Count, Encoder, LeaveOut, Racing},
     rivals::{Family, PrincipalBasis},
-    spectrum::{Band, Kind, NamedSpectrum, Sampled, SpikeSettings},
+    spectrum::{Band, SpikeSettings},
     study::{
-        Measure, Progress, Race, Training, TrainingSpectrum,
+        Measure, Progress, Race, Training,
         race::{self, Judged, Lamp, RaceConfig, Racer},
-        race_reference::{COLUMNS, TABLE},
     },
 };
 
@@ -48,32 +47,6 @@ fn place(race: &Race, racer: Racer) -> usize {
 fn budget(race: &Race, numbers: usize) -> usize {
     let found = race.budgets.iter().position(|n| *n == numbers);
     found.expect("it is one of the counts")
-}
-
-fn median(race: &Race, class: &str, numbers: usize, racer: Racer) -> f64 {
-    let row = race.row(Some(class), budget(race, numbers), place(race, racer));
-    row.spreads[Measure::Patches].expect("visible light").median
-}
-
-fn teachers(lamps: &[Lamp]) -> Vec<TrainingSpectrum> {
-    let teacher = |lamp: &Lamp| TrainingSpectrum {
-        name: lamp.name.clone(),
-        class: lamp.class.clone(),
-        values: lamp.values.clone(),
-    };
-    lamps.iter().map(teacher).collect()
-}
-
-/// Planck's law, equal to 1 at 560 nm.
-fn blackbody(kelvin: f64, nm: f64) -> f64 {
-    const C2_NM_KELVIN: f64 = 1.4388e7;
-    let bottom = |nm: f64| (C2_NM_KELVIN / (nm * kelvin)).exp_m1();
-    (560.0 / nm).powi(5) * bottom(560.0) / bottom(nm)
-}
-
-/// 20 temperatures from 2000 to 20000 K, in even ratios.
-fn temperatures() -> impl Iterator<Item = f64> {
-    (0..20).map(|i| 2000.0 * 10_f64.powf(f64::from(i) / 19.0))
 }
 
 #[test]
@@ -183,7 +156,7 @@ fn every_light_runs_as_it_would_alone_so_the_time_is_linear_in_lights() {
 #[test]
 fn principal_components_never_saw_the_light_they_are_fitted_to() {
     let lamps = ask(Field::Shipped, &[20]).lamps();
-    let training = Training::new(BAND, &teachers(&lamps), 20);
+    let training = Training::new(BAND, &lamps, 20);
     let caught = |basis: &PrincipalBasis, values: &[f64]| -> f64 {
         let whole = BAND.inner(values, values);
         let rows = basis.rows().iter().take(20);
@@ -218,196 +191,6 @@ fn principal_components_never_saw_the_light_they_are_fitted_to() {
             "{class}: {lost} of {count} lose something"
         );
     }
-}
-
-/// Where medians are further apart than [`NOTABLE`]: the shipped lights' over the larger
-/// collection's. The reasons are tests of their own below.
-const APART: [(&str, &str, usize, f64); 13] = [
-    ("cosine", "smooth", 11, 1.58),
-    ("cosine+spikes", "smooth", 11, 1.58),
-    ("cosine-exact", "smooth", 20, 2.61),
-    ("cosine-exact+spikes", "smooth", 20, 2.61),
-    ("legendre", "fluorescent", 11, 0.608),
-    ("legendre", "fluorescent", 31, 0.594),
-    ("legendre", "smooth", 20, 1.64),
-    ("moments", "fluorescent", 11, 0.64),
-    ("principal", "LED", 20, 4.84),
-    ("principal", "discharge", 20, 2.47),
-    ("principal", "fluorescent", 20, 2.05),
-    ("principal", "smooth", 11, 2.60),
-    ("principal", "smooth", 20, 29.4),
-];
-
-#[test]
-fn every_line_of_the_larger_collection_is_met_or_explained() {
-    let (_, race) = &*ALL;
-    for line in &TABLE {
-        let cells = line.beside(race);
-        let mut text = format!("{:34}", line.racer.title());
-        for (cell, column) in cells.iter().zip(COLUMNS) {
-            let beside = cell.expect("all classes and counts race");
-            assert_eq!(beside.column, column);
-            let known = APART.iter().find(|(word, class, numbers, _)| {
-                (*word, *class, *numbers) == (line.racer.word(), column.class, column.numbers)
-            });
-            let place = format!("{} {column:?}", line.racer.title());
-            assert_eq!(known.is_some(), beside.differs(), "{place}");
-            if let Some((.., factor)) = known {
-                // Three digits are written above.
-                let off = beside.factor() / factor - 1.0;
-                assert!(off.abs() < 0.01, "{place}: {}", beside.factor());
-            }
-            text += &format!(
-                " {}{}: {:.3}/{:.2} ({:.3}/{:.2})",
-                column.class,
-                column.numbers,
-                beside.ours.median,
-                beside.ours.p95,
-                beside.theirs.median,
-                beside.theirs.p95
-            );
-        }
-        let words = line.explained(&cells);
-        println!("{text}\n    {words}");
-        let apart = cells.iter().flatten().filter(|c| c.differs()).count();
-        assert_eq!(apart > 0, words.starts_with("Apart"), "{words}");
-        assert!(!words.contains("The lights are others"), "{words}");
-    }
-}
-
-#[test]
-fn blackbodies_alone_are_as_smooth_as_the_larger_collection() {
-    let of = |kelvin: f64| {
-        let values = (360..=830)
-            .map(|nm| blackbody(kelvin, f64::from(nm)))
-            .collect();
-        let spectrum = NamedSpectrum {
-            name: format!("{kelvin:.0} K"),
-            kind: Kind::Light,
-            samples: Sampled::even(360.0, 1.0, values).expect("a table"),
-            ..entry("CIE A").spectrum.clone()
-        };
-        ByAddress(Arc::new(Entry::own(1, spectrum)))
-    };
-    let ask = ask(Field::These(temperatures().map(of).collect()), &[11, 20]);
-    let race = ask.answer(&Progress::default()).expect("they shine");
-    let find = |word: &str| {
-        let found = race.racers.iter().copied().find(|r| r.word() == word);
-        found.expect("everybody races")
-    };
-    let of = |numbers: usize, word: &str| median(&race, "own", numbers, find(word));
-    let close = |found: f64, told: f64| assert!((found / told - 1.0).abs() < 0.05, "{found}");
-    close(of(11, "cosine"), 0.24);
-    close(of(20, "cosine-exact"), 0.0018);
-    close(of(20, "legendre"), 0.0125);
-    // What stands beside them in the words: one daylight.
-    let (_, all) = &*ALL;
-    let d65 = all
-        .lamps
-        .iter()
-        .position(|l| l.0 == "CIE D65")
-        .expect("shipped");
-    let run = |numbers: usize, word: &str| {
-        let run = all.run(d65, budget(all, numbers), place(all, find(word)));
-        run.verdict[Measure::Patches].expect("visible")
-    };
-    close(run(11, "cosine"), 0.44);
-    close(run(20, "cosine-exact"), 0.0069);
-}
-
-#[test]
-fn principal_components_lack_teachers_here() {
-    let (whole, all) = &*ALL;
-    let lamps = whole.lamps();
-    let usual = teachers(&lamps);
-    let principal = Racer::Rival(Family::Principal);
-    let course = RaceConfig {
-        budgets: vec![11, 20],
-        encoder: None,
-        ..whole.course()
-    };
-    let taught_by = |teachers: &[TrainingSpectrum]| {
-        let course = RaceConfig {
-            lights: Arc::new(Training::new(BAND, teachers, 20)),
-            ..course.clone()
-        };
-        race::run(&course, &lamps, &Progress::default()).expect("lights that shine")
-    };
-    let smooth = |race: &Race, numbers: usize| median(race, "smooth", numbers, principal);
-    let more = temperatures().map(|kelvin| TrainingSpectrum {
-        name: format!("{kelvin:.0} K"),
-        class: "smooth".to_owned(),
-        values: BAND.grid().map(|nm| blackbody(kelvin, nm)).collect(),
-    });
-    let more = taught_by(&usual.iter().cloned().chain(more).collect::<Vec<_>>());
-    println!(
-        "20 blackbodies more: {:.3} -> {:.3} at 11, {:.3} -> {:.4} at 20",
-        smooth(all, 11),
-        smooth(&more, 11),
-        smooth(all, 20),
-        smooth(&more, 20)
-    );
-    // The figures that the page tells, to their two digits.
-    let told = |found: f64, told: f64| {
-        assert!(
-            (found / told - 1.0).abs() < 0.05,
-            "{found} is told as {told}"
-        );
-    };
-    told(smooth(all, 11), 0.57);
-    told(smooth(&more, 11), 0.12);
-    told(smooth(all, 20), 0.56);
-    told(smooth(&more, 20), 0.011);
-    for (class, lamps_told, all_told, half_told) in [
-        ("LED", 25, 0.48, 2.1),
-        ("fluorescent", 50, 0.31, 0.63),
-        ("discharge", 18, 1.8, 3.6),
-    ] {
-        let mut names: Vec<&str> = Vec::new();
-        for teacher in usual.iter().filter(|t| t.class == class) {
-            if !names.contains(&teacher.name.as_str()) {
-                names.push(&teacher.name);
-            }
-        }
-        assert_eq!(names.len(), lamps_told, "{class}");
-        let half: Vec<&str> = names.iter().copied().step_by(2).collect();
-        let some: Vec<TrainingSpectrum> = usual
-            .iter()
-            .filter(|t| t.class != class || half.contains(&t.name.as_str()))
-            .cloned()
-            .collect();
-        let fewer = taught_by(&some);
-        let [before, after] = [all, &fewer].map(|race| median(race, class, 20, principal));
-        println!("{class}, half of its teachers: {before:.2} -> {after:.2} at 20");
-        told(before, all_told);
-        told(after, half_told);
-    }
-}
-
-#[test]
-fn the_cie_lamps_are_easier_than_the_other_fluorescents() {
-    let (whole, all) = &*ALL;
-    let b = budget(all, 11);
-    let medians = |family: Family| {
-        let r = place(all, Racer::Rival(family));
-        let of = |cie: bool| {
-            let mut errors: Vec<f64> = all
-                .of_class(Some("fluorescent"))
-                .filter(|lamp| all.lamps[*lamp].0.starts_with("FL") == cie)
-                .map(|lamp| all.run(lamp, b, r).verdict[Measure::Patches].expect("visible"))
-                .collect();
-            errors.sort_by(f64::total_cmp);
-            (errors.len(), errors[errors.len() / 2])
-        };
-        [of(true), of(false)]
-    };
-    for (family, cie, others) in [(Family::Legendre, 1.0, 1.37), (Family::Moments, 0.43, 0.49)] {
-        let found = medians(family);
-        assert_eq!(found.map(|f| f.0), [54, 23]);
-        assert!((found[0].1 / cie - 1.0).abs() < 0.03, "{found:?}");
-        assert!((found[1].1 / others - 1.0).abs() < 0.03, "{found:?}");
-    }
-    assert_eq!(whole.lamps().len(), 146);
 }
 
 #[test]

@@ -120,8 +120,7 @@ impl Default for PageMemory {
 /// Counts of numbers that may be spent.
 pub const SPENDABLE: std::ops::RangeInclusive<usize> = 1..=101;
 
-/// Counts of numbers that the race is run at; those of the larger collection's table (11, 20, 31)
-/// among them.
+/// Counts of numbers that the race is run at.
 pub const RACE_BUDGETS: [usize; 7] = [8, 11, 15, 20, 25, 31, 41];
 
 impl PageMemory {

@@ -15,7 +15,7 @@ use crate::{
     },
     color::{Adaptation, Observer, Swatch, Weights, delta_e_2000},
     spectrum::{Band, Composite, Kind, NamedSpectrum, Sampled},
-    study::products::{Black, TwoLights, black_of, two_lights, two_modelled_lights},
+    study::products::{Black, TwoLights, metameric_black, two_lights, two_modelled_lights},
 };
 
 /// The document's patches under its light and another one.
@@ -211,7 +211,8 @@ impl Made {
             return Err(NoMetamer::Unseen);
         }
         let (band, seen) = (sheet.band, &sheet.seen);
-        let black = black_of(band, original, &sheet.values[0], seen).ok_or(NoMetamer::NoRoom)?;
+        let black =
+            metameric_black(band, original, &sheet.values[0], seen).ok_or(NoMetamer::NoRoom)?;
         let values = black.added(original, f64::from(room_percent) / 100.0);
         let lights = [&sheet.values[0][..], &sheet.values[1][..]];
         let surfaces = [original.clone(), values.clone()];

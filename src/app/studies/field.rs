@@ -14,7 +14,7 @@ use crate::{
     rivals::PrincipalBasis,
     spectrum::{Band, Kind, NamedSpectrum, SpikeSettings},
     study::{
-        Training, TrainingSpectrum,
+        Training,
         race::{Encode, Lamp, RaceConfig},
         scaled_to_one,
     },
@@ -142,8 +142,8 @@ impl RaceAsk {
         let most = self.budgets.iter().copied().max().unwrap_or(1);
         let (_, patches) = self.patches.reflectances(band);
         let (_, check) = reflectances(CHECK_SET, band);
-        let lights: Vec<TrainingSpectrum> = shipped_lights()
-            .map(|(preset, s)| TrainingSpectrum {
+        let lights: Vec<Lamp> = shipped_lights()
+            .map(|(preset, s)| Lamp {
                 name: s.name.clone(),
                 class: class_word(preset).to_owned(),
                 values: s.samples.on_band(band, s.kind.outside()),

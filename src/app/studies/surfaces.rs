@@ -13,7 +13,7 @@ use crate::{
         Progress,
         products::{
             Checker, MATCH_DELTA_E, Metamers, Reflection, Sameness, TwoLights, measured_check,
-            metameric_pairs_unless_cancelled, two_lights,
+            metameric_pairs, two_lights,
         },
     },
 };
@@ -92,8 +92,7 @@ impl Question for PairsAsk {
         let [first, second] = [0, 1].map(|i| self.lights[i].0.on_band(self.band));
         let seen = self.observer.table().on_band(self.band);
         let both = two_lights(self.band, &values, [&first, &second], &seen)?;
-        let metamers =
-            metameric_pairs_unless_cancelled(self.band, &values, &both, MATCH_DELTA_E, progress)?;
+        let metamers = metameric_pairs(self.band, &values, &both, MATCH_DELTA_E, progress)?;
         Some(Pairs {
             surfaces,
             both,

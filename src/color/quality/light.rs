@@ -98,10 +98,7 @@ impl Light {
         }
         let unscaled = values.iter().map(|v| v * self.scale).collect();
         let lines = self.lines.iter().filter(|l| band.contains(l.at_nm));
-        let lines = lines.map(|l| Line {
-            weight: l.weight * self.scale,
-            ..*l
-        });
+        let lines = lines.map(|l| l.weighing(l.weight * self.scale));
         let ends_nm = [
             band.min_nm().max(f64::from(FIRST_NM) + self.ends[0] as f64),
             band.max_nm().min(f64::from(FIRST_NM) + self.ends[1] as f64),

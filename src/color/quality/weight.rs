@@ -35,8 +35,7 @@ impl Weight {
 
     /// A table of `presets/observers.json`.
     pub(super) fn named(name: &str) -> Self {
-        let table = observer::weighting(name);
-        Self::of(table.unwrap_or_else(|| panic!("the observer file has no table named {name:?}")))
+        Self::of(observer::bundled(name))
     }
 
     /// Sum over the light's whole nm, each line with the weight at its place.

@@ -6,7 +6,10 @@
 use super::{Colours, Product};
 use crate::{
     color::{delta_e_of_xyz, xyz_of_parts},
-    spectrum::{ChainTables, Factor, Sampling, product::chain_points},
+    spectrum::{
+        ChainTables, Factor, Sampling,
+        product::{chain_points, multiply},
+    },
 };
 
 /// Most bounces that are followed.
@@ -32,18 +35,12 @@ pub struct BounceErrors {
 /// # Panics
 /// When a curve does not have [`crate::spectrum::Band::points`] values.
 pub fn bounce_errors(product: Product<'_>, surface: &Factor) -> Vec<BounceErrors> {
-    Sampling::ALL
-        .into_iter()
-        .map(|sampling| {
-            one_way(
-                Product {
-                    sampling,
-                    ..product
-                },
-                surface,
-            )
-        })
-        .collect()
+    let by = |sampling| Product {
+        sampling,
+        ..product
+    };
+    let ways = Sampling::ALL.into_iter().map(by);
+    ways.map(|product| one_way(product, surface)).collect()
 }
 
 fn one_way(product: Product<'_>, surface: &Factor) -> BounceErrors {
@@ -70,9 +67,7 @@ fn one_way(product: Product<'_>, surface: &Factor) -> BounceErrors {
         added: Vec::with_capacity(MOST_BOUNCES),
     };
     for stage in stages {
-        for (v, f) in exact.iter_mut().zip(surface.values()) {
-            *v *= f;
-        }
+        exact = multiply(&exact, surface.values());
         let truth = xyz_of_parts(band, &exact, &[], product.seen);
         let model = xyz_of_parts(band, &stage.smooth, &stage.spikes, product.seen);
         let unfolded = xyz_of_parts(band, &stage.unfolded, &stage.spikes, product.seen);

@@ -1,9 +1,12 @@
 //! A light through a chain of factors: exact beside model at every stage.
 
-use super::{Colours, multiplied};
+use super::Colours;
 use crate::{
     color::{Weights, Xyz, delta_e_of_xyz, xyz_of_parts},
-    spectrum::{Band, ChainTables, Composite, Factor, Line, LineInDip, Sampling, below_zero},
+    spectrum::{
+        Band, ChainTables, Composite, Factor, Line, LineInDip, Sampling, below_zero,
+        product::multiply,
+    },
     study::error::Spread,
 };
 
@@ -182,7 +185,7 @@ impl Product<'_> {
         let mut before = light;
         let stages = tables.pass(self.model, factors);
         let steps = stages.into_iter().zip(factors).map(|(stage, factor)| {
-            exact = multiplied(&exact, factor.values());
+            exact = multiply(&exact, factor.values());
             let model = xyz_of_parts(band, &stage.smooth, &stage.spikes, self.seen);
             let colours = Colours::of(xyz_of_parts(band, &exact, &[], self.seen), model, white);
             let unfolded = xyz_of_parts(band, &stage.unfolded, &stage.spikes, self.seen);

@@ -31,15 +31,16 @@ pub use narrow::{Narrow, NarrowPoint};
 pub(crate) use resampling::spike_costs;
 pub use resampling::{Formed, Resampled, SpikeCosts, resampled};
 pub(crate) use same_surface::measured_check;
-pub use same_surface::{Checker, Compared, Reflection, SAME_RESIDUAL, Sameness, reflection_check};
+pub use same_surface::{Checker, Compared, Reflection, SAME_RESIDUAL, Sameness};
 pub(crate) use timing::product_times;
 pub use timing::{ProductTime, Sizes};
+pub(crate) use two_lights::two_modelled_lights;
 pub use two_lights::{
     Black, MATCH_DELTA_E, MetamericPair, Metamers, TwoLights, metameric_black, metameric_pairs,
     two_lights,
 };
-pub(crate) use two_lights::{black_of, metameric_pairs_unless_cancelled, two_modelled_lights};
 
+use super::error::ratio;
 use crate::color::{Xyz, delta_e_of_xyz};
 
 /// One light as it is and as the model has it.
@@ -84,14 +85,4 @@ impl Colours {
             ..Self::of(exact, model, white)
         }
     }
-}
-
-/// A ratio to something that must be positive.
-fn ratio(part: f64, whole: f64) -> Option<f64> {
-    Some(part / whole).filter(|share| whole > 0.0 && share.is_finite())
-}
-
-/// Two curves on the same grid, multiplied.
-fn multiplied(a: &[f64], b: &[f64]) -> Vec<f64> {
-    a.iter().zip(b).map(|(a, b)| a * b).collect()
 }

@@ -1,9 +1,9 @@
 //! One product formed in every way, and the factor at the light's spikes by Eq. 17.
 
-use super::{Product, Step, multiplied};
+use super::{Product, Step};
 use crate::{
     color::{delta_e_of_xyz, xyz_of_parts},
-    spectrum::{BasisTable, Factor, Line, Sampling},
+    spectrum::{BasisTable, Factor, Line, Sampling, product::multiply},
     study::truth::{SpikeReading, cut, eq_17},
 };
 
@@ -53,8 +53,8 @@ pub fn resampled(product: Product<'_>, factor: &Factor, table: &BasisTable) -> R
     let short = cut(factor.background(), table, product.model);
     Resampled {
         ways: ways.collect(),
-        series_product: multiplied(&product.model.smooth().on_band(), &short.on_band()),
-        exact: multiplied(product.measured, factor.values()),
+        series_product: multiply(&product.model.smooth().on_band(), &short.on_band()),
+        exact: multiply(product.measured, factor.values()),
     }
 }
 
@@ -86,15 +86,10 @@ pub(crate) fn spike_costs(product: Product<'_>, factor: &Factor, table: &BasisTa
         white,
     );
     let series = cut(factor.values(), table, product.model);
-    let smooth = multiplied(&product.model.smooth().on_band(), &series.on_band());
+    let smooth = multiply(&product.model.smooth().on_band(), &series.on_band());
     let colour = |value: &dyn Fn(usize, &SpikeReading) -> f64| {
         let readings = found.readings.iter().enumerate();
-        let spikes: Vec<Line> = readings
-            .map(|(i, reading)| Line {
-                weight: reading.spike.weight * value(i, reading),
-                ..reading.spike
-            })
-            .collect();
+        let spikes: Vec<Line> = readings.map(|(i, r)| r.weighed(value(i, r))).collect();
         xyz_of_parts(band, &smooth, &spikes, seen)
     };
     let exact = colour(&|_, reading| reading.measured);
@@ -133,11 +128,7 @@ mod tests {
 
     fn light(basis: Basis) -> Composite {
         Composite::of_lines_inside(
-            Series {
-                band: BAND,
-                basis,
-                coefficients: vec![3.0, -1.0, 0.5, 0.25, 0.125],
-            },
+            Series::new(BAND, basis, vec![3.0, -1.0, 0.5, 0.25, 0.125]),
             vec![Line::ideal(435.8, 20.0), Line::ideal(546.1, 30.0)],
         )
     }

@@ -7,9 +7,11 @@
 //! on both. Both are compared behind a 10 nm blur up to a factor: how much of the light goes which
 //! way is geometry and says nothing about the surface.
 
-use super::multiplied;
 use crate::{
-    spectrum::{Band, BasisTable, Composite, Line, Sampling, Series, product::resampled},
+    spectrum::{
+        Band, BasisTable, Composite, Line, Sampling, Series,
+        product::{multiply, resampled},
+    },
     study::error::{BLUR_NM, Blur, height, spikes_times, times},
 };
 
@@ -136,22 +138,8 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// Tests `outgoing = light x reflectance` in the model's numbers.
-///
-/// Both composites share band and basis. `None` when one of them is dark.
-///
-/// # Panics
-/// When `reflectance` does not have [`Band::points`] values.
-pub fn reflection_check(
-    light: &Composite,
-    reflectance: &[f64],
-    outgoing: &Composite,
-) -> Option<Reflection> {
-    let compared = Checker::new(light, outgoing).against(reflectance)?;
-    Some(compared.reflection)
-}
-
-/// The same test on measured curves on the band's grid, behind the same blur.
+/// Tests `outgoing = light x reflectance` on measured curves on the band's grid, behind the blur of
+/// [`Checker`].
 ///
 /// `None` when one of them is dark.
 pub(crate) fn measured_check(
@@ -165,7 +153,7 @@ pub(crate) fn measured_check(
         let unit = height(values)?;
         Some((blur.values(&times(values, unit)), unit))
     };
-    compared(band, one(&multiplied(light, reflectance))?, one(outgoing)?)
+    compared(band, one(&multiply(light, reflectance))?, one(outgoing)?)
 }
 
 /// Finds the best factor between two curves, each given with what it was multiplied by.

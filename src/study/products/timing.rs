@@ -130,11 +130,7 @@ fn products(sizes: Sizes, sampling: Sampling) -> Box<dyn FnMut(usize)> {
     let mut behind = vec![0.0; sizes.spikes];
     let mut spikes = move || multiply(&weights, &factor_there, &mut behind);
     if sampling == Sampling::Convolution {
-        let series = |seed| Series {
-            band: sizes.band,
-            basis: sizes.basis,
-            coefficients: made_up(numbers, seed),
-        };
+        let series = |seed| Series::new(sizes.band, sizes.basis, made_up(numbers, seed));
         let (a, b) = (series(0.1), series(0.2));
         return Box::new(move |count| {
             for _ in 0..count {

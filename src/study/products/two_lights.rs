@@ -1,9 +1,11 @@
 //! The same surfaces under two lights: colour shifts, metameric pairs, metameric blacks.
 
-use super::multiplied;
 use crate::{
     color::{Lab, Weights, Xyz, delta_e_2000, lab_from_xyz, xyz_of_parts},
-    spectrum::{Band, Basis, Composite, Line, product::weigh_lines},
+    spectrum::{
+        Band, Basis, Composite, Line,
+        product::{multiply, weigh_lines},
+    },
     study::Progress,
 };
 
@@ -98,7 +100,7 @@ fn under(
         let colours = [0, 1].map(|i| {
             let (curve, spikes) = lamps[i];
             let lines = weigh_lines(spikes, |nm| band.interpolate(surface, nm));
-            let raw = xyz_of_parts(band, &multiplied(curve, surface), &lines, seen);
+            let raw = xyz_of_parts(band, &multiply(curve, surface), &lines, seen);
             raw * (100.0 / whites[i].y)
         });
         let labs = [0, 1].map(|i| lab_from_xyz(colours[i], scaled[i]));
@@ -128,23 +130,10 @@ impl TwoLights {
     }
 }
 
-/// Pairs of different surfaces closer than `match_delta_e` under the first light the farthest
-/// apart under the second first. `surfaces` are those of `seen`, on the band's grid.
+/// Pairs of different surfaces closer than `match_delta_e` under the first light, the farthest
+/// apart under the second first. `surfaces` are those of `seen`, on the band's grid. A step of
+/// progress each; `None` when it was cancelled.
 pub fn metameric_pairs(
-    band: Band,
-    surfaces: &[Vec<f64>],
-    both: &TwoLights,
-    match_delta_e: f64,
-) -> Metamers {
-    metameric_pairs_unless_cancelled(band, surfaces, both, match_delta_e, &Progress::default())
-        .unwrap_or(Metamers {
-            pairs: Vec::new(),
-            index: None,
-        })
-}
-
-/// The same for many surfaces: a step of progress each; `None` when it was cancelled.
-pub(crate) fn metameric_pairs_unless_cancelled(
     band: Band,
     surfaces: &[Vec<f64>],
     both: &TwoLights,
@@ -237,29 +226,13 @@ impl Black {
     }
 }
 
-/// A reflectance that matches another under a light, made by adding as much as there is room for
-/// of a metameric black.
-///
-/// The side with more room is taken. `None` when there is no room, or the light is not seen on
-/// this band.
-pub fn metameric_black(
-    band: Band,
-    surface: &[f64],
-    light: &[f64],
-    seen: &Weights,
-) -> Option<Vec<f64>> {
-    let black = black_of(band, surface, light, seen)?;
-    let [down, up] = black.room;
-    Some(black.added(surface, if up >= -down { 1.0 } else { -1.0 }))
-}
-
 /// The metameric black of a light, with its room on a surface.
 ///
 /// The black is the one combination of the first four half-range cosines (the lowest order that
 /// leaves any freedom) that the light shows as nothing: orthogonal to the three colour-matching
 /// functions times the light. `None` when there is no room (a surface that touches 0 or 1 where
 /// the black would leave), or the light is not seen on this band.
-pub(crate) fn black_of(
+pub fn metameric_black(
     band: Band,
     surface: &[f64],
     light: &[f64],
@@ -271,7 +244,7 @@ pub(crate) fn black_of(
     });
     let mut rows: [[f64; 4]; 3] = [[0.0; 4]; 3];
     for (row, seen) in rows.iter_mut().zip(seen.iter()) {
-        let weight = multiplied(seen, light);
+        let weight = multiply(seen, light);
         *row = std::array::from_fn(|k| band.inner(&weight, &cosines[k]));
         let length = row.iter().map(|v| v * v).sum::<f64>().sqrt();
         if !(length > 0.0 && length.is_finite()) {

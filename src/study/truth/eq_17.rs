@@ -3,7 +3,10 @@
 use super::STATED_LINE_NM;
 use crate::{
     color::{Weights, Xyz, delta_e_of_xyz, xyz_of_parts},
-    spectrum::{Band, Basis, BasisTable, Composite, Line, SampleGrid, Series, numbers_of_order},
+    spectrum::{
+        Band, Basis, BasisTable, Composite, Line, SampleGrid, Series, numbers_of_order,
+        product::multiply,
+    },
 };
 
 /// A factor read at every spike of a light in four ways, and what that does to the colour.
@@ -36,6 +39,13 @@ pub struct SpikeReading {
     pub linear: f64,
     /// Eq. 17 as printed, its two weights swapped.
     pub printed: f64,
+}
+
+impl SpikeReading {
+    /// The spike behind a factor that is read so.
+    pub(in crate::study) fn weighed(&self, factor: f64) -> Line {
+        self.spike.weighing(self.spike.weight * factor)
+    }
 }
 
 /// Where a straight line `S(l) = l` is read by Eq. 17, all in nm.
@@ -83,21 +93,9 @@ pub(crate) fn eq_17(
             printed: grid.linear_at_as_printed(&samples, spike.at_nm),
         })
         .collect();
-    let smooth: Vec<f64> = light
-        .smooth()
-        .on_band()
-        .iter()
-        .zip(series.on_band())
-        .map(|(s, f)| s * f)
-        .collect();
+    let smooth = multiply(&light.smooth().on_band(), &series.on_band());
     let weighed_by = |value: fn(&SpikeReading) -> f64| {
-        let spikes: Vec<Line> = readings
-            .iter()
-            .map(|reading| Line {
-                weight: reading.spike.weight * value(reading),
-                ..reading.spike
-            })
-            .collect();
+        let spikes: Vec<Line> = readings.iter().map(|r| r.weighed(value(r))).collect();
         xyz_of_parts(band, &smooth, &spikes, weights)
     };
     let exact = weighed_by(|reading| reading.series);
@@ -115,11 +113,7 @@ pub(crate) fn straight_line(band: Band, order: usize, at_nm: f64) -> Option<Stra
     if !band.contains(at_nm) {
         return None;
     }
-    let grid = SampleGrid {
-        band,
-        basis: Basis::Fourier,
-        points: numbers_of_order(order),
-    };
+    let grid = SampleGrid::new(band, Basis::Fourier, numbers_of_order(order));
     let x = (at_nm - band.min_nm()) / grid.step_nm();
     let left = (x as usize).min(grid.points - 1);
     let (left_nm, right_nm) = (grid.nm(left), grid.nm(left + 1));
@@ -134,18 +128,14 @@ pub(crate) fn straight_line(band: Band, order: usize, at_nm: f64) -> Option<Stra
 }
 
 pub(super) fn paper_grid(series: &Series) -> SampleGrid {
-    SampleGrid {
-        band: series.band,
-        basis: series.basis,
-        points: series.coefficients.len(),
-    }
+    SampleGrid::new(series.band, series.basis, series.coefficients.len())
 }
 
 /// A factor fitted with as many numbers as the light has, or as the table holds.
 pub(in crate::study) fn cut(factor: &[f64], table: &BasisTable, light: &Composite) -> Series {
-    Series {
-        band: table.band(),
-        basis: table.basis(),
-        coefficients: table.project(factor, light.smooth().coefficients.len()),
-    }
+    Series::new(
+        table.band(),
+        table.basis(),
+        table.project(factor, light.smooth().coefficients.len()),
+    )
 }

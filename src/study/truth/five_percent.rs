@@ -61,14 +61,17 @@ pub(super) fn channel_terms(harmonics: &Harmonics, k: usize) -> ChannelTerms {
         Some(order.contribution[k] / exact).filter(|s| exact > 0.0 && s.is_finite())
     };
     let is_negligible = |share: Option<f64>| share.is_some_and(|s| s.abs() < NEGLIGIBLE_SHARE);
-    let lobes = gaussian_cmf::FIT[k];
+    let latest = |first: &dyn Fn(Gaussian) -> usize| {
+        let firsts = gaussian_cmf::FIT[k].iter().map(|lobe| first(*lobe));
+        firsts.max().unwrap_or(1)
+    };
     ChannelTerms {
         first_negligible: start_of_end_run(orders.get(1..).unwrap_or_default(), |o| {
             is_negligible(share(o))
         }),
         sufficient_order: start_of_end_run(orders, |o| is_negligible(o.neglected[k])),
-        promised: latest(lobes, |lobe, n| lobe.bound(n, length_nm)),
-        promised_as_printed: latest(lobes, |lobe, n| lobe.bound_as_printed(n, length_nm)),
+        promised: latest(&|lobe| lobe.first_negligible_order(length_nm)),
+        promised_as_printed: latest(&|lobe| lobe.first_negligible_as_printed(length_nm)),
         at_stated_order: neglected_beyond(STATED_ORDER.figure as usize, orders, k, share),
     }
 }
@@ -77,15 +80,6 @@ pub(super) fn channel_terms(harmonics: &Harmonics, k: usize) -> ChannelTerms {
 pub(super) fn start_of_end_run(orders: &[Order], passes: impl Fn(&Order) -> bool) -> Option<usize> {
     let run = orders.iter().rev().take_while(|o| passes(o));
     run.last().map(|o| o.order)
-}
-
-/// The first order at which the bounds of all lobes are below the share.
-pub(super) fn latest(lobes: &[Gaussian], bound: impl Fn(&Gaussian, usize) -> f64) -> usize {
-    // 4/n alone is below the share from here on.
-    let surely = (4.0 / NEGLIGIBLE_SHARE) as usize + 1;
-    let first = |lobe| (1..surely).find(|n| bound(lobe, *n) < NEGLIGIBLE_SHARE);
-    let firsts = lobes.iter().map(|lobe| first(lobe).unwrap_or(surely));
-    firsts.max().unwrap_or(surely)
 }
 
 pub(super) fn neglected_beyond(

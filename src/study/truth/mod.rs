@@ -43,47 +43,33 @@ pub struct Stated {
     pub place: &'static str,
 }
 
+const fn stated(figure: f64, place: &'static str) -> Stated {
+    Stated { figure, place }
+}
+
 /// Share of the first term below which a term is neglected, 0-1.
-pub(crate) const STATED_SHARE: Stated = Stated {
-    figure: NEGLIGIBLE_SHARE,
-    place: "Eq. 12",
-};
+pub(crate) const STATED_SHARE: Stated = stated(NEGLIGIBLE_SHARE, "Eq. 12");
 
 /// The order after which terms are negligible (11 numbers), for a range of 300 nm.
-pub(crate) const STATED_ORDER: Stated = Stated {
-    figure: 5.0,
-    place: "Sufficiency of a Low-Dimensional Representation, after Eq. 12",
-};
+pub(crate) const STATED_ORDER: Stated = stated(
+    5.0,
+    "Sufficiency of a Low-Dimensional Representation, after Eq. 12",
+);
 
 /// Samples from 380 to 780 nm "to avoid missing any spikes".
-pub(crate) const STATED_SAMPLES: Stated = Stated {
-    figure: 400.0,
-    place: STORAGE,
-};
+pub(crate) const STATED_SAMPLES: Stated = stated(400.0, STORAGE);
 
 /// Numbers that do the same: [`STATED_BACKGROUND`] and [`STATED_SPIKE_NUMBERS`].
-pub(crate) const STATED_NUMBERS: Stated = Stated {
-    figure: TOTAL_NUMBERS as f64,
-    place: STORAGE,
-};
+pub(crate) const STATED_NUMBERS: Stated = stated(TOTAL_NUMBERS as f64, STORAGE);
 
 /// Numbers for the smooth background.
-pub const STATED_BACKGROUND: Stated = Stated {
-    figure: (TOTAL_NUMBERS - 2 * MOST_SPIKES) as f64,
-    place: STORAGE,
-};
+pub const STATED_BACKGROUND: Stated = stated((TOTAL_NUMBERS - 2 * MOST_SPIKES) as f64, STORAGE);
 
 /// Numbers for the spikes, two each.
-pub const STATED_SPIKE_NUMBERS: Stated = Stated {
-    figure: (2 * MOST_SPIKES) as f64,
-    place: STORAGE,
-};
+pub const STATED_SPIKE_NUMBERS: Stated = stated((2 * MOST_SPIKES) as f64, STORAGE);
 
 /// The green mercury line that Eq. 17 is tried on, in nm.
-pub(crate) const STATED_LINE_NM: Stated = Stated {
-    figure: 546.1,
-    place: "Table 4",
-};
+pub(crate) const STATED_LINE_NM: Stated = stated(546.1, "Table 4");
 
 const STORAGE: &str = "Storage and Communication of Spectral Images";
 const TOTAL_NUMBERS: usize = 20;
@@ -92,8 +78,5 @@ const MOST_SPIKES: usize = 4;
 /// Multiplications of a product of two smooth spectra of order N, as Eq. 16 counts them: one for
 /// each of the 2N+2 points, of which the last equals the first.
 pub(crate) fn stated_multiplications(order: usize) -> Stated {
-    Stated {
-        figure: (2 * order + 2) as f64,
-        place: "Eq. 16",
-    }
+    stated((2 * order + 2) as f64, "Eq. 16")
 }

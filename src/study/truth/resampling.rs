@@ -3,9 +3,10 @@
 use super::eq_17::cut;
 use crate::{
     color::{Weights, Xyz, delta_e_of_xyz, xyz_of_parts},
-    spectrum::product::{folded_share, resampled},
-    spectrum::{Basis, BasisTable, Composite, Sampling, Series},
-    study::error::height,
+    spectrum::{
+        Basis, BasisTable, Composite, Sampling,
+        product::{folded_share, in_units, resampled},
+    },
 };
 
 /// A product of a light and a factor, each cut to N, formed on a few points.
@@ -62,8 +63,7 @@ pub fn resampling(
                 Some(ResamplingWay {
                     sampling: *sampling,
                     points,
-                    // An empty sum is minus zero.
-                    folded_share: 0.0 + folded_share(&light_unit, &factor_unit, points),
+                    folded_share: folded_share(&light_unit, &factor_unit, points),
                     delta_e_2000: delta_e_of_xyz(exact, product(*sampling), white),
                 })
             })
@@ -81,14 +81,5 @@ pub(super) fn ways(basis: Basis) -> &'static [Sampling] {
             Sampling::Double,
         ],
         Basis::Cosine => &[Sampling::Paper, Sampling::Double],
-    }
-}
-
-/// A series as shares of its largest coefficient, so that no square overflows.
-pub(super) fn in_units(series: &Series) -> Series {
-    let unit = height(&series.coefficients).unwrap_or(1.0);
-    Series {
-        coefficients: series.coefficients.iter().map(|c| c * unit).collect(),
-        ..*series
     }
 }

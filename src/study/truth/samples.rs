@@ -120,9 +120,7 @@ pub(super) fn background(
 ) -> (Vec<f64>, usize) {
     let mut target = question.measured.to_vec();
     for line in without {
-        for (v, r) in target.iter_mut().skip(line.first).zip(&line.residue) {
-            *v -= r;
-        }
+        line.take_from(&mut target);
     }
     let coefficients = question.table.project(&target, numbers);
     (question.table.evaluate(&coefficients), coefficients.len())

@@ -239,11 +239,7 @@ fn the_printed_weights_read_a_straight_line_at_553_9_on_the_papers_range() {
         // Sums of wavelengths near 1000 nm.
         assert!((read.printed_nm - 553.9).abs() < 1e-9, "N = {order}");
         assert!((read.corrected_nm - line_nm).abs() < 1e-9);
-        let grid = SampleGrid {
-            band: Band::PAPER,
-            basis: Basis::Fourier,
-            points: numbers_of_order(order),
-        };
+        let grid = SampleGrid::new(Band::PAPER, Basis::Fourier, numbers_of_order(order));
         // Order 0 has one point, which is its own right neighbour.
         if order > 0 {
             let values: Vec<f64> = (0..grid.points).map(|i| grid.nm(i)).collect();
@@ -268,11 +264,7 @@ fn a_flat_factor_reads_the_same_in_every_way_and_costs_nothing() {
     for basis in Basis::ALL {
         let table = BasisTable::new(BAND, basis, 11);
         let light = Composite::of_lines_inside(
-            Series {
-                band: BAND,
-                basis,
-                coefficients: vec![2.0, 0.3, -0.1, 0.2, 0.0],
-            },
+            Series::new(BAND, basis, vec![2.0, 0.3, -0.1, 0.2, 0.0]),
             vec![line(546.0, 20.0).spike, line(700.5, 5.0).spike],
         );
         let half = vec![0.5; BAND.points()];
@@ -299,11 +291,7 @@ fn on_a_point_the_line_is_exact_and_the_printed_weights_read_its_neighbour() {
     let table = BasisTable::new(BAND, Basis::Fourier, 5);
     let factor = table.evaluate(&[1.0, 0.2, 0.1, -0.1, 0.05]);
     let light = Composite::of_lines_inside(
-        Series {
-            band: BAND,
-            basis: Basis::Fourier,
-            coefficients: vec![2.0, 0.0, 0.0, 0.0, 0.0],
-        },
+        Series::new(BAND, Basis::Fourier, vec![2.0, 0.0, 0.0, 0.0, 0.0]),
         vec![line(540.0, 10.0).spike],
     );
     // Five points 80 nm apart: 540 is the third, 620 the fourth.
@@ -327,14 +315,8 @@ fn on_a_point_the_line_is_exact_and_the_printed_weights_read_its_neighbour() {
 fn the_papers_points_fold_and_four_times_the_order_does_not() {
     let table = BasisTable::new(BAND, Basis::Fourier, 41);
     let coefficients = table.project(&background(&table), 11);
-    let light = Composite::of_lines_inside(
-        Series {
-            band: BAND,
-            basis: Basis::Fourier,
-            coefficients,
-        },
-        Vec::new(),
-    );
+    let light =
+        Composite::of_lines_inside(Series::new(BAND, Basis::Fourier, coefficients), Vec::new());
     let factor: Vec<f64> = BAND.grid().map(|nm| (nm - 380.0) / 400.0).collect();
     let white = white(BAND, &light.smooth().on_band());
     let found = resampling(&light, &factor, &table, &weights(BAND), white);
@@ -371,11 +353,7 @@ fn enormous_and_tiny_spectra_give_no_nan() {
         let found = samples_of(&table, &measured, &[]);
         assert!(found.composite[Measure::Rms].is_some_and(f64::is_finite));
         let light = Composite::of_lines_inside(
-            Series {
-                band: BAND,
-                basis: Basis::Fourier,
-                coefficients: table.project(&measured, 11),
-            },
+            Series::new(BAND, Basis::Fourier, table.project(&measured, 11)),
             Vec::new(),
         );
         let white = white(BAND, &measured);

@@ -1,12 +1,12 @@
-//! The race as it is shown: error against numbers as a chart, the table of one count, who wins, and
-//! the figures beside those of a larger collection.
+//! The race as it is shown: error against numbers as a chart, the table of one count, and who
+//! wins.
 
-mod larger;
+mod halves;
 mod table;
 mod ways;
 mod winners;
 
-pub use larger::{Larger, Tables};
+pub use halves::{Half, halves};
 pub use table::{RaceCell, RaceColumn, RaceTable, about, group, name};
 pub use ways::{CELLS_AT, Ways, WaysRow};
 pub use winners::{Lamp, Winners, Won};

@@ -1,5 +1,7 @@
 //! What screens can show.
 
+use crate::color::srgb::{self, WHITE_XY as D65};
+
 /// A triangle of primaries with its white, xy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gamut {
@@ -13,7 +15,6 @@ pub struct Gamut {
     pub white: [f64; 2],
 }
 
-const D65: [f64; 2] = [0.3127, 0.3290];
 const P3: [[f64; 2]; 3] = [[0.680, 0.320], [0.265, 0.690], [0.150, 0.060]];
 
 /// The gamuts that a diagram offers.
@@ -21,7 +22,7 @@ pub const GAMUTS: [Gamut; 4] = [
     Gamut {
         name: "sRGB / Rec.709",
         standard: "IEC 61966-2-1, ITU-R BT.709",
-        primaries: [[0.64, 0.33], [0.30, 0.60], [0.15, 0.06]],
+        primaries: srgb::PRIMARIES_XY,
         white: D65,
     },
     Gamut {

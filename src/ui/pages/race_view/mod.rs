@@ -1,6 +1,6 @@
 //! The page "Race": the composite beside other representations, at equal counts of numbers.
 
-mod larger;
+mod halves;
 mod table;
 mod ways;
 mod winners;
@@ -15,7 +15,9 @@ use crate::{
     app::{
         ByAddress, Memo,
         chart::{Chart, Marks},
-        charts::race::{Larger, RaceCell, RaceTable, Winners, error_chart, looks, table_chart},
+        charts::race::{
+            Half, RaceCell, RaceTable, Winners, error_chart, halves, looks, table_chart,
+        },
         pages::{FieldChoice, RACE_BUDGETS},
         studies::{RaceAsk, Stage},
     },
@@ -52,7 +54,7 @@ struct Shown {
     chart: Chart,
     table: table::TableRows,
     winners: winners::WinnerRows,
-    larger: Option<larger::LargerRows>,
+    halves: Option<Vec<Half>>,
 }
 
 impl Shown {
@@ -64,7 +66,7 @@ impl Shown {
             chart: error_chart(ask, race, class, *measure),
             table: table::TableRows::of(&table),
             winners: winners::WinnerRows::of(winners),
-            larger: Larger::new(ask, race, *budget).map(larger::LargerRows::of),
+            halves: halves(ask, race, *budget),
         }
     }
 }
@@ -222,10 +224,10 @@ impl RaceView {
                 ui.add_space(8.0);
                 drawn.winners.show(ui, context, 230.0 * theme.scale);
             }
-            if let Some(larger) = &drawn.larger {
+            if let Some(halves) = &drawn.halves {
                 ui.add_space(8.0);
                 ui.separator();
-                larger.show(ui, theme);
+                halves::show(ui, halves);
             }
             ui.add_space(6.0);
         });
