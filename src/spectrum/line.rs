@@ -26,7 +26,7 @@ use super::{
 pub const GAUSSIAN_AREA: f64 = 1.064_467_019_431_226_2;
 
 /// A Gaussian's full width at half maximum in standard deviations.
-pub(crate) const FWHM_IN_SIGMAS: f64 = 2.354_820_045_030_949;
+const FWHM_IN_SIGMAS: f64 = 2.354_820_045_030_949;
 
 /// A Gaussian is below 1e-14 of its height this many widths from its centre.
 const REACH_WIDTHS: f64 = 3.5;

@@ -9,7 +9,7 @@
 use std::sync::Arc;
 
 use super::{
-    error::{BLUR_NM, Blur, height},
+    error::{BLUR_NM, Blur, height, times},
     measure::{Measure, Verdict},
     projected_spectrum::ProjectedSpectrum,
     way::FitVariant,
@@ -110,8 +110,7 @@ impl Measures {
 
 /// Values over their largest, so that no square overflows or vanishes; `None` when all are zero.
 pub(crate) fn scaled_to_one(values: &[f64]) -> Option<Vec<f64>> {
-    let unit = height(values)?;
-    Some(values.iter().map(|v| v * unit).collect())
+    Some(times(values, height(values)?))
 }
 
 /// The exact side of every comparison for one spectrum.
