@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     io::many::numbers,
-    lamps::NUMBERS,
+    lamps::{NUMBERS, words_in_text},
     study::{
         Measure, Reference, SweepPoint, Verdict,
         error::{height, times},
@@ -46,7 +46,7 @@ impl WordsShown {
             encoded, makeup, ..
         } = found;
         let (errors, numbers) = (encoded.errors, encoded.words.len());
-        let words: Vec<String> = encoded.words.iter().map(|w| format!("{w:08x}")).collect();
+        let words = words_in_text(&encoded.words);
         Self {
             sentence: format!(
                 "{name} in {numbers} numbers: {}. Colours under it are {} ΔE₀₀ off, its spectrum, \

@@ -2,9 +2,12 @@
 
 /// Second radiation constant `c2 = h c / k` in m K.
 ///
-/// Colour temperature is tied to this rounded value (ITS-90, CIE 15:2018); CODATA's
-/// 1.438776877e-2 would shift every CCT by 1.6e-5 of itself.
+/// Colour temperature is tied to this rounded value (ITS-90, CIE 15:2018); CODATA's would shift
+/// every CCT by 1.6e-5 of itself.
 pub(crate) const C2_M_K: f64 = 1.4388e-2;
+
+/// The same as measured (CODATA 2018), m K: the known lamps' blackbodies.
+pub(crate) const C2_CODATA_M_K: f64 = 1.438_776_877e-2;
 
 /// First radiation constant for radiance, `2 h c^2` in W m2 sr-1, from the exact SI values.
 const C1_RADIANCE: f64 = 2.0 * 6.626_070_15e-34 * 299_792_458.0 * 299_792_458.0;

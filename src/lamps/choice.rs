@@ -18,7 +18,10 @@ use super::{
     judge::Errors,
     work::EncodeJob,
 };
-use crate::{spectrum::dot, study::scaled_to_one};
+use crate::{
+    spectrum::dot,
+    study::{Measure, scaled_to_one},
+};
 
 /// An encoding that was chosen, with what chose it.
 #[derive(Clone, Debug, PartialEq)]
@@ -77,15 +80,16 @@ impl Encoder {
             .panel
             .exact(&unit)
             .ok_or(EncodingError::NoColour { band })?;
-        let work = EncodeJob::new(self, &unit, exact, ask.numbers);
+        let work = EncodeJob::new(self, exact, ask.numbers);
         let mut usable = self.usable(&unit, ask);
         for (usable, atom) in usable.iter_mut().zip(self.decoder.atoms()) {
             *usable &= !left_out.contains(&atom.index);
         }
-        let best = work.best(&unit, &usable, ask);
+        let best = work.best(&usable, ask);
         let own_values = self.decoder.decode(&best.encoding)?;
+        let own = work.exact.figure(Measure::Own, &own_values, &[]);
         Ok(Chosen {
-            own: self.panel.own(&work.exact, &own_values),
+            own: own.unwrap_or(f64::INFINITY),
             errors: best.errors,
             encoding: best.encoding.scaled(height),
         })
@@ -140,9 +144,9 @@ mod tests {
                 let ask = Ask::numbers(numbers).in_comparison();
                 let chosen = encoder.encode(&light, ask).expect("a light");
                 let exact = encoder.panel.exact(&unit).expect("a colour");
-                let work = EncodeJob::new(&encoder, &unit, exact, numbers);
+                let work = EncodeJob::new(&encoder, exact, numbers);
                 let own = score(chosen.errors.to_array(), work.small);
-                for way in work.counted.today.ways(&unit) {
+                for way in work.today() {
                     let theirs = work
                         .measured(way, FIRST_WEIGHTS, Vec::new())
                         .expect("numbers");

@@ -11,7 +11,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::{
     encoding::MOST_LABELLED, error::EncodingError, judge::Panel, known::Atom, operators::Operators,
 };
-use crate::spectrum::{Band, Basis, BasisTable, Line, WORST_CONDITION, dot};
+use crate::spectrum::{Band, Basis, BasisTable, Line, WORST_CONDITION, dot, gaussian};
 
 /// Cosines that carry the light's own colour.
 pub(super) const LEADING: usize = 3;
@@ -209,11 +209,9 @@ fn kernel(width_nm: f64) -> Vec<f64> {
     if width_nm == 0.0 {
         return vec![1.0];
     }
-    let a = 4.0 * std::f64::consts::LN_2 / (width_nm * width_nm);
-    let reach = ((-POOL_NEGLIGIBLE.ln() / a).sqrt()) as i32;
-    (-reach..=reach)
-        .map(|d| (-a * f64::from(d * d)).exp())
-        .collect()
+    let falling = (0..).map(|d| gaussian(f64::from(d) / width_nm));
+    let half: Vec<f64> = falling.take_while(|v| *v >= POOL_NEGLIGIBLE).collect();
+    half[1..].iter().rev().chain(&half).copied().collect()
 }
 
 #[cfg(test)]

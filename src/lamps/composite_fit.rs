@@ -6,7 +6,7 @@ use crate::{
         Band, Basis, BasisTable, Composite, Exactness, InnerProducts, Line, Outside, Sampled,
         Series, SpikeSettings, detect, numbers_of_order,
     },
-    study::error::height,
+    study::error::{height, times},
 };
 
 use super::detector::decompose;
@@ -163,15 +163,12 @@ impl Composite {
     }
 }
 
-/// Root of the ratio of two summed squares, both as shares of the larger spectrum so that none
-/// overflows.
+/// Root of the ratio of two summed squares, both as shares of the spectrum so that none overflows.
 fn share_of(band: Band, residual: &[f64], values: &[f64]) -> Option<f64> {
     let unit = height(values)?;
-    let square = |values: &[f64]| {
-        let scaled: Vec<f64> = values.iter().map(|v| v * unit).collect();
-        band.inner(&scaled, &scaled)
-    };
-    Some((square(residual) / square(values)).sqrt()).filter(|share| share.is_finite())
+    let [rest, whole] = [residual, values].map(|v| times(v, unit));
+    let share = band.inner(&rest, &rest) / band.inner(&whole, &whole);
+    Some(share.sqrt()).filter(|share| share.is_finite())
 }
 
 #[cfg(test)]

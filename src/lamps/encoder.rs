@@ -8,11 +8,11 @@ use std::{
 
 use super::{
     columns::Columns, encoding::Decoder, error::EncodingError, judge::Panel, known::atoms_on,
-    today::Baselines,
 };
 use crate::{
     color::{Observer, PatchSet},
-    spectrum::{Band, SpikeSettings},
+    spectrum::{Band, Basis, SpikeSettings},
+    study::FitBasis,
 };
 
 /// Longest range that is encoded, nm: ten times the visible. Time and memory grow with it, and beyond
@@ -25,7 +25,7 @@ pub struct Encoder {
     pub(super) columns: Columns,
     pub(super) panel: Panel,
     pub(super) decoder: Decoder,
-    spikes: SpikeSettings,
+    pub(super) spikes: SpikeSettings,
     /// What depends on the count of numbers alone.
     counted: Mutex<BTreeMap<usize, Arc<Counted>>>,
 }
@@ -35,7 +35,9 @@ pub struct Encoder {
 pub(super) struct Counted {
     /// The patches as cosine series.
     pub(super) patches: PatchSet,
-    pub(super) today: Baselines,
+    pub(super) numbers: usize,
+    /// Both bases as today's ways have them.
+    pub(super) bases: [FitBasis; 2],
 }
 
 impl Encoder {
@@ -78,9 +80,11 @@ impl Encoder {
 
     pub(super) fn counted(&self, numbers: usize) -> Arc<Counted> {
         let mut known = self.counted.lock().unwrap_or_else(|e| e.into_inner());
+        let (band, seen) = (self.panel.band(), &self.panel.measures().seen);
         let new = || Counted {
             patches: self.panel.patches_as_cosines(numbers),
-            today: Baselines::new(&self.panel, numbers, self.spikes),
+            numbers,
+            bases: Basis::ALL.map(|basis| FitBasis::new(band, basis, numbers, seen)),
         };
         known
             .entry(numbers)

@@ -6,7 +6,7 @@
 
 use super::{
     error::EncodingError,
-    known::{Atom, atoms_on, known_lamps},
+    known::{Atom, atoms_on},
 };
 use crate::{
     spectrum::{Band, Basis, BasisTable, Composite, Line, Series, gaussian},
@@ -30,7 +30,7 @@ pub(super) const WIDTH_NM: [f64; 2] = [2.0, 90.0];
 /// A known lamp with the radiant power it brings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AtomWeight {
-    /// Its index in [`known_lamps`].
+    /// Its index in [`known_lamps`](super::known_lamps).
     pub index: u8,
     /// Radiant power over the band, in the spectrum's unit x nm; may be negative.
     pub weight: f64,
@@ -93,13 +93,15 @@ impl Encoding {
 
     /// Everything times a factor.
     pub fn scaled(mut self, factor: f64) -> Self {
-        self.atoms.iter_mut().for_each(|a| a.weight *= factor);
-        self.smooth
-            .coefficients
-            .iter_mut()
-            .for_each(|c| *c *= factor);
-        self.lines.iter_mut().for_each(|l| l.weight *= factor);
+        self.sizes_mut().for_each(|size| *size *= factor);
         self
+    }
+
+    /// The numbers that have the light's unit: of known lamps, of the smooth part, of lines.
+    pub(super) fn sizes_mut(&mut self) -> impl Iterator<Item = &mut f64> {
+        let atoms = self.atoms.iter_mut().map(|a| &mut a.weight);
+        let lines = self.lines.iter_mut().map(|l| &mut l.weight);
+        atoms.chain(&mut self.smooth.coefficients).chain(lines)
     }
 }
 
@@ -150,8 +152,6 @@ pub struct Decoder {
     /// other half, odd ones opposite.
     cosines: Vec<Vec<f64>>,
     atoms: Vec<Atom>,
-    /// Position in `atoms` by a lamp's index.
-    positions: Vec<Option<usize>>,
 }
 
 impl Decoder {
@@ -163,13 +163,11 @@ impl Decoder {
     /// A decoder that has these known lamps.
     pub(crate) fn with_atoms(band: Band, atoms: Vec<Atom>) -> Self {
         let table = BasisTable::new(band, Basis::Cosine, MOST_LABELLED + 1);
-        let place = |index: usize| atoms.iter().position(|a| usize::from(a.index) == index);
         Self {
             band,
             cosines: (0..table.numbers())
                 .map(|n| table.row(n)[..band.points().div_ceil(2)].to_vec())
                 .collect(),
-            positions: (0..known_lamps().len()).map(place).collect(),
             atoms,
         }
     }
@@ -186,8 +184,8 @@ impl Decoder {
 
     /// A known lamp on the grid by its index.
     pub fn atom(&self, index: u8) -> Option<&[f64]> {
-        let place = (*self.positions.get(usize::from(index))?)?;
-        Some(&self.atoms[place].values)
+        let atom = self.atoms.iter().find(|atom| atom.index == index)?;
+        Some(&atom.values)
     }
 
     /// The spectrum on the band's grid, in the unit it was encoded in.

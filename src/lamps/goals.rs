@@ -7,8 +7,12 @@
 
 use nalgebra::{Matrix3, SymmetricEigen};
 
-use super::{judge::MOST_GAIN, operators::Operators};
-use crate::color::{LAB_EPSILON, LAB_KAPPA, Lab, Xyz, delta_e_2000, lab_from_xyz};
+use super::operators::Operators;
+use crate::{
+    color::{LAB_EPSILON, LAB_KAPPA, Lab, Xyz, delta_e_2000, lab_from_xyz},
+    spectrum::dot,
+    study::brightened,
+};
 
 /// Step in each axis of L\*a\*b\* for the quadratic form. Differences to both sides leave an error of
 /// its square, and rounding one of about 1e-16 over it.
@@ -53,7 +57,7 @@ impl Goals {
                 let (gain, count) = if i < patches {
                     (1.0, patches)
                 } else {
-                    ((0.5 * white.y / xyz.y.max(0.0)).min(MOST_GAIN), filters)
+                    (brightened(xyz.y, white.y), filters)
                 };
                 form(xyz * gain, white, gain / (count as f64).sqrt())
             })
@@ -136,10 +140,8 @@ impl Goals {
 
     /// Norm of each goal's rows.
     pub(super) fn norms(&self, errors: &[f64]) -> [f64; GOALS] {
-        self.ranges().map(|range| {
-            let rows = &errors[range];
-            crate::spectrum::dot(rows, rows).sqrt()
-        })
+        self.ranges()
+            .map(|range| dot(&errors[range.clone()], &errors[range]).sqrt())
     }
 }
 
@@ -230,11 +232,7 @@ fn jacobian(xyz: Xyz, white: Xyz) -> Matrix3<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{
-        color::Observer,
-        lamps::Panel,
-        spectrum::{Band, dot},
-    };
+    use crate::{color::Observer, lamps::Panel, spectrum::Band};
 
     fn light() -> Vec<f64> {
         Band::VISIBLE
@@ -249,7 +247,7 @@ mod tests {
         let operators = Operators::new(&panel);
         let light = light();
         let rows = operators.rows_of(0, &light);
-        let blurred = panel.blur().values(&light);
+        let blurred = panel.measures().blur.values(&light);
         let goals = Goals::near(
             &operators,
             &rows,
@@ -271,7 +269,7 @@ mod tests {
             let squares = range.map(|i| {
                 let xyz = |rows: &[f64]| Xyz::new(rows[3 * i], rows[3 * i + 1], rows[3 * i + 2]);
                 let gain = if is_filter {
-                    (0.5 * white.y / a[3 * i + 1]).min(MOST_GAIN)
+                    brightened(a[3 * i + 1], white.y)
                 } else {
                     1.0
                 };
@@ -293,59 +291,22 @@ mod tests {
         }
     }
 
-    /// Second derivatives of CIEDE2000 squared by L, a, b, then by a and b together, halved: formed in
+    /// L, a, b and the second derivatives of CIEDE2000 squared by L, a, b, then by a and b together, halved: formed in
     /// 60 digits from Sharma, Wu and Dalal's formulas by differences of 1e-15 to both sides. Blues
     /// where hue turns, all other quadrants, and a colour next to grey.
-    const CURVED: [([f64; 3], [f64; 4]); 6] = [
-        (
-            [50.0, 4.0, -45.0],
-            [1.0, 0.483758637701, 0.148096888784, 0.238221465848],
-        ),
-        (
-            [40.0, 10.0, -60.0],
-            [
-                0.773627784654,
-                0.426945802178,
-                0.134416341731,
-                0.21806759139,
-            ],
-        ),
-        (
-            [60.0, -30.0, 25.0],
-            [
-                0.773627784654,
-                0.205148828074,
-                0.23397349812,
-                0.0862443568568,
-            ],
-        ),
-        (
-            [52.0, 48.0, 30.0],
-            [
-                0.975947864973,
-                0.15842249229,
-                0.281351454747,
-                -0.126214216842,
-            ],
-        ),
-        (
-            [80.0, 2.0, 70.0],
-            [
-                0.478867237977,
-                0.372569106996,
-                0.0582843640326,
-                -0.00898628749386,
-            ],
-        ),
-        (
-            [50.0, 0.5, -0.3],
-            [1.0, 2.10601377217, 0.961873225689, 0.0184756232986],
-        ),
+    #[rustfmt::skip]
+    const CURVED: [[f64; 7]; 6] = [
+        [50.0, 4.0, -45.0, 1.0, 0.483758637701, 0.148096888784, 0.238221465848],
+        [40.0, 10.0, -60.0, 0.773627784654, 0.426945802178, 0.134416341731, 0.21806759139],
+        [60.0, -30.0, 25.0, 0.773627784654, 0.205148828074, 0.23397349812, 0.0862443568568],
+        [52.0, 48.0, 30.0, 0.975947864973, 0.15842249229, 0.281351454747, -0.126214216842],
+        [80.0, 2.0, 70.0, 0.478867237977, 0.372569106996, 0.0582843640326, -0.00898628749386],
+        [50.0, 0.5, -0.3, 1.0, 2.10601377217, 0.961873225689, 0.0184756232986],
     ];
 
     #[test]
     fn the_form_is_the_curvature_of_ciede2000_and_leans_to_no_side() {
-        for ([l, a, b], [ll, aa, bb, ab]) in CURVED {
+        for [l, a, b, ll, aa, bb, ab] in CURVED {
             let h = quadratic_form(Lab::new(l, a, b));
             let expected = [
                 ((0, 0), ll),

@@ -7,6 +7,7 @@ use std::sync::LazyLock;
 use serde::Deserialize;
 
 use crate::{
+    color::{blackbody::C2_CODATA_M_K, quality::daylight_factors},
     preset,
     spectrum::{Band, Outside},
 };
@@ -22,9 +23,6 @@ pub(super) const ALIKE: f64 = 0.9999;
 
 /// Lamps whose cosine exceeds this are alike: the rule of the principal components' training.
 pub(super) const LIKES: f64 = 0.9995;
-
-/// Second radiation constant of the list's blackbodies, nm K (CODATA 2018).
-const C2_NM_K: f64 = 1.438_776_877e7;
 
 #[derive(Deserialize)]
 struct List {
@@ -155,7 +153,7 @@ fn of_unit_power(band: Band, mut values: Vec<f64>) -> Option<Vec<f64>> {
 fn blackbody(band: Band, kelvin: f64) -> Vec<f64> {
     // In logarithms, so that no power overflows from 1 nm to the far infrared.
     let log = |nm: f64| {
-        let t = C2_NM_K / (nm * kelvin);
+        let t = C2_CODATA_M_K * 1e9 / (nm * kelvin);
         -5.0 * nm.ln() - t - (-(-t).exp()).ln_1p()
     };
     let logs: Vec<f64> = band.grid().map(|nm| log(nm.max(1.0))).collect();
@@ -166,29 +164,17 @@ fn blackbody(band: Band, kelvin: f64) -> Vec<f64> {
 /// Daylight of a colour temperature (CIE 15:2018, 4.1.2), 4000-25000 K; `None` where the shipped
 /// components do not cover the band.
 fn daylight(band: Band, kelvin: f64) -> Option<Vec<f64>> {
-    let t = 1e3 / kelvin;
-    let x = if kelvin <= 7000.0 {
-        ((-4.6070 * t + 2.9678) * t + 0.09911) * t + 0.244063
-    } else {
-        ((-2.0064 * t + 1.9018) * t + 0.24748) * t + 0.237040
+    let [m1, m2] = daylight_factors(kelvin);
+    let part = |k: u8| {
+        covering(
+            "cie_illuminants",
+            &format!("CIE daylight component S{k}"),
+            band,
+        )
     };
-    let y = (-3.0 * x + 2.870) * x - 0.275;
-    let below = 0.0241 + 0.2562 * x - 0.7341 * y;
-    let m = [
-        (-1.3515 - 1.7703 * x + 5.9114 * y) / below,
-        (0.0300 - 31.4424 * x + 30.0717 * y) / below,
-    ];
-    let component = |name: &str| covering("cie_illuminants", name, band);
-    let [mean, first, second] = [
-        component("CIE daylight component S0")?,
-        component("CIE daylight component S1")?,
-        component("CIE daylight component S2")?,
-    ];
+    let (mean, first, second) = (part(0)?, part(1)?, part(2)?);
     let sum = mean.iter().zip(first.iter().zip(&second));
-    Some(
-        sum.map(|(s0, (s1, s2))| s0 + m[0] * s1 + m[1] * s2)
-            .collect(),
-    )
+    Some(sum.map(|(s0, (s1, s2))| s0 + m1 * s1 + m2 * s2).collect())
 }
 
 #[cfg(test)]

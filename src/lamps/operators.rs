@@ -9,9 +9,9 @@
 //!
 //! One value each is a row. No band-pass here has a centre that chooses or judges.
 
-use super::{judge::Panel, window::Window};
+use super::judge::Panel;
 use crate::{
-    spectrum::{Band, dot},
+    spectrum::{Band, Line, dot},
     study::{bandpass, error::BLUR_NM},
 };
 
@@ -39,21 +39,26 @@ impl Operators {
         let [first, step, last] = FILTERS_NM;
         let centres = (first..=last).step_by(step as usize).map(f64::from);
         let inside = centres.filter(|nm| band.contains(*nm));
-        let sigma = BLUR_NM / crate::spectrum::FWHM_IN_SIGMAS;
-        let blurred = |centre: usize| {
-            let at = |i: usize| {
-                let t = (i as f64 - centre as f64) / sigma;
-                band.weight(i) * (-0.5 * t * t).exp() / (sigma * std::f64::consts::TAU.sqrt())
-            };
-            let values: Vec<f64> = (0..band.points()).map(at).collect();
-            Window::of(&values)
+        // A Gaussian of the filters' width and of area 1.
+        let height = Line::ideal(0.0, 1.0).stem_height(BLUR_NM);
+        let blurred = |centre_nm: f64| {
+            let mut bell = bandpass(band, centre_nm);
+            for (i, v) in bell.iter_mut().enumerate() {
+                *v *= band.weight(i) * height;
+            }
+            Window::of(&bell)
         };
         Self {
             band,
-            seen: panel.observer().table().weighted_on_band(band),
+            seen: panel
+                .measures()
+                .patches
+                .observer()
+                .table()
+                .weighted_on_band(band),
             patches: panel.reflectances().to_vec(),
             filters: inside.map(|nm| Window::of(&bandpass(band, nm))).collect(),
-            blur: (0..band.points()).step_by(BLUR_STEP).map(blurred).collect(),
+            blur: band.grid().step_by(BLUR_STEP).map(blurred).collect(),
         }
     }
 
@@ -133,6 +138,50 @@ impl Operators {
             blur.add_to(*weight, &mut h);
         }
         h
+    }
+}
+
+/// Below this share of its height a function is left out.
+const NEGLIGIBLE: f64 = 1e-12;
+
+/// A function that is zero outside a window of the grid.
+#[derive(Clone, Debug)]
+struct Window {
+    first: usize,
+    values: Vec<f64>,
+}
+
+impl Window {
+    /// The part of a function that counts.
+    fn of(values: &[f64]) -> Self {
+        let height = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let counts = |v: &f64| v.abs() > NEGLIGIBLE * height;
+        let first = values.iter().position(counts).unwrap_or(0);
+        let last = values.iter().rposition(counts).unwrap_or(0);
+        Self {
+            first,
+            values: values[first..=last].to_vec(),
+        }
+    }
+
+    /// Sum of products with values that begin at grid point `first`.
+    fn dot(&self, first: usize, values: &[f64]) -> f64 {
+        let from = self.first.max(first);
+        let to = (self.first + self.values.len()).min(first + values.len());
+        if from >= to {
+            return 0.0;
+        }
+        dot(
+            &self.values[from - self.first..to - self.first],
+            &values[from - first..to - first],
+        )
+    }
+
+    /// Adds the function times a weight to values on the whole grid.
+    fn add_to(&self, weight: f64, out: &mut [f64]) {
+        for (o, v) in out[self.first..].iter_mut().zip(&self.values) {
+            *o += weight * v;
+        }
     }
 }
 

@@ -30,11 +30,7 @@ impl Orthonormal {
         let whole = dot(column, column).sqrt();
         let mut length = 0.0;
         for _ in 0..2 {
-            for (sum, vector) in sums.iter_mut().zip(&self.vectors) {
-                let s = dot(vector, &rest);
-                *sum += s;
-                subtract(&mut rest, s, vector);
-            }
+            project_out(&self.vectors, &mut rest, &mut sums);
             length = dot(&rest, &rest).sqrt();
             if length > CLEARLY_NEW * whole {
                 break;
@@ -68,11 +64,7 @@ impl Orthonormal {
         let mut rest = target.to_vec();
         let mut sums = vec![0.0; self.vectors.len()];
         for _ in 0..2 {
-            for (sum, vector) in sums.iter_mut().zip(&self.vectors) {
-                let s = dot(vector, &rest);
-                *sum += s;
-                subtract(&mut rest, s, vector);
-            }
+            project_out(&self.vectors, &mut rest, &mut sums);
         }
         (rest, sums)
     }
@@ -90,6 +82,16 @@ impl Orthonormal {
             }
         }
         weights
+    }
+}
+
+/// Takes orthonormal vectors out of what is left of values, and adds what there was of each to the
+/// sums.
+pub(super) fn project_out(vectors: &[Vec<f64>], rest: &mut [f64], sums: &mut [f64]) {
+    for (sum, vector) in sums.iter_mut().zip(vectors) {
+        let s = dot(vector, rest);
+        *sum += s;
+        subtract(rest, s, vector);
     }
 }
 

@@ -10,7 +10,7 @@ use super::{
     columns::Columns,
     encoding::WIDTH_NM,
     goals::{GOALS, Goals},
-    orthonormal::{Orthonormal, subtract},
+    orthonormal::{Orthonormal, project_out, subtract},
 };
 use crate::spectrum::{Line, NARROWEST_NM, dot};
 
@@ -208,13 +208,9 @@ impl<'a> State<'a> {
         // The last vector is free now: what it had of the target is left over again.
         subtract(&mut self.rest, -self.target[n - 1], &self.vectors[n - 1]);
         let mut fresh = column.to_vec();
-        let mut sums = DVector::zeros(n);
+        let mut sums: DVector<f64> = DVector::zeros(n);
         for _ in 0..2 {
-            for i in 0..n - 1 {
-                let s = dot(&self.vectors[i], &fresh);
-                sums[i] += s;
-                subtract(&mut fresh, s, &self.vectors[i]);
-            }
+            project_out(&self.vectors[..n - 1], &mut fresh, sums.as_mut_slice());
         }
         let length = dot(&fresh, &fresh).sqrt();
         sums[n - 1] = length;

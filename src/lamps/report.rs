@@ -1,7 +1,7 @@
 //! Encodings as JSON; the keys are stable.
 
 use serde::Deserialize;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use super::{
     ask::Count,
@@ -11,9 +11,12 @@ use super::{
     judge::{Errors, Panel},
     known::known_lamps,
     makeup::Ingredients,
-    words::{from_words, rounded, to_words, words_from_text},
+    words::{from_words, rounded, to_words, words_from_text, words_in_text},
 };
-use crate::spectrum::{Band, Basis};
+use crate::{
+    spectrum::{Band, Basis},
+    study::Measure,
+};
 
 /// Least height of a light in words: an f32 loses its digits below 1e-38, and a light is made of
 /// numbers much smaller than itself.
@@ -51,16 +54,17 @@ pub fn judged(
         });
     }
     let decoder = encoder.decoder();
-    let encoding = rounded(encoding, decoder, judge.observer())?;
+    let measures = judge.measures();
+    let encoding = rounded(encoding, decoder, measures.patches.observer())?;
     let words = to_words(&encoding)?;
     let exact = judge
         .exact(values)
         .ok_or(EncodingError::NoColour { band: judge.band() })?;
     let decoded = decoder.decode(&encoding)?;
-    let patches = judge.patches_as_cosines(numbers);
+    let verdict = exact.verdict_through(&decoded, &[], &judge.patches_as_cosines(numbers));
     Ok(Encoded {
-        errors: judge.errors(&exact, &decoded, &patches),
-        own: judge.own(&exact, &decoded),
+        errors: (&verdict).into(),
+        own: verdict[Measure::Own].unwrap_or(f64::INFINITY),
         encoding,
         words,
     })
@@ -68,66 +72,32 @@ pub fn judged(
 
 /// What `encode --json` prints.
 pub fn encode_json(encoded: &Encoded) -> Value {
-    let Encoded {
-        encoding,
-        words,
-        errors,
-        own,
-    } = encoded;
-    let mut all = parts_json(encoding, words);
-    all.insert(
-        "error".to_owned(),
-        json!({
-            "patches_check": errors.patches,
-            "filters": errors.filters,
-            "relative_rms_10nm": errors.blurred,
-            "delta_e_own": own,
-        }),
-    );
-    Value::Object(all)
+    let mut all = decode_json(&encoded.encoding, &encoded.words);
+    all["error"] = json!(encoded.errors);
+    all["error"]["delta_e_own"] = json!(encoded.own);
+    all
 }
 
 /// What `decode --json` prints: the same without errors, which need the light.
 pub(crate) fn decode_json(encoding: &Encoding, words: &[u32]) -> Value {
-    Value::Object(parts_json(encoding, words))
-}
-
-fn parts_json(encoding: &Encoding, words: &[u32]) -> Map<String, Value> {
-    let title = |index: u8| {
-        known_lamps()
-            .get(usize::from(index))
-            .map(|lamp| lamp.title.as_str())
-    };
-    let atoms = encoding
-        .atoms
-        .iter()
-        .map(|a| json!({"name": title(a.index), "weight": a.weight}));
-    let lines = encoding
-        .lines
-        .iter()
-        .map(|l| json!({"at_nm": l.at_nm, "fwhm_nm": l.fwhm_nm, "weight": l.weight}));
-    let words: Vec<String> = words.iter().map(|word| format!("{word:08x}")).collect();
-    let smooth = &encoding.smooth.coefficients;
-    let none: &[f64] = &[];
-    let (cosine, fourier) = match encoding.smooth.basis {
-        Basis::Cosine => (&smooth[..], None),
-        Basis::Fourier => (none, Some(&smooth[..])),
-    };
-    let mut all = Map::new();
-    let band = encoding.band();
-    all.insert("numbers".to_owned(), json!(encoding.numbers()));
-    let strict = encoding.strict_numbers();
-    all.insert("strict_numbers".to_owned(), json!(strict));
-    let range_nm = [band.min_nm(), band.max_nm()];
-    all.insert("range_nm".to_owned(), json!(range_nm));
-    all.insert("words".to_owned(), json!(words));
-    all.insert("atoms".to_owned(), atoms.collect());
-    all.insert("cosine".to_owned(), json!(cosine));
+    let title = |index: u8| Some(&known_lamps().get(usize::from(index))?.title);
+    let atoms = encoding.atoms.iter();
+    let atoms = atoms.map(|a| json!({"name": title(a.index), "weight": a.weight}));
+    let is_cosine = encoding.smooth.basis == Basis::Cosine;
+    let (smooth, none) = (&encoding.smooth.coefficients[..], &[][..]);
+    let mut all = json!({
+        "numbers": encoding.numbers(),
+        "strict_numbers": encoding.strict_numbers(),
+        "range_nm": encoding.band(),
+        "words": words_in_text(words),
+        "atoms": atoms.collect::<Value>(),
+        "cosine": if is_cosine { smooth } else { none },
+        "lines": encoding.lines,
+    });
     // Only where one of today's Fourier ways was the best.
-    if let Some(fourier) = fourier {
-        all.insert("fourier".to_owned(), json!(fourier));
+    if !is_cosine {
+        all["fourier"] = json!(smooth);
     }
-    all.insert("lines".to_owned(), lines.collect());
     all
 }
 
@@ -140,9 +110,12 @@ pub(crate) fn encode_words(encoded: &Encoded, count: Count) -> String {
         errors,
         own,
     } = encoded;
-    let words: Vec<String> = words.iter().map(|word| format!("{word:08x}")).collect();
     let makeup = Ingredients::of(encoding);
-    let mut text = format!("{}\n{}\n", words.join(" "), makeup.in_words());
+    let mut text = format!(
+        "{}\n{}\n",
+        words_in_text(words).join(" "),
+        makeup.in_words()
+    );
     for line in makeup.lines_in_words() {
         text.push_str(&format!("  line at {line}\n"));
     }
@@ -184,22 +157,17 @@ pub fn read_encoding(
         };
         let json: Value = serde_json::from_str(text).map_err(|e| wrong(e.to_string()))?;
         let range = &json["range_nm"];
-        if !range.is_null() {
-            let read = Band::deserialize(range).map_err(|_| EncodingError::Words {
-                found: format!("the range {range}"),
-                expected: "\"range_nm\" with two whole nm, as in [380, 780]",
-            })?;
-            of_text = Some(read);
-        }
-        let list = json["words"]
-            .as_array()
-            .ok_or_else(|| wrong("JSON without it".to_owned()))?;
+        of_text = Option::<Band>::deserialize(range).map_err(|_| EncodingError::Words {
+            found: format!("the range {range}"),
+            expected: "\"range_nm\" with two whole nm, as in [380, 780]",
+        })?;
+        let list = json["words"].as_array();
+        let list = list.ok_or_else(|| wrong("JSON without it".to_owned()))?;
         let mut words = Vec::with_capacity(list.len());
         for word in list {
-            let word = word
-                .as_str()
-                .ok_or_else(|| wrong(format!("the word {word}")))?;
-            words.extend(words_from_text(word)?);
+            let text = word.as_str();
+            let text = text.ok_or_else(|| wrong(format!("the word {word}")))?;
+            words.extend(words_from_text(text)?);
         }
         words
     } else {

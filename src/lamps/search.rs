@@ -214,17 +214,17 @@ impl<'a> Search<'a> {
         }
         let norms = self.at.norms(&rest);
         let errors = std::array::from_fn(|g| norms[g] / self.goals[g]);
-        let chosen = |atoms: bool| {
-            picks.iter().filter_map(move |pick| match pick {
-                Pick::Atom(i) if atoms => Some(*i),
-                Pick::Line(i) if !atoms => Some(*i),
-                _ => None,
-            })
+        let (atoms, lines) = picks.split_at(counts.atoms);
+        let places = |picks: &[Pick]| {
+            let place = |pick: &Pick| match pick {
+                Pick::Atom(i) | Pick::Line(i) => *i,
+            };
+            picks.iter().map(place).collect()
         };
         Some(Selection {
             cosines: counts.cosines,
-            atoms: chosen(true).collect(),
-            lines: chosen(false).collect(),
+            atoms: places(atoms),
+            lines: places(lines),
             score: score(errors, self.small),
         })
     }
@@ -263,20 +263,13 @@ impl<'a> Search<'a> {
 
     /// The column that lowers the square of what is left most.
     fn best(&self, is_atom: bool, squares: &Sums, towards: &Sums, picks: &[Pick]) -> Option<Pick> {
-        let (squares, towards, whole) = if is_atom {
-            (&squares.atoms, &towards.atoms, &self.squares.atoms)
-        } else {
-            (&squares.lines, &towards.lines, &self.squares.lines)
+        let (pick, of): (fn(usize) -> Pick, fn(&Sums) -> &Vec<f64>) = match is_atom {
+            true => (Pick::Atom, |s| &s.atoms),
+            false => (Pick::Line, |s| &s.lines),
         };
-        let pick = |i: usize| {
-            if is_atom {
-                Pick::Atom(i)
-            } else {
-                Pick::Line(i)
-            }
-        };
+        let all = of(squares).iter().zip(of(towards)).zip(of(&self.squares));
         let mut best = (0.0, None);
-        for (i, ((square, toward), whole)) in squares.iter().zip(towards).zip(whole).enumerate() {
+        for (i, ((square, toward), whole)) in all.enumerate() {
             let drop = toward * toward / square;
             if drop > best.0 && *square > LEAST_LEFT * whole && !picks.contains(&pick(i)) {
                 best = (drop, Some(pick(i)));
@@ -297,30 +290,26 @@ impl<'a> Search<'a> {
     ) -> Direction {
         self.choose(pick, wanted.0 || wanted.1);
         let (vector, sums) = &self.chosen[&pick];
-        let smooth = self
-            .cosines
-            .iter()
-            .take(cosines.saturating_sub(LEADING))
-            .flatten();
+        let smooth = self.cosines.iter().take(cosines.saturating_sub(LEADING));
         let unit = 1.0 / square.sqrt();
         let mut vector = vector.clone();
-        let of = |wanted: bool, sums: &dyn Fn(&Sums) -> Vec<f64>, all: &Option<Sums>| match all {
-            Some(all) if wanted => sums(all),
-            _ => Vec::new(),
+        let of = |wanted: bool, sums_of: fn(&Sums) -> &Vec<f64>| {
+            let all = sums.as_ref().filter(|_| wanted);
+            all.map_or_else(Vec::new, |all| sums_of(all).clone())
         };
         let mut sums = Sums {
-            atoms: of(wanted.0, &|s| s.atoms.clone(), sums),
-            lines: of(wanted.1, &|s| s.lines.clone(), sums),
+            atoms: of(wanted.0, |s| &s.atoms),
+            lines: of(wanted.1, |s| &s.lines),
         };
-        for earlier in smooth.chain(before) {
+        for earlier in smooth.flatten().chain(before) {
             let shared = pick.of(&earlier.sums);
             subtract(&mut vector, shared, &earlier.vector);
             subtract(&mut sums.atoms, shared, &earlier.sums.atoms);
             subtract(&mut sums.lines, shared, &earlier.sums.lines);
         }
-        vector.iter_mut().for_each(|v| *v *= unit);
-        sums.atoms.iter_mut().for_each(|v| *v *= unit);
-        sums.lines.iter_mut().for_each(|v| *v *= unit);
+        for values in [&mut vector, &mut sums.atoms, &mut sums.lines] {
+            values.iter_mut().for_each(|v| *v *= unit);
+        }
         Direction {
             vector,
             sums,

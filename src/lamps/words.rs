@@ -208,6 +208,11 @@ fn number(word: Option<u32>) -> Result<f64, EncodingError> {
     }
 }
 
+/// Words as text, eight hexadecimal digits each.
+pub(crate) fn words_in_text(words: &[u32]) -> Vec<String> {
+    words.iter().map(|word| format!("{word:08x}")).collect()
+}
+
 /// Words from text: eight hexadecimal digits each, parted by blanks, commas or line breaks.
 ///
 /// # Errors
@@ -318,15 +323,9 @@ pub fn rounded(
         add(line.weight, &function, None);
     }
     round_in_turn(&mut numbers, wanted);
-    let mut values = numbers.iter().map(|n| n.value);
-    let mut next = || values.next().unwrap_or(0.0);
-    rounded.atoms.iter_mut().for_each(|a| a.weight = next());
-    rounded
-        .smooth
-        .coefficients
-        .iter_mut()
-        .for_each(|c| *c = next());
-    rounded.lines.iter_mut().for_each(|l| l.weight = next());
+    for (size, number) in rounded.sizes_mut().zip(&numbers) {
+        *size = number.value;
+    }
     to_words(&rounded)?;
     Ok(rounded)
 }

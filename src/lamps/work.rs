@@ -9,12 +9,16 @@ use super::{
     encoding::{AtomWeight, Encoding, MOST_ATOMS, stored_line},
     fit::{FIRST_WEIGHTS, directions, fit, is_none, score, small_errors},
     goals::{GOALS, Goals},
-    judge::{Errors, Exact},
+    judge::Errors,
     orthonormal::Orthonormal,
     refine::{errors_of, refine},
     search::{Counts, Search, Selection},
+    today::ways,
 };
-use crate::spectrum::{Basis, Line, Series, dot};
+use crate::{
+    spectrum::{Basis, Line, Series, dot},
+    study::Reference,
+};
 
 /// Counts of lines that are tried.
 const LINE_COUNTS: [usize; 10] = [0, 1, 2, 3, 4, 5, 6, 8, 10, 13];
@@ -43,7 +47,7 @@ pub(super) struct Candidate {
 pub(super) struct EncodeJob<'a> {
     encoder: &'a Encoder,
     goals: Goals,
-    pub(super) exact: Exact,
+    pub(super) exact: Reference,
     pub(super) counted: Arc<Counted>,
     /// The light's own colour in the leading cosines.
     gamma: [f64; 3],
@@ -60,43 +64,40 @@ pub(super) struct EncodeJob<'a> {
 
 impl<'a> EncodeJob<'a> {
     /// Linearises the goals and fits the plain series.
-    pub(super) fn new(encoder: &'a Encoder, light: &[f64], exact: Exact, numbers: usize) -> Self {
+    pub(super) fn new(encoder: &'a Encoder, exact: Reference, numbers: usize) -> Self {
+        let light = exact.measured();
         let columns = &encoder.columns;
         let operators = &columns.operators;
         let rows = operators.rows_of(0, light);
-        let blurred = encoder.panel.blur().values(light);
+        let blurred = encoder.panel.measures().blur.values(light);
         let norm = dot(&blurred, &blurred).sqrt();
         let goals = Goals::near(operators, &rows, operators.xyz(0, light), norm);
         let own = columns.column(0, light);
+        let target = goals.errors_of(&own.rows);
         let cosines = columns.cosines.iter().take(numbers - LEADING);
-        let mut work = Self {
+        let cosines: Vec<Vec<f64>> = cosines.map(|c| goals.errors_of(&c.rows)).collect();
+        let all = || cosines.iter().map(Vec::as_slice);
+        let plain =
+            |basis: Orthonormal, fits| fit(&goals, basis, &[], &target, FIRST_WEIGHTS, fits);
+        let basis = directions(&goals, all(), FIRST_WEIGHTS);
+        let small = small_errors(plain(basis.clone(), (None, 0)).errors);
+        let weights = plain(basis, (Some(small), PLAIN_AGAIN)).goals;
+        Self {
+            smooth: directions(&goals, all(), weights),
             gamma: own.gamma,
-            target: goals.errors_of(&own.rows),
-            cosines: cosines.map(|c| goals.errors_of(&c.rows)).collect(),
             counted: encoder.counted(numbers),
-            small: [0.0; GOALS],
-            weights: FIRST_WEIGHTS,
-            smooth: Orthonormal::default(),
+            target,
+            cosines,
+            small,
+            weights,
             encoder,
             goals,
             exact,
-        };
-        let at = &work.goals;
-        let all = || work.cosines.iter().map(Vec::as_slice);
-        let plain =
-            |basis: Orthonormal, fits| fit(at, basis, &[], &work.target, FIRST_WEIGHTS, fits);
-        let basis = directions(at, all(), FIRST_WEIGHTS);
-        let small = small_errors(plain(basis.clone(), (None, 0)).errors);
-        let weights = plain(basis, (Some(small), PLAIN_AGAIN)).goals;
-        let smooth = directions(at, all(), weights);
-        work.small = small;
-        work.weights = weights;
-        work.smooth = smooth;
-        work
+        }
     }
 
     /// The candidate with the least true errors.
-    pub(super) fn best(&self, light: &[f64], usable: &[bool], ask: Ask) -> Candidate {
+    pub(super) fn best(&self, usable: &[bool], ask: Ask) -> Candidate {
         let mut candidates = Vec::with_capacity(FITTED + REFINED + 9);
         // The plain series: all numbers smooth, no label.
         candidates.extend(self.candidate(ask.numbers, &[], &[]));
@@ -116,7 +117,7 @@ impl<'a> EncodeJob<'a> {
             .filter_map(|c| self.refined(c))
             .collect();
         candidates.extend(refined);
-        for encoding in self.counted.today.ways(light) {
+        for encoding in self.today() {
             candidates.extend(self.measured(encoding, self.weights, Vec::new()));
         }
         // The first of equals; the plain series is always there.
@@ -124,6 +125,11 @@ impl<'a> EncodeJob<'a> {
             .min_by(|a, b| candidates[*a].score.total_cmp(&candidates[*b].score));
         let best = candidates.swap_remove(best.unwrap_or(0));
         self.shortest(&best).unwrap_or(best)
+    }
+
+    /// Today's ways with as many numbers.
+    pub(super) fn today(&self) -> Vec<Encoding> {
+        ways(&self.exact, &self.counted, self.encoder.spikes)
     }
 
     /// A light that is known lamps and nothing else, in as few numbers as say so: more of them would

@@ -6,6 +6,8 @@
 //! the ray of the reference wavelength at a distance from where that leaves; x is positive towards
 //! larger deviation. Lengths are mm.
 
+use serde::Serialize;
+
 use super::{
     absorption::Absorption,
     index::Material,
@@ -66,16 +68,19 @@ struct Reference {
 }
 
 /// Where one wavelength lands.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Landing {
     /// Wavelength, nm.
+    #[serde(rename = "nm")]
     pub at_nm: f64,
     /// Index of refraction.
     pub n: f64,
     /// How far it is turned, degrees.
+    #[serde(rename = "deviation")]
     pub deviation_deg: f64,
     /// Least deviation that the prism can have for it, degrees; `None` where every ray that could
     /// have it is totally reflected.
+    #[serde(rename = "minimum_deviation")]
     pub minimum_deviation_deg: Option<f64>,
     /// Change of the deviation with wavelength at this incidence, degrees a nm.
     pub d_deviation_d_nm: f64,
@@ -90,8 +95,10 @@ pub struct Landing {
     /// Width of the slit's image, mm.
     pub width_mm: f64,
     /// Change of the place with wavelength, mm a nm.
+    #[serde(rename = "dx_dnm")]
     pub d_x_d_nm: f64,
     /// Resolving power.
+    #[serde(skip)]
     pub resolving: Resolving,
 }
 

@@ -1,5 +1,7 @@
 //! From a film and a light to a picture, and how noisy it is.
 
+use serde::Serialize;
+
 use super::{
     film::Film,
     light::Light,
@@ -29,7 +31,7 @@ pub struct Picture {
 }
 
 /// How noisy a picture is, by its two halves.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Noise {
     /// Mean over pixels of `((Y_A - Y_B) / 2)^2 / (Y + .02 Y_white)^2`.
     pub relative_mse: f64,

@@ -17,6 +17,7 @@ use super::{
     rainbow::{Bow, Bows},
     strip::Strip,
 };
+use crate::color::Xyz;
 
 /// Blocks across the picture in the JSON.
 const BLOCKS: usize = 16;
@@ -48,23 +49,12 @@ fn listed(light: Option<&Light>, at_nm: &[f64]) -> Vec<f64> {
 
 fn landing_json(landing: &Landing, material: &Material, light: &Light) -> Value {
     let spike = light.spikes().iter().find(|s| s.at_nm == landing.at_nm);
-    json!({
-        "nm": landing.at_nm,
-        "n": landing.n,
-        "deviation": landing.deviation_deg,
-        "minimum_deviation": landing.minimum_deviation_deg,
-        "d_deviation_d_nm": landing.d_deviation_d_nm,
-        "transmittance": landing.transmittance,
-        "x_mm": landing.x_mm,
-        "width_mm": landing.width_mm,
-        "exit_mm": landing.exit_mm,
-        "path_mm": landing.path_mm,
-        "dx_dnm": landing.d_x_d_nm,
-        "resolving_power": landing.resolving.power(),
-        "resolving_limit": landing.resolving.limit(),
-        "weight": spike.map(|s| s.weight),
-        "extrapolated": material.is_extrapolated(landing.at_nm),
-    })
+    let mut all = json!(landing);
+    all["resolving_power"] = json!(landing.resolving.power());
+    all["resolving_limit"] = json!(landing.resolving.limit());
+    all["weight"] = json!(spike.map(|s| s.weight));
+    all["extrapolated"] = json!(material.is_extrapolated(landing.at_nm));
+    all
 }
 
 /// The prism bench: the light's spikes and every wavelength asked for.
@@ -108,11 +98,6 @@ pub fn prism_json(bench: &Bench, light: &Light, at_nm: &[f64], strip: Option<&St
         "share_beside": strip.map(|s| s.share_beside),
         "extrapolated": strip.map(|s| s.extrapolated),
     })
-}
-
-/// A number that JSON can hold.
-fn finite(x: f64) -> Option<f64> {
-    Some(x).filter(|x| x.is_finite())
 }
 
 /// The same figures as a table; what is totally reflected or refused has dashes.
@@ -163,7 +148,7 @@ pub fn rainbow_json(material: &Material, light: Option<&Light>, at_nm: &[f64]) -
 }
 
 fn refused_json(nm: f64, error: &IndexError) -> Value {
-    json!({ "nm": finite(nm), "why": error.to_string() })
+    json!({ "nm": nm, "why": error.to_string() })
 }
 
 fn bows_json(bows: &Bows, material: &Material) -> Value {
@@ -222,29 +207,26 @@ pub fn gem_json(report: &GemReport<'_>) -> Value {
         ..
     } = report;
     let traced: Traced = film.traced();
-    let blocks = picture.blocks(report.blocks.unwrap_or(BLOCKS));
+    let blocks = report.blocks.unwrap_or(BLOCKS);
     let (mean, blocks) = match report.wavelength_nm {
         // Y over the white's Y is the transport itself wherever the eye sees anything.
         Some(nm) => {
             let transport = Picture {
                 size: picture.size,
                 xyz: film.transport(nm).into_iter().map(|t| [t; 3]).collect(),
-                white: crate::color::Xyz::new(1.0, 1.0, 1.0),
+                white: Xyz::new(1.0, 1.0, 1.0),
                 stand_ins_nm: Vec::new(),
                 unfinished: false,
             };
-            let rows = transport.blocks(report.blocks.unwrap_or(BLOCKS));
-            let first = |row: &Vec<[f64; 3]>| row.iter().map(|b| b[0]).collect::<Vec<_>>();
-            (
-                json!(transport.mean()[0]),
-                json!(rows.iter().map(first).collect::<Vec<_>>()),
-            )
+            let first = |row: Vec<[f64; 3]>| row.iter().map(|b| json!(b[0])).collect::<Value>();
+            let rows = transport.blocks(blocks).into_iter().map(first);
+            (json!(transport.mean()[0]), rows.collect::<Value>())
         }
-        None => (json!(picture.mean()), json!(blocks)),
+        None => (json!(picture.mean()), json!(picture.blocks(blocks))),
     };
     let white = picture.white;
     let studio = film.studio();
-    let view = studio.scene().view;
+    let scene = studio.scene();
     json!({
         "size": picture.size,
         "rays": report.rays,
@@ -254,16 +236,12 @@ pub fn gem_json(report: &GemReport<'_>) -> Value {
         "cut_chains": traced.cut,
         "cut_weight": traced.cut_weight,
         "seconds": report.seconds,
-        "rays_per_second": finite(traced.rays as f64 / report.seconds),
-        "noise": report.noise.map(|n| json!({
-            "relative_mse": n.relative_mse,
-            "delta_e_median": n.delta_e_median,
-            "delta_e_p95": n.delta_e_p95,
-            "delta_e_on_gem": n.delta_e_on_gem,
-        })),
+        "rays_per_second": traced.rays as f64 / report.seconds,
+        "noise": report.noise,
         "mean": mean,
         "blocks": blocks,
-        "white": finite(white.y).filter(|y| *y > 0.0).map(|y| (white * (1.0 / y)).to_array()),
+        "white": (white.y.is_finite() && white.y > 0.0)
+            .then(|| (white * (1.0 / white.y)).to_array()),
         "light": light.name,
         "wavelength": report.wavelength_nm,
         "share_unseen": light.share_unseen(),
@@ -277,14 +255,8 @@ pub fn gem_json(report: &GemReport<'_>) -> Value {
             "table": c.table, "crown": c.crown_deg, "pavilion": c.pavilion_deg, "star": c.star,
             "lower": c.lower, "girdle": c.girdle, "culet": c.culet, "facets": c.facets(),
         })),
-        "view": { "from": view.from, "towards": view.towards, "angle": view.angle_deg },
-        "scene": {
-            "dome": studio.scene().dome,
-            "lamps": studio.scene().lamps.iter().map(|l| json!({
-                "centre": l.centre, "half_edge_u": l.half_edge_u, "half_edge_v": l.half_edge_v,
-                "radiance": l.radiance,
-            })).collect::<Vec<_>>(),
-        },
+        "view": scene.view,
+        "scene": scene,
         "seed": film.settings().seed,
         "strata": film.settings().strata,
         "bytes": film.bytes(),

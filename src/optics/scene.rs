@@ -1,9 +1,11 @@
 //! What is around a gem: a dome, lamps, and a pinhole camera.
 
+use serde::Serialize;
+
 use super::solid::{Solid, Vec3, cross, dot, is_near, minus, plus, unit};
 
 /// A rectangle that shines on one side, black behind.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Lamp {
     /// Its middle.
     pub centre: Vec3,
@@ -16,24 +18,26 @@ pub struct Lamp {
 }
 
 /// A pinhole camera with a square picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct View {
     /// Where it is.
     pub from: Vec3,
     /// What it looks at.
     pub towards: Vec3,
     /// Full angle of the picture, degrees.
+    #[serde(rename = "angle")]
     pub angle_deg: f64,
 }
 
 /// Dome, lamps and camera.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Scene {
     /// Radiance from everywhere.
     pub dome: f64,
     /// Rectangles before the dome.
     pub lamps: Vec<Lamp>,
     /// The camera.
+    #[serde(skip)]
     pub view: View,
 }
 

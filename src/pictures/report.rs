@@ -1,13 +1,15 @@
 //! A picture and its peers as JSON.
 
+use serde::Serialize;
 use serde_json::{Value, json};
 
+use super::lines::Line;
 use super::measure::Errors;
 use super::peers::Peer;
 use super::{Operator, Trust};
 
 /// Bytes of a picture in each form.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Bytes {
     /// Of the full form.
     pub full: Option<u64>,
@@ -30,16 +32,12 @@ pub fn picture_json(
     trust: Option<&Trust>,
 ) -> Value {
     let plan = operator.plan();
-    let lines: Vec<Value> = plan
-        .lines
-        .iter()
-        .map(|line| json!({"at_nm": line.at_nm, "share": line.share}))
-        .collect();
+    let line = |line: &Line| json!({"at_nm": line.at_nm, "share": line.share});
     json!({
         "numbers": plan.numbers(),
         "reference": {"kind": plan.reference.kind, "name": plan.reference.name},
-        "lines": lines,
-        "bytes": {"full": bytes.full, "compact": bytes.compact, "exact": bytes.exact},
+        "lines": plan.lines.iter().map(line).collect::<Value>(),
+        "bytes": bytes,
         "error": errors(error),
         "noise": noise,
         "trust": trust.map(|t| json!({
@@ -59,5 +57,5 @@ pub fn peers_json(peers: &[Peer]) -> Value {
             "said": peer.said,
         })
     });
-    json!({"peers": rows.collect::<Vec<_>>()})
+    json!({"peers": rows.collect::<Value>()})
 }

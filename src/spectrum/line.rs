@@ -26,7 +26,7 @@ use super::{
 pub const GAUSSIAN_AREA: f64 = 1.064_467_019_431_226_2;
 
 /// A Gaussian's full width at half maximum in standard deviations.
-pub(crate) const FWHM_IN_SIGMAS: f64 = 2.354_820_045_030_949;
+const FWHM_IN_SIGMAS: f64 = 2.354_820_045_030_949;
 
 /// A Gaussian is below 1e-14 of its height this many widths from its centre.
 const REACH_WIDTHS: f64 = 3.5;
@@ -40,7 +40,7 @@ const CLEAR_OF_ENDS_WIDTHS: f64 = 2.6;
 pub(crate) const NARROWEST_NM: f64 = 2.0;
 
 /// A line: its place, its power and how wide it is.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Line {
     /// Centre, nm.
     pub at_nm: f64,

@@ -32,7 +32,7 @@ pub use progress::Progress;
 pub use projected_spectrum::{FitBasis, ProjectedSpectrum};
 pub use race::Race;
 pub use reference::{Measures, Reference};
-pub(crate) use reference::{bandpass, filter_centres, scaled_to_one};
+pub(crate) use reference::{bandpass, brightened, filter_centres, scaled_to_one};
 pub use sweep::{Examined, Subject, Sweep, SweepPoint, unseen};
 pub use training::Training;
 pub use way::FitVariant;

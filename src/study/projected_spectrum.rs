@@ -105,6 +105,11 @@ impl ProjectedSpectrum {
         self.lines.len()
     }
 
+    /// Most of them among so many numbers: a spike costs two, and three carry the colour.
+    pub(crate) fn most_lines(&self, numbers: usize) -> usize {
+        self.lines.len().min(numbers.saturating_sub(3) / 2)
+    }
+
     /// The spike that line `index` would become.
     pub fn spike(&self, index: usize) -> Line {
         self.lines[index].spike

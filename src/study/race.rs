@@ -11,6 +11,7 @@
 
 use std::{
     hint::black_box,
+    sync::Arc,
     time::{Duration, Instant},
 };
 
@@ -19,14 +20,11 @@ use super::{
     parallel::{in_parallel, processors},
     progress::Progress,
     projected_spectrum::{FitBasis, ProjectedSpectrum},
-    reference::{Behind, FIRST_CHECK_NM, Reference, bandpasses, scaled_to_one},
+    reference::{Measures, Reference, scaled_to_one},
     way::FitVariant,
 };
 use crate::{
-    color::{
-        Lab,
-        patches::{PatchSet, difference},
-    },
+    color::patches::PatchSet,
     rivals::{Bounds, Family, FitTables, Rival},
     spectrum::{
         Basis, Composite, Line, Series, detect_shapes,
@@ -43,8 +41,8 @@ pub use super::{
 /// A light ready to race.
 struct Entrant {
     reference: Reference,
-    check: Vec<Lab>,
-    check_filters: Behind,
+    /// What took no part in any choice.
+    check: Reference,
     /// The light with 1 as its largest value.
     lamp: Lamp,
     /// In the order of [`Basis::ALL`].
@@ -56,7 +54,6 @@ struct RaceContext<'a> {
     course: &'a RaceConfig,
     bases: [FitBasis; 2],
     fit_tables: FitTables,
-    check_filters: PatchSet,
     runners: Vec<Entrant>,
     names: Vec<String>,
 }
@@ -136,7 +133,7 @@ impl<'a> RaceContext<'a> {
         let bases = Basis::ALL.map(|basis| FitBasis::new(band, basis, most, &measures.seen));
         let names: Vec<String> = (0..course.check.len()).map(|i| i.to_string()).collect();
         let check = PatchSet::new(&course.check, names.clone(), band, observer);
-        let check_filters = bandpasses(band, observer, FIRST_CHECK_NM);
+        let check = Arc::new(Measures::judging(check));
         let mut runners: Vec<Entrant> = Vec::new();
         for lamp in lamps {
             if progress.is_cancelled() {
@@ -154,8 +151,7 @@ impl<'a> RaceContext<'a> {
             let values = &lamp.values;
             let (_, shapes) = detect_shapes(band, values, course.spikes);
             runners.push(Entrant {
-                check: reference.labs_of(&check, values, &[]),
-                check_filters: reference.exact_behind(&check_filters),
+                check: Reference::of_light(&check, values),
                 projected: std::array::from_fn(|i| {
                     ProjectedSpectrum::new(&bases[i], values, &shapes, &measures.seen)
                 }),
@@ -172,7 +168,6 @@ impl<'a> RaceContext<'a> {
             fit_tables: FitTables::new(band, most),
             course,
             bases,
-            check_filters,
             runners,
             names,
         };
@@ -218,21 +213,13 @@ impl<'a> RaceContext<'a> {
             numbers,
             lines,
         } = likeness;
-        let reference = &runner.reference;
-        let verdict = reference.verdict_through(smooth, spikes, patches);
-        let has_check = verdict[Measure::Own].is_some() && !self.course.check.is_empty();
-        let labs = || reference.labs_of(check, smooth, spikes);
+        let on_check = runner.check.patches(smooth, spikes, check);
         Run {
             numbers: *numbers,
             spikes: *lines,
-            check: has_check.then(|| difference(&runner.check, &labs()).mean),
-            check_filters: reference.behind(
-                &runner.check_filters,
-                &self.check_filters,
-                smooth,
-                spikes,
-            ),
-            verdict,
+            check: on_check.map(|found| found.mean),
+            check_filters: runner.check.figure(Measure::Filters, smooth, spikes),
+            verdict: runner.reference.verdict_through(smooth, spikes, patches),
         }
     }
 
@@ -397,36 +384,7 @@ fn place(basis: Basis) -> usize {
 /// A light's composite of so many numbers.
 fn composite(runner: &Entrant, way: FitVariant, numbers: usize) -> Composite {
     let projected = &runner.projected[place(way.basis)];
-    let count = match way.spikes {
-        true => best_count(runner, projected, numbers, way.colour_exact),
-        false => 0,
-    };
-    let lines: Vec<usize> = (0..count).collect();
-    let (model, _) = projected.model(numbers - 2 * count, &lines, way.colour_exact);
-    model
-}
-
-/// How many of the heaviest lines are spikes: the count with the least 10 nm-blurred error.
-fn best_count(
-    runner: &Entrant,
-    projected: &ProjectedSpectrum,
-    numbers: usize,
-    colour_exact: bool,
-) -> usize {
-    let most = projected.lines().min(numbers.saturating_sub(3) / 2);
-    let error = |count: usize| {
-        let lines: Vec<usize> = (0..count).collect();
-        let (model, _) = projected.model(numbers - 2 * count, &lines, colour_exact);
-        let smooth = projected.smooth(&model);
-        let error = runner
-            .reference
-            .figure(Measure::RmsBlurred, &smooth, model.lines());
-        error.unwrap_or(f64::INFINITY)
-    };
-    (0..=most)
-        .map(|count| (count, error(count)))
-        .min_by(|a, b| a.1.total_cmp(&b.1))
-        .map_or(0, |(count, _)| count)
+    runner.reference.with_best_lines(projected, way, numbers)
 }
 
 /// Shortest of a few batches, ns a call: what disturbs a measurement only ever makes it longer.

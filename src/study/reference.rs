@@ -2,38 +2,47 @@
 //! and the spectrum itself.
 //!
 //! **Behind narrow filters**: Gaussian band-passes of 10 nm full width centred at 420, 430 ... 670
-//! nm, the filter exact, both sides scaled so that the exact product has Y = 50 (by at most 50),
-//! mean CIEDE2000. The white of every difference is the exact light.
+//! nm, for what takes no part in a choice at 425, 435 ... 675 nm; the filter exact, both sides
+//! scaled so that the exact product has Y = 50 (by at most 50), mean CIEDE2000. The white of every
+//! difference is the exact light.
 
 use std::sync::Arc;
 
 use super::{
-    error::{BLUR_NM, Blur, height},
+    error::{BLUR_NM, Blur, height, times},
     measure::{Measure, Verdict},
+    projected_spectrum::ProjectedSpectrum,
+    way::FitVariant,
 };
 use crate::{
     color::{
         Lab, Observer, Weights, Xyz, delta_e_2000, lab_from_xyz,
-        patches::{PatchSet, difference, labs_into},
+        patches::{PatchDifference, PatchSet, difference, labs_into},
         xyz_of_one, xyz_of_parts,
     },
-    spectrum::{Band, Line, add_lines, gaussian},
+    spectrum::{Band, Composite, Line, add_lines, gaussian},
 };
 
 /// Full width of the narrow filters at half their maximum, nm.
 pub(crate) const FILTER_NM: f64 = 10.0;
 
-/// Y that the exact light behind a narrow filter is brought to.
-const FILTER_Y: f64 = 50.0;
+/// Y that the exact light behind a narrow filter is brought to, of the light's 1.
+const FILTER_Y: f64 = 0.5;
 
-/// Most that light behind a narrow filter is brightened by, against Y = 100 for the light.
-const MOST_GAIN: f64 = 50.0;
+/// Least share of the light's Y that is still brought there; behind a darker filter nobody compares
+/// colours, and noise would be brightened with it.
+const LEAST_SHARE: f64 = 0.01;
 
 /// The first of the narrow filters that choose, nm.
 const FIRST_NM: f64 = 420.0;
 
 /// The first of those that take no part in a choice, nm.
-pub(super) const FIRST_CHECK_NM: f64 = 425.0;
+const FIRST_CHECK_NM: f64 = 425.0;
+
+/// What light behind a narrow filter is brightened by; both Y in one unit.
+pub(crate) fn brightened(behind_y: f64, white_y: f64) -> f64 {
+    (FILTER_Y * white_y / behind_y.max(0.0)).min(FILTER_Y / LEAST_SHARE)
+}
 
 /// Centres of the narrow filters, nm.
 pub(crate) fn filter_centres() -> impl Iterator<Item = f64> {
@@ -52,20 +61,11 @@ pub(crate) fn bandpass(band: Band, centre_nm: f64) -> Vec<f64> {
 }
 
 /// Narrow filters, one each 10 nm, as far as their centres lie in the band.
-pub(super) fn bandpasses(band: Band, observer: Observer, first_nm: f64) -> PatchSet {
-    let narrow = |centre_nm: f64| bandpass(band, centre_nm);
+fn bandpasses(band: Band, observer: Observer, first_nm: f64) -> PatchSet {
     let inside = || centres_from(first_nm).filter(|nm| band.contains(*nm));
-    let filters: Vec<Vec<f64>> = inside().map(narrow).collect();
+    let filters: Vec<Vec<f64>> = inside().map(|nm| bandpass(band, nm)).collect();
     let names = inside().map(|nm| format!("{nm} nm")).collect();
     PatchSet::new(&filters, names, band, observer)
-}
-
-/// The exact light behind narrow filters.
-#[derive(Clone, Debug)]
-pub struct Behind {
-    labs: Vec<Lab>,
-    /// What the light behind each is brightened by.
-    gains: Vec<f64>,
 }
 
 /// What is shared by all spectra that are judged on one band for one observer.
@@ -82,12 +82,21 @@ pub struct Measures {
 }
 
 impl Measures {
-    /// Measures with these patches (exact, on the band's grid).
+    /// Measures that choose, with these patches (exact, on the band's grid).
     pub fn new(patches: PatchSet) -> Self {
-        let (band, observer): (Band, Observer) = (patches.band(), patches.observer());
+        Self::with_filters(patches, FIRST_NM)
+    }
+
+    /// Measures that take no part in a choice: their filters stand between those that choose.
+    pub(crate) fn judging(patches: PatchSet) -> Self {
+        Self::with_filters(patches, FIRST_CHECK_NM)
+    }
+
+    fn with_filters(patches: PatchSet, first_nm: f64) -> Self {
+        let (band, observer) = (patches.band(), patches.observer());
         Self {
             blur: Blur::new(band, BLUR_NM),
-            filters: bandpasses(band, observer, FIRST_NM),
+            filters: bandpasses(band, observer, first_nm),
             seen: observer.table().on_band(band),
             patches,
         }
@@ -101,8 +110,7 @@ impl Measures {
 
 /// Values over their largest, so that no square overflows or vanishes; `None` when all are zero.
 pub(crate) fn scaled_to_one(values: &[f64]) -> Option<Vec<f64>> {
-    let unit = height(values)?;
-    Some(values.iter().map(|v| v * unit).collect())
+    Some(times(values, height(values)?))
 }
 
 /// The exact side of every comparison for one spectrum.
@@ -114,16 +122,16 @@ pub struct Reference {
     seen: Weights,
     white: Xyz,
     own: Option<Lab>,
-    /// Labs of the patches; `None` when there are none to see.
-    patches: Option<Vec<Lab>>,
-    filters: Option<Behind>,
+    /// Labs of the patches; none where there are none to see.
+    patches: Vec<Lab>,
+    /// Labs behind the narrow filters, and what the light behind each is brightened by.
+    filters: Vec<Lab>,
+    gains: Vec<f64>,
     square: f64,
     blurred: Vec<f64>,
     blurred_square: f64,
     top: f64,
 }
-
-const BLACK: Lab = Lab::new(0.0, 0.0, 0.0);
 
 impl Reference {
     /// The reference of a light, given on the band's grid at an ordinary scale (`scaled_to_one`).
@@ -132,8 +140,11 @@ impl Reference {
         if reference.own.is_none() {
             return reference;
         }
-        reference.patches = Some(reference.labs_of(&measures.patches, measured, &[]));
-        reference.filters = Some(reference.exact_behind(&measures.filters));
+        let mut behind = seen_through(&measures.filters, measured, &[]);
+        let gain = |xyz: &[f64; 3]| brightened(xyz[1], reference.white.y);
+        reference.gains = behind.iter().map(gain).collect();
+        reference.filters = reference.filtered(&mut behind);
+        reference.patches = reference.labs(&seen_through(&measures.patches, measured, &[]));
         reference
     }
 
@@ -160,8 +171,9 @@ impl Reference {
         Self {
             white,
             own: has_colour.then(|| lab_from_xyz(exact, white)),
-            patches: None,
-            filters: None,
+            patches: Vec::new(),
+            filters: Vec::new(),
+            gains: Vec::new(),
             square: band.inner(measured, measured),
             blurred_square: band.inner(&blurred, &blurred),
             blurred,
@@ -183,6 +195,11 @@ impl Reference {
         &self.seen
     }
 
+    /// Whether anything of it is seen.
+    pub(crate) fn has_colour(&self) -> bool {
+        self.own.is_some()
+    }
+
     /// The shared measures.
     pub fn measures(&self) -> &Arc<Measures> {
         &self.measures
@@ -201,10 +218,10 @@ impl Reference {
         spikes: &[Line],
         patches: &PatchSet,
     ) -> Verdict {
-        let (mean, worst) = self.patches_with(smooth, spikes, patches).unzip();
+        let found = self.patches(smooth, spikes, patches);
         Verdict::from_fn(|measure| match measure {
-            Measure::Patches => mean,
-            Measure::PatchesWorst => worst,
+            Measure::Patches => found.map(|found| found.mean),
+            Measure::PatchesWorst => found.map(|found| found.max),
             _ => self.figure(measure, smooth, spikes),
         })
     }
@@ -212,10 +229,11 @@ impl Reference {
     /// One figure of a model. Those that no study compares by are the main page's alone, but for
     /// the lowest value.
     pub fn figure(&self, measure: Measure, smooth: &[f64], spikes: &[Line]) -> Option<f64> {
+        let patches = || self.patches(smooth, spikes, &self.measures.patches);
         match measure {
             Measure::Own => self.own(smooth, spikes),
-            Measure::Patches => self.patches(smooth, spikes).map(|found| found.0),
-            Measure::PatchesWorst => self.patches(smooth, spikes).map(|found| found.1),
+            Measure::Patches => patches().map(|found| found.mean),
+            Measure::PatchesWorst => patches().map(|found| found.max),
             Measure::Filters => self.filters(smooth, spikes),
             Measure::Rms => self.rms(smooth, spikes),
             Measure::RmsBlurred => self.rms_blurred(smooth, spikes),
@@ -232,71 +250,67 @@ impl Reference {
         Some(delta_e_2000(exact, lab_from_xyz(xyz, self.white)))
     }
 
-    fn patches(&self, smooth: &[f64], spikes: &[Line]) -> Option<(f64, f64)> {
-        self.patches_with(smooth, spikes, &self.measures.patches)
-    }
-
-    fn patches_with(
+    /// The exact patches against those of a model, as a representation has them.
+    pub(super) fn patches(
         &self,
         smooth: &[f64],
         spikes: &[Line],
         patches: &PatchSet,
-    ) -> Option<(f64, f64)> {
-        let exact = self.patches.as_ref().filter(|p| !p.is_empty())?;
-        let found = difference(exact, &self.labs_of(patches, smooth, spikes));
-        Some((found.mean, found.max))
-    }
-
-    /// Labs of any patches under a model, against this light as the white.
-    pub(crate) fn labs_of(&self, patches: &PatchSet, smooth: &[f64], spikes: &[Line]) -> Vec<Lab> {
-        self.labs(&seen_through(patches, smooth, spikes))
+    ) -> Option<PatchDifference> {
+        let found = || self.labs(&seen_through(patches, smooth, spikes));
+        (!self.patches.is_empty()).then(|| difference(&self.patches, &found()))
     }
 
     /// Labs of X, Y, Z against this light as the white.
     fn labs(&self, xyz: &[[f64; 3]]) -> Vec<Lab> {
-        let mut labs = vec![BLACK; xyz.len()];
+        let mut labs = vec![Lab::default(); xyz.len()];
         labs_into(xyz, self.white, &mut labs);
         labs
     }
 
     fn filters(&self, smooth: &[f64], spikes: &[Line]) -> Option<f64> {
-        let exact = self.filters.as_ref()?;
-        self.behind(exact, &self.measures.filters, smooth, spikes)
+        let found = || {
+            let mut behind = seen_through(&self.measures.filters, smooth, spikes);
+            self.filtered(&mut behind)
+        };
+        (!self.filters.is_empty()).then(|| difference(&self.filters, &found()).mean)
     }
 
-    /// The light itself behind any narrow filters.
-    pub(crate) fn exact_behind(&self, filters: &PatchSet) -> Behind {
-        let mut exact = seen_through(filters, &self.measured, &[]);
-        let gain =
-            |xyz: &[f64; 3]| (FILTER_Y * self.white.y / (100.0 * xyz[1].max(0.0))).min(MOST_GAIN);
-        let gains: Vec<f64> = exact.iter().map(gain).collect();
-        Behind {
-            labs: self.filtered(&mut exact, &gains),
-            gains,
-        }
-    }
-
-    /// Mean CIEDE2000 of a model behind narrow filters; `None` without one, or where the light has
-    /// no colour.
-    pub fn behind(
-        &self,
-        exact: &Behind,
-        filters: &PatchSet,
-        smooth: &[f64],
-        spikes: &[Line],
-    ) -> Option<f64> {
-        if exact.labs.is_empty() || self.own.is_none() {
-            return None;
-        }
-        let mut xyz = seen_through(filters, smooth, spikes);
-        Some(difference(&exact.labs, &self.filtered(&mut xyz, &exact.gains)).mean)
-    }
-
-    fn filtered(&self, xyz: &mut [[f64; 3]], gains: &[f64]) -> Vec<Lab> {
-        for (xyz, gain) in xyz.iter_mut().zip(gains) {
+    fn filtered(&self, behind: &mut [[f64; 3]]) -> Vec<Lab> {
+        for (xyz, gain) in behind.iter_mut().zip(&self.gains) {
             xyz.iter_mut().for_each(|v| *v *= gain);
         }
-        self.labs(xyz)
+        self.labs(behind)
+    }
+
+    /// The model of so many numbers, two of them a spike: as many of the heaviest lines are spikes
+    /// as make the blurred error least.
+    pub(crate) fn with_best_lines(
+        &self,
+        projected: &ProjectedSpectrum,
+        way: FitVariant,
+        numbers: usize,
+    ) -> Composite {
+        let model = |count: usize| {
+            let lines: Vec<usize> = (0..count).collect();
+            projected
+                .model(numbers - 2 * count, &lines, way.colour_exact)
+                .0
+        };
+        let most = match way.spikes {
+            true => projected.most_lines(numbers),
+            false => return model(0),
+        };
+        let error = |model: &Composite| {
+            let error = self.rms_blurred(&projected.smooth(model), model.lines());
+            error.unwrap_or(f64::INFINITY)
+        };
+        let models = (0..=most).map(|count| {
+            let model = model(count);
+            (error(&model), model)
+        });
+        let best = models.min_by(|a, b| a.0.total_cmp(&b.0));
+        best.map_or_else(|| model(0), |(_, model)| model)
     }
 
     fn rms(&self, smooth: &[f64], spikes: &[Line]) -> Option<f64> {
@@ -405,16 +419,16 @@ mod tests {
     #[test]
     fn behind_a_filter_the_exact_light_has_y_50_or_is_brightened_fifty_times() {
         let reference = Reference::of_light(&measures(), &light());
-        let Behind { labs, gains } = reference.filters.as_ref().expect("a light");
+        let (labs, gains) = (&reference.filters, &reference.gains);
         assert_eq!(labs.len(), filter_centres().count());
         let fifty = lab_from_xyz(reference.white * 0.5, reference.white).l;
         for ((lab, gain), at_nm) in labs.iter().zip(gains).zip(filter_centres()) {
             let reached = (lab.l - fifty).abs() < 1e-9;
-            assert_eq!(reached, *gain < MOST_GAIN, "{at_nm} nm");
+            assert_eq!(reached, *gain < 50.0, "{at_nm} nm");
             assert!(lab.l <= fifty + 1e-9);
         }
         // Green is bright enough, the far red is not.
-        assert!(gains[13] < 10.0 && gains[25] == MOST_GAIN);
+        assert!(gains[13] < 10.0 && gains[25] == 50.0);
     }
 
     #[test]
@@ -460,7 +474,7 @@ mod tests {
         assert_eq!(own(1.0), own(4.0));
         assert!(own(1.0) > 1.0);
         let reference = Reference::of_factor(&all, &red, &light, 1.0);
-        assert_eq!(reference.patches(&model, &[]), None);
+        assert_eq!(reference.figure(Measure::Patches, &model, &[]), None);
         assert_eq!(reference.filters(&model, &[]), None);
     }
 

@@ -237,8 +237,8 @@ fn beside_a_cosine_series(judge: &Panel, values: &[f64], ask: Ask) -> Option<[[f
     let chosen = encoder().encode(values, ask).expect("a light");
     let decoder = encoder().decoder();
     let decoded = decoder.decode(&chosen.encoding).expect("a spectrum");
-    let fit = FitBasis::new(BAND, Basis::Cosine, ask.numbers, judge.seen());
-    let projected = ProjectedSpectrum::new(&fit, values, &[], judge.seen());
+    let fit = FitBasis::new(BAND, Basis::Cosine, ask.numbers, &judge.measures().seen);
+    let projected = ProjectedSpectrum::new(&fit, values, &[], &judge.measures().seen);
     let series = projected.smooth(&projected.model(ask.numbers, &[], true).0);
     let patches = judge.patches_as_cosines(ask.numbers);
     let errors = |values: &[f64]| judge.errors(&exact, values, &patches).to_array();

@@ -13,7 +13,7 @@ use super::{
 pub(crate) const LUMENS_PER_WATT: f64 = 683.002;
 
 /// What luminous efficacy of radiation is counted with: the rounded constant, by custom.
-const LUMENS_PER_WATT_ROUNDED: f64 = 683.0;
+pub(crate) const LUMENS_PER_WATT_ROUNDED: f64 = 683.0;
 
 /// The largest efficacy of scotopic vision, lm/W.
 const SCOTOPIC_LUMENS_PER_WATT: f64 = 1700.06;

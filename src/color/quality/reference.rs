@@ -155,7 +155,7 @@ pub fn daylight(kelvin: f64) -> Vec<f64> {
 }
 
 /// `M1` and `M2` of daylight.
-fn daylight_factors(kelvin: f64) -> [f64; 2] {
+pub(crate) fn daylight_factors(kelvin: f64) -> [f64; 2] {
     let [x, y] = daylight_xy(kelvin);
     let m = 0.0241 + 0.2562 * x - 0.7341 * y;
     [

@@ -1,6 +1,7 @@
 //! A recovered spectrum as JSON, with the keys of the command `recover`.
 
-use serde_json::{Map, Value, json};
+use serde::Serialize;
+use serde_json::{Value, json};
 
 use super::{
     lines::LineLight,
@@ -23,54 +24,39 @@ pub fn json(
 ) -> Value {
     let table = recovered.reflectance.sampled();
     let [lowest, highest] = recovered.reflectance.extent();
-    let mut out = Map::new();
-    out.insert("method".into(), json!(recovered.method.word()));
-    out.insert("light".into(), json!(lights.first().map(|(name, _)| name)));
-    if let Some((name, _)) = lights.get(1) {
-        out.insert("second_light".into(), json!(name));
-    }
-    let pairs = table.nm().iter().zip(table.values());
-    out.insert(
-        "values".into(),
-        pairs.map(|(nm, v)| value(*nm, *v)).collect(),
-    );
-    out.insert(
-        "round_trip_delta_e".into(),
-        json!(recovered.round_trip_delta_e),
-    );
-    out.insert("inside_0_1".into(), json!(recovered.is_inside_0_1()));
-    out.insert("lowest".into(), json!(lowest));
-    out.insert("highest".into(), json!(highest));
-    out.insert(
-        "condition_number".into(),
-        number(recovered.condition_number),
-    );
-    out.insert("band".into(), band.map_or(Value::Null, band_json));
-    out.insert("under".into(), under.iter().map(under_json).collect());
     let nearest = recovered.nearest.as_ref().map(|nearest| {
         let seen = |(xyz, (_, white)): (&Xyz, &(_, Xyz))| {
             Swatch::of_patch(*xyz, *white, Adaptation::ToLight)
         };
         nearest_json(nearest, nearest.xyz.iter().zip(lights).map(seen))
     });
-    out.insert("nearest".into(), json!(nearest));
-    Value::Object(out)
+    let mut out = json!({
+        "method": recovered.method.word(),
+        "light": lights.first().map(|(name, _)| name),
+        "values": values(table.nm().iter().zip(table.values())),
+        "round_trip_delta_e": recovered.round_trip_delta_e,
+        "inside_0_1": recovered.is_inside_0_1(),
+        "lowest": lowest,
+        "highest": highest,
+        "condition_number": recovered.condition_number,
+        "band": band.map(band_json),
+        "under": all(under, under_json),
+        "nearest": nearest,
+    });
+    if let Some((name, _)) = lights.get(1) {
+        out["second_light"] = json!(name);
+    }
+    out
 }
 
 /// The object of a light of lines, with the same keys; what asks for a reflectance is null, and
 /// `lines`, `background_power` and `residual` stand beside them.
 pub fn line_light_json(light: &LineLight, under: &[Prediction]) -> Value {
-    let values = light.on_band();
+    let on_band = light.on_band();
     let ends = [f64::INFINITY, f64::NEG_INFINITY];
-    let [lowest, highest] = values
+    let [lowest, highest] = on_band
         .iter()
         .fold(ends, |[low, high], v| [low.min(*v), high.max(*v)]);
-    let lines: Vec<Value> = light
-        .lines
-        .iter()
-        .map(|line| json!({"at_nm": line.at_nm, "weight": line.weight}))
-        .collect();
-    let pairs = BAND.grid().zip(&values);
     let nearest = light.nearest.as_ref();
     let nearest = nearest.map(|nearest| {
         nearest_json(
@@ -81,30 +67,30 @@ pub fn line_light_json(light: &LineLight, under: &[Prediction]) -> Value {
     json!({
         "method": Method::Lines.word(),
         "light": Value::Null,
-        "values": pairs.map(|(nm, v)| value(nm, *v)).collect::<Vec<_>>(),
+        "values": values(BAND.grid().zip(&on_band)),
         "round_trip_delta_e": light.round_trip_delta_e,
         "inside_0_1": Value::Null,
         "lowest": lowest,
         "highest": highest,
-        "condition_number": number(Some(light.condition_number)),
+        "condition_number": light.condition_number,
         "band": Value::Null,
-        "under": under.iter().map(under_json).collect::<Vec<_>>(),
+        "under": all(under, under_json),
         "nearest": nearest,
-        "lines": lines,
+        "lines": all(&light.lines, |line| json!({"at_nm": line.at_nm, "weight": line.weight})),
         "background_power": light.background.iter().sum::<f64>(),
         "residual": light.residual,
     })
 }
 
-fn value(nm: f64, value: f64) -> Value {
-    json!({"nm": nm, "value": value})
+/// The objects of a list.
+fn all<T>(items: &[T], object: impl Fn(&T) -> Value) -> Value {
+    items.iter().map(object).collect()
 }
 
-/// Null for what is no number: JSON knows no infinity.
-fn number(value: Option<f64>) -> Value {
-    value
-        .filter(|v| v.is_finite())
-        .map_or(Value::Null, |v| json!(v))
+fn values<'a, N: Serialize>(pairs: impl Iterator<Item = (N, &'a f64)>) -> Value {
+    pairs
+        .map(|(nm, value)| json!({"nm": nm, "value": value}))
+        .collect()
 }
 
 fn band_json(band: &MetamerBand) -> Value {
@@ -125,24 +111,18 @@ fn under_json(prediction: &Prediction) -> Value {
 
 /// One object; with two lights an array of two.
 fn nearest_json(nearest: &Nearest, swatches: impl Iterator<Item = Swatch>) -> Value {
-    let one = |(((xyz, delta_e), delta_e_ab), swatch): (((&Xyz, &f64), &f64), Swatch)| {
+    let each = nearest.xyz.iter().zip(swatches).enumerate();
+    let one = |(i, (xyz, swatch)): (usize, (&Xyz, Swatch))| {
         json!({
             "xyz": xyz.to_array(),
             "srgb_hex": swatch.hex(),
-            "delta_e": delta_e,
-            "delta_e_ab": delta_e_ab,
+            "delta_e": nearest.delta_e.get(i),
+            "delta_e_ab": nearest.delta_e_ab.get(i),
         })
     };
-    let each = nearest
-        .xyz
-        .iter()
-        .zip(&nearest.delta_e)
-        .zip(&nearest.delta_e_ab);
-    let each = each.zip(swatches);
     let mut each: Vec<Value> = each.map(one).collect();
-    if each.len() == 1 {
-        each.remove(0)
-    } else {
-        Value::Array(each)
+    match each.len() {
+        1 => each.remove(0),
+        _ => Value::Array(each),
     }
 }

@@ -19,6 +19,8 @@ use fidelity::FidelityScale;
 use rendering::RenderingScale;
 pub use samples::SampleTables;
 
+pub(super) use crate::color::quality::LUMENS_PER_WATT_ROUNDED as LUMENS_PER_WATT;
+
 use super::whole_nm;
 use crate::{
     color::{
@@ -29,10 +31,6 @@ use crate::{
     },
     spectrum::Outside,
 };
-
-/// Lumens of a watt at the peak of V, rounded as the programmes' reference counts them; 683.002 is
-/// the unit's own, three millionths more.
-pub(super) const LUMENS_PER_WATT: f64 = 683.0;
 
 /// Sums that every light has: X, Y, Z, melanopic, power.
 pub(super) const BASIC: usize = 5;

@@ -43,7 +43,7 @@ pub struct FrontWish {
 }
 
 /// A line of a light.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct FrontLine {
     /// Its place.
     pub at_nm: f64,

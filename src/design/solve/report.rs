@@ -1,15 +1,16 @@
 //! Mixtures and fronts as JSON, with the keys of the command `mix`.
 
+use serde::Serialize;
 use serde_json::{Value, json};
 
-use super::{figures::MixFigures, front::FrontPoint, solution::Solution};
+use super::{front::FrontPoint, solution::Solution};
 use crate::{
     color::Xyz,
     design::mixture::{Channel, composite},
 };
 
 /// A channel as a mixing desk shows it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Fader {
     /// The channel in words.
     pub spec: String,
@@ -20,8 +21,10 @@ pub struct Fader {
     /// Its power in per cent of the strongest channel's.
     pub drive_percent: f64,
     /// The same for lighting desks of 8 bits.
+    #[serde(skip)]
     pub dmx_8: u8,
     /// The same for lighting desks of 16 bits.
+    #[serde(skip)]
     pub dmx_16: u16,
 }
 
@@ -46,38 +49,19 @@ pub fn faders(channels: &[Channel], weights: &[f64]) -> Vec<Fader> {
 
 /// The object of a mixture.
 pub fn mix_json(channels: &[Channel], solution: &Solution) -> Value {
-    let faders = faders(channels, &solution.weights);
-    let channel = |fader: &Fader| {
-        json!({
-            "spec": fader.spec,
-            "weight": fader.weight,
-            "share_of_power": fader.share_of_power,
-            "drive_percent": fader.drive_percent,
-        })
-    };
-    let MixFigures {
-        xyz,
-        xy,
-        uv,
-        cct,
-        ra,
-        rf,
-        rg,
-        ler,
-        melanopic_der,
-    } = &solution.figures;
+    let figures = &solution.figures;
     json!({
-        "channels": faders.iter().map(channel).collect::<Vec<_>>(),
-        "xyz": xyz.map(Xyz::to_array),
-        "xy": xy,
-        "uv": uv,
-        "cct": cct.map(|cct| cct.kelvin),
-        "duv": cct.map(|cct| cct.duv),
-        "ra": ra,
-        "rf": rf,
-        "rg": rg,
-        "ler": ler,
-        "melanopic_der": melanopic_der,
+        "channels": faders(channels, &solution.weights),
+        "xyz": figures.xyz.map(Xyz::to_array),
+        "xy": figures.xy,
+        "uv": figures.uv,
+        "cct": figures.cct.map(|cct| cct.kelvin),
+        "duv": figures.cct.map(|cct| cct.duv),
+        "ra": figures.ra,
+        "rf": figures.rf,
+        "rg": figures.rg,
+        "ler": figures.ler,
+        "melanopic_der": figures.melanopic_der,
         "delta_uv_to_target": solution.delta_uv_to_target,
         "reached": solution.reached,
         "why": solution.why,
@@ -88,12 +72,11 @@ pub fn mix_json(channels: &[Channel], solution: &Solution) -> Value {
 /// The mixture in the keys of the program's composite files.
 fn composite_json(channels: &[Channel], weights: &[f64]) -> Value {
     let model = composite(channels, weights);
-    let band = model.band();
     let spike = |s: &crate::spectrum::Line| json!({"at_nm": s.at_nm, "weight": s.weight});
     json!({
         "format": "composite-spectrum",
         "version": 1,
-        "range_nm": [band.min_nm(), band.max_nm()],
+        "range_nm": model.band(),
         "basis": model.smooth().basis.word(),
         "coefficients": {"c": model.smooth().coefficients},
         "spikes": model.lines().iter().map(spike).collect::<Vec<_>>(),
@@ -107,13 +90,12 @@ fn composite_json(channels: &[Channel], weights: &[f64]) -> Value {
 /// The object of a front.
 pub fn front_json(points: &[FrontPoint]) -> Value {
     let point = |point: &FrontPoint| {
-        let line = |line: &super::front::FrontLine| json!({"at_nm": line.at_nm, "share_of_power": line.share_of_power});
         json!({
             "ler": point.figures.ler,
             "rf": point.figures.rf,
             "ra": point.figures.ra,
             "rg": point.figures.rg,
-            "lines": point.lines.iter().map(line).collect::<Vec<_>>(),
+            "lines": point.lines,
         })
     };
     json!({"front": points.iter().map(point).collect::<Vec<_>>()})
