@@ -9,7 +9,9 @@ mod png_photo;
 use std::path::Path;
 
 use super::{
-    decode::guarded::guarded, error::ReadError, input::name_of, write::colour_png::ColourPixels,
+    decode::{guarded::guarded, png::ColourPixels},
+    error::ReadError,
+    input::name_of,
 };
 pub use exif::Exif;
 
