@@ -10,7 +10,7 @@ use png::{BitDepth, Decoder, DecodingError, Reader, Transformations};
 use crate::io::unopened::words as why_unopened;
 
 /// What every PNG file begins with.
-const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
+pub(crate) const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 /// What is said of a picture that memory does not hold.
 const TOO_LARGE: &str = "found a picture too large for memory, expected a smaller one";
@@ -35,22 +35,22 @@ pub(crate) fn chunks(bytes: &[u8]) -> Option<impl Iterator<Item = Result<Chunk, 
 /// The chunk at a place.
 fn chunk(bytes: &[u8], at: usize) -> Result<Chunk, [String; 2]> {
     let short = || ["a PNG that ends early", "one to its IEND"].map(str::to_owned);
-    let (start, end, kind, sum) = (|| {
-        let length = u32::from_be_bytes(*bytes.get(at..)?.first_chunk()?);
-        let kind = bytes.get(at + 4..)?.first_chunk::<4>()?;
-        let end = (at + 8).checked_add(length as usize)?;
-        Some((at + 8, end, *kind, bytes.get(end..)?.first_chunk::<4>()?))
-    })()
-    .ok_or_else(short)?;
+    let word = |at: usize| {
+        let word = bytes.get(at..).and_then(<[u8]>::first_chunk::<4>);
+        word.copied().ok_or_else(short)
+    };
+    let (length, kind) = (u32::from_be_bytes(word(at)?), word(at + 4)?);
+    let end = (at + 8).checked_add(length as usize).ok_or_else(short)?;
+    let sum = word(end)?;
     let mut check = flate2::Crc::new();
     check.update(&bytes[at + 4..end]);
-    if check.sum().to_be_bytes() != *sum {
+    if check.sum().to_be_bytes() != sum {
         // Any bytes may stand in a damaged file, line ends too.
         let name = kind.escape_ascii();
         let found = format!("a chunk {name} with a wrong check sum");
         return Err([found, "a whole one".to_owned()]);
     }
-    Ok((kind, start..end))
+    Ok((kind, at + 8..end))
 }
 
 /// A picture of colours.

@@ -27,7 +27,7 @@ use crate::io::table::scan::scan;
 use crate::io::table::titles::Titles;
 use crate::io::text::dialect::Dialect;
 use crate::io::text::lines;
-use crate::io::text::words::holds_any;
+use crate::io::text::words::holds_one;
 use crate::io::{Input, ReadError, Reading};
 
 /// Raman text.
@@ -44,18 +44,9 @@ const HEADER_LINES: usize = 60;
 /// Lasers that Raman spectrometers have, nm: from deep ultraviolet to infrared.
 const LASERS_NM: std::ops::RangeInclusive<f64> = 220.0..=1100.0;
 
-/// Words that name an axis of shifts, lower case.
-const SHIFTS: [&str; 9] = [
-    "raman shift",
-    "ramanshift",
-    "raman_shift",
-    "rel. wavenumber",
-    "relative wavenumber",
-    "rel. 1/cm",
-    "rel.1/cm",
-    "rel 1/cm",
-    "relative 1/cm",
-];
+/// What names an axis of shifts, lower case.
+const SHIFTS: &str = "raman shift;ramanshift;raman_shift;rel. wavenumber;relative wavenumber;\
+                      rel. 1/cm;rel.1/cm;rel 1/cm;relative 1/cm";
 
 /// Words behind which a laser's wavelength stands, lower case.
 const LASER: [&str; 4] = [
@@ -91,24 +82,21 @@ impl<'a> Head<'a> {
 
     /// Whether it names an axis of shifts, and no wavelengths beside them.
     fn names_shifts(&self) -> bool {
-        self.any(|line| holds_any(line, &SHIFTS) && !line.contains("wavelength"))
+        self.any(|line| holds_one(line, SHIFTS) && !line.contains("wavelength"))
     }
 
     /// Whether it counts its first axis in 1/cm as Horiba's LabSpec writes it: shifts from the
     /// laser. LabSpec's range (`#Range (cm-1):`) is of shifts, since it has no other wave numbers;
     /// the lines about the laser or the exposure tell it from other programs' headers.
     fn counts_shifts(&self) -> bool {
-        let mut units = self
-            .0
-            .iter()
-            .filter(|(_, lower)| lower.contains("axisunit[1]"));
+        let unit = (self.0.iter()).find(|(_, lower)| lower.contains("axisunit[1]"));
         let range = self.0.iter().any(|(line, _)| {
             let line = line.trim_start_matches('#').trim_start();
             let key = line.split(['=', ':', '\t']).next().unwrap_or(line);
             key.to_lowercase().starts_with("range") && is_per_cm(key)
         });
         let is_of_labspec = |key: &str| key.starts_with("laser") || key.starts_with("acq");
-        units.next().is_some_and(|(unit, _)| is_per_cm(unit)) && self.laser_nm().is_some()
+        unit.is_some_and(|(unit, _)| is_per_cm(unit)) && self.laser_nm().is_some()
             || range && self.keys().any(|(key, _)| is_of_labspec(&key))
     }
 
@@ -119,16 +107,15 @@ impl<'a> Head<'a> {
                 && value.to_lowercase().contains("raman")
         });
         says && !self.any(|line| {
-            let is_laser = holds_any(line, &["laser", "excitation", "raman wavelength"]);
-            !is_laser && holds_any(line, &["wavelength", "nanomet"])
+            let is_laser = holds_one(line, "laser;excitation;raman wavelength");
+            !is_laser && holds_one(line, "wavelength;nanomet")
         })
     }
 
     /// Whether it is of one of the RRUFF project's Raman spectra: those of infrared light and
     /// X-rays say what they are.
     fn is_rruff(&self, name: &str) -> bool {
-        let others = ["infrared", "x-ray", "xray", "powder"];
-        let is_other = |text: &str| holds_any(&text.to_lowercase(), &others);
+        let is_other = |text: &str| holds_one(&text.to_lowercase(), "infrared;x-ray;xray;powder");
         let kind = self.keys().find(|(key, _)| key == "filetype");
         self.keys().any(|(key, _)| key == "rruffid")
             && !is_other(name)
@@ -146,11 +133,8 @@ impl<'a> Head<'a> {
 
     /// The laser's wavelength, nm: `Laser wavelength: 785 nm`, `#Laser=785nm_edge`.
     fn laser_nm(&self) -> Option<f64> {
-        let named: Vec<_> = self
-            .0
-            .iter()
-            .flat_map(|(_, line)| lasers_of(line))
-            .collect();
+        let lines = self.0.iter();
+        let named: Vec<_> = lines.flat_map(|(_, line)| lasers_of(line)).collect();
         let by_unit = named.iter().find(|(_, says_nm)| *says_nm);
         by_unit.or(named.first()).map(|(nm, _)| *nm)
     }
@@ -158,7 +142,7 @@ impl<'a> Head<'a> {
 
 /// Whether a text holds the unit of a shift.
 fn is_per_cm(text: &str) -> bool {
-    holds_any(text, &["1/cm", "1/CM", "cm-1", "cm-¹", "cm⁻¹", "cm^-1"])
+    holds_one(text, "1/cm;1/CM;cm-1;cm-¹;cm⁻¹;cm^-1")
 }
 
 /// The numbers of a line in lower case that may be a laser's wavelength, not its power or its
@@ -167,11 +151,11 @@ fn lasers_of(line: &str) -> Vec<(f64, bool)> {
     let mut lasers = Vec::new();
     let at = LASER.iter().find_map(|word| line.find(word));
     // RRUFF's crystals lie somehow to the beam: "Laser parallel to c* (0 0 1)".
-    let at = at.filter(|_| !holds_any(line, &["orientation", "parallel"]));
+    let at = at.filter(|_| !holds_one(line, "orientation;parallel"));
     let mut rest = at.map_or("", |at| &line[at..]);
     let is_number = |c: char| c.is_ascii_digit() || c == '.';
-    let names_wavelength = holds_any(line, &["wavelength", "lambda"]);
-    let names_other = holds_any(line, &["power", "attenuation", "exposure"]);
+    let names_wavelength = holds_one(line, "wavelength;lambda");
+    let names_other = holds_one(line, "power;attenuation;exposure");
     while let Some(from) = rest.find(is_number) {
         let end = rest[from..].find(|c| !is_number(c));
         let (number, behind) = rest[from..].split_at(end.unwrap_or(rest.len() - from));
@@ -219,7 +203,7 @@ fn sniff(input: &Input) -> Confidence {
         // Its labels are written as JCAMP-DX's, which is sure of its own.
         return Confidence::certain_if(head.is_rruff(&input.name));
     }
-    let names_nm = || head.any(|line| holds_any(line, &["wavelength", "nm"]));
+    let names_nm = || head.any(|line| holds_one(line, "wavelength;nm"));
     let is_raman = match head.wire_columns() {
         // WiRE writes wavelengths under the same title: a person may say so.
         Some(_) => input.choices.wavelengths.is_none(),
@@ -236,15 +220,9 @@ fn sniff(input: &Input) -> Confidence {
     }
 }
 
-/// Numbers with the column of shifts among them.
-struct Shifts<'a> {
-    block: Block<'a>,
-    titles: Titles,
-    axis: usize,
-}
-
-/// The tables of shifts of a text, and notes on what is left out.
-fn tables_of(text: &str, dialect: Dialect) -> (Vec<Shifts<'_>>, Vec<String>) {
+/// The tables of shifts of a text, each with its titles and the column of shifts, and notes on what
+/// is left out.
+fn tables_of(text: &str, dialect: Dialect) -> (Vec<(Block<'_>, Titles, usize)>, Vec<String>) {
     let (mut found, mut notes) = (Vec::new(), Vec::new());
     for table in pick::tables(text, dialect).unwrap_or_default() {
         if table.is_short {
@@ -257,20 +235,15 @@ fn tables_of(text: &str, dialect: Dialect) -> (Vec<Shifts<'_>>, Vec<String>) {
             Layout::Column(axis) => axis,
             _ => continue,
         };
-        found.push(Shifts {
-            block: table.block,
-            titles: table.titles,
-            axis,
-        });
+        found.push((table.block, table.titles, axis));
     }
     if found.is_empty() {
         // Shifts from zero or below are no wavelengths to the finder of tables.
         let blocks = scan(text, 0, dialect).unwrap_or_default();
         let longest = blocks.into_iter().filter(leads).max_by_key(Block::rows);
-        found.extend(longest.map(|block| Shifts {
-            titles: Titles::of(&block, dialect),
-            block,
-            axis: 0,
+        found.extend(longest.map(|block| {
+            let titles = Titles::of(&block, dialect);
+            (block, titles, 0)
         }));
     }
     (found, notes)
@@ -295,13 +268,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         ));
     }
     // `iR785` in a name is the laser of a Raman spectrometer and nothing else.
-    let by_name = || {
-        Some(Decision::guessed(
-            laser_of_name(&input.name)?,
-            true,
-            "the file's name",
-        ))
-    };
+    let by_name = laser_of_name(&input.name);
+    let by_name = || Some(Decision::guessed(by_name?, true, "the file's name"));
     let by_header = || Some(Decision::stated(Head::of(text).laser_nm()?, "the header"));
     let by_hand = input.choices.laser_nm.map(Decision::chosen);
     let laser = by_hand.or_else(by_header).or_else(by_name).ok_or_else(|| {
@@ -321,10 +289,9 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let refusal = (columns::FORMAT.read)(input).err();
         return Err(refusal.unwrap_or_else(no_shifts));
     }
-    let mut keys = head
-        .keys()
-        .filter(|_| input.head().starts_with("##") && head.is_rruff(&input.name));
-    let named = keys.find(|(key, value)| matches!(&**key, "names" | "name") && !value.is_empty());
+    let is_rruff = input.head().starts_with("##") && head.is_rruff(&input.name);
+    let mut keys = head.keys().filter(|_| is_rruff);
+    let named = keys.find(|(key, name)| matches!(&**key, "names" | "name") && !name.is_empty());
     let name = named.map_or(input.stem(), |(_, name)| name);
     let mut reading = Reading {
         notes,
@@ -341,21 +308,18 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     Ok(reading)
 }
 
-/// Adds the spectra of a table; the laser in nm.
+/// Adds the spectra of a table with its titles and the column of shifts; the laser in nm.
 fn add(
     input: &Input,
-    table: &Shifts,
+    (block, titles, axis): &(Block, Titles, usize),
     stem: &str,
     (laser, dialect): (&Decision<f64>, Dialect),
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
-    let (block, axis) = (&table.block, table.axis);
-    let shifts = block.column(axis).iter();
-    let nm: Vec<f64> = shifts
-        .map(|shift| 1e7 / (1e7 / laser.value - shift))
-        .collect();
-    let (values, _) = value_columns(block, &table.titles, axis, &[axis]);
-    let is_used = |column| column == axis || values.contains(&column);
+    let to_nm = |shift: &f64| 1e7 / (1e7 / laser.value - shift);
+    let nm: Vec<f64> = block.column(*axis).iter().map(to_nm).collect();
+    let (values, _) = value_columns(block, titles, *axis, &[*axis]);
+    let is_used = |column| column == *axis || values.contains(&column);
     if let Some(bad) = block.bad.iter().find(|bad| is_used(bad.column)) {
         return Err(bad.refusal(input));
     }

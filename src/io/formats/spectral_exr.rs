@@ -274,15 +274,7 @@ fn add(
     many: bool,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
-    let Picture {
-        layer,
-        kind,
-        unit,
-        size: (width, height),
-        bands,
-        notes,
-        bytes,
-    } = picture;
+    let ((width, height), bands) = (picture.size, picture.bands);
     let places: Vec<(f64, usize)> = bands.iter().map(|(nm, _)| *nm).zip(0..).collect();
     let layout = Layout {
         first_byte: 0,
@@ -292,13 +284,13 @@ fn add(
         stored_bands: bands.len(),
         missing: None,
     };
-    let cube = Cube::new(width, height, &places, layout, Arc::new(bytes))
+    let cube = Cube::new(width, height, &places, layout, Arc::new(picture.bytes))
         .map_err(|error| input.error(error.to_string(), "a whole image"))?;
     let part = match many {
-        true => format!(", layer {}", layer + 1),
+        true => format!(", layer {}", picture.layer + 1),
         false => String::new(),
     };
-    let both = match kind == Kind::Reflectance && !reading.images.is_empty() {
+    let both = match picture.kind == Kind::Reflectance && !reading.images.is_empty() {
         true => ", reflectance",
         false => "",
     };
@@ -307,10 +299,10 @@ fn add(
         source: input.name.clone(),
         bandwidth_nm: None,
         cube,
-        notes,
+        notes: picture.notes,
         known: Known {
-            kind: Some(Decision::of_format(kind)),
-            unit: Some(unit),
+            kind: Some(Decision::of_format(picture.kind)),
+            unit: Some(picture.unit),
             scale: KnownScale::Stated(1.0),
             may_be_large: false,
         },

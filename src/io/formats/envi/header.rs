@@ -1,6 +1,7 @@
 //! The header of an ENVI file.
 
 use std::collections::HashMap;
+use std::ops::Deref;
 
 use crate::io::error::quoted;
 use crate::io::text::{MOST_BYTES, lines, number};
@@ -9,9 +10,17 @@ use crate::spectrum::cube::{Interleave, Layout, Number, bytes_of};
 
 /// A header's fields.
 #[derive(Debug)]
-pub struct Header {
+pub struct Fields {
     /// Name of the header's file, for messages.
     pub file: String,
+    /// Values and the lines on which they start.
+    fields: HashMap<String, (usize, String)>,
+}
+
+/// A header: what the data are, and its fields.
+#[derive(Debug)]
+pub struct Header {
+    fields: Fields,
     /// Whether the data are spectra one after the other rather than an image.
     pub is_library: bool,
     /// Columns, 1 in a library.
@@ -20,11 +29,15 @@ pub struct Header {
     pub height: usize,
     /// Channels.
     pub channels: usize,
-    /// Samples, lines and bands as the header counts them.
-    counts: [usize; 3],
     layout: Layout,
-    /// Values and the lines on which they start.
-    fields: HashMap<String, (usize, String)>,
+}
+
+impl Deref for Header {
+    type Target = Fields;
+
+    fn deref(&self) -> &Fields {
+        &self.fields
+    }
 }
 
 impl Header {
@@ -64,10 +77,16 @@ impl Header {
 
     /// What the data file holds.
     fn in_words(&self) -> String {
-        let (bytes, [samples, lines, bands]) = (self.layout.number.bytes(), self.counts);
+        let (bytes, lines) = (self.layout.number.bytes(), self.height);
+        let (samples, bands) = match self.is_library {
+            true => (self.channels, self.width),
+            false => (self.width, self.channels),
+        };
         format!("{samples} x {lines} x {bands} numbers of {bytes} bytes")
     }
+}
 
+impl Fields {
     /// A field's text, without braces; keys are lower case.
     pub fn text(&self, key: &str) -> Option<&str> {
         let value = self.fields.get(key)?.1.trim();
@@ -194,21 +213,8 @@ fn number_of(data_type: usize) -> Option<Number> {
 
 /// Reads a header.
 pub(super) fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
-    let mut header = Header {
+    let header = Fields {
         file: file.to_owned(),
-        is_library: false,
-        width: 0,
-        height: 0,
-        channels: 0,
-        counts: [0; 3],
-        layout: Layout {
-            first_byte: 0,
-            number: Number::U8,
-            big_endian: false,
-            interleave: Interleave::Bands,
-            stored_bands: 0,
-            missing: None,
-        },
         fields: fields(file, text)?,
     };
     let samples = header.count("samples", None)?;
@@ -248,23 +254,27 @@ pub(super) fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
     let kind = header.text("file type").unwrap_or("").to_lowercase();
     let names_spectra = header.fields.contains_key("spectra names");
     let has_one_band = bands == 1 && samples > 1;
-    header.is_library = kind.contains("spectral library")
+    let is_library = kind.contains("spectral library")
         || has_one_band && (names_spectra || header.list("wavelength").len() == samples);
-    header.counts = [samples, lines, bands];
-    let (size, stored_bands, interleave) = match header.is_library {
-        true => ((bands, lines), samples, Interleave::Pixels),
-        false => ((samples, lines), bands, interleave),
+    let (width, channels, interleave) = match is_library {
+        true => (bands, samples, Interleave::Pixels),
+        false => (samples, bands, interleave),
     };
-    ((header.width, header.height), header.channels) = (size, stored_bands);
-    header.layout = Layout {
-        first_byte,
-        number,
-        big_endian: byte_order == 1,
-        interleave,
-        stored_bands,
-        missing: None,
-    };
-    Ok(header)
+    Ok(Header {
+        fields: header,
+        is_library,
+        width,
+        height: lines,
+        channels,
+        layout: Layout {
+            first_byte,
+            number,
+            big_endian: byte_order == 1,
+            interleave,
+            stored_bands: channels,
+            missing: None,
+        },
+    })
 }
 
 fn fields(file: &str, text: &str) -> Result<HashMap<String, (usize, String)>, ReadError> {

@@ -28,7 +28,7 @@ use super::{Confidence, Format};
 use crate::io::input::name_of;
 use crate::io::{Input, ReadError, Reading};
 
-pub use header::Header;
+pub use header::{Fields, Header};
 pub(crate) use meaning::left_over;
 pub use meaning::{bandwidth_nm, channels, values};
 pub(crate) use pair::{header_at, place_of_data, read_header};
@@ -103,25 +103,12 @@ pub(crate) fn pair_of(path: &Path) -> Option<PathBuf> {
     data_beside(path).or_else(|| pair::header_of(path))
 }
 
-/// What a header announces, before its data are read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Needs {
-    /// Columns of a cube, 1 for a library.
-    pub width: usize,
-    /// Rows of a cube, spectra of a library.
-    pub height: usize,
-    /// Channels.
-    pub bands: usize,
-    /// Bytes of the data, which is the memory that a cube takes.
-    pub bytes: usize,
-}
-
-/// Size and memory of the library or cube whose header or data file is at `path`; only the header
-/// is read.
+/// What the header of the library or cube whose header or data file is at `path` says of data few
+/// enough to be read whole; they are not read.
 ///
 /// # Errors
 /// [`ReadError`] when there is no header, or it is not right.
-pub fn needs(path: &Path) -> Result<Needs, ReadError> {
+pub fn needs(path: &Path) -> Result<Header, ReadError> {
     let is_header = path
         .extension()
         .is_some_and(|e| e.eq_ignore_ascii_case("hdr"));
@@ -134,10 +121,6 @@ pub fn needs(path: &Path) -> Result<Needs, ReadError> {
         ReadError::new(&name_of(path), found, expected)
     })?;
     let header = pair::read_header(&header_path)?;
-    Ok(Needs {
-        width: header.width,
-        height: header.height,
-        bands: header.channels,
-        bytes: header.few_bytes()?,
-    })
+    header.few_bytes()?;
+    Ok(header)
 }
