@@ -15,12 +15,15 @@ use super::{
     words::extension,
 };
 use crate::{
-    app::{dispersion::Sent, ticks::short},
+    app::{
+        dispersion::{Sent, gem_exr},
+        ticks::short,
+    },
     color::{Adaptation, Observer},
-    io::{many::many, shown, with_attributes_in_order},
+    io::{many::many, png, shown},
     optics::{
         Absorption, Brilliant, Film, FilmSettings, GemReport, Light, Material, Picture, Scene,
-        Studio, View, film_bytes, gem_json, png, spectral_exr,
+        Studio, View, film_bytes, gem_json,
     },
     study::Progress,
 };
@@ -85,7 +88,7 @@ pub(super) fn run(options: &Gem, out: &mut dyn Write, inputs: &mut Inputs) -> Re
     };
     let file = match is_png {
         true => screen_file(&picture, options, inputs),
-        false => spectral_file(&film, &light, options),
+        false => gem_exr(&film, &light, &cut, options.rays),
     };
     let file = file.map_err(|why| Refusal::File(format!("{}: {why}", shown(target.path))))?;
     target.save(&file)?;
@@ -268,18 +271,5 @@ fn screen_file(picture: &Picture, options: &Gem, inputs: &mut Inputs) -> Result<
     let adapted = adapted.flatten();
     let picture = adapted.as_ref().unwrap_or(picture);
     let pixels = picture.shown(options.stops.unwrap_or(0.0)).pixels;
-    png([picture.size; 2], &pixels).ok_or_else(|| "found no picture".to_owned())
-}
-
-/// Every plane of the picture.
-fn spectral_file(film: &Film, light: &Light, options: &Gem) -> Result<Vec<u8>, String> {
-    let facts = [
-        ("light", light.name.clone()),
-        ("gem", film.studio().material().name.clone()),
-        ("cut", format!("{:?}", brilliant(options.cut))),
-        ("view", format!("{:?}", film.studio().scene().view)),
-        ("rays", options.rays.to_string()),
-    ];
-    let file = spectral_exr(film, light, &facts).map_err(|why| why.to_string())?;
-    Ok(with_attributes_in_order(file))
+    png([picture.size; 2], pixels.as_flattened()).ok_or_else(|| "found no picture".to_owned())
 }

@@ -13,8 +13,7 @@ use super::{
 };
 use crate::{
     color::{Adaptation, Srgb, Swatch, Xyz},
-    io::{shown, stream::bytes_of_file},
-    optics::png,
+    io::{png, shown, stream::bytes_of_file},
     pictures::{Between, CompactFile, Light, Operator, Picture, Relit, read_full, relit_into},
     study::Progress,
 };
@@ -55,7 +54,7 @@ pub(super) fn run(
         .map_err(&refused)?;
     say_trust(&operator, &picture, &relit, &new, known.as_ref(), inputs);
     let size = [picture.header.width, picture.header.height];
-    let file = png(size, &pixels(&picture, &relit));
+    let file = png(size, pixels(&picture, &relit).as_flattened());
     let file =
         file.ok_or_else(|| Refusal::File(format!("{}: found no pixels", shown(&options.input))))?;
     target.save(&file)?;

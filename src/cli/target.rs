@@ -10,7 +10,7 @@ use std::{
 use super::{inputs::named_spectrum, refusal::Refusal};
 use crate::{
     app::{chart::SVG_HEAD, sheet::PDF_TAIL},
-    io::{envi, save_atomically, shown, stream::is_standard_input},
+    io::{envi, png_chunks, save_atomically, shown, stream::is_standard_input},
 };
 
 /// What may be replaced without a word.
@@ -185,22 +185,9 @@ fn is_own_picture(path: &Path) -> bool {
 /// Whether the chunks that a PNG begins with tell this program as what wrote it.
 fn is_marked_png(head: &[u8]) -> bool {
     let mark = concat!("Software\0", env!("CARGO_PKG_NAME")).as_bytes();
-    let Some(mut rest) = head.strip_prefix(b"\x89PNG\r\n\x1a\n") else {
-        return false;
-    };
-    // Length, kind, data and check sum.
-    while let Some((length, behind)) = rest.split_first_chunk::<4>() {
-        let length = u32::from_be_bytes(*length) as usize;
-        let Some((chunk, behind)) = behind.split_at_checked(length.saturating_add(8)) else {
-            return false;
-        };
-        match &chunk[..4] {
-            b"tEXt" if chunk[4..4 + length] == *mark => return true,
-            b"IDAT" => return false,
-            _ => rest = behind,
-        }
-    }
-    false
+    let whole = png_chunks(head).into_iter().flatten().map_while(Result::ok);
+    let mut before = whole.take_while(|(kind, _)| kind != b"IDAT");
+    before.any(|(kind, data)| kind == *b"tEXt" && head[data] == *mark)
 }
 
 /// A picture's name in a folder that nothing there has yet, not even a link.
@@ -216,7 +203,7 @@ pub(super) fn new_picture(folder: &Path) -> PathBuf {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{app::chart::Chart, optics};
+    use crate::{app::chart::Chart, io};
 
     #[test]
     fn only_a_picture_that_bears_the_programs_mark_is_its_own() {
@@ -224,7 +211,7 @@ mod tests {
         let path = folder.path().join("a.png");
         let chart = Chart::default().to_svg(160, 120);
         let pdf = |tail: &str| format!("%PDF-1.4\n{}%%EOF{tail}", "a thesis\n".repeat(1000));
-        let png = optics::png([2, 1], &[[1, 2, 3]; 2]).unwrap();
+        let png = io::png([2, 1], &[1, 2, 3, 1, 2, 3]).unwrap();
         let at = png.windows(8).position(|w| w == b"Software").unwrap();
         let mut of_others = png.clone();
         of_others[at] = b's';

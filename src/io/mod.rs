@@ -36,7 +36,9 @@ use std::io::Read;
 use std::path::Path;
 
 pub use choices::{Choices, Counted, OfOne};
-pub(crate) use decode::guarded::guarded;
+pub(crate) use decode::exr::{ExrImage, Layer as ExrLayer};
+pub(crate) use decode::png::chunks as png_chunks;
+pub use decode::png::{ColourPixels, ColourPng};
 pub(crate) use error::part_of_message;
 pub use error::{ReadError, WriteError, quoted, shown};
 pub use formats::composite_json::{
@@ -65,10 +67,12 @@ pub use text::{
 pub use unopened::words as why_unopened;
 pub use write::atomic::save_atomically;
 pub(crate) use write::atomic::{UNFINISHED, save_by, save_together};
-pub use write::colour_png::{ColourPixels, ColourPng};
 pub(crate) use write::csv::no_formula;
 pub use write::csv::write as csv;
-pub use write::spectral_exr::{reflectance_exr, with_attributes_in_order};
+pub use write::exr::{BLOCK_ROWS as EXR_BLOCK_ROWS, Precision, write_rows as write_exr_rows};
+pub(crate) use write::png::PngFile;
+pub use write::png::png;
+pub use write::spectral_exr::{light_exr, reflectance_exr};
 pub use write::{WRITABLE, encode, losses, write_as};
 
 /// What is said of a file beyond [`text::MOST_BYTES`].

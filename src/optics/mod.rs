@@ -5,7 +5,7 @@
 //! rainbow     a ray in a drop, the bows         sky                   the strip of sky
 //! solid, cut  convex bodies, the brilliant      scene, studio         dome, lamps, camera
 //! chain       the whole tree of rays as a chain film, plane, tile, plan  its planes
-//! picture     a film under a light, its noise   develop, png, exr     what goes out
+//! picture     a film under a light, its noise   develop, spectral     what goes out
 //! ```
 //!
 //! The smooth part and the spikes of a light are told apart before anything is traced: a spike is
@@ -18,7 +18,6 @@ mod bench;
 mod chain;
 mod cut;
 mod develop;
-mod exr;
 mod film;
 mod fresnel;
 mod index;
@@ -31,7 +30,6 @@ mod monotone;
 mod picture;
 mod plan;
 mod plane;
-mod png;
 mod points;
 mod prism;
 mod rainbow;
@@ -41,6 +39,7 @@ mod scene;
 mod screen;
 mod sky;
 mod solid;
+mod spectral;
 mod strip;
 mod studio;
 mod tile;
@@ -51,7 +50,6 @@ pub use chain::{Ending, Traced};
 pub use cut::{Brilliant, CutError};
 pub use develop::Shown;
 pub(crate) use develop::into_gamut;
-pub use exr::{ExrError, lines_of_exr, spectral_exr};
 pub use film::{Film, FilmError, MOST_BYTES, MOST_LINES, SIZES};
 pub(crate) use film::{RAYS, film_bytes};
 pub use fresnel::reflectances;
@@ -62,7 +60,6 @@ pub use light::{Light, LightError};
 pub use materials::BuiltinMaterial;
 pub use picture::{Noise, Picture};
 pub use plane::{FilmSettings, Plane};
-pub use png::png;
 pub use prism::{Incidence, Limits, Passage, Prism, PrismError, limits, minimum_deviation};
 pub(crate) use rainbow::from_antisolar;
 pub use rainbow::{Bow, Bows, DropRay, bow};
@@ -72,5 +69,6 @@ pub use scene::{Camera, Lamp, Scene, SceneError, View};
 pub(crate) use sky::{SKY_DEG, SUN_DEG};
 pub use sky::{Sky, SkyStrip};
 pub use solid::{HalfSpace, Solid, SolidError, Vec3};
+pub use spectral::{SpectralPlanes, spectral_planes};
 pub use strip::{LineImage, MOST_COLUMNS, Screen, Strip};
 pub use studio::{Seen, Studio, StudioError};

@@ -5,25 +5,23 @@ use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
 use std::sync::Mutex;
 
-use crate::io::Meant;
-use crate::io::OfOne;
-use crate::io::envi::{self, Header, all_bytes};
+use crate::io::{Meant, OfOne, envi, name_of};
 use crate::spectrum::Kind;
-use crate::spectrum::cube::{Interleave, Number, is_missing};
+use crate::spectrum::cube::{Interleave, Layout};
 
 use super::{Bands, KeptBands, PictureError, Pixels};
 
-/// Numbers of this size and beyond stand for "not measured".
-const ABSURD: f64 = 1e30;
 /// Numbers that decide kind and scale.
 const LOOKED_AT: usize = 400;
+/// Pixels that are taken from bytes at a time, so that a band's strides stay in the nearest cache.
+const AT_ONCE: usize = 64;
 
 /// An ENVI cube whose pixels stay on disk.
 #[derive(Debug)]
 pub struct EnviFile {
     file: Mutex<File>,
-    header: Header,
-    missing: Option<f64>,
+    size: (usize, usize),
+    layout: Layout,
     scale: f64,
     unit: String,
     bands: Bands,
@@ -41,62 +39,50 @@ impl EnviFile {
     /// [`PictureError`] when there is no such pair, or it is no cube.
     pub fn open(path: &Path, all: bool, kind: Option<Kind>) -> Result<Self, PictureError> {
         let trouble = |error: crate::io::ReadError| PictureError::Trouble(error.to_string());
-        let header_path = if envi::starts_as_header(path) {
-            path.to_owned()
-        } else {
-            envi::header_of(path).ok_or_else(|| {
-                PictureError::broken("data by themselves", "an ENVI header beside them")
-            })?
-        };
+        let header_path = envi::header_at(path).ok_or_else(|| {
+            PictureError::broken("data by themselves", "an ENVI header beside them")
+        })?;
         let header = envi::read_header(&header_path).map_err(trouble)?;
-        let need = all_bytes(&header)
+        let need = (header.bytes())
             .ok_or_else(|| PictureError::broken("a size beyond counting", "a cube"))?;
         let data = envi::place_of_data(&header_path, need).ok_or_else(|| {
             PictureError::broken("an ENVI header by itself", "its data beside it")
         })?;
         let file = File::open(&data)?;
         let found = file.metadata()?.len();
-        if found < need as u64 || header.is_library() || header.samples == 0 || header.lines == 0 {
+        if found < need as u64 || header.is_library {
             return Err(PictureError::broken(
                 format!("{found} bytes"),
                 format!("a cube of {need} bytes"),
             ));
         }
-        let channels = envi::channels(&header, header.bands, None).map_err(trouble)?;
-        let missing = header.number("data ignore value").map_err(trouble)?;
+        let channels = envi::channels(&header, None).map_err(trouble)?;
+        let (nm, stored): (Vec<f64>, Vec<usize>) = channels.bands.into_iter().unzip();
         let mut opened = Self {
             file: Mutex::new(file),
-            missing,
+            size: (header.width, header.height),
+            layout: header.layout().map_err(trouble)?,
             scale: 1.0,
             unit: String::new(),
-            bands: Bands::new(channels.bands.iter().map(|b| b.0).collect(), Kind::Light)?,
-            of: channels.bands.iter().map(|b| vec![b.1]).collect(),
+            bands: Bands::new(nm.clone(), Kind::Light)?,
+            of: stored.iter().map(|band| vec![*band]).collect(),
             said: channels.notes,
             is_kind_guessed: false,
-            header,
         };
-        let (nm, stored): (Vec<f64>, Vec<usize>) = channels.bands.into_iter().unzip();
         let (sample, gone) = opened.looked_at()?;
-        let name = data
-            .file_name()
-            .map(|n| n.to_string_lossy().into_owned())
-            .unwrap_or_default();
-        let (known, notes) = envi::values(&opened.header, &name, &sample).map_err(trouble)?;
+        let (known, notes) = envi::values(&header, &name_of(&data), &sample).map_err(trouble)?;
         let chosen = OfOne {
             kind,
             ..OfOne::default()
         };
         let meant = Meant::of(known, chosen, || sample);
         opened.said.extend(notes);
-        opened.said.extend(envi::left_over(&opened.header, found));
+        opened.said.extend(envi::left_over(&header, found));
         let kept = KeptBands::of_file(&nm, &gone, all);
-        let width = envi::bandwidth_nm(&opened.header, &nm, &stored);
+        let width = envi::bandwidth_nm(&header, &nm, &stored);
         opened.bands = kept.bands(meant.kind.value)?.with_bandwidth(width);
-        opened.of = kept
-            .of
-            .iter()
-            .map(|g| g.iter().map(|b| stored[*b]).collect())
-            .collect();
+        let group = |of: &Vec<usize>| of.iter().map(|band| stored[*band]).collect();
+        opened.of = kept.of.iter().map(group).collect();
         opened.said.extend(meant.said(None));
         opened.is_kind_guessed = meant.is_kind_guessed();
         opened.said.extend(kept.said);
@@ -144,53 +130,28 @@ impl EnviFile {
             .file
             .lock()
             .unwrap_or_else(|broken| broken.into_inner());
-        file.seek(SeekFrom::Start((self.header.offset + at) as u64))?;
+        file.seek(SeekFrom::Start(at as u64))?;
         file.read_exact(into)?;
         Ok(())
     }
 
-    /// Numbers that start every `step` bytes, added to `into` times the scale.
-    fn add(&self, bytes: &[u8], step: usize, factor: f32, is_first: bool, into: &mut [f32]) {
-        let missing = self.missing;
-        let number = self.header.number;
-        macro_rules! numbers {
-            ($kind:ty) => {{
-                const SIZE: usize = size_of::<$kind>();
-                let big = self.header.big_endian;
-                let missing = missing.unwrap_or(f64::NAN);
-                for (value, piece) in into.iter_mut().zip(bytes.chunks(step)) {
-                    let Some(raw) = piece.first_chunk::<SIZE>() else {
-                        continue;
-                    };
-                    let raw = if big {
-                        <$kind>::from_be_bytes(*raw)
-                    } else {
-                        <$kind>::from_le_bytes(*raw)
-                    };
-                    let found = raw as f64;
-                    let gone = found.abs() >= ABSURD || is_missing(found, missing, number);
-                    let found = if gone { f32::NAN } else { raw as f32 * factor };
-                    *value = if is_first { found } else { *value + found };
-                }
-            }};
-        }
-        match number {
-            Number::U8 => numbers!(u8),
-            Number::I16 => numbers!(i16),
-            Number::I32 => numbers!(i32),
-            Number::F32 => numbers!(f32),
-            Number::F64 => numbers!(f64),
-            Number::U16 => numbers!(u16),
-            Number::U32 => numbers!(u32),
-            Number::I64 => numbers!(i64),
-            Number::U64 => numbers!(u64),
+    /// Neighbouring pixels' numbers of a band of a group, from where the first starts, added to
+    /// what its first band left in `into`.
+    fn add(&self, bytes: &[u8], (at, group): (usize, &[usize]), into: &mut [f32]) {
+        let factor = (self.scale / group.len() as f64) as f32;
+        let mut numbers = [f64::NAN; AT_ONCE];
+        let numbers = &mut numbers[..into.len()];
+        self.layout.read_row(bytes, numbers);
+        for (sum, number) in into.iter_mut().zip(numbers) {
+            let found = *number as f32 * factor;
+            *sum = if at == 0 { found } else { *sum + found };
         }
     }
 }
 
 impl Pixels for EnviFile {
     fn size(&self) -> (usize, usize) {
-        (self.header.samples, self.header.lines)
+        self.size
     }
 
     fn bands(&self) -> &Bands {
@@ -198,59 +159,30 @@ impl Pixels for EnviFile {
     }
 
     fn rows(&self, first: usize, count: usize, into: &mut [f32]) -> Result<(), PictureError> {
-        let Header {
-            samples,
-            lines,
-            bands,
-            ..
-        } = self.header;
-        let size = self.header.number.bytes();
-        let pixels = samples * count;
-        match self.header.interleave {
-            Interleave::Bands => {
-                let mut bytes = vec![0; pixels * size];
-                for (group, out) in self.of.iter().zip(into.chunks_exact_mut(pixels)) {
+        let (layout, (width, _)) = (&self.layout, self.size);
+        let (size, pixels) = (layout.number.bytes(), width * count);
+        let groups = || self.of.iter();
+        if layout.interleave == Interleave::Bands {
+            let mut bytes = vec![0; pixels * size];
+            for (group, out) in groups().zip(into.chunks_exact_mut(pixels)) {
+                for (at, band) in group.iter().enumerate() {
+                    self.read(layout.place(self.size, (0, first), *band), &mut bytes)?;
+                    let parts = out.chunks_mut(AT_ONCE).zip(bytes.chunks(AT_ONCE * size));
+                    parts.for_each(|(out, bytes)| self.add(bytes, (at, group), out));
+                }
+            }
+            return Ok(());
+        }
+        let mut bytes = vec![0; width * layout.stored_bands * size];
+        for y in 0..count {
+            let start = layout.place(self.size, (0, first + y), 0);
+            self.read(start, &mut bytes)?;
+            for x in (0..width).step_by(AT_ONCE) {
+                let row = y * width + x..y * width + width.min(x + AT_ONCE);
+                for (group, out) in groups().zip(into.chunks_exact_mut(pixels)) {
                     for (at, band) in group.iter().enumerate() {
-                        self.read((band * lines + first) * samples * size, &mut bytes)?;
-                        let factor = (self.scale / group.len() as f64) as f32;
-                        self.add(&bytes, size, factor, at == 0, out);
-                    }
-                }
-            }
-            Interleave::Lines => {
-                let mut bytes = vec![0; samples * bands * size];
-                for y in 0..count {
-                    self.read((first + y) * samples * bands * size, &mut bytes)?;
-                    for (group, out) in self.of.iter().zip(into.chunks_exact_mut(pixels)) {
-                        for (at, band) in group.iter().enumerate() {
-                            let row = &bytes[band * samples * size..][..samples * size];
-                            let factor = (self.scale / group.len() as f64) as f32;
-                            self.add(
-                                row,
-                                size,
-                                factor,
-                                at == 0,
-                                &mut out[y * samples..][..samples],
-                            );
-                        }
-                    }
-                }
-            }
-            Interleave::Pixels => {
-                let mut bytes = vec![0; samples * bands * size];
-                for y in 0..count {
-                    self.read((first + y) * samples * bands * size, &mut bytes)?;
-                    // Some pixels at a time, so that a band's strides stay in the nearest cache.
-                    for x in (0..samples).step_by(64) {
-                        let some = 64.min(samples - x);
-                        for (group, out) in self.of.iter().zip(into.chunks_exact_mut(pixels)) {
-                            for (at, band) in group.iter().enumerate() {
-                                let from = &bytes[(x * bands + band) * size..];
-                                let factor = (self.scale / group.len() as f64) as f32;
-                                let out = &mut out[y * samples + x..][..some];
-                                self.add(from, bands * size, factor, at == 0, out);
-                            }
-                        }
+                        let from = layout.place(self.size, (x, first + y), *band) - start;
+                        self.add(&bytes[from..], (at, group), &mut out[row.clone()]);
                     }
                 }
             }

@@ -1,20 +1,10 @@
 //! The full form `NAME.exr`: OpenEXR with `R`, `G`, `B` for every viewer and the numbers as
 //! channels `CS.000`, `CS.001`, ..., the header as the text attribute `compositePicture`.
 
-use std::io::{Cursor, Seek, Write};
-
-use exr::block::UncompressedBlock;
-use exr::block::writer::{ChunksWriter, write_chunks_with};
-use exr::compression::Compression;
-use exr::image::{AnyChannel, FlatSamples};
-use exr::meta::attribute::{AttributeValue, ChannelDescription, LineOrder, SampleType, Text};
-use exr::meta::header::{Header as ExrHeader, LayerAttributes};
-use exr::meta::{BlockDescription, MetaData};
-use exr::prelude::{ReadChannels, ReadLayers, f16, read as exr_reader};
+use std::io::{Seek, Write};
 
 use crate::color::Xyz;
-use crate::io::budget;
-use crate::io::guarded;
+use crate::io::{EXR_BLOCK_ROWS, ExrImage, ExrLayer, Precision, budget, write_exr_rows};
 use crate::study::Progress;
 
 use super::header::{About, Header};
@@ -28,16 +18,6 @@ use super::{Operator, Picture, PictureError, Pixels};
 const ATTRIBUTE: &str = "compositePicture";
 /// Largest half.
 const MOST_HALF: f64 = 65504.0;
-
-/// How exactly numbers are kept.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Precision {
-    /// 16 bits: costs some thousandths of a dE00.
-    #[default]
-    Half,
-    /// 32 bits: costs nothing.
-    Single,
-}
 
 /// Numbers kept as 16-bit floating point, divided by a scale before.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,8 +42,9 @@ impl Half {
         }
     }
 
-    fn round(self, number: f32) -> f16 {
-        f16::from_f32((f64::from(number) / self.scale).clamp(-MOST_HALF, MOST_HALF) as f32)
+    /// The number that is stored, before it is rounded to 16 bits.
+    fn stored(self, number: f32) -> f32 {
+        (f64::from(number) / self.scale).clamp(-MOST_HALF, MOST_HALF) as f32
     }
 
     fn back(scale: f64, stored: f32) -> f32 {
@@ -74,34 +55,27 @@ impl Half {
 impl Storage for Half {
     fn kept(&self, numbers: &mut [f32], _: usize) {
         for number in numbers {
-            *number = Self::back(self.scale, self.round(*number).to_f32());
+            *number = Self::back(self.scale, Precision::Half.kept(self.stored(*number)));
         }
     }
 }
 
 /// Text with what is beyond ASCII written as JSON escapes: the format knows no other letters.
 fn ascii(json: &str) -> String {
-    let mut out = String::with_capacity(json.len());
-    for letter in json.chars() {
-        if letter.is_ascii() {
-            out.push(letter);
-        } else {
-            let mut units = [0; 2];
-            letter
-                .encode_utf16(&mut units)
-                .iter()
-                .for_each(|unit| out.push_str(&format!("\\u{unit:04x}")));
-        }
-    }
-    out
+    let escaped = |unit: &u16| match u8::try_from(*unit) {
+        Ok(letter) if letter.is_ascii() => char::from(letter).to_string(),
+        _ => format!("\\u{unit:04x}"),
+    };
+    json.encode_utf16().map(|unit| escaped(&unit)).collect()
 }
 
-fn channel_names(numbers: usize) -> Vec<String> {
-    // In the order of their names, as the format wants it.
-    let mut names = vec!["B".to_owned()];
-    names.extend((0..numbers).map(|n| format!("CS.{n:03}")));
-    names.extend(["G".to_owned(), "R".to_owned()]);
-    names
+/// Names of the channels in their order, the numbers at `precision` and a preview beside them.
+fn channels(numbers: usize, precision: Precision) -> Vec<(String, Precision)> {
+    let colour = |name: &str| (name.to_owned(), Precision::Half);
+    let number = |n| (format!("CS.{n:03}"), precision);
+    let numbers = (0..numbers).map(number);
+    let numbers = [colour("B")].into_iter().chain(numbers);
+    numbers.chain([colour("G"), colour("R")]).collect()
 }
 
 /// Weights of the numbers for linear red, green and blue of the own colour, white = 1.
@@ -131,112 +105,36 @@ pub fn write_full<W: Write + Seek>(
     if precision == Precision::Half {
         header.scale = half.scale;
     }
-    let names = channel_names(operator.numbers());
-    let number = match precision {
-        Precision::Half => SampleType::F16,
-        Precision::Single => SampleType::F32,
-    };
-    let channels = names.iter().map(|name| {
-        let kind = if name.starts_with("CS.") {
-            number
-        } else {
-            SampleType::F16
-        };
-        ChannelDescription::new(name.as_str(), kind, false)
-    });
-    let text = Text::new_or_none(ascii(&header.to_json()))
-        .ok_or_else(|| PictureError::broken("a header beyond ASCII", "ASCII"))?;
-    let mut attributes = LayerAttributes::default();
-    attributes
-        .other
-        .insert(Text::from(ATTRIBUTE), AttributeValue::Text(text));
-    let exr = ExrHeader::new(Text::from("picture"), (width, height), channels.collect())
-        .with_attributes(attributes);
     let (encode, rgb) = (operator.encoder(), rgb_rows(operator));
     let rgb = Kernel::of_rows(&[&rgb[2], &rgb[1], &rgb[0]]);
-    write_blocks(out, exr, progress, |block| {
-        block_bytes(pixels, (&encode, &rgb), block, (precision, half))
-    })
-}
-
-/// Writes an OpenEXR image as ZIP, a block of rows at a time: `bytes` of the first row and how many
-/// there are.
-///
-/// # Errors
-/// Those of `bytes` and of the writer, and [`PictureError::Cancelled`].
-pub(super) fn write_blocks<W: Write + Seek>(
-    out: W,
-    exr: ExrHeader,
-    progress: &Progress,
-    bytes: impl Fn((usize, usize)) -> Result<Vec<u8>, PictureError>,
-) -> Result<(), PictureError> {
-    let exr = exr.with_encoding(
-        Compression::ZIP16,
-        BlockDescription::ScanLines,
-        LineOrder::Increasing,
-    );
-    let mut failed = None;
-    let written = write_chunks_with(out, [exr].into_iter().collect(), false, |meta, writer| {
-        let mut compressor = writer.sequential_blocks_compressor(&meta);
-        let blocks: Vec<_> = meta.enumerate_ordered_header_block_indices().collect();
-        progress.expect(blocks.len());
-        for (at, index) in blocks {
-            match bytes((index.pixel_position.y(), index.pixel_size.height())) {
-                Ok(data) if !progress.is_cancelled() => {
-                    compressor.compress_block(at, UncompressedBlock { index, data })?;
-                }
-                other => {
-                    failed = Some(other.err().unwrap_or(PictureError::Cancelled));
-                    return Err(exr::error::Error::Aborted);
-                }
+    progress.expect(height.div_ceil(EXR_BLOCK_ROWS));
+    write_exr_rows(
+        out,
+        [width, height],
+        &channels(operator.numbers(), precision),
+        Some((ATTRIBUTE, ascii(&header.to_json()))),
+        |top, rows| {
+            if progress.is_cancelled() {
+                return Err(PictureError::Cancelled);
             }
+            let count = width * rows;
+            let mut values = vec![0.0; count * pixels.bands().len()];
+            pixels.rows(top, rows, &mut values)?;
+            let mut numbers = vec![0.0; encode.rows() * count];
+            encode.apply(&values, count, &mut numbers);
+            let mut colours = vec![0.0; 3 * count];
+            rgb.apply(&numbers, count, &mut colours);
+            for colour in &mut colours {
+                *colour = colour.clamp(-MOST_HALF as f32, MOST_HALF as f32);
+            }
+            if precision == Precision::Half {
+                numbers.iter_mut().for_each(|z| *z = half.stored(*z));
+            }
+            let (blue, others) = colours.split_at(count);
             progress.step();
-        }
-        Ok(())
-    });
-    match (failed, written) {
-        (Some(error), _) => Err(error),
-        (None, Err(error)) => Err(PictureError::Trouble(error.to_string())),
-        (None, Ok(())) => Ok(()),
-    }
-}
-
-/// Some rows as the format has them: row by row, channel by channel.
-fn block_bytes(
-    pixels: &dyn Pixels,
-    (encode, rgb): (&Kernel, &Kernel),
-    (top, rows): (usize, usize),
-    (precision, half): (Precision, Half),
-) -> Result<Vec<u8>, PictureError> {
-    let width = pixels.size().0;
-    let count = width * rows;
-    let mut values = vec![0.0; count * pixels.bands().len()];
-    pixels.rows(top, rows, &mut values)?;
-    let mut numbers = vec![0.0; encode.rows() * count];
-    encode.apply(&values, count, &mut numbers);
-    let mut colours = vec![0.0; 3 * count];
-    rgb.apply(&numbers, count, &mut colours);
-    let mut data = Vec::with_capacity(count * (encode.rows() * 4 + 6));
-    for y in 0..rows {
-        let row = |plane: &[f32], n: usize| plane[n * count + y * width..][..width].to_vec();
-        let colour = |data: &mut Vec<u8>, n: usize| {
-            for value in row(&colours, n) {
-                data.extend(f16::from_f32(value.clamp(-65504.0, 65504.0)).to_ne_bytes());
-            }
-        };
-        colour(&mut data, 0);
-        for n in 0..encode.rows() {
-            for value in row(&numbers, n) {
-                match precision {
-                    Precision::Half => data.extend(half.round(value).to_ne_bytes()),
-                    Precision::Single => data.extend(value.to_ne_bytes()),
-                }
-            }
-        }
-        colour(&mut data, 1);
-        colour(&mut data, 2);
-    }
-    Ok(data)
+            Ok([blue, &numbers, others].concat())
+        },
+    )
 }
 
 /// Opens the full form.
@@ -245,118 +143,73 @@ fn block_bytes(
 /// [`PictureError::Broken`] with what is wrong, and [`PictureError::Memory`] for more than a file
 /// of its size may take.
 pub fn read_full(bytes: &[u8]) -> Result<Picture, PictureError> {
-    let broken = || PictureError::broken("a broken OpenEXR image", "one that can be decoded");
-    let head = guarded(|| MetaData::read_from_buffered(Cursor::new(bytes), false))
-        .ok_or_else(broken)?
-        .map_err(|_| broken())?;
-    let [exr] = &head.headers[..] else {
+    let broken = |_| PictureError::broken("a broken OpenEXR image", "one that can be decoded");
+    let image = ExrImage::open(bytes).map_err(broken)?;
+    let [layer] = &image.layers[..] else {
         return Err(PictureError::broken(
-            format!("{} layers", head.headers.len()),
+            format!("{} layers", image.layers.len()),
             "one layer",
         ));
     };
-    let header = checked(exr)?;
+    let header = checked(layer)?;
     let pixels = header.width.saturating_mul(header.height);
     let needs = pixels
-        .saturating_mul(exr.channels.list.len())
+        .saturating_mul(layer.channels.len())
         .saturating_mul(8);
     let most = budget::of(bytes.len());
     if needs > most {
         return Err(PictureError::Memory { needs, most });
     }
-    let image = guarded(|| {
-        exr_reader()
-            .no_deep_data()
-            .largest_resolution_level()
-            .all_channels()
-            .first_valid_layer()
-            .all_attributes()
-            .non_parallel()
-            .from_buffered(Cursor::new(bytes))
-    })
-    .ok_or_else(broken)?
-    .map_err(|_| broken())?;
-    let planes = planes_of(&image.layer_data.channel_data.list, &header)?;
-    Picture::new(header, planes)
-}
-
-/// The composite picture's header, if the layer is as it says.
-fn checked(exr: &ExrHeader) -> Result<Header, PictureError> {
-    let attributes = exr.own_attributes.other.iter();
-    let mut texts = attributes.filter(|(name, _)| **name == *ATTRIBUTE);
-    let Some((_, AttributeValue::Text(text))) = texts.next() else {
-        return Err(PictureError::broken(
-            "an OpenEXR image without the attribute compositePicture",
-            "a composite picture",
-        ));
-    };
-    let header = Header::from_json(&text.to_string())?;
-    if exr.deep || (exr.layer_size.0, exr.layer_size.1) != (header.width, header.height) {
-        let found = format!("{} x {} pixels", exr.layer_size.0, exr.layer_size.1);
-        let expected = format!("the header's {} x {}", header.width, header.height);
-        return Err(PictureError::broken(found, expected));
-    }
-    let mut names: Vec<String> = exr
-        .channels
-        .list
-        .iter()
-        .map(|c| c.name.to_string())
-        .collect();
-    names.sort();
-    if names != channel_names(header.numbers)
-        || exr
-            .channels
-            .list
-            .iter()
-            .any(|c| c.sampling.0 != 1 || c.sampling.1 != 1)
-    {
-        let found = format!("{} channels", names.len());
-        let expected = format!("B, G, R and CS.000 to CS.{:03}", header.numbers - 1);
-        return Err(PictureError::broken(found, expected));
-    }
-    Ok(header)
-}
-
-/// The planes of numbers, one after the other.
-fn planes_of(
-    channels: &[AnyChannel<FlatSamples>],
-    header: &Header,
-) -> Result<Vec<f32>, PictureError> {
-    let pixels = header.width * header.height;
-    let mut planes = vec![f32::NAN; pixels * header.numbers];
-    for channel in channels {
-        let name = channel.name.to_string();
-        let Some(n) = name
-            .strip_prefix("CS.")
-            .and_then(|n| n.parse::<usize>().ok())
-        else {
-            continue;
-        };
-        let Some(plane) = planes.chunks_exact_mut(pixels).nth(n) else {
-            continue;
-        };
-        match &channel.sample_data {
-            FlatSamples::F16(values) if values.len() == pixels => {
-                let values = plane.iter_mut().zip(values);
-                values.for_each(|(z, v)| *z = Half::back(header.scale, v.to_f32()));
-            }
-            FlatSamples::F32(values) if values.len() == pixels => {
-                let values = plane.iter_mut().zip(values);
-                values.for_each(|(z, v)| *z = Half::back(header.scale, *v));
-            }
-            _ => {
-                return Err(PictureError::broken(
-                    "a channel of other numbers",
-                    "half or float",
-                ));
-            }
+    let number_of = |name: &str| name.strip_prefix("CS.")?.parse::<usize>().ok();
+    let names = layer.channels.iter().map(|channel| &*channel.name);
+    let number_of: Vec<Option<usize>> = names.map(number_of).collect();
+    let mut planes = vec![0.0; pixels * header.numbers];
+    let keep = |[_, channel]: [usize; 2], [x, y]: [usize; 2], numbers: &[f32]| {
+        let at = number_of[channel].unwrap_or(0) * pixels + y * header.width + x;
+        for (plane, number) in planes[at..].iter_mut().zip(numbers) {
+            *plane = Half::back(header.scale, *number);
         }
-    }
+    };
+    let is_number = |_, channel: usize| number_of[channel].is_some();
+    image.decode(is_number, keep).map_err(broken)?;
     // A single infinite number is no number; the pixel was not measured.
     for i in 0..pixels {
         if (0..header.numbers).any(|n| !planes[n * pixels + i].is_finite()) {
             (0..header.numbers).for_each(|n| planes[n * pixels + i] = f32::NAN);
         }
     }
-    Ok(planes)
+    Picture::new(header, planes)
+}
+
+/// The composite picture's header, if the layer is as it says.
+fn checked(layer: &ExrLayer) -> Result<Header, PictureError> {
+    let text = layer.text(ATTRIBUTE).ok_or_else(|| {
+        PictureError::broken(
+            "an OpenEXR image without the attribute compositePicture",
+            "a composite picture",
+        )
+    })?;
+    let header = Header::from_json(text)?;
+    if layer.is_deep || layer.size != (header.width, header.height) {
+        let found = format!("{} x {} pixels", layer.size.0, layer.size.1);
+        let expected = format!("the header's {} x {}", header.width, header.height);
+        return Err(PictureError::broken(found, expected));
+    }
+    let mut names: Vec<&str> = layer.channels.iter().map(|c| &*c.name).collect();
+    names.sort_unstable();
+    let expected = channels(header.numbers, Precision::Half);
+    if !expected.iter().map(|(name, _)| name).eq(names)
+        || layer.channels.iter().any(|channel| !channel.is_full)
+    {
+        let found = format!("{} channels", layer.channels.len());
+        let expected = format!("B, G, R and CS.000 to CS.{:03}", header.numbers - 1);
+        return Err(PictureError::broken(found, expected));
+    }
+    if layer.channels.iter().any(|channel| channel.is_whole) {
+        return Err(PictureError::broken(
+            "a channel of other numbers",
+            "half or float",
+        ));
+    }
+    Ok(header)
 }

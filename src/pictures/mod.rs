@@ -44,6 +44,7 @@ mod strips;
 mod survey;
 mod trust;
 
+pub use crate::io::Precision;
 pub use bands::{Bands, KeptBands};
 pub(crate) use choose::MOST_NUMBERS;
 pub use choose::{
@@ -53,7 +54,7 @@ pub use compact::{Coder, CompactFile, CompactPlan, Plane, Quantiser, compact_pla
 pub use envi_file::EnviFile;
 pub use error::PictureError;
 pub use fit::{FitAsk, Fitted, fit_line, fit_spectra, fit_values};
-pub use full::{Half, Precision, read_full, write_full};
+pub use full::{Half, read_full, write_full};
 pub use header::{About, Header};
 pub use kernel::Kernel;
 pub use light::{JUDGES, Light};

@@ -2,18 +2,15 @@
 
 use std::io::{Seek, SeekFrom, Write};
 
-use exr::meta::attribute::{ChannelDescription, SampleType, Text};
-use exr::meta::header::Header as ExrHeader;
-use exr::prelude::f16;
 use nalgebra::DMatrix;
 
+use crate::io::{EXR_BLOCK_ROWS, Precision, write_exr_rows};
 use crate::study::Progress;
 
-use super::full::write_blocks;
 use super::lines::find_lines;
 use super::measure::{Errors, Exactly, Spread, measure, white_y_of};
 use super::survey::Survey;
-use super::{Operator, PictureError, Pixels, Plan, Precision, Reference};
+use super::{Operator, PictureError, Pixels, Plan, Reference};
 
 /// One row of the table of peers.
 #[derive(Clone, Debug, PartialEq)]
@@ -219,35 +216,27 @@ pub fn exact_bytes(
 ) -> Result<u64, PictureError> {
     let (width, height) = pixels.size();
     let bands = pixels.bands();
-    let kind = match precision {
-        Precision::Half => SampleType::F16,
-        Precision::Single => SampleType::F32,
-    };
     let prefix = if bands.is_factor() { "T." } else { "S0." };
     let name = |nm: &f64| format!("{prefix}{}nm", format!("{nm:.6}").replace('.', ","));
     let names = bands.nm().iter().map(name);
     let mut names: Vec<(String, usize)> = names.zip(0..).collect();
     names.sort();
-    let channels = names
+    let channels: Vec<_> = names
         .iter()
-        .map(|(name, _)| ChannelDescription::new(name.as_str(), kind, true));
-    let exr = ExrHeader::new(Text::from("picture"), (width, height), channels.collect());
+        .map(|(name, _)| (name.clone(), precision))
+        .collect();
     let mut counter = Counter::default();
-    write_blocks(&mut counter, exr, progress, |(top, rows)| {
-        let mut values = vec![0.0; width * rows * bands.len()];
-        pixels.rows(top, rows, &mut values)?;
-        let mut data = Vec::new();
-        for y in 0..rows {
-            for (_, j) in &names {
-                for value in &values[(j * rows + y) * width..][..width] {
-                    match precision {
-                        Precision::Half => data.extend(f16::from_f32(*value).to_ne_bytes()),
-                        Precision::Single => data.extend(value.to_ne_bytes()),
-                    }
-                }
-            }
+    progress.expect(height.div_ceil(EXR_BLOCK_ROWS));
+    write_exr_rows(&mut counter, [width, height], &channels, None, |top, rows| {
+        if progress.is_cancelled() {
+            return Err(PictureError::Cancelled);
         }
-        Ok(data)
+        let count = width * rows;
+        let mut values = vec![0.0; count * bands.len()];
+        pixels.rows(top, rows, &mut values)?;
+        progress.step();
+        let plane = |(_, j): &(String, usize)| &values[j * count..][..count];
+        Ok(names.iter().map(plane).collect::<Vec<_>>().concat())
     })?;
     Ok(counter.end)
 }

@@ -3,11 +3,11 @@
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
-use crate::io::save_by;
+use crate::io::{Precision, save_by};
 use crate::study::Progress;
 
 use super::compact::{Coder, CompactPlan, write_compact};
-use super::full::{Half, Precision, write_full};
+use super::full::{Half, write_full};
 use super::header::About;
 use super::measure::Errors;
 use super::{Operator, PictureError, Pixels};

@@ -48,10 +48,10 @@ impl Number {
 
     /// The number that starts at a place; NaN beyond the end.
     pub fn read(self, bytes: &[u8], at: usize, big_endian: bool) -> f64 {
-        let mut number = [f64::NAN];
-        let there = bytes.get(at..).unwrap_or_default();
-        self.read_many(there, self.bytes(), big_endian, &mut number);
-        number[0]
+        let mut value = [f64::NAN];
+        let bytes = bytes.get(at..).unwrap_or_default();
+        self.read_many(bytes, self.bytes(), big_endian, &mut value);
+        value[0]
     }
 
     /// Numbers that start every `step` bytes; places that the bytes do not reach keep what they
@@ -111,6 +111,44 @@ pub struct Layout {
     pub stored_bands: usize,
     /// The number that stands for "not measured".
     pub missing: Option<f64>,
+}
+
+impl Layout {
+    /// Where a number starts in the bytes of an image of so many columns and rows.
+    pub(crate) fn place(&self, size: (usize, usize), (x, y): (usize, usize), band: usize) -> usize {
+        let (width, height) = size;
+        let index = match self.interleave {
+            Interleave::Bands => (band * height + y) * width + x,
+            Interleave::Lines => (y * self.stored_bands + band) * width + x,
+            Interleave::Pixels => (y * width + x) * self.stored_bands + band,
+        };
+        self.first_byte + index * self.number.bytes()
+    }
+
+    /// Numbers of one band in neighbouring pixels of a row, from where the first starts; NaN where
+    /// one is missing or of a size that nothing has. Many at once are read far faster than one by
+    /// one.
+    pub(crate) fn read_row(&self, bytes: &[u8], into: &mut [f64]) {
+        let size = self.number.bytes();
+        let step = match self.interleave {
+            Interleave::Bands | Interleave::Lines => size,
+            Interleave::Pixels => self.stored_bands * size,
+        };
+        self.number.read_many(bytes, step, self.big_endian, into);
+        for value in into {
+            if self.is_missing(*value) || value.abs() >= ABSURD {
+                *value = f64::NAN;
+            }
+        }
+    }
+
+    /// Whether a number stands for "not measured": a header writes that in decimals, single
+    /// precision rounds it.
+    pub(crate) fn is_missing(&self, value: f64) -> bool {
+        let is_single = self.number == Number::F32;
+        self.missing
+            .is_some_and(|missing| value == missing || is_single && value as f32 == missing as f32)
+    }
 }
 
 /// An image whose every pixel is a spectrum on the same wavelengths.
@@ -244,8 +282,7 @@ impl Cube {
     }
 
     /// A piece of one row of one band, as the file has it, from column `x` on: as many numbers as
-    /// `into` has places; NaN where one is missing or outside the image. Many numbers at once are
-    /// read far faster than one by one.
+    /// `into` has places; NaN where one is missing or outside the image.
     pub fn row(&self, y: usize, band: usize, x: usize, into: &mut [f64]) {
         let inside = into.len().min(self.width.saturating_sub(x));
         let (inside, outside) = into.split_at_mut(inside);
@@ -253,48 +290,9 @@ impl Cube {
         if y >= self.height || band >= self.bands.len() || inside.is_empty() {
             return inside.fill(f64::NAN);
         }
-        let Layout {
-            number,
-            big_endian,
-            interleave,
-            stored_bands,
-            missing,
-            ..
-        } = self.layout;
-        let step = match interleave {
-            Interleave::Bands | Interleave::Lines => number.bytes(),
-            Interleave::Pixels => stored_bands * number.bytes(),
-        };
-        number.read_many(
-            &self.bytes[self.place(x, y, band)..],
-            step,
-            big_endian,
-            inside,
-        );
-        for value in inside {
-            let is_told = missing.is_some_and(|missing| is_missing(*value, missing, number));
-            if is_told || value.abs() >= ABSURD {
-                *value = f64::NAN;
-            }
-        }
-    }
-
-    /// Where a number of the image starts in the bytes.
-    fn place(&self, x: usize, y: usize, band: usize) -> usize {
-        let Layout {
-            first_byte,
-            number,
-            interleave,
-            stored_bands,
-            ..
-        } = self.layout;
-        let band = self.bands[band];
-        let index = match interleave {
-            Interleave::Bands => (band * self.height + y) * self.width + x,
-            Interleave::Lines => (y * stored_bands + band) * self.width + x,
-            Interleave::Pixels => (y * self.width + x) * stored_bands + band,
-        };
-        first_byte + index * number.bytes()
+        let size = (self.width, self.height);
+        let start = self.layout.place(size, (x, y), self.bands[band]);
+        self.layout.read_row(&self.bytes[start..], inside);
     }
 
     /// One band as a picture, row after row, in the file's own numbers; NaN where one is missing.
@@ -332,12 +330,6 @@ pub fn bytes_of(width: usize, height: usize, bands: usize, number: Number) -> Op
         .checked_mul(height)?
         .checked_mul(bands)?
         .checked_mul(number.bytes())
-}
-
-/// Whether a number stands for "not measured": a header writes that in decimals, single precision
-/// rounds it.
-pub(crate) fn is_missing(value: f64, missing: f64, number: Number) -> bool {
-    value == missing || number == Number::F32 && value as f32 == missing as f32
 }
 
 #[cfg(test)]

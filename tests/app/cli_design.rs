@@ -3,7 +3,7 @@
 use std::fs;
 
 use serde_json::Value;
-use spectral_explorer::{io::read_path, optics::png};
+use spectral_explorer::io::{png, read_path};
 
 use crate::tell::{json, refusal, tell};
 
@@ -81,7 +81,11 @@ fn a_picture_of_colours_becomes_a_spectral_one() {
     let folder = tempfile::tempdir().expect("a folder");
     let image = folder.path().join("photo.png");
     let pixels = [[200, 128, 64], [10, 20, 30], [255, 255, 255], [90, 90, 90]];
-    fs::write(&image, png([2, 2], &pixels).expect("a picture")).expect("a file");
+    fs::write(
+        &image,
+        png([2, 2], pixels.as_flattened()).expect("a picture"),
+    )
+    .expect("a file");
     let out = folder.path().join("photo.exr");
     let (image, path) = (image.to_str().expect("UTF-8"), out.to_str().expect("UTF-8"));
     let args = ["recover", "--image", image, "--out", path];

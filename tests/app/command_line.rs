@@ -15,7 +15,7 @@ use serde_json::Value;
 use spectral_explorer::{
     app::pages::Page,
     cli::{self, Outcome},
-    optics::png,
+    io::png,
     spectrum::Sampling,
 };
 
@@ -418,7 +418,7 @@ fn the_keys_of_recovered_spectra_are_told() {
     holds("recover --json", &[&one, &two, &none, &lines]);
     let folder = tempfile::tempdir().expect("a folder");
     let pixels = [[200, 128, 64]; 4];
-    let png = png([2, 2], &pixels).expect("a picture");
+    let png = png([2, 2], pixels.as_flattened()).expect("a picture");
     let png = put(folder.path(), "photo.png", png);
     let out = folder.path().join("photo.exr");
     let out = out.to_str().expect("UTF-8");

@@ -6,6 +6,8 @@ mod common;
 mod docs;
 #[path = "../common/full.rs"]
 mod full;
+#[path = "../common/open_exr.rs"]
+mod open_exr;
 #[path = "../common/plain.rs"]
 mod plain;
 #[path = "../common/root.rs"]

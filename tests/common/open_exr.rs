@@ -1,10 +1,12 @@
-//! OpenEXR images made in memory, for tests.
+//! OpenEXR images made and read in memory, for tests.
+
+#![allow(dead_code)]
 
 use std::io::Cursor;
 
 use exr::prelude::{
-    AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer, LayerAttributes, SmallVec,
-    WritableImage,
+    AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer, LayerAttributes, ReadChannels,
+    ReadLayers, SmallVec, WritableImage, read,
 };
 
 /// An OpenEXR image with channels of these names.
@@ -24,4 +26,23 @@ pub(crate) fn exr(size: (usize, usize), names: &[&str], encoding: Encoding) -> V
     let written = image.write().non_parallel().to_buffered(&mut bytes);
     written.expect("an image");
     bytes.into_inner()
+}
+
+/// The spikes of an image of light: places (nm, rising) with the energy of each pixel.
+pub(crate) fn lines_of_exr(file: &[u8]) -> Vec<(f64, Vec<f32>)> {
+    let reader = read().no_deep_data().largest_resolution_level();
+    let reader = reader.all_channels().first_valid_layer().all_attributes();
+    let image = reader.from_buffered(Cursor::new(file)).expect("an image");
+    let line = |channel: AnyChannel<FlatSamples>| {
+        let name = channel.name.to_string();
+        let place = name.strip_prefix("line.")?.strip_suffix("nm")?;
+        let FlatSamples::F32(energy) = channel.sample_data else {
+            return None;
+        };
+        Some((place.replace(',', ".").parse().ok()?, energy))
+    };
+    let channels = image.layer_data.channel_data.list;
+    let mut lines: Vec<(f64, Vec<f32>)> = channels.into_iter().filter_map(line).collect();
+    lines.sort_by(|a, b| a.0.total_cmp(&b.0));
+    lines
 }

@@ -7,6 +7,8 @@ mod common;
 mod docs;
 #[path = "../common/lights.rs"]
 mod lights;
+#[path = "../common/open_exr.rs"]
+mod open_exr;
 #[path = "../common/plain.rs"]
 mod plain;
 #[path = "../common/root.rs"]

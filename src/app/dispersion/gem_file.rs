@@ -2,8 +2,8 @@
 
 use crate::{
     app::memo::ByAddress,
-    io::with_attributes_in_order,
-    optics::{Light, png, spectral_exr},
+    io::{light_exr, png},
+    optics::{Brilliant, Film, Light, spectral_planes},
 };
 
 use super::{
@@ -18,6 +18,23 @@ pub enum GemForm {
     Png,
     /// Every plane of wavelengths and every line, as numbers.
     Exr,
+}
+
+/// A film under a light as a spectral OpenEXR image that says of what cut and how many rays a pixel
+/// it is.
+///
+/// # Errors
+/// Why it cannot be made, in words.
+pub fn gem_exr(film: &Film, light: &Light, cut: &Brilliant, rays: u32) -> Result<Vec<u8>, String> {
+    let facts = [
+        ("light", light.name.clone()),
+        ("gem", film.studio().material().name.clone()),
+        ("cut", format!("{cut:?}")),
+        ("view", format!("{:?}", film.studio().scene().view)),
+        ("rays", rays.to_string()),
+    ];
+    let size = [film.settings().size; 2];
+    light_exr(size, spectral_planes(film, light), &facts)
 }
 
 /// A picture of a gem to be saved.
@@ -57,20 +74,11 @@ impl GemFile {
         match self.form {
             GemForm::Png => {
                 let shown = GemShown::of(&self.film.0, &self.light, self.look)?;
-                png([shown.size; 2], &shown.pixels).ok_or_else(|| "There is no picture.".to_owned())
+                png([shown.size; 2], shown.pixels.as_flattened())
+                    .ok_or_else(|| "There is no picture.".to_owned())
             }
-            GemForm::Exr => {
-                let facts = [
-                    ("light", self.light.name.clone()),
-                    ("gem", film.studio().material().name.clone()),
-                    ("cut", format!("{:?}", pass.scene.cut())),
-                    ("view", format!("{:?}", film.studio().scene().view)),
-                    ("rays", pass.rays.to_string()),
-                ];
-                spectral_exr(film, &self.light, &facts)
-                    .map(with_attributes_in_order)
-                    .map_err(|why| format!("{why}."))
-            }
+            GemForm::Exr => gem_exr(film, &self.light, pass.scene.cut(), pass.rays)
+                .map_err(|why| format!("{why}.")),
         }
     }
 }

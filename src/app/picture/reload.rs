@@ -218,13 +218,9 @@ fn images_of(stored: &StoredImage) -> Result<Vec<ImageEntry>, String> {
 
 /// "scene.hdr: 2000 x 1500 pixels, 31 bands, needs 186 MB of memory."
 fn needs(path: &Path) -> Option<String> {
-    let needs = envi::needs(path).ok()?;
-    let envi::Needs {
-        width,
-        height,
-        bands,
-        bytes,
-    } = needs;
+    let header = envi::needs(path).ok()?;
+    let (width, height, bands) = (header.width, header.height, header.channels);
+    let bytes = header.bytes()?;
     let name = path.file_name()?.to_string_lossy();
     (bytes >= WORTH_TELLING).then(|| {
         format!(

@@ -14,8 +14,6 @@
 //! JASCO           DATA TYPE,RAMAN SPECTRUM / XUNITS,1/CM
 //! ```
 
-mod laser;
-
 use super::{Confidence, Format, columns};
 use crate::io::interpret::interpret;
 use crate::io::interpret::raw::{RawAxis, RawSpectrum};
@@ -29,7 +27,7 @@ use crate::io::table::scan::scan;
 use crate::io::table::titles::Titles;
 use crate::io::text::dialect::Dialect;
 use crate::io::text::lines;
-use crate::io::text::words::holds_any;
+use crate::io::text::words::holds_one;
 use crate::io::{Input, ReadError, Reading};
 
 /// Raman text.
@@ -43,142 +41,188 @@ pub(crate) const FORMAT: Format = Format {
 /// Most lines of a header that are looked at.
 const HEADER_LINES: usize = 60;
 
-/// Words that name an axis of shifts, lower case.
-const SHIFTS: [&str; 9] = [
-    "raman shift",
-    "ramanshift",
-    "raman_shift",
-    "rel. wavenumber",
-    "relative wavenumber",
-    "rel. 1/cm",
-    "rel.1/cm",
-    "rel 1/cm",
-    "relative 1/cm",
+/// Lasers that Raman spectrometers have, nm: from deep ultraviolet to infrared.
+const LASERS_NM: std::ops::RangeInclusive<f64> = 220.0..=1100.0;
+
+/// What names an axis of shifts, lower case.
+const SHIFTS: &str = "raman shift;ramanshift;raman_shift;rel. wavenumber;relative wavenumber;\
+                      rel. 1/cm;rel.1/cm;rel 1/cm;relative 1/cm";
+
+/// Words behind which a laser's wavelength stands, lower case.
+const LASER: [&str; 4] = [
+    "laser",
+    "excitation",
+    "raman wavelength",
+    "raman_wavelength",
 ];
 
-fn headers(text: &str) -> impl Iterator<Item = &str> {
-    lines(text)
-        .take(HEADER_LINES)
-        .map(|(_, line)| line.trim())
-        .filter(|line| line.len() <= 400 && line.contains(|c: char| c.is_alphabetic()))
-}
+/// The lines above the numbers that have letters, as they are and in lower case.
+struct Head<'a>(Vec<(&'a str, String)>);
 
-fn lower_headers(text: &str) -> impl Iterator<Item = String> {
-    headers(text).map(str::to_lowercase)
-}
+impl<'a> Head<'a> {
+    fn of(text: &'a str) -> Self {
+        let first = lines(text).take(HEADER_LINES).map(|(_, line)| line.trim());
+        let words = first.filter(|line| line.len() <= 400 && line.contains(char::is_alphabetic));
+        Self(words.map(|line| (line, line.to_lowercase())).collect())
+    }
 
-/// Whether a header names shifts and no wavelengths beside them.
-fn names_shifts(head: &str) -> bool {
-    lower_headers(head).any(|line| holds_any(&line, &SHIFTS) && !line.contains("wavelength"))
-}
+    /// Whether any line in lower case is so.
+    fn any(&self, is_so: impl Fn(&str) -> bool) -> bool {
+        self.0.iter().any(|(_, lower)| is_so(lower))
+    }
 
-/// Whether a header as Horiba's LabSpec writes it counts its first axis in 1/cm: shifts from the
-/// laser.
-fn counts_shifts(head: &str) -> bool {
-    let unit = headers(head).find(|line| line.to_lowercase().contains("axisunit[1]"));
-    unit.is_some_and(is_per_cm) && laser::of_header(headers(head)).is_some()
-        || has_range_of_shifts(head)
+    /// Keys of lines (lower case letters and digits only) and what stands behind them.
+    fn keys(&self) -> impl Iterator<Item = (String, &'a str)> {
+        self.0.iter().filter_map(|(line, _)| {
+            let (key, value) = line.split_once(['=', ':', ',', ';', '\t'])?;
+            let key = key.chars().filter(|c| c.is_alphanumeric());
+            Some((key.flat_map(char::to_lowercase).collect(), value.trim()))
+        })
+    }
+
+    /// Whether it names an axis of shifts, and no wavelengths beside them.
+    fn names_shifts(&self) -> bool {
+        self.any(|line| holds_one(line, SHIFTS) && !line.contains("wavelength"))
+    }
+
+    /// Whether it counts its first axis in 1/cm as Horiba's LabSpec writes it: shifts from the
+    /// laser. LabSpec's range (`#Range (cm-1):`) is of shifts, since it has no other wave numbers;
+    /// the lines about the laser or the exposure tell it from other programs' headers.
+    fn counts_shifts(&self) -> bool {
+        let unit = (self.0.iter()).find(|(_, lower)| lower.contains("axisunit[1]"));
+        let range = self.0.iter().any(|(line, _)| {
+            let line = line.trim_start_matches('#').trim_start();
+            let key = line.split(['=', ':', '\t']).next().unwrap_or(line);
+            key.to_lowercase().starts_with("range") && is_per_cm(key)
+        });
+        let is_of_labspec = |key: &str| key.starts_with("laser") || key.starts_with("acq");
+        unit.is_some_and(|(unit, _)| is_per_cm(unit)) && self.laser_nm().is_some()
+            || range && self.keys().any(|(key, _)| is_of_labspec(&key))
+    }
+
+    /// Whether it says that its data is a Raman spectrum, and nothing of wavelengths.
+    fn says_raman(&self) -> bool {
+        let says = self.keys().any(|(key, value)| {
+            matches!(&*key, "datatype" | "filetype" | "technique")
+                && value.to_lowercase().contains("raman")
+        });
+        says && !self.any(|line| {
+            let is_laser = holds_one(line, "laser;excitation;raman wavelength");
+            !is_laser && holds_one(line, "wavelength;nanomet")
+        })
+    }
+
+    /// Whether it is of one of the RRUFF project's Raman spectra: those of infrared light and
+    /// X-rays say what they are.
+    fn is_rruff(&self, name: &str) -> bool {
+        let is_other = |text: &str| holds_one(&text.to_lowercase(), "infrared;x-ray;xray;powder");
+        let kind = self.keys().find(|(key, _)| key == "filetype");
+        self.keys().any(|(key, _)| key == "rruffid")
+            && !is_other(name)
+            && !kind.is_some_and(|(_, kind)| is_other(kind))
+    }
+
+    /// How many columns a table of Renishaw's WiRE has: `#Wave`, `#Intensity`, and in front of them
+    /// where in a map.
+    fn wire_columns(&self) -> Option<usize> {
+        let (_, line) = self.0.iter().find(|(line, _)| line.starts_with('#'))?;
+        let titles: Vec<&str> = line.split_whitespace().collect();
+        let is_wire = titles.contains(&"#wave") && titles.contains(&"#intensity");
+        is_wire.then_some(titles.len())
+    }
+
+    /// The laser's wavelength, nm: `Laser wavelength: 785 nm`, `#Laser=785nm_edge`.
+    fn laser_nm(&self) -> Option<f64> {
+        let lines = self.0.iter();
+        let named: Vec<_> = lines.flat_map(|(_, line)| lasers_of(line)).collect();
+        let by_unit = named.iter().find(|(_, says_nm)| *says_nm);
+        by_unit.or(named.first()).map(|(nm, _)| *nm)
+    }
 }
 
 /// Whether a text holds the unit of a shift.
 fn is_per_cm(text: &str) -> bool {
-    holds_any(text, &["1/cm", "1/CM", "cm-1", "cm-¹", "cm⁻¹", "cm^-1"])
+    holds_one(text, "1/cm;1/CM;cm-1;cm-¹;cm⁻¹;cm^-1")
 }
 
-/// Whether LabSpec's range is one of shifts (`#Range (cm-1):`): it has no other wave numbers. The
-/// lines about the laser or the exposure tell it from other programs' headers.
-fn has_range_of_shifts(head: &str) -> bool {
-    let has = |word: &str| keys(head).any(|(key, _)| key.starts_with(word));
-    let range = headers(head).any(|line| {
-        let line = line.trim_start_matches('#').trim_start();
-        let (key, _) = line.split_once(['=', ':', '\t']).unwrap_or((line, ""));
-        key.to_lowercase().starts_with("range") && is_per_cm(key)
-    });
-    range && (has("laser") || has("acq"))
+/// The numbers of a line in lower case that may be a laser's wavelength, not its power or its
+/// share, and whether they are said to be one.
+fn lasers_of(line: &str) -> Vec<(f64, bool)> {
+    let mut lasers = Vec::new();
+    let at = LASER.iter().find_map(|word| line.find(word));
+    // RRUFF's crystals lie somehow to the beam: "Laser parallel to c* (0 0 1)".
+    let at = at.filter(|_| !holds_one(line, "orientation;parallel"));
+    let mut rest = at.map_or("", |at| &line[at..]);
+    let is_number = |c: char| c.is_ascii_digit() || c == '.';
+    let names_wavelength = holds_one(line, "wavelength;lambda");
+    let names_other = holds_one(line, "power;attenuation;exposure");
+    while let Some(from) = rest.find(is_number) {
+        let end = rest[from..].find(|c| !is_number(c));
+        let (number, behind) = rest[from..].split_at(end.unwrap_or(rest.len() - from));
+        let mut words = behind
+            .trim_start()
+            .split(|c: char| !(c.is_alphabetic() || c == '%'));
+        let unit = words.next().unwrap_or("");
+        let counts_other = ["mw", "w", "%", "µw", "s", "ms"].contains(&unit);
+        let says_nm = unit.starts_with("nm");
+        let nm = number
+            .parse()
+            .ok()
+            .filter(|nm| LASERS_NM.contains(nm) && *nm != 1000.0);
+        if let Some(nm) = nm.filter(|_| says_nm || !counts_other && !names_other) {
+            lasers.push((nm, says_nm || names_wavelength));
+        }
+        rest = behind;
+    }
+    lasers
 }
 
-/// Keys of header lines (lower case letters and digits only) and what stands behind them.
-fn keys(head: &str) -> impl Iterator<Item = (String, &str)> {
-    headers(head).filter_map(|line| {
-        let (key, value) = line.split_once(['=', ':', ',', ';', '\t'])?;
-        let key = key.chars().filter(|c| c.is_alphanumeric());
-        Some((key.flat_map(char::to_lowercase).collect(), value.trim()))
-    })
-}
-
-/// Whether a header says that its data is a Raman spectrum, and nothing of wavelengths.
-fn says_raman(head: &str) -> bool {
-    let says = keys(head).any(|(key, value)| {
-        matches!(&*key, "datatype" | "filetype" | "technique")
-            && value.to_lowercase().contains("raman")
-    });
-    says && !lower_headers(head).any(|line| {
-        let is_laser = holds_any(&line, &["laser", "excitation", "raman wavelength"]);
-        !is_laser && holds_any(&line, &["wavelength", "nanomet"])
-    })
-}
-
-/// Whether a file is one of the RRUFF project's Raman spectra: those of infrared light and X-rays
-/// say what they are.
-fn is_rruff(head: &str, name: &str) -> bool {
-    let others = ["infrared", "x-ray", "xray", "powder"];
-    let is_other = |text: &str| holds_any(&text.to_lowercase(), &others);
-    let named = |word: &str| keys(head).find(|(key, _)| key == word);
-    head.starts_with("##")
-        && named("rruffid").is_some()
-        && !is_other(name)
-        && !named("filetype").is_some_and(|(_, value)| is_other(value))
-}
-
-/// The titles of a table of Renishaw's WiRE, lower case: `#Wave`, `#Intensity`, and in front of
-/// them where in a map.
-fn wire_titles(head: &str) -> Option<Vec<String>> {
-    let line = headers(head).find(|line| line.starts_with('#'))?;
-    let titles: Vec<String> = line.split_whitespace().map(str::to_lowercase).collect();
-    let has = |title: &str| titles.iter().any(|other| other == title);
-    (has("#wave") && has("#intensity")).then_some(titles)
+/// The laser in a file's name: `iR785`, `__Raman__532__`.
+fn laser_of_name(name: &str) -> Option<f64> {
+    let horiba = name.match_indices("iR");
+    horiba
+        .chain(name.match_indices("__Raman__"))
+        .find_map(|(at, word)| {
+            let before = name[..at].chars().next_back();
+            let is_apart = word != "iR" || before.is_none_or(|c| !c.is_alphanumeric());
+            let behind = &name[at + word.len()..];
+            let end = behind.find(|c: char| !c.is_ascii_digit());
+            let digits = &behind[..end.unwrap_or(behind.len())];
+            let nm = digits.parse().ok().filter(|nm| LASERS_NM.contains(nm));
+            nm.filter(|_| is_apart && digits.len() >= 3)
+        })
 }
 
 fn sniff(input: &Input) -> Confidence {
-    let head = input.head();
-    if head.is_empty() || head.starts_with(['{', '<']) {
-        Confidence::No
-    } else if is_rruff(head, &input.name) {
+    let text = input.head();
+    if text.is_empty() || text.starts_with(['{', '<']) {
+        return Confidence::No;
+    }
+    let head = Head::of(text);
+    if text.starts_with("##") {
         // Its labels are written as JCAMP-DX's, which is sure of its own.
-        Confidence::Certain
-    } else if head.starts_with("##") {
-        Confidence::No
-    } else if wire_titles(head).is_some() {
+        return Confidence::certain_if(head.is_rruff(&input.name));
+    }
+    let names_nm = || head.any(|line| holds_one(line, "wavelength;nm"));
+    let is_raman = match head.wire_columns() {
         // WiRE writes wavelengths under the same title: a person may say so.
-        match input.choices.wavelengths {
-            Some(_) => Confidence::No,
-            None => Confidence::Likely,
+        Some(_) => input.choices.wavelengths.is_none(),
+        None => {
+            head.names_shifts()
+                || head.counts_shifts()
+                || head.says_raman()
+                || laser_of_name(&input.name).is_some() && !names_nm()
         }
-    } else if names_shifts(head)
-        || counts_shifts(head)
-        || says_raman(head)
-        || laser::of_name(&input.name).is_some() && !names_nm(head)
-    {
-        Confidence::Likely
-    } else {
-        Confidence::No
+    };
+    match is_raman {
+        true => Confidence::Likely,
+        false => Confidence::No,
     }
 }
 
-/// Whether a header names wavelengths.
-fn names_nm(head: &str) -> bool {
-    lower_headers(head).any(|line| holds_any(&line, &["wavelength", "nm"]))
-}
-
-/// Numbers with the column of shifts among them.
-struct Shifts<'a> {
-    block: Block<'a>,
-    titles: Titles,
-    axis: usize,
-}
-
-/// The tables of shifts of a text, and notes on what is left out.
-fn tables_of(text: &str, dialect: Dialect) -> (Vec<Shifts<'_>>, Vec<String>) {
+/// The tables of shifts of a text, each with its titles and the column of shifts, and notes on what
+/// is left out.
+fn tables_of(text: &str, dialect: Dialect) -> (Vec<(Block<'_>, Titles, usize)>, Vec<String>) {
     let (mut found, mut notes) = (Vec::new(), Vec::new());
     for table in pick::tables(text, dialect).unwrap_or_default() {
         if table.is_short {
@@ -191,20 +235,15 @@ fn tables_of(text: &str, dialect: Dialect) -> (Vec<Shifts<'_>>, Vec<String>) {
             Layout::Column(axis) => axis,
             _ => continue,
         };
-        found.push(Shifts {
-            block: table.block,
-            titles: table.titles,
-            axis,
-        });
+        found.push((table.block, table.titles, axis));
     }
     if found.is_empty() {
         // Shifts from zero or below are no wavelengths to the finder of tables.
         let blocks = scan(text, 0, dialect).unwrap_or_default();
         let longest = blocks.into_iter().filter(leads).max_by_key(Block::rows);
-        found.extend(longest.map(|block| Shifts {
-            titles: Titles::of(&block, dialect),
-            block,
-            axis: 0,
+        found.extend(longest.map(|block| {
+            let titles = Titles::of(&block, dialect);
+            (block, titles, 0)
         }));
     }
     (found, notes)
@@ -219,24 +258,21 @@ fn leads(block: &Block) -> bool {
     first.is_sorted_by(|a, b| a < b) || first.is_sorted_by(|a, b| a > b)
 }
 
-/// What the spectra of a file are called.
-fn name_of(input: &Input, text: &str) -> String {
-    let named = keys(text).find(|(key, value)| {
-        matches!(&**key, "names" | "name") && !value.is_empty() && is_rruff(text, &input.name)
-    });
-    named.map_or_else(|| input.stem().to_owned(), |(_, name)| name.to_owned())
-}
-
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_long_text()?.text;
-    let head = input.head();
-    if wire_titles(head).is_some_and(|titles| titles.len() > 2) {
+    let head = Head::of(input.head());
+    if head.wire_columns().is_some_and(|columns| columns > 2) {
         return Err(input.error(
             "a Raman map or series of several points",
             "the spectrum of one point: #Wave and #Intensity",
         ));
     }
-    let laser = laser::decided(input, headers(text)).ok_or_else(|| {
+    // `iR785` in a name is the laser of a Raman spectrometer and nothing else.
+    let by_name = laser_of_name(&input.name);
+    let by_name = || Some(Decision::guessed(by_name?, true, "the file's name"));
+    let by_header = || Some(Decision::stated(Head::of(text).laser_nm()?, "the header"));
+    let by_hand = input.choices.laser_nm.map(Decision::chosen);
+    let laser = by_hand.or_else(by_header).or_else(by_name).ok_or_else(|| {
         let found = "Raman shifts (1/cm) from a laser that is not named";
         let expected = "wavelengths, or the laser's wavelength in the header";
         input.error(found, expected)
@@ -247,63 +283,59 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     if look.is_part() && !tables.is_empty() {
         (tables, notes) = tables_of(text, dialect);
     }
+    let no_shifts = || input.error("no column of Raman shifts", "shifts (1/cm) and values");
     if tables.is_empty() {
         // Plain columns know better what is wrong; what they make of shifts is not shown.
         let refusal = (columns::FORMAT.read)(input).err();
-        return Err(refusal.unwrap_or_else(|| no_shifts(input)));
+        return Err(refusal.unwrap_or_else(no_shifts));
     }
+    let is_rruff = input.head().starts_with("##") && head.is_rruff(&input.name);
+    let mut keys = head.keys().filter(|_| is_rruff);
+    let named = keys.find(|(key, name)| matches!(&**key, "names" | "name") && !name.is_empty());
+    let name = named.map_or(input.stem(), |(_, name)| name);
     let mut reading = Reading {
         notes,
         cut_by: Some(dialect.delimiter),
         ..Reading::default()
     };
     for table in &tables {
-        add(input, table, &laser, dialect, &mut reading)?;
+        add(input, table, name, (&laser, dialect), &mut reading)?;
     }
     if reading.spectra.is_empty() {
-        return Err(no_shifts(input));
+        return Err(no_shifts());
     }
     reading.notes.push(dialect.words());
     Ok(reading)
 }
 
-fn no_shifts(input: &Input) -> ReadError {
-    input.error("no column of Raman shifts", "shifts (1/cm) and values")
-}
-
-/// Adds the spectra of a table; the laser in nm.
+/// Adds the spectra of a table with its titles and the column of shifts; the laser in nm.
 fn add(
     input: &Input,
-    table: &Shifts,
-    laser: &Decision<f64>,
-    dialect: Dialect,
+    (block, titles, axis): &(Block, Titles, usize),
+    stem: &str,
+    (laser, dialect): (&Decision<f64>, Dialect),
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
-    let (block, axis) = (&table.block, table.axis);
-    let nm: Vec<f64> = block
-        .column(axis)
-        .iter()
-        .map(|shift| 1e7 / (1e7 / laser.value - shift))
-        .collect();
-    let (values, _) = value_columns(block, &table.titles, axis, &[axis]);
-    let is_used = |column| column == axis || values.contains(&column);
+    let to_nm = |shift: &f64| 1e7 / (1e7 / laser.value - shift);
+    let nm: Vec<f64> = block.column(*axis).iter().map(to_nm).collect();
+    let (values, _) = value_columns(block, titles, *axis, &[*axis]);
+    let is_used = |column| column == *axis || values.contains(&column);
     if let Some(bad) = block.bad.iter().find(|bad| is_used(bad.column)) {
         return Err(bad.refusal(input));
     }
-    let stem = name_of(input, input.head());
+    let shifts = format!("Raman shifts from {} nm", laser.value);
     for column in &values {
         let name = match values.len() {
-            1 => stem.clone(),
+            1 => stem.to_owned(),
             _ => format!("{stem}, column {}", column + 1),
         };
-        let mut spectrum = RawSpectrum::light(name, &nm, block.column(*column).to_vec(), "");
-        spectrum.lines = &block.lines;
-        spectrum
-            .how
-            .push(format!("from Raman shifts of {} nm", laser.value));
-        let chosen = format!("Raman shifts from {} nm", laser.value);
-        spectrum.notes.push(taken_as(&chosen, &laser.reason));
-        spectrum.axis = RawAxis::Nm(&nm, Some(AxisDecision::Laser(laser.clone())));
+        let spectrum = RawSpectrum {
+            lines: &block.lines,
+            how: vec![format!("from Raman shifts of {} nm", laser.value)],
+            notes: vec![taken_as(&shifts, &laser.reason)],
+            axis: RawAxis::Nm(&nm, Some(AxisDecision::Laser(laser.clone()))),
+            ..RawSpectrum::light(name, &nm, block.column(*column).to_vec(), "")
+        };
         interpret(spectrum.with_comma(dialect.decimal_comma), input, reading)?;
     }
     Ok(())

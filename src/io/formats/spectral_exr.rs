@@ -13,22 +13,15 @@
 //! after block (some rows, or a tile) is decoded, its spectral channels are kept and the block is
 //! dropped, so that a file that ends early has taken no more than what it held.
 
-use std::io::Cursor;
+use std::collections::BTreeMap;
 use std::sync::Arc;
-
-use exr::block::{self, reader::ChunksReader, reader::Reader};
-use exr::error::Result as Decoded;
-use exr::meta::MetaData;
-use exr::meta::attribute::{AttributeValue, SampleType};
-use exr::meta::header::Header;
-use exr::prelude::f16;
 
 use crate::spectrum::Kind;
 use crate::spectrum::cube::{Cube, Interleave, Layout, Number};
 
 use super::spectral_image::{self, RawImage};
 use super::{Confidence, Format};
-use crate::io::decode::guarded::guarded;
+use crate::io::decode::exr::{ExrImage, Layer};
 use crate::io::error::quoted;
 use crate::io::interpret::factor_scale::KnownScale;
 use crate::io::interpret::raw::Known;
@@ -126,11 +119,17 @@ fn wavelength_nm(label: &str) -> Option<f64> {
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
-    let file = decoded(input, || block::read(Cursor::new(input.bytes), false))?;
-    let head = file.meta_data().clone();
-    check(input, &head)?;
-    let mut pictures = pictures_in(&head);
-    let needed = needed(&head, &pictures);
+    let broken = |why: Option<String>| {
+        let why = why.map_or(String::new(), |why| format!(" ({why})"));
+        let found = format!("a broken OpenEXR image{why}");
+        input.error(found, "one that can be decoded")
+    };
+    let file = ExrImage::open(input.bytes).map_err(broken)?;
+    check(input, &file.layers)?;
+    let mut pictures = pictures_in(&file.layers);
+    let kept = pictures.iter().map(|p| p.row().saturating_mul(p.size.1));
+    let largest = file.layers.iter().map(|l| l.block_bytes).max().unwrap_or(0);
+    let needed = kept.fold(largest, usize::saturating_add);
     if needed > budget::of(input.bytes.len()) {
         let found = format!("an image that takes {} to decode", budget::in_words(needed));
         return Err(input.error(found, budget::WORDS));
@@ -138,44 +137,42 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     if pictures.is_empty() {
         return Err(input.error("fewer than two spectral channels a layer", "two or more"));
     }
-    decoded(input, || fill(file, &head, &mut pictures))?;
+    let many = file.layers.len() > 1;
+    let mut of_channel: BTreeMap<[usize; 2], (usize, usize)> = BTreeMap::new();
+    for (index, picture) in pictures.iter().enumerate() {
+        for (band, (_, channel)) in picture.bands.iter().enumerate() {
+            of_channel.insert([picture.layer, *channel], (index, band));
+        }
+    }
+    let is_wanted = |layer, channel| of_channel.contains_key(&[layer, channel]);
+    let keep = |place: [usize; 2], at, numbers: &[f32]| {
+        let (index, band) = of_channel[&place];
+        pictures[index].keep(band, at, numbers);
+    };
+    file.decode(is_wanted, keep).map_err(broken)?;
     let mut reading = Reading::default();
     for picture in pictures {
-        add(input, &head, picture, &mut reading)?;
+        add(input, picture, many, &mut reading)?;
     }
     Ok(reading)
 }
 
-/// What the parser of others makes of the file.
-fn decoded<T>(input: &Input, decode: impl FnOnce() -> Decoded<T>) -> Result<T, ReadError> {
-    let why = match guarded(decode) {
-        Some(Ok(decoded)) => return Ok(decoded),
-        Some(Err(error)) => format!(" ({error})"),
-        None => String::new(),
-    };
-    let found = format!("a broken OpenEXR image{why}");
-    Err(input.error(found, "one that can be decoded"))
-}
-
 /// Refuses what is no spectral image.
-fn check(input: &Input, head: &MetaData) -> Result<(), ReadError> {
-    let mut names: Vec<String> = Vec::new();
-    for header in &head.headers {
-        if header.deep {
+fn check(input: &Input, layers: &[Layer]) -> Result<(), ReadError> {
+    for layer in layers {
+        if layer.is_deep {
             return Err(input.error("a deep OpenEXR image", "a flat one"));
         }
-        for channel in &header.channels.list {
-            if (channel.sampling.0, channel.sampling.1) != (1, 1) {
-                return Err(input.error("a channel of fewer samples than pixels", "one a pixel"));
-            }
-            names.push(channel.name.to_string());
+        if layer.channels.iter().any(|channel| !channel.is_full) {
+            return Err(input.error("a channel of fewer samples than pixels", "one a pixel"));
         }
     }
+    let channels = layers.iter().flat_map(|layer| &layer.channels);
+    let names: Vec<&str> = channels.map(|channel| &*channel.name).collect();
     let is_spectral =
-        |name: &&String| matches!(channel_of(name), Channel::Light(_) | Channel::Factor(_));
+        |name: &&&str| matches!(channel_of(name), Channel::Light(_) | Channel::Factor(_));
     if names.iter().filter(is_spectral).count() < 2 {
-        names.truncate(6);
-        let names = quoted(&names.join(" "));
+        let names = quoted(&names[..names.len().min(6)].join(" "));
         return Err(input.error(
             format!("an OpenEXR image of the channels {names}"),
             "two or more spectral channels such as \"S0.380,0nm\" or \"T.380,0nm\"",
@@ -188,6 +185,8 @@ fn check(input: &Input, head: &MetaData) -> Result<(), ReadError> {
 struct Picture {
     layer: usize,
     kind: Kind,
+    unit: String,
+    /// Columns and rows.
     size: (usize, usize),
     /// Wavelengths, nm, rising, each with its place among the layer's channels.
     bands: Vec<(f64, usize)>,
@@ -202,8 +201,8 @@ impl Picture {
         self.size.0.saturating_mul(4 * self.bands.len())
     }
 
-    /// Keeps a piece of one row of one band, as the file has it.
-    fn keep(&mut self, band: usize, (x, y): (usize, usize), of: SampleType, piece: &[u8]) {
+    /// Keeps a piece of one row of one band.
+    fn keep(&mut self, band: usize, [x, y]: [usize; 2], numbers: &[f32]) {
         let (row, all) = (self.row(), self.row() * self.size.1);
         let end = row * (y + 1);
         if self.bytes.len() < end {
@@ -213,31 +212,22 @@ impl Picture {
             self.bytes.resize(end, 0);
         }
         let start = row * y + 4 * (band * self.size.0 + x);
-        let into = self.bytes[start..].chunks_exact_mut(4);
-        macro_rules! each {
-            ($kind:ty, $single:expr) => {
-                for (to, from) in into.zip(piece.as_chunks().0) {
-                    to.copy_from_slice(&$single(<$kind>::from_ne_bytes(*from)).to_le_bytes());
-                }
-            };
-        }
-        match of {
-            SampleType::F16 => each!(f16, f16::to_f32),
-            SampleType::F32 => each!(f32, std::convert::identity),
-            SampleType::U32 => each!(u32, |value: u32| value as f32),
+        let into = self.bytes[start..].as_chunks_mut().0;
+        for (to, number) in into.iter_mut().zip(numbers) {
+            *to = number.to_le_bytes();
         }
     }
 }
 
 /// The images of two bands or more that the layers hold, light before reflectance; empty ones.
-fn pictures_in(head: &MetaData) -> Vec<Picture> {
+fn pictures_in(layers: &[Layer]) -> Vec<Picture> {
     let mut pictures = Vec::new();
-    for (layer, header) in head.headers.iter().enumerate() {
+    for (index, layer) in layers.iter().enumerate() {
         for kind in [Kind::Light, Kind::Reflectance] {
             let (mut reradiated, mut polarised) = (0, 0);
             let mut bands: Vec<(f64, usize)> = Vec::new();
-            for (place, channel) in header.channels.list.iter().enumerate() {
-                match (channel_of(&channel.name.to_string()), kind) {
+            for (place, channel) in layer.channels.iter().enumerate() {
+                match (channel_of(&channel.name), kind) {
                     (Channel::Light(nm), Kind::Light)
                     | (Channel::Factor(nm), Kind::Reflectance) => bands.push((nm, place)),
                     (Channel::Reradiated, Kind::Reflectance) => reradiated += 1,
@@ -259,10 +249,15 @@ fn pictures_in(head: &MetaData) -> Vec<Picture> {
             if polarised > 0 {
                 notes.push(format!("{polarised} channels of polarisation left out"));
             }
+            let unit = match kind {
+                Kind::Light => layer.text("emissiveUnits").unwrap_or_default(),
+                _ => "fraction",
+            };
             pictures.push(Picture {
-                layer,
+                layer: index,
                 kind,
-                size: (header.layer_size.0, header.layer_size.1),
+                unit: unit.to_owned(),
+                size: layer.size,
                 bands,
                 notes,
                 bytes: Vec::new(),
@@ -272,63 +267,14 @@ fn pictures_in(head: &MetaData) -> Vec<Picture> {
     pictures
 }
 
-/// Bytes that all images take, and the largest block on its way to them.
-fn needed(head: &MetaData, pictures: &[Picture]) -> usize {
-    let kept = pictures.iter().map(|p| p.row().saturating_mul(p.size.1));
-    let block = |header: &Header| {
-        let (size, whole) = (header.max_block_pixel_size(), header.layer_size);
-        let pixels = size.0.min(whole.0).saturating_mul(size.1.min(whole.1));
-        // Packed, unpacked and put in order.
-        pixels.saturating_mul(2 * header.channels.bytes_per_pixel)
-    };
-    let largest = head.headers.iter().map(block).max().unwrap_or(0);
-    kept.fold(largest, usize::saturating_add)
-}
-
-/// Decodes block after block and keeps what is spectral of it.
-fn fill(file: Reader<Cursor<&[u8]>>, head: &MetaData, pictures: &mut [Picture]) -> Decoded<()> {
-    let has_picture: Vec<bool> = (0..head.headers.len())
-        .map(|layer| pictures.iter().any(|picture| picture.layer == layer))
-        .collect();
-    let chunks = file.filter_chunks(false, |_, tile, block| {
-        tile.is_largest_resolution_level() && has_picture[block.layer]
-    })?;
-    for block in chunks.sequential_decompressor(false) {
-        let block = block?;
-        let channels = &head.headers[block.index.layer].channels;
-        for picture in pictures.iter_mut().filter(|p| p.layer == block.index.layer) {
-            let mut band_of = vec![None; channels.list.len()];
-            for (band, (_, place)) in picture.bands.iter().enumerate() {
-                band_of[*place] = Some(band);
-            }
-            for line in block.lines(channels) {
-                let at = line.location;
-                if let Some(band) = band_of[at.channel] {
-                    let of = channels.list[at.channel].sample_type;
-                    picture.keep(band, (at.position.0, at.position.1), of, line.value);
-                }
-            }
-        }
-    }
-    Ok(())
-}
-
-/// Adds an image that was decoded.
+/// Adds an image that was decoded; `many` where the file has several layers.
 fn add(
     input: &Input,
-    head: &MetaData,
     picture: Picture,
+    many: bool,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
-    let Picture {
-        layer,
-        kind,
-        size: (width, height),
-        bands,
-        notes,
-        bytes,
-    } = picture;
-    let header = &head.headers[layer];
+    let ((width, height), bands) = (picture.size, picture.bands);
     let places: Vec<(f64, usize)> = bands.iter().map(|(nm, _)| *nm).zip(0..).collect();
     let layout = Layout {
         first_byte: 0,
@@ -338,24 +284,13 @@ fn add(
         stored_bands: bands.len(),
         missing: None,
     };
-    let cube = Cube::new(width, height, &places, layout, Arc::new(bytes))
+    let cube = Cube::new(width, height, &places, layout, Arc::new(picture.bytes))
         .map_err(|error| input.error(error.to_string(), "a whole image"))?;
-    let own = header.own_attributes.other.iter();
-    let unit = match kind {
-        Kind::Light => own
-            .chain(&header.shared_attributes.other)
-            .find_map(|(name, value)| match value {
-                AttributeValue::Text(text) if *name == *"emissiveUnits" => Some(text.to_string()),
-                _ => None,
-            })
-            .unwrap_or_default(),
-        _ => "fraction".to_owned(),
-    };
-    let part = match head.headers.len() > 1 {
-        true => format!(", layer {}", layer + 1),
+    let part = match many {
+        true => format!(", layer {}", picture.layer + 1),
         false => String::new(),
     };
-    let both = match kind == Kind::Reflectance && !reading.images.is_empty() {
+    let both = match picture.kind == Kind::Reflectance && !reading.images.is_empty() {
         true => ", reflectance",
         false => "",
     };
@@ -364,10 +299,10 @@ fn add(
         source: input.name.clone(),
         bandwidth_nm: None,
         cube,
-        notes,
+        notes: picture.notes,
         known: Known {
-            kind: Some(Decision::of_format(kind)),
-            unit: Some(unit),
+            kind: Some(Decision::of_format(picture.kind)),
+            unit: Some(picture.unit),
             scale: KnownScale::Stated(1.0),
             may_be_large: false,
         },

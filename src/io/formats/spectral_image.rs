@@ -83,9 +83,7 @@ impl Meant {
             against_choice,
         }
     }
-}
 
-impl Meant {
     /// Whether neither the file nor a person says what the values are.
     pub(crate) fn is_kind_guessed(&self) -> bool {
         self.kind.is_guess()
@@ -115,47 +113,32 @@ pub(crate) fn sample(cube: &Cube) -> Vec<f64> {
 
 /// Decides what a file leaves open about an image and adds it to a reading.
 pub(crate) fn add(raw: RawImage, choices: &Choices, reading: &mut Reading) {
-    let RawImage {
-        name,
-        source,
-        bandwidth_nm,
-        cube,
-        mut notes,
-        known,
-        axis,
-        against,
-    } = raw;
     let index = reading.images.len();
     let of_it = choices.each_image.get(&index).copied().unwrap_or_default();
     let chosen = OfOne {
         kind: of_it.kind.or(choices.kind),
         counted: of_it.counted.or(choices.counted),
     };
-    let Meant {
-        kind,
-        counted,
-        scale,
-        unit,
-        against_choice,
-    } = Meant::of(known, chosen, || sample(&cube));
-    notes.insert(0, line_of(&cube, kind.value));
-    let decisions = Decisions {
-        axis,
-        kind,
-        counted,
-    };
-    let of_kind = against_choice.unwrap_or(Remark::Kind);
-    notes.extend(guesses_in_words(&decisions, of_kind, against.as_deref()));
+    let (cube, against) = (raw.cube, raw.against);
+    let meant = Meant::of(raw.known, chosen, || sample(&cube));
+    let mut notes = vec![line_of(&cube, meant.kind.value)];
+    notes.extend(raw.notes);
+    notes.extend(meant.said(against.as_deref()));
     reading.notes.extend(notes.iter().cloned());
     let image = SpectralImage {
-        name,
-        kind: decisions.kind.value,
-        unit,
-        scale,
-        bandwidth_nm,
+        name: raw.name,
+        kind: meant.kind.value,
+        unit: meant.unit,
+        scale: meant.scale,
+        bandwidth_nm: raw.bandwidth_nm,
         cube,
         notes,
-        source,
+        source: raw.source,
+    };
+    let decisions = Decisions {
+        axis: raw.axis,
+        kind: meant.kind,
+        counted: meant.counted,
     };
     add_patches(&image, &decisions, against.as_ref(), reading);
     reading.images_understood.push(decisions);

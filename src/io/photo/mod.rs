@@ -9,7 +9,12 @@ mod png_photo;
 use std::path::Path;
 
 use super::{
-    decode::guarded::guarded, error::ReadError, input::name_of, write::colour_png::ColourPixels,
+    decode::{
+        guarded::guarded,
+        png::{ColourPixels, SIGNATURE},
+    },
+    error::ReadError,
+    input::name_of,
 };
 pub use exif::Exif;
 
@@ -79,7 +84,7 @@ pub fn read_photo(path: &Path) -> Result<Photo, ReadError> {
 /// # Errors
 /// As [`read_photo`].
 pub fn photo_of(name: &str, bytes: &[u8]) -> Result<Photo, ReadError> {
-    let stored = if bytes.starts_with(b"\x89PNG\r\n\x1a\n") {
+    let stored = if bytes.starts_with(SIGNATURE) {
         guarded(|| png_photo::read(bytes))
     } else if bytes.starts_with(b"\xff\xd8") {
         guarded(|| jpeg::read(bytes))

@@ -2,7 +2,9 @@
 
 use std::io::Cursor;
 
-use png::{BitDepth, DecodingError, Transformations};
+use png::{DecodingError, Transformations};
+
+use crate::io::decode::png::frame;
 
 use super::{ColourPixels, Exif, Refused, Stored, check_size, refused};
 
@@ -23,7 +25,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Stored, Refused> {
     let size = [header.width as usize, header.height as usize];
     let channels = header.color_type.samples() * header.bit_depth as usize;
     check_size(size, bytes.len(), PIXELS_A_BYTE / channels.max(1))?;
-    let mut reader = decoder.read_info().map_err(broken)?;
+    let reader = decoder.read_info().map_err(broken)?;
     let info = reader.info();
     let gamma = info.gamma().map(|gamma| gamma.into_value());
     let is_linear = gamma.is_some_and(|g| (g - 1.0).abs() < 0.01);
@@ -32,23 +34,20 @@ pub(super) fn read(bytes: &[u8]) -> Result<Stored, Refused> {
         .as_deref()
         .map(Exif::of)
         .unwrap_or_default();
-    let Some(length) = reader.output_buffer_size() else {
-        return refused("a picture too large for memory", "a smaller one");
+    let (pixels, channels) = match frame(reader) {
+        Ok(decoded) => decoded,
+        Err(None) => return refused("a picture too large for memory", "a smaller one"),
+        Err(Some(error)) => return Err(broken(error)),
     };
-    let mut data = vec![0; length];
-    let frame = reader.next_frame(&mut data).map_err(broken)?;
-    data.truncate(frame.buffer_size());
-    let channels = frame.color_type.samples();
-    let (pixels, shone_through) = if frame.bit_depth == BitDepth::Sixteen {
-        let words = data
-            .chunks_exact(2)
-            .map(|two| u16::from_be_bytes([two[0], two[1]]));
-        let words: Vec<u16> = words.collect();
-        let (codes, through) = over_black(words, channels, u64::from(u16::MAX));
-        (ColourPixels::Sixteen(codes), through)
-    } else {
-        let (codes, through) = over_black(data, channels, u64::from(u8::MAX));
-        (ColourPixels::Eight(codes), through)
+    let (pixels, shone_through) = match pixels {
+        ColourPixels::Sixteen(words) => {
+            let (codes, through) = over_black(words, channels, u64::from(u16::MAX));
+            (ColourPixels::Sixteen(codes), through)
+        }
+        ColourPixels::Eight(bytes) => {
+            let (codes, through) = over_black(bytes, channels, u64::from(u8::MAX));
+            (ColourPixels::Eight(codes), through)
+        }
     };
     let notes = if shone_through {
         vec!["what shines through is shown over black"]

@@ -2,9 +2,10 @@
 
 pub(super) mod argyll;
 pub(super) mod atomic;
-pub(super) mod colour_png;
 pub(super) mod csv;
+pub(super) mod exr;
 pub(super) mod json;
+pub(super) mod png;
 pub(super) mod spd;
 pub(super) mod spdx;
 pub(super) mod spectral_exr;

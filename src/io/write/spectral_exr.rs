@@ -1,103 +1,82 @@
-//! Spectral OpenEXR out: a picture of reflectances, one channel a band.
+//! Spectral OpenEXR out: pictures of one channel a wavelength.
 //!
 //! The layout is that of Fichet, Pacanowski and Wilkie, JCGT 10(3), 2021: `T.550,000000nm` is the
-//! reflectance at 550 nm. `io/spectral_exr.rs` reads it back.
+//! reflectance at 550 nm, `S0.550,000000nm` the light there. Light with spikes has one channel more
+//! a spike, `line.<nm>nm` with its exact energy, so that a reader who knows it gets smooth part and
+//! spikes apart, and all others the right colour. `io/formats/spectral_exr.rs` reads them back.
 
-use std::io::Cursor;
+use super::exr;
 
-use exr::{
-    image::{AnyChannel, AnyChannels, FlatSamples, Image, Layer},
-    meta::attribute::{AttributeValue, Text},
-    prelude::{Encoding, LayerAttributes, SmallVec, WritableImage},
-};
+/// Planes at wavelengths (nm), each row after row from the top.
+type Planes = Vec<(f64, Vec<f32>)>;
 
-/// A picture as a file; `planes` hold a band each, row after row from the top, and `facts` become
-/// attributes (`made.light` for "light").
+/// What is said of planes that are not one value a pixel each, a plane a band.
+const UNEQUAL: &str = "found planes of another size, expected one value a pixel and band";
+
+/// A picture of reflectances, a plane for each band (nm). `facts` become attributes (`made.light`
+/// for "light").
 ///
 /// # Errors
-/// What the encoder says, in words.
+/// What is wrong with the planes, or what the encoder says, in words.
 pub fn reflectance_exr(
-    [width, height]: [usize; 2],
+    size: [usize; 2],
     bands_nm: &[f64],
     planes: Vec<Vec<f32>>,
     facts: &[(&str, String)],
 ) -> Result<Vec<u8>, String> {
-    let agrees = planes.iter().all(|plane| plane.len() == width * height);
-    if !agrees || planes.len() != bands_nm.len() {
-        return Err("found planes of another size, expected one value a pixel and band".to_owned());
+    if planes.len() != bands_nm.len() {
+        return Err(UNEQUAL.to_owned());
     }
-    let channels: SmallVec<[AnyChannel<FlatSamples>; 4]> = bands_nm
+    let bands = bands_nm.iter().copied().zip(planes).collect();
+    let texts = [("spectralLayoutVersion", "1.0")];
+    spectral(size, named("T", bands), &texts, facts)
+}
+
+/// A picture of light: a plane for each stratum at its middle (the whole light a nm, spikes
+/// within), a plane for each spike (its energy). `facts` as in [`reflectance_exr`].
+///
+/// # Errors
+/// As [`reflectance_exr`].
+pub fn light_exr(
+    size: [usize; 2],
+    [strata, spikes]: [Planes; 2],
+    facts: &[(&str, String)],
+) -> Result<Vec<u8>, String> {
+    let texts = [
+        ("spectralLayoutVersion", "1.0"),
+        ("emissiveUnits", "W.m^-2.sr^-1.nm^-1"),
+    ];
+    let channels = named("S0", strata).chain(named("line", spikes));
+    spectral(size, channels, &texts, facts)
+}
+
+fn named(what: &str, planes: Planes) -> impl Iterator<Item = (String, Vec<f32>)> {
+    planes.into_iter().map(move |(nm, plane)| {
+        let place = format!("{nm:.6}").replace('.', ",");
+        (format!("{what}.{place}nm"), plane)
+    })
+}
+
+fn spectral(
+    size: [usize; 2],
+    channels: impl Iterator<Item = (String, Vec<f32>)>,
+    texts: &[(&str, &str)],
+    facts: &[(&str, String)],
+) -> Result<Vec<u8>, String> {
+    let channels: Vec<_> = channels.collect();
+    if channels
         .iter()
-        .zip(planes)
-        .map(|(nm, plane)| {
-            let place = format!("{nm:.6}").replace('.', ",");
-            let name = format!("T.{place}nm");
-            AnyChannel::new(name.as_str(), FlatSamples::F32(plane))
-        })
-        .collect();
-    let mut layer = Layer::new(
-        (width, height),
-        LayerAttributes::default(),
-        Encoding::FAST_LOSSLESS,
-        AnyChannels::sort(channels),
-    );
-    let version = [("spectralLayoutVersion".to_owned(), "1.0".to_owned())];
+        .any(|(_, plane)| plane.len() != size[0] * size[1])
+    {
+        return Err(UNEQUAL.to_owned());
+    }
+    let texts = texts
+        .iter()
+        .map(|(key, text)| ((*key).to_owned(), (*text).to_owned()));
+    // Plain names such as "view" are the format's own.
     let facts = facts
         .iter()
-        .map(|(key, value)| (format!("made.{key}"), value.clone()));
-    for (key, value) in version.into_iter().chain(facts) {
-        let (Some(key), Some(value)) = (Text::new_or_none(&key), Text::new_or_none(&value)) else {
-            continue;
-        };
-        let value = AttributeValue::Text(value);
-        layer.attributes.other.insert(key, value);
-    }
-    let mut file = Cursor::new(Vec::new());
-    let written = Image::from_layer(layer)
-        .write()
-        .non_parallel()
-        .to_buffered(&mut file);
-    written.map_err(|why| format!("found {why}, expected to write OpenEXR"))?;
-    Ok(with_attributes_in_order(file.into_inner()))
-}
-
-/// The same file of one part with the attributes of its header by name, so that the same picture
-/// is the same file each time: the encoder keeps them in a map of random order. What follows the
-/// header stays where it is. Bytes that are no such file come back as they are.
-pub fn with_attributes_in_order(mut file: Vec<u8>) -> Vec<u8> {
-    // Behind the magic number and the version.
-    const FIRST: usize = 8;
-    let mut attributes: Vec<(Vec<u8>, Vec<u8>)> = Vec::new();
-    let mut at = FIRST;
-    loop {
-        let Some(end) = end_of_attribute(&file, at) else {
-            return file;
-        };
-        if end == at {
-            break;
-        }
-        let name = file[at..].split(|byte| *byte == 0).next();
-        attributes.push((name.unwrap_or_default().to_vec(), file[at..end].to_vec()));
-        at = end;
-    }
-    attributes.sort();
-    let sorted: Vec<u8> = attributes
-        .into_iter()
-        .flat_map(|(_, bytes)| bytes)
-        .collect();
-    file[FIRST..at].copy_from_slice(&sorted);
-    file
-}
-
-/// Where the attribute that starts at a place ends: a name and a type, each ended by a zero, the
-/// size of the value in 4 bytes, and the value. The place itself where the header ends.
-fn end_of_attribute(file: &[u8], start: usize) -> Option<usize> {
-    if *file.get(start)? == 0 {
-        return Some(start);
-    }
-    let zero = |from: usize| Some(from + file.get(from..)?.iter().position(|byte| *byte == 0)?);
-    let size_at = zero(zero(start)? + 1)? + 1;
-    let size = file.get(size_at..)?.first_chunk::<4>()?;
-    let end = size_at + 4 + usize::try_from(i32::from_le_bytes(*size)).ok()?;
-    (end <= file.len()).then_some(end)
+        .map(|(key, fact)| (format!("made.{key}"), fact.clone()));
+    exr::image(size, channels, texts.chain(facts))
+        .map_err(|why| format!("found {why}, expected to write OpenEXR"))
 }

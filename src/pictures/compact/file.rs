@@ -1,8 +1,10 @@
 //! The PNG about the tiles: writing it strip by strip, opening it tile by tile.
 
 use std::io::Write;
+use std::ops::Range;
 use std::sync::Arc;
 
+use crate::io::{PngFile, png_chunks};
 use crate::spectrum::Rect;
 use crate::study::Progress;
 
@@ -15,7 +17,6 @@ use super::quantiser::{P95_OF_STEP, Quantiser, TILE};
 use super::tile::{self, Coder};
 use super::zlib;
 
-const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 const HEADER: [u8; 4] = *b"csPH";
 const TILES: [u8; 4] = *b"csPT";
 /// A header never unfolds beyond this.
@@ -86,17 +87,8 @@ pub fn write_compact(
     let mut header = Header::of(operator, (width, height), about, plan.error.clone());
     header.mask = plan.error.no_data > 0;
     header.quantiser = Some(plan.quantiser.as_stored().clone());
-    let trouble = |error: png::EncodingError| PictureError::Trouble(error.to_string());
-    let mut encoder = png::Encoder::new(out, preview.width as u32, preview.height as u32);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-    let mut writer = encoder.write_header().map_err(trouble)?;
-    writer.write_image_data(&preview.rgb).map_err(trouble)?;
-    let packed = zlib::packed(header.to_json().as_bytes());
-    writer
-        .write_chunk(png::chunk::ChunkType(HEADER), &packed)
-        .map_err(trouble)?;
+    let mut file = PngFile::new([preview.width, preview.height], &preview.rgb, false, out)?;
+    file.chunk(HEADER, &zlib::packed(header.to_json().as_bytes()))?;
     let encode = operator.encoder();
     let count = operator.numbers();
     progress.expect(height.div_ceil(TILE));
@@ -146,13 +138,11 @@ pub fn write_compact(
             },
         )?;
         for bytes in tiles {
-            writer
-                .write_chunk(png::chunk::ChunkType(TILES), &bytes)
-                .map_err(trouble)?;
+            file.chunk(TILES, &bytes)?;
         }
         progress.step();
     }
-    writer.finish().map_err(trouble)
+    Ok(file.finish()?)
 }
 
 /// A compact file that was opened; its tiles are decoded when they are asked for.
@@ -173,18 +163,13 @@ impl CompactFile {
     /// # Errors
     /// [`PictureError::Broken`] with what is wrong.
     pub fn open(bytes: Vec<u8>) -> Result<Self, PictureError> {
-        if !bytes.starts_with(SIGNATURE) {
-            return Err(PictureError::broken(
-                "no PNG",
-                "a composite picture NAME.cspx.png",
-            ));
-        }
+        let chunks = png_chunks(&bytes)
+            .ok_or_else(|| PictureError::broken("no PNG", "a composite picture NAME.cspx.png"))?;
         let mut header: Option<Header> = None;
         let mut found: Vec<(u32, u32, usize, usize)> = Vec::new();
-        let mut at = SIGNATURE.len();
-        let mut is_ended = false;
-        while !is_ended {
-            let (kind, start, end) = chunk(&bytes, at)?;
+        for chunk in chunks {
+            let (kind, Range { start, end }) =
+                chunk.map_err(|[found, expected]| PictureError::broken(found, expected))?;
             let data = &bytes[start..end];
             match kind {
                 HEADER if header.is_some() => {
@@ -197,22 +182,15 @@ impl CompactFile {
                     header = Some(Header::from_json(&text)?);
                 }
                 TILES => {
-                    let place = data.split_at_checked(8).ok_or_else(|| {
-                        PictureError::broken("a tile without a place", "its column and row")
-                    })?;
-                    let word = |i: usize| {
-                        u32::from_be_bytes([
-                            place.0[i],
-                            place.0[i + 1],
-                            place.0[i + 2],
-                            place.0[i + 3],
-                        ])
-                    };
-                    found.push((word(0), word(4), start + 8, end));
+                    let ([column, row], _) =
+                        data.as_chunks().0.split_first_chunk().ok_or_else(|| {
+                            PictureError::broken("a tile without a place", "its column and row")
+                        })?;
+                    let word = |bytes: &[u8; 4]| u32::from_be_bytes(*bytes);
+                    found.push((word(column), word(row), start + 8, end));
                 }
-                _ => is_ended = kind == *b"IEND",
+                _ => {}
             }
-            at = end + 4;
         }
         let header = header.ok_or_else(|| {
             PictureError::broken(
@@ -328,42 +306,5 @@ impl CompactFile {
             }
         }
         Picture::new(header.clone(), planes)
-    }
-}
-
-/// The chunk at a place: its kind, where its data begin and end.
-fn chunk(bytes: &[u8], at: usize) -> Result<([u8; 4], usize, usize), PictureError> {
-    let short = || PictureError::broken("a PNG that ends early", "one to its IEND");
-    let head = bytes.get(at..at + 8).ok_or_else(short)?;
-    let length = u32::from_be_bytes([head[0], head[1], head[2], head[3]]) as usize;
-    let kind = [head[4], head[5], head[6], head[7]];
-    let end = (at + 8).checked_add(length).ok_or_else(short)?;
-    let sum = bytes.get(end..end + 4).ok_or_else(short)?;
-    let mut check = flate2::Crc::new();
-    check.update(&bytes[at + 4..end]);
-    if check.sum().to_be_bytes() != sum {
-        // Any bytes may stand in a damaged file, line ends too.
-        let name = kind.escape_ascii();
-        return Err(PictureError::broken(
-            format!("a chunk {name} with a wrong check sum"),
-            "a whole one",
-        ));
-    }
-    Ok((kind, at + 8, end))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_damaged_chunk_is_refused_in_one_line() {
-        let bytes = [&[0, 0, 0, 0][..], b"ID\0\n", &[1, 2, 3, 4]].concat();
-        let refusal = chunk(&bytes, 0).unwrap_err().to_string();
-        assert!(
-            refusal.contains("a chunk ID\\x00\\n with a wrong check sum"),
-            "{refusal}"
-        );
-        assert!(!refusal.contains(char::is_control), "{refusal}");
     }
 }

@@ -25,6 +25,8 @@ use eframe::egui;
 use egui::epaint::{ClippedPrimitive, ImageData, Primitive};
 use egui::{Color32, ColorImage, Rect, TextureId, TexturesDelta, Vec2};
 
+use crate::io::png;
+
 use self::{canvas::Canvas, texture::Texture, triangle::Window};
 
 /// Time between two passes of [`picture`], in seconds: longer than any of egui's animations.
@@ -158,33 +160,13 @@ pub fn picture_with(
 /// When the image has no pixels, which PNG cannot express.
 pub fn encode_png(image: &ColorImage) -> Vec<u8> {
     let opaque = image.pixels.iter().all(|pixel| pixel.a() == 255);
-    let (colour, bytes): (_, Vec<u8>) = if opaque {
-        let rgb = |pixel: &Color32| [pixel.r(), pixel.g(), pixel.b()];
-        (
-            png::ColorType::Rgb,
-            image.pixels.iter().flat_map(rgb).collect(),
-        )
-    } else {
-        // PNG stores colours that are not multiplied by their alpha.
-        let rgba = |pixel: &Color32| pixel.to_srgba_unmultiplied();
-        (
-            png::ColorType::Rgba,
-            image.pixels.iter().flat_map(rgba).collect(),
-        )
+    // PNG stores colours that are not multiplied by their alpha.
+    let colours = image.pixels.iter().map(Color32::to_srgba_unmultiplied);
+    let bytes: Vec<u8> = match opaque {
+        true => colours.flat_map(|[r, g, b, _]| [r, g, b]).collect(),
+        false => colours.flatten().collect(),
     };
-    let mut file = Vec::new();
-    let mut encoder = png::Encoder::new(&mut file, image.width() as u32, image.height() as u32);
-    encoder.set_color(colour);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-    // The command line knows its own pictures by it, and replaces no others.
-    let [key, mark] = ["Software", env!("CARGO_PKG_NAME")].map(str::to_owned);
-    encoder
-        .add_text_chunk(key, mark)
-        .and_then(|()| encoder.write_header())
-        .and_then(|mut writer| writer.write_image_data(&bytes))
-        .expect("an image with pixels can always be written to memory");
-    file
+    png(image.size, &bytes).expect("an image with pixels can always be written to memory")
 }
 
 #[cfg(test)]

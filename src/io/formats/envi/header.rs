@@ -1,38 +1,92 @@
 //! The header of an ENVI file.
 
 use std::collections::HashMap;
+use std::ops::Deref;
 
-use crate::spectrum::cube::{Interleave, Number};
-
-use super::number_of;
 use crate::io::error::quoted;
-use crate::io::text::{lines, number};
+use crate::io::text::{MOST_BYTES, lines, number};
 use crate::io::{ReadError, budget};
+use crate::spectrum::cube::{Interleave, Layout, Number, bytes_of};
 
 /// A header's fields.
 #[derive(Debug)]
-pub struct Header {
+pub struct Fields {
     /// Name of the header's file, for messages.
     pub file: String,
-    /// Columns of a cube, channels of a library.
-    pub samples: usize,
-    /// Rows of a cube, spectra of a library.
-    pub lines: usize,
-    /// Channels of a cube, 1 in a library.
-    pub bands: usize,
-    /// Bytes before the first number.
-    pub offset: usize,
-    /// How numbers are written.
-    pub number: Number,
-    /// Most significant byte first.
-    pub big_endian: bool,
-    /// What runs fastest.
-    pub interleave: Interleave,
     /// Values and the lines on which they start.
     fields: HashMap<String, (usize, String)>,
 }
 
+/// A header: what the data are, and its fields.
+#[derive(Debug)]
+pub struct Header {
+    fields: Fields,
+    /// Whether the data are spectra one after the other rather than an image.
+    pub is_library: bool,
+    /// Columns, 1 in a library.
+    pub width: usize,
+    /// Rows of a cube, spectra of a library.
+    pub height: usize,
+    /// Channels.
+    pub channels: usize,
+    layout: Layout,
+}
+
+impl Deref for Header {
+    type Target = Fields;
+
+    fn deref(&self) -> &Fields {
+        &self.fields
+    }
+}
+
 impl Header {
+    /// How the numbers lie in the data.
+    ///
+    /// # Errors
+    /// [`ReadError`] when the number that stands for "not measured" is none.
+    pub fn layout(&self) -> Result<Layout, ReadError> {
+        let missing = self.number("data ignore value")?;
+        Ok(Layout {
+            missing,
+            ..self.layout
+        })
+    }
+
+    /// Bytes that the data file must have, header offset included; `None` beyond counting.
+    pub fn bytes(&self) -> Option<usize> {
+        let numbers = bytes_of(self.width, self.height, self.channels, self.layout.number)?;
+        numbers.checked_add(self.layout.first_byte)
+    }
+
+    /// The same where they are few enough to be read whole.
+    ///
+    /// # Errors
+    /// [`ReadError`] with how many there are.
+    pub(super) fn few_bytes(&self) -> Result<usize, ReadError> {
+        let few = self.bytes().filter(|bytes| *bytes as u64 <= MOST_BYTES);
+        few.ok_or_else(|| self.error("samples", self.in_words(), "at most 512 MiB of data"))
+    }
+
+    /// The refusal of data that end after `found` bytes, too early.
+    pub(super) fn short(&self, found: usize, data_name: &str) -> ReadError {
+        let (numbers, offset) = (self.in_words(), self.layout.first_byte);
+        let expected = format!("{numbers} after {offset} bytes, as {} says", self.file);
+        ReadError::new(data_name, format!("{found} bytes"), expected)
+    }
+
+    /// What the data file holds.
+    fn in_words(&self) -> String {
+        let (bytes, lines) = (self.layout.number.bytes(), self.height);
+        let (samples, bands) = match self.is_library {
+            true => (self.channels, self.width),
+            false => (self.width, self.channels),
+        };
+        format!("{samples} x {lines} x {bands} numbers of {bytes} bytes")
+    }
+}
+
+impl Fields {
     /// A field's text, without braces; keys are lower case.
     pub fn text(&self, key: &str) -> Option<&str> {
         let value = self.fields.get(key)?.1.trim();
@@ -90,23 +144,6 @@ impl Header {
             .map_err(|_| self.error(key, quoted(text), expected))
     }
 
-    /// What the data file holds, in words.
-    pub(super) fn numbers_in_words(&self) -> String {
-        let bytes = self.number.bytes();
-        let [samples, lines, bands] = [self.samples, self.lines, self.bands];
-        format!("{samples} x {lines} x {bands} numbers of {bytes} bytes")
-    }
-
-    /// Whether the data are spectra one after the other rather than an image.
-    pub(crate) fn is_library(&self) -> bool {
-        let kind = self.text("file type").unwrap_or("").to_lowercase();
-        let without_word = self.bands == 1
-            && self.samples > 1
-            && (self.list("wavelength").len() == self.samples
-                || self.fields.contains_key("spectra names"));
-        kind.contains("spectral library") || without_word
-    }
-
     /// An error at a field, or at the first line where there is none.
     pub fn error(
         &self,
@@ -158,27 +195,35 @@ fn closed(text: &str, quote: char) -> Option<(&str, Option<&str>)> {
     })
 }
 
+/// The kind of number behind a `data type`.
+fn number_of(data_type: usize) -> Option<Number> {
+    Some(match data_type {
+        1 => Number::U8,
+        2 => Number::I16,
+        3 => Number::I32,
+        4 => Number::F32,
+        5 => Number::F64,
+        12 => Number::U16,
+        13 => Number::U32,
+        14 => Number::I64,
+        15 => Number::U64,
+        _ => return None,
+    })
+}
+
 /// Reads a header.
 pub(super) fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
-    let fields = fields(file, text)?;
-    let mut header = Header {
+    let header = Fields {
         file: file.to_owned(),
-        samples: 0,
-        lines: 0,
-        bands: 1,
-        offset: 0,
-        number: Number::U8,
-        big_endian: false,
-        interleave: Interleave::Bands,
-        fields,
+        fields: fields(file, text)?,
     };
-    header.samples = header.count("samples", None)?;
-    header.lines = header.count("lines", None)?;
-    header.bands = header.count("bands", Some(1))?;
-    header.offset = header.count("header offset", Some(0))?;
+    let samples = header.count("samples", None)?;
+    let lines = header.count("lines", None)?;
+    let bands = header.count("bands", Some(1))?;
+    let first_byte = header.count("header offset", Some(0))?;
     let data_type = header.count("data type", None)?;
     let byte_order = header.count("byte order", Some(0))?;
-    header.number = number_of(data_type).ok_or_else(|| {
+    let number = number_of(data_type).ok_or_else(|| {
         let found = match data_type {
             6 | 9 => "complex numbers (data type 6 or 9)".to_owned(),
             other => format!("data type {other}"),
@@ -187,17 +232,13 @@ pub(super) fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
         header.error("data type", found, expected)
     })?;
     let word = header.text("interleave").unwrap_or("bsq").to_lowercase();
-    header.interleave = match &*word {
+    let interleave = match &*word {
         "bsq" => Interleave::Bands,
         "bil" => Interleave::Lines,
         "bip" => Interleave::Pixels,
         _ => return Err(header.error("interleave", quoted(&word), "bsq, bil or bip")),
     };
-    for (key, value) in [
-        ("samples", header.samples),
-        ("lines", header.lines),
-        ("bands", header.bands),
-    ] {
+    for (key, value) in [("samples", samples), ("lines", lines), ("bands", bands)] {
         if value == 0 {
             return Err(header.error(key, format!("{key} = 0"), "1 or more"));
         }
@@ -210,8 +251,30 @@ pub(super) fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
         let expected = "data that are not compressed; unpack them with ENVI or GDAL first";
         return Err(header.error(compression, "compressed data", expected));
     }
-    header.big_endian = byte_order == 1;
-    Ok(header)
+    let kind = header.text("file type").unwrap_or("").to_lowercase();
+    let names_spectra = header.fields.contains_key("spectra names");
+    let has_one_band = bands == 1 && samples > 1;
+    let is_library = kind.contains("spectral library")
+        || has_one_band && (names_spectra || header.list("wavelength").len() == samples);
+    let (width, channels, interleave) = match is_library {
+        true => (bands, samples, Interleave::Pixels),
+        false => (samples, bands, interleave),
+    };
+    Ok(Header {
+        fields: header,
+        is_library,
+        width,
+        height: lines,
+        channels,
+        layout: Layout {
+            first_byte,
+            number,
+            big_endian: byte_order == 1,
+            interleave,
+            stored_bands: channels,
+            missing: None,
+        },
+    })
 }
 
 fn fields(file: &str, text: &str) -> Result<HashMap<String, (usize, String)>, ReadError> {

@@ -2,11 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::spectrum::cube::{Cube, CubeError, Layout};
+use crate::spectrum::cube::{Cube, CubeError};
 
-use super::header::Header;
-use super::library::short;
-use super::meaning;
+use super::{Header, meaning};
 use crate::io::formats::spectral_image::{self, RawImage};
 use crate::io::{Choices, ReadError, Reading};
 
@@ -25,40 +23,24 @@ pub(super) fn read(
         let found = "a classification (classes, not spectra)";
         return Err(header.error("file type", found, "a cube or a spectral library"));
     }
-    let channels = meaning::channels(header, header.bands, choices.wavelengths)?;
-    let layout = Layout {
-        first_byte: header.offset,
-        number: header.number,
-        big_endian: header.big_endian,
-        interleave: header.interleave,
-        stored_bands: header.bands,
-        missing: header.number("data ignore value")?,
-    };
-    let size = data.len();
-    let cube = Cube::new(
-        header.samples,
-        header.lines,
-        &channels.bands,
-        layout,
-        Arc::new(data),
-    )
-    .map_err(|error| match error {
-        CubeError::Short { found, .. } => short(header, found, data_name),
+    let channels = meaning::channels(header, choices.wavelengths)?;
+    let (layout, bytes) = (header.layout()?, data.len() as u64);
+    let (width, height) = (header.width, header.height);
+    let cube = Cube::new(width, height, &channels.bands, layout, Arc::new(data));
+    let cube = cube.map_err(|error| match error {
+        CubeError::Short { found, .. } => header.short(found, data_name),
         CubeError::Empty | CubeError::Bands => {
             header.error("bands", error.to_string(), "an image of two or more bands")
         }
     })?;
-    let sample = spectral_image::sample(&cube);
-    let (known, of_values) = meaning::values(header, data_name, &sample)?;
+    let (known, of_values) = meaning::values(header, data_name, &spectral_image::sample(&cube))?;
     let mut notes = channels.notes;
     notes.extend(of_values);
-    notes.extend(meaning::left_over(header, size as u64));
-    let stem = data_name
-        .rsplit_once('.')
-        .map_or(data_name, |(stem, _)| stem);
+    notes.extend(meaning::left_over(header, bytes));
+    let stem = data_name.rsplit_once('.').map(|(stem, _)| stem);
     let (nm, stored): (Vec<f64>, Vec<usize>) = channels.bands.into_iter().unzip();
     let raw = RawImage {
-        name: stem.to_owned(),
+        name: stem.unwrap_or(data_name).to_owned(),
         source: data_name.to_owned(),
         bandwidth_nm: meaning::bandwidth_nm(header, &nm, &stored),
         cube,

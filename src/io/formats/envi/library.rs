@@ -1,9 +1,6 @@
 //! An ENVI spectral library: `lines` spectra of `samples` channels.
 
-use crate::spectrum::cube::is_missing;
-
-use super::header::Header;
-use super::{all_bytes, meaning};
+use super::{Header, meaning};
 use crate::io::formats::spectral_image::guesses_in_words;
 use crate::io::interpret::raw::{RawAxis, RawSpectrum};
 use crate::io::many::many;
@@ -19,15 +16,6 @@ const SAMPLE_BYTES: usize = 32;
 /// How many values of the file decide kind and scale where the header is silent.
 const LOOKED_AT: usize = 20_000;
 
-/// What the header calls a spectrum, or its number.
-fn name_of(names: &[&str], index: usize) -> String {
-    let named = names.get(index).filter(|name| !name.is_empty());
-    named.map_or_else(
-        || format!("spectrum {}", index + 1),
-        |name| (*name).to_owned(),
-    )
-}
-
 /// Reads the spectra; `file_bytes` is the size of both files.
 ///
 /// # Errors
@@ -39,27 +27,24 @@ pub(super) fn read(
     file_bytes: usize,
     input: &Input,
 ) -> Result<Reading, ReadError> {
-    let (channels, count) = (header.samples, header.lines);
-    let need = all_bytes(header);
-    if header.bands != 1 {
-        let found = format!("a library with bands = {}", header.bands);
+    let (channels, count) = (header.channels, header.height);
+    if header.width != 1 {
+        let found = format!("a library with bands = {}", header.width);
         return Err(header.error("bands", found, "bands = 1"));
     }
-    if need.is_none_or(|need| data.len() < need) {
-        return Err(short(header, data.len(), data_name));
-    }
-    let axis = meaning::channels(header, channels, input.choices.wavelengths)?;
+    let need = header.bytes().filter(|need| *need <= data.len());
+    let need = need.ok_or_else(|| header.short(data.len(), data_name))?;
+    let axis = meaning::channels(header, input.choices.wavelengths)?;
     let memory = count.saturating_mul(SPECTRUM_BYTES + SAMPLE_BYTES * axis.bands.len());
     if memory > budget::of(file_bytes) {
         let found = format!("{count} spectra, which take {}", budget::in_words(memory));
         return Err(header.error("lines", found, budget::WORDS));
     }
-    let row_bytes = channels * header.number.bytes();
-    let missing = header.number("data ignore value")?;
+    let layout = header.layout()?;
     let value = |spectrum: usize, channel: usize| {
-        let at = header.offset + spectrum * row_bytes + channel * header.number.bytes();
-        let value = header.number.read(data, at, header.big_endian);
-        if missing.is_some_and(|missing| is_missing(value, missing, header.number)) {
+        let at = layout.place((1, count), (0, spectrum), channel);
+        let value = layout.number.read(data, at, layout.big_endian);
+        if layout.is_missing(value) {
             f64::NAN
         } else {
             value
@@ -81,12 +66,12 @@ pub(super) fn read(
     };
     let mut empty = 0_usize;
     for index in 0..count {
-        let values: Vec<f64> = axis
-            .bands
-            .iter()
-            .map(|(_, channel)| value(index, *channel))
-            .collect();
-        let name = name_of(&names, index);
+        let channels = axis.bands.iter().map(|(_, channel)| *channel);
+        let values = channels.map(|channel| value(index, channel)).collect();
+        let name = match names.get(index) {
+            Some(name) if !name.is_empty() => (*name).to_owned(),
+            _ => format!("spectrum {}", index + 1),
+        };
         let raw = RawSpectrum {
             axis: RawAxis::Nm(&nm, Some(axis.axis.clone())),
             known: known.clone(),
@@ -112,9 +97,13 @@ pub(super) fn read(
             "at least 2 numbers in a spectrum",
         ));
     }
-    let left_over = data.len() - need.unwrap_or(data.len());
-    let odd = oddities(empty, names.len(), count, left_over);
-    reading.notes.extend(odd);
+    let (named, left_over) = (names.len(), data.len() - need);
+    let odd = [
+        (empty > 0).then(|| format!("{empty} spectra with fewer than 2 numbers left out")),
+        (named > 0 && named != count).then(|| format!("{named} names for {count} spectra")),
+        (left_over > 0).then(|| format!("{left_over} bytes behind the last spectrum passed over")),
+    ];
+    reading.notes.extend(odd.into_iter().flatten());
     reading.notes.extend(axis.notes);
     reading.notes.extend(of_values);
     // What had to be guessed of the first spectrum, and of all others with it.
@@ -122,29 +111,4 @@ pub(super) fn read(
     let guessed = first.map(|first| guesses_in_words(first, Remark::Kind, None));
     reading.notes.extend(guessed.into_iter().flatten());
     Ok(reading)
-}
-
-/// What is odd about a library: spectra without numbers, names that are not one for each of
-/// `count` spectra, bytes that are left over.
-fn oddities(empty: usize, names: usize, count: usize, left_over: usize) -> Vec<String> {
-    let odd = [
-        (empty > 0).then(|| format!("{empty} spectra with fewer than 2 numbers left out")),
-        (names > 0 && names != count).then(|| format!("{names} names for {count} spectra")),
-        (left_over > 0).then(|| format!("{left_over} bytes behind the last spectrum passed over")),
-    ];
-    odd.into_iter().flatten().collect()
-}
-
-/// The refusal of data that end too early.
-pub(super) fn short(header: &Header, found: usize, data_name: &str) -> ReadError {
-    ReadError::new(
-        data_name,
-        format!("{found} bytes"),
-        format!(
-            "{} after {} bytes, as {} says",
-            header.numbers_in_words(),
-            header.offset,
-            header.file
-        ),
-    )
 }

@@ -2,7 +2,7 @@
 
 use crate::spectrum::Kind;
 
-use super::{all_bytes, header::Header};
+use super::Header;
 use crate::io::error::quoted;
 use crate::io::formats::extent;
 use crate::io::interpret::axis::{self, Axis};
@@ -26,16 +26,12 @@ pub struct Chosen {
     pub notes: Vec<String>,
 }
 
-/// The channels of a file that stores `stored` of them, without the bad ones; `chosen` is the unit
-/// that a person said.
+/// The channels of a file without the bad ones; `chosen` is the unit that a person said.
 ///
 /// # Errors
 /// [`ReadError`] when the header gives no wavelengths for them.
-pub fn channels(
-    header: &Header,
-    stored: usize,
-    chosen: Option<WavelengthUnit>,
-) -> Result<Chosen, ReadError> {
+pub fn channels(header: &Header, chosen: Option<WavelengthUnit>) -> Result<Chosen, ReadError> {
+    let stored = header.channels;
     let axis = header.numbers("wavelength")?;
     if axis.len() != stored {
         let found = match axis.len() {
@@ -199,7 +195,7 @@ pub fn values(
 
 /// What is said of data that go on behind what the header tells of.
 pub(crate) fn left_over(header: &Header, data_bytes: u64) -> Option<String> {
-    let beyond = data_bytes.checked_sub(all_bytes(header)? as u64)?;
+    let beyond = data_bytes.checked_sub(header.bytes()? as u64)?;
     (beyond > 0).then(|| {
         format!("the data are {beyond} bytes longer than the header says, which are left out")
     })

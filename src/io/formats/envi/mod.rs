@@ -8,7 +8,7 @@
 //! In a **library** (`file type = ENVI Spectral Library`) `samples` counts the channels and
 //! `lines` the spectra; in a **cube** they are columns and rows, and `bands` the channels.
 //! `interleave` is `bsq` (band by band), `bil` (row by row) or `bip` (pixel by pixel), `byte
-//! order` 0 (least significant first) or 1, `data type` one of `number_of`'s, and `header
+//! order` 0 (least significant first) or 1, `data type` the kind of number, and `header
 //! offset` the bytes before the first number. `wavelength units` may be unknown; `bbl = {1, 0}`
 //! marks bad bands with 0; `reflectance scale factor = 10000` says that 10000 is a reflectance
 //! of 1.
@@ -24,16 +24,14 @@ mod pair;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
-use crate::spectrum::cube::{Number, bytes_of};
-
 use super::{Confidence, Format};
 use crate::io::input::name_of;
-use crate::io::{Input, ReadError, Reading, text};
+use crate::io::{Input, ReadError, Reading};
 
-pub use header::Header;
+pub use header::{Fields, Header};
 pub(crate) use meaning::left_over;
 pub use meaning::{bandwidth_nm, channels, values};
-pub(crate) use pair::{header_of, place_of_data, read_header, starts_as_header};
+pub(crate) use pair::{header_at, place_of_data, read_header};
 
 /// ENVI header or data.
 pub(crate) const FORMAT: Format = Format {
@@ -71,17 +69,17 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let header = header::parse(&input.name, &input.needs_text()?.text)?;
         let beside = "its data file beside it in the same folder";
         let path = path.ok_or_else(|| input.error("an ENVI header by itself", beside))?;
-        let (name, bytes) = pair::data_of(path, &header, data_bytes(&header)?)?;
+        let (name, bytes) = pair::data_of(path, &header)?;
         (header, name, bytes.into())
     } else {
         let header = path
             .and_then(pair::header_of)
             .ok_or_else(|| input.error("ENVI data by itself", "its header .hdr beside it"))?;
         let header = pair::read_header(&header)?;
-        data_bytes(&header)?;
+        header.few_bytes()?;
         (header, input.name.clone(), input.bytes.into())
     };
-    if header.is_library() {
+    if header.is_library {
         let file_bytes = data.len() + input.bytes.len();
         library::read(&header, &data, &name, file_bytes, input)
     } else {
@@ -97,8 +95,7 @@ pub(crate) fn data_beside(path: &Path) -> Option<PathBuf> {
     }
     let header = pair::read_header(path).ok()?;
     // Data too large to be read whole are data all the same.
-    let need = all_bytes(&header)?;
-    pair::place_of_data(path, need)
+    pair::place_of_data(path, header.bytes()?)
 }
 
 /// The other file of a pair: a header's data, or the header of data.
@@ -106,25 +103,12 @@ pub(crate) fn pair_of(path: &Path) -> Option<PathBuf> {
     data_beside(path).or_else(|| pair::header_of(path))
 }
 
-/// What a header announces, before its data are read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Needs {
-    /// Columns of a cube, 1 for a library.
-    pub width: usize,
-    /// Rows of a cube, spectra of a library.
-    pub height: usize,
-    /// Channels.
-    pub bands: usize,
-    /// Bytes of the data, which is the memory that a cube takes.
-    pub bytes: usize,
-}
-
-/// Size and memory of the library or cube whose header or data file is at `path`; only the header
-/// is read.
+/// What the header of the library or cube whose header or data file is at `path` says of data few
+/// enough to be read whole; they are not read.
 ///
 /// # Errors
 /// [`ReadError`] when there is no header, or it is not right.
-pub fn needs(path: &Path) -> Result<Needs, ReadError> {
+pub fn needs(path: &Path) -> Result<Header, ReadError> {
     let is_header = path
         .extension()
         .is_some_and(|e| e.eq_ignore_ascii_case("hdr"));
@@ -137,47 +121,6 @@ pub fn needs(path: &Path) -> Result<Needs, ReadError> {
         ReadError::new(&name_of(path), found, expected)
     })?;
     let header = pair::read_header(&header_path)?;
-    let bytes = data_bytes(&header)?;
-    let (width, height, bands) = if header.is_library() {
-        (1, header.lines, header.samples)
-    } else {
-        (header.samples, header.lines, header.bands)
-    };
-    Ok(Needs {
-        width,
-        height,
-        bands,
-        bytes,
-    })
-}
-
-/// Bytes that the data file must have, header offset included; `None` beyond counting.
-pub(crate) fn all_bytes(header: &Header) -> Option<usize> {
-    bytes_of(header.samples, header.lines, header.bands, header.number)
-        .and_then(|bytes| bytes.checked_add(header.offset))
-}
-
-/// The same where they are few enough to be read whole.
-fn data_bytes(header: &Header) -> Result<usize, ReadError> {
-    let bytes = all_bytes(header).filter(|bytes| *bytes as u64 <= text::MOST_BYTES);
-    bytes.ok_or_else(|| {
-        let expected = "at most 512 MiB of data";
-        header.error("samples", header.numbers_in_words(), expected)
-    })
-}
-
-/// The kind of number behind a `data type`.
-pub(crate) fn number_of(data_type: usize) -> Option<Number> {
-    Some(match data_type {
-        1 => Number::U8,
-        2 => Number::I16,
-        3 => Number::I32,
-        4 => Number::F32,
-        5 => Number::F64,
-        12 => Number::U16,
-        13 => Number::U32,
-        14 => Number::I64,
-        15 => Number::U64,
-        _ => return None,
-    })
+    header.few_bytes()?;
+    Ok(header)
 }

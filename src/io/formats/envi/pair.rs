@@ -30,6 +30,14 @@ pub(crate) fn header_of(data: &Path) -> Option<PathBuf> {
     .find(|path| path != data && path.is_file() && starts_as_header(path))
 }
 
+/// The ENVI header that a path is, or that belongs to it.
+pub(crate) fn header_at(path: &Path) -> Option<PathBuf> {
+    match starts_as_header(path) {
+        true => Some(path.to_owned()),
+        false => header_of(path),
+    }
+}
+
 /// A path with more behind it.
 fn longer(path: &Path, ending: &str) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
@@ -55,16 +63,12 @@ pub(crate) fn read_header(path: &Path) -> Result<Header, ReadError> {
     header::parse(&name, &text::decode(&bytes).text)
 }
 
-/// The data that belong to a header of which `need` bytes are announced, and their file's name.
+/// The data that belong to a header, and their file's name.
 ///
 /// # Errors
 /// [`ReadError`] when there is none, or it cannot be read.
-pub(super) fn data_of(
-    path: &Path,
-    header: &Header,
-    need: usize,
-) -> Result<(String, Vec<u8>), ReadError> {
-    let chosen = place_of_data(path, need).ok_or_else(|| {
+pub(super) fn data_of(path: &Path, header: &Header) -> Result<(String, Vec<u8>), ReadError> {
+    let chosen = place_of_data(path, header.few_bytes()?).ok_or_else(|| {
         ReadError::new(
             &header.file,
             "an ENVI header by itself",

@@ -31,11 +31,12 @@ pub(crate) fn of(from: f64, to: f64) -> (Vec<f64>, String) {
         let (start, end) = (tidied(start / step).ceil(), tidied(end / step).floor());
         let steps = (end - start).max(-1.0) as i64;
         let part = (0..=steps).map(|i| tidied((start + i as f64) * step));
-        nm.extend(part.filter(|x| is_new(*x, low, first)));
-        if step != 1.0 {
-            let side = if step < 1.0 { "below" } else { "beyond" };
-            let edge = if step < 1.0 { high } else { low };
-            how += &format!(", in steps of {step} nm {side} {edge} nm");
+        // But the one that the part before ended with.
+        nm.extend(part.filter(|x| *x > low || low <= first));
+        if step < 1.0 {
+            how += &format!(", in steps of {step} nm below {high} nm");
+        } else if step > 1.0 {
+            how += &format!(", in steps of {step} nm beyond {low} nm");
         }
     }
     // A narrow range may hold one multiple of the step or none.
@@ -50,11 +51,6 @@ pub(crate) fn of(from: f64, to: f64) -> (Vec<f64>, String) {
         how += &format!("; not sampled beyond {LAST_NM} nm");
     }
     (nm, how)
-}
-
-/// Whether a wavelength is not the one that the part before ended with.
-fn is_new(x: f64, low: f64, first: f64) -> bool {
-    x > low || low <= first
 }
 
 /// A number without what the way from um to nm leaves behind the last decimal.

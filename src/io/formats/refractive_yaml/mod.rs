@@ -181,42 +181,40 @@ fn read_data(
             return Err(input.error(format!("data of the type {}", quoted(kind)), expected));
         }
     };
-    let rows = rows(input, text, &data.data, letters.len() + 1)?;
-    let nm: Vec<f64> = rows.iter().map(|row| row[0] * 1000.0).collect();
-    let mut found = Vec::new();
-    for (place, letter) in letters.chars().enumerate() {
-        let values: Vec<f64> = rows.iter().map(|row| row[place + 1]).collect();
+    let mut columns = columns(input, text, &data.data, letters.len() + 1)?;
+    let nm: Vec<f64> = columns.remove(0).iter().map(|um| um * 1000.0).collect();
+    let of_letter = |(letter, values): (char, Vec<f64>)| {
         let (samples, notes) = clean(input, &nm, &values, "wavelengths converted from um".into())?;
-        found.push((letter, samples, notes));
-    }
-    Ok(found)
+        Ok((letter, samples, notes))
+    };
+    letters.chars().zip(columns).map(of_letter).collect()
 }
 
-fn rows(input: &Input, text: &str, table: &str, width: usize) -> Result<Vec<[f64; 3]>, ReadError> {
-    let mut rows = Vec::new();
+/// The columns of a table.
+fn columns(
+    input: &Input,
+    text: &str,
+    table: &str,
+    width: usize,
+) -> Result<Vec<Vec<f64>>, ReadError> {
+    let mut columns = vec![Vec::new(); width];
     for (_, row) in lines(table) {
         let row = row.trim();
         if row.is_empty() || row.starts_with('#') {
             continue;
         }
-        let mut numbers = [0.0; 3];
-        let mut cells = row.split_whitespace();
-        let is_whole = numbers[..width].iter_mut().all(|slot| {
-            let number = cells.next().and_then(|cell| number::number(cell, false));
-            *slot = number.unwrap_or(0.0);
-            number.is_some()
-        });
-        if !is_whole || cells.next().is_some() {
+        let cells = row.split_whitespace().take(width + 1);
+        let numbers: Option<Vec<f64>> = cells.map(|cell| number::number(cell, false)).collect();
+        let Some(numbers) = numbers.filter(|numbers| numbers.len() == width) else {
             let error = input.error(quoted(row), format!("{width} numbers"));
-            let at = lines(text).find(|(_, line)| line.trim() == row);
-            return Err(match at {
+            return Err(match lines(text).find(|(_, line)| line.trim() == row) {
                 Some((line, _)) => error.at_line(line),
                 None => error,
             });
-        }
-        rows.push(numbers);
+        };
+        columns.iter_mut().zip(numbers).for_each(|(c, n)| c.push(n));
     }
-    Ok(rows)
+    Ok(columns)
 }
 
 fn read_formula(
@@ -237,10 +235,9 @@ fn read_formula(
         let found = format!("{} coefficients", coefficients.len());
         return Err(input.error(found, format!("at most {MOST_COEFFICIENTS}")));
     }
-    let range = if data.wavelength_range.trim().is_empty() {
-        &data.range
-    } else {
-        &data.wavelength_range
+    let range = match data.wavelength_range.trim() {
+        "" => &data.range,
+        range => range,
     };
     let range = numbers(range, "wavelength_range")?;
     let [from_um, to_um] = range[..] else {
@@ -278,18 +275,13 @@ fn clean(
 /// few wavelengths in common.
 fn reflectance(n: &Sampled, k: Option<&Sampled>) -> Option<(Sampled, &'static str)> {
     let inside = |nm: f64| k.is_none_or(|k| nm >= k.first_nm() && nm <= k.last_nm());
-    let points = n
-        .nm()
-        .iter()
-        .zip(n.values())
-        .filter(|(nm, _)| inside(**nm))
-        .map(|(nm, n)| {
-            let k = k.map_or(0.0, |k| k.at(*nm, Outside::Hold));
-            let squared = |real: f64| real * real + k * k;
-            (*nm, squared(n - 1.0) / squared(n + 1.0))
-        })
-        .filter(|(_, r)| r.is_finite());
-    let (nm, values) = points.unzip();
+    let points = n.nm().iter().zip(n.values());
+    let points = points.filter(|(nm, _)| inside(**nm)).map(|(nm, n)| {
+        let k = k.map_or(0.0, |k| k.at(*nm, Outside::Hold));
+        let squared = |real: f64| real * real + k * k;
+        (*nm, squared(n - 1.0) / squared(n + 1.0))
+    });
+    let (nm, values) = points.filter(|(_, r)| r.is_finite()).unzip();
     let how = if k.is_some() {
         "computed from n and k: ((n-1)^2+k^2)/((n+1)^2+k^2), normal incidence from air"
     } else {

@@ -1,18 +1,57 @@
-//! Pictures of colours: PNG files as red, green and blue of each pixel.
+//! PNG files: pictures as red, green and blue of each pixel, and the chunks they consist of.
 
-use std::{
-    fs::File,
-    io::{BufRead, BufReader},
-    path::Path,
-};
+use std::fs::File;
+use std::io::{BufRead, BufReader, Seek};
+use std::ops::Range;
+use std::path::Path;
 
-use crate::io::why_unopened;
+use png::{BitDepth, Decoder, DecodingError, Reader, Transformations};
+
+use crate::io::unopened::words as why_unopened;
 
 /// What every PNG file begins with.
-const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
+pub(crate) const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 /// What is said of a picture that memory does not hold.
 const TOO_LARGE: &str = "found a picture too large for memory, expected a smaller one";
+
+/// Kind of a chunk, and where its data stand in the file.
+pub(crate) type Chunk = ([u8; 4], Range<usize>);
+
+/// The chunks of a file to its end; `None` for what is no PNG. Found and expected where one is not
+/// whole, which is the last.
+pub(crate) fn chunks(bytes: &[u8]) -> Option<impl Iterator<Item = Result<Chunk, [String; 2]>>> {
+    let mut next = bytes.starts_with(SIGNATURE).then_some(SIGNATURE.len());
+    next?;
+    Some(std::iter::from_fn(move || {
+        let found = chunk(bytes, next?);
+        let is_last = |(kind, _): &Chunk| kind == b"IEND";
+        let goes_on = found.as_ref().ok().filter(|chunk| !is_last(chunk));
+        next = goes_on.map(|(_, data)| data.end + 4);
+        Some(found)
+    }))
+}
+
+/// The chunk at a place.
+fn chunk(bytes: &[u8], at: usize) -> Result<Chunk, [String; 2]> {
+    let short = || ["a PNG that ends early", "one to its IEND"].map(str::to_owned);
+    let word = |at: usize| {
+        let word = bytes.get(at..).and_then(<[u8]>::first_chunk::<4>);
+        word.copied().ok_or_else(short)
+    };
+    let (length, kind) = (u32::from_be_bytes(word(at)?), word(at + 4)?);
+    let end = (at + 8).checked_add(length as usize).ok_or_else(short)?;
+    let sum = word(end)?;
+    let mut check = flate2::Crc::new();
+    check.update(&bytes[at + 4..end]);
+    if check.sum().to_be_bytes() != sum {
+        // Any bytes may stand in a damaged file, line ends too.
+        let name = kind.escape_ascii();
+        let found = format!("a chunk {name} with a wrong check sum");
+        return Err([found, "a whole one".to_owned()]);
+    }
+    Ok((kind, at + 8..end))
+}
 
 /// A picture of colours.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,6 +71,27 @@ pub enum ColourPixels {
     Sixteen(Vec<u16>),
 }
 
+/// The numbers of a picture, and of how many channels they are. An error is `None` where memory
+/// does not hold it.
+pub(crate) fn frame<R: BufRead + Seek>(
+    mut reader: Reader<R>,
+) -> Result<(ColourPixels, usize), Option<DecodingError>> {
+    let mut data = vec![0; reader.output_buffer_size().ok_or(None)?];
+    let frame = reader.next_frame(&mut data)?;
+    data.truncate(frame.buffer_size());
+    let words = || {
+        data.as_chunks()
+            .0
+            .iter()
+            .map(|two| u16::from_be_bytes(*two))
+    };
+    let pixels = match frame.bit_depth {
+        BitDepth::Sixteen => ColourPixels::Sixteen(words().collect()),
+        _ => ColourPixels::Eight(data),
+    };
+    Ok((pixels, frame.color_type.samples()))
+}
+
 impl ColourPng {
     /// Reads a PNG file of at most so many pixels; what shines through is dropped.
     ///
@@ -46,13 +106,13 @@ impl ColourPng {
         if !file.fill_buf().map_err(unopened)?.starts_with(SIGNATURE) {
             return Err("found a file of another kind, expected a PNG picture".to_owned());
         }
-        let mut decoder = png::Decoder::new(file);
-        decoder.set_transformations(png::Transformations::EXPAND);
-        let refused = |why: png::DecodingError| match why {
-            png::DecodingError::LimitsExceeded => TOO_LARGE.to_owned(),
+        let mut decoder = Decoder::new(file);
+        decoder.set_transformations(Transformations::EXPAND);
+        let refused = |why: Option<DecodingError>| match why {
+            None | Some(DecodingError::LimitsExceeded) => TOO_LARGE.to_owned(),
             _ => "found a damaged picture, expected a whole PNG picture".to_owned(),
         };
-        let mut reader = decoder.read_info().map_err(refused)?;
+        let reader = decoder.read_info().map_err(|why| refused(Some(why)))?;
         let info = reader.info();
         let size = [info.width as usize, info.height as usize];
         if size[0].saturating_mul(size[1]) > most_pixels {
@@ -61,20 +121,9 @@ impl ColourPng {
                 size[0], size[1]
             ));
         }
-        let bytes = reader.output_buffer_size();
-        let bytes = bytes.ok_or(TOO_LARGE)?;
-        let mut data = vec![0; bytes];
-        let frame = reader.next_frame(&mut data).map_err(refused)?;
-        data.truncate(frame.buffer_size());
-        let channels = frame.color_type.samples();
-        let pixels = match frame.bit_depth {
-            png::BitDepth::Sixteen => {
-                let words = data
-                    .chunks_exact(2)
-                    .map(|two| u16::from_be_bytes([two[0], two[1]]));
-                ColourPixels::Sixteen(coloured(&words.collect::<Vec<u16>>(), channels))
-            }
-            _ => ColourPixels::Eight(coloured(&data, channels)),
+        let pixels = match frame(reader).map_err(refused)? {
+            (ColourPixels::Eight(bytes), n) => ColourPixels::Eight(coloured(&bytes, n)),
+            (ColourPixels::Sixteen(words), n) => ColourPixels::Sixteen(coloured(&words, n)),
         };
         Ok(Self { size, pixels })
     }
@@ -128,6 +177,15 @@ mod tests {
             assert_eq!(small.pixel(x, y), large.pixel(x, y));
         }
         assert_eq!(small.pixel(3, 0), None);
+    }
+
+    #[test]
+    fn a_damaged_chunk_is_refused_in_one_line() {
+        let bytes = [SIGNATURE, &[0; 4], b"ID\0\n", &[1, 2, 3, 4]].concat();
+        let mut found = chunks(&bytes).unwrap();
+        let [refusal, _] = found.next().unwrap().unwrap_err();
+        assert_eq!(refusal, "a chunk ID\\x00\\n with a wrong check sum");
+        assert!(found.next().is_none() && chunks(&bytes[1..]).is_none());
     }
 
     #[test]
