@@ -11,7 +11,7 @@
 
 use serde_json::Value;
 
-use super::foreign_json::spectrum::{numbers, word};
+use super::foreign_json::programs::{numbers, word};
 use super::{Confidence, Format};
 use crate::io::decode::json::any_json;
 use crate::io::interpret::{KnownScale, RawSpectrum, alone};

@@ -7,31 +7,13 @@ use crate::io::text::units::names_wavelength;
 /// Keys under which a sample's name stands.
 pub(super) const NAMES: [&str; 6] = ["name", "title", "label", "id", "sample", "description"];
 
-/// Keys that are no names of what stands under them.
-pub(super) const NO_NAMES: [&str; 22] = [
-    "data",
-    "spectrum",
-    "spectra",
-    "spectral data",
-    "values",
-    "value",
-    "points",
-    "samples",
-    "sample",
-    "measurements",
-    "measurement",
-    "results",
-    "result",
-    "spd",
-    "series",
-    "records",
-    "rows",
-    "items",
-    "meta",
-    "metadata",
-    "info",
-    "main",
-];
+/// Whether a key, its words set apart in small letters, is no name of what stands under it.
+pub(super) fn is_no_name(plain: &str) -> bool {
+    const NO_NAMES: &str = "data;spectrum;spectra;spectral data;values;value;points;samples;sample;\
+         measurements;measurement;results;result;spd;series;records;rows;items;meta;metadata;info;\
+         main";
+    NO_NAMES.split(';').any(|word| word == plain)
+}
 
 /// Whether a key is "x", which is mostly something else where another says that it is an axis.
 pub(super) fn is_x(key: &str) -> bool {
@@ -40,14 +22,14 @@ pub(super) fn is_x(key: &str) -> bool {
 
 /// Whether keys count rows from 0 or 1, as tables are written that have columns for objects.
 pub(super) fn row_numbers(object: &Object) -> bool {
-    let first = object
-        .first()
-        .and_then(|(key, _)| key.parse::<usize>().ok());
-    let Some(first @ 0..=1) = first else {
+    let number = |(key, _): &(String, Tree)| key.parse::<usize>().ok();
+    let Some(first @ 0..=1) = object.first().and_then(number) else {
         return false;
     };
-    let mut rows = object.iter().enumerate();
-    rows.all(|(row, (key, _))| key.parse() == Ok(row + first))
+    object
+        .iter()
+        .map(number)
+        .eq((first..first + object.len()).map(Some))
 }
 
 /// The values of a list, or of an object whose keys count rows.

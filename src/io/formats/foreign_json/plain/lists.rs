@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use super::DEPTH;
 use super::keys::{
-    NAMES, NO_NAMES, is_axis, is_x, items, numbers, one_number, row_numbers, says_nm, spaced,
+    NAMES, is_axis, is_no_name, is_x, items, numbers, one_number, row_numbers, says_nm, spaced,
 };
 use super::range::Ends;
 use crate::io::decode::json_tree::{Object, Tree};
@@ -162,13 +162,12 @@ fn gather<'a>(
             .for_each(|inner| gather(key, inner, name, length, depth, columns)),
         Tree::Object(object) => {
             let own = NAMES.iter().find_map(|name| get(object, name)?.text());
-            let is_named = !NO_NAMES.contains(&&*spaced(key).to_lowercase());
+            let is_named = !is_no_name(&spaced(key).to_lowercase());
             for (inner_key, inner) in object {
                 // Keys over lists of their own are names, unless they say what is measured:
                 // {"samples": {"A": [..]}}, {"A": {"reflectance": [..]}}.
                 let plain = spaced(inner_key).to_lowercase();
-                let says_what =
-                    NO_NAMES.contains(&&*plain) || kinds::kind_of_title(&plain).is_some();
+                let says_what = is_no_name(&plain) || kinds::kind_of_title(&plain).is_some();
                 let is_name = matches!(inner, Tree::List(_)) && !(says_what && is_named);
                 let name = own.or(is_name.then_some(inner_key)).or(Some(key));
                 gather(inner_key, inner, name, length, depth, columns);
@@ -218,27 +217,24 @@ pub(super) fn of_points(value: &Tree) -> Vec<Lists<'_>> {
     let Some(points) = points.collect::<Option<Vec<&Object>>>() else {
         return Vec::new();
     };
-    match by_sample(&points) {
-        Some((key, samples)) => {
-            let named = samples.into_iter().filter_map(|(name, points)| {
-                let mut lists = of_objects(&points)?;
-                lists.columns.retain(|column| column.title != key);
-                for column in &mut lists.columns {
-                    column.name = Some(name.clone());
-                }
-                Some(lists)
-            });
-            named.collect()
+    let Some((key, samples)) = by_sample(&points) else {
+        return of_objects(&points).into_iter().collect();
+    };
+    let named = samples.into_iter().filter_map(|(name, points)| {
+        let mut lists = of_objects(&points)?;
+        lists.columns.retain(|column| column.title != key);
+        for column in &mut lists.columns {
+            column.name = Some(name.clone());
         }
-        None => of_objects(&points).into_iter().collect(),
-    }
+        Some(lists)
+    });
+    named.collect()
 }
 
 /// The keys of a point that hold numbers, and which of them has the wavelengths.
 fn keys_of(point: &Object) -> Option<(Vec<&str>, usize)> {
-    let numbers = point
-        .iter()
-        .filter(|(_, value)| one_number(value).is_some());
+    let is_number = |(_, value): &&(String, Tree)| one_number(value).is_some();
+    let numbers = point.iter().filter(is_number);
     let keys: Vec<&str> = numbers.map(|(key, _)| key.as_str()).collect();
     let axis = keys.iter().position(|key| is_axis(key) && !is_x(key));
     let axis = axis.or_else(|| keys.iter().position(|key| is_axis(key)))?;
