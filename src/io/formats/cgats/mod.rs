@@ -48,23 +48,14 @@ pub(crate) const FORMAT: Format = Format {
 const MOST_SPECTRA: usize = 20_000;
 
 /// First words of files of the family.
-const FIRST_WORDS: [&str; 9] = [
-    "SPECT",
-    "CCSS",
-    "CCMX",
-    "CTI1",
-    "CTI2",
-    "CTI3",
-    "CAL",
-    "ISO28178",
-    "LGOROWLENGTH",
-];
+const FIRST_WORDS: &str = "SPECT;CCSS;CCMX;CTI1;CTI2;CTI3;CAL;ISO28178;LGOROWLENGTH";
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
     let first = head.split_whitespace().next().unwrap_or("");
-    let known =
-        FIRST_WORDS.contains(&first) || first.starts_with("CGATS") || first.starts_with("IT8.7/");
+    let known = FIRST_WORDS.split(';').any(|word| word == first)
+        || first.starts_with("CGATS")
+        || first.starts_with("IT8.7/");
     let begins = |line: &str| line.trim_start().starts_with("BEGIN_DATA_FORMAT");
     let holds = |word| head.contains(word);
     let has_word = || holds("BEGIN_DATA") || holds("KEYWORD") || holds("DESCRIPTOR");

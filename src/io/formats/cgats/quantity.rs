@@ -37,15 +37,10 @@ fn stated_kind(value: &str) -> Option<(Kind, &'static str)> {
 }
 
 /// Words of a description that name a light although no kind is stated.
-const LIGHTS: [&str; 12] = [
-    "illum", "light", "lamp", "daylight", "tungsten", "led", "d50", "d55", "d65", "d75", "power",
-    "emission",
-];
+const LIGHTS: &str = "illum;light;lamp;daylight;tungsten;led;d50;d55;d65;d75;power;emission";
 
 /// Words of a description that name samples.
-const SAMPLES: [&str; 7] = [
-    "sample", "chart", "checker", "paint", "paper", "target", "munsell",
-];
+const SAMPLES: &str = "sample;chart;checker;paint;paper;target;munsell";
 
 /// What the values of a table are: as its keywords state, else as labels, descriptions or the
 /// file's name tell, else by their size.
@@ -113,45 +108,53 @@ fn kind_of_labels(group: &Bands) -> Option<Decision<Kind>> {
     Some(Decision::guessed(kind, true, "the columns' labels"))
 }
 
+/// What the first of some keywords says that says anything, and whether that is plain.
+fn kind_of_keywords(
+    table: &CgatsTable,
+    keys: &[&str],
+    kind: impl Fn(&str) -> Option<(Kind, bool)>,
+) -> Option<Decision<Kind>> {
+    keys.iter().find_map(|key| {
+        let value = table.key(key)?;
+        let (kind, is_evident) = kind(value)?;
+        let says = format!("{key} says {}", quoted(value.trim()));
+        Some(Decision::guessed(kind, is_evident, says))
+    })
+}
+
 /// What the way of measuring tells.
 fn kind_of_measurement(table: &CgatsTable) -> Option<Decision<Kind>> {
-    const KEYS: [&str; 3] = [
+    let keys = [
         "MEASUREMENT_SOURCE",
         "MEASUREMENT_GEOMETRY",
         "MEASUREMENT_CONDITIONS",
     ];
-    KEYS.iter().find_map(|key| {
-        let value = table.key(key).unwrap_or("");
+    kind_of_keywords(table, &keys, |value| {
         let lower = value.to_lowercase();
         // A white that values are counted from makes them factors.
         let has_white = ["whitebase", "45/0", "d/8"]
             .iter()
             .any(|w| lower.contains(w));
         let white = has_white.then_some(Kind::Reflectance);
-        let kind = stated_kind(value).map(|(kind, _)| kind).or(white)?;
-        Some(Decision::guessed(kind, true, says(key, value)))
+        Some((stated_kind(value).map(|(kind, _)| kind).or(white)?, true))
     })
 }
 
 /// What descriptions tell.
 fn kind_of_description(table: &CgatsTable) -> Option<Decision<Kind>> {
-    const KEYS: [&str; 4] = ["DESCRIPTOR", "DISPLAY", "FILE_DESCRIPTOR", "TARGET_NAME"];
-    KEYS.iter().find_map(|key| {
-        let value = table.key(key).unwrap_or("");
+    let keys = ["DESCRIPTOR", "DISPLAY", "FILE_DESCRIPTOR", "TARGET_NAME"];
+    kind_of_keywords(table, &keys, |value| {
         let whole = value.to_lowercase();
         // Argyll writes it over lights and samples alike.
         let words = whole.replace("spectral power/reflectance information", "");
-        let light = LIGHTS.iter().any(|w| words.contains(w));
-        let sample = SAMPLES.iter().any(|w| words.contains(w));
-        let kind = if light {
-            Some(Kind::Light)
-        } else if sample {
-            Some(Kind::Reflectance)
-        } else {
-            kind_of_words(&words)
+        let light = LIGHTS.split(';').any(|w| words.contains(w));
+        let sample = SAMPLES.split(';').any(|w| words.contains(w));
+        let kind = match (light, sample) {
+            (true, _) => Kind::Light,
+            (false, true) => Kind::Reflectance,
+            _ => kind_of_words(&words)?,
         };
-        let is_evident = !(light && sample || words != whole);
-        kind.map(|kind| Decision::guessed(kind, is_evident, says(key, value)))
+        Some((kind, !(light && sample || words != whole)))
     })
 }
 
@@ -173,9 +176,4 @@ fn kind_of_rest(input: &Input, table: &CgatsTable, values: &[Vec<f64>]) -> Decis
     };
     let because = format!("nothing states it{because}");
     Decision::guessed(kind, false, because)
-}
-
-/// What a field says, in its own words.
-fn says(key: &str, value: &str) -> String {
-    format!("{key} says {}", quoted(value.trim()))
 }

@@ -20,16 +20,7 @@ const MOST_KEYS: usize = 10_000;
 const MOST_TABLES: usize = 1000;
 
 /// Fields that name a set, the best first.
-const NAMES: [&str; 8] = [
-    "SAMPLE_NAME",
-    "SAMPLENAME",
-    "SAMPLE_ID",
-    "SAMPLEID",
-    "SAMPLE_LOC",
-    "PATCH_NAME",
-    "NAME",
-    "STRING",
-];
+const NAMES: &str = "SAMPLE_NAME;SAMPLENAME;SAMPLE_ID;SAMPLEID;SAMPLE_LOC;PATCH_NAME;NAME;STRING";
 
 /// One table.
 #[derive(Debug, Default)]
@@ -73,8 +64,8 @@ impl<'a> Fields<'a> {
             .flat_map(|group| group.columns.iter().chain(&group.nm_columns));
         let mut spectral: Vec<usize> = columns.copied().collect();
         spectral.sort_unstable();
-        let place = |name: &&str| titles.iter().position(|t| t.eq_ignore_ascii_case(name));
-        let naming = NAMES.iter().filter_map(place).collect();
+        let place = |name: &str| titles.iter().position(|t| t.eq_ignore_ascii_case(name));
+        let naming = NAMES.split(';').filter_map(place).collect();
         Self {
             titles,
             line,

@@ -12,7 +12,7 @@
 //! ```
 
 mod plain;
-pub(super) mod programs;
+mod programs;
 
 use std::borrow::Cow;
 

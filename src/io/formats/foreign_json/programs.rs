@@ -2,7 +2,8 @@
 
 use serde_json::{Map, Value};
 
-use crate::io::error::{kept, quoted};
+use crate::io::decode::json::{number, numbers, word};
+use crate::io::error::quoted;
 use crate::io::interpret::curve::MOST_SAMPLES;
 use crate::io::interpret::{KnownScale, RawSpectrum, interpret, kinds};
 use crate::io::provenance::shortest;
@@ -74,30 +75,6 @@ fn add(
     interpret(raw, input, reading)?;
     reading.keep_scale_to_notes();
     Ok(())
-}
-
-/// A word at a place in the JSON, unless it is empty.
-pub(crate) fn word<'a>(value: &'a Value, pointer: &str) -> Option<&'a str> {
-    let text = value.pointer(pointer)?.as_str()?.trim();
-    (!text.is_empty()).then(|| kept(text))
-}
-
-/// A list of numbers; `null` stands for a missing one.
-pub(crate) fn numbers(input: &Input, list: &Value, what: &str) -> Result<Vec<f64>, ReadError> {
-    let other = || input.error(format!("{what} that is no list"), "a list of numbers");
-    let list = list.as_array().ok_or_else(other)?;
-    list.iter().map(|item| number(input, item, what)).collect()
-}
-
-fn number(input: &Input, item: &Value, what: &str) -> Result<f64, ReadError> {
-    match item {
-        Value::Null => Ok(f64::NAN),
-        Value::Number(number) => Ok(number.as_f64().unwrap_or(f64::NAN)),
-        other => {
-            let found = format!("{} in {what}", quoted(&other.to_string()));
-            Err(input.error(found, "a number"))
-        }
-    }
 }
 
 /// Adds a spectrum of colorimetry-io.

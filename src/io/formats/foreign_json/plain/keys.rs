@@ -26,10 +26,8 @@ pub(super) fn row_numbers(object: &Object) -> bool {
     let Some(first @ 0..=1) = object.first().and_then(number) else {
         return false;
     };
-    object
-        .iter()
-        .map(number)
-        .eq((first..first + object.len()).map(Some))
+    let rows = (first..first + object.len()).map(Some);
+    object.iter().map(number).eq(rows)
 }
 
 /// The values of a list, or of an object whose keys count rows.
@@ -45,8 +43,8 @@ pub(super) fn items(value: &Tree) -> Option<Vec<&Tree>> {
 
 /// At least two numbers; `null` and words for a gap stand for missing ones.
 pub(super) fn numbers(value: &Tree) -> Option<Vec<f64>> {
-    let list = items(value).filter(|list| list.len() > 1)?;
-    let list: Vec<f64> = list.into_iter().map(one_number).collect::<Option<_>>()?;
+    let list = items(value).filter(|list| list.len() > 1)?.into_iter();
+    let list: Vec<f64> = list.map(one_number).collect::<Option<_>>()?;
     list.iter().any(|number| !number.is_nan()).then_some(list)
 }
 
@@ -56,11 +54,8 @@ pub(super) fn one_number(value: &Tree) -> Option<f64> {
         Tree::Nothing => Some(f64::NAN),
         Tree::Number(number) => Some(*number),
         Tree::Text(text) => match number::parse(text, false) {
-            Cell::Number(number) | Cell::Nanometres(number) | Cell::WithUnit(number) => {
-                Some(number)
-            }
-            Cell::Gap => Some(f64::NAN),
-            Cell::Percent(_) | Cell::Limit(_) | Cell::Empty | Cell::Text => None,
+            Cell::Percent(_) | Cell::Limit(_) | Cell::Empty => None,
+            cell => cell.value(),
         },
         Tree::List(_) | Tree::Object(_) => None,
     }
@@ -68,9 +63,8 @@ pub(super) fn one_number(value: &Tree) -> Option<f64> {
 
 /// Whether a number has "nm" behind it.
 pub(super) fn says_nm(value: &Tree) -> bool {
-    value
-        .text()
-        .is_some_and(|text| text.trim_end().ends_with("nm"))
+    let ends = |text: &str| text.trim_end().ends_with("nm");
+    value.text().is_some_and(ends)
 }
 
 /// Whether a key says that wavelengths stand under it.
