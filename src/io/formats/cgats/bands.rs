@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 
-use super::tables::CgatsTable;
 use crate::io::write::argyll::LABELS_NM;
 
 /// Most kinds of columns, told by what their labels have in common, that are looked at.
@@ -96,11 +95,14 @@ pub(super) fn bands(fields: &[&str], stated: Option<f64>) -> Vec<Bands> {
     found
 }
 
-/// The wavelengths of a table's bands, and what is to be said about them.
-pub(super) fn grid(table: &CgatsTable, labels: &[f64]) -> (Vec<f64>, Option<String>) {
+/// Keywords that state how many bands there are, and the first and the last wavelength, nm.
+pub(super) const GRID: [&str; 3] = ["SPECTRAL_BANDS", "SPECTRAL_START_NM", "SPECTRAL_END_NM"];
+
+/// The wavelengths of bands by their labels and by what the keywords of [`GRID`] state, and what is
+/// to be said about them.
+pub(super) fn grid(stated: [Option<f64>; 3], labels: &[f64]) -> (Vec<f64>, Option<String>) {
     let of_labels = |note| (labels.to_vec(), note);
-    let stated = ["SPECTRAL_BANDS", "SPECTRAL_START_NM", "SPECTRAL_END_NM"]
-        .map(|key| table.number(key).filter(|v| v.is_finite()));
+    let stated = stated.map(|number| number.filter(|v| v.is_finite()));
     let [Some(bands), Some(start), Some(end)] = stated else {
         return of_labels(None);
     };

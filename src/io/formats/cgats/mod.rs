@@ -32,7 +32,7 @@ use crate::io::interpret::factor_scale::KnownScale;
 use crate::io::interpret::interpret;
 use crate::io::interpret::raw::RawSpectrum;
 use crate::io::{Input, ReadError, Reading};
-use bands::{Bands, bands, grid};
+use bands::{Bands, GRID, grid};
 use quantity::quantity;
 use tables::CgatsTable;
 
@@ -145,7 +145,7 @@ fn read_group(
     } else if values.is_empty() {
         return Ok(());
     } else if group.nm_columns.is_empty() {
-        let (axis, about) = grid(table, &group.labels);
+        let (axis, about) = grid(GRID.map(|key| table.number(key)), &group.labels);
         (axes, note) = (vec![axis], about);
     }
     let found = quantity(input, table, group, &values);

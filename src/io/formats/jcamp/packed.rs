@@ -23,16 +23,14 @@ use crate::io::text::number;
 /// What stands on a line.
 #[derive(Clone, Copy, PartialEq)]
 enum Form {
-    /// A number without a letter.
+    /// A number without a letter: the abscissa, then ordinates.
     Plain,
-    /// A question mark: a missing ordinate.
-    Gap,
-    /// An ordinate.
     Value,
-    /// A difference.
     Difference,
-    /// How many times the number before stands there.
+    /// How many times the number before stands there in all.
     Repeat,
+    /// A question mark for a missing ordinate.
+    Gap,
 }
 
 /// The letters that are first digits: from and to, what number they begin, the digit and the sign
