@@ -138,21 +138,22 @@ fn range(input: &Input, axis: &Value, values: usize) -> Result<Vec<f64>, ReadErr
     Ok((0..=steps as usize).map(at).collect())
 }
 
-/// Wavelengths of a table's keys in rising order, and their places in it.
-fn wavelengths(
+/// A table's keys as wavelengths in rising order, and what stands under each.
+fn keyed<T>(
     input: &Input,
     table: &Map<String, Value>,
-) -> Result<(Vec<f64>, Vec<usize>), ReadError> {
-    // Keys are in the order of the parser, which need not be that of the numbers.
-    let nm = |(index, key): (usize, &String)| {
+    cells: impl Fn(&Value) -> Result<T, ReadError>,
+) -> Result<(Vec<f64>, Vec<T>), ReadError> {
+    let nm = |key: &String| {
         let nm = number::number(key.trim(), false).filter(|v| v.is_finite());
-        let other = || input.error(quoted(key), "a wavelength in nm as key");
-        Ok((nm.ok_or_else(other)?, index))
+        nm.ok_or_else(|| input.error(quoted(key), "a wavelength in nm as key"))
     };
-    let mut order: Vec<(f64, usize)> =
-        table.keys().enumerate().map(nm).collect::<Result<_, _>>()?;
-    order.sort_by(|a, b| a.0.total_cmp(&b.0));
-    Ok(order.into_iter().unzip())
+    let nm = table.keys().map(nm).collect::<Result<Vec<_>, _>>()?;
+    let cells = table.values().map(cells).collect::<Result<Vec<_>, _>>()?;
+    // Keys are in the order of the parser, which need not be that of the numbers.
+    let mut rows: Vec<(f64, T)> = nm.into_iter().zip(cells).collect();
+    rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+    Ok(rows.into_iter().unzip())
 }
 
 /// Adds the channels of a rawtoaces file.
@@ -162,9 +163,7 @@ fn read_rawtoaces(
     main: &Map<String, Value>,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
-    let (nm, places) = wavelengths(input, main)?;
-    let rows = main.values().map(|row| numbers(input, row, "\"main\""));
-    let rows: Vec<Vec<f64>> = rows.collect::<Result<_, _>>()?;
+    let (nm, rows) = keyed(input, main, |row| numbers(input, row, "\"main\""))?;
     let width = rows.iter().map(Vec::len).max().unwrap_or(0);
     // Each is gone through with every wavelength, also where most rows are empty.
     if width > MOST_CHANNELS {
@@ -177,7 +176,7 @@ fn read_rawtoaces(
     let title = word(value, "/header/description").unwrap_or(input.stem());
     let unit = word(value, "/spectral_data/units").unwrap_or("");
     for column in 0..width {
-        let cell = |row: &usize| rows[*row].get(column).copied().unwrap_or(f64::NAN);
+        let cell = |row: &Vec<f64>| row.get(column).copied().unwrap_or(f64::NAN);
         let channel = names.get(column).copied().unwrap_or("");
         let said = Said {
             name: match width {
@@ -192,7 +191,7 @@ fn read_rawtoaces(
             percent: unit.to_lowercase().contains("percent").then_some(true),
             source: word(value, "/header/laboratory"),
         };
-        add(input, said, &nm, places.iter().map(cell).collect(), reading)?;
+        add(input, said, &nm, rows.iter().map(cell).collect(), reading)?;
     }
     Ok(())
 }
@@ -204,10 +203,7 @@ fn read_tobes(
     spd: &Map<String, Value>,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
-    let (nm, places) = wavelengths(input, spd)?;
-    let unordered = spd.values().map(|item| number(input, item, "\"spd\""));
-    let unordered: Vec<f64> = unordered.collect::<Result<_, _>>()?;
-    let values = places.iter().map(|place| unordered[*place]).collect();
+    let (nm, values) = keyed(input, spd, |item| number(input, item, "\"spd\""))?;
     let unit = word(value, "/y_axis").or_else(|| word(value, "/units"));
     let said = Said {
         name: word(value, "/name").unwrap_or(input.stem()).to_owned(),
