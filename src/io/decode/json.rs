@@ -1,5 +1,8 @@
 //! JSON as a whole, and its faults in words.
 
+use serde_json::Value;
+
+use crate::io::error::{kept, quoted};
 use crate::io::{Input, ReadError, budget};
 
 /// Memory that the parser takes for a value in a list, and for one with a key, in bytes.
@@ -10,13 +13,9 @@ const KEYED_BYTES: usize = 130;
 ///
 /// # Errors
 /// [`ReadError`] for broken JSON, or more values than fit into the memory that the file may take.
-pub(crate) fn any_json(input: &Input, text: &str) -> Result<serde_json::Value, ReadError> {
-    check_room(
-        input,
-        text,
-        [VALUE_BYTES, KEYED_BYTES],
-        budget::of(text.len()) / 2,
-    )?;
+pub(crate) fn any_json(input: &Input, text: &str) -> Result<Value, ReadError> {
+    let most = budget::of(text.len()) / 2;
+    check_room(input, text, [VALUE_BYTES, KEYED_BYTES], most)?;
     serde_json::from_str(text).map_err(|error| json_error(input, &error))
 }
 
@@ -50,13 +49,37 @@ pub(crate) fn json_error(input: &Input, error: &serde_json::Error) -> ReadError 
         let found = "JSON of more than 127 lists in one another";
         return input.error(found, "fewer").at_line(error.line());
     }
-    let (found, expected) = text
-        .split_once(", expected ")
-        .or_else(|| text.split_once(" expected "))
-        .unwrap_or((text, "valid JSON of this format"));
+    let parted = text.split_once(", expected ");
+    let parted = parted.or_else(|| text.split_once(" expected "));
+    let (found, expected) = parted.unwrap_or((text, "valid JSON of this format"));
     let refusal = input.error(format!("JSON with {found}"), expected);
     match error.line() {
         0 => refusal,
         line => refusal.at_line(line),
+    }
+}
+
+/// A word at a place in the JSON, unless it is empty.
+pub(crate) fn word<'a>(value: &'a Value, pointer: &str) -> Option<&'a str> {
+    let text = value.pointer(pointer)?.as_str()?.trim();
+    (!text.is_empty()).then(|| kept(text))
+}
+
+/// A list of numbers.
+pub(crate) fn numbers(input: &Input, list: &Value, what: &str) -> Result<Vec<f64>, ReadError> {
+    let other = || input.error(format!("{what} that is no list"), "a list of numbers");
+    let list = list.as_array().ok_or_else(other)?;
+    list.iter().map(|item| number(input, item, what)).collect()
+}
+
+/// A number; `null` stands for a missing one.
+pub(crate) fn number(input: &Input, item: &Value, what: &str) -> Result<f64, ReadError> {
+    match item {
+        Value::Null => Ok(f64::NAN),
+        Value::Number(number) => Ok(number.as_f64().unwrap_or(f64::NAN)),
+        other => {
+            let found = format!("{} in {what}", quoted(&other.to_string()));
+            Err(input.error(found, "a number"))
+        }
     }
 }

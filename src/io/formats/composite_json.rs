@@ -18,11 +18,9 @@
 //! The Fourier `a0` is the paper's, halved in the series; the cosine `c0` is not. A Fourier series
 //! whose last sine was dropped is written with a zero in its place.
 
-use std::fmt;
-
 use serde::{Deserialize, Serialize};
 
-use crate::spectrum::{Band, Basis, Composite, Kind, Line, Series};
+use crate::spectrum::{Band, BandError, Basis, Composite, Kind, Line, Series};
 
 use super::{Confidence, Format};
 use crate::io::decode::json::json_error;
@@ -60,7 +58,6 @@ struct File {
     source: String,
     #[serde(default, skip_serializing_if = "String::is_empty")]
     name: String,
-    #[serde(default)]
     kind: Option<Kind>,
     #[serde(default, skip_serializing_if = "String::is_empty")]
     scale_in_force: String,
@@ -71,11 +68,11 @@ struct File {
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Coefficients {
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     a: Option<Vec<f64>>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     b: Option<Vec<f64>>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     c: Option<Vec<f64>>,
 }
 
@@ -83,7 +80,7 @@ struct Coefficients {
 struct LineJson {
     at_nm: f64,
     weight: f64,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     fwhm_nm: Option<f64>,
 }
 
@@ -121,7 +118,8 @@ pub fn in_words(composite: &Composite) -> String {
 }
 
 /// Why something is no composite.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("found {found}, expected {expected}")]
 pub struct CompositeTextError {
     /// What stands there.
     pub found: String,
@@ -143,64 +141,39 @@ impl CompositeTextError {
     }
 }
 
-impl fmt::Display for CompositeTextError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "found {}, expected {}", self.found, self.expected)
-    }
-}
-
-impl std::error::Error for CompositeTextError {}
-
 /// What a file holds; `stem` is what a composite without a name is called.
 fn composite_of(file: File, stem: &str) -> Result<CompositeFile, CompositeTextError> {
-    let File {
-        format,
-        version,
-        range_nm: [min, max],
-        basis,
-        coefficients,
-        spikes,
-        unit,
-        source,
-        mut name,
-        kind,
-        scale_in_force: _,
-        written_by: _,
-    } = file;
-    if format != FORMAT_WORD {
-        let found = format!("format \"{format}\"");
+    if file.format != FORMAT_WORD {
+        let found = format!("format \"{}\"", file.format);
         return Err(CompositeTextError::new(found, format!("\"{FORMAT_WORD}\"")));
     }
     let [first, last] = VERSIONS;
-    if !VERSIONS.contains(&version) {
+    if !VERSIONS.contains(&file.version) {
+        let found = format!("version {}", file.version);
         let expected = format!("version {first} or {last}");
-        return Err(CompositeTextError::new(
-            format!("version {version}"),
-            expected,
-        ));
+        return Err(CompositeTextError::new(found, expected));
     }
-    let band = Band::new(min, max).map_err(|error| {
+    let [min, max] = file.range_nm;
+    let off = |error: BandError| {
         CompositeTextError::new(format!("range_nm [{min}, {max}]"), error.to_string())
-    })?;
-    let coefficients = prefix_order(basis, coefficients)?;
-    let lines = spikes.into_iter().map(|line| {
-        let fwhm_nm = line.fwhm_nm.filter(|_| version == last);
-        Line {
-            at_nm: line.at_nm,
-            weight: line.weight,
-            fwhm_nm: fwhm_nm.unwrap_or(0.0),
-        }
+    };
+    let band = Band::new(min, max).map_err(off)?;
+    let coefficients = prefix_order(file.basis, file.coefficients)?;
+    let has_widths = file.version == last;
+    let lines = file.spikes.into_iter().map(|line| Line {
+        at_nm: line.at_nm,
+        weight: line.weight,
+        fwhm_nm: line.fwhm_nm.filter(|_| has_widths).unwrap_or(0.0),
     });
-    let composite = checked(band, basis, coefficients, lines.collect())?;
-    if name.is_empty() {
-        stem.clone_into(&mut name);
-    }
     Ok(CompositeFile {
-        composite,
-        unit,
-        source,
-        name,
-        kind: kind.unwrap_or(Kind::Light),
+        composite: checked(band, file.basis, coefficients, lines.collect())?,
+        unit: file.unit,
+        source: file.source,
+        name: match file.name.is_empty() {
+            true => stem.to_owned(),
+            false => file.name,
+        },
+        kind: file.kind.unwrap_or(Kind::Light),
     })
 }
 
@@ -241,41 +214,35 @@ pub(super) fn checked(
     coefficients: Vec<f64>,
     lines: Vec<Line>,
 ) -> Result<Composite, CompositeTextError> {
-    let widths = lines.iter().map(|line| line.fwhm_nm);
-    if let Some(odd) = widths
-        .into_iter()
-        .find(|width| !(0.0..=WIDEST_NM).contains(width))
-    {
+    let odd = |found: String, expected: String| Err(CompositeTextError::new(found, expected));
+    let mut widths = lines.iter().map(|line| line.fwhm_nm);
+    if let Some(width) = widths.find(|width| !(0.0..=WIDEST_NM).contains(width)) {
         let expected = format!("a width of 0 to {WIDEST_NM} nm");
-        return Err(CompositeTextError::new(
-            format!("a line {odd} nm wide"),
-            expected,
-        ));
+        return odd(format!("a line {width} nm wide"), expected);
     }
     let most = 2 * Basis::highest_order(band) + 1;
-    if coefficients.is_empty() || coefficients.len() > most {
+    if !(1..=most).contains(&coefficients.len()) {
         let found = format!("{} coefficients", coefficients.len());
-        let expected = format!("1 to {most} on this range");
-        return Err(CompositeTextError::new(found, expected));
+        return odd(found, format!("1 to {most} on this range"));
     }
-    if let Some(odd) = coefficients.iter().find(|c| !is_measured(**c)) {
-        let found = format!("the coefficient {odd}");
-        return Err(CompositeTextError::new(found, "a number below 1e30"));
+    if let Some(c) = coefficients.iter().find(|c| !is_measured(**c)) {
+        return odd(
+            format!("the coefficient {c}"),
+            "a number below 1e30".to_owned(),
+        );
     }
     for Line { at_nm, weight, .. } in &lines {
         if !is_measured(*at_nm) || *at_nm <= 0.0 || !is_measured(*weight) {
-            return Err(CompositeTextError::new(
+            let expected = "a wavelength above 0 and a weight below 1e30";
+            return odd(
                 format!("a spike of {weight} at {at_nm} nm"),
-                "a wavelength above 0 and a weight below 1e30",
-            ));
+                expected.to_owned(),
+            );
         }
         if !band.contains(*at_nm) {
             let (from, to) = (band.min_nm(), band.max_nm());
             let expected = format!("lines on the composite's range, {from} to {to} nm");
-            return Err(CompositeTextError::new(
-                format!("a line at {at_nm} nm"),
-                expected,
-            ));
+            return odd(format!("a line at {at_nm} nm"), expected);
         }
     }
     let smooth = Series {
@@ -291,23 +258,15 @@ pub(super) fn checked(
 /// # Errors
 /// [`WriteError`] when a number is not finite, which JSON cannot hold.
 pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
-    let CompositeFile {
-        composite,
-        unit,
-        source,
-        name,
-        kind,
-    } = file;
+    let (composite, name) = (&file.composite, &file.name);
     let (smooth, lines) = (composite.smooth(), composite.lines());
     let of_lines = lines
         .iter()
         .flat_map(|line| [line.at_nm, line.weight, line.fwhm_nm]);
     let numbers = smooth.coefficients.iter().copied();
     if !numbers.chain(of_lines).all(f64::is_finite) || smooth.coefficients.is_empty() {
-        return Err(WriteError::new(
-            name,
-            "found a coefficient or spike that is not finite, expected numbers",
-        ));
+        let why = "found a coefficient or spike that is not finite, expected numbers";
+        return Err(WriteError::new(name, why));
     }
     let (ab, c) = match smooth.basis {
         Basis::Fourier => (Some(smooth.a_b()), None),
@@ -326,10 +285,10 @@ pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
         basis: smooth.basis,
         coefficients: Coefficients { a, b, c },
         spikes: lines.iter().map(line).collect(),
-        unit: unit.clone(),
-        source: source.clone(),
+        unit: file.unit.clone(),
+        source: file.source.clone(),
         name: name.clone(),
-        kind: Some(*kind),
+        kind: Some(file.kind),
         scale_in_force: "as measured".to_owned(),
         written_by: format!("Spectral Explorer {}", env!("CARGO_PKG_VERSION")),
     };

@@ -11,9 +11,8 @@
 
 use serde_json::Value;
 
-use super::foreign_json::spectrum::{numbers, word};
 use super::{Confidence, Format};
-use crate::io::decode::json::any_json;
+use crate::io::decode::json::{any_json, numbers, word};
 use crate::io::interpret::{KnownScale, RawSpectrum, alone};
 use crate::io::{Decision, Input, ReadError, Reading};
 use crate::spectrum::Kind;

@@ -228,7 +228,7 @@ fn sorted_steps(numbers: &[f64]) -> Option<Vec<f64>> {
 }
 
 /// Whether numbers rise throughout, or fall.
-pub(super) fn runs_one_way(numbers: &[f64]) -> bool {
+pub(in crate::io) fn runs_one_way(numbers: &[f64]) -> bool {
     numbers.is_sorted_by(|a, b| a < b) || numbers.is_sorted_by(|a, b| a > b)
 }
 

@@ -136,6 +136,9 @@ fn keys_above_tables_are_names_in_the_order_of_the_file() {
     ] {
         assert_eq!(names(&read(text)), ["D65", "A"], "{text}");
     }
+    let numbers = read(r#"{"b":{"400":1,"410":-2,"420":0.5,"430":null},"a":{"400":3,"410":4}}"#);
+    assert_eq!(names(&numbers), ["b", "a"]);
+    assert_eq!(numbers.spectra[0].samples.values(), [1.0, -2.0, 0.5]);
     let kinds =
         read(r#"{"reflectance":{"400":0.5,"410":0.4},"transmittance":{"400":0.1,"410":0.2}}"#);
     assert_eq!(names(&kinds), ["a reflectance", "a transmittance"]);

@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 
-use super::tables::CgatsTable;
 use crate::io::write::argyll::LABELS_NM;
 
 /// Most kinds of columns, told by what their labels have in common, that are looked at.
@@ -11,11 +10,14 @@ const MOST_GROUPS: usize = 1000;
 /// Fewest columns of one kind that are a spectrum.
 const FEWEST_BANDS: usize = 3;
 
+/// Columns of values behind those of their wavelengths.
+const VALUES: [&str; 3] = ["SPECTRAL_DEC", "SPECTRAL_PCT", "SPECTRAL_VAL"];
+
 /// Largest difference of a rounded label from its wavelength, nm.
 const ROUNDED_NM: f64 = 0.5 + 1e-6;
 
 /// Columns that make one spectrum a set.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Bands {
     /// What their labels have in common: `SPEC_`, `nm`.
     pub word: String,
@@ -49,40 +51,30 @@ fn label(field: &str) -> Option<(f64, String)> {
 ///
 /// Two columns are a spectrum where the header states two bands (`stated`).
 pub(super) fn bands(fields: &[&str], stated: Option<f64>) -> Vec<Bands> {
-    let mut groups: HashMap<String, usize> = HashMap::new();
+    let mut places: HashMap<String, usize> = HashMap::new();
     let mut found: Vec<Bands> = Vec::new();
-    let mut last_nm_column = None;
+    let mut nm_column = None;
     for (column, field) in fields.iter().enumerate() {
-        let upper = if field.len() <= 64 {
-            field.to_uppercase()
-        } else {
-            String::new()
-        };
         // CGATS.17: a column with the wavelength before each column with the value.
-        if upper == "SPECTRAL_NM" {
-            last_nm_column = Some(column);
+        if field.eq_ignore_ascii_case("SPECTRAL_NM") {
+            nm_column = Some(column);
             continue;
         }
-        let pair = matches!(
-            upper.as_str(),
-            "SPECTRAL_DEC" | "SPECTRAL_PCT" | "SPECTRAL_VAL"
-        );
-        let (word, nm) = match (pair, last_nm_column.take(), label(field)) {
-            (true, Some(nm_column), _) => (upper, Err(nm_column)),
+        let is = |word: &&&str| field.eq_ignore_ascii_case(word);
+        let (word, nm) = match (VALUES.iter().find(is), nm_column.take(), label(field)) {
+            (Some(word), Some(nm_column), _) => ((*word).to_owned(), Err(nm_column)),
             (_, _, Some((nm, word))) => (word, Ok(nm)),
             _ => continue,
         };
         let next = found.len();
-        if next >= MOST_GROUPS && !groups.contains_key(&word) {
+        if next >= MOST_GROUPS && !places.contains_key(&word) {
             continue;
         }
-        let at = *groups.entry(word.clone()).or_insert(next);
+        let at = *places.entry(word.clone()).or_insert(next);
         if at == next {
             found.push(Bands {
                 word,
-                columns: Vec::new(),
-                labels: Vec::new(),
-                nm_columns: Vec::new(),
+                ..Bands::default()
             });
         }
         let group = &mut found[at];
@@ -103,46 +95,40 @@ pub(super) fn bands(fields: &[&str], stated: Option<f64>) -> Vec<Bands> {
     found
 }
 
-/// The wavelengths of a table's bands, and what is to be said about them.
-pub(super) fn grid(table: &CgatsTable, labels: &[f64]) -> (Vec<f64>, Option<String>) {
-    let number = |key: &str| table.number(key).filter(|v| v.is_finite());
-    let stated = (
-        number("SPECTRAL_BANDS"),
-        number("SPECTRAL_START_NM"),
-        number("SPECTRAL_END_NM"),
-    );
-    let (Some(bands), Some(start), Some(end)) = stated else {
-        return (labels.to_vec(), None);
+/// Keywords that state how many bands there are, and the first and the last wavelength, nm.
+pub(super) const GRID: [&str; 3] = ["SPECTRAL_BANDS", "SPECTRAL_START_NM", "SPECTRAL_END_NM"];
+
+/// The wavelengths of bands by their labels and by what the keywords of [`GRID`] state, and what is
+/// to be said about them.
+pub(super) fn grid(stated: [Option<f64>; 3], labels: &[f64]) -> (Vec<f64>, Option<String>) {
+    let of_labels = |note| (labels.to_vec(), note);
+    let stated = stated.map(|number| number.filter(|v| v.is_finite()));
+    let [Some(bands), Some(start), Some(end)] = stated else {
+        return of_labels(None);
     };
     let header = format!("SPECTRAL_BANDS {bands} from {start} to {end} nm");
-    let (first, last) = (labels[0], labels[labels.len() - 1]);
-    let columns = format!("{} columns from {first} to {last} nm", labels.len());
-    if bands != labels.len() as f64 || labels.len() < 2 {
-        let note =
-            format!("the header says {header} and there are {columns}: the columns are believed");
-        return (labels.to_vec(), Some(note));
+    let (count, first, last) = (labels.len(), labels[0], labels[labels.len() - 1]);
+    let columns = format!("{count} columns from {first} to {last} nm");
+    if bands != count as f64 || count < 2 {
+        return of_labels(Some(format!(
+            "the header says {header} and there are {columns}: the columns are believed"
+        )));
     }
     let step = (end - start) / (bands - 1.0);
-    let even: Vec<f64> = (0..labels.len()).map(|i| start + step * i as f64).collect();
-    let largest = labels
-        .iter()
-        .zip(&even)
-        .map(|(a, b)| (a - b).abs())
-        .fold(0.0, f64::max);
-    let whole = labels.iter().all(|nm| nm.fract() == 0.0);
+    let even: Vec<f64> = (0..count).map(|i| start + step * i as f64).collect();
+    let off = labels.iter().zip(&even).map(|(a, b)| (a - b).abs());
+    let largest = off.fold(0.0, f64::max);
     // Labels with decimals are rounded much finer.
-    let most = if whole { ROUNDED_NM } else { 0.06 };
-    if largest > most {
-        let note = format!(
+    let are_whole = labels.iter().all(|nm| nm.fract() == 0.0);
+    if largest > if are_whole { ROUNDED_NM } else { 0.06 } {
+        return of_labels(Some(format!(
             "the header says {header} and the labels are {columns}: the labels are believed"
-        );
-        (labels.to_vec(), Some(note))
-    } else if largest > 1e-9 {
-        let note = format!(
-            "labels are rounded, by up to {largest:.3} nm: the header's {header} is believed"
-        );
-        (even, Some(note))
-    } else {
-        (labels.to_vec(), None)
+        )));
     }
+    if largest <= 1e-9 {
+        return of_labels(None);
+    }
+    let note =
+        format!("labels are rounded, by up to {largest:.3} nm: the header's {header} is believed");
+    (even, Some(note))
 }

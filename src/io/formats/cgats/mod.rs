@@ -32,7 +32,7 @@ use crate::io::interpret::factor_scale::KnownScale;
 use crate::io::interpret::interpret;
 use crate::io::interpret::raw::RawSpectrum;
 use crate::io::{Input, ReadError, Reading};
-use bands::{Bands, bands, grid};
+use bands::{Bands, GRID, grid};
 use quantity::quantity;
 use tables::CgatsTable;
 
@@ -48,96 +48,47 @@ pub(crate) const FORMAT: Format = Format {
 const MOST_SPECTRA: usize = 20_000;
 
 /// First words of files of the family.
-const FIRST_WORDS: [&str; 9] = [
-    "SPECT",
-    "CCSS",
-    "CCMX",
-    "CTI1",
-    "CTI2",
-    "CTI3",
-    "CAL",
-    "ISO28178",
-    "LGOROWLENGTH",
-];
+const FIRST_WORDS: &str = "SPECT;CCSS;CCMX;CTI1;CTI2;CTI3;CAL;ISO28178;LGOROWLENGTH";
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
     let first = head.split_whitespace().next().unwrap_or("");
-    let known =
-        FIRST_WORDS.contains(&first) || first.starts_with("CGATS") || first.starts_with("IT8.7/");
-    let begins = head
-        .lines()
-        .any(|line| line.trim_start().starts_with("BEGIN_DATA_FORMAT"));
-    let has_word = || {
-        ["BEGIN_DATA", "KEYWORD", "DESCRIPTOR"]
-            .iter()
-            .any(|w| head.contains(w))
-    };
-    Confidence::certain_if(begins || known && has_word())
+    let known = FIRST_WORDS.split(';').any(|word| word == first)
+        || first.starts_with("CGATS")
+        || first.starts_with("IT8.7/");
+    let begins = |line: &str| line.trim_start().starts_with("BEGIN_DATA_FORMAT");
+    let holds = |word| head.contains(word);
+    let has_word = || holds("BEGIN_DATA") || holds("KEYWORD") || holds("DESCRIPTOR");
+    Confidence::certain_if(head.lines().any(begins) || known && has_word())
 }
 
-/// Fields that name a set, the best first.
-const NAMES: [&str; 8] = [
-    "SAMPLE_NAME",
-    "SAMPLENAME",
-    "SAMPLE_ID",
-    "SAMPLEID",
-    "SAMPLE_LOC",
-    "PATCH_NAME",
-    "NAME",
-    "STRING",
-];
-
 fn name(input: &Input, table: &CgatsTable, set: usize, several: bool) -> String {
-    let given = NAMES.iter().find_map(|field| {
-        let mut fields = table.fields.iter();
-        let at = fields.position(|f| f.eq_ignore_ascii_case(field))?;
-        let at = table.word_columns.iter().position(|c| *c == at)?;
-        let word = table.words.get(set * table.word_columns.len() + at)?.trim();
-        (!word.is_empty()).then_some(word)
-    });
-    match given {
-        Some(word) if word.contains(|c: char| c.is_alphabetic()) => word.to_owned(),
-        Some(number) if several => format!("{}, {number}", input.stem()),
-        None if several => format!("{}, set {}", input.stem(), set + 1),
-        None if table.is_own() => table.key("DESCRIPTOR").unwrap_or(input.stem()).to_owned(),
+    match table.names.get(set).copied().unwrap_or("") {
+        word if word.contains(char::is_alphabetic) => word.to_owned(),
+        "" if several => format!("{}, set {}", input.stem(), set + 1),
+        "" if table.is_own() => table.key("DESCRIPTOR").unwrap_or(input.stem()).to_owned(),
+        number if several => format!("{}, {number}", input.stem()),
         _ => input.stem().to_owned(),
     }
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
-    let stated = text.lines().find_map(|line| {
-        let bands = line.trim_start().strip_prefix("SPECTRAL_BANDS")?;
-        bands.trim_matches([' ', '\t', '"']).parse().ok()
-    });
-    let wanted = |fields: &[&str]| -> (Vec<usize>, Vec<usize>) {
-        let mut numbers: Vec<usize> = bands(fields, stated)
-            .iter()
-            .flat_map(|g| g.columns.iter().chain(&g.nm_columns))
-            .copied()
-            .collect();
-        numbers.sort_unstable();
-        let is_name = |at: &usize| NAMES.iter().any(|n| fields[*at].eq_ignore_ascii_case(n));
-        let words = (0..fields.len()).filter(is_name).take(NAMES.len());
-        (numbers, words.collect())
-    };
-    let tables = tables::tables(input, text, &wanted)?;
+    let tables = tables::tables(input, text)?;
     let mut reading = Reading::default();
-    let has_spectra = |table: &&CgatsTable| !table.number_columns.is_empty();
+    let has_spectra = |table: &&CgatsTable| !table.fields.bands.is_empty();
     let several_tables = tables.iter().filter(has_spectra).count() > 1;
     for (index, table) in tables.iter().enumerate() {
-        let groups = bands(&table.fields, stated);
-        let several_groups = groups.len() > 1;
+        let groups = &table.fields.bands;
         if reading.spectra.len() + groups.len() * table.sets() > MOST_SPECTRA {
             let found = format!("more than {MOST_SPECTRA} spectra");
             return Err(input.error(found, "a smaller file"));
         }
-        for group in &groups {
-            read_group(input, table, group, several_groups, &mut reading)?;
+        for group in groups {
+            read_group(input, table, group, &mut reading)?;
         }
         reading.notes.extend(table.notes.iter().cloned());
-        if several_tables && !groups.is_empty() {
+        if several_tables && has_spectra(&table) {
             let note = format!("table {}: {} sets", index + 1, table.sets());
             reading.notes.push(note);
         }
@@ -146,61 +97,6 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         return Err(nothing_in(input, &tables));
     }
     Ok(reading)
-}
-
-/// The spectra of a group of columns.
-struct Sets {
-    /// Of each spectrum.
-    values: Vec<Vec<f64>>,
-    /// Wavelengths of each spectrum, or of all.
-    axes: Vec<Vec<f64>>,
-    /// Lines of the spectra, from 1.
-    lines: Vec<u32>,
-    /// What is to be said of the wavelengths.
-    note: Option<String>,
-}
-
-impl Sets {
-    /// Those of a table; `None` where it holds none.
-    fn of(table: &CgatsTable, group: &Bands) -> Option<Self> {
-        let at = |columns: &[usize]| -> Vec<usize> {
-            columns
-                .iter()
-                .filter_map(|c| table.number_columns.binary_search(c).ok())
-                .collect()
-        };
-        let (columns, nm_columns) = (at(&group.columns), at(&group.nm_columns));
-        let row = |set: usize, columns: &[usize]| -> Vec<f64> {
-            let row = &table.numbers[set * table.number_columns.len()..];
-            columns.iter().map(|c| row[*c]).collect()
-        };
-        let rows = |columns: &[usize]| -> Vec<Vec<f64>> {
-            (0..table.sets()).map(|set| row(set, columns)).collect()
-        };
-        let mut sets = Self {
-            values: rows(&columns),
-            axes: Vec::new(),
-            lines: table.lines.clone(),
-            note: None,
-        };
-        if nm_columns.is_empty() {
-            if sets.values.is_empty() {
-                return None;
-            }
-            let (axis, note) = grid(table, &group.labels);
-            (sets.axes, sets.note) = (vec![axis], note);
-        } else if nm_columns.len() == 1 {
-            // One wavelength and one value a set: the sets are the points.
-            let points =
-                |rows: Vec<Vec<f64>>| -> Vec<f64> { rows.iter().map(|row| row[0]).collect() };
-            sets.axes = vec![points(rows(&nm_columns))];
-            sets.values = vec![points(sets.values)];
-            sets.lines.truncate(1);
-        } else {
-            sets.axes = rows(&nm_columns);
-        }
-        Some(sets)
-    }
 }
 
 /// Sizes of `SPECTRAL_NORM` that make sense.
@@ -237,13 +133,22 @@ fn read_group(
     input: &Input,
     table: &CgatsTable,
     group: &Bands,
-    several_groups: bool,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
-    let Some(sets) = Sets::of(table, group) else {
+    let mut values = table.rows(&group.columns);
+    // Wavelengths of each spectrum, or of all.
+    let mut axes = table.rows(&group.nm_columns);
+    let mut note = None;
+    if group.nm_columns.len() == 1 {
+        // One wavelength and one value a set: the sets are the points.
+        (values, axes) = (vec![values.concat()], vec![axes.concat()]);
+    } else if values.is_empty() {
         return Ok(());
-    };
-    let found = quantity(input, table, group, &sets.values);
+    } else if group.nm_columns.is_empty() {
+        let (axis, about) = grid(GRID.map(|key| table.number(key)), &group.labels);
+        (axes, note) = (vec![axis], about);
+    }
+    let found = quantity(input, table, group, &values);
     let norm = table.number("SPECTRAL_NORM");
     let scale = scale(norm, table, group);
     let (divided, of_norm) = norm_in_words(norm, found.kind.value);
@@ -251,19 +156,19 @@ fn read_group(
         (Kind::Light, "") if divided.is_some() => "relative",
         (_, unit) => unit,
     };
-    let several = sets.values.len() > 1;
-    for (set, values) in sets.values.into_iter().enumerate() {
+    let (several, several_groups) = (values.len() > 1, table.fields.bands.len() > 1);
+    for (set, values) in values.into_iter().enumerate() {
         let mut name = name(input, table, set, several);
         if several_groups {
             name = format!("{name}, {}", group.word.replace('|', "_").trim_matches('_'));
         }
-        let nm = sets.axes.get(set).unwrap_or(&sets.axes[0]);
+        let nm = axes.get(set).unwrap_or(&axes[0]);
         let kind = found.kind.clone();
         let mut spectrum = RawSpectrum::known(name, nm, values, kind, unit);
         spectrum.known.scale = scale.clone();
-        spectrum.lines = sets.lines.get(set..=set).unwrap_or(&[]);
+        spectrum.lines = table.lines.get(set..=set).unwrap_or(&[]);
         spectrum.how.extend(divided.clone());
-        let notes = [&sets.note, &found.note, &of_norm].into_iter().flatten();
+        let notes = [&note, &found.note, &of_norm].into_iter().flatten();
         spectrum.notes = notes.cloned().collect();
         if let Some(source) = table.key("SOURCE").filter(|_| table.is_own()) {
             spectrum.source = Some(source.to_owned());
@@ -271,7 +176,7 @@ fn read_group(
         }
         interpret(spectrum.with_comma(table.decimal_comma), input, reading)?;
     }
-    reading.notes.extend(sets.note);
+    reading.notes.extend(note);
     Ok(())
 }
 
@@ -290,18 +195,16 @@ fn nothing_in(input: &Input, tables: &[CgatsTable]) -> ReadError {
     let Some(table) = table else {
         return input.error(format!("{what} and no spectral columns"), EXPECTED);
     };
-    let refusal = if table.number_columns.is_empty() {
-        let mut fields: Vec<&str> = table.fields.iter().take(8).copied().collect();
-        if table.fields.len() > fields.len() {
-            fields.push("...");
-        }
-        let fields: String = fields.join(" ").chars().take(120).collect();
-        let sets = table.sets();
-        let found = format!("{what} of {sets} sets with no spectral columns ({fields})");
-        input.error(found, EXPECTED)
-    } else {
+    let line = table.fields.line;
+    if !table.fields.bands.is_empty() {
         let found = format!("{what} with spectral columns and no sets in it");
-        input.error(found, "at least one set of data")
-    };
-    refusal.at_line(table.format_line)
+        return input.error_at(line, found, "at least one set of data");
+    }
+    let titles = &table.fields.titles;
+    let more = ["..."].into_iter().filter(|_| titles.len() > 8);
+    let fields: Vec<&str> = titles.iter().copied().take(8).chain(more).collect();
+    let fields: String = fields.join(" ").chars().take(120).collect();
+    let sets = table.sets();
+    let found = format!("{what} of {sets} sets with no spectral columns ({fields})");
+    input.error_at(line, found, EXPECTED)
 }

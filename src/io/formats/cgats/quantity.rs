@@ -15,59 +15,32 @@ pub(super) struct Quantity<'a> {
     pub note: Option<String>,
 }
 
-impl<'a> Quantity<'a> {
-    /// One that the file states.
-    fn stated(kind: Kind, unit: &'a str) -> Self {
-        Self {
-            unit,
-            ..Decision::of_format(kind).into()
-        }
-    }
-}
+/// What Argyll's `MEAS_TYPE` and the words of others say: words that they hold, the kind, and
+/// Argyll's unit.
+const STATED: [([&str; 2], Kind, &str); 9] = [
+    (["AMBIENT", "FLASH"], Kind::Light, "mW s m-2 nm-1"),
+    (["AMBIENT", ""], Kind::Light, "mW m-2 nm-1"),
+    (["IRRADIAN", ""], Kind::Light, "mW m-2 nm-1"),
+    (["FLASH", ""], Kind::Light, "mW s m-2 sr-1 nm-1"),
+    (["EMISS", ""], Kind::Light, "mW m-2 sr-1 nm-1"),
+    (["RADIANCE", ""], Kind::Light, "mW m-2 sr-1 nm-1"),
+    (["REFLECT", ""], Kind::Reflectance, ""),
+    (["TRANSMI", ""], Kind::Transmittance, ""),
+    (["SENSITIV", ""], Kind::Weighting, ""),
+];
 
-impl From<Decision<Kind>> for Quantity<'_> {
-    fn from(kind: Decision<Kind>) -> Self {
-        Self {
-            kind,
-            unit: "",
-            note: None,
-        }
-    }
-}
-
-/// What Argyll's `MEAS_TYPE` and the words of others say.
 fn stated_kind(value: &str) -> Option<(Kind, &'static str)> {
     let value = value.to_uppercase();
-    let has = |word: &str| value.contains(word);
-    Some(if has("AMBIENT") && has("FLASH") {
-        (Kind::Light, "mW s m-2 nm-1")
-    } else if has("AMBIENT") || has("IRRADIAN") {
-        (Kind::Light, "mW m-2 nm-1")
-    } else if has("FLASH") {
-        (Kind::Light, "mW s m-2 sr-1 nm-1")
-    } else if has("EMISS") || has("RADIANCE") {
-        (Kind::Light, "mW m-2 sr-1 nm-1")
-    } else if has("REFLECT") {
-        (Kind::Reflectance, "")
-    } else if has("TRANSMI") {
-        (Kind::Transmittance, "")
-    } else if has("SENSITIV") {
-        (Kind::Weighting, "")
-    } else {
-        return None;
-    })
+    let mut rows = STATED.into_iter();
+    let (_, kind, unit) = rows.find(|(words, ..)| words.iter().all(|word| value.contains(word)))?;
+    Some((kind, unit))
 }
 
 /// Words of a description that name a light although no kind is stated.
-const LIGHTS: [&str; 12] = [
-    "illum", "light", "lamp", "daylight", "tungsten", "led", "d50", "d55", "d65", "d75", "power",
-    "emission",
-];
+const LIGHTS: &str = "illum;light;lamp;daylight;tungsten;led;d50;d55;d65;d75;power;emission";
 
 /// Words of a description that name samples.
-const SAMPLES: [&str; 7] = [
-    "sample", "chart", "checker", "paint", "paper", "target", "munsell",
-];
+const SAMPLES: &str = "sample;chart;checker;paint;paper;target;munsell";
 
 /// What the values of a table are: as its keywords state, else as labels, descriptions or the
 /// file's name tell, else by their size.
@@ -77,99 +50,111 @@ pub(super) fn quantity<'a>(
     group: &Bands,
     values: &[Vec<f64>],
 ) -> Quantity<'a> {
-    stated_quantity(table).unwrap_or_else(|| {
-        kind_of_labels(group)
+    stated_quantity(table).unwrap_or_else(|| Quantity {
+        kind: kind_of_labels(group)
             .or_else(|| kind_of_measurement(table))
             .or_else(|| kind_of_description(table))
-            .unwrap_or_else(|| kind_of_rest(input, table, values))
-            .into()
+            .unwrap_or_else(|| kind_of_rest(input, table, values)),
+        unit: "",
+        note: None,
     })
 }
 
 /// What keywords state.
 fn stated_quantity<'a>(table: &CgatsTable<'a>) -> Option<Quantity<'a>> {
+    let stated = |kind, unit| Quantity {
+        kind: Decision::of_format(kind),
+        unit,
+        note: None,
+    };
     let own = table.key("KIND").filter(|_| table.is_own());
     if let Some(kind) = own.and_then(|word| Kind::ALL.into_iter().find(|k| k.word() == word)) {
-        return Some(Quantity::stated(kind, table.key("UNIT").unwrap_or("")));
+        return Some(stated(kind, table.key("UNIT").unwrap_or("")));
     }
-    let argyll = table.number("SPECTRAL_NORM").is_none_or(|norm| norm == 1.0)
-        && table
-            .key("ORIGINATOR")
-            .is_some_and(|v| v.contains("Argyll"));
-    for key in ["MEAS_TYPE", "MEASUREMENT_TYPE", "MEASUREMENT_MODE", "TYPE"] {
-        if let Some(value) = table.key(key)
-            && let Some((kind, unit)) = stated_kind(value)
-        {
-            let unit = if argyll { unit } else { "" };
-            let note = || format!("{unit} is Argyll's unit; the file states none");
-            return Some(Quantity {
-                note: (!unit.is_empty()).then(note),
-                ..Quantity::stated(kind, unit)
-            });
+    let types = ["MEAS_TYPE", "MEASUREMENT_TYPE", "MEASUREMENT_MODE", "TYPE"];
+    let mut types = types.iter().filter_map(|key| stated_kind(table.key(key)?));
+    if let Some((kind, unit)) = types.next() {
+        let by_argyll = table.number("SPECTRAL_NORM").is_none_or(|norm| norm == 1.0)
+            && table
+                .key("ORIGINATOR")
+                .is_some_and(|v| v.contains("Argyll"));
+        if !by_argyll || unit.is_empty() {
+            return Some(stated(kind, ""));
         }
+        return Some(Quantity {
+            note: Some(format!("{unit} is Argyll's unit; the file states none")),
+            ..stated(kind, unit)
+        });
     }
     if table.kind == "CCSS" {
-        return Some(Quantity::stated(Kind::Light, "relative"));
+        return Some(stated(Kind::Light, "relative"));
     }
-    let kind = match table.key("DEVICE_CLASS")? {
-        "DISPLAY" => Kind::Light,
-        "OUTPUT" | "INPUT" => Kind::Reflectance,
-        _ => return None,
-    };
-    Some(Quantity::stated(kind, ""))
+    match table.key("DEVICE_CLASS")? {
+        "DISPLAY" => Some(stated(Kind::Light, "")),
+        "OUTPUT" | "INPUT" => Some(stated(Kind::Reflectance, "")),
+        _ => None,
+    }
 }
 
 /// What the labels of the columns tell.
 fn kind_of_labels(group: &Bands) -> Option<Decision<Kind>> {
     let word = group.word.to_uppercase();
-    let starts = |starts: &[&str]| starts.iter().any(|start| word.starts_with(start));
-    let kind = if starts(&["SPECTRAL_DEC", "SPECTRAL_PCT", "R|"]) {
+    let starts = |start: &&str| word.starts_with(start);
+    let kind = if ["SPECTRAL_DEC", "SPECTRAL_PCT", "R|"].iter().any(starts) {
         Kind::Reflectance
-    } else if starts(&["T|"]) {
-        Kind::Transmittance
     } else {
-        return None;
+        starts(&"T|").then_some(Kind::Transmittance)?
     };
     Some(Decision::guessed(kind, true, "the columns' labels"))
 }
 
+/// What the first of some keywords says that says anything, and whether that is plain.
+fn kind_of_keywords(
+    table: &CgatsTable,
+    keys: &[&str],
+    kind: impl Fn(&str) -> Option<(Kind, bool)>,
+) -> Option<Decision<Kind>> {
+    keys.iter().find_map(|key| {
+        let value = table.key(key)?;
+        let (kind, is_evident) = kind(value)?;
+        let says = format!("{key} says {}", quoted(value.trim()));
+        Some(Decision::guessed(kind, is_evident, says))
+    })
+}
+
 /// What the way of measuring tells.
 fn kind_of_measurement(table: &CgatsTable) -> Option<Decision<Kind>> {
-    const KEYS: [&str; 3] = [
+    let keys = [
         "MEASUREMENT_SOURCE",
         "MEASUREMENT_GEOMETRY",
         "MEASUREMENT_CONDITIONS",
     ];
-    KEYS.iter().find_map(|key| {
-        let value = table.key(key).unwrap_or("");
-        let kind = stated_kind(value).map(|s| s.0);
+    kind_of_keywords(table, &keys, |value| {
         let lower = value.to_lowercase();
         // A white that values are counted from makes them factors.
-        let white = lower.contains("whitebase") || lower.contains("45/0") || lower.contains("d/8");
-        let kind = kind.or(white.then_some(Kind::Reflectance))?;
-        Some(Decision::guessed(kind, true, says(key, value)))
+        let has_white = ["whitebase", "45/0", "d/8"]
+            .iter()
+            .any(|w| lower.contains(w));
+        let white = has_white.then_some(Kind::Reflectance);
+        Some((stated_kind(value).map(|(kind, _)| kind).or(white)?, true))
     })
 }
 
 /// What descriptions tell.
 fn kind_of_description(table: &CgatsTable) -> Option<Decision<Kind>> {
-    const KEYS: [&str; 4] = ["DESCRIPTOR", "DISPLAY", "FILE_DESCRIPTOR", "TARGET_NAME"];
-    KEYS.iter().find_map(|key| {
-        let value = table.key(key).unwrap_or("");
+    let keys = ["DESCRIPTOR", "DISPLAY", "FILE_DESCRIPTOR", "TARGET_NAME"];
+    kind_of_keywords(table, &keys, |value| {
         let whole = value.to_lowercase();
         // Argyll writes it over lights and samples alike.
         let words = whole.replace("spectral power/reflectance information", "");
-        let light = LIGHTS.iter().any(|w| words.contains(w));
-        let sample = SAMPLES.iter().any(|w| words.contains(w));
-        let kind = if light {
-            Some(Kind::Light)
-        } else if sample {
-            Some(Kind::Reflectance)
-        } else {
-            kind_of_words(&words)
+        let light = LIGHTS.split(';').any(|w| words.contains(w));
+        let sample = SAMPLES.split(';').any(|w| words.contains(w));
+        let kind = match (light, sample) {
+            (true, _) => Kind::Light,
+            (false, true) => Kind::Reflectance,
+            _ => kind_of_words(&words)?,
         };
-        let is_evident = !(light && sample || words != whole);
-        kind.map(|kind| Decision::guessed(kind, is_evident, says(key, value)))
+        Some((kind, !(light && sample || words != whole)))
     })
 }
 
@@ -184,19 +169,11 @@ fn kind_of_rest(input: &Input, table: &CgatsTable, values: &[Vec<f64>]) -> Decis
     };
     // Several patches of a chart with per cent, by a program that is not Argyll.
     let is_chart = values.len() > 1 && table.kind.starts_with("CGATS") && all_in(-1.0, 130.0);
-    let (kind, because) = if all_in(-0.05, 1.3) {
-        let because = "nothing states it; all values lie in 0..1";
-        (Kind::Reflectance, because)
-    } else if is_chart {
-        let because = "nothing states it; several sets with values of 0..100";
-        (Kind::Reflectance, because)
-    } else {
-        (Kind::Light, "nothing states it")
+    let (kind, because) = match () {
+        () if all_in(-0.05, 1.3) => (Kind::Reflectance, "; all values lie in 0..1"),
+        () if is_chart => (Kind::Reflectance, "; several sets with values of 0..100"),
+        () => (Kind::Light, ""),
     };
+    let because = format!("nothing states it{because}");
     Decision::guessed(kind, false, because)
-}
-
-/// What a field says, in its own words.
-fn says(key: &str, value: &str) -> String {
-    format!("{key} says {}", quoted(value.trim()))
 }

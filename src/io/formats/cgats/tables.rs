@@ -4,6 +4,9 @@
 //! whose cells are set apart by TABs, semicolons or commas alone (blanks in names, empty cells)
 //! are known by having one cell a field.
 
+use std::rc::Rc;
+
+use super::bands::{Bands, bands};
 use crate::io::error::quoted;
 use crate::io::provenance::ORIGINATOR;
 use crate::io::text::number::{self, Cell};
@@ -16,6 +19,9 @@ const MOST_KEYS: usize = 10_000;
 /// Most tables in one file.
 const MOST_TABLES: usize = 1000;
 
+/// Fields that name a set, the best first.
+const NAMES: &str = "SAMPLE_NAME;SAMPLENAME;SAMPLE_ID;SAMPLEID;SAMPLE_LOC;PATCH_NAME;NAME;STRING";
+
 /// One table.
 #[derive(Debug, Default)]
 pub(super) struct CgatsTable<'a> {
@@ -23,18 +29,12 @@ pub(super) struct CgatsTable<'a> {
     /// later one says nothing.
     pub kind: &'a str,
     /// Keywords and values, quotes removed, in file order.
-    pub keys: Vec<(&'a str, &'a str)>,
-    pub fields: Vec<&'a str>,
-    /// Line of `BEGIN_DATA_FORMAT`, from 1.
-    pub format_line: usize,
-    /// The columns kept as numbers, rising.
-    pub number_columns: Vec<usize>,
-    /// The columns kept as words, rising.
-    pub word_columns: Vec<usize>,
-    /// `number_columns` numbers a set; NaN where one is missing.
-    pub numbers: Vec<f64>,
-    /// `word_columns` words a set.
-    pub words: Vec<&'a str>,
+    keys: Vec<(&'a str, &'a str)>,
+    pub fields: Rc<Fields<'a>>,
+    /// One for each of the spectral columns, set by set; NaN where one is missing.
+    numbers: Vec<f64>,
+    /// What each set is called; empty where nothing names it.
+    pub names: Vec<&'a str>,
     /// First line of each set, from 1.
     pub lines: Vec<u32>,
     pub decimal_comma: bool,
@@ -42,9 +42,53 @@ pub(super) struct CgatsTable<'a> {
     pub notes: Vec<String>,
 }
 
+/// The columns of a table, which later ones may share.
+#[derive(Debug, Default)]
+pub(super) struct Fields<'a> {
+    pub titles: Vec<&'a str>,
+    /// Line of `BEGIN_DATA_FORMAT`, from 1.
+    pub line: usize,
+    /// The spectra that they make.
+    pub bands: Vec<Bands>,
+    /// The columns of those, rising.
+    spectral: Vec<usize>,
+    /// Those that name a set, the best first.
+    naming: Vec<usize>,
+}
+
+impl<'a> Fields<'a> {
+    fn new(titles: Vec<&'a str>, line: usize, stated: Option<f64>) -> Self {
+        let bands = bands(&titles, stated);
+        let columns = bands
+            .iter()
+            .flat_map(|group| group.columns.iter().chain(&group.nm_columns));
+        let mut spectral: Vec<usize> = columns.copied().collect();
+        spectral.sort_unstable();
+        let place = |name: &str| titles.iter().position(|t| t.eq_ignore_ascii_case(name));
+        let naming = NAMES.split(';').filter_map(place).collect();
+        Self {
+            titles,
+            line,
+            bands,
+            spectral,
+            naming,
+        }
+    }
+}
+
 impl<'a> CgatsTable<'a> {
     pub(super) fn sets(&self) -> usize {
         self.lines.len()
+    }
+
+    /// The numbers of some spectral columns, set by set.
+    pub(super) fn rows(&self, columns: &[usize]) -> Vec<Vec<f64>> {
+        let spectral = &self.fields.spectral;
+        let place = |column| spectral.binary_search(column).ok();
+        let places: Vec<usize> = columns.iter().filter_map(place).collect();
+        let sets = self.numbers.chunks(spectral.len().max(1));
+        sets.map(|set| places.iter().map(|place| set[*place]).collect())
+            .collect()
     }
 
     /// The last value of a keyword.
@@ -72,17 +116,6 @@ impl<'a> CgatsTable<'a> {
     }
 }
 
-/// Which columns are kept: as numbers, and as words.
-pub(super) type Wanted<'f> = &'f dyn Fn(&[&str]) -> (Vec<usize>, Vec<usize>);
-
-enum State {
-    Header,
-    Fields,
-    Data,
-    /// Inside another `BEGIN_...`.
-    Other(String),
-}
-
 /// Words set apart by blanks and TABs, quotes honoured and removed, up to a comment.
 fn words<'a>(line: &'a str, out: &mut Vec<&'a str>) {
     out.clear();
@@ -103,10 +136,10 @@ fn words<'a>(line: &'a str, out: &mut Vec<&'a str>) {
     }
 }
 
-/// The cells of a row if some way of splitting it gives one a field.
-fn cells<'a>(line: &'a str, fields: usize, out: &mut Vec<&'a str>) -> bool {
+/// The cells of a row, one a field if some way of splitting it gives that.
+fn cells<'a>(line: &'a str, fields: usize, out: &mut Vec<&'a str>) {
     for mark in ['\t', ';', ','] {
-        if line.contains(mark) {
+        if fields > 1 && line.contains(mark) {
             out.clear();
             // One cell more may be an empty one at the end; two more are too many.
             let all = line.split(mark).map(|c| c.trim().trim_matches('"'));
@@ -114,108 +147,63 @@ fn cells<'a>(line: &'a str, fields: usize, out: &mut Vec<&'a str>) -> bool {
             if out.len() == fields + 1 && out.last().is_some_and(|c| c.is_empty()) {
                 out.pop();
             }
-            if out.len() == fields && fields > 1 {
-                return true;
+            if out.len() == fields {
+                return;
             }
         }
     }
     words(line, out);
-    out.len() == fields
 }
 
 /// All tables of a text.
 ///
 /// # Errors
 /// [`ReadError`] for a word among the numbers, a row of the wrong length, or data without fields.
-pub(super) fn tables<'a>(
-    input: &Input,
-    text: &'a str,
-    wanted: Wanted,
-) -> Result<Vec<CgatsTable<'a>>, ReadError> {
-    let mut walk = Walk {
-        input,
-        wanted,
-        done: Vec::new(),
-        open: CgatsTable::default(),
-        pending: Vec::new(),
-        pending_line: 0,
-    };
-    let mut state = State::Header;
+pub(super) fn tables<'a>(input: &Input, text: &'a str) -> Result<Vec<CgatsTable<'a>>, ReadError> {
+    let stated = text.lines().find_map(|line| {
+        let bands = line.trim_start().strip_prefix("SPECTRAL_BANDS")?;
+        bands.trim_matches([' ', '\t', '"']).parse().ok()
+    });
+    let mut lines = lines(text)
+        .map(|(line, content)| (line, content.trim()))
+        .filter(|(_, content)| !content.is_empty() && !content.starts_with('#'));
+    let mut done: Vec<CgatsTable> = Vec::new();
+    let mut open = CgatsTable::default();
     let mut row: Vec<&str> = Vec::new();
-    for (line, content) in lines(text) {
-        let content = content.trim();
-        if content.is_empty() || content.starts_with('#') {
-            continue;
-        }
-        state = match state {
-            State::Header => {
-                words(content, &mut row);
-                walk.header(&row, line)?
-            }
-            State::Fields => {
-                words(content, &mut row);
-                walk.fields(&row)
-            }
-            State::Data if content.starts_with("END_DATA") => {
-                walk.close(line)?;
-                State::Header
-            }
-            State::Data => {
-                walk.data(content, &mut row, line)?;
-                State::Data
-            }
-            State::Other(end) if content.starts_with(end.as_str()) => State::Header,
-            State::Other(end) => State::Other(end),
-        };
-    }
-    if matches!(state, State::Data) {
-        walk.whole_rows()?;
-        walk.open
-            .notes
-            .push("the file ends without END_DATA".to_owned());
-        walk.finish();
-    }
-    Ok(walk.done)
-}
-
-/// On the way through a text, line by line.
-struct Walk<'a, 'w, 'i> {
-    input: &'w Input<'i>,
-    wanted: Wanted<'w>,
-    done: Vec<CgatsTable<'a>>,
-    open: CgatsTable<'a>,
-    /// Cells of a row that goes on in the next line, and its first line.
-    pending: Vec<&'a str>,
-    pending_line: usize,
-}
-
-impl<'a> Walk<'a, '_, '_> {
-    /// Takes the words of a line of a header; what follows it.
-    fn header(&mut self, row: &[&'a str], line: usize) -> Result<State, ReadError> {
-        let open = &mut self.open;
-        match row {
+    while let Some((line, content)) = lines.next() {
+        words(content, &mut row);
+        match row.as_slice() {
             [] | ["KEYWORD", ..] => {}
-            ["BEGIN_DATA_FORMAT", fields @ ..] => {
-                open.fields.clear();
-                open.format_line = line;
-                return Ok(self.fields(fields));
+            ["BEGIN_DATA_FORMAT", first @ ..] => {
+                let mut titles = Vec::new();
+                let mut more = first.to_vec();
+                while !take_titles(&more, &mut titles) {
+                    let Some((_, content)) = lines.next() else {
+                        return Ok(done);
+                    };
+                    words(content, &mut more);
+                }
+                open.fields = Rc::new(Fields::new(titles, line, stated));
             }
             ["BEGIN_DATA", ..] => {
-                if open.fields.is_empty() {
+                if open.fields.titles.is_empty() {
                     // A further table may go on with the fields of the one before.
-                    let Some(before) = self.done.last() else {
-                        let expected = "BEGIN_DATA_FORMAT before it";
-                        return Err(self.input.error("BEGIN_DATA", expected).at_line(line));
-                    };
-                    open.fields.clone_from(&before.fields);
-                    open.number_columns.clone_from(&before.number_columns);
-                    open.word_columns.clone_from(&before.word_columns);
-                    open.format_line = before.format_line;
+                    let expected = "BEGIN_DATA_FORMAT before it";
+                    let nothing = || input.error_at(line, "BEGIN_DATA", expected);
+                    open.fields = done.last().ok_or_else(nothing)?.fields.clone();
                 }
-                return Ok(State::Data);
+                let mut table = std::mem::take(&mut open);
+                let end = table.data(input, &mut lines)?;
+                table.finish(done.first());
+                done.push(table);
+                if let Some(end) = end.filter(|_| done.len() >= MOST_TABLES) {
+                    let found = format!("more than {MOST_TABLES} tables");
+                    return Err(input.error_at(end, found, "a smaller file"));
+                }
             }
             [other, ..] if other.starts_with("BEGIN_") => {
-                return Ok(State::Other(other.replacen("BEGIN_", "END_", 1)));
+                let end = other.replacen("BEGIN_", "END_", 1);
+                lines.find(|(_, content)| content.starts_with(&end));
             }
             [kind] if open.kind.is_empty() && open.keys.is_empty() => open.kind = kind,
             [key, values @ ..] => {
@@ -225,124 +213,101 @@ impl<'a> Walk<'a, '_, '_> {
                 }
             }
         }
-        Ok(State::Header)
     }
+    Ok(done)
+}
 
-    /// Takes fields up to `END_DATA_FORMAT`; what follows them.
-    fn fields(&mut self, row: &[&'a str]) -> State {
-        let open = &mut self.open;
-        for field in row {
-            if *field == "END_DATA_FORMAT" {
-                (open.number_columns, open.word_columns) = (self.wanted)(&open.fields);
-                return State::Header;
-            }
-            open.fields.push(field);
-        }
-        State::Fields
-    }
+/// Takes titles of columns up to `END_DATA_FORMAT`; whether that is among them.
+fn take_titles<'a>(row: &[&'a str], titles: &mut Vec<&'a str>) -> bool {
+    let end = row.iter().position(|word| *word == "END_DATA_FORMAT");
+    titles.extend(&row[..end.unwrap_or(row.len())]);
+    end.is_some()
+}
 
-    /// Takes a line of data: a row, or a part of one.
+impl<'a> CgatsTable<'a> {
+    /// Takes the rows up to `END_DATA`; its line, where it is there.
     fn data(
         &mut self,
-        content: &'a str,
-        row: &mut Vec<&'a str>,
-        line: usize,
-    ) -> Result<(), ReadError> {
-        let fields = self.open.fields.len();
-        if self.pending.is_empty() {
-            if cells(content, fields, row) {
-                return self.take_row(row, line);
+        input: &Input,
+        lines: &mut impl Iterator<Item = (usize, &'a str)>,
+    ) -> Result<Option<usize>, ReadError> {
+        let width = self.fields.titles.len();
+        // Cells of a row, which may go on in further lines, and its first line.
+        let (mut row, mut more, mut first) = (Vec::new(), Vec::new(), 0);
+        let mut end = None;
+        for (line, content) in lines {
+            if content.starts_with("END_DATA") {
+                end = Some(line);
+                break;
             }
-            if row.len() > fields {
-                return Err(self.row_error(row.len(), line));
+            if row.is_empty() {
+                first = line;
+                cells(content, width, &mut row);
+            } else {
+                words(content, &mut more);
+                if row.len() + more.len() > width {
+                    break;
+                }
+                row.append(&mut more);
             }
-            self.pending.append(row);
-            self.pending_line = line;
-            return Ok(());
-        }
-        words(content, row);
-        if self.pending.len() + row.len() > fields {
-            return self.whole_rows();
-        }
-        self.pending.append(row);
-        if self.pending.len() == fields {
-            let whole = std::mem::take(&mut self.pending);
-            return self.take_row(&whole, self.pending_line);
-        }
-        Ok(())
-    }
-
-    /// Takes `END_DATA`.
-    fn close(&mut self, line: usize) -> Result<(), ReadError> {
-        self.whole_rows()?;
-        self.finish();
-        if self.done.len() < MOST_TABLES {
-            return Ok(());
-        }
-        let found = format!("more than {MOST_TABLES} tables");
-        Err(self.input.error(found, "a smaller file").at_line(line))
-    }
-
-    /// Refuses a row that was begun and does not end.
-    fn whole_rows(&self) -> Result<(), ReadError> {
-        match self.pending.len() {
-            0 => Ok(()),
-            begun => Err(self.row_error(begun, self.pending_line)),
-        }
-    }
-
-    fn row_error(&self, found: usize, line: usize) -> ReadError {
-        let expected = format!("{}, one for each field", self.open.fields.len());
-        self.input
-            .error(format!("{found} cells"), expected)
-            .at_line(line)
-    }
-
-    /// Puts the open table to those that are done.
-    fn finish(&mut self) {
-        let mut table = std::mem::take(&mut self.open);
-        if table.kind.is_empty()
-            && let Some(first) = self.done.first()
-        {
-            table.kind = first.kind;
-        }
-        let stated = [
-            ("NUMBER_OF_FIELDS", table.fields.len(), "fields"),
-            ("NUMBER_OF_SETS", table.sets(), "sets"),
-        ];
-        for (key, found, what) in stated {
-            if let Some(says) = table.number(key)
-                && says != found as f64
-            {
-                let note = format!("{key} says {says} and there are {found} {what}");
-                table.notes.push(note);
+            if row.len() == width {
+                self.take_row(input, &row, first)?;
+                row.clear();
+            } else if row.len() > width {
+                break;
             }
         }
-        self.done.push(table);
+        if !row.is_empty() {
+            let expected = format!("{width}, one for each field");
+            return Err(input.error_at(first, format!("{} cells", row.len()), expected));
+        }
+        if end.is_none() {
+            let note = "the file ends without END_DATA";
+            self.notes.push(note.to_owned());
+        }
+        Ok(end)
     }
 
     /// Takes the cells of a whole row.
-    fn take_row(&mut self, row: &[&'a str], line: usize) -> Result<(), ReadError> {
-        let open = &mut self.open;
-        for column in &open.number_columns {
+    fn take_row(&mut self, input: &Input, row: &[&'a str], line: usize) -> Result<(), ReadError> {
+        for column in &self.fields.spectral {
             let cell = row[*column];
-            let value = match number::parse(cell, open.decimal_comma).value() {
+            let value = match number::parse(cell, self.decimal_comma).value() {
                 Some(value) => value,
-                None => match number::parse(cell, !open.decimal_comma) {
+                None => match number::parse(cell, !self.decimal_comma) {
                     Cell::Number(value) => {
-                        open.decimal_comma |= cell.contains(',');
+                        self.decimal_comma |= cell.contains(',');
                         value
                     }
                     _ => {
-                        let expected = format!("a number for {}", open.fields[*column]);
-                        return Err(self.input.error(quoted(cell), expected).at_line(line));
+                        let expected = format!("a number for {}", self.fields.titles[*column]);
+                        return Err(input.error_at(line, quoted(cell), expected));
                     }
                 },
             };
-            open.numbers.push(value);
+            self.numbers.push(value);
         }
-        open.words.extend(open.word_columns.iter().map(|c| row[*c]));
-        open.lines.push(kept_line(line));
+        let mut names = self.fields.naming.iter().map(|column| row[*column].trim());
+        self.names
+            .push(names.find(|name| !name.is_empty()).unwrap_or(""));
+        self.lines.push(kept_line(line));
         Ok(())
+    }
+
+    /// What the table in front of all others says for this one too, and what keywords say otherwise
+    /// than the data.
+    fn finish(&mut self, first: Option<&Self>) {
+        if let Some(first) = first.filter(|_| self.kind.is_empty()) {
+            self.kind = first.kind;
+        }
+        for (key, found, what) in [
+            ("NUMBER_OF_FIELDS", self.fields.titles.len(), "fields"),
+            ("NUMBER_OF_SETS", self.sets(), "sets"),
+        ] {
+            if let Some(says) = self.number(key).filter(|says| *says != found as f64) {
+                let note = format!("{key} says {says} and there are {found} {what}");
+                self.notes.push(note);
+            }
+        }
     }
 }

@@ -11,22 +11,18 @@
 //! tobes-ui        {"name", "spd": {"340": 0.0, ...}}
 //! ```
 
-mod colorimetry;
-mod keyed;
 mod plain;
-pub(super) mod spectrum;
+mod programs;
 
 use std::borrow::Cow;
-
-use serde::Deserialize;
-use serde::de::IgnoredAny;
-use serde_json::{Map, Value};
 
 use super::{Confidence, Format};
 use crate::io::decode::json::any_json;
 use crate::io::decode::json_tree::{self, Tree};
 use crate::io::error::quoted;
 use crate::io::{Input, ReadError, Reading};
+use serde::Deserialize;
+use serde::de::IgnoredAny;
 
 /// JSON of other programs.
 pub(crate) const FORMAT: Format = Format {
@@ -54,7 +50,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*without_nan(&input.needs_long_text()?.text);
     let mut reading = Reading::default();
     let is_known =
-        has_known_keys(text) && read_known(input, &any_json(input, text)?, &mut reading)?;
+        has_known_keys(text) && programs::read(input, &any_json(input, text)?, &mut reading)?;
     let found = if is_known {
         "JSON with no spectrum in it".to_owned()
     } else {
@@ -86,28 +82,20 @@ fn without_nan(text: &str) -> Cow<'_, str> {
     let mut out = String::with_capacity(text.len());
     // Where quotes stand words and the rest take turns; a quote behind a stroke is a letter.
     let mut is_word = false;
-    let mut kept = 0;
-    let bytes = text.as_bytes();
-    let mut at = 0;
-    while at < bytes.len() {
-        let number = ["NaN", "-Infinity", "Infinity"]
-            .into_iter()
-            .find(|number| !is_word && bytes[at..].starts_with(number.as_bytes()));
-        match (bytes[at], number) {
-            (_, Some(number)) => {
-                out.push_str(&text[kept..at]);
-                out.push_str("null");
-                at += number.len();
-                kept = at;
-                continue;
-            }
-            (b'\\', None) if is_word => at += 1,
-            (b'"', None) => is_word = !is_word,
-            _ => {}
+    for piece in text.split_inclusive('"') {
+        if is_word {
+            out.push_str(piece);
+            let word = piece.trim_end_matches('"');
+            let strokes = word.len() - word.trim_end_matches('\\').len();
+            is_word = strokes % 2 == 1;
+        } else {
+            let bare = piece
+                .replace("-Infinity", "null")
+                .replace("Infinity", "null");
+            out += &bare.replace("NaN", "null");
+            is_word = true;
         }
-        at += 1;
     }
-    out.push_str(&text[kept..]);
     Cow::Owned(out)
 }
 
@@ -126,40 +114,4 @@ fn has_known_keys(text: &str) -> bool {
         let known = [keys.spectral_data, keys.spd, keys.spectra, keys.spectrum];
         known.iter().any(Option::is_some)
     })
-}
-
-/// Reads JSON of a program that is known; `false` where it is of none.
-fn read_known(input: &Input, value: &Value, reading: &mut Reading) -> Result<bool, ReadError> {
-    let is_colorimetry = |value: &Value| {
-        value.get("wavelength_axis").is_some() || value.get("spectral_data").is_some()
-    };
-    let main = value.pointer("/spectral_data/data/main");
-    let spd = value.get("spd").and_then(Value::as_object);
-    let spectra = value.get("spectra").and_then(Value::as_array);
-    let spectrum = value
-        .get("spectrum")
-        .filter(|s| s.get("spectral_data").is_some());
-    let has = |key: &str| value.get(key).is_some();
-    let itself = (has("wavelength_axis") && has("spectral_data")).then_some(value);
-    if let Some(main) = main.and_then(Value::as_object) {
-        keyed::read_rawtoaces(input, value, main, reading)?;
-    } else if let (Some(spd), Some(root)) = (spd.filter(|spd| is_keyed(spd)), value.as_object()) {
-        keyed::read_tobes(input, root, spd, reading)?;
-    } else if let Some(spectra) = spectra.filter(|list| list.iter().any(is_colorimetry)) {
-        for spectrum in spectra {
-            colorimetry::read_colorimetry(input, spectrum, reading)?;
-        }
-    } else if let Some(spectrum) = spectrum.or(itself) {
-        colorimetry::read_colorimetry(input, spectrum, reading)?;
-    } else {
-        return Ok(false);
-    }
-    Ok(true)
-}
-
-/// Whether an object has no lists or objects in it: tobes-ui's has numbers only.
-fn is_keyed(object: &Map<String, Value>) -> bool {
-    !object
-        .values()
-        .any(|value| value.is_array() || value.is_object())
 }

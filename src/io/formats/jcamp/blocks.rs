@@ -23,7 +23,7 @@ pub(crate) struct Block<'a> {
 pub(crate) struct Data<'a> {
     /// The line of its label.
     pub line: usize,
-    /// The lines behind it, up to the next label.
+    /// The text behind its line.
     text: &'a str,
     /// Whether they are pairs.
     pub is_pairs: bool,
@@ -32,7 +32,8 @@ pub(crate) struct Data<'a> {
 impl<'a> Data<'a> {
     /// The rows of numbers with their lines, comments removed.
     pub(crate) fn rows(&self) -> impl Iterator<Item = (usize, &'a str)> {
-        let rows = lines(self.text).map(|(line, row)| (self.line + line, without_comment(row)));
+        let rows = lines(self.text).take_while(|(_, row)| label_of(row).is_none());
+        let rows = rows.map(|(line, row)| (self.line + line, without_comment(row)));
         rows.filter(|(_, row)| !row.is_empty())
     }
 }
@@ -61,53 +62,38 @@ fn without_comment(line: &str) -> &str {
 /// [`ReadError`] when there are far too many records or blocks.
 pub(crate) fn of<'a>(input: &Input, text: &'a str) -> Result<Vec<Block<'a>>, ReadError> {
     let mut blocks: Vec<Block> = Vec::new();
-    // Whether the last block's data go on to here.
-    let mut in_data = false;
     let mut records = 0_usize;
     // A record takes about 200 bytes of book-keeping.
     let most_records = budget::of_text(text.len()) / 400;
     let mut rows = lines(text);
-    loop {
-        let before = rows.rest();
-        let Some((line, row)) = rows.next() else {
-            break;
+    while let Some((line, row)) = rows.next() {
+        let Some((label, value)) = label_of(row) else {
+            continue;
         };
-        if let Some((label, value)) = label_of(row) {
-            if let Some(data) = blocks.last_mut().and_then(|block| block.data.as_mut())
-                && std::mem::take(&mut in_data)
-            {
-                data.text = &data.text[..data.text.len() - before.len()];
-            }
-            records += 1;
-            if records > most_records || blocks.len() > MOST_BLOCKS {
-                return Err(input
-                    .error("too many records or blocks", "at most 10000 blocks")
-                    .at_line(line));
-            }
-            if label.is_empty() {
-                continue;
-            }
-            if label == "TITLE" || blocks.is_empty() {
-                blocks.push(Block {
-                    line,
-                    ..Block::default()
-                });
-            }
-            let Some(block) = blocks.last_mut() else {
-                continue;
-            };
-            let value = without_comment(value);
-            let holds_data = matches!(&*label, "XYDATA" | "XYPOINTS" | "PEAKTABLE" | "DATATABLE");
-            if holds_data && block.data.is_none() {
-                in_data = true;
-                block.data = Some(Data {
-                    line,
-                    text: rows.rest(),
-                    is_pairs: !value.contains("++"),
-                });
-            }
-            block.records.entry(label).or_insert((line, value));
+        records += 1;
+        if records > most_records || blocks.len() > MOST_BLOCKS {
+            let found = "too many records or blocks";
+            return Err(input.error_at(line, found, "at most 10000 blocks"));
         }
+        if label == "TITLE" || blocks.is_empty() && !label.is_empty() {
+            blocks.push(Block {
+                line,
+                ..Block::default()
+            });
+        }
+        let Some(block) = blocks.last_mut().filter(|_| !label.is_empty()) else {
+            continue;
+        };
+        let value = without_comment(value);
+        let holds_data = matches!(&*label, "XYDATA" | "XYPOINTS" | "PEAKTABLE" | "DATATABLE");
+        if holds_data && block.data.is_none() {
+            block.data = Some(Data {
+                line,
+                text: rows.rest(),
+                is_pairs: !value.contains("++"),
+            });
+        }
+        block.records.entry(label).or_insert((line, value));
     }
     Ok(blocks)
 }
@@ -132,30 +118,15 @@ impl<'a> Block<'a> {
         self.records.get(label).map_or(self.line, |(line, _)| *line)
     }
 
-    /// A record's number; `None` where it is missing.
-    pub(crate) fn number(
-        &self,
-        input: &Input,
-        label: &str,
-        decimal_comma: bool,
-    ) -> Result<Option<f64>, ReadError> {
-        let Some(text) = self.text(label) else {
-            return Ok(None);
-        };
-        let number = number::number(text, decimal_comma)
-            .or_else(|| number::number(text, false))
-            .filter(|x| x.is_finite());
-        let refusal = || input.error(quoted(text), format!("a number as ##{label}="));
-        number
-            .map(Some)
-            .ok_or_else(|| refusal().at_line(self.line_of(label)))
-    }
-
-    /// The record with the block's numbers.
+    /// The numbers of the block, of at most `most_points` points.
     ///
     /// # Errors
-    /// [`ReadError`] when there is none, or one of a form that is no spectrum.
-    pub(crate) fn data(&self, input: &Input) -> Result<&Data<'a>, ReadError> {
+    /// [`ReadError`] when there are none, or of a form that is no spectrum.
+    pub(crate) fn curve<'b, 'i>(
+        &'b self,
+        input: &'b Input<'i>,
+        most_points: usize,
+    ) -> Result<Curve<'b, 'i>, ReadError> {
         const EXPECTED: &str = "##XYDATA= or ##XYPOINTS=";
         let peaks = "a curve in ##XYDATA= or ##XYPOINTS=";
         for (label, found, expected) in [
@@ -163,18 +134,23 @@ impl<'a> Block<'a> {
             ("PEAKTABLE", "a table of peaks", peaks),
         ] {
             if let Some((line, _)) = self.records.get(label) {
-                return Err(input.error(found, expected).at_line(*line));
+                return Err(input.error_at(*line, found, expected));
             }
         }
-        let nothing = || input.error("a block without data", EXPECTED);
-        self.data
-            .as_ref()
-            .ok_or_else(|| nothing().at_line(self.line))
+        let nothing = || input.error_at(self.line, "a block without data", EXPECTED);
+        let data = self.data.as_ref().ok_or_else(nothing)?;
+        Ok(Curve {
+            input,
+            block: self,
+            data,
+            decimal_comma: self.has_decimal_comma(data),
+            most_points,
+        })
     }
 
     /// Whether numbers mark their decimals by commas: a limit or a factor does, or the first row
     /// of pairs is two numbers of one comma each.
-    pub(crate) fn has_decimal_comma(&self, data: &Data) -> bool {
+    fn has_decimal_comma(&self, data: &Data) -> bool {
         // Factors do not tell: SpectraSuite writes 1.0 over numbers with commas.
         const NUMBERS: [&str; 9] = [
             "FIRSTX", "LASTX", "FIRSTY", "LASTY", "DELTAX", "MAXX", "MINX", "MAXY", "MINY",
@@ -184,16 +160,64 @@ impl<'a> Block<'a> {
             return false;
         }
         let is_comma = |text: &str| text.contains(',') && number::number(text, true).is_some();
-        if texts().any(is_comma) {
-            return true;
-        }
-        let Some((_, row)) = data.rows().next() else {
-            return false;
+        let row = data.rows().next().map_or("", |(_, row)| row);
+        let cells = || row.split([' ', '\t', ';']).filter(|c| !c.is_empty());
+        texts().any(is_comma) || data.is_pairs && cells().count() == 2 && cells().all(is_comma)
+    }
+}
+
+/// The numbers of a block, and what its records say of them.
+pub(crate) struct Curve<'b, 'i> {
+    pub input: &'b Input<'i>,
+    block: &'b Block<'b>,
+    pub data: &'b Data<'b>,
+    pub decimal_comma: bool,
+    most_points: usize,
+}
+
+impl Curve<'_, '_> {
+    /// A record's number; `None` where it is missing.
+    pub(crate) fn number(&self, label: &str) -> Result<Option<f64>, ReadError> {
+        let Some(text) = self.block.text(label) else {
+            return Ok(None);
         };
-        let cells: Vec<&str> = row
-            .split([' ', '\t', ';'])
-            .filter(|c| !c.is_empty())
-            .collect();
-        data.is_pairs && cells.len() == 2 && cells.iter().all(|cell| is_comma(cell))
+        let number = number::number(text, self.decimal_comma)
+            .or_else(|| number::number(text, false))
+            .filter(|x| x.is_finite());
+        let line = self.block.line_of(label);
+        let expected = || format!("a number as ##{label}=");
+        let refusal = || self.input.error_at(line, quoted(text), expected());
+        number.map(Some).ok_or_else(refusal)
+    }
+
+    /// What abscissas and ordinates are multiplied by.
+    pub(crate) fn factors(&self) -> Result<(f64, f64), ReadError> {
+        let factor = |label| Ok(self.number(label)?.unwrap_or(1.0));
+        Ok((factor("XFACTOR")?, factor("YFACTOR")?))
+    }
+
+    /// Notes a record that says something else than the data, beyond a share and a rest of it.
+    pub(crate) fn compare(
+        &self,
+        label: &str,
+        found: Option<&f64>,
+        (share, rest): (f64, f64),
+        notes: &mut Vec<String>,
+    ) -> Result<(), ReadError> {
+        if let (Some(said), Some(found)) = (self.number(label)?, found)
+            && (said - found).abs() > share * said.abs().max(found.abs()) + rest
+        {
+            notes.push(format!("{label} says {said}, found {found}"));
+        }
+        Ok(())
+    }
+
+    /// Refuses one point more than a file of its size may unfold to.
+    pub(crate) fn check_room(&self, points: usize, line: usize) -> Result<(), ReadError> {
+        if points < self.most_points {
+            return Ok(());
+        }
+        let found = "far more points than the file has text";
+        Err(self.input.error_at(line, found, budget::TEXT_WORDS))
     }
 }

@@ -103,15 +103,14 @@ fn unit_of(
 ) -> Result<Option<WavelengthUnit>, ReadError> {
     if data_type.to_lowercase().contains("raman") {
         let found = "a Raman spectrum (shifts from its laser's line)";
-        let refusal = input.error(found, "a spectrum over wavelengths");
-        return Err(refusal.at_line(block.line));
+        return Err(input.error_at(block.line, found, "a spectrum over wavelengths"));
     }
     let unit = WavelengthUnit::of_title(x_units);
     let open = ["", "arbitrary units", "unknown", "none"];
     if unit.is_none() && !open.contains(&x_units.to_lowercase().as_str()) {
         let found = format!("{} on the x axis", quoted(x_units));
-        let refusal = input.error(found, "NANOMETERS, MICROMETERS or 1/CM");
-        return Err(refusal.at_line(block.line_of("XUNITS")));
+        let expected = "NANOMETERS, MICROMETERS or 1/CM";
+        return Err(input.error_at(block.line_of("XUNITS"), found, expected));
     }
     Ok(unit)
 }
@@ -123,20 +122,18 @@ fn read_block(
     most_points: usize,
     reading: &mut Reading,
 ) -> Result<usize, ReadError> {
-    let data = block.data(input)?;
+    let curve = block.curve(input, most_points)?;
     let x_units = block.text("XUNITS").unwrap_or("");
     let y_units = y_units(block);
     let data_type = block.text("DATATYPE").unwrap_or("");
     let unit = unit_of(input, block, x_units, data_type)?;
-    let decimal_comma = block.has_decimal_comma(data);
     let mut notes = Vec::new();
-    let read = match data.is_pairs {
-        true => pairs::read,
-        false => packed::read,
+    let (axis, values) = match curve.data.is_pairs {
+        true => pairs::read(&curve, &mut notes)?,
+        false => packed::read(&curve, &mut notes)?,
     };
-    let (axis, values) = read(input, block, data, decimal_comma, most_points, &mut notes)?;
     let count = axis.len();
-    if let Some(announced) = block.number(input, "NPOINTS", decimal_comma)?
+    if let Some(announced) = curve.number("NPOINTS")?
         && announced != count as f64
     {
         notes.push(format!("NPOINTS says {announced}, found {count} points"));
@@ -172,14 +169,14 @@ fn read_block(
     let header = (kind.is_none() && !y_units.is_empty()).then_some((block.line, y_units));
     let index = reading.spectra.len();
     let name = block.text("TITLE").unwrap_or(input.stem()).to_owned();
-    let (scale, at) = (Scale::new(&axis), [data.line as u32]);
+    let (scale, at) = (Scale::new(&axis), [curve.data.line as u32]);
     let heading = Heading::of(header.as_slice());
     let raw = RawSpectrum {
         title: title.to_owned(),
         lines: &at,
         ..RawSpectrum::written(name, &scale, axis_title, values, &heading)
     };
-    interpret(raw.with_comma(decimal_comma), input, reading)?;
+    interpret(raw.with_comma(curve.decimal_comma), input, reading)?;
     let spectrum = &mut reading.spectra[index];
     if counts && input.choices.kind_of(index).is_none() {
         let because = format!(

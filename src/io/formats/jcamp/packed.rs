@@ -14,257 +14,190 @@
 //! and its abscissa belongs to that ordinate. Abscissas are evenly spaced from FIRSTX to LASTX;
 //! those at the line starts are rounded and only compared.
 
-use super::blocks::{Block, Data};
-use super::pairs::{Points, too_many};
+use super::blocks::Curve;
+use super::pairs::Points;
+use crate::io::ReadError;
 use crate::io::error::quoted;
 use crate::io::text::number;
-use crate::io::{Input, ReadError};
+
+/// What stands on a line.
+#[derive(Clone, Copy, PartialEq)]
+enum Form {
+    /// A number without a letter: the abscissa, then ordinates.
+    Plain,
+    Value,
+    Difference,
+    /// How many times the number before stands there in all.
+    Repeat,
+    /// A question mark for a missing ordinate.
+    Gap,
+}
+
+/// The letters that are first digits: from and to, what number they begin, the digit and the sign
+/// of the first one.
+const LETTERS: [(u8, u8, Form, u8, f64); 7] = [
+    (b'@', b'I', Form::Value, 0, 1.0),
+    (b'a', b'i', Form::Value, 1, -1.0),
+    (b'%', b'%', Form::Difference, 0, 1.0),
+    (b'J', b'R', Form::Difference, 1, 1.0),
+    (b'j', b'r', Form::Difference, 1, -1.0),
+    (b'S', b'Z', Form::Repeat, 1, 1.0),
+    (b's', b's', Form::Repeat, 9, 1.0),
+];
+
+/// The number that starts at a byte, its form, and where it ends.
+fn number_at(row: &str, at: usize, decimal_comma: bool) -> Option<(Form, f64, usize)> {
+    let bytes = row.as_bytes();
+    let byte = bytes[at];
+    if byte == b'?' {
+        return Some((Form::Gap, f64::NAN, at + 1));
+    }
+    let letter = |(from, to, form, digit, sign): (u8, u8, Form, u8, f64)| {
+        (from..=to)
+            .contains(&byte)
+            .then(|| (form, sign, digit + (byte - from)))
+    };
+    let packed = LETTERS.into_iter().find_map(letter);
+    let past_digits = |from: usize| {
+        let rest = bytes[from..].iter();
+        from + rest.take_while(|b| b.is_ascii_digit()).count()
+    };
+    let has_sign = packed.is_some() || matches!(byte, b'+' | b'-');
+    let mut end = past_digits(at + usize::from(has_sign));
+    let is_count = packed.is_some_and(|(form, ..)| form == Form::Repeat);
+    let is_mark = |b: &u8| !is_count && (*b == b'.' || (decimal_comma && *b == b','));
+    if bytes.get(end).is_some_and(is_mark) {
+        end = past_digits(end + 1);
+    }
+    // An exponent has a sign; without one an E is the packed digit 5.
+    if let Some([b'E' | b'e', b'+' | b'-', b'0'..=b'9']) = bytes.get(end..end + 3)
+        && !is_count
+    {
+        end = past_digits(end + 3);
+    }
+    // Letters and digits are ASCII, so that these are character boundaries.
+    let text = row.get(at..end)?;
+    let Some((form, sign, digit)) = packed else {
+        return Some((Form::Plain, number::number(text, decimal_comma)?, end));
+    };
+    let text = format!("{digit}{}", text.get(1..)?);
+    Some((form, sign * number::number(&text, decimal_comma)?, end))
+}
+
+/// The start of a line: its abscissa, and which of the points it belongs to.
+struct Start {
+    line: usize,
+    x: f64,
+    index: usize,
+}
 
 /// The points of a block as they are unpacked.
-struct Unpacked {
+struct Unpacked<'c, 'b, 'i> {
+    curve: &'c Curve<'b, 'i>,
     /// Ordinates in the file's whole numbers; NaN for a missing one.
     values: Vec<f64>,
-    /// Abscissa at the start of each line, with line and index of its point.
-    starts: Vec<(usize, f64, usize)>,
+    starts: Vec<Start>,
     /// Lines whose check is wrong: the first, and how many.
     wrong: Option<(usize, usize)>,
-    most_points: usize,
 }
 
 /// Reads lines of ordinates.
 ///
 /// # Errors
 /// [`ReadError`] at the line with something that is no number, or with too many.
-pub(crate) fn read(
-    input: &Input,
-    block: &Block,
-    data: &Data,
-    decimal_comma: bool,
-    most_points: usize,
-    notes: &mut Vec<String>,
-) -> Result<Points, ReadError> {
-    let get = |label| block.number(input, label, decimal_comma);
-    let x_factor = get("XFACTOR")?.unwrap_or(1.0);
-    let y_factor = get("YFACTOR")?.unwrap_or(1.0);
+pub(crate) fn read(curve: &Curve, notes: &mut Vec<String>) -> Result<Points, ReadError> {
+    let (x_factor, y_factor) = curve.factors()?;
     let mut unpacked = Unpacked {
+        curve,
         values: Vec::new(),
         starts: Vec::new(),
         wrong: None,
-        most_points,
     };
     // Whether the line before ended in differences, so that a check follows.
     let mut check_follows = false;
-    for (line, row) in data.rows() {
-        check_follows = unpacked
-            .line(row, line, check_follows, decimal_comma)
-            .map_err(|trouble| match trouble {
-                Trouble::TooMany => too_many(input, line),
-                Trouble::At(at) => {
-                    let found = quoted(row.get(at..).unwrap_or(row));
-                    let expected = "an abscissa and ordinates, plain or packed";
-                    input.error(found, expected).at_line(line)
-                }
-            })?;
+    for (line, row) in curve.data.rows() {
+        check_follows = unpacked.line(row, line, check_follows)?;
     }
-    let mut starts = unpacked.starts;
-    if let Some((line, count)) = unpacked.wrong {
+    let Unpacked {
+        mut starts,
+        mut values,
+        wrong,
+        ..
+    } = unpacked;
+    if let Some((line, count)) = wrong {
         notes.push(format!(
             "{count} of {} checks at line starts are wrong, the first at line {line}",
             starts.len()
         ));
     }
-    starts.iter_mut().for_each(|(_, x, _)| *x *= x_factor);
-    let values: Vec<f64> = unpacked.values.iter().map(|y| y * y_factor).collect();
+    starts.iter_mut().for_each(|start| start.x *= x_factor);
+    values.iter_mut().for_each(|value| *value *= y_factor);
     let grid = Grid {
-        first: get("FIRSTX")?,
-        last: get("LASTX")?,
-        delta: get("DELTAX")?,
-        announced: get("NPOINTS")?,
+        first: curve.number("FIRSTX")?,
+        last: curve.number("LASTX")?,
+        delta: curve.number("DELTAX")?,
+        announced: curve.number("NPOINTS")?,
     };
     let axis = grid.axis(&starts, values.len(), notes);
-    if let (Some(said), Some(found)) = (get("FIRSTY")?, values.first())
-        && (said - found).abs() > 1e-4 * said.abs().max(found.abs()) + y_factor.abs()
-    {
-        notes.push(format!("FIRSTY says {said}, found {found}"));
-    }
+    curve.compare("FIRSTY", values.first(), (1e-4, y_factor.abs()), notes)?;
     Ok((axis, values))
 }
 
-/// What a block says about its abscissas.
-struct Grid {
-    first: Option<f64>,
-    last: Option<f64>,
-    delta: Option<f64>,
-    announced: Option<f64>,
-}
-
-impl Grid {
-    /// The same ends the other way round, where every line start agrees with that and not with
-    /// the ends as they are labelled: the abscissa beside a number is believed before a label.
-    fn turned(&self, starts: &[(usize, f64, usize)], count: usize) -> Option<Self> {
-        let (first, last) = (self.first?, self.last?);
-        let step = (last - first) / count.checked_sub(1).filter(|steps| *steps > 0)? as f64;
-        let agree = |from: f64, step: f64| {
-            let near = |(_, x, index): &(usize, f64, usize)| {
-                (from + *index as f64 * step - x).abs() <= step.abs()
-            };
-            !starts.is_empty() && starts.iter().all(near)
-        };
-        (!agree(first, step) && agree(last, -step)).then_some(Self {
-            first: self.last,
-            last: self.first,
-            delta: self.delta.map(|delta| -delta),
-            announced: self.announced,
-        })
-    }
-
-    /// Evenly spaced abscissas for `count` points, compared with those at the line starts.
-    fn axis(
-        &self,
-        starts: &[(usize, f64, usize)],
-        count: usize,
-        notes: &mut Vec<String>,
-    ) -> Vec<f64> {
-        if let Some(turned) = self.turned(starts, count) {
-            notes.push(
-                "FIRSTX and LASTX stand the wrong way round: the abscissas at the line starts tell"
-                    .to_owned(),
-            );
-            return turned.axis(starts, count, notes);
-        }
-        let first = self.first.or(starts.first().map(|start| start.1));
-        let first = first.unwrap_or(f64::NAN);
-        let steps = count.saturating_sub(1) as f64;
-        let complete = self.announced.is_none_or(|n| n == count as f64);
-        let last = self.last.filter(|_| complete);
-        let by_ends = last.map(|last| (last - first) / steps);
-        let by_announced = match (self.last, self.announced) {
-            (Some(last), Some(n)) if n > 1.0 => Some((last - first) / (n - 1.0)),
-            _ => None,
-        };
-        let by_starts = match (starts.first(), starts.last()) {
-            (Some(a), Some(b)) if b.2 > a.2 => Some((b.1 - a.1) / (b.2 - a.2) as f64),
-            _ => None,
-        };
-        let step = by_ends
-            .or(by_announced)
-            .or(self.delta)
-            .or(by_starts)
-            .unwrap_or(f64::NAN);
-        let mut axis: Vec<f64> = (0..count).map(|i| first + i as f64 * step).collect();
-        // The last abscissa is stated: rounding of the step does not move it.
-        if let (Some(last), Some(end)) = (last, axis.last_mut()) {
-            *end = last;
-        }
-        // Writers round the abscissas at line starts, mostly to fewer digits than the step has.
-        let off = |(_, x, index): &&(usize, f64, usize)| {
-            let expected = first + *index as f64 * step;
-            (expected - x).abs() > step.abs().max(1e-6 * x.abs())
-        };
-        if let Some((line, x, index)) = starts.iter().find(off) {
-            notes.push(format!(
-                "the abscissa {x} at line {line} is not the {} of even steps",
-                first + *index as f64 * step
-            ));
-        }
-        if let (Some(said), Some(delta)) = (self.delta, by_ends)
-            && (said - delta).abs() > 0.01 * delta.abs()
-        {
-            notes.push(format!("DELTAX says {said}, the ends say {delta}"));
-        }
-        axis
-    }
-}
-
-/// Why a line was not unpacked.
-enum Trouble {
-    /// Something that is no number, at this byte.
-    At(usize),
-    /// More points than the file may have.
-    TooMany,
-}
-
-/// What a number on a line is.
-#[derive(Clone, Copy, PartialEq)]
-enum Form {
-    /// An ordinate.
-    Value,
-    /// A difference.
-    Difference,
-}
-
-impl Unpacked {
+impl Unpacked<'_, '_, '_> {
     /// Unpacks a line; returns whether it ends in differences.
-    fn line(
-        &mut self,
-        row: &str,
-        line: usize,
-        check_follows: bool,
-        decimal_comma: bool,
-    ) -> Result<bool, Trouble> {
-        let bytes = row.as_bytes();
+    fn line(&mut self, row: &str, line: usize, check_follows: bool) -> Result<bool, ReadError> {
+        let (bytes, decimal_comma) = (row.as_bytes(), self.curve.decimal_comma);
         let is_gap = |b: u8| b.is_ascii_whitespace() || b == b';' || (b == b',' && !decimal_comma);
+        let input = self.curve.input;
+        let odd = |at: usize| {
+            let found = quoted(row.get(at..).unwrap_or(row));
+            input.error_at(line, found, "an abscissa and ordinates, plain or packed")
+        };
         let mut at = 0;
         let mut has_abscissa = false;
         let mut last: Option<(Form, f64)> = None;
         let mut checking = check_follows;
         while at < bytes.len() {
-            let byte = bytes[at];
-            if is_gap(byte) {
+            if is_gap(bytes[at]) {
                 at += 1;
                 continue;
             }
-            if byte == b'?' {
-                self.put(Form::Value, f64::NAN)?;
-                last = Some((Form::Value, f64::NAN));
-                (at, checking) = (at + 1, false);
-                continue;
-            }
-            if let Some(times) = dup(byte) {
-                let (more, past) = digits(bytes, at + 1);
-                let times = more.iter().fold(times, |n: u64, d| {
-                    n.saturating_mul(10).saturating_add(u64::from(d - b'0'))
-                });
-                let (form, value) = last.ok_or(Trouble::At(at))?;
-                for _ in 1..times {
-                    self.put(form, value)?;
+            let (form, value, past) = number_at(row, at, decimal_comma).ok_or_else(|| odd(at))?;
+            match form {
+                Form::Repeat => {
+                    let (form, repeated) = last.ok_or_else(|| odd(at))?;
+                    for _ in 1..value as u64 {
+                        self.put(form, repeated, line)?;
+                    }
                 }
-                at = past;
-                continue;
-            }
-            let (form, value, past) = number_at(row, at, decimal_comma).ok_or(Trouble::At(at))?;
-            if !has_abscissa {
-                if form == Some(Form::Difference) {
-                    return Err(Trouble::At(at));
+                Form::Difference if !has_abscissa => return Err(odd(at)),
+                Form::Plain | Form::Value if !has_abscissa => {
+                    has_abscissa = true;
+                    let (x, index) = (value, self.values.len() - usize::from(check_follows));
+                    self.starts.push(Start { line, x, index });
                 }
-                has_abscissa = true;
-                let index = self.values.len() - usize::from(check_follows);
-                self.starts.push((line, value, index));
-                at = past;
-                continue;
+                _ => {
+                    if checking && matches!(form, Form::Plain | Form::Value) {
+                        self.check(value, line);
+                    } else {
+                        self.put(form, value, line)?;
+                    }
+                    checking = false;
+                    last = Some((form, value));
+                }
             }
-            let form = form.unwrap_or(Form::Value);
-            if checking && form == Form::Value {
-                self.check(value, line);
-            } else {
-                self.put(form, value)?;
-            }
-            checking = false;
-            last = Some((form, value));
             at = past;
         }
         Ok(matches!(last, Some((Form::Difference, _))))
     }
 
-    fn put(&mut self, form: Form, value: f64) -> Result<(), Trouble> {
-        let value = match form {
-            Form::Value => value,
-            Form::Difference => self.values.last().copied().unwrap_or(0.0) + value,
-        };
-        if self.values.len() >= self.most_points {
-            return Err(Trouble::TooMany);
-        }
-        self.values.push(value);
+    fn put(&mut self, form: Form, value: f64, line: usize) -> Result<(), ReadError> {
+        self.curve.check_room(self.values.len(), line)?;
+        let before = self.values.last().copied().unwrap_or(0.0);
+        self.values.push(match form {
+            Form::Difference => before + value,
+            _ => value,
+        });
         Ok(())
     }
 
@@ -282,65 +215,73 @@ impl Unpacked {
     }
 }
 
-fn dup(byte: u8) -> Option<u64> {
-    match byte {
-        b'S'..=b'Z' => Some(u64::from(byte - b'S') + 1),
-        b's' => Some(9),
-        _ => None,
-    }
+/// What a block says about its abscissas.
+struct Grid {
+    first: Option<f64>,
+    last: Option<f64>,
+    delta: Option<f64>,
+    announced: Option<f64>,
 }
 
-/// First digit with sign, and form, of a letter that starts a number.
-fn letter(byte: u8) -> Option<(Form, bool, u8)> {
-    let (form, negative, digit) = match byte {
-        b'@' => (Form::Value, false, 0),
-        b'A'..=b'I' => (Form::Value, false, byte - b'A' + 1),
-        b'a'..=b'i' => (Form::Value, true, byte - b'a' + 1),
-        b'%' => (Form::Difference, false, 0),
-        b'J'..=b'R' => (Form::Difference, false, byte - b'J' + 1),
-        b'j'..=b'r' => (Form::Difference, true, byte - b'j' + 1),
-        _ => return None,
-    };
-    Some((form, negative, digit))
-}
-
-fn digits(bytes: &[u8], from: usize) -> (&[u8], usize) {
-    let rest = &bytes[from..];
-    let count = rest.iter().take_while(|b| b.is_ascii_digit()).count();
-    (&rest[..count], from + count)
-}
-
-/// The number that starts at a byte, its form (`None` for a plain number), and where it ends.
-fn number_at(row: &str, at: usize, decimal_comma: bool) -> Option<(Option<Form>, f64, usize)> {
-    let bytes = row.as_bytes();
-    let first = bytes[at];
-    let packed = letter(first);
-    let mut end = at;
-    if packed.is_some() || matches!(first, b'+' | b'-') {
-        end += 1;
+impl Grid {
+    /// Whether every line start agrees with the same ends the other way round, and not with the ends
+    /// as they are labelled: the abscissa beside a number is believed before a label.
+    fn is_turned(&self, starts: &[Start], count: usize) -> bool {
+        let (Some(first), Some(last), 2..) = (self.first, self.last, count) else {
+            return false;
+        };
+        let step = (last - first) / (count - 1) as f64;
+        let agree = |from: f64, step: f64| {
+            let off = |start: &Start| from + start.index as f64 * step - start.x;
+            !starts.is_empty() && starts.iter().all(|start| off(start).abs() <= step.abs())
+        };
+        !agree(first, step) && agree(last, -step)
     }
-    end = digits(bytes, end).1;
-    let is_mark = |b: &u8| *b == b'.' || (decimal_comma && *b == b',');
-    if bytes.get(end).is_some_and(is_mark) {
-        end = digits(bytes, end + 1).1;
-    }
-    // An exponent has a sign; without one an E is the packed digit 5.
-    if matches!(bytes.get(end), Some(b'E' | b'e'))
-        && matches!(bytes.get(end + 1), Some(b'+' | b'-'))
-    {
-        let (exponent, past) = digits(bytes, end + 2);
-        if !exponent.is_empty() {
-            end = past;
+
+    /// Evenly spaced abscissas for `count` points, compared with those at the line starts.
+    fn axis(mut self, starts: &[Start], count: usize, notes: &mut Vec<String>) -> Vec<f64> {
+        if self.is_turned(starts, count) {
+            let note =
+                "FIRSTX and LASTX stand the wrong way round: the abscissas at the line starts tell";
+            notes.push(note.to_owned());
+            std::mem::swap(&mut self.first, &mut self.last);
+            self.delta = self.delta.map(|delta| -delta);
         }
-    }
-    // Letters and digits are ASCII, so that these are character boundaries.
-    let text = row.get(at..end)?;
-    match packed {
-        None => Some((None, number::number(text, decimal_comma)?, end)),
-        Some((form, negative, digit)) => {
-            let text = format!("{digit}{}", text.get(1..)?);
-            let value = number::number(&text, decimal_comma)?;
-            Some((Some(form), if negative { -value } else { value }, end))
+        let first = self.first.or(starts.first().map(|start| start.x));
+        let first = first.unwrap_or(f64::NAN);
+        let announced = self.announced.unwrap_or(count as f64);
+        let is_complete = announced == count as f64;
+        let last = self.last.filter(|_| is_complete || announced > 1.0);
+        let by_ends = last.map(|last| (last - first) / (announced - 1.0));
+        let by_starts = || match starts {
+            [a, .., b] if b.index > a.index => Some((b.x - a.x) / (b.index - a.index) as f64),
+            _ => None,
+        };
+        let step = by_ends.or(self.delta).or_else(by_starts);
+        let step = step.unwrap_or(f64::NAN);
+        let at = |index: usize| first + index as f64 * step;
+        let mut axis: Vec<f64> = (0..count).map(at).collect();
+        // Writers round the abscissas at line starts, mostly to fewer digits than the step has.
+        let is_off = |start: &&Start| {
+            (at(start.index) - start.x).abs() > step.abs().max(1e-6 * start.x.abs())
+        };
+        if let Some(Start { line, x, index }) = starts.iter().find(is_off) {
+            let even = at(*index);
+            notes.push(format!(
+                "the abscissa {x} at line {line} is not the {even} of even steps"
+            ));
         }
+        if is_complete {
+            // The last abscissa is stated: rounding of the step does not move it.
+            if let (Some(last), Some(end)) = (last, axis.last_mut()) {
+                *end = last;
+            }
+            if let (Some(said), Some(delta)) = (self.delta, by_ends)
+                && (said - delta).abs() > 0.01 * delta.abs()
+            {
+                notes.push(format!("DELTAX says {said}, the ends say {delta}"));
+            }
+        }
+        axis
     }
 }

@@ -7,31 +7,13 @@ use crate::io::text::units::names_wavelength;
 /// Keys under which a sample's name stands.
 pub(super) const NAMES: [&str; 6] = ["name", "title", "label", "id", "sample", "description"];
 
-/// Keys that are no names of what stands under them.
-pub(super) const NO_NAMES: [&str; 22] = [
-    "data",
-    "spectrum",
-    "spectra",
-    "spectral data",
-    "values",
-    "value",
-    "points",
-    "samples",
-    "sample",
-    "measurements",
-    "measurement",
-    "results",
-    "result",
-    "spd",
-    "series",
-    "records",
-    "rows",
-    "items",
-    "meta",
-    "metadata",
-    "info",
-    "main",
-];
+/// Whether a key, its words set apart in small letters, is no name of what stands under it.
+pub(super) fn is_no_name(plain: &str) -> bool {
+    const NO_NAMES: &str = "data;spectrum;spectra;spectral data;values;value;points;samples;sample;\
+         measurements;measurement;results;result;spd;series;records;rows;items;meta;metadata;info;\
+         main";
+    NO_NAMES.split(';').any(|word| word == plain)
+}
 
 /// Whether a key is "x", which is mostly something else where another says that it is an axis.
 pub(super) fn is_x(key: &str) -> bool {
@@ -40,14 +22,12 @@ pub(super) fn is_x(key: &str) -> bool {
 
 /// Whether keys count rows from 0 or 1, as tables are written that have columns for objects.
 pub(super) fn row_numbers(object: &Object) -> bool {
-    let first = object
-        .first()
-        .and_then(|(key, _)| key.parse::<usize>().ok());
-    let Some(first @ 0..=1) = first else {
+    let number = |(key, _): &(String, Tree)| key.parse::<usize>().ok();
+    let Some(first @ 0..=1) = object.first().and_then(number) else {
         return false;
     };
-    let mut rows = object.iter().enumerate();
-    rows.all(|(row, (key, _))| key.parse() == Ok(row + first))
+    let rows = (first..first + object.len()).map(Some);
+    object.iter().map(number).eq(rows)
 }
 
 /// The values of a list, or of an object whose keys count rows.
@@ -63,8 +43,8 @@ pub(super) fn items(value: &Tree) -> Option<Vec<&Tree>> {
 
 /// At least two numbers; `null` and words for a gap stand for missing ones.
 pub(super) fn numbers(value: &Tree) -> Option<Vec<f64>> {
-    let list = items(value).filter(|list| list.len() > 1)?;
-    let list: Vec<f64> = list.into_iter().map(one_number).collect::<Option<_>>()?;
+    let list = items(value).filter(|list| list.len() > 1)?.into_iter();
+    let list: Vec<f64> = list.map(one_number).collect::<Option<_>>()?;
     list.iter().any(|number| !number.is_nan()).then_some(list)
 }
 
@@ -74,11 +54,8 @@ pub(super) fn one_number(value: &Tree) -> Option<f64> {
         Tree::Nothing => Some(f64::NAN),
         Tree::Number(number) => Some(*number),
         Tree::Text(text) => match number::parse(text, false) {
-            Cell::Number(number) | Cell::Nanometres(number) | Cell::WithUnit(number) => {
-                Some(number)
-            }
-            Cell::Gap => Some(f64::NAN),
-            Cell::Percent(_) | Cell::Limit(_) | Cell::Empty | Cell::Text => None,
+            Cell::Percent(_) | Cell::Limit(_) | Cell::Empty => None,
+            cell => cell.value(),
         },
         Tree::List(_) | Tree::Object(_) => None,
     }
@@ -86,9 +63,8 @@ pub(super) fn one_number(value: &Tree) -> Option<f64> {
 
 /// Whether a number has "nm" behind it.
 pub(super) fn says_nm(value: &Tree) -> bool {
-    value
-        .text()
-        .is_some_and(|text| text.trim_end().ends_with("nm"))
+    let ends = |text: &str| text.trim_end().ends_with("nm");
+    value.text().is_some_and(ends)
 }
 
 /// Whether a key says that wavelengths stand under it.

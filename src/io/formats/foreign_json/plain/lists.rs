@@ -5,11 +5,12 @@ use std::collections::HashMap;
 
 use super::DEPTH;
 use super::keys::{
-    NAMES, NO_NAMES, is_axis, is_x, items, numbers, one_number, row_numbers, says_nm, spaced,
+    NAMES, is_axis, is_no_name, is_x, items, numbers, one_number, row_numbers, says_nm, spaced,
 };
 use super::range::Ends;
 use crate::io::decode::json_tree::{Object, Tree};
 use crate::io::interpret::kinds;
+use crate::io::table::row_order::runs_one_way;
 use crate::io::text::number;
 
 /// Least and greatest number, nm, of a list that only its key's last word tells to be one of
@@ -79,10 +80,9 @@ fn beside(object: &Object, at: usize) -> Option<Lists<'_>> {
     let others = object.iter().enumerate().filter(|(other, _)| *other != at);
     let columns = lists_beside(others.map(|(_, entry)| entry), axis.len());
     let table = Lists {
-        axis_title: if is_axis(axis_key) {
-            spaced(axis_key)
-        } else {
-            "wavelength nm".to_owned()
+        axis_title: match is_axis(axis_key) {
+            true => spaced(axis_key),
+            false => "wavelength nm".to_owned(),
         },
         says_nm: items(value).is_some_and(|items| items.iter().any(|item| says_nm(item))),
         axis,
@@ -110,9 +110,8 @@ fn of_range(object: &Object) -> Option<Lists<'_>> {
 /// Whether the last word of a key says that numbers under it may be wavelengths.
 fn is_bands(key: &str) -> bool {
     let key = spaced(key).to_lowercase();
-    ["bands", "nm", "wavelengths"]
-        .iter()
-        .any(|word| key.ends_with(word))
+    let ends = |word: &&str| key.ends_with(*word);
+    ["bands", "nm", "wavelengths"].iter().any(ends)
 }
 
 fn rises(value: &Tree) -> bool {
@@ -162,13 +161,12 @@ fn gather<'a>(
             .for_each(|inner| gather(key, inner, name, length, depth, columns)),
         Tree::Object(object) => {
             let own = NAMES.iter().find_map(|name| get(object, name)?.text());
-            let is_named = !NO_NAMES.contains(&&*spaced(key).to_lowercase());
+            let is_named = !is_no_name(&spaced(key).to_lowercase());
             for (inner_key, inner) in object {
                 // Keys over lists of their own are names, unless they say what is measured:
                 // {"samples": {"A": [..]}}, {"A": {"reflectance": [..]}}.
                 let plain = spaced(inner_key).to_lowercase();
-                let says_what =
-                    NO_NAMES.contains(&&*plain) || kinds::kind_of_title(&plain).is_some();
+                let says_what = is_no_name(&plain) || kinds::kind_of_title(&plain).is_some();
                 let is_name = matches!(inner, Tree::List(_)) && !(says_what && is_named);
                 let name = own.or(is_name.then_some(inner_key)).or(Some(key));
                 gather(inner_key, inner, name, length, depth, columns);
@@ -179,18 +177,15 @@ fn gather<'a>(
 }
 
 fn get<'a>(object: &'a Object, key: &str) -> Option<&'a Tree> {
-    object
-        .iter()
-        .find(|(other, _)| other == key)
-        .map(|(_, value)| value)
+    let mut entries = object.iter();
+    let (_, value) = entries.find(|(other, _)| other == key)?;
+    Some(value)
 }
 
 /// Wavelengths as keys: `{"380": 0.1, "390": 0.2}`.
 pub(super) fn of_keys(object: &Object) -> Option<Lists<'_>> {
-    let mut points = Vec::new();
-    for (key, value) in object {
-        points.push((wavelength_of(key)?, one_number(value)?));
-    }
+    let point = |(key, value): &(String, Tree)| Some((wavelength_of(key)?, one_number(value)?));
+    let mut points = object.iter().map(point).collect::<Option<Vec<_>>>()?;
     if points.len() < 2 || row_numbers(object) {
         return None;
     }
@@ -218,27 +213,24 @@ pub(super) fn of_points(value: &Tree) -> Vec<Lists<'_>> {
     let Some(points) = points.collect::<Option<Vec<&Object>>>() else {
         return Vec::new();
     };
-    match by_sample(&points) {
-        Some((key, samples)) => {
-            let named = samples.into_iter().filter_map(|(name, points)| {
-                let mut lists = of_objects(&points)?;
-                lists.columns.retain(|column| column.title != key);
-                for column in &mut lists.columns {
-                    column.name = Some(name.clone());
-                }
-                Some(lists)
-            });
-            named.collect()
+    let Some((key, samples)) = by_sample(&points) else {
+        return of_objects(&points).into_iter().collect();
+    };
+    let named = samples.into_iter().filter_map(|(name, points)| {
+        let mut lists = of_objects(&points)?;
+        lists.columns.retain(|column| column.title != key);
+        for column in &mut lists.columns {
+            column.name = Some(name.clone());
         }
-        None => of_objects(&points).into_iter().collect(),
-    }
+        Some(lists)
+    });
+    named.collect()
 }
 
 /// The keys of a point that hold numbers, and which of them has the wavelengths.
 fn keys_of(point: &Object) -> Option<(Vec<&str>, usize)> {
-    let numbers = point
-        .iter()
-        .filter(|(_, value)| one_number(value).is_some());
+    let is_number = |(_, value): &&(String, Tree)| one_number(value).is_some();
+    let numbers = point.iter().filter(is_number);
     let keys: Vec<&str> = numbers.map(|(key, _)| key.as_str()).collect();
     let axis = keys.iter().position(|key| is_axis(key) && !is_x(key));
     let axis = axis.or_else(|| keys.iter().position(|key| is_axis(key)))?;
@@ -254,9 +246,7 @@ fn by_sample<'a>(points: &[&'a Object]) -> Option<(&'a str, Vec<Sample<'a>>)> {
     let runs = |points: &[&Object]| {
         let nm = points.iter().map(|point| one_number(get(point, axis)?));
         let nm: Option<Vec<f64>> = nm.collect();
-        nm.is_some_and(|nm| {
-            nm.len() > 1 && (nm.is_sorted_by(|a, b| a < b) || nm.is_sorted_by(|a, b| a > b))
-        })
+        nm.is_some_and(|nm| nm.len() > 1 && runs_one_way(&nm))
     };
     if runs(points) {
         return None;
@@ -293,24 +283,22 @@ fn of_objects<'a>(points: &[&'a Object]) -> Option<Lists<'a>> {
         return None;
     }
     let places: HashMap<&str, usize> = keys.iter().copied().zip(0..).collect();
-    let mut columns = vec![vec![f64::NAN; points.len()]; keys.len()];
+    let new = |key| Column::new(key, vec![f64::NAN; points.len()]);
+    let mut columns: Vec<Column> = keys.iter().copied().map(new).collect();
     let mut says_nm_too = false;
     for (row, point) in points.iter().enumerate() {
         for (key, value) in *point {
             if let (Some(at), Some(number)) = (places.get(&**key), one_number(value)) {
-                columns[*at][row] = number;
+                columns[*at].values[row] = number;
                 says_nm_too |= *at == axis_at && says_nm(value);
             }
         }
     }
-    let axis_title = spaced(keys[axis_at]);
-    let columns = keys.into_iter().zip(columns);
-    let mut columns: Vec<Column> = columns.map(|(key, list)| Column::new(key, list)).collect();
-    let axis = columns.remove(axis_at).values;
+    let axis = columns.remove(axis_at);
     Some(Lists {
-        axis_title,
+        axis_title: spaced(axis.title),
         says_nm: says_nm_too,
-        axis,
+        axis: axis.values,
         columns,
     })
 }
@@ -323,8 +311,10 @@ pub(super) fn of_rows(list: &[Tree]) -> Option<Lists<'_>> {
     let rows: Vec<Vec<f64>> = list.iter().map(numbers).collect::<Option<_>>()?;
     let width = rows[0].len();
     let axis: Vec<f64> = rows.iter().map(|row| row[0]).collect();
-    let rises = axis.is_sorted_by(|a, b| a < b) || axis.is_sorted_by(|a, b| a > b);
-    if !rises || axis.iter().any(|nm| *nm <= 0.0) || rows.iter().any(|row| row.len() != width) {
+    if !runs_one_way(&axis)
+        || axis.iter().any(|nm| *nm <= 0.0)
+        || rows.iter().any(|row| row.len() != width)
+    {
         return None;
     }
     let column = |at| Column::new("", rows.iter().map(|row| row[at]).collect());

@@ -25,7 +25,7 @@ use crate::io::interpret::{interpret, kinds};
 use crate::io::table::roles;
 use crate::io::text::number;
 use crate::io::{Input, ReadError, Reading, quoted};
-use keys::{NAMES, NO_NAMES, spaced};
+use keys::{NAMES, is_no_name, spaced};
 use lists::{Column, Lists, of_keys, of_lists, of_points, of_rows};
 
 /// How deep in a file spectra are looked for.
@@ -49,14 +49,13 @@ pub(super) fn read(input: &Input, value: &Tree, reading: &mut Reading) -> Result
         input,
         reading,
         words: Vec::new(),
-        bytes: 0,
         bytes_read: 0,
         left_out: BTreeSet::new(),
     };
     finder.look(value, DEPTH)?;
-    let left_out = std::mem::take(&mut finder.left_out).into_iter();
-    let said = left_out.map(|(title, why)| format!("{} {why}", quoted(&title)));
-    reading.notes.extend(said);
+    let left_out = finder.left_out.iter();
+    let said = left_out.map(|(title, why)| format!("{} {why}", quoted(title)));
+    finder.reading.notes.extend(said);
     Ok(())
 }
 
@@ -66,8 +65,6 @@ struct Finder<'i, 'f, 'r> {
     reading: &'r mut Reading,
     /// Words of the objects around, the innermost last.
     words: Vec<String>,
-    /// Of those words.
-    bytes: usize,
     /// Of words read with tables so far.
     bytes_read: usize,
     /// Keys above lists that are no spectra, and why.
@@ -79,40 +76,30 @@ impl Finder<'_, '_, '_> {
         let Some(depth) = depth.checked_sub(1) else {
             return Ok(());
         };
-        let outside = (self.words.len(), self.bytes);
-        let tables = match value {
-            Tree::Object(object) => {
-                words_of(object).for_each(|line| self.push(line));
-                tables_in(value, object)
-            }
-            Tree::List(list) => match of_points(value) {
-                tables if tables.is_empty() => of_rows(list).into_iter().collect(),
-                tables => tables,
-            },
-            _ => return Ok(()),
-        };
-        let outcome = match value {
-            _ if !tables.is_empty() => tables.into_iter().try_for_each(|lists| self.add(lists)),
-            Tree::Object(object) => self.look_below(object, depth),
-            Tree::List(list) => list.iter().try_for_each(|inner| self.look(inner, depth)),
-            _ => Ok(()),
-        };
-        self.forget(outside);
-        outcome
+        let outside = self.words.len();
+        if let Tree::Object(object) = value {
+            words_of(object).for_each(|line| self.push(line));
+        }
+        let tables = tables_in(value);
+        match value {
+            _ if !tables.is_empty() => tables.into_iter().try_for_each(|lists| self.add(lists))?,
+            Tree::Object(object) => self.look_below(object, depth)?,
+            Tree::List(list) => list.iter().try_for_each(|inner| self.look(inner, depth))?,
+            _ => {}
+        }
+        self.words.truncate(outside);
+        Ok(())
     }
 
     /// Looks at what stands under the keys, which are names where there are several.
     fn look_below(&mut self, object: &Object, depth: usize) -> Result<(), ReadError> {
-        let several = object
-            .iter()
-            .filter(|(_, inner)| inner.holds_values())
-            .count()
-            > 1;
-        for (key, inner) in object.iter().filter(|(_, inner)| inner.holds_values()) {
-            let outside = (self.words.len(), self.bytes);
+        let below = || object.iter().filter(|(_, inner)| inner.holds_values());
+        let several = below().nth(1).is_some();
+        for (key, inner) in below() {
+            let outside = self.words.len();
             let plain = spaced(key).to_lowercase();
-            if several && !NO_NAMES.contains(&plain.trim()) {
-                let is_kind = kinds::kind_of_title(&plain).is_some();
+            let is_kind = kinds::kind_of_title(&plain).is_some();
+            if several && !is_no_name(plain.trim()) {
                 let is_number = number::number(key.trim(), false).is_some();
                 self.push(if is_kind || is_number {
                     format!("name: {} {}", self.input.stem(), kept(key))
@@ -120,50 +107,46 @@ impl Finder<'_, '_, '_> {
                     format!("name: {}", kept(key))
                 });
             }
-            if !several && kinds::kind_of_title(&plain).is_some() {
+            if !several && is_kind {
                 self.push(format!("y units: {plain}"));
             }
-            let outcome = self.look(inner, depth);
-            self.forget(outside);
-            outcome?;
+            self.look(inner, depth)?;
+            self.words.truncate(outside);
         }
         Ok(())
     }
 
+    /// Bytes of the words.
+    fn bytes(&self) -> usize {
+        self.words.iter().map(String::len).sum()
+    }
+
     /// Remembers a line, unless there are many already.
     fn push(&mut self, line: String) {
-        if self.words.len() < MOST_WORDS && self.bytes + line.len() <= MOST_WORD_BYTES {
-            self.bytes += line.len();
+        if self.words.len() < MOST_WORDS && self.bytes() + line.len() <= MOST_WORD_BYTES {
             self.words.push(line);
         }
     }
 
-    fn forget(&mut self, (lines, bytes): (usize, usize)) {
-        self.words.truncate(lines);
-        self.bytes = bytes;
-    }
-
-    fn add(&mut self, mut lists: Lists) -> Result<(), ReadError> {
+    fn add(&mut self, lists: Lists) -> Result<(), ReadError> {
         let title = |column: usize| spaced(lists.columns[column].title);
-        let (_, left_out) = roles::by_titles(title, (0..lists.columns.len()).collect());
-        let mut left_out: Vec<(usize, &str)> = left_out
-            .iter()
-            .map(|other| (other.column, other.why))
-            .collect();
-        // The first stands last, where it is taken from.
-        left_out.sort_unstable_by(|one, other| other.cmp(one));
-        let mut place = 0..;
-        lists.columns.retain(|column| {
-            let here = place.next();
-            let Some((_, why)) = left_out.pop_if(|(place, _)| Some(*place) == here) else {
-                return true;
-            };
+        let all = (0..lists.columns.len()).collect();
+        let (spectra, mut left_out) = roles::by_titles(title, all);
+        left_out.sort_unstable_by_key(|other| other.column);
+        for other in left_out {
             if self.left_out.len() < MOST_LEFT_OUT {
-                self.left_out.insert((kept(column.title).to_owned(), why));
+                let title = kept(lists.columns[other.column].title);
+                self.left_out.insert((title.to_owned(), other.why));
             }
-            false
+        }
+        let mut place = 0..;
+        let mut columns = lists.columns;
+        columns.retain(|_| {
+            place
+                .next()
+                .is_some_and(|at| spectra.binary_search(&at).is_ok())
         });
-        self.bytes_read += self.bytes;
+        self.bytes_read += self.bytes();
         let most_read = MOST_BYTES_READ + 2 * self.input.bytes.len();
         let lines: Vec<(usize, &str)> = if self.bytes_read <= most_read {
             self.words.iter().map(|line| (0, &**line)).collect()
@@ -172,12 +155,11 @@ impl Finder<'_, '_, '_> {
             let nearest = self.words.last().map(|line| (0, &line[..start(line)]));
             nearest.into_iter().collect()
         };
-        let heading = Heading::of(&lines).shared_by(lists.columns.len());
+        let heading = Heading::of(&lines).shared_by(columns.len());
         let scale = Scale::new(&lists.axis);
-        let several = lists.columns.len() > 1;
-        let are_channels = are_channels(&lists.columns);
+        let (several, are_channels) = (columns.len() > 1, are_channels(&columns));
         let stem = heading.name.unwrap_or(self.input.stem());
-        for column in lists.columns {
+        for column in columns {
             let name = match (column.name, several) {
                 (Some(name), _) => name.into_owned(),
                 (None, true) if !column.title.is_empty() => format!("{stem} {}", column.title),
@@ -198,29 +180,32 @@ impl Finder<'_, '_, '_> {
     }
 }
 
-/// The tables that an object holds in one of the ways that JSON has for them.
-fn tables_in<'a>(value: &'a Tree, object: &'a Object) -> Vec<Lists<'a>> {
-    let mut tables: Vec<Lists> = of_lists(object).into_iter().collect();
+/// The tables that a value holds in one of the ways that JSON has for them.
+fn tables_in(value: &Tree) -> Vec<Lists<'_>> {
+    let mut tables: Vec<Lists> = value.object().and_then(of_lists).into_iter().collect();
     if tables.is_empty() {
         tables = of_points(value);
     }
     if tables.is_empty() {
-        tables.extend(of_keys(object));
+        tables.extend(match value {
+            Tree::Object(object) => of_keys(object),
+            Tree::List(list) => of_rows(list),
+            _ => None,
+        });
     }
     tables
 }
 
 /// Whether columns are a camera's or a display's red, green and blue: then R is no reflectance.
 fn are_channels(columns: &[Column]) -> bool {
+    let first_word = |column: &Column| {
+        let title = spaced(column.title).to_lowercase();
+        title.split_whitespace().next().unwrap_or("").to_owned()
+    };
+    let words: Vec<String> = columns.iter().map(first_word).collect();
     [["r", "red"], ["g", "green"], ["b", "blue"]]
         .iter()
-        .all(|names| {
-            columns.iter().any(|column| {
-                let title = spaced(column.title).to_lowercase();
-                let first = title.split_whitespace().next().unwrap_or("");
-                names.contains(&first)
-            })
-        })
+        .all(|names| words.iter().any(|word| names.contains(&&**word)))
 }
 
 /// What the title of a channel says of its values: `red_ssf` is a camera's sensitivity.

@@ -7,6 +7,7 @@
 
 use super::keys::{is_axis, one_number, spaced};
 use crate::io::decode::json_tree::Tree;
+use crate::io::text::words::holds_one;
 
 /// Ends of light where no key says that they are wavelengths, nm.
 const PLAUSIBLE_NM: std::ops::RangeInclusive<f64> = 150.0..=50_000.0;
@@ -29,28 +30,18 @@ pub(super) struct Ends {
 }
 
 /// Words in a key that say that it is about wavelengths.
-const ABOUT: [&str; 9] = [
-    "wavelength",
-    "wavelengths",
-    "lambda",
-    "wl",
-    "nm",
-    "um",
-    "µm",
-    "spectral",
-    "band",
-];
+const ABOUT: &str = "|wavelength|;|wavelengths|;|lambda|;|wl|;|nm|;|um|;|µm|;|spectral|;|band|";
 
 /// Words in a key that say nothing.
-const FILLING: [&str; 7] = ["range", "axis", "sampling", "in", "bands", "of", "spectrum"];
+const FILLING: &str = "|range|;|axis|;|sampling|;|in|;|bands|;|of|;|spectrum|";
 
 /// Words in a key of two or three numbers that are ends and a step.
-const RANGES: [&str; 6] = ["domain", "span", "bands", "range", "limits", "extent"];
+const RANGES: &str = "|domain|;|span|;|bands|;|range|;|limits|;|extent|";
 
-fn words(key: &str) -> Vec<String> {
-    let key = spaced(key).to_lowercase();
+/// The words of a key in small letters.
+fn words(key: &str) -> impl Iterator<Item = &str> {
     let words = key.split(|c: char| !c.is_alphanumeric());
-    words.filter(|w| !w.is_empty()).map(str::to_owned).collect()
+    words.filter(|word| !word.is_empty())
 }
 
 impl Ends {
@@ -58,30 +49,24 @@ impl Ends {
     pub(super) fn of<'o>(object: impl IntoIterator<Item = &'o (String, Tree)>) -> Self {
         let mut ends = Self::default();
         for (key, value) in object {
-            ends.look(key, value);
+            ends.look(&spaced(key).to_lowercase(), is_axis(key), value);
         }
         ends
     }
 
-    fn look(&mut self, key: &str, value: &Tree) {
-        let words = words(key);
-        let is_range = RANGES.iter().any(|range| words.iter().any(|w| w == range));
+    fn look(&mut self, key: &str, is_axis: bool, value: &Tree) {
+        let is_range = holds_one(key, RANGES);
         match value {
-            Tree::Number(number) => self.number(&words, *number),
-            Tree::List(list) if (2..=3).contains(&list.len()) => {
-                let three = list.len() == 3 && is_axis(key);
-                if is_range || three {
-                    self.list(&words, list);
-                }
-            }
-            Tree::Object(inner) if is_range || is_axis(key) => {
+            Tree::Number(number) => self.number(key, *number),
+            Tree::List(list) if is_range || is_axis && list.len() == 3 => self.list(key, list),
+            Tree::Object(inner) if is_range || is_axis => {
                 // Nothing is looked for further down.
                 let is_number = |entry: &&(String, Tree)| matches!(entry.1, Tree::Number(_));
-                let inner_ends = Self::of(inner.iter().filter(is_number));
-                if inner_ends.start.is_some() && self.start.is_none() {
-                    *self = inner_ends;
-                    self.names_wavelengths |= is_axis(key);
-                    self.note_unit(&words);
+                let inner = Self::of(inner.iter().filter(is_number));
+                if inner.start.is_some() && self.start.is_none() {
+                    *self = inner;
+                    self.names_wavelengths |= is_axis;
+                    self.note_unit(key);
                 }
             }
             _ => {}
@@ -89,9 +74,9 @@ impl Ends {
     }
 
     /// Takes a number for what its key says that it is to an axis.
-    fn number(&mut self, words: &[String], number: f64) {
-        let is_left = |word: &&str| !ABOUT.contains(word) && !FILLING.contains(word);
-        let left: Vec<&str> = words.iter().map(String::as_str).filter(is_left).collect();
+    fn number(&mut self, key: &str, number: f64) {
+        let is_left = |word: &&str| !holds_one(word, ABOUT) && !holds_one(word, FILLING);
+        let left: Vec<&str> = words(key).filter(is_left).collect();
         let (is_end, place) = match left.join(" ").as_str() {
             "start" | "from" | "first" | "min" | "minimum" | "begin" => (true, &mut self.start),
             "end" | "to" | "last" | "max" | "maximum" | "stop" => (true, &mut self.end),
@@ -101,34 +86,37 @@ impl Ends {
             "n" | "count" | "points" | "num" | "num points" | "number points" => {
                 (false, &mut self.count)
             }
-            "" if words.last().is_some_and(|word| word == "bands") => (false, &mut self.count),
+            "" if words(key).last() == Some("bands") => (false, &mut self.count),
             _ => return,
         };
         place.get_or_insert(number);
         if is_end {
             self.are_apart = true;
-            self.names_wavelengths |= words.iter().any(|word| ABOUT.contains(&&**word));
-            self.note_unit(words);
+            self.names_wavelengths |= holds_one(key, ABOUT);
+            self.note_unit(key);
         }
     }
 
-    fn list(&mut self, words: &[String], list: &[Tree]) {
-        let numbers: Option<Vec<f64>> = list.iter().map(one_number).collect();
-        let Some([start, end, step @ ..]) = numbers.as_deref() else {
+    /// Takes two or three numbers for the ends and the step.
+    fn list(&mut self, key: &str, list: &[Tree]) {
+        let ends @ ([_, _] | [_, _, _]) = list else {
             return;
         };
-        if self.start.is_none() && start < end {
+        let numbers: Option<Vec<f64>> = ends.iter().map(one_number).collect();
+        if let Some([start, end, step @ ..]) = numbers.as_deref()
+            && self.start.is_none()
+            && start < end
+        {
             (self.start, self.end) = (Some(*start), Some(*end));
             self.step = step.first().copied().or(self.step);
-            self.note_unit(words);
+            self.note_unit(key);
         }
     }
 
-    fn note_unit(&mut self, words: &[String]) {
-        let unit = ["nm", "um", "µm"]
-            .into_iter()
-            .find(|unit| words.iter().any(|w| w == unit));
-        self.unit = unit.or(self.unit);
+    fn note_unit(&mut self, key: &str) {
+        let units = ["nm", "um", "µm"].into_iter();
+        let mut units = units.filter(|unit| words(key).any(|word| word == *unit));
+        self.unit = units.next().or(self.unit);
     }
 
     /// How many wavelengths there may be; `beside` is the length of the first list of numbers.
