@@ -22,12 +22,7 @@ use crate::io::text::number;
 use crate::io::{Input, ReadError, Reading, budget, many};
 
 /// CxF3.
-pub(crate) const FORMAT: Format = Format {
-    name: "CxF3",
-    extensions: &["cxf"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("CxF3", &["cxf"], sniff, read);
 
 /// Memory of a spectrum besides its samples, in bytes.
 const SPECTRUM_BYTES: usize = 1000;

@@ -23,12 +23,7 @@ use crate::io::text::{self, number};
 use crate::io::{Input, ReadError, Reading};
 
 /// GDTF fixtures.
-pub(crate) const FORMAT: Format = Format {
-    name: "GDTF",
-    extensions: &["gdtf"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("GDTF", &["gdtf"], sniff, read);
 
 /// The member with the spectra.
 const DESCRIPTION: &str = "description.xml";

@@ -10,12 +10,7 @@ use super::uprtek::{is_li180, is_meter, read_meter};
 use super::{Confidence, Format};
 use crate::io::{Input, ReadError, Reading};
 
-pub(crate) const FORMAT: Format = Format {
-    name: "LI-COR LI-180",
-    extensions: &["txt", "xls"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("LI-COR LI-180", &["txt", "xls"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     Confidence::certain_if(is_li180(input) && is_meter(input))

@@ -14,12 +14,7 @@ use crate::io::table::alternating;
 use crate::io::text::lines;
 use crate::io::{Input, ReadError, Reading};
 
-pub(crate) const FORMAT: Format = Format {
-    name: "Macam",
-    extensions: &["dta"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("Macam", &["dta"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let mut first = lines(input.head()).map(|(_, line)| line.trim());

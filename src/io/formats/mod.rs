@@ -18,6 +18,7 @@ pub(super) mod perkin_elmer;
 pub(super) mod procspec;
 pub(super) mod raman;
 pub(super) mod refractive_yaml;
+mod rows;
 pub(super) mod sekonic;
 pub(super) mod spd;
 pub(super) mod spdx;
@@ -65,15 +66,6 @@ fn own_json(input: &Input, word: &str) -> Confidence {
     Confidence::certain_if(input.head().starts_with('{') && input.head().contains(word))
 }
 
-/// The two numbers of a row, or what stands there instead.
-fn pair(row: &str, cell: impl Fn(&str) -> Option<f64>) -> Result<(f64, f64), &str> {
-    let mut words = row.split(['\t', ' ', ';']).filter(|w| !w.is_empty());
-    let (Some(x), Some(y), None) = (words.next(), words.next(), words.next()) else {
-        return Err(row);
-    };
-    Ok((cell(x).ok_or(x)?, cell(y).ok_or(y)?))
-}
-
 /// The least and the greatest of some numbers, gaps passed over.
 fn extent(numbers: &[f64]) -> (f64, f64) {
     let none = (f64::INFINITY, f64::NEG_INFINITY);
@@ -92,6 +84,22 @@ pub struct Format {
     pub sniff: fn(&Input) -> Confidence,
     /// Reads a file of its own, or refuses it.
     pub read: fn(&Input) -> Result<Reading, ReadError>,
+}
+
+impl Format {
+    const fn new(
+        name: &'static str,
+        extensions: &'static [&'static str],
+        sniff: fn(&Input) -> Confidence,
+        read: fn(&Input) -> Result<Reading, ReadError>,
+    ) -> Self {
+        Self {
+            name,
+            extensions,
+            sniff,
+            read,
+        }
+    }
 }
 
 /// Every format, the special before the general.

@@ -15,12 +15,7 @@ use crate::io::text::{self, number};
 use crate::io::{Input, ReadError, Reading, quoted};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format {
-    name: "Ocean Optics ProcSpec",
-    extensions: &["procspec"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("Ocean Optics ProcSpec", &["procspec"], sniff, read);
 
 /// Share of the memory that may come out of the archive; the parsed XML takes the rest.
 const SHARE: f64 = 0.2;

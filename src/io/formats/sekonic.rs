@@ -20,12 +20,7 @@ use crate::io::interpret::RawSpectrum;
 use crate::io::text::lines;
 use crate::io::{Input, ReadError, Reading};
 
-pub(crate) const FORMAT: Format = Format {
-    name: "Sekonic CSV",
-    extensions: &["csv"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("Sekonic CSV", &["csv"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();

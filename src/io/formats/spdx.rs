@@ -20,12 +20,7 @@ use crate::spectrum::Kind;
 /// Behind this stand the notes in the comments of a file of this program.
 const NOTES_AT: &str = "; notes: ";
 
-pub(crate) const FORMAT: Format = Format {
-    name: "IES TM-27 .spdx",
-    extensions: &["spdx"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("IES TM-27 .spdx", &["spdx"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();

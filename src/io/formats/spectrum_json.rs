@@ -16,12 +16,7 @@ use crate::io::reading::remark::Remark;
 use crate::io::write::json::{FORMAT_WORD, SpectrumFile, VERSION};
 use crate::io::{Decision, Input, ReadError, Reading, quoted};
 
-pub(crate) const FORMAT: Format = Format {
-    name: "spectrum JSON",
-    extensions: &["json"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("spectrum JSON", &["json"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     super::own_json(input, FORMAT_WORD)

@@ -17,12 +17,7 @@ use crate::io::text::{kept_line, lines};
 use crate::io::{Decision, Input, MakersResult, ReadError, Reading, quoted};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format {
-    name: "Argyll spotread output",
-    extensions: &[],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("Argyll spotread output", &[], sniff, read);
 
 /// Most bands that one measurement may state.
 const MOST_BANDS: usize = 100_000;

@@ -20,12 +20,7 @@ use crate::io::reading::remark::PHOTON_NOTE;
 use crate::io::text::{lines, number};
 use crate::io::{Input, MakersResult, Quantity, ReadError, Reading};
 
-pub(crate) const FORMAT: Format = Format {
-    name: "UPRtek",
-    extensions: &["xls", "txt"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("UPRtek", &["xls", "txt"], sniff, read);
 
 /// Largest difference, as a share, between the spectrum's total and the one that the maker states.
 const SAME_TOTAL: f64 = 0.01;

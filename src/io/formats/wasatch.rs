@@ -18,12 +18,7 @@ use crate::io::interpret::{KnownScale, RawSpectrum, alone};
 use crate::io::{Decision, Input, ReadError, Reading};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format {
-    name: "Wasatch ENLIGHTEN JSON",
-    extensions: &["json"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("Wasatch ENLIGHTEN JSON", &["json"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();

@@ -19,12 +19,7 @@ use crate::io::text::dialect::Dialect;
 use crate::io::text::number::{self, Cell as Number};
 use crate::io::{Choices, Input, ReadError, Reading, budget};
 
-pub(crate) const FORMAT: Format = Format {
-    name: "Excel workbook",
-    extensions: &["xlsx", "xlsm"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("Excel workbook", &["xlsx", "xlsm"], sniff, read);
 
 /// Shares of the memory that parts of the archive may unpack to, by what they unfold to when the
 /// workbook is opened: sheets are streamed, a text of 5 bytes takes 24, a style hundreds.
