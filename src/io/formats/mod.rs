@@ -11,7 +11,6 @@ pub(super) mod gdtf;
 pub(super) mod jcamp;
 pub(super) mod keyed_lines;
 pub(super) mod licor_1800;
-pub(super) mod licor_li180;
 pub(super) mod macam;
 pub(super) mod own_csv;
 pub(super) mod perkin_elmer;
@@ -34,6 +33,10 @@ pub(super) mod usgs;
 pub(super) mod wasatch;
 pub(super) mod xlsx;
 
+use roxmltree::Node;
+
+use super::decode::xml;
+use super::interpret::{KnownScale, RawSpectrum, interpret};
 use super::{Input, ReadError, Reading};
 
 /// How sure a format is that a file is its own.
@@ -64,6 +67,27 @@ impl Confidence {
 /// How sure it is that a file is JSON of this program's own under a word.
 fn own_json(input: &Input, word: &str) -> Confidence {
     Confidence::certain_if(input.head().starts_with('{') && input.head().contains(word))
+}
+
+/// Adds the spectrum of an XML element, whose factors are fractions; the lines of its points, where
+/// it has any, are their places in `points`.
+///
+/// # Errors
+/// [`ReadError`] at the line of the point or the element when the numbers are no spectrum.
+fn add_element(
+    input: &Input,
+    mut raw: RawSpectrum,
+    (node, points): (Node, &[Node]),
+    reading: &mut Reading,
+) -> Result<(), ReadError> {
+    raw.known.scale = KnownScale::Fractions;
+    interpret(raw, input, reading).map_err(|refusal| {
+        // Lines are counted from the file's start, so only where there is trouble.
+        let point = refusal.line.and_then(|place| points.get(place));
+        refusal.at_line(xml::line(*point.unwrap_or(&node)))
+    })?;
+    reading.keep_scale_to_notes();
+    Ok(())
 }
 
 /// The least and the greatest of some numbers, gaps passed over.
@@ -121,7 +145,7 @@ pub const FORMATS: &[Format] = &[
     spd::FORMAT,
     cgats::FORMAT,
     uprtek::FORMAT,
-    licor_li180::FORMAT,
+    uprtek::LI_180,
     sekonic::FORMAT,
     licor_1800::FORMAT,
     svc::FORMAT,
