@@ -66,7 +66,7 @@ pub use unopened::words as why_unopened;
 pub use write::atomic::save_atomically;
 pub(crate) use write::atomic::{UNFINISHED, save_by, save_together};
 pub use write::colour_png::{ColourPixels, ColourPng};
-pub(crate) use write::csv::no_formula;
+pub(crate) use write::csv::{no_formula, quoted_where};
 pub use write::csv::write as csv;
 pub use write::spectral_exr::{reflectance_exr, with_attributes_in_order};
 pub use write::{WRITABLE, encode, losses, write_as};
