@@ -34,7 +34,7 @@ pub(super) struct Rows {
 
 impl Rows {
     /// Adds a row; whether it is as wide as the first one.
-    pub fn add(&mut self, line: usize, row: &[f64]) -> bool {
+    pub(super) fn add(&mut self, line: usize, row: &[f64]) -> bool {
         if self.lines.is_empty() {
             self.columns = vec![Vec::new(); row.len()];
         }
@@ -49,7 +49,7 @@ impl Rows {
     ///
     /// # Errors
     /// [`ReadError`] with the cell that is no number, or the row where there are not two.
-    pub fn add_pair(
+    pub(super) fn add_pair(
         &mut self,
         input: &Input,
         (line, row): (usize, &str),
@@ -67,7 +67,7 @@ impl Rows {
     }
 
     /// The numbers of a column; none where there is no such column, or they were taken before.
-    pub fn take(&mut self, column: usize) -> Vec<f64> {
+    pub(super) fn take(&mut self, column: usize) -> Vec<f64> {
         let column = self.columns.get_mut(column);
         column.map(std::mem::take).unwrap_or_default()
     }
