@@ -2,15 +2,13 @@
 //! cannot be taken for anything else.
 
 use crate::{
-    io::{Provenance, no_formula, one_line, shortest},
+    io::{Provenance, no_formula, one_line, quoted_where, shortest},
     spectrum::NamedSpectrum,
 };
 
 /// Comment lines over a table: where a spectrum and what was computed from it come from.
 pub(super) fn comments(provenance: &Provenance, spectrum: &NamedSpectrum) -> String {
-    let told = provenance.of(spectrum).into_iter();
-    told.map(|(key, value)| format!("# {key}: {value}\n"))
-        .collect()
+    provenance.comments(spectrum)
 }
 
 /// A number in the fewest digits that read back to it; nothing where there is none, since tables
@@ -27,12 +25,8 @@ pub(super) fn number(value: impl Into<Option<f64>>) -> String {
 /// and never the beginning of a formula.
 pub(super) fn words(text: &str) -> String {
     let text = no_formula(one_line(text));
-    let special = text.contains([',', '"', ';']) || text.starts_with('#');
-    if special {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text
-    }
+    let is_special = text.contains([',', '"', ';']) || text.starts_with('#');
+    quoted_where(is_special, &text)
 }
 
 /// A line of a table.

@@ -127,6 +127,14 @@ impl<'a> Input<'a> {
         }
     }
 
+    /// A name that the file gives, or its own without the extension where that is empty.
+    pub(crate) fn named<'n>(&'n self, name: &'n str) -> &'n str {
+        match name {
+            "" => self.stem(),
+            name => name,
+        }
+    }
+
     /// An error of this file.
     pub fn error(&self, found: impl Into<String>, expected: impl Into<String>) -> ReadError {
         ReadError::new(&self.name, found, expected)

@@ -46,7 +46,7 @@ impl Provenance {
     }
 
     /// The same as comments, a line each, as CSV and `.spd` have them.
-    pub(super) fn comments(&self, spectrum: &NamedSpectrum) -> String {
+    pub(crate) fn comments(&self, spectrum: &NamedSpectrum) -> String {
         let lines = self.of(spectrum).into_iter();
         lines
             .map(|(key, value)| format!("# {key}: {value}\n"))

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
+use crate::io::quoted_where;
 use crate::spectrum::{Kind, Outside, Sampled};
 use crate::study::{Progress, error::height};
 
@@ -196,13 +197,8 @@ impl Fitted {
         });
         out.push_str(",relative_rms\n");
         for (i, name) in self.names.iter().enumerate() {
-            let plain = !name.contains([',', '"', '\n', '\r']);
-            let name = if plain {
-                name.clone()
-            } else {
-                format!("\"{}\"", name.replace('"', "\"\""))
-            };
-            out.push_str(&name);
+            let is_special = name.contains([',', '"', '\n', '\r']);
+            out.push_str(&quoted_where(is_special, name));
             self.row(i).iter().for_each(|z| {
                 let _ = write!(out, ",{}", *z as f32);
             });

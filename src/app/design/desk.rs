@@ -25,6 +25,7 @@ use crate::{
         mixture::{Channel, MixError, mixed},
         solve::{MixFigures, Mixer},
     },
+    io::quoted_where,
 };
 
 /// A channel as a light, behind the gels.
@@ -161,8 +162,8 @@ impl Desk {
             // Writing to a string cannot fail.
             let _ = writeln!(
                 csv,
-                "\"{}\",{:.2},{:.2},{:.0},{:.0}",
-                channel.source.words().replace('"', "\"\""),
+                "{},{:.2},{:.2},{:.0},{:.0}",
+                quoted_where(true, &channel.source.words()),
                 100.0 * drive,
                 100.0 * share,
                 255.0 * drive,

@@ -6,7 +6,8 @@
 
 use roxmltree::{Document, Node, ParsingOptions};
 
-use crate::io::{Input, ReadError, budget};
+use crate::io::text::number;
+use crate::io::{Input, ReadError, budget, quoted};
 
 /// Memory that the parser takes for an element or a piece of text, in bytes.
 const NODE_BYTES: usize = 120;
@@ -80,6 +81,20 @@ fn crowded_tag(text: &str) -> Option<usize> {
 /// The line of a node, from 1: counted from the file's start, so only where there is trouble.
 pub(crate) fn line(node: Node) -> usize {
     node.document().text_pos_at(node.range().start).row as usize
+}
+
+/// The finite number that a text of a node is.
+///
+/// # Errors
+/// [`ReadError`] at the line of the node.
+pub(crate) fn number(
+    input: &Input,
+    node: Node,
+    text: &str,
+    expected: &str,
+) -> Result<f64, ReadError> {
+    let number = number::number(text.trim(), false).filter(|x| x.is_finite());
+    number.ok_or_else(|| input.error_at(line(node), quoted(text), expected))
 }
 
 /// Descendants of a local name, whatever its case and namespace.

@@ -8,12 +8,12 @@ use crate::io::table::read::read_tables;
 use crate::io::text::dialect::Dialect;
 use crate::io::{Input, ReadError, Reading};
 
-pub(crate) const FORMAT: Format = Format {
-    name: "plain columns",
-    extensions: &["csv", "tsv", "txt", "dat", "asc", "prn"],
+pub(crate) const FORMAT: Format = Format::new(
+    "plain columns",
+    &["csv", "tsv", "txt", "dat", "asc", "prn"],
     sniff,
     read,
-};
+);
 
 fn sniff(input: &Input) -> Confidence {
     match input.text() {

@@ -9,25 +9,15 @@ use std::collections::HashMap;
 
 use roxmltree::Node;
 
+use super::{Confidence, Format, add_element};
+use crate::io::decode::xml;
+use crate::io::interpret::RawSpectrum;
+use crate::io::text::number;
+use crate::io::{Decision, Input, ReadError, Reading, budget, many, quoted};
 use crate::spectrum::Kind;
 
-use super::{Confidence, Format};
-use crate::io::decode::xml;
-use crate::io::error::quoted;
-use crate::io::interpret::factor_scale::KnownScale;
-use crate::io::interpret::interpret;
-use crate::io::interpret::raw::RawSpectrum;
-use crate::io::reading::decision::Decision;
-use crate::io::text::number;
-use crate::io::{Input, ReadError, Reading, budget, many};
-
 /// CxF3.
-pub(crate) const FORMAT: Format = Format {
-    name: "CxF3",
-    extensions: &["cxf"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("CxF3", &["cxf"], sniff, read);
 
 /// Memory of a spectrum besides its samples, in bytes.
 const SPECTRUM_BYTES: usize = 1000;
@@ -79,9 +69,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let Some(object) = object_of(node) else {
             continue;
         };
-        let name = xml::attribute(object, "Name")
-            .or_else(|| xml::attribute(object, "Id"))
-            .unwrap_or(input.stem());
+        let name = xml::attribute(object, "Name").or_else(|| xml::attribute(object, "Id"));
+        let name = name.unwrap_or(input.stem());
         let points = read_spectrum(input, node, &ranges, (name, *kind), &mut reading)?;
         let too_many = || input.error("far more spectra than its size allows", budget::TEXT_WORDS);
         left = left
@@ -89,14 +78,10 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             .ok_or_else(|| too_many().at_line(xml::line(node)))?;
     }
     if reading.spectra.is_empty() {
-        let found = match reading.notes.first() {
-            Some(note) => format!("a CxF file without spectra ({note})"),
-            None => "a CxF file without spectra".to_owned(),
-        };
-        return Err(input.error(
-            found,
-            "an Object with a ReflectanceSpectrum or an EmissiveSpectrum",
-        ));
+        let why = reading.notes.first().map(|note| format!(" ({note})"));
+        let found = format!("a CxF file without spectra{}", why.unwrap_or_default());
+        let expected = "an Object with a ReflectanceSpectrum or an EmissiveSpectrum";
+        return Err(input.error(found, expected));
     }
     Ok(reading)
 }
@@ -155,9 +140,7 @@ fn read_spectrum(
     }
     let nm: Vec<f64> = (0..values.len()).map(|i| start + i as f64 * step).collect();
     let mut raw = RawSpectrum::known(name, &nm, values, Decision::of_format(kind), "");
-    raw.known.scale = KnownScale::Fractions;
     raw.notes = notes;
-    interpret(raw, input, reading).map_err(|refusal| refusal.at_line(at()))?;
-    reading.keep_scale_to_notes();
+    add_element(input, raw, (node, &[]), reading)?;
     Ok(nm.len())
 }

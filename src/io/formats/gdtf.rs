@@ -9,26 +9,16 @@ use std::collections::HashMap;
 
 use roxmltree::Node;
 
-use crate::spectrum::Kind;
-
-use super::{Confidence, Format};
+use super::{Confidence, Format, add_element};
 use crate::io::decode::archive::{Archive, seems_to_hold};
 use crate::io::decode::xml;
-use crate::io::error::{kept, quoted};
-use crate::io::interpret::factor_scale::KnownScale;
-use crate::io::interpret::interpret;
-use crate::io::interpret::raw::RawSpectrum;
-use crate::io::reading::decision::Decision;
-use crate::io::text::{self, number};
-use crate::io::{Input, ReadError, Reading};
+use crate::io::error::kept;
+use crate::io::interpret::RawSpectrum;
+use crate::io::{Decision, Input, ReadError, Reading, text};
+use crate::spectrum::Kind;
 
 /// GDTF fixtures.
-pub(crate) const FORMAT: Format = Format {
-    name: "GDTF",
-    extensions: &["gdtf"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("GDTF", &["gdtf"], sniff, read);
 
 /// The member with the spectra.
 const DESCRIPTION: &str = "description.xml";
@@ -42,12 +32,10 @@ fn sniff(input: &Input) -> Confidence {
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let mut archive = Archive::open(input, SHARE)?;
-    let index = archive
-        .names
-        .iter()
-        .position(|name| name.eq_ignore_ascii_case(DESCRIPTION))
-        .ok_or_else(|| input.error("an archive without description.xml", "a GDTF fixture"))?;
-    let bytes = archive.member(index)?;
+    let is_description = |name: &String| name.eq_ignore_ascii_case(DESCRIPTION);
+    let index = archive.names.iter().position(is_description);
+    let none = || input.error("an archive without description.xml", "a GDTF fixture");
+    let bytes = archive.member(index.ok_or_else(none)?)?;
     let text = text::decode(&bytes);
     let document = xml::parse(input, &text.text)?;
     let root = document.root_element();
@@ -104,20 +92,16 @@ fn read_measurement(
 ) -> Result<Vec<String>, ReadError> {
     let (mut nm, mut values) = (Vec::new(), Vec::new());
     for point in xml::children(node, "MeasurementPoint") {
-        let get = |name: &str| {
+        let get = |name: &str, expected: &str| {
             let text = xml::attribute(point, name).unwrap_or("");
-            let number = number::number(text, false).filter(|x| x.is_finite());
-            let refusal = || input.error(quoted(text), format!("a number as {name}=\"...\""));
-            number.ok_or_else(|| refusal().at_line(xml::line(point)))
+            xml::number(input, point, text, expected)
         };
-        nm.push(get("WaveLength")?);
-        values.push(get("Energy")?);
+        nm.push(get("WaveLength", "a number as WaveLength=\"...\"")?);
+        values.push(get("Energy", "a number as Energy=\"...\"")?);
     }
     let kind = Decision::of_format(kind);
-    let mut raw = RawSpectrum::known(name, &nm, values, kind, "relative");
-    raw.known.scale = KnownScale::Fractions;
-    interpret(raw, input, reading).map_err(|refusal| refusal.at_line(xml::line(node)))?;
-    reading.keep_scale_to_notes();
+    let raw = RawSpectrum::known(name, &nm, values, kind, "relative");
+    add_element(input, raw, (node, &[]), reading)?;
     let notes = [
         ("Physical", "dimmer at"),
         ("LuminousIntensity", "luminous intensity"),

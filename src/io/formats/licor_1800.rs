@@ -9,21 +9,17 @@
 //!  300  1.518E-04
 //! ```
 
-use super::{Confidence, Format, pair};
+use super::rows::{Rows, filled};
+use super::{Confidence, Format};
 use crate::io::interpret::value_unit::PHOTONS;
 use crate::io::interpret::{KnownScale, RawSpectrum, alone};
 use crate::io::reading::remark::PHOTON_NOTE;
+use crate::io::text::lines;
 use crate::io::text::number::{self, Cell};
-use crate::io::text::{kept_line, lines};
-use crate::io::{Decision, Input, MakersResult, Quantity, ReadError, Reading, quoted};
+use crate::io::{Decision, Input, MakersResult, Quantity, ReadError, Reading};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format {
-    name: "LI-COR LI-1800",
-    extensions: &["prn"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("LI-COR LI-1800", &["prn"], sniff, read);
 
 /// The header line of a word (`REM`), quotes removed.
 fn field<'a>(line: &'a str, word: &str) -> Option<&'a str> {
@@ -49,26 +45,19 @@ fn sniff(input: &Input) -> Confidence {
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
-    let (mut nm, mut values, mut at) = (vec![], vec![], vec![]);
-    let (mut remark, mut peak) = ("", None);
-    for (line, content) in lines(text) {
-        let content = content.trim();
+    let (mut remark, mut peak, mut rows) = ("", None, Rows::default());
+    for (line, content) in filled(text) {
         if let Some(found) = field(content, "REM") {
             remark = found;
         } else if let Some(found) = field(content, "MAX") {
             peak = Some(found);
         } else if content.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
-            let comma = content.contains(',');
-            let cell = |word: &str| match number::parse(word, comma) {
+            let number = |word: &str| match number::parse(word, content.contains(',')) {
                 Cell::Percent(_) => None,
                 cell => cell.value(),
             };
-            let (wavelength, value) = pair(content, cell).map_err(|found| {
-                input.error_at(line, quoted(found), "a wavelength in nm and a value")
-            })?;
-            nm.push(wavelength);
-            values.push(value);
-            at.push(kept_line(line));
+            let expected = "a wavelength in nm and a value";
+            rows.add_pair(input, (line, content), number, expected)?;
         }
     }
     let upper = remark.to_uppercase();
@@ -77,22 +66,18 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     } else if upper.contains("WATT") {
         ("W m-2 nm-1", "WATT in the remark: energy")
     } else {
-        (
-            "",
-            "the remark names neither WATT nor QNTM: the unit is not known",
-        )
+        let because = "the remark names neither WATT nor QNTM: the unit is not known";
+        ("", because)
     };
     // A remark that names no unit may say what was held under the meter instead.
     let factor = unit.is_empty().then(|| factor_of_remark(&upper)).flatten();
-    let name = remark
-        .split("(QNTM")
-        .flat_map(|part| part.split("(WATT"))
-        .next()
-        .unwrap_or("")
-        .trim();
-    let name = if name.is_empty() { input.stem() } else { name };
-    let mut spectrum = RawSpectrum::light(name, &nm, values, unit);
-    spectrum.lines = &at;
+    let mut name = remark;
+    for unit in ["(QNTM", "(WATT"] {
+        name = name.split(unit).next().unwrap_or("").trim();
+    }
+    let (nm, values) = (rows.take(0), rows.take(1));
+    let mut spectrum = RawSpectrum::light(input.named(name), &nm, values, unit);
+    spectrum.lines = &rows.lines;
     if let Some(kind) = factor {
         let kind = Decision::guessed(kind, false, "the words of the remark");
         (spectrum.known.kind, spectrum.known.scale) = (Some(kind), KnownScale::Open);

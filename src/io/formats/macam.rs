@@ -14,19 +14,12 @@ use crate::io::table::alternating;
 use crate::io::text::lines;
 use crate::io::{Input, ReadError, Reading};
 
-pub(crate) const FORMAT: Format = Format {
-    name: "Macam",
-    extensions: &["dta"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("Macam", &["dta"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let mut first = lines(input.head()).map(|(_, line)| line.trim());
-    let dated = first.next().is_some_and(|line| line.starts_with('@'));
-    let timed = first
-        .next()
-        .is_some_and(|line| line.starts_with(['@', '#']));
+    let dated = first.next().unwrap_or("").starts_with('@');
+    let timed = first.next().unwrap_or("").starts_with(['@', '#']);
     Confidence::certain_if(dated && timed)
 }
 
@@ -40,16 +33,13 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             "one number a line: a wavelength in nm, its value, the next wavelength",
         ));
     };
-    let title = lines(text)
-        .take(5)
-        .filter_map(|(_, line)| line.trim().strip_prefix('#'))
-        .map(str::trim)
-        .find(|title| !title.is_empty() && !title.eq_ignore_ascii_case("no title"));
-    let name = title.unwrap_or(input.stem());
+    let titles = lines(text).take(5);
+    let mut titles = titles.filter_map(|(_, line)| Some(line.trim().strip_prefix('#')?.trim()));
+    let is_one = |title: &&str| !title.is_empty() && !title.eq_ignore_ascii_case("no title");
+    let name = titles.find(is_one).unwrap_or(input.stem());
     let mut spectrum = RawSpectrum::light(name, &pairs.axis, pairs.values, "W m-2 nm-1");
     spectrum.lines = &pairs.lines;
-    spectrum
-        .notes
-        .push("W m-2 nm-1 is the instrument's unit; the file states none".to_owned());
+    let note = "W m-2 nm-1 is the instrument's unit; the file states none";
+    spectrum.notes.push(note.to_owned());
     alternating::alone(spectrum.with_comma(pairs.decimal_comma), input)
 }

@@ -11,13 +11,13 @@ pub(super) mod gdtf;
 pub(super) mod jcamp;
 pub(super) mod keyed_lines;
 pub(super) mod licor_1800;
-pub(super) mod licor_li180;
 pub(super) mod macam;
 pub(super) mod own_csv;
 pub(super) mod perkin_elmer;
 pub(super) mod procspec;
 pub(super) mod raman;
 pub(super) mod refractive_yaml;
+mod rows;
 pub(super) mod sekonic;
 pub(super) mod spd;
 pub(super) mod spdx;
@@ -33,6 +33,10 @@ pub(super) mod usgs;
 pub(super) mod wasatch;
 pub(super) mod xlsx;
 
+use roxmltree::Node;
+
+use super::decode::xml;
+use super::interpret::{KnownScale, RawSpectrum, interpret};
 use super::{Input, ReadError, Reading};
 
 /// How sure a format is that a file is its own.
@@ -65,13 +69,25 @@ fn own_json(input: &Input, word: &str) -> Confidence {
     Confidence::certain_if(input.head().starts_with('{') && input.head().contains(word))
 }
 
-/// The two numbers of a row, or what stands there instead.
-fn pair(row: &str, cell: impl Fn(&str) -> Option<f64>) -> Result<(f64, f64), &str> {
-    let mut words = row.split(['\t', ' ', ';']).filter(|w| !w.is_empty());
-    let (Some(x), Some(y), None) = (words.next(), words.next(), words.next()) else {
-        return Err(row);
-    };
-    Ok((cell(x).ok_or(x)?, cell(y).ok_or(y)?))
+/// Adds the spectrum of an XML element, whose factors are fractions; the lines of its points, where
+/// it has any, are their places in `points`.
+///
+/// # Errors
+/// [`ReadError`] at the line of the point or the element when the numbers are no spectrum.
+fn add_element(
+    input: &Input,
+    mut raw: RawSpectrum,
+    (node, points): (Node, &[Node]),
+    reading: &mut Reading,
+) -> Result<(), ReadError> {
+    raw.known.scale = KnownScale::Fractions;
+    interpret(raw, input, reading).map_err(|refusal| {
+        // Lines are counted from the file's start, so only where there is trouble.
+        let point = refusal.line.and_then(|place| points.get(place));
+        refusal.at_line(xml::line(*point.unwrap_or(&node)))
+    })?;
+    reading.keep_scale_to_notes();
+    Ok(())
 }
 
 /// The least and the greatest of some numbers, gaps passed over.
@@ -94,6 +110,22 @@ pub struct Format {
     pub read: fn(&Input) -> Result<Reading, ReadError>,
 }
 
+impl Format {
+    const fn new(
+        name: &'static str,
+        extensions: &'static [&'static str],
+        sniff: fn(&Input) -> Confidence,
+        read: fn(&Input) -> Result<Reading, ReadError>,
+    ) -> Self {
+        Self {
+            name,
+            extensions,
+            sniff,
+            read,
+        }
+    }
+}
+
 /// Every format, the special before the general.
 pub const FORMATS: &[Format] = &[
     envi::FORMAT,
@@ -113,7 +145,7 @@ pub const FORMATS: &[Format] = &[
     spd::FORMAT,
     cgats::FORMAT,
     uprtek::FORMAT,
-    licor_li180::FORMAT,
+    uprtek::LI_180,
     sekonic::FORMAT,
     licor_1800::FORMAT,
     svc::FORMAT,

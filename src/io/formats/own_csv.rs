@@ -11,25 +11,17 @@ use crate::io::table::block::Block;
 use crate::io::table::read::without_words;
 use crate::io::table::{no_table, pick, row_order};
 use crate::io::text::dialect::{Delimiter, Dialect, MOST_COLUMNS};
-use crate::io::text::first_line;
+use crate::io::text::lines;
 use crate::io::write::csv::{FIRST_TITLE, as_it_was};
 use crate::io::{Input, ReadError, Reading};
 
-pub(crate) const FORMAT: Format = Format {
-    name: "Spectral Explorer CSV",
-    extensions: &["csv"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("Spectral Explorer CSV", &["csv"], sniff, read);
 
 /// More comments than the program writes.
 const MOST_COMMENTS: usize = 50;
 
 /// What stands between its cells.
-const DIALECT: Dialect = Dialect {
-    delimiter: Delimiter::Comma,
-    decimal_comma: false,
-};
+const DIALECT: Dialect = Dialect::new(Delimiter::Comma, false);
 
 fn sniff(input: &Input) -> Confidence {
     match input.text().and_then(|text| Own::of(&text.text)) {
@@ -49,30 +41,26 @@ struct Own<'a> {
 impl<'a> Own<'a> {
     /// Takes a text apart; `None` where it does not start as an own file.
     fn of(text: &'a str) -> Option<Self> {
-        let mut rest = text;
         let mut header = Vec::new();
-        loop {
-            let (line, after) = first_line(rest)?;
-            rest = after;
-            if let Some(comment) = line.strip_prefix("# ") {
-                if header.len() == MOST_COMMENTS {
-                    return None;
-                }
-                header.push((header.len() + 1, comment));
-                continue;
+        let mut all = lines(text);
+        let titles = loop {
+            let (number, line) = all.next()?;
+            match line.strip_prefix("# ") {
+                Some(comment) => header.push((number, comment)),
+                None => break line,
             }
-            let others = line.strip_prefix(FIRST_TITLE)?;
-            if header.is_empty() || !others.starts_with(',') {
+            if header.len() > MOST_COMMENTS {
                 return None;
             }
-            let mut titles = Vec::new();
-            DIALECT.split(line, &mut titles);
-            return (titles.len() <= MOST_COLUMNS).then_some(Self {
-                header,
-                titles,
-                rows: rest,
-            });
-        }
+        };
+        let others = titles.strip_prefix(FIRST_TITLE)?;
+        let titles = DIALECT.cells(titles);
+        let is_own = !header.is_empty() && others.starts_with(',') && titles.len() <= MOST_COLUMNS;
+        is_own.then_some(Self {
+            header,
+            titles,
+            rows: all.rest(),
+        })
     }
 
     /// What a column's spectrum is called; the header's name for what was measured.
@@ -118,10 +106,9 @@ fn read_block(
         return Err(no_table::no_such_column(input, block.width, axis_column));
     }
     let columns: Vec<usize> = (0..block.width).filter(|c| *c != axis_column).collect();
-    let said = without_words(input, &block, |_| true, true)?;
-    reading.notes.extend(said);
-    let said = row_order::put_right(input, &mut block, axis_column, &columns)?;
-    reading.notes.extend(said);
+    let words = without_words(input, &block, |_| true, true)?;
+    let order = row_order::put_right(input, &mut block, axis_column, &columns)?;
+    reading.notes.extend(words.into_iter().chain(order));
     reading.table.get_or_insert_with(|| TableFound {
         dialect: DIALECT,
         axis_column: Some(axis_column),

@@ -11,18 +11,15 @@
 //! 405.000000<TAB>27.150000
 //! ```
 
-use super::{Confidence, Format, pair};
+use super::rows::Rows;
+use super::{Confidence, Format};
 use crate::io::interpret::{KnownScale, RawSpectrum, alone};
-use crate::io::text::{kept_line, lines, number};
-use crate::io::{Decision, Input, ReadError, Reading, WavelengthUnit, quoted};
+use crate::io::text::{lines, number};
+use crate::io::{Decision, Input, ReadError, Reading, WavelengthUnit};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format {
-    name: "PerkinElmer PEDS ASCII",
-    extensions: &["sp", "asc", "txt"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format =
+    Format::new("PerkinElmer PEDS ASCII", &["sp", "asc", "txt"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let first = input.first_line();
@@ -31,34 +28,26 @@ fn sniff(input: &Input) -> Confidence {
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
-    let (mut nm, mut values, mut at) = (Vec::new(), Vec::new(), Vec::new());
-    let (mut in_data, mut graph, mut x_unit, mut y_unit) = (false, 0, "", "");
+    let (mut rows, mut x_unit, mut y_unit) = (Rows::default(), "", "");
+    let (mut section, mut below) = (String::new(), 0);
     for (line, content) in lines(text) {
         let content = content.trim();
         if content.starts_with('#') {
-            in_data = content.eq_ignore_ascii_case("#DATA");
-            graph = usize::from(content.eq_ignore_ascii_case("#GR"));
+            (section, below) = (content.to_ascii_uppercase(), 0);
             continue;
         }
-        if !in_data {
-            match graph {
-                1 => x_unit = content,
-                2 => y_unit = content,
-                _ => {}
+        below += 1;
+        match (&*section, below) {
+            ("#GR", 1) => x_unit = content,
+            ("#GR", 2) => y_unit = content,
+            ("#DATA", _) if !content.is_empty() => {
+                let number = |word: &str| number::parse(word, word.contains(',')).plain_value();
+                rows.add_pair(input, (line, content), number, "a wavelength and a value")?;
             }
-            graph += usize::from((1..3).contains(&graph));
-            continue;
+            _ => {}
         }
-        if content.is_empty() {
-            continue;
-        }
-        let cell = |word: &str| number::parse(word, word.contains(',')).plain_value();
-        let (wavelength, value) = pair(content, cell)
-            .map_err(|found| input.error_at(line, quoted(found), "a wavelength and a value"))?;
-        nm.push(wavelength);
-        values.push(value);
-        at.push(kept_line(line));
     }
+    let (mut nm, values) = (rows.take(0), rows.take(1));
     if nm.is_empty() {
         let found = "PerkinElmer ASCII without numbers behind #DATA";
         return Err(input.error(found, "wavelengths and values"));
@@ -90,7 +79,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         _ => Decision::of_format(kind),
     };
     let mut spectrum = RawSpectrum::known(input.stem(), &nm, values, kind, unit);
-    spectrum.lines = &at;
+    spectrum.lines = &rows.lines;
     spectrum.notes = notes;
     spectrum.known.scale = KnownScale::Stated(scale);
     alone(spectrum, input)

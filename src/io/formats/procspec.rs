@@ -15,12 +15,7 @@ use crate::io::text::{self, number};
 use crate::io::{Input, ReadError, Reading, quoted};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format {
-    name: "Ocean Optics ProcSpec",
-    extensions: &["procspec"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("Ocean Optics ProcSpec", &["procspec"], sniff, read);
 
 /// Share of the memory that may come out of the archive; the parsed XML takes the rest.
 const SHARE: f64 = 0.2;
@@ -51,15 +46,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let bytes = archive.member(index)?;
         let decoded = text::decode(&bytes);
         // Control characters that XML forbids come out of broken writers.
-        let clean: String = decoded
-            .text
-            .chars()
-            .map(|c| match c {
-                '\t' | '\r' | '\n' => c,
-                c if c < ' ' => ' ',
-                c => c,
-            })
-            .collect();
+        let is_forbidden = |c: char| c < ' ' && !matches!(c, '\t' | '\r' | '\n');
+        let clean = decoded.text.replace(is_forbidden, " ");
         let document = xml::parse(input, &clean)?;
         let name = match several {
             true => format!("{} {}", input.stem(), place + 1),
@@ -112,14 +100,7 @@ fn read_spectrum(
     }
     // SpectraSuite names the quantity in the class of its processing: "Transmission", "Reflection",
     // "Absorbance", "Irradiance".
-    let mut words = [
-        "yUnits",
-        "yAxisLabel",
-        "units",
-        "processingName",
-        "dataType",
-    ]
-    .into_iter();
+    let mut words = "yUnits yAxisLabel units processingName dataType".split(' ');
     let said = words.find_map(|word| xml::named(root, word).find_map(|n| n.text()));
     let said = said.map(str::trim).filter(|said| !said.is_empty());
     let title = said.unwrap_or(title);
@@ -133,8 +114,8 @@ fn read_spectrum(
         && spectrum.kind == Kind::Light
         && title == "counts"
     {
-        let note = "raw counts: nothing processed in the file";
-        spectrum.notes.push(note.to_owned());
+        let note = "raw counts: nothing processed in the file".to_owned();
+        spectrum.notes.push(note);
     }
     Ok(())
 }

@@ -20,12 +20,7 @@ use crate::io::interpret::RawSpectrum;
 use crate::io::text::lines;
 use crate::io::{Input, ReadError, Reading};
 
-pub(crate) const FORMAT: Format = Format {
-    name: "Sekonic CSV",
-    extensions: &["csv"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("Sekonic CSV", &["csv"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
@@ -50,13 +45,6 @@ fn blocks(nm: &[f64]) -> Vec<Range<usize>> {
     runs.collect()
 }
 
-fn step(nm: &[f64]) -> f64 {
-    match nm {
-        [first, .., last] => (last - first) / (nm.len() - 1) as f64,
-        _ => f64::INFINITY,
-    }
-}
-
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
     let none = [
@@ -64,41 +52,40 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         "lines such as \"Spectral Data 380[nm],0.000012\": export with spectral data",
     ];
     let found = KeyedLines::of_meter(input, text, none)?;
-    let all = blocks(&found.nm);
+    let nm = found.nm();
+    let all = blocks(nm);
+    let step = |block: &Range<usize>| match block.len() {
+        0 | 1 => f64::INFINITY,
+        points => (nm[block.end - 1] - nm[block.start]) / (points - 1) as f64,
+    };
     // The finest step; of equally fine ones the first.
-    let finest = all
-        .iter()
-        .filter(|b| b.len() >= 2)
-        .min_by(|a, b| step(&found.nm[(*a).clone()]).total_cmp(&step(&found.nm[(*b).clone()])))
-        .ok_or_else(|| {
-            input.error(
-                "wavelengths that fall or stand still",
-                "blocks of rising wavelengths",
-            )
-        })?;
-    let nm = &found.nm[finest.clone()];
+    let long = all.iter().filter(|block| block.len() >= 2);
+    let finest = long.min_by(|a, b| step(a).total_cmp(&step(b)));
+    let finest = finest.ok_or_else(|| {
+        let found = "wavelengths that fall or stand still";
+        input.error(found, "blocks of rising wavelengths")
+    })?;
     let flash = found
         .get("Measuring Mode")
         .is_some_and(|mode| mode.to_lowercase().contains("flash"));
     let unit = if flash { "W s m-2 nm-1" } else { "W m-2 nm-1" };
     reading_of(input, &found, finest.clone(), |column, values, _| {
         let name = found.get_of("Title", column).unwrap_or(input.stem());
-        let mut spectrum = RawSpectrum::light(name, nm, values, unit);
+        let mut spectrum = RawSpectrum::light(name, &nm[finest.clone()], values, unit);
         for block in all.iter().filter(|b| *b != finest).take(5) {
+            let lines = &found.lines()[block.clone()];
+            let (points, first, last) = (block.len(), lines[0], lines[block.len() - 1]);
+            let every = format!("{:.4} nm", step(block)).replace(".0000 nm", " nm");
             spectrum.notes.push(format!(
-                "a block of {} points every {:.4} nm, lines {} to {}, stands beside it and was left out",
-                block.len(),
-                step(&found.nm[block.clone()]),
-                found.lines[block.start],
-                found.lines[block.end - 1],
-            ).replace(".0000 nm", " nm"));
+                "a block of {points} points every {every}, lines {first} to {last}, stands beside \
+                 it and was left out"
+            ));
         }
         if all.len() > 1 {
             spectrum.how.push("the finest block".to_owned());
         }
-        spectrum
-            .notes
-            .push(format!("{unit} is the meter's unit; the file states none"));
+        let note = format!("{unit} is the meter's unit; the file states none");
+        spectrum.notes.push(note);
         spectrum
     })
 }

@@ -6,13 +6,13 @@
 
 use roxmltree::Node;
 
-use super::{Confidence, Format};
+use super::{Confidence, Format, add_element};
 use crate::io::decode::xml::{self, children, line};
 use crate::io::error::kept;
-use crate::io::interpret::{KnownScale, RawSpectrum, interpret, kinds};
+use crate::io::interpret::{RawSpectrum, kinds};
 use crate::io::provenance::{ORIGINATOR, notes_of_a_line};
 use crate::io::reading::remark::Remark;
-use crate::io::text::{kept_line, number};
+use crate::io::text::kept_line;
 use crate::io::write::spdx::QUANTITIES;
 use crate::io::{Decision, Input, ReadError, Reading, quoted};
 use crate::spectrum::Kind;
@@ -20,12 +20,7 @@ use crate::spectrum::Kind;
 /// Behind this stand the notes in the comments of a file of this program.
 const NOTES_AT: &str = "; notes: ";
 
-pub(crate) const FORMAT: Format = Format {
-    name: "IES TM-27 .spdx",
-    extensions: &["spdx"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("IES TM-27 .spdx", &["spdx"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
@@ -59,18 +54,13 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 
 /// Blanks the XML declaration: some writers put a version there that XML does not know.
 fn without_declaration(text: &str) -> String {
-    let mut text = text.to_owned();
-    let start = text.len() - text.trim_start().len();
-    if text[start..].starts_with("<?xml")
-        && let Some(end) = text[start..].find("?>")
-    {
-        let blank: String = text[start..start + end + 2]
-            .chars()
-            .map(|c| if c == '\n' { '\n' } else { ' ' })
-            .collect();
-        text.replace_range(start..start + end + 2, &blank);
-    }
-    text
+    let end = match text.trim_start().starts_with("<?xml") {
+        true => text.find("?>").map_or(0, |end| end + 2),
+        false => 0,
+    };
+    let (declaration, rest) = text.split_at(end);
+    let blank = |c| if c == '\n' { '\n' } else { ' ' };
+    declaration.chars().map(blank).collect::<String>() + rest
 }
 
 /// A header field, unless it is empty or says that it is unknown.
@@ -117,11 +107,8 @@ fn read_root<'a>(input: &Input, root: Node<'a, 'a>) -> Result<Reading, ReadError
         }
     }
     if reading.spectra.is_empty() {
-        return Err(input.error_at(
-            line(root),
-            "no <SpectralDistribution>",
-            "one with <SpectralData> elements",
-        ));
+        let expected = "one with <SpectralData> elements";
+        return Err(input.error_at(line(root), "no <SpectralDistribution>", expected));
     }
     Ok(reading)
 }
@@ -135,34 +122,27 @@ fn read_distribution<'a>(
 ) -> Result<Option<String>, ReadError> {
     let (mut nm, mut values, mut at) = (vec![], vec![], vec![]);
     for data in children(node, "SpectralData") {
-        let number = |text: &str, expected: &str| {
-            number::number(text.trim(), false)
-                .filter(|v| v.is_finite())
-                .ok_or_else(|| input.error_at(line(data), quoted(text), expected))
-        };
         let wavelength = data.attribute("wavelength").ok_or_else(|| {
             let found = "<SpectralData> with no wavelength";
             input.error_at(line(data), found, "wavelength=\"nm\"")
         })?;
-        nm.push(number(wavelength, "a wavelength in nm")?);
+        nm.push(xml::number(input, data, wavelength, "a wavelength in nm")?);
         let value = data.text().unwrap_or("");
-        values.push(number(value, "a number as spectral value")?);
+        values.push(xml::number(
+            input,
+            data,
+            value,
+            "a number as spectral value",
+        )?);
         at.push(data);
     }
-    // Lines are counted from the file's start, so only where there is trouble.
-    let at_line = |refusal: ReadError| {
-        let index = refusal.line.and_then(|index| at.get(index));
-        refusal.at_line(line(index.copied().unwrap_or(node)))
-    };
     let points: Vec<u32> = (0..at.len()).map(kept_line).collect();
     let stated = field(Some(node), "SpectralQuantity").unwrap_or("");
     let (kind, unit) = quantity(stated);
     let mut raw = RawSpectrum::known(name, &nm, values, kind, &unit);
-    raw.known.scale = KnownScale::Fractions;
     raw.lines = &points;
     raw.source = Some(source.to_owned());
-    interpret(raw, input, reading).map_err(at_line)?;
-    reading.keep_scale_to_notes();
+    add_element(input, raw, (node, &at), reading)?;
     let width = field(Some(node), "BandwidthFWHM");
     Ok(width.map(|width| format!("bandwidth {width} nm (FWHM)")))
 }

@@ -16,12 +16,7 @@ use crate::io::reading::remark::Remark;
 use crate::io::write::json::{FORMAT_WORD, SpectrumFile, VERSION};
 use crate::io::{Decision, Input, ReadError, Reading, quoted};
 
-pub(crate) const FORMAT: Format = Format {
-    name: "spectrum JSON",
-    extensions: &["json"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("spectrum JSON", &["json"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     super::own_json(input, FORMAT_WORD)
@@ -30,43 +25,27 @@ fn sniff(input: &Input) -> Confidence {
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_long_text()?.text;
     let file: SpectrumFile = serde_json::from_str(text).map_err(|e| json_error(input, &e))?;
-    let SpectrumFile {
-        format,
-        version,
-        name,
-        kind,
-        unit,
-        wavelengths_nm,
-        values,
-        source,
-        notes,
-        scale_in_force: _,
-        settings: _,
-        written_by: _,
-    } = file;
-    if format != FORMAT_WORD {
-        let found = format!("\"format\": {}", quoted(&format));
+    if file.format != FORMAT_WORD {
+        let found = format!("\"format\": {}", quoted(&file.format));
         return Err(input.error(found, format!("\"{FORMAT_WORD}\"")));
     }
-    if version != VERSION {
-        return Err(input.error(format!("version {version}"), format!("version {VERSION}")));
+    if file.version != VERSION {
+        let found = format!("version {}", file.version);
+        return Err(input.error(found, format!("version {VERSION}")));
     }
-    let (wavelengths, numbers) = (wavelengths_nm.len(), values.len());
+    let (wavelengths, numbers) = (file.wavelengths_nm.len(), file.values.len());
     if wavelengths != numbers {
         let found = format!("{wavelengths} wavelengths and {numbers} values");
         return Err(input.error(found, "one value for each wavelength"));
     }
-    let name = match name.is_empty() {
-        true => input.stem().to_owned(),
-        false => name,
-    };
-    let kind = Decision::of_format(kind);
-    let mut raw = RawSpectrum::known(name, &wavelengths_nm, values, kind, &unit);
-    raw.notes = notes;
-    raw.source = Some(source);
+    let kind = Decision::of_format(file.kind);
+    let (name, nm) = (input.named(&file.name), &file.wavelengths_nm);
+    let mut raw = RawSpectrum::known(name, nm, file.values, kind, &file.unit);
+    raw.notes = file.notes;
+    raw.source = Some(file.source);
     let mut reading = alone(raw, input)?;
     if let (Some(spectrum), Some(facts)) = (reading.spectra.last_mut(), reading.facts.last_mut()) {
-        spectrum.unit = unit;
+        spectrum.unit = file.unit;
         // Its notes begin with the line of the file before.
         facts.remarks.retain(|remark| *remark != Remark::Line);
     }

@@ -17,12 +17,7 @@ use crate::io::text::{kept_line, lines};
 use crate::io::{Decision, Input, MakersResult, ReadError, Reading, quoted};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format {
-    name: "Argyll spotread output",
-    extensions: &[],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("Argyll spotread output", &[], sniff, read);
 
 /// Most bands that one measurement may state.
 const MOST_BANDS: usize = 100_000;
@@ -50,15 +45,13 @@ fn grid(line: &str) -> Option<(f64, f64, usize)> {
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
     let mut reading = Reading::default();
-    let mut open: Option<(f64, f64, usize, usize)> = None;
+    let mut open = None;
     let mut values: Vec<f64> = Vec::new();
     for (line, content) in lines(text) {
-        if let Some((first, last, bands)) = grid(content) {
-            open = Some((first, last, bands, line));
+        if let Some(grid) = grid(content) {
+            open = Some((grid, line));
             values.clear();
-            continue;
-        }
-        if let Some((first, last, bands, at)) = open {
+        } else if let Some(((first, last, bands), at)) = open {
             let cells = content.split([',', ' ', '\t']);
             let cells = cells.filter(|c| !c.trim().is_empty());
             for cell in cells.take(bands - values.len()) {
@@ -68,28 +61,25 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
                 };
                 values.push(value);
             }
-            if values.len() == bands {
-                let nm: Vec<f64> = (0..bands)
-                    .map(|i| first + (last - first) * i as f64 / (bands - 1) as f64)
-                    .collect();
-                let because = "spotread does not print the kind";
-                let kind = Decision::guessed(Kind::Light, false, because);
-                let values = std::mem::take(&mut values);
-                let spectrum = RawSpectrum {
-                    lines: &[kept_line(at)],
-                    ..RawSpectrum::known(input.stem(), &nm, values, kind, "")
-                };
-                interpret(spectrum, input, &mut reading)?;
-                open = None;
-                if reading.spectra.len() >= MOST_SPECTRA {
-                    break;
-                }
+            if values.len() < bands {
+                continue;
             }
-            continue;
-        }
-        if let Some(spectrum) = reading.spectra.len().checked_sub(1) {
-            let found = results(spectrum, content).into_iter();
+            let step = |band: usize| (last - first) * band as f64 / (bands - 1) as f64;
+            let nm: Vec<f64> = (0..bands).map(|band| first + step(band)).collect();
+            let kind = Decision::guessed(Kind::Light, false, "spotread does not print the kind");
+            let values = std::mem::take(&mut values);
+            let spectrum = RawSpectrum {
+                lines: &[kept_line(at)],
+                ..RawSpectrum::known(input.stem(), &nm, values, kind, "")
+            };
+            interpret(spectrum, input, &mut reading)?;
+            open = None;
+            if reading.spectra.len() >= MOST_SPECTRA {
+                break;
+            }
+        } else if let Some(spectrum) = reading.spectra.len().checked_sub(1) {
             let room = room_for(reading.results.len());
+            let found = results(spectrum, content).into_iter();
             reading.results.extend(found.take(room));
         }
     }

@@ -12,18 +12,14 @@
 //! The reflectance comes first, reference and target follow as lights. Where the detectors overlap
 //! the wavelengths step back; they are put in order, and it is said.
 
+use super::rows::{Rows, filled, numbers};
 use super::{Confidence, Format};
 use crate::io::interpret::{KnownScale, RawSpectrum, interpret};
-use crate::io::text::{kept_line, lines, number};
+use crate::io::text::{lines, number};
 use crate::io::{Decision, Input, ReadError, Reading, quoted};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format {
-    name: "SVC .sig",
-    extensions: &["sig"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("SVC .sig", &["sig"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let first = input.first_line();
@@ -39,75 +35,49 @@ fn key(line: &str) -> Option<(&str, &str)> {
     (key.len() <= 40).then(|| (key.trim(), value.trim()))
 }
 
-/// Puts the numbers of a row under those above it; returns how many there are, five where there
-/// are more.
-fn take_row(
-    input: &Input,
-    (line, row): (usize, &str),
-    columns: &mut [Vec<f64>; 4],
-) -> Result<usize, ReadError> {
-    let cells = row.split(|c: char| c.is_whitespace() || c == ';');
-    let mut count = 0;
-    for cell in cells.filter(|c| !c.is_empty()).take(5) {
-        let value = number::parse(cell, cell.contains(',')).value();
-        let expected = || format!("a number in column {}", count + 1);
-        let value = value.ok_or_else(|| input.error_at(line, quoted(cell), expected()))?;
-        if let Some(column) = columns.get_mut(count) {
-            column.push(value);
-        }
-        count += 1;
-    }
-    Ok(count)
-}
-
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
-    let (mut units, mut name, mut in_data) = (Vec::new(), "", false);
-    let mut columns: [Vec<f64>; 4] = Default::default();
-    let (mut at, mut width) = (Vec::new(), 0);
-    for (line, content) in lines(text) {
-        let content = content.trim();
-        if content.is_empty() {
-            continue;
+    let (mut units, mut name) = (Vec::new(), "");
+    let mut content = filled(text);
+    for (_, line) in content.by_ref() {
+        match key(line) {
+            Some(("data", _)) => break,
+            Some(("units", value)) => units = value.split(',').map(str::trim).collect(),
+            Some(("name", value)) => name = value,
+            _ => {}
         }
-        if !in_data {
-            match key(content) {
-                Some(("data", _)) => in_data = true,
-                Some(("units", value)) => units = value.split(',').map(str::trim).collect(),
-                Some(("name", value)) => name = value,
-                _ => {}
-            }
-            continue;
-        }
-        let count = take_row(input, (line, content), &mut columns)?;
-        if width == 0 {
-            width = count;
-        }
-        if count != width || !(2..=4).contains(&count) {
-            let expected = "a wavelength, reference, target and reflectance";
-            return Err(input.error_at(line, format!("{count} numbers"), expected));
-        }
-        at.push(kept_line(line));
     }
-    if at.is_empty() {
-        return Err(input.error(
-            "a Spectra Vista header and no rows behind \"data=\"",
-            "a wavelength, reference, target and reflectance in each row",
-        ));
+    let mut rows = Rows::default();
+    let expected = "a wavelength, reference, target and reflectance";
+    for (line, row) in content {
+        let cells = row.split(|c: char| c.is_whitespace() || c == ';');
+        let number = |cell: &str| number::parse(cell, cell.contains(',')).value();
+        let row = numbers(cells, 5, number).map_err(|(before, cell)| {
+            let expected = format!("a number in column {}", before + 1);
+            input.error_at(line, quoted(cell), expected)
+        })?;
+        if !rows.add(line, &row) || !(2..=4).contains(&row.len()) {
+            return Err(input.error_at(line, format!("{} numbers", row.len()), expected));
+        }
     }
+    if rows.lines.is_empty() {
+        let found = "a Spectra Vista header and no rows behind \"data=\"";
+        return Err(input.error(found, format!("{expected} in each row")));
+    }
+    let width = rows.columns.len();
     let name = name.rsplit(['/', '\\']).next().unwrap_or("");
     let name = name.strip_suffix(".sig").unwrap_or(name);
-    let name = if name.is_empty() { input.stem() } else { name };
-    let [nm, reference, target, ratio] = columns;
+    let name = input.named(name);
+    let nm = rows.take(0);
+    let lights = [(rows.take(1), "reference"), (rows.take(2), "target")];
     let mut reading = Reading::default();
     if width == 4 {
         let kind = Decision::of_format(Kind::Reflectance);
-        let mut spectrum = RawSpectrum::known(name, &nm, ratio, kind, "");
+        let mut spectrum = RawSpectrum::known(name, &nm, rows.take(3), kind, "");
         spectrum.known.scale = KnownScale::Stated(0.01);
-        spectrum.lines = &at;
+        spectrum.lines = &rows.lines;
         interpret(spectrum, input, &mut reading)?;
     }
-    let lights = [(reference, "reference"), (target, "target")];
     for (index, (values, role)) in lights.into_iter().enumerate() {
         // Reference or target alone may not have been measured: zeros or gaps throughout.
         let measured = values.iter().filter(|v| v.is_finite()).count();
@@ -126,7 +96,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             _ => format!("{name}, {role}"),
         };
         let spectrum = RawSpectrum {
-            lines: &at,
+            lines: &rows.lines,
             notes: vec![format!("the {role}, in the file's units \"{word}\"")],
             ..RawSpectrum::light(called, &nm, values, unit)
         };

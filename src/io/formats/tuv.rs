@@ -9,18 +9,14 @@
 //!
 //! Each row is a band; its spectrum stands at the band's middle. The total comes first.
 
+use super::rows::{Rows, numbers};
 use super::{Confidence, Format};
 use crate::io::interpret::{RawSpectrum, interpret};
+use crate::io::text::lines;
 use crate::io::text::number::{self, Cell};
-use crate::io::text::{kept_line, lines};
 use crate::io::{Input, ReadError, Reading, quoted};
 
-pub(crate) const FORMAT: Format = Format {
-    name: "TUV report",
-    extensions: &["txt"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("TUV report", &["txt"], sniff, read);
 
 fn is_title(line: &str) -> bool {
     let upper = line.to_uppercase();
@@ -31,109 +27,66 @@ fn sniff(input: &Input) -> Confidence {
     Confidence::certain_if(input.head().lines().any(is_title))
 }
 
-/// What a report holds.
-#[derive(Default)]
-struct Report<'a> {
-    /// Above the columns of values.
-    titles: Vec<&'a str>,
-    /// Of all values.
-    unit: &'a str,
-    /// The sun's distance from the zenith, degrees.
-    sun: Option<&'a str>,
-    /// The middles of the bands, nm.
-    nm: Vec<f64>,
-    /// Values, a column for each title.
-    columns: Vec<Vec<f64>>,
-    /// The line of each row, from 1.
-    lines: Vec<u32>,
-}
-
-impl<'a> Report<'a> {
-    /// Takes what a line in front of the table says; whether it is the table's titles.
-    fn take_header(&mut self, content: &'a str) -> bool {
-        if is_title(content) {
-            let titles = content.split("  ").map(str::trim);
-            let titles = titles.filter(|title| !title.is_empty());
-            self.titles = titles.skip(2).take(20).collect();
-            return true;
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let text = &*input.needs_text()?.text;
+    let (mut titles, mut unit, mut sun) = (Vec::new(), "W m-2 nm-1", None);
+    let mut content = lines(text).map(|(line, content)| (line, content.trim()));
+    for (_, line) in content.by_ref() {
+        if is_title(line) {
+            let all = line.split("  ").map(str::trim);
+            let all = all.filter(|title| !title.is_empty());
+            titles = all.skip(2).take(20).collect();
+            break;
         }
-        if content.to_uppercase().starts_with("SPECTRAL ")
-            && let Some((_, inside)) = content.split_once('(')
+        if line.to_uppercase().starts_with("SPECTRAL ")
+            && let Some((_, inside)) = line.split_once('(')
         {
-            self.unit = inside.split(')').next().unwrap_or(self.unit).trim();
-        } else if content.starts_with("solar zenith angle") {
-            self.sun = content.split_once('=').map(|(_, v)| v.trim());
+            unit = inside.split(')').next().unwrap_or(unit).trim();
+        } else if line.starts_with("solar zenith angle") {
+            sun = line.split_once('=').map(|(_, angle)| angle.trim());
         }
-        false
     }
-
-    /// Takes a row: a band's ends and its values.
-    fn take_row(&mut self, input: &Input, content: &str, line: usize) -> Result<(), ReadError> {
-        let mut row = Vec::new();
-        for word in content.split_whitespace().take(22) {
-            let value = number::parse(word, false).plain_value();
-            row.push(value.ok_or_else(|| input.error_at(line, quoted(word), "a number"))?);
+    let mut rows = Rows::default();
+    for (line, row) in content {
+        // A blank line, a rule or words end the table.
+        let first = row.split_whitespace().next().unwrap_or("");
+        if !matches!(number::parse(first, false), Cell::Number(_)) {
+            match rows.lines.is_empty() {
+                true => continue,
+                false => break,
+            }
         }
-        if self.columns.is_empty() {
-            self.columns = vec![Vec::new(); row.len().saturating_sub(2)];
-        }
-        if row.len() != self.columns.len() + 2 || row.len() < 3 {
+        let number = |word: &str| number::parse(word, false).plain_value();
+        let row = numbers(row.split_whitespace(), 22, number)
+            .map_err(|(_, word)| input.error_at(line, quoted(word), "a number"))?;
+        if !rows.add(line, &row) || row.len() < 3 {
             let expected = "the band's ends and a value for each title";
             return Err(input.error_at(line, format!("{} numbers", row.len()), expected));
         }
-        self.nm.push(0.5 * (row[0] + row[1]));
-        for (column, value) in self.columns.iter_mut().zip(&row[2..]) {
-            column.push(*value);
-        }
-        self.lines.push(kept_line(line));
-        Ok(())
     }
-}
-
-fn read(input: &Input) -> Result<Reading, ReadError> {
-    let text = &*input.needs_text()?.text;
-    let mut report = Report {
-        unit: "W m-2 nm-1",
-        ..Report::default()
-    };
-    let mut in_table = false;
-    for (line, content) in lines(text) {
-        let content = content.trim();
-        if !in_table {
-            in_table = report.take_header(content);
-            continue;
-        }
-        // A blank line, a rule or words end the table.
-        let first = content.split_whitespace().next().unwrap_or("");
-        if matches!(number::parse(first, false), Cell::Number(_)) {
-            report.take_row(input, content, line)?;
-        } else if !report.nm.is_empty() {
-            break;
-        }
-    }
-    if report.nm.is_empty() {
+    if rows.lines.is_empty() {
         let found = "a TUV report with no rows in its table";
         return Err(input.error(found, "bands and their irradiance"));
     }
-    let columns = std::mem::take(&mut report.columns).into_iter().enumerate();
-    let mut columns: Vec<(String, Vec<f64>)> = columns
-        .map(|(column, values)| match report.titles.get(column) {
-            Some(title) => (title.to_lowercase(), values),
-            None => (format!("column {}", column + 3), values),
+    let bands = rows.columns[0].iter().zip(&rows.columns[1]);
+    let nm: Vec<f64> = bands.map(|(from, to)| 0.5 * (from + to)).collect();
+    let mut columns: Vec<(String, usize)> = (2..rows.columns.len())
+        .map(|column| match titles.get(column - 2) {
+            Some(title) => (title.to_lowercase(), column),
+            None => (format!("column {}", column + 1), column),
         })
         .collect();
     columns.sort_by_key(|(title, _)| !title.to_uppercase().contains("TOTAL"));
     let mut reading = Reading::default();
-    for (title, values) in columns {
+    for (title, column) in columns {
         let name = format!("{}, {title}", input.stem());
-        let sun = report.sun.iter();
+        let values = rows.take(column);
+        let angle = sun.map(|angle| format!("solar zenith angle {angle} degrees"));
         let spectrum = RawSpectrum {
-            lines: &report.lines,
+            lines: &rows.lines,
             how: vec!["middles of bands".to_owned()],
-            notes: sun
-                .map(|angle| format!("solar zenith angle {angle} degrees"))
-                .collect(),
-            ..RawSpectrum::light(name, &report.nm, values, report.unit)
+            notes: angle.into_iter().collect(),
+            ..RawSpectrum::light(name, &nm, values, unit)
         };
         interpret(spectrum, input, &mut reading)?;
     }

@@ -5,12 +5,7 @@ use crate::io::decode::archive::names;
 use crate::io::{Input, ReadError, Reading};
 
 /// Recognises files of other kinds so that they are refused in plain words.
-pub(crate) const FORMAT: Format = Format {
-    name: "a format that is not read",
-    extensions: &[],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("a format that is not read", &[], sniff, read);
 
 /// What a person can do instead.
 const AS_CSV: &str = "a format that is read; save it as CSV or text first";

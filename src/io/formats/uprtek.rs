@@ -1,4 +1,5 @@
-//! UPRtek spectrometers (MK350, CV600, PG100N, ...): TAB text, often named `.xls`.
+//! UPRtek spectrometers (MK350, CV600, PG100N, ...) and the LI-COR LI-180, which is built from them:
+//! TAB text, often named `.xls`.
 //!
 //! ```text
 //! Model Name<TAB>CV600
@@ -20,22 +21,26 @@ use crate::io::reading::remark::PHOTON_NOTE;
 use crate::io::text::{lines, number};
 use crate::io::{Input, MakersResult, Quantity, ReadError, Reading};
 
-pub(crate) const FORMAT: Format = Format {
-    name: "UPRtek",
-    extensions: &["xls", "txt"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new(
+    "UPRtek",
+    &["xls", "txt"],
+    |input| Confidence::certain_if(is_meter(input) && !is_li180(input)),
+    |input| read(input, "UPRtek's"),
+);
+
+/// LI-COR's meter, which is built from UPRtek's and writes the same.
+pub(crate) const LI_180: Format = Format::new(
+    "LI-COR LI-180",
+    &["txt", "xls"],
+    |input| Confidence::certain_if(is_li180(input) && is_meter(input)),
+    |input| read(input, "the LI-180's"),
+);
 
 /// Largest difference, as a share, between the spectrum's total and the one that the maker states.
 const SAME_TOTAL: f64 = 0.01;
 
-fn sniff(input: &Input) -> Confidence {
-    Confidence::certain_if(is_meter(input) && !is_li180(input))
-}
-
 /// Whether a text has the layout that UPRtek's meters and those built by it share.
-pub(crate) fn is_meter(input: &Input) -> bool {
+fn is_meter(input: &Input) -> bool {
     let head = input.head();
     let has_key = |most: usize, keys: &[&str]| {
         lines(head).take(most).any(|(_, line)| {
@@ -53,13 +58,9 @@ pub(crate) fn is_meter(input: &Input) -> bool {
 }
 
 /// Whether the meter is LI-COR's.
-pub(crate) fn is_li180(input: &Input) -> bool {
+fn is_li180(input: &Input) -> bool {
     let is_told = |l: &str| l.to_lowercase().starts_with("model name") && l.contains("LI-180");
     lines(input.head()).take(20).any(|(_, line)| is_told(line))
-}
-
-fn read(input: &Input) -> Result<Reading, ReadError> {
-    read_meter(input, "UPRtek's")
 }
 
 /// Reads a meter's file; `makers` is whose meters count in mW m-2 nm-1 unless their totals say
@@ -67,42 +68,38 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 ///
 /// # Errors
 /// [`ReadError`] for a file without points, or with a word for a value.
-pub(crate) fn read_meter(input: &Input, makers: &str) -> Result<Reading, ReadError> {
+fn read(input: &Input, makers: &str) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
     let none = format!("{makers} results and no spectrum");
     let none = [&*none, "lines such as \"380nm\", TAB and a value"];
     let found = KeyedLines::of_meter(input, text, none)?;
-    reading_of(
-        input,
-        &found,
-        0..found.nm.len(),
-        |column, values, results| {
-            let peak = found.get_of("lambdapvalue", column);
-            let peak = peak.and_then(|value| number::number(value, false));
-            let (unit, because) = match peak {
-                Some(peak) if is_over_its_peak(&values, peak) => {
-                    let because = format!("values over the largest, which is {peak} by the maker");
-                    ("", because)
-                }
-                _ => unit(&found.nm, &values, results, makers),
-            };
-            let mut keys = ["memo", "title", "name"].into_iter();
-            let name = match keys.find_map(|key| found.get_of(key, column)) {
-                Some(name) => name.to_owned(),
-                None if found.columns == 1 => input.stem().to_owned(),
-                None => format!("{}, {}", input.stem(), column + 1),
-            };
-            let mut spectrum = RawSpectrum::light(name, &found.nm, values, unit);
-            spectrum.notes.push(because);
-            if unit == PHOTONS {
-                spectrum.notes.push(PHOTON_NOTE.to_owned());
+    let nm = found.nm();
+    reading_of(input, &found, 0..nm.len(), |column, values, results| {
+        let peak = found.get_of("lambdapvalue", column);
+        let peak = peak.and_then(|value| number::number(value, false));
+        let (unit, because) = match peak {
+            Some(peak) if is_over_its_peak(&values, peak) => {
+                let because = format!("values over the largest, which is {peak} by the maker");
+                ("", because)
             }
-            if let Some(model) = found.get("model name") {
-                spectrum.notes.push(format!("measured with a {model}"));
-            }
-            spectrum
-        },
-    )
+            _ => unit(nm, &values, results, makers),
+        };
+        let mut keys = ["memo", "title", "name"].into_iter();
+        let name = match keys.find_map(|key| found.get_of(key, column)) {
+            Some(name) => name.to_owned(),
+            None if found.columns() == 1 => input.stem().to_owned(),
+            None => format!("{}, {}", input.stem(), column + 1),
+        };
+        let mut spectrum = RawSpectrum::light(name, nm, values, unit);
+        spectrum.notes.push(because);
+        if unit == PHOTONS {
+            spectrum.notes.push(PHOTON_NOTE.to_owned());
+        }
+        if let Some(model) = found.get("model name") {
+            spectrum.notes.push(format!("measured with a {model}"));
+        }
+        spectrum
+    })
 }
 
 /// Whether values were divided by the largest, which the maker gives as another number.
@@ -126,38 +123,24 @@ fn unit(
             .sum()
     };
     let total = total_of(f64::MIN..=f64::MAX);
-    let stated = |quantity: &Quantity| {
-        let result = results.iter().find(|r| r.quantity == *quantity);
-        result.map(|r| r.value).filter(|v| *v > 0.0)
-    };
-    let same = |total: f64, stated: f64| (total - stated).abs() <= SAME_TOTAL * stated;
-    if let Some(irradiance) = stated(&Quantity::Irradiance) {
-        for (unit, factor) in [
-            ("mW m-2 nm-1", 1e-3),
-            ("W m-2 nm-1", 1.0),
-            ("µW cm-2 nm-1", 1e-2),
-        ] {
-            if same(factor * total, irradiance) {
-                let because = format!(
-                    "counted in {unit}: the total is the maker's irradiance of {irradiance} W m-2"
-                );
-                return (unit, because);
-            }
-        }
-    }
     // Photosynthesis counts 400-700 nm only.
-    let fluxes = [
-        (Quantity::Pfd, total),
-        (Quantity::Ppfd, total_of(400.0..=700.0)),
-    ];
-    for (quantity, total) in fluxes {
-        if let Some(flux) = stated(&quantity)
-            && same(total, flux)
+    let of_plants = total_of(400.0..=700.0);
+    for (quantity, total, unit) in [
+        (Quantity::Irradiance, 1e-3 * total, "mW m-2 nm-1"),
+        (Quantity::Irradiance, total, "W m-2 nm-1"),
+        (Quantity::Irradiance, 1e-2 * total, "µW cm-2 nm-1"),
+        (Quantity::Pfd, total, PHOTONS),
+        (Quantity::Ppfd, of_plants, PHOTONS),
+    ] {
+        let stated = results.iter().find(|result| result.quantity == quantity);
+        let stated = stated.map(|result| result.value).filter(|v| *v > 0.0);
+        if let Some(stated) = stated
+            && (total - stated).abs() <= SAME_TOTAL * stated
         {
-            let because = format!(
-                "counted in photons: the total is the maker's {quantity} of {flux} µmol m-2 s-1"
-            );
-            return (PHOTONS, because);
+            let counted = if unit == PHOTONS { "photons" } else { unit };
+            let of = quantity.usual_unit();
+            let total = format!("the total is the maker's {quantity} of {stated} {of}");
+            return (unit, format!("counted in {counted}: {total}"));
         }
     }
     let because = format!("mW m-2 nm-1 is {makers} unit; the file states none");

@@ -12,19 +12,15 @@
 
 use std::path::Path;
 
-use super::{Confidence, Format};
+use super::rows::{Rows, filled};
+use super::{Confidence, Format, extent};
 use crate::io::interpret::{RawSpectrum, alone};
+use crate::io::text;
 use crate::io::text::number::{self, Cell};
-use crate::io::text::{self, kept_line, lines};
 use crate::io::{Decision, Input, ReadError, Reading, WavelengthUnit, quoted};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format {
-    name: "USGS splib07",
-    extensions: &["txt"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("USGS splib07", &["txt"], sniff, read);
 
 /// Channels of an ASD, 350-2500 nm every nanometre.
 const ASD_CHANNELS: usize = 2151;
@@ -35,14 +31,6 @@ const LARGEST_BESIDE: u64 = 4 << 20;
 /// Most files of a folder that are looked through.
 const MOST_BESIDE: usize = 20_000;
 
-/// A title and numbers, one a line.
-#[derive(Default)]
-struct List<'a> {
-    title: &'a str,
-    numbers: Vec<f64>,
-    lines: Vec<u32>,
-}
-
 fn sniff(input: &Input) -> Confidence {
     let first = input.first_line().to_lowercase();
     let second = input.head().lines().nth(1).unwrap_or("").trim();
@@ -51,44 +39,28 @@ fn sniff(input: &Input) -> Confidence {
     Confidence::certain_if(first.contains(" record=") && first.contains(':') && one_number)
 }
 
-fn list<'a>(name: &str, text: &'a str) -> Result<List<'a>, ReadError> {
-    let mut out = List::default();
-    for (line, content) in lines(text) {
-        let content = content.trim();
-        if content.is_empty() {
-            continue;
-        }
-        if out.title.is_empty() {
-            out.title = content;
-            continue;
-        }
+/// A title and the numbers below it, one a line.
+fn list<'a>(name: &str, text: &'a str) -> Result<(&'a str, Rows), ReadError> {
+    let mut content = filled(text);
+    let title = content.next().map_or("", |(_, title)| title);
+    let mut rows = Rows::default();
+    for (line, content) in content {
         let value = number::parse(content, false).plain_value();
         let bad = || ReadError::new(name, quoted(content), "one number").at_line(line);
-        out.numbers.push(value.ok_or_else(bad)?);
-        out.lines.push(kept_line(line));
+        rows.add(line, &[value.ok_or_else(bad)?]);
     }
-    Ok(out)
+    Ok((title, rows))
 }
 
-/// The spectrometer's word in a title or file name, upper case: ASDFRa and ASDHRb are ASD.
+/// Words for spectrometers in titles and file names: ASDFRa and ASDHRb are ASD.
+const SPECTROMETERS: &str =
+    "ASD BECK NIC4 AVIRIS HYMAP HYPERION VIMS CRISM ASTER LANDSAT SENTINEL WORLDVIEW";
+
+/// The spectrometer's word in a title or file name, upper case.
 fn spectrometer(title: &str) -> Option<&'static str> {
     let title = title.to_uppercase();
-    [
-        "ASD",
-        "BECK",
-        "NIC4",
-        "AVIRIS",
-        "HYMAP",
-        "HYPERION",
-        "VIMS",
-        "CRISM",
-        "ASTER",
-        "LANDSAT",
-        "SENTINEL",
-        "WORLDVIEW",
-    ]
-    .into_iter()
-    .find(|word| title.contains(word))
+    let mut words = SPECTROMETERS.split(' ');
+    words.find(|word| title.contains(word))
 }
 
 /// Wavelengths in nm of as many channels from a file beside, or in the folder above as the library
@@ -116,43 +88,34 @@ fn in_folder(folder: &Path, channels: usize, title: &str) -> Option<(String, Vec
         }
         let bytes = std::fs::read(&file).ok()?;
         let text = text::decode(&bytes);
-        let list = list(&name, &text.text).ok()?;
-        if list.numbers.len() != channels {
-            return None;
-        }
-        let finite = || list.numbers.iter().filter(|v| v.is_finite());
-        let (min, max) = finite().fold((f64::INFINITY, 0.0f64), |(a, b), v| (a.min(*v), b.max(*v)));
-        let unit = WavelengthUnit::of_title(list.title)
+        let (title, mut rows) = list(&name, &text.text).ok()?;
+        let numbers = rows.take(0);
+        let (min, max) = extent(&numbers);
+        let unit = WavelengthUnit::of_title(title)
             .or_else(|| WavelengthUnit::of_range(min, max))
             .unwrap_or(WavelengthUnit::Micrometre);
-        Some((name, list.numbers.iter().map(|x| unit.to_nm(*x)).collect()))
+        let nm = || numbers.iter().map(|x| unit.to_nm(*x)).collect();
+        (numbers.len() == channels).then(|| (name, nm()))
     })
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
-    let list = list(&input.name, text)?;
-    let channels = list.numbers.len();
+    let (whole, mut rows) = list(&input.name, text)?;
+    let values = rows.take(0);
+    let channels = values.len();
     // "splib07a Record=18377: Brick GDS355 ... ASDFRa AREF"
-    let title = list
-        .title
-        .split_once(':')
-        .map_or(list.title, |t| t.1)
-        .trim();
+    let title = whole.split_once(':').map_or(whole, |t| t.1).trim();
     let lower = title.to_lowercase();
     let first = lower.split_whitespace().next().unwrap_or("");
     let of_axis = ["wavelength", "bandpass", "wavenumber"];
     if of_axis.iter().any(|word| first.starts_with(word)) {
         let found = format!("a list of the library's {first}");
-        return Err(input.error(
-            found,
-            "the spectrum that it belongs to; it is read from beside",
-        ));
+        let expected = "the spectrum that it belongs to; it is read from beside";
+        return Err(input.error(found, expected));
     }
-    let found = input
-        .path
-        .as_deref()
-        .and_then(|path| beside(path, channels, title));
+    let path = input.path.as_deref();
+    let found = path.and_then(|path| beside(path, channels, title));
     let asd = spectrometer(title).is_none_or(|word| word == "ASD");
     let (nm, note) = match found {
         Some((file, nm)) => (nm, format!("wavelengths from {file}")),
@@ -184,13 +147,10 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         }
     };
     words.retain(|word| !word.ends_with("REF"));
-    let name = match words.is_empty() {
-        true => input.stem().to_owned(),
-        false => words.join(" "),
-    };
-    let mut spectrum = RawSpectrum::known(name, &nm, list.numbers, kind, "");
-    spectrum.lines = &list.lines;
-    spectrum.notes = vec![note.clone(), list.title.to_owned()];
+    let name = words.join(" ");
+    let mut spectrum = RawSpectrum::known(input.named(&name), &nm, values, kind, "");
+    spectrum.lines = &rows.lines;
+    spectrum.notes = vec![note.clone(), whole.to_owned()];
     let mut reading = alone(spectrum, input)?;
     reading.notes.push(note);
     Ok(reading)

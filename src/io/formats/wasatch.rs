@@ -17,21 +17,17 @@ use crate::io::interpret::{KnownScale, RawSpectrum, alone};
 use crate::io::{Decision, Input, ReadError, Reading};
 use crate::spectrum::Kind;
 
-pub(crate) const FORMAT: Format = Format {
-    name: "Wasatch ENLIGHTEN JSON",
-    extensions: &["json"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("Wasatch ENLIGHTEN JSON", &["json"], sniff, read);
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
-    let marks = [
-        "\"ENLIGHTEN Version\"",
-        "\"spectrometerSettings\"",
-        "\"Measurement ID\"",
-    ];
-    let is_marked = || marks.iter().any(|mark| head.contains(mark));
+    let mut keys = [
+        "ENLIGHTEN Version",
+        "spectrometerSettings",
+        "Measurement ID",
+    ]
+    .iter();
+    let mut is_marked = || keys.any(|key| head.contains(&format!("\"{key}\"")));
     Confidence::certain_if(head.starts_with('{') && is_marked())
 }
 
@@ -39,29 +35,25 @@ fn sniff(input: &Input) -> Confidence {
 fn by_polynomial(value: &Value, pixels: usize) -> Option<Vec<f64>> {
     let list = value.pointer("/spectrometerSettings/eeprom/wavelength_coeffs")?;
     let coefficients: Vec<f64> = list.as_array()?.iter().filter_map(Value::as_f64).collect();
-    let nm = |pixel: usize| {
-        let highest_first = coefficients.iter().rev();
-        highest_first.fold(0.0, |sum, c| sum * pixel as f64 + c)
-    };
-    (2..=8)
-        .contains(&coefficients.len())
-        .then(|| (0..pixels).map(nm).collect())
+    if !(2..=8).contains(&coefficients.len()) {
+        return None;
+    }
+    let of = |x: f64| coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c);
+    Some((0..pixels).map(|pixel| of(pixel as f64)).collect())
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
     let value = any_json(input, text)?;
-    let series = value.get("spectrum").and_then(Value::as_object);
-    let Some((which, list)) = series.and_then(|all| {
-        ["Processed", "processed", "Raw", "raw"]
-            .into_iter()
-            .find_map(|name| Some((name, all.get(name)?)).filter(|(_, l)| l.is_array()))
-    }) else {
-        return Err(input.error(
-            "ENLIGHTEN JSON without a processed spectrum",
-            "\"spectrum\": {\"Processed\": [...]}",
-        ));
+    let list = |key: &'static str| {
+        let list = value.get("spectrum")?.as_object()?.get(key)?;
+        list.is_array().then_some((key, list))
     };
+    let mut keys = ["Processed", "processed", "Raw", "raw"].into_iter();
+    let (which, list) = keys.find_map(list).ok_or_else(|| {
+        let expected = "\"spectrum\": {\"Processed\": [...]}";
+        input.error("ENLIGHTEN JSON without a processed spectrum", expected)
+    })?;
     let values = numbers(input, list, which)?;
     let mut notes = Vec::new();
     let nm = match value.pointer("/spectrometerSettings/wavelengths") {
@@ -76,32 +68,27 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         }
     };
     // A region of interest may shorten the values, wherever a file says that it begins.
-    let ends_within = |start: &usize| {
-        let end = start.checked_add(values.len());
-        nm.len() > values.len() && end.is_some_and(|end| end <= nm.len())
-    };
     let start = value
         .pointer("/metadata/ROI Pixel Start")
-        .and_then(Value::as_u64)
-        .and_then(|start| usize::try_from(start).ok())
-        .filter(ends_within)
-        .unwrap_or(0);
-    let nm = &nm[start..];
+        .and_then(Value::as_u64);
+    let start = start.and_then(|start| usize::try_from(start).ok());
+    let left = nm.len().saturating_sub(values.len());
+    let start = start.filter(|start| *start <= left && left > 0);
+    let nm = &nm[start.unwrap_or(0)..];
     if nm.len() != values.len() {
         let found = format!("{} wavelengths and {} values", nm.len(), values.len());
         return Err(input.error(found, "as many of each"));
     }
     let technique = word(&value, "/metadata/Technique").unwrap_or("");
     let lower = technique.to_lowercase();
-    let (kind, scale, unit) = if lower.contains("reflect") {
-        (Kind::Reflectance, 0.01, "")
-    } else if lower.contains("transmi") {
-        (Kind::Transmittance, 0.01, "")
-    } else if lower.contains("absorb") {
-        (Kind::Absorbance, 1.0, "")
-    } else {
-        (Kind::Light, 1.0, "counts")
-    };
+    let kinds = [
+        ("reflect", Kind::Reflectance, 0.01, ""),
+        ("transmi", Kind::Transmittance, 0.01, ""),
+        ("absorb", Kind::Absorbance, 1.0, ""),
+        ("", Kind::Light, 1.0, "counts"),
+    ];
+    let known = kinds.iter().find(|(word, ..)| lower.contains(word));
+    let (_, kind, scale, unit) = *known.unwrap_or(&kinds[3]);
     let name = word(&value, "/metadata/Label").unwrap_or(input.stem());
     if !technique.is_empty() {
         notes.push(format!("technique: {technique}"));

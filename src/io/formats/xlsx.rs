@@ -19,50 +19,30 @@ use crate::io::text::dialect::Dialect;
 use crate::io::text::number::{self, Cell as Number};
 use crate::io::{Choices, Input, ReadError, Reading, budget};
 
-pub(crate) const FORMAT: Format = Format {
-    name: "Excel workbook",
-    extensions: &["xlsx", "xlsm"],
-    sniff,
-    read,
-};
+pub(crate) const FORMAT: Format = Format::new("Excel workbook", &["xlsx", "xlsm"], sniff, read);
 
-/// Shares of the memory that parts of the archive may unpack to, by what they unfold to when the
-/// workbook is opened: sheets are streamed, a text of 5 bytes takes 24, a style hundreds.
-const SHARES: [(Part, f64); 3] = [
-    (Part::Streamed, 1.0),
-    (Part::Texts, 0.1),
-    (Part::Kept, 0.03),
+/// Shares of the memory that parts of the archive ([`part_of`]) may unpack to, by what they unfold
+/// to when the workbook is opened: sheets are streamed, a text of 5 bytes takes 24, a style hundreds.
+const SHARES: [f64; 3] = [1.0, 0.1, 0.03];
+
+/// Folders of what is read piece by piece or not at all.
+const STREAMED: [&str; 5] = [
+    "worksheets/",
+    "charts/",
+    "media/",
+    "drawings/",
+    "printersettings/",
 ];
 
-/// How a member of the archive is used.
-#[derive(Clone, Copy, PartialEq)]
-enum Part {
-    /// Sheets, charts, pictures: read piece by piece or not at all.
-    Streamed,
-    /// The workbook's list of texts.
-    Texts,
-    /// Styles, names of sheets, links: kept in memory.
-    Kept,
-}
-
-fn part_of(name: &str) -> Part {
+/// The place in [`SHARES`] of a member: what is streamed, the workbook's list of texts, what is kept
+/// in memory (styles, names of sheets, links).
+fn part_of(name: &str) -> usize {
     let name = name.to_lowercase();
-    if name.contains("sharedstrings") {
-        Part::Texts
-    } else if [
-        "worksheets/",
-        "charts/",
-        "media/",
-        "drawings/",
-        "printersettings/",
-    ]
-    .iter()
-    .any(|folder| name.contains(folder))
-        && !name.ends_with(".rels")
-    {
-        Part::Streamed
-    } else {
-        Part::Kept
+    let is_streamed = || STREAMED.iter().any(|folder| name.contains(folder));
+    match () {
+        () if name.contains("sharedstrings") => 1,
+        () if is_streamed() && !name.ends_with(".rels") => 0,
+        () => 2,
     }
 }
 
@@ -93,24 +73,14 @@ impl Cell {
     /// A cell; numbers that were typed as text are numbers, with a decimal comma too, or with their
     /// unit.
     fn of(text: String, is_number: bool) -> Self {
-        let has_unit = || {
-            matches!(
-                number::parse(&text, false),
-                Number::Nanometres(_) | Number::WithUnit(_)
-            )
-        };
-        let is_number = is_number || text.parse::<f64>().is_ok() || has_unit();
-        match number::number(&text, true).filter(|_| !is_number) {
-            Some(value) => Self {
-                text: format!("{value:?}"),
-                is_number: true,
-                had_comma: true,
-            },
-            None => Self {
-                text,
-                is_number,
-                had_comma: false,
-            },
+        let cell = number::parse(&text, false);
+        let has_unit = matches!(cell, Number::Nanometres(_) | Number::WithUnit(_));
+        let is_number = is_number || has_unit || text.parse::<f64>().is_ok();
+        let with_comma = number::number(&text, true).filter(|_| !is_number);
+        Self {
+            is_number: is_number || with_comma.is_some(),
+            had_comma: with_comma.is_some(),
+            text: with_comma.map_or(text, |value| format!("{value:?}")),
         }
     }
 }
@@ -119,7 +89,7 @@ impl Cell {
 type Sheet = BTreeMap<(u32, u32), Cell>;
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
-    for (part, share) in SHARES {
+    for (part, share) in SHARES.into_iter().enumerate() {
         Archive::open(input, share)?.count(|name| part_of(name) == part)?;
     }
     let (sheets, hidden) =
@@ -160,18 +130,16 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     }
     if reading.spectra.is_empty() {
         let nothing = || input.error("a workbook without cells", "a sheet with a table");
-        let first = refusals.into_iter().next();
-        return Err(first.map_or_else(nothing, |(_, why)| why));
+        let first = refusals.into_iter().next().map(|(_, why)| why);
+        return Err(first.unwrap_or_else(nothing));
     }
-    for title in hidden.into_iter().take(MOST_NOTED) {
-        reading
-            .notes
-            .push(format!("sheet {title} is hidden and was not read"));
-    }
-    for (title, why) in refusals.into_iter().take(MOST_NOTED) {
-        let note = format!("sheet {title} left out: found {}", why.found);
-        reading.notes.push(note);
-    }
+    let hidden = hidden.iter().take(MOST_NOTED);
+    let unread = |title| format!("sheet {title} is hidden and was not read");
+    reading.notes.extend(hidden.map(unread));
+    let refusals = refusals.iter().take(MOST_NOTED);
+    let left_out =
+        |(title, why): &(_, ReadError)| format!("sheet {title} left out: found {}", why.found);
+    reading.notes.extend(refusals.map(left_out));
     Ok(reading)
 }
 

@@ -7,6 +7,7 @@
 
 use std::fmt::Write;
 
+use super::csv::quoted_where;
 use crate::io::provenance::{ORIGINATOR, Provenance, one_line, shortest};
 use crate::spectrum::{Kind, NamedSpectrum, Outside};
 
@@ -40,29 +41,32 @@ impl Grid {
 fn grid(spectrum: &NamedSpectrum) -> Result<Grid, String> {
     let samples = &spectrum.samples;
     let (first, last, bands) = (samples.first_nm(), samples.last_nm(), samples.len());
-    let (least, most) = (*LABELS_NM.start(), *LABELS_NM.end());
+    let (least, most) = (LABELS_NM.start(), LABELS_NM.end());
     let (from, to) = (shortest(first), shortest(last));
-    if first < least {
-        return Err(format!(
-            "found wavelengths from {from} nm, expected at least {least} nm in Argyll .sp"
-        ));
+    let refused = |found: String, expected: String| {
+        Err(format!("found {found}, expected {expected} in Argyll .sp"))
+    };
+    if first < *least {
+        return refused(
+            format!("wavelengths from {from} nm"),
+            format!("at least {least} nm"),
+        );
     }
-    if last > most {
-        return Err(format!(
-            "found wavelengths up to {to} nm, expected at most {most} nm in Argyll .sp"
-        ));
+    if last > *most {
+        return refused(
+            format!("wavelengths up to {to} nm"),
+            format!("at most {most} nm"),
+        );
     }
-    let too_short = format!(
-        "found a spectrum of {from} to {to} nm, expected at least 3 whole nm in Argyll .sp"
-    );
+    let too_short = format!("a spectrum of {from} to {to} nm");
     let mut even = Grid {
         first_nm: first,
         last_nm: last,
         bands,
         moved_nm: Some(0.0),
     };
-    let off = samples.nm().iter().enumerate();
-    let off = off.map(|(band, nm)| (nm - even.nm(band)).abs());
+    let samples = samples.nm().iter().enumerate();
+    let off = samples.map(|(band, nm)| (nm - even.nm(band)).abs());
     let moved = off.fold(0.0, f64::max);
     // Whole nm tell steps of 1 nm and more apart.
     let fine = last - first < (bands - 1) as f64 * (1.0 - 1e-9);
@@ -71,19 +75,19 @@ fn grid(spectrum: &NamedSpectrum) -> Result<Grid, String> {
         return Ok(even);
     }
     // The first and last nm of a light are filled in part; a reflectance has no part of a value.
-    let outwards: [fn(f64) -> f64; 2] = match spectrum.kind.outside() {
+    let round: [fn(f64) -> f64; 2] = match spectrum.kind.outside() {
         Outside::Zero => [f64::floor, f64::ceil],
         Outside::Hold => [f64::ceil, f64::floor],
     };
-    let (from, to) = (outwards[0](first), outwards[1](last));
+    let (from, to) = (round[0](first), round[1](last));
     let step = STEPS_NM
         .into_iter()
         .find(|step| (to - from) / step < ARGYLL_BANDS as f64)
         .unwrap_or(STEPS_NM[STEPS_NM.len() - 1]);
-    let steps = outwards[1]((to - from) / step);
+    let steps = round[1]((to - from) / step);
     let bands = steps.max(0.0) as usize + 1;
     if bands < 3 {
-        return Err(too_short);
+        return refused(too_short, "at least 3 whole nm".to_owned());
     }
     Ok(Grid {
         first_nm: from,
@@ -197,5 +201,5 @@ pub(crate) fn write(spectrum: &NamedSpectrum, provenance: &Provenance) -> Result
 
 /// A text between double quotes; those inside become single ones.
 fn quoted(text: &str) -> String {
-    format!("\"{}\"", one_line(text).replace('"', "'"))
+    quoted_where(true, &one_line(text).replace('"', "'"))
 }

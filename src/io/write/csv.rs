@@ -13,7 +13,7 @@ pub fn write(spectrum: &NamedSpectrum, columns: &Columns, provenance: &Provenanc
     let mut out = provenance.comments(spectrum) + FIRST_TITLE;
     for column in &columns.columns {
         out.push(',');
-        out.push_str(&cell(&column.title));
+        out.push_str(&title(&column.title));
     }
     out.push('\n');
     for (row, nm) in columns.nm.iter().enumerate() {
@@ -47,12 +47,17 @@ pub(crate) fn as_it_was(text: &str) -> &str {
         .unwrap_or(text)
 }
 
-/// A text cell, quoted where it must be; a double quote inside becomes a single one.
-fn cell(text: &str) -> String {
-    let text = no_formula(one_line(text));
-    if text.contains([',', '"', ';']) {
-        format!("\"{}\"", text.replace('"', "'"))
-    } else {
-        text
+/// A cell of text; between double quotes, those inside doubled, where it holds a special sign.
+pub(crate) fn quoted_where(is_special: bool, text: &str) -> String {
+    match is_special {
+        true => format!("\"{}\"", text.replace('"', "\"\"")),
+        false => text.to_owned(),
     }
+}
+
+/// A title: what is read back takes a double quote for the edge of a cell, so one inside becomes a
+/// single one.
+fn title(text: &str) -> String {
+    let text = no_formula(one_line(text));
+    quoted_where(text.contains([',', '"', ';']), &text.replace('"', "'"))
 }

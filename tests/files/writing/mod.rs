@@ -1,6 +1,8 @@
 //! What is written, format by format.
 
 mod argyll;
+mod atomic;
+mod colour_png;
 mod csv;
 mod every;
 mod spdx;
