@@ -97,7 +97,7 @@ impl EnviFile {
             .iter()
             .map(|g| g.iter().map(|b| stored[*b]).collect())
             .collect();
-        opened.said.extend(meant.said(None));
+        opened.said.extend(meant.said());
         opened.is_kind_guessed = meant.is_kind_guessed();
         opened.said.extend(kept.said);
         (opened.scale, opened.unit) = (meant.scale, meant.unit);

@@ -91,16 +91,15 @@ impl Meant {
         self.kind.is_guess()
     }
 
-    /// What was guessed of the values, or goes against the file, a sentence each; `against` is
-    /// another unit that the file names for its wavelengths.
-    pub fn said(&self, against: Option<&str>) -> Vec<String> {
+    /// What was guessed of the values, or goes against the file, a sentence each.
+    pub fn said(&self) -> Vec<String> {
         let decisions = Decisions {
             axis: None,
             kind: self.kind.clone(),
             counted: self.counted.clone(),
         };
         let of_kind = self.against_choice.clone().unwrap_or(Remark::Kind);
-        guesses_in_words(&decisions, of_kind, against)
+        guesses_in_words(&decisions, of_kind)
     }
 }
 
@@ -145,7 +144,7 @@ pub(crate) fn add(raw: RawImage, choices: &Choices, reading: &mut Reading) {
         counted,
     };
     let of_kind = against_choice.unwrap_or(Remark::Kind);
-    notes.extend(guesses_in_words(&decisions, of_kind, against.as_deref()));
+    notes.extend(guesses_in_words(&decisions, of_kind));
     reading.notes.extend(notes.iter().cloned());
     let image = SpectralImage {
         name,
@@ -163,15 +162,11 @@ pub(crate) fn add(raw: RawImage, choices: &Choices, reading: &mut Reading) {
 }
 
 /// What had to be guessed of all pixels or spectra of a file, or what else is said of their kind.
-pub(crate) fn guesses_in_words(
-    decisions: &Decisions,
-    of_kind: Remark,
-    against: Option<&str>,
-) -> Vec<String> {
+pub(crate) fn guesses_in_words(decisions: &Decisions, of_kind: Remark) -> Vec<String> {
     let counted = decisions.counted.as_ref();
     let counted = counted.filter(|counted| counted.is_guess());
     let remarks = [Some(of_kind), counted.map(|_| Remark::Counted)];
-    let words = |remark: Remark| remark.words(decisions, against);
+    let words = |remark: Remark| remark.words(decisions);
     remarks.into_iter().flatten().filter_map(words).collect()
 }
 

@@ -1,7 +1,6 @@
 //! From the numbers of a file to a spectrum: order, doubles and gaps.
 
 use crate::io::many::many;
-use crate::io::reading::remark::Remark;
 use crate::io::text::number::is_measured;
 use crate::spectrum::Sampled;
 
@@ -20,8 +19,8 @@ pub(crate) const TRACED_REVERSALS: f64 = 0.5;
 pub(crate) struct Cleaned {
     /// The table.
     pub samples: Sampled,
-    /// What was done.
-    pub remarks: Vec<Remark>,
+    /// What was done, a sentence each.
+    pub notes: Vec<String>,
 }
 
 /// Why numbers are no spectrum.
@@ -72,8 +71,8 @@ pub(crate) fn beside(other: &Sampled, values: Vec<f64>) -> Result<Cleaned, Vec<f
         return Err(values);
     }
     let samples = other.sharing(values).map_err(|(_, values)| values)?;
-    let remarks = Vec::new();
-    Ok(Cleaned { samples, remarks })
+    let notes = Vec::new();
+    Ok(Cleaned { samples, notes })
 }
 
 /// Makes a spectrum of wavelengths (nm) and values: gaps (anything that is not finite or of a size
@@ -93,7 +92,7 @@ pub(crate) fn clean_within(
     values: &[f64],
     most_reversals: f64,
 ) -> Result<Cleaned, Trouble> {
-    let mut remarks = Vec::new();
+    let mut notes = Vec::new();
     let given = nm.len().min(values.len());
     let mut points: Vec<(f64, f64)> = Vec::with_capacity(given);
     let mut whence: Vec<u32> = Vec::new();
@@ -116,25 +115,27 @@ pub(crate) fn clean_within(
         }
     }
     let missing = given - points.len() - zeros;
-    remarks.extend((zeros > 0).then_some(Remark::AtZero(zeros)));
-    remarks.extend((missing > 0).then_some(Remark::Missing(missing)));
+    let points_at = many(zeros, "point at", "points at");
+    notes.extend((zeros > 0).then(|| format!("{points_at} a wavelength of 0 dropped")));
+    let values = many(missing, "missing value", "missing values");
+    notes.extend((missing > 0).then(|| format!("{values} dropped")));
     match points.len() {
         few @ 0..2 => return Err(Trouble::too_few(few)),
         many if many > MOST_SAMPLES => return Err(Trouble::too_many(many)),
         _ => {}
     }
-    put_in_order(&mut points, &whence, most_reversals, &mut remarks)?;
-    average_doubles(&mut points, &mut remarks);
+    put_in_order(&mut points, &whence, most_reversals, &mut notes)?;
+    average_doubles(&mut points, &mut notes);
     let (nm, values) = points.iter().copied().unzip();
     let samples = Sampled::new(nm, values).map_err(|_| Trouble::too_few(points.len()))?;
-    Ok(Cleaned { samples, remarks })
+    Ok(Cleaned { samples, notes })
 }
 
 fn put_in_order(
     points: &mut [(f64, f64)],
     whence: &[u32],
     most_reversals: f64,
-    remarks: &mut Vec<Remark>,
+    notes: &mut Vec<String>,
 ) -> Result<(), Trouble> {
     let steps = points.len() - 1;
     let (mut up, mut down) = (0, 0);
@@ -159,16 +160,22 @@ fn put_in_order(
     }
     if falling {
         points.reverse();
-        remarks.push(Remark::TurnedRound);
+        notes.push("falling wavelengths turned round".to_owned());
     }
     if reversals > 0 {
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        remarks.push(Remark::StepsBack(reversals));
+        let often = match reversals {
+            1 => "once".to_owned(),
+            times => format!("{times} times"),
+        };
+        notes.push(format!(
+            "wavelengths step back {often}: put in rising order"
+        ));
     }
     Ok(())
 }
 
-fn average_doubles(points: &mut Vec<(f64, f64)>, remarks: &mut Vec<Remark>) {
+fn average_doubles(points: &mut Vec<(f64, f64)>, notes: &mut Vec<String>) {
     let before = points.len();
     let mut kept = 0;
     let mut from = 0;
@@ -190,5 +197,6 @@ fn average_doubles(points: &mut Vec<(f64, f64)>, remarks: &mut Vec<Remark>) {
     }
     points.truncate(kept);
     let doubles = before - kept;
-    remarks.extend((doubles > 0).then_some(Remark::Averaged(doubles)));
+    let said = || many(doubles, "doubled wavelength", "doubled wavelengths") + " averaged";
+    notes.extend((doubles > 0).then(said));
 }

@@ -14,10 +14,11 @@ pub(super) mod kinds;
 pub(super) mod raw;
 pub(super) mod value_unit;
 
+use crate::io::many::many;
 use crate::io::provenance::notes_of_a_line;
 use crate::io::reading::decision::{AxisDecision, Decision, Decisions};
 use crate::io::reading::facts::Facts;
-use crate::io::reading::remark::Remark;
+use crate::io::reading::remark::{self, Remark};
 use crate::io::text::units::{WavelengthUnit, names_wavelength};
 use crate::io::{Input, ReadError, Reading, budget};
 use crate::spectrum::{Kind, NamedSpectrum};
@@ -89,22 +90,25 @@ pub(super) fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Res
     let (index, none) = (reading.spectra.len(), Heading::default());
     let is_written = matches!(axis, RawAxis::Written { .. });
     let heading = raw.heading.unwrap_or(&none);
-    let mut remarks = vec![Remark::Line];
-    remarks.extend(raw.notes.into_iter().map(Remark::Note));
+    let mut notes = raw.notes;
 
     let (unit, axis_decision, against) = decide_axis(&axis, heading, input);
     if is_written {
-        remarks.push(Remark::Axis);
+        if let Some(AxisDecision::Unit(unit)) = &axis_decision {
+            notes.extend(remark::axis_words(unit, against.as_deref()));
+        }
         // In a file of this program every number was measured.
         if !heading.is_own {
-            drop_sentinels(&mut values, &mut remarks);
+            drop_sentinels(&mut values, &mut notes);
         }
     }
-    let from_vacuum = from_vacuum(&axis, unit, heading, &mut remarks);
+    let from_vacuum = from_vacuum(&axis, unit, heading, &mut notes);
     let cleaned = clean(&axis, (unit, from_vacuum), values)
         .map_err(|trouble| refusal(input, trouble, raw.lines))?;
-    remarks.extend(cleaned.remarks);
+    notes.extend(cleaned.notes);
     let samples = cleaned.samples;
+    let mut remarks = vec![Remark::Line];
+    remarks.extend(notes.into_iter().map(Remark::Note));
 
     let own = known.kind.clone().unwrap_or_else(|| {
         let found = kinds::kind(&title, &heading.kind, &input.name, samples.values());
@@ -132,10 +136,10 @@ pub(super) fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Res
     let unit_of_values = unit_of_values(kind.value, known, &title, heading);
     let is_written_light = is_written && kind.value == Kind::Light;
     if is_written_light && value_unit::counts_photons(&unit_of_values) {
-        remarks.push(Remark::Photons);
+        remarks.push(Remark::Note(remark::PHOTON_NOTE.to_owned()));
     }
     if is_written_light && !unit.is_length() {
-        remarks.push(Remark::PerOther);
+        remarks.push(Remark::Note(remark::PER_OTHER.to_owned()));
     }
     let before = notes_of_a_line(raw.before).filter(|note| !note.is_empty());
     remarks.extend(before.map(|note| Remark::Before(note.to_owned())));
@@ -170,7 +174,7 @@ fn from_vacuum(
     axis: &RawAxis,
     unit: WavelengthUnit,
     heading: &Heading,
-    remarks: &mut Vec<Remark>,
+    notes: &mut Vec<String>,
 ) -> bool {
     let RawAxis::Written { scale, title, .. } = axis else {
         return false;
@@ -179,7 +183,11 @@ fn from_vacuum(
         return false;
     }
     let is_turned = scale.tells_air_from_vacuum(unit);
-    remarks.push(Remark::FromVacuum(is_turned));
+    let said = match is_turned {
+        true => remark::TO_AIR,
+        false => remark::KEPT_IN_VACUUM,
+    };
+    notes.push(said.to_owned());
     is_turned
 }
 
@@ -239,8 +247,13 @@ pub(super) fn kind_as_chosen(
         return (own, None);
     };
     let goes_against = !own.is_doubtful() && own.value != kind;
-    let against = goes_against.then_some(Remark::Against(own));
-    (Decision::chosen(kind), against)
+    let against = goes_against.then(|| {
+        format!(
+            "chosen by hand as {kind}: {} tells {}",
+            own.reason, own.value
+        )
+    });
+    (Decision::chosen(kind), against.map(Remark::Note))
 }
 
 /// Factors count as fractions, absorbances as themselves, all else as title, header or format say.
@@ -278,7 +291,7 @@ fn refusal(input: &Input, trouble: Trouble, lines: &[u32]) -> ReadError {
 }
 
 /// Turns "not measured" numbers into gaps, if all other values lie well above them.
-fn drop_sentinels(values: &mut [f64], remarks: &mut Vec<Remark>) {
+fn drop_sentinels(values: &mut [f64], notes: &mut Vec<String>) {
     // All of them are below this: a long column is looked through once, not four times.
     if !values.iter().fold(false, |low, v| low | (*v < -9.0)) {
         return;
@@ -298,7 +311,8 @@ fn drop_sentinels(values: &mut [f64], remarks: &mut Vec<Remark>) {
             for v in values.iter_mut().filter(|v| **v == value) {
                 *v = f64::NAN;
             }
-            remarks.push(Remark::NotMeasured { value, count });
+            let of = many(count, "value of", "values of");
+            notes.push(format!("{of} {value} taken as not measured"));
         }
     }
 }
