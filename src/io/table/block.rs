@@ -31,6 +31,21 @@ pub(crate) fn has_values<V: Borrow<f64>>(values: impl IntoIterator<Item = V>) ->
     filled.nth(1).is_some()
 }
 
+/// Why a text holds no table that can be read.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum NoTable {
+    /// A word among numbers.
+    Bad(BadCell),
+    /// What stands at a line, and what should.
+    At {
+        line: usize,
+        found: String,
+        expected: String,
+    },
+    /// No two lines of two numbers.
+    NoRows,
+}
+
 /// What one column of a block holds.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Column {
@@ -116,10 +131,12 @@ pub(crate) struct Block<'a> {
     pub ended_by: Option<BadCell>,
     /// The first lines behind the last block of a text.
     pub behind: Vec<(usize, &'a str)>,
+    /// What was passed over to get it, a sentence each.
+    pub notes: Vec<String>,
+    /// The rows with a word that it was broken by.
+    pub lost: Vec<BadCell>,
     /// The text from the first row on, and that row's line.
     from: (usize, &'a str),
-    /// Plain rows that the columns have not counted yet.
-    uncounted: usize,
 }
 
 impl<'a> Block<'a> {
@@ -135,8 +152,9 @@ impl<'a> Block<'a> {
             bad: Vec::new(),
             ended_by: None,
             behind: Vec::new(),
+            notes: Vec::new(),
+            lost: Vec::new(),
             from,
-            uncounted: 0,
         }
     }
 
@@ -320,28 +338,6 @@ impl<'a> Block<'a> {
         if self.lines.capacity() > 2 * self.rows() {
             self.lines.shrink_to_fit();
             self.values.iter_mut().for_each(Vec::shrink_to_fit);
-        }
-    }
-
-    /// A row of `width` plain numbers.
-    pub(crate) fn push_plain(&mut self, line: usize, row: &[f64]) {
-        self.lines.push(kept_line(line));
-        self.uncounted += 1;
-        for (column, value) in self.values.iter_mut().zip(row) {
-            column.push(*value);
-        }
-    }
-
-    /// Whether some numbers have a per cent sign: all of that column must.
-    pub(crate) fn has_signs(&self) -> bool {
-        self.columns.iter().any(|column| column.percents > 0)
-    }
-
-    /// Brings the columns' counts up to date after plain rows.
-    pub(crate) fn count(&mut self) {
-        let rows = std::mem::take(&mut self.uncounted);
-        for column in &mut self.columns {
-            column.numbers += rows;
         }
     }
 

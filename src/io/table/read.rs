@@ -5,10 +5,10 @@
 //! [`roles`] which columns are spectra, and [`interpret`](crate::io::interpret::interpret()) what
 //! the values stand for. Each decision is a note, each guess an [`OpenQuestion`].
 
-use super::block::{BadCell, Block, most_left_out};
+use super::block::{BadCell, Block, NoTable, most_left_out};
 use super::columns::{File, read_groups};
 use super::layout::Layout;
-use super::pick::{self, Look, NoTable, Table};
+use super::pick::{self, Look, Table};
 use super::roles::{self, Group};
 use super::rows::read_rows;
 use super::{alternating, folded, marks, no_table};
@@ -130,7 +130,7 @@ fn read_table(
     part: &str,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
-    reading.notes.extend(table.notes.iter().cloned());
+    reading.notes.extend(table.block.notes.iter().cloned());
     let first = reading.spectra.len();
     let doubt = titles_short_of_cells(table, file.dialect);
     match &table.layout {
