@@ -5,7 +5,7 @@ use crate::io::text::NumberedLines;
 use crate::io::text::units::{
     WavelengthUnit, is_of_lengths, looks_like_metres, names_wavelength, unknown_unit,
 };
-use crate::io::text::words::{holds_any, holds_one};
+use crate::io::text::words::holds_one;
 
 /// What is known of an axis.
 #[derive(Clone, Copy)]
@@ -34,14 +34,14 @@ const LENGTHS: &str = "wavelen;lambda;λ;|wl;wellen";
 /// be one for it.
 fn in_small(text: &str) -> (String, bool) {
     let text = text.to_lowercase().replace(['_', '-'], " ");
-    let is_other = holds_any(&text, &["|air|", "vacuum uv", "vacuum ultra"]);
+    let is_other = holds_one(&text, "|air|;vacuum uv;vacuum ultra");
     (text, is_other)
 }
 
 /// Whether the title of wavelengths says that they are those in vacuum.
 pub(crate) fn names_vacuum(title: &str) -> bool {
     let (title, is_other) = in_small(title);
-    !is_other && holds_any(&title, &["|vacuum|", "|vac|", "|vakuum"]) && holds_one(&title, LENGTHS)
+    !is_other && holds_one(&title, "|vacuum|;|vac|;|vakuum") && holds_one(&title, LENGTHS)
 }
 
 /// Whether a line of a header says so: "vacuum wavelengths", "wavelengths (nm) are in vacuum". What
@@ -77,12 +77,8 @@ pub(crate) fn says_vacuum(line: &str) -> bool {
 
 /// Units that lines of a header name for the wavelength axis, the nearest to the table first.
 pub(crate) fn units_of_header(lines: &NumberedLines) -> Vec<WavelengthUnit> {
-    let is_about_axis = |line: &str| {
-        names_wavelength(line)
-            || holds_any(line, &["wvl", "wavelength", "wavenumber", "lambda"])
-            || line.starts_with("x unit")
-            || line.starts_with("xunit")
-    };
+    const ABOUT_AXIS: &str = "wvl;wavelength;wavenumber;lambda;^x unit;^xunit";
+    let is_about_axis = |line: &str| names_wavelength(line) || holds_one(line, ABOUT_AXIS);
     let mut units = Vec::new();
     for (_, line) in lines.iter().rev() {
         let lower = line.trim().to_lowercase();

@@ -180,11 +180,10 @@ fn is_matching_function(title: &str) -> bool {
         .chars()
         .filter(|c| c.is_alphanumeric() || "\u{304}".contains(*c))
         .collect();
-    [
-        "xbar", "ybar", "zbar", "x\u{304}", "y\u{304}", "z\u{304}", "x̅", "y̅", "z̅", "ȳ",
-    ]
-    .iter()
-    .any(|start| name.starts_with(start))
+    holds_one(
+        &name,
+        "^xbar;^ybar;^zbar;^x\u{304};^y\u{304};^z\u{304};^x̅;^y̅;^z̅;^ȳ",
+    )
 }
 
 /// Whether a title, in small letters, counts in a unit that no spectrum has: of time, temperature,
@@ -253,12 +252,9 @@ fn is_ramp(block: &Block, column: usize) -> bool {
 
 /// A column that counts detector elements, by its title.
 fn is_counter(title: &str) -> bool {
+    const COUNTERS: &str = "^chan$;^channel$;^pixel$;^pixels$;^index$;^no$;^nr$;^number$;^row$";
     let title = title.to_lowercase();
-    let word = title.trim_matches(['"', '#', '.', ' ']);
-    matches!(
-        word,
-        "chan" | "channel" | "pixel" | "pixels" | "index" | "no" | "nr" | "number" | "row"
-    )
+    holds_one(title.trim_matches(['"', '#', '.', ' ']), COUNTERS)
 }
 
 /// Whether a column's title says that it is another axis. An "x" beside nanometres is a
@@ -362,28 +358,12 @@ fn are_same_points(block: &Block, titles: &Titles, one: usize, other: usize) -> 
 /// A column of standard deviations or uncertainties: its title is such a word or ends with one. A
 /// name may begin with it ("Std D65").
 fn is_spread(title: &str) -> bool {
-    const ENDS: [&str; 10] = [
-        "std", "stdev", "stddev", "std.dev", "std dev", "st.dev", "st dev", "sigma", "error",
-        "variance",
-    ];
-    const STARTS: [&str; 6] = [
-        "standard dev|",
-        "standard deviation|",
-        "std.dev|",
-        "stdev|",
-        "uncertainty|",
-        "uncert.",
-    ];
+    const SPREADS: &str = "|std$;|stdev$;|stddev$;|std.dev$;|std dev$;|st.dev$;|st dev$;|sigma$;|error$;\
+         |variance$;|standard deviation$;|uncertainty$;^standard dev|;^standard deviation|;^std.dev|;\
+         ^stdev|;^uncertainty|;^uncert.;^sd$;^se$;^sem$;^fwhm$;^bandwidth$";
     let title = title.to_lowercase();
     let name = without_brackets(&title).trim_end_matches('.');
-    let ends = |word: &str| name.ends_with(word) && holds(name, &format!("|{word}|"));
-    let starts = |word: &str| name.starts_with(word.trim_end_matches('|')) && holds(name, word);
-    title.contains('±')
-        || ENDS.iter().any(|word| ends(word))
-        || STARTS.iter().any(|word| starts(word))
-        || ends("standard deviation")
-        || ends("uncertainty")
-        || ["sd", "se", "sem", "fwhm", "bandwidth"].contains(&name)
+    title.contains('±') || holds_one(name, SPREADS)
 }
 
 /// Raw readings that stand beside the processed values: dark, reference and sample counts next to
@@ -400,14 +380,13 @@ fn beside_processed(titles: &Titles, wavelength: usize) -> Vec<usize> {
     {
         return others[..readings.len()].to_vec();
     }
+    const RAW: &str = "^dark$;^ref$;^reference$;^sample$;^scope$;^raw$;^norm$;^background$";
     let title = |column: &usize| titles.whole(*column).to_lowercase();
     let raw = |column: &usize| {
         let title = title(column);
         let word = title.split([' ', '[', '(', '.']).next().unwrap_or("");
-        matches!(
-            word,
-            "dark" | "ref" | "reference" | "sample" | "scope" | "raw" | "norm" | "background"
-        ) && (kind_of_title(&title).is_none() || title.contains("counts"))
+        holds_one(word, RAW)
+            && (kind_of_title(&title).is_none() || title.contains("counts"))
             && !title.contains("subtracted")
     };
     let (raws, others): (Vec<usize>, Vec<usize>) = others.into_iter().partition(raw);

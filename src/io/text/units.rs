@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::words::{holds, holds_one, without_brackets};
+use super::words::{holds_one, without_brackets};
 
 /// What a file counts its wavelength axis in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -186,21 +186,16 @@ const QUANTITIES: [&str; 3] = ["frequency", "energy", "photon energy"];
 /// Whether a column's title says that it is the wavelength axis: by its first word or its last, but
 /// not by what stands in brackets behind another (`S(lambda)`).
 pub(crate) fn names_wavelength(title: &str) -> bool {
-    const WHOLE: [&str; 14] = [
-        "x", "wl", "nm", "um", "µm", "w.length", "λ", "lam", "cm-1", "wn", "ev", "mev", "thz",
-        "ghz",
-    ];
-    const STARTS: &str = "wave;波长;波長;파장;длина волн;w.length;wvl;lambda;longitud;longueur;wellen;lunghezza;λ;wl_;\
-         wl ";
-    const ENDS: [&str; 3] = ["wvl", "wavelength", "wavenumber"];
+    const WHOLE: &str = "^x$;^wl$;^nm$;^um$;^µm$;^w.length$;^λ$;^lam$;^cm-1$;^wn$;^ev$;^mev$;^thz$;\
+         ^ghz$";
+    const STARTS: &str = "^wave;^波长;^波長;^파장;^длина волн;^w.length;^wvl;^lambda;^longitud;^longueur;\
+         ^wellen;^lunghezza;^λ;^wl_;^wl ";
+    const ENDS: &str = "|wvl$;|wavelength$;|wavenumber$";
     let title = title.trim().trim_matches(['"', '#', '[', ']', '(', ')']);
     let title = title.to_lowercase();
-    let name = without_brackets(&title);
-    WHOLE.contains(&title.trim())
-        || STARTS.split(';').any(|word| title.starts_with(word))
-        || ENDS
-            .iter()
-            .any(|word| name.ends_with(word) && holds(name, &format!("|{word}|")))
+    holds_one(title.trim(), WHOLE)
+        || holds_one(&title, STARTS)
+        || holds_one(without_brackets(&title), ENDS)
         || QUANTITIES.iter().any(|word| title.starts_with(word))
             && WavelengthUnit::of_title(&title).is_some_and(|unit| !unit.is_length())
 }
