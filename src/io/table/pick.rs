@@ -1,6 +1,6 @@
 //! Chooses the dialect of a text table and finds its tables.
 
-use super::block::{Block, LONGEST_BREAK, NoTable, most_left_out, row_gone_wrong_above};
+use super::block::{Block, LONGEST_BREAK, NoTable, most_left_out};
 use super::head::with_rows_above;
 use super::layout::{self, Layout};
 use super::row_order::{may_be_wavelengths, runs_one_way, steps_up_and_down};
@@ -278,7 +278,7 @@ fn joined<'a>(
 ) -> Result<Vec<Block<'a>>, NoTable> {
     let mut out: Vec<Block> = Vec::new();
     for mut block in blocks {
-        let above = row_gone_wrong_above(&block, text, dialect);
+        let above = block.gone_wrong_above(text, dialect);
         let before = out.last_mut();
         let Some(last) = before.filter(|last| goes_on(last, &block, dialect)) else {
             let (mut block, left) = with_rows_above(block, text, dialect);

@@ -6,9 +6,9 @@
 //! memory grow with the text's length only. Lines without a figure or a delimiter are no rows at a
 //! glance; every other line is looked at cell by cell.
 
-use super::block::{Block, LONGEST_BREAK, NoTable, SETTLED, row_gone_wrong};
+use super::block::{Block, LONGEST_BREAK, NoTable, Row, SETTLED};
 use crate::io::budget;
-use crate::io::text::dialect::{Delimiter, Dialect, MOST_COLUMNS, used};
+use crate::io::text::dialect::{Delimiter, Dialect, MOST_COLUMNS};
 use crate::io::text::first_line;
 use crate::io::text::number::{self, Cell};
 
@@ -53,9 +53,8 @@ struct Scanner<'a> {
     header: Vec<(usize, &'a str)>,
     /// The block that rows are added to.
     open: Option<Block<'a>>,
-    /// The cells of a line and what they hold.
-    cells: Vec<&'a str>,
-    kinds: Vec<Cell>,
+    /// The line that is looked at; without cells where that was not needed.
+    row: Row<'a>,
     /// Cells in all blocks.
     held: usize,
     /// Memory that the blocks take beside them, and may take.
@@ -74,8 +73,7 @@ impl<'a> Scanner<'a> {
             blocks: Vec::new(),
             header: Vec::new(),
             open: None,
-            cells: Vec::new(),
-            kinds: Vec::new(),
+            row: Row::default(),
             held: 0,
             beside: 0,
             // The spectra that become of them take the other half.
@@ -111,11 +109,11 @@ impl<'a> Scanner<'a> {
             return Ok(());
         }
         let is_row = self.is_row(raw)? || self.is_wavelength_alone(content);
-        let (used, all) = (used(&self.cells), self.cells.len());
+        let (used, all) = (self.row.used(), self.row.cells.len());
         let goes_on = |open: &Block| is_row && open.takes(used, all);
         if !self.open.as_ref().is_some_and(goes_on) {
             if let Some(open) = &mut self.open {
-                open.ended_by = row_gone_wrong(open, self.line, &self.cells, &self.kinds);
+                open.ended_by = open.gone_wrong(&self.row);
             }
             self.close()?;
             if !is_row {
@@ -133,7 +131,7 @@ impl<'a> Scanner<'a> {
             let rows = self.rest.len() / (raw.len() + 1) + 1;
             open.reserve(rows.min(MOST_CELLS / open.width));
         }
-        open.push(self.line, &self.cells, &self.kinds);
+        open.push(&self.row);
         self.held += open.width;
         if self.held > MOST_CELLS {
             return self.too_much("more than 64 million numbers", "a smaller table");
@@ -151,8 +149,9 @@ impl<'a> Scanner<'a> {
 
     /// Takes a line apart, unless it is plain at a glance that it is no row; whether it is one.
     fn is_row(&mut self, raw: &'a str) -> Result<bool, NoTable> {
-        self.cells.clear();
-        self.kinds.clear();
+        self.row.line = self.line;
+        self.row.cells.clear();
+        self.row.kinds.clear();
         // A row has a figure. Titles without any are cells, too, where there are too many of them.
         let has_figure = || raw.bytes().any(|byte| byte.is_ascii_digit());
         let is_short = raw.len() <= MOST_COLUMNS;
@@ -163,16 +162,16 @@ impl<'a> Scanner<'a> {
             return Ok(false);
         }
         let mut is_row = self.take_apart(raw);
-        if self.kinds.contains(&Cell::Text)
+        if self.row.has_words()
             && self.dialect.delimiter != Delimiter::Cell
             && let Some(before) = before_comment(raw)
         {
-            let is_whole = self.take_apart(before) && !self.kinds.contains(&Cell::Text);
+            let is_whole = self.take_apart(before) && !self.row.has_words();
             is_row = is_whole || self.take_apart(raw);
         }
         // Words with blanks between them are no columns.
         let are_cells = is_row || self.dialect.delimiter != Delimiter::Space;
-        if self.cells.len() > MOST_COLUMNS && are_cells {
+        if self.row.cells.len() > MOST_COLUMNS && are_cells {
             let found = self.dialect.count(content_with_tabs(raw));
             let most = format!("at most {MOST_COLUMNS} columns");
             return self.too_much(format!("{found} columns"), &most);
@@ -185,27 +184,23 @@ impl<'a> Scanner<'a> {
     fn is_wavelength_alone(&mut self, content: &'a str) -> bool {
         let settled = self.open.as_ref().filter(|open| open.rows() >= SETTLED);
         // Most lines that are no rows are looked at in a dialect that is not theirs: nothing is open.
-        let Some(open) = settled.filter(|_| self.cells.is_empty()) else {
+        let Some(open) = settled.filter(|_| self.row.cells.is_empty()) else {
             return false;
         };
         let kind = number::parse(content, self.dialect.decimal_comma);
         if !matches!(kind, Cell::Number(nm) if open.goes_on_with(nm)) {
             return false;
         }
-        self.cells.push(content);
-        self.kinds.push(kind);
+        self.row.cells.push(content);
+        self.row.kinds.push(kind);
         true
     }
 
-    /// The cells of a line and what they hold; whether it looks like a row.
+    /// Takes a line apart; whether it looks like a row.
     fn take_apart(&mut self, line: &'a str) -> bool {
-        self.dialect.split(content_with_tabs(line), &mut self.cells);
-        let decimal_comma = self.dialect.decimal_comma;
-        let kinds = self.cells.iter();
-        self.kinds.clear();
-        self.kinds
-            .extend(kinds.map(|cell| number::parse(cell, decimal_comma)));
-        looks_like_row(&self.kinds)
+        let content = content_with_tabs(line);
+        self.row.take_apart(self.line, content, self.dialect);
+        looks_like_row(&self.row.kinds)
     }
 
     /// Ends the open block. A single row is a header line ("Index,13,14,15"): it goes back to where

@@ -143,16 +143,6 @@ impl Dialect {
         cells
     }
 
-    /// The same, and what each of them holds.
-    pub(crate) fn cells_and_kinds(self, line: &str) -> (Vec<&str>, Vec<Cell>) {
-        let cells = self.cells(line);
-        let kinds = cells
-            .iter()
-            .map(|cell| number::parse(cell, self.decimal_comma));
-        let kinds = kinds.collect();
-        (cells, kinds)
-    }
-
     /// The cells of a word that blanks stand in which break no line; between the thousands of a
     /// number they part nothing.
     fn split_at_fixed_blanks(self, word: &str) -> impl Iterator<Item = &str> {
