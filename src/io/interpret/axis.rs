@@ -27,7 +27,6 @@ pub(crate) struct Axis<'a> {
 /// Wavelengths in nm that numbers of an axis plausibly are.
 const PLAUSIBLE_NM: (f64, f64) = (100.0, 50_000.0);
 
-/// Words for wavelengths.
 const LENGTHS: &str = "wavelen;lambda;λ;|wl;wellen";
 
 /// A text in small letters, and whether it names air or the vacuum ultraviolet: a spectrometer may
@@ -191,39 +190,4 @@ fn is_visible_in_angstrom(axis: &Axis) -> bool {
     is_visible
         && min.fract() == 0.0
         && (axis.unevenness)(WavelengthUnit::Angstrom).is_some_and(|uneven| uneven < 1e-6)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_line_says_that_wavelengths_are_in_vacuum_or_speaks_of_something_else() {
-        for line in [
-            "Vacuum wavelengths",
-            "All wavelengths are in vacuum.",
-            "Wavelength (nm) in vacuum, measured in a chamber",
-            "wavelength medium: vacuum",
-            "Wavelength_vac (nm);Flux",
-            "Wavelength (vacuum) nm\tFlux",
-            "Wavelengths measured in vacuum",
-            "Wellenlängen im Vakuum",
-            "Vakuumwellenlänge",
-        ] {
-            assert!(says_vacuum(line), "{line}");
-        }
-        for line in [
-            "Wavelength calibrated, lamp in a vacuum chamber",
-            "wavelength scan measured in a vacuum chamber",
-            "Wavelengths of a vacuum fluorescent display",
-            "Wavelength (nm),Vacuum level",
-            "Wavelength (nm),Vacuum",
-            "Wavelength (nm),Vacuum wavelength (nm),Flux",
-            "wavelengths in air, not in vacuum",
-            "wavelengths in vacuum chamber",
-            "Vacuum UV monochromator, wavelength 120 nm",
-        ] {
-            assert!(!says_vacuum(line), "{line}");
-        }
-    }
 }

@@ -69,7 +69,6 @@ const TEN_THOUSANDTHS: std::ops::RangeInclusive<f64> = 1000.0..=12_000.0;
 /// Largest values that are whole numbers of 16 bits; beyond them nobody knows.
 const SIXTEEN_BITS: std::ops::RangeInclusive<f64> = 12_000.0..=65_535.0;
 
-/// The largest whole number of 8 bits.
 const EIGHT_BITS: f64 = 255.0;
 
 /// Whether the largest values leave hardly a doubt about what they are counted in.
@@ -160,7 +159,6 @@ pub(crate) fn by_size(values: &[f64]) -> Decision<Counted> {
     Decision::guessed(counted, is_plain_size(counted, high), reason)
 }
 
-/// Whether values are whole numbers of 8 bits.
 fn are_bytes(values: &[f64]) -> bool {
     let is_byte = |v: &f64| v.fract() == 0.0 && (0.0..=EIGHT_BITS).contains(v);
     values.len() >= 10 && values.iter().all(is_byte)

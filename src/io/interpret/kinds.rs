@@ -182,7 +182,6 @@ fn kind_of_logarithm(title: &str) -> Option<Kind> {
     }
 }
 
-/// The kind that a line of text tells.
 pub(crate) fn kind_of_words(line: &str) -> Option<Kind> {
     let line = line.to_lowercase();
     let found = WORDS.iter().find(|(_, words)| holds_one(&line, words));
@@ -262,7 +261,6 @@ impl FromHeader {
     }
 }
 
-/// The kind of one column.
 pub(crate) fn kind(title: &str, header: &FromHeader, file: &str, values: &[f64]) -> Decision<Kind> {
     if let Some(kind) = header.own {
         return Decision::stated(kind, "the header");

@@ -64,7 +64,6 @@ pub(crate) fn unit_of_header(header: &NumberedLines) -> String {
     String::new()
 }
 
-/// A unit without the brackets around the whole of it.
 fn without_brackets(unit: &str) -> &str {
     let unit = unit.trim();
     [('(', ')'), ('[', ']')]

@@ -34,7 +34,6 @@ pub(crate) fn has_values<V: Borrow<f64>>(values: impl IntoIterator<Item = V>) ->
 /// Why a text holds no table that can be read.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum NoTable {
-    /// A word among numbers.
     Bad(BadCell),
     /// What stands at a line, and what should.
     At {
@@ -129,7 +128,6 @@ impl BadCell {
         }
     }
 
-    /// The refusal for a word among numbers.
     pub(crate) fn refusal(&self, input: &Input) -> ReadError {
         let expected = format!("a number in column {}", self.column + 1);
         input.error(quoted(&self.text), expected).at_line(self.line)
@@ -199,21 +197,13 @@ impl<'a> Block<'a> {
         }
     }
 
-    /// A block of two columns with these wavelengths, values and lines, which are what the columns
-    /// here are.
-    pub(crate) fn of_points(
-        &self,
-        (axis, value): (usize, Option<usize>),
-        points: &[(f64, f64, u32)],
-    ) -> Self {
-        let value = value.unwrap_or(axis + 1);
+    /// A block of points in two columns, which are what two of its own are.
+    pub(crate) fn of_points(&self, columns: [usize; 2], points: &[(f64, f64, u32)]) -> Self {
+        let (nm, values) = points.iter().map(|point| (point.0, point.1)).unzip();
         Self {
-            values: {
-                let (nm, values) = points.iter().map(|point| (point.0, point.1)).unzip();
-                vec![nm, values]
-            },
+            values: vec![nm, values],
             lines: points.iter().map(|point| point.2).collect(),
-            columns: [axis, value].map(|at| self.columns[at].clone()).into(),
+            columns: columns.map(|at| self.columns[at].clone()).into(),
             ..Self::new(self.header.clone(), 2, self.from)
         }
     }
@@ -270,7 +260,6 @@ impl<'a> Block<'a> {
         self.values.iter().map(|column| column[row]).collect()
     }
 
-    /// The first column's number in a row.
     pub(crate) fn first(&self, row: usize) -> f64 {
         self.values[0][row]
     }
@@ -292,7 +281,6 @@ impl<'a> Block<'a> {
         self.columns[0].numbers == 0 || self.counts_rows(0)
     }
 
-    /// Whether a column holds one number in every row.
     pub(crate) fn is_constant(&self, column: usize) -> bool {
         let values = self.column(column);
         values.len() >= SETTLED && values.windows(2).all(|pair| pair[0] == pair[1])
@@ -304,7 +292,6 @@ impl<'a> Block<'a> {
         used == self.width || used < self.width && (all == self.width || self.rows() >= SETTLED)
     }
 
-    /// Whether a number carries on the first column.
     pub(crate) fn goes_on_with(&self, nm: f64) -> bool {
         let end = self.rows() - 1;
         end > 0 && carries_on(self.first(end - 1), self.first(end), nm)
@@ -334,7 +321,6 @@ impl<'a> Block<'a> {
         left
     }
 
-    /// Makes room for `rows` more.
     pub(crate) fn reserve(&mut self, rows: usize) {
         self.lines.reserve(rows);
         for column in &mut self.values {

@@ -32,10 +32,8 @@ struct Rows<'a> {
     values: &'a [usize],
     run: Range<usize>,
     part: String,
-    /// Spectra of the whole table.
-    columns: usize,
-    /// Names from a line above the titles; empty where none tells columns apart.
-    above: &'a [String],
+    /// What the columns of values are called.
+    names: &'a [String],
     /// Whether the columns are a camera's R, G and B.
     is_rgb: bool,
     /// What a column of words calls these rows.
@@ -103,19 +101,23 @@ pub(crate) fn read_groups(
         let filled =
             columns_read.flat_map(|of| runs.iter().filter(|run| has_values(&of[run.0.clone()])));
         check_room(file.input, reading.spectra.len() + filled.count())?;
+        let columns = columns - (group.values.len() - values.len());
+        let name_of = |(column, at): (&usize, usize)| match above.get(at) {
+            Some(name) => name.clone(),
+            None => column_name(&table.titles, *column, columns),
+        };
+        let names: Vec<String> = values.iter().zip(before..).map(name_of).collect();
         for (number, (run, sample)) in runs.into_iter().enumerate() {
             let rows = Rows {
                 axis_column: group.axis,
                 axis: &axis,
                 values: &values,
                 run,
-                part: if several && sample.is_none() {
-                    format!("{part}, part {}", number + 1)
-                } else {
-                    part.to_owned()
+                part: match several && sample.is_none() {
+                    true => format!("{part}, part {}", number + 1),
+                    false => part.to_owned(),
                 },
-                columns: columns - (group.values.len() - values.len()),
-                above: above.get(before..).unwrap_or(&[]),
+                names: &names,
                 is_rgb,
                 sample: sample.as_deref(),
             };
@@ -173,17 +175,12 @@ fn read_columns(
     let stem = heading.name.unwrap_or(file.input.stem());
     let is_whole = rows.run.len() == block.rows();
     let scale = Scale::new(&rows.axis[rows.run.clone()]);
-    for (number, column) in values.iter().enumerate() {
+    for (column, name) in values.iter().zip(rows.names) {
         let of_column = &mut block.values[*column];
         // A long column is moved, not copied.
-        let of_column = if is_whole {
-            std::mem::take(of_column)
-        } else {
-            of_column[rows.run.clone()].to_vec()
-        };
-        let name = match rows.above.get(number) {
-            Some(name) => name.clone(),
-            None => column_name(titles, *column, rows.columns),
+        let of_column = match is_whole {
+            true => std::mem::take(of_column),
+            false => of_column[rows.run.clone()].to_vec(),
         };
         // A column that is empty in this part of the table is no spectrum; others still are.
         if values.len() > 1 && !has_values(&of_column) {
@@ -193,7 +190,7 @@ fn read_columns(
         let name = match (rows.sample, name.is_empty()) {
             (Some(sample), true) => format!("{sample}{}", rows.part),
             (Some(sample), false) => format!("{sample} {name}{}", rows.part),
-            (None, _) => name_with_part(stem, &name, &rows.part),
+            (None, _) => name_with_part(stem, name, &rows.part),
         };
         let title = match &block.columns[*column].unit {
             _ if rows.is_rgb => String::new(),

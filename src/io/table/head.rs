@@ -5,7 +5,6 @@ use super::block::{Block, Row, carries_on, is_no_comment, place_in};
 use crate::io::text::dialect::Dialect;
 use crate::io::text::number::Cell;
 
-/// Most lines above a block that are looked at.
 const MOST_LINES: usize = 40;
 
 /// The block with the rows of its header, and those lines among them that are none. The rows are

@@ -15,7 +15,6 @@ pub(crate) const A_TABLE: &str = "two or more columns of numbers: wavelengths an
 /// A line longer than this, in bytes, is named by its length.
 const LONG_LINE: usize = 1 << 20;
 
-/// The refusal of a text.
 pub(crate) fn refusal(input: &Input, text: &str, why: NoTable) -> ReadError {
     match why {
         NoTable::Bad(bad) => bad.refusal(input),
@@ -95,7 +94,6 @@ pub(crate) fn no_such_column(input: &Input, width: usize, column: usize) -> Read
     )
 }
 
-/// What is said of a column without values.
 pub(crate) fn empty_column(column: usize) -> String {
     format!("column {} holds no values and was left out", column + 1)
 }

@@ -25,7 +25,6 @@ const SHORTEST_SHARE: usize = 8;
 /// Fewest rows of such a short block that make a table.
 const FEWEST_SHORT_ROWS: usize = 3;
 
-/// A block with its titles and layout.
 #[derive(Clone, Debug)]
 pub(crate) struct Table<'a> {
     pub block: Block<'a>,
@@ -35,39 +34,20 @@ pub(crate) struct Table<'a> {
     pub is_short: bool,
 }
 
-/// What a look at the start of a text tells about the whole.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Look<'a> {
-    /// How its table is written, if it has one.
-    pub dialect: Dialect,
-    pub text: &'a str,
-    /// The part of it that was looked at and holds no wavelengths; all of it where some were found.
-    pub seen: &'a str,
-}
+/// How a text with a table is written, and the part of it that was looked at and holds no wavelengths;
+/// all of it where some were found.
+pub(crate) type Look<'a> = (Dialect, &'a str);
 
-impl<'a> Look<'a> {
-    /// What is known of a text whose dialect is.
-    pub(crate) fn at_all(text: &'a str, dialect: Dialect) -> Self {
-        Self {
-            dialect,
-            text,
-            seen: text,
-        }
+/// All tables of a text. Where a look at its first part saw none, its rest is not gone over.
+pub(crate) fn tables_of<'a>(
+    text: &'a str,
+    (dialect, seen): Look<'a>,
+) -> Result<Vec<Table<'a>>, NoTable> {
+    let found = tables(seen, dialect);
+    if found.is_ok() && seen.len() < text.len() {
+        return tables(text, dialect);
     }
-
-    /// Whether more stands behind the part that was looked at.
-    pub(crate) fn is_part(&self) -> bool {
-        self.seen.len() < self.text.len()
-    }
-
-    /// All tables of the text. Where a look at its first part saw none, its rest is not gone over.
-    pub(crate) fn tables(&self) -> Result<Vec<Table<'a>>, NoTable> {
-        let found = tables(self.seen, self.dialect);
-        if found.is_ok() && self.is_part() {
-            return tables(self.text, self.dialect);
-        }
-        found
-    }
+    found
 }
 
 /// The dialect under which a text has most numbers in tables with wavelengths.
@@ -80,15 +60,11 @@ pub(crate) fn look(text: &str, chosen: Option<Delimiter>) -> Look<'_> {
     let sample = sample(text);
     let (found, dialect) = best_of(sample, chosen);
     if found || sample.len() == text.len() {
-        return Look::at_all(text, dialect);
+        return (dialect, text);
     }
     let start = start(text);
     let (found, dialect) = best_of(start, chosen);
-    Look {
-        dialect,
-        text,
-        seen: if found { text } else { start },
-    }
+    (dialect, if found { text } else { start })
 }
 
 /// As much of a text as tells how it is written.
@@ -160,7 +136,6 @@ fn score(blocks: &[Block], dialect: Dialect) -> (usize, usize) {
     score
 }
 
-/// All tables of a text in a dialect.
 pub(crate) fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoTable> {
     let blocks = scan(text, 0, dialect)?;
     // Of equally long ones the first.

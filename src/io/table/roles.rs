@@ -21,11 +21,6 @@ pub(crate) struct LeftOut {
 const SECOND_AXIS: &str = "is a second axis and was left out";
 
 impl LeftOut {
-    /// A column is left out for this reason.
-    fn for_being(why: &'static str) -> impl Fn(usize) -> Self {
-        move |column| Self { column, why }
-    }
-
     pub(crate) fn words(&self, titles: &Titles) -> String {
         format!("{} {}", shown(titles, self.column), self.why)
     }
@@ -62,8 +57,8 @@ pub(crate) fn groups(
         .collect();
     let others = groups.iter().map(|group| group.axis);
     let others = others.filter(|axis| *axis != wavelength);
-    let axis = LeftOut::for_being("holds the wavelengths of the columns behind it");
-    left_out.extend(others.map(axis));
+    let why = "holds the wavelengths of the columns behind it";
+    left_out.extend(others.map(|column| LeftOut { column, why }));
     (groups, left_out)
 }
 

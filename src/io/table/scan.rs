@@ -41,7 +41,6 @@ pub(crate) fn scan_start(text: &str, dialect: Dialect) -> Result<Vec<Block<'_>>,
     .run()
 }
 
-/// A scan on its way through a text.
 struct Scanner<'a> {
     dialect: Dialect,
     /// What was not looked at yet.

@@ -188,7 +188,6 @@ impl Dialect {
     }
 }
 
-/// Blanks at which no line is broken.
 const FIXED_BLANKS: [char; 2] = ['\u{a0}', '\u{202f}'];
 
 /// Fewest numbers in brackets that are a row.
