@@ -110,14 +110,8 @@ pub(crate) fn clean_within(
         _ => {}
     }
     put_in_order(&mut points, most_reversals, &mut notes).map_err(|trouble| {
-        let mut of_points = nm.iter().zip(values).enumerate();
-        let place = |at| {
-            of_points
-                .by_ref()
-                .filter(|(_, (w, v))| is_point(**w, **v))
-                .nth(at)
-        };
-        let index = trouble.index.and_then(place).map(|(index, _)| index);
+        let mut places = (0..given).filter(|at| is_point(nm[*at], values[*at]));
+        let index = trouble.index.and_then(|at| places.nth(at));
         Trouble { index, ..trouble }
     })?;
     average_doubles(&mut points, &mut notes);

@@ -6,7 +6,7 @@ use super::kinds::{kind_of_words, states_values};
 use crate::io::Counted;
 use crate::io::reading::decision::Decision;
 use crate::io::text::NumberedLines;
-use crate::io::text::words::holds;
+use crate::io::text::words::holds_one;
 use crate::spectrum::Kind;
 
 /// What a format knows of the factor from the file's numbers to the unit.
@@ -113,10 +113,7 @@ pub(crate) fn counted(
     if is_percent_title(&title) {
         return or_fractions("the column's title");
     }
-    if title.contains("[1.0]")
-        || title.contains("fraction")
-        || ["tfr", "rfr"].contains(&title.trim())
-    {
+    if holds_one(title.trim(), "[1.0];fraction;^tfr$;^rfr$") {
         return of_title(Counted::Fraction);
     }
     match header {
@@ -131,7 +128,7 @@ const MOST_DOUBTFUL: f64 = 1.2;
 
 /// Whether a title (lower case) says per cent.
 fn is_percent_title(title: &str) -> bool {
-    title.contains('%') || title.contains("percent") || ["tpc", "rpc"].contains(&title.trim())
+    holds_one(title.trim(), "%;percent;^tpc$;^rpc$")
 }
 
 /// Whether title, header or signs say that values are per cent.
@@ -166,10 +163,9 @@ fn are_bytes(values: &[f64]) -> bool {
 
 /// Whether a title (lower case) says that 10 000 is all of the light: "reflectance (x10000)".
 fn counts_ten_thousandths(title: &str) -> bool {
+    const TIMES: &str = "x10000|;x1e4|;x10^4|;*10000|;*1e4|;*10^4|;×10000|;×1e4|;×10^4|";
     let bare: String = title.chars().filter(|c| !c.is_whitespace()).collect();
-    let of = |times: &str| ["10000|", "1e4|", "10^4|"].map(|number| format!("{times}{number}"));
-    let mut words = ["x", "*", "×"].into_iter().flat_map(of);
-    words.any(|word| holds(&bare, &word))
+    holds_one(&bare, TIMES)
 }
 
 /// Whether a header says that values are per cent, or fractions; `None` where it does not.

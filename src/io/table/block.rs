@@ -5,7 +5,7 @@ use std::borrow::Borrow;
 use crate::io::error::quoted;
 use crate::io::text::dialect::{Dialect, used};
 use crate::io::text::number::{self, Cell, unit_behind};
-use crate::io::text::{first_line, kept_line, lines};
+use crate::io::text::{first_line, is_no_comment, kept_line, lines};
 use crate::io::{Input, ReadError};
 
 /// Rows after which a block has shown its width.
@@ -437,17 +437,4 @@ impl<'a> Block<'a> {
 pub(crate) fn carries_on(before: f64, last: f64, next: f64) -> bool {
     let step = last - before;
     (next - last) * step > 0.0 && (next - last).abs() <= 20.0 * step.abs()
-}
-
-/// Where a part of a text stands in it, bytes.
-pub(crate) fn place_in(text: &str, part: &str) -> usize {
-    part.as_ptr() as usize - text.as_ptr() as usize
-}
-
-/// Whether a line kept of a text is no comment, whose mark would stand before it: a row that
-/// somebody took out by a mark is none.
-pub(crate) fn is_no_comment(text: &str, content: &str) -> bool {
-    let before = text[..place_in(text, content)].bytes().rev();
-    let mut before = before.take_while(|byte| !matches!(byte, b'\n' | b'\r'));
-    before.all(|byte| byte.is_ascii_whitespace())
 }

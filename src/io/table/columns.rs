@@ -51,14 +51,11 @@ pub(crate) fn read_groups(
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
     let all: Vec<usize> = groups.iter().flat_map(|g| g.values.clone()).collect();
-    let columns = all.len();
+    let (columns, is_rgb) = (all.len(), are_rgb(&table.titles, &all));
     let heading = Heading::of(&table.block.header).shared_by(columns);
-    let are_pairs = groups.len() == columns;
-    let above = names_above(&table.block, file.dialect, (&table.titles, are_pairs), &all);
-    let above = above.unwrap_or_default();
-    let is_rgb = are_rgb(&table.titles, &all);
-    let mut told_apart = Vec::new();
-    let mut before = 0;
+    let titles = (&table.titles, groups.len() == columns);
+    let above = names_above(&table.block, file.dialect, titles, &all).unwrap_or_default();
+    let (mut told_apart, mut before) = (Vec::new(), 0);
     for group in groups {
         let mut values = group.values.clone();
         let (rows, named) = match groups {
@@ -67,9 +64,8 @@ pub(crate) fn read_groups(
                 let named = samples::together(block, file.dialect, group.axis, &group.values);
                 if named.is_none() {
                     no_single_points(file, table, group.axis)?;
-                    let (axis, values) = (group.axis, &group.values);
                     let block = &mut table.block;
-                    let said = row_order::put_right(file.input, block, axis, values)?;
+                    let said = row_order::put_right(file.input, block, group.axis, &group.values)?;
                     reading.notes.extend(said);
                 }
                 (table.block.rows(), named)
@@ -80,19 +76,16 @@ pub(crate) fn read_groups(
         let runs: Vec<(Range<usize>, Option<String>)> = match named {
             Some((columns, samples)) => {
                 left_out.retain(|other| !columns.contains(&other.column));
-                let shown = columns.iter().map(|c| roles::shown(&table.titles, *c));
-                let shown: Vec<String> = shown.collect();
-                let tell = if shown.len() == 1 { "tells" } else { "tell" };
-                told_apart.push(format!("{} {tell} the spectra apart", shown.join(" and ")));
                 values.retain(|column| !columns.contains(column));
+                told_apart.push(said_of_samples(table, &columns));
                 // A number is no name without the title above it.
                 let title = match table.block.columns[columns[0]].numbers {
                     0 => "",
                     _ => table.titles.names[columns[0]].trim(),
                 };
                 let named = |name| Some(format!("{title} {name}").trim().to_owned());
-                let runs = samples.into_iter().map(|(name, run)| (run, named(name)));
-                runs.collect()
+                let runs = samples.into_iter();
+                runs.map(|(name, run)| (run, named(name))).collect()
             }
             None => layout::runs(&axis).into_iter().map(|r| (r, None)).collect(),
         };
@@ -128,6 +121,13 @@ pub(crate) fn read_groups(
     let left_out = left_out.iter().map(|column| column.words(&table.titles));
     reading.notes.extend(left_out.chain(told_apart));
     Ok(())
+}
+
+fn said_of_samples(table: &Table, columns: &[usize]) -> String {
+    let shown = columns.iter().map(|c| roles::shown(&table.titles, *c));
+    let shown: Vec<String> = shown.collect();
+    let tell = if shown.len() == 1 { "tells" } else { "tell" };
+    format!("{} {tell} the spectra apart", shown.join(" and "))
 }
 
 /// What is said of values that are only known to lie beyond a limit.

@@ -1,9 +1,10 @@
 //! Rows that stand above a block because one among the first of a table is short, or has a cell too
 //! many: before a table has shown its width such a row breaks it off.
 
-use super::block::{Block, Row, carries_on, is_no_comment, place_in};
+use super::block::{Block, Row, carries_on};
 use crate::io::text::dialect::Dialect;
 use crate::io::text::number::Cell;
+use crate::io::text::{is_no_comment, place_in};
 
 const MOST_LINES: usize = 40;
 

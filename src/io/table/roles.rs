@@ -187,7 +187,7 @@ fn is_matching_function(title: &str) -> bool {
 fn counts_beside(title: &str) -> bool {
     const UNITS: &str = "sec;seconds;ms;msec;us;µs;μs;hr;°c;ºc;℃;degc;deg c;°f;deg;°;%rh;rh;pa;hpa;\
          kpa;bar;mbar;rpm;hz";
-    const BEHIND: [&str; 5] = ["_ms", "_msec", "_us", "_sec", "_degc"];
+    const BEHIND: &str = "_ms$;_msec$;_us$;_sec$;_degc$;^t_c$;^temp_c$";
     const TEMPERATURES: &str = "temperatur;|temp|;|tc|;|tj|;|tcase|";
     const TIMES: &str = "time|;|zeit|;|elapsed;|duration;|delay;|age|;|exposure|;|integration|";
     let is_unit = |(name, unit): (&str, &str)| {
@@ -202,9 +202,7 @@ fn counts_beside(title: &str) -> bool {
         // "R (s)" is of light that swings across.
         is_known && (is_warm || kind_of_title(title).is_none())
     };
-    title.rsplit_once(['(', '[']).is_some_and(is_unit)
-        || BEHIND.iter().any(|end| title.ends_with(end))
-        || ["t_c", "temp_c"].contains(&title.trim())
+    title.rsplit_once(['(', '[']).is_some_and(is_unit) || holds_one(title.trim(), BEHIND)
 }
 
 /// Which titles, in small letters, are of what was noted beside each point, by a word that is no
@@ -261,9 +259,8 @@ fn names_axis_beside(title: &str, titles: &Titles, wavelength: usize) -> bool {
 
 /// Whether a title is words and a unit of length behind them ("Em nm"): no quantity for each nm.
 fn ends_in_length(title: &str) -> bool {
-    let title = title.to_lowercase();
-    let ends = [" nm", " (nm)", " [nm]", "_nm"];
-    ends.iter().any(|unit| title.ends_with(unit)) && !title.contains(['/', '^'])
+    let ends = " nm$; (nm)$; [nm]$;_nm$";
+    holds_one(&title.to_lowercase(), ends) && !title.contains(['/', '^'])
 }
 
 /// Columns of wavelengths from left to right: the one that was found, and others that are titled

@@ -79,12 +79,10 @@ impl Dialect {
             Delimiter::Space => "cells separated by blanks",
             Delimiter::Cell => "cells of a sheet",
         };
-        let decimals = if self.decimal_comma {
-            ", decimal comma"
-        } else {
-            ""
-        };
-        format!("{cells}{decimals}")
+        match self.decimal_comma {
+            true => format!("{cells}, decimal comma"),
+            false => cells.to_owned(),
+        }
     }
 
     /// The cells of a line, trimmed; quotes around a cell are honoured and removed. One cell more
@@ -97,13 +95,9 @@ impl Dialect {
             cells.extend(line.split('\t').map(str::trim_ascii).take(MOST_CELLS));
             return;
         }
-        let line = match list_behind_key(line) {
-            Some((key, list)) => {
-                cells.push(key);
-                list
-            }
-            None => line,
-        };
+        let list = list_behind_key(line);
+        let line = list.map_or(line, |(_, list)| list);
+        cells.extend(list.map(|(key, _)| key));
         let Some(mark) = self.mark() else {
             let words = line.split_ascii_whitespace();
             if line.is_ascii() {
@@ -119,21 +113,12 @@ impl Dialect {
             cells.extend(all.take(MOST_CELLS));
             return;
         }
-        let (mut start, mut in_quotes) = (0, false);
-        for (at, byte) in line.bytes().enumerate() {
-            match byte {
-                b'"' => in_quotes = !in_quotes,
-                b if b == mark && !in_quotes => {
-                    cells.push(unquoted(&line[start..at]));
-                    start = at + 1;
-                    if cells.len() == MOST_CELLS {
-                        return;
-                    }
-                }
-                _ => {}
-            }
-        }
-        cells.push(unquoted(&line[start..]));
+        let mut in_quotes = false;
+        let parts = |c: char| {
+            in_quotes ^= c == '"';
+            c == char::from(mark) && !in_quotes
+        };
+        cells.extend(line.split(parts).map(unquoted).take(MOST_CELLS));
     }
 
     /// The same in a list of their own.
