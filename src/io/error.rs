@@ -1,6 +1,5 @@
 //! Why a file was not read or not written: one line each, naming the file.
 
-use std::fmt;
 use std::path::Path;
 
 /// Longest piece of a file that a message repeats, in characters.
@@ -18,7 +17,8 @@ const LONGEST_PART: usize = 300;
 /// A file that could not be read: where, what was there and what should have been.
 ///
 /// The message is always one line: `lamp.csv, line 12: found "abc", expected a number in column 2`.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{file}{}: found {found}, expected {expected}", line_words(*line))]
 pub struct ReadError {
     /// Name of the file: without its folder, unless [`ReadError::at`] was told where it lies.
     pub file: String,
@@ -59,20 +59,13 @@ impl ReadError {
     }
 }
 
-impl fmt::Display for ReadError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.file)?;
-        if let Some(line) = self.line {
-            write!(f, ", line {line}")?;
-        }
-        write!(f, ": found {}, expected {}", self.found, self.expected)
-    }
+fn line_words(line: Option<usize>) -> String {
+    line.map_or(String::new(), |line| format!(", line {line}"))
 }
 
-impl std::error::Error for ReadError {}
-
 /// A file that could not be written, and why, in one line.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{file}: {why}")]
 pub struct WriteError {
     /// The file as the user named it.
     pub file: String,
@@ -89,14 +82,6 @@ impl WriteError {
         }
     }
 }
-
-impl fmt::Display for WriteError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.file, self.why)
-    }
-}
-
-impl std::error::Error for WriteError {}
 
 /// A path as a person is shown it: in one line, control characters and bytes that are no text as
 /// escapes, of a very long one the end.
@@ -166,38 +151,4 @@ fn is_printable(c: char) -> bool {
 pub(crate) fn name_of(path: &Path) -> String {
     let name = path.file_name().unwrap_or(path.as_os_str());
     name.to_string_lossy().into_owned()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_refusal_names_file_line_found_and_expected_in_printable_line() {
-        let error = ReadError::new("lamp.csv", quoted("abc"), "a number in column 2").at_line(12);
-        assert_eq!(
-            error.to_string(),
-            "lamp.csv, line 12: found \"abc\", expected a number in column 2"
-        );
-    }
-
-    #[test]
-    fn a_file_is_named_by_its_path_where_two_may_have_one_name() {
-        let error = ReadError::new("x.csv", "nothing", "something");
-        let at = |path: &str| error.clone().at(Path::new(path)).to_string();
-        assert!(at("a/x.csv").starts_with("a/x.csv: found"));
-        // What is said of the other file of a pair is not said of this one.
-        assert!(at("a/x.hdr").starts_with("x.csv: found"));
-        let odd = shown(Path::new("a/\u{1b}[31m\nx.csv"));
-        assert_eq!(odd, "a/\\u{1b}[31m\\nx.csv");
-    }
-
-    #[test]
-    fn garbage_is_shortened_and_made_printable() {
-        let garbage = "a\u{0}\n\u{202e}".to_owned() + &"x".repeat(500);
-        let shown = ReadError::new("odd\nname.txt", quoted(&garbage), "text").to_string();
-        assert!(!shown.contains(|c: char| c.is_control() || c == '\u{202e}'));
-        assert!(shown.chars().count() < 120, "{shown}");
-        assert!(shown.starts_with("odd·name.txt: found \"a···xxx"));
-    }
 }

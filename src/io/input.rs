@@ -156,18 +156,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_text_larger_than_any_instrument_writes_is_refused_by_its_size() {
-        let mut bytes = b"##TITLE= a\n##JCAMP-DX= 4.24\n".to_vec();
-        bytes.resize(text::MOST_BYTES_OF_A_FORMAT + 1, b' ');
-        assert_eq!(
-            crate::io::read_bytes("a.dx", &bytes)
-                .unwrap_err()
-                .to_string(),
-            "a.dx: found more than 64 MiB, expected at most 64 MiB in an instrument's own format"
-        );
-    }
-
-    #[test]
     fn what_is_odd_about_a_text_is_of_interest_where_it_was_read_as_one() {
         let input = Input::new("a.sli", b"k\xe4se\0");
         assert!(input.head().starts_with('k'));

@@ -22,22 +22,16 @@ impl Provenance {
     /// Keys and values about a spectrum, in the order written; empty ones left out, and no value
     /// holds a line end.
     pub fn of(&self, spectrum: &NamedSpectrum) -> Vec<(&'static str, String)> {
-        let Self {
-            program,
-            source: _,
-            scale_words,
-            settings,
-        } = self;
         let notes = notes_in_a_line(&spectrum.notes);
         [
             ("name", spectrum.name.as_str()),
             ("kind", spectrum.kind.word()),
             ("unit", &spectrum.unit),
             ("source", self.source_of(spectrum)),
-            ("scale", scale_words),
-            ("settings", settings),
+            ("scale", &self.scale_words),
+            ("settings", &self.settings),
             ("notes", &notes),
-            ("written by", program),
+            ("written by", &self.program),
         ]
         .into_iter()
         .map(|(key, value)| (key, one_line(value)))
@@ -206,18 +200,4 @@ pub(crate) fn one_line(text: &str) -> String {
         .map(|c| if c.is_control() { ' ' } else { c })
         .collect();
     text.trim().to_owned()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn shortest_numbers_are_exact() {
-        for value in [0.1, 380.0, -0.0, 5e-324, f64::MAX, 1e21, 123_456_789.125] {
-            let back: f64 = shortest(value).parse().unwrap();
-            assert_eq!(back.to_bits(), value.to_bits());
-        }
-        assert_eq!(shortest(380.0), "380");
-    }
 }

@@ -83,7 +83,7 @@ impl EnviFile {
         opened.bands = kept.bands(meant.kind.value)?.with_bandwidth(width);
         let group = |of: &Vec<usize>| of.iter().map(|band| stored[*band]).collect();
         opened.of = kept.of.iter().map(group).collect();
-        opened.said.extend(meant.said(None));
+        opened.said.extend(meant.said());
         opened.is_kind_guessed = meant.is_kind_guessed();
         opened.said.extend(kept.said);
         (opened.scale, opened.unit) = (meant.scale, meant.unit);

@@ -83,8 +83,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         .map_err(|why| no_table::refusal(input, text, why))?;
     check_room(input, blocks.len())?;
     let mut reading = Reading::default();
-    for (block, notes) in blocks {
-        reading.notes.extend(notes);
+    for mut block in blocks {
+        reading.notes.append(&mut block.notes);
         read_block(input, &own, block, &mut reading)?;
     }
     if reading.spectra.is_empty() {

@@ -277,10 +277,9 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let expected = "wavelengths, or the laser's wavelength in the header";
         input.error(found, expected)
     })?;
-    let look = pick::look(text, input.choices.delimiter);
-    let dialect = look.dialect;
-    let (mut tables, mut notes) = tables_of(look.seen, dialect);
-    if look.is_part() && !tables.is_empty() {
+    let (dialect, seen) = pick::look(text, input.choices.delimiter);
+    let (mut tables, mut notes) = tables_of(seen, dialect);
+    if seen.len() < text.len() && !tables.is_empty() {
         (tables, notes) = tables_of(text, dialect);
     }
     let no_shifts = || input.error("no column of Raman shifts", "shifts (1/cm) and values");

@@ -89,16 +89,15 @@ impl Meant {
         self.kind.is_guess()
     }
 
-    /// What was guessed of the values, or goes against the file, a sentence each; `against` is
-    /// another unit that the file names for its wavelengths.
-    pub fn said(&self, against: Option<&str>) -> Vec<String> {
+    /// What was guessed of the values, or goes against the file, a sentence each.
+    pub fn said(&self) -> Vec<String> {
         let decisions = Decisions {
             axis: None,
             kind: self.kind.clone(),
             counted: self.counted.clone(),
         };
         let of_kind = self.against_choice.clone().unwrap_or(Remark::Kind);
-        guesses_in_words(&decisions, of_kind, against)
+        guesses_in_words(&decisions, of_kind)
     }
 }
 
@@ -123,7 +122,7 @@ pub(crate) fn add(raw: RawImage, choices: &Choices, reading: &mut Reading) {
     let meant = Meant::of(raw.known, chosen, || sample(&cube));
     let mut notes = vec![line_of(&cube, meant.kind.value)];
     notes.extend(raw.notes);
-    notes.extend(meant.said(against.as_deref()));
+    notes.extend(meant.said());
     reading.notes.extend(notes.iter().cloned());
     let image = SpectralImage {
         name: raw.name,
@@ -146,15 +145,11 @@ pub(crate) fn add(raw: RawImage, choices: &Choices, reading: &mut Reading) {
 }
 
 /// What had to be guessed of all pixels or spectra of a file, or what else is said of their kind.
-pub(crate) fn guesses_in_words(
-    decisions: &Decisions,
-    of_kind: Remark,
-    against: Option<&str>,
-) -> Vec<String> {
+pub(crate) fn guesses_in_words(decisions: &Decisions, of_kind: Remark) -> Vec<String> {
     let counted = decisions.counted.as_ref();
     let counted = counted.filter(|counted| counted.is_guess());
     let remarks = [Some(of_kind), counted.map(|_| Remark::Counted)];
-    let words = |remark: Remark| remark.words(decisions, against);
+    let words = |remark: Remark| remark.words(decisions);
     remarks.into_iter().flatten().filter_map(words).collect()
 }
 

@@ -1,7 +1,6 @@
 //! From the numbers of a file to a spectrum: order, doubles and gaps.
 
 use crate::io::many::many;
-use crate::io::reading::remark::Remark;
 use crate::io::text::number::is_measured;
 use crate::spectrum::Sampled;
 
@@ -20,8 +19,8 @@ pub(crate) const TRACED_REVERSALS: f64 = 0.5;
 pub(crate) struct Cleaned {
     /// The table.
     pub samples: Sampled,
-    /// What was done.
-    pub remarks: Vec<Remark>,
+    /// What was done, a sentence each.
+    pub notes: Vec<String>,
 }
 
 /// Why numbers are no spectrum.
@@ -36,29 +35,18 @@ pub(crate) struct Trouble {
 }
 
 impl Trouble {
-    fn too_few(points: usize) -> Self {
-        let points = many(points, "point", "points");
-        Self {
-            found: format!("{points} with a wavelength and a value"),
-            expected: "at least 2".to_owned(),
-            index: None,
-        }
-    }
-
-    fn too_many(points: usize) -> Self {
-        Self {
-            found: format!("{points} points"),
-            expected: format!("at most {MOST_SAMPLES}"),
-            index: None,
-        }
-    }
-
-    fn at(index: usize, found: String, expected: &str) -> Self {
+    fn new(found: String, expected: impl Into<String>, index: Option<usize>) -> Self {
         Self {
             found,
-            expected: expected.to_owned(),
-            index: Some(index),
+            expected: expected.into(),
+            index,
         }
+    }
+
+    fn too_few(points: usize) -> Self {
+        let points = many(points, "point", "points");
+        let found = format!("{points} with a wavelength and a value");
+        Self::new(found, "at least 2", None)
     }
 }
 
@@ -72,8 +60,8 @@ pub(crate) fn beside(other: &Sampled, values: Vec<f64>) -> Result<Cleaned, Vec<f
         return Err(values);
     }
     let samples = other.sharing(values).map_err(|(_, values)| values)?;
-    let remarks = Vec::new();
-    Ok(Cleaned { samples, remarks })
+    let notes = Vec::new();
+    Ok(Cleaned { samples, notes })
 }
 
 /// Makes a spectrum of wavelengths (nm) and values: gaps (anything that is not finite or of a size
@@ -93,48 +81,49 @@ pub(crate) fn clean_within(
     values: &[f64],
     most_reversals: f64,
 ) -> Result<Cleaned, Trouble> {
-    let mut remarks = Vec::new();
+    let mut notes = Vec::new();
     let given = nm.len().min(values.len());
     let mut points: Vec<(f64, f64)> = Vec::with_capacity(given);
-    let mut whence: Vec<u32> = Vec::new();
+    let is_point = |w: f64, v: f64| w != 0.0 && is_measured(w) && is_measured(v);
     let mut zeros = 0;
     for (index, (w, v)) in nm.iter().zip(values).enumerate() {
-        if *w == 0.0 {
-            zeros += 1;
-        } else if is_measured(*w) && is_measured(*v) {
+        zeros += usize::from(*w == 0.0);
+        if is_point(*w, *v) {
             if *w < 0.0 {
                 let found = format!("wavelength {w} nm");
-                return Err(Trouble::at(index, found, "a wavelength above 0"));
-            }
-            if points.len() < index && whence.is_empty() {
-                whence.extend(0..points.len() as u32);
-            }
-            if points.len() < index {
-                whence.push(index as u32);
+                return Err(Trouble::new(found, "a wavelength above 0", Some(index)));
             }
             points.push((*w, *v));
         }
     }
     let missing = given - points.len() - zeros;
-    remarks.extend((zeros > 0).then_some(Remark::AtZero(zeros)));
-    remarks.extend((missing > 0).then_some(Remark::Missing(missing)));
+    let points_at = many(zeros, "point at", "points at");
+    notes.extend((zeros > 0).then(|| format!("{points_at} a wavelength of 0 dropped")));
+    let missed = many(missing, "missing value", "missing values");
+    notes.extend((missing > 0).then(|| format!("{missed} dropped")));
     match points.len() {
         few @ 0..2 => return Err(Trouble::too_few(few)),
-        many if many > MOST_SAMPLES => return Err(Trouble::too_many(many)),
+        many if many > MOST_SAMPLES => {
+            let most = format!("at most {MOST_SAMPLES}");
+            return Err(Trouble::new(format!("{many} points"), most, None));
+        }
         _ => {}
     }
-    put_in_order(&mut points, &whence, most_reversals, &mut remarks)?;
-    average_doubles(&mut points, &mut remarks);
+    put_in_order(&mut points, most_reversals, &mut notes).map_err(|trouble| {
+        let mut places = (0..given).filter(|at| is_point(nm[*at], values[*at]));
+        let index = trouble.index.and_then(|at| places.nth(at));
+        Trouble { index, ..trouble }
+    })?;
+    average_doubles(&mut points, &mut notes);
     let (nm, values) = points.iter().copied().unzip();
     let samples = Sampled::new(nm, values).map_err(|_| Trouble::too_few(points.len()))?;
-    Ok(Cleaned { samples, remarks })
+    Ok(Cleaned { samples, notes })
 }
 
 fn put_in_order(
     points: &mut [(f64, f64)],
-    whence: &[u32],
     most_reversals: f64,
-    remarks: &mut Vec<Remark>,
+    notes: &mut Vec<String>,
 ) -> Result<(), Trouble> {
     let steps = points.len() - 1;
     let (mut up, mut down) = (0, 0);
@@ -151,44 +140,39 @@ fn put_in_order(
         };
         let at = points.windows(2).position(against).unwrap_or(0);
         let (before, back) = (points[at].0, points[at + 1].0);
-        return Err(Trouble::at(
-            whence.get(at + 1).map_or(at + 1, |i| *i as usize),
-            format!("wavelength {back} nm after {before} nm"),
-            "wavelengths that rise or fall throughout",
-        ));
+        let found = format!("wavelength {back} nm after {before} nm");
+        let expected = "wavelengths that rise or fall throughout";
+        return Err(Trouble::new(found, expected, Some(at + 1)));
     }
     if falling {
         points.reverse();
-        remarks.push(Remark::TurnedRound);
+        notes.push("falling wavelengths turned round".to_owned());
     }
     if reversals > 0 {
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        remarks.push(Remark::StepsBack(reversals));
+        let often = match reversals {
+            1 => "once".to_owned(),
+            times => format!("{times} times"),
+        };
+        notes.push(format!(
+            "wavelengths step back {often}: put in rising order"
+        ));
     }
     Ok(())
 }
 
-fn average_doubles(points: &mut Vec<(f64, f64)>, remarks: &mut Vec<Remark>) {
-    let before = points.len();
-    let mut kept = 0;
-    let mut from = 0;
-    while from < before {
-        let nm = points[from].0;
-        let count = points[from..].iter().take_while(|p| p.0 == nm).count();
-        let value = if count == 1 {
-            points[from].1
-        } else {
-            // Divided first, so that the sum of two huge values stays finite.
-            points[from..from + count]
-                .iter()
-                .map(|p| p.1 / count as f64)
-                .sum()
-        };
-        points[kept] = (nm, value);
-        kept += 1;
-        from += count;
+fn average_doubles(points: &mut Vec<(f64, f64)>, notes: &mut Vec<String>) {
+    let is_double = |pair: &[(f64, f64)]| pair[0].0 == pair[1].0;
+    let doubles = points.windows(2).filter(|pair| is_double(pair)).count();
+    if doubles == 0 {
+        return;
     }
-    points.truncate(kept);
-    let doubles = before - kept;
-    remarks.extend((doubles > 0).then_some(Remark::Averaged(doubles)));
+    // Divided first, so that the sum of two huge values stays finite.
+    let value = |same: &[(f64, f64)]| match same {
+        [(_, alone)] => *alone,
+        several => several.iter().map(|p| p.1 / several.len() as f64).sum(),
+    };
+    let same = points.chunk_by(|a, b| a.0 == b.0);
+    *points = same.map(|same| (same[0].0, value(same))).collect();
+    notes.push(many(doubles, "doubled wavelength", "doubled wavelengths") + " averaged");
 }

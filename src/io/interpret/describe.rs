@@ -45,7 +45,7 @@ pub(crate) fn finish(choices: &Choices, reading: &mut Reading) {
 fn tell(spectrum: &mut NamedSpectrum, facts: Facts) -> String {
     let Facts {
         decisions,
-        against,
+        against: _,
         how,
         tells_scale,
         remarks,
@@ -65,7 +65,7 @@ fn tell(spectrum: &mut NamedSpectrum, facts: Facts) -> String {
         let said = match remark {
             Remark::Line => Some(line.clone()),
             Remark::Before(note) if line.starts_with(&note) => None,
-            other => other.words(&decisions, against.as_deref()),
+            other => other.words(&decisions),
         };
         spectrum.notes.extend(said);
     }

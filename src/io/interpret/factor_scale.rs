@@ -6,7 +6,7 @@ use super::kinds::{kind_of_words, states_values};
 use crate::io::Counted;
 use crate::io::reading::decision::Decision;
 use crate::io::text::NumberedLines;
-use crate::io::text::words::holds;
+use crate::io::text::words::holds_one;
 use crate::spectrum::Kind;
 
 /// What a format knows of the factor from the file's numbers to the unit.
@@ -69,7 +69,6 @@ const TEN_THOUSANDTHS: std::ops::RangeInclusive<f64> = 1000.0..=12_000.0;
 /// Largest values that are whole numbers of 16 bits; beyond them nobody knows.
 const SIXTEEN_BITS: std::ops::RangeInclusive<f64> = 12_000.0..=65_535.0;
 
-/// The largest whole number of 8 bits.
 const EIGHT_BITS: f64 = 255.0;
 
 /// Whether the largest values leave hardly a doubt about what they are counted in.
@@ -114,10 +113,7 @@ pub(crate) fn counted(
     if is_percent_title(&title) {
         return or_fractions("the column's title");
     }
-    if title.contains("[1.0]")
-        || title.contains("fraction")
-        || ["tfr", "rfr"].contains(&title.trim())
-    {
+    if holds_one(title.trim(), "[1.0];fraction;^tfr$;^rfr$") {
         return of_title(Counted::Fraction);
     }
     match header {
@@ -132,7 +128,7 @@ const MOST_DOUBTFUL: f64 = 1.2;
 
 /// Whether a title (lower case) says per cent.
 fn is_percent_title(title: &str) -> bool {
-    title.contains('%') || title.contains("percent") || ["tpc", "rpc"].contains(&title.trim())
+    holds_one(title.trim(), "%;percent;^tpc$;^rpc$")
 }
 
 /// Whether title, header or signs say that values are per cent.
@@ -160,7 +156,6 @@ pub(crate) fn by_size(values: &[f64]) -> Decision<Counted> {
     Decision::guessed(counted, is_plain_size(counted, high), reason)
 }
 
-/// Whether values are whole numbers of 8 bits.
 fn are_bytes(values: &[f64]) -> bool {
     let is_byte = |v: &f64| v.fract() == 0.0 && (0.0..=EIGHT_BITS).contains(v);
     values.len() >= 10 && values.iter().all(is_byte)
@@ -168,10 +163,9 @@ fn are_bytes(values: &[f64]) -> bool {
 
 /// Whether a title (lower case) says that 10 000 is all of the light: "reflectance (x10000)".
 fn counts_ten_thousandths(title: &str) -> bool {
+    const TIMES: &str = "x10000|;x1e4|;x10^4|;*10000|;*1e4|;*10^4|;×10000|;×1e4|;×10^4|";
     let bare: String = title.chars().filter(|c| !c.is_whitespace()).collect();
-    let of = |times: &str| ["10000|", "1e4|", "10^4|"].map(|number| format!("{times}{number}"));
-    let mut words = ["x", "*", "×"].into_iter().flat_map(of);
-    words.any(|word| holds(&bare, &word))
+    holds_one(&bare, TIMES)
 }
 
 /// Whether a header says that values are per cent, or fractions; `None` where it does not.

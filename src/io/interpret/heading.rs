@@ -78,7 +78,6 @@ impl<'a> Heading<'a> {
     }
 }
 
-/// Bytes that all copies of a text of the header may take together.
 const MOST_SHARED: usize = 3 << 20;
 
 /// Bytes of such a text that are kept in any case.

@@ -6,7 +6,7 @@
 use crate::io::error::shortened;
 use crate::io::reading::decision::Decision;
 use crate::io::text::NumberedLines;
-use crate::io::text::words::{holds_any, holds_one};
+use crate::io::text::words::holds_one;
 use crate::spectrum::Kind;
 
 /// Words for what repeated measurements differ by.
@@ -65,44 +65,27 @@ static WORDS: [(Kind, &str); 8] = [
     ),
 ];
 
-/// How a word of a file's name is known.
-enum Named {
-    /// By the whole of it.
-    Whole(&'static str),
-    /// By how it begins.
-    Begins(&'static str),
-    /// By the whole of it, where it is the name's last: `Au.k`, `SiO2_n`.
-    Last(&'static str),
-}
-
 /// Words in a file's name only: too weak for a line of text.
-const NAME_WORDS: [(Kind, Named); 10] = [
-    (Kind::Other, Named::Last("eta;k;n")),
+const NAME_WORDS: [(Kind, &str); 5] = [
     (
         Kind::Weighting,
-        Named::Whole("cmf;cmfs;xyz;vlambda;vl;opic;action"),
+        "^cmf$;^cmfs$;^xyz$;^vlambda$;^vl$;^opic$;^action$;^ciexyz;^linss;^sbrgb;^sensitiv",
     ),
-    (
-        Kind::Weighting,
-        Named::Begins("ciexyz;linss;sbrgb;sensitiv"),
-    ),
-    (Kind::Reflectance, Named::Whole("refl")),
     (
         Kind::Reflectance,
-        Named::Begins("reflect;macbeth;colorchecker;colourchecker;munsell"),
+        "^refl$;^reflect;^macbeth;^colorchecker;^colourchecker;^munsell",
     ),
-    (Kind::Transmittance, Named::Whole("filter;filters")),
-    (Kind::Transmittance, Named::Begins("transm")),
-    (Kind::Absorbance, Named::Begins("absorb")),
+    (Kind::Transmittance, "^filter$;^filters$;^transm"),
+    (Kind::Absorbance, "^absorb"),
     (
         Kind::Light,
-        Named::Whole("lamp;lamps;led;leds;light;lights;daylight;sunlight;skylight;moonlight;spd"),
-    ),
-    (
-        Kind::Light,
-        Named::Begins("irrad;radian;illum;stdillum;emission;halogen"),
+        "^lamp$;^lamps$;^led$;^leds$;^light$;^lights$;^daylight$;^sunlight$;^skylight$;^moonlight$;\
+         ^spd$;^irrad;^radian;^illum;^stdillum;^emission;^halogen",
     ),
 ];
+
+/// Words at the end of a file's name: `Au.k`, `SiO2_n`.
+const LAST_OF_NAME: &str = "^eta$;^k$;^n$";
 
 /// The words of a text, lower case: letters, apart from figures and from the next word's capital.
 fn words_of(text: &str) -> Vec<String> {
@@ -135,22 +118,20 @@ fn kinds_of_name(name: &str) -> Vec<Kind> {
     }
     let mut kinds: Vec<Kind> = Vec::new();
     for (at, word) in words.iter().enumerate() {
-        let word = word.as_str();
-        let is_known = |known: &Named| match known {
-            Named::Whole(whole) => whole.split(';').any(|own| own == word),
-            Named::Begins(starts) => starts.split(';').any(|start| word.starts_with(start)),
-            Named::Last(whole) => {
-                // "4000K" counts kelvin.
-                let before = stem.to_lowercase();
-                let before = before.strip_suffix(word).unwrap_or_default();
-                at > 0
-                    && at + 1 == of_stem
-                    && whole.split(';').any(|own| own == word)
-                    && !before.ends_with(|c: char| c.is_ascii_digit())
-            }
+        let before = || {
+            let stem = stem.to_lowercase();
+            stem.strip_suffix(word.as_str())
+                .unwrap_or_default()
+                .to_owned()
         };
-        let found = NAME_WORDS.iter().find(|(_, known)| is_known(known));
-        kinds.extend(found.map(|(kind, _)| *kind));
+        let is_last = at > 0 && at + 1 == of_stem && holds_one(word, LAST_OF_NAME);
+        // "4000K" counts kelvin.
+        if is_last && !before().ends_with(|c: char| c.is_ascii_digit()) {
+            kinds.push(Kind::Other);
+            continue;
+        }
+        let known = NAME_WORDS.iter().find(|(_, words)| holds_one(word, words));
+        kinds.extend(known.map(|(kind, _)| *kind));
     }
     if holds_one(&name.to_lowercase(), RECEPTORS) {
         kinds.push(Kind::Weighting);
@@ -168,7 +149,7 @@ pub(crate) fn kind_of_title(title: &str) -> Option<Kind> {
         return Some(kind);
     }
     // Beside R and T, in per cent, it is what stays in the sample.
-    if ["a (%)", "a [%]", "a(%)", "a[%]", "a%", "%a", "a %"].contains(&title.as_str()) {
+    if holds_one(&title, "^a (%)$;^a [%]$;^a(%)$;^a[%]$;^a%$;^%a$;^a %$") {
         return Some(Kind::Other);
     }
     let stem = title.split(['(', '[', ' ', '_', '.']).next().unwrap_or("");
@@ -188,22 +169,19 @@ pub(crate) fn kind_of_title(title: &str) -> Option<Kind> {
 /// The kind of what a title (lower case) says is no plain measure: decibels, logarithms, and what a
 /// surface takes away.
 fn kind_of_logarithm(title: &str) -> Option<Kind> {
-    const LOGS: [&str; 6] = ["|log10|", "|log(", "|log |", "|ln(", "|db|", "|dbm|"];
-    const RESTS: [&str; 6] = [
-        "|1-r|", "|1-t|", "|100-r|", "|100-t|", "|100-%r|", "|100-%t|",
-    ];
+    const INVERSE: &str = "^log(1/;^log10(1/;^log1/;^-log";
+    const LOGS: &str = "|log10|;|log(;|log |;|ln(;|db|;|dbm|";
+    const RESTS: &str = "|1-r|;|1-t|;|100-r|;|100-t|;|100-%r|;|100-%t|";
     let bare: String = title.chars().filter(|c| !c.is_whitespace()).collect();
-    let mut inverse = ["log(1/", "log10(1/", "log1/", "-log"].iter();
-    if inverse.any(|of| bare.starts_with(of)) {
+    if holds_one(&bare, INVERSE) {
         Some(Kind::Absorbance)
-    } else if holds_any(&bare, &RESTS) || holds_any(title, &LOGS) {
+    } else if holds_one(&bare, RESTS) || holds_one(title, LOGS) {
         Some(Kind::Other)
     } else {
         None
     }
 }
 
-/// The kind that a line of text tells.
 pub(crate) fn kind_of_words(line: &str) -> Option<Kind> {
     let line = line.to_lowercase();
     let found = WORDS.iter().find(|(_, words)| holds_one(&line, words));
@@ -225,11 +203,8 @@ pub(crate) fn is_plain_name(name: &str) -> bool {
 
 /// Whether a header line states what is on the y axis ("Y Units: Reflectance (percent)").
 pub(crate) fn states_values(line: &str) -> bool {
-    let line = line.trim().to_lowercase();
-    let units = ["y unit", "yunit", "y-unit", "unit"];
-    let quantities = ["measurement", "quantity", "technique"];
-    let mut starts = units.iter().chain(&quantities);
-    starts.any(|start| line.starts_with(start))
+    const STARTS: &str = "^y unit;^yunit;^y-unit;^unit;^measurement;^quantity;^technique";
+    holds_one(&line.trim().to_lowercase(), STARTS)
 }
 
 /// Whether a line titles columns of several kinds: it tells nothing of one without a kind. Nor does
@@ -286,7 +261,6 @@ impl FromHeader {
     }
 }
 
-/// The kind of one column.
 pub(crate) fn kind(title: &str, header: &FromHeader, file: &str, values: &[f64]) -> Decision<Kind> {
     if let Some(kind) = header.own {
         return Decision::stated(kind, "the header");
@@ -295,7 +269,7 @@ pub(crate) fn kind(title: &str, header: &FromHeader, file: &str, values: &[f64])
         return Decision::stated(kind, format!("the column's title \"{}\"", short(title)));
     }
     let guess = |kind, because: &str| Decision::guessed(kind, false, because);
-    if holds_any(&title.to_lowercase(), &["|%tr|", "|%t/r|"]) {
+    if holds_one(&title.to_lowercase(), "|%tr|;|%t/r|") {
         let title = short(title);
         let because = format!("the column's title \"{title}\"; it may be a reflectance");
         return guess(Kind::Transmittance, &because);
@@ -335,7 +309,7 @@ pub(crate) fn no_light_in_percent(
     is_percent: bool,
     title: &str,
 ) -> Decision<Kind> {
-    let is_relative = holds_any(&title.to_lowercase(), &["|rel", "|norm"]);
+    let is_relative = holds_one(&title.to_lowercase(), "|rel;|norm");
     let is_lamp = kind_of_name(title) == Some(Kind::Light);
     if !is_percent || !found.is_doubtful() || found.value != Kind::Light || is_relative || is_lamp {
         return found;

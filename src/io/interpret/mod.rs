@@ -14,10 +14,11 @@ pub(super) mod kinds;
 pub(super) mod raw;
 pub(super) mod value_unit;
 
+use crate::io::many::many;
 use crate::io::provenance::notes_of_a_line;
 use crate::io::reading::decision::{AxisDecision, Decision, Decisions};
 use crate::io::reading::facts::Facts;
-use crate::io::reading::remark::Remark;
+use crate::io::reading::remark::{self, Remark};
 use crate::io::text::units::{WavelengthUnit, names_wavelength};
 use crate::io::{Input, ReadError, Reading, budget};
 use crate::spectrum::{Kind, NamedSpectrum};
@@ -79,32 +80,16 @@ pub(super) fn alone(raw: RawSpectrum, input: &Input) -> Result<Reading, ReadErro
 
 /// As [`interpret`], where the reader saw to it that there is room.
 pub(super) fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Result<(), ReadError> {
-    let RawSpectrum {
-        axis,
-        mut values,
-        title,
-        known,
-        ..
-    } = raw;
+    let RawSpectrum { title, known, .. } = raw;
     let (index, none) = (reading.spectra.len(), Heading::default());
-    let is_written = matches!(axis, RawAxis::Written { .. });
+    let is_written = matches!(raw.axis, RawAxis::Written { .. });
     let heading = raw.heading.unwrap_or(&none);
-    let mut remarks = vec![Remark::Line];
-    remarks.extend(raw.notes.into_iter().map(Remark::Note));
-
-    let (unit, axis_decision, against) = decide_axis(&axis, heading, input);
-    if is_written {
-        remarks.push(Remark::Axis);
-        // In a file of this program every number was measured.
-        if !heading.is_own {
-            drop_sentinels(&mut values, &mut remarks);
-        }
-    }
-    let from_vacuum = from_vacuum(&axis, unit, heading, &mut remarks);
-    let cleaned = clean(&axis, (unit, from_vacuum), values)
+    let placed = place(raw.axis, raw.values, heading, input)
         .map_err(|trouble| refusal(input, trouble, raw.lines))?;
-    remarks.extend(cleaned.remarks);
-    let samples = cleaned.samples;
+    let samples = placed.cleaned.samples;
+    let mut remarks = vec![Remark::Line];
+    let notes = raw.notes.into_iter().chain(placed.notes);
+    remarks.extend(notes.chain(placed.cleaned.notes).map(Remark::Note));
 
     let own = known.kind.clone().unwrap_or_else(|| {
         let found = kinds::kind(&title, &heading.kind, &input.name, samples.values());
@@ -124,32 +109,20 @@ pub(super) fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Res
     if is_written || counted.as_ref().is_some_and(Decision::is_guess) {
         remarks.push(Remark::Counted);
     }
-    let samples = if scale == 1.0 {
-        samples
-    } else {
-        samples.scaled(scale)
+    let samples = match scale {
+        1.0 => samples,
+        scale => samples.scaled(scale),
     };
     let unit_of_values = unit_of_values(kind.value, known, &title, heading);
     let is_written_light = is_written && kind.value == Kind::Light;
     if is_written_light && value_unit::counts_photons(&unit_of_values) {
-        remarks.push(Remark::Photons);
+        remarks.push(Remark::Note(remark::PHOTON_NOTE.to_owned()));
     }
-    if is_written_light && !unit.is_length() {
-        remarks.push(Remark::PerOther);
+    if is_written_light && !placed.unit.is_length() {
+        remarks.push(Remark::Note(remark::PER_OTHER.to_owned()));
     }
     let before = notes_of_a_line(raw.before).filter(|note| !note.is_empty());
     remarks.extend(before.map(|note| Remark::Before(note.to_owned())));
-    reading.facts.push(Facts {
-        decisions: Decisions {
-            axis: axis_decision,
-            kind: kind.clone(),
-            counted,
-        },
-        against,
-        tells_scale: true,
-        how: raw.how,
-        remarks,
-    });
     reading.spectra.push(NamedSpectrum {
         name: raw.name,
         kind: kind.value,
@@ -161,72 +134,91 @@ pub(super) fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Res
             .source
             .unwrap_or_else(|| heading.source.unwrap_or(&input.name).to_owned()),
     });
+    reading.facts.push(Facts {
+        decisions: Decisions {
+            axis: placed.axis,
+            kind,
+            counted,
+        },
+        against: placed.against,
+        tells_scale: true,
+        how: raw.how,
+        remarks,
+    });
     Ok(())
 }
 
-/// Whether wavelengths are turned from vacuum to air. All here are in air, and a frequency, an
-/// energy or a wave number knows those in vacuum alone.
-fn from_vacuum(
-    axis: &RawAxis,
+/// A spectrum over its wavelengths, and what was decided about these.
+struct Placed {
+    cleaned: Cleaned,
     unit: WavelengthUnit,
-    heading: &Heading,
-    remarks: &mut Vec<Remark>,
-) -> bool {
-    let RawAxis::Written { scale, title, .. } = axis else {
-        return false;
-    };
-    if unit.is_length() && !(axis::names_vacuum(title) || heading.in_vacuum) {
-        return false;
-    }
-    let is_turned = scale.tells_air_from_vacuum(unit);
-    remarks.push(Remark::FromVacuum(is_turned));
-    is_turned
+    axis: Option<AxisDecision>,
+    /// Another unit that the file names.
+    against: Option<String>,
+    notes: Vec<String>,
 }
 
-/// The curve that values make over their axis.
-fn clean(
-    axis: &RawAxis,
-    unit: (WavelengthUnit, bool),
-    values: Vec<f64>,
-) -> Result<Cleaned, Trouble> {
-    match axis {
-        RawAxis::Nm(nm, _) => curve::clean(nm, &values),
-        RawAxis::Written { scale, title, .. } => {
-            let reversals = match names_wavelength(title) {
-                true => curve::TRACED_REVERSALS,
-                false => curve::MOST_REVERSALS,
-            };
-            scale.clean(unit, values, reversals)
-        }
-    }
-}
-
-/// The unit of an axis, what was decided about it, and another unit that the file names.
-fn decide_axis(
-    axis: &RawAxis,
+/// Puts values over the wavelengths of an axis.
+fn place(
+    axis: RawAxis,
+    mut values: Vec<f64>,
     heading: &Heading,
     input: &Input,
-) -> (WavelengthUnit, Option<AxisDecision>, Option<String>) {
+) -> Result<Placed, Trouble> {
     let (scale, title, says_nm) = match axis {
-        RawAxis::Nm(_, decision) => return (WavelengthUnit::Nanometre, decision.clone(), None),
+        RawAxis::Nm(nm, axis) => {
+            return Ok(Placed {
+                cleaned: curve::clean(nm, &values)?,
+                unit: WavelengthUnit::Nanometre,
+                axis,
+                against: None,
+                notes: Vec::new(),
+            });
+        }
         RawAxis::Written {
             scale,
             title,
             says_nm,
         } => (scale, title, says_nm),
     };
-    let (unit, against) = match input.choices.wavelengths {
+    let (decision, against) = match input.choices.wavelengths {
         Some(unit) => (Decision::chosen(unit), None),
         None => axis::unit(&Axis {
-            title,
+            title: &title,
             header: &heading.axis_units,
-            says_nm: *says_nm || heading.is_own,
+            says_nm: says_nm || heading.is_own,
             is_dpt: input.has_extension("dpt"),
             range: scale.extent(),
             unevenness: &|unit| scale.unevenness(unit),
         }),
     };
-    (unit.value, Some(AxisDecision::Unit(unit)), against)
+    let unit = decision.value;
+    let mut notes: Vec<String> = Vec::new();
+    notes.extend(remark::axis_words(&decision, against.as_deref()));
+    // In a file of this program every number was measured.
+    if !heading.is_own {
+        drop_sentinels(&mut values, &mut notes);
+    }
+    // All wavelengths here are in air, and a frequency, an energy or a wave number knows those in
+    // vacuum alone.
+    let in_vacuum = !unit.is_length() || axis::names_vacuum(&title) || heading.in_vacuum;
+    let is_turned = in_vacuum && scale.tells_air_from_vacuum(unit);
+    let said = match is_turned {
+        true => remark::TO_AIR,
+        false => remark::KEPT_IN_VACUUM,
+    };
+    notes.extend(in_vacuum.then(|| said.to_owned()));
+    let reversals = match names_wavelength(&title) {
+        true => curve::TRACED_REVERSALS,
+        false => curve::MOST_REVERSALS,
+    };
+    Ok(Placed {
+        cleaned: scale.clean((unit, is_turned), values, reversals)?,
+        unit,
+        axis: Some(AxisDecision::Unit(decision)),
+        against,
+        notes,
+    })
 }
 
 /// What values stand for: as a person says, else as the file does. With what goes against the
@@ -239,8 +231,13 @@ pub(super) fn kind_as_chosen(
         return (own, None);
     };
     let goes_against = !own.is_doubtful() && own.value != kind;
-    let against = goes_against.then_some(Remark::Against(own));
-    (Decision::chosen(kind), against)
+    let against = goes_against.then(|| {
+        format!(
+            "chosen by hand as {kind}: {} tells {}",
+            own.reason, own.value
+        )
+    });
+    (Decision::chosen(kind), against.map(Remark::Note))
 }
 
 /// Factors count as fractions, absorbances as themselves, all else as title, header or format say.
@@ -278,7 +275,7 @@ fn refusal(input: &Input, trouble: Trouble, lines: &[u32]) -> ReadError {
 }
 
 /// Turns "not measured" numbers into gaps, if all other values lie well above them.
-fn drop_sentinels(values: &mut [f64], remarks: &mut Vec<Remark>) {
+fn drop_sentinels(values: &mut [f64], notes: &mut Vec<String>) {
     // All of them are below this: a long column is looked through once, not four times.
     if !values.iter().fold(false, |low, v| low | (*v < -9.0)) {
         return;
@@ -298,7 +295,8 @@ fn drop_sentinels(values: &mut [f64], remarks: &mut Vec<Remark>) {
             for v in values.iter_mut().filter(|v| **v == value) {
                 *v = f64::NAN;
             }
-            remarks.push(Remark::NotMeasured { value, count });
+            let of = many(count, "value of", "values of");
+            notes.push(format!("{of} {value} taken as not measured"));
         }
     }
 }

@@ -10,6 +10,7 @@ use crate::io::text::units::WavelengthUnit;
 use crate::spectrum::{Kind, SHORTEST_IN_AIR_NM, Sampled, in_air};
 
 /// A spectrum on its way from a reader to [`interpret`](super::interpret()).
+#[derive(Default)]
 pub(crate) struct RawSpectrum<'a> {
     /// What to call it.
     pub name: String,
@@ -37,19 +38,23 @@ pub(crate) struct RawSpectrum<'a> {
     pub before: &'a str,
 }
 
-/// The wavelengths of a spectrum.
 pub(crate) enum RawAxis<'a> {
     /// In nm, as the format knows; NaN where one is missing. What else was decided to get them.
     Nm(&'a [f64], Option<AxisDecision>),
     /// As a table has them.
     Written {
-        /// The numbers.
         scale: &'a Scale<'a>,
         /// Title and unit above them.
         title: String,
         /// Whether they say "nm" themselves.
         says_nm: bool,
     },
+}
+
+impl Default for RawAxis<'_> {
+    fn default() -> Self {
+        Self::Nm(&[], None)
+    }
 }
 
 /// What a format knows of a spectrum; what it does not is decided by words and numbers.
@@ -118,15 +123,8 @@ impl<'a> RawSpectrum<'a> {
             name,
             axis,
             values,
-            title: String::new(),
-            percent_signs: false,
-            heading: None,
             known,
-            lines: &[],
-            how: Vec::new(),
-            notes: Vec::new(),
-            source: None,
-            before: "",
+            ..Self::default()
         }
     }
 
@@ -149,7 +147,6 @@ impl<'a> RawSpectrum<'a> {
     }
 }
 
-/// Most points whose steps are looked at.
 const MOST_STEPS: usize = 4096;
 
 /// Wavelengths as a file gives them, and what was found of them: a long table has one column of
@@ -222,18 +219,10 @@ impl<'a> Scale<'a> {
             Some((of, kept)) if *of == unit => curve::beside(kept, values),
             _ => Err(values),
         };
-        match beside {
-            Ok(cleaned) => Ok(cleaned),
-            Err(values) => self.clean_alone((unit, from_vacuum), &values, reversals),
-        }
-    }
-
-    fn clean_alone(
-        &self,
-        (unit, from_vacuum): (WavelengthUnit, bool),
-        values: &[f64],
-        reversals: f64,
-    ) -> Result<Cleaned, Trouble> {
+        let values = match beside {
+            Ok(cleaned) => return Ok(cleaned),
+            Err(values) => values,
+        };
         let turned: Vec<f64>;
         // Shorter ones stay those in vacuum: air lets no such light through.
         let to_nm = |x: &f64| match unit.to_nm(*x) {
@@ -247,7 +236,7 @@ impl<'a> Scale<'a> {
                 &turned
             }
         };
-        let cleaned = curve::clean_within(nm, values, reversals)?;
+        let cleaned = curve::clean_within(nm, &values, reversals)?;
         if cleaned.samples.nm() == nm {
             *self.kept.borrow_mut() = Some((unit, cleaned.samples.clone()));
         }

@@ -2,7 +2,7 @@
 
 use super::kinds::{kind_of_words, titles_several};
 use crate::io::text::NumberedLines;
-use crate::io::text::words::holds_any;
+use crate::io::text::words::holds_one;
 
 /// Photons in the unit that plant scientists use.
 pub(crate) const PHOTONS: &str = "µmol m-2 s-1 nm-1";
@@ -12,30 +12,17 @@ pub(crate) const PHOTONS_ALONE: &str = "photons";
 
 /// Whether a unit counts photons: moles of them, or einsteins (`µE/m2/s/nm`).
 pub(crate) fn counts_photons(unit: &str) -> bool {
-    let lower = unit.to_lowercase();
-    let starts = ["ue", "µe", "μe", "einstein", "ph/"];
-    ["mol", "photon", "quanta"]
-        .iter()
-        .any(|word| lower.contains(word))
-        || starts.iter().any(|start| lower.starts_with(start))
+    const WORDS: &str = "mol;photon;quanta;^ue;^µe;^μe;^einstein;^ph/";
+    holds_one(&unit.to_lowercase(), WORDS)
 }
 
 /// Whether a title says that photons were counted: what they are, or how plant scientists call
 /// their flux. Their energy is an axis, and a quantum efficiency no light.
 pub(crate) fn title_counts_photons(title: &str) -> bool {
-    const WORDS: [&str; 9] = [
-        "|photon|",
-        "|photons|",
-        "|quanta|",
-        "|quantum flux",
-        "|quantum irrad",
-        "|ppfd|",
-        "|pfd|",
-        "|umol",
-        "|µmol",
-    ];
+    const WORDS: &str =
+        "|photon|;|photons|;|quanta|;|quantum flux;|quantum irrad;|ppfd|;|pfd|;|umol;|µmol";
     let title = title.to_lowercase().replace('μ', "µ").replace('_', " ");
-    holds_any(&title, &WORDS) && !title.contains("photon energy") && !title.contains("w/")
+    holds_one(&title, WORDS) && !title.contains("photon energy") && !title.contains("w/")
 }
 
 /// The unit of values that a title gives: text in brackets, a unit at its end, or what a
@@ -77,7 +64,6 @@ pub(crate) fn unit_of_header(header: &NumberedLines) -> String {
     String::new()
 }
 
-/// A unit without the brackets around the whole of it.
 fn without_brackets(unit: &str) -> &str {
     let unit = unit.trim();
     [('(', ')'), ('[', ']')]

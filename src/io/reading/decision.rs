@@ -112,19 +112,13 @@ pub struct Decisions {
 impl Decisions {
     /// What spoke for each decision.
     pub fn reasons(&mut self) -> impl Iterator<Item = &mut String> {
-        let Self {
-            axis,
-            kind,
-            counted,
-        } = self;
-        let axis = axis.as_mut().map(|axis| match axis {
+        let axis = self.axis.as_mut().map(|axis| match axis {
             AxisDecision::Unit(unit) => &mut unit.reason,
             AxisDecision::Laser(laser) => &mut laser.reason,
         });
-        let counted = counted.as_mut().map(|counted| &mut counted.reason);
-        [Some(&mut kind.reason), axis, counted]
-            .into_iter()
-            .flatten()
+        let counted = self.counted.as_mut().map(|counted| &mut counted.reason);
+        let kind = Some(&mut self.kind.reason);
+        [kind, axis, counted].into_iter().flatten()
     }
 
     /// Whether a person should look.

@@ -10,7 +10,6 @@ use serde::{Deserialize, Serialize};
 
 use crate::io::text::number::{self, Cell};
 
-/// Most results kept from one file.
 pub(crate) const MOST_RESULTS: usize = 1000;
 
 /// How many more results a file may give that has given so many.

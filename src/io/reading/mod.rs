@@ -137,55 +137,33 @@ impl Reading {
     /// Makes every text one line without control characters: files put anything into their titles.
     /// A spectrum or image without a name gets the file's.
     pub(crate) fn tidy(&mut self) {
-        let Self {
-            file,
-            format: _,
-            spectra,
-            composites,
-            table: _,
-            cut_by: _,
-            understood,
-            images_understood,
-            results,
-            images,
-            guesses,
-            facts: _,
-            in_front: _,
-            notes,
-        } = self;
-        let mut names: Vec<&mut String> = Vec::new();
-        let mut texts: Vec<&mut String> = Vec::new();
-        for spectrum in spectra {
-            names.push(&mut spectrum.name);
-            texts.extend([&mut spectrum.unit, &mut spectrum.source]);
-            tidy_notes(&mut spectrum.notes);
-        }
-        for image in images {
-            names.push(&mut image.name);
-            texts.extend([&mut image.unit, &mut image.source]);
-            tidy_notes(&mut image.notes);
-        }
-        for composite in composites {
-            names.push(&mut composite.name);
-            texts.extend([&mut composite.unit, &mut composite.source]);
-        }
-        for result in results {
-            texts.extend([&mut result.unit, &mut result.as_written]);
-        }
-        for guess in guesses {
-            texts.extend([&mut guess.chosen, &mut guess.because]);
-        }
-        for told in understood.iter_mut().chain(images_understood) {
-            texts.extend(told.reasons());
-        }
-        tidy_notes(notes);
-        for name in names {
-            tidy(name);
-            if name.is_empty() {
-                *name = printable_line(file);
+        let spectra = self.spectra.iter_mut().map(|of| {
+            tidy_notes(&mut of.notes);
+            [&mut of.name, &mut of.unit, &mut of.source]
+        });
+        let images = self.images.iter_mut().map(|of| {
+            tidy_notes(&mut of.notes);
+            [&mut of.name, &mut of.unit, &mut of.source]
+        });
+        let composites = self.composites.iter_mut();
+        let composites = composites.map(|of| [&mut of.name, &mut of.unit, &mut of.source]);
+        for mut texts in spectra.chain(images).chain(composites) {
+            texts.iter_mut().for_each(|text| tidy(text));
+            if texts[0].is_empty() {
+                *texts[0] = printable_line(&self.file);
             }
         }
-        texts.into_iter().for_each(tidy);
+        let results = self.results.iter_mut();
+        let results = results.flat_map(|of| [&mut of.unit, &mut of.as_written]);
+        let guesses = self.guesses.iter_mut();
+        let guesses = guesses.flat_map(|of| [&mut of.chosen, &mut of.because]);
+        let decisions = self
+            .understood
+            .iter_mut()
+            .chain(&mut self.images_understood);
+        let reasons = decisions.flat_map(Decisions::reasons);
+        results.chain(guesses).chain(reasons).for_each(tidy);
+        tidy_notes(&mut self.notes);
     }
 
     /// Says of every spectrum where nothing was measured in its midst. A file that was written here
@@ -213,14 +191,10 @@ impl Reading {
             return;
         }
         let delimiter = choices.delimiter.filter(|by| self.cut_by != Some(*by));
-        for (what, is_unused) in [
-            ("column", choices.axis_column.is_some()),
-            ("delimiter", delimiter.is_some()),
-        ] {
-            if is_unused {
-                let note = format!("the {what} that was chosen is not used: no plain table");
-                self.notes.push(note);
-            }
+        let column = choices.axis_column.map(|_| "column");
+        for what in column.into_iter().chain(delimiter.map(|_| "delimiter")) {
+            let note = format!("the {what} that was chosen is not used: no plain table");
+            self.notes.push(note);
         }
     }
 
@@ -258,7 +232,6 @@ fn tidy(text: &mut String) {
     }
 }
 
-/// Holes that are told one by one.
 const MOST_HOLES: usize = 3;
 
 /// Where a spectrum has no samples in its midst, a sentence each.

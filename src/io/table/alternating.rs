@@ -71,25 +71,20 @@ pub(crate) fn find(text: &str) -> Option<Pairs<'_>> {
         // An odd count has one number of a header in front (a count, a scan number).
         let run = &run[run.len() % 2..];
         let numbers: Vec<f64> = run.iter().map(|(_, number)| *number).collect();
-        let axis: Vec<f64> = numbers.iter().step_by(2).copied().collect();
+        let pairs = || run.chunks_exact(2).map(|pair| (pair[0].1, pair[1]));
+        let axis: Vec<f64> = pairs().map(|(nm, _)| nm).collect();
         // What runs one way as a whole is wavelengths alone, without values between them.
         let is_one = axis.len() >= FEWEST_POINTS && may_be_wavelengths(&axis);
         (is_one && !runs_one_way(&numbers)).then(|| Pairs {
             header,
             axis,
-            values: numbers.into_iter().skip(1).step_by(2).collect(),
-            lines: run
-                .iter()
-                .skip(1)
-                .step_by(2)
-                .map(|(line, _)| *line)
-                .collect(),
+            values: pairs().map(|(_, (_, value))| value).collect(),
+            lines: pairs().map(|(_, (line, _))| line).collect(),
             decimal_comma,
         })
     })
 }
 
-/// Reads pairs as a spectrum.
 pub(crate) fn read(input: &Input, pairs: &Pairs) -> Result<Reading, ReadError> {
     let (scale, heading) = (Scale::new(&pairs.axis), Heading::of(&pairs.header));
     let raw = RawSpectrum {

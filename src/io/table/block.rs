@@ -4,8 +4,8 @@ use std::borrow::Borrow;
 
 use crate::io::error::quoted;
 use crate::io::text::dialect::{Dialect, used};
-use crate::io::text::number::{Cell, unit_behind};
-use crate::io::text::{first_line, kept_line, lines};
+use crate::io::text::number::{self, Cell, unit_behind};
+use crate::io::text::{first_line, is_no_comment, kept_line, lines};
 use crate::io::{Input, ReadError};
 
 /// Rows after which a block has shown its width.
@@ -31,6 +31,20 @@ pub(crate) fn has_values<V: Borrow<f64>>(values: impl IntoIterator<Item = V>) ->
     filled.nth(1).is_some()
 }
 
+/// Why a text holds no table that can be read.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum NoTable {
+    Bad(BadCell),
+    /// What stands at a line, and what should.
+    At {
+        line: usize,
+        found: String,
+        expected: String,
+    },
+    /// No two lines of two numbers.
+    NoRows,
+}
+
 /// What one column of a block holds.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Column {
@@ -50,6 +64,48 @@ pub(crate) struct Column {
     has_bad: bool,
 }
 
+/// A line taken apart: its cells and what they hold.
+#[derive(Default)]
+pub(crate) struct Row<'a> {
+    pub line: usize,
+    pub cells: Vec<&'a str>,
+    pub kinds: Vec<Cell>,
+}
+
+impl<'a> Row<'a> {
+    pub(crate) fn of(line: usize, content: &'a str, dialect: Dialect) -> Self {
+        let mut row = Self::default();
+        row.take_apart(line, content, dialect);
+        row
+    }
+
+    /// Becomes that of another line.
+    pub(crate) fn take_apart(&mut self, line: usize, content: &'a str, dialect: Dialect) {
+        self.line = line;
+        dialect.split(content, &mut self.cells);
+        let kind = |cell: &&str| number::parse(cell, dialect.decimal_comma);
+        self.kinds.clear();
+        self.kinds.extend(self.cells.iter().map(kind));
+    }
+
+    /// Cells without the empty ones at its end.
+    pub(crate) fn used(&self) -> usize {
+        used(&self.cells)
+    }
+
+    pub(crate) fn has_words(&self) -> bool {
+        self.kinds.contains(&Cell::Text)
+    }
+
+    /// The number that its first cell holds, if it is a plain one.
+    fn first(&self) -> Option<f64> {
+        match self.kinds.first()? {
+            Cell::Number(first) => Some(*first),
+            _ => None,
+        }
+    }
+}
+
 /// A word that stands where the column otherwise holds numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct BadCell {
@@ -63,17 +119,15 @@ pub(crate) struct BadCell {
 }
 
 impl BadCell {
-    fn of(line: usize, column: usize, cells: &[&str], certain: bool) -> Self {
-        let text = cells[column].to_owned();
+    fn of(row: &Row, column: usize, certain: bool) -> Self {
         Self {
-            line,
+            line: row.line,
             column,
-            text,
+            text: row.cells[column].to_owned(),
             certain,
         }
     }
 
-    /// The refusal for a word among numbers.
     pub(crate) fn refusal(&self, input: &Input) -> ReadError {
         let expected = format!("a number in column {}", self.column + 1);
         input.error(quoted(&self.text), expected).at_line(self.line)
@@ -116,10 +170,12 @@ pub(crate) struct Block<'a> {
     pub ended_by: Option<BadCell>,
     /// The first lines behind the last block of a text.
     pub behind: Vec<(usize, &'a str)>,
+    /// What was passed over to get it, a sentence each.
+    pub notes: Vec<String>,
+    /// The rows with a word that it was broken by.
+    pub lost: Vec<BadCell>,
     /// The text from the first row on, and that row's line.
     from: (usize, &'a str),
-    /// Plain rows that the columns have not counted yet.
-    uncounted: usize,
 }
 
 impl<'a> Block<'a> {
@@ -135,26 +191,19 @@ impl<'a> Block<'a> {
             bad: Vec::new(),
             ended_by: None,
             behind: Vec::new(),
+            notes: Vec::new(),
+            lost: Vec::new(),
             from,
-            uncounted: 0,
         }
     }
 
-    /// A block of two columns with these wavelengths, values and lines, which are what the columns
-    /// here are.
-    pub(crate) fn of_points(
-        &self,
-        (axis, value): (usize, Option<usize>),
-        points: &[(f64, f64, u32)],
-    ) -> Self {
-        let value = value.unwrap_or(axis + 1);
+    /// A block of points in two columns, which are what two of its own are.
+    pub(crate) fn of_points(&self, columns: [usize; 2], points: &[(f64, f64, u32)]) -> Self {
+        let (nm, values) = points.iter().map(|point| (point.0, point.1)).unzip();
         Self {
-            values: vec![
-                points.iter().map(|point| point.0).collect(),
-                points.iter().map(|point| point.1).collect(),
-            ],
+            values: vec![nm, values],
             lines: points.iter().map(|point| point.2).collect(),
-            columns: [axis, value].map(|at| self.columns[at].clone()).into(),
+            columns: columns.map(|at| self.columns[at].clone()).into(),
             ..Self::new(self.header.clone(), 2, self.from)
         }
     }
@@ -211,7 +260,6 @@ impl<'a> Block<'a> {
         self.values.iter().map(|column| column[row]).collect()
     }
 
-    /// The first column's number in a row.
     pub(crate) fn first(&self, row: usize) -> f64 {
         self.values[0][row]
     }
@@ -233,7 +281,6 @@ impl<'a> Block<'a> {
         self.columns[0].numbers == 0 || self.counts_rows(0)
     }
 
-    /// Whether a column holds one number in every row.
     pub(crate) fn is_constant(&self, column: usize) -> bool {
         let values = self.column(column);
         values.len() >= SETTLED && values.windows(2).all(|pair| pair[0] == pair[1])
@@ -245,7 +292,6 @@ impl<'a> Block<'a> {
         used == self.width || used < self.width && (all == self.width || self.rows() >= SETTLED)
     }
 
-    /// Whether a number carries on the first column.
     pub(crate) fn goes_on_with(&self, nm: f64) -> bool {
         let end = self.rows() - 1;
         end > 0 && carries_on(self.first(end - 1), self.first(end), nm)
@@ -261,22 +307,20 @@ impl<'a> Block<'a> {
         let mut left = LeftLines::default();
         let lines = lines.iter().enumerate();
         for (at, (line, content)) in lines.filter(|(_, line)| is_no_comment(text, line.1)) {
-            let (cells, kinds) = dialect.cells_and_kinds(content);
-            let goes_on = matches!(kinds[..], [Cell::Number(nm), ..] if self.goes_on_with(nm));
-            let are_numbers = goes_on && !kinds.contains(&Cell::Text);
-            if are_numbers && used(&cells) <= self.width {
-                self.push(*line, &cells, &kinds);
+            let row = Row::of(*line, content, dialect);
+            let goes_on = row.first().is_some_and(|nm| self.goes_on_with(nm));
+            let are_numbers = goes_on && !row.has_words();
+            if are_numbers && row.used() <= self.width {
+                self.push(&row);
                 continue;
             }
             left.all.push(at);
             left.numbers.extend(are_numbers.then_some(at));
-            left.words
-                .extend(row_gone_wrong(self, *line, &cells, &kinds));
+            left.words.extend(self.gone_wrong(&row));
         }
         left
     }
 
-    /// Makes room for `rows` more.
     pub(crate) fn reserve(&mut self, rows: usize) {
         self.lines.reserve(rows);
         for column in &mut self.values {
@@ -285,15 +329,37 @@ impl<'a> Block<'a> {
     }
 
     /// The first word of a row that stands in a column of numbers.
-    fn word_among_numbers(
-        &self,
-        line: usize,
-        (cells, kinds): (&[&str], &[Cell]),
-        certain: bool,
-    ) -> Option<BadCell> {
-        let mut columns = kinds.iter().zip(&self.columns);
+    fn word_among_numbers(&self, row: &Row, certain: bool) -> Option<BadCell> {
+        let mut columns = row.kinds.iter().zip(&self.columns);
         let column = columns.position(|(kind, of)| *kind == Cell::Text && of.numbers > 0)?;
-        Some(BadCell::of(line, column, cells, certain))
+        Some(BadCell::of(row, column, certain))
+    }
+
+    /// A line of the block's width with numbers and words, where only numbers stood.
+    ///
+    /// Either its first number carries the first column on, or a word with digits in it stands there
+    /// ("38x") and the block may tell by what follows.
+    pub(crate) fn gone_wrong(&self, row: &Row) -> Option<BadCell> {
+        if row.used() != self.width || self.rows() < 2 {
+            return None;
+        }
+        let is_number = |kind: &Cell| matches!(kind, Cell::Number(_) | Cell::Nanometres(_));
+        let certain = match row.kinds[0] {
+            Cell::Number(first) | Cell::Nanometres(first) if self.goes_on_with(first) => true,
+            Cell::Text if row.cells[0].contains(|c: char| c.is_ascii_digit()) => false,
+            _ => return None,
+        };
+        let word = self.word_among_numbers(row, certain);
+        word.filter(|_| row.kinds.iter().any(is_number))
+    }
+
+    /// The line above, if it is a row of the block that holds a word.
+    pub(crate) fn gone_wrong_above(&self, text: &str, dialect: Dialect) -> Option<BadCell> {
+        let (line, content) = self.header.last()?;
+        let row = Row::of(*line, content, dialect);
+        let goes_on = carries_on(self.first(1), self.first(0), row.first()?);
+        (goes_on && row.used() == self.width && is_no_comment(text, content))
+            .then(|| self.word_among_numbers(&row, true))?
     }
 
     /// Adds the rows of a block that goes on with this one.
@@ -323,36 +389,13 @@ impl<'a> Block<'a> {
         }
     }
 
-    /// A row of `width` plain numbers.
-    pub(crate) fn push_plain(&mut self, line: usize, row: &[f64]) {
-        self.lines.push(kept_line(line));
-        self.uncounted += 1;
-        for (column, value) in self.values.iter_mut().zip(row) {
-            column.push(*value);
-        }
-    }
-
-    /// Whether some numbers have a per cent sign: all of that column must.
-    pub(crate) fn has_signs(&self) -> bool {
-        self.columns.iter().any(|column| column.percents > 0)
-    }
-
-    /// Brings the columns' counts up to date after plain rows.
-    pub(crate) fn count(&mut self) {
-        let rows = std::mem::take(&mut self.uncounted);
-        for column in &mut self.columns {
-            column.numbers += rows;
-        }
-    }
-
-    /// A row of cells, and what each holds.
-    pub(crate) fn push(&mut self, line: usize, cells: &[&str], kinds: &[Cell]) {
-        self.lines.push(kept_line(line));
+    pub(crate) fn push(&mut self, row: &Row) {
+        self.lines.push(kept_line(row.line));
         let columns = self.columns.iter_mut().zip(&mut self.values);
         for (column, (stats, values)) in columns.enumerate() {
-            let mut kind = kinds.get(column).copied().unwrap_or(Cell::Empty);
+            let mut kind = row.kinds.get(column).copied().unwrap_or(Cell::Empty);
             if let Cell::WithUnit(_) = kind {
-                let unit = cells.get(column).and_then(|cell| unit_behind(cell));
+                let unit = row.cells.get(column).and_then(|cell| unit_behind(cell));
                 match (&stats.unit, unit) {
                     (None, unit) => stats.unit = unit.map(str::to_owned),
                     // Not the column's unit: its number counts something else.
@@ -361,21 +404,26 @@ impl<'a> Block<'a> {
                 }
             }
             // Of two numbers with a per cent sign and without one, one is a hundred times too large.
-            let has_sign = matches!(kind, Cell::Percent(_));
-            let others_differ = || match has_sign {
-                true => stats.percents == 0 && values.iter().any(|v| v.abs() > 0.0),
-                false => stats.percents > 0,
+            let others_differ = match kind {
+                Cell::Percent(value) if value != 0.0 => {
+                    stats.percents == 0 && values.iter().any(|v| v.abs() > 0.0)
+                }
+                Cell::Number(value) if value != 0.0 => stats.percents > 0,
+                _ => false,
             };
-            if is_no_zero(kind) && others_differ() {
+            if others_differ {
                 kind = Cell::Text;
             }
-            stats.percents += usize::from(matches!(kind, Cell::Percent(_)));
-            stats.nanometres += usize::from(matches!(kind, Cell::Nanometres(_)));
-            stats.limits += usize::from(matches!(kind, Cell::Limit(_)));
-            stats.texts += usize::from(kind == Cell::Text);
+            match kind {
+                Cell::Percent(_) => stats.percents += 1,
+                Cell::Nanometres(_) => stats.nanometres += 1,
+                Cell::Limit(_) => stats.limits += 1,
+                Cell::Text => stats.texts += 1,
+                _ => {}
+            }
             if kind == Cell::Text && stats.numbers > 0 && !stats.has_bad {
                 stats.has_bad = true;
-                self.bad.push(BadCell::of(line, column, cells, true));
+                self.bad.push(BadCell::of(row, column, true));
             }
             let value = kind.value().unwrap_or(f64::NAN);
             stats.numbers += usize::from(!value.is_nan());
@@ -384,63 +432,9 @@ impl<'a> Block<'a> {
     }
 }
 
-/// Whether a cell holds a number that a per cent sign changes.
-fn is_no_zero(kind: Cell) -> bool {
-    matches!(kind, Cell::Number(value) | Cell::Percent(value) if value != 0.0)
-}
-
-/// A line of the block's width with numbers and words, where only numbers stood.
-///
-/// Either its first number carries the first column on, or a word with digits in it stands there
-/// ("38x") and the block may tell by what follows.
-pub(crate) fn row_gone_wrong(
-    block: &Block,
-    line: usize,
-    cells: &[&str],
-    kinds: &[Cell],
-) -> Option<BadCell> {
-    if used(cells) != block.width || block.rows() < 2 {
-        return None;
-    }
-    let is_number = |kind: &Cell| matches!(kind, Cell::Number(_) | Cell::Nanometres(_));
-    let certain = match kinds[0] {
-        Cell::Number(first) | Cell::Nanometres(first) if block.goes_on_with(first) => true,
-        Cell::Text if cells[0].contains(|c: char| c.is_ascii_digit()) => false,
-        _ => return None,
-    };
-    let word = block.word_among_numbers(line, (cells, kinds), certain);
-    word.filter(|_| kinds.iter().any(is_number))
-}
-
 /// Whether `next` follows two numbers of a column: the same way on, and by no more than a few
 /// steps.
 pub(crate) fn carries_on(before: f64, last: f64, next: f64) -> bool {
     let step = last - before;
     (next - last) * step > 0.0 && (next - last).abs() <= 20.0 * step.abs()
-}
-
-/// Where a part of a text stands in it, bytes.
-pub(crate) fn place_in(text: &str, part: &str) -> usize {
-    part.as_ptr() as usize - text.as_ptr() as usize
-}
-
-/// Whether a line kept of a text is no comment, whose mark would stand before it: a row that
-/// somebody took out by a mark is none.
-pub(crate) fn is_no_comment(text: &str, content: &str) -> bool {
-    let before = text[..place_in(text, content)].bytes().rev();
-    let mut before = before.take_while(|byte| !matches!(byte, b'\n' | b'\r'));
-    before.all(|byte| byte.is_ascii_whitespace())
-}
-
-/// The line above a block, if it is a row of it that holds a word.
-pub(crate) fn row_gone_wrong_above(block: &Block, text: &str, dialect: Dialect) -> Option<BadCell> {
-    let (line, content) = block.header.last()?;
-    if !is_no_comment(text, content) {
-        return None;
-    }
-    let (cells, kinds) = dialect.cells_and_kinds(content);
-    let goes_on = |first| carries_on(block.first(1), block.first(0), first);
-    let is_row = used(&cells) == block.width
-        && matches!(kinds[..], [Cell::Number(first), ..] if goes_on(first));
-    is_row.then(|| block.word_among_numbers(*line, (&cells, &kinds), true))?
 }

@@ -32,10 +32,8 @@ struct Rows<'a> {
     values: &'a [usize],
     run: Range<usize>,
     part: String,
-    /// Spectra of the whole table.
-    columns: usize,
-    /// Names from a line above the titles; empty where none tells columns apart.
-    above: &'a [String],
+    /// What the columns of values are called.
+    names: &'a [String],
     /// Whether the columns are a camera's R, G and B.
     is_rgb: bool,
     /// What a column of words calls these rows.
@@ -53,14 +51,11 @@ pub(crate) fn read_groups(
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
     let all: Vec<usize> = groups.iter().flat_map(|g| g.values.clone()).collect();
-    let columns = all.len();
+    let (columns, is_rgb) = (all.len(), are_rgb(&table.titles, &all));
     let heading = Heading::of(&table.block.header).shared_by(columns);
-    let are_pairs = groups.len() == columns;
-    let above = names_above(&table.block, file.dialect, (&table.titles, are_pairs), &all);
-    let above = above.unwrap_or_default();
-    let is_rgb = are_rgb(&table.titles, &all);
-    let mut told_apart = Vec::new();
-    let mut before = 0;
+    let titles = (&table.titles, groups.len() == columns);
+    let above = names_above(&table.block, file.dialect, titles, &all).unwrap_or_default();
+    let (mut told_apart, mut before) = (Vec::new(), 0);
     for group in groups {
         let mut values = group.values.clone();
         let (rows, named) = match groups {
@@ -69,9 +64,8 @@ pub(crate) fn read_groups(
                 let named = samples::together(block, file.dialect, group.axis, &group.values);
                 if named.is_none() {
                     no_single_points(file, table, group.axis)?;
-                    let (axis, values) = (group.axis, &group.values);
                     let block = &mut table.block;
-                    let said = row_order::put_right(file.input, block, axis, values)?;
+                    let said = row_order::put_right(file.input, block, group.axis, &group.values)?;
                     reading.notes.extend(said);
                 }
                 (table.block.rows(), named)
@@ -82,19 +76,16 @@ pub(crate) fn read_groups(
         let runs: Vec<(Range<usize>, Option<String>)> = match named {
             Some((columns, samples)) => {
                 left_out.retain(|other| !columns.contains(&other.column));
-                let shown = columns.iter().map(|c| roles::shown(&table.titles, *c));
-                let shown: Vec<String> = shown.collect();
-                let tell = if shown.len() == 1 { "tells" } else { "tell" };
-                told_apart.push(format!("{} {tell} the spectra apart", shown.join(" and ")));
                 values.retain(|column| !columns.contains(column));
+                told_apart.push(said_of_samples(table, &columns));
                 // A number is no name without the title above it.
                 let title = match table.block.columns[columns[0]].numbers {
                     0 => "",
                     _ => table.titles.names[columns[0]].trim(),
                 };
                 let named = |name| Some(format!("{title} {name}").trim().to_owned());
-                let runs = samples.into_iter().map(|(name, run)| (run, named(name)));
-                runs.collect()
+                let runs = samples.into_iter();
+                runs.map(|(name, run)| (run, named(name))).collect()
             }
             None => layout::runs(&axis).into_iter().map(|r| (r, None)).collect(),
         };
@@ -103,19 +94,23 @@ pub(crate) fn read_groups(
         let filled =
             columns_read.flat_map(|of| runs.iter().filter(|run| has_values(&of[run.0.clone()])));
         check_room(file.input, reading.spectra.len() + filled.count())?;
+        let columns = columns - (group.values.len() - values.len());
+        let name_of = |(column, at): (&usize, usize)| match above.get(at) {
+            Some(name) => name.clone(),
+            None => column_name(&table.titles, *column, columns),
+        };
+        let names: Vec<String> = values.iter().zip(before..).map(name_of).collect();
         for (number, (run, sample)) in runs.into_iter().enumerate() {
             let rows = Rows {
                 axis_column: group.axis,
                 axis: &axis,
                 values: &values,
                 run,
-                part: if several && sample.is_none() {
-                    format!("{part}, part {}", number + 1)
-                } else {
-                    part.to_owned()
+                part: match several && sample.is_none() {
+                    true => format!("{part}, part {}", number + 1),
+                    false => part.to_owned(),
                 },
-                columns: columns - (group.values.len() - values.len()),
-                above: above.get(before..).unwrap_or(&[]),
+                names: &names,
                 is_rgb,
                 sample: sample.as_deref(),
             };
@@ -126,6 +121,13 @@ pub(crate) fn read_groups(
     let left_out = left_out.iter().map(|column| column.words(&table.titles));
     reading.notes.extend(left_out.chain(told_apart));
     Ok(())
+}
+
+fn said_of_samples(table: &Table, columns: &[usize]) -> String {
+    let shown = columns.iter().map(|c| roles::shown(&table.titles, *c));
+    let shown: Vec<String> = shown.collect();
+    let tell = if shown.len() == 1 { "tells" } else { "tell" };
+    format!("{} {tell} the spectra apart", shown.join(" and "))
 }
 
 /// What is said of values that are only known to lie beyond a limit.
@@ -173,17 +175,12 @@ fn read_columns(
     let stem = heading.name.unwrap_or(file.input.stem());
     let is_whole = rows.run.len() == block.rows();
     let scale = Scale::new(&rows.axis[rows.run.clone()]);
-    for (number, column) in values.iter().enumerate() {
+    for (column, name) in values.iter().zip(rows.names) {
         let of_column = &mut block.values[*column];
         // A long column is moved, not copied.
-        let of_column = if is_whole {
-            std::mem::take(of_column)
-        } else {
-            of_column[rows.run.clone()].to_vec()
-        };
-        let name = match rows.above.get(number) {
-            Some(name) => name.clone(),
-            None => column_name(titles, *column, rows.columns),
+        let of_column = match is_whole {
+            true => std::mem::take(of_column),
+            false => of_column[rows.run.clone()].to_vec(),
         };
         // A column that is empty in this part of the table is no spectrum; others still are.
         if values.len() > 1 && !has_values(&of_column) {
@@ -193,7 +190,7 @@ fn read_columns(
         let name = match (rows.sample, name.is_empty()) {
             (Some(sample), true) => format!("{sample}{}", rows.part),
             (Some(sample), false) => format!("{sample} {name}{}", rows.part),
-            (None, _) => name_with_part(stem, &name, &rows.part),
+            (None, _) => name_with_part(stem, name, &rows.part),
         };
         let title = match &block.columns[*column].unit {
             _ if rows.is_rgb => String::new(),

@@ -23,7 +23,6 @@ pub(crate) struct Plain {
     pub is_doubtful: bool,
 }
 
-/// Rows of figures with commas between them, and how many titles stand above the first.
 struct Commas<'a> {
     rows: Vec<(usize, Vec<&'a str>)>,
     titles: Option<usize>,
@@ -49,7 +48,6 @@ impl<'a> Commas<'a> {
         (rows.len() >= FEWEST_ROWS && others < rows.len()).then_some(Self { rows, titles })
     }
 
-    /// Fewest and most cells of a row.
     fn widths(&self) -> (usize, usize) {
         let widths = self.rows.iter().map(|row| row.1.len());
         widths.fold((usize::MAX, 0), |(a, b), width| {
@@ -57,7 +55,6 @@ impl<'a> Commas<'a> {
         })
     }
 
-    /// Whether all rows have something in common.
     fn agree<T: PartialEq>(&self, of: impl Fn(&[&'a str]) -> T) -> bool {
         self.rows
             .windows(2)
@@ -243,27 +240,4 @@ pub(super) fn beside_commas(
         said: format!("commas between the cells {use_} as well"),
         is_doubtful,
     }))
-}
-
-#[cfg(test)]
-mod tests {
-    use crate::io::{Guessed, read_bytes};
-
-    #[test]
-    fn only_zeros_of_decimals_prove_that_commas_mark_them() {
-        let table = |titles: &str, row: &dyn Fn(u32) -> String| {
-            let text = titles.to_owned() + &(0..8).map(row).collect::<String>();
-            let reading = read_bytes("a.csv", text.as_bytes()).expect("a table");
-            let guesses = &reading.guesses;
-            let is_asked = guesses.iter().any(|of| of.what == Guessed::Columns);
-            (reading.spectra.len(), is_asked)
-        };
-        let decimals = |at: u32| format!("{},1,{:02}\n", 400 + at, 5 * at);
-        let whole = |at: u32| format!("{},1{at},{}\n", 400 + at, 11 + 7 * at);
-        let filled_up = |at: u32| format!("{},{:03},{:03}\n", 400 + at, 10 + at, 5 * at);
-        assert_eq!(table("nm,W\n", &decimals), (1, false));
-        assert_eq!(table("nm,W\n", &whole), (1, true));
-        assert_eq!(table("nm,W\n", &filled_up), (1, true));
-        assert_eq!(table("", &filled_up), (2, false));
-    }
 }

@@ -11,7 +11,6 @@ use crate::io::text::units::{
     WavelengthUnit, looks_like_metres, names_another_quantity, names_wavelength,
 };
 
-/// Where the wavelengths are.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Layout {
     /// Down a column, one spectrum in each other column.
@@ -37,7 +36,6 @@ pub(crate) struct AlongRow {
 /// Fewest wavelengths in a row that make a table of spectra in rows.
 const FEWEST_IN_A_ROW: usize = 5;
 
-/// Share of rows that must hold a wavelength.
 const FILLED: f64 = 0.9;
 
 /// The same under a title that names wavelengths.
@@ -247,7 +245,6 @@ pub(crate) fn runs(axis: &[f64]) -> Vec<Range<usize>> {
     runs
 }
 
-/// Whether no two runs share wavelengths.
 fn are_apart(axis: &[f64], runs: &[Range<usize>]) -> bool {
     let mut spans: Vec<(f64, f64)> = runs.iter().map(|run| extent(&axis[run.clone()])).collect();
     spans.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -1,8 +1,8 @@
 //! Refusals of texts that hold no table, each with the line at fault.
 
 use super::alternating;
-use super::pick::{self, NoTable};
-use super::scan::TooMuch;
+use super::block::NoTable;
+use super::pick;
 use crate::io::error::quoted;
 use crate::io::text::dialect::{Dialect, MOST_COLUMNS};
 use crate::io::text::lines;
@@ -15,35 +15,15 @@ pub(crate) const A_TABLE: &str = "two or more columns of numbers: wavelengths an
 /// A line longer than this, in bytes, is named by its length.
 const LONG_LINE: usize = 1 << 20;
 
-/// The refusal of a text.
 pub(crate) fn refusal(input: &Input, text: &str, why: NoTable) -> ReadError {
     match why {
-        NoTable::TooMany(too_much) => too_many(input, too_much),
         NoTable::Bad(bad) => bad.refusal(input),
-        NoTable::NoWavelengths {
+        NoTable::At {
             line,
             found,
             expected,
-        } => input.error(found, expected).at_line(line),
+        } => input.error_at(line, found, expected),
         NoTable::NoRows => no_rows(input, text),
-    }
-}
-
-fn too_many(input: &Input, too_much: TooMuch) -> ReadError {
-    match too_much {
-        TooMuch::Cells { line } => input
-            .error("more than 64 million numbers", "a smaller table")
-            .at_line(line),
-        TooMuch::Columns { line, found } => {
-            let most = format!("at most {MOST_COLUMNS} columns");
-            input.error(format!("{found} columns"), most).at_line(line)
-        }
-        TooMuch::Blocks { line, found } => input
-            .error(
-                format!("{found} tables of a few rows each"),
-                budget::TEXT_WORDS,
-            )
-            .at_line(line),
     }
 }
 
@@ -114,7 +94,6 @@ pub(crate) fn no_such_column(input: &Input, width: usize, column: usize) -> Read
     )
 }
 
-/// What is said of a column without values.
 pub(crate) fn empty_column(column: usize) -> String {
     format!("column {} holds no values and was left out", column + 1)
 }

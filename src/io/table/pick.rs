@@ -1,10 +1,10 @@
 //! Chooses the dialect of a text table and finds its tables.
 
-use super::block::{BadCell, Block, LONGEST_BREAK, most_left_out, row_gone_wrong_above};
+use super::block::{Block, LONGEST_BREAK, NoTable, most_left_out};
 use super::head::with_rows_above;
 use super::layout::{self, Layout};
 use super::row_order::{may_be_wavelengths, runs_one_way, steps_up_and_down};
-use super::scan::{TooMuch, scan, scan_start};
+use super::scan::{scan, scan_start};
 use super::titles::Titles;
 use crate::io::text::dialect::{Delimiter, Dialect};
 use crate::io::text::first_line;
@@ -25,68 +25,29 @@ const SHORTEST_SHARE: usize = 8;
 /// Fewest rows of such a short block that make a table.
 const FEWEST_SHORT_ROWS: usize = 3;
 
-/// A block with its titles and layout.
 #[derive(Clone, Debug)]
 pub(crate) struct Table<'a> {
     pub block: Block<'a>,
     pub titles: Titles,
     pub layout: Layout,
-    /// What was passed over to get it, a sentence each.
-    pub notes: Vec<String>,
     /// Whether it is far shorter than the longest: it may be none, and others do not hang on it.
     pub is_short: bool,
 }
 
-/// Why a text holds no table that can be read.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum NoTable {
-    /// More numbers than the program keeps.
-    TooMany(TooMuch),
-    /// A word among numbers.
-    Bad(BadCell),
-    /// Numbers from this line on, but no wavelengths among them.
-    NoWavelengths {
-        line: usize,
-        found: String,
-        expected: &'static str,
-    },
-    /// No two lines of two numbers.
-    NoRows,
-}
+/// How a text with a table is written, and the part of it that was looked at and holds no wavelengths;
+/// all of it where some were found.
+pub(crate) type Look<'a> = (Dialect, &'a str);
 
-/// What a look at the start of a text tells about the whole.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Look<'a> {
-    /// How its table is written, if it has one.
-    pub dialect: Dialect,
-    pub text: &'a str,
-    /// The part of it that was looked at and holds no wavelengths; all of it where some were found.
-    pub seen: &'a str,
-}
-
-impl<'a> Look<'a> {
-    /// What is known of a text whose dialect is.
-    pub(crate) fn at_all(text: &'a str, dialect: Dialect) -> Self {
-        Self {
-            dialect,
-            text,
-            seen: text,
-        }
+/// All tables of a text. Where a look at its first part saw none, its rest is not gone over.
+pub(crate) fn tables_of<'a>(
+    text: &'a str,
+    (dialect, seen): Look<'a>,
+) -> Result<Vec<Table<'a>>, NoTable> {
+    let found = tables(seen, dialect);
+    if found.is_ok() && seen.len() < text.len() {
+        return tables(text, dialect);
     }
-
-    /// Whether more stands behind the part that was looked at.
-    pub(crate) fn is_part(&self) -> bool {
-        self.seen.len() < self.text.len()
-    }
-
-    /// All tables of the text. Where a look at its first part saw none, its rest is not gone over.
-    pub(crate) fn tables(&self) -> Result<Vec<Table<'a>>, NoTable> {
-        let found = tables(self.seen, self.dialect);
-        if found.is_ok() && self.is_part() {
-            return tables(self.text, self.dialect);
-        }
-        found
-    }
+    found
 }
 
 /// The dialect under which a text has most numbers in tables with wavelengths.
@@ -99,15 +60,11 @@ pub(crate) fn look(text: &str, chosen: Option<Delimiter>) -> Look<'_> {
     let sample = sample(text);
     let (found, dialect) = best_of(sample, chosen);
     if found || sample.len() == text.len() {
-        return Look::at_all(text, dialect);
+        return (dialect, text);
     }
     let start = start(text);
     let (found, dialect) = best_of(start, chosen);
-    Look {
-        dialect,
-        text,
-        seen: if found { text } else { start },
-    }
+    (dialect, if found { text } else { start })
 }
 
 /// As much of a text as tells how it is written.
@@ -179,9 +136,8 @@ fn score(blocks: &[Block], dialect: Dialect) -> (usize, usize) {
     score
 }
 
-/// All tables of a text in a dialect.
 pub(crate) fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoTable> {
-    let blocks = scan(text, 0, dialect).map_err(NoTable::TooMany)?;
+    let blocks = scan(text, 0, dialect)?;
     // Of equally long ones the first.
     let Some(block) = blocks.iter().rev().max_by_key(|block| block.rows()) else {
         return Err(NoTable::NoRows);
@@ -189,7 +145,7 @@ pub(crate) fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoT
     let (longest, no_wavelengths) = (block.rows(), no_wavelengths(block));
     let mut tables: Vec<Table> = Vec::new();
     let (mut left_out, mut above) = (Vec::new(), Vec::new());
-    for (mut block, notes) in joined(blocks, text, dialect)? {
+    for mut block in joined(blocks, text, dialect)? {
         if !above.is_empty() {
             let own = std::mem::replace(&mut block.header, std::mem::take(&mut above));
             block.header.extend(own);
@@ -208,7 +164,6 @@ pub(crate) fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoT
                     block,
                     titles,
                     layout,
-                    notes,
                     is_short,
                 })
             }
@@ -226,7 +181,7 @@ pub(crate) fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoT
     let Some(first) = tables.iter_mut().find(|table| !table.is_short) else {
         return Err(no_wavelengths);
     };
-    first.notes.extend(left_out);
+    first.block.notes.extend(left_out);
     Ok(tables)
 }
 
@@ -251,15 +206,13 @@ pub(crate) fn lines_left_out(block: &Block) -> String {
     format!("lines {first} to {last} left out")
 }
 
-/// The blocks of a text that is known to be one table behind a number of lines of its file, and
-/// what was passed over in each.
+/// The blocks of a text that is known to be one table behind a number of lines of its file.
 pub(crate) fn blocks_behind(
     text: &str,
     lines: usize,
     dialect: Dialect,
-) -> Result<Vec<(Block<'_>, Vec<String>)>, NoTable> {
-    let found = scan(text, lines, dialect).map_err(NoTable::TooMany)?;
-    let blocks = joined(found, text, dialect)?;
+) -> Result<Vec<Block<'_>>, NoTable> {
+    let blocks = joined(scan(text, lines, dialect)?, text, dialect)?;
     (!blocks.is_empty())
         .then_some(blocks)
         .ok_or(NoTable::NoRows)
@@ -269,10 +222,10 @@ pub(crate) fn blocks_behind(
 /// where they run through, or the first step against the way that most go where they lie right.
 fn no_wavelengths(block: &Block) -> NoTable {
     let axis = block.column(0);
-    let why = |row: usize, found, expected| NoTable::NoWavelengths {
+    let why = |row: usize, found, expected: &str| NoTable::At {
         line: block.lines[row] as usize,
         found,
-        expected,
+        expected: expected.to_owned(),
     };
     let below = axis.iter().position(|x| *x <= 0.0);
     if let Some(at) = below.filter(|_| runs_one_way(axis) && !block.counts_rows(0)) {
@@ -291,68 +244,55 @@ fn no_wavelengths(block: &Block) -> NoTable {
     why(0, found, expected)
 }
 
-/// A block, what was passed over to get it, and the rows with a word that it was broken by.
-struct Joined<'a> {
-    block: Block<'a>,
-    notes: Vec<String>,
-    bad: Vec<BadCell>,
-}
-
 /// Joins blocks that one table was broken into by a page head or a stray line. Of a table whose
 /// other rows agree a row with a word is left out.
 fn joined<'a>(
     blocks: Vec<Block<'a>>,
     text: &'a str,
     dialect: Dialect,
-) -> Result<Vec<(Block<'a>, Vec<String>)>, NoTable> {
-    let mut out: Vec<Joined> = Vec::new();
+) -> Result<Vec<Block<'a>>, NoTable> {
+    let mut out: Vec<Block> = Vec::new();
     for mut block in blocks {
-        let above = row_gone_wrong_above(&block, text, dialect);
-        let goes_on_with = out
-            .last_mut()
-            .filter(|last| goes_on(&last.block, &block, dialect));
-        let Some(last) = goes_on_with else {
-            let (block, left) = with_rows_above(block, text, dialect);
-            out.push(Joined {
-                bad: above.filter(|_| left.is_empty()).into_iter().collect(),
-                notes: left
-                    .iter()
-                    .flat_map(|line| no_rows(&[*line], &[0]))
-                    .collect(),
-                block,
-            });
+        let above = block.gone_wrong_above(text, dialect);
+        let before = out.last_mut();
+        let Some(last) = before.filter(|last| goes_on(last, &block, dialect)) else {
+            let (mut block, left) = with_rows_above(block, text, dialect);
+            block.lost.extend(above.filter(|_| left.is_empty()));
+            let said = left.iter().flat_map(|line| no_rows(&[*line], &[0]));
+            block.notes.extend(said);
+            out.push(block);
             continue;
         };
-        let between = last.block.ended_by.take().or(above);
+        let between = last.ended_by.take().or(above);
         let lines = std::mem::take(&mut block.header);
-        let left = last.block.take_lines(&lines, (text, dialect));
-        let (notes, bad) = (&mut last.notes, &mut last.bad);
+        let left = last.take_lines(&lines, (text, dialect));
         match between {
-            Some(row) if lines.len() == 1 => bad.push(row),
+            Some(row) if lines.len() == 1 => last.lost.push(row),
             Some(row) if left.words.is_empty() || left.all.len() > left.words.len() => {
                 return Err(NoTable::Bad(row));
             }
-            Some(_) => bad.extend(left.words),
-            None if lines.is_empty() => notes.push("the table is interrupted once".to_owned()),
-            None => notes.extend(no_rows(&lines, &left.all)),
+            Some(_) => last.lost.extend(left.words),
+            None if lines.is_empty() => {
+                last.notes.push("the table is interrupted once".to_owned());
+            }
+            None => last.notes.extend(no_rows(&lines, &left.all)),
         }
-        last.block.append(block);
+        last.append(block);
     }
-    let mut tables = Vec::with_capacity(out.len());
-    for joined in out {
-        let (mut block, mut notes, mut bad) = (joined.block, joined.notes, joined.bad);
+    for block in &mut out {
         let behind = std::mem::take(&mut block.behind);
         let left = block.take_lines(&behind, (text, dialect));
-        notes.extend(no_rows(&behind, &left.numbers));
+        block.notes.extend(no_rows(&behind, &left.numbers));
         // A word in the very last row, with nothing behind it that would tell.
-        bad.extend(block.ended_by.take().filter(|row| row.certain));
-        if bad.len() > most_left_out(block.rows()) {
-            return Err(NoTable::Bad(bad.swap_remove(0)));
+        let last = block.ended_by.take().filter(|row| row.certain);
+        block.lost.extend(last);
+        if block.lost.len() > most_left_out(block.rows()) {
+            return Err(NoTable::Bad(block.lost.swap_remove(0)));
         }
-        notes.extend(bad.iter().map(|row| row.left_out("row")));
-        tables.push((block, notes));
+        let lost = block.lost.iter().map(|row| row.left_out("row"));
+        block.notes.extend(lost);
     }
-    Ok(tables)
+    Ok(out)
 }
 
 /// What is said of those lines at these places that are no rows: a sentence for each run of them.

@@ -5,10 +5,10 @@
 //! [`roles`] which columns are spectra, and [`interpret`](crate::io::interpret::interpret()) what
 //! the values stand for. Each decision is a note, each guess an [`OpenQuestion`].
 
-use super::block::{BadCell, Block, most_left_out};
+use super::block::{BadCell, Block, NoTable, most_left_out};
 use super::columns::{File, read_groups};
 use super::layout::Layout;
-use super::pick::{self, Look, NoTable, Table};
+use super::pick::{self, Table};
 use super::roles::{self, Group};
 use super::rows::read_rows;
 use super::{alternating, folded, marks, no_table};
@@ -32,15 +32,10 @@ pub(crate) fn read_tables(
         return read_plain(input, text, known);
     };
     let mut reading = read_plain(input, &plain.text, known)?;
-    reading
-        .guesses
-        .extend(plain.is_doubtful.then(|| OpenQuestion {
-            spectrum: 0,
-            what: Guessed::Columns,
-            chosen: "marks by the other numbers".to_owned(),
-            because: plain.said.clone(),
-            plain: false,
-        }));
+    if plain.is_doubtful {
+        let chosen = "marks by the other numbers".to_owned();
+        reading.guesses.push(doubt(0, chosen, plain.said.clone()));
+    }
     reading.notes.push(plain.said);
     Ok(reading)
 }
@@ -48,11 +43,11 @@ pub(crate) fn read_tables(
 /// The same where no mark in a number misleads.
 fn read_plain(input: &Input, text: &str, known: Option<Dialect>) -> Result<Reading, ReadError> {
     let look = match known {
-        Some(dialect) => Look::at_all(text, dialect),
+        Some(dialect) => (dialect, text),
         None => pick::look(text, input.choices.delimiter),
     };
-    let dialect = look.dialect;
-    let mut tables = match look.tables() {
+    let dialect = look.0;
+    let mut tables = match pick::tables_of(text, look) {
         Ok(tables) => tables,
         // A table with a word in it is a table: read in another way it would be nonsense.
         Err(bad @ NoTable::Bad(_)) => return Err(no_table::refusal(input, text, bad)),
@@ -90,10 +85,9 @@ fn read_plain(input: &Input, text: &str, known: Option<Dialect>) -> Result<Readi
     };
     let several = tables.len() > 1;
     for (number, table) in tables.iter_mut().enumerate() {
-        let part = if several {
-            format!(", table {}", number + 1)
-        } else {
-            String::new()
+        let part = match several {
+            true => format!(", table {}", number + 1),
+            false => String::new(),
         };
         read_table(&file, table, &part, &mut reading)?;
     }
@@ -130,57 +124,51 @@ fn read_table(
     part: &str,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
-    reading.notes.extend(table.notes.iter().cloned());
+    reading.notes.extend(table.block.notes.iter().cloned());
     let first = reading.spectra.len();
-    let doubt = titles_short_of_cells(table, file.dialect);
-    match &table.layout {
-        Layout::Column(wavelength) => {
-            let (groups, left_out) = roles::groups(&table.block, &table.titles, *wavelength);
-            let unfolded = folded::unfold(table, &groups, *wavelength);
-            let (groups, left_out, wavelength) = match unfolded {
-                Some((unfolded, said)) => {
-                    reading.notes.push(said);
-                    *table = unfolded;
-                    (
-                        vec![Group {
-                            axis: 0,
-                            values: vec![1],
-                        }],
-                        Vec::new(),
-                        &0,
-                    )
-                }
-                None => (groups, left_out, wavelength),
-            };
-            let values: Vec<usize> = groups.iter().flat_map(|g| g.values.clone()).collect();
-            let is_axis = |column| groups.iter().any(|group| group.axis == column);
-            let is_used =
-                |column| column == *wavelength || is_axis(column) || values.contains(&column);
-            let has_values = !values.is_empty();
-            let said = without_words(file.input, &table.block, is_used, has_values)?;
-            reading.notes.extend(said);
-            if let Some(found) = &mut reading.table
-                && found.values.is_empty()
-                && !table.is_short
-            {
-                found.values = values;
-            }
-            read_groups(file, table, &groups, part, left_out, reading)?;
+    let short = titles_short_of_cells(table, file.dialect);
+    if let Layout::Column(mut wavelength) = table.layout {
+        let (mut groups, mut left_out) = roles::groups(&table.block, &table.titles, wavelength);
+        if let Some((unfolded, said)) = folded::unfold(table, &groups, wavelength) {
+            reading.notes.push(said);
+            *table = unfolded;
+            (wavelength, left_out) = (0, Vec::new());
+            let (axis, values) = (0, vec![1]);
+            groups = vec![Group { axis, values }];
         }
-        Layout::Row(along) => read_rows(file, table, along, reading)?,
+        let values: Vec<usize> = groups.iter().flat_map(|g| g.values.clone()).collect();
+        let is_axis = |column| groups.iter().any(|group| group.axis == column);
+        let is_used = |column| column == wavelength || is_axis(column) || values.contains(&column);
+        let said = without_words(file.input, &table.block, is_used, !values.is_empty())?;
+        reading.notes.extend(said);
+        if let Some(found) = &mut reading.table
+            && found.values.is_empty()
+            && !table.is_short
+        {
+            found.values = values;
+        }
+        read_groups(file, table, &groups, part, left_out, reading)?;
+    } else if let Layout::Row(along) = &table.layout {
+        read_rows(file, table, along, reading)?;
     }
-    if let Some(because) = doubt
+    if let Some(because) = short
         && first < reading.spectra.len()
     {
-        reading.guesses.push(OpenQuestion {
-            spectrum: first,
-            what: Guessed::Columns,
-            chosen: file.dialect.words(),
-            because,
-            plain: false,
-        });
+        let chosen = file.dialect.words();
+        reading.guesses.push(doubt(first, chosen, because));
     }
     Ok(())
+}
+
+/// The question how a spectrum's table is taken apart.
+fn doubt(spectrum: usize, chosen: String, because: String) -> OpenQuestion {
+    OpenQuestion {
+        spectrum,
+        what: Guessed::Columns,
+        chosen,
+        because,
+        plain: false,
+    }
 }
 
 /// Refuses words among the numbers of the columns that count, and a table without values. Where a

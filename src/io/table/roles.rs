@@ -21,11 +21,6 @@ pub(crate) struct LeftOut {
 const SECOND_AXIS: &str = "is a second axis and was left out";
 
 impl LeftOut {
-    /// A column is left out for this reason.
-    fn for_being(why: &'static str) -> impl Fn(usize) -> Self {
-        move |column| Self { column, why }
-    }
-
     pub(crate) fn words(&self, titles: &Titles) -> String {
         format!("{} {}", shown(titles, self.column), self.why)
     }
@@ -62,8 +57,8 @@ pub(crate) fn groups(
         .collect();
     let others = groups.iter().map(|group| group.axis);
     let others = others.filter(|axis| *axis != wavelength);
-    let axis = LeftOut::for_being("holds the wavelengths of the columns behind it");
-    left_out.extend(others.map(axis));
+    let why = "holds the wavelengths of the columns behind it";
+    left_out.extend(others.map(|column| LeftOut { column, why }));
     (groups, left_out)
 }
 
@@ -180,11 +175,10 @@ fn is_matching_function(title: &str) -> bool {
         .chars()
         .filter(|c| c.is_alphanumeric() || "\u{304}".contains(*c))
         .collect();
-    [
-        "xbar", "ybar", "zbar", "x\u{304}", "y\u{304}", "z\u{304}", "x̅", "y̅", "z̅", "ȳ",
-    ]
-    .iter()
-    .any(|start| name.starts_with(start))
+    holds_one(
+        &name,
+        "^xbar;^ybar;^zbar;^x\u{304};^y\u{304};^z\u{304};^x̅;^y̅;^z̅;^ȳ",
+    )
 }
 
 /// Whether a title, in small letters, counts in a unit that no spectrum has: of time, temperature,
@@ -193,7 +187,7 @@ fn is_matching_function(title: &str) -> bool {
 fn counts_beside(title: &str) -> bool {
     const UNITS: &str = "sec;seconds;ms;msec;us;µs;μs;hr;°c;ºc;℃;degc;deg c;°f;deg;°;%rh;rh;pa;hpa;\
          kpa;bar;mbar;rpm;hz";
-    const BEHIND: [&str; 5] = ["_ms", "_msec", "_us", "_sec", "_degc"];
+    const BEHIND: &str = "_ms$;_msec$;_us$;_sec$;_degc$;^t_c$;^temp_c$";
     const TEMPERATURES: &str = "temperatur;|temp|;|tc|;|tj|;|tcase|";
     const TIMES: &str = "time|;|zeit|;|elapsed;|duration;|delay;|age|;|exposure|;|integration|";
     let is_unit = |(name, unit): (&str, &str)| {
@@ -208,9 +202,7 @@ fn counts_beside(title: &str) -> bool {
         // "R (s)" is of light that swings across.
         is_known && (is_warm || kind_of_title(title).is_none())
     };
-    title.rsplit_once(['(', '[']).is_some_and(is_unit)
-        || BEHIND.iter().any(|end| title.ends_with(end))
-        || ["t_c", "temp_c"].contains(&title.trim())
+    title.rsplit_once(['(', '[']).is_some_and(is_unit) || holds_one(title.trim(), BEHIND)
 }
 
 /// Which titles, in small letters, are of what was noted beside each point, by a word that is no
@@ -253,12 +245,9 @@ fn is_ramp(block: &Block, column: usize) -> bool {
 
 /// A column that counts detector elements, by its title.
 fn is_counter(title: &str) -> bool {
+    const COUNTERS: &str = "^chan$;^channel$;^pixel$;^pixels$;^index$;^no$;^nr$;^number$;^row$";
     let title = title.to_lowercase();
-    let word = title.trim_matches(['"', '#', '.', ' ']);
-    matches!(
-        word,
-        "chan" | "channel" | "pixel" | "pixels" | "index" | "no" | "nr" | "number" | "row"
-    )
+    holds_one(title.trim_matches(['"', '#', '.', ' ']), COUNTERS)
 }
 
 /// Whether a column's title says that it is another axis. An "x" beside nanometres is a
@@ -270,9 +259,8 @@ fn names_axis_beside(title: &str, titles: &Titles, wavelength: usize) -> bool {
 
 /// Whether a title is words and a unit of length behind them ("Em nm"): no quantity for each nm.
 fn ends_in_length(title: &str) -> bool {
-    let title = title.to_lowercase();
-    let ends = [" nm", " (nm)", " [nm]", "_nm"];
-    ends.iter().any(|unit| title.ends_with(unit)) && !title.contains(['/', '^'])
+    let ends = " nm$; (nm)$; [nm]$;_nm$";
+    holds_one(&title.to_lowercase(), ends) && !title.contains(['/', '^'])
 }
 
 /// Columns of wavelengths from left to right: the one that was found, and others that are titled
@@ -362,28 +350,12 @@ fn are_same_points(block: &Block, titles: &Titles, one: usize, other: usize) -> 
 /// A column of standard deviations or uncertainties: its title is such a word or ends with one. A
 /// name may begin with it ("Std D65").
 fn is_spread(title: &str) -> bool {
-    const ENDS: [&str; 10] = [
-        "std", "stdev", "stddev", "std.dev", "std dev", "st.dev", "st dev", "sigma", "error",
-        "variance",
-    ];
-    const STARTS: [&str; 6] = [
-        "standard dev|",
-        "standard deviation|",
-        "std.dev|",
-        "stdev|",
-        "uncertainty|",
-        "uncert.",
-    ];
+    const SPREADS: &str = "|std$;|stdev$;|stddev$;|std.dev$;|std dev$;|st.dev$;|st dev$;|sigma$;|error$;\
+         |variance$;|standard deviation$;|uncertainty$;^standard dev|;^standard deviation|;^std.dev|;\
+         ^stdev|;^uncertainty|;^uncert.;^sd$;^se$;^sem$;^fwhm$;^bandwidth$";
     let title = title.to_lowercase();
     let name = without_brackets(&title).trim_end_matches('.');
-    let ends = |word: &str| name.ends_with(word) && holds(name, &format!("|{word}|"));
-    let starts = |word: &str| name.starts_with(word.trim_end_matches('|')) && holds(name, word);
-    title.contains('±')
-        || ENDS.iter().any(|word| ends(word))
-        || STARTS.iter().any(|word| starts(word))
-        || ends("standard deviation")
-        || ends("uncertainty")
-        || ["sd", "se", "sem", "fwhm", "bandwidth"].contains(&name)
+    title.contains('±') || holds_one(name, SPREADS)
 }
 
 /// Raw readings that stand beside the processed values: dark, reference and sample counts next to
@@ -400,14 +372,13 @@ fn beside_processed(titles: &Titles, wavelength: usize) -> Vec<usize> {
     {
         return others[..readings.len()].to_vec();
     }
+    const RAW: &str = "^dark$;^ref$;^reference$;^sample$;^scope$;^raw$;^norm$;^background$";
     let title = |column: &usize| titles.whole(*column).to_lowercase();
     let raw = |column: &usize| {
         let title = title(column);
         let word = title.split([' ', '[', '(', '.']).next().unwrap_or("");
-        matches!(
-            word,
-            "dark" | "ref" | "reference" | "sample" | "scope" | "raw" | "norm" | "background"
-        ) && (kind_of_title(&title).is_none() || title.contains("counts"))
+        holds_one(word, RAW)
+            && (kind_of_title(&title).is_none() || title.contains("counts"))
             && !title.contains("subtracted")
     };
     let (raws, others): (Vec<usize>, Vec<usize>) = others.into_iter().partition(raw);

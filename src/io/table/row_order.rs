@@ -69,7 +69,6 @@ pub(crate) fn put_right(
     Ok(said)
 }
 
-/// Takes these rows out.
 fn without(block: &mut Block, rows: &[usize]) {
     let kept = (0..block.rows()).filter(|row| rows.binary_search(row).is_err());
     block.arrange(&kept.collect::<Vec<_>>());
@@ -240,14 +239,12 @@ pub(super) fn may_be_wavelengths(numbers: &[f64]) -> bool {
     runs_one_way(numbers) && WavelengthUnit::of_range(first.min(*last), first.max(*last)).is_some()
 }
 
-/// The least of some numbers and the greatest; gaps do not matter.
 pub(super) fn extent(numbers: &[f64]) -> (f64, f64) {
     let ends = (f64::INFINITY, f64::NEG_INFINITY);
     let wider = |(low, high): (f64, f64), v: &f64| (low.min(*v), high.max(*v));
     numbers.iter().fold(ends, wider)
 }
 
-/// How many steps go up, and down.
 pub(super) fn steps_up_and_down(numbers: &[f64]) -> (usize, usize) {
     let up = numbers.windows(2).filter(|pair| pair[1] > pair[0]).count();
     let down = numbers.windows(2).filter(|pair| pair[1] < pair[0]).count();

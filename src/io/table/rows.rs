@@ -13,7 +13,6 @@ use crate::io::text::number::number;
 use crate::io::text::units::names_wavelength;
 use crate::io::{ReadError, Reading};
 
-/// Adds the spectra of such a table to a reading.
 pub(crate) fn read_rows(
     file: &File,
     table: &Table,

@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
 use super::block::Block;
-use super::row_order::steps_up_and_down;
+use super::row_order::{runs_one_way, steps_up_and_down};
 use crate::io::text::dialect::Dialect;
 
 /// Fewest rows of a sample that a number tells from others: values may be whole numbers too.
@@ -25,7 +25,7 @@ pub(crate) fn together(
     values: &[usize],
 ) -> Option<(Vec<usize>, Vec<Sample>)> {
     let wavelengths = block.column(axis);
-    if runs_through(wavelengths.iter().copied()) {
+    if runs_through(wavelengths) {
         return None;
     }
     let mut columns = worded(block);
@@ -38,10 +38,11 @@ pub(crate) fn together(
     let cells = cells_of(block, dialect, &columns);
     let apart = |cells: &[&str], fewest: usize| {
         let found = by_word(cells, fewest)?;
-        let is_told = found.len() > 1
-            && found.iter().all(|(_, rows)| {
-                rows.len() >= fewest && runs_through(rows.iter().map(|row| wavelengths[*row]))
-            });
+        let is_sample = |rows: &[usize]| {
+            let nm: Vec<f64> = rows.iter().map(|row| wavelengths[*row]).collect();
+            rows.len() >= fewest && runs_through(&nm)
+        };
+        let is_told = found.len() > 1 && found.iter().all(|(_, rows)| is_sample(rows));
         let mut order = Vec::with_capacity(cells.len());
         let sample = |(name, rows): (&str, Vec<usize>)| {
             let start = order.len();
@@ -89,7 +90,6 @@ pub(crate) fn names_of_rows(block: &Block, dialect: Dialect, axis: usize) -> Opt
     Some(named.0)
 }
 
-/// Columns with a word in every row.
 fn worded(block: &Block) -> Vec<usize> {
     let is_worded = |column: &usize| {
         let stats = &block.columns[*column];
@@ -98,7 +98,6 @@ fn worded(block: &Block) -> Vec<usize> {
     (0..block.width).filter(is_worded).collect()
 }
 
-/// A cell without quotes.
 fn bare(cell: &str) -> &str {
     cell.trim_matches(['"', '\'']).trim()
 }
@@ -115,18 +114,8 @@ fn is_counted(values: &[f64]) -> bool {
 }
 
 /// Whether wavelengths, two at least, rise throughout, or fall.
-fn runs_through(mut wavelengths: impl Iterator<Item = f64>) -> bool {
-    let (Some(first), Some(second)) = (wavelengths.next(), wavelengths.next()) else {
-        return false;
-    };
-    let rises = second > first;
-    let mut before = second;
-    second != first
-        && wavelengths.all(|nm| {
-            let goes_on = if rises { nm > before } else { nm < before };
-            before = nm;
-            goes_on
-        })
+fn runs_through(wavelengths: &[f64]) -> bool {
+    wavelengths.len() > 1 && runs_one_way(wavelengths)
 }
 
 /// The cells of some columns in each row, a list a column.

@@ -3,13 +3,12 @@
 //! A row is a line of at least two numbers (or gaps) with no more words than numbers. A block is
 //! a run of rows; blank lines and comments do not end it. Lines that are no rows, and runs of a
 //! single row, are the header of the block that follows. One number is kept a cell, so time and
-//! memory grow with the text's length only. Once a block has shown its width, rows that are nothing
-//! but plain numbers take a short way; lines without a figure or a delimiter are no rows at a glance;
-//! every other line is looked at cell by cell.
+//! memory grow with the text's length only. Lines without a figure or a delimiter are no rows at a
+//! glance; every other line is looked at cell by cell.
 
-use super::block::{Block, LONGEST_BREAK, SETTLED, row_gone_wrong};
+use super::block::{Block, LONGEST_BREAK, NoTable, Row, SETTLED};
 use crate::io::budget;
-use crate::io::text::dialect::{Delimiter, Dialect, MOST_COLUMNS, used};
+use crate::io::text::dialect::{Delimiter, Dialect, MOST_COLUMNS};
 use crate::io::text::first_line;
 use crate::io::text::number::{self, Cell};
 
@@ -26,52 +25,22 @@ const HEADER_LINES: usize = 200;
 /// short ones it would be room for the whole file.
 const LONG: usize = 1024;
 
-/// More than the program keeps, found at a line of the file (from 1).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum TooMuch {
-    /// More cells than [`MOST_CELLS`].
-    Cells { line: usize },
-    /// More columns than [`MOST_COLUMNS`].
-    Columns { line: usize, found: usize },
-    /// More blocks of a few rows than fit into the memory that the text may take.
-    Blocks { line: usize, found: usize },
-}
-
 /// All blocks of at least two rows in a text that stands behind a number of lines of its file.
-pub(crate) fn scan(text: &str, lines: usize, dialect: Dialect) -> Result<Vec<Block<'_>>, TooMuch> {
-    let (blocks, end) = scan_as_far(text, lines, dialect);
-    end.map(|()| blocks)
+pub(crate) fn scan(text: &str, lines: usize, dialect: Dialect) -> Result<Vec<Block<'_>>, NoTable> {
+    Scanner::of(text, lines, dialect).run()
 }
 
 /// The first blocks of a text: as many as a scan takes, so that they are never too many.
-pub(crate) fn scan_start(text: &str, dialect: Dialect) -> Result<Vec<Block<'_>>, TooMuch> {
-    match scan_as_far(text, 0, dialect) {
-        (blocks, Ok(()) | Err(TooMuch::Blocks { .. })) => Ok(blocks),
-        (_, Err(too_much)) => Err(too_much),
+pub(crate) fn scan_start(text: &str, dialect: Dialect) -> Result<Vec<Block<'_>>, NoTable> {
+    let scanner = Scanner::of(text, 0, dialect);
+    let is_start = true;
+    Scanner {
+        is_start,
+        ..scanner
     }
+    .run()
 }
 
-/// The blocks of a text as far as they are kept, and why no further.
-fn scan_as_far(text: &str, line: usize, dialect: Dialect) -> (Vec<Block<'_>>, Result<(), TooMuch>) {
-    let mut scanner = Scanner {
-        dialect,
-        rest: text,
-        line,
-        blocks: Vec::new(),
-        header: Vec::new(),
-        open: None,
-        cells: Vec::new(),
-        kinds: Vec::new(),
-        held: 0,
-        beside: 0,
-        // The spectra that become of them take the other half.
-        most_beside: budget::of_text(text.len()) / 2,
-    };
-    let end = scanner.run();
-    (scanner.blocks, end)
-}
-
-/// A scan on its way through a text.
 struct Scanner<'a> {
     dialect: Dialect,
     /// What was not looked at yet.
@@ -83,79 +52,53 @@ struct Scanner<'a> {
     header: Vec<(usize, &'a str)>,
     /// The block that rows are added to.
     open: Option<Block<'a>>,
-    /// The cells of a line and what they hold.
-    cells: Vec<&'a str>,
-    kinds: Vec<Cell>,
+    /// The line that is looked at; without cells where that was not needed.
+    row: Row<'a>,
     /// Cells in all blocks.
     held: usize,
     /// Memory that the blocks take beside them, and may take.
     beside: usize,
     most_beside: usize,
+    /// Whether more blocks than may be end the scan, and are not refused.
+    is_start: bool,
 }
 
 impl<'a> Scanner<'a> {
-    fn run(&mut self) -> Result<(), TooMuch> {
-        loop {
-            self.plain_rows()?;
-            self.skip_line_ends();
-            let from = self.rest;
-            let Some((raw, after)) = first_line(from) else {
-                self.close()?;
-                if let Some(last) = self.blocks.last_mut() {
-                    self.header.truncate(LONGEST_BREAK);
-                    last.behind = std::mem::take(&mut self.header);
-                }
-                return Ok(());
-            };
-            self.rest = after;
-            self.line += 1;
-            self.look_at(raw, from)?;
+    fn of(text: &'a str, line: usize, dialect: Dialect) -> Self {
+        Self {
+            dialect,
+            rest: text,
+            line,
+            blocks: Vec::new(),
+            header: Vec::new(),
+            open: None,
+            row: Row::default(),
+            held: 0,
+            beside: 0,
+            // The spectra that become of them take the other half.
+            most_beside: budget::of_text(text.len()) / 2,
+            is_start: false,
         }
     }
 
-    /// Passes over empty lines: there may be any number of them.
-    fn skip_line_ends(&mut self) {
-        let bytes = self.rest.as_bytes();
-        let mut at = 0;
-        while let Some(b'\n' | b'\r') = bytes.get(at) {
-            at += usize::from(bytes[at..].starts_with(b"\r\n"));
-            at += 1;
+    fn run(mut self) -> Result<Vec<Block<'a>>, NoTable> {
+        while let Some((raw, after)) = first_line(self.rest) {
+            let from = std::mem::replace(&mut self.rest, after);
             self.line += 1;
-        }
-        self.rest = &self.rest[at..];
-    }
-
-    /// Takes the rows that go on with the open block and are nothing but plain numbers.
-    fn plain_rows(&mut self) -> Result<(), TooMuch> {
-        let Some(open) = &mut self.open else {
-            return Ok(());
-        };
-        if open.rows() < SETTLED || open.has_signs() {
-            return Ok(());
-        }
-        let mut row = vec![0.0; open.width];
-        while let Some((line, after)) = first_line(self.rest)
-            && plain_row(line, self.dialect, &mut row)
-        {
-            self.line += 1;
-            if self.held + open.width > MOST_CELLS {
-                return Err(TooMuch::Cells { line: self.line });
+            if !raw.is_empty() {
+                self.look_at(raw, from)?;
             }
-            if open.rows() == LONG {
-                // Lines are about as long as this one: no array grows twice.
-                let rows = self.rest.len() / (line.len() + 1) + 1;
-                open.reserve(rows.min(MOST_CELLS / open.width));
-            }
-            self.held += open.width;
-            open.push_plain(self.line, &row);
-            self.rest = after;
         }
-        open.count();
-        Ok(())
+        self.close()?;
+        if let Some(last) = self.blocks.last_mut() {
+            self.header.truncate(LONGEST_BREAK);
+            last.behind = self.header;
+        }
+        Ok(self.blocks)
     }
 
     /// Takes a line of any kind, with which `from` starts.
-    fn look_at(&mut self, raw: &'a str, from: &'a str) -> Result<(), TooMuch> {
+    fn look_at(&mut self, raw: &'a str, from: &'a str) -> Result<(), NoTable> {
         let content = raw[..raw.floor_char_boundary(LONGEST_ROW)].trim_ascii();
         if content.is_empty() {
             return Ok(());
@@ -165,38 +108,49 @@ impl<'a> Scanner<'a> {
             return Ok(());
         }
         let is_row = self.is_row(raw)? || self.is_wavelength_alone(content);
-        let used = used(&self.cells);
-        if let Some(open) = &mut self.open {
-            if is_row && open.takes(used, self.cells.len()) {
-                self.held += open.width;
-                open.push(self.line, &self.cells, &self.kinds);
-            } else {
-                open.ended_by = row_gone_wrong(open, self.line, &self.cells, &self.kinds);
-                self.close()?;
+        let (used, all) = (self.row.used(), self.row.cells.len());
+        let goes_on = |open: &Block| is_row && open.takes(used, all);
+        if !self.open.as_ref().is_some_and(goes_on) {
+            if let Some(open) = &mut self.open {
+                open.ended_by = open.gone_wrong(&self.row);
             }
-        }
-        if self.open.is_none() {
-            if is_row {
-                trim(&mut self.header);
-                let header = std::mem::take(&mut self.header);
-                let mut open = Block::new(header, self.cells.len(), (self.line, from));
-                self.held += open.width;
-                open.push(self.line, &self.cells, &self.kinds);
-                self.open = Some(open);
-            } else {
+            self.close()?;
+            if !is_row {
                 push_header(&mut self.header, self.line, content);
+                return Ok(());
             }
+            trim(&mut self.header);
         }
+        let open = self.open.get_or_insert_with(|| {
+            let header = std::mem::take(&mut self.header);
+            Block::new(header, all, (self.line, from))
+        });
+        if open.rows() == LONG {
+            // Lines are about as long as this one: no array grows twice.
+            let rows = self.rest.len() / (raw.len() + 1) + 1;
+            open.reserve(rows.min(MOST_CELLS / open.width));
+        }
+        open.push(&self.row);
+        self.held += open.width;
         if self.held > MOST_CELLS {
-            return Err(TooMuch::Cells { line: self.line });
+            return self.too_much("more than 64 million numbers", "a smaller table");
         }
         Ok(())
     }
 
+    fn too_much<T>(&self, found: impl Into<String>, expected: &str) -> Result<T, NoTable> {
+        Err(NoTable::At {
+            line: self.line,
+            found: found.into(),
+            expected: expected.to_owned(),
+        })
+    }
+
     /// Takes a line apart, unless it is plain at a glance that it is no row; whether it is one.
-    fn is_row(&mut self, raw: &'a str) -> Result<bool, TooMuch> {
-        self.cells.clear();
-        self.kinds.clear();
+    fn is_row(&mut self, raw: &'a str) -> Result<bool, NoTable> {
+        self.row.line = self.line;
+        self.row.cells.clear();
+        self.row.kinds.clear();
         // A row has a figure. Titles without any are cells, too, where there are too many of them.
         let has_figure = || raw.bytes().any(|byte| byte.is_ascii_digit());
         let is_short = raw.len() <= MOST_COLUMNS;
@@ -207,20 +161,19 @@ impl<'a> Scanner<'a> {
             return Ok(false);
         }
         let mut is_row = self.take_apart(raw);
-        if self.kinds.contains(&Cell::Text)
+        if self.row.has_words()
             && self.dialect.delimiter != Delimiter::Cell
             && let Some(before) = before_comment(raw)
         {
-            let is_whole = self.take_apart(before) && !self.kinds.contains(&Cell::Text);
+            let is_whole = self.take_apart(before) && !self.row.has_words();
             is_row = is_whole || self.take_apart(raw);
         }
         // Words with blanks between them are no columns.
         let are_cells = is_row || self.dialect.delimiter != Delimiter::Space;
-        if self.cells.len() > MOST_COLUMNS && are_cells {
-            return Err(TooMuch::Columns {
-                line: self.line,
-                found: self.dialect.count(content_with_tabs(raw)),
-            });
+        if self.row.cells.len() > MOST_COLUMNS && are_cells {
+            let found = self.dialect.count(content_with_tabs(raw));
+            let most = format!("at most {MOST_COLUMNS} columns");
+            return self.too_much(format!("{found} columns"), &most);
         }
         Ok(is_row)
     }
@@ -230,55 +183,53 @@ impl<'a> Scanner<'a> {
     fn is_wavelength_alone(&mut self, content: &'a str) -> bool {
         let settled = self.open.as_ref().filter(|open| open.rows() >= SETTLED);
         // Most lines that are no rows are looked at in a dialect that is not theirs: nothing is open.
-        let Some(open) = settled.filter(|_| self.cells.is_empty()) else {
+        let Some(open) = settled.filter(|_| self.row.cells.is_empty()) else {
             return false;
         };
         let kind = number::parse(content, self.dialect.decimal_comma);
         if !matches!(kind, Cell::Number(nm) if open.goes_on_with(nm)) {
             return false;
         }
-        self.cells.push(content);
-        self.kinds.push(kind);
+        self.row.cells.push(content);
+        self.row.kinds.push(kind);
         true
     }
 
-    /// The cells of a line and what they hold; whether it looks like a row.
+    /// Takes a line apart; whether it looks like a row.
     fn take_apart(&mut self, line: &'a str) -> bool {
-        self.dialect.split(content_with_tabs(line), &mut self.cells);
-        let decimal_comma = self.dialect.decimal_comma;
-        let kinds = self.cells.iter();
-        self.kinds.clear();
-        self.kinds
-            .extend(kinds.map(|cell| number::parse(cell, decimal_comma)));
-        looks_like_row(&self.kinds)
+        let content = content_with_tabs(line);
+        self.row.take_apart(self.line, content, self.dialect);
+        looks_like_row(&self.row.kinds)
     }
 
     /// Ends the open block. A single row is a header line ("Index,13,14,15"): it goes back to where
     /// it stood.
-    fn close(&mut self) -> Result<(), TooMuch> {
+    fn close(&mut self) -> Result<(), NoTable> {
         let Some(mut block) = self.open.take() else {
             return Ok(());
         };
-        if block.rows() >= 2 {
-            block.shrink();
-            self.beside += block.bytes_beside();
-            self.blocks.push(block);
-            if self.beside > self.most_beside {
-                return Err(TooMuch::Blocks {
-                    line: self.line,
-                    found: self.blocks.len(),
-                });
-            }
+        if block.rows() < 2 {
+            self.held -= block.width;
+            let row = (block.lines[0] as usize, block.first_row());
+            let after = std::mem::replace(&mut self.header, block.header);
+            push_header(&mut self.header, row.0, row.1);
+            self.header.extend(after);
+            // Else it would grow with every single row.
+            trim(&mut self.header);
             return Ok(());
         }
-        self.held -= block.width;
-        let row = (block.lines[0] as usize, block.first_row());
-        let after = std::mem::replace(&mut self.header, block.header);
-        push_header(&mut self.header, row.0, row.1);
-        self.header.extend(after);
-        // Else it would grow with every single row.
-        trim(&mut self.header);
-        Ok(())
+        block.shrink();
+        self.beside += block.bytes_beside();
+        self.blocks.push(block);
+        if self.beside <= self.most_beside {
+            return Ok(());
+        }
+        if self.is_start {
+            self.rest = "";
+            return Ok(());
+        }
+        let found = format!("{} tables of a few rows each", self.blocks.len());
+        self.too_much(found, budget::TEXT_WORDS)
     }
 }
 
@@ -308,29 +259,6 @@ fn before_comment(line: &str) -> Option<&str> {
         .filter_map(|mark| line.find(mark))
         .min()?;
     Some(line[..at].trim_end_matches([',', ';', ' ']))
-}
-
-/// Puts the numbers of a line into `row`; whether they are as many and stand alone. Gaps, quotes,
-/// words and units are left to the slow way, which reads the same numbers.
-fn plain_row(line: &str, dialect: Dialect, row: &mut [f64]) -> bool {
-    fn fill<'a>(mut cells: impl Iterator<Item = &'a str>, comma: bool, row: &mut [f64]) -> bool {
-        let mut next = || cells.next().and_then(|cell| number::number(cell, comma));
-        let is_full = row.iter_mut().all(|to| {
-            let value = next().filter(|value| number::is_measured(*value));
-            value.map(|value| *to = value).is_some()
-        });
-        is_full && cells.next().is_none()
-    }
-    let comma = dialect.decimal_comma;
-    match dialect.mark() {
-        // Where one mark does both, cells are quoted, and not plain.
-        Some(b',') if comma => false,
-        Some(mark) => {
-            let cells = line.split(char::from(mark));
-            fill(cells.map(|cell| cell.trim_matches(' ')), comma, row)
-        }
-        None => fill(line.split_ascii_whitespace(), comma, row),
-    }
 }
 
 fn looks_like_row(kinds: &[Cell]) -> bool {
@@ -367,10 +295,8 @@ fn trim(header: &mut Vec<(usize, &str)>) {
 mod tests {
     use super::*;
 
-    const COMMA: Dialect = Dialect::new(Delimiter::Comma, false);
-
     fn blocks(text: &str) -> Vec<Block<'_>> {
-        scan(text, 0, COMMA).unwrap_or_default()
+        scan(text, 0, Dialect::new(Delimiter::Comma, false)).unwrap_or_default()
     }
 
     #[test]
@@ -383,27 +309,6 @@ mod tests {
         for block in found {
             let room = block.values[0].capacity().max(block.lines.capacity());
             assert!(room <= 2 * block.rows(), "{room} for {}", block.rows());
-        }
-    }
-
-    #[test]
-    fn a_plain_row_is_numbers_alone() {
-        let read = |text: &str, dialect| {
-            let mut row = [0.0; 2];
-            plain_row(text, dialect, &mut row).then_some(row)
-        };
-        let space = Dialect::new(Delimiter::Space, true);
-        for (dialect, text, row) in [
-            (COMMA, "380,0.5", [380.0, 0.5]),
-            (COMMA, " 380 , -.5e1 ", [380.0, -5.0]),
-            (space, "\t380,5   0,25", [380.5, 0.25]),
-        ] {
-            assert_eq!(read(text, dialect), Some(row));
-        }
-        let odd = "380|380,1,2|380,|380,NaN|380,\"1\"|380,1e999|380,1e30|380nm,1|380,1 2|380;1||\
-             #380,1|380,1%|380,--1|380,1e";
-        for text in odd.split('|') {
-            assert_eq!(read(text, COMMA), None, "{text:?}");
         }
     }
 

@@ -4,6 +4,7 @@ use super::block::Block;
 use crate::io::interpret::value_unit::looks_like_unit;
 use crate::io::text::dialect::{Delimiter, Dialect, used};
 use crate::io::text::units::names_wavelength;
+use crate::io::text::words::holds_one;
 
 /// Longest cell that can be a title; longer ones are sentences.
 const LONGEST_TITLE: usize = 80;
@@ -135,14 +136,12 @@ fn is_plain_unit_line(cells: &[String]) -> bool {
         let is_title = cell.ends_with('%') && cell.len() > 1;
         cell.is_empty() || looks_like_unit(cell) && !is_title
     };
-    const AXIS: [&str; 16] = [
-        "nm", "um", "µm", "μm", "cm-1", "1/cm", "нм", "å", "a", "ev", "thz", "", "unit", "units",
-        "einheit", "unité",
-    ];
+    const AXIS: &str = "^nm$;^um$;^µm$;^μm$;^cm-1$;^1/cm$;^нм$;^å$;^a$;^ev$;^thz$;^unit$;^units$;\
+         ^einheit$;^unité$";
     let axis = cells[0]
         .trim_matches(['(', ')', '[', ']', ' ', ':'])
         .to_lowercase();
-    AXIS.contains(&axis.as_str())
+    (axis.is_empty() || holds_one(&axis, AXIS))
         && of_values.iter().any(|cell| !cell.is_empty())
         && of_values.iter().all(is_unit)
 }

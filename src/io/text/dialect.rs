@@ -79,12 +79,10 @@ impl Dialect {
             Delimiter::Space => "cells separated by blanks",
             Delimiter::Cell => "cells of a sheet",
         };
-        let decimals = if self.decimal_comma {
-            ", decimal comma"
-        } else {
-            ""
-        };
-        format!("{cells}{decimals}")
+        match self.decimal_comma {
+            true => format!("{cells}, decimal comma"),
+            false => cells.to_owned(),
+        }
     }
 
     /// The cells of a line, trimmed; quotes around a cell are honoured and removed. One cell more
@@ -97,13 +95,9 @@ impl Dialect {
             cells.extend(line.split('\t').map(str::trim_ascii).take(MOST_CELLS));
             return;
         }
-        let line = match list_behind_key(line) {
-            Some((key, list)) => {
-                cells.push(key);
-                list
-            }
-            None => line,
-        };
+        let list = list_behind_key(line);
+        let line = list.map_or(line, |(_, list)| list);
+        cells.extend(list.map(|(key, _)| key));
         let Some(mark) = self.mark() else {
             let words = line.split_ascii_whitespace();
             if line.is_ascii() {
@@ -119,21 +113,12 @@ impl Dialect {
             cells.extend(all.take(MOST_CELLS));
             return;
         }
-        let (mut start, mut in_quotes) = (0, false);
-        for (at, byte) in line.bytes().enumerate() {
-            match byte {
-                b'"' => in_quotes = !in_quotes,
-                b if b == mark && !in_quotes => {
-                    cells.push(unquoted(&line[start..at]));
-                    start = at + 1;
-                    if cells.len() == MOST_CELLS {
-                        return;
-                    }
-                }
-                _ => {}
-            }
-        }
-        cells.push(unquoted(&line[start..]));
+        let mut in_quotes = false;
+        let parts = |c: char| {
+            in_quotes ^= c == '"';
+            c == char::from(mark) && !in_quotes
+        };
+        cells.extend(line.split(parts).map(unquoted).take(MOST_CELLS));
     }
 
     /// The same in a list of their own.
@@ -141,16 +126,6 @@ impl Dialect {
         let mut cells = Vec::new();
         self.split(line, &mut cells);
         cells
-    }
-
-    /// The same, and what each of them holds.
-    pub(crate) fn cells_and_kinds(self, line: &str) -> (Vec<&str>, Vec<Cell>) {
-        let cells = self.cells(line);
-        let kinds = cells
-            .iter()
-            .map(|cell| number::parse(cell, self.decimal_comma));
-        let kinds = kinds.collect();
-        (cells, kinds)
     }
 
     /// The cells of a word that blanks stand in which break no line; between the thousands of a
@@ -198,7 +173,6 @@ impl Dialect {
     }
 }
 
-/// Blanks at which no line is broken.
 const FIXED_BLANKS: [char; 2] = ['\u{a0}', '\u{202f}'];
 
 /// Fewest numbers in brackets that are a row.

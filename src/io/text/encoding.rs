@@ -28,7 +28,6 @@ fn titled() -> [(&'static Encoding, &'static str); 10] {
     ]
 }
 
-/// The encoding of a text.
 pub(super) fn of(bytes: &[u8]) -> &'static Encoding {
     let probe = &bytes[..bytes.len().min(PROBE_BYTES)];
     let end = probe.iter().rposition(|byte| matches!(byte, b'\n' | b'\r'));

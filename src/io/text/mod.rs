@@ -145,3 +145,16 @@ pub(super) fn first_line(text: &str) -> Option<(&str, &str)> {
     let past = end + 1 + usize::from(text[end..].starts_with("\r\n"));
     Some((&text[..end], &text[past..]))
 }
+
+/// Where a part of a text stands in it, bytes.
+pub(crate) fn place_in(text: &str, part: &str) -> usize {
+    part.as_ptr() as usize - text.as_ptr() as usize
+}
+
+/// Whether a line kept of a text is no comment, whose mark would stand before it: a row that
+/// somebody took out by a mark is none.
+pub(crate) fn is_no_comment(text: &str, content: &str) -> bool {
+    let before = text[..place_in(text, content)].bytes().rev();
+    let mut before = before.take_while(|byte| !matches!(byte, b'\n' | b'\r'));
+    before.all(|byte| byte.is_ascii_whitespace())
+}

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::words::{holds, holds_one, without_brackets};
+use super::words::{holds_one, without_brackets};
 
 /// What a file counts its wavelength axis in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -54,18 +54,8 @@ impl WavelengthUnit {
 
     /// The unit's sign: `nm`, `um`, `Å`, `1/cm`, `eV`, `pm`, `meV`, `THz`, `GHz`, `m`.
     pub fn word(self) -> &'static str {
-        match self {
-            Self::Nanometre => "nm",
-            Self::Micrometre => "um",
-            Self::Angstrom => "Å",
-            Self::PerCentimetre => "1/cm",
-            Self::Electronvolt => "eV",
-            Self::Picometre => "pm",
-            Self::Millielectronvolt => "meV",
-            Self::Terahertz => "THz",
-            Self::Gigahertz => "GHz",
-            Self::Metre => "m",
-        }
+        let known = UNITS.iter().find(|(unit, ..)| *unit == self);
+        known.map_or("", |(_, sign, _)| sign)
     }
 
     /// Wavelength in nm of a number in this unit.
@@ -107,10 +97,8 @@ impl WavelengthUnit {
     /// whole words: an `å` in "våglängd" is none.
     pub(crate) fn of_title(title: &str) -> Option<Self> {
         let title = title.to_lowercase();
-        UNIT_WORDS
-            .iter()
-            .find(|(_, words)| holds_one(&title, words))
-            .map(|(unit, _)| *unit)
+        let named = UNITS.iter().find(|(.., words)| holds_one(&title, words));
+        named.map(|(unit, ..)| *unit)
     }
 
     /// The unit that a range of positive numbers suggests; `None` where no unit fits.
@@ -140,35 +128,40 @@ pub(crate) fn looks_like_metres(min: f64, max: f64) -> bool {
     METRES.contains(&min) && METRES.contains(&max)
 }
 
-/// Words that name a unit, lower case, the surest first. A lone "pm" may be the time of day, so it
-/// must stand where units stand.
-static UNIT_WORDS: [(WavelengthUnit, &str); 10] = [
+/// Signs of units, and words that name them, lower case, the surest first. A lone "pm" may be the
+/// time of day, so it must stand where units stand.
+static UNITS: [(WavelengthUnit, &str, &str); 10] = [
     (
         WavelengthUnit::PerCentimetre,
+        "1/cm",
         "wavenumber;wave number;cm-1;cm^-1;cm⁻¹;|1/cm|;kayser",
     ),
     (
         WavelengthUnit::Nanometre,
+        "nm",
         "nanomet;|nm|;|нм|;纳米;奈米;ナノメ",
     ),
     (
         WavelengthUnit::Micrometre,
+        "um",
         "micromet;|micron|;|microns|;|µm|;|μm|;|um|;|мкм|",
     ),
     (
         WavelengthUnit::Angstrom,
+        "Å",
         "|angstrom|;|angstroms|;|angstroem|;|ångstrom|;|ångström|;|ångströms|;|å|;(a);[a];(aa);\
          [aa];wavelength_a|;wavelength_aa|;lambda_a|",
     ),
-    (WavelengthUnit::Millielectronvolt, "|mev|"),
-    (WavelengthUnit::Electronvolt, "|ev|;electronvolt"),
+    (WavelengthUnit::Millielectronvolt, "meV", "|mev|"),
+    (WavelengthUnit::Electronvolt, "eV", "|ev|;electronvolt"),
     (
         WavelengthUnit::Picometre,
+        "pm",
         "picomet;(pm);[pm];/ pm|;/pm|;_pm|",
     ),
-    (WavelengthUnit::Terahertz, "|thz|;terahertz"),
-    (WavelengthUnit::Gigahertz, "|ghz|;gigahertz"),
-    (WavelengthUnit::Metre, "(m);[m];/ m|;|metres|;|meters|"),
+    (WavelengthUnit::Terahertz, "THz", "|thz|;terahertz"),
+    (WavelengthUnit::Gigahertz, "GHz", "|ghz|;gigahertz"),
+    (WavelengthUnit::Metre, "m", "(m);[m];/ m|;|metres|;|meters|"),
 ];
 
 /// Whether a title speaks of wavelengths, which no energies or wave numbers are.
@@ -186,21 +179,16 @@ const QUANTITIES: [&str; 3] = ["frequency", "energy", "photon energy"];
 /// Whether a column's title says that it is the wavelength axis: by its first word or its last, but
 /// not by what stands in brackets behind another (`S(lambda)`).
 pub(crate) fn names_wavelength(title: &str) -> bool {
-    const WHOLE: [&str; 14] = [
-        "x", "wl", "nm", "um", "µm", "w.length", "λ", "lam", "cm-1", "wn", "ev", "mev", "thz",
-        "ghz",
-    ];
-    const STARTS: &str = "wave;波长;波長;파장;длина волн;w.length;wvl;lambda;longitud;longueur;wellen;lunghezza;λ;wl_;\
-         wl ";
-    const ENDS: [&str; 3] = ["wvl", "wavelength", "wavenumber"];
+    const WHOLE: &str = "^x$;^wl$;^nm$;^um$;^µm$;^w.length$;^λ$;^lam$;^cm-1$;^wn$;^ev$;^mev$;^thz$;\
+         ^ghz$";
+    const STARTS: &str = "^wave;^波长;^波長;^파장;^длина волн;^w.length;^wvl;^lambda;^longitud;^longueur;\
+         ^wellen;^lunghezza;^λ;^wl_;^wl ";
+    const ENDS: &str = "|wvl$;|wavelength$;|wavenumber$";
     let title = title.trim().trim_matches(['"', '#', '[', ']', '(', ')']);
     let title = title.to_lowercase();
-    let name = without_brackets(&title);
-    WHOLE.contains(&title.trim())
-        || STARTS.split(';').any(|word| title.starts_with(word))
-        || ENDS
-            .iter()
-            .any(|word| name.ends_with(word) && holds(name, &format!("|{word}|")))
+    holds_one(title.trim(), WHOLE)
+        || holds_one(&title, STARTS)
+        || holds_one(without_brackets(&title), ENDS)
         || QUANTITIES.iter().any(|word| title.starts_with(word))
             && WavelengthUnit::of_title(&title).is_some_and(|unit| !unit.is_length())
 }

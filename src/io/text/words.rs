@@ -1,14 +1,21 @@
 //! Words in titles and header lines: found whole or by how they begin, not inside of others.
 
 /// Whether a text holds a pattern; both in lower case. A bar at either end of the pattern asks for
-/// the edge of a word there: `reflect` is found anywhere, `|std` where a word begins, `|r%` too,
-/// and `|opic|` as a whole word only. Letters and digits make words, everything else parts them.
+/// the edge of a word there, `^` and `$` for the ends of the text: `reflect` is found anywhere, `|std`
+/// where a word begins, `|r%` too, `|opic|` as a whole word and `^no$` as the whole text only. Letters
+/// and digits make words, everything else parts them.
 pub(crate) fn holds(text: &str, pattern: &str) -> bool {
-    let core = pattern.trim_matches('|');
-    let is_edge = |c: Option<char>| c.is_none_or(|c| !c.is_alphanumeric());
+    let core = pattern.trim_start_matches(['|', '^']);
+    let core = core.trim_end_matches(['|', '$']);
+    let fits = |mark: Option<char>, of_text: &str, beside: Option<char>| match mark {
+        Some('|') => beside.is_none_or(|c| !c.is_alphanumeric()),
+        Some('^' | '$') => of_text.is_empty(),
+        _ => true,
+    };
     text.match_indices(core).any(|(at, _)| {
-        (!pattern.starts_with('|') || is_edge(text[..at].chars().next_back()))
-            && (!pattern.ends_with('|') || is_edge(text[at + core.len()..].chars().next()))
+        let (before, behind) = (&text[..at], &text[at + core.len()..]);
+        fits(pattern.chars().next(), before, before.chars().next_back())
+            && fits(pattern.chars().next_back(), behind, behind.chars().next())
     })
 }
 

@@ -1,6 +1,6 @@
 //! What a wavelength axis counts.
 
-use crate::told::read;
+use crate::told::{has, read};
 use spectral_explorer::io::{Reading, WavelengthUnit};
 
 fn of(title: &str, numbers: [f64; 3]) -> Reading {
@@ -193,5 +193,39 @@ fn per_cent_is_told_from_noisy_fractions_and_whole_numbers_and_from_other_shares
     ] {
         let found = scale(header, &|i| 0.2 + 0.001 * i as f64);
         assert_eq!(found, if percent { 0.01 } else { 1.0 }, "{header}");
+    }
+}
+
+#[test]
+fn a_line_says_that_wavelengths_are_in_vacuum_or_speaks_of_something_else() {
+    let is_vacuum = |line: &str| {
+        let text = format!("{line}\n\nnm\tW\n400\t1\n400.1\t2\n400.2\t3\n");
+        has(&read("a.txt", text).spectra[0].notes, "in vacuum")
+    };
+    for line in [
+        "Vacuum wavelengths",
+        "All wavelengths are in vacuum.",
+        "Wavelength (nm) in vacuum, measured in a chamber",
+        "wavelength medium: vacuum",
+        "Wavelength_vac (nm);Flux",
+        "Wavelength (vacuum) nm\tFlux",
+        "Wavelengths measured in vacuum",
+        "Wellenlängen im Vakuum",
+        "Vakuumwellenlänge",
+    ] {
+        assert!(is_vacuum(line), "{line}");
+    }
+    for line in [
+        "Wavelength calibrated, lamp in a vacuum chamber",
+        "wavelength scan measured in a vacuum chamber",
+        "Wavelengths of a vacuum fluorescent display",
+        "Wavelength (nm),Vacuum level",
+        "Wavelength (nm),Vacuum",
+        "Wavelength (nm),Vacuum wavelength (nm),Flux",
+        "wavelengths in air, not in vacuum",
+        "wavelengths in vacuum chamber",
+        "Vacuum UV monochromator, wavelength 120 nm",
+    ] {
+        assert!(!is_vacuum(line), "{line}");
     }
 }

@@ -2,7 +2,7 @@
 
 use super::every::awkward_spectrum;
 use crate::told::{names, read};
-use spectral_explorer::io::{Column, Columns, Provenance, csv as write};
+use spectral_explorer::io::{Column, Columns, Provenance, csv as write, shortest};
 use spectral_explorer::spectrum::{Kind, NamedSpectrum};
 
 #[test]
@@ -57,4 +57,13 @@ fn several_columns_come_back_by_their_titles_and_gaps_stay_gaps() {
     assert_eq!(reading.spectra[0].samples, spectrum.samples);
     assert_eq!(reading.spectra[1].samples.values(), [1.0, 2.0, 3.0, 4.0]);
     assert!(reading.guesses.is_empty(), "{:?}", reading.guesses);
+}
+
+#[test]
+fn shortest_numbers_are_exact() {
+    for value in [0.1, 380.0, -0.0, 5e-324, f64::MAX, 1e21, 123_456_789.125] {
+        let back: f64 = shortest(value).parse().unwrap();
+        assert_eq!(back.to_bits(), value.to_bits());
+    }
+    assert_eq!(shortest(380.0), "380");
 }

@@ -108,7 +108,7 @@ pub(super) fn read(
     reading.notes.extend(of_values);
     // What had to be guessed of the first spectrum, and of all others with it.
     let first = reading.facts.first().map(|facts| &facts.decisions);
-    let guessed = first.map(|first| guesses_in_words(first, Remark::Kind, None));
+    let guessed = first.map(|first| guesses_in_words(first, Remark::Kind));
     reading.notes.extend(guessed.into_iter().flatten());
     Ok(reading)
 }

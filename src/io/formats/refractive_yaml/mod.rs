@@ -19,7 +19,6 @@ use crate::io::error::quoted;
 use crate::io::interpret::raw::RawSpectrum;
 use crate::io::interpret::{curve, interpret};
 use crate::io::reading::decision::Decision;
-use crate::io::reading::remark::Remark;
 use crate::io::text::{lines, number};
 use crate::io::{Input, ReadError, Reading, budget};
 
@@ -267,8 +266,8 @@ fn clean(
 ) -> Result<(Sampled, Vec<String>), ReadError> {
     let cleaned =
         curve::clean(nm, values).map_err(|trouble| input.error(trouble.found, trouble.expected))?;
-    let notes = cleaned.remarks.iter().map(Remark::to_string);
-    Ok((cleaned.samples, notes.chain([how]).collect()))
+    let notes = cleaned.notes.into_iter().chain([how]).collect();
+    Ok((cleaned.samples, notes))
 }
 
 /// Reflectance at normal incidence from air, and how it came about; `None` where n and k have too
