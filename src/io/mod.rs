@@ -67,8 +67,8 @@ pub use text::{
 pub use unopened::words as why_unopened;
 pub use write::atomic::save_atomically;
 pub(crate) use write::atomic::{UNFINISHED, save_by, save_together};
-pub(crate) use write::csv::{no_formula, quoted_where};
 pub use write::csv::write as csv;
+pub(crate) use write::csv::{no_formula, quoted_where};
 pub use write::exr::{BLOCK_ROWS as EXR_BLOCK_ROWS, Precision, write_rows as write_exr_rows};
 pub(crate) use write::png::PngFile;
 pub use write::png::png;

@@ -227,16 +227,22 @@ pub fn exact_bytes(
         .collect();
     let mut counter = Counter::default();
     progress.expect(height.div_ceil(EXR_BLOCK_ROWS));
-    write_exr_rows(&mut counter, [width, height], &channels, None, |top, rows| {
-        if progress.is_cancelled() {
-            return Err(PictureError::Cancelled);
-        }
-        let count = width * rows;
-        let mut values = vec![0.0; count * bands.len()];
-        pixels.rows(top, rows, &mut values)?;
-        progress.step();
-        let plane = |(_, j): &(String, usize)| &values[j * count..][..count];
-        Ok(names.iter().map(plane).collect::<Vec<_>>().concat())
-    })?;
+    write_exr_rows(
+        &mut counter,
+        [width, height],
+        &channels,
+        None,
+        |top, rows| {
+            if progress.is_cancelled() {
+                return Err(PictureError::Cancelled);
+            }
+            let count = width * rows;
+            let mut values = vec![0.0; count * bands.len()];
+            pixels.rows(top, rows, &mut values)?;
+            progress.step();
+            let plane = |(_, j): &(String, usize)| &values[j * count..][..count];
+            Ok(names.iter().map(plane).collect::<Vec<_>>().concat())
+        },
+    )?;
     Ok(counter.end)
 }
