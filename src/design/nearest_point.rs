@@ -9,7 +9,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::small::{add, dot};
+use super::small::{add, combined, dot};
 
 /// Rounds of which each takes a corner in.
 const MOST_ROUNDS: usize = 1000;
@@ -55,10 +55,7 @@ pub(super) fn nearest_shares<const M: usize>(columns: &[[f64; M]], target: [f64;
         if !shrink(&mut held, &mut shares) {
             break;
         }
-        point = [0.0; M];
-        for (corner, share) in held.iter().zip(&shares) {
-            add(&mut point, &corner.at, *share);
-        }
+        point = combined(held.iter().map(|corner| &corner.at), &shares);
     }
     let mut found = vec![0.0; columns.len()];
     for (corner, share) in held.iter().zip(&shares) {
@@ -145,14 +142,6 @@ fn flat_shares<const M: usize>(held: &[Corner<M>]) -> Option<Vec<f64>> {
 mod tests {
     use super::*;
 
-    fn sum<const M: usize>(columns: &[[f64; M]], shares: &[f64]) -> [f64; M] {
-        let mut at = [0.0; M];
-        for (column, share) in columns.iter().zip(shares) {
-            add(&mut at, column, *share);
-        }
-        at
-    }
-
     #[test]
     fn a_point_inside_is_met_and_one_outside_is_approached_at_right_angles() {
         let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -161,7 +150,7 @@ mod tests {
             ([2.0, 0.5, -1.0], [1.0, 0.5, 0.0]),
             ([0.5, 0.5, 1.5], [0.5, 0.5, 1.0]),
         ] {
-            let found = sum(&cube, &nearest_shares(&cube, target));
+            let found = combined(&cube, &nearest_shares(&cube, target));
             for k in 0..3 {
                 // The stop is at 1e-13 of the body's size.
                 assert!((found[k] - nearest[k]).abs() < 1e-10, "{found:?}");

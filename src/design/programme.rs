@@ -13,9 +13,7 @@
 //! Source of the method with bounds: Dantzig, "Linear Programming and Extensions" (1963), chapter
 //! 18; Bland's rule (1977) against going in circles.
 
-use std::fmt;
-
-use super::small::{add, dot, inverse};
+use super::small::{add, combined, dot, inverse};
 
 /// How far from a bound or an equation counts as on it, where columns have length one.
 const SLACK: f64 = 1e-11;
@@ -40,24 +38,17 @@ const PATIENCE: usize = 400;
 const MOST_STEPS: usize = 4000;
 
 /// Why a programme has no best corner that is known.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub(super) enum End {
     /// Nothing satisfies the equations and bounds.
+    #[error("nothing satisfies the equations and bounds")]
     Impossible,
     /// The sum grows without bound.
+    #[error("the sum grows without bound")]
     Endless,
     /// The way there ended for rounding or for patience: the best may be another.
+    #[error("rounding or patience ended the search")]
     Stuck,
-}
-
-impl fmt::Display for End {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Impossible => "nothing satisfies the equations and bounds",
-            Self::Endless => "the sum grows without bound",
-            Self::Stuck => "rounding or patience ended the search",
-        })
-    }
 }
 
 /// Equations and bounds.
@@ -231,10 +222,7 @@ impl<const M: usize> Programme<M> {
                 std::array::from_fn(|row| corner.basis.map(|b| self.columns[b][row]));
             let inverse = inverse(&basis).ok_or(End::Stuck)?;
             corner.values = self.basic_values(corner, &inverse);
-            let mut prices = [0.0; M];
-            for (row, line) in inverse.iter().enumerate() {
-                add(&mut prices, line, gain[corner.basis[row]]);
-            }
+            let prices = combined(&inverse, &corner.basis.map(|index| gain[index]));
             let by_index = step > PATIENCE;
             let Some((entering, sign)) = self.entering(corner, gain, &prices, by_index) else {
                 return self.is_inside(corner).then_some(()).ok_or(End::Stuck);

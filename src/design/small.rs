@@ -92,6 +92,18 @@ pub(super) fn add<const M: usize>(to: &mut [f64; M], from: &[f64; M], factor: f6
     }
 }
 
+/// Sum of columns, each times its weight.
+pub(super) fn combined<'a, const M: usize>(
+    columns: impl IntoIterator<Item = &'a [f64; M]>,
+    weights: impl IntoIterator<Item = &'a f64>,
+) -> [f64; M] {
+    let mut sum = [0.0; M];
+    for (column, weight) in columns.into_iter().zip(weights) {
+        add(&mut sum, column, *weight);
+    }
+    sum
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -101,14 +113,7 @@ mod tests {
         let matrix = [[0.0, 2.0, 1.0], [1.0, 0.0, 3.0], [4.0, 5.0, 0.0]];
         let inverse = inverse(&matrix).unwrap();
         for (row, line) in matrix.iter().enumerate() {
-            let product = inverse
-                .iter()
-                .zip(line)
-                .fold([0.0; 3], |mut sum, (row, factor)| {
-                    add(&mut sum, row, *factor);
-                    sum
-                });
-            for (column, value) in product.into_iter().enumerate() {
+            for (column, value) in combined(&inverse, line).into_iter().enumerate() {
                 // A handful of operations on numbers of size one.
                 assert!((value - f64::from(u8::from(row == column))).abs() < 1e-14);
             }

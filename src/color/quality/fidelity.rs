@@ -10,7 +10,7 @@ use std::sync::LazyLock;
 use crate::{
     color::{Cct, Observer, Xyz},
     preset,
-    spectrum::Outside,
+    spectrum::{NamedSpectrum, Outside},
 };
 
 use super::{
@@ -19,14 +19,11 @@ use super::{
     light::{FIRST_NM, Light, POINTS, positive},
     no_figure::NoFigure,
     reference::{Reference, fidelity_reference},
-    weight::value_at,
+    test_colours::TestColours,
 };
 
 /// Number of samples.
 pub(crate) const SAMPLES: usize = 99;
-
-/// Samples summed side by side: a common divisor of their number that keeps the registers full.
-const ABREAST: usize = 3;
 
 /// First nm of the samples' table.
 const SAMPLES_FIRST_NM: u32 = 380;
@@ -63,23 +60,25 @@ pub struct Fidelity {
 pub fn fidelity(light: &Light, cct: Cct) -> Result<Fidelity, NoFigure> {
     let light = light.lit()?;
     let reference = fidelity_reference(cct.kelvin);
-    let ([tests, references], [test_white, reference_white]) = seen(light, &reference.on_nm())?;
+    let colours = &TABLES.colours;
+    let (tests, test_white) = colours.under(light)?;
+    let (references, reference_white) = colours.under(&Light::of_nm_values(&reference.on_nm()))?;
     let too_narrow = || NoFigure::OutOfRange {
         what: "no eye adapts to a light that leaves one of its signals dark",
     };
-    let eye = ViewingConditions::adapted_to(test_white).ok_or_else(too_narrow)?;
-    let reference_eye = ViewingConditions::adapted_to(reference_white).ok_or_else(too_narrow)?;
+    let scale = FidelityScale::new(references.iter().copied(), reference_white);
+    let scale = scale.ok_or_else(too_narrow)?;
+    let found = appearances(tests.iter().copied(), test_white).ok_or_else(too_narrow)?;
     let mut samples = Vec::with_capacity(SAMPLES);
     let mut sums = [BinSum::default(); BINS];
     let mut total = 0.0;
-    for (test, expected) in tests.into_iter().zip(references) {
-        let [j, a, b] = eye.uniform(test);
-        let [expected_j, expected_a, expected_b] = reference_eye.uniform(expected);
-        let (dj, da, db) = (j - expected_j, a - expected_a, b - expected_b);
-        let difference = (dj * dj + da * da + db * db).sqrt();
+    for (i, [_, a, b]) in found.iter().enumerate() {
+        let [_, expected_a, expected_b] = scale.expected[i];
+        let difference = scale.difference(i, &found[i]);
+        let difference = difference.iter().map(|d| d * d).sum::<f64>().sqrt();
         total += difference;
         samples.push(index_of(difference));
-        let sum = &mut sums[bin_of([expected_a, expected_b])];
+        let sum = &mut sums[scale.bins[i]];
         sum.samples += 1;
         sum.difference += difference;
         sum.test_ab = [sum.test_ab[0] + a, sum.test_ab[1] + b];
@@ -87,27 +86,99 @@ pub fn fidelity(light: &Light, cct: Cct) -> Result<Fidelity, NoFigure> {
             sum.reference_ab[0] + expected_a,
             sum.reference_ab[1] + expected_b,
         ];
-        sum.test_xyz += test;
-        sum.reference_xyz += expected;
+        sum.test_xyz += tests[i];
+        sum.reference_xyz += references[i];
     }
     if !total.is_finite() {
         return Err(NoFigure::OutOfRange {
             what: "a sample has no appearance under this light",
         });
     }
+    positive(scale.area, "area of the reference's gamut")?;
     let means = sums.map(BinSum::mean);
-    let filled = means.iter().flatten();
-    let tested: Vec<[f64; 2]> = filled.clone().map(|bin| bin.test_ab).collect();
-    let expected: Vec<[f64; 2]> = filled.map(|bin| bin.reference_ab).collect();
     Ok(Fidelity {
         rf: index_of(total / SAMPLES as f64),
-        rg: 100.0 * area(&tested) / positive(area(&expected), "area of the reference's gamut")?,
+        rg: scale.rg_of(&found),
         samples,
         bins: std::array::from_fn(|bin| means[bin].and_then(|mean| mean.figures(bin))),
         reference,
         test_white,
         reference_white,
     })
+}
+
+/// Samples under a reference, which the same under a light are compared with; all colours with
+/// Y = 100 for their light (CIE 1964).
+#[derive(Clone, Debug)]
+pub(crate) struct FidelityScale {
+    /// `[J', a', b']` of the samples.
+    expected: Vec<[f64; 3]>,
+    bins: Vec<usize>,
+    area: f64,
+}
+
+impl FidelityScale {
+    /// `None` where no eye adapts to the reference.
+    pub(crate) fn new(references: impl Iterator<Item = Xyz>, white: Xyz) -> Option<Self> {
+        let expected = appearances(references, white)?;
+        let bins: Vec<usize> = expected.iter().map(|[_, a, b]| bin_of([*a, *b])).collect();
+        let area = gamut_area(&expected, &bins);
+        Some(Self {
+            expected,
+            bins,
+            area,
+        })
+    }
+
+    fn difference(&self, sample: usize, found: &[f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|k| found[k] - self.expected[sample][k])
+    }
+
+    /// `[J', a', b']` of each sample under a light less those under the reference; `None` where no
+    /// eye adapts to the light.
+    pub(crate) fn differences(
+        &self,
+        tests: impl Iterator<Item = Xyz>,
+        white: Xyz,
+    ) -> Option<Vec<[f64; 3]>> {
+        let found = appearances(tests, white)?;
+        let all = found.iter().enumerate();
+        Some(all.map(|(i, found)| self.difference(i, found)).collect())
+    }
+
+    /// The gamut index; `None` where no eye adapts to the light.
+    pub(crate) fn rg(&self, tests: impl Iterator<Item = Xyz>, white: Xyz) -> Option<f64> {
+        let rg = self.rg_of(&appearances(tests, white)?);
+        rg.is_finite().then_some(rg)
+    }
+
+    fn rg_of(&self, found: &[[f64; 3]]) -> f64 {
+        100.0 * gamut_area(found, &self.bins) / self.area
+    }
+}
+
+/// Area of the polygon of the bins' mean a'b'.
+fn gamut_area(found: &[[f64; 3]], bins: &[usize]) -> f64 {
+    let mut sums = [[0.0; 3]; BINS];
+    for ([_, a, b], bin) in found.iter().zip(bins) {
+        let sum = &mut sums[*bin];
+        *sum = [sum[0] + a, sum[1] + b, sum[2] + 1.0];
+    }
+    let filled = sums.iter().filter(|sum| sum[2] > 0.0);
+    let points: Vec<[f64; 2]> = filled.map(|[a, b, n]| [a / n, b / n]).collect();
+    let next = points.iter().cycle().skip(1);
+    let twice: f64 = points
+        .iter()
+        .zip(next)
+        .map(|([x, y], [next_x, next_y])| x * next_y - next_x * y)
+        .sum();
+    0.5 * twice.abs()
+}
+
+/// `[J', a', b']` of every sample under a light; `None` where no eye adapts to it.
+fn appearances(samples: impl Iterator<Item = Xyz>, white: Xyz) -> Option<Vec<[f64; 3]>> {
+    let eye = ViewingConditions::adapted_to(white)?;
+    Some(samples.map(|xyz| eye.uniform(xyz)).collect())
 }
 
 /// Names of the samples, in their order.
@@ -118,123 +189,42 @@ pub fn sample_names() -> &'static [String] {
 /// Reflectances of the samples on whole nm 360-830, zero outside 380-780 nm.
 pub(crate) fn fidelity_factors() -> Vec<Vec<f64>> {
     let first = (SAMPLES_FIRST_NM - FIRST_NM) as usize;
-    let rows = TABLES.samples.chunks_exact(SAMPLES_POINTS);
-    let whole = |row: &[f64]| {
+    let whole = |row: &Vec<f64>| {
         let mut values = vec![0.0; POINTS];
-        values[first..first + SAMPLES_POINTS].copy_from_slice(row);
+        values[first..first + row.len()].copy_from_slice(row);
         values
     };
-    rows.map(whole).collect()
-}
-
-/// Area of a polygon.
-pub(crate) fn area(points: &[[f64; 2]]) -> f64 {
-    let next = points.iter().cycle().skip(1);
-    let twice: f64 = points
-        .iter()
-        .zip(next)
-        .map(|([x, y], [next_x, next_y])| x * next_y - next_x * y)
-        .sum();
-    0.5 * twice.abs()
-}
-
-/// Samples and light itself under the light and under the reference, each with Y = 100.
-#[allow(clippy::type_complexity)]
-fn seen(light: &Light, reference: &[f64]) -> Result<([Vec<Xyz>; 2], [Xyz; 2]), NoFigure> {
-    let tables = &*TABLES;
-    let skip = (SAMPLES_FIRST_NM - FIRST_NM) as usize;
-    let weighted: Vec<[f64; 6]> = tables
-        .observer
-        .iter()
-        .zip(&light.values()[skip..])
-        .zip(&reference[skip..])
-        .map(|((w, t), r)| [w[0] * t, w[1] * t, w[2] * t, w[0] * r, w[1] * r, w[2] * r])
-        .collect();
-    let mut whites = [[0.0; 6]];
-    sum_rows([&tables.ones], &weighted, &mut whites);
-    let mut sums = vec![[0.0; 6]; SAMPLES];
-    let rows = tables.samples.chunks_exact(ABREAST * SAMPLES_POINTS);
-    for (rows, sums) in rows.zip(sums.as_chunks_mut::<ABREAST>().0) {
-        let rows: [&[f64]; ABREAST] =
-            std::array::from_fn(|i| &rows[i * SAMPLES_POINTS..][..SAMPLES_POINTS]);
-        sum_rows(rows, &weighted, sums);
-    }
-    for line in light.lines() {
-        // Nothing is known of the samples outside their table.
-        let inside = value_at(SAMPLES_FIRST_NM, &tables.ones, line.at_nm);
-        let xyz = Observer::CIE_1964.table().at(line.at_nm);
-        let xyz = xyz.map(|w| w * line.weight * inside);
-        let rows = tables.samples.chunks_exact(SAMPLES_POINTS);
-        for (sum, row) in sums.iter_mut().zip(rows) {
-            let factor = value_at(SAMPLES_FIRST_NM, row, line.at_nm);
-            (0..3).for_each(|k| sum[k] += factor * xyz[k]);
-        }
-        (0..3).for_each(|k| whites[0][k] += xyz[k]);
-    }
-    let [test_unit, reference_unit] = [
-        100.0 / positive(whites[0][1], "sum with the 10° luminosity function")?,
-        100.0 / positive(whites[0][4], "luminance of the reference")?,
-    ];
-    let test = |sum: &[f64; 6]| Xyz::new(sum[0], sum[1], sum[2]) * test_unit;
-    let expected = |sum: &[f64; 6]| Xyz::new(sum[3], sum[4], sum[5]) * reference_unit;
-    Ok((
-        [
-            sums.iter().map(test).collect(),
-            sums.iter().map(expected).collect(),
-        ],
-        [test(&whites[0]), expected(&whites[0])],
-    ))
-}
-
-/// Sums of rows times six weighted lights, several rows at once so that each weight is loaded once.
-fn sum_rows<const N: usize>(rows: [&[f64]; N], weighted: &[[f64; 6]], sums: &mut [[f64; 6]; N]) {
-    let rows = rows.map(|row| &row[..weighted.len()]);
-    let mut running = [[0.0; 6]; N];
-    for (i, weights) in weighted.iter().enumerate() {
-        for (row, sum) in rows.iter().zip(&mut running) {
-            let factor = row[i];
-            for (s, w) in sum.iter_mut().zip(weights) {
-                *s += factor * w;
-            }
-        }
-    }
-    *sums = running;
+    TABLES.colours.rows.iter().map(whole).collect()
 }
 
 struct Tables {
     names: Vec<String>,
-    /// One row of 401 values a sample.
-    samples: Vec<f64>,
-    /// The CIE 1964 functions at each nm of the samples.
-    observer: Vec<[f64; 3]>,
-    /// A perfect reflector.
-    ones: Vec<f64>,
+    colours: TestColours,
 }
 
 static TABLES: LazyLock<Tables> = LazyLock::new(|| {
     let group = preset::group(GROUP).expect("a shipped file, read in a test of the presets");
-    let mut names = Vec::with_capacity(SAMPLES);
-    let mut samples = Vec::with_capacity(SAMPLES * SAMPLES_POINTS);
+    let tables = group
+        .items
+        .iter()
+        .filter_map(|item| Some((&item.name, item.spectrum()?)));
     let last_nm = SAMPLES_FIRST_NM + SAMPLES_POINTS as u32 - 1;
-    for item in &group.items {
-        if let Some(table) = item.spectrum() {
-            names.push(item.name.clone());
-            samples.extend(
-                table
-                    .samples
-                    .on_whole_nm(SAMPLES_FIRST_NM, last_nm, Outside::Hold),
-            );
-        }
-    }
+    let row = |(name, table): (&String, &NamedSpectrum)| {
+        let row = table
+            .samples
+            .on_whole_nm(SAMPLES_FIRST_NM, last_nm, Outside::Hold);
+        (name.clone(), row)
+    };
+    let (names, rows): (Vec<String>, Vec<Vec<f64>>) = tables.map(row).unzip();
     assert_eq!(names.len(), SAMPLES, "a shipped file, read in a test");
-    let observer = Observer::CIE_1964.table();
     Tables {
         names,
-        samples,
-        observer: (SAMPLES_FIRST_NM..=last_nm)
-            .map(|nm| observer.at(f64::from(nm)))
-            .collect(),
-        ones: vec![1.0; SAMPLES_POINTS],
+        colours: TestColours {
+            first_nm: SAMPLES_FIRST_NM,
+            rows,
+            observer: Observer::CIE_1964,
+            luminous_sum: "sum with the 10° luminosity function",
+        },
     }
 });
 
@@ -263,6 +253,13 @@ mod tests {
     #[test]
     fn every_sample_is_a_reflectance() {
         assert_eq!(sample_names()[98], "CES99");
-        assert!(TABLES.samples.iter().all(|v| (0.0..=1.0).contains(v)));
+        assert!(
+            TABLES
+                .colours
+                .rows
+                .iter()
+                .flatten()
+                .all(|v| (0.0..=1.0).contains(v))
+        );
     }
 }

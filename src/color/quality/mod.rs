@@ -16,6 +16,7 @@
 //! dominant     dominant and complementary wavelength, purity
 //! similarity   SSI (SMPTE ST 2122)
 //! sprague      the interpolation of CRI's test colours
+//! test_colours test colours under a light
 //! shape        peak, centroid, width at half height
 //! figures      all of them of one light
 //! diagram      the geometry of chromaticity diagrams as plain data
@@ -42,12 +43,12 @@ mod rendering;
 mod shape;
 mod similarity;
 mod sprague;
+mod test_colours;
 mod weight;
 
-pub(crate) use appearance::ViewingConditions;
-pub(crate) use fidelity::{area, fidelity_factors};
-pub(crate) use hue_bin::{bin_of, difference_of, index_of};
-pub(crate) use rendering::{Shift, rendering_factors, uvw};
+pub(crate) use fidelity::{FidelityScale, fidelity_factors};
+pub(crate) use hue_bin::{difference_of, index_of};
+pub(crate) use rendering::{GENERAL, RenderingScale, rendering_factors};
 
 pub use absolute::{Absolute, Measured, Radiometric, absolute};
 pub(crate) use alpha_opic::ALPHA_OPIC_WORDS;
@@ -56,7 +57,6 @@ pub use dominant::{Dominant, dominant};
 pub(crate) use fidelity::SAMPLES;
 pub use fidelity::{Fidelity, fidelity, sample_names};
 pub use figures::{FewFigures, Figures};
-pub(crate) use hue_bin::BINS;
 pub use hue_bin::{HUE_NAMES, HueBin};
 pub use light::{Light, POINTS};
 pub use no_figure::{Dark, NoFigure};

@@ -11,15 +11,16 @@ use std::sync::LazyLock;
 
 use crate::{
     color::{Cct, Observer, Xyz, uv_1960_from_xyz},
-    spectrum::{Outside, Sampled, dot},
+    spectrum::{Outside, Sampled},
 };
 
 use super::{
-    light::{FIRST_NM, LAST_NM, Light, positive},
+    light::{FIRST_NM, LAST_NM, Light},
     no_figure::NoFigure,
     reference::{Reference, rendering_reference},
     sprague::sprague,
-    weight::{shipped, value_at},
+    test_colours::TestColours,
+    weight::shipped,
 };
 
 /// Number of test colours.
@@ -48,7 +49,7 @@ pub(crate) const RENDERING_NAMES: [&str; RENDERING_SAMPLES] = [
 const TABLE_STEP_NM: usize = 5;
 
 /// Test colours that Ra is the mean of.
-const GENERAL: usize = 8;
+pub(crate) const GENERAL: usize = 8;
 
 /// Distance of the light from its reference in CIE 1960 uv up to which CIE 13.3 allows its index.
 const FARTHEST_FROM_REFERENCE: f64 = 5.4e-3;
@@ -113,53 +114,81 @@ pub(crate) fn rendering_difference(index: f64) -> f64 {
 pub fn rendering(light: &Light, cct: Cct) -> Result<Rendering, NoFigure> {
     let light = light.lit()?;
     let reference = rendering_reference(cct.kelvin);
-    let (tests, test_white) = seen(light)?;
-    let (references, reference_white) = seen(&Light::of_nm_values(&reference.on_nm()))?;
+    let (tests, test_white) = TEST_COLOURS.under(light)?;
+    let (references, reference_white) =
+        TEST_COLOURS.under(&Light::of_nm_values(&reference.on_nm()))?;
     let out = || NoFigure::OutOfRange {
         what: "a test colour has no chromaticity under this light",
     };
-    let from = uv_1960_from_xyz(test_white).ok_or_else(out)?;
-    let to = uv_1960_from_xyz(reference_white).ok_or_else(out)?;
-    let shift = Shift::new(from, to);
-    let mut samples = [RenderedSample {
-        index: 0.0,
-        test: Xyz::ZERO,
-        reference: Xyz::ZERO,
-    }; RENDERING_SAMPLES];
-    for (sample, (test, reference)) in samples.iter_mut().zip(tests.into_iter().zip(references)) {
-        let seen_uv = uv_1960_from_xyz(test).ok_or_else(out)?;
-        let expected_uv = uv_1960_from_xyz(reference).ok_or_else(out)?;
-        let a = uvw(shift.of(seen_uv), test.y, to);
-        let b = uvw(expected_uv, reference.y, to);
-        let difference = (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt();
-        *sample = RenderedSample {
-            index: rendering_index(difference),
-            test,
-            reference,
-        };
-    }
+    let scale = RenderingScale::new(references.iter().copied(), reference_white);
+    let scale = scale.ok_or_else(out)?;
+    let differences = scale.differences(tests.iter().copied(), test_white);
+    let differences = differences.ok_or_else(out)?;
+    let samples: [RenderedSample; RENDERING_SAMPLES] = std::array::from_fn(|i| RenderedSample {
+        index: rendering_index(differences[i].iter().map(|d| d * d).sum::<f64>().sqrt()),
+        test: tests[i],
+        reference: references[i],
+    });
     if samples.iter().any(|sample| !sample.index.is_finite()) {
         return Err(out());
     }
     let general = samples[..GENERAL].iter().map(|s| s.index).sum::<f64>();
+    let [u, v] = uv_1960_from_xyz(test_white).ok_or_else(out)?;
     Ok(Rendering {
         ra: general / GENERAL as f64,
         samples,
         reference,
         test_white,
         reference_white,
-        distance: (from[0] - to[0]).hypot(from[1] - to[1]),
+        distance: (u - scale.white[0]).hypot(v - scale.white[1]),
     })
 }
 
+/// Test colours under a reference, which the same under a light are compared with; all colours with
+/// Y = 100 for their light.
+#[derive(Clone, Debug)]
+pub(crate) struct RenderingScale {
+    /// CIE 1960 uv of the reference.
+    white: [f64; 2],
+    /// U*V*W* of the test colours.
+    expected: Vec<[f64; 3]>,
+}
+
+impl RenderingScale {
+    /// `None` where a colour has no chromaticity.
+    pub(crate) fn new(references: impl Iterator<Item = Xyz>, white: Xyz) -> Option<Self> {
+        let white = uv_1960_from_xyz(white)?;
+        let expected = references.map(|xyz| Some(uvw(uv_1960_from_xyz(xyz)?, xyz.y, white)));
+        Some(Self {
+            white,
+            expected: expected.collect::<Option<_>>()?,
+        })
+    }
+
+    /// `[U*, V*, W*]` of each test colour under a light less those under the reference; `None` where
+    /// one has no chromaticity.
+    pub(crate) fn differences(
+        &self,
+        tests: impl Iterator<Item = Xyz>,
+        white: Xyz,
+    ) -> Option<Vec<[f64; 3]>> {
+        let shift = Shift::new(uv_1960_from_xyz(white)?, self.white);
+        let one = |(xyz, expected): (Xyz, &[f64; 3])| {
+            let found = uvw(shift.of(uv_1960_from_xyz(xyz)?), xyz.y, self.white);
+            Some(std::array::from_fn(|k| found[k] - expected[k]))
+        };
+        tests.zip(&self.expected).map(one).collect()
+    }
+}
+
 /// The von Kries shift of CIE 13.3 from a light's chromaticity to its reference's.
-pub(crate) struct Shift {
+struct Shift {
     c: f64,
     d: f64,
 }
 
 impl Shift {
-    pub(crate) fn new(from: [f64; 2], to: [f64; 2]) -> Self {
+    fn new(from: [f64; 2], to: [f64; 2]) -> Self {
         let ([from_c, from_d], [to_c, to_d]) = (cd(from), cd(to));
         Self {
             c: to_c / from_c,
@@ -167,7 +196,7 @@ impl Shift {
         }
     }
 
-    pub(crate) fn of(&self, uv: [f64; 2]) -> [f64; 2] {
+    fn of(&self, uv: [f64; 2]) -> [f64; 2] {
         let [c, d] = cd(uv);
         let (c, d) = (self.c * c, self.d * d);
         let below = 16.518 + 1.481 * c - d;
@@ -183,47 +212,18 @@ fn cd([u, v]: [f64; 2]) -> [f64; 2] {
 }
 
 /// CIE 1964 U*V*W* against a white.
-pub(crate) fn uvw([u, v]: [f64; 2], y: f64, white: [f64; 2]) -> [f64; 3] {
+fn uvw([u, v]: [f64; 2], y: f64, white: [f64; 2]) -> [f64; 3] {
     let w = 25.0 * y.cbrt() - 17.0;
     [13.0 * w * (u - white[0]), 13.0 * w * (v - white[1]), w]
 }
 
-/// Every test colour and the light itself, Y = 100 for the light.
-fn seen(light: &Light) -> Result<([Xyz; RENDERING_SAMPLES], Xyz), NoFigure> {
-    let table = Observer::CIE_1931.table();
-    let weighted = table
-        .xyz
-        .each_ref()
-        .map(|row| row.iter().zip(light.values()).map(|(w, v)| w * v).collect());
-    let weighted: [Vec<f64>; 3] = weighted;
-    let lines: Vec<([f64; 3], f64)> = light
-        .lines()
-        .iter()
-        .map(|l| (table.at(l.at_nm).map(|w| w * l.weight), l.at_nm))
-        .collect();
-    let sum_of_lines = |of: &dyn Fn(f64) -> f64, k: usize| -> f64 {
-        lines.iter().map(|(xyz, at_nm)| xyz[k] * of(*at_nm)).sum()
-    };
-    let white: [f64; 3] =
-        std::array::from_fn(|k| weighted[k].iter().sum::<f64>() + sum_of_lines(&|_| 1.0, k));
-    let unit = 100.0 / positive(white[1], "sum with V(λ)")?;
-    let samples = std::array::from_fn(|sample| {
-        let row = &TEST_COLOURS[sample];
-        Xyz::from_array(std::array::from_fn(|k| {
-            let at = |nm| value_at(FIRST_NM, row, nm);
-            unit * (dot(row, &weighted[k]) + sum_of_lines(&at, k))
-        }))
-    });
-    Ok((samples, Xyz::from_array(white) * unit))
-}
-
 /// Radiance factors of the test colours on whole nm 360-830.
 pub(crate) fn rendering_factors() -> &'static [Vec<f64>] {
-    &TEST_COLOURS
+    &TEST_COLOURS.rows
 }
 
 /// Radiance factors on whole nm 360-830, end values held.
-static TEST_COLOURS: LazyLock<Vec<Vec<f64>>> = LazyLock::new(|| {
+static TEST_COLOURS: LazyLock<TestColours> = LazyLock::new(|| {
     let table = |name: &str| {
         let table = shipped("cri_tcs", name);
         let fine = sprague(table.values(), TABLE_STEP_NM);
@@ -232,7 +232,12 @@ static TEST_COLOURS: LazyLock<Vec<Vec<f64>>> = LazyLock::new(|| {
     };
     // The set of 2024 has the skin of R15, which the publication of 1995 has not.
     let classic = (1..=14).map(|i| table(&format!("TCS{i:02}")));
-    classic.chain([table("CIE 2024: TCS15")]).collect()
+    TestColours {
+        first_nm: FIRST_NM,
+        rows: classic.chain([table("CIE 2024: TCS15")]).collect(),
+        observer: Observer::CIE_1931,
+        luminous_sum: "sum with V(λ)",
+    }
 });
 
 #[cfg(test)]

@@ -1,14 +1,13 @@
 //! Why channels do not make a light.
 
-use std::fmt;
-
 /// Most channels of a mixture.
 pub(crate) const MOST_CHANNELS: usize = 128;
 
 /// Why channels do not make a light.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MixError {
     /// A channel's words are not of a form that is known.
+    #[error("channel: expected {expected}, found {found:?}")]
     Spec {
         /// The words.
         found: String,
@@ -16,16 +15,19 @@ pub enum MixError {
         expected: String,
     },
     /// A light of a channel has no power in 360-830 nm, or less than none.
+    #[error("channel {spec:?}: expected a light with power in 360-830 nm, found none")]
     NoPower {
         /// The channel.
         spec: String,
     },
     /// No channel, or too many.
+    #[error("channels: expected 1 to {}, found {found}", MOST_CHANNELS)]
     Channels {
         /// How many.
         found: usize,
     },
     /// A target that is no colour.
+    #[error("target: expected {expected}, found {found}")]
     Target {
         /// What it was.
         found: String,
@@ -33,6 +35,7 @@ pub enum MixError {
         expected: String,
     },
     /// A floor or a figure that is not known.
+    #[error("expected {expected}, found {found:?}")]
     Word {
         /// The word.
         found: String,
@@ -40,30 +43,3 @@ pub enum MixError {
         expected: &'static str,
     },
 }
-
-impl fmt::Display for MixError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Spec { found, expected } => {
-                write!(f, "channel: expected {expected}, found {found:?}")
-            }
-            Self::NoPower { spec } => write!(
-                f,
-                "channel {spec:?}: expected a light with power in 360-830 nm, found none"
-            ),
-            Self::Channels { found } => {
-                write!(
-                    f,
-                    "channels: expected 1 to {}, found {found}",
-                    MOST_CHANNELS
-                )
-            }
-            Self::Target { found, expected } => {
-                write!(f, "target: expected {expected}, found {found}")
-            }
-            Self::Word { found, expected } => write!(f, "expected {expected}, found {found:?}"),
-        }
-    }
-}
-
-impl std::error::Error for MixError {}

@@ -81,27 +81,28 @@ impl Source {
         }
     }
 
+    /// Its numbers, what each is in words, and the least and the greatest that it may be.
+    fn numbers(&mut self) -> Vec<(&mut f64, &'static str, [f64; 2])> {
+        let visible = [f64::from(FIRST_NM), f64::from(LAST_NM)];
+        match self {
+            Self::Line { at_nm } => vec![(at_nm, "a place in nm", visible)],
+            Self::Gauss { centre_nm, fwhm_nm } => vec![
+                (centre_nm, "a centre in nm", visible),
+                (fwhm_nm, "a full width at half height in nm", WIDTHS_NM),
+            ],
+            Self::Blackbody { kelvin } => vec![(kelvin, "a temperature in K", BLACKBODY_K)],
+            Self::Daylight { kelvin } => vec![(kelvin, "a temperature in K", DAYLIGHT_K)],
+            Self::Named(_) => Vec::new(),
+        }
+    }
+
     /// Every number moved to the nearest one that is allowed; what is no number to the lowest.
     #[must_use]
-    pub fn clamped(self) -> Self {
-        let visible = [f64::from(FIRST_NM), f64::from(LAST_NM)];
-        let within = |value: f64, [least, most]: [f64; 2]| value.max(least).min(most);
-        match self {
-            Self::Line { at_nm } => Self::Line {
-                at_nm: within(at_nm, visible),
-            },
-            Self::Gauss { centre_nm, fwhm_nm } => Self::Gauss {
-                centre_nm: within(centre_nm, visible),
-                fwhm_nm: within(fwhm_nm, WIDTHS_NM),
-            },
-            Self::Blackbody { kelvin } => Self::Blackbody {
-                kelvin: within(kelvin, BLACKBODY_K),
-            },
-            Self::Daylight { kelvin } => Self::Daylight {
-                kelvin: within(kelvin, DAYLIGHT_K),
-            },
-            Self::Named(name) => Self::Named(name),
+    pub fn clamped(mut self) -> Self {
+        for (value, _, [least, most]) in self.numbers() {
+            *value = value.max(least).min(most);
         }
+        self
     }
 }
 
@@ -159,33 +160,26 @@ impl FromStr for Spec {
             let forms = "line:NM, gauss:NM,WIDTH, blackbody:K, daylight:K or a light";
             return Err(refused(forms.to_owned()));
         }
-        let within = |text: &str, [least, most]: [f64; 2], what: &str| {
-            let value = text.trim().parse::<f64>().ok();
-            let value = value.filter(|v| (least..=most).contains(v));
-            value.ok_or_else(|| refused(format!("{what} of {least} to {most}")))
-        };
-        let visible = [f64::from(FIRST_NM), f64::from(LAST_NM)];
-        let source = match words.split_once(':') {
-            Some(("line", place)) => Source::Line {
-                at_nm: within(place, visible, "a place in nm")?,
-            },
+        let (mut source, numbers) = match words.split_once(':') {
+            Some(("line", place)) => (Source::Line { at_nm: 0.0 }, place),
             Some(("gauss", numbers)) => {
-                let (centre, width) = numbers
-                    .split_once(',')
-                    .ok_or_else(|| refused("gauss:CENTRE,WIDTH in nm".to_owned()))?;
-                Source::Gauss {
-                    centre_nm: within(centre, visible, "a centre in nm")?,
-                    fwhm_nm: within(width, WIDTHS_NM, "a full width at half height in nm")?,
-                }
+                let (centre_nm, fwhm_nm) = (0.0, 0.0);
+                (Source::Gauss { centre_nm, fwhm_nm }, numbers)
             }
-            Some(("blackbody", kelvin)) => Source::Blackbody {
-                kelvin: within(kelvin, BLACKBODY_K, "a temperature in K")?,
-            },
-            Some(("daylight", kelvin)) => Source::Daylight {
-                kelvin: within(kelvin, DAYLIGHT_K, "a temperature in K")?,
-            },
-            _ => Source::Named(words.to_owned()),
+            Some(("blackbody", kelvin)) => (Source::Blackbody { kelvin: 0.0 }, kelvin),
+            Some(("daylight", kelvin)) => (Source::Daylight { kelvin: 0.0 }, kelvin),
+            _ => (Source::Named(words.to_owned()), ""),
         };
+        let places = source.numbers();
+        let texts: Vec<&str> = numbers.splitn(places.len(), ',').collect();
+        if texts.len() < places.len() {
+            return Err(refused("gauss:CENTRE,WIDTH in nm".to_owned()));
+        }
+        for ((value, what, [least, most]), text) in places.into_iter().zip(texts) {
+            let found = text.trim().parse::<f64>().ok();
+            let found = found.filter(|v| (least..=most).contains(v));
+            *value = found.ok_or_else(|| refused(format!("{what} of {least} to {most}")))?;
+        }
         Ok(Self {
             words: words.to_owned(),
             source,

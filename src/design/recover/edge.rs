@@ -1,14 +1,11 @@
 //! The edge of what a surface can do: how far a colour may go from grey.
 
 use super::viewing::NODES;
-use crate::design::{programme::Programme, small::add};
+use crate::design::{programme::Programme, small::combined};
 
 /// The colours of a surface that reflects everything.
 pub(super) fn white<const M: usize>(columns: &[[f64; M]; NODES]) -> [f64; M] {
-    columns.iter().fold([0.0; M], |mut sum, column| {
-        add(&mut sum, column, 1.0);
-        sum
-    })
+    combined(columns, &[1.0; NODES])
 }
 
 /// How far the way from grey goes before it reaches the edge of what a surface can do, as a

@@ -13,6 +13,8 @@
 //! Powers and XYZ go together: `XYZ = sum over nm of power per nm x colour-matching function`, so a
 //! light asked for with Y = 100 has luminous sum 100.
 
+use nalgebra::DMatrix;
+
 use super::{error::RecoverError, method::Method, recovered::Nearest, viewing::BAND};
 use crate::{
     color::{Observer, Xyz, delta_e_of_xyz, lab_from_xyz, uv_1976_from_xyz, xyz},
@@ -100,9 +102,8 @@ impl LineLight {
         // Unknowns: the background's power, then the lines'.
         let mut parts = vec![shape.clone()];
         for at_nm in &places {
-            let (at_nm, weight) = (*at_nm, 1.0);
             let mut values = vec![0.0; BAND.points()];
-            add_lines(&[Line::ideal(at_nm, weight)], &mut values);
+            add_lines(&[Line::ideal(*at_nm, 1.0)], &mut values);
             parts.push(values);
         }
         let equations: Vec<Vec<f64>> = parts
@@ -123,7 +124,10 @@ impl LineLight {
             lines: places.iter().zip(&weights[1..]).map(line).collect(),
             round_trip_delta_e: largest_difference(colours, &xyz, white),
             residual: left_over(colours, &xyz),
-            condition_number: condition_of(&equations),
+            // Of a matrix that is wider than high: the singular values of its rows.
+            condition_number: condition_number(
+                &equations.iter().map(Vec::as_slice).collect::<Vec<_>>(),
+            ),
             xyz,
             nearest,
         })
@@ -159,44 +163,36 @@ fn solved(
     colours: &[LitColour<'_>],
 ) -> Result<(Vec<f64>, Option<Nearest>), RecoverError> {
     let count = equations.len();
-    let asked: Vec<f64> = colours.iter().flat_map(|c| c.xyz.to_array()).collect();
-    if let [one] = colours {
-        let rows: Vec<[f64; 3]> = equations.iter().map(|e| [e[0], e[1], e[2]]).collect();
-        // Nothing to match but the colour: the least sum of squares.
-        let own: Vec<Vec<f64>> = (0..count)
-            .map(|i| (0..count).map(|j| f64::from(u8::from(i == j))).collect())
-            .collect();
-        let own: Vec<&[f64]> = own.iter().map(|v| &v[..]).collect();
-        match least_squares(&own, &vec![0.0; count], &rows, one.xyz.to_array()) {
-            Ok(weights) => return Ok((weights, None)),
-            Err(End::Impossible) => {}
-            Err(end) => {
-                return Err(RecoverError::NotSolved {
-                    why: end.to_string(),
-                });
-            }
-        }
-        let uv = uv_1976_from_xyz(one.xyz).filter(|_| one.xyz.y > 0.0);
-        let uv = uv.ok_or(RecoverError::NotAColour)?;
-        let mix = nearest_mix(&rows, uv, one.xyz.y).ok_or(RecoverError::NoBackground)?;
-        let xyz = given(equations, &mix.weights);
-        let delta_e = delta_e_of_xyz(one.xyz, xyz[0], one.xyz).unwrap_or(0.0);
-        let lab = |xyz: Xyz| lab_from_xyz(xyz, one.xyz);
-        let nearest = Nearest {
-            delta_e_ab: vec![lab(one.xyz).delta_e_1976(lab(xyz[0]))],
-            xyz,
-            delta_e: vec![delta_e],
-        };
-        return Ok((mix.weights, Some(nearest)));
+    let not_solved = |end: End| RecoverError::NotSolved {
+        why: end.to_string(),
+    };
+    let [one] = colours else {
+        let asked: Vec<f64> = colours.iter().flat_map(|c| c.xyz.to_array()).collect();
+        let columns: Vec<&[f64]> = equations.iter().map(Vec::as_slice).collect();
+        let weights = least_squares(&columns, &asked, &vec![[]; count], []);
+        return Ok((weights.map_err(not_solved)?, None));
+    };
+    let rows: Vec<[f64; 3]> = equations.iter().map(|e| [e[0], e[1], e[2]]).collect();
+    // Nothing to match but the colour: the least sum of squares.
+    let own = DMatrix::<f64>::identity(count, count);
+    let own: Vec<&[f64]> = own.as_slice().chunks_exact(count).collect();
+    match least_squares(&own, &vec![0.0; count], &rows, one.xyz.to_array()) {
+        Ok(weights) => return Ok((weights, None)),
+        Err(End::Impossible) => {}
+        Err(end) => return Err(not_solved(end)),
     }
-    let columns: Vec<&[f64]> = equations.iter().map(|e| &e[..]).collect();
-    let none: Vec<[f64; 0]> = vec![[]; count];
-    match least_squares(&columns, &asked, &none, []) {
-        Ok(weights) => Ok((weights, None)),
-        Err(end) => Err(RecoverError::NotSolved {
-            why: end.to_string(),
-        }),
-    }
+    let uv = uv_1976_from_xyz(one.xyz).filter(|_| one.xyz.y > 0.0);
+    let uv = uv.ok_or(RecoverError::NotAColour)?;
+    let mix = nearest_mix(&rows, uv, one.xyz.y).ok_or(RecoverError::NoBackground)?;
+    let xyz = given(equations, &mix.weights);
+    let delta_e = delta_e_of_xyz(one.xyz, xyz[0], one.xyz).unwrap_or(0.0);
+    let lab = |xyz: Xyz| lab_from_xyz(xyz, one.xyz);
+    let nearest = Nearest {
+        delta_e_ab: vec![lab(one.xyz).delta_e_1976(lab(xyz[0]))],
+        xyz,
+        delta_e: vec![delta_e],
+    };
+    Ok((mix.weights, Some(nearest)))
 }
 
 /// The colours that these powers give.
@@ -234,13 +230,6 @@ fn left_over(colours: &[LitColour<'_>], given: &[Xyz]) -> f64 {
         .map(|(c, xyz)| square(c.xyz - *xyz))
         .sum();
     if all > 0.0 { (rest / all).sqrt() } else { 0.0 }
-}
-
-/// Of the equations as they are: of a matrix that is wider than high, the singular values of its
-/// rows.
-fn condition_of(equations: &[Vec<f64>]) -> f64 {
-    let columns: Vec<&[f64]> = equations.iter().map(|e| &e[..]).collect();
-    condition_number(&columns)
 }
 
 #[cfg(test)]

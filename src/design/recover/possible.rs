@@ -12,7 +12,7 @@ use crate::{
     design::{
         nearest_point::nearest_shares,
         programme::Programme,
-        small::{add, dot},
+        small::{add, combined, dot},
     },
 };
 
@@ -33,10 +33,8 @@ pub(super) fn is_possible<const M: usize>(columns: &[[f64; M]; NODES], target: [
     if programme.corner().is_ok() {
         return true;
     }
-    let mut rest = target.map(|v| -v);
-    for (column, share) in columns.iter().zip(nearest_shares(columns, target)) {
-        add(&mut rest, column, share);
-    }
+    let mut rest = combined(columns, &nearest_shares(columns, target));
+    add(&mut rest, &target, -1.0);
     dot(&rest, &rest).sqrt() <= POSSIBLE
 }
 
@@ -99,10 +97,7 @@ fn descended<const M: usize>(
 
 /// The colours of a reflectance, one a light.
 fn colours<const M: usize>(columns: &[[f64; M]; NODES], reflectance: &[f64; NODES]) -> Vec<Xyz> {
-    let mut sum = [0.0; M];
-    for (column, value) in columns.iter().zip(reflectance) {
-        add(&mut sum, column, *value);
-    }
+    let sum = combined(columns, reflectance);
     let blocks = sum.chunks_exact(3);
     blocks.map(|b| Xyz::new(b[0], b[1], b[2])).collect()
 }

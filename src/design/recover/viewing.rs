@@ -8,6 +8,7 @@
 use super::error::RecoverError;
 use crate::{
     color::{Observer, Xyz, xyz},
+    design::small::combined,
     spectrum::{Band, Basis, Outside, Sampled, WORST_CONDITION, condition_number},
 };
 
@@ -140,21 +141,13 @@ impl Viewing {
 
     /// XYZ of a reflectance, Y = 100 for the light.
     pub fn xyz(&self, reflectance: &Nodes) -> Xyz {
-        let mut sum = [0.0; 3];
-        for (value, column) in reflectance.iter().zip(self.columns.iter()) {
-            (0..3).for_each(|k| sum[k] += value * column[k]);
-        }
-        Xyz::from_array(sum) * 100.0
+        Xyz::from_array(combined(&*self.columns, reflectance)) * 100.0
     }
 
     /// XYZ of a Fourier series (at most six coefficients in prefix order: a0 a1 b1 a2 b2 a3), held
     /// at its end values beyond 380-780 nm; Y = 100 for the light.
     pub(crate) fn xyz_of_series(&self, coefficients: &[f64]) -> Xyz {
-        let mut sum = [0.0; 3];
-        for (c, column) in coefficients.iter().zip(&self.fourier) {
-            (0..3).for_each(|k| sum[k] += c * column[k]);
-        }
-        Xyz::from_array(sum) * 100.0
+        Xyz::from_array(combined(&self.fourier, coefficients)) * 100.0
     }
 }
 

@@ -4,20 +4,12 @@
 //! for each whole nm, for lights of one colour temperature (whose reference is then known), so that
 //! a mixture of channels costs a few hundred products and not tables of wavelengths. The tables of
 //! samples are given ([`SampleTables`]), so that the figures are those of whoever gives them.
-//!
-//! ```text
-//! samples    the tables of test colours
-//! rendering  CRI of CIE 13.3 from sums
-//! fidelity   TM-30 of ANSI/IES TM-30-20 = CIE 224 from sums
-//! ```
 
-mod fidelity;
-mod rendering;
 mod samples;
 
-use fidelity::FidelityScale;
-use rendering::RenderingScale;
 pub use samples::SampleTables;
+
+use serde::{Deserialize, Serialize};
 
 pub(super) use crate::color::quality::LUMENS_PER_WATT_ROUNDED as LUMENS_PER_WATT;
 
@@ -25,7 +17,10 @@ use super::whole_nm;
 use crate::{
     color::{
         Observer, Xyz, cct_from_xyz,
-        quality::{difference_of, index_of, rendering_difference, rendering_index},
+        quality::{
+            FidelityScale, RenderingScale, difference_of, fidelity_reference, index_of,
+            rendering_difference, rendering_index, rendering_reference,
+        },
         weighting,
         xyz::POINTS,
     },
@@ -46,18 +41,16 @@ pub struct Sums {
 
 impl Sums {
     /// Adds `weight` times another light.
-    pub(super) fn add(&mut self, other: &Self, weight: f64, with_samples: bool) {
-        for (a, b) in self.basic.iter_mut().zip(&other.basic) {
-            *a += weight * b;
-        }
-        if with_samples {
-            self.rendering.resize(other.rendering.len(), 0.0);
-            self.fidelity.resize(other.fidelity.len(), 0.0);
-            let pairs = self.rendering.iter_mut().zip(&other.rendering);
-            pairs.for_each(|(a, b)| *a += weight * b);
-            let pairs = self.fidelity.iter_mut().zip(&other.fidelity);
-            pairs.for_each(|(a, b)| *a += weight * b);
-        }
+    pub(super) fn add(&mut self, other: &Self, weight: f64) {
+        let add = |to: &mut [f64], from: &[f64]| {
+            let both = to.iter_mut().zip(from);
+            both.for_each(|(a, b)| *a += weight * b);
+        };
+        add(&mut self.basic, &other.basic);
+        self.rendering.resize(other.rendering.len(), 0.0);
+        add(&mut self.rendering, &other.rendering);
+        self.fidelity.resize(other.fidelity.len(), 0.0);
+        add(&mut self.fidelity, &other.fidelity);
     }
 
     /// X, Y, Z in power x colour-matching function.
@@ -134,11 +127,11 @@ impl SampleTables {
         }
     }
 
-    /// The sums of a line of unit power, for what is asked; empty where not asked.
-    pub(super) fn line_sums(&self, at_nm: f64, rendering: bool, fidelity: bool) -> Sums {
+    /// The sums of a line of unit power; none outside 360-830 nm.
+    pub(super) fn line_sums(&self, at_nm: f64) -> Sums {
         let split = whole_nm::split(at_nm);
-        let between = |rows: &[f64], wanted: bool| {
-            let Some([(left, a), (right, b)]) = split.filter(|_| wanted) else {
+        let between = |rows: &[f64]| {
+            let Some([(left, a), (right, b)]) = split else {
                 return Vec::new();
             };
             let numbers = rows.len() / POINTS;
@@ -147,24 +140,26 @@ impl SampleTables {
         };
         Sums {
             basic: basic_of_line(at_nm),
-            rendering: between(&self.rendering, rendering),
-            fidelity: between(&self.fidelity, fidelity),
+            rendering: between(&self.rendering),
+            fidelity: between(&self.fidelity),
         }
     }
 }
 
-/// A figure that is a mean over samples.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Figure {
-    /// General colour rendering index.
-    Ra,
-    /// Fidelity index.
+/// A figure that is a mean over samples: what efficacy is traded for along a front.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Against {
+    /// The fidelity index.
+    #[default]
     Rf,
+    /// The colour rendering index.
+    Ra,
 }
 
-impl Figure {
+impl Against {
     /// Its sums of a light: X, Y, Z of each sample, last of the light itself.
-    pub(super) fn of(self, sums: &Sums) -> &[f64] {
+    pub(super) fn sums_of(self, sums: &Sums) -> &[f64] {
         match self {
             Self::Ra => &sums.rendering,
             Self::Rf => &sums.fidelity,
@@ -191,41 +186,47 @@ impl Scales {
     /// For lights of the colour temperature of `target`; `None` where it has none.
     pub(super) fn new(target: Xyz, tables: &SampleTables) -> Option<Self> {
         let cct = cct_from_xyz(target).ok()?;
+        let blackbody = weighed(&tables.rendering, &rendering_reference(cct.kelvin).on_nm());
+        let mixture = weighed(&tables.fidelity, &fidelity_reference(cct.kelvin).on_nm());
+        let (references, white) = colours(&blackbody)?;
+        let (samples, samples_white) = colours(&mixture)?;
         Some(Self {
-            rendering: RenderingScale::new(cct.kelvin, &tables.rendering)?,
-            fidelity: FidelityScale::new(cct.kelvin, &tables.fidelity)?,
+            rendering: RenderingScale::new(references, white)?,
+            fidelity: FidelityScale::new(samples, samples_white)?,
         })
     }
 
     /// A figure; `None` where a sample has no colour, or no eye adapts to the light.
-    pub(super) fn figure(&self, figure: Figure, sums: &Sums) -> Option<f64> {
-        self.figure_of(figure, figure.of(sums))
+    pub(super) fn figure(&self, figure: Against, sums: &Sums) -> Option<f64> {
+        self.figure_of(figure, figure.sums_of(sums))
     }
 
     /// The same from the sums of its samples alone.
-    pub(super) fn figure_of(&self, figure: Figure, samples: &[f64]) -> Option<f64> {
+    pub(super) fn figure_of(&self, figure: Against, samples: &[f64]) -> Option<f64> {
         let all = self.differences(figure, samples)?;
         let size = |d: &[f64; 3]| d.iter().map(|v| v * v).sum::<f64>().sqrt();
         let mean = all.iter().map(size).sum::<f64>() / all.len() as f64;
         let index = match figure {
-            Figure::Ra => rendering_index(mean),
-            Figure::Rf => index_of(mean),
+            Against::Ra => rendering_index(mean),
+            Against::Rf => index_of(mean),
         };
         index.is_finite().then_some(index)
     }
 
     /// Differences from the reference that a figure is a falling function of the mean size of:
     /// three numbers a sample, each a function of that sample's sums and the light's own.
-    pub(super) fn differences(&self, figure: Figure, samples: &[f64]) -> Option<Vec<[f64; 3]>> {
+    pub(super) fn differences(&self, figure: Against, samples: &[f64]) -> Option<Vec<[f64; 3]>> {
+        let (samples, white) = colours(samples)?;
         match figure {
-            Figure::Ra => self.rendering.differences(samples),
-            Figure::Rf => self.fidelity.differences(samples),
+            Against::Ra => self.rendering.differences(samples, white),
+            Against::Rf => self.fidelity.differences(samples, white),
         }
     }
 
     /// Gamut index; `None` for a light that no eye adapts to.
     pub(super) fn rg(&self, sums: &Sums) -> Option<f64> {
-        self.fidelity.rg(&sums.fidelity)
+        let (samples, white) = colours(&sums.fidelity)?;
+        self.fidelity.rg(samples, white)
     }
 }
 

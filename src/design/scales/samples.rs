@@ -2,10 +2,10 @@
 
 use std::sync::LazyLock;
 
-use super::{fits, rendering::SAMPLES, sample_rows};
+use super::{fits, sample_rows};
 use crate::color::{
     Observer,
-    quality::{fidelity_factors, rendering_factors},
+    quality::{GENERAL, fidelity_factors, rendering_factors},
 };
 
 /// Test colours, weighed by the colour-matching functions at each whole nm of 360-830.
@@ -22,7 +22,7 @@ impl SampleTables {
     /// colours of CIE 13.3, and the samples of TM-30. `None` for other numbers of values, fewer
     /// than eight test colours or no sample.
     pub fn new(rendering: &[Vec<f64>], fidelity: &[Vec<f64>]) -> Option<Self> {
-        let rendering = rendering.get(..SAMPLES).filter(|tables| fits(tables))?;
+        let rendering = rendering.get(..GENERAL).filter(|tables| fits(tables))?;
         let fidelity = Some(fidelity).filter(|tables| !tables.is_empty() && fits(tables))?;
         Some(Self {
             rendering: sample_rows(rendering, Observer::CIE_1931, 360, 830),

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::design::{
     programme::End,
-    scales::{BASIC, Figure, LUMENS_PER_WATT, MELANOPIC_OF_D65, Scales, Sums},
+    scales::{Against, BASIC, LUMENS_PER_WATT, MELANOPIC_OF_D65, Scales, Sums},
 };
 
 /// Sets of channels that are looked through for the fewest.
@@ -37,8 +37,8 @@ fn limits(within: &Polytope, floors: Floors) -> Vec<Limit> {
     let all: [Floor; 4] = [
         (floors.ler.filter(|f| *f > 0.0), Objective::Ler, &most_power),
         (floors.melanopic, Objective::Melanopic, &|floor| -floor),
-        (floors.ra, Objective::Ra, &|floor| Figure::Ra.mean(floor)),
-        (floors.rf, Objective::Rf, &|floor| Figure::Rf.mean(floor)),
+        (floors.ra, Objective::Ra, &|floor| Against::Ra.mean(floor)),
+        (floors.rf, Objective::Rf, &|floor| Against::Rf.mean(floor)),
     ];
     let one = |(floor, favour, most): Floor| {
         let (part, most) = (part_of(within, favour), most(eased(floor?)));
@@ -54,8 +54,8 @@ fn part_of(within: &Polytope, favour: Objective) -> Part {
     match favour {
         Objective::Ler | Objective::Fewest => sum(&|sums| sums[4]),
         Objective::Melanopic => sum(&|sums| -sums[3] / *MELANOPIC_OF_D65),
-        Objective::Ra => Part::Mean(Figure::Ra),
-        Objective::Rf => Part::Mean(Figure::Rf),
+        Objective::Ra => Part::Mean(Against::Ra),
+        Objective::Rf => Part::Mean(Against::Rf),
     }
 }
 
@@ -80,7 +80,7 @@ impl Mixer<'_> {
     ) -> Option<Reached> {
         let mut fixed = Sums::default();
         let whole = self.fixed_sums();
-        fixed.add(&whole, 1.0 / whole.basic[4], true);
+        fixed.add(&whole, 1.0 / whole.basic[4]);
         let mut sums: Vec<&Sums> = free.iter().map(|i| &self.sums[*i]).collect();
         sums.extend(within.least_fixed.is_some().then_some(&fixed));
         let starts = match wish.care {

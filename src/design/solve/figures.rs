@@ -2,7 +2,7 @@
 
 use crate::{
     color::{Cct, Xyz, cct_from_xyz, uv_1976_from_xyz, xy_from_xyz},
-    design::scales::{Figure, SampleTables, Scales, Sums},
+    design::scales::{Against, SampleTables, Scales, Sums},
 };
 
 /// What is to be known of a mixture; `None` for what does not exist.
@@ -38,8 +38,8 @@ impl MixFigures {
             xy: xyz.and_then(xy_from_xyz),
             uv: xyz.and_then(uv_1976_from_xyz),
             cct: xyz.and_then(|xyz| cct_from_xyz(xyz).ok()),
-            ra: scales.as_ref().and_then(|s| s.figure(Figure::Ra, sums)),
-            rf: scales.as_ref().and_then(|s| s.figure(Figure::Rf, sums)),
+            ra: scales.as_ref().and_then(|s| s.figure(Against::Ra, sums)),
+            rf: scales.as_ref().and_then(|s| s.figure(Against::Rf, sums)),
             rg: scales.as_ref().and_then(|s| s.rg(sums)),
             ler: sums.efficacy(),
             melanopic_der: sums.melanopic_der(),

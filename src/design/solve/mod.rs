@@ -10,13 +10,11 @@
 //! prices    the worth of the edges of the interior
 //! solution  weights for a wish
 //! best      the best by figures of samples, the fewest channels
-//! against   what efficacy is traded for
+//! against   words for what efficacy is traded for
 //! front     the trade between efficacy and colour rendering with free lines
-//! light     a light of lines; all lights of two
-//! net       a net over all places, and threads
-//! line_search  lines of a colour: powers and figures
-//! line_moves   lines that move: the best places
-//! many_lines   five lines and more
+//! light     a light of lines: its colour, its floor and its figure
+//! net       a net over all places of two and three lines
+//! moves     lines that move: the best places and powers
 //! report    JSON
 //! ```
 
@@ -26,9 +24,7 @@ mod figures;
 mod front;
 mod interior;
 mod light;
-mod line_moves;
-mod line_search;
-mod many_lines;
+mod moves;
 mod net;
 mod part;
 mod polytope;
@@ -38,7 +34,7 @@ mod solution;
 mod target;
 mod wish;
 
-pub use against::Against;
+pub use super::scales::Against;
 pub use figures::MixFigures;
 pub(crate) use front::FREE_LINES;
 pub use front::{FrontLine, FrontPoint, FrontWish, front};

@@ -1,13 +1,16 @@
-//! A net over all places of lines.
+//! A net over all places of two or three lines.
 
-use super::{best::next_set, line_search::LineSearch};
+use super::{
+    best::next_set,
+    light::{Light, Line, LineSearch},
+};
 use crate::{
     design::scales::LUMENS_PER_WATT,
     study::{Progress, in_parallel, processors},
 };
 
-/// Places that lines may have, nm.
-pub(super) const RANGE_NM: [f64; 2] = [400.0, 700.0];
+/// Distance of the places of the net, nm.
+const STEP_NM: usize = 4;
 
 /// Starts from the net for each floor.
 const STARTS: usize = 8;
@@ -15,95 +18,83 @@ const STARTS: usize = 8;
 /// Starts that are nearer than this in every line end at the same light, nm.
 const NEAR_NM: f64 = 6.0;
 
-/// Classes of efficacy among which the net keeps its best.
+/// Classes of efficacy, up to [`LUMENS_PER_WATT`], among which the net keeps its best.
 const CLASSES: usize = 64;
 
-/// Greatest efficacy of the classes, lm/W.
-const GREATEST_LER: f64 = LUMENS_PER_WATT;
-
-/// The best of a net over all places, by class of efficacy.
-pub(super) struct Net<const L: usize> {
-    classes: Vec<Vec<(f64, [f64; L])>>,
+fn class_of(ler: f64) -> usize {
+    ((ler / LUMENS_PER_WATT * CLASSES as f64) as usize).min(CLASSES - 1)
 }
 
-impl<const L: usize> Net<L> {
-    pub(super) fn new() -> Self {
+/// The best lights of a net over all places, by class of efficacy.
+pub(super) struct Net {
+    classes: Vec<Vec<Light>>,
+}
+
+impl Default for Net {
+    fn default() -> Self {
         Self {
             classes: vec![Vec::new(); CLASSES],
         }
     }
+}
 
-    fn take(&mut self, ler: f64, figure: f64, places: [f64; L]) {
-        let class = (ler / GREATEST_LER * CLASSES as f64) as usize;
-        let class = &mut self.classes[class.min(CLASSES - 1)];
-        let at = class.partition_point(|(old, _)| *old >= figure);
-        if at < STARTS && !class[..at].iter().any(|(_, old)| *old == places) {
-            class.insert(at, (figure, places));
+impl Net {
+    fn take(&mut self, light: Light) {
+        let class = &mut self.classes[class_of(light.ler)];
+        let at = class.partition_point(|old| old.worth >= light.worth);
+        if at < STARTS && !class.contains(&light) {
+            class.insert(at, light);
             class.truncate(STARTS);
         }
     }
 
-    /// The best lights at a floor, of each class first its own best.
-    pub(super) fn starts(&self, floor: f64) -> Vec<[f64; L]> {
-        let first = (floor / GREATEST_LER * CLASSES as f64) as usize;
-        let above = self.classes.iter().skip(first.min(CLASSES - 1));
-        let mut all: Vec<(f64, [f64; L])> = above.flatten().copied().collect();
+    /// The best lights at a floor, apart from each other.
+    pub(super) fn starts(&self, floor: f64) -> Vec<&Light> {
+        let mut all: Vec<&Light> = self.classes[class_of(floor)..].iter().flatten().collect();
         // Equal figures keep the order of the net.
-        all.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let mut starts: Vec<[f64; L]> = Vec::new();
-        for (_, places) in all {
-            // Neighbours of a start end where it does.
-            let near = |old: &[f64; L]| {
-                old.iter()
-                    .zip(&places)
-                    .all(|(a, b)| (a - b).abs() <= NEAR_NM)
+        all.sort_by(|a, b| b.worth.total_cmp(&a.worth));
+        let mut starts: Vec<&Light> = Vec::new();
+        for light in all {
+            let is_near = |old: &&Light| {
+                let mut both = old.lines.iter().zip(&light.lines);
+                both.all(|(a, b)| (a.at_nm - b.at_nm).abs() <= NEAR_NM)
             };
-            if !starts.iter().any(near) {
-                starts.push(places);
-            }
-            if starts.len() == STARTS {
-                break;
+            if starts.len() < STARTS && !starts.iter().any(is_near) {
+                starts.push(light);
             }
         }
         starts
     }
 }
 
-/// Looks at a net over all places; `None` when cancelled.
-pub(super) fn net_of<const L: usize>(
-    search: &LineSearch<'_>,
-    progress: &Progress,
-) -> Option<Net<L>> {
-    let (step, shares) = if L == 3 { (4, 1) } else { (10, 5) };
-    let whole = RANGE_NM[0] as u32..=RANGE_NM[1] as u32;
-    let places: Vec<f64> = whole.step_by(step).map(f64::from).collect();
-    let parts = places.len();
+/// Looks at a net over all places of two or three lines; `None` when cancelled.
+pub(super) fn net_of(search: &LineSearch<'_>, count: usize, progress: &Progress) -> Option<Net> {
+    let whole = search.first_nm as usize..=search.last_nm() as usize;
+    let places: Vec<f64> = whole.step_by(STEP_NM).map(|nm| nm as f64).collect();
     let one = |first: &usize| {
-        let first = *first;
-        let mut net = Net::<L>::new();
-        let mut rest: Vec<usize> = (first + 1..first + L).collect();
-        while rest.last().is_some_and(|last| *last < parts) && !progress.is_cancelled() {
-            let chosen: [f64; L] =
-                std::array::from_fn(|i| places[if i == 0 { first } else { rest[i - 1] }]);
-            search.look(chosen, shares, |ler, figure| net.take(ler, figure, chosen));
-            // The next set behind the first place.
-            if !next_set(&mut rest, parts) {
+        let mut net = Net::default();
+        let mut rest: Vec<usize> = (first + 1..first + count).collect();
+        while rest.last().is_some_and(|last| *last < places.len()) && !progress.is_cancelled() {
+            let line = |index: &usize| Line {
+                at_nm: places[*index],
+                power: 1.0,
+            };
+            let lines: Vec<Line> = std::iter::once(first).chain(&rest).map(line).collect();
+            // Two lines have the colour at few places alone.
+            if let Some(light) = search.judged(&lines, 0.0, count == 2) {
+                net.take(light);
+            }
+            if !next_set(&mut rest, places.len()) {
                 break;
             }
         }
         net
     };
     // The steps that are counted are those of the floors.
-    let firsts: Vec<usize> = (0..parts).collect();
+    let firsts: Vec<usize> = (0..places.len()).collect();
     let nets = in_parallel(&firsts, processors(), &Progress::default(), one)?;
-    let mut whole = Net::new();
-    for net in nets {
-        for (class, found) in net.classes.into_iter().enumerate() {
-            let ler = (class as f64 + 0.5) / CLASSES as f64 * GREATEST_LER;
-            found
-                .into_iter()
-                .for_each(|(figure, places)| whole.take(ler, figure, places));
-        }
-    }
+    let mut whole = Net::default();
+    let lights = nets.into_iter().flat_map(|net| net.classes).flatten();
+    lights.for_each(|light| whole.take(light));
     (!progress.is_cancelled()).then_some(whole)
 }

@@ -6,7 +6,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::polytope::Polytope;
-use crate::design::scales::{Figure, Scales, Sums};
+use crate::design::scales::{Against, Scales, Sums};
 
 /// What is made small, or kept below a limit.
 #[derive(Clone, Debug)]
@@ -14,7 +14,7 @@ pub(super) enum Part {
     /// A number a column of the polytope.
     Sum(Vec<f64>),
     /// The mean difference that a figure falls with.
-    Mean(Figure),
+    Mean(Against),
 }
 
 /// A part at a place: its value, slope and bend.
@@ -67,7 +67,7 @@ impl Parts<'_> {
     /// The mean size of the differences of a figure.
     fn mean(
         &self,
-        figure: Figure,
+        figure: Against,
         place: &DVector<f64>,
         rounded: f64,
         slopes: bool,
@@ -75,7 +75,7 @@ impl Parts<'_> {
         let columns: Vec<(&[f64], f64)> = self
             .kept
             .iter()
-            .map(|(i, most)| (figure.of(self.sums[*i]), *most))
+            .map(|(i, most)| (figure.sums_of(self.sums[*i]), *most))
             .collect();
         let mut sums = vec![0.0; columns.first()?.0.len()];
         let mut add = |column: &[f64], weight: f64| {
@@ -86,7 +86,7 @@ impl Parts<'_> {
             add(column, most * share);
         }
         if let (Some(least), Some(fixed)) = (self.within.least_fixed, self.sums.last()) {
-            add(figure.of(fixed), least);
+            add(figure.sums_of(fixed), least);
         }
         let all = self.scales.differences(figure, &sums)?;
         let size_of =
@@ -145,7 +145,7 @@ impl Parts<'_> {
 
     /// How each sample's three differences change with its own X, Y, Z and with the light's: by
     /// central differences, all samples at once, each of which knows no other.
-    fn by_sums(&self, figure: Figure, sums: &[f64], samples: usize) -> Option<Vec<[[f64; 6]; 3]>> {
+    fn by_sums(&self, figure: Against, sums: &[f64], samples: usize) -> Option<Vec<[[f64; 6]; 3]>> {
         // A cube root of f64's rounding, of the light's Y: as exact as a central difference gets.
         let step = 6e-6 * sums[sums.len() - 2];
         let mut found = vec![[[0.0; 6]; 3]; samples];

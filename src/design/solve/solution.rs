@@ -12,7 +12,7 @@ use crate::{
         least_squares::least_squares,
         mixture::{Channel, MOST_CHANNELS, MixError},
         programme::End,
-        scales::{BASIC, SampleTables, Scales, Sums, basic_sums},
+        scales::{SampleTables, Scales, Sums, basic_sums},
         small::digits,
     },
 };
@@ -79,8 +79,13 @@ impl<'a> Mixer<'a> {
 
     /// The corners of the region of CIE 1976 u'v' that the channels can show, against the clock.
     pub(crate) fn reachable_uv(&self) -> Vec<[f64; 2]> {
-        let xyz = |sums: &Sums| [sums.basic[0], sums.basic[1], sums.basic[2]];
-        reach(&self.sums.iter().map(xyz).collect::<Vec<_>>())
+        reach(&self.colours())
+    }
+
+    /// X, Y, Z of each channel.
+    fn colours(&self) -> Vec<[f64; 3]> {
+        let colour = |sums: &Sums| sums.xyz().to_array();
+        self.sums.iter().map(colour).collect()
     }
 
     /// Weights for a wish.
@@ -166,7 +171,7 @@ impl<'a> Mixer<'a> {
         let mut sums = Sums::default();
         for (channel, part) in self.channels.iter().zip(&self.sums) {
             if let Some(weight) = channel.spec.fixed {
-                sums.add(part, weight, true);
+                sums.add(part, weight);
             }
         }
         sums
@@ -175,7 +180,7 @@ impl<'a> Mixer<'a> {
     pub(super) fn summed(&self, weights: &[f64]) -> Sums {
         let mut sums = Sums::default();
         for (part, weight) in self.sums.iter().zip(weights) {
-            sums.add(part, *weight, true);
+            sums.add(part, *weight);
         }
         sums
     }
@@ -247,7 +252,6 @@ impl<'a> Mixer<'a> {
     /// [`End::Impossible`] where the colour cannot be met or the light has none, [`End::Stuck`]
     /// where the search ended without an answer.
     fn matched(&self, free: &[usize], wish: &Wish<'_>, alike: &[f64]) -> Result<Vec<f64>, End> {
-        let fixed = self.fixed_sums().basic;
         let target = wish.target.ok_or(End::Impossible)?.xyz();
         let y = basic_sums(alike)[1];
         if alike.len() != POINTS || y.is_nan() || y <= 0.0 {
@@ -262,16 +266,9 @@ impl<'a> Mixer<'a> {
         }
         let values = |i: &usize| &self.channels[*i].values[..];
         let columns: Vec<&[f64]> = free.iter().map(values).collect();
-        let row = |i: &usize| {
-            let sums = self.sums[*i].basic;
-            [sums[0], sums[1], sums[2]]
-        };
-        let rows: Vec<[f64; 3]> = free.iter().map(row).collect();
-        let met = [
-            target.x - fixed[0],
-            target.y - fixed[1],
-            target.z - fixed[2],
-        ];
+        let colours = self.colours();
+        let rows: Vec<[f64; 3]> = free.iter().map(|i| colours[*i]).collect();
+        let met = (target - self.fixed_sums().xyz()).to_array();
         least_squares(&columns, &goal, &rows, met)
     }
 
@@ -279,13 +276,12 @@ impl<'a> Mixer<'a> {
     fn nearest(&self, wish: &Wish<'_>, end: End) -> Solution {
         let free = self.free();
         let uv = wish.target.map(|t| t.uv()).unwrap_or_default();
-        let fixed = self.fixed_sums().basic;
-        let row = |sums: &[f64; BASIC]| [sums[0], sums[1], sums[2]];
-        let mut rows: Vec<[f64; 3]> = free.iter().map(|i| row(&self.sums[*i].basic)).collect();
+        let (fixed, colours) = (self.fixed_sums(), self.colours());
+        let mut rows: Vec<[f64; 3]> = free.iter().map(|i| colours[*i]).collect();
         // What is fixed is a channel of its own, without which nothing may be.
-        let is_fixed = fixed[4] > 0.0;
+        let is_fixed = fixed.basic[4] > 0.0;
         if is_fixed {
-            rows.push(row(&fixed));
+            rows.push(fixed.xyz().to_array());
         }
         let found = nearest_mix(&rows, uv, 100.0);
         let Some(found) = found else {
@@ -305,9 +301,8 @@ impl<'a> Mixer<'a> {
         free.iter()
             .zip(&found.weights)
             .for_each(|(i, w)| weights[*i] = scale * w);
-        let all: Vec<[f64; 3]> = self.sums.iter().map(|s| row(&s.basic)).collect();
         // Were every channel free, a target among their colours would be met to rounding.
-        let is_inside = nearest_mix(&all, uv, 100.0).is_some_and(|all| all.distance < 1e-9);
+        let is_inside = nearest_mix(&colours, uv, 100.0).is_some_and(|all| all.distance < 1e-9);
         let outside = match is_inside {
             true => "the fixed channels keep it from the target",
             false => "the target lies outside the colours of these channels",
