@@ -1,6 +1,6 @@
 //! How a text table separates its cells and marks its decimals.
 
-use super::number::{self, Cell};
+use super::number;
 
 /// Most columns of one table: far more than any instrument writes.
 pub const MOST_COLUMNS: usize = 65_536;
