@@ -209,7 +209,7 @@ mod tests {
     fn only_a_picture_that_bears_the_programs_mark_is_its_own() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.png");
-        let chart = Chart::default().to_svg(160, 120);
+        let chart = Chart::default().to_svg(160, 120, crate::app::chart::Theme::Light);
         let pdf = |tail: &str| format!("%PDF-1.4\n{}%%EOF{tail}", "a thesis\n".repeat(1000));
         let png = io::png([2, 1], &[1, 2, 3, 1, 2, 3]).unwrap();
         let at = png.windows(8).position(|w| w == b"Software").unwrap();

@@ -9,10 +9,10 @@ use std::sync::LazyLock;
 use crate::color::{
     Observer, Xyz, cct_from_xyz,
     quality::{
-        Shift, ViewingConditions, fidelity_factors, fidelity_reference, index_of,
-        rendering_factors, rendering_index, rendering_reference, uvw,
+        FidelityScale, RenderingScale, fidelity_factors, fidelity_reference, index_of,
+        rendering_factors, rendering_index, rendering_reference,
     },
-    uv_1960_from_xyz, xy_from_xyz,
+    xy_from_xyz,
     xyz::{FIRST_NM, POINTS},
 };
 
@@ -199,19 +199,20 @@ fn reference(values: &[f64], of: &[std::ops::Range<usize>; 2]) -> Vec<f64> {
     sums
 }
 
+/// Lengths of differences.
+fn lengths(all: Vec<[f64; 3]>) -> impl Iterator<Item = f64> {
+    let length = |d: [f64; 3]| d.iter().map(|v| v * v).sum::<f64>().sqrt();
+    all.into_iter().map(length)
+}
+
 /// Ra and R9.
 fn rendering_of(sums: &[f64], kelvin: f64) -> Option<[f64; 2]> {
     let expected = reference(&rendering_reference(kelvin).on_nm(), &TWO_DEGREES);
-    let (white, samples) = colours(sums, &TWO_DEGREES)?;
     let (expected_white, expected) = colours(&expected, &TWO_DEGREES)?;
-    let to = uv_1960_from_xyz(expected_white)?;
-    let shift = Shift::new(uv_1960_from_xyz(white)?, to);
-    let mut indices = [0.0; OF_RENDERING];
-    for (index, (test, expected)) in indices.iter_mut().zip(samples.iter().zip(&expected)) {
-        let a = uvw(shift.of(uv_1960_from_xyz(*test)?), test.y, to);
-        let b = uvw(uv_1960_from_xyz(*expected)?, expected.y, to);
-        *index = rendering_index((0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt());
-    }
+    let scale = RenderingScale::new(expected.into_iter(), expected_white)?;
+    let (white, samples) = colours(sums, &TWO_DEGREES)?;
+    let differences = scale.differences(samples.into_iter(), white)?;
+    let indices: Vec<f64> = lengths(differences).map(rendering_index).collect();
     let ra = indices[..GENERAL].iter().sum::<f64>() / GENERAL as f64;
     (ra.is_finite() && indices[STRONG_RED].is_finite()).then_some([ra, indices[STRONG_RED]])
 }
@@ -219,15 +220,11 @@ fn rendering_of(sums: &[f64], kelvin: f64) -> Option<[f64; 2]> {
 /// Rf.
 fn fidelity_of(sums: &[f64], kelvin: f64) -> Option<f64> {
     let expected = reference(&fidelity_reference(kelvin).on_nm(), &TEN_DEGREES);
-    let (white, samples) = colours(sums, &TEN_DEGREES)?;
     let (expected_white, expected) = colours(&expected, &TEN_DEGREES)?;
-    let eye = ViewingConditions::adapted_to(white)?;
-    let expected_eye = ViewingConditions::adapted_to(expected_white)?;
-    let differences = samples.iter().zip(&expected).map(|(test, expected)| {
-        let (a, b) = (eye.uniform(*test), expected_eye.uniform(*expected));
-        (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
-    });
-    let rf = index_of(differences.sum::<f64>() / OF_FIDELITY as f64);
+    let scale = FidelityScale::new(expected.into_iter(), expected_white)?;
+    let (white, samples) = colours(sums, &TEN_DEGREES)?;
+    let differences = scale.differences(samples.into_iter(), white)?;
+    let rf = index_of(lengths(differences).sum::<f64>() / OF_FIDELITY as f64);
     rf.is_finite().then_some(rf)
 }
 

@@ -5,7 +5,7 @@ use std::sync::{Arc, LazyLock};
 use spectral_explorer::{
     app::{
         ByAddress, Document, Entry, Library,
-        chart::{Marks, Theme},
+        chart::Marks,
         charts::race::{CELLS_AT, error_chart, table_chart},
         figures::SMALLEST,
         pages::RACE_BUDGETS,
@@ -320,7 +320,7 @@ fn the_tables_file_has_a_line_for_everybody_with_the_figures_of_its_row() {
 fn every_racer_looks_different_in_the_chart() {
     let (ask, race) = &*ALL;
     for measure in Measure::COMPARED {
-        let chart = error_chart(ask, race, None, measure, Theme::Dark);
+        let chart = error_chart(ask, race, None, measure);
         let mut looks = Vec::new();
         for series in &chart.series {
             if let Marks::Points { points, shape, .. } = &series.marks {

@@ -14,7 +14,7 @@ use egui::{Modifiers, Pos2, Role, pos2, vec2};
 use egui_kittest::{Harness, kittest::Queryable as _};
 use spectral_explorer::{
     app::{
-        chart::{Cells, Chart, Dash, Marks, Panel, Scale, Series, Shape, Theme, root},
+        chart::{Cells, Chart, Dash, Ink, Marks, Panel, Scale, Series, Shape, Theme, root},
         workspace::Preferences,
     },
     ui::{
@@ -125,7 +125,6 @@ fn curves() -> Chart {
             )],
         }),
         notes: vec!["Source: a table".into()],
-        theme: Theme::Dark,
         ..Chart::default()
     }
 }
@@ -145,7 +144,6 @@ fn map() -> Chart {
         x_range: [1.0, 100.0],
         x_scale: Scale::Log10,
         series: vec![Series::cells("error", cells)],
-        theme: Theme::Dark,
         ..Chart::default()
     }
 }
@@ -164,7 +162,6 @@ fn bars() -> Chart {
             .map(|(i, name)| (i as f64, (*name).to_owned()))
             .collect(),
         series: vec![bars("lamps", -0.2), bars("daylight", 0.2)],
-        theme: Theme::Dark,
         ..Chart::default()
     }
 }
@@ -338,8 +335,13 @@ fn the_menu_saves_numbers_and_pictures_where_the_picker_says() {
         let chart = curves();
         match extension {
             "csv" => assert_eq!(bytes, chart.to_csv().into_bytes()),
-            "svg" => assert_eq!(bytes, chart.to_svg(1200, 760).into_bytes()),
-            _ => assert_eq!(bytes, picture::chart_png(&chart, [1200, 760])),
+            "svg" => assert_eq!(
+                bytes,
+                chart
+                    .to_svg(1200, 760, spectral_explorer::app::chart::Theme::Dark)
+                    .into_bytes()
+            ),
+            _ => assert_eq!(bytes, picture::chart_png(&chart, [1200, 760], Theme::Dark)),
         }
     }
 }
@@ -420,7 +422,7 @@ fn every_kind_of_chart_is_drawn_with_a_name_whatever_its_numbers() {
             x_scale: scale,
             y_scale: scale,
             y_range: Some([f64::NAN, 1e300]),
-            colours: vec![[1, 2, 3]],
+            colours: vec![Ink::Own([1, 2, 3])],
             strip: true,
             series: vec![Series::new("data", [200, 30, 20], marks.clone())],
             ..Chart::default()
@@ -493,7 +495,7 @@ fn the_window_and_the_file_show_the_same_series_ranges_ticks_and_labels() {
     ));
     for chart in [curves(), spikes, map(), bars()] {
         // Higher than the window by its title, notes and margins, so that panels are of a size.
-        let svg = chart.to_svg(1300, 1040);
+        let svg = chart.to_svg(1300, 1040, spectral_explorer::app::chart::Theme::Dark);
         let document = roxmltree::Document::parse(&svg).expect("an SVG document");
         let texts = document.descendants().filter(|n| n.has_tag_name("text"));
         let mut file: BTreeSet<String> =

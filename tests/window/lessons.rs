@@ -6,7 +6,7 @@ use eframe::egui::{self, Key, Rect, Role, Shape};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use spectral_explorer::{
     app::{
-        App, chart,
+        App,
         charts::spectrum::spectrum_chart,
         lessons::{Aim, Lesson, shelf},
         pages::{AskedLesson, Page},
@@ -210,7 +210,7 @@ fn a_lamp_that_is_chosen_in_a_lesson_shines_on_the_surfaces_that_are_looked_at()
     assert_eq!(document.light.name(), "CIE A");
     assert_eq!(document.subject_entry().name(), "Twin of purple");
     assert!(apart(&ui) >= 5, "no twin under the bulb");
-    let chart = spectrum_chart(app(&ui), chart::Theme::Dark);
+    let chart = spectrum_chart(app(&ui));
     let names: Vec<&str> = chart.series.iter().map(|one| &*one.name).collect();
     assert!(
         names.contains(&"purple"),

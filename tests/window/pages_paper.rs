@@ -9,7 +9,6 @@ use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{
         App, Command, Settings,
-        chart::Theme,
         charts::{
             coefficients::{CoefficientCharts, Sight},
             truth::{neglected_chart, samples_chart, table_2_chart},
@@ -118,7 +117,7 @@ fn charts_of_both_pages_hold_no_number_that_is_none() {
                 partial_order: 4,
                 pointed: Some(2),
             };
-            let charts = CoefficientCharts::of(&app, &harmonics, sight, Theme::Dark);
+            let charts = CoefficientCharts::of(&app, &harmonics, sight);
             let CoefficientCharts {
                 partial,
                 light,
@@ -131,7 +130,9 @@ fn charts_of_both_pages_hold_no_number_that_is_none() {
             for chart in bars.into_iter().flatten().chain([partial]) {
                 assert!(!chart.to_csv().contains("NaN"), "{what}: {}", chart.title);
                 assert!(
-                    !chart.to_svg(640, 300).contains("NaN"),
+                    !chart
+                        .to_svg(640, 300, spectral_explorer::app::chart::Theme::Dark)
+                        .contains("NaN"),
                     "{what}: {}",
                     chart.title
                 );
@@ -139,9 +140,11 @@ fn charts_of_both_pages_hold_no_number_that_is_none() {
         }
         let claims = Claims::of(&app);
         for draw in [neglected_chart, samples_chart, table_2_chart] {
-            if let Some(chart) = draw(&app, &claims, Theme::Light) {
+            if let Some(chart) = draw(&app, &claims) {
                 assert!(
-                    !chart.to_svg(640, 300).contains("NaN"),
+                    !chart
+                        .to_svg(640, 300, spectral_explorer::app::chart::Theme::Dark)
+                        .contains("NaN"),
                     "{what}: {}",
                     chart.title
                 );
@@ -158,7 +161,7 @@ fn bars_come_with_eq_10_only_where_it_is_about_them() {
             partial_order: 3,
             pointed: None,
         };
-        let charts = CoefficientCharts::of(app, &harmonics_of(app), sight, Theme::Dark);
+        let charts = CoefficientCharts::of(app, &harmonics_of(app), sight);
         let chart = charts.weight.unwrap();
         chart.series.iter().any(|s| s.name.contains("Eq. 10"))
     };

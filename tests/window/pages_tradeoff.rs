@@ -15,7 +15,6 @@ use egui_kittest::{Node, kittest::NodeT as _};
 use spectral_explorer::{
     app::{
         App, Command, Settings,
-        chart::Theme,
         charts::{
             auction::{AuctionChart, goal_within},
             threshold::take_cell,
@@ -299,7 +298,7 @@ fn every_point_of_the_charts_stands_for_its_model() {
         ..WaysShown::default()
     };
     for measure in Measure::COMPARED {
-        let mut tradeoff = Tradeoff::of(&ask, &sweep, measure, &shown, Theme::Dark);
+        let mut tradeoff = Tradeoff::of(&ask, &sweep, measure, &shown);
         tradeoff.mark(&app, Some(&verdict_now(&app)), measure);
         let series = &tradeoff.chart.series;
         assert_eq!(
@@ -322,7 +321,7 @@ fn every_point_of_the_charts_stands_for_its_model() {
     }
     let auction = AuctionAsk::of(app.document(), Goal::FILTERS, 41);
     let held = auction.answer(&Progress::default()).expect("it shines");
-    let chart = AuctionChart::of(&auction, &held, &[], Theme::Light);
+    let chart = AuctionChart::of(&auction, &held, &[]);
     for (s, one) in chart.chart.series.iter().enumerate() {
         for (p, at) in one.marks.points().iter().enumerate() {
             if let Some(step) = chart.step(s, p) {

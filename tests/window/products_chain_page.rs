@@ -10,7 +10,7 @@ use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{
         App, Command, Settings,
-        chart::{Marks, Theme},
+        chart::Marks,
         charts::products::absorption::{AbsorptionSheet, dip_rows},
         open::resolve,
         pages::Page,
@@ -236,7 +236,7 @@ fn an_example_of_the_sun_is_one_click_and_its_lines_have_their_names() {
     ui.run();
     assert!(app(&ui).document().settings.dips);
     let rows = dip_rows(app(&ui));
-    let sheet = AbsorptionSheet::of(app(&ui), Theme::Dark);
+    let sheet = AbsorptionSheet::of(app(&ui));
     let known = sheet.known.iter().map(|line| line.name);
     let dips = rows.iter().filter_map(|d| d.name.as_deref());
     let named: Vec<&str> = dips.chain(known).collect();
@@ -273,7 +273,7 @@ fn known_lines_of_the_sun_are_named_at_their_places_and_no_other_dip_is() {
         let mut ui = open(about("FL11"), Page::Absorption, [1280.0, 800.0]);
         ui.get_by_label(example).click();
         ui.run();
-        let sheet = AbsorptionSheet::of(app(&ui), Theme::Dark);
+        let sheet = AbsorptionSheet::of(app(&ui));
         let dips = sheet.dips.iter();
         let dips = dips.filter_map(|dip| Some((dip.name.clone()?, dip.spike.at_nm)));
         let known = sheet
@@ -331,8 +331,12 @@ fn every_example_is_there_and_shows_dips_that_have_names() {
                 .collect::<Vec<_>>()
         );
         assert!(named > 0, "{title}: {rows:?}");
-        let chart = AbsorptionSheet::of(app(&ui), Theme::Dark).chart;
-        assert!(!chart.to_svg(800, 400).contains("NaN"));
+        let chart = AbsorptionSheet::of(app(&ui)).chart;
+        assert!(
+            !chart
+                .to_svg(800, 400, spectral_explorer::app::chart::Theme::Dark)
+                .contains("NaN")
+        );
     }
 }
 

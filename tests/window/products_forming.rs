@@ -9,7 +9,7 @@ use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{
         App, Command, Entry,
-        chart::{Chart, Series, Theme},
+        chart::{Chart, Series},
         charts::products::{
             bounces::Bounced,
             narrow::{Behind, Filter, WAYS, of},
@@ -65,7 +65,7 @@ fn surface(app: &App) -> Arc<spectral_explorer::app::Entry> {
 }
 
 fn assert_sound(what: &str, chart: &Chart) {
-    let svg = chart.to_svg(640, 300);
+    let svg = chart.to_svg(640, 300, spectral_explorer::app::chart::Theme::Dark);
     assert!(!svg.contains("NaN"), "{what}: {}", chart.title);
     let csv = chart.to_csv();
     assert!(!csv.contains("NaN"), "{what}: {}", chart.title);
@@ -76,11 +76,11 @@ fn charts_and_tables_hold_no_number_that_is_none() {
     for (what, app) in all_sorts() {
         let surface = surface(&app);
         let bench = Bench::of(&app, &surface);
-        assert_sound(what, &bench.chart(&app, &[], Theme::Dark));
-        assert_sound(what, &bench.chart(&app, &Sampling::ALL, Theme::Light));
+        assert_sound(what, &bench.chart(&app, &[]));
+        assert_sound(what, &bench.chart(&app, &Sampling::ALL));
         let bounced = Bounced::of(&app, &surface);
         for (added, log) in [(false, true), (true, true), (true, false)] {
-            assert_sound(what, &bounced.chart(&app, added, log, Theme::Dark));
+            assert_sound(what, &bounced.chart(&app, added, log));
             assert!(!bounced.sentence(added).contains("NaN"));
         }
         let behind = Behind::of(&app);
@@ -95,12 +95,12 @@ fn charts_and_tables_hold_no_number_that_is_none() {
         ];
         let curve = behind.curve(10.0);
         for filter in filters {
-            assert_sound(what, &behind.light_chart(&app, &filter, Theme::Dark));
+            assert_sound(what, &behind.light_chart(&app, &filter));
             behind.swatches(&behind.figures(&filter));
         }
         for luminance in [false, true] {
             let marked = Some(500.0);
-            let chart = behind.error_chart(&app, &curve, luminance, 10.0, marked, Theme::Dark);
+            let chart = behind.error_chart(&app, &curve, luminance, 10.0, marked);
             assert_sound(what, &chart);
         }
         for csv in [
@@ -131,7 +131,7 @@ fn a_dip_of_the_surface_gives_no_line_of_the_light_another_width() {
     let app = with(about("FL11"), |s| s.dips = true);
     let bench = Bench::of(&app, &Entry::own(1, leaf));
     let spikes = &bench.resampled.ways[0].step.spikes;
-    let chart = bench.chart(&app, &[], Theme::Dark);
+    let chart = bench.chart(&app, &[]);
     let named = |series: &&Series| series.name == "spikes × factor";
     let stems = chart.series.iter().find(named).expect("stems");
     assert!(

@@ -12,7 +12,7 @@ use serde_json::Value;
 use spectral_explorer::{
     app::{
         App, ByAddress, Command, MadeFor, Settings,
-        chart::{Chart, Theme},
+        chart::Chart,
         charts::products::{
             same_surface::same_surface_chart,
             two_lights::{made_chart, two_lights_chart},
@@ -284,15 +284,18 @@ fn a_change_of_the_document_costs_little() {
 fn charts_hold_no_number_that_is_none() {
     for (what, app) in all_sorts() {
         let sound = |chart: &Chart| {
-            for text in [chart.to_csv(), chart.to_svg(640, 300)] {
+            for text in [
+                chart.to_csv(),
+                chart.to_svg(640, 300, spectral_explorer::app::chart::Theme::Dark),
+            ] {
                 assert!(!text.contains("NaN"), "{what}: {}", chart.title);
             }
         };
         if let Some(sheet) = TwoLightsSheet::of(&app) {
-            sound(&two_lights_chart(&app, &sheet, Theme::Dark));
+            sound(&two_lights_chart(&app, &sheet));
             assert!(!sheet.csv().contains("NaN"), "{what}");
             if let Ok(made) = Made::of(&sheet, 3, 100) {
-                sound(&made_chart(&app, &sheet, &made, Theme::Light));
+                sound(&made_chart(&app, &sheet, &made));
             }
         }
         let app = with_example(app, "colorchecker_ohta/red", false);
@@ -300,13 +303,7 @@ fn charts_hold_no_number_that_is_none() {
             continue;
         };
         for compared in [&sheet.model, &sheet.measured].into_iter().flatten() {
-            sound(&same_surface_chart(
-                &app,
-                &sheet,
-                compared,
-                "check",
-                Theme::Dark,
-            ));
+            sound(&same_surface_chart(&app, &sheet, compared, "check"));
         }
     }
 }

@@ -18,7 +18,7 @@ impl Pictures for Painted {
     }
 
     fn plot(&self, app: &App, theme: Theme, size: [u32; 2]) -> Vec<u8> {
-        picture::chart_png(&spectrum_chart(app, theme), size)
+        picture::chart_png(&spectrum_chart(app), size, theme)
     }
 }
 

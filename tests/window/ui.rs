@@ -333,7 +333,7 @@ fn the_exported_plot_ends_where_the_table_does() {
             band: Band::new(low, high).expect("a range"),
             ..settings
         }));
-        charts::spectrum::spectrum_chart(app, chart::Theme::Dark)
+        charts::spectrum::spectrum_chart(app)
     };
     let wide = chart_on(&mut app, 300.0, 1400.0);
     let measured = wide.series.iter().find(|s| s.name == "measured");
@@ -574,7 +574,7 @@ fn luminance(points: &[[f64; 2]]) -> f64 {
 
 /// The points of a curve of the spectrum plot.
 fn drawn(ui: &Ui, name: &str) -> Option<Vec<[f64; 2]>> {
-    let chart = charts::spectrum::spectrum_chart(app(ui), chart::Theme::Dark);
+    let chart = charts::spectrum::spectrum_chart(app(ui));
     let found = chart
         .series
         .into_iter()
@@ -950,7 +950,7 @@ fn the_plot_in_a_file_shows_what_the_window_shows() {
             }),
         );
         ui.run();
-        let chart = charts::spectrum::spectrum_chart(app(&ui), chart::Theme::Dark);
+        let chart = charts::spectrum::spectrum_chart(app(&ui));
         let log = |y: f64| if log_axis { y.log10() } else { y };
         let [[left, right], [low, high]] = [chart.x_limits(), chart.y_limits().map(log)];
         let bounds = *transform(&ui).bounds();

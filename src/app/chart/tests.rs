@@ -6,7 +6,7 @@ const RED: Rgb = [200, 30, 20];
 
 /// Parses a chart and checks what must hold for every one of them.
 fn checked(chart: &Chart) -> String {
-    let svg = chart.to_svg(640, 400);
+    let svg = chart.to_svg(640, 400, Theme::Light);
     let document = roxmltree::Document::parse(&svg).unwrap();
     for node in document.descendants() {
         for attribute in node.attributes() {
@@ -74,7 +74,9 @@ fn names_labels_and_notes_are_in_the_file() {
             RED,
             vec![[380.0, 0.0], [780.0, 1.0]],
         )],
-        colours: vec![[0, 0, 255], [0, 255, 0], [255, 0, 0]],
+        colours: [[0, 0, 255], [0, 255, 0], [255, 0, 0]]
+            .map(Ink::Own)
+            .to_vec(),
         strip: true,
         residual: Some(Panel {
             y_label: "Residual".into(),
@@ -127,7 +129,6 @@ fn charts_without_data_are_still_charts() {
         strip: true,
         residual: Some(Panel::default()),
         y_scale: Scale::Log10,
-        theme: Theme::Dark,
         ..Chart::default()
     });
 }

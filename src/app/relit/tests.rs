@@ -302,7 +302,7 @@ fn the_light_of_another_picture_is_not_asked_for() {
 fn the_histogram_counts_every_pixel_that_was_measured() {
     let fit = fit(image(None), None, Some(6));
     let under_a = turned(&fit, A, None);
-    let chart = difference_chart(&under_a.0, Default::default());
+    let chart = difference_chart(&under_a.0);
     let counted: f64 = chart.series[0].marks.points().iter().map(|p| p[1]).sum();
     assert_eq!(counted, (SIZE[0] * SIZE[1]) as f64);
     let named = |word: &str, value: f64| {
@@ -314,7 +314,7 @@ fn the_histogram_counts_every_pixel_that_was_measured() {
     named("95 %", spread.p95);
     named("most", spread.max);
     // Own colour is exact: there is nothing to count.
-    let own = difference_chart(&turned(&fit, D65, None).0, Default::default());
+    let own = difference_chart(&turned(&fit, D65, None).0);
     assert!(own.series.is_empty() && !own.blank.is_empty());
 }
 

@@ -133,20 +133,6 @@ impl Polytope {
         all
     }
 
-    /// Basic sums of a mixture by its unknowns, Y = 1.
-    pub(super) fn sums(&self, unknowns: &[f64]) -> [f64; BASIC] {
-        let mut sums = [0.0; BASIC];
-        let mut add = |column: &[f64; BASIC], weight: f64| {
-            (0..BASIC).for_each(|k| sums[k] += weight * column[k]);
-        };
-        let both = self.columns.iter().zip(unknowns);
-        both.for_each(|(column, weight)| add(column, *weight));
-        if let (Some(least), Some(fixed)) = (self.least_fixed, self.columns.last()) {
-            add(fixed, least);
-        }
-        sums
-    }
-
     /// Weights of the free channels: at Y = 1, or as they are beside what is fixed.
     pub(super) fn weights(&self, unknowns: &[f64]) -> Vec<f64> {
         let Some(least) = self.least_fixed else {

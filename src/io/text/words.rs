@@ -19,12 +19,7 @@ pub(crate) fn holds(text: &str, pattern: &str) -> bool {
     })
 }
 
-/// Whether a text holds any of some patterns, as [`holds`] has it.
-pub(crate) fn holds_any(text: &str, patterns: &[&str]) -> bool {
-    patterns.iter().any(|pattern| holds(text, pattern))
-}
-
-/// The same of patterns in one text, semicolons between them.
+/// Whether a text holds any of the patterns in one text, semicolons between them.
 pub(crate) fn holds_one(text: &str, patterns: &str) -> bool {
     patterns.split(';').any(|pattern| holds(text, pattern))
 }

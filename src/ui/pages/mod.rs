@@ -32,7 +32,7 @@ use super::{
 };
 use crate::app::{
     App, Command,
-    chart::{self, Chart},
+    chart::Chart,
     dispersion::GemFile,
     lessons::Lesson,
     pages::{Page, PageMemory},

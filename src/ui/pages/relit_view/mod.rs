@@ -13,7 +13,7 @@ use super::{PageContext, PageWish, progress};
 use crate::{
     app::{
         ByAddress, Memo,
-        chart::{self, Chart, Rgb},
+        chart::{Chart, Rgb},
         relit::{
             Fit, FitAsk, Look, LookAsk, Looked, PeersAsk, RelitShown, Rows, TurnAsk, Turned,
             difference_colours, headline, peer_rows, relit_shown, speed_line, trust_line,

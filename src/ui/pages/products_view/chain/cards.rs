@@ -22,7 +22,7 @@ use crate::{
         kit::{Chooser, lights, named_choice, warning},
         pages::PageContext,
         swatch,
-        theme::{Theme, ink},
+        theme::Theme,
     },
 };
 
