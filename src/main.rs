@@ -58,7 +58,7 @@ mod window {
         }
 
         fn plot(&self, app: &App, theme: Theme, size: [u32; 2]) -> Vec<u8> {
-            picture::chart_png(&spectrum_chart(app), size)
+            picture::chart_png(&spectrum_chart(app), size, theme)
         }
 
         fn names(&self, app: &App, preferences: &Preferences) -> Option<Vec<String>> {
