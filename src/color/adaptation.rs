@@ -44,7 +44,7 @@ impl Adaptation {
 
 /// An eye whose white moves: many colours follow it.
 #[derive(Clone, Copy, Debug)]
-pub struct Adapter {
+pub(crate) struct Adapter {
     from: [f64; 3],
     to: [f64; 3],
 }
@@ -55,7 +55,7 @@ impl Adapter {
     ///
     /// `None` when `from_white` leaves one of the eye's signals practically dark (a single line,
     /// low-pressure sodium), because no gain can restore what is not there.
-    pub fn new(from_white: Xyz, to_white: Xyz) -> Option<Self> {
+    pub(crate) fn new(from_white: Xyz, to_white: Xyz) -> Option<Self> {
         let from = times_vector(&CONES_FROM_XYZ, from_white.with_y(1.0)?.to_array());
         let to = times_vector(&CONES_FROM_XYZ, to_white.with_y(1.0)?.to_array());
         let is_seen = from.iter().all(|signal| *signal >= SMALLEST_SIGNAL);
@@ -63,7 +63,7 @@ impl Adapter {
     }
 
     /// The colour that corresponds to another one.
-    pub fn moved(&self, xyz: Xyz) -> Xyz {
+    pub(crate) fn moved(&self, xyz: Xyz) -> Xyz {
         let cones = times_vector(&CONES_FROM_XYZ, xyz.to_array());
         let moved = std::array::from_fn(|k| cones[k] * self.to[k] / self.from[k]);
         Xyz::from_array(times_vector(&XYZ_FROM_CONES, moved))

@@ -81,7 +81,7 @@ pub enum NoCct {
 ///
 /// # Errors
 /// [`NoCct`] says why there is no number.
-pub fn cct_from_xyz(xyz: Xyz) -> Result<Cct, NoCct> {
+pub(crate) fn cct_from_xyz(xyz: Xyz) -> Result<Cct, NoCct> {
     cct_from_uv_1960(uv_1960_from_xyz(xyz).ok_or(NoCct::NoLight)?)
 }
 
@@ -115,7 +115,7 @@ pub(crate) fn cct_from_uv_1960(uv: [f64; 2]) -> Result<Cct, NoCct> {
 
 /// CIE 1960 `[u, v]` of a blackbody, by 1 nm sums over 360-830 with the CIE 1931 observer;
 /// `None` when it is too cold to emit visible light.
-pub fn uv_1960_from_kelvin(kelvin: f64) -> Option<[f64; 2]> {
+pub(crate) fn uv_1960_from_kelvin(kelvin: f64) -> Option<[f64; 2]> {
     if kelvin.is_nan() || kelvin <= 0.0 {
         return None;
     }

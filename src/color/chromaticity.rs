@@ -16,7 +16,7 @@ pub fn xy_from_xyz(xyz: Xyz) -> Option<[f64; 2]> {
 }
 
 /// CIE 1976 `[u', v']`.
-pub fn uv_1976_from_xyz(xyz: Xyz) -> Option<[f64; 2]> {
+pub(crate) fn uv_1976_from_xyz(xyz: Xyz) -> Option<[f64; 2]> {
     shares(
         [4.0 * xyz.x, 9.0 * xyz.y],
         xyz.x + 15.0 * xyz.y + 3.0 * xyz.z,

@@ -19,7 +19,7 @@ use crate::spectrum::{Band, gaussian};
 
 /// `height * exp(-4 ln2 (nm - centre)^2 / width^2)`; the width is taken at half height.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gaussian {
+pub(crate) struct Gaussian {
     /// Place of the maximum, nm.
     pub centre_nm: f64,
     /// Full width at half height, nm.
@@ -29,19 +29,19 @@ pub struct Gaussian {
 }
 
 /// Small (blue) lobe of x-bar, Table 2.
-pub const X_SMALL: Gaussian = Gaussian::new(445.0, 45.0, 0.38);
+pub(crate) const X_SMALL: Gaussian = Gaussian::new(445.0, 45.0, 0.38);
 /// Large (red) lobe of x-bar, Table 2.
-pub const X_LARGE: Gaussian = Gaussian::new(595.0, 80.0, 1.06);
+pub(crate) const X_LARGE: Gaussian = Gaussian::new(595.0, 80.0, 1.06);
 /// y-bar, Table 2.
-pub const Y: Gaussian = Gaussian::new(560.0, 100.0, 1.0);
+pub(crate) const Y: Gaussian = Gaussian::new(560.0, 100.0, 1.0);
 /// z-bar, Table 2.
-pub const Z: Gaussian = Gaussian::new(451.0, 55.0, 1.8);
+pub(crate) const Z: Gaussian = Gaussian::new(451.0, 55.0, 1.8);
 
 /// The Gaussians whose sums stand for x-bar, y-bar and z-bar (Eq. 9).
 pub(crate) const FIT: [&[Gaussian]; 3] = [&[X_SMALL, X_LARGE], &[Y], &[Z]];
 
 /// The share below which the paper neglects a term.
-pub const NEGLIGIBLE_SHARE: f64 = 0.05;
+pub(crate) const NEGLIGIBLE_SHARE: f64 = 0.05;
 
 /// x-bar, y-bar and z-bar of the fit at a wavelength (Eq. 9).
 pub(crate) fn fitted_at(at_nm: f64) -> [f64; 3] {
@@ -49,7 +49,7 @@ pub(crate) fn fitted_at(at_nm: f64) -> [f64; 3] {
 }
 
 /// Fourier coefficients `[A_n, B_n]` of the fitted x-bar, y-bar and z-bar (Eq. 10).
-pub fn fitted_fourier(order: usize, band: Band) -> [[f64; 2]; 3] {
+pub(crate) fn fitted_fourier(order: usize, band: Band) -> [[f64; 2]; 3] {
     FIT.map(|lobes| {
         lobes.iter().fold([0.0, 0.0], |[a, b], lobe| {
             let [da, db] = lobe.fourier(order, band);
@@ -60,7 +60,7 @@ pub fn fitted_fourier(order: usize, band: Band) -> [[f64; 2]; 3] {
 
 impl Gaussian {
     /// From centre (nm), width at half height (nm) and height.
-    pub const fn new(centre_nm: f64, width_nm: f64, height: f64) -> Self {
+    pub(crate) const fn new(centre_nm: f64, width_nm: f64, height: f64) -> Self {
         Self {
             centre_nm,
             width_nm,
@@ -69,13 +69,13 @@ impl Gaussian {
     }
 
     /// Value at a wavelength (Eq. 8).
-    pub fn at(self, at_nm: f64) -> f64 {
+    pub(crate) fn at(self, at_nm: f64) -> f64 {
         self.height * gaussian((at_nm - self.centre_nm) / self.width_nm)
     }
 
     /// `[A_n, B_n]` over a band in closed form (Eq. 10 with `L` outside the root); the tails
     /// outside the band are counted in.
-    pub fn fourier(self, order: usize, band: Band) -> [f64; 2] {
+    pub(crate) fn fourier(self, order: usize, band: Band) -> [f64; 2] {
         let length_nm = band.length_nm();
         let size = PI.sqrt() * self.height * self.width_nm / (LN_2.sqrt() * length_nm)
             * self.decay(order, length_nm);
@@ -86,17 +86,17 @@ impl Gaussian {
 
     /// The largest share that term `order` can have of the first, when the light's coefficients
     /// fall like `1/n`: `2/n exp(...)`, the corrected Eq. 12. `order` counts from 1.
-    pub fn bound(self, order: usize, length_nm: f64) -> f64 {
+    pub(crate) fn bound(self, order: usize, length_nm: f64) -> f64 {
         2.0 / order as f64 * self.decay(order, length_nm)
     }
 
     /// Eq. 12 as printed, `4/n exp(...)`: twice [`Gaussian::bound`], kept for comparison.
-    pub fn bound_as_printed(self, order: usize, length_nm: f64) -> f64 {
+    pub(crate) fn bound_as_printed(self, order: usize, length_nm: f64) -> f64 {
         4.0 / order as f64 * self.decay(order, length_nm)
     }
 
     /// The first order whose [`Gaussian::bound`] falls below [`NEGLIGIBLE_SHARE`].
-    pub fn first_negligible_order(self, length_nm: f64) -> usize {
+    pub(crate) fn first_negligible_order(self, length_nm: f64) -> usize {
         first_below(|order| self.bound(order, length_nm))
     }
 

@@ -58,7 +58,7 @@ impl Lab {
     }
 
     /// CIE 1976 difference: the straight distance.
-    pub fn delta_e_1976(self, other: Self) -> f64 {
+    pub(crate) fn delta_e_1976(self, other: Self) -> f64 {
         ((self.l - other.l).powi(2) + (self.a - other.a).powi(2) + (self.b - other.b).powi(2))
             .sqrt()
     }

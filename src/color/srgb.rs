@@ -64,7 +64,7 @@ const fn derived() -> Matrix3 {
 }
 
 /// Linear sRGB of XYZ with Y = 1 for the screen's white; may leave 0-1.
-pub fn linear_from_xyz(xyz: Xyz) -> [f64; 3] {
+pub(crate) fn linear_from_xyz(xyz: Xyz) -> [f64; 3] {
     times_vector(&LINEAR_FROM_XYZ, xyz.to_array())
 }
 
@@ -85,7 +85,7 @@ pub(crate) fn encoded_from_linear(linear: f64) -> f64 {
 }
 
 /// The inverse of `encoded_from_linear`.
-pub fn linear_from_encoded(encoded: f64) -> f64 {
+pub(crate) fn linear_from_encoded(encoded: f64) -> f64 {
     let size = encoded.abs();
     let linear = if size <= 0.040_45 {
         size / 12.92
@@ -175,7 +175,7 @@ pub enum Mapping {
 
 impl Mapping {
     /// What was done, in words for a tooltip or a report.
-    pub fn words(self) -> &'static str {
+    pub(crate) fn words(self) -> &'static str {
         match self {
             Self::ScaledToMaximum => "negative channels to 0, scaled by the largest",
             Self::Clipped => "relative to the light's Y, channels cut to 0-1",
@@ -204,7 +204,7 @@ pub struct Swatch {
 
 impl Swatch {
     /// A light of any brightness, shown as bright as the screen can: its chromaticity matters.
-    pub fn of_light(xyz: Xyz) -> Self {
+    pub(crate) fn of_light(xyz: Xyz) -> Self {
         let linear = linear_from_xyz(xyz);
         let largest = linear.into_iter().fold(0.0, f64::max);
         if !(largest > 0.0 && largest.is_finite()) {
@@ -253,7 +253,7 @@ impl Swatch {
 
     /// XYZ with 1 for the screen's white, channels cut to 0-1. What is brighter than the screen is
     /// cut and still of its gamut.
-    pub fn exposed(xyz: Xyz) -> Self {
+    pub(crate) fn exposed(xyz: Xyz) -> Self {
         let linear = linear_from_xyz(xyz);
         let largest = linear.into_iter().fold(1.0, f64::max);
         let in_gamut = linear.iter().all(|v| *v >= -GAMUT_SLACK * largest);
@@ -261,7 +261,7 @@ impl Swatch {
     }
 
     /// `#rrggbb`.
-    pub fn hex(self) -> String {
+    pub(crate) fn hex(self) -> String {
         self.rgb8.hex()
     }
 

@@ -26,7 +26,7 @@ impl Weights {
     ///
     /// # Panics
     /// When a row does not have [`Band::points`] values.
-    pub fn new(band: Band, rows: [Vec<f64>; 3]) -> Self {
+    pub(crate) fn new(band: Band, rows: [Vec<f64>; 3]) -> Self {
         assert!(
             rows.iter().all(|row| row.len() == band.points()),
             "one value per grid point"
@@ -43,7 +43,7 @@ impl Weights {
     ///
     /// # Panics
     /// When the factor does not have [`Band::points`] values, or there is a factor already.
-    pub fn behind(&self, factor: &[f64]) -> Self {
+    pub(crate) fn behind(&self, factor: &[f64]) -> Self {
         assert_eq!(factor.len(), self.band.points(), "one value per grid point");
         assert!(self.bends.is_none(), "one factor");
         let rises = |row: &[f64]| -> Vec<f64> { row.windows(2).map(|w| w[1] - w[0]).collect() };
@@ -61,7 +61,7 @@ impl Weights {
     }
 
     /// X, Y and Z of a line of weight 1 at a wavelength in nm; zero outside the band.
-    pub fn at(&self, at_nm: f64) -> [f64; 3] {
+    pub(crate) fn at(&self, at_nm: f64) -> [f64; 3] {
         if !self.band.contains(at_nm) {
             return [0.0; 3];
         }
@@ -77,7 +77,7 @@ impl Weights {
 
     /// X, Y and Z of a line, in value x nm: an ideal one where it stands, a wide one over its
     /// Gaussian on the grid.
-    pub fn of_line(&self, line: &Line) -> [f64; 3] {
+    pub(crate) fn of_line(&self, line: &Line) -> [f64; 3] {
         if line.is_ideal() {
             return self.at(line.at_nm).map(|v| v * line.weight);
         }

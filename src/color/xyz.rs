@@ -99,7 +99,8 @@ impl Mul<f64> for Xyz {
 ///
 /// `integrate(w)` must return the integral of `spectrum(nm) * w(nm)` over nm; a line of weight
 /// `s` at `l` contributes `s * w(l)`.
-pub fn xyz_from_integral(
+#[cfg(test)]
+pub(crate) fn xyz_from_integral(
     integrate: impl Fn(&dyn Fn(f64) -> f64) -> f64,
     observer: Observer,
 ) -> Xyz {

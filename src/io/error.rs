@@ -75,7 +75,7 @@ pub struct WriteError {
 
 impl WriteError {
     /// An error of the whole file.
-    pub fn new(file: &str, why: impl Into<String>) -> Self {
+    pub(crate) fn new(file: &str, why: impl Into<String>) -> Self {
         Self {
             file: printable(file, LONGEST_NAME),
             why: printable_line(&why.into()),

@@ -28,51 +28,56 @@ mod text;
 mod unopened;
 mod write;
 
-pub mod budget;
+pub(crate) mod budget;
 pub mod many;
-pub mod stream;
+pub(crate) mod stream;
 
 use std::io::Read;
 use std::path::Path;
 
-pub use choices::{Choices, Counted, OfOne};
+pub(crate) use choices::OfOne;
+pub use choices::{Choices, Counted};
 pub(crate) use decode::exr::{ExrImage, Layer as ExrLayer};
 pub(crate) use decode::png::chunks as png_chunks;
 pub use decode::png::{ColourPixels, ColourPng};
+pub(crate) use error::WriteError;
 pub(crate) use error::part_of_message;
-pub use error::{ReadError, WriteError, quoted, shown};
-pub use formats::composite_json::{
-    CompositeTextError, in_words as composite_in_words, write as composite_json,
-};
+pub use error::{ReadError, quoted, shown};
+pub(crate) use formats::Confidence;
+pub(crate) use formats::composite_json::in_words as composite_in_words;
+pub use formats::composite_json::write as composite_json;
 pub use formats::composite_line::{parse as parse_composite_line, write as composite_line};
-pub use formats::spectral_image::Meant;
-pub use formats::{Confidence, FORMATS, Format, envi};
+pub(crate) use formats::spectral_image::Meant;
+pub use formats::{FORMATS, Format, envi};
 pub use input::Input;
 pub(crate) use input::name_of;
 pub(crate) use interpret::describe::MOST_UNDERSTOOD;
 pub(crate) use interpret::value_unit::counts_photons;
-pub use photo::{Exif, Photo, photo_of, read_photo};
+pub(crate) use photo::{Exif, Photo, read_photo};
 pub(crate) use provenance::one_line;
 pub use provenance::{Column, Columns, Provenance, shortest};
-pub use reading::decision::{AxisDecision, Decision, Decisions, Origin};
+pub(crate) use reading::TableFound;
+pub(crate) use reading::decision::{AxisDecision, Decision, Decisions, Origin};
 pub use reading::makers_results::{MakersResult, Quantity};
-pub use reading::{CompositeFile, Guessed, OpenQuestion, Reading, TableFound};
-pub use table::scan::MOST_CELLS;
+pub use reading::{CompositeFile, Guessed, OpenQuestion, Reading};
+#[cfg(test)]
+pub(crate) use table::scan::MOST_CELLS;
+pub(crate) use text::MOST_BYTES;
 pub use text::dialect::{Delimiter, Dialect, MOST_COLUMNS, used};
 pub use text::number::ABSURD;
 pub use text::units::WavelengthUnit;
-pub use text::{
-    MOST_BYTES, MOST_BYTES_OF_A_FORMAT, decode as decode_text, is_binary, lines as text_lines,
-};
-pub use unopened::words as why_unopened;
+pub use text::{MOST_BYTES_OF_A_FORMAT, decode as decode_text, is_binary, lines as text_lines};
+pub(crate) use unopened::words as why_unopened;
 pub use write::atomic::save_atomically;
 pub(crate) use write::atomic::{UNFINISHED, save_by, save_together};
 pub use write::csv::write as csv;
 pub(crate) use write::csv::{no_formula, quoted_where};
-pub use write::exr::{BLOCK_ROWS as EXR_BLOCK_ROWS, Precision, write_rows as write_exr_rows};
+pub use write::exr::Precision;
+pub(crate) use write::exr::{BLOCK_ROWS as EXR_BLOCK_ROWS, write_rows as write_exr_rows};
 pub(crate) use write::png::PngFile;
 pub use write::png::png;
-pub use write::spectral_exr::{light_exr, reflectance_exr};
+pub(crate) use write::spectral_exr::light_exr;
+pub use write::spectral_exr::reflectance_exr;
 pub use write::{WRITABLE, encode, losses, write_as};
 
 /// What is said of a file beyond [`text::MOST_BYTES`].

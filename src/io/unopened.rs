@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::io::error::shown;
 
 /// What was found at a path that cannot be opened, and what was expected.
-pub fn words(path: &Path, error: &Error) -> (String, &'static str) {
+pub(crate) fn words(path: &Path, error: &Error) -> (String, &'static str) {
     let one_that_exists = "a file that exists";
     let (found, expected) = match error.kind() {
         ErrorKind::NotFound if path.is_symlink() => {

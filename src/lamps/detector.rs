@@ -16,7 +16,7 @@ const STRIDE: u8 = 8;
 
 /// A spectrum taken apart into a smooth part and lines of their own width.
 #[derive(Clone, Debug, PartialEq)]
-pub struct WideDecomposition {
+pub(crate) struct WideDecomposition {
     /// The spectrum without the lines, one value a grid point.
     pub smooth: Vec<f64>,
     /// The lines, by rising wavelength.

@@ -74,7 +74,7 @@ impl Encoder {
     }
 
     /// The panel that chooses.
-    pub fn panel(&self) -> &Panel {
+    pub(crate) fn panel(&self) -> &Panel {
         &self.panel
     }
 

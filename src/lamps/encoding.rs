@@ -72,7 +72,7 @@ impl Encoding {
 
     /// The same counted strictly: the index of a known lamp and the width of a line are numbers of
     /// their own. Today's ways have neither.
-    pub fn strict_numbers(&self) -> usize {
+    pub(crate) fn strict_numbers(&self) -> usize {
         match self.way {
             Some(_) => self.numbers(),
             None => self.numbers() + self.atoms.len() + self.lines.len(),
@@ -178,12 +178,12 @@ impl Decoder {
     }
 
     /// The known lamps of the band.
-    pub fn atoms(&self) -> &[Atom] {
+    pub(crate) fn atoms(&self) -> &[Atom] {
         &self.atoms
     }
 
     /// A known lamp on the grid by its index.
-    pub fn atom(&self, index: u8) -> Option<&[f64]> {
+    pub(crate) fn atom(&self, index: u8) -> Option<&[f64]> {
         let atom = self.atoms.iter().find(|atom| atom.index == index)?;
         Some(&atom.values)
     }

@@ -65,7 +65,7 @@ impl Panel {
     }
 
     /// What judges and takes no part in any choice: CES99 and band-passes at 425, 435 ... 675 nm.
-    pub fn judging(band: Band, observer: Observer) -> Self {
+    pub(crate) fn judging(band: Band, observer: Observer) -> Self {
         Self::new(band, observer, JUDGES, Measures::judging)
     }
 
@@ -88,7 +88,7 @@ impl Panel {
     }
 
     /// The exact patches, the band-passes, the blur and the observer.
-    pub fn measures(&self) -> &Measures {
+    pub(crate) fn measures(&self) -> &Measures {
         &self.measures
     }
 
@@ -104,7 +104,7 @@ impl Panel {
 
     /// The patches as colour-exact cosine series of `numbers` numbers (X, Y, Z of the equal-energy
     /// light, since it is not known under which light they will be seen).
-    pub fn patches_as_cosines(&self, numbers: usize) -> PatchSet {
+    pub(crate) fn patches_as_cosines(&self, numbers: usize) -> PatchSet {
         let Measures { patches, seen, .. } = &*self.measures;
         let fit_basis = FitBasis::new(self.band(), Basis::Cosine, numbers, seen);
         let as_cosines = |values: &Vec<f64>| {

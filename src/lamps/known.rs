@@ -39,7 +39,7 @@ enum Entry {
 
 /// A lamp of the list.
 #[derive(Clone, Debug, PartialEq)]
-pub struct KnownLamp {
+pub(crate) struct KnownLamp {
     /// Its place in the list, below 255.
     pub index: u8,
     /// `group/name` of its preset; `None` for a formula.
@@ -52,7 +52,7 @@ pub struct KnownLamp {
 
 /// A lamp's values on a band's grid, of trapezoid integral 1.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Atom {
+pub(crate) struct Atom {
     /// The lamp's index.
     pub index: u8,
     /// One value a grid point, per nm.
@@ -83,7 +83,7 @@ static LAMPS: LazyLock<Vec<KnownLamp>> = LazyLock::new(|| {
 });
 
 /// Every known lamp, by index.
-pub fn known_lamps() -> &'static [KnownLamp] {
+pub(crate) fn known_lamps() -> &'static [KnownLamp] {
     &LAMPS
 }
 
@@ -116,7 +116,7 @@ fn title(entry: &Entry) -> String {
 }
 
 /// The known lamps on a band's grid; left out are those whose table does not cover the band.
-pub fn atoms_on(band: Band) -> Vec<Atom> {
+pub(crate) fn atoms_on(band: Band) -> Vec<Atom> {
     let mut atoms = Vec::with_capacity(ENTRIES.len());
     for (index, entry) in ENTRIES.iter().enumerate() {
         let values = match entry {

@@ -34,7 +34,7 @@ pub struct Ingredients {
 
 impl Ingredients {
     /// The makeup of an encoding.
-    pub fn of(encoding: &Encoding) -> Self {
+    pub(crate) fn of(encoding: &Encoding) -> Self {
         let power = encoding.power();
         let share = |weight: f64| Some(weight / power).filter(|s| power > 0.0 && s.is_finite());
         let part = |atom: &super::AtomWeight| {
@@ -56,7 +56,7 @@ impl Ingredients {
     }
 
     /// In one line: shares of the power before the lamps' names.
-    pub fn in_words(&self) -> String {
+    pub(crate) fn in_words(&self) -> String {
         let mut words = String::new();
         for part in &self.parts {
             let value = part.share.unwrap_or(part.weight);

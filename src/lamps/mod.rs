@@ -38,23 +38,28 @@ mod today;
 mod words;
 mod work;
 
-pub use ask::{Ask, Count, LeaveOut, NUMBERS};
-pub use choice::Chosen;
-pub use composite_fit::{Fit, FitOptions};
+pub use ask::{Ask, NUMBERS};
+pub(crate) use ask::{Count, LeaveOut};
+pub use composite_fit::FitOptions;
 pub(crate) use detector::as_wide_as_it_is;
+pub use detector::bell;
 #[cfg(test)]
 pub(crate) use detector::decompose;
-pub use detector::{WideDecomposition, bell};
 pub use encoder::Encoder;
 pub(crate) use encoder::LONGEST_RANGE_NM;
-pub use encoding::{AtomWeight, Decoder, Encoding};
-pub use error::EncodingError;
+pub(crate) use encoding::AtomWeight;
+pub use encoding::{Decoder, Encoding};
+pub(crate) use error::EncodingError;
 pub use judge::{Errors, Panel};
 pub(crate) use known::namesakes;
-pub use known::{Atom, KnownLamp, atoms_on, known_lamps};
-pub use makeup::{Ingredients, Part};
-pub use race::Racing;
-pub use report::{Encoded, encode_json, judged, read_encoding};
+#[cfg(test)]
+pub(crate) use known::{atoms_on, known_lamps};
+pub(crate) use makeup::{Ingredients, Part};
+pub(crate) use race::Racing;
+pub use report::{Encoded, judged};
 pub(crate) use report::{decode_json, encode_words};
+pub(crate) use report::{encode_json, read_encoding};
+#[cfg(test)]
+pub(crate) use words::from_words;
+pub use words::rounded;
 pub(crate) use words::words_in_text;
-pub use words::{from_words, rounded, to_words};

@@ -17,7 +17,7 @@ use crate::study::race::{Encode, Encoded, Lamp};
 
 /// An encoder with the rules of a race.
 #[derive(Clone, Debug)]
-pub struct Racing {
+pub(crate) struct Racing {
     /// The encoder.
     pub encoder: Arc<Encoder>,
     /// How numbers are counted.

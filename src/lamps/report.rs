@@ -71,7 +71,7 @@ pub fn judged(
 }
 
 /// What `encode --json` prints.
-pub fn encode_json(encoded: &Encoded) -> Value {
+pub(crate) fn encode_json(encoded: &Encoded) -> Value {
     let mut all = decode_json(&encoded.encoding, &encoded.words);
     all["error"] = json!(encoded.errors);
     all["error"]["delta_e_own"] = json!(encoded.own);
@@ -144,7 +144,7 @@ pub(crate) fn encode_words(encoded: &Encoded, count: Count) -> String {
 /// # Errors
 /// [`EncodingError::Words`] with what is wrong, [`EncodingError::Band`] for a `band` that is not the
 /// JSON's.
-pub fn read_encoding(
+pub(crate) fn read_encoding(
     text: &str,
     band: Option<Band>,
 ) -> Result<(Encoding, Vec<u32>), EncodingError> {

@@ -52,7 +52,7 @@ fn is_integer(word: u32) -> bool {
 /// # Errors
 /// [`EncodingError`] for a number beyond 1e38, a lamp that the list does not have, and more known
 /// lamps or labelled numbers than the label can say.
-pub fn to_words(encoding: &Encoding) -> Result<Vec<u32>, EncodingError> {
+pub(crate) fn to_words(encoding: &Encoding) -> Result<Vec<u32>, EncodingError> {
     let band = encoding.band();
     let number = |value: f64| {
         if value.abs() < LARGEST {
@@ -105,7 +105,7 @@ pub fn to_words(encoding: &Encoding) -> Result<Vec<u32>, EncodingError> {
 ///
 /// # Errors
 /// [`EncodingError::Words`] with what is wrong, [`EncodingError::Lamp`] for a lamp unknown.
-pub fn from_words(words: &[u32], band: Band) -> Result<Encoding, EncodingError> {
+pub(crate) fn from_words(words: &[u32], band: Band) -> Result<Encoding, EncodingError> {
     let wrong = |found: String, expected| Err(EncodingError::Words { found, expected });
     if words.is_empty() || words.len() > MOST_WORDS {
         return wrong(format!("{} words", words.len()), "1 to 4096 words");

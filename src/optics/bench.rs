@@ -113,12 +113,12 @@ pub struct Resolving {
 
 impl Resolving {
     /// The smaller of the two.
-    pub fn power(&self) -> f64 {
+    pub(crate) fn power(&self) -> f64 {
         self.by_glass.min(self.by_slit)
     }
 
     /// What limits it, in a word: "glass" or "slit".
-    pub fn limit(&self) -> &'static str {
+    pub(crate) fn limit(&self) -> &'static str {
         if self.by_glass < self.by_slit {
             "glass"
         } else {
@@ -129,7 +129,7 @@ impl Resolving {
 
 /// The chief ray on its way, for the drawing; mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RayPath {
+pub(crate) struct RayPath {
     /// Where it meets the first face, offset on that face for a ray of the slit's edge.
     pub entry: [f64; 2],
     /// Where it leaves the second face.
@@ -250,7 +250,7 @@ impl Bench {
 
     /// The wavelength in whose way the screen stands: that asked for, or where it is totally
     /// reflected the longest that leaves, nm.
-    pub fn reference_nm(&self) -> f64 {
+    pub(crate) fn reference_nm(&self) -> f64 {
         self.reference.nm
     }
 
@@ -320,7 +320,7 @@ impl Bench {
     }
 
     /// Whether a wavelength has an index but is totally reflected.
-    pub fn is_reflected(&self, at_nm: f64) -> bool {
+    pub(crate) fn is_reflected(&self, at_nm: f64) -> bool {
         let n = self.material.index(at_nm);
         n.is_ok_and(|n| self.prism.angles(n).is_none())
     }
@@ -366,7 +366,7 @@ impl Bench {
 
     /// The way of a wavelength's ray; `edge` from -1 to 1 goes over the slit's width, 0 is the
     /// chief ray.
-    pub fn ray(&self, at_nm: f64, edge: f64) -> Option<RayPath> {
+    pub(crate) fn ray(&self, at_nm: f64, edge: f64) -> Option<RayPath> {
         let n = self.material.index(at_nm).ok()?;
         let angles = self.prism.angles(n)?;
         let direction = self.direction(&angles);

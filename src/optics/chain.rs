@@ -52,7 +52,7 @@ pub struct Traced {
 
 impl Traced {
     /// Counts another.
-    pub fn add(&mut self, other: &Self) {
+    pub(crate) fn add(&mut self, other: &Self) {
         self.rays += other.rays;
         self.chains += other.chains;
         self.segments += other.segments;
@@ -61,7 +61,7 @@ impl Traced {
     }
 
     /// Segments inside the gem for each ray that met it.
-    pub fn segments_per_ray(&self) -> f64 {
+    pub(crate) fn segments_per_ray(&self) -> f64 {
         if self.chains == 0 {
             0.0
         } else {

@@ -87,7 +87,7 @@ impl Brilliant {
     }
 
     /// Facets without those of the girdle: 57, or 58 with a culet.
-    pub fn facets(&self) -> usize {
+    pub(crate) fn facets(&self) -> usize {
         57 + usize::from(self.culet > 0.0)
     }
 

@@ -30,10 +30,10 @@ pub const SIZES: std::ops::RangeInclusive<usize> = 16..=4096;
 pub(crate) const RAYS: std::ops::RangeInclusive<u32> = 1..=65_536;
 
 /// Most spikes with a plane of their own; of more the strongest have one.
-pub const MOST_LINES: usize = 64;
+pub(crate) const MOST_LINES: usize = 64;
 
 /// Most bytes that a film may take.
-pub const MOST_BYTES: usize = 2 << 30;
+pub(crate) const MOST_BYTES: usize = 2 << 30;
 
 /// Bytes that the differences of single pixels may take before some pixels are left out.
 const DIFFERENCES_BYTES: usize = 8 << 20;
@@ -174,7 +174,7 @@ impl Film {
 
     /// Spikes of a light that a film gives planes: all between 380 and 780 nm, of more than
     /// [`MOST_LINES`] the strongest; by rising wavelength.
-    pub fn lines_of(light: &Light) -> Vec<Line> {
+    pub(crate) fn lines_of(light: &Light) -> Vec<Line> {
         let mut lines: Vec<Line> = light.seen_spikes().collect();
         lines.sort_by(|a, b| b.weight.abs().total_cmp(&a.weight.abs()));
         lines.truncate(MOST_LINES);
@@ -184,7 +184,7 @@ impl Film {
     }
 
     /// Spikes of a light that have no rays yet, nm: strata stand in for them.
-    pub fn missing_lines(&self, light: &Light) -> Vec<f64> {
+    pub(crate) fn missing_lines(&self, light: &Light) -> Vec<f64> {
         let is_missing = |at_nm: &f64| {
             let place = self.line(*at_nm);
             place.is_none_or(|p| self.tiles.iter().any(|tile| tile.count(p) == 0.0))

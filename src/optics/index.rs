@@ -29,7 +29,7 @@ use super::lines::{
 use super::monotone::Monotone;
 
 /// One term of a Sellmeier formula: strength B and squared resonance C, um^2.
-pub type Term = [f64; 2];
+pub(crate) type Term = [f64; 2];
 
 /// A wavelength must exceed the nearest ultraviolet resonance by this factor.
 const ABOVE_RESONANCE: f64 = 1.05;
@@ -70,7 +70,7 @@ pub struct Material {
 
 /// Figures by which glass makers and the gem trade name a dispersion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct AbbeFigures {
+pub(crate) struct AbbeFigures {
     /// Index at the yellow helium line d.
     pub n_d: f64,
     /// (n_d - 1) / (n_F - n_C).
@@ -144,7 +144,7 @@ impl Material {
     ///
     /// # Errors
     /// When n_d is below 1.0001 or above 10, or V_d is not positive.
-    pub fn from_two_numbers(n_d: f64, v_d: f64) -> Result<Self, IndexError> {
+    pub(crate) fn from_two_numbers(n_d: f64, v_d: f64) -> Result<Self, IndexError> {
         if !(1.0001..=10.0).contains(&n_d) {
             return Err(IndexError::TooThin { found: n_d });
         }
@@ -170,7 +170,7 @@ impl Material {
     ///
     /// # Errors
     /// When a value is no index.
-    pub fn from_table(
+    pub(crate) fn from_table(
         name: &str,
         source: &str,
         n: &Sampled,
@@ -210,7 +210,7 @@ impl Material {
     ///
     /// # Errors
     /// As [`Material::index`].
-    pub fn d_index_d_nm(&self, at_nm: f64) -> Result<f64, IndexError> {
+    pub(crate) fn d_index_d_nm(&self, at_nm: f64) -> Result<f64, IndexError> {
         self.index_and_slope(at_nm).map(|[_, slope]| slope)
     }
 
@@ -303,7 +303,7 @@ impl Material {
     }
 
     /// The figures of the trade; `None` where the material is not known at their lines.
-    pub fn abbe(&self) -> Option<AbbeFigures> {
+    pub(crate) fn abbe(&self) -> Option<AbbeFigures> {
         let n = |nm: f64| self.index(nm).ok();
         let n_d = n(LINE_D_NM)?;
         let figures = AbbeFigures {

@@ -44,31 +44,47 @@ mod strip;
 mod studio;
 mod tile;
 
-pub use absorption::{Absorption, AbsorptionError};
-pub use bench::{Bench, BenchError, BenchSettings, Landing, RayPath, Resolving};
-pub use chain::{Ending, Traced};
-pub use cut::{Brilliant, CutError};
+pub use absorption::Absorption;
+pub(crate) use absorption::AbsorptionError;
+pub(crate) use bench::Landing;
+pub use bench::{Bench, BenchSettings};
+pub use chain::Ending;
+pub use cut::Brilliant;
 pub use develop::Shown;
 pub(crate) use develop::into_gamut;
-pub use film::{Film, FilmError, MOST_BYTES, MOST_LINES, SIZES};
+#[cfg(test)]
+pub(crate) use film::FilmError;
+pub(crate) use film::MOST_LINES;
+pub use film::{Film, SIZES};
 pub(crate) use film::{RAYS, film_bytes};
 pub use fresnel::reflectances;
-pub use index::{AbbeFigures, Material, Term};
-pub use index_error::IndexError;
+pub use index::Material;
+pub(crate) use index_error::IndexError;
+pub use light::Light;
+pub(crate) use light::LightError;
 pub(crate) use light::SEEN_NM;
-pub use light::{Light, LightError};
 pub use materials::BuiltinMaterial;
-pub use picture::{Noise, Picture};
-pub use plane::{FilmSettings, Plane};
-pub use prism::{Incidence, Limits, Passage, Prism, PrismError, limits, minimum_deviation};
+pub(crate) use picture::Noise;
+pub use picture::Picture;
+pub use plane::FilmSettings;
+#[cfg(test)]
+pub(crate) use plane::Plane;
+pub(crate) use prism::Incidence;
+pub use prism::Prism;
+#[cfg(test)]
+pub(crate) use prism::{Passage, limits, minimum_deviation};
+#[cfg(test)]
+pub(crate) use rainbow::bow;
 pub(crate) use rainbow::from_antisolar;
-pub use rainbow::{Bow, Bows, DropRay, bow};
+pub(crate) use rainbow::{Bows, DropRay};
 pub(crate) use report::prism_csv;
-pub use report::{GemReport, gem_json, prism_json, rainbow_json};
-pub use scene::{Camera, Lamp, Scene, SceneError, View};
+pub(crate) use report::{GemReport, gem_json, prism_json, rainbow_json};
+pub use scene::{Lamp, Scene, View};
+pub use sky::Sky;
 pub(crate) use sky::{SKY_DEG, SUN_DEG};
-pub use sky::{Sky, SkyStrip};
-pub use solid::{HalfSpace, Solid, SolidError, Vec3};
-pub use spectral::{SpectralPlanes, spectral_planes};
-pub use strip::{LineImage, MOST_COLUMNS, Screen, Strip};
-pub use studio::{Seen, Studio, StudioError};
+#[cfg(test)]
+pub(crate) use solid::{HalfSpace, Solid};
+pub(crate) use spectral::spectral_planes;
+pub(crate) use strip::Strip;
+pub use strip::{MOST_COLUMNS, Screen};
+pub use studio::{Seen, Studio};

@@ -203,7 +203,7 @@ impl Film {
     }
 
     /// Transport at a wavelength: of its own plane, or where that has no rays of its stratum.
-    pub fn transport(&self, at_nm: f64) -> Vec<f32> {
+    pub(crate) fn transport(&self, at_nm: f64) -> Vec<f32> {
         let has_rays = |place: &usize| self.tiles().iter().all(|tile| tile.count(*place) > 0.0);
         let stratum = || {
             let holds = |plane: &Plane| matches!(plane, Plane::Stratum { from_nm, to_nm } if (*from_nm..=*to_nm).contains(&at_nm));

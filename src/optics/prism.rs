@@ -187,7 +187,8 @@ impl Prism {
 
 impl Passage {
     /// Share let through by both faces for unpolarised light.
-    pub fn transmittance(&self) -> f64 {
+    #[cfg(test)]
+    pub(crate) fn transmittance(&self) -> f64 {
         let [s, p] = self.transmittance_s_p;
         0.5 * (s + p)
     }
@@ -195,7 +196,7 @@ impl Passage {
 
 /// Least deviation and the incidence that has it, degrees; `None` where every ray is totally
 /// reflected.
-pub fn minimum_deviation(n: f64, apex_deg: f64) -> Option<(f64, f64)> {
+pub(crate) fn minimum_deviation(n: f64, apex_deg: f64) -> Option<(f64, f64)> {
     let sine = n * (0.5 * apex_deg).to_radians().sin();
     (sine < 1.0).then(|| {
         let incidence = sine.asin().to_degrees();
@@ -204,7 +205,7 @@ pub fn minimum_deviation(n: f64, apex_deg: f64) -> Option<(f64, f64)> {
 }
 
 /// What limits a prism of an apex angle at an index above 1.
-pub fn limits(n: f64, apex_deg: f64) -> Limits {
+pub(crate) fn limits(n: f64, apex_deg: f64) -> Limits {
     let critical = (1.0 / n).min(1.0).asin();
     let largest_apex_deg = 2.0 * critical.to_degrees();
     let smallest = n * (apex_deg.to_radians() - critical).sin();

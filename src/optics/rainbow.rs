@@ -8,7 +8,7 @@ use super::{fresnel::reflectances, index::Material, index_error::IndexError};
 
 /// A ray in a drop.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DropRay {
+pub(crate) struct DropRay {
     /// Distance from the axis, radii, 0-1.
     pub impact: f64,
     /// Angle of incidence, degrees.
@@ -21,7 +21,7 @@ pub struct DropRay {
 
 /// A bow: where the deviation stands still.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bow {
+pub(crate) struct Bow {
     /// Reflections inside: 1 for the primary, 2 for the secondary bow.
     pub order: u32,
     /// Its ray.
@@ -36,7 +36,7 @@ pub struct Bow {
 
 impl Bow {
     /// Degree of polarisation, 0-1.
-    pub fn polarisation(&self) -> f64 {
+    pub(crate) fn polarisation(&self) -> f64 {
         let [s, p] = self.weights_s_p;
         (s - p) / (s + p)
     }
@@ -44,7 +44,7 @@ impl Bow {
 
 /// Both bows of a wavelength.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bows {
+pub(crate) struct Bows {
     /// Wavelength, nm.
     pub at_nm: f64,
     /// Index of refraction.
@@ -57,7 +57,7 @@ pub struct Bows {
 
 impl DropRay {
     /// A ray by its impact, which is cut to 0-1, in a drop of an index above 1.
-    pub fn new(impact: f64, n: f64) -> Self {
+    pub(crate) fn new(impact: f64, n: f64) -> Self {
         let impact = impact.clamp(0.0, 1.0);
         let (sin_r, cos_i) = (impact / n, (1.0 - impact * impact).sqrt());
         let cos_r = (1.0 - sin_r * sin_r).sqrt();
@@ -70,13 +70,13 @@ impl DropRay {
     }
 
     /// How far the ray is turned after reflections inside, degrees.
-    pub fn deviation_deg(&self, reflections: u32) -> f64 {
+    pub(crate) fn deviation_deg(&self, reflections: u32) -> f64 {
         let k = f64::from(reflections);
         k * 180.0 + 2.0 * self.incidence_deg - 2.0 * (k + 1.0) * self.refraction_deg
     }
 
     /// Share of the energy that leaves after reflections inside, s and p.
-    pub fn weights_s_p(&self, reflections: u32) -> [f64; 2] {
+    pub(crate) fn weights_s_p(&self, reflections: u32) -> [f64; 2] {
         let power = i32::try_from(reflections).unwrap_or(i32::MAX);
         self.reflectance_s_p
             .map(|r| (1.0 - r) * (1.0 - r) * r.powi(power))
@@ -84,7 +84,7 @@ impl DropRay {
 }
 
 /// The bow after one or more reflections in a drop of an index; `None` where there is none.
-pub fn bow(n: f64, reflections: u32) -> Option<Bow> {
+pub(crate) fn bow(n: f64, reflections: u32) -> Option<Bow> {
     let k = f64::from(reflections);
     let cos_squared = (n * n - 1.0) / (k * (k + 2.0));
     if !(reflections >= 1 && cos_squared > 0.0 && cos_squared < 1.0) {
@@ -111,7 +111,7 @@ impl Bows {
     ///
     /// # Errors
     /// [`IndexError`] where the material has no index.
-    pub fn new(material: &Material, at_nm: f64) -> Result<Self, IndexError> {
+    pub(crate) fn new(material: &Material, at_nm: f64) -> Result<Self, IndexError> {
         let n = material.index(at_nm)?;
         Ok(Self {
             at_nm,

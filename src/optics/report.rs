@@ -61,7 +61,12 @@ fn landing_json(landing: &Landing, material: &Material, light: &Light) -> Value 
 ///
 /// `at` holds those that land; `reflected` those that are totally reflected or run away from the
 /// screen, `refused` those without an index, in words.
-pub fn prism_json(bench: &Bench, light: &Light, at_nm: &[f64], strip: Option<&Strip>) -> Value {
+pub(crate) fn prism_json(
+    bench: &Bench,
+    light: &Light,
+    at_nm: &[f64],
+    strip: Option<&Strip>,
+) -> Value {
     let (mut at, mut reflected, mut refused) = (Vec::new(), Vec::new(), Vec::new());
     for nm in listed(Some(light), at_nm) {
         match bench.landing(nm) {
@@ -131,7 +136,7 @@ pub(crate) fn prism_csv(bench: &Bench, light: &Light, at_nm: &[f64]) -> String {
 
 /// Both bows of the light's spikes and of every wavelength asked for. `primary` and `secondary`
 /// are angles from the antisolar point.
-pub fn rainbow_json(material: &Material, light: Option<&Light>, at_nm: &[f64]) -> Value {
+pub(crate) fn rainbow_json(material: &Material, light: Option<&Light>, at_nm: &[f64]) -> Value {
     let (mut at, mut refused) = (Vec::new(), Vec::new());
     for nm in listed(light, at_nm) {
         match Bows::new(material, nm) {
@@ -176,7 +181,7 @@ fn bows_json(bows: &Bows, material: &Material) -> Value {
 
 /// What a gem's JSON is made of.
 #[derive(Clone, Debug)]
-pub struct GemReport<'a> {
+pub(crate) struct GemReport<'a> {
     /// The film.
     pub film: &'a Film,
     /// The picture under the light.
@@ -199,7 +204,7 @@ pub struct GemReport<'a> {
 
 /// A gem's picture in figures. `mean` and `blocks` are radiance under radiance 1 for a wavelength,
 /// X, Y, Z for a light, with Y = 1 for what shines with the light's own radiance.
-pub fn gem_json(report: &GemReport<'_>) -> Value {
+pub(crate) fn gem_json(report: &GemReport<'_>) -> Value {
     let GemReport {
         film,
         picture,

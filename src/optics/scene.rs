@@ -247,7 +247,7 @@ impl View {
 
 impl Camera {
     /// Direction, of length 1, through a film point from -1 to 1 to the right and upward.
-    pub fn direction(&self, [x, y]: [f64; 2]) -> Vec3 {
+    pub(crate) fn direction(&self, [x, y]: [f64; 2]) -> Vec3 {
         let d = plus(plus(self.forward, self.right, x), self.upward, y);
         let over = 1.0 / dot(d, d).sqrt();
         d.map(|v| v * over)

@@ -1,7 +1,7 @@
 //! A convex body as the half-spaces `n . x <= d` that it is the intersection of.
 
 /// A point or direction.
-pub type Vec3 = [f64; 3];
+pub(crate) type Vec3 = [f64; 3];
 
 pub(super) fn dot(a: Vec3, b: Vec3) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
@@ -36,7 +36,7 @@ pub(super) fn is_near(a: Vec3) -> bool {
 
 /// A half-space: outward normal of length 1, distance from the origin, and what its facet is.
 #[derive(Clone, Debug, PartialEq)]
-pub struct HalfSpace {
+pub(crate) struct HalfSpace {
     /// Outward normal of length 1.
     pub normal: Vec3,
     /// `n . x <= distance` inside.
@@ -47,7 +47,7 @@ pub struct HalfSpace {
 
 impl HalfSpace {
     /// Of a normal of any length, through a point; `None` without a direction.
-    pub fn through(normal: Vec3, point: Vec3, name: &'static str) -> Option<Self> {
+    pub(crate) fn through(normal: Vec3, point: Vec3, name: &'static str) -> Option<Self> {
         let normal = unit(normal)?;
         let distance = dot(normal, point);
         distance.is_finite().then_some(Self {
@@ -97,7 +97,7 @@ impl Solid {
     ///
     /// # Errors
     /// [`SolidError`] when a half-space has no facet or the body is open.
-    pub fn new(planes: Vec<HalfSpace>) -> Result<Self, SolidError> {
+    pub(crate) fn new(planes: Vec<HalfSpace>) -> Result<Self, SolidError> {
         let is_plane =
             |p: &HalfSpace| (dot(p.normal, p.normal) - 1.0).abs() < 1e-9 && p.distance.is_finite();
         if !(4..=MOST_PLANES).contains(&planes.len()) || !planes.iter().all(is_plane) {
@@ -156,7 +156,8 @@ impl Solid {
     ///
     /// # Errors
     /// When the length is none.
-    pub fn cube(half: f64) -> Result<Self, SolidError> {
+    #[cfg(test)]
+    pub(crate) fn cube(half: f64) -> Result<Self, SolidError> {
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let side = |normal: Vec3| HalfSpace {
             normal,
@@ -171,7 +172,8 @@ impl Solid {
     ///
     /// # Errors
     /// When the length is none.
-    pub fn octahedron(radius: f64) -> Result<Self, SolidError> {
+    #[cfg(test)]
+    pub(crate) fn octahedron(radius: f64) -> Result<Self, SolidError> {
         let third = (1.0_f64 / 3.0).sqrt();
         let side = |i: usize| HalfSpace {
             normal: [1, 2, 4].map(|bit| if i & bit == 0 { third } else { -third }),
@@ -182,26 +184,28 @@ impl Solid {
     }
 
     /// The half-spaces.
-    pub fn planes(&self) -> &[HalfSpace] {
+    pub(crate) fn planes(&self) -> &[HalfSpace] {
         &self.planes
     }
 
     /// All corners.
-    pub fn corners(&self) -> &[Vec3] {
+    pub(crate) fn corners(&self) -> &[Vec3] {
         &self.corners
     }
 
     /// Corners of each half-space's facet, in order round it.
-    pub fn facets(&self) -> &[Vec<usize>] {
+    #[cfg(test)]
+    pub(crate) fn facets(&self) -> &[Vec<usize>] {
         &self.facets
     }
 
     /// Number of edges.
-    pub fn edges(&self) -> usize {
+    pub(crate) fn edges(&self) -> usize {
         self.facets.iter().map(Vec::len).sum::<usize>() / 2
     }
 
     /// Area of a facet.
+    #[cfg(test)]
     pub(crate) fn facet_area(&self, facet: usize) -> f64 {
         let Some(corners) = self.facets.get(facet) else {
             return 0.0;
@@ -218,18 +222,20 @@ impl Solid {
     }
 
     /// Area of the surface.
-    pub fn area(&self) -> f64 {
+    #[cfg(test)]
+    pub(crate) fn area(&self) -> f64 {
         (0..self.facets.len()).map(|i| self.facet_area(i)).sum()
     }
 
     /// Volume.
-    pub fn volume(&self) -> f64 {
+    #[cfg(test)]
+    pub(crate) fn volume(&self) -> f64 {
         let pyramid = |(i, plane): (usize, &HalfSpace)| plane.distance * self.facet_area(i) / 3.0;
         self.planes.iter().enumerate().map(pyramid).sum()
     }
 
     /// Whether a point is inside or on the surface.
-    pub fn contains(&self, point: Vec3) -> bool {
+    pub(crate) fn contains(&self, point: Vec3) -> bool {
         self.planes
             .iter()
             .all(|p| dot(p.normal, point) <= p.distance)

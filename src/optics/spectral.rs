@@ -3,12 +3,12 @@
 use super::{film::Film, light::Light, plane::Plane};
 
 /// Planes at wavelengths (nm), each row after row from the top.
-pub type SpectralPlanes = Vec<(f64, Vec<f32>)>;
+pub(crate) type SpectralPlanes = Vec<(f64, Vec<f32>)>;
 
 /// The strata at their middles, with the whole light a nm (a spike's energy over the stratum's
 /// width added in its stratum: energy is kept), and the spikes, each with its exact energy, value
 /// x nm.
-pub fn spectral_planes(film: &Film, light: &Light) -> [SpectralPlanes; 2] {
+pub(crate) fn spectral_planes(film: &Film, light: &Light) -> [SpectralPlanes; 2] {
     let times = |plane: Vec<f32>, factor: f32| plane.iter().map(|t| factor * t).collect();
     let spike = |spike: crate::spectrum::Line| {
         let energy = times(film.transport(spike.at_nm), spike.weight as f32);

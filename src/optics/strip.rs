@@ -90,7 +90,7 @@ impl Bench {
 
     /// The stretches of 380-780 nm that are totally reflected, from and to, nm; rising. Usually
     /// one from the blue end; where the index rises with wavelength any.
-    pub fn reflected_nm(&self) -> Vec<[f64; 2]> {
+    pub(crate) fn reflected_nm(&self) -> Vec<[f64; 2]> {
         let whole: Vec<f64> = (380..=780).map(f64::from).collect();
         let runs = whole.chunk_by(|a, b| self.is_reflected(*a) == self.is_reflected(*b));
         let ends = |run: &[f64]| {
@@ -126,13 +126,13 @@ impl Bench {
     }
 
     /// The end of what is totally reflected from the blue end on, nm.
-    pub fn reflected_to_nm(&self) -> Option<f64> {
+    pub(crate) fn reflected_to_nm(&self) -> Option<f64> {
         let first = self.reflected_nm().into_iter().next()?;
         (first[0] <= SEEN_NM[0]).then_some(first[1])
     }
 
     /// What is totally reflected, in words.
-    pub fn reflected_words(&self) -> Option<String> {
+    pub(crate) fn reflected_words(&self) -> Option<String> {
         let words = |[from, to]: &[f64; 2]| match (*from <= SEEN_NM[0], *to >= SEEN_NM[1]) {
             (true, _) => format!("{to:.1} nm and shorter"),
             (false, true) => format!("{from:.1} nm and longer"),

@@ -126,7 +126,7 @@ impl Studio {
     }
 
     /// As [`Studio::look`], for any index from 1 and any absorption a unit of length.
-    pub fn look_through(
+    pub(crate) fn look_through(
         &self,
         film: [f64; 2],
         index: f64,

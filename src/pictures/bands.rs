@@ -90,7 +90,7 @@ impl Bands {
     }
 
     /// From the first band to the last, nm.
-    pub fn length_nm(&self) -> f64 {
+    pub(crate) fn length_nm(&self) -> f64 {
         self.nm[self.nm.len() - 1] - self.nm[0]
     }
 
@@ -198,7 +198,7 @@ impl Bands {
 
 /// Which bands of a file make up those of a picture, and what was left out.
 #[derive(Clone, Debug, PartialEq)]
-pub struct KeptBands {
+pub(crate) struct KeptBands {
     /// Wavelength of each kept band, nm: the mean of those that are averaged.
     pub nm: Vec<f64>,
     /// The file's bands that each kept one is the mean of.
@@ -212,7 +212,7 @@ impl KeptBands {
     ///
     /// # Errors
     /// [`PictureError::NothingMeasured`] where none is left, and those of [`Bands::new`].
-    pub fn bands(&self, kind: Kind) -> Result<Bands, PictureError> {
+    pub(crate) fn bands(&self, kind: Kind) -> Result<Bands, PictureError> {
         if self.nm.is_empty() {
             return Err(PictureError::NothingMeasured);
         }

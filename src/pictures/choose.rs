@@ -117,7 +117,7 @@ impl Choice {
 ///
 /// # Errors
 /// As [`choose`].
-pub fn plan_of(
+pub(crate) fn plan_of(
     bands: &Bands,
     survey: &Survey,
     known: Option<&Light>,

@@ -124,7 +124,7 @@ fn relative_rms(pairs: impl Iterator<Item = [f64; 2]>, bands: &Bands) -> Option<
 ///
 /// # Errors
 /// [`PictureError`] with the name of the spectrum that does not fit.
-pub fn fit_spectra(
+pub(crate) fn fit_spectra(
     spectra: &[(String, &Sampled)],
     kind: Kind,
     ask: FitAsk,

@@ -59,7 +59,7 @@ impl Width {
 
 impl Kernel {
     /// A matrix of `rows` x `columns`, entry by entry.
-    pub fn new(rows: usize, columns: usize, entry: impl Fn(usize, usize) -> f64) -> Self {
+    pub(crate) fn new(rows: usize, columns: usize, entry: impl Fn(usize, usize) -> f64) -> Self {
         let wide = Width::of_this_processor();
         let padded = |block: &usize| rows.div_ceil(*block) * block;
         let blocks = wide.blocks().iter();
@@ -89,7 +89,7 @@ impl Kernel {
     }
 
     /// Rows, numbers that come out for each pixel.
-    pub fn rows(&self) -> usize {
+    pub(crate) fn rows(&self) -> usize {
         self.rows
     }
 
@@ -98,7 +98,7 @@ impl Kernel {
     ///
     /// # Panics
     /// When a slice is shorter than that.
-    pub fn apply(&self, input: &[f32], count: usize, out: &mut [f32]) {
+    pub(crate) fn apply(&self, input: &[f32], count: usize, out: &mut [f32]) {
         assert!(input.len() >= self.columns * count && out.len() >= self.rows * count);
         let mut tile = vec![0.0; self.columns * TILE];
         for start in (0..count).step_by(TILE) {

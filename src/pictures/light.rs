@@ -161,7 +161,7 @@ impl Light {
     ///
     /// # Errors
     /// [`PictureError::NoOverlap`] when nothing of it falls on the bands.
-    pub fn on_bands(&self, bands: &Bands) -> Result<Vec<f64>, PictureError> {
+    pub(crate) fn on_bands(&self, bands: &Bands) -> Result<Vec<f64>, PictureError> {
         let mut values = bands.under_tents(&self.table, &self.spikes);
         let mean = values.iter().sum::<f64>() / values.len() as f64;
         if !(mean > 0.0 && mean.is_finite()) {

@@ -29,7 +29,7 @@ pub struct Line {
 
 /// Lines set by hand, and what was merged.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct HandLines {
+pub(crate) struct HandLines {
     /// The lines by rising wavelength.
     pub lines: Vec<Line>,
     /// What was merged, a sentence each.
@@ -47,7 +47,7 @@ pub(super) fn widest_nm(bands: &Bands) -> f64 {
 ///
 /// # Errors
 /// [`PictureError`] when the spectrum has not one finite value a band.
-pub fn find_lines(bands: &Bands, spectrum: &[f64]) -> Result<Vec<Line>, PictureError> {
+pub(crate) fn find_lines(bands: &Bands, spectrum: &[f64]) -> Result<Vec<Line>, PictureError> {
     let Some((band, values)) = on_grid(bands, spectrum)? else {
         return Ok(Vec::new());
     };
@@ -120,7 +120,7 @@ pub(crate) fn lines_at(
 ///
 /// # Errors
 /// [`PictureError`] when the window or the place lies outside the bands.
-pub fn line_in(
+pub(crate) fn line_in(
     bands: &Bands,
     spectrum: &[f64],
     window: [usize; 2],

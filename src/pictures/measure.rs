@@ -48,7 +48,7 @@ pub trait Storage: Sync {
 }
 
 /// Single precision.
-pub struct Exactly;
+pub(crate) struct Exactly;
 
 impl Storage for Exactly {
     fn kept(&self, _: &mut [f32], _: usize) {}
@@ -141,7 +141,7 @@ const FINEST: usize = 40;
 
 /// A light that a picture is judged under: exact weights of the bands, weights of the numbers.
 #[derive(Clone, Debug)]
-pub struct Judge {
+pub(crate) struct Judge {
     /// Its name.
     pub name: String,
     exact: Rows,
@@ -161,7 +161,7 @@ impl Judge {
     ///
     /// # Errors
     /// [`PictureError`] where a light does not shine on the bands.
-    pub fn all(
+    pub(crate) fn all(
         operator: &Operator,
         white_y: f64,
         known: Option<&Light>,
@@ -231,7 +231,7 @@ impl Operator {
 }
 
 /// The machinery of a measurement: exact and decoded colours, decoded bands.
-pub struct Meter {
+pub(crate) struct Meter {
     judges: Vec<Judge>,
     exact: Kernel,
     numbers: Kernel,
@@ -242,7 +242,7 @@ pub struct Meter {
 
 /// What was counted in some rows.
 #[derive(Clone, Debug, Default)]
-pub struct Counted {
+pub(crate) struct Counted {
     tallies: Vec<Tally>,
     off: f64,
     all: f64,
@@ -271,7 +271,7 @@ impl Counted {
 
 impl Meter {
     /// A meter for an operator.
-    pub fn new(operator: &Operator, judges: Vec<Judge>) -> Self {
+    pub(crate) fn new(operator: &Operator, judges: Vec<Judge>) -> Self {
         let kernel = |rows: fn(&Judge) -> &Rows| {
             let rows = judges.iter().flat_map(|judge| rows(judge).iter());
             Kernel::of_rows(&rows.map(Vec::as_slice).collect::<Vec<_>>())
@@ -287,7 +287,7 @@ impl Meter {
     }
 
     /// What becomes of some rows.
-    pub fn count(&self, strip: &Strip, storage: &dyn Storage) -> Counted {
+    pub(crate) fn count(&self, strip: &Strip, storage: &dyn Storage) -> Counted {
         let pixels = strip.pixels;
         let mut numbers = vec![0.0; self.encode.rows() * pixels];
         self.encode.apply(strip.values, pixels, &mut numbers);
@@ -296,7 +296,7 @@ impl Meter {
     }
 
     /// What numbers of some pixels are off by.
-    pub fn compare(&self, values: &[f32], numbers: &[f32], pixels: usize) -> Counted {
+    pub(crate) fn compare(&self, values: &[f32], numbers: &[f32], pixels: usize) -> Counted {
         let rows = 3 * self.judges.len();
         let [mut exact, mut found] = [0; 2].map(|_| vec![0.0; rows * pixels]);
         self.exact.apply(values, pixels, &mut exact);
@@ -343,7 +343,7 @@ impl Meter {
     }
 
     /// The errors of all that was counted.
-    pub fn errors(&self, parts: &[Counted]) -> Errors {
+    pub(crate) fn errors(&self, parts: &[Counted]) -> Errors {
         let mut all = Counted::none(self.judges.len());
         parts.iter().for_each(|part| all.merge(part));
         let share = all.off / all.all;

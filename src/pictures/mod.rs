@@ -45,32 +45,48 @@ mod survey;
 mod trust;
 
 pub use crate::io::Precision;
-pub use bands::{Bands, KeptBands};
+pub use bands::Bands;
+pub(crate) use bands::KeptBands;
 pub(crate) use choose::MOST_NUMBERS;
-pub use choose::{
-    Asked, BOUND_P95, BOUND_RMS, Candidate, Choice, Wish, WishedLines, choose, plan_of,
-};
-pub use compact::{Coder, CompactFile, CompactPlan, Plane, Quantiser, compact_plan, write_compact};
+pub use choose::{Asked, BOUND_P95, BOUND_RMS, Wish, WishedLines, choose};
+pub(crate) use choose::{Candidate, Choice, plan_of};
+pub use compact::{Coder, CompactFile, CompactPlan, Quantiser, compact_plan, write_compact};
 pub use envi_file::EnviFile;
 pub use error::PictureError;
-pub use fit::{FitAsk, Fitted, fit_line, fit_spectra, fit_values};
+pub(crate) use fit::fit_spectra;
+pub use fit::{FitAsk, Fitted, fit_line, fit_values};
 pub use full::{Half, read_full, write_full};
 pub use header::{About, Header};
-pub use kernel::Kernel;
+pub(crate) use kernel::Kernel;
 pub use light::{JUDGES, Light};
-pub use lines::{HandLines, Line, find_lines, line_in};
+pub use lines::Line;
+#[cfg(test)]
+pub(crate) use lines::{find_lines, line_in};
+pub(crate) use measure::Exactly;
+#[cfg(test)]
+pub(crate) use measure::Storage;
 pub(crate) use measure::white_y_of;
-pub use measure::{Errors, Exactly, Judge, Meter, Spread, Storage, Tally, measure};
+pub use measure::{Errors, Spread, Tally, measure};
 pub use operator::Operator;
-pub use peers::{Peer, exact_bytes, peers};
+pub(crate) use peers::Peer;
+pub use peers::{exact_bytes, peers};
 pub use picture::{Picture, relit_into};
-pub use pixels::{InMemory, OfImage, Pixels, STRIP_ROWS};
+pub(crate) use pixels::OfImage;
+pub use pixels::{InMemory, Pixels, STRIP_ROWS};
 pub use plan::{Plan, Reference, ReferenceKind, Weighting};
-pub use preview::Preview;
-pub use relight::{Between, Relit};
-pub use report::{Bytes, peers_json, picture_json};
+#[cfg(test)]
+pub(crate) use preview::Preview;
+pub(crate) use relight::Between;
+pub use relight::Relit;
+pub use report::Bytes;
+pub(crate) use report::{peers_json, picture_json};
 pub use save::{save_compact, save_full};
-pub use scene::{Scene, hash};
-pub use strips::{Strip, over_strips};
+pub use scene::Scene;
+#[cfg(test)]
+pub(crate) use scene::hash;
+pub use strips::over_strips;
 pub use survey::Survey;
-pub use trust::{Trust, Verdict, blind_share};
+pub(crate) use trust::Trust;
+pub use trust::Verdict;
+#[cfg(test)]
+pub(crate) use trust::blind_share;

@@ -107,7 +107,7 @@ impl Operator {
     ///
     /// # Errors
     /// As [`Operator::new`].
-    pub fn steady(bands: &Bands, plan: &Plan) -> Result<Self, PictureError> {
+    pub(crate) fn steady(bands: &Bands, plan: &Plan) -> Result<Self, PictureError> {
         let mut plan = plan.clone();
         loop {
             let found = Self::new(bands, &plan)?;
@@ -200,12 +200,13 @@ impl Operator {
     }
 
     /// Second moments of what reflectances usually do, where a known light lit the picture.
-    pub fn prior(&self) -> Option<&[f64]> {
+    #[cfg(test)]
+    pub(crate) fn prior(&self) -> Option<&[f64]> {
         self.prior.as_deref()
     }
 
     /// How much of the noise of the bands is left after decoding; below 1 noise is removed.
-    pub fn noise_gain(&self) -> f64 {
+    pub(crate) fn noise_gain(&self) -> f64 {
         self.noise_gain
     }
 
@@ -223,7 +224,7 @@ impl Operator {
     ///
     /// # Panics
     /// When there are not as many as [`Operator::numbers`].
-    pub fn pixel_of(&self, numbers: &[f64]) -> Vec<f64> {
+    pub(crate) fn pixel_of(&self, numbers: &[f64]) -> Vec<f64> {
         (&self.decode * DVector::from_column_slice(numbers))
             .as_slice()
             .to_vec()

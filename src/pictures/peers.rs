@@ -29,7 +29,7 @@ pub struct Peer {
 
 impl Peer {
     /// The mean of the errors under the judging lights; none where it cannot be relit.
-    pub fn lights(&self) -> Option<Spread> {
+    pub(crate) fn lights(&self) -> Option<Spread> {
         let lights = &self.error.as_ref()?.lights;
         let count = lights.len() as f64;
         let mean = |of: fn(&Spread) -> f64| lights.values().map(of).sum::<f64>() / count;

@@ -110,7 +110,7 @@ impl Pixels for InMemory {
 
 /// A spectral image as the program holds it, its kept bands in the image's unit.
 #[derive(Clone, Debug)]
-pub struct OfImage<'a> {
+pub(crate) struct OfImage<'a> {
     image: &'a SpectralImage,
     kept: KeptBands,
     bands: Bands,
@@ -124,7 +124,7 @@ impl<'a> OfImage<'a> {
     ///
     /// # Errors
     /// [`PictureError::TooFewBands`] when fewer than three bands are left.
-    pub fn new(image: &'a SpectralImage, all: bool) -> Result<Self, PictureError> {
+    pub(crate) fn new(image: &'a SpectralImage, all: bool) -> Result<Self, PictureError> {
         let cube = &image.cube;
         let pixels = cube.width() * cube.height();
         let step = pixels.div_ceil(LOOKED_AT).max(1);
@@ -145,7 +145,7 @@ impl<'a> OfImage<'a> {
     }
 
     /// What was merged or left out, a sentence each.
-    pub fn said(&self) -> &[String] {
+    pub(crate) fn said(&self) -> &[String] {
         &self.kept.said
     }
 }

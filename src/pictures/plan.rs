@@ -81,7 +81,7 @@ impl Reference {
     ///
     /// # Errors
     /// [`PictureError::AllZero`] when nothing of it is above zero.
-    pub fn of_mean(mean: &[f64]) -> Result<Self, PictureError> {
+    pub(crate) fn of_mean(mean: &[f64]) -> Result<Self, PictureError> {
         let largest = mean.iter().copied().fold(0.0, f64::max);
         if !(largest > 0.0 && largest.is_finite()) {
             return Err(PictureError::AllZero);

@@ -16,7 +16,7 @@ const FULL: f64 = 0.99;
 
 /// A reduced picture.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Preview {
+pub(crate) struct Preview {
     /// Columns.
     pub width: usize,
     /// Rows.
@@ -42,7 +42,7 @@ impl Preview {
     ///
     /// # Errors
     /// Those of the source, and [`PictureError::Cancelled`].
-    pub fn of(
+    pub(crate) fn of(
         pixels: &dyn Pixels,
         operator: &Operator,
         progress: &Progress,

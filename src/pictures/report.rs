@@ -24,7 +24,7 @@ fn errors(error: &Errors) -> Value {
 }
 
 /// What a picture is in few numbers: `picture IN --json`.
-pub fn picture_json(
+pub(crate) fn picture_json(
     operator: &Operator,
     bytes: Bytes,
     error: &Errors,
@@ -47,7 +47,7 @@ pub fn picture_json(
 }
 
 /// The table of peers: `picture IN --peers --json`.
-pub fn peers_json(peers: &[Peer]) -> Value {
+pub(crate) fn peers_json(peers: &[Peer]) -> Value {
     let rows = peers.iter().map(|peer| {
         json!({
             "name": peer.name,

@@ -26,7 +26,7 @@ const NOISE_START: u32 = 0x9E37_79B9;
 const AT_HAND: [usize; 2] = [256, 192];
 
 /// A 32-bit hash of an integer: every bit of the answer depends on every bit of the question.
-pub fn hash(seed: u32) -> u32 {
+pub(crate) fn hash(seed: u32) -> u32 {
     let mut i = seed;
     i ^= i >> 16;
     i = i.wrapping_mul(0x7feb_352d);
@@ -125,7 +125,8 @@ impl Scene {
     }
 
     /// The same wall without the camera's noise.
-    pub fn without_noise(mut self) -> Self {
+    #[cfg(test)]
+    pub(crate) fn without_noise(mut self) -> Self {
         self.has_noise = false;
         self
     }
@@ -136,7 +137,8 @@ impl Scene {
     }
 
     /// How many paints there are.
-    pub fn paints(&self) -> usize {
+    #[cfg(test)]
+    pub(crate) fn paints(&self) -> usize {
         self.paints.len()
     }
 

@@ -110,12 +110,12 @@ impl Survey {
 
     /// Noise of each band of a picture that a known light lit: neighbours are compared after the
     /// light is divided out, so that its lines are not taken for noise.
-    pub fn noise_under(&self, light: &[f64]) -> Vec<f64> {
+    pub(crate) fn noise_under(&self, light: &[f64]) -> Vec<f64> {
         noise_of(&self.sample, self.mean.len(), light)
     }
 
     /// That of a band in the middle of all.
-    pub fn usual_noise_under(&self, light: &[f64]) -> f64 {
+    pub(crate) fn usual_noise_under(&self, light: &[f64]) -> f64 {
         median(&mut self.noise_under(light))
     }
 

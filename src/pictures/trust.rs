@@ -6,8 +6,12 @@ use nalgebra::{DMatrix, DVector};
 use crate::color::{Observer, Xyz};
 use crate::spectrum::{Outside, Sampled};
 
+#[cfg(test)]
 use super::fitting::lit_fit;
-use super::light::{Rows, sums};
+use super::light::Rows;
+#[cfg(test)]
+use super::light::sums;
+#[cfg(test)]
 use super::plan::LEAST_NOISE;
 use super::{Bands, Light, Operator, Relit};
 
@@ -18,12 +22,15 @@ const WARN_BLIND: f64 = 0.05;
 /// A blind share above this is refused (provisional).
 const REFUSE_BLIND: f64 = 0.5;
 /// Foretold noise of two lights above this is warned of (provisional, from four pairs).
+#[cfg(test)]
 const WARN_PARTS: f64 = 0.8;
 /// And refused above this.
+#[cfg(test)]
 const REFUSE_PARTS: f64 = 3.0;
 /// The grey that noise is foretold at.
 const GREY_Y: f64 = 0.2;
 /// The grey of the two lights' rank.
+#[cfg(test)]
 const GREY_OF_PARTS: f64 = 0.1;
 
 /// What one may believe.
@@ -87,7 +94,7 @@ impl Trust {
     }
 
     /// In one line.
-    pub fn words(&self) -> String {
+    pub(crate) fn words(&self) -> String {
         let blind = self.blind.iter().copied().fold(0.0, f64::max);
         match self.verdict {
             Verdict::Care if self.guessed => format!(
@@ -110,7 +117,7 @@ impl Trust {
 }
 
 /// Share of the new light's X, Y, Z where the old one on the bands is below 2 % of its mean.
-pub fn blind_share(bands: &Bands, old: &[f64], new: &Light, observer: Observer) -> [f64; 3] {
+pub(crate) fn blind_share(bands: &Bands, old: &[f64], new: &Light, observer: Observer) -> [f64; 3] {
     let mean = old.iter().sum::<f64>() / old.len().max(1) as f64;
     let table = Sampled::new(bands.nm().to_vec(), old.to_vec()).ok();
     let (first, last) = (bands.nm()[0], bands.nm()[bands.len() - 1]);
@@ -182,7 +189,8 @@ impl Operator {
 
     /// How well two known lights can be told apart: for each light's part alone a rank (it
     /// understates the error), and what to make of it; `None` for a picture of one light.
-    pub fn parts_rank(&self) -> Option<([f64; 2], Verdict)> {
+    #[cfg(test)]
+    pub(crate) fn parts_rank(&self) -> Option<([f64; 2], Verdict)> {
         let plan = self.plan();
         let (one, two) = plan.shares();
         let noise = plan.noise.max(LEAST_NOISE);

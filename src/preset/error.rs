@@ -5,7 +5,7 @@ use std::fmt;
 /// Why a text is not a preset file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("preset file{}: expected {expected}, found {found}", at(*line))]
-pub struct PresetError {
+pub(crate) struct PresetError {
     /// Line in the file, counted from 1, where it is known.
     pub line: Option<usize>,
     /// What stands there.

@@ -12,10 +12,11 @@ mod read;
 mod shelf;
 mod shipped;
 
-pub use error::PresetError;
-pub use group::{
-    AtomicLine, Body, Composite, Group, LineList, OpticalConstants, Preset, PrintedSpike, Terms,
-};
+#[cfg(test)]
+pub(crate) use group::OpticalConstants;
+pub(crate) use group::{AtomicLine, Group, LineList, PrintedSpike, Terms};
+pub use group::{Body, Composite, Preset};
 pub use shelf::Shelf;
+pub(crate) use shipped::unlisted;
 pub(crate) use shipped::{EVERYDAY, FAMILIES};
-pub use shipped::{group, groups, table, unlisted};
+pub use shipped::{group, groups, table};

@@ -162,7 +162,7 @@ impl Group {
     /// [`PresetError`] when the text is not JSON, is another format or version, has a field that
     /// this version does not know, or an item does not hold together: names used twice, not one
     /// body, lists of unequal length, wavelengths of a table that do not rise.
-    pub fn from_json(text: &str) -> Result<Self, PresetError> {
+    pub(crate) fn from_json(text: &str) -> Result<Self, PresetError> {
         let file: File = serde_json::from_str(text)
             .map_err(|error| wrong_header(text).unwrap_or(PresetError::of_json(&error)))?;
         if let Some(error) = header_error(&file.format, file.version) {

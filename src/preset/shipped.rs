@@ -74,7 +74,7 @@ pub fn groups() -> impl Iterator<Item = &'static Group> {
 }
 
 /// The groups that figures are computed from and that no library lists.
-pub fn unlisted() -> impl Iterator<Item = &'static Group> {
+pub(crate) fn unlisted() -> impl Iterator<Item = &'static Group> {
     let behind = UNLISTED.into_iter().zip(SHIPPED.len()..);
     behind.map(|(text, index)| read(index, text))
 }

@@ -8,7 +8,7 @@ use crate::spectrum::Band;
 
 /// Averages over equal intervals of the band.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Bins {
+pub(crate) struct Bins {
     band: Band,
     /// At least one, in the spectrum's own unit.
     values: Vec<f64>,

@@ -10,7 +10,7 @@ use crate::spectrum::Band;
 
 /// The tables of one band: polynomials, phases, wavelet norms. Cheap to share, never changed.
 #[derive(Clone, Debug)]
-pub struct FitTables {
+pub(crate) struct FitTables {
     band: Band,
     polynomials: Arc<PolynomialTable>,
     phases: Arc<PhaseTable>,
@@ -21,7 +21,7 @@ impl FitTables {
     /// Tables for fits of up to `most` numbers; cut to what the band's grid carries.
     ///
     /// Takes memory for `4 most` values a grid point.
-    pub fn new(band: Band, most: usize) -> Self {
+    pub(crate) fn new(band: Band, most: usize) -> Self {
         Self {
             band,
             polynomials: Arc::new(PolynomialTable::new(band, most)),
@@ -40,7 +40,7 @@ impl FitTables {
     ///
     /// # Panics
     /// When `values` does not have [`Band::points`] entries.
-    pub fn fit(
+    pub(crate) fn fit(
         &self,
         family: Family,
         values: &[f64],
@@ -64,7 +64,11 @@ impl FitTables {
             Family::Wavelet => Box::new(Wavelet::fit(&self.wavelets, &unit, numbers)),
         };
         fitted.scale(height);
-        Rival { family, fitted }
+        Rival {
+            #[cfg(test)]
+            family,
+            fitted,
+        }
     }
 }
 

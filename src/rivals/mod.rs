@@ -26,13 +26,13 @@ mod principal;
 mod samples;
 mod wavelet;
 
-pub use bins::Bins;
-pub use fit_tables::FitTables;
+pub(crate) use bins::Bins;
+pub(crate) use fit_tables::FitTables;
 pub use legendre::Legendre;
-pub use moments::Moments;
-pub use principal::{Principal, PrincipalBasis};
-pub use samples::Samples;
-pub use wavelet::Wavelet;
+pub(crate) use moments::Moments;
+pub(crate) use principal::{Principal, PrincipalBasis};
+pub(crate) use samples::Samples;
+pub(crate) use wavelet::Wavelet;
 
 use std::{fmt::Debug, ops::Deref};
 
@@ -57,7 +57,7 @@ pub enum Family {
 
 impl Family {
     /// Every family, in the order in which tables list them.
-    pub const ALL: [Self; 6] = [
+    pub(crate) const ALL: [Self; 6] = [
         Self::Samples,
         Self::Bins,
         Self::Legendre,
@@ -67,7 +67,7 @@ impl Family {
     ];
 
     /// What it is called and what it is.
-    pub fn about(self) -> About {
+    pub(crate) fn about(self) -> About {
         match self {
             Self::Samples => About {
                 word: "samples",
@@ -119,7 +119,7 @@ impl Family {
 
     /// Whether a fit with fewer numbers is a prefix of one with more (the paper's criterion 5,
     /// flexibility: one fit, truncated at will).
-    pub fn is_prefix(self) -> bool {
+    pub(crate) fn is_prefix(self) -> bool {
         match self {
             Self::Samples | Self::Bins => false,
             Self::Legendre | Self::Principal | Self::Moments | Self::Wavelet => true,
@@ -127,7 +127,7 @@ impl Family {
     }
 
     /// Whether the numbers mean nothing without a table that is not counted among them.
-    pub fn needs_table(self) -> bool {
+    pub(crate) fn needs_table(self) -> bool {
         self == Self::Principal
     }
 }
@@ -149,7 +149,7 @@ pub struct About {
 
 /// What the values of a spectrum cannot exceed; only the moments use it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Bounds {
+pub(crate) enum Bounds {
     /// Bounded by 0 only.
     Light,
     /// Bounded by 0 and 1: a reflectance or a transmittance.
@@ -167,7 +167,7 @@ impl From<Kind> for Bounds {
 }
 
 /// The few verbs that every representation has.
-pub trait Representation: Debug {
+pub(crate) trait Representation: Debug {
     /// The band that was fitted.
     fn band(&self) -> Band;
 
@@ -212,24 +212,26 @@ pub trait Representation: Debug {
 
 /// One fitted representation.
 #[derive(Debug)]
-pub struct Rival {
+pub(crate) struct Rival {
+    #[cfg(test)]
     family: Family,
     fitted: Box<dyn Representation>,
 }
 
 impl Rival {
     /// Which representation it is.
-    pub fn family(&self) -> Family {
+    #[cfg(test)]
+    pub(crate) fn family(&self) -> Family {
         self.family
     }
 
     /// How many numbers it takes; two for each wavelet coefficient kept.
-    pub fn numbers(&self) -> usize {
+    pub(crate) fn numbers(&self) -> usize {
         self.stored().len()
     }
 
     /// Value at a wavelength; zero outside the band.
-    pub fn at(&self, at_nm: f64) -> f64 {
+    pub(crate) fn at(&self, at_nm: f64) -> f64 {
         if self.band().contains(at_nm) {
             self.inside(at_nm)
         } else {

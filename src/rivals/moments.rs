@@ -28,7 +28,7 @@ use crate::spectrum::Band;
 
 /// The moments of a spectrum, and what is worked out from them once to read them.
 #[derive(Clone, Debug)]
-pub struct Moments {
+pub(crate) struct Moments {
     phases: Arc<PhaseTable>,
     /// The mean first, in the spectrum's own unit. These are the stored numbers.
     moments: Vec<f64>,

@@ -26,7 +26,7 @@ pub struct PrincipalBasis {
 impl PrincipalBasis {
     /// The `most` strongest components of spectra given on the band's grid; fewer where the
     /// spectra span less. Zero spectra and those of another length are left out.
-    pub fn train(band: Band, spectra: &[Vec<f64>], most: usize) -> Self {
+    pub(crate) fn train(band: Band, spectra: &[Vec<f64>], most: usize) -> Self {
         let units: Vec<Vec<f64>> = spectra
             .iter()
             .filter(|s| s.len() == band.points())
@@ -48,7 +48,7 @@ impl PrincipalBasis {
     }
 
     /// A basis of no rows.
-    pub fn empty(band: Band) -> Self {
+    pub(crate) fn empty(band: Band) -> Self {
         Self {
             band,
             rows: Vec::new(),
@@ -56,7 +56,7 @@ impl PrincipalBasis {
     }
 
     /// The rows, the strongest first, orthonormal under the trapezoid product.
-    pub fn rows(&self) -> &[Vec<f64>] {
+    pub(crate) fn rows(&self) -> &[Vec<f64>] {
         &self.rows
     }
 }
@@ -146,7 +146,7 @@ fn orthonormal(directions: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
 
 /// A spectrum as multiples of the basis rows.
 #[derive(Clone, Debug)]
-pub struct Principal {
+pub(crate) struct Principal {
     basis: Arc<PrincipalBasis>,
     /// In the spectrum's own unit x nm^1/2; none when the basis has no row.
     coefficients: Vec<f64>,

@@ -5,7 +5,7 @@ use crate::spectrum::Band;
 
 /// Values at equally spaced wavelengths, first and last at the ends of the band.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Samples {
+pub(crate) struct Samples {
     band: Band,
     /// At least one, in the spectrum's own unit.
     values: Vec<f64>,
@@ -16,7 +16,7 @@ impl Samples {
     ///
     /// # Panics
     /// When `values` does not have [`Band::points`] entries.
-    pub fn fit(band: Band, values: &[f64], numbers: usize) -> Self {
+    pub(crate) fn fit(band: Band, values: &[f64], numbers: usize) -> Self {
         let places = places_nm(band, numbers.clamp(1, band.points()));
         Self {
             band,

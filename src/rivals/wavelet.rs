@@ -106,7 +106,7 @@ impl WaveletTable {
 
 /// One coefficient that was kept.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Kept {
+pub(crate) struct Kept {
     /// Its place in the transform, averages first; a band never has more than 20 001.
     pub place: u16,
     /// Its value, in the spectrum's own unit.
@@ -115,7 +115,7 @@ pub struct Kept {
 
 /// The largest coefficients of a spectrum.
 #[derive(Clone, Debug)]
-pub struct Wavelet {
+pub(crate) struct Wavelet {
     table: Arc<WaveletTable>,
     /// The largest first, so that fewer are a prefix of more.
     kept: Vec<Kept>,
@@ -144,7 +144,8 @@ impl Wavelet {
     }
 
     /// The coefficients kept, the largest first.
-    pub fn kept(&self) -> &[Kept] {
+    #[cfg(test)]
+    pub(crate) fn kept(&self) -> &[Kept] {
         &self.kept
     }
 }

@@ -32,7 +32,8 @@ pub fn in_air(vacuum_nm: f64) -> f64 {
 }
 
 /// The wavelength in vacuum of light whose wavelength in air is given, nm: [`in_air`] backwards.
-pub fn in_vacuum(air_nm: f64) -> f64 {
+#[cfg(test)]
+pub(crate) fn in_vacuum(air_nm: f64) -> f64 {
     // Each step leaves `l dn/dl` of the error of the one before: 1e-5 in the visible, 2e-4 at
     // 186 nm. The first error is 3e-4 at most, so four reach the last bit.
     let mut vacuum_nm = air_nm;

@@ -3,15 +3,15 @@
 use serde::{Deserialize, Serialize};
 
 /// Shortest range that a model may have, in nm.
-pub const SHORTEST_NM: u32 = 20;
+pub(crate) const SHORTEST_NM: u32 = 20;
 
 /// Longest wavelength that a range may reach, in nm.
 ///
 /// Far beyond any light source a person would load; it bounds memory when a range is typed.
-pub const LONGEST_NM: u32 = 100_000;
+pub(crate) const LONGEST_NM: u32 = 100_000;
 
 /// Most 1 nm steps in one range: 20 000 nm, so that no typed range can fill the memory.
-pub const MOST_STEPS: u32 = 20_000;
+pub(crate) const MOST_STEPS: u32 = 20_000;
 
 /// A closed range of whole nanometres, `[min, max]`, with one grid point each nm.
 ///
@@ -116,7 +116,7 @@ impl Band {
     }
 
     /// `L = max - min`, nm.
-    pub fn length_nm(self) -> f64 {
+    pub(crate) fn length_nm(self) -> f64 {
         f64::from(self.max_nm - self.min_nm)
     }
 

@@ -213,7 +213,7 @@ impl Series {
     }
 
     /// `a_0..a_N` and `b_1..b_N` of a Fourier series (a dropped last sine reads as zero).
-    pub fn a_b(&self) -> (Vec<f64>, Vec<f64>) {
+    pub(crate) fn a_b(&self) -> (Vec<f64>, Vec<f64>) {
         let a = std::iter::once(self.coefficients[0])
             .chain(self.coefficients[1..].iter().copied().step_by(2))
             .collect();

@@ -70,7 +70,7 @@ pub struct Stage {
 
 /// What all chains of one way, basis, count of numbers and of factors share.
 #[derive(Clone, Debug)]
-pub struct ChainTables {
+pub(crate) struct ChainTables {
     band: Band,
     basis: Basis,
     numbers: usize,
@@ -87,7 +87,7 @@ pub struct ChainTables {
 
 impl ChainTables {
     /// Tables for lights of `numbers` coefficients through up to `factors` factors.
-    pub fn new(
+    pub(crate) fn new(
         band: Band,
         basis: Basis,
         numbers: usize,
@@ -114,19 +114,15 @@ impl ChainTables {
     }
 
     /// Tables for a light and a count of factors.
-    pub fn for_light(light: &Composite, sampling: Sampling, factors: usize) -> Self {
+    pub(crate) fn for_light(light: &Composite, sampling: Sampling, factors: usize) -> Self {
         let smooth = light.smooth();
         let numbers = smooth.coefficients.len();
         Self::new(smooth.band, smooth.basis, numbers, sampling, factors)
     }
 
-    /// How products are formed.
-    pub fn sampling(&self) -> Sampling {
-        self.sampling
-    }
-
     /// Points of the sample grid; `None` for the ways without.
-    pub fn points(&self) -> Option<usize> {
+    #[cfg(test)]
+    pub(crate) fn points(&self) -> Option<usize> {
         (self.points > 0).then_some(self.points)
     }
 
@@ -136,7 +132,7 @@ impl ChainTables {
     /// # Panics
     /// When light and tables differ in band, basis or count of numbers, or a factor does not have
     /// [`Band::points`] values.
-    pub fn pass(&self, light: &Composite, factors: &[Factor]) -> Vec<Stage> {
+    pub(crate) fn pass(&self, light: &Composite, factors: &[Factor]) -> Vec<Stage> {
         let smooth = light.smooth();
         assert!(
             (smooth.band, smooth.basis, smooth.coefficients.len())

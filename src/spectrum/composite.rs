@@ -114,7 +114,7 @@ impl Composite {
     }
 
     /// The smooth part and the lines.
-    pub fn into_parts(self) -> (Series, Vec<Line>) {
+    pub(crate) fn into_parts(self) -> (Series, Vec<Line>) {
         (self.smooth, self.lines)
     }
 
@@ -136,7 +136,7 @@ impl Composite {
     }
 
     /// The same composite with every line at its centre and of no width.
-    pub fn idealised(&self) -> Self {
+    pub(crate) fn idealised(&self) -> Self {
         let ideal = |line: &Line| Line::ideal(line.at_nm, line.weight);
         Self {
             smooth: self.smooth.clone(),

@@ -12,7 +12,7 @@ pub(crate) const WORST_CONDITION: f64 = 1e8;
 
 /// Largest over smallest singular value of the matrix of some columns, at least as many as they are
 /// long; infinite where the least is zero.
-pub fn condition_number(columns: &[&[f64]]) -> f64 {
+pub(crate) fn condition_number(columns: &[&[f64]]) -> f64 {
     let rows = columns.first().map_or(0, |c| c.len());
     let matrix = DMatrix::from_fn(rows, columns.len(), |row, column| columns[column][row]);
     ratio(matrix.singular_values().as_slice())

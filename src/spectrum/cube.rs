@@ -277,7 +277,7 @@ impl Cube {
     }
 
     /// The spectrum of one pixel; `None` where fewer than two of its bands were measured.
-    pub fn spectrum_at(&self, x: usize, y: usize) -> Option<Sampled> {
+    pub(crate) fn spectrum_at(&self, x: usize, y: usize) -> Option<Sampled> {
         self.sampled(&self.values_at(x, y))
     }
 

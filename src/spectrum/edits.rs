@@ -138,7 +138,7 @@ impl Decomposed {
     }
 
     /// Place and weight of all spikes.
-    pub fn plain_spikes(&self) -> Vec<Line> {
+    pub(crate) fn plain_spikes(&self) -> Vec<Line> {
         self.spikes.iter().map(|s| s.spike).collect()
     }
 }

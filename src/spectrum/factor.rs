@@ -103,7 +103,7 @@ impl Factor {
     }
 
     /// The measured shares without the dips that are kept.
-    pub fn background(&self) -> &[f64] {
+    pub(crate) fn background(&self) -> &[f64] {
         self.background.as_deref().unwrap_or(&self.values)
     }
 

@@ -41,14 +41,14 @@ pub enum Exactness {
 
 impl Exactness {
     /// Whether the inner products are exact.
-    pub fn is_exact(self) -> bool {
+    pub(crate) fn is_exact(self) -> bool {
         matches!(self, Self::Exact { .. })
     }
 }
 
 impl InnerProducts {
     /// Inner products of three weights (values on the band's grid) with a table's functions.
-    pub fn new(table: &BasisTable, weights: &[Vec<f64>; 3]) -> Self {
+    pub(crate) fn new(table: &BasisTable, weights: &[Vec<f64>; 3]) -> Self {
         let band: Band = table.band();
         Self {
             per_number: (0..table.numbers())
@@ -61,7 +61,7 @@ impl InnerProducts {
     }
 
     /// Eq. 7, corrected: the three inner products of a series, from its coefficients alone.
-    pub fn of(&self, coefficients: &[f64]) -> [f64; 3] {
+    pub(crate) fn of(&self, coefficients: &[f64]) -> [f64; 3] {
         let mut sums = [0.0; 3];
         for (c, g) in coefficients.iter().zip(&self.per_number) {
             for (sum, g) in sums.iter_mut().zip(g) {
@@ -72,12 +72,12 @@ impl InnerProducts {
     }
 
     /// Inner products of one function.
-    pub fn row(&self, number: usize) -> [f64; 3] {
+    pub(crate) fn row(&self, number: usize) -> [f64; 3] {
         self.per_number[number]
     }
 
     /// Corrects coefficients in place so that their inner products become `totals`.
-    pub fn make_exact(&self, coefficients: &mut [f64], totals: [f64; 3]) -> Exactness {
+    pub(crate) fn make_exact(&self, coefficients: &mut [f64], totals: [f64; 3]) -> Exactness {
         let numbers = coefficients.len();
         if numbers < 3 {
             return Exactness::TooFewNumbers;

@@ -18,7 +18,7 @@
 use serde::{Deserialize, Serialize};
 
 /// Most coefficients of a formula, several times what any has: each counts at every wavelength.
-pub const MOST_COEFFICIENTS: usize = 100;
+pub(crate) const MOST_COEFFICIENTS: usize = 100;
 
 /// A dispersion formula with its coefficients.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -23,7 +23,7 @@ use super::{
 
 /// A full width at half maximum times the peak height times this is a Gaussian's area:
 /// `sqrt(pi / (4 ln 2))`.
-pub const GAUSSIAN_AREA: f64 = 1.064_467_019_431_226_2;
+pub(crate) const GAUSSIAN_AREA: f64 = 1.064_467_019_431_226_2;
 
 /// A Gaussian's full width at half maximum in standard deviations.
 const FWHM_IN_SIGMAS: f64 = 2.354_820_045_030_949;
@@ -53,7 +53,7 @@ pub struct Line {
 
 /// A line of unit area on the grid of a band.
 #[derive(Clone, Debug, PartialEq)]
-pub struct LineProfile {
+pub(crate) struct LineProfile {
     /// Index of the first grid point with a value.
     pub first: usize,
     /// Values per nm there and after; their trapezoid integral is 1.
@@ -64,7 +64,7 @@ impl LineProfile {
     /// The profile of a line at a place in the band; empty outside the band.
     ///
     /// A line that reaches over an end is normalised over what lies inside.
-    pub fn new(band: Band, at_nm: f64, fwhm_nm: f64) -> Self {
+    pub(crate) fn new(band: Band, at_nm: f64, fwhm_nm: f64) -> Self {
         if !band.contains(at_nm) {
             return Self {
                 first: 0,
@@ -97,7 +97,7 @@ impl LineProfile {
     }
 
     /// Integral of the profile times values on the band's grid: their mean under the line.
-    pub fn mean_of(&self, band: Band, values: &[f64]) -> f64 {
+    pub(crate) fn mean_of(&self, band: Band, values: &[f64]) -> f64 {
         let here = values[self.first..].iter().zip(&self.values).enumerate();
         here.map(|(i, (f, v))| band.weight(self.first + i) * f * v)
             .sum()
@@ -198,7 +198,7 @@ impl Line {
 
     /// The weight of a line whose stem, drawn `drawn_nm` wide, has a height; dragging a stem's tip
     /// uses it.
-    pub fn weight_from_stem(height: f64, drawn_nm: f64) -> f64 {
+    pub(crate) fn weight_from_stem(height: f64, drawn_nm: f64) -> f64 {
         height * GAUSSIAN_AREA * drawn_nm
     }
 

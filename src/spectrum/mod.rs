@@ -30,32 +30,40 @@ mod sampled;
 mod spikes;
 
 pub use air::in_air;
-pub use air::in_vacuum;
 pub(crate) use air::{SHORTEST_IN_AIR_NM, index_of_air, slope_of_air};
-pub use band::{Band, BandError, LONGEST_NM, MOST_STEPS, SHORTEST_NM, dot};
+pub use band::{Band, dot};
+pub(crate) use band::{BandError, LONGEST_NM, MOST_STEPS, SHORTEST_NM};
 pub use basis::{Basis, BasisTable, Series, numbers_of_order};
-pub use chain::{ChainTables, LineInDip, SAME_PLACE_NM, Stage, below_zero};
+pub(crate) use chain::{ChainTables, LineInDip};
+pub use chain::{SAME_PLACE_NM, Stage, below_zero};
 pub use composite::{Composite, CompositeError};
+pub use condition::ThreeSums;
 pub(crate) use condition::WORST_CONDITION;
-pub use condition::{ThreeSums, condition_number};
+pub(crate) use condition::condition_number;
 pub use cube::Cube;
-pub use edits::{Decomposed, HandSpike, ModelSpike, SpikeEdits};
+pub(crate) use edits::ModelSpike;
+pub use edits::{Decomposed, HandSpike, SpikeEdits};
 pub(crate) use edits::{decompose, decompose_by};
 pub use factor::{Factor, bounces, glass};
-pub use fit::{Exactness, InnerProducts};
-pub use formula::{Formula, MOST_COEFFICIENTS};
+pub(crate) use fit::{Exactness, InnerProducts};
+pub use formula::Formula;
+pub(crate) use formula::MOST_COEFFICIENTS;
 pub use image::SpectralImage;
 pub use kind::Kind;
-pub use line::{GAUSSIAN_AREA, Line, LineProfile, add_lines};
+#[cfg(test)]
+pub(crate) use line::{GAUSSIAN_AREA, LineProfile};
+pub use line::{Line, add_lines};
 pub(crate) use line::{NARROWEST_NM, gaussian};
 pub use named::NamedSpectrum;
 pub(crate) use quantile::quantile;
-pub use quantile::rank;
+pub(crate) use quantile::rank;
 pub use rect::Rect;
 pub use region::Region;
-pub use resampled::{Resampled, SampleGrid, Sampling};
-pub use sampled::{Outside, Sampled, SampledError};
-pub use spikes::{
-    Decomposition, FoundSpike, LineShape, SpikeSettings, Wishes, detect, detect_shapes,
-};
+#[cfg(test)]
+pub(crate) use resampled::Resampled;
+pub use resampled::{SampleGrid, Sampling};
+pub(crate) use sampled::SampledError;
+pub use sampled::{Outside, Sampled};
+pub(crate) use spikes::{Decomposition, FoundSpike, LineShape};
+pub use spikes::{SpikeSettings, Wishes, detect, detect_shapes};
 pub(crate) use spikes::{absolute_power, window_near};

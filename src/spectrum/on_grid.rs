@@ -29,7 +29,7 @@ impl Sampled {
     ///
     /// # Panics
     /// For fewer than two points.
-    pub fn on_grid(
+    pub(crate) fn on_grid(
         &self,
         first_nm: f64,
         step_nm: f64,
@@ -84,7 +84,7 @@ impl Sampled {
     }
 
     /// The spectrum on whole nm `first_nm..=last_nm`, for sums of the CIE ([`Sampled::on_grid`]).
-    pub fn on_whole_nm(&self, first_nm: u32, last_nm: u32, outside: Outside) -> Vec<f64> {
+    pub(crate) fn on_whole_nm(&self, first_nm: u32, last_nm: u32, outside: Outside) -> Vec<f64> {
         let points = (last_nm - first_nm + 1) as usize;
         self.on_grid(f64::from(first_nm), 1.0, points, outside)
     }

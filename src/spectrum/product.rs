@@ -4,12 +4,11 @@
 //! (S1 + sum w d(l - lm)) S2 = S1 S2 + sum S2(lm) w d(l - lm)        (Eq. 14)
 //! ```
 
+#[cfg(test)]
+use super::line::add_lines;
 use super::{
-    band::Band,
-    basis::{Basis, Series},
-    composite::Composite,
-    line::{Line, add_lines},
-    resampled::{Resampled, SampleGrid, Sampling},
+    band::Band, basis::Basis, basis::Series, composite::Composite, line::Line,
+    resampled::Resampled, resampled::SampleGrid, resampled::Sampling,
 };
 
 /// A light as the model has it, times a factor as measured, on the 1 nm grid: values, with the lines
@@ -20,7 +19,8 @@ use super::{
 ///
 /// # Panics
 /// When `factor` does not have one value per grid point of the light's band.
-pub fn on_grid(light: &Composite, factor: &[f64]) -> (Vec<f64>, Vec<Line>) {
+#[cfg(test)]
+pub(crate) fn on_grid(light: &Composite, factor: &[f64]) -> (Vec<f64>, Vec<Line>) {
     let band = light.band();
     assert_eq!(factor.len(), band.points(), "one value per grid point");
     let (ideal, wide): (Vec<Line>, Vec<Line>) =
@@ -145,7 +145,7 @@ pub fn chain(light: &Composite, factors: &[Series], points: usize) -> Resampled 
 
 /// Points for a chain: twice the numbers, four times from the fifth factor on when there are few
 /// numbers: measured on chains of up to eight reflections.
-pub fn chain_points(numbers: usize, factors: usize) -> usize {
+pub(crate) fn chain_points(numbers: usize, factors: usize) -> usize {
     if factors >= 5 && numbers <= 15 {
         4 * numbers
     } else {
@@ -159,7 +159,7 @@ pub fn chain_points(numbers: usize, factors: usize) -> usize {
 ///
 /// # Panics
 /// When the two differ in band or basis, or one has no coefficient.
-pub fn convolve(a: &Series, b: &Series) -> Series {
+pub(crate) fn convolve(a: &Series, b: &Series) -> Series {
     assert_alike(a, b);
     let coefficients = match a.basis {
         Basis::Fourier => fourier_convolution(a, b),

@@ -5,7 +5,7 @@
 
 /// The rank below a share (0-1) of `count` sorted values (at least one), and how far beyond it the
 /// share stands, as a part of the way to the next rank.
-pub fn rank(count: usize, share: f64) -> (usize, f64) {
+pub(crate) fn rank(count: usize, share: f64) -> (usize, f64) {
     let rank = share.clamp(0.0, 1.0) * (count.max(1) - 1) as f64;
     (rank as usize, rank.fract())
 }

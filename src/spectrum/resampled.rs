@@ -6,12 +6,9 @@
 
 use std::f64::consts::PI;
 
-use super::{
-    band::Band,
-    basis::{Basis, Series},
-    composite::Composite,
-    line::Line,
-};
+#[cfg(test)]
+use super::composite::Composite;
+use super::{band::Band, basis::Basis, basis::Series, line::Line};
 
 /// How many points a product is formed on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
@@ -166,7 +163,10 @@ impl SampleGrid {
     /// (rows by rows: point, then weight), by way of the interpolating series.
     ///
     /// `weight_products` gives the three inner products of basis function `k` (value x nm).
-    pub fn product_matrix(self, weight_products: impl Fn(usize) -> [f64; 3]) -> Vec<[f64; 3]> {
+    pub(crate) fn product_matrix(
+        self,
+        weight_products: impl Fn(usize) -> [f64; 3],
+    ) -> Vec<[f64; 3]> {
         let per_number: Vec<[f64; 3]> = (0..self.points).map(weight_products).collect();
         (0..self.points)
             .map(|i| {
@@ -183,13 +183,13 @@ impl SampleGrid {
     }
 
     /// Eq. 17, corrected: straight line between the two samples around a place.
-    pub fn linear_at(self, values: &[f64], at_nm: f64) -> f64 {
+    pub(crate) fn linear_at(self, values: &[f64], at_nm: f64) -> f64 {
         let (left, right, t) = self.around(at_nm);
         values[left] * (1.0 - t) + values[right] * t
     }
 
     /// Eq. 17 as the paper prints it, with the two weights swapped.
-    pub fn linear_at_as_printed(self, values: &[f64], at_nm: f64) -> f64 {
+    pub(crate) fn linear_at_as_printed(self, values: &[f64], at_nm: f64) -> f64 {
         let (left, right, t) = self.around(at_nm);
         values[left] * t + values[right] * (1.0 - t)
     }
@@ -255,7 +255,8 @@ impl Resampled {
     ///
     /// The values stand for the series of lowest order through them, which is summed on the 1 nm
     /// trapezoid grid; each spike weighs the function exactly where it stands.
-    pub fn integrate(&self, weight: impl Fn(f64) -> f64) -> f64 {
+    #[cfg(test)]
+    pub(crate) fn integrate(&self, weight: impl Fn(f64) -> f64) -> f64 {
         let composite =
             Composite::of_lines_inside(self.grid.series(&self.values), self.spikes.clone());
         composite.integrate(weight)

@@ -206,7 +206,7 @@ impl Sampled {
     /// Stretches without samples among others that have them, each with its ends, nm: steps of more
     /// than three median steps, and of more than three of the middle ones around. Where steps grow
     /// all along, as in tables of optical constants, none is a hole.
-    pub fn holes(&self) -> Vec<[f64; 2]> {
+    pub(crate) fn holes(&self) -> Vec<[f64; 2]> {
         const MOST_STEPS: f64 = 3.0;
         const AROUND: usize = 4;
         if self.has_even_steps() {

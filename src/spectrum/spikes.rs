@@ -334,7 +334,7 @@ pub(super) fn take_window(
 
 impl FoundSpike {
     /// Whether a place belongs to this line: within reach of its centroid and inside its window.
-    pub fn covers(&self, at_nm: f64) -> bool {
+    pub(crate) fn covers(&self, at_nm: f64) -> bool {
         (self.spike.at_nm - at_nm).abs() <= WISH_REACH_NM
             && (self.window_nm[0]..=self.window_nm[1]).contains(&at_nm)
     }

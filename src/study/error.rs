@@ -36,7 +36,7 @@ const REACH_SIGMAS: f64 = 6.0;
 
 impl Blur {
     /// A blur of full width `width_nm` at half maximum.
-    pub fn new(band: Band, width_nm: f64) -> Self {
+    pub(crate) fn new(band: Band, width_nm: f64) -> Self {
         let sigma_nm = width_nm / (8.0 * std::f64::consts::LN_2).sqrt();
         let reach = (REACH_SIGMAS * sigma_nm).ceil() as usize;
         Self {
@@ -47,7 +47,7 @@ impl Blur {
     }
 
     /// Values on the grid blurred by the trapezoid rule; zero is assumed outside the band.
-    pub fn values(&self, values: &[f64]) -> Vec<f64> {
+    pub(crate) fn values(&self, values: &[f64]) -> Vec<f64> {
         let n = self.band.points();
         let reach = self.taps.len() - 1;
         // Weighted and padded once, so that the inner loop has no edge.
@@ -69,7 +69,7 @@ impl Blur {
     }
 
     /// Adds spikes, blurred analytically, to values that are blurred already.
-    pub fn add_lines(&self, spikes: &[Line], blurred: &mut [f64]) {
+    pub(crate) fn add_lines(&self, spikes: &[Line], blurred: &mut [f64]) {
         let reach = self.taps.len() as f64;
         for spike in spikes {
             let centre = spike.at_nm - self.band.min_nm();

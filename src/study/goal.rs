@@ -57,7 +57,7 @@ impl Goal {
     };
 
     /// The four plain goals with the words used on the command line.
-    pub const PLAIN: [(&'static str, Self); 4] = [
+    pub(crate) const PLAIN: [(&'static str, Self); 4] = [
         ("own", Self::OWN),
         ("patches", Self::PATCHES),
         ("spectrum", Self::SPECTRUM),

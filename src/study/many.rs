@@ -26,13 +26,18 @@ pub struct SweptLight {
 
 impl SweptLight {
     /// The models of a way, by rising order.
-    pub fn of_way(&self, way: FitVariant) -> impl DoubleEndedIterator<Item = &SweepPoint> {
+    pub(crate) fn of_way(&self, way: FitVariant) -> impl DoubleEndedIterator<Item = &SweepPoint> {
         self.points.iter().filter(move |point| point.way == way)
     }
 
     /// The first model of a way from which on no order is off by more than a limit; `None` where
     /// the highest order still is, or where the figure does not exist.
-    pub fn enough(&self, way: FitVariant, measure: Measure, limit: f64) -> Option<&SweepPoint> {
+    pub(crate) fn enough(
+        &self,
+        way: FitVariant,
+        measure: Measure,
+        limit: f64,
+    ) -> Option<&SweepPoint> {
         let within = |point: &&SweepPoint| point.verdict[measure].is_some_and(|off| off <= limit);
         self.of_way(way).rev().take_while(within).last()
     }
@@ -52,7 +57,7 @@ pub struct ManyLights {
 impl ManyLights {
     /// Sweeps lights on the grid of the measures to `highest_order`, several at a time. `None` when
     /// none of them shines or it was cancelled.
-    pub fn of(
+    pub(crate) fn of(
         measures: &Arc<Measures>,
         spikes: SpikeSettings,
         lamps: &[Lamp],
@@ -89,7 +94,7 @@ impl ManyLights {
     }
 
     /// For how many lights each order is enough, from 0 on; it never falls.
-    pub fn counts(&self, way: FitVariant, measure: Measure, limit: f64) -> Vec<usize> {
+    pub(crate) fn counts(&self, way: FitVariant, measure: Measure, limit: f64) -> Vec<usize> {
         let enough = self.lights.iter().filter_map(|light| {
             let point = light.enough(way, measure, limit)?;
             Some(point.order)

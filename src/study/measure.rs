@@ -85,7 +85,7 @@ pub type Verdict = ByMeasure<Option<f64>>;
 
 impl<T> ByMeasure<T> {
     /// Made figure by figure.
-    pub fn from_fn(mut of: impl FnMut(Measure) -> T) -> Self {
+    pub(crate) fn from_fn(mut of: impl FnMut(Measure) -> T) -> Self {
         Self(std::array::from_fn(|i| of(Measure::ALL[i])))
     }
 }

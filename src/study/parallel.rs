@@ -11,7 +11,7 @@ use std::{
 use super::progress::Progress;
 
 /// How many processors there are.
-pub fn processors() -> usize {
+pub(crate) fn processors() -> usize {
     thread::available_parallelism().map_or(1, usize::from)
 }
 

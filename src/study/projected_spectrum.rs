@@ -25,7 +25,7 @@ pub struct FitBasis {
 impl FitBasis {
     /// Up to `numbers` functions of a basis, for colours made by `seen` (three weights on the
     /// band's grid).
-    pub fn new(band: Band, basis: Basis, numbers: usize, seen: &Weights) -> Self {
+    pub(crate) fn new(band: Band, basis: Basis, numbers: usize, seen: &Weights) -> Self {
         let table = BasisTable::new(band, basis, numbers);
         Self {
             colour: Arc::new(InnerProducts::new(&table, seen)),
@@ -59,7 +59,12 @@ impl ProjectedSpectrum {
     /// Projects a spectrum (values on the band's grid) and what each of its lines takes out.
     ///
     /// `seen` are the weights the basis was made with.
-    pub fn new(fit_basis: &FitBasis, values: &[f64], shapes: &[LineShape], seen: &Weights) -> Self {
+    pub(crate) fn new(
+        fit_basis: &FitBasis,
+        values: &[f64],
+        shapes: &[LineShape],
+        seen: &Weights,
+    ) -> Self {
         Self::with_bells(fit_basis, values, shapes, &[], seen)
     }
 
@@ -101,7 +106,7 @@ impl ProjectedSpectrum {
     }
 
     /// How many lines may become spikes.
-    pub fn lines(&self) -> usize {
+    pub(crate) fn lines(&self) -> usize {
         self.lines.len()
     }
 
@@ -111,13 +116,13 @@ impl ProjectedSpectrum {
     }
 
     /// The spike that line `index` would become.
-    pub fn spike(&self, index: usize) -> Line {
+    pub(crate) fn spike(&self, index: usize) -> Line {
         self.lines[index].spike
     }
 
     /// The model of `numbers` smooth numbers (at least one, at most what the basis has) with those
     /// lines as spikes, and how the colour-exact fit went.
-    pub fn model(
+    pub(crate) fn model(
         &self,
         numbers: usize,
         lines: &[usize],
@@ -151,7 +156,7 @@ impl ProjectedSpectrum {
     }
 
     /// A model's smooth part on the grid.
-    pub fn smooth(&self, model: &Composite) -> Vec<f64> {
+    pub(crate) fn smooth(&self, model: &Composite) -> Vec<f64> {
         self.fit_basis.table.evaluate(&model.smooth().coefficients)
     }
 }

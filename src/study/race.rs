@@ -33,9 +33,12 @@ use crate::{
 };
 
 pub use super::{
-    race_cells::{Cell, Judged, Wins, figures},
-    race_result::{Cost, Encode, Encoded, Race, RaceConfig, Racer, Row, Run},
-    training::Lamp,
+    race_cells::Cell, race_cells::figures, race_result::Encoded, race_result::Race,
+    race_result::RaceConfig, training::Lamp,
+};
+pub(crate) use super::{
+    race_cells::Judged, race_result::Cost, race_result::Encode, race_result::Racer,
+    race_result::Row, race_result::Run,
 };
 
 /// A light ready to race.

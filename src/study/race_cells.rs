@@ -23,10 +23,10 @@ pub enum Judged {
 
 impl Judged {
     /// All three.
-    pub const ALL: [Self; 3] = [Self::Patches, Self::Filters, Self::Blurred];
+    pub(crate) const ALL: [Self; 3] = [Self::Patches, Self::Filters, Self::Blurred];
 
     /// The key used in files.
-    pub fn word(self) -> &'static str {
+    pub(crate) fn word(self) -> &'static str {
         match self {
             Self::Patches => "patches_check",
             Self::Filters => "filters",
@@ -79,12 +79,12 @@ pub struct Wins {
 
 impl Wins {
     /// Cells won.
-    pub fn won(&self) -> usize {
+    pub(crate) fn won(&self) -> usize {
         self.of - self.behind.len()
     }
 
     /// Per cent of the cells won; nothing without a cell.
-    pub fn per_cent(&self) -> Option<f64> {
+    pub(crate) fn per_cent(&self) -> Option<f64> {
         (self.of > 0).then(|| 100.0 * self.won() as f64 / self.of as f64)
     }
 }

@@ -31,10 +31,10 @@ pub enum Racer {
 
 impl Racer {
     /// What an [`Encode`] makes of a light.
-    pub const ENCODED: [Self; 2] = [Self::WideLines, Self::KnownLamps];
+    pub(crate) const ENCODED: [Self; 2] = [Self::WideLines, Self::KnownLamps];
 
     /// Everybody, composites first.
-    pub fn all() -> impl Iterator<Item = Self> + Clone {
+    pub(crate) fn all() -> impl Iterator<Item = Self> + Clone {
         FitVariant::ALL
             .into_iter()
             .map(Self::Composite)
@@ -44,7 +44,7 @@ impl Racer {
     }
 
     /// The word used in files.
-    pub fn word(self) -> &'static str {
+    pub(crate) fn word(self) -> &'static str {
         match self {
             Self::Composite(way) => way.word(),
             Self::WideLines => "wide-lines",
@@ -55,7 +55,7 @@ impl Racer {
     }
 
     /// In words for people.
-    pub fn title(self) -> &'static str {
+    pub(crate) fn title(self) -> &'static str {
         match self {
             Self::Composite(way) => way.title(),
             Self::WideLines => "Wide lines",
@@ -67,7 +67,7 @@ impl Racer {
 
     /// Whether fewer numbers are a prefix of more: one fit, truncated at will. With spikes the
     /// smooth part's numbers depend on which lines were taken out.
-    pub fn is_prefix(self) -> bool {
+    pub(crate) fn is_prefix(self) -> bool {
         match self {
             Self::Composite(way) => !way.spikes && !way.colour_exact,
             // Another count may be fitted with the table of another class.
@@ -78,7 +78,7 @@ impl Racer {
     }
 
     /// Whether its numbers mean nothing without a table that is not counted among them.
-    pub fn needs_table(self) -> bool {
+    pub(crate) fn needs_table(self) -> bool {
         match self {
             Self::KnownLamps => true,
             Self::Rival(family) => family.needs_table(),
@@ -203,12 +203,12 @@ impl Race {
     }
 
     /// What a racer costs at a count, by their places.
-    pub fn cost(&self, budget: usize, racer: usize) -> Option<Cost> {
+    pub(crate) fn cost(&self, budget: usize, racer: usize) -> Option<Cost> {
         self.costs[budget * self.racers.len() + racer]
     }
 
     /// The classes in the order of their first light.
-    pub fn classes(&self) -> Vec<&str> {
+    pub(crate) fn classes(&self) -> Vec<&str> {
         let mut classes: Vec<&str> = Vec::new();
         for (_, class) in &self.lamps {
             if !classes.contains(&class.as_str()) {
@@ -219,7 +219,10 @@ impl Race {
     }
 
     /// The lights of a class, by place; of all classes without one.
-    pub fn of_class<'a>(&'a self, class: Option<&'a str>) -> impl Iterator<Item = usize> + 'a {
+    pub(crate) fn of_class<'a>(
+        &'a self,
+        class: Option<&'a str>,
+    ) -> impl Iterator<Item = usize> + 'a {
         let wanted = move |own: &str| class.is_none_or(|class| class == own);
         (0..self.lamps.len()).filter(move |i| wanted(&self.lamps[*i].1))
     }
@@ -255,12 +258,17 @@ impl Race {
 
     /// The racer with the least error on one light; [`Racer::Chosen`] is one of the others again
     /// and does not count.
-    pub fn winner_on(&self, lamp: usize, budget: usize, measure: Measure) -> Option<Racer> {
+    pub(crate) fn winner_on(&self, lamp: usize, budget: usize, measure: Measure) -> Option<Racer> {
         self.best(|racer| self.run(lamp, budget, racer).verdict[measure])
     }
 
     /// The racer with the least median over a class (or all).
-    pub fn winner_of(&self, class: Option<&str>, budget: usize, measure: Measure) -> Option<Racer> {
+    pub(crate) fn winner_of(
+        &self,
+        class: Option<&str>,
+        budget: usize,
+        measure: Measure,
+    ) -> Option<Racer> {
         self.best(|racer| {
             let spread = self.spread(class, budget, racer, measure);
             spread.map(|spread| spread.median)

@@ -83,7 +83,7 @@ pub struct Measures {
 
 impl Measures {
     /// Measures that choose, with these patches (exact, on the band's grid).
-    pub fn new(patches: PatchSet) -> Self {
+    pub(crate) fn new(patches: PatchSet) -> Self {
         Self::with_filters(patches, FIRST_NM)
     }
 
@@ -103,7 +103,7 @@ impl Measures {
     }
 
     /// The band of all of them.
-    pub fn band(&self) -> Band {
+    pub(crate) fn band(&self) -> Band {
         self.patches.band()
     }
 }
@@ -201,7 +201,7 @@ impl Reference {
     }
 
     /// The shared measures.
-    pub fn measures(&self) -> &Arc<Measures> {
+    pub(crate) fn measures(&self) -> &Arc<Measures> {
         &self.measures
     }
 

@@ -175,7 +175,8 @@ pub struct ThresholdMap {
 
 impl ThresholdMap {
     /// The verdict at a threshold's index and an order.
-    pub fn at(&self, threshold: usize, order: usize) -> &Verdict {
+    #[cfg(test)]
+    pub(crate) fn at(&self, threshold: usize, order: usize) -> &Verdict {
         &self.verdicts[threshold * (self.highest_order + 1) + order]
     }
 }
@@ -204,7 +205,7 @@ impl Sweep {
     /// Sweeps a subject to `highest_order`, with the map for one basis and fit.
     ///
     /// `None` when the spectrum is all zero or the study was cancelled.
-    pub fn of(
+    pub(crate) fn of(
         subject: &Subject,
         highest_order: usize,
         basis: Basis,
@@ -232,14 +233,19 @@ impl Sweep {
     }
 
     /// The points of one way, by rising order.
-    pub fn of_way(&self, way: FitVariant) -> impl Iterator<Item = &SweepPoint> {
+    #[cfg(test)]
+    pub(crate) fn of_way(&self, way: FitVariant) -> impl Iterator<Item = &SweepPoint> {
         self.points.iter().filter(move |p| p.way == way)
     }
 
     /// The Pareto front of the ways that `counts`, as indices of points: by rising numbers, every
     /// point that is better than all cheaper ones. It ends with the first whose error is
     /// [`unseen`].
-    pub fn front(&self, measure: Measure, counts: impl Fn(FitVariant) -> bool) -> Vec<usize> {
+    pub(crate) fn front(
+        &self,
+        measure: Measure,
+        counts: impl Fn(FitVariant) -> bool,
+    ) -> Vec<usize> {
         let mut by_cost: Vec<(usize, usize, f64)> = self
             .points
             .iter()

@@ -65,7 +65,7 @@ struct Member {
 impl Training {
     /// Deals spectra into folds and trains up to `most` components for each; all-zero spectra
     /// are left out.
-    pub fn new(band: Band, spectra: &[Lamp], most: usize) -> Self {
+    pub(crate) fn new(band: Band, spectra: &[Lamp], most: usize) -> Self {
         let mut members: Vec<Member> = Vec::new();
         let mut next_fold = 0;
         for Lamp {
@@ -117,7 +117,12 @@ impl Training {
     }
 
     /// The `numbers` components that catch most of a spectrum, trained without it and its likes.
-    pub fn basis_for(&self, name: &str, values: &[f64], numbers: usize) -> &Arc<PrincipalBasis> {
+    pub(crate) fn basis_for(
+        &self,
+        name: &str,
+        values: &[f64],
+        numbers: usize,
+    ) -> &Arc<PrincipalBasis> {
         let Some(unit) = normalised(self.band, values) else {
             return &self.schools[0].all;
         };

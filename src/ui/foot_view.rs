@@ -126,7 +126,7 @@ mod tests {
         };
         app.apply(Command::Edit(settings));
         let (notice, _) = words(&app, Page::Spectrum);
-        assert!(notice.starts_with("Lines are not taken out"), "{notice}");
+        assert!(notice.starts_with("Lines are off:"), "{notice}");
     }
 
     #[test]

@@ -502,7 +502,6 @@ fn what_cannot_change_the_model_derives_nothing_and_what_can_derives_it_anew() {
         "clear overlays",
         "patch",
         "scale",
-        "view",
         "page",
         "products",
     ];
@@ -518,6 +517,18 @@ fn what_cannot_change_the_model_derives_nothing_and_what_can_derives_it_anew() {
             assert!(Arc::ptr_eq(&before, app.derived()), "{words} derived anew");
         }
     }
+    // Of the layers only how patches are adapted is a part of the model's figures.
+    let before = app.derived().clone();
+    let view = app.document().view;
+    let residual = !view.residual;
+    app.apply(Command::View(View { residual, ..view }));
+    assert!(Arc::ptr_eq(&before, app.derived()));
+    let adapt_patches = !view.adapt_patches;
+    app.apply(Command::View(View {
+        adapt_patches,
+        ..view
+    }));
+    assert!(!Arc::ptr_eq(&before, app.derived()));
 }
 
 #[test]

@@ -251,6 +251,6 @@ mod tests {
             ..ManyMemory::default()
         };
         let told = sentence(&many, Wanted::of(app.document().settings, &memory));
-        assert!(told.contains("no order up to"), "{told}");
+        assert!(told.contains("are not enough for"), "{told}");
     }
 }

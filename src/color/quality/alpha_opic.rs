@@ -30,17 +30,12 @@ pub struct AlphaOpic {
 
 impl AlphaOpic {
     /// Melanopic daylight efficacy ratio.
-    pub fn melanopic_der(&self) -> f64 {
+    pub(crate) fn melanopic_der(&self) -> f64 {
         self.der[MELANOPIC]
     }
 
-    /// Alpha-opic equivalent daylight illuminances, lx, at an illuminance in lx.
-    pub fn edi(&self, lux: f64) -> [f64; 5] {
-        self.der.map(|der| der * lux)
-    }
-
     /// Melanopic equivalent daylight illuminance, lx, at an illuminance in lx.
-    pub fn melanopic_edi(&self, lux: f64) -> f64 {
+    pub(crate) fn melanopic_edi(&self, lux: f64) -> f64 {
         self.melanopic_der() * lux
     }
 }
@@ -49,7 +44,7 @@ impl AlphaOpic {
 ///
 /// # Errors
 /// [`NoFigure`] when there is no light or nothing of it is seen.
-pub fn alpha_opic(light: &Light) -> Result<AlphaOpic, NoFigure> {
+pub(crate) fn alpha_opic(light: &Light) -> Result<AlphaOpic, NoFigure> {
     let elr = efficacies(light)?;
     Ok(AlphaOpic {
         elr,

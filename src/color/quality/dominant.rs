@@ -41,7 +41,7 @@ pub struct Dominant {
 ///
 /// # Errors
 /// [`NoFigure::NearWhite`] within 3e-4 of E; [`NoFigure::OutOfRange`] where no ray meets the border.
-pub fn dominant(xy: [f64; 2]) -> Result<Dominant, NoFigure> {
+pub(crate) fn dominant(xy: [f64; 2]) -> Result<Dominant, NoFigure> {
     let away = [xy[0] - WHITE[0], xy[1] - WHITE[1]];
     let distance = away[0].hypot(away[1]);
     if distance.is_nan() || distance < NEAREST {

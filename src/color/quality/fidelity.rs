@@ -182,7 +182,7 @@ fn appearances(samples: impl Iterator<Item = Xyz>, white: Xyz) -> Option<Vec<[f6
 }
 
 /// Names of the samples, in their order.
-pub fn sample_names() -> &'static [String] {
+pub(crate) fn sample_names() -> &'static [String] {
     &TABLES.names
 }
 

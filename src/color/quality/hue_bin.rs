@@ -43,7 +43,7 @@ pub(crate) fn bin_of([a, b]: [f64; 2]) -> usize {
 
 /// Names of the bins from hue 0 on, by the hues that look unmixed in CIECAM02: red at 20.1 degrees,
 /// yellow at 90, green at 164.3, blue at 237.5.
-pub const HUE_NAMES: [&str; BINS] = [
+pub(crate) const HUE_NAMES: [&str; BINS] = [
     "red",
     "orange red",
     "orange",

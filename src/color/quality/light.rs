@@ -57,7 +57,7 @@ impl Light {
     ///
     /// # Panics
     /// When `smooth` does not have [`Band::points`] values.
-    pub fn of_parts(band: Band, smooth: &[f64], spikes: &[Line]) -> Self {
+    pub(crate) fn of_parts(band: Band, smooth: &[f64], spikes: &[Line]) -> Self {
         assert_eq!(smooth.len(), band.points(), "one value per grid point");
         let mut values = vec![0.0; POINTS];
         for (value, nm) in values.iter_mut().zip(FIRST_NM..) {
@@ -75,7 +75,7 @@ impl Light {
     ///
     /// # Panics
     /// When there are not [`POINTS`] values.
-    pub fn of_nm_values(values: &[f64]) -> Self {
+    pub(crate) fn of_nm_values(values: &[f64]) -> Self {
         assert_eq!(values.len(), POINTS, "one value per nm of 360-830");
         let is_zero = values.iter().all(|v| *v == 0.0);
         let ends_nm = [FIRST_NM, LAST_NM].map(f64::from);

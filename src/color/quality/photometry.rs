@@ -24,7 +24,7 @@ const SUM_WITH_V: &str = "sum with V(λ)";
 ///
 /// # Errors
 /// [`NoFigure`] when there is no light or a sum is not positive.
-pub fn luminous_efficacy(light: &Light) -> Result<f64, NoFigure> {
+pub(crate) fn luminous_efficacy(light: &Light) -> Result<f64, NoFigure> {
     let power = positive(light.lit()?.power(), "sum of the values")?;
     Ok(LUMENS_PER_WATT_ROUNDED * luminous_sum(light)? / power)
 }
@@ -33,7 +33,7 @@ pub fn luminous_efficacy(light: &Light) -> Result<f64, NoFigure> {
 ///
 /// # Errors
 /// [`NoFigure`] when there is no light or nothing of it is seen by day.
-pub fn sp_ratio(light: &Light) -> Result<f64, NoFigure> {
+pub(crate) fn sp_ratio(light: &Light) -> Result<f64, NoFigure> {
     let photopic = luminous_sum(light.lit()?)?;
     Ok(SCOTOPIC_LUMENS_PER_WATT * SCOTOPIC.sum(light) / (LUMENS_PER_WATT * photopic))
 }

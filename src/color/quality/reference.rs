@@ -133,7 +133,7 @@ static PLANCK: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| {
 });
 
 /// CIE 1931 chromaticity of daylight by its formula; below 1000 K that of 1000 K.
-pub fn daylight_xy(kelvin: f64) -> [f64; 2] {
+pub(crate) fn daylight_xy(kelvin: f64) -> [f64; 2] {
     // `max` also takes what is no number to 1000 K.
     let kelvin = kelvin.max(1000.0);
     let t = 1000.0 / kelvin;

@@ -84,7 +84,7 @@ pub struct Rendering {
 
 impl Rendering {
     /// R1 to R15.
-    pub fn indices(&self) -> [f64; RENDERING_SAMPLES] {
+    pub(crate) fn indices(&self) -> [f64; RENDERING_SAMPLES] {
         self.samples.map(|sample| sample.index)
     }
 

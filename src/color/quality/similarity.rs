@@ -48,7 +48,7 @@ pub enum SimilarityReference {
 
 impl SimilarityReference {
     /// The reference of a CCT: rounded to 1 K, a blackbody below 4000 K, else daylight.
-    pub fn of_cct(kelvin: f64) -> Self {
+    pub(crate) fn of_cct(kelvin: f64) -> Self {
         let kelvin = kelvin.round();
         if kelvin < DAYLIGHT_FROM_K {
             Self::Planck(kelvin)
@@ -77,7 +77,7 @@ impl SimilarityBands {
     ///
     /// # Errors
     /// [`NoFigure`] when there is no light in 375-675 nm.
-    pub fn of(light: &Light) -> Result<Self, NoFigure> {
+    pub(crate) fn of(light: &Light) -> Result<Self, NoFigure> {
         let light = light.lit()?;
         let mut bands = of_values(light.values());
         for line in light.lines() {
@@ -107,7 +107,7 @@ impl SimilarityBands {
 
     /// SSI of these bands against a reference's: 100 for the same light, not rounded, maybe
     /// negative.
-    pub fn similarity_to(&self, reference: &Self) -> f64 {
+    pub(crate) fn similarity_to(&self, reference: &Self) -> f64 {
         let mut padded = [0.0; BANDS + 2];
         for (band, difference) in padded[1..=BANDS].iter_mut().enumerate() {
             let (t, r) = (self.0[band], reference.0[band]);
@@ -177,7 +177,10 @@ pub struct Similarity {
 ///
 /// # Errors
 /// [`NoFigure`] when there is no light in 375-675 nm.
-pub fn similarity(light: &Light, kelvin: Result<f64, NoFigure>) -> Result<Similarity, NoFigure> {
+pub(crate) fn similarity(
+    light: &Light,
+    kelvin: Result<f64, NoFigure>,
+) -> Result<Similarity, NoFigure> {
     let bands = SimilarityBands::of(light)?;
     let of_cct = kelvin.and_then(|kelvin| {
         let reference = SimilarityReference::of_cct(kelvin);

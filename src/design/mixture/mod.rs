@@ -12,5 +12,6 @@ mod spec;
 
 pub use channel::{Channel, composite, left_out, mixed};
 pub(crate) use error::MOST_CHANNELS;
-pub use error::MixError;
-pub use spec::{Source, Spec};
+pub(crate) use error::MixError;
+pub use spec::Source;
+pub(crate) use spec::Spec;

@@ -108,7 +108,7 @@ impl Source {
 
 impl Spec {
     /// A channel of what it is made of, its power not fixed.
-    pub fn of(source: Source) -> Self {
+    pub(crate) fn of(source: Source) -> Self {
         Self {
             words: source.words(),
             source,
@@ -117,7 +117,7 @@ impl Spec {
     }
 
     /// A channel of a name that is taken as it stands, with any signs in it (a file).
-    pub fn named(name: &str) -> Self {
+    pub(crate) fn named(name: &str) -> Self {
         Self {
             words: name.to_owned(),
             source: Source::Named(name.to_owned()),

@@ -27,7 +27,7 @@ const MOST_LINES: usize = 32;
 
 /// A colour of the light, or of a surface under it.
 #[derive(Clone, Copy, Debug)]
-pub struct LitColour<'a> {
+pub(crate) struct LitColour<'a> {
     /// The surface; `None` for the light itself.
     pub surface: Option<&'a Sampled>,
     /// XYZ, all colours in the same scale.
@@ -56,7 +56,7 @@ pub struct LineLight {
 
 impl LineLight {
     /// Values on the whole nm of 380-780, each line split over its two neighbours.
-    pub fn on_band(&self) -> Vec<f64> {
+    pub(crate) fn on_band(&self) -> Vec<f64> {
         let mut values = self.background.clone();
         add_lines(&self.lines, &mut values);
         values
@@ -69,7 +69,7 @@ impl LineLight {
     /// [`RecoverError::Lines`] and [`RecoverError::LineOutside`] for lines, [`RecoverError::NoBackground`]
     /// for the shape, [`RecoverError::Colours`] without a colour, [`RecoverError::NotAColour`] for
     /// numbers that are not finite and for a light without Y.
-    pub fn new(
+    pub(crate) fn new(
         lines_nm: &[f64],
         background: &Sampled,
         colours: &[LitColour<'_>],

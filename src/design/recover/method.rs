@@ -33,11 +33,6 @@ impl Method {
         }
     }
 
-    /// The method of a [`Method::word`].
-    pub fn from_word(word: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|method| method.word() == word)
-    }
-
     /// The name that people read.
     pub fn title(self) -> &'static str {
         match self {

@@ -32,14 +32,23 @@ mod smoothest;
 mod viewing;
 
 pub use colour::Colour;
-pub use error::RecoverError;
-pub use lines::{LineLight, LitColour};
-pub use metamers::MetamerBand;
+pub(crate) use error::RecoverError;
+pub(crate) use lines::{LineLight, LitColour};
+pub(crate) use metamers::MetamerBand;
 pub use method::Method;
-pub use picture::{
-    ColourPicture, Encoded, PictureCount, spectral_cube, spectral_rows, usual_bands,
-};
-pub use prediction::{Prediction, Told, predictions, told};
-pub use recovered::{Nearest, Recovered, Reflectance, Seen, can_be, metamers};
-pub use report::{json, line_light_json};
-pub use viewing::{BAND, NODES, Nodes, Viewing, node_nm, sampled_nodes};
+pub(crate) use picture::PictureCount;
+#[cfg(test)]
+pub(crate) use picture::spectral_cube;
+pub use picture::{ColourPicture, Encoded, spectral_rows, usual_bands};
+pub(crate) use prediction::Prediction;
+pub use prediction::{Told, predictions, told};
+pub(crate) use recovered::Nearest;
+#[cfg(test)]
+pub(crate) use recovered::can_be;
+pub use recovered::{Recovered, Reflectance, Seen, metamers};
+pub use report::json;
+pub(crate) use report::line_light_json;
+pub(crate) use viewing::node_nm;
+pub use viewing::{BAND, NODES, Viewing};
+#[cfg(test)]
+pub(crate) use viewing::{Nodes, sampled_nodes};

@@ -6,6 +6,7 @@
 //! grey of its luminance. Every colour is solved for itself, so that the result is the same bits
 //! whatever the number of threads.
 
+#[cfg(test)]
 use std::sync::Arc;
 
 use super::{
@@ -15,13 +16,10 @@ use super::{
     smoothest::{State, smoothest},
     viewing::{BAND, NODES, Nodes, STEP_NM, Viewing},
 };
+#[cfg(test)]
+use crate::spectrum::{Cube, cube::Interleave, cube::Layout, cube::Number};
 use crate::{
-    color::srgb::linear_from_encoded,
-    spectrum::{
-        Cube,
-        cube::{Interleave, Layout, Number},
-    },
-    study::{Progress, in_parallel, processors},
+    color::srgb::linear_from_encoded, study::Progress, study::in_parallel, study::processors,
 };
 
 /// Colours along each edge of the cube that starts are taken from.
@@ -145,7 +143,8 @@ pub fn spectral_rows(
 ///
 /// # Errors
 /// As [`spectral_rows`].
-pub fn spectral_cube(
+#[cfg(test)]
+pub(crate) fn spectral_cube(
     picture: ColourPicture<'_>,
     viewing: &Viewing,
     bands_nm: &[f64],

@@ -80,7 +80,7 @@ impl Reflectance {
     }
 
     /// The lowest and the highest value.
-    pub fn extent(&self) -> [f64; 2] {
+    pub(crate) fn extent(&self) -> [f64; 2] {
         let values = match self {
             Self::Nodes(nodes) => nodes.to_vec(),
             Self::Series(series) => series.on_band(),
@@ -133,7 +133,7 @@ impl Recovered {
     }
 
     /// Whether every value lies in 0-1 (to rounding of the last digits of a series).
-    pub fn is_inside_0_1(&self) -> bool {
+    pub(crate) fn is_inside_0_1(&self) -> bool {
         let [lowest, highest] = self.reflectance.extent();
         lowest >= -1e-12 && highest <= 1.0 + 1e-12
     }
@@ -220,7 +220,7 @@ impl Recovered {
 }
 
 /// Whether some surface has these colours; false for another number of colours than one or two.
-pub fn can_be(seen: &[Seen<'_>]) -> bool {
+pub(crate) fn can_be(seen: &[Seen<'_>]) -> bool {
     match seen {
         [_] => possible::is_possible::<3>(&columns_of(seen), target_of(seen)),
         [_, _] => possible::is_possible::<6>(&columns_of(seen), target_of(seen)),

@@ -51,7 +51,7 @@ pub fn json(
 
 /// The object of a light of lines, with the same keys; what asks for a reflectance is null, and
 /// `lines`, `background_power` and `residual` stand beside them.
-pub fn line_light_json(light: &LineLight, under: &[Prediction]) -> Value {
+pub(crate) fn line_light_json(light: &LineLight, under: &[Prediction]) -> Value {
     let on_band = light.on_band();
     let ends = [f64::INFINITY, f64::NEG_INFINITY];
     let [lowest, highest] = on_band

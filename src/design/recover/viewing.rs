@@ -22,7 +22,7 @@ pub(crate) const STEP_NM: usize = 5;
 pub const NODES: usize = 81;
 
 /// One value a node.
-pub type Nodes = [f64; NODES];
+pub(crate) type Nodes = [f64; NODES];
 
 /// Functions of the paper's series that are weighed: those of six coefficients.
 pub(super) const FOURIER: usize = 6;
@@ -40,7 +40,7 @@ pub struct Viewing {
 }
 
 /// Wavelength of a node, nm.
-pub fn node_nm(node: usize) -> f64 {
+pub(crate) fn node_nm(node: usize) -> f64 {
     BAND.min_nm() + (node * STEP_NM) as f64
 }
 
@@ -48,7 +48,7 @@ pub fn node_nm(node: usize) -> f64 {
 ///
 /// # Panics
 /// Never: the nodes rise, and the callers' values are finite.
-pub fn sampled_nodes(values: &Nodes) -> Sampled {
+pub(crate) fn sampled_nodes(values: &Nodes) -> Sampled {
     Sampled::even(BAND.min_nm(), STEP_NM as f64, values.to_vec())
         .expect("rising places and finite values")
 }
@@ -68,7 +68,7 @@ impl Viewing {
     ///
     /// # Errors
     /// As [`Viewing::new`]; [`RecoverError::NoLight`] also for another number of values than 471.
-    pub fn of_nm_values(light: &[f64], observer: Observer) -> Result<Self, RecoverError> {
+    pub(crate) fn of_nm_values(light: &[f64], observer: Observer) -> Result<Self, RecoverError> {
         let viewing = Self::unchecked(light, observer)?;
         if viewing.condition < WORST_CONDITION {
             Ok(viewing)

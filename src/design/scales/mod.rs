@@ -54,17 +54,17 @@ impl Sums {
     }
 
     /// X, Y, Z in power x colour-matching function.
-    pub fn xyz(&self) -> Xyz {
+    pub(crate) fn xyz(&self) -> Xyz {
         Xyz::new(self.basic[0], self.basic[1], self.basic[2])
     }
 
     /// Luminous efficacy of radiation, lm/W; zero without power.
-    pub fn efficacy(&self) -> f64 {
+    pub(crate) fn efficacy(&self) -> f64 {
         ratio(LUMENS_PER_WATT * self.basic[1], self.basic[4])
     }
 
     /// Melanopic daylight efficacy ratio (CIE S 026); zero without light.
-    pub fn melanopic_der(&self) -> f64 {
+    pub(crate) fn melanopic_der(&self) -> f64 {
         ratio(self.basic[3], self.basic[1]) / *MELANOPIC_OF_D65
     }
 }

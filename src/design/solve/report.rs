@@ -11,7 +11,7 @@ use crate::{
 
 /// A channel as a mixing desk shows it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Fader {
+pub(crate) struct Fader {
     /// The channel in words.
     pub spec: String,
     /// Its power.
@@ -29,7 +29,7 @@ pub struct Fader {
 }
 
 /// The faders of a mixture.
-pub fn faders(channels: &[Channel], weights: &[f64]) -> Vec<Fader> {
+pub(crate) fn faders(channels: &[Channel], weights: &[f64]) -> Vec<Fader> {
     let whole: f64 = weights.iter().sum();
     let strongest = weights.iter().copied().fold(0.0, f64::max);
     let share = |part: f64, of: f64| if of > 0.0 { part / of } else { 0.0 };
@@ -48,7 +48,7 @@ pub fn faders(channels: &[Channel], weights: &[f64]) -> Vec<Fader> {
 }
 
 /// The object of a mixture.
-pub fn mix_json(channels: &[Channel], solution: &Solution) -> Value {
+pub(crate) fn mix_json(channels: &[Channel], solution: &Solution) -> Value {
     let figures = &solution.figures;
     json!({
         "channels": faders(channels, &solution.weights),
@@ -88,7 +88,7 @@ fn composite_json(channels: &[Channel], weights: &[f64]) -> Value {
 }
 
 /// The object of a front.
-pub fn front_json(points: &[FrontPoint]) -> Value {
+pub(crate) fn front_json(points: &[FrontPoint]) -> Value {
     let point = |point: &FrontPoint| {
         json!({
             "ler": point.figures.ler,

@@ -22,7 +22,7 @@ impl Target {
     ///
     /// # Errors
     /// [`MixError::Target`] for numbers that are no chromaticity of X, Y, Z of 0 or more.
-    pub fn of_xy(xy: [f64; 2]) -> Result<Self, MixError> {
+    pub(crate) fn of_xy(xy: [f64; 2]) -> Result<Self, MixError> {
         let refused = || MixError::Target {
             found: xy.map(digits).join(","),
             expected: "x,y with y above 0 and x + y of 1 at most".to_owned(),

@@ -100,7 +100,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 }
 
 /// One line about a composite: basis, order, range, spikes, and how many numbers it takes.
-pub fn in_words(composite: &Composite) -> String {
+pub(crate) fn in_words(composite: &Composite) -> String {
     let (band, smooth) = (composite.band(), composite.smooth());
     format!(
         "{} series of order {}, {}-{} nm, {}, {}",

@@ -39,7 +39,7 @@ pub(crate) struct RawImage {
 }
 
 /// What the values of an image are.
-pub struct Meant {
+pub(crate) struct Meant {
     /// What they stand for.
     pub kind: Decision<Kind>,
     /// What they are counted in; `None` where they are no factor.
@@ -54,7 +54,7 @@ pub struct Meant {
 
 impl Meant {
     /// By what the format knows and a person decided, else by the values of some pixels.
-    pub fn of(known: Known, chosen: OfOne, sample: impl FnOnce() -> Vec<f64>) -> Self {
+    pub(crate) fn of(known: Known, chosen: OfOne, sample: impl FnOnce() -> Vec<f64>) -> Self {
         let Known {
             kind: own,
             unit,
@@ -90,7 +90,7 @@ impl Meant {
     }
 
     /// What was guessed of the values, or goes against the file, a sentence each.
-    pub fn said(&self) -> Vec<String> {
+    pub(crate) fn said(&self) -> Vec<String> {
         let decisions = Decisions {
             axis: None,
             kind: self.kind.clone(),

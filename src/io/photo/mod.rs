@@ -16,7 +16,7 @@ use super::{
     error::ReadError,
     input::name_of,
 };
-pub use exif::Exif;
+pub(crate) use exif::Exif;
 
 /// Fewest and most pixels of a side, and most of both.
 const SIDES: (usize, usize) = (24, 16_384);
@@ -59,7 +59,7 @@ fn refused<T>(found: impl Into<String>, expected: &str) -> Result<T, Refused> {
 ///
 /// # Errors
 /// [`ReadError`] for what is no JPEG or PNG, a broken stream, and sides or sizes beyond the limits.
-pub fn read_photo(path: &Path) -> Result<Photo, ReadError> {
+pub(crate) fn read_photo(path: &Path) -> Result<Photo, ReadError> {
     let name = name_of(path);
     let trouble = |error: std::io::Error| {
         let (found, expected) = super::why_unopened(path, &error);
@@ -83,7 +83,7 @@ pub fn read_photo(path: &Path) -> Result<Photo, ReadError> {
 ///
 /// # Errors
 /// As [`read_photo`].
-pub fn photo_of(name: &str, bytes: &[u8]) -> Result<Photo, ReadError> {
+pub(crate) fn photo_of(name: &str, bytes: &[u8]) -> Result<Photo, ReadError> {
     let stored = if bytes.starts_with(SIGNATURE) {
         guarded(|| png_photo::read(bytes))
     } else if bytes.starts_with(b"\xff\xd8") {

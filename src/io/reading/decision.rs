@@ -45,12 +45,12 @@ impl<T> Decision<T> {
     }
 
     /// A person's.
-    pub fn chosen(value: T) -> Self {
+    pub(crate) fn chosen(value: T) -> Self {
         Self::of(value, Origin::Chosen, BY_HAND)
     }
 
     /// One that the file states.
-    pub fn stated(value: T, reason: impl Into<String>) -> Self {
+    pub(crate) fn stated(value: T, reason: impl Into<String>) -> Self {
         Self::of(value, Origin::Stated, reason)
     }
 
@@ -60,7 +60,7 @@ impl<T> Decision<T> {
     }
 
     /// A guess, from what leaves hardly a doubt or from what is usual.
-    pub fn guessed(value: T, is_evident: bool, reason: impl Into<String>) -> Self {
+    pub(crate) fn guessed(value: T, is_evident: bool, reason: impl Into<String>) -> Self {
         let origin = match is_evident {
             true => Origin::Evident,
             false => Origin::Likely,
@@ -74,7 +74,7 @@ impl<T> Decision<T> {
     }
 
     /// Whether a person should look.
-    pub fn is_doubtful(&self) -> bool {
+    pub(crate) fn is_doubtful(&self) -> bool {
         self.origin == Origin::Likely
     }
 }
@@ -90,7 +90,7 @@ pub enum AxisDecision {
 
 impl AxisDecision {
     /// Whether a person should look: anything but nanometres is rare enough to ask.
-    pub fn is_doubtful(&self) -> bool {
+    pub(crate) fn is_doubtful(&self) -> bool {
         match self {
             Self::Unit(unit) => unit.is_doubtful() && unit.value != WavelengthUnit::Nanometre,
             Self::Laser(laser) => laser.is_doubtful(),
@@ -111,7 +111,7 @@ pub struct Decisions {
 
 impl Decisions {
     /// What spoke for each decision.
-    pub fn reasons(&mut self) -> impl Iterator<Item = &mut String> {
+    pub(crate) fn reasons(&mut self) -> impl Iterator<Item = &mut String> {
         let axis = self.axis.as_mut().map(|axis| match axis {
             AxisDecision::Unit(unit) => &mut unit.reason,
             AxisDecision::Laser(laser) => &mut laser.reason,
@@ -122,7 +122,7 @@ impl Decisions {
     }
 
     /// Whether a person should look.
-    pub fn is_doubtful(&self) -> bool {
+    pub(crate) fn is_doubtful(&self) -> bool {
         self.kind.is_doubtful()
             || self.counted.as_ref().is_some_and(Decision::is_doubtful)
             || self.axis.as_ref().is_some_and(AxisDecision::is_doubtful)

@@ -41,7 +41,7 @@ pub(crate) fn taken_as(chosen: &str, reason: &str) -> String {
 
 impl Remark {
     /// The remark in words; `None` where there is nothing to say.
-    pub fn words(self, decisions: &Decisions) -> Option<String> {
+    pub(crate) fn words(self, decisions: &Decisions) -> Option<String> {
         match self {
             Self::Line => None,
             Self::Kind => {

@@ -13,7 +13,7 @@ use crate::io::text::first_line;
 use crate::io::text::number::{self, Cell};
 
 /// Most cells of numbers that one file may hold; 64 million take 512 MiB of memory.
-pub const MOST_CELLS: usize = 64_000_000;
+pub(crate) const MOST_CELLS: usize = 64_000_000;
 
 /// Longest line that may be a row, in bytes: as many columns as may be, of 256 characters each.
 const LONGEST_ROW: usize = 256 * MOST_COLUMNS;

@@ -11,7 +11,7 @@ use std::borrow::Cow;
 use encoding_rs::Encoding;
 
 /// Most bytes of one text file that the program opens: 512 MiB.
-pub const MOST_BYTES: u64 = 512 * 1024 * 1024;
+pub(crate) const MOST_BYTES: u64 = 512 * 1024 * 1024;
 
 /// Most bytes of a text that only one instrument's or program's format tells how to read, 64 MiB:
 /// far more than any of them writes.

@@ -32,7 +32,7 @@ impl Precision {
 }
 
 /// Rows that [`write_rows`] asks for at a time.
-pub const BLOCK_ROWS: usize = 16;
+pub(crate) const BLOCK_ROWS: usize = 16;
 
 /// Attributes from texts; those with letters that the format does not know are left out.
 fn attributes(texts: impl IntoIterator<Item = (String, String)>) -> LayerAttributes {
@@ -74,7 +74,7 @@ pub(super) fn image(
 ///
 /// # Errors
 /// Those of `rows` and of the writer.
-pub fn write_rows<E: From<io::Error>>(
+pub(crate) fn write_rows<E: From<io::Error>>(
     out: impl Write + Seek,
     [width, height]: [usize; 2],
     channels: &[(String, Precision)],

@@ -37,7 +37,7 @@ pub fn reflectance_exr(
 ///
 /// # Errors
 /// As [`reflectance_exr`].
-pub fn light_exr(
+pub(crate) fn light_exr(
     size: [usize; 2],
     [strata, spikes]: [Planes; 2],
     facts: &[(&str, String)],

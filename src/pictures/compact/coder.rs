@@ -21,7 +21,7 @@ const HEAD: usize = 4 + 2 * COUNT + 4 * (CONTEXTS - 1);
 
 /// A plane of a tile.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Plane {
+pub(crate) struct Plane {
     /// Columns.
     pub width: usize,
     /// Rows.

@@ -14,7 +14,6 @@ mod simple;
 mod tile;
 mod zlib;
 
-pub use coder::Plane;
 pub use file::{CompactFile, CompactPlan, compact_plan, write_compact};
 pub use quantiser::Quantiser;
 pub use tile::Coder;

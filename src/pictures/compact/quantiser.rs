@@ -185,7 +185,8 @@ impl Quantiser {
     }
 
     /// The diagonal of the metric that the steps are even in.
-    pub fn metric_diagonal(&self) -> &[f64] {
+    #[cfg(test)]
+    pub(crate) fn metric_diagonal(&self) -> &[f64] {
         &self.metric_diagonal
     }
 

@@ -34,7 +34,7 @@ pub struct BounceErrors {
 ///
 /// # Panics
 /// When a curve does not have [`crate::spectrum::Band::points`] values.
-pub fn bounce_errors(product: Product<'_>, surface: &Factor) -> Vec<BounceErrors> {
+pub(crate) fn bounce_errors(product: Product<'_>, surface: &Factor) -> Vec<BounceErrors> {
     let by = |sampling| Product {
         sampling,
         ..product

@@ -113,7 +113,7 @@ impl Passage {
     }
 
     /// The chain as one product; without factors the light itself.
-    pub fn total(&self) -> Total {
+    pub(crate) fn total(&self) -> Total {
         let last = self.steps.last();
         let colours = last.map_or(self.light, |step| step.colours);
         Total {

@@ -20,25 +20,29 @@ mod dips;
 mod narrow;
 mod resampling;
 mod same_surface;
-pub mod timing;
+pub(crate) mod timing;
 mod two_lights;
 
 pub(crate) use bounces::MOST_BOUNCES;
-pub use bounces::{BounceErrors, bounce_errors};
-pub use chain::{Passage, Product, SetErrors, Step, Total};
+pub(crate) use bounces::{BounceErrors, bounce_errors};
+pub(crate) use chain::{Passage, SetErrors, Step};
+pub use chain::{Product, Total};
 pub(crate) use dips::depths;
-pub use narrow::{Narrow, NarrowPoint};
+pub use narrow::Narrow;
+pub(crate) use narrow::NarrowPoint;
+pub use resampling::resampled;
 pub(crate) use resampling::spike_costs;
-pub use resampling::{Formed, Resampled, SpikeCosts, resampled};
+pub(crate) use resampling::{Formed, Resampled, SpikeCosts};
 pub(crate) use same_surface::measured_check;
-pub use same_surface::{Checker, Compared, Reflection, SAME_RESIDUAL, Sameness};
+pub(crate) use same_surface::{Checker, Compared, Reflection};
+pub use same_surface::{SAME_RESIDUAL, Sameness};
 pub(crate) use timing::product_times;
-pub use timing::{ProductTime, Sizes};
+pub(crate) use timing::{ProductTime, Sizes};
 pub(crate) use two_lights::two_modelled_lights;
-pub use two_lights::{
-    Black, MATCH_DELTA_E, MetamericPair, Metamers, TwoLights, metameric_black, metameric_pairs,
-    two_lights,
+pub(crate) use two_lights::{
+    Black, MATCH_DELTA_E, MetamericPair, Metamers, metameric_black, metameric_pairs,
 };
+pub use two_lights::{TwoLights, two_lights};
 
 use super::error::ratio;
 use crate::color::{Xyz, delta_e_of_xyz};
@@ -58,7 +62,7 @@ pub struct Colours {
 
 impl Colours {
     /// Compares two colours against a white in the same scale.
-    pub fn of(exact: Xyz, model: Xyz, white: Xyz) -> Self {
+    pub(crate) fn of(exact: Xyz, model: Xyz, white: Xyz) -> Self {
         Self {
             exact,
             model,

@@ -69,7 +69,7 @@ impl Narrow {
     /// The same of a model whose lines have widths: its values on the grid with those lines, so
     /// that a filter narrower than a line is seen as it is, its lines of no width, and the numbers
     /// that it takes. `smooth` is its smooth part.
-    pub fn of_parts(
+    pub(crate) fn of_parts(
         measured: &[f64],
         smooth: &Series,
         (values, ideal, numbers): (&[f64], &[Line], usize),
@@ -110,7 +110,7 @@ impl Narrow {
     }
 
     /// What both sides are brightened by behind a filter that leaves `exact` of the light.
-    pub fn gain(&self, exact: Xyz) -> f64 {
+    pub(crate) fn gain(&self, exact: Xyz) -> f64 {
         let gain = BRIGHT * self.white.y / exact.y.max(0.0);
         if gain.is_nan() {
             1.0

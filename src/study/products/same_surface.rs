@@ -34,7 +34,7 @@ pub struct Reflection {
 
 impl Reflection {
     /// The verdict: the residual is at most [`SAME_RESIDUAL`], and no light has turned negative.
-    pub fn holds(self) -> bool {
+    pub(crate) fn holds(self) -> bool {
         self.residual <= SAME_RESIDUAL && self.factor > 0.0
     }
 }
@@ -100,7 +100,7 @@ pub struct Compared {
 
 /// A light and an outgoing spectrum in the model's numbers, ready for any surface.
 #[derive(Clone, Debug)]
-pub struct Checker<'a> {
+pub(crate) struct Checker<'a> {
     light: &'a Composite,
     outgoing: &'a Composite,
     table: BasisTable,
@@ -109,7 +109,7 @@ pub struct Checker<'a> {
 
 impl<'a> Checker<'a> {
     /// Both composites share band and basis.
-    pub fn new(light: &'a Composite, outgoing: &'a Composite) -> Self {
+    pub(crate) fn new(light: &'a Composite, outgoing: &'a Composite) -> Self {
         let (band, numbers) = (light.band(), light.smooth().coefficients.len());
         Self {
             light,
@@ -124,7 +124,7 @@ impl<'a> Checker<'a> {
     ///
     /// # Panics
     /// When `reflectance` does not have [`Band::points`] values.
-    pub fn against(&self, reflectance: &[f64]) -> Option<Compared> {
+    pub(crate) fn against(&self, reflectance: &[f64]) -> Option<Compared> {
         let (light, outgoing) = (self.light, self.outgoing);
         let surface = Series {
             coefficients: self.table.project(reflectance, self.table.numbers()),

@@ -15,7 +15,7 @@ pub(super) const DIFFERENT_RMS: f64 = 0.01;
 
 /// Pairs this close under the first light match: side by side they are hard to tell apart. The one
 /// bound of a colour that is hard to tell from another (CIEDE2000).
-pub const MATCH_DELTA_E: f64 = 1.0;
+pub(crate) const MATCH_DELTA_E: f64 = 1.0;
 
 /// A surface under two lights, each seen against its own white.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -133,7 +133,7 @@ impl TwoLights {
 /// Pairs of different surfaces closer than `match_delta_e` under the first light, the farthest
 /// apart under the second first. `surfaces` are those of `seen`, on the band's grid. A step of
 /// progress each; `None` when it was cancelled.
-pub fn metameric_pairs(
+pub(crate) fn metameric_pairs(
     band: Band,
     surfaces: &[Vec<f64>],
     both: &TwoLights,
@@ -213,7 +213,7 @@ pub struct Black {
 impl Black {
     /// A surface with a share of the room used: -1 all the way down, 0 the surface itself, 1 all
     /// the way up.
-    pub fn added(&self, surface: &[f64], share: f64) -> Vec<f64> {
+    pub(crate) fn added(&self, surface: &[f64], share: f64) -> Vec<f64> {
         let share = share.clamp(-1.0, 1.0);
         let scale = if share < 0.0 {
             -share * self.room[0]
@@ -232,7 +232,7 @@ impl Black {
 /// leaves any freedom) that the light shows as nothing: orthogonal to the three colour-matching
 /// functions times the light. `None` when there is no room (a surface that touches 0 or 1 where
 /// the black would leave), or the light is not seen on this band.
-pub fn metameric_black(
+pub(crate) fn metameric_black(
     band: Band,
     surface: &[f64],
     light: &[f64],

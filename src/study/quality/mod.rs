@@ -4,4 +4,5 @@ mod many;
 mod order;
 
 pub use many::figures_of_many;
-pub use order::{Chosen, OrderFigures, OrderPoint, figures_against_order};
+pub use order::figures_against_order;
+pub(crate) use order::{Chosen, OrderFigures};

@@ -41,10 +41,10 @@ pub enum Chosen {
 
 impl Chosen {
     /// All four.
-    pub const ALL: [Self; 4] = [Self::Ra, Self::Rf, Self::Cct, Self::MelanopicDer];
+    pub(crate) const ALL: [Self; 4] = [Self::Ra, Self::Rf, Self::Cct, Self::MelanopicDer];
 
     /// Title of the curve.
-    pub fn title(self) -> &'static str {
+    pub(crate) fn title(self) -> &'static str {
         match self {
             Self::Ra => "Ra",
             Self::Rf => "Rf",
@@ -54,7 +54,7 @@ impl Chosen {
     }
 
     /// The value, where there is one.
-    pub fn of(self, figures: &FewFigures) -> Option<f64> {
+    pub(crate) fn of(self, figures: &FewFigures) -> Option<f64> {
         match self {
             Self::Ra => figures.ra.as_ref().ok().copied(),
             Self::Rf => figures.rf.as_ref().ok().copied(),
@@ -65,7 +65,7 @@ impl Chosen {
 
     /// How near to the exact value counts as there: half a point of an index; half a per cent of
     /// the CCT and half a hundredth of the ratio, in which a point would say nothing.
-    pub fn near_enough(self, exact: f64) -> f64 {
+    pub(crate) fn near_enough(self, exact: f64) -> f64 {
         match self {
             Self::Ra | Self::Rf => 0.5,
             Self::Cct => 0.005 * exact.abs(),
@@ -78,7 +78,7 @@ impl OrderFigures {
     /// The least order from which on every larger one is near enough to the exact value; `None`
     /// when the last is not, or there is no exact value. Errors do not fall steadily: an order
     /// that is near by chance, with worse ones above it, does not count.
-    pub fn settled_from(&self, chosen: Chosen) -> Option<usize> {
+    pub(crate) fn settled_from(&self, chosen: Chosen) -> Option<usize> {
         let near = self.near(chosen)?;
         let last_off = near.iter().rposition(|near| !near);
         let first = last_off.map_or(0, |index| index + 1);
@@ -86,7 +86,8 @@ impl OrderFigures {
     }
 
     /// The least order that is near enough, whatever larger ones do.
-    pub fn least_within(&self, chosen: Chosen) -> Option<usize> {
+    #[cfg(test)]
+    pub(crate) fn least_within(&self, chosen: Chosen) -> Option<usize> {
         let near = self.near(chosen)?;
         let first = near.iter().position(|near| *near)?;
         self.points.get(first).map(|point| point.order)

@@ -23,20 +23,23 @@ mod table_2;
 mod tests;
 
 pub(in crate::study) use eq_17::cut;
-pub use eq_17::{Eq17, SpikeReading, StraightLine};
+pub(crate) use eq_17::{Eq17, SpikeReading, StraightLine};
 pub(crate) use eq_17::{eq_17, straight_line};
 pub(crate) use five_percent::five_percent;
-pub use five_percent::{ChannelTerms, FivePercent, Neglected};
-pub use resampling::{Resampling, ResamplingWay, resampling};
-pub use samples::{Match, Question, SampledErrors, SamplesAgainstNumbers, samples};
+pub(crate) use five_percent::{FivePercent, Neglected};
+pub(crate) use resampling::ResamplingWay;
+pub use resampling::{Resampling, resampling};
+pub(crate) use samples::{Match, SampledErrors, SamplesAgainstNumbers};
+pub use samples::{Question, samples};
+pub use table_2::Deviation;
+pub(crate) use table_2::Table2;
 pub(crate) use table_2::table_2;
-pub use table_2::{Deviation, Table2};
 
 use crate::color::gaussian_cmf::NEGLIGIBLE_SHARE;
 
 /// A figure that the paper states, and where.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stated {
+pub(crate) struct Stated {
     /// The figure, in the unit its constant names.
     pub figure: f64,
     /// Equation, table or section of the paper.
@@ -63,10 +66,11 @@ pub(crate) const STATED_SAMPLES: Stated = stated(400.0, STORAGE);
 pub(crate) const STATED_NUMBERS: Stated = stated(TOTAL_NUMBERS as f64, STORAGE);
 
 /// Numbers for the smooth background.
-pub const STATED_BACKGROUND: Stated = stated((TOTAL_NUMBERS - 2 * MOST_SPIKES) as f64, STORAGE);
+pub(crate) const STATED_BACKGROUND: Stated =
+    stated((TOTAL_NUMBERS - 2 * MOST_SPIKES) as f64, STORAGE);
 
 /// Numbers for the spikes, two each.
-pub const STATED_SPIKE_NUMBERS: Stated = stated((2 * MOST_SPIKES) as f64, STORAGE);
+pub(crate) const STATED_SPIKE_NUMBERS: Stated = stated((2 * MOST_SPIKES) as f64, STORAGE);
 
 /// The green mercury line that Eq. 17 is tried on, in nm.
 pub(crate) const STATED_LINE_NM: Stated = stated(546.1, "Table 4");

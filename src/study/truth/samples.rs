@@ -46,7 +46,7 @@ pub struct SamplesAgainstNumbers {
 
 impl SamplesAgainstNumbers {
     /// Numbers that the composite takes.
-    pub fn numbers(&self) -> usize {
+    pub(crate) fn numbers(&self) -> usize {
         self.background + 2 * self.spikes
     }
 }

@@ -31,7 +31,7 @@ const OFFSET_FROM_K: f64 = 2870.0;
 
 /// A nominal white.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Quadrangle {
+pub(crate) struct Quadrangle {
     /// What the lamp is called, K.
     pub nominal_k: f64,
     /// Target CCT, K.
@@ -45,7 +45,7 @@ pub struct Quadrangle {
 }
 
 /// The ten basic quadrangles, from warm to cool.
-pub static QUADRANGLES: LazyLock<Vec<Quadrangle>> = LazyLock::new(|| {
+pub(crate) static QUADRANGLES: LazyLock<Vec<Quadrangle>> = LazyLock::new(|| {
     let xy = |kelvin: f64, duv: f64| uv_1960_of_cct(kelvin, duv).map_or([0.0; 2], xy_from_uv_1960);
     let of = |[nominal_k, target_k, tolerance_k]: [f64; 3]| {
         let (warm, cool) = (target_k - tolerance_k, target_k + tolerance_k);

@@ -4,7 +4,7 @@ use crate::color::srgb::{self, WHITE_XY as D65};
 
 /// A triangle of primaries with its white, xy.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gamut {
+pub(crate) struct Gamut {
     /// Its name.
     pub name: &'static str,
     /// The standard that says so.
@@ -18,7 +18,7 @@ pub struct Gamut {
 const P3: [[f64; 2]; 3] = [[0.680, 0.320], [0.265, 0.690], [0.150, 0.060]];
 
 /// The gamuts that a diagram offers.
-pub const GAMUTS: [Gamut; 4] = [
+pub(crate) const GAMUTS: [Gamut; 4] = [
     Gamut {
         name: "sRGB / Rec.709",
         standard: "IEC 61966-2-1, ITU-R BT.709",

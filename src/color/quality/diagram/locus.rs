@@ -31,7 +31,7 @@ const STEP: f64 = 1e-4;
 
 /// A wavelength's place.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LocusPoint {
+pub(crate) struct LocusPoint {
     /// Wavelength, nm.
     pub nm: u32,
     /// Where it is in the plane.
@@ -40,7 +40,7 @@ pub struct LocusPoint {
 
 /// A mark across the Planckian locus: an isotherm between two Duv.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tick {
+pub(crate) struct Tick {
     /// Temperature, K; infinite at the end of the locus.
     pub kelvin: f64,
     /// On the locus.
@@ -52,7 +52,7 @@ pub struct Tick {
 }
 
 /// The locus of whole nm that an observer's table has, closed by the purple line when drawn.
-pub fn spectral_locus(observer: Observer, plane: Plane) -> Vec<LocusPoint> {
+pub(crate) fn spectral_locus(observer: Observer, plane: Plane) -> Vec<LocusPoint> {
     let table = observer.table();
     let points = (table.first_nm..=table.last_nm).filter_map(|nm| {
         let xyz = Xyz::from_array(table.at(f64::from(nm)));
@@ -63,7 +63,7 @@ pub fn spectral_locus(observer: Observer, plane: Plane) -> Vec<LocusPoint> {
 }
 
 /// The curve of blackbodies from 1000 K to infinity, even in reciprocal temperature.
-pub fn planckian_locus(plane: Plane) -> Vec<[f64; 2]> {
+pub(crate) fn planckian_locus(plane: Plane) -> Vec<[f64; 2]> {
     const STEPS: u32 = 200;
     (0..=STEPS)
         .rev()
@@ -77,7 +77,7 @@ pub fn planckian_locus(plane: Plane) -> Vec<[f64; 2]> {
 
 /// A mark of a temperature that reaches `duv` to either side; `None` below some 300 K, where a
 /// blackbody has no visible light.
-pub fn tick(kelvin: f64, duv: f64, plane: Plane) -> Option<Tick> {
+pub(crate) fn tick(kelvin: f64, duv: f64, plane: Plane) -> Option<Tick> {
     let at = |duv| uv_1960_of_cct(kelvin, duv).map(|uv| plane.of_xy(xy_from_uv_1960(uv)));
     Some(Tick {
         kelvin,
@@ -88,7 +88,7 @@ pub fn tick(kelvin: f64, duv: f64, plane: Plane) -> Option<Tick> {
 }
 
 /// CIE 1960 `[u, v]` of a correlated colour temperature (which may be infinite) and a Duv.
-pub fn uv_1960_of_cct(kelvin: f64, duv: f64) -> Option<[f64; 2]> {
+pub(crate) fn uv_1960_of_cct(kelvin: f64, duv: f64) -> Option<[f64; 2]> {
     let kelvin = kelvin.min(HOT_ENOUGH_K);
     let at = uv_1960_from_kelvin(kelvin)?;
     let (warm, cool) = if kelvin == HOT_ENOUGH_K {
@@ -110,7 +110,7 @@ pub fn uv_1960_of_cct(kelvin: f64, duv: f64) -> Option<[f64; 2]> {
 }
 
 /// The curve of daylight by its formula, 4000-25000 K.
-pub fn daylight_locus(plane: Plane) -> Vec<[f64; 2]> {
+pub(crate) fn daylight_locus(plane: Plane) -> Vec<[f64; 2]> {
     const STEPS: u32 = 84;
     (0..=STEPS)
         .map(|step| {

@@ -6,7 +6,7 @@
 
 /// One ellipse, a single step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ellipse {
+pub(crate) struct Ellipse {
     /// Centre, xy.
     pub centre: [f64; 2],
     /// Long and short semi-axis, xy units.
@@ -33,7 +33,8 @@ impl Ellipse {
     }
 
     /// How many steps of this ellipse a point is away from its centre.
-    pub fn steps_to(&self, xy: [f64; 2]) -> f64 {
+    #[cfg(test)]
+    pub(crate) fn steps_to(&self, xy: [f64; 2]) -> f64 {
         let (sin, cos) = self.angle_deg.to_radians().sin_cos();
         let [dx, dy] = [xy[0] - self.centre[0], xy[1] - self.centre[1]];
         let along = (dx * cos + dy * sin) / self.semi_axes[0];
@@ -51,7 +52,7 @@ const fn ellipse([x, y, long, short, angle_deg]: [f64; 5]) -> Ellipse {
 }
 
 /// The 25 ellipses.
-pub const ELLIPSES: [Ellipse; 25] = [
+pub(crate) const ELLIPSES: [Ellipse; 25] = [
     ellipse([0.160, 0.057, 0.00085, 0.00035, 62.5]),
     ellipse([0.187, 0.118, 0.00220, 0.00055, 77.0]),
     ellipse([0.253, 0.125, 0.00250, 0.00050, 55.5]),

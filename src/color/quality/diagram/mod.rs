@@ -16,12 +16,14 @@ mod locus;
 mod macadam;
 mod plane;
 
-pub use ansi::{QUADRANGLES, Quadrangle};
+pub(crate) use ansi::QUADRANGLES;
 pub(crate) use ansi::{WHITE_HALF_WIDTH_DUV, quadrangle_of, white_middle_duv};
-pub use gamut::{GAMUTS, Gamut};
+pub(crate) use gamut::GAMUTS;
 pub(crate) use locus::TICKS_K;
-pub use locus::{
-    LocusPoint, Tick, daylight_locus, planckian_locus, spectral_locus, tick, uv_1960_of_cct,
-};
-pub use macadam::{ELLIPSES, Ellipse};
-pub use plane::{Plane, xy_from_uv_1960};
+#[cfg(test)]
+pub(crate) use locus::uv_1960_of_cct;
+pub(crate) use locus::{daylight_locus, planckian_locus, spectral_locus, tick};
+pub(crate) use macadam::ELLIPSES;
+pub(crate) use plane::Plane;
+#[cfg(test)]
+pub(crate) use plane::xy_from_uv_1960;

@@ -2,7 +2,7 @@
 
 /// A chromaticity diagram.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Plane {
+pub(crate) enum Plane {
     /// CIE 1931 x, y.
     #[default]
     Xy,
@@ -12,7 +12,7 @@ pub enum Plane {
 
 impl Plane {
     /// A point of x, y in this plane.
-    pub fn of_xy(self, xy: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn of_xy(self, xy: [f64; 2]) -> [f64; 2] {
         match self {
             Self::Xy => xy,
             Self::Uv1976 => uv_1976_from_xy(xy),
@@ -41,7 +41,7 @@ pub(crate) fn xy_from_uv_1976([u, v]: [f64; 2]) -> [f64; 2] {
 }
 
 /// `[x, y]` of CIE 1960 `[u, v]`; the white E where the formula has no value.
-pub fn xy_from_uv_1960([u, v]: [f64; 2]) -> [f64; 2] {
+pub(crate) fn xy_from_uv_1960([u, v]: [f64; 2]) -> [f64; 2] {
     xy_from_uv_1976([u, 1.5 * v])
 }
 

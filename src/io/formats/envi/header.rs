@@ -88,13 +88,13 @@ impl Header {
 
 impl Fields {
     /// A field's text, without braces; keys are lower case.
-    pub fn text(&self, key: &str) -> Option<&str> {
+    pub(crate) fn text(&self, key: &str) -> Option<&str> {
         let value = self.fields.get(key)?.1.trim();
         (!value.is_empty()).then_some(value)
     }
 
     /// The items of a field in braces.
-    pub fn list(&self, key: &str) -> Vec<&str> {
+    pub(crate) fn list(&self, key: &str) -> Vec<&str> {
         let mut items = self.text(key).map(split).unwrap_or_default();
         // Some writers leave a comma behind the last item.
         if items.last() == Some(&"") {
@@ -107,7 +107,7 @@ impl Fields {
     ///
     /// # Errors
     /// [`ReadError`] at the field when an item is no number.
-    pub fn numbers(&self, key: &str) -> Result<Vec<f64>, ReadError> {
+    pub(crate) fn numbers(&self, key: &str) -> Result<Vec<f64>, ReadError> {
         let number = |item: &str| {
             number::number(item, false)
                 .filter(|x| x.is_finite())
@@ -120,7 +120,7 @@ impl Fields {
     ///
     /// # Errors
     /// [`ReadError`] at the field when it is no number.
-    pub fn number(&self, key: &str) -> Result<Option<f64>, ReadError> {
+    pub(crate) fn number(&self, key: &str) -> Result<Option<f64>, ReadError> {
         let Some(text) = self.text(key) else {
             return Ok(None);
         };
@@ -145,7 +145,7 @@ impl Fields {
     }
 
     /// An error at a field, or at the first line where there is none.
-    pub fn error(
+    pub(crate) fn error(
         &self,
         key: &str,
         found: impl Into<String>,

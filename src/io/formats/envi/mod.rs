@@ -28,7 +28,7 @@ use super::{Confidence, Format};
 use crate::io::input::name_of;
 use crate::io::{Input, ReadError, Reading};
 
-pub use header::{Fields, Header};
+pub use header::Header;
 pub(crate) use meaning::left_over;
 pub use meaning::{bandwidth_nm, channels, values};
 pub(crate) use pair::{header_at, place_of_data, read_header};
