@@ -18,7 +18,6 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use spectral_explorer::{
     app::{
         App, Command, QualityShown, Settings,
-        chart::Theme,
         charts::quality::{DiagramShows, diagram},
     },
     color::{
@@ -163,7 +162,7 @@ fn slider_move(c: &mut Criterion) {
     group.bench_function("chromaticity", |b| {
         b.iter(|| {
             let [measured, model] = step().places();
-            diagram(measured, model, DiagramShows::default(), Theme::Dark)
+            diagram(measured, model, DiagramShows::default())
         });
     });
     group.finish();

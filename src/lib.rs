@@ -59,6 +59,11 @@
 //! Out of scope: fluorescence and scattering. What light meets is one factor for each wavelength;
 //! only `optics` bends it, in clear bodies, and knows of polarisation at single faces alone.
 
+#![cfg_attr(
+    not(feature = "window"),
+    allow(dead_code, reason = "what the window alone calls")
+)]
+
 pub mod app;
 pub mod cli;
 pub mod color;

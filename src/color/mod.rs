@@ -39,13 +39,11 @@ mod weights;
 pub mod xyz;
 
 pub use adaptation::Adaptation;
-pub(crate) use adaptation::Adapter;
-pub(crate) use adaptation::adapted;
+pub(crate) use adaptation::{Adapter, adapted};
 pub use cct::Cct;
 pub(crate) use cct::{NoCct, cct_from_xyz, uv_1960_from_kelvin};
-pub(crate) use chromaticity::uv_1976_from_xyz;
 pub use chromaticity::xy_from_xyz;
-pub(crate) use chromaticity::{uv_1960_from_xyz, xyz_from_xy};
+pub(crate) use chromaticity::{uv_1960_from_xyz, uv_1976_from_xyz, xyz_from_xy};
 pub use ciede2000::{delta_e_2000, delta_e_of_xyz};
 pub(crate) use lab::{LAB_EPSILON, LAB_KAPPA, xyz_from_lab};
 pub use lab::{Lab, lab_from_xyz};

@@ -145,7 +145,7 @@ impl Observer {
     }
 
     /// The name that people read.
-    pub fn title(self) -> &'static str {
+    pub(crate) fn title(self) -> &'static str {
         &self.known().title
     }
 

@@ -207,7 +207,7 @@ impl PatchMatrix {
     ///
     /// # Panics
     /// When there are more coefficients than numbers, or `out` has the wrong length.
-    pub(crate) fn xyz_into(&self, coefficients: &[f64], out: &mut [[f64; 3]]) {
+    pub fn xyz_into(&self, coefficients: &[f64], out: &mut [[f64; 3]]) {
         assert_eq!(out.len(), self.patches, "one XYZ per patch");
         assert!(
             coefficients.len() <= self.numbers(),
@@ -229,8 +229,7 @@ impl PatchMatrix {
     ///
     /// # Panics
     /// When there are more coefficients than numbers.
-    #[cfg(test)]
-    pub(crate) fn white_xyz(&self, coefficients: &[f64]) -> Xyz {
+    pub fn white_xyz(&self, coefficients: &[f64]) -> Xyz {
         assert!(
             coefficients.len() <= self.numbers(),
             "too many coefficients"

@@ -117,7 +117,7 @@ impl Srgb {
     }
 
     /// `#rrggbb`.
-    pub fn hex(self) -> String {
+    pub(crate) fn hex(self) -> String {
         self.to_string()
     }
 }

@@ -52,7 +52,7 @@ impl Xyz {
     }
 
     /// All three multiplied by a factor.
-    pub fn scaled(self, factor: f64) -> Self {
+    pub(crate) fn scaled(self, factor: f64) -> Self {
         Self::new(self.x * factor, self.y * factor, self.z * factor)
     }
 

@@ -75,7 +75,7 @@ impl<'a> Input<'a> {
     }
 
     /// The first line of the text that is not empty; empty for a binary file.
-    pub fn first_line(&self) -> &str {
+    pub(crate) fn first_line(&self) -> &str {
         self.head().lines().next().unwrap_or("")
     }
 
@@ -120,7 +120,7 @@ impl<'a> Input<'a> {
     }
 
     /// The name without its last extension: what a spectrum is called that has no name.
-    pub fn stem(&self) -> &str {
+    pub(crate) fn stem(&self) -> &str {
         match self.name.rsplit_once('.') {
             Some((stem, _)) if !stem.is_empty() => stem,
             _ => &self.name,

@@ -37,48 +37,48 @@ use std::path::Path;
 
 pub(crate) use choices::OfOne;
 pub use choices::{Choices, Counted};
-pub(crate) use decode::exr::{ExrImage, Layer as ExrLayer};
-pub(crate) use decode::png::chunks as png_chunks;
 pub use decode::png::{ColourPixels, ColourPng};
-pub(crate) use error::WriteError;
-pub(crate) use error::part_of_message;
+pub(crate) use decode::{exr::ExrImage, exr::Layer as ExrLayer, png::chunks as png_chunks};
 pub use error::{ReadError, quoted, shown};
-pub(crate) use formats::Confidence;
-pub(crate) use formats::composite_json::in_words as composite_in_words;
-pub use formats::composite_json::write as composite_json;
-pub use formats::composite_line::{parse as parse_composite_line, write as composite_line};
-pub(crate) use formats::spectral_image::Meant;
-pub use formats::{FORMATS, Format, envi};
+pub(crate) use error::{WriteError, part_of_message};
+pub(crate) use formats::{
+    Confidence, composite_json::in_words as composite_in_words, spectral_image::Meant,
+};
+pub use formats::{
+    FORMATS, Format, composite_json::write as composite_json,
+    composite_line::parse as parse_composite_line, composite_line::write as composite_line, envi,
+};
 pub use input::Input;
 pub(crate) use input::name_of;
-pub(crate) use interpret::describe::MOST_UNDERSTOOD;
-pub(crate) use interpret::value_unit::counts_photons;
+pub(crate) use interpret::{describe::MOST_UNDERSTOOD, value_unit::counts_photons};
 pub(crate) use photo::{Exif, Photo, read_photo};
 pub(crate) use provenance::one_line;
 pub use provenance::{Column, Columns, Provenance, shortest};
-pub(crate) use reading::TableFound;
-pub(crate) use reading::decision::{AxisDecision, Decision, Decisions, Origin};
-pub use reading::makers_results::{MakersResult, Quantity};
-pub use reading::{CompositeFile, Guessed, OpenQuestion, Reading};
+pub use reading::{
+    CompositeFile, Guessed, OpenQuestion, Reading, makers_results::MakersResult,
+    makers_results::Quantity,
+};
+pub(crate) use reading::{
+    TableFound, decision::AxisDecision, decision::Decision, decision::Decisions, decision::Origin,
+};
 #[cfg(test)]
 pub(crate) use table::scan::MOST_CELLS;
 pub(crate) use text::MOST_BYTES;
-pub use text::dialect::{Delimiter, Dialect, MOST_COLUMNS, used};
-pub use text::number::ABSURD;
-pub use text::units::WavelengthUnit;
-pub use text::{MOST_BYTES_OF_A_FORMAT, decode as decode_text, is_binary, lines as text_lines};
+pub use text::{
+    MOST_BYTES_OF_A_FORMAT, decode as decode_text, dialect::Delimiter, dialect::Dialect,
+    dialect::MOST_COLUMNS, dialect::used, is_binary, lines as text_lines, number::ABSURD,
+    units::WavelengthUnit,
+};
 pub(crate) use unopened::words as why_unopened;
-pub use write::atomic::save_atomically;
-pub(crate) use write::atomic::{UNFINISHED, save_by, save_together};
-pub use write::csv::write as csv;
-pub(crate) use write::csv::{no_formula, quoted_where};
-pub use write::exr::Precision;
-pub(crate) use write::exr::{BLOCK_ROWS as EXR_BLOCK_ROWS, write_rows as write_exr_rows};
-pub(crate) use write::png::PngFile;
-pub use write::png::png;
-pub(crate) use write::spectral_exr::light_exr;
-pub use write::spectral_exr::reflectance_exr;
-pub use write::{WRITABLE, encode, losses, write_as};
+pub use write::{
+    WRITABLE, atomic::save_atomically, csv::write as csv, encode, exr::Precision, losses, png::png,
+    spectral_exr::reflectance_exr, write_as,
+};
+pub(crate) use write::{
+    atomic::UNFINISHED, atomic::save_by, atomic::save_together, csv::no_formula, csv::quoted_where,
+    exr::BLOCK_ROWS as EXR_BLOCK_ROWS, exr::write_rows as write_exr_rows, png::PngFile,
+    spectral_exr::light_exr,
+};
 
 /// What is said of a file beyond [`text::MOST_BYTES`].
 const TOO_LARGE: &str = "more than 512 MiB";

@@ -86,7 +86,7 @@ pub(crate) fn as_wide_as_it_is(band: Band, shape: &LineShape, max_width_nm: f64)
 }
 
 /// A found line as its own Gaussian; nothing where its width is none.
-pub fn bell(band: Band, shape: &LineShape, settings: SpikeSettings) -> Option<LineShape> {
+pub(crate) fn bell(band: Band, shape: &LineShape, settings: SpikeSettings) -> Option<LineShape> {
     let line = as_wide_as_it_is(band, shape, settings.max_width_nm);
     if line.is_ideal() {
         return None;

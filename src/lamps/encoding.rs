@@ -92,7 +92,7 @@ impl Encoding {
     }
 
     /// Everything times a factor.
-    pub fn scaled(mut self, factor: f64) -> Self {
+    pub(crate) fn scaled(mut self, factor: f64) -> Self {
         self.sizes_mut().for_each(|size| *size *= factor);
         self
     }

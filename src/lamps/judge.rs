@@ -41,7 +41,7 @@ pub struct Errors {
 
 impl Errors {
     /// Patches, filters, blurred.
-    pub fn to_array(self) -> [f64; 3] {
+    pub(crate) fn to_array(self) -> [f64; 3] {
         [self.patches, self.filters, self.blurred]
     }
 }
@@ -98,7 +98,7 @@ impl Panel {
     }
 
     /// The patches' reflectances on the grid.
-    pub fn reflectances(&self) -> &[Vec<f64>] {
+    pub(crate) fn reflectances(&self) -> &[Vec<f64>] {
         &self.reflectances
     }
 
@@ -124,7 +124,7 @@ impl Panel {
 
     /// The three errors of a model's values on the grid; `patches` are the patches as its
     /// representation has them.
-    pub fn errors(&self, exact: &Reference, values: &[f64], patches: &PatchSet) -> Errors {
+    pub(crate) fn errors(&self, exact: &Reference, values: &[f64], patches: &PatchSet) -> Errors {
         (&exact.verdict_through(values, &[], patches)).into()
     }
 }

@@ -41,14 +41,15 @@ mod work;
 pub use ask::{Ask, NUMBERS};
 pub(crate) use ask::{Count, LeaveOut};
 pub use composite_fit::FitOptions;
-pub(crate) use detector::as_wide_as_it_is;
-pub use detector::bell;
 #[cfg(test)]
 pub(crate) use detector::decompose;
+pub(crate) use detector::{as_wide_as_it_is, bell};
 pub use encoder::Encoder;
 pub(crate) use encoder::LONGEST_RANGE_NM;
 pub(crate) use encoding::AtomWeight;
-pub use encoding::{Decoder, Encoding};
+pub use encoding::Decoder;
+#[cfg(test)]
+pub(crate) use encoding::Encoding;
 pub(crate) use error::EncodingError;
 pub use judge::{Errors, Panel};
 pub(crate) use known::namesakes;
@@ -57,8 +58,7 @@ pub(crate) use known::{atoms_on, known_lamps};
 pub(crate) use makeup::{Ingredients, Part};
 pub(crate) use race::Racing;
 pub use report::{Encoded, judged};
-pub(crate) use report::{decode_json, encode_words};
-pub(crate) use report::{encode_json, read_encoding};
+pub(crate) use report::{decode_json, encode_json, encode_words, read_encoding};
 #[cfg(test)]
 pub(crate) use words::from_words;
 pub use words::rounded;

@@ -234,7 +234,7 @@ impl Bench {
     }
 
     /// What it was set up with.
-    pub fn settings(&self) -> &BenchSettings {
+    pub(crate) fn settings(&self) -> &BenchSettings {
         &self.settings
     }
 

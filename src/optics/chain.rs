@@ -61,7 +61,7 @@ impl Traced {
     }
 
     /// Segments inside the gem for each ray that met it.
-    pub(crate) fn segments_per_ray(&self) -> f64 {
+    pub fn segments_per_ray(&self) -> f64 {
         if self.chains == 0 {
             0.0
         } else {

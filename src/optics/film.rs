@@ -24,7 +24,7 @@ use crate::{
 };
 
 /// Sides of a picture, pixels.
-pub const SIZES: std::ops::RangeInclusive<usize> = 16..=4096;
+pub(crate) const SIZES: std::ops::RangeInclusive<usize> = 16..=4096;
 
 /// Rays a pixel that may be asked for.
 pub(crate) const RAYS: std::ops::RangeInclusive<u32> = 1..=65_536;
@@ -132,12 +132,12 @@ impl Film {
     }
 
     /// What is looked at.
-    pub fn studio(&self) -> &Studio {
+    pub(crate) fn studio(&self) -> &Studio {
         &self.studio
     }
 
     /// Size, strata, seed.
-    pub fn settings(&self) -> FilmSettings {
+    pub(crate) fn settings(&self) -> FilmSettings {
         self.settings
     }
 

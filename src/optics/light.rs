@@ -94,7 +94,7 @@ impl Light {
     ///
     /// # Errors
     /// As [`Light::new`].
-    pub fn of_line(at_nm: f64) -> Result<Self, LightError> {
+    pub(crate) fn of_line(at_nm: f64) -> Result<Self, LightError> {
         let band = Band::VISIBLE;
         let (dark, spikes) = (vec![0.0; band.points()], vec![Line::ideal(at_nm, 1.0)]);
         Self::new(&format!("{at_nm} nm"), band, dark, spikes)

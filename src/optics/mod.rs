@@ -50,19 +50,17 @@ pub(crate) use bench::Landing;
 pub use bench::{Bench, BenchSettings};
 pub use chain::Ending;
 pub use cut::Brilliant;
-pub use develop::Shown;
 pub(crate) use develop::into_gamut;
+pub use film::Film;
 #[cfg(test)]
 pub(crate) use film::FilmError;
-pub(crate) use film::MOST_LINES;
-pub use film::{Film, SIZES};
-pub(crate) use film::{RAYS, film_bytes};
-pub use fresnel::reflectances;
+pub(crate) use film::{MOST_LINES, RAYS, SIZES, film_bytes};
+#[cfg(test)]
+pub(crate) use fresnel::reflectances;
 pub use index::Material;
 pub(crate) use index_error::IndexError;
 pub use light::Light;
-pub(crate) use light::LightError;
-pub(crate) use light::SEEN_NM;
+pub(crate) use light::{LightError, SEEN_NM};
 pub use materials::BuiltinMaterial;
 pub(crate) use picture::Noise;
 pub use picture::Picture;
@@ -70,21 +68,19 @@ pub use plane::FilmSettings;
 #[cfg(test)]
 pub(crate) use plane::Plane;
 pub(crate) use prism::Incidence;
-pub use prism::Prism;
 #[cfg(test)]
-pub(crate) use prism::{Passage, limits, minimum_deviation};
+pub(crate) use prism::{Passage, Prism, limits, minimum_deviation};
 #[cfg(test)]
 pub(crate) use rainbow::bow;
-pub(crate) use rainbow::from_antisolar;
-pub(crate) use rainbow::{Bows, DropRay};
-pub(crate) use report::prism_csv;
-pub(crate) use report::{GemReport, gem_json, prism_json, rainbow_json};
-pub use scene::{Lamp, Scene, View};
+pub(crate) use rainbow::{Bows, DropRay, from_antisolar};
+pub(crate) use report::{GemReport, gem_json, prism_csv, prism_json, rainbow_json};
+pub(crate) use scene::View;
+pub use scene::{Lamp, Scene};
 pub use sky::Sky;
 pub(crate) use sky::{SKY_DEG, SUN_DEG};
 #[cfg(test)]
 pub(crate) use solid::{HalfSpace, Solid};
 pub(crate) use spectral::spectral_planes;
-pub(crate) use strip::Strip;
-pub use strip::{MOST_COLUMNS, Screen};
+pub use strip::MOST_COLUMNS;
+pub(crate) use strip::{Screen, Strip};
 pub use studio::{Seen, Studio};

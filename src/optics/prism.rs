@@ -127,12 +127,12 @@ impl Prism {
     }
 
     /// The apex angle.
-    pub fn apex_deg(&self) -> f64 {
+    pub(crate) fn apex_deg(&self) -> f64 {
         self.apex_deg
     }
 
     /// The angle of incidence.
-    pub fn incidence_deg(&self) -> f64 {
+    pub(crate) fn incidence_deg(&self) -> f64 {
         self.incidence_deg
     }
 
@@ -187,8 +187,7 @@ impl Prism {
 
 impl Passage {
     /// Share let through by both faces for unpolarised light.
-    #[cfg(test)]
-    pub(crate) fn transmittance(&self) -> f64 {
+    pub fn transmittance(&self) -> f64 {
         let [s, p] = self.transmittance_s_p;
         0.5 * (s + p)
     }

@@ -75,11 +75,6 @@ impl Studio {
         })
     }
 
-    /// The body.
-    pub fn solid(&self) -> &Solid {
-        &self.solid
-    }
-
     /// What it is made of.
     pub fn material(&self) -> &Material {
         &self.material

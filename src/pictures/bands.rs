@@ -59,7 +59,7 @@ impl Bands {
     }
 
     /// Width of a band at half of its height, nm, where the file has one.
-    pub fn bandwidth_nm(&self) -> Option<f64> {
+    pub(crate) fn bandwidth_nm(&self) -> Option<f64> {
         self.bandwidth_nm
     }
 

@@ -98,7 +98,7 @@ impl Kernel {
     ///
     /// # Panics
     /// When a slice is shorter than that.
-    pub(crate) fn apply(&self, input: &[f32], count: usize, out: &mut [f32]) {
+    pub fn apply(&self, input: &[f32], count: usize, out: &mut [f32]) {
         assert!(input.len() >= self.columns * count && out.len() >= self.rows * count);
         let mut tile = vec![0.0; self.columns * TILE];
         for start in (0..count).step_by(TILE) {

@@ -42,7 +42,7 @@ pub(super) fn times(rows: &Rows, matrix: &DMatrix<f64>) -> Rows {
 }
 
 /// Lights that judge a choice: none of them is an own light by default.
-pub const JUDGES: [&str; 6] = ["A", "FL2", "FL11", "LED-B3", "HP1", "Mercury"];
+pub(crate) const JUDGES: [&str; 6] = ["A", "FL2", "FL11", "LED-B3", "HP1", "Mercury"];
 
 impl Light {
     /// A light from its table.
@@ -51,7 +51,7 @@ impl Light {
     }
 
     /// A light from its smooth part and its lines (value x nm).
-    pub fn with_spikes(name: &str, table: &Sampled, spikes: Vec<Line>) -> Self {
+    pub(crate) fn with_spikes(name: &str, table: &Sampled, spikes: Vec<Line>) -> Self {
         Self {
             name: name.to_owned(),
             on_nm: table.on_whole_nm(FIRST_NM, LAST_NM, Outside::Zero),
@@ -117,7 +117,7 @@ impl Light {
     }
 
     /// Its table on the whole nm 360-830.
-    pub fn on_nm(&self) -> &[f64] {
+    pub(crate) fn on_nm(&self) -> &[f64] {
         &self.on_nm
     }
 

@@ -47,39 +47,37 @@ mod trust;
 pub use crate::io::Precision;
 pub use bands::Bands;
 pub(crate) use bands::KeptBands;
-pub(crate) use choose::MOST_NUMBERS;
 pub use choose::{Asked, BOUND_P95, BOUND_RMS, Wish, WishedLines, choose};
-pub(crate) use choose::{Candidate, Choice, plan_of};
+pub(crate) use choose::{Candidate, Choice, MOST_NUMBERS, plan_of};
 pub use compact::{Coder, CompactFile, CompactPlan, Quantiser, compact_plan, write_compact};
 pub use envi_file::EnviFile;
 pub use error::PictureError;
 pub(crate) use fit::fit_spectra;
-pub use fit::{FitAsk, Fitted, fit_line, fit_values};
+pub use fit::{FitAsk, fit_line, fit_values};
 pub use full::{Half, read_full, write_full};
 pub use header::{About, Header};
 pub(crate) use kernel::Kernel;
-pub use light::{JUDGES, Light};
+pub use light::Light;
 pub use lines::Line;
 #[cfg(test)]
 pub(crate) use lines::{find_lines, line_in};
-pub(crate) use measure::Exactly;
 #[cfg(test)]
 pub(crate) use measure::Storage;
-pub(crate) use measure::white_y_of;
 pub use measure::{Errors, Spread, Tally, measure};
+pub(crate) use measure::{Exactly, white_y_of};
 pub use operator::Operator;
-pub(crate) use peers::Peer;
-pub use peers::{exact_bytes, peers};
+pub use peers::exact_bytes;
+pub(crate) use peers::{Peer, peers};
 pub use picture::{Picture, relit_into};
 pub(crate) use pixels::OfImage;
 pub use pixels::{InMemory, Pixels, STRIP_ROWS};
-pub use plan::{Plan, Reference, ReferenceKind, Weighting};
+pub(crate) use plan::Weighting;
+pub use plan::{Plan, Reference, ReferenceKind};
 #[cfg(test)]
 pub(crate) use preview::Preview;
 pub(crate) use relight::Between;
 pub use relight::Relit;
-pub use report::Bytes;
-pub(crate) use report::{peers_json, picture_json};
+pub(crate) use report::{Bytes, peers_json, picture_json};
 pub use save::{save_compact, save_full};
 pub use scene::Scene;
 #[cfg(test)]

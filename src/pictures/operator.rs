@@ -153,7 +153,7 @@ impl Operator {
     }
 
     /// D, ready for many pixels.
-    pub fn decoder(&self) -> Kernel {
+    pub(crate) fn decoder(&self) -> Kernel {
         Kernel::new(self.decode.nrows(), self.decode.ncols(), |r, c| {
             self.decode[(r, c)]
         })
@@ -165,12 +165,12 @@ impl Operator {
     }
 
     /// What it was made from.
-    pub fn plan(&self) -> &Plan {
+    pub(crate) fn plan(&self) -> &Plan {
         &self.plan
     }
 
     /// First and last wavelength of the series, nm.
-    pub fn range_nm(&self) -> [f64; 2] {
+    pub(crate) fn range_nm(&self) -> [f64; 2] {
         self.range_nm
     }
 

@@ -45,7 +45,7 @@ impl Peer {
 ///
 /// # Errors
 /// Those of the source, and [`PictureError::Cancelled`].
-pub fn peers(
+pub(crate) fn peers(
     pixels: &dyn Pixels,
     operator: &Operator,
     survey: &Survey,

@@ -201,7 +201,7 @@ impl Plan {
     }
 
     /// First and last wavelength of the series, nm.
-    pub fn range_nm(&self, bands: &Bands) -> [f64; 2] {
+    pub(crate) fn range_nm(&self, bands: &Bands) -> [f64; 2] {
         let beyond = self.margin * bands.length_nm();
         [bands.nm()[0] - beyond, bands.nm()[bands.len() - 1] + beyond]
     }

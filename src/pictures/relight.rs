@@ -65,7 +65,7 @@ impl Operator {
     /// # Errors
     /// [`PictureError::NoRelighting`] where nobody knows what lit the picture, and
     /// [`PictureError::NoOwnLight`] for a light that does not shine on the bands.
-    pub fn relit(
+    pub(crate) fn relit(
         &self,
         light: &Light,
         known: Option<&Light>,

@@ -173,7 +173,13 @@ impl Operator {
 
     /// How far relighting to a light can be trusted; `old` is the light on the bands, none for a
     /// reflectance.
-    pub fn trust(&self, relit: &Relit, new: &Light, old: Option<&[f64]>, noise: &[f64]) -> Trust {
+    pub(crate) fn trust(
+        &self,
+        relit: &Relit,
+        new: &Light,
+        old: Option<&[f64]>,
+        noise: &[f64],
+    ) -> Trust {
         let observer = self.plan().observer;
         let blind = old.map_or([0.0; 3], |old| {
             blind_share(self.bands(), old, new, observer)

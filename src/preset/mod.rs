@@ -12,11 +12,10 @@ mod read;
 mod shelf;
 mod shipped;
 
+pub use group::Composite;
 #[cfg(test)]
 pub(crate) use group::OpticalConstants;
-pub(crate) use group::{AtomicLine, Group, LineList, PrintedSpike, Terms};
-pub use group::{Body, Composite, Preset};
-pub use shelf::Shelf;
-pub(crate) use shipped::unlisted;
-pub(crate) use shipped::{EVERYDAY, FAMILIES};
-pub use shipped::{group, groups, table};
+pub(crate) use group::{AtomicLine, Body, Group, LineList, Preset, PrintedSpike, Terms};
+pub(crate) use shelf::Shelf;
+pub(crate) use shipped::{EVERYDAY, FAMILIES, groups, unlisted};
+pub use shipped::{group, table};

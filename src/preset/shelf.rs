@@ -46,7 +46,7 @@ impl Shelf {
     ];
 
     /// The heading, as it stands in files and on screen.
-    pub fn heading(self) -> &'static str {
+    pub(crate) fn heading(self) -> &'static str {
         match self {
             Self::Standard => "Standard lights",
             Self::Fluorescent => "Fluorescent",

@@ -68,7 +68,7 @@ pub fn group(id: &str) -> Option<&'static Group> {
 }
 
 /// All groups that a library lists, in its order.
-pub fn groups() -> impl Iterator<Item = &'static Group> {
+pub(crate) fn groups() -> impl Iterator<Item = &'static Group> {
     let listed = SHIPPED.into_iter().enumerate();
     listed.map(|(index, text)| read(index, text))
 }

@@ -73,7 +73,7 @@ impl Basis {
     }
 
     /// Integral of function `index` over the band, in nm.
-    pub fn integral(self, index: usize, band: Band) -> f64 {
+    pub(crate) fn integral(self, index: usize, band: Band) -> f64 {
         match (self, index) {
             (Self::Fourier, 0) => band.length_nm() / 2.0,
             (Self::Cosine, 0) => band.length_nm(),
@@ -196,7 +196,7 @@ impl Series {
 
     /// A Fourier series from the paper's `a_0..a_N` and `b_1..b_N`; `None` unless there is
     /// exactly one `a` more than there are `b`.
-    pub fn fourier(band: Band, a: &[f64], b: &[f64]) -> Option<Self> {
+    pub(crate) fn fourier(band: Band, a: &[f64], b: &[f64]) -> Option<Self> {
         if a.len() != b.len() + 1 {
             return None;
         }
@@ -272,7 +272,7 @@ impl Series {
     }
 
     /// Exact integral over the band, in value x nm.
-    pub fn integral(&self) -> f64 {
+    pub(crate) fn integral(&self) -> f64 {
         self.coefficients[0] * self.basis.integral(0, self.band)
     }
 }

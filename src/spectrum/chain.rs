@@ -35,7 +35,7 @@ use super::{
 };
 
 /// A line of the light this close to a factor's dip meets it, nm.
-pub const SAME_PLACE_NM: f64 = 0.5;
+pub(crate) const SAME_PLACE_NM: f64 = 0.5;
 
 /// A line of the light that stood on a dip of a factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -296,7 +296,7 @@ fn share_lost(line_nm: f64, dip_nm: f64) -> f64 {
 ///
 /// `smooth` is on the band's grid. A spectrum cannot be negative, so such a dip says that the
 /// model is not to be believed there.
-pub fn below_zero(band: Band, smooth: &[f64], spikes: &[Line], width_nm: f64) -> Vec<f64> {
+pub(crate) fn below_zero(band: Band, smooth: &[f64], spikes: &[Line], width_nm: f64) -> Vec<f64> {
     spikes
         .iter()
         .filter(|spike| spike.weight < 0.0)

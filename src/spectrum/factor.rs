@@ -18,7 +18,7 @@ pub fn glass(values: &[f64], thickness_ratio: f64) -> Vec<f64> {
 }
 
 /// Reflectance of `count` bounces off the same surface: `R^count`.
-pub fn bounces(values: &[f64], count: u32) -> Vec<f64> {
+pub(crate) fn bounces(values: &[f64], count: u32) -> Vec<f64> {
     let count = i32::try_from(count).unwrap_or(i32::MAX);
     let off = |value: &f64| value.powi(count).clamp(-f64::MAX, f64::MAX);
     values.iter().map(off).collect()
@@ -26,7 +26,7 @@ pub fn bounces(values: &[f64], count: u32) -> Vec<f64> {
 
 /// An absorption line of a filter or surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Dip {
+pub(crate) struct Dip {
     /// Centroid, nm.
     pub at_nm: f64,
     /// What is missing, as a share x nm; negative.
@@ -108,7 +108,7 @@ impl Factor {
     }
 
     /// The dips that are kept, by rising wavelength.
-    pub fn dips(&self) -> &[Dip] {
+    pub(crate) fn dips(&self) -> &[Dip] {
         &self.dips
     }
 }

@@ -91,7 +91,7 @@ impl Formula {
     }
 
     /// First and last wavelength that it was published for, nm.
-    pub fn range_nm(&self) -> [f64; 2] {
+    pub(crate) fn range_nm(&self) -> [f64; 2] {
         self.range_nm
     }
 

@@ -266,7 +266,7 @@ pub(crate) fn gaussian(widths: f64) -> f64 {
 
 /// Adds lines to values on a band's grid so that the trapezoid integral grows by their weights;
 /// lines outside the band are left out.
-pub fn add_lines(band: Band, lines: &[Line], values: &mut [f64]) {
+pub(crate) fn add_lines(band: Band, lines: &[Line], values: &mut [f64]) {
     for line in lines {
         line.profile(band).add_to(line.weight, values);
     }

@@ -4,7 +4,7 @@ use super::{cube::Cube, rect::Rect, sampled::Sampled};
 
 /// Every band of a region, in the file's own numbers; NaN where a band was measured nowhere in it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Region {
+pub(crate) struct Region {
     /// The part of the rectangle that lies in the image.
     pub rect: Rect,
     /// Mean of each band over the pixels that were measured in it.
@@ -36,7 +36,7 @@ struct Band {
 impl Region {
     /// The pixels of a rectangle, cut to the image; `None` when nothing is left of it, or when
     /// `goes_on`, which is asked once a row, said no.
-    pub fn of(cube: &Cube, rect: Rect, goes_on: impl Fn() -> bool) -> Option<Self> {
+    pub(crate) fn of(cube: &Cube, rect: Rect, goes_on: impl Fn() -> bool) -> Option<Self> {
         let rect = Rect {
             width: rect.width.min(cube.width().saturating_sub(rect.x)),
             height: rect.height.min(cube.height().saturating_sub(rect.y)),

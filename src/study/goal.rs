@@ -74,7 +74,7 @@ impl Goal {
 
     /// Every weight finite and not negative; the patches' mean when nothing is wanted.
     #[must_use]
-    pub fn clamped(self) -> Self {
+    pub(crate) fn clamped(self) -> Self {
         let within = |w: f64| {
             if w.is_finite() {
                 w.clamp(0.0, 1e6)

@@ -106,7 +106,7 @@ impl ProjectedSpectrum {
     }
 
     /// How many lines may become spikes.
-    pub(crate) fn lines(&self) -> usize {
+    pub fn lines(&self) -> usize {
         self.lines.len()
     }
 
@@ -122,7 +122,7 @@ impl ProjectedSpectrum {
 
     /// The model of `numbers` smooth numbers (at least one, at most what the basis has) with those
     /// lines as spikes, and how the colour-exact fit went.
-    pub(crate) fn model(
+    pub fn model(
         &self,
         numbers: usize,
         lines: &[usize],
@@ -156,7 +156,7 @@ impl ProjectedSpectrum {
     }
 
     /// A model's smooth part on the grid.
-    pub(crate) fn smooth(&self, model: &Composite) -> Vec<f64> {
+    pub fn smooth(&self, model: &Composite) -> Vec<f64> {
         self.fit_basis.table.evaluate(&model.smooth().coefficients)
     }
 }

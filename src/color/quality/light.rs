@@ -83,7 +83,8 @@ impl Light {
     }
 
     /// A single line without width.
-    pub fn of_line(line: Line) -> Self {
+    #[cfg(test)]
+    pub(crate) fn of_line(line: Line) -> Self {
         let ends_nm = [line.at_nm, line.at_nm];
         Self::new(vec![0.0; POINTS], vec![line], ends_nm, line.weight == 0.0)
     }

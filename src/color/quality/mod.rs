@@ -46,30 +46,25 @@ mod sprague;
 mod test_colours;
 mod weight;
 
-pub(crate) use fidelity::{FidelityScale, fidelity_factors};
-pub(crate) use hue_bin::{difference_of, index_of};
-pub(crate) use rendering::{GENERAL, RenderingScale, rendering_factors};
+pub(crate) use fidelity::{Fidelity, FidelityScale, SAMPLES, fidelity_factors, sample_names};
+pub(crate) use hue_bin::{HUE_NAMES, HueBin, difference_of, index_of};
+pub(crate) use rendering::{
+    GENERAL, RENDERING_NAMES, RENDERING_SAMPLES, Rendering, RenderingScale, rendering_difference,
+    rendering_factors, rendering_index,
+};
 
 pub(crate) use absolute::Radiometric;
 pub use absolute::{Measured, absolute};
 pub(crate) use alpha_opic::ALPHA_OPIC_WORDS;
-pub(crate) use fidelity::SAMPLES;
 pub use fidelity::fidelity;
-pub(crate) use fidelity::{Fidelity, sample_names};
 pub use figures::{FewFigures, Figures};
-pub(crate) use hue_bin::{HUE_NAMES, HueBin};
 pub use light::{Light, POINTS};
 pub use no_figure::{Dark, NoFigure};
-pub(crate) use photometry::luminous_efficacy;
-pub(crate) use photometry::{LUMENS_PER_WATT, LUMENS_PER_WATT_ROUNDED};
+pub(crate) use photometry::{LUMENS_PER_WATT, LUMENS_PER_WATT_ROUNDED, luminous_efficacy};
 pub(crate) use photons::{JOULE_NM_PER_MICROMOLE, photons_per_100_lx};
-pub(crate) use reference::daylight_factors;
 #[cfg(test)]
 pub(crate) use reference::daylight_xy;
-pub use reference::{Reference, daylight, fidelity_reference};
-pub(crate) use reference::{planck, rendering_reference};
-pub(crate) use rendering::Rendering;
+pub use reference::{Reference, fidelity_reference};
+pub(crate) use reference::{daylight, daylight_factors, planck, rendering_reference};
 pub use rendering::rendering;
-pub(crate) use rendering::{RENDERING_NAMES, RENDERING_SAMPLES};
-pub(crate) use rendering::{rendering_difference, rendering_index};
-pub use shape::{Shape, shape};
+pub use shape::shape;

@@ -147,7 +147,7 @@ pub(crate) fn daylight_xy(kelvin: f64) -> [f64; 2] {
 }
 
 /// Daylight on whole nm 360-830, relative.
-pub fn daylight(kelvin: f64) -> Vec<f64> {
+pub(crate) fn daylight(kelvin: f64) -> Vec<f64> {
     let [m1, m2] = daylight_factors(kelvin);
     let [s0, s1, s2] = &*COMPONENTS;
     let parts = s0.iter().zip(s1).zip(s2);

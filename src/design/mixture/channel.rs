@@ -69,7 +69,7 @@ impl Channel {
     }
 
     /// Its place, if it is a line.
-    pub fn line_nm(&self) -> Option<f64> {
+    pub(crate) fn line_nm(&self) -> Option<f64> {
         match self.spec.source {
             Source::Line { at_nm } => Some(at_nm),
             _ => None,
@@ -94,7 +94,7 @@ fn within_composite() -> std::ops::Range<usize> {
 }
 
 /// The share of a mixture's power that [`composite`] leaves out, below 380 and above 780 nm.
-pub fn left_out(channels: &[Channel], weights: &[f64]) -> f64 {
+pub(crate) fn left_out(channels: &[Channel], weights: &[f64]) -> f64 {
     let (mut all, mut inside) = (0.0, 0.0);
     for (channel, weight) in channels.iter().zip(weights) {
         let power = weight * channel.power();

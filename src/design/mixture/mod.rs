@@ -10,8 +10,8 @@ mod channel;
 mod error;
 mod spec;
 
-pub use channel::{Channel, composite, left_out, mixed};
-pub(crate) use error::MOST_CHANNELS;
-pub(crate) use error::MixError;
+pub(crate) use channel::left_out;
+pub use channel::{Channel, composite, mixed};
+pub(crate) use error::{MOST_CHANNELS, MixError};
 pub use spec::Source;
 pub(crate) use spec::Spec;

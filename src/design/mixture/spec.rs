@@ -98,7 +98,7 @@ impl Source {
 
     /// Every number moved to the nearest one that is allowed; what is no number to the lowest.
     #[must_use]
-    pub fn clamped(mut self) -> Self {
+    pub(crate) fn clamped(mut self) -> Self {
         for (value, _, [least, most]) in self.numbers() {
             *value = value.max(least).min(most);
         }

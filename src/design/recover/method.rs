@@ -34,7 +34,7 @@ impl Method {
     }
 
     /// The name that people read.
-    pub fn title(self) -> &'static str {
+    pub(crate) fn title(self) -> &'static str {
         match self {
             Self::Smoothest => "smoothest within 0-1",
             Self::Fourier3 => "three Fourier coefficients (Eq. 18)",

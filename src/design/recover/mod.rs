@@ -40,15 +40,15 @@ pub(crate) use picture::PictureCount;
 #[cfg(test)]
 pub(crate) use picture::spectral_cube;
 pub use picture::{ColourPicture, Encoded, spectral_rows, usual_bands};
-pub(crate) use prediction::Prediction;
-pub use prediction::{Told, predictions, told};
+pub(crate) use prediction::{Prediction, Told};
+pub use prediction::{predictions, told};
 pub(crate) use recovered::Nearest;
+pub use recovered::{Recovered, Seen, metamers};
 #[cfg(test)]
-pub(crate) use recovered::can_be;
-pub use recovered::{Recovered, Reflectance, Seen, metamers};
+pub(crate) use recovered::{Reflectance, can_be};
 pub use report::json;
 pub(crate) use report::line_light_json;
-pub(crate) use viewing::node_nm;
-pub use viewing::{BAND, NODES, Viewing};
+pub(crate) use viewing::{BAND, node_nm};
+pub use viewing::{NODES, Viewing};
 #[cfg(test)]
 pub(crate) use viewing::{Nodes, sampled_nodes};

@@ -13,7 +13,7 @@ use crate::{
 };
 
 /// Where recovered reflectances are given.
-pub const BAND: Band = Band::VISIBLE;
+pub(crate) const BAND: Band = Band::VISIBLE;
 
 /// Distance between nodes, nm.
 pub(crate) const STEP_NM: usize = 5;

@@ -36,8 +36,7 @@ mod wish;
 
 pub use super::scales::Against;
 pub use figures::MixFigures;
-pub(crate) use front::FREE_LINES;
-pub(crate) use front::FrontPoint;
+pub(crate) use front::{FREE_LINES, FrontPoint};
 pub use front::{FrontWish, front};
 pub(crate) use report::{faders, front_json, mix_json};
 pub use solution::Mixer;

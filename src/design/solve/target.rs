@@ -87,7 +87,7 @@ impl Target {
     }
 
     /// CIE 1976 u'v'.
-    pub fn uv(self) -> [f64; 2] {
+    pub(crate) fn uv(self) -> [f64; 2] {
         uv_1976_from_xyz(self.xyz).unwrap_or_default()
     }
 }

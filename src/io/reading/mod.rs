@@ -62,7 +62,7 @@ pub struct TableFound {
 impl OpenQuestion {
     /// Whether a person should look: the kind and per cent can hardly be told from numbers, and
     /// anything but nanometres is rare enough to ask.
-    pub fn is_doubtful(&self) -> bool {
+    pub(crate) fn is_doubtful(&self) -> bool {
         match self.what {
             _ if self.plain => false,
             Guessed::Kind | Guessed::Percent | Guessed::Columns => true,

@@ -233,12 +233,12 @@ impl CompactFile {
     }
 
     /// Tiles across and down.
-    pub fn tiles(&self) -> (usize, usize) {
+    pub(crate) fn tiles(&self) -> (usize, usize) {
         (self.across, self.tiles.len() / self.across)
     }
 
     /// The pixels of a tile.
-    pub fn rect(&self, x: usize, y: usize) -> Rect {
+    pub(crate) fn rect(&self, x: usize, y: usize) -> Rect {
         let tile = self.quantiser.as_stored().tile;
         Rect {
             x: x * tile,

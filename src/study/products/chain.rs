@@ -68,7 +68,7 @@ pub struct Passage {
 
 /// A chain as one product.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Total {
+pub(crate) struct Total {
     /// Both colours of what comes out.
     pub colours: Colours,
     /// CIEDE2000 that forming the products adds.

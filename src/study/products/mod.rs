@@ -23,26 +23,20 @@ mod same_surface;
 pub(crate) mod timing;
 mod two_lights;
 
-pub(crate) use bounces::MOST_BOUNCES;
-pub(crate) use bounces::{BounceErrors, bounce_errors};
+pub(crate) use bounces::{BounceErrors, MOST_BOUNCES, bounce_errors};
+pub use chain::Product;
 pub(crate) use chain::{Passage, SetErrors, Step};
-pub use chain::{Product, Total};
 pub(crate) use dips::depths;
-pub use narrow::Narrow;
-pub(crate) use narrow::NarrowPoint;
+pub(crate) use narrow::{Narrow, NarrowPoint};
 pub use resampling::resampled;
-pub(crate) use resampling::spike_costs;
-pub(crate) use resampling::{Formed, Resampled, SpikeCosts};
-pub(crate) use same_surface::measured_check;
-pub(crate) use same_surface::{Checker, Compared, Reflection};
+pub(crate) use resampling::{Formed, Resampled, SpikeCosts, spike_costs};
+pub(crate) use same_surface::{Checker, Compared, Reflection, measured_check};
 pub use same_surface::{SAME_RESIDUAL, Sameness};
-pub(crate) use timing::product_times;
-pub(crate) use timing::{ProductTime, Sizes};
-pub(crate) use two_lights::two_modelled_lights;
+pub(crate) use timing::{ProductTime, Sizes, product_times};
 pub(crate) use two_lights::{
-    Black, MATCH_DELTA_E, MetamericPair, Metamers, metameric_black, metameric_pairs,
+    Black, MATCH_DELTA_E, MetamericPair, Metamers, TwoLights, metameric_black, metameric_pairs,
+    two_lights, two_modelled_lights,
 };
-pub use two_lights::{TwoLights, two_lights};
 
 use super::error::ratio;
 use crate::color::{Xyz, delta_e_of_xyz};

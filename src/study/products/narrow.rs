@@ -11,7 +11,7 @@ use super::Colours;
 use crate::{
     color::{Weights, Xyz, xyz_of_parts},
     rivals::{Representation, Samples},
-    spectrum::{Band, BasisTable, Composite, InnerProducts, Line, Series, dot, gaussian},
+    spectrum::{Band, BasisTable, InnerProducts, Line, Series, dot, gaussian},
 };
 
 /// Y that the light behind the filter is brought to, of the whole light's 1.
@@ -32,7 +32,7 @@ type Weighed = [Vec<f64>; 3];
 
 /// A light in three representations of equal size.
 #[derive(Clone, Debug)]
-pub struct Narrow {
+pub(crate) struct Narrow {
     band: Band,
     seen: Weights,
     white: Xyz,
@@ -60,7 +60,13 @@ impl Narrow {
     /// The light `measured` (on the band's grid), its model, and two others of as many numbers.
     ///
     /// With `colour_exact` the series without spikes has the light's own X, Y, Z too.
-    pub fn new(measured: &[f64], model: &Composite, colour_exact: bool, seen: &Weights) -> Self {
+    #[cfg(test)]
+    pub(crate) fn new(
+        measured: &[f64],
+        model: &crate::spectrum::Composite,
+        colour_exact: bool,
+        seen: &Weights,
+    ) -> Self {
         let values = model.smooth().on_band();
         let parts = (&values[..], model.lines(), model.numbers());
         Self::of_parts(measured, model.smooth(), parts, colour_exact, seen)
@@ -105,7 +111,7 @@ impl Narrow {
     }
 
     /// XYZ of the exact light, value x nm: the white of every difference.
-    pub fn white(&self) -> Xyz {
+    pub(crate) fn white(&self) -> Xyz {
         self.white
     }
 
@@ -120,13 +126,13 @@ impl Narrow {
     }
 
     /// Numbers that each of the three takes.
-    pub fn numbers(&self) -> usize {
+    pub(crate) fn numbers(&self) -> usize {
         self.numbers
     }
 
     /// The three behind a Gaussian band-pass of full width `width_nm` (at least
     /// `NARROWEST_NM`) at half its maximum.
-    pub fn behind(&self, centre_nm: f64, width_nm: f64) -> NarrowPoint {
+    pub(crate) fn behind(&self, centre_nm: f64, width_nm: f64) -> NarrowPoint {
         let width_nm = width_nm.max(NARROWEST_NM);
         let bell = |nm: f64| gaussian((nm - centre_nm) / width_nm);
         let index = |nm: f64| (nm - self.band.min_nm()).clamp(0.0, self.band.points() as f64);
@@ -143,7 +149,7 @@ impl Narrow {
 
     /// The three behind any filter, given by its transmittance (0-1) at a wavelength in nm:
     /// composite, series alone, samples.
-    pub fn through(&self, filter: impl Fn(f64) -> f64) -> [Colours; 3] {
+    pub(crate) fn through(&self, filter: impl Fn(f64) -> f64) -> [Colours; 3] {
         self.within(filter, 0..self.band.points())
     }
 
@@ -167,7 +173,7 @@ impl Narrow {
     }
 
     /// The whole curve: the band-pass at every whole nm of the band, or every `step_nm`-th.
-    pub fn curve(&self, width_nm: f64, step_nm: usize) -> Vec<NarrowPoint> {
+    pub(crate) fn curve(&self, width_nm: f64, step_nm: usize) -> Vec<NarrowPoint> {
         let centres = self.band.grid().step_by(step_nm.max(1));
         centres.map(|nm| self.behind(nm, width_nm)).collect()
     }

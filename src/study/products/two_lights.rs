@@ -61,7 +61,7 @@ pub struct Metamers {
 /// Shows surfaces (on the band's grid) under two lights (on the same grid).
 ///
 /// `None` when one of the lights has no positive Y.
-pub fn two_lights(
+pub(crate) fn two_lights(
     band: Band,
     surfaces: &[Vec<f64>],
     lights: [&[f64]; 2],
@@ -124,7 +124,7 @@ impl TwoLights {
     }
 
     /// Index of the surface that moves most; `None` without any.
-    pub fn worst(&self) -> Option<usize> {
+    pub(crate) fn worst(&self) -> Option<usize> {
         let moves = self.patches.iter().map(|p| p.delta_e_2000).enumerate();
         moves.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
     }

@@ -23,17 +23,12 @@ mod table_2;
 mod tests;
 
 pub(in crate::study) use eq_17::cut;
-pub(crate) use eq_17::{Eq17, SpikeReading, StraightLine};
-pub(crate) use eq_17::{eq_17, straight_line};
-pub(crate) use five_percent::five_percent;
-pub(crate) use five_percent::{FivePercent, Neglected};
-pub(crate) use resampling::ResamplingWay;
-pub use resampling::{Resampling, resampling};
-pub(crate) use samples::{Match, SampledErrors, SamplesAgainstNumbers};
-pub use samples::{Question, samples};
-pub use table_2::Deviation;
-pub(crate) use table_2::Table2;
-pub(crate) use table_2::table_2;
+pub(crate) use eq_17::{Eq17, SpikeReading, StraightLine, eq_17, straight_line};
+pub(crate) use five_percent::{FivePercent, Neglected, five_percent};
+pub(crate) use resampling::{Resampling, ResamplingWay, resampling};
+pub use samples::samples;
+pub(crate) use samples::{Match, Question, SampledErrors, SamplesAgainstNumbers};
+pub(crate) use table_2::{Table2, table_2};
 
 use crate::color::gaussian_cmf::NEGLIGIBLE_SHARE;
 

@@ -38,7 +38,7 @@ pub struct ResamplingWay {
 ///
 /// # Panics
 /// As `eq_17`.
-pub fn resampling(
+pub(crate) fn resampling(
     light: &Composite,
     factor: &[f64],
     table: &BasisTable,

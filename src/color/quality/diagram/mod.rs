@@ -16,13 +16,11 @@ mod locus;
 mod macadam;
 mod plane;
 
-pub(crate) use ansi::QUADRANGLES;
-pub(crate) use ansi::{WHITE_HALF_WIDTH_DUV, quadrangle_of, white_middle_duv};
+pub(crate) use ansi::{QUADRANGLES, WHITE_HALF_WIDTH_DUV, quadrangle_of, white_middle_duv};
 pub(crate) use gamut::GAMUTS;
-pub(crate) use locus::TICKS_K;
 #[cfg(test)]
 pub(crate) use locus::uv_1960_of_cct;
-pub(crate) use locus::{daylight_locus, planckian_locus, spectral_locus, tick};
+pub(crate) use locus::{TICKS_K, daylight_locus, planckian_locus, spectral_locus, tick};
 pub(crate) use macadam::ELLIPSES;
 pub(crate) use plane::Plane;
 #[cfg(test)]

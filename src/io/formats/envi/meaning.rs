@@ -134,7 +134,7 @@ const SENSIBLE_FACTORS: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
 
 /// The median width of a band, nm: "fwhm" in the unit of the wavelengths, where these are so many
 /// times nm; wave numbers are not.
-pub fn bandwidth_nm(header: &Header, nm: &[f64], stored: &[usize]) -> Option<f64> {
+pub(crate) fn bandwidth_nm(header: &Header, nm: &[f64], stored: &[usize]) -> Option<f64> {
     let written = header.numbers("wavelength").ok()?;
     let mut widths = header.numbers("fwhm").ok()?;
     let times = |at: usize| Some(nm.get(at)? / written.get(*stored.get(at)?)?);

@@ -29,8 +29,8 @@ use crate::io::input::name_of;
 use crate::io::{Input, ReadError, Reading};
 
 pub use header::Header;
-pub(crate) use meaning::left_over;
-pub use meaning::{bandwidth_nm, channels, values};
+pub(crate) use meaning::{bandwidth_nm, left_over};
+pub use meaning::{channels, values};
 pub(crate) use pair::{header_at, place_of_data, read_header};
 
 /// ENVI header or data.
