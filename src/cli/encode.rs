@@ -9,7 +9,8 @@ use super::{
 use crate::{
     app::Settings,
     lamps::{
-        Ask, Count, Encoder, EncodingError, LeaveOut, Panel, encode_json, encode_words, judged,
+        Ask, Count, Encoder, EncodingError, EvaluationSet, LeaveOut, encode_json, encode_words,
+        judged,
     },
     spectrum::Band,
 };
@@ -60,7 +61,7 @@ pub(super) fn run(
         leave_out: LeaveOut::None,
     };
     let chosen = encoder.encode(&values, ask).map_err(refused)?;
-    let judge = Panel::judging(band, observer);
+    let judge = EvaluationSet::judging(band, observer);
     let encoded =
         judged(&encoder, &judge, &values, (&chosen.encoding, *numbers)).map_err(refused)?;
     if !*json && band != Band::VISIBLE {

@@ -148,8 +148,8 @@ impl Fit {
             // What the equations are worth, by the free weights, whose slopes are none.
             let kept = self.equations.select_columns(free).transpose();
             let right = DVector::from_iterator(free.len(), free.iter().map(|i| fit[*i]));
-            let prices = pseudo_solved(kept, &right)?;
-            slopes -= self.equations.tr_mul(&prices);
+            let duals = pseudo_solved(kept, &right)?;
+            slopes -= self.equations.tr_mul(&duals);
         }
         let size = self
             .right

@@ -23,7 +23,7 @@ const SLACK: f64 = 1e-11;
 const POSSIBLE: f64 = 1e-9;
 
 /// A gain below this share of the numbers that it is the difference of is rounding: some ten
-/// products, whose prices carry the rounding of an inverse of condition up to `1 / SMALLEST_PIVOT`
+/// products, whose duals carry the rounding of an inverse of condition up to `1 / SMALLEST_PIVOT`
 /// at worst and of some thousands as a rule.
 const NO_GAIN: f64 = 1e-12;
 
@@ -67,12 +67,12 @@ pub(super) struct Programme<const M: usize> {
 #[derive(Clone, Debug)]
 pub(super) struct BasicSolution<const M: usize> {
     basis: [usize; M],
-    place: Vec<Place>,
+    place: Vec<BoundStatus>,
     values: [f64; M],
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Place {
+enum BoundStatus {
     Lower,
     Upper,
     Basic,
@@ -121,10 +121,10 @@ impl<const M: usize> Programme<M> {
         let count = self.lengths.len();
         let mut corner = BasicSolution {
             basis: std::array::from_fn(|row| count + row),
-            place: vec![Place::Lower; count + M],
+            place: vec![BoundStatus::Lower; count + M],
             values: self.right.map(f64::abs),
         };
-        corner.place[count..].fill(Place::Basic);
+        corner.place[count..].fill(BoundStatus::Basic);
         let mut gain = vec![0.0; count + M];
         gain[count..].fill(-1.0);
         let climbed = self.climb(&mut corner, &gain);
@@ -192,9 +192,9 @@ impl<const M: usize> Programme<M> {
 
     fn value(&self, corner: &BasicSolution<M>, index: usize) -> f64 {
         match corner.place[index] {
-            Place::Lower => 0.0,
-            Place::Upper => self.upper[index],
-            Place::Basic => {
+            BoundStatus::Lower => 0.0,
+            BoundStatus::Upper => self.upper[index],
+            BoundStatus::Basic => {
                 let row = corner.basis.iter().position(|b| *b == index);
                 let value = row.map_or(0.0, |row| corner.values[row]);
                 value.clamp(0.0, self.upper[index])
@@ -222,9 +222,9 @@ impl<const M: usize> Programme<M> {
                 std::array::from_fn(|row| corner.basis.map(|b| self.columns[b][row]));
             let inverse = inverse(&basis).ok_or(End::Stuck)?;
             corner.values = self.basic_values(corner, &inverse);
-            let prices = combined(&inverse, &corner.basis.map(|index| gain[index]));
+            let duals = combined(&inverse, &corner.basis.map(|index| gain[index]));
             let by_index = step > PATIENCE;
-            let Some((entering, sign)) = self.entering(corner, gain, &prices, by_index) else {
+            let Some((entering, sign)) = self.entering(corner, gain, &duals, by_index) else {
                 return self.is_inside(corner).then_some(()).ok_or(End::Stuck);
             };
             let column = &self.columns[entering];
@@ -233,13 +233,13 @@ impl<const M: usize> Programme<M> {
                 Stop::Never => return Err(End::Endless),
                 Stop::Own => {
                     corner.place[entering] = match corner.place[entering] {
-                        Place::Lower => Place::Upper,
-                        _ => Place::Lower,
+                        BoundStatus::Lower => BoundStatus::Upper,
+                        _ => BoundStatus::Lower,
                     };
                 }
                 Stop::At { row, place } => {
                     corner.place[corner.basis[row]] = place;
-                    corner.place[entering] = Place::Basic;
+                    corner.place[entering] = BoundStatus::Basic;
                     corner.basis[row] = entering;
                 }
             }
@@ -250,7 +250,7 @@ impl<const M: usize> Programme<M> {
     fn basic_values(&self, corner: &BasicSolution<M>, inverse: &[[f64; M]; M]) -> [f64; M] {
         let mut right = self.right;
         for ((column, upper), place) in self.columns.iter().zip(&self.upper).zip(&corner.place) {
-            if *place == Place::Upper {
+            if *place == BoundStatus::Upper {
                 add(&mut right, column, -upper);
             }
         }
@@ -262,23 +262,23 @@ impl<const M: usize> Programme<M> {
         &self,
         corner: &BasicSolution<M>,
         gain: &[f64],
-        prices: &[f64; M],
+        duals: &[f64; M],
         by_index: bool,
     ) -> Option<(usize, f64)> {
         let mut best = None;
         let mut most = 0.0;
         for (index, place) in corner.place.iter().enumerate() {
             let sign = match place {
-                Place::Basic => continue,
-                Place::Lower => 1.0,
-                Place::Upper => -1.0,
+                BoundStatus::Basic => continue,
+                BoundStatus::Lower => 1.0,
+                BoundStatus::Upper => -1.0,
             };
             if self.upper[index] <= 0.0 {
                 continue;
             }
             let column = &self.columns[index];
-            let rise = sign * (gain[index] - dot(prices, column));
-            let parts = prices.iter().zip(column).map(|(p, c)| (p * c).abs());
+            let rise = sign * (gain[index] - dot(duals, column));
+            let parts = duals.iter().zip(column).map(|(p, c)| (p * c).abs());
             let rounding = NO_GAIN * (gain[index].abs() + parts.sum::<f64>());
             if rise > most && rise > rounding {
                 best = Some((index, sign));
@@ -306,11 +306,11 @@ impl<const M: usize> Programme<M> {
                 continue;
             }
             let (room, place) = if *turn > 0.0 {
-                (corner.values[row], Place::Lower)
+                (corner.values[row], BoundStatus::Lower)
             } else {
                 (
                     self.upper[corner.basis[row]] - corner.values[row],
-                    Place::Upper,
+                    BoundStatus::Upper,
                 )
             };
             if room == f64::INFINITY {
@@ -330,7 +330,7 @@ impl<const M: usize> Programme<M> {
 enum Stop {
     Never,
     Own,
-    At { row: usize, place: Place },
+    At { row: usize, place: BoundStatus },
 }
 
 #[cfg(test)]
@@ -375,11 +375,11 @@ mod tests {
         let mut corner = BasicSolution {
             basis: [0, 1],
             place: vec![
-                Place::Basic,
-                Place::Basic,
-                Place::Lower,
-                Place::Lower,
-                Place::Lower,
+                BoundStatus::Basic,
+                BoundStatus::Basic,
+                BoundStatus::Lower,
+                BoundStatus::Lower,
+                BoundStatus::Lower,
             ],
             values: [0.5, 0.5],
         };
@@ -396,7 +396,7 @@ mod tests {
         let programme = Programme::new(&[[1.0]], &[1.0], [2.0]);
         let mut corner = BasicSolution {
             basis: [0],
-            place: vec![Place::Basic, Place::Lower],
+            place: vec![BoundStatus::Basic, BoundStatus::Lower],
             values: [2.0],
         };
         assert_eq!(programme.maximise(&mut corner, &[1.0]), Err(End::Stuck));

@@ -9,7 +9,8 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::{
-    encoding::MOST_LABELLED, error::EncodingError, judge::Panel, known::Atom, operators::Operators,
+    encoding::MOST_LABELLED, error::EncodingError, judge::EvaluationSet, known::Atom,
+    operators::Operators,
 };
 use crate::spectrum::{Band, Basis, BasisTable, Line, WORST_CONDITION, dot, gaussian};
 
@@ -79,7 +80,7 @@ impl Columns {
     ///
     /// # Errors
     /// [`EncodingError::Unseen`] when the leading cosines cannot carry a colour on this band.
-    pub(super) fn new(panel: &Panel, atoms: &[Atom]) -> Result<Self, EncodingError> {
+    pub(super) fn new(panel: &EvaluationSet, atoms: &[Atom]) -> Result<Self, EncodingError> {
         let band = panel.band();
         let operators = Operators::new(panel);
         let table = BasisTable::new(band, Basis::Cosine, MOST_LABELLED + 1);
@@ -221,7 +222,7 @@ mod tests {
 
     #[test]
     fn a_column_has_no_colour_left() {
-        let panel = Panel::choosing(Band::VISIBLE, Observer::CIE_1931);
+        let panel = EvaluationSet::choosing(Band::VISIBLE, Observer::CIE_1931);
         let columns = Columns::new(&panel, &[]).expect("the visible");
         let shape = crate::spectrum::LineProfile::new(Band::VISIBLE, 611.0, 5.0);
         let gamma = columns.gamma(shape.first, &shape.values);
@@ -240,7 +241,7 @@ mod tests {
 
     #[test]
     fn the_pool_has_every_second_nm_in_eight_widths() {
-        let panel = Panel::choosing(Band::VISIBLE, Observer::CIE_1931);
+        let panel = EvaluationSet::choosing(Band::VISIBLE, Observer::CIE_1931);
         let atoms = atoms_on(Band::VISIBLE);
         let columns = Columns::new(&panel, &atoms).expect("the visible");
         assert_eq!(columns.lines.len(), 1608);
@@ -251,7 +252,7 @@ mod tests {
     #[test]
     fn a_range_without_the_visible_is_refused() {
         let infrared = Band::new(900.0, 1000.0).expect("100 nm");
-        let panel = Panel::choosing(infrared, Observer::CIE_1931);
+        let panel = EvaluationSet::choosing(infrared, Observer::CIE_1931);
         assert_eq!(
             Columns::new(&panel, &[]).err(),
             Some(EncodingError::Unseen { band: infrared })

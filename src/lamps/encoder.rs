@@ -7,7 +7,8 @@ use std::{
 };
 
 use super::{
-    columns::Columns, encoding::Decoder, error::EncodingError, judge::Panel, known::atoms_on,
+    columns::Columns, encoding::Decoder, error::EncodingError, judge::EvaluationSet,
+    known::atoms_on,
 };
 use crate::{
     color::{Observer, PatchSet},
@@ -23,7 +24,7 @@ pub(crate) const LONGEST_RANGE_NM: usize = 4000;
 #[derive(Debug)]
 pub struct Encoder {
     pub(super) columns: Columns,
-    pub(super) panel: Panel,
+    pub(super) panel: EvaluationSet,
     pub(super) decoder: Decoder,
     pub(super) spikes: SpikeSettings,
     /// What depends on the count of numbers alone.
@@ -57,7 +58,7 @@ impl Encoder {
                 most: LONGEST_RANGE_NM,
             });
         }
-        let panel = Panel::choosing(band, observer);
+        let panel = EvaluationSet::choosing(band, observer);
         let atoms = atoms_on(band);
         Ok(Self {
             columns: Columns::new(&panel, &atoms)?,
@@ -74,7 +75,7 @@ impl Encoder {
     }
 
     /// The panel that chooses.
-    pub(crate) fn panel(&self) -> &Panel {
+    pub(crate) fn panel(&self) -> &EvaluationSet {
         &self.panel
     }
 

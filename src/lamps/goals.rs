@@ -232,7 +232,7 @@ fn jacobian(xyz: Xyz, white: Xyz) -> Matrix3<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{color::Observer, lamps::Panel, spectrum::Band};
+    use crate::{color::Observer, lamps::EvaluationSet, spectrum::Band};
 
     fn light() -> Vec<f64> {
         Band::VISIBLE
@@ -243,7 +243,7 @@ mod tests {
 
     #[test]
     fn a_small_difference_makes_the_error_that_the_goals_say() {
-        let panel = Panel::choosing(Band::VISIBLE, Observer::CIE_1931);
+        let panel = EvaluationSet::choosing(Band::VISIBLE, Observer::CIE_1931);
         let operators = Operators::new(&panel);
         let light = light();
         let rows = operators.rows_of(0, &light);
@@ -326,7 +326,7 @@ mod tests {
 
     #[test]
     fn the_transpose_weighs_rows_as_the_errors_are_weighed() {
-        let panel = Panel::choosing(Band::VISIBLE, Observer::CIE_1931);
+        let panel = EvaluationSet::choosing(Band::VISIBLE, Observer::CIE_1931);
         let operators = Operators::new(&panel);
         let rows = operators.rows_of(0, &light());
         let goals = Goals::near(&operators, &rows, operators.xyz(0, &light()), 3.0);

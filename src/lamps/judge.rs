@@ -1,6 +1,6 @@
 //! The shipped reflectances that an encoding is chosen and judged by, and its three errors.
 //!
-//! [`Panel::choosing`] and [`Panel::judging`] share no patch and no band-pass.
+//! [`EvaluationSet::choosing`] and [`EvaluationSet::judging`] share no patch and no band-pass.
 
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ const JUDGES: &str = "tm30_ces99_5nm";
 
 /// What errors are measured by, on one band for one observer.
 #[derive(Clone, Debug)]
-pub struct Panel {
+pub struct EvaluationSet {
     measures: Arc<Measures>,
     reflectances: Vec<Vec<f64>>,
 }
@@ -58,7 +58,7 @@ impl From<&Verdict> for Errors {
     }
 }
 
-impl Panel {
+impl EvaluationSet {
     /// What chooses: the ColorChecker and band-passes at 420, 430 ... 670 nm.
     pub fn choosing(band: Band, observer: Observer) -> Self {
         Self::new(band, observer, PATCHES, Measures::new)
@@ -135,7 +135,7 @@ mod tests {
 
     #[test]
     fn as_many_surfaces_choose_and_judge_as_are_named() {
-        let [choosing, judging] = [Panel::choosing, Panel::judging]
+        let [choosing, judging] = [EvaluationSet::choosing, EvaluationSet::judging]
             .map(|panel| panel(Band::VISIBLE, Observer::CIE_1931).reflectances.len());
         assert_eq!([choosing, judging], [24, 99]);
     }
@@ -143,7 +143,7 @@ mod tests {
     #[test]
     fn a_model_that_is_the_light_is_off_by_its_patches_only() {
         let band = Band::VISIBLE;
-        let panel = Panel::judging(band, Observer::CIE_1931);
+        let panel = EvaluationSet::judging(band, Observer::CIE_1931);
         let light: Vec<f64> = band.grid().map(|nm| 1.0 + (nm / 70.0).cos()).collect();
         let exact = panel.exact(&light).expect("a light");
         let errors = panel.errors(&exact, &light, &panel.measures.patches);
@@ -156,10 +156,10 @@ mod tests {
 
     #[test]
     fn darkness_and_the_unseen_have_no_exact_side() {
-        let panel = Panel::choosing(Band::VISIBLE, Observer::CIE_1931);
+        let panel = EvaluationSet::choosing(Band::VISIBLE, Observer::CIE_1931);
         assert!(panel.exact(&vec![0.0; 401]).is_none());
         let infrared = Band::new(900.0, 1000.0).expect("100 nm");
-        let panel = Panel::choosing(infrared, Observer::CIE_1931);
+        let panel = EvaluationSet::choosing(infrared, Observer::CIE_1931);
         assert!(panel.exact(&vec![1.0; 101]).is_none());
     }
 }

@@ -51,7 +51,7 @@ pub use encoding::Decoder;
 #[cfg(test)]
 pub(crate) use encoding::Encoding;
 pub(crate) use error::EncodingError;
-pub use judge::{Errors, Panel};
+pub use judge::{Errors, EvaluationSet};
 pub(crate) use known::namesakes;
 #[cfg(test)]
 pub(crate) use known::{atoms_on, known_lamps};

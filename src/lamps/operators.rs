@@ -9,7 +9,7 @@
 //!
 //! One value each is a row. No band-pass here has a centre that chooses or judges.
 
-use super::judge::Panel;
+use super::judge::EvaluationSet;
 use crate::{
     spectrum::{Band, Line, dot},
     study::{bandpass, error::BLUR_NM},
@@ -34,7 +34,7 @@ pub(super) struct Operators {
 
 impl Operators {
     /// The operators beside a panel that chooses.
-    pub(super) fn new(panel: &Panel) -> Self {
+    pub(super) fn new(panel: &EvaluationSet) -> Self {
         let band = panel.band();
         let [first, step, last] = FILTERS_NM;
         let centres = (first..=last).step_by(step as usize).map(f64::from);
@@ -191,7 +191,7 @@ mod tests {
     use crate::{color::Observer, spectrum::LineProfile};
 
     fn operators() -> Operators {
-        Operators::new(&Panel::choosing(Band::VISIBLE, Observer::CIE_1931))
+        Operators::new(&EvaluationSet::choosing(Band::VISIBLE, Observer::CIE_1931))
     }
 
     #[test]

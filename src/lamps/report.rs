@@ -8,7 +8,7 @@ use super::{
     encoder::Encoder,
     encoding::Encoding,
     error::EncodingError,
-    judge::{Errors, Panel},
+    judge::{Errors, EvaluationSet},
     known::known_lamps,
     makeup::Ingredients,
     words::{from_words, rounded, to_words, words_from_text, words_in_text},
@@ -42,7 +42,7 @@ pub struct Encoded {
 /// [`EncodingError`] for a light without colour and numbers that no word holds.
 pub fn judged(
     encoder: &Encoder,
-    judge: &Panel,
+    judge: &EvaluationSet,
     values: &[f64],
     (encoding, numbers): (&Encoding, usize),
 ) -> Result<Encoded, EncodingError> {

@@ -5,7 +5,7 @@
 //! rainbow     a ray in a drop, the bows         sky                   the strip of sky
 //! solid, cut  convex bodies, the brilliant      scene, studio         dome, lamps, camera
 //! chain       the whole tree of rays as a chain film, plane, tile, plan  its planes
-//! picture     a film under a light, its noise   develop, spectral     what goes out
+//! picture     a film under a light, its noise   tone_map, spectral    what goes out
 //! ```
 //!
 //! The smooth part and the spikes of a light are told apart before anything is traced: a spike is
@@ -17,7 +17,6 @@ mod absorption;
 mod bench;
 mod chain;
 mod cut;
-mod develop;
 mod film;
 mod fresnel;
 mod index;
@@ -43,6 +42,7 @@ mod spectral;
 mod strip;
 mod studio;
 mod tile;
+mod tone_map;
 
 pub use absorption::Absorption;
 pub(crate) use absorption::AbsorptionError;
@@ -50,7 +50,6 @@ pub(crate) use bench::Landing;
 pub use bench::{Bench, BenchSettings};
 pub use chain::Ending;
 pub use cut::Brilliant;
-pub(crate) use develop::into_gamut;
 pub use film::Film;
 #[cfg(test)]
 pub(crate) use film::FilmError;
@@ -84,3 +83,4 @@ pub(crate) use spectral::spectral_planes;
 pub use strip::MOST_COLUMNS;
 pub(crate) use strip::{Screen, Strip};
 pub use studio::{Seen, Studio};
+pub(crate) use tone_map::into_gamut;

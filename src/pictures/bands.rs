@@ -132,12 +132,12 @@ impl Bands {
         out
     }
 
-    /// A table as it falls on the bands: its mean under each band's tent (down to zero at both
-    /// neighbours, half a tent at the ends), spikes by the share that the tent gives them.
+    /// A table as it falls on the bands: its mean under each band's hat (down to zero at both
+    /// neighbours, half a hat at the ends), spikes by the share that the hat gives them.
     ///
-    /// Each side of a tent is summed in even steps of at most one nm, onto which the table's area
+    /// Each side of a hat is summed in even steps of at most one nm, onto which the table's area
     /// is shared out ([`Sampled::on_grid`]): a line finer than that keeps its power.
-    pub(crate) fn under_tents(&self, table: &Sampled, spikes: &[Line]) -> Vec<f64> {
+    pub(crate) fn under_hats(&self, table: &Sampled, spikes: &[Line]) -> Vec<f64> {
         let count = self.nm.len();
         let (mut sums, mut areas) = (vec![0.0; count], vec![0.0; count]);
         for (left, ends) in self.nm.windows(2).enumerate() {
@@ -146,7 +146,7 @@ impl Bands {
             let step = width / steps as f64;
             let values = table.on_grid(ends[0], step, steps + 1, Outside::Zero);
             for (band, value_at) in [(left, 0), (left + 1, steps)] {
-                // The tent's top is its value there; of the two sides' it is the mean.
+                // The hat's top is its value there; of the two sides' it is the mean.
                 let inner = band > 0 && band + 1 < count;
                 let top = if inner { 0.5 * step } else { step };
                 sums[band] += top * values[value_at];
@@ -292,7 +292,7 @@ mod tests {
     fn a_straight_table_falls_on_even_bands_as_itself() {
         let table = Sampled::new(vec![300.0, 900.0], vec![300.0, 900.0]).unwrap();
         let bands = bands(Kind::Light);
-        let found = bands.under_tents(&table, &[]);
+        let found = bands.under_hats(&table, &[]);
         for (value, nm) in found.iter().zip(bands.nm()).take(80).skip(1) {
             // Symmetric sums about the band.
             assert!((value - nm).abs() < 1e-9);
@@ -313,7 +313,7 @@ mod tests {
                 weights.map(|(v, q)| v * q).sum()
             };
             // Sums of 400 numbers up to 30.
-            let found = power(&bands.under_tents(&table, &[]));
+            let found = power(&bands.under_hats(&table, &[]));
             assert!((found - 3.0).abs() < 1e-10, "{peak}: {found}");
             let found = power(&bands.by_area(&table, Outside::Zero));
             assert!((found - 3.0).abs() < 1e-10, "{peak}: {found}");
@@ -335,13 +335,13 @@ mod tests {
         let dark = Sampled::new(vec![300.0, 900.0], vec![0.0, 0.0]).unwrap();
         let bands = bands(Kind::Light);
         let spike = Line::ideal(546.1, 3.0);
-        let found = bands.under_tents(&dark, &[spike]);
+        let found = bands.under_hats(&dark, &[spike]);
         let power: f64 = found
             .iter()
             .zip(bands.weights_nm())
             .map(|(v, q)| v * q)
             .sum();
-        // The tents of two neighbours add to one everywhere between them.
+        // The hats of two neighbours add to one everywhere between them.
         assert!((power - 3.0).abs() < 1e-12, "{power}");
     }
 

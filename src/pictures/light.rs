@@ -1,4 +1,4 @@
-//! A light that falls on a picture: at full resolution for colour, under the bands' tents where it
+//! A light that falls on a picture: at full resolution for colour, under the bands' hats where it
 //! multiplies a pixel.
 
 use std::sync::LazyLock;
@@ -162,7 +162,7 @@ impl Light {
     /// # Errors
     /// [`PictureError::NoOverlap`] when nothing of it falls on the bands.
     pub(crate) fn on_bands(&self, bands: &Bands) -> Result<Vec<f64>, PictureError> {
-        let mut values = bands.under_tents(&self.table, &self.spikes);
+        let mut values = bands.under_hats(&self.table, &self.spikes);
         let mean = values.iter().sum::<f64>() / values.len() as f64;
         if !(mean > 0.0 && mean.is_finite()) {
             return Err(PictureError::NoOverlap {

@@ -66,7 +66,7 @@ pub(crate) fn find_lines(bands: &Bands, spectrum: &[f64]) -> Result<Vec<Line>, P
     Ok(lines)
 }
 
-/// Lines at places that a person names: where a peak stands near, with its shape, else the tent of
+/// Lines at places that a person names: where a peak stands near, with its shape, else the hat of
 /// the nearest band. Two within half a band of one another are one.
 ///
 /// # Errors
@@ -104,7 +104,7 @@ pub(crate) fn lines_at(
             let (shape, centroid) = above_chord(bands, spectrum, window)?;
             Some((centroid, shape, window))
         });
-        let (at_nm, shape, window) = shaped.unwrap_or_else(|| tent(bands, place));
+        let (at_nm, shape, window) = shaped.unwrap_or_else(|| hat(bands, place));
         found.lines.push(Line {
             at_nm,
             share: 0.0,
@@ -116,7 +116,7 @@ pub(crate) fn lines_at(
 }
 
 /// A line at a place (nm) with the shape of what stands in a window of bands (first and last);
-/// where nothing stands above the straight line between these, the tent of the nearest band.
+/// where nothing stands above the straight line between these, the hat of the nearest band.
 ///
 /// # Errors
 /// [`PictureError`] when the window or the place lies outside the bands.
@@ -138,7 +138,7 @@ pub(crate) fn line_in(
         });
     }
     let above = above_chord(bands, spectrum, window);
-    let shape = above.map_or_else(|| tent(bands, at_nm).1, |(shape, _)| shape);
+    let shape = above.map_or_else(|| hat(bands, at_nm).1, |(shape, _)| shape);
     Ok(Line {
         at_nm,
         share: 0.0,
@@ -212,8 +212,8 @@ fn above_chord(
     Some((shape, centroid))
 }
 
-/// A line without a peak: the tent of the nearest band, down to zero at its two neighbours.
-fn tent(bands: &Bands, at_nm: f64) -> (f64, Vec<f64>, [usize; 2]) {
+/// A line without a peak: the hat of the nearest band, down to zero at its two neighbours.
+fn hat(bands: &Bands, at_nm: f64) -> (f64, Vec<f64>, [usize; 2]) {
     let nm = bands.nm();
     let far = |j: &usize| (nm[*j] - at_nm).abs();
     let nearest = (0..nm.len())
@@ -270,10 +270,10 @@ mod tests {
         let (bands, values) = lamp();
         let found = lines_at(&bands, &values, &[545.5, 622.0]).unwrap();
         assert!((found.lines[0].at_nm - 545.0).abs() < 0.5);
-        let tent = &found.lines[1];
-        let touched: Vec<usize> = (0..81).filter(|j| tent.shape[*j] != 0.0).collect();
+        let hat = &found.lines[1];
+        let touched: Vec<usize> = (0..81).filter(|j| hat.shape[*j] != 0.0).collect();
         assert_eq!(
-            (tent.at_nm, bands.nm()[touched[0]], touched.len()),
+            (hat.at_nm, bands.nm()[touched[0]], touched.len()),
             (622.0, 620.0, 1)
         );
     }

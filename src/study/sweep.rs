@@ -194,7 +194,7 @@ pub struct Sweep {
 
 /// An error below which nobody sees or measures a difference: CIEDE2000 of colours, a share of
 /// spectra.
-pub fn unseen(measure: Measure) -> f64 {
+pub fn just_noticeable(measure: Measure) -> f64 {
     if measure.is_colour() { 1e-4 } else { 1e-6 }
 }
 
@@ -240,7 +240,7 @@ impl Sweep {
 
     /// The Pareto front of the ways that `counts`, as indices of points: by rising numbers, every
     /// point that is better than all cheaper ones. It ends with the first whose error is
-    /// [`unseen`].
+    /// [`just_noticeable`].
     pub(crate) fn front(
         &self,
         measure: Measure,
@@ -256,7 +256,7 @@ impl Sweep {
         by_cost.sort_by(|a, b| a.1.cmp(&b.1).then(a.2.total_cmp(&b.2)));
         let mut best = f64::INFINITY;
         by_cost.retain(|(_, _, error)| {
-            let better = *error < best && best >= unseen(measure);
+            let better = *error < best && best >= just_noticeable(measure);
             best = best.min(*error);
             better
         });

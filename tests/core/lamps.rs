@@ -5,8 +5,8 @@ use spectral_explorer::{
     color::Observer,
     io::read_path,
     lamps::{
-        Ask, Count, Encoder, EncodingError, Ingredients, Panel, encode_json, from_words, judged,
-        known_lamps, read_encoding,
+        Ask, Count, Encoder, EncodingError, EvaluationSet, Ingredients, encode_json, from_words,
+        judged, known_lamps, read_encoding,
     },
     preset,
     spectrum::{Band, Basis, BasisTable, Kind, Line, Outside, Sampled, SpikeSettings, add_lines},
@@ -106,7 +106,7 @@ fn hostile() -> Vec<(&'static str, Vec<f64>)> {
 
 #[test]
 fn a_light_is_decoded_from_its_words_with_its_own_colour() {
-    let judge = Panel::judging(BAND, Observer::CIE_1931);
+    let judge = EvaluationSet::judging(BAND, Observer::CIE_1931);
     for (group, name) in [
         ("cie_fluorescent_1nm", "FL2"),
         ("cie_led_1nm", "LED-B3"),
@@ -144,7 +144,7 @@ fn the_json_has_the_keys_of_the_command() {
     let chosen = encoder()
         .encode(&values, Ask::numbers(20).in_comparison())
         .expect("a light");
-    let judge = Panel::judging(BAND, Observer::CIE_1931);
+    let judge = EvaluationSet::judging(BAND, Observer::CIE_1931);
     let encoded = judged(encoder(), &judge, &values, (&chosen.encoding, 20));
     let json = encode_json(&encoded.expect("small numbers"));
     let keys = |value: &serde_json::Value| -> Vec<String> {
@@ -232,7 +232,11 @@ fn hostile_lights_have_an_encoding_with_their_own_colour() {
 }
 
 /// The errors of an encoding and of a colour-exact cosine series of as many numbers.
-fn beside_a_cosine_series(judge: &Panel, values: &[f64], ask: Ask) -> Option<[[f64; 3]; 2]> {
+fn beside_a_cosine_series(
+    judge: &EvaluationSet,
+    values: &[f64],
+    ask: Ask,
+) -> Option<[[f64; 3]; 2]> {
     let exact = judge.exact(values)?;
     let chosen = encoder().encode(values, ask).expect("a light");
     let decoder = encoder().decoder();
@@ -252,7 +256,7 @@ fn median(mut values: Vec<f64>) -> f64 {
 
 #[test]
 fn hostile_lights_are_nearer_than_by_a_cosine_series_but_not_all_of_them() {
-    let judge = Panel::judging(BAND, Observer::CIE_1931);
+    let judge = EvaluationSet::judging(BAND, Observer::CIE_1931);
     let ask = Ask::numbers(20).in_comparison();
     let all: Vec<[[f64; 3]; 2]> = hostile()
         .iter()
@@ -325,7 +329,7 @@ pub(crate) fn files_of_others() -> Vec<(String, Vec<f64>)> {
 
 #[test]
 fn measured_lamps_of_others_are_nearer_than_by_a_cosine_series() {
-    let judge = Panel::judging(BAND, Observer::CIE_1931);
+    let judge = EvaluationSet::judging(BAND, Observer::CIE_1931);
     let lamps = files_of_others();
     for numbers in [11, 20, 31].into_iter().filter(|_| !lamps.is_empty()) {
         let ask = Ask::numbers(numbers).in_comparison();
@@ -481,7 +485,7 @@ pub(crate) fn measured_lamps() -> Vec<(String, Vec<f64>)> {
 
 #[test]
 fn measured_lamps_that_are_not_shipped_are_encoded_better_than_by_a_cosine_series() {
-    let judge = Panel::judging(BAND, Observer::CIE_1931);
+    let judge = EvaluationSet::judging(BAND, Observer::CIE_1931);
     // The errors taken together as the choice takes them: patches ^ .5 filters ^ 1.25 blurred ^ 1.25.
     let together = |e: [f64; 3]| e[0].sqrt() * (e[1] * e[2]).powf(1.25);
     for (name, values) in measured_lamps() {

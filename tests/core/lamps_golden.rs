@@ -3,7 +3,7 @@
 use serde_json::Value;
 use spectral_explorer::{
     color::Observer,
-    lamps::{Ask, AtomWeight, Decoder, Encoder, Encoding, Panel, atoms_on},
+    lamps::{Ask, AtomWeight, Decoder, Encoder, Encoding, EvaluationSet, atoms_on},
     preset,
     spectrum::{Band, Basis, Line, Outside, Series, SpikeSettings},
 };
@@ -100,7 +100,10 @@ fn every_known_lamp_has_the_values_of_the_reference() {
 
 #[test]
 fn the_reference_encodings_decode_to_their_errors() {
-    let (panel, decoder) = (Panel::judging(BAND, Observer::CIE_1931), Decoder::new(BAND));
+    let (panel, decoder) = (
+        EvaluationSet::judging(BAND, Observer::CIE_1931),
+        Decoder::new(BAND),
+    );
     for item in items() {
         let count = number(&item["P"]) as usize;
         let encoding = encoding(&item);
@@ -155,7 +158,7 @@ fn plain_sum_blurred(model: &[f64], lamp: &[f64]) -> f64 {
 fn the_encoder_reaches_the_references_errors() {
     let encoder =
         Encoder::new(BAND, Observer::CIE_1931, SpikeSettings::default()).expect("the visible");
-    let panel = Panel::judging(BAND, Observer::CIE_1931);
+    let panel = EvaluationSet::judging(BAND, Observer::CIE_1931);
     let mut log_sum = 0.0;
     for item in items() {
         let count = number(&item["P"]) as usize;

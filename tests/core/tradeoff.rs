@@ -17,7 +17,7 @@ use spectral_explorer::{
     study::{
         FitVariant, Goal, Measure, Measures, Progress, Subject, Sweep,
         auction::{Auction, Ended, Purchase, Terms, hold},
-        unseen,
+        just_noticeable,
     },
 };
 
@@ -208,7 +208,7 @@ fn the_front_is_what_no_cheaper_model_reaches() {
             let cheaper = front.iter().filter(|f| f.numbers <= point.numbers);
             let best = cheaper.map(|f| error(f)).fold(f64::INFINITY, f64::min);
             assert!(
-                best <= error(point).max(unseen(measure)),
+                best <= error(point).max(just_noticeable(measure)),
                 "{measure:?} {point:?}"
             );
         }

@@ -7,8 +7,8 @@ use crate::{
     app::{document::Document, entry::Entry, memo::ByAddress},
     color::Observer,
     lamps::{
-        Ask, Count, Encoded, Encoder, EncodingError, Ingredients, LeaveOut, NUMBERS, Panel, judged,
-        namesakes,
+        Ask, Count, Encoded, Encoder, EncodingError, EvaluationSet, Ingredients, LeaveOut, NUMBERS,
+        judged, namesakes,
     },
     spectrum::{Band, SpikeSettings},
     study::Progress,
@@ -99,7 +99,7 @@ impl EncodeAsk {
             leave_out,
         };
         let chosen = encoder.encode_without(&measured, ask, &left_out)?;
-        let judge = Panel::judging(band, observer);
+        let judge = EvaluationSet::judging(band, observer);
         let encoded = judged(
             &encoder,
             &judge,

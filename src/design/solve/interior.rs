@@ -15,9 +15,9 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::{
+    duals::{Duals, short_of_zero},
     part::{Local, Part, Parts},
     polytope::Polytope,
-    prices::{Prices, short_of_zero},
 };
 use crate::{
     design::scales::{Scales, Sums},
@@ -242,13 +242,13 @@ impl<'a> Interior<'a> {
         };
         let mut place = start.clone();
         let mut barrier = FIRST_BARRIER;
-        let mut prices = Prices {
+        let mut duals = Duals {
             unknowns: place.map(|v| barrier / v),
             limits: None,
         };
         while barrier >= LAST_BARRIER {
             for _ in 0..MOST_STEPS {
-                let here = self.bent(&ask, &place, barrier, &mut prices)?;
+                let here = self.bent(&ask, &place, barrier, &mut duals)?;
                 let step = self.newton(here.bend, &here.slope)?;
                 let fall = -here.slope.dot(&step);
                 let before = self.merit(&ask, &place, barrier)?;
@@ -271,9 +271,9 @@ impl<'a> Interior<'a> {
                 let Some(moved) = moved else {
                     break;
                 };
-                prices.follow(&place, &step, barrier, &here.rooms);
+                duals.follow(&place, &step, barrier, &here.rooms);
                 place = moved;
-                prices.stay_near(&place, barrier);
+                duals.stay_near(&place, barrier);
                 if enough.is_some_and(|enough| enough(&place)) {
                     return Some(place);
                 }
@@ -319,17 +319,17 @@ impl<'a> Interior<'a> {
         ask: &Ask<'_>,
         place: &DVector<f64>,
         barrier: f64,
-        prices: &mut Prices,
+        duals: &mut Duals,
     ) -> Option<Bent> {
         let size = place.len();
         let here = self.parts.at(ask.goal, place, barrier.sqrt(), true)?;
         let held = self.rooms(ask, place, barrier, true)?;
-        let tolls = prices
+        let tolls = duals
             .limits
             .get_or_insert_with(|| held.iter().map(|(room, _)| barrier / room).collect());
         let mut slope = here.slope - place.map(|v| barrier / v);
         let mut bend = here.bend.unwrap_or_else(|| DMatrix::zeros(size, size));
-        (0..size).for_each(|j| bend[(j, j)] += prices.unknowns[j] / place[j]);
+        (0..size).for_each(|j| bend[(j, j)] += duals.unknowns[j] / place[j]);
         let mut rooms = Vec::with_capacity(held.len());
         for ((room, local), toll) in held.into_iter().zip(tolls.iter()) {
             // Of the room: rising with the ease, falling with the part.
@@ -371,8 +371,8 @@ impl<'a> Interior<'a> {
         let missing = &self.equations * (place - &bare);
         let weighed = DMatrix::from_diagonal(&bare.map(|v| v * v));
         let turned = &weighed * self.equations.transpose();
-        let prices = (&self.equations * &turned).lu().solve(&missing)?;
-        bare += turned * prices;
+        let duals = (&self.equations * &turned).lu().solve(&missing)?;
+        bare += turned * duals;
         let left = (&self.equations * (place - &bare)).amax();
         let is_one = left < SAME_COLOUR && bare.iter().all(|v| *v >= 0.0 && v.is_finite());
         is_one.then_some(bare)

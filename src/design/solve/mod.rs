@@ -7,7 +7,7 @@
 //! polytope  all mixtures of a colour
 //! interior  the best by a figure that is no sum
 //! part      a figure at a mixture: value, slope, bend
-//! prices    the worth of the edges of the interior
+//! duals     the worth of the edges of the interior
 //! solution  weights for a wish
 //! best      the best by figures of samples, the fewest channels
 //! against   words for what efficacy is traded for
@@ -20,6 +20,7 @@
 
 mod against;
 mod best;
+mod duals;
 mod figures;
 mod front;
 mod interior;
@@ -28,7 +29,6 @@ mod moves;
 mod net;
 mod part;
 mod polytope;
-mod prices;
 mod report;
 mod solution;
 mod target;

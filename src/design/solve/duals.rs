@@ -10,12 +10,12 @@ const SHORT_OF_EDGE: f64 = 0.99;
 const PRICES_WITHIN: f64 = 1e3;
 
 /// What the edges are worth: multipliers of the unknowns and of the limits.
-pub(super) struct Prices {
+pub(super) struct Duals {
     pub(super) unknowns: DVector<f64>,
     pub(super) limits: Option<Vec<f64>>,
 }
 
-impl Prices {
+impl Duals {
     /// Goes along with a step from a place.
     pub(super) fn follow(
         &mut self,
