@@ -22,7 +22,7 @@ const XYZ_FROM_CONES: Matrix3 = inverse(&CONES_FROM_XYZ);
 /// colours. One per cent already means a gain of a hundred.
 const SMALLEST_SIGNAL: f64 = 0.01;
 
-/// Whether a patch is shown as it is, or as it looks to an eye adapted to the light.
+/// Rendering of a patch: as it is, or as it looks to an eye adapted to the light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Adaptation {
     /// As it is: under incandescent light everything is orange.

@@ -36,7 +36,7 @@ const PARABOLIC_FROM_DUV: f64 = 0.002;
 /// Table entries skipped in the first pass of the search: about the square root of the table.
 const STRIDE: usize = 64;
 
-/// How far outside the range (as a share of T) a solution may fall by the method's own error.
+/// Tolerance outside the range for the method's own error, as a share of T.
 const RANGE_SLACK: f64 = 1e-5;
 
 /// So cold that a blackbody has the colour of the red end of the locus of wavelengths, K.
@@ -128,7 +128,7 @@ pub(crate) fn uv_1960_from_kelvin(kelvin: f64) -> Option<[f64; 2]> {
     uv_1960_from_xyz(Xyz::from_array(sum))
 }
 
-/// What one nm contributes to a blackbody's XYZ: `xyz / (exp(exponent_k / T) - 1)`.
+/// Contribution of one nm to a blackbody's XYZ: `xyz / (exp(exponent_k / T) - 1)`.
 struct PlanckWeight {
     /// `c2 / wavelength`, K.
     exponent_k: f64,

@@ -51,7 +51,7 @@ pub enum ObserverError {
     /// The three functions do not share two whole nm, or more than any table has.
     #[error("found {found} whole nm that all three functions cover, expected 2 to {MOST_NM}")]
     Points {
-        /// How many they share.
+        /// Number of whole nm they share.
         found: usize,
     },
     /// A value is no finite number.
@@ -111,7 +111,7 @@ impl Observer {
         Ok(Self((Self::CIE.len() + index) as u16))
     }
 
-    /// Whether it ships with the program.
+    /// True if it ships with the program.
     pub(crate) fn is_shipped(self) -> bool {
         usize::from(self.0) < Self::CIE.len()
     }
@@ -149,7 +149,7 @@ impl Observer {
         &self.known().title
     }
 
-    /// Where the numbers come from.
+    /// Origin of the numbers.
     pub fn source(self) -> &'static str {
         &self.known().source
     }

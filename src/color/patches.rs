@@ -37,7 +37,7 @@ pub struct PatchMatrix {
     white: Vec<[f64; 3]>,
 }
 
-/// How much a set of patches differs between two lights.
+/// Colour difference of a set of patches between two lights.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PatchDifference {
     /// Mean CIEDE2000.
@@ -91,7 +91,7 @@ impl PatchSet {
         self.names.len()
     }
 
-    /// Whether there is no patch.
+    /// True if there are no patches.
     pub fn is_empty(&self) -> bool {
         self.names.is_empty()
     }
@@ -197,7 +197,7 @@ impl PatchSet {
 }
 
 impl PatchMatrix {
-    /// How many coefficients it takes.
+    /// Number of coefficients it takes.
     pub(crate) fn numbers(&self) -> usize {
         self.white.len()
     }

@@ -28,7 +28,7 @@ pub(crate) const XYZ_FROM_LINEAR: Matrix3 = derived();
 /// XYZ (Y = 1 for white) to linear sRGB.
 pub(crate) const LINEAR_FROM_XYZ: Matrix3 = inverse(&XYZ_FROM_LINEAR);
 
-/// How far (in linear light, 1 = full) a channel may leave 0-1 by rounding and still count as in gamut.
+/// Rounding tolerance for channels outside 0-1 to count as in gamut, in linear light (1 = full).
 const GAMUT_SLACK: f64 = 1e-9;
 
 /// Brighter than full by this much is cut without a word: half a step of an 8-bit screen.
@@ -156,7 +156,7 @@ impl FromStr for Srgb {
     }
 }
 
-/// How a colour was brought onto the screen.
+/// Method of mapping a colour onto the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Mapping {
     /// A light: negative channels to 0, then all divided by the largest.
@@ -174,7 +174,7 @@ pub enum Mapping {
 }
 
 impl Mapping {
-    /// What was done, in words for a tooltip or a report.
+    /// Description of the mapping for a tooltip or a report.
     pub(crate) fn words(self) -> &'static str {
         match self {
             Self::ScaledToMaximum => "negative channels to 0, scaled by the largest",
@@ -196,9 +196,9 @@ pub struct Swatch {
     pub encoded: [f64; 3],
     /// The same, in 8 bits.
     pub rgb8: Srgb,
-    /// Whether the screen shows the very colour (a light: the very chromaticity).
+    /// True if the screen shows the exact colour (a light: the exact chromaticity).
     pub in_gamut: bool,
-    /// How it was brought onto the screen.
+    /// Method by which it was mapped onto the screen.
     pub mapping: Mapping,
 }
 

@@ -28,7 +28,7 @@ const WHITE_SHARE: f64 = 0.5;
 /// Radius of the rounded corner at zero, as a share of the largest channel.
 const CORNER: f64 = 0.05;
 
-/// How strongly a wavelength is shown, 0-1: 1 in the middle, 0 where the eye sees nothing.
+/// Brightness at which a wavelength is shown, 0-1: 1 in the middle, 0 where the eye sees nothing.
 ///
 /// Built on the sum of the three colour-matching functions rather than on y-bar alone, which
 /// would leave violet black although it is plainly seen.

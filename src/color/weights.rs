@@ -1,4 +1,4 @@
-//! What weighs a spectrum to X, Y and Z: colour-matching functions, alone or times one factor.
+//! Weights of a spectrum for X, Y and Z: colour-matching functions, alone or times one factor.
 
 use std::ops::Deref;
 

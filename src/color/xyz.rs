@@ -62,7 +62,7 @@ impl Xyz {
         (self.y > 0.0 && scaled.is_finite()).then_some(scaled)
     }
 
-    /// Whether all three are finite numbers.
+    /// True if all three are finite numbers.
     pub fn is_finite(self) -> bool {
         self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
     }

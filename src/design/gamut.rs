@@ -1,6 +1,6 @@
 //! The colours that mixtures of channels can have.
 
-/// Where a mixture comes nearest to a chromaticity.
+/// The mixture nearest to a chromaticity.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct NearestMix {
     /// CIE 1976 u'v' of the mixture.
@@ -28,8 +28,8 @@ fn uv_and_sum([x, y, z]: [f64; 3]) -> Option<([f64; 2], f64)> {
 /// The mixture of channels (XYZ of each at weight one) nearest in u'v' to a chromaticity outside
 /// their gamut, of the same Y as `y`; `None` where no channel has a colour.
 ///
-/// What is nearest lies on an edge of the gamut, which joins two channels: all pairs are looked
-/// at, so no hull is needed and ties go to the first.
+/// The nearest point lies on an edge of the gamut, which joins two channels: all pairs are tried,
+/// so no hull is needed and ties go to the first.
 pub(super) fn nearest_mix(channels: &[[f64; 3]], asked: [f64; 2], y: f64) -> Option<NearestMix> {
     let points: Vec<(usize, [f64; 2], f64)> = channels
         .iter()

@@ -24,7 +24,7 @@ use super::programme::{End, Programme};
 /// sums of up to some hundred products of columns of length one.
 const NO_SLOPE: f64 = 1e-14;
 
-/// What a column has that no other has, below which it has nothing: rounding of such sums.
+/// Relative size below which the part of a column outside the span of the others is rounding.
 const NOTHING_OF_ITS_OWN: f64 = 1e-13;
 
 /// Weights of the least squares among those that meet the equations (one column of `equations` a

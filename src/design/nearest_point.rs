@@ -1,8 +1,8 @@
 //! The point of a sum of segments that is nearest to the origin.
 //!
-//! What a reflectance of 0-1 can do under a light is such a body: each wavelength adds a segment
-//! from nothing to its full share of X, Y and Z. Its corner farthest in a direction is known at
-//! once (every wavelength that helps, no other), and that is all the method asks for.
+//! The colours of all reflectances of 0-1 under a light are such a body: each wavelength adds a
+//! segment from nothing to its full share of X, Y and Z. Its corner farthest in a direction is
+//! known at once (every wavelength that helps, no other), and that is all the method asks for.
 //!
 //! Source: P. Wolfe, "Finding the nearest point in a polytope", Mathematical Programming 11
 //! (1976) 128-149.

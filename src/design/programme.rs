@@ -15,11 +15,11 @@
 
 use super::small::{add, combined, dot, inverse};
 
-/// How far from a bound or an equation counts as on it, where columns have length one.
+/// Tolerance for being on a bound or an equation, for columns of unit length.
 const SLACK: f64 = 1e-11;
 
-/// How far from the equations and bounds still counts as possible: a thousand times finer than any
-/// colour is known, and coarse enough for what rounding does at the very edge.
+/// Feasibility tolerance on the equations and bounds: a thousand times finer than any colour is
+/// known, and coarse enough for the rounding at the very edge.
 const POSSIBLE: f64 = 1e-9;
 
 /// A gain below this share of the numbers that it is the difference of is rounding: some ten
@@ -58,7 +58,7 @@ pub(super) struct Programme<const M: usize> {
     columns: Vec<[f64; M]>,
     /// In units of the scaled unknowns.
     upper: Vec<f64>,
-    /// What a scaled unknown is divided by; zero for a column that is nothing.
+    /// Divisors of the scaled unknowns; zero for a column of no length.
     lengths: Vec<f64>,
     right: [f64; M],
 }
@@ -202,12 +202,12 @@ impl<const M: usize> Programme<M> {
         }
     }
 
-    /// What rounding is measured by.
+    /// The scale that rounding is measured against.
     fn size(&self) -> f64 {
         1.0 + self.right.iter().fold(0.0, |a, v| v.abs().max(a))
     }
 
-    /// Whether the basic unknowns keep their bounds to rounding.
+    /// True if the basic unknowns keep their bounds to within rounding.
     fn is_inside(&self, corner: &BasicSolution<M>) -> bool {
         let rounding = POSSIBLE * self.size();
         let both = corner.basis.iter().zip(&corner.values);
@@ -291,7 +291,7 @@ impl<const M: usize> Programme<M> {
         best
     }
 
-    /// What stops the unknown that leaves its bound: a basic one, or its own other bound.
+    /// The first stop of the unknown that leaves its bound: a basic one, or its own other bound.
     fn first_stop(&self, corner: &BasicSolution<M>, turn: &[f64; M], own: f64) -> Stop {
         let mut nearest = own;
         let mut stop = if own.is_finite() {

@@ -1,5 +1,5 @@
-//! How much memory a file may take: what is packed small must not unfold without bounds, and what is
-//! honest may be packed as small as it will.
+//! Limits on the memory of a file: small packed data must not unfold without bounds, and honest
+//! data may be packed as small as it will.
 
 /// Memory that any file may take, however small it is: 512 MiB. What is read band by band or row by
 /// row keeps to it too.

@@ -1,5 +1,5 @@
-//! What a person decided where a file leaves it open, or was misread: a file is read again with
-//! these.
+//! The user's decisions where a file leaves a choice open, or was misread: a file is read again
+//! with these.
 
 use std::collections::BTreeMap;
 
@@ -14,31 +14,31 @@ use crate::spectrum::Kind;
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Choices {
-    /// What stands between cells and marks decimals, in plain columns.
+    /// The separator of cells and the decimal mark, in plain columns.
     #[serde(skip)]
     pub dialect: Option<Dialect>,
-    /// What stands between cells, in plain columns, where the decimal mark is left to the reader.
+    /// The separator of cells, in plain columns, where the decimal mark is left to the reader.
     #[serde(skip)]
     pub delimiter: Option<Delimiter>,
     /// The column of wavelengths, from 0, in plain columns.
     #[serde(skip)]
     pub axis_column: Option<usize>,
-    /// What the wavelength axis counts.
+    /// The unit of the wavelength axis.
     pub wavelengths: Option<WavelengthUnit>,
     /// The laser that Raman shifts count from, nm.
     #[serde(skip)]
     pub laser_nm: Option<f64>,
-    /// What the values of every spectrum and image stand for.
+    /// The kind of the values of every spectrum and image.
     pub kind: Option<Kind>,
-    /// What the values of every factor are counted in.
+    /// The scale of the values of every factor.
     pub counted: Option<Counted>,
-    /// What goes for one spectrum alone, by its place in the file from 0.
+    /// The decisions about one spectrum alone, by its place in the file from 0.
     #[serde(skip)]
     pub each: BTreeMap<usize, OfOne>,
-    /// What goes for one image alone, by its place in the file from 0.
+    /// The decisions about one image alone, by its place in the file from 0.
     pub each_image: BTreeMap<usize, OfOne>,
-    /// Whether a light's photon counts stay what they are. Readers never touch them; where this is
-    /// not set, what opens a file for its light turns them into power.
+    /// True if a light's photon counts are kept. Readers never touch them; unless this is set,
+    /// opening a file for its light converts them to power.
     #[serde(skip)]
     pub keep_photons: bool,
 }
@@ -47,13 +47,13 @@ pub struct Choices {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct OfOne {
-    /// What its values stand for.
+    /// The kind of its values.
     pub kind: Option<Kind>,
-    /// What they are counted in.
+    /// The scale of its values.
     pub counted: Option<Counted>,
 }
 
-/// What the values of a reflectance or transmittance are counted in.
+/// The scale of the values of a reflectance or transmittance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Counted {
@@ -89,7 +89,7 @@ impl Counted {
         }
     }
 
-    /// What a factor from the file's numbers to fractions means.
+    /// The scale that corresponds to a factor from the file's numbers to fractions.
     pub(crate) fn of_scale(scale: f64) -> Self {
         let is = |other: f64| (scale - other).abs() <= 1e-9 * other;
         let mut offered = Self::OFFERED.into_iter();
@@ -123,13 +123,13 @@ impl Counted {
 }
 
 impl Choices {
-    /// What a person said one spectrum's values are.
+    /// The chosen kind of one spectrum's values.
     pub(crate) fn kind_of(&self, spectrum: usize) -> Option<Kind> {
         let own = self.each.get(&spectrum).and_then(|one| one.kind);
         own.or(self.kind)
     }
 
-    /// What a person said one spectrum's values are counted in.
+    /// The chosen scale of one spectrum's values.
     pub(crate) fn counted_of(&self, spectrum: usize) -> Option<Counted> {
         let own = self.each.get(&spectrum).and_then(|one| one.counted);
         own.or(self.counted)

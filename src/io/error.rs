@@ -24,9 +24,9 @@ pub struct ReadError {
     pub file: String,
     /// Line in the file, counted from 1, where there is one to point at.
     pub line: Option<usize>,
-    /// What was found, in words or as a quotation.
+    /// The actual content, in words or as a quotation.
     pub found: String,
-    /// What was expected instead.
+    /// The content expected instead.
     pub expected: String,
 }
 
@@ -69,7 +69,7 @@ fn line_words(line: Option<usize>) -> String {
 pub struct WriteError {
     /// The file as the user named it.
     pub file: String,
-    /// What stood in the way and what would work.
+    /// The obstacle and the remedy.
     pub why: String,
 }
 

@@ -8,7 +8,7 @@ use crate::io::error::ReadError;
 pub(crate) use crate::io::error::name_of;
 use crate::io::text::{self, Text};
 
-/// How much text a sniffer looks at, in bytes.
+/// The amount of text examined by a sniffer, in bytes.
 const HEAD_BYTES: usize = 8192;
 
 /// A file in memory.
@@ -18,9 +18,9 @@ pub struct Input<'a> {
     pub name: String,
     /// The whole content.
     pub bytes: &'a [u8],
-    /// Where it lies, for formats that are a pair of files; `None` when it came another way.
+    /// Its location, for formats that are a pair of files; `None` when it came another way.
     pub path: Option<PathBuf>,
-    /// What a person decided about it.
+    /// The user's decisions about it.
     pub choices: Choices,
     text: OnceCell<Option<Text<'a>>>,
     /// Blanks in front of the text: every sniffer asks.
@@ -103,8 +103,8 @@ impl<'a> Input<'a> {
             .ok_or_else(|| self.error("binary data", "a text file"))
     }
 
-    /// What is odd about the text, a sentence each; nothing where a format read the bytes
-    /// themselves, whatever they look like.
+    /// The oddities of the text, a sentence each; empty where a format read the bytes themselves,
+    /// whatever they look like.
     pub(crate) fn text_notes(&self) -> Vec<String> {
         self.text()
             .filter(|_| self.is_read_as_text.get())
@@ -112,7 +112,7 @@ impl<'a> Input<'a> {
             .unwrap_or_default()
     }
 
-    /// Whether the name ends in an extension (lower case, without the dot).
+    /// True if the name ends in an extension (lower case, without the dot).
     pub(crate) fn has_extension(&self, extension: &str) -> bool {
         self.name
             .rsplit_once('.')

@@ -80,7 +80,7 @@ pub(crate) use write::{
     spectral_exr::light_exr,
 };
 
-/// What is said of a file beyond [`text::MOST_BYTES`].
+/// The description of a file beyond [`text::MOST_BYTES`].
 const TOO_LARGE: &str = "more than 512 MiB";
 const AT_MOST: &str = "at most 512 MiB in one file";
 
@@ -121,7 +121,7 @@ pub fn read_path_as(path: &Path, choices: &Choices) -> Result<Reading, ReadError
     read(&Input::at(path, &bytes).deciding(choices))
 }
 
-/// Whether a file is a device, which may give bytes for ever; what is typed has an end.
+/// True if a file is a device, which may give bytes for ever; typed input has an end.
 #[cfg(unix)]
 fn is_device(file: &std::fs::File, about: &std::fs::Metadata) -> bool {
     use std::io::IsTerminal;

@@ -1,16 +1,16 @@
-//! What every export says about itself, and what a reader of it hears again.
+//! The provenance in every export, and its recovery by a reader.
 
 use crate::spectrum::NamedSpectrum;
 
-/// What files written here call the program that wrote them.
+/// The name of the writing program in files written here.
 pub(super) const ORIGINATOR: &str = "Spectral Explorer";
 
-/// What every export says about itself.
+/// The provenance stated in every export.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Provenance {
     /// Program and version ("spectral-explorer 1.0.0").
     pub program: String,
-    /// Where the numbers come from; the spectrum's own source where empty.
+    /// The origin of the numbers; the spectrum's own source where empty.
     pub source: String,
     /// The scale in force in words ("as measured", "peak 1", "100 lx").
     pub scale_words: String,
@@ -56,14 +56,14 @@ impl Provenance {
     }
 }
 
-/// What stands between the notes on a spectrum in one line.
+/// The separator between the notes on a spectrum in one line.
 const BETWEEN_NOTES: &str = " | ";
 
 /// Most bytes of notes in an export.
 const MOST_NOTES: usize = 2000;
 
-/// How a spectrum was read and what is odd about it, in one line. A note that another one begins
-/// with is left out: files that were written and read again and again would else grow.
+/// The interpretation and oddities of a spectrum, in one line. A note that is the beginning of
+/// another is left out: otherwise files written and read repeatedly would grow.
 fn notes_in_a_line(notes: &[String]) -> String {
     let is_told = |at: usize| {
         let mut others = notes.iter().enumerate();
@@ -104,7 +104,7 @@ pub struct Column {
     pub values: Vec<f64>,
 }
 
-/// What is written as CSV: columns on one grid.
+/// The contents of a CSV file: columns on one grid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Columns {
     /// Wavelengths, nm.

@@ -1,4 +1,4 @@
-//! What can be read only once: standard input and pipes.
+//! Input that can be read only once: standard input and pipes.
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -13,18 +13,18 @@ use crate::io::unopened;
 /// The word that means standard input; `./-` is a file of that name.
 pub(crate) const STANDARD_INPUT: &str = "-";
 
-/// What messages and spectra call standard input.
+/// The name of standard input in messages and spectra.
 pub(crate) const ITS_NAME: &str = "standard input";
 
-/// How long nobody may write into a pipe before a word is said about it.
+/// The wait for a pipe's writer before a message is shown.
 const PATIENCE: Duration = Duration::from_secs(2);
 
-/// Whether what is at a path can be read only once.
+/// True if the input at a path can be read only once.
 pub(crate) fn is_stream(path: &Path) -> bool {
     is_standard_input(path) || is_pipe(path)
 }
 
-/// Whether a path is the word for standard input.
+/// True if a path is the word for standard input.
 pub(crate) fn is_standard_input(path: &Path) -> bool {
     path.as_os_str() == STANDARD_INPUT
 }
@@ -70,7 +70,7 @@ pub(crate) fn drained(path: &Path, waits: impl FnOnce()) -> io::Result<Vec<u8>> 
 /// pipe, nobody knows that it ends.
 ///
 /// # Errors
-/// What was found, and what was expected.
+/// The obstacle, and the content expected instead.
 pub(crate) fn bytes_of_file(path: &Path, most: u64) -> Result<Vec<u8>, (String, &'static str)> {
     let about = std::fs::metadata(path);
     if about.is_ok_and(|about| !about.is_file()) {

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crate::io::error::shown;
 
-/// What was found at a path that cannot be opened, and what was expected.
+/// The obstacle at a path that cannot be opened, and the content expected instead.
 pub(crate) fn words(path: &Path, error: &Error) -> (String, &'static str) {
     let one_that_exists = "a file that exists";
     let (found, expected) = match error.kind() {
@@ -22,7 +22,7 @@ pub(crate) fn words(path: &Path, error: &Error) -> (String, &'static str) {
     (found.to_owned(), expected)
 }
 
-/// What is said of a file that is not there: where it was looked for, too.
+/// The description of a missing file, with the folder where it was expected.
 fn missing(path: &Path) -> String {
     let folder = path.parent();
     match folder.filter(|folder| !folder.as_os_str().is_empty()) {

@@ -1,4 +1,4 @@
-//! What is asked of an encoder.
+//! Requests to an encoder.
 
 use super::{
     columns::LEADING,
@@ -12,7 +12,7 @@ pub(super) const LEAST_LABELLED: usize = 4;
 /// Fewest and most numbers of an encoding.
 pub const NUMBERS: [usize; 2] = [LEADING, MOST_LABELLED + 1];
 
-/// How numbers are counted.
+/// Counting rule for numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Count {
     /// 32-bit words: a known lamp's index is in the label, a line's place and width share a word.
@@ -22,20 +22,20 @@ pub enum Count {
     Strict,
 }
 
-/// What is asked of an encoder.
+/// A request to an encoder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Ask {
     /// Most numbers.
     pub numbers: usize,
-    /// How they are counted.
+    /// Their counting rule.
     pub count: Count,
-    /// Whether known lamps may be used: who decodes needs the program's list.
+    /// True if known lamps may be used: decoding then needs the program's list.
     pub known_lamps: bool,
-    /// Which known lamps are left out for being the light itself.
+    /// Known lamps left out for being the light itself.
     pub leave_out: LeaveOut,
 }
 
-/// Which known lamps are left out for being too like the light at hand.
+/// Known lamps left out for being too similar to the light at hand.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum LeaveOut {
     /// None: what the program does for a person.

@@ -95,7 +95,7 @@ impl Encoder {
         })
     }
 
-    /// Which known lamps may be used.
+    /// Mask of the known lamps that may be used.
     fn usable(&self, light: &[f64], ask: Ask) -> Vec<bool> {
         let atoms = self.decoder.atoms();
         if !ask.known_lamps {

@@ -1,10 +1,10 @@
-//! What an encoding can be made of, prepared once for all lights of a band: cosines, known lamps, a
-//! pool of lines.
+//! The building blocks of an encoding, prepared once for all lights of a band: cosines, known
+//! lamps, a pool of lines.
 //!
 //! The light's own X, Y, Z are to be exact. The first three cosines carry that: a column `a` is
 //! replaced by `a - (c0 c1 c2) gamma` with the three numbers `gamma` that make its X, Y, Z vanish.
-//! What is fitted with such columns is free of constraints, and the span is that of elimination by
-//! any other particular solution.
+//! A fit with such columns is free of constraints, and the span is that of elimination by any other
+//! particular solution.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -43,10 +43,10 @@ pub(super) struct PoolLine {
     pub line: Line,
     /// First grid point.
     pub first: usize,
-    /// Which kernel, and which piece of it.
+    /// Index of the kernel, and the piece of it.
     kernel: usize,
     piece: std::ops::Range<usize>,
-    /// What makes its area 1.
+    /// Factor that makes its area 1.
     factor: f64,
     /// As [`Column::gamma`].
     pub gamma: [f64; 3],

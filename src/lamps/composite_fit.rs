@@ -11,7 +11,7 @@ use crate::{
 
 use super::detector::decompose;
 
-/// How a composite is fitted; the default is what the window shows at first.
+/// Options of a composite fit; the defaults are those the window starts with.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FitOptions {
     band: Band,
@@ -94,8 +94,8 @@ impl FitOptions {
 pub struct Fit {
     /// The model.
     pub composite: Composite,
-    /// Whether its colour is exactly that of the spectrum, or why not; `None` where that was not
-    /// asked for.
+    /// Exactness of its colour against the spectrum's, or the reason for its lack; `None` where
+    /// that was not asked for.
     pub exactness: Option<Exactness>,
     /// Model minus measured, one value each nm of the band, in the spectrum's unit; an ideal line
     /// is split over its two neighbouring nm.

@@ -1,8 +1,8 @@
 //! Lines as wide as they are: the house's detector finds them, each is given the width that fits it
 //! best.
 //!
-//! What a line takes out of the spectrum is its Gaussian, not what stood above the hull, so
-//! `S = smooth + lines` holds to rounding and the smooth part keeps what a Gaussian cannot say.
+//! A line takes its Gaussian out of the spectrum, not the part above the hull, so
+//! `S = smooth + lines` holds to rounding and the smooth part keeps all that no Gaussian describes.
 
 use super::encoding::{byte_of_width, width_of_byte};
 use crate::spectrum::{Band, Decomposition, Line, LineShape, SpikeSettings, detect_shapes};
@@ -21,7 +21,7 @@ pub(crate) struct WideDecomposition {
     pub smooth: Vec<f64>,
     /// The lines, by rising wavelength.
     pub spikes: Vec<Line>,
-    /// What the detector found, for windows, peaks and shares.
+    /// The detector's result, for windows, peaks and shares.
     pub found: Decomposition,
 }
 

@@ -27,11 +27,11 @@ pub struct Encoder {
     pub(super) panel: EvaluationSet,
     pub(super) decoder: Decoder,
     pub(super) spikes: SpikeSettings,
-    /// What depends on the count of numbers alone.
+    /// Data that depend on the count of numbers alone.
     counted: Mutex<BTreeMap<usize, Arc<Counted>>>,
 }
 
-/// What depends on the count of numbers alone.
+/// Data that depend on the count of numbers alone.
 #[derive(Debug)]
 pub(super) struct Counted {
     /// The patches as cosine series.

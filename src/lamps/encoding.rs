@@ -55,14 +55,14 @@ impl Encoding {
         self.smooth.band
     }
 
-    /// Whether a label comes first: as soon as there is a known lamp or a line, unless it is one of
+    /// True if a label comes first: as soon as there is a known lamp or a line, unless it is one of
     /// today's ways.
     pub(crate) fn has_label(&self) -> bool {
         self.way.is_none() && !(self.atoms.is_empty() && self.lines.is_empty())
     }
 
-    /// How many numbers (32-bit words) it takes: 1 for the label, 1 a known lamp, 1 a smooth number,
-    /// 2 a line.
+    /// Count of numbers (32-bit words): 1 for the label, 1 per known lamp, 1 per smooth number,
+    /// 2 per line.
     pub fn numbers(&self) -> usize {
         usize::from(self.has_label())
             + self.atoms.len()

@@ -1,4 +1,4 @@
-//! What an encoder or a decoder cannot do.
+//! Errors of encoders and decoders.
 
 use crate::spectrum::Band;
 

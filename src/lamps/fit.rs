@@ -28,8 +28,8 @@ pub(super) fn small_errors(plain: [f64; GOALS]) -> [f64; GOALS] {
     std::array::from_fn(|g| SMALL * plain[g] + FLOOR[g])
 }
 
-/// Whether the filters and the spectrum are off by no more than the floor; the patches, which are
-/// approximated themselves, are off by their own error.
+/// True if the filter and spectrum errors are at most the floor; the patches are approximated
+/// themselves and are off by their own error.
 pub(super) fn is_none(errors: [f64; GOALS]) -> bool {
     (1..GOALS).all(|g| errors[g] <= FLOOR[g])
 }
@@ -142,7 +142,7 @@ fn grams(at: &Goals, basis: &Orthonormal) -> [DMatrix<f64>; GOALS] {
     })
 }
 
-/// What the vectors' weights change by when the goals' weights do; `None` when nothing can be said.
+/// Change of the vectors' weights with the goals' weights; `None` where it cannot be determined.
 fn step(
     at: &Goals,
     basis: &Orthonormal,

@@ -32,7 +32,7 @@ pub(super) const GOALS: usize = 3;
 pub(super) struct Goals {
     /// One matrix a colour, by rows, upper triangular or full.
     forms: Vec<[[f64; 3]; 3]>,
-    /// What a blurred row is multiplied by.
+    /// Factor of a blurred row.
     blur: f64,
     /// First row of filters, of the blurred spectrum, and of nothing.
     ends: [usize; GOALS],

@@ -19,7 +19,7 @@ const PATCHES: &str = "colorchecker_ohta";
 /// The reflectances that judge.
 const JUDGES: &str = "tm30_ces99_5nm";
 
-/// What errors are measured by, on one band for one observer.
+/// Error measures on one band for one observer.
 #[derive(Clone, Debug)]
 pub struct EvaluationSet {
     measures: Arc<Measures>,
@@ -59,12 +59,12 @@ impl From<&Verdict> for Errors {
 }
 
 impl EvaluationSet {
-    /// What chooses: the ColorChecker and band-passes at 420, 430 ... 670 nm.
+    /// The set for choosing: the ColorChecker and band-passes at 420, 430 ... 670 nm.
     pub fn choosing(band: Band, observer: Observer) -> Self {
         Self::new(band, observer, PATCHES, Measures::new)
     }
 
-    /// What judges and takes no part in any choice: CES99 and band-passes at 425, 435 ... 675 nm.
+    /// The set for judging, not used in any choice: CES99 and band-passes at 425, 435 ... 675 nm.
     pub(crate) fn judging(band: Band, observer: Observer) -> Self {
         Self::new(band, observer, JUDGES, Measures::judging)
     }

@@ -46,7 +46,7 @@ pub(crate) struct KnownLamp {
     pub key: Option<String>,
     /// The preset's name, which tables of one lamp at several steps share; empty for a formula.
     pub name: String,
-    /// What people call it: the preset's name, "blackbody 2600 K", "daylight 5700 K".
+    /// Its display name: the preset's name, "blackbody 2600 K", "daylight 5700 K".
     pub title: String,
 }
 

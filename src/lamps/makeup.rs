@@ -1,5 +1,5 @@
-//! What a light is made of, in words: "0.62 FL2 + 0.21 F32T8/TL841 (Triphosphor) + 9 cosine numbers
-//! + 1 line".
+//! The composition of a light in words: "0.62 FL2 + 0.21 F32T8/TL841 (Triphosphor) + 9 cosine
+//! numbers + 1 line".
 
 use super::{encoding::Encoding, known::known_lamps};
 use crate::spectrum::{Basis, Line};
@@ -17,7 +17,7 @@ pub struct Part {
     pub weight: f64,
 }
 
-/// What a light is made of.
+/// The composition of a light.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ingredients {
     /// Known lamps.

@@ -1,5 +1,4 @@
-//! What the three goals look at, as linear functions of a spectrum on the grid: the same for every
-//! light.
+//! The three goals as linear functions of a spectrum on the grid, the same for every light.
 //!
 //! ```text
 //! patches   X, Y, Z of the ColorChecker's reflectances

@@ -5,8 +5,8 @@ use crate::spectrum::dot;
 /// A column of which less than this share of its norm is new adds nothing but rounding.
 const NEW: f64 = 1e-9;
 
-/// Where at least this share of a column's norm is left, one projection leaves no more than ten
-/// times the rounding of a number in the directions before it.
+/// Remaining share of a column's norm from which on one projection leaves no more than ten times
+/// the rounding of a number in the directions before it.
 const CLEARLY_NEW: f64 = 0.1;
 
 /// Orthonormal vectors with the columns they were made from.
@@ -59,7 +59,7 @@ impl Orthonormal {
         }
     }
 
-    /// What is left of a target, and its sums with the vectors.
+    /// Residual of a target, and its inner products with the vectors.
     pub(super) fn rest_of(&self, target: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let mut rest = target.to_vec();
         let mut sums = vec![0.0; self.vectors.len()];

@@ -20,9 +20,9 @@ use crate::study::race::{Encode, Encoded, Lamp};
 pub(crate) struct Racing {
     /// The encoder.
     pub encoder: Arc<Encoder>,
-    /// How numbers are counted.
+    /// Counting rule for numbers.
     pub count: Count,
-    /// Which known lamps are left out.
+    /// Rule for leaving known lamps out.
     pub leave_out: LeaveOut,
 }
 

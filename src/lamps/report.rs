@@ -70,7 +70,7 @@ pub fn judged(
     })
 }
 
-/// What `encode --json` prints.
+/// Output of `encode --json`.
 pub(crate) fn encode_json(encoded: &Encoded) -> Value {
     let mut all = decode_json(&encoded.encoding, &encoded.words);
     all["error"] = json!(encoded.errors);
@@ -78,7 +78,7 @@ pub(crate) fn encode_json(encoded: &Encoded) -> Value {
     all
 }
 
-/// What `decode --json` prints: the same without errors, which need the light.
+/// Output of `decode --json`: the same without errors, which need the light.
 pub(crate) fn decode_json(encoding: &Encoding, words: &[u32]) -> Value {
     let title = |index: u8| Some(&known_lamps().get(usize::from(index))?.title);
     let atoms = encoding.atoms.iter();
@@ -101,8 +101,8 @@ pub(crate) fn decode_json(encoding: &Encoding, words: &[u32]) -> Value {
     all
 }
 
-/// What `encode` prints without `--json`: words, makeup and errors for people; numbers as they were
-/// counted.
+/// Output of `encode` without `--json`: words, makeup and errors in readable form; numbers by the
+/// counting rule used.
 pub(crate) fn encode_words(encoded: &Encoded, count: Count) -> String {
     let Encoded {
         encoding,

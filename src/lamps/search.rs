@@ -17,7 +17,7 @@ use crate::spectrum::dot;
 /// A column of which less than this share of the square is left is not looked at.
 const LEAST_LEFT: f64 = 1e-9;
 
-/// What an encoding is made of, before places and widths are refined.
+/// Components of an encoding, before places and widths are refined.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Selection {
     /// Smooth numbers.
@@ -30,7 +30,7 @@ pub(super) struct Selection {
     pub score: f64,
 }
 
-/// How much of everything a makeup has.
+/// Counts of the components of a makeup.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Counts {
     /// Smooth numbers.
@@ -72,7 +72,7 @@ struct Direction {
     target: f64,
 }
 
-/// Which column was chosen.
+/// The chosen column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Pick {
     Atom(usize),
@@ -80,7 +80,7 @@ enum Pick {
 }
 
 impl Pick {
-    /// What stands for it among values of all columns.
+    /// Its entry among the values of all columns.
     fn of(self, sums: &Sums) -> f64 {
         match self {
             Self::Atom(i) => sums.atoms[i],
@@ -111,7 +111,7 @@ pub(super) struct Search<'a> {
     room: Vec<ResidualState>,
 }
 
-/// What is left of every column beside some cosines.
+/// Residuals of all columns with some cosines projected out.
 #[derive(Clone, Debug)]
 struct ResidualState {
     cosines: usize,
@@ -229,7 +229,7 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// What is left of every column beside so many cosines.
+    /// Residuals of all columns with a number of cosines projected out.
     fn room(&mut self, cosines: usize) -> ResidualState {
         if let Some(room) = self.room.iter().find(|room| room.cosines == cosines) {
             return room.clone();

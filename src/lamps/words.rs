@@ -248,7 +248,7 @@ struct Number {
 }
 
 impl Number {
-    /// How far rounding moves the colour at most.
+    /// Largest change of the colour by rounding.
     fn reach(&self) -> f64 {
         let next = (self.value as f32).abs().next_up();
         let step = f64::from(next) - f64::from(next.next_down());

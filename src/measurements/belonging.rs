@@ -38,7 +38,7 @@ pub struct Drift {
 }
 
 impl Drift {
-    /// Whether chance hardly makes it.
+    /// True if chance is an unlikely cause.
     pub fn is_there(self) -> bool {
         self.p < DRIFT_P
     }
@@ -55,7 +55,7 @@ fn median(values: impl IntoIterator<Item = f64>) -> f64 {
     }
 }
 
-/// What is left of a scan against the median scan, and its level and shift.
+/// Residual of a scan against the median scan, with its level and shift.
 struct Against {
     level: f64,
     shift_nm: f64,
@@ -182,7 +182,7 @@ fn against(nm: &[f64], middle: &[f64], values: &[f64]) -> Against {
     }
 }
 
-/// How the levels of scans change from one to the next; `None` for fewer than three.
+/// Drift of the levels from one scan to the next; `None` for fewer than three.
 pub fn drift(levels: &[f64]) -> Option<Drift> {
     let n = levels.len();
     if n < 3 {

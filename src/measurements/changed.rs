@@ -1,4 +1,4 @@
-//! What differs between two sets of scans: level, lines and glow, tested all together.
+//! Differences between two sets of scans: level, lines and glow, tested all together.
 //!
 //! Every part is a quotient of two linear sums of the light, so that its error by noise, memory
 //! and axis is known without drawing; the parts but the level are tested by Holm's procedure.
@@ -22,7 +22,7 @@ const COSINES: usize = 7;
 /// Degrees of freedom of the white noise for each of the scans'.
 const TELLING: f64 = 40.0;
 
-/// What is said of two sets.
+/// Verdict on two sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// No difference beyond the noise.
@@ -41,7 +41,7 @@ impl Verdict {
     }
 }
 
-/// What is compared.
+/// Feature that is compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Feature {
     /// The whole power.
@@ -77,14 +77,14 @@ pub struct Part {
     pub u: f64,
     /// Probability of as much by chance.
     pub p: f64,
-    /// Whether it is a difference, all parts considered.
+    /// True if it is a difference, all parts considered.
     pub is_different: bool,
 }
 
-/// What differs between two sets.
+/// Differences between two sets.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Changed {
-    /// What is said of them.
+    /// Verdict on the two sets.
     pub verdict: Verdict,
     /// The parts that differ, the surest first, at most four.
     pub parts: Vec<Part>,
@@ -136,7 +136,7 @@ struct Sum {
     over: Vec<f64>,
 }
 
-/// What differs between two sets of scans.
+/// Tests two sets of scans for differences.
 ///
 /// # Errors
 /// [`ChangeError`] where a set has fewer than three scans or the sets cannot be compared.
@@ -364,7 +364,7 @@ impl Pooled {
         }
     }
 
-    /// How one part differs between the two means; `middle` is the mean of both at equal level.
+    /// Change of one part between the two means; `middle` is the mean of both at equal level.
     fn compared(&self, sum: &Sum, means: [&[f64]; 2], middle: &[f64]) -> Part {
         let Sum {
             feature,

@@ -15,10 +15,10 @@ use super::{
 };
 use crate::spectrum::Sampled;
 
-/// How many of its sigmas a transmittance has to be for an absorbance.
+/// Least transmittance for an absorbance, in its sigmas.
 const LEAST_FOR_ABSORBANCE: f64 = 7.0;
 
-/// How a formula is computed.
+/// Options for the evaluation of a formula.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Options {
     /// Nothing is masked but what is no finite number.
@@ -165,7 +165,7 @@ fn understood(
 }
 
 impl Step {
-    /// Whether the result is no straight line between points where its inputs are.
+    /// True if the result is curved between points where its inputs are straight.
     fn is_curved(&self) -> bool {
         match self {
             Self::Input(_) | Self::Number(_) => false,
@@ -334,8 +334,8 @@ fn width(nm: &[f64], i: usize) -> f64 {
 /// Least correlation that is kept.
 const LEAST_MEMORY: f64 = 0.01;
 
-/// How alike the noise of neighbouring points of the result is: points between samples share the
-/// noise of both, samples have the memory that they had.
+/// Correlation of the noise of neighbouring points of the result: points between samples share
+/// the noise of both, samples have the memory that they had.
 fn memory(grid: &Grid, found: &Column, mask: &[bool]) -> Vec<f64> {
     let weight = |(index, input): (usize, &OnGrid)| -> f64 {
         let slopes = found.slopes[index].as_ref();

@@ -26,7 +26,7 @@ const MOST_DIRECTIONS: usize = 24;
 /// Most columns of the factor that the directions are taken from.
 const MOST_COLUMNS: usize = 72;
 
-/// What the columns may leave of the noise.
+/// Largest share of the noise that the columns may leave.
 const LEFT: f64 = 1e-7;
 
 /// Samples that tell the white noise of each scan together: degrees of freedom a scan.
@@ -39,7 +39,7 @@ pub struct Doubt {
     pub value: f64,
     /// The figure of the table as it is.
     pub of_the_table: f64,
-    /// What noise adds to it on the whole.
+    /// Mean offset added by noise.
     pub bias: f64,
     /// Standard uncertainty.
     pub u: f64,
@@ -116,7 +116,7 @@ impl OnWholeNm {
     }
 }
 
-/// How alike the means of all samples of two nm are that lie so many nm apart.
+/// Correlation of the means of all samples of two nm that lie so many nm apart.
 fn shared(rho: &dyn Fn(f64) -> f64, inside: usize, apart: usize) -> f64 {
     let sum = |between: usize| -> f64 {
         let pairs = (0..inside).flat_map(|i| (0..inside).map(move |j| (i, j + between)));

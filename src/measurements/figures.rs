@@ -79,7 +79,7 @@ impl Figure {
         }
     }
 
-    /// What a person calls it.
+    /// Display name.
     pub fn words(self) -> &'static str {
         match self {
             Self::Y => "Y",
@@ -93,7 +93,7 @@ impl Figure {
         }
     }
 
-    /// Whether noise makes it smaller on the whole: a mean of colour differences.
+    /// True if noise makes it smaller on average: a mean of colour differences.
     pub(super) fn is_biased(self) -> bool {
         matches!(self, Self::Ra | Self::R9 | Self::Rf)
     }

@@ -66,7 +66,7 @@ impl Formula {
         }
     }
 
-    /// How many inputs it needs: one more than the place of its last letter.
+    /// Number of inputs needed: one more than the place of the last letter.
     pub fn inputs(&self) -> usize {
         self.letters()
             .into_iter()
@@ -119,8 +119,8 @@ impl Formula {
         found
     }
 
-    /// Whether a word goes on with a text of a formula: the text is not at its end yet, or the word
-    /// begins with a sign. `A`, `-` and `B` are three words of one formula; `/lamp.csv` is none.
+    /// True if a word continues the text of a formula: the text is not at its end yet, or the word
+    /// begins with a sign. `A`, `-` and `B` are three words of one formula; `/lamp.csv` is not one.
     pub fn goes_on(text: &str, word: &str) -> bool {
         let Ok(tokens) = tokens(word) else {
             return false;
@@ -276,7 +276,7 @@ impl Parser {
         }
     }
 
-    /// What stands behind an opening bracket, with the closing one.
+    /// Parses the rest of a bracket after its opening, with the closing one.
     fn bracket(&mut self, depth: usize) -> Result<Tree, FormulaError> {
         let inside = self.sum(depth)?;
         match self.takes([')', ')']) {

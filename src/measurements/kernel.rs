@@ -16,7 +16,7 @@ pub struct Slit {
     pub fwhm_nm: f64,
 }
 
-/// Where the Gaussian is cut, FWHM from its middle.
+/// Cut-off of the Gaussian, in FWHM from its middle.
 const GAUSS_REACH: f64 = 2.2;
 
 /// FWHM of a Gaussian over its standard deviation.
@@ -39,7 +39,7 @@ impl Kernel {
 }
 
 impl Slit {
-    /// How far it reaches to either side, nm.
+    /// Reach to either side, nm.
     fn reach_nm(self) -> f64 {
         match self.shape {
             Kernel::Triangle => self.fwhm_nm,

@@ -1,15 +1,15 @@
-//! What the noise leaves nothing of: quotients over a reference in the dark.
+//! Masks of points lost in the noise: quotients over a reference in the dark.
 
 use super::columns::{Column, Grid};
 
 /// Samples whose mean is held against the noise of a divisor.
 const AROUND: usize = 5;
 
-/// How many of its sigmas that mean has to be.
+/// Least value of that mean, in its sigmas.
 const LEAST_SIGMAS: f64 = 10.0;
 
-/// Where the mean of 11 samples of a divisor is below 10 of its sigmas. The mean, not the sample:
-/// masking by the noisy sample itself keeps the lucky ones.
+/// True where the mean of 11 samples of a divisor is below 10 of its sigmas. The mean, not the
+/// sample: masking by the noisy sample itself keeps the lucky ones.
 pub(super) fn in_the_dark(r: &Column, grid: &Grid) -> Vec<bool> {
     let sigma = r.sigma(grid);
     let values = &r.values;
@@ -22,7 +22,7 @@ pub(super) fn in_the_dark(r: &Column, grid: &Grid) -> Vec<bool> {
     (0..values.len()).map(is_dark).collect()
 }
 
-/// Where a quotient's doubt, noise and axis together, exceeds what is asked.
+/// True where a quotient's doubt, noise and axis together, exceeds `most`.
 pub(super) fn doubtful(t: &Column, r: &Column, grid: &Grid, most: f64) -> Vec<bool> {
     let axis_nm = grid
         .used()
@@ -40,14 +40,14 @@ pub(super) fn doubtful(t: &Column, r: &Column, grid: &Grid, most: f64) -> Vec<bo
     (0..nm.len()).map(is_doubtful).collect()
 }
 
-/// Which points of the bare union hold no value, and why.
+/// Points of the bare union without a value, and the reason.
 pub(super) struct Mask {
     pub points: Vec<bool>,
     pub why: String,
 }
 
 impl Mask {
-    /// What the inputs themselves leave out.
+    /// Mask of the inputs themselves.
     pub(super) fn new(grid: &Grid) -> Self {
         let mut mask = Self {
             points: vec![false; grid.nm.len()],

@@ -6,9 +6,9 @@ use crate::spectrum::Sampled;
 /// A measured table with what is known of its doubt; all but the table is optional.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measurement {
-    /// What it is called.
+    /// Name.
     pub name: String,
-    /// What its values are.
+    /// Quantity of the values.
     pub quantity: Quantity,
     /// Unit of the values; empty where it is not known.
     pub unit: String,
@@ -28,7 +28,7 @@ pub struct Measurement {
     pub slit: Option<Slit>,
     /// Exposure, ms.
     pub exposure_ms: Option<f64>,
-    /// Which samples hold no value; empty where all do.
+    /// True for samples without a value; empty where all have one.
     pub mask: Vec<bool>,
     /// Why they hold none, in words.
     pub why_masked: String,
@@ -70,7 +70,7 @@ impl Measurement {
         }
     }
 
-    /// Whether a sample holds a value.
+    /// True if a sample holds a value.
     pub fn is_kept(&self, index: usize) -> bool {
         !self.mask.get(index).copied().unwrap_or(false)
     }

@@ -11,9 +11,9 @@ use crate::spectrum::{Sampled, quantile};
 const QUANTILE: f64 = 0.3;
 /// That quantile of the absolute value of a standard normal number.
 const NORMAL_AT_QUANTILE: f64 = 0.385_320_466_407_568;
-/// How far the surroundings of a sample reach, samples to either side.
+/// Reach of a sample's surroundings, samples to either side.
 const REACH: usize = 60;
-/// How far the samples of a fine table stand apart that are compared.
+/// Distance between the compared samples of a fine table.
 const APART: usize = 2;
 /// Fewer differences than this tell nothing.
 const LEAST: usize = 20;
@@ -21,10 +21,10 @@ const LEAST: usize = 20;
 const ROUNDING: f64 = 1e-9;
 /// From this step on, nm, a table may be made of lines alone.
 const COARSE_NM: f64 = 1.3;
-/// Where more than this share of a coarse table's differences stand far above its noise, they are
-/// its lines and tell no noise.
+/// Largest share of a coarse table's differences that may lie far above its noise; beyond it they
+/// are its lines and give no noise.
 const LINES_SHARE: f64 = 0.1;
-/// What stands far above the noise, in its standard deviations.
+/// Threshold for far above the noise, in its standard deviations.
 const FAR_ABOVE: f64 = 3.0;
 
 /// Standard deviation of the noise of every sample; `None` where it cannot be told.

@@ -15,7 +15,7 @@ fn y_of(samples: &Sampled) -> f64 {
     xyz_from_nm_values(&values, Observer::CIE_1931).y
 }
 
-/// What is made one.
+/// Feature that sets the scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Normalise {
     /// The largest value.

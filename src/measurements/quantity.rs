@@ -1,4 +1,4 @@
-//! What values are, and which combination of them means what.
+//! Quantities of measured values, and the meaning of their combinations.
 
 use std::fmt;
 
@@ -8,12 +8,12 @@ use super::{
 };
 use crate::spectrum::Kind;
 
-/// What the values of a measurement are.
+/// Quantity of the values of a measurement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// A light: radiant power, irradiance, radiance per nm, absolute or relative.
     Light,
-    /// What an instrument counted: the response is still in it.
+    /// Raw counts of an instrument, with the response still in them.
     Counts,
     /// Share of light let through.
     Transmittance,
@@ -42,7 +42,7 @@ impl Quantity {
         }
     }
 
-    /// Whether it multiplies a light.
+    /// True if it multiplies a light.
     pub fn is_factor(self) -> bool {
         matches!(self, Self::Transmittance | Self::Reflectance | Self::Factor)
     }
@@ -76,7 +76,7 @@ impl fmt::Display for Quantity {
 /// Words of a unit that say that an instrument counted.
 const COUNT_WORDS: [&str; 6] = ["count", "adu", "dn", "digital", "scope", "raw"];
 
-/// What the values of a spectrum of this kind and unit are.
+/// Quantity of the values of a spectrum of this kind and unit.
 ///
 /// # Errors
 /// A sentence for what is no measurement: weightings, n and k, lists of lines.
@@ -106,12 +106,12 @@ pub fn quantity_of(name: &str, kind: Kind, unit: &str) -> Result<Quantity, Measu
     }
 }
 
-/// What a part of a formula is.
+/// Meaning of a part of a formula.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Meaning {
-    /// How the formula writes it: `A`, `(A - C)`.
+    /// Text of the part in the formula: `A`, `(A - C)`.
     pub text: String,
-    /// What its values are.
+    /// Quantity of its values.
     pub quantity: Quantity,
     /// Unit; empty where none is known.
     pub unit: String,
@@ -128,7 +128,7 @@ pub(super) enum Operation {
     Divide,
 }
 
-/// What becomes of two parts, and the factor that brings the second to the first one's unit.
+/// Meaning of two parts combined, and the factor that converts the second to the first one's unit.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Outcome {
     pub meaning: Meaning,
@@ -141,7 +141,7 @@ fn meaningless<T>(why: String) -> Result<T, MeasurementError> {
 }
 
 impl Operation {
-    /// What the operation means for two parts.
+    /// Meaning of the operation for two parts.
     ///
     /// # Errors
     /// A sentence for a combination that means nothing.
@@ -168,7 +168,7 @@ fn outcome(text: String, quantity: Quantity, unit: &str, of: &Meaning) -> Outcom
     }
 }
 
-/// What a part holds, for a sentence: its unit where it has one.
+/// Description of a part's values for a sentence: its unit where it has one.
 fn held(part: &Meaning) -> String {
     match (part.quantity, part.unit.as_str()) {
         (Quantity::Light, "") => "a light without a unit".to_owned(),
@@ -385,7 +385,7 @@ fn quotient(a: &Meaning, b: &Meaning) -> Result<Outcome, MeasurementError> {
     }
 }
 
-/// What `-log10` of a part is.
+/// Meaning of `-log10` of a part.
 ///
 /// # Errors
 /// A sentence for anything but a factor.

@@ -18,7 +18,7 @@ const MOST_MEMORY: usize = 8;
 /// Fewest scans that tell a spread.
 const LEAST_SCANS: usize = 3;
 
-/// What repeated scans tell.
+/// Results of repeated scans.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Repeats {
     /// The mean with the doubt of the mean.
@@ -206,7 +206,7 @@ impl Regression {
         }
     }
 
-    /// Whether the columns can be told apart.
+    /// True if the columns are numerically independent.
     fn is_sound(&self) -> bool {
         let [aa, _, bb] = self.normal;
         self.determinant > 1e-12 * aa * bb
@@ -235,7 +235,7 @@ impl Regression {
 }
 
 impl Repeats {
-    /// What scans of one light tell of it and of the instrument.
+    /// Estimates for the light and for the instrument from scans of one light.
     ///
     /// # Errors
     /// [`RepeatsError`] for fewer than three, or for scans of different things.

@@ -11,7 +11,7 @@ use super::{
 };
 use crate::spectrum::Sampled;
 
-/// What weights make of a measurement at each of some wavelengths.
+/// Resamples a measurement at some wavelengths by weighted sums.
 fn weighed(
     of: &Measurement,
     nm: Vec<f64>,

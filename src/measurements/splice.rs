@@ -15,13 +15,13 @@ use crate::spectrum::{Band, Outside, Sampled, SpikeSettings, detect};
 
 /// Least overlap, nm.
 const LEAST_OVERLAP_NM: f64 = 20.0;
-/// What is left out at each end of the overlap, nm.
+/// Margin left out at each end of the overlap, nm.
 const ENDS_NM: f64 = 2.0;
 /// Residuals from so many sigmas on count less.
 const HUBER: f64 = 3.0;
-/// How far a line of one part stands from the other's at most, nm.
+/// Largest distance between a line of one part and the same line of the other, nm.
 const SAME_LINE_NM: f64 = 1.5;
-/// How many of its uncertainties a slope has to be.
+/// Least ratio of a slope to its uncertainty.
 const SLOPE: f64 = 3.0;
 /// Most uncertainty of level and slope.
 const MOST_U: f64 = 0.01;
@@ -35,20 +35,20 @@ const ROUNDS: usize = 30;
 pub struct Spliced {
     /// The whole.
     pub result: Measurement,
-    /// What the second part was multiplied by, in the middle of the overlap.
+    /// Factor applied to the second part, in the middle of the overlap.
     pub factor: f64,
     /// Its relative standard uncertainty.
     pub u: f64,
     /// Change of the logarithm of that factor from the middle of the overlap to its end; 0 where
     /// none was taken.
     pub slope: f64,
-    /// What the second part was moved by, nm; 0 where no line tells it.
+    /// Shift applied to the second part, nm; 0 where no line determines it.
     pub shift_nm: f64,
     /// The overlap, nm.
     pub overlap_nm: [f64; 2],
 }
 
-/// What is free in the fit: the level always.
+/// Parameters free in the fit besides the level, which always is.
 #[derive(Clone, Copy, Debug)]
 struct Free {
     slope: bool,
@@ -111,7 +111,7 @@ pub fn splice(
     })
 }
 
-/// Where both parts have values.
+/// Range in which both parts have values.
 fn overlap_of(parts: [&Measurement; 2]) -> Result<[f64; 2], MeasurementError> {
     let from = parts.map(|m| m.samples.first_nm());
     let to = parts.map(|m| m.samples.last_nm());
@@ -134,7 +134,7 @@ fn overlap_of(parts: [&Measurement; 2]) -> Result<[f64; 2], MeasurementError> {
     )))
 }
 
-/// Whether a line stands in both parts at one place within the overlap.
+/// True if both parts have a line at the same place within the overlap.
 fn share_a_line(first: &Measurement, second: &Measurement, overlap: [f64; 2]) -> bool {
     let Ok(band) = Band::new(overlap[0].ceil(), overlap[1].floor()) else {
         return false;

@@ -92,7 +92,7 @@ pub(super) fn quantile_of_p(p: f64, dof: f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// Which of some probabilities are significant by Holm's procedure: all together at `level`.
+/// Marks the probabilities that are significant by Holm's procedure, all together at `level`.
 pub fn holm(p: &[f64], level: f64) -> Vec<bool> {
     let mut order: Vec<usize> = (0..p.len()).collect();
     order.sort_by(|a, b| p[*a].total_cmp(&p[*b]));

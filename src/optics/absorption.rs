@@ -5,7 +5,7 @@ use crate::spectrum::{Outside, Sampled};
 /// A transmittance below this counts as this: what lets nothing through has no coefficient.
 const LEAST_TRANSMITTANCE: f64 = 1e-6;
 
-/// How much a body absorbs per unit of length: `exp(-a d)` is left after a path `d`.
+/// Absorption of a body per unit of length: `exp(-a d)` is left after a path `d`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Absorption {
     /// Clear.
@@ -17,7 +17,7 @@ pub enum Absorption {
     Filter {
         /// Coefficients, per unit of length.
         coefficients: Sampled,
-        /// Whether some transmittance was so low that 1e-6 was taken for it.
+        /// True if some transmittance was so low that 1e-6 was taken for it.
         floored: bool,
     },
 }
@@ -81,7 +81,7 @@ impl Absorption {
         }
     }
 
-    /// Whether some transmittance was so low that 1e-6 was taken for it.
+    /// True if some transmittance was so low that 1e-6 was taken for it.
     pub(crate) fn is_floored(&self) -> bool {
         matches!(self, Self::Filter { floored: true, .. })
     }

@@ -20,7 +20,7 @@ use super::{
 pub struct BenchSettings {
     /// Apex angle, degrees.
     pub apex_deg: f64,
-    /// How the light meets the first face.
+    /// Incidence of the light on the first face.
     pub incidence: Incidence,
     /// From the apex to where the chief ray meets the first face, mm.
     pub entry_mm: f64,
@@ -30,7 +30,7 @@ pub struct BenchSettings {
     pub slit_mm: f64,
     /// The wavelength in whose ray's way the screen stands, nm.
     pub reference_nm: f64,
-    /// What the prism absorbs, per mm.
+    /// Absorption of the prism, per mm.
     pub absorption: Absorption,
 }
 
@@ -61,13 +61,13 @@ pub struct Bench {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Reference {
     nm: f64,
-    /// Where it leaves, mm.
+    /// Its exit point, mm.
     exit: [f64; 2],
-    /// Where it goes.
+    /// Its direction.
     direction: [f64; 2],
 }
 
-/// Where one wavelength lands.
+/// Figures of one wavelength on its way to the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Landing {
     /// Wavelength, nm.
@@ -75,7 +75,7 @@ pub struct Landing {
     pub at_nm: f64,
     /// Index of refraction.
     pub n: f64,
-    /// How far it is turned, degrees.
+    /// Deviation, degrees.
     #[serde(rename = "deviation")]
     pub deviation_deg: f64,
     /// Least deviation that the prism can have for it, degrees; `None` where every ray that could
@@ -86,7 +86,7 @@ pub struct Landing {
     pub d_deviation_d_nm: f64,
     /// Share let through, inner absorption included.
     pub transmittance: f64,
-    /// Where it leaves the second face, mm from the apex.
+    /// Exit from the second face, mm from the apex.
     pub exit_mm: f64,
     /// Way in the glass, mm.
     pub path_mm: f64,
@@ -102,7 +102,7 @@ pub struct Landing {
     pub resolving: Resolving,
 }
 
-/// What two wavelengths can be told apart by: wavelength over their difference.
+/// Resolving power: wavelength over the least difference that can be resolved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Resolving {
     /// By the base of glass that the beam could fill.
@@ -117,7 +117,7 @@ impl Resolving {
         self.by_glass.min(self.by_slit)
     }
 
-    /// What limits it, in a word: "glass" or "slit".
+    /// The limiting factor, in a word: "glass" or "slit".
     pub(crate) fn limit(&self) -> &'static str {
         if self.by_glass < self.by_slit {
             "glass"
@@ -130,11 +130,11 @@ impl Resolving {
 /// The chief ray on its way, for the drawing; mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct RayPath {
-    /// Where it meets the first face, offset on that face for a ray of the slit's edge.
+    /// Entry point on the first face, offset on that face for a ray of the slit's edge.
     pub entry: [f64; 2],
-    /// Where it leaves the second face.
+    /// Exit point on the second face.
     pub exit: [f64; 2],
-    /// Where it meets the screen.
+    /// Point on the screen.
     pub screen: [f64; 2],
     /// Direction of the incoming light.
     pub incoming: [f64; 2],
@@ -170,7 +170,7 @@ impl From<IndexError> for BenchError {
     }
 }
 
-/// Where and how wide a wavelength lands, without what only a person reads.
+/// Position, width and transmittance of a wavelength on the screen, without display-only figures.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Spot {
     pub(super) x: f64,
@@ -233,7 +233,7 @@ impl Bench {
         Ok(bench)
     }
 
-    /// What it was set up with.
+    /// The settings it was built from.
     pub(crate) fn settings(&self) -> &BenchSettings {
         &self.settings
     }
@@ -254,7 +254,7 @@ impl Bench {
         self.reference.nm
     }
 
-    /// How far from the apex, mm, and where a ray leaves that enters at a distance from it.
+    /// Exit of a ray that enters at a distance from the apex: its own distance, mm, and the point.
     fn exit(&self, entry_mm: f64, angles: &Angles) -> (f64, [f64; 2]) {
         let [sin, cos] = self.prism.of_half_apex;
         let q = entry_mm * angles.cos_r1 / angles.cos_r2;
@@ -291,8 +291,8 @@ impl Bench {
         (along > 1e-9 && way > 0.0).then_some((x, way))
     }
 
-    /// Where a wavelength lands; `None` where it has no index, is totally reflected or never
-    /// meets the screen.
+    /// Spot of a wavelength; `None` where it has no index, is totally reflected or never meets the
+    /// screen.
     pub(super) fn spot(&self, at_nm: f64) -> Option<Spot> {
         let n = self.material.index(at_nm).ok()?;
         let angles = self.prism.angles(n)?;
@@ -319,7 +319,7 @@ impl Bench {
         0.5 * (s + p) * inner
     }
 
-    /// Whether a wavelength has an index but is totally reflected.
+    /// True if a wavelength has an index but is totally reflected.
     pub(crate) fn is_reflected(&self, at_nm: f64) -> bool {
         let n = self.material.index(at_nm);
         n.is_ok_and(|n| self.prism.angles(n).is_none())

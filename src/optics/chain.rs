@@ -35,7 +35,7 @@ impl Default for Ending {
     }
 }
 
-/// What was traced.
+/// Counts of a trace.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Traced {
     /// Rays through the film.
@@ -86,7 +86,7 @@ pub(super) struct Stage<T> {
     panels: Vec<Panel<T>>,
     /// The lamps that may stand in the picture.
     in_sight: Vec<Panel<T>>,
-    /// What the body covers of the film, from -1 to 1.
+    /// Extent of the body on the film, from -1 to 1.
     covered: [[f64; 2]; 2],
     dome: T,
     ending: Ending,
@@ -197,7 +197,7 @@ impl<T: Real> Stage<T> {
             .then(|| (numbers[best].double() as usize, T::ONE / over))
     }
 
-    /// Whether a ray from the camera meets the body.
+    /// True if a ray from the camera meets the body.
     pub(super) fn meets(&self, direction: Vec3) -> bool {
         self.entry(cast(direction)).is_some()
     }
@@ -251,7 +251,7 @@ impl<T: Real> Stage<T> {
         })
     }
 
-    /// What is seen along a ray nearer than a way, and whether it is a lamp.
+    /// Radiance along a ray up to the way `nearer`, and true if a lamp is met on it.
     fn around(
         &self,
         panels: &[Panel<T>],
@@ -373,7 +373,7 @@ impl<T: Real> Stage<T> {
     }
 }
 
-/// What corners cover of the film, x and y; all of it when one is behind the camera.
+/// Extent of corners on the film, x and y; all of it when one is behind the camera.
 fn covered(camera: &Camera, corners: &[Vec3]) -> [[f64; 2]; 2] {
     /// Rounding of single precision, of the whole film.
     const MARGIN: f64 = 1e-5;

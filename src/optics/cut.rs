@@ -17,9 +17,9 @@ pub struct Brilliant {
     pub crown_deg: f64,
     /// Slope of the pavilion's main facets, degrees.
     pub pavilion_deg: f64,
-    /// How far the stars reach from the table's edge to the girdle, 0-1.
+    /// Reach of the stars, as a share of the way from the table's edge to the girdle, 0-1.
     pub star: f64,
-    /// How far the lower halves reach from the girdle to the tip, 0-1.
+    /// Reach of the lower halves, as a share of the way from the girdle to the tip, 0-1.
     pub lower: f64,
     /// Height of the girdle, of the diameter.
     pub girdle: f64,

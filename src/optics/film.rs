@@ -131,7 +131,7 @@ impl Film {
         })
     }
 
-    /// What is looked at.
+    /// The studio being traced.
     pub(crate) fn studio(&self) -> &Studio {
         &self.studio
     }
@@ -154,7 +154,7 @@ impl Film {
         self.stride
     }
 
-    /// What was traced so far.
+    /// Counts of the rays traced so far.
     pub fn traced(&self) -> Traced {
         let mut all = Traced::default();
         self.tiles.iter().for_each(|tile| all.add(&tile.traced));

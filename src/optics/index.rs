@@ -15,8 +15,8 @@
 //! ([`Material::is_extrapolated`]) as long as the wavelength is 5 % above the nearest ultraviolet
 //! resonance and n^2 > 1; that of a file ends with its range.
 //!
-//! Where n is 1 or less, or k above `MOST_EXTINCTION`, nothing here holds: rays end in metals and
-//! dyes, and angles behind them are no longer Snell's. Such wavelengths have no index.
+//! Wavelengths where n is 1 or less, or k above `MOST_EXTINCTION`, have no index: rays end in
+//! metals and dyes, and angles behind them are no longer Snell's.
 
 use crate::spectrum::{Formula, Outside, Sampled, index_of_air, slope_of_air};
 
@@ -38,14 +38,14 @@ const ABOVE_RESONANCE: f64 = 1.05;
 /// or liquid has one near 1 um.
 const ULTRAVIOLET_UM2: f64 = 1.0;
 
-/// What n is computed from.
+/// Model that n is computed from.
 #[derive(Clone, Debug, PartialEq)]
 enum Dispersion {
     Formula {
         formula: Formula,
-        /// Whether n and wavelengths are against vacuum.
+        /// True if n and wavelengths are relative to vacuum.
         absolute: bool,
-        /// Whether it ends with the range that it was published for.
+        /// True if it ends with the range for which it was published.
         ends: bool,
     },
     Table {
@@ -57,9 +57,9 @@ enum Dispersion {
 /// A transparent material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
-    /// What people call it.
+    /// Its common name.
     pub name: String,
-    /// Where its numbers come from.
+    /// Source of its numbers.
     pub source: String,
     /// Wavelengths that the numbers were published for, nm; `None` for two numbers by hand.
     pub published_nm: Option<[f64; 2]>,
@@ -296,7 +296,7 @@ impl Material {
         })
     }
 
-    /// Whether an index there rests on a formula outside the wavelengths it was published for.
+    /// True if an index there rests on a formula outside the wavelengths it was published for.
     pub fn is_extrapolated(&self, at_nm: f64) -> bool {
         self.published_nm
             .is_none_or(|[from, to]| !(from..=to).contains(&at_nm))

@@ -53,7 +53,7 @@ pub enum IndexError {
 }
 
 impl IndexError {
-    /// Whether no ray goes on through the material there.
+    /// True if the material transmits no ray there.
     pub(super) fn is_opaque(&self) -> bool {
         matches!(self, Self::NotTransparent { .. })
     }

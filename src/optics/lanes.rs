@@ -50,7 +50,7 @@ pub(super) struct Lanes<T> {
     pub(super) busy: [bool; LANES],
 }
 
-/// What leaves the body at a face.
+/// Light that leaves the body at a face.
 pub(super) struct Leaving<T> {
     pub(super) direction: [All<T>; 3],
     pub(super) power: All<T>,

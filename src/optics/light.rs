@@ -20,7 +20,7 @@ pub(super) const GAUSS: [[f64; 2]; 3] = [
 /// A smooth part on a band's 1 nm grid, straight between, and spikes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Light {
-    /// What people call it.
+    /// Its display name.
     pub name: String,
     band: Band,
     smooth: Vec<f64>,

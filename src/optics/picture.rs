@@ -21,16 +21,16 @@ pub struct Picture {
     pub size: usize,
     /// Pixels, in the scale of `white`.
     pub xyz: Vec<[f32; 3]>,
-    /// What a place that shines with radiance 1 has, value x nm.
+    /// XYZ of a place that shines with radiance 1, value x nm.
     pub white: Xyz,
     /// Spikes whose strata stand in for them somewhere, nm: they are not traced yet, are not among
     /// the strongest, or have no index.
     pub stand_ins_nm: Vec<f64>,
-    /// Whether some part of the light could not be shown at all yet.
+    /// True if some part of the light could not be shown at all yet.
     pub unfinished: bool,
 }
 
-/// How noisy a picture is, by its two halves.
+/// Noise of a picture, from its two halves.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Noise {
     /// Mean over pixels of `((Y_A - Y_B) / 2)^2 / (Y + .02 Y_white)^2`.
@@ -48,7 +48,7 @@ pub struct Noise {
 /// Share of the white's Y by which a dark pixel's is raised before a noise is divided by it.
 const DARK: f64 = 0.02;
 
-/// What each plane of a tile is multiplied by.
+/// Factors of a tile's planes.
 struct Weights {
     planes: Vec<(usize, [f64; 3])>,
     stand_ins_nm: Vec<f64>,
@@ -283,7 +283,7 @@ fn block_corner(number: usize) -> [usize; 2] {
     ]
 }
 
-/// Whether a block of pixels from a column and row on shows the gem at any of 5 x 5 places.
+/// True if the block of pixels from a column and row on shows the gem at any of 5 x 5 places.
 fn touches_gem(studio: &Studio, [column, row]: [usize; 2], size: usize) -> bool {
     let step = |i: usize| i as f64 * BLOCK as f64 / 4.0;
     let film = |first: usize, i: usize| 2.0 * (first as f64 + step(i)) / size as f64 - 1.0;

@@ -1,4 +1,4 @@
-//! How many rays each plane of a film gets.
+//! The number of rays for each plane of a film.
 //!
 //! Rays are shared in proportion to c^.75, with c = |weight| (x + y + z) of a spike and three times
 //! the integral of |S| (x + y + z) of the smooth part; strata likewise by theirs. Each spike gets
@@ -16,7 +16,7 @@ const RAYS_A_STRATUM: f64 = 64.0;
 /// another light may need it.
 const LEAST_SHARE: f64 = 0.25;
 
-/// What a light asks of planes.
+/// Importance of the planes for a light.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Importance {
     /// Of each spike.

@@ -1,6 +1,6 @@
-//! What the planes of a film are for, and how large and fine a film is.
+//! The purpose of a film's planes, and the size and resolution of a film.
 
-/// What a plane of a film is for.
+/// Purpose of a plane of a film.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Plane {
     /// Wavelengths between two, nm.
@@ -12,12 +12,12 @@ pub enum Plane {
     },
     /// One wavelength, nm.
     Line {
-        /// Where, nm.
+        /// Its place, nm.
         at_nm: f64,
     },
 }
 
-/// How large and fine a film is.
+/// Size and resolution of a film.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FilmSettings {
     /// Side of the square picture, pixels.

@@ -1,4 +1,4 @@
-//! Where in a pixel, and in a stratum of wavelengths, the points of a picture lie.
+//! Positions of a picture's points in a pixel and in a stratum of wavelengths.
 //!
 //! Points run along the additive sequences R2 and R3, whose steps are powers of the generalised
 //! golden ratio (M. Roberts, 2018), each pixel and plane with a shift of its own. Sums are of whole

@@ -6,7 +6,7 @@
 
 use super::{fresnel::reflectances, index::Material, index_error::IndexError};
 
-/// How the light meets the first face.
+/// Incidence of the light on the first face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Incidence {
     /// At an angle from the normal, degrees, positive towards the base.
@@ -28,14 +28,14 @@ pub struct Prism {
     pub(super) of_incidence: [f64; 2],
 }
 
-/// What a ray of one wavelength does.
+/// Passage of a ray of one wavelength.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Passage {
     /// Index of refraction.
     pub n: f64,
     /// Angle of leaving the second face, from its normal towards the base.
     pub exit_deg: f64,
-    /// How far it is turned.
+    /// Deviation of the ray.
     pub deviation_deg: f64,
     /// Share let through by both faces, polarised across the plane of incidence (s) and in it (p).
     pub transmittance_s_p: [f64; 2],
@@ -52,7 +52,7 @@ pub(super) struct Angles {
     pub(super) cos_i2: f64,
 }
 
-/// What limits a prism at an index.
+/// Limits of a prism at an index.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// Angle of total reflection.
@@ -203,7 +203,7 @@ pub(crate) fn minimum_deviation(n: f64, apex_deg: f64) -> Option<(f64, f64)> {
     })
 }
 
-/// What limits a prism of an apex angle at an index above 1.
+/// Limits of a prism of an apex angle at an index above 1.
 pub(crate) fn limits(n: f64, apex_deg: f64) -> Limits {
     let critical = (1.0 / n).min(1.0).asin();
     let largest_apex_deg = 2.0 * critical.to_degrees();

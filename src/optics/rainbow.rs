@@ -26,7 +26,7 @@ pub(crate) struct Bow {
     pub order: u32,
     /// Its ray.
     pub ray: DropRay,
-    /// How far light is turned, degrees.
+    /// Deviation of the light, degrees.
     pub deviation_deg: f64,
     /// Angle from the antisolar point, degrees.
     pub from_antisolar_deg: f64,
@@ -69,7 +69,7 @@ impl DropRay {
         }
     }
 
-    /// How far the ray is turned after reflections inside, degrees.
+    /// Deviation of the ray after reflections inside, degrees.
     pub(crate) fn deviation_deg(&self, reflections: u32) -> f64 {
         let k = f64::from(reflections);
         k * 180.0 + 2.0 * self.incidence_deg - 2.0 * (k + 1.0) * self.refraction_deg

@@ -179,7 +179,7 @@ fn bows_json(bows: &Bows, material: &Material) -> Value {
     all
 }
 
-/// What a gem's JSON is made of.
+/// Data for a gem's JSON.
 #[derive(Clone, Debug)]
 pub(crate) struct GemReport<'a> {
     /// The film.
@@ -196,9 +196,9 @@ pub(crate) struct GemReport<'a> {
     pub cut: Option<&'a Brilliant>,
     /// Rays a pixel that were asked for.
     pub rays: u32,
-    /// How many blocks across are told; 16 by default.
+    /// Number of blocks across; 16 by default.
     pub blocks: Option<usize>,
-    /// How long it took, s.
+    /// Time taken, s.
     pub seconds: f64,
 }
 

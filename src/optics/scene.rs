@@ -1,4 +1,4 @@
-//! What is around a gem: a dome, lamps, and a pinhole camera.
+//! The surroundings of a gem: a dome, lamps, and a pinhole camera.
 
 use serde::Serialize;
 
@@ -20,9 +20,9 @@ pub struct Lamp {
 /// A pinhole camera with a square picture.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct View {
-    /// Where it is.
+    /// Position of the camera.
     pub from: Vec3,
-    /// What it looks at.
+    /// Point at which it is aimed.
     pub towards: Vec3,
     /// Full angle of the picture, degrees.
     #[serde(rename = "angle")]
@@ -130,7 +130,7 @@ impl Scene {
     }
 }
 
-/// How far away a jeweller's lamps are.
+/// Distance of a jeweller's lamps from the gem.
 const LAMPS_AWAY: f64 = 10.0;
 
 impl Lamp {
@@ -162,7 +162,7 @@ impl Lamp {
             .map(|[a, b]| plus(plus(self.centre, self.half_edge_u, a), self.half_edge_v, b))
     }
 
-    /// How far along a ray it is met, in lengths of the direction.
+    /// Distance along a ray at which it is met, in lengths of the direction.
     fn met(&self, origin: Vec3, direction: Vec3) -> Option<f64> {
         let normal = self.normal()?;
         let way = dot(normal, minus(self.centre, origin)) / dot(normal, direction);

@@ -7,7 +7,7 @@ pub(super) struct Columns {
     pub(super) from: f64,
     /// Width of a column.
     pub(super) width: f64,
-    /// How many there are.
+    /// Number of columns.
     pub(super) count: usize,
 }
 
@@ -15,7 +15,7 @@ pub(super) struct Columns {
 #[derive(Clone, Debug)]
 pub(super) struct Deposit {
     columns: Columns,
-    /// What was put into single columns.
+    /// Energy put into single columns.
     parts: Vec<[f64; 4]>,
     /// By how much whole stretches of columns rise at their start and fall at their end.
     steps: Vec<[f64; 4]>,

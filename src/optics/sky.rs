@@ -32,8 +32,8 @@ const BUNDLES: usize = 1024;
 /// Wavelengths of the smooth part, whole nm.
 const WAVELENGTHS: usize = (SEEN_NM[1] - SEEN_NM[0]) as usize + 1;
 
-/// What a drop of a material sends to each column of the sky, at every whole nm: made once, then
-/// every light is a sum.
+/// Light that a drop of a material sends to each column of the sky, at every whole nm: computed
+/// once, after which every light is a sum.
 #[derive(Clone, Debug)]
 pub struct Sky {
     material: Material,

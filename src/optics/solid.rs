@@ -29,7 +29,7 @@ pub(super) fn unit(a: Vec3) -> Option<Vec3> {
     (length > 0.0 && length.is_finite()).then(|| a.map(|v| v / length))
 }
 
-/// Whether all of it is a number no larger than 1e6.
+/// True if all components are numbers of magnitude at most 1e6.
 pub(super) fn is_near(a: Vec3) -> bool {
     a.iter().all(|v| v.abs() <= 1e6)
 }
@@ -234,7 +234,7 @@ impl Solid {
         self.planes.iter().enumerate().map(pyramid).sum()
     }
 
-    /// Whether a point is inside or on the surface.
+    /// True if a point is inside or on the surface.
     pub(crate) fn contains(&self, point: Vec3) -> bool {
         self.planes
             .iter()
@@ -242,7 +242,7 @@ impl Solid {
     }
 }
 
-/// What the other half-spaces leave of a plane.
+/// The polygon that the other half-spaces leave of a plane.
 fn polygon(planes: &[HalfSpace], own: usize) -> Vec<Vec3> {
     let HalfSpace {
         normal, distance, ..

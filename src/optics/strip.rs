@@ -1,4 +1,4 @@
-//! What the screen behind a prism shows: a smooth band and one line a spike.
+//! The image on the screen behind a prism: a smooth band and one line per spike.
 //!
 //! The smooth part goes onto the screen in cells of wavelength, each a box of the cell's extent
 //! blurred by the slit's image, so that its energy is kept whatever the columns. A spike is its own
@@ -14,7 +14,7 @@ use crate::{
     spectrum::Line,
 };
 
-/// Which part of the screen is looked at.
+/// The part of the screen in view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Screen {
     /// Left and right end, mm.
@@ -36,7 +36,7 @@ pub struct LineImage {
     pub energy: f64,
 }
 
-/// What a screen shows.
+/// The image on a screen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Strip {
     /// The part that was looked at.
@@ -55,9 +55,9 @@ pub struct Strip {
     pub energy: f64,
     /// Share of that energy that falls beside the screen.
     pub share_beside: f64,
-    /// What of 380-780 nm is totally reflected, from and to, nm; rising.
+    /// The totally reflected stretches of 380-780 nm, from and to, nm; rising.
     pub reflected_nm: Vec<[f64; 2]>,
-    /// Whether some of it rests on an index outside the range it was published for.
+    /// True if some of it rests on an index outside the range it was published for.
     pub extrapolated: bool,
 }
 
@@ -111,7 +111,7 @@ impl Bench {
             .collect()
     }
 
-    /// Where total reflection ends between a wavelength that is reflected and one that is not, nm;
+    /// The end of total reflection between a wavelength that is reflected and one that is not, nm;
     /// itself reflected.
     fn edge(&self, mut reflected: f64, mut passing: f64) -> f64 {
         for _ in 0..50 {
@@ -131,7 +131,7 @@ impl Bench {
         (first[0] <= SEEN_NM[0]).then_some(first[1])
     }
 
-    /// What is totally reflected, in words.
+    /// The totally reflected wavelengths, in words.
     pub(crate) fn reflected_words(&self) -> Option<String> {
         let words = |[from, to]: &[f64; 2]| match (*from <= SEEN_NM[0], *to >= SEEN_NM[1]) {
             (true, _) => format!("{to:.1} nm and shorter"),
@@ -216,7 +216,7 @@ impl Bench {
         }
     }
 
-    /// Whether a light has power where the index is a formula's outside its published range.
+    /// True if a light has power where the index is from a formula outside its published range.
     fn is_extrapolated(&self, light: &Light) -> bool {
         light.lit_nm().any(|nm| self.material().is_extrapolated(nm))
     }

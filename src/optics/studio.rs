@@ -21,7 +21,7 @@ pub struct Studio {
     fast: Stage<f32>,
 }
 
-/// What one ray found.
+/// Result of one ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen {
     /// Radiance, under light of radiance 1.
@@ -75,17 +75,17 @@ impl Studio {
         })
     }
 
-    /// What it is made of.
+    /// The body's material.
     pub fn material(&self) -> &Material {
         &self.material
     }
 
-    /// What it absorbs.
+    /// The body's absorption.
     pub fn absorption(&self) -> &Absorption {
         &self.absorption
     }
 
-    /// What is around it.
+    /// The surroundings of the body.
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
@@ -105,7 +105,7 @@ impl Studio {
         Some([index, self.absorption.at(at_nm)])
     }
 
-    /// Whether the ray through a film point meets the body.
+    /// True if the ray through a film point meets the body.
     pub fn meets(&self, film: [f64; 2]) -> bool {
         self.fast.meets(self.camera.direction(film))
     }

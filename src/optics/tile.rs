@@ -46,7 +46,7 @@ pub(super) struct Tile {
     pub(super) traced: Traced,
 }
 
-/// What a round does for a plane.
+/// Work of a round for a plane.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Entry {
     place: usize,
@@ -54,7 +54,7 @@ pub(super) struct Entry {
     planned: f64,
     /// First point of the plane's sequence.
     first: u32,
-    /// What a ray of either half counts in the difference; nothing when the halves alternate.
+    /// Weight of a ray of each half in the difference; `None` when the halves alternate.
     halves: Option<[f32; 2]>,
 }
 
@@ -110,7 +110,7 @@ struct Round<'a> {
     stride: usize,
     /// The next pixel.
     pixel: usize,
-    /// Where the pixel at work is.
+    /// The pixel at work.
     at: Pixel,
     jobs: Vec<Job>,
 }
@@ -175,7 +175,7 @@ impl Tile {
         &self.blocks[plane * BLOCKS..][..BLOCKS]
     }
 
-    /// Which pixel of a stride keeps its difference.
+    /// The pixel of a stride whose difference is kept.
     pub(super) fn kept(&self, group: usize, stride: usize) -> usize {
         let here = mixed(
             (self.corner[0] * 65_536 + self.corner[1]) as u64,
@@ -352,7 +352,7 @@ impl Round<'_> {
     }
 }
 
-/// What the roulette of a chain begins with.
+/// Initial value of a chain's roulette.
 fn chance(key: u64, point: u32) -> u32 {
     mixed(key, 0x7000 + u64::from(point)) as u32
 }

@@ -18,14 +18,14 @@ pub struct Shown {
     pub share_outside: f64,
     /// Share of the pixels brighter than the screen, cut.
     pub share_too_bright: f64,
-    /// What the white's Y was multiplied by.
+    /// Factor applied to the white's Y.
     pub gain: f64,
 }
 
 /// Share of the pixels that automatic exposure leaves below the screen's full brightness.
 const EXPOSED_SHARE: f64 = 0.95;
 
-/// How far below 0 a channel may be and still count as inside, of the largest.
+/// Depth below 0 down to which a channel counts as inside, as a share of the largest.
 const SLACK: f64 = 1e-6;
 
 /// Linear sRGB of a colour (Y = 1 for the screen's white), not below 0: what is outside the gamut

@@ -1,4 +1,4 @@
-//! Which wavelengths a camera may show in a colour: measured on published cameras.
+//! Wavelengths that a camera may show in a colour, measured on published cameras.
 
 /// A channel of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,7 +28,7 @@ const LEAST_SECOND: f64 = 0.05;
 const MOST_THIRD: f64 = 0.25;
 /// From here on cameras differ in all but their red, nm.
 const RED_END_NM: f64 = 700.0;
-/// What a colour costs that does not fit, at most.
+/// Largest cost of a colour that does not fit.
 const MOST_COST: f64 = 6.0;
 
 impl Hue {
@@ -78,7 +78,7 @@ impl Hue {
         }
     }
 
-    /// What it costs, in log-likelihood, that a line of this wavelength has this colour.
+    /// Cost, in log-likelihood, of this colour for a line of this wavelength.
     pub fn cost(self, nm: f64) -> f64 {
         if nm > RED_END_NM {
             return if self.first == R { 0.0 } else { 1.0 };

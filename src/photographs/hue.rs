@@ -34,7 +34,7 @@ const FARTHEST: f64 = 2.5;
 const MOST_DIFFERENCE: f64 = 0.5;
 /// Shifts that are tried: so many quarters of a column to both sides.
 const QUARTERS: i32 = 100;
-/// What is left of a channel's noise behind the smoothing.
+/// Share of a channel's noise left after smoothing.
 const CALM: f64 = 0.38;
 /// Fewer columns in common say nothing.
 const LEAST_COLUMNS: usize = 25;

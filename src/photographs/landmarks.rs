@@ -1,4 +1,4 @@
-//! Where the lines of lamps are found as peaks, by how wide the slit is.
+//! Positions at which the lines of lamps appear as peaks, by slit width.
 
 use std::{collections::BTreeMap, sync::OnceLock};
 
@@ -40,7 +40,7 @@ impl Lamp {
         Self::Daylight,
     ];
 
-    /// What it is called, on the command line too.
+    /// Name, also on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Fluorescent => "fluorescent",
@@ -61,7 +61,7 @@ impl Lamp {
         Self::ALL.into_iter().find(|lamp| lamp.name() == name)
     }
 
-    /// How much rarer than others it is before a spectrum, in log-likelihood.
+    /// Prior log-likelihood relative to the commonest lamps.
     pub(super) fn prior(self) -> f64 {
         match self {
             Self::Fluorescent | Self::Mercury | Self::Daylight => 0.0,
@@ -96,9 +96,9 @@ impl Lamp {
 pub struct Landmark {
     /// Its place.
     pub nm: f64,
-    /// How the place scatters from lamp to lamp.
+    /// Scatter of the place from lamp to lamp.
     pub scatter_nm: f64,
-    /// How often it is a peak of its own.
+    /// Probability of a peak of its own.
     pub chance: f64,
     /// Its height over the brightest column.
     pub strength: f64,

@@ -38,11 +38,11 @@ pub struct Peaks {
     pub hairlines: usize,
 }
 
-/// What is looked for.
+/// Search parameters.
 struct Search {
     /// Least prominence.
     least: f64,
-    /// What prominence is counted in.
+    /// Unit of prominence.
     top: f64,
     /// Window of prominence, as a share of the columns.
     window: f64,
@@ -59,11 +59,11 @@ const SMOOTHING: (f64, f64) = (0.7, 0.75);
 /// Three lines that add to more than this share of the brightest column are bright lines.
 const BRIGHT: f64 = 0.6;
 
-/// What stands above its surroundings before it is judged.
+/// Rise above the surroundings, before it is judged.
 struct Bump {
     at: usize,
     prominence: f64,
-    /// Where it falls under half its prominence.
+    /// Edges at half its prominence.
     from: f64,
     to: f64,
 }
@@ -192,7 +192,7 @@ fn bumps_of(light: &[f64], window: usize) -> impl Iterator<Item = Bump> + '_ {
     })
 }
 
-/// Where a list falls under a level on both sides of a place, between the columns.
+/// Positions on both sides of a place where a list falls below a level, between the columns.
 fn feet(light: &[f64], at: usize, level: f64) -> (f64, f64) {
     let below = |i: &usize| light[*i] <= level;
     let from = match (0..at).rev().find(below) {

@@ -172,7 +172,7 @@ impl View<'_> {
         }))
     }
 
-    /// Whether a channel is at its end at the pixel that a place lies in.
+    /// True if a channel is saturated at the pixel that contains a place.
     pub(super) fn is_full(self, x: f64, y: f64) -> bool {
         let [width, height] = self.size();
         let near = |at: f64, count: usize| (at.round().max(0.0) as usize).min(count - 1);

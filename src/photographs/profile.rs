@@ -18,7 +18,7 @@ pub struct Profile {
 }
 
 impl Profile {
-    /// How many columns there are.
+    /// Number of columns.
     pub fn columns(&self) -> usize {
         self.clipped.len()
     }
@@ -35,7 +35,7 @@ impl Profile {
         self.sigma.iter().map(|s| s * s).sum::<f64>().sqrt()
     }
 
-    /// How many columns are clipped.
+    /// Number of clipped columns.
     pub fn clipped_columns(&self) -> usize {
         self.clipped.iter().filter(|c| **c).count()
     }

@@ -1,5 +1,5 @@
-//! What an instrument makes of light: one response a channel, learnt from a picture of a light that
-//! is known, and other pictures read through it.
+//! Instrument response, one for each channel: learnt from a picture of a known light, and used to
+//! read other pictures.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -15,7 +15,7 @@ pub struct Response {
     pub first_nm: f64,
     /// Red, green and blue; none of them below 0.
     pub channels: [Vec<f64>; 3],
-    /// How far the channels disagree about their own light: 0 where they do not.
+    /// Disagreement between the channels about their own light: 0 where they agree.
     pub disagreement: f64,
 }
 
@@ -28,17 +28,17 @@ pub struct Corrected {
     pub value: Vec<Option<f64>>,
     /// Its doubt, one standard deviation.
     pub sigma: Vec<Option<f64>>,
-    /// How far the channels disagree about this light.
+    /// Disagreement between the channels about this light.
     pub disagreement: f64,
 }
 
-/// How much the second difference of a response costs.
+/// Penalty on the second difference of a response.
 const PENALTY: f64 = 0.1;
 /// A channel counts above this share of its own largest response,
 const CHANNEL: f64 = 0.05;
 /// and a wavelength where the best channel is above this share of the best of all.
 const DEFINED: f64 = 0.04;
-/// What channels are doubted by: black level, response, place in nm.
+/// Uncertainties of the channels: black level, response, place in nm.
 const DOUBTS: (f64, f64, f64) = (0.004, 0.03, 0.5);
 /// Channels are compared above these shares of their response and of their light.
 const COMPARED: (f64, f64) = (0.12, 0.03);

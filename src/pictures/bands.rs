@@ -68,18 +68,18 @@ impl Bands {
         &self.nm
     }
 
-    /// How many, at least three.
+    /// Number of bands, at least three.
     #[allow(clippy::len_without_is_empty)]
     pub fn len(&self) -> usize {
         self.nm.len()
     }
 
-    /// What the spectra stand for.
+    /// Quantity that the spectra represent.
     pub fn kind(&self) -> Kind {
         self.kind
     }
 
-    /// Whether the pixels multiply a light.
+    /// True if the pixels multiply a light.
     pub fn is_factor(&self) -> bool {
         self.kind.is_factor()
     }
@@ -117,8 +117,8 @@ impl Bands {
         Some((right - 1, (at_nm - a) / (b - a)))
     }
 
-    /// What each band weighs when a spectrum, linear between bands, is summed with weights for X, Y
-    /// and Z at some places (nm).
+    /// Band weights for the sum of a spectrum, linear between bands, with weights for X, Y and Z at
+    /// some places (nm).
     pub(super) fn fold(&self, places: &[(f64, [f64; 3])]) -> [Vec<f64>; 3] {
         let mut out = [0; 3].map(|_| vec![0.0; self.nm.len()]);
         for (nm, weights) in places {
@@ -196,14 +196,14 @@ impl Bands {
     }
 }
 
-/// Which bands of a file make up those of a picture, and what was left out.
+/// Bands of a file that make up those of a picture, and notes on those left out.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct KeptBands {
     /// Wavelength of each kept band, nm: the mean of those that are averaged.
     pub nm: Vec<f64>,
     /// The file's bands that each kept one is the mean of.
     pub of: Vec<Vec<usize>>,
-    /// What was merged or dropped, a sentence each.
+    /// Notes on merged or dropped bands, one sentence each.
     pub said: Vec<String>,
 }
 

@@ -26,7 +26,7 @@ pub const BOUND_RMS: f64 = 0.02;
 /// Pixels of the sample that colours are worked out for.
 const MOST_JUDGED: usize = 1024;
 
-/// What is asked of a choice.
+/// The goal of a choice.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Asked {
     /// The fewest numbers that keep the 95th percentile of dE00 and the relative rms (or the
@@ -36,17 +36,17 @@ pub enum Asked {
     Budget(usize),
 }
 
-/// What is not left to the choice.
+/// Settings that may be fixed instead of chosen.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Wish {
-    /// What multiplies the series; `None` for what is best.
+    /// Kind of the reference that multiplies the series; `None` for the best.
     pub reference: Option<ReferenceKind>,
-    /// Which lines have a number of their own.
+    /// Lines with a coefficient of their own.
     pub lines: WishedLines,
 }
 
-/// Which lines have a number of their own.
+/// Selection of the lines with a coefficient of their own.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum WishedLines {
@@ -66,11 +66,11 @@ pub enum WishedLines {
 pub struct Candidate {
     /// Numbers a pixel.
     pub numbers: usize,
-    /// What multiplies the series.
+    /// Kind of the reference that multiplies the series.
     pub reference: ReferenceKind,
-    /// How many lines.
+    /// Number of lines.
     pub lines: usize,
-    /// How far the range reaches beyond the bands.
+    /// Extension of the range beyond the bands.
     pub margin: f64,
     /// 95th percentile of dE00 under the judging lights; of own colour where there are none.
     pub p95: f64,
@@ -85,14 +85,14 @@ impl Candidate {
     }
 }
 
-/// What was chosen, and all that was tried.
+/// The chosen plan, with every candidate tried.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choice {
     /// The plan.
     pub plan: Plan,
-    /// What it is off by on the sample.
+    /// The chosen candidate, with its errors on the sample.
     pub chosen: Candidate,
-    /// Whether the bound is kept; else it is the best there is.
+    /// True if the bound is kept; otherwise the plan is the best there is.
     pub is_reached: bool,
     /// Every candidate, for the curve of error against numbers.
     pub tried: Vec<Candidate>,
@@ -100,7 +100,7 @@ pub struct Choice {
     pub bound_p95: f64,
     /// The bound on the rms in force: noise may raise it.
     pub bound_rms: f64,
-    /// What was merged of the lines that were wished for, a sentence each.
+    /// Notes on merged lines among those requested, one sentence each.
     pub said: Vec<String>,
 }
 
@@ -127,7 +127,7 @@ pub(crate) fn plan_of(
     Ok(Ways::new(bands, survey, known, (base, wish))?.plan(tried))
 }
 
-/// What candidates are formed from.
+/// Ingredients of the candidates.
 struct Ways<'a> {
     bands: &'a Bands,
     base: Plan,
@@ -211,7 +211,7 @@ pub fn choose(
     })
 }
 
-/// What may multiply the series.
+/// The references that may multiply the series.
 fn references(
     bands: &Bands,
     survey: &Survey,
@@ -306,12 +306,12 @@ impl<'a> Ways<'a> {
         bases
     }
 
-    /// How many lines so many numbers have room for: three at least are the series'.
+    /// Greatest number of lines among so many numbers: at least three belong to the series.
     fn room(numbers: usize) -> usize {
         numbers.saturating_sub(3)
     }
 
-    /// Whether lines by hand leave three numbers to the series.
+    /// Checks that lines set by hand leave three numbers to the series.
     fn check(&self, numbers: usize) -> Result<(), PictureError> {
         let lines = self.lines.len();
         match self.wished {

@@ -115,12 +115,12 @@ impl EnviFile {
         &self.unit
     }
 
-    /// Whether neither the header nor a person says what the values are.
+    /// True if neither the header nor the caller states the quantity of the values.
     pub(crate) fn is_kind_guessed(&self) -> bool {
         self.is_kind_guessed
     }
 
-    /// What was guessed, merged or left out, a sentence each.
+    /// Notes on guesses, merging and omissions, one sentence each.
     pub fn said(&self) -> &[String] {
         &self.said
     }

@@ -22,14 +22,14 @@ const SHORTEST_NM: f64 = 20.0;
 /// Spectra that one thread fits at a time.
 const AT_ONCE: usize = 512;
 
-/// What is asked of a fit.
+/// Settings of a fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FitAsk {
     /// Numbers a spectrum.
     pub numbers: usize,
     /// `One` or `Mean`.
     pub reference: ReferenceKind,
-    /// Whether lines are looked for in the mean.
+    /// True if lines are to be sought in the mean.
     pub lines: bool,
 }
 

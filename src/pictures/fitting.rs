@@ -11,7 +11,7 @@ use super::{Bands, PictureError};
 /// Ridge, as a share of the mean diagonal: it bounds the condition by about 1e9, which leaves seven
 /// of sixteen digits, and shifts what the bands do tell by no more than 1e-9.
 const RIDGE: f64 = 1e-9;
-/// What weighs colours against the spectrum in the weighted fit, nm: a colour that is off by .001
+/// Weight of colours against the spectrum in the weighted fit, nm: a colour that is off by .001
 /// of white in X, Y and Z counts as an rms of `sqrt(3000 x 3e-6)`, .095. The one value tried: with
 /// it 1269 Munsell chips under 318 lamps, none of them weighed, came to .30 / .87 (mean, 95 %) from
 /// the plain fit's .34 / 1.07 with 11 numbers.

@@ -22,7 +22,7 @@ const MOST_HALF: f64 = 65504.0;
 /// Numbers kept as 16-bit floating point, divided by a scale before.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Half {
-    /// What stored numbers are multiplied by.
+    /// Factor by which stored numbers are multiplied.
     pub scale: f64,
 }
 

@@ -44,24 +44,24 @@ pub struct StoredOwn {
     pub observer: Observer,
 }
 
-/// How the numbers of the compact form were made whole.
+/// Quantisation of the numbers in the compact form.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StoredQuantiser {
     /// One step of every plane but the first.
     pub step: f64,
     /// One step of the first plane's cube root.
     pub dc_step: f64,
-    /// What the first number is measured in.
+    /// Unit of the first number.
     pub c_ref: f64,
     /// Steps of the first plane below which the others are no longer scaled down.
     pub floor: f64,
     /// Mean of the other numbers.
     pub mean: Vec<f64>,
-    /// What takes steps back to numbers, row by row.
+    /// Matrix from steps back to numbers, row by row.
     pub inverse: Vec<f64>,
     /// Pixels on a side of a tile.
     pub tile: usize,
-    /// Which plane stands where in a tile.
+    /// Order of the planes in a tile.
     pub order: Vec<usize>,
 }
 
@@ -76,11 +76,11 @@ pub struct Header {
     pub width: usize,
     /// Rows.
     pub height: usize,
-    /// What the spectra stand for.
+    /// Quantity that the spectra represent.
     pub kind: Kind,
     /// Unit of the spectra.
     pub unit: String,
-    /// What stored numbers are multiplied by.
+    /// Factor by which stored numbers are multiplied.
     pub scale: f64,
     /// Wavelengths, nm.
     pub bands_nm: Vec<f64>,
@@ -90,9 +90,9 @@ pub struct Header {
     pub basis: String,
     /// First and last wavelength of the series, nm.
     pub range_nm: [f64; 2],
-    /// How many numbers are the series'.
+    /// Number of coefficients of the series.
     pub series: usize,
-    /// What multiplies the series.
+    /// Reference that multiplies the series.
     pub reference: Reference,
     /// A second known light.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -101,35 +101,35 @@ pub struct Header {
     pub lines: Vec<StoredLine>,
     /// The own light.
     pub own: StoredOwn,
-    /// Whether own colour was exact before the numbers were rounded.
+    /// True if own colour was exact before the numbers were rounded.
     pub exact: bool,
     /// Lights that the fit was weighted with.
     pub weighting: Vec<String>,
     /// Noise of a band.
     pub noise: f64,
-    /// What it is off by, measured after decoding.
+    /// Errors, measured after decoding.
     pub error: Errors,
-    /// Where the picture comes from.
+    /// Source of the picture.
     pub source: String,
-    /// What wrote the file.
+    /// Program that wrote the file.
     pub made_by: String,
-    /// Whether a mask of measured pixels stands first in every tile (compact form).
+    /// True if a mask of measured pixels comes first in every tile (compact form).
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub mask: bool,
-    /// How numbers were made whole (compact form).
+    /// Quantisation of the numbers (compact form).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub quantiser: Option<StoredQuantiser>,
-    /// What other programs wrote; kept.
+    /// Fields written by other programs; kept.
     #[serde(flatten)]
     pub other: Map<String, Value>,
 }
 
-/// What a file says about its picture besides the numbers.
+/// Description of a picture in a file, besides its numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct About {
     /// Unit of the spectra.
     pub unit: String,
-    /// Where the picture comes from.
+    /// Source of the picture.
     pub source: String,
     /// Noise of a band, measured.
     pub noise: f64,

@@ -21,7 +21,7 @@ pub struct Kernel {
     wide: Width,
 }
 
-/// What the processor offers.
+/// Vector width that the processor offers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Width {
     Plain,

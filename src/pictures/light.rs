@@ -106,7 +106,7 @@ impl Light {
         &LIGHTS
     }
 
-    /// What lists call it.
+    /// Name in lists.
     pub fn name(&self) -> &str {
         &self.name
     }

@@ -32,7 +32,7 @@ pub struct Line {
 pub(crate) struct HandLines {
     /// The lines by rising wavelength.
     pub lines: Vec<Line>,
-    /// What was merged, a sentence each.
+    /// Notes on merged lines, one sentence each.
     pub said: Vec<String>,
 }
 
@@ -185,8 +185,8 @@ fn line_of(bands: &Bands, spectrum: &[f64], found: &FoundSpike, power: f64) -> O
     })
 }
 
-/// What stands above the straight line between a window's end bands, of unit area, and its
-/// centroid (nm); `None` where nothing does.
+/// Shape above the straight line between a window's end bands, of unit area, and its centroid (nm);
+/// `None` where nothing rises above that line.
 fn above_chord(
     bands: &Bands,
     spectrum: &[f64],

@@ -1,4 +1,4 @@
-//! What a stored picture is off by, measured after decoding over every measured pixel.
+//! Errors of a stored picture, measured after decoding over every measured pixel.
 
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -26,7 +26,7 @@ pub struct Spread {
     pub max: f64,
 }
 
-/// What a picture is off by.
+/// Errors of a stored picture.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Errors {
     /// Own colour.
@@ -41,7 +41,7 @@ pub struct Errors {
     pub no_data: u64,
 }
 
-/// How numbers are kept: what becomes of them on the way into a file and back.
+/// Storage of numbers, with its effect on them on the way into a file and back.
 pub trait Storage: Sync {
     /// Numbers `[number * pixels + i]` as they will be read back.
     fn kept(&self, numbers: &mut [f32], pixels: usize);
@@ -104,7 +104,7 @@ impl Tally {
         pairs.for_each(|(all, part)| *all += part);
     }
 
-    /// What was counted.
+    /// Spread of the counted differences.
     pub fn spread(&self) -> Spread {
         if self.count == 0 {
             return Spread::default();
@@ -240,7 +240,7 @@ pub(crate) struct Meter {
     weights_nm: Vec<f64>,
 }
 
-/// What was counted in some rows.
+/// Error counts over some rows.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Counted {
     tallies: Vec<Tally>,
@@ -286,7 +286,7 @@ impl Meter {
         }
     }
 
-    /// What becomes of some rows.
+    /// Counts the errors of some rows after storage.
     pub(crate) fn count(&self, strip: &Strip, storage: &dyn Storage) -> Counted {
         let pixels = strip.pixels;
         let mut numbers = vec![0.0; self.encode.rows() * pixels];
@@ -295,7 +295,7 @@ impl Meter {
         self.compare(strip.values, &numbers, pixels)
     }
 
-    /// What numbers of some pixels are off by.
+    /// Counts the errors of the numbers of some pixels.
     pub(crate) fn compare(&self, values: &[f32], numbers: &[f32], pixels: usize) -> Counted {
         let rows = 3 * self.judges.len();
         let [mut exact, mut found] = [0; 2].map(|_| vec![0.0; rows * pixels]);
@@ -360,7 +360,7 @@ impl Meter {
     }
 }
 
-/// What a picture kept in some way is off by, over every measured pixel.
+/// Measures the errors of a picture kept in some storage, over every measured pixel.
 ///
 /// # Errors
 /// Those of the source, and [`PictureError::Cancelled`].

@@ -31,7 +31,7 @@ pub struct Operator {
     noise_gain: f64,
 }
 
-/// What reflectances usually do in the coefficients of a known light's series, or of two.
+/// Prior second moments of reflectances in the coefficients of a known light's series, or of two.
 fn moments(bands: &Bands, plan: &Plan, range_nm: [f64; 2]) -> Result<Vec<f64>, PictureError> {
     let (one, two) = plan.shares();
     let first = prior(bands, range_nm, one)?;
@@ -164,7 +164,7 @@ impl Operator {
         &self.bands
     }
 
-    /// What it was made from.
+    /// The plan that it was made from.
     pub(crate) fn plan(&self) -> &Plan {
         &self.plan
     }
@@ -194,7 +194,7 @@ impl Operator {
         &self.own
     }
 
-    /// Whether own colour is exact (it is not where the bands miss the visible).
+    /// True if own colour is exact (it is not where the bands miss the visible).
     pub fn is_exact(&self) -> bool {
         self.is_exact
     }
@@ -205,7 +205,7 @@ impl Operator {
         self.prior.as_deref()
     }
 
-    /// How much of the noise of the bands is left after decoding; below 1 noise is removed.
+    /// Ratio of the noise after decoding to the noise of the bands; below 1 noise is removed.
     pub(crate) fn noise_gain(&self) -> f64 {
         self.noise_gain
     }

@@ -15,13 +15,13 @@ use super::{Operator, PictureError, Pixels, Plan, Reference};
 /// One row of the table of peers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Peer {
-    /// What it is.
+    /// Name of the method.
     pub name: &'static str,
     /// Numbers a pixel; the bands' count for what keeps all.
     pub numbers: usize,
     /// Bytes of the file, or of the numbers and their basis.
     pub bytes: Option<u64>,
-    /// What it is off by; none where it was not run.
+    /// Its errors; `None` where it was not run.
     pub error: Option<Errors>,
     /// A remark.
     pub said: String,
@@ -154,7 +154,7 @@ fn samples(operator: &Operator, plan: &Plan) -> Operator {
     operator.other_way(plan, decode, encode)
 }
 
-/// What a sample weighs at a place, straight lines between samples.
+/// Weight of a sample at a place, by linear interpolation between samples.
 fn hat(nm: &[f64], at: usize, place: f64) -> f64 {
     let right = nm.partition_point(|w| *w < place).clamp(1, nm.len() - 1);
     let t = ((place - nm[right - 1]) / (nm[right] - nm[right - 1])).clamp(0.0, 1.0);

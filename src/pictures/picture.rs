@@ -13,7 +13,7 @@ const ROWS: usize = 16;
 /// The numbers of every pixel, and what they mean.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
-    /// What the numbers mean.
+    /// Header that gives the meaning of the numbers.
     pub header: Header,
     /// `[number * (width * height) + pixel]`; NaN where a pixel was not measured.
     pub planes: Vec<f32>,

@@ -1,4 +1,4 @@
-//! Where the pixels of a picture come from: memory, a cube as the file has it, a file on disk.
+//! Sources of a picture's pixels: memory, a cube as the file has it, a file on disk.
 
 use crate::spectrum::SpectralImage;
 
@@ -144,7 +144,7 @@ impl<'a> OfImage<'a> {
         Ok(Self { image, kept, bands })
     }
 
-    /// What was merged or left out, a sentence each.
+    /// Notes on merging and omissions, one sentence each.
     pub(crate) fn said(&self) -> &[String] {
         &self.kept.said
     }

@@ -1,4 +1,4 @@
-//! What an operator is made from: a series, what multiplies it, lines, a light and an observer.
+//! The plan of an operator: a series, its reference, lines, a light and an observer.
 
 use std::sync::Arc;
 
@@ -17,7 +17,7 @@ const LEAST_MEAN: f64 = 0.02;
 /// Least noise of a band where a known light's mean is 1.
 pub(super) const LEAST_NOISE: f64 = 0.002;
 
-/// What multiplies the series.
+/// Kind of the reference, which multiplies the series.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum ReferenceKind {
@@ -46,7 +46,7 @@ impl ReferenceKind {
 /// A reference spectrum on the bands.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Reference {
-    /// What it is.
+    /// Kind of the reference.
     pub kind: ReferenceKind,
     /// Name of the light, else empty.
     #[serde(default)]
@@ -132,14 +132,14 @@ impl Weighting {
     }
 }
 
-/// What an operator is made from.
+/// Specification of an operator.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// Numbers of the series.
     pub series: usize,
-    /// How far the range reaches beyond the bands, as a share of their length.
+    /// Extension of the range beyond the bands, as a share of their length.
     pub margin: f64,
-    /// What multiplies the series.
+    /// Reference that multiplies the series.
     pub reference: Reference,
     /// A second known light, whose series takes half of the numbers.
     pub second: Option<Reference>,
@@ -151,7 +151,7 @@ pub struct Plan {
     pub observer: Observer,
     /// Colours that the fit of a reflectance is weighted with; none for the plain fit.
     pub weighting: Option<Arc<Weighting>>,
-    /// Whether own colour is to be exact.
+    /// True if own colour is to be exact.
     pub exact: bool,
     /// Noise of a band where a known light's mean is 1.
     pub noise: f64,

@@ -1,4 +1,4 @@
-//! What a viewer shows of a file: its picture under its own light, reduced, in eight bits.
+//! Preview of a file for viewers: its picture under its own light, reduced, in eight bits.
 
 use crate::color::srgb::{Srgb, WHITE, linear_from_xyz};
 use crate::color::{Xyz, adapted};

@@ -1,4 +1,4 @@
-//! What reflectances usually do: second moments of the coefficients of the 99 colour evaluation
+//! Prior for reflectances: second moments of the coefficients of the 99 colour evaluation
 //! samples (CIE 224:2017, 5 nm table).
 
 use std::sync::LazyLock;

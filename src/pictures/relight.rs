@@ -12,7 +12,7 @@ use super::plan::LEAST_NOISE;
 use super::prior::prior;
 use super::{Bands, Light, Operator, PictureError, ReferenceKind};
 
-/// What the spectrum is between bands.
+/// Interpolation of the spectrum between bands.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Between {
     /// Straight lines, as everywhere in the program: errors go to zero with the count of numbers.

@@ -23,7 +23,7 @@ fn errors(error: &Errors) -> Value {
     json!({"own": error.own, "lights": error.lights, "relative_rms": error.relative_rms})
 }
 
-/// What a picture is in few numbers: `picture IN --json`.
+/// Summary of a picture in few numbers: `picture IN --json`.
 pub(crate) fn picture_json(
     operator: &Operator,
     bytes: Bytes,

@@ -19,7 +19,7 @@ const PAINTS: [&str; 2] = ["colorchecker_ohta", "aces_training_190"];
 /// Tiles across and down.
 const TILES: f64 = 16.0;
 
-/// Where the noise of the camera starts in the hash.
+/// Offset of the camera noise in the hash.
 const NOISE_START: u32 = 0x9E37_79B9;
 
 /// Columns and rows of the wall that everybody has at hand.
@@ -131,12 +131,12 @@ impl Scene {
         self
     }
 
-    /// What lists call it.
+    /// Name in lists.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// How many paints there are.
+    /// Number of paints.
     #[cfg(test)]
     pub(crate) fn paints(&self) -> usize {
         self.paints.len()

@@ -16,14 +16,14 @@ const MOST_VALUES: usize = 64 << 20;
 pub struct Strip<'a> {
     /// First row.
     pub first: usize,
-    /// How many pixels.
+    /// Number of pixels.
     pub pixels: usize,
     /// `[band * pixels + i]`.
     pub values: &'a [f32],
 }
 
-/// What `work` makes of every strip of at most `rows` rows, in the order of the strips whatever
-/// thread worked on which.
+/// Applies `work` to every strip of at most `rows` rows; the results are in the order of the strips
+/// whichever thread worked on which.
 ///
 /// # Errors
 /// The first strip's that failed, [`PictureError::Cancelled`] when it was.
@@ -54,7 +54,7 @@ pub fn over_strips<T: Send>(
     )
 }
 
-/// What `work` makes of each of `count` parts, in their order; `values` numbers are held by each.
+/// Applies `work` to each of `count` parts, results in order; each part holds `values` numbers.
 ///
 /// # Errors
 /// As [`over_strips`].

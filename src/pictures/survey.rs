@@ -1,4 +1,4 @@
-//! What a picture is like before anything is decided: its mean, its noise, a sample of its pixels.
+//! Survey of a picture before any decision: its mean, its noise, a sample of its pixels.
 
 use crate::{spectrum::quantile, study::Progress};
 
@@ -16,7 +16,7 @@ const NORMAL_OVER_MEDIAN: f64 = 1.4826;
 /// thousandth the quotient of a 10-bit camera is noise alone.
 const LEAST_LIGHT: f64 = 1e-3;
 
-/// What was found on a picture.
+/// Statistics of a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Survey {
     /// Mean of the measured pixels, a value a band.

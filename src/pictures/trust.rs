@@ -1,5 +1,4 @@
-//! How far to trust relighting: what the old light left dark, and how much noise the division
-//! makes.
+//! Reliability of relighting: regions that the old light left dark, and noise from the division.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -33,7 +32,7 @@ const GREY_Y: f64 = 0.2;
 #[cfg(test)]
 const GREY_OF_PARTS: f64 = 0.1;
 
-/// What one may believe.
+/// Verdict on reliability.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// Nothing speaks against it.
@@ -63,7 +62,7 @@ impl Verdict {
     }
 }
 
-/// How far relighting from one light to another can be trusted.
+/// Reliability of relighting from one light to another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trust {
     /// Share of the new white's X, Y, Z that falls where the old light was dark: a reflectance of
@@ -71,9 +70,9 @@ pub struct Trust {
     pub blind: [f64; 3],
     /// Mean colour difference that the picture's noise makes, foretold at a mid grey.
     pub noise: f64,
-    /// What to make of it.
+    /// Verdict on the relighting.
     pub verdict: Verdict,
-    /// Whether it is only guessed what the picture's values are: counts under a lamp that are
+    /// True if the quantity of the picture's values is only guessed: counts under a lamp that are
     /// taken for reflectances are wrong by the lamp's whole spectrum.
     pub guessed: bool,
 }
@@ -171,7 +170,7 @@ impl Operator {
         sum.sqrt()
     }
 
-    /// How far relighting to a light can be trusted; `old` is the light on the bands, none for a
+    /// Reliability of relighting to a light; `old` is the light on the bands, `None` for a
     /// reflectance.
     pub(crate) fn trust(
         &self,
@@ -193,8 +192,8 @@ impl Operator {
         }
     }
 
-    /// How well two known lights can be told apart: for each light's part alone a rank (it
-    /// understates the error), and what to make of it; `None` for a picture of one light.
+    /// Separability of two known lights: for each light's part alone a rank (it understates the
+    /// error), and the verdict; `None` for a picture of one light.
     #[cfg(test)]
     pub(crate) fn parts_rank(&self) -> Option<([f64; 2], Verdict)> {
         let plan = self.plan();

@@ -8,9 +8,9 @@ use std::fmt;
 pub(crate) struct PresetError {
     /// Line in the file, counted from 1, where it is known.
     pub line: Option<usize>,
-    /// What stands there.
+    /// Content found.
     pub found: String,
-    /// What should.
+    /// Content expected.
     pub expected: String,
 }
 

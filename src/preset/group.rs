@@ -12,21 +12,21 @@ use crate::spectrum::{Kind, NamedSpectrum};
 pub struct Group {
     /// Short name, as in `group/name`, which is also the file's name.
     pub id: String,
-    /// What the group is, in a line.
+    /// One-line description of the group.
     pub title: String,
     /// Heading of most of its items; ask the item for its own.
     pub shelf: Shelf,
     /// Kind of most of its items; ask the item for its own.
     pub kind: Kind,
-    /// Where the numbers come from.
+    /// Origin of the numbers.
     pub source: String,
     /// Terms of most of its items; ask the item for its own.
     pub licence: Terms,
     /// Whom to name, with title and DOI where the licence asks for them.
     pub attribution: String,
-    /// What was done to the source's numbers.
+    /// Changes made to the source's numbers.
     pub changes: String,
-    /// What to know before using the group; may be empty.
+    /// Notes on using the group; may be empty.
     pub note: String,
     /// Its items in the file's order.
     pub items: Vec<Preset>,
@@ -39,17 +39,17 @@ pub struct Preset {
     pub group: String,
     /// Its name, unique in the group.
     pub name: String,
-    /// What its values stand for.
+    /// Kind of quantity that its values represent.
     pub kind: Kind,
     /// Under which heading it is listed.
     pub shelf: Shelf,
     /// Unit of its values.
     pub unit: String,
-    /// Where its numbers come from.
+    /// Origin of its numbers.
     pub source: String,
     /// Its terms.
     pub licence: Terms,
-    /// What to know about it, a sentence or two each.
+    /// Notes on it, a sentence or two each.
     pub notes: Vec<String>,
     /// Thickness for which a transmittance holds, mm.
     pub thickness_mm: Option<f64>,
@@ -90,7 +90,7 @@ impl Preset {
     }
 }
 
-/// What an item is made of.
+/// Contents of an item.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Body {
     /// A table.
@@ -166,11 +166,11 @@ pub struct PrintedSpike {
 /// Spectral lines of one element, or named absorption lines.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LineList {
-    /// What the list is called.
+    /// Name of the list.
     pub name: String,
     /// Symbol of the element, if all lines are of one.
     pub element: Option<String>,
-    /// What the strengths are measured in.
+    /// Unit of the strengths.
     pub unit: String,
     /// Weakest strength kept, if the list was cut.
     pub threshold: Option<f64>,

@@ -57,7 +57,7 @@ struct Item {
     threshold: Option<f64>,
     cie_interpolation: Option<String>,
     cie_extrapolation: Option<String>,
-    /// How many values are zero because the source had none there.
+    /// Number of values that are zero because the source had none there.
     nan_filled_with_zero: Option<u32>,
     wavelengths: Option<Wavelengths>,
     values: Option<Vec<f64>>,
@@ -70,7 +70,7 @@ struct Item {
     composite: Option<CompositeText>,
 }
 
-/// Where values stand, nm.
+/// Wavelengths of the values, nm.
 #[derive(Clone, Deserialize)]
 #[serde(try_from = "WavelengthsText")]
 enum Wavelengths {
@@ -274,7 +274,7 @@ impl Item {
         })
     }
 
-    /// What is to be said about it, a sentence or two each.
+    /// Notes on the item, a sentence or two each.
     fn notes(&self, of_group: &str) -> Vec<String> {
         let mut notes: Vec<String> = self.note.iter().cloned().collect();
         if let Some(mm) = self.thickness_mm {

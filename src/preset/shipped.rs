@@ -33,10 +33,10 @@ pub(super) const SHIPPED: [&str; 24] = [
     include_str!("../../presets/observers.json"),
 ];
 
-/// What each shipped spectrum is, in words.
+/// Descriptions of the shipped spectra, in words.
 pub(crate) const FAMILIES: &str = include_str!("../../presets/families.json");
 
-/// Which shipped surfaces make a set by everyday names.
+/// The set of shipped surfaces under everyday names.
 pub(crate) const EVERYDAY: &str = include_str!("../../presets/everyday_surfaces.json");
 
 /// Tables that figures are computed from and that no library lists: it has their items already, in

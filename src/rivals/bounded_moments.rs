@@ -23,7 +23,7 @@ use super::{
     phases::PhaseTable,
 };
 
-/// What is worked out once from the moments of a bounded even signal.
+/// Quantities computed once from the moments of a bounded even signal.
 #[derive(Clone, Debug)]
 pub(super) struct BoundedReading {
     /// `F_0`, of modulus 1.

@@ -1,4 +1,4 @@
-//! What the fits of one band share, worked out once.
+//! Tables shared by the fits of one band, computed once.
 
 use std::sync::Arc;
 

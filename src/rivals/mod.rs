@@ -38,7 +38,7 @@ use std::{fmt::Debug, ops::Deref};
 
 use crate::spectrum::{Band, Kind};
 
-/// Which representation.
+/// A family of representations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Family {
     /// Equally spaced samples, straight lines between them.
@@ -66,7 +66,7 @@ impl Family {
         Self::Wavelet,
     ];
 
-    /// What it is called and what it is.
+    /// Its names and meaning.
     pub(crate) fn about(self) -> About {
         match self {
             Self::Samples => About {
@@ -117,7 +117,7 @@ impl Family {
         }
     }
 
-    /// Whether a fit with fewer numbers is a prefix of one with more (the paper's criterion 5,
+    /// True if a fit with fewer numbers is a prefix of one with more (the paper's criterion 5,
     /// flexibility: one fit, truncated at will).
     pub(crate) fn is_prefix(self) -> bool {
         match self {
@@ -126,7 +126,7 @@ impl Family {
         }
     }
 
-    /// Whether the numbers mean nothing without a table that is not counted among them.
+    /// True if the numbers are meaningless without a table that is not counted among them.
     pub(crate) fn needs_table(self) -> bool {
         self == Self::Principal
     }
@@ -143,11 +143,11 @@ pub struct About {
     pub short: &'static str,
     /// The same in the middle of a sentence.
     pub in_a_sentence: &'static str,
-    /// What it is, a sentence or two.
+    /// Description in a sentence or two.
     pub meaning: &'static str,
 }
 
-/// What the values of a spectrum cannot exceed; only the moments use it.
+/// Bounds on the values of a spectrum; used only by the moments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Bounds {
     /// Bounded by 0 only.
@@ -187,7 +187,7 @@ pub(crate) trait Representation: Debug {
     /// around each grid point so that no energy is lost on the grid.
     fn on_band(&self) -> Vec<f64>;
 
-    /// What the numbers take in memory: 8 bytes each, but 2 for a wavelet's place.
+    /// Memory taken by the numbers: 8 bytes each, but 2 for a wavelet's place.
     ///
     /// Not counted are the band, tables shared by all fits (principal components), and what is
     /// only worked out from the numbers once (the polynomial of the moments).
@@ -195,7 +195,7 @@ pub(crate) trait Representation: Debug {
         self.stored().len() * size_of::<f64>()
     }
 
-    /// Where [`Representation::points`] stand, nm, rising; the 1 nm grid unless said otherwise.
+    /// Wavelengths of [`Representation::points`], nm, rising; the 1 nm grid by default.
     fn places_nm(&self) -> Vec<f64> {
         self.band().grid().collect()
     }
@@ -219,13 +219,13 @@ pub(crate) struct Rival {
 }
 
 impl Rival {
-    /// Which representation it is.
+    /// Family of the representation.
     #[cfg(test)]
     pub(crate) fn family(&self) -> Family {
         self.family
     }
 
-    /// How many numbers it takes; two for each wavelet coefficient kept.
+    /// Count of its numbers; two for each wavelet coefficient kept.
     pub(crate) fn numbers(&self) -> usize {
         self.stored().len()
     }

@@ -28,7 +28,7 @@ impl Samples {
     }
 }
 
-/// Where `count` samples stand, nm.
+/// Wavelengths of `count` samples, nm.
 fn places_nm(band: Band, count: usize) -> Vec<f64> {
     if count == 1 {
         return midpoints_nm(band, 1);

@@ -140,7 +140,7 @@ impl Band {
         (0..self.points()).map(move |i| self.nm(i))
     }
 
-    /// Whether a wavelength lies in the closed range.
+    /// True if a wavelength lies in the closed range.
     pub fn contains(self, at_nm: f64) -> bool {
         (self.min_nm()..=self.max_nm()).contains(&at_nm)
     }

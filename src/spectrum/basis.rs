@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 
 use super::band::{Band, dot};
 
-/// Which functions the smooth part is made of.
+/// The family of basis functions that make up the smooth part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Basis {
@@ -176,7 +176,7 @@ impl BasisTable {
 /// A finite series: the smooth part of a composite.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
-    /// Where the series lives.
+    /// Band on which the series is defined.
     pub band: Band,
     /// Its functions.
     pub basis: Basis,

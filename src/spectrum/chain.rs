@@ -40,12 +40,12 @@ pub(crate) const SAME_PLACE_NM: f64 = 0.5;
 /// A line of the light that stood on a dip of a factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineInDip {
-    /// Where the line stands, nm.
+    /// Wavelength of the line, nm.
     pub line_nm: f64,
-    /// Where the dip stands, nm.
+    /// Wavelength of the dip, nm.
     pub dip_nm: f64,
-    /// What the line lost to it beside the factor's smooth part, a share: the dip's depth for an
-    /// ideal line, less for one that has a width.
+    /// Share of the line's weight lost to the dip on top of the factor's smooth part: the dip's
+    /// depth for an ideal line, less for one that has a width.
     pub depth: f64,
 }
 
@@ -68,7 +68,7 @@ pub struct Stage {
     pub multiplications: usize,
 }
 
-/// What all chains of one way, basis, count of numbers and of factors share.
+/// Tables shared by all chains with the same way, basis, and counts of numbers and factors.
 #[derive(Clone, Debug)]
 pub(crate) struct ChainTables {
     band: Band,
@@ -205,7 +205,7 @@ impl ChainTables {
         stages
     }
 
-    /// What a factor is beside its dips, by Eq. 5 with the trapezoid rule.
+    /// Series of a factor without its dips, by Eq. 5 with the trapezoid rule.
     fn series(&self, factor: &Factor) -> Series {
         let (band, values) = (self.band, factor.background());
         let rows = self

@@ -123,12 +123,12 @@ impl Composite {
         self.smooth.band
     }
 
-    /// Whether any line has a width.
+    /// True if any line has a width.
     pub fn has_widths(&self) -> bool {
         self.lines.iter().any(|line| line.fwhm_nm > 0.0)
     }
 
-    /// How many numbers the model takes: one each coefficient, two each line, whose place and width
+    /// Count of the model's numbers: one per coefficient and two per line, whose place and width
     /// share one number (LINES.md section 2); one more, the label, as soon as a line has a width.
     pub fn numbers(&self) -> usize {
         let label = usize::from(self.has_widths());

@@ -79,7 +79,7 @@ impl ThreeSums {
         self.condition
     }
 
-    /// Whether the sums can be set one by one: their condition is below [`WORST_CONDITION`].
+    /// True if the sums can be set independently: condition number below [`WORST_CONDITION`].
     pub(crate) fn are_told_apart(&self) -> bool {
         self.condition < WORST_CONDITION
     }

@@ -12,7 +12,7 @@ use super::{rect::Rect, sampled::Sampled};
 /// Numbers of this size and beyond stand for "not measured" (-1.23e34 in many libraries).
 const ABSURD: f64 = 1e30;
 
-/// How a cube's file writes a number.
+/// Number format of a cube's file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Number {
     /// Unsigned, 1 byte.
@@ -85,7 +85,7 @@ impl Number {
     }
 }
 
-/// Which of row, column and band runs fastest in the file.
+/// Storage order of row, column and band in the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Interleave {
     /// One whole plane after the other (BSQ).
@@ -96,16 +96,16 @@ pub enum Interleave {
     Pixels,
 }
 
-/// How the numbers of a cube lie in its bytes.
+/// Layout of a cube's numbers in its bytes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layout {
-    /// Where the first number starts.
+    /// Byte offset of the first number.
     pub first_byte: usize,
-    /// How a number is written.
+    /// Format of a number.
     pub number: Number,
     /// Most significant byte first.
     pub big_endian: bool,
-    /// What runs fastest.
+    /// Storage order of row, column and band.
     pub interleave: Interleave,
     /// Bands in the bytes, also those that the cube passes over.
     pub stored_bands: usize,
@@ -114,7 +114,7 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// Where a number starts in the bytes of an image of so many columns and rows.
+    /// Byte offset of a number in an image of `size` columns and rows.
     pub(crate) fn place(&self, size: (usize, usize), (x, y): (usize, usize), band: usize) -> usize {
         let (width, height) = size;
         let index = match self.interleave {
@@ -142,8 +142,8 @@ impl Layout {
         }
     }
 
-    /// Whether a number stands for "not measured": a header writes that in decimals, single
-    /// precision rounds it.
+    /// True if a number means "not measured": a header writes that in decimals, single precision
+    /// rounds it.
     pub(crate) fn is_missing(&self, value: f64) -> bool {
         let is_single = self.number == Number::F32;
         self.missing
@@ -157,7 +157,7 @@ pub struct Cube {
     width: usize,
     height: usize,
     nm: Vec<f64>,
-    /// Which stored band each wavelength is.
+    /// Index of the stored band of each wavelength.
     bands: Vec<usize>,
     bytes: Arc<Vec<u8>>,
     layout: Layout,

@@ -16,16 +16,16 @@ use super::{
 /// A spike that a person set or locked.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HandSpike {
-    /// Where the spike stands now, nm.
+    /// Current wavelength of the spike, nm.
     pub at_nm: f64,
     /// Its weight, in the spectrum's unit x nm.
     pub weight: f64,
-    /// Where the line it stands for was found, nm; `None` for a spike set where no line is.
+    /// Wavelength at which its line was found, nm; `None` for a spike set where no line is.
     pub line_nm: Option<f64>,
     /// The window that line was taken from, nm; `None` when it is still to be looked for.
     #[serde(default)]
     pub window_nm: Option<[f64; 2]>,
-    /// Whether that line hangs down (absorption); the spike's own weight may be turned round.
+    /// True if that line is a dip (absorption); the spike's own weight may be reversed in sign.
     #[serde(default)]
     pub is_dip: bool,
 }
@@ -41,7 +41,7 @@ pub struct SpikeEdits {
 }
 
 impl SpikeEdits {
-    /// Whether nothing was edited.
+    /// True if there are no edits.
     pub fn is_empty(&self) -> bool {
         self.hand.is_empty() && self.deleted_nm.is_empty()
     }
@@ -65,7 +65,7 @@ pub struct ModelSpike {
 /// The smooth part's target and the model's spikes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Decomposed {
-    /// What is left for the smooth part on the grid.
+    /// Values left for the smooth part, on the grid.
     pub smooth: Vec<f64>,
     /// The spikes by rising wavelength.
     pub spikes: Vec<ModelSpike>,

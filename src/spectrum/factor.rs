@@ -1,4 +1,4 @@
-//! What light passes or bounces off: a glass of any thickness, a surface met any number of times.
+//! Transmitting or reflecting factors: glass of any thickness, a surface met any number of times.
 
 use super::{
     band::Band,
@@ -29,7 +29,7 @@ pub(crate) fn bounces(values: &[f64], count: u32) -> Vec<f64> {
 pub(crate) struct Dip {
     /// Centroid, nm.
     pub at_nm: f64,
-    /// What is missing, as a share x nm; negative.
+    /// Integral of the missing share, in share x nm; negative.
     pub weight: f64,
     /// Share of what would pass without it that is missing at its deepest, 0-1.
     pub depth: f64,
@@ -38,11 +38,11 @@ pub(crate) struct Dip {
     pub width_nm: f64,
 }
 
-/// What light passes or bounces off: shares on the 1 nm grid of a band.
+/// A transmittance or reflectance: shares on the 1 nm grid of a band.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Factor {
     values: Vec<f64>,
-    /// What series are fitted to; the values themselves unless dips are kept.
+    /// Curve that series are fitted to; the values themselves unless dips are kept.
     background: Option<Vec<f64>>,
     dips: Vec<Dip>,
 }

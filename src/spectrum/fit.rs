@@ -22,7 +22,7 @@ pub struct InnerProducts {
     norms: Vec<f64>,
 }
 
-/// How a fit with exact inner products went.
+/// Outcome of a fit with exact inner products.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Exactness {
     /// The three inner products are exact.
@@ -40,7 +40,7 @@ pub enum Exactness {
 }
 
 impl Exactness {
-    /// Whether the inner products are exact.
+    /// True if the inner products are exact.
     pub(crate) fn is_exact(self) -> bool {
         matches!(self, Self::Exact { .. })
     }

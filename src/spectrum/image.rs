@@ -8,9 +8,9 @@ use super::{cube::Cube, rect::Rect};
 /// An image whose pixels are spectra, with its meaning and provenance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpectralImage {
-    /// What lists call it.
+    /// Name shown in lists.
     pub name: String,
-    /// What its values stand for.
+    /// Kind of quantity that its values represent.
     pub kind: Kind,
     /// Unit of the values, as for a [`NamedSpectrum`].
     pub unit: String,
@@ -21,9 +21,9 @@ pub struct SpectralImage {
     pub cube: Cube,
     /// Width of a band at half of its height, nm, where the file has one.
     pub bandwidth_nm: Option<f64>,
-    /// How it was read and what is odd about it, a sentence each.
+    /// Notes on how it was read and on any oddities, a sentence each.
     pub notes: Vec<String>,
-    /// Where it comes from; empty when unknown.
+    /// Origin of the image; empty when unknown.
     pub source: String,
 }
 
@@ -39,7 +39,7 @@ impl SpectralImage {
         Some(self.named(self.name_of(region), self.cube.mean_of(region)?))
     }
 
-    /// What a pixel's spectrum or a region's mean is called.
+    /// Name of a pixel's spectrum or of a region's mean.
     pub(crate) fn name_of(&self, region: Rect) -> String {
         let Rect {
             x,

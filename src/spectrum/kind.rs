@@ -1,4 +1,4 @@
-//! What the values of a spectrum stand for.
+//! The kind of quantity that the values of a spectrum represent.
 
 use std::fmt;
 
@@ -51,7 +51,7 @@ impl Kind {
         }
     }
 
-    /// How a spectrum of this kind continues outside its table.
+    /// Extrapolation of a spectrum of this kind outside its table.
     pub fn outside(self) -> Outside {
         match self {
             Self::Reflectance | Self::Transmittance => Outside::Hold,
@@ -61,7 +61,7 @@ impl Kind {
         }
     }
 
-    /// Whether the spectrum multiplies a light: a reflectance or a transmittance.
+    /// True if the spectrum multiplies a light: a reflectance or a transmittance.
     pub fn is_factor(self) -> bool {
         matches!(self, Self::Reflectance | Self::Transmittance)
     }

@@ -180,13 +180,13 @@ impl Line {
         Self::new(at_nm, weight, 0.0)
     }
 
-    /// Whether it counts as a line of no width.
+    /// True if it counts as a line of no width.
     pub(crate) fn is_ideal(self) -> bool {
         !(self.fwhm_nm >= NARROWEST_NM && self.fwhm_nm.is_finite())
     }
 
-    /// What is drawn above the smooth curve at the centre: the peak of the line's own Gaussian, of
-    /// one of `drawn_nm` for an ideal spike.
+    /// Height drawn above the smooth curve at the centre: the peak of the line's own Gaussian, or
+    /// of one `drawn_nm` wide for an ideal spike.
     pub fn stem_height(self, drawn_nm: f64) -> f64 {
         let fwhm_nm = if self.is_ideal() {
             drawn_nm
@@ -249,7 +249,7 @@ impl Line {
     }
 }
 
-/// What is left of a basis function's height when it is seen through a Gaussian.
+/// Share of a basis function's height that remains after convolution with a Gaussian.
 fn damping(basis: Basis, index: usize, band: Band, sigma_nm: f64) -> f64 {
     let turns = match basis {
         Basis::Fourier => 2.0 * index.div_ceil(2) as f64,

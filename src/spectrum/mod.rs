@@ -1,4 +1,4 @@
-//! What a spectrum is: numbers only, no files, no colour, no window.
+//! Spectra as numbers only: no files, no colour, no window.
 //!
 //! Wavelengths are `f64` nanometres in air as tabulated, values are in the spectrum's own unit,
 //! and everything that models a spectrum works on the 1 nm grid of a [`Band`].

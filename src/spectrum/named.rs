@@ -5,9 +5,9 @@ use super::{kind::Kind, sampled::Sampled};
 /// A measured spectrum with its name, meaning and provenance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedSpectrum {
-    /// What lists and plots call it.
+    /// Name shown in lists and plots.
     pub name: String,
-    /// What its values stand for.
+    /// Kind of quantity that its values represent.
     pub kind: Kind,
     /// Unit of the values as the source states it ("W m-2 nm-1", "relative", "fraction"); empty
     /// when the source is silent.
@@ -17,8 +17,8 @@ pub struct NamedSpectrum {
     pub scale: f64,
     /// The table, `scale` applied.
     pub samples: Sampled,
-    /// How it was read and what is odd about it, a sentence each.
+    /// Notes on how it was read and on any oddities, a sentence each.
     pub notes: Vec<String>,
-    /// Where the numbers come from (file, publication); empty when unknown.
+    /// Origin of the numbers (file, publication); empty when unknown.
     pub source: String,
 }

@@ -1,4 +1,4 @@
-//! How noisy values on a grid are, told from the values themselves.
+//! Noise of values on a grid, estimated from the values themselves.
 //!
 //! Noise has no memory and a spectrum has: the second difference of samples leaves almost nothing
 //! of a smooth spectrum and the square root of 6 times the noise. Lines leave much, but stand at
@@ -12,13 +12,13 @@ const QUANTILE: f64 = 0.3;
 const NORMAL_AT_QUANTILE: f64 = 0.385_320_466_407_568;
 /// Standard deviation of a second difference over that of a sample: 1 + 4 + 1 variances.
 const SECOND_DIFFERENCE: f64 = 2.449_489_742_783_178;
-/// How far the surroundings of a place reach, grid points to either side.
+/// Reach of a place's surroundings, in grid points to either side.
 const REACH: usize = 60;
-/// What so many samples tell the noise to, a share of it: the standard error of that quantile,
+/// Relative standard error of the noise estimated from so many samples: that of the quantile,
 /// `sqrt(q (1 - q) / n)` over its density and itself, is 1/6.8 for n = 2 [`REACH`].
 const TOLD_TO: f64 = 1.0 / 7.0;
-/// What was averaged onto the grid from finer data shares its noise with its neighbours, and differs
-/// less from them than from those so many samples away.
+/// Spacing of the samples compared: values averaged onto the grid from finer data share noise with
+/// their neighbours, and differ less from them than from samples this far away.
 const APART: usize = 2;
 /// The least that the noise told by neighbours is, over that told by samples [`APART`]; what differs
 /// less from its neighbours is a curve. Area shared out to the grid makes noise of neighbours alike
@@ -37,13 +37,13 @@ const ROUNDING: f64 = 1e-9;
 /// From this step on (nm) samples do not share their noise, and the grid holds straight lines
 /// between them.
 const COARSE_STEP: f64 = 1.3;
-/// Where more than this share of a coarse table's second differences stand far above its noise,
-/// they are its lines and tell no noise. A share `c` of large ones moves the quantile of the others
-/// from q to q / (1 - c): the noise told grows by 12 % for a tenth, just below the seventh that it is
-/// told to anyway. Noise alone stands so far above itself at one sample in a hundred even where it
-/// is told a seventh too small, so that noise is not taken for lines.
+/// Largest share of a coarse table's second differences that may lie far above its noise: if more
+/// do, they are its lines and no measure of noise. A share `c` of large ones moves the quantile of
+/// the others from q to q / (1 - c): the estimate grows by 12 % for a tenth, just below its
+/// standard error of a seventh. Noise alone lies so far above itself at one sample in a hundred
+/// even where it is underestimated by a seventh, so that noise is not taken for lines.
 const LINES_SHARE: f64 = 0.1;
-/// What stands far above the noise, in its standard deviations.
+/// Threshold for "far above the noise", in its standard deviations.
 const FAR_ABOVE: f64 = 3.0;
 
 /// The noise of values on an even grid.
@@ -77,8 +77,8 @@ impl Noise {
         }
     }
 
-    /// Whether a height at a place (an index of the values) is at least `times` the standard
-    /// deviation of the noise there. Where no noise can be told every height is.
+    /// True if a height at a place (an index of the values) is at least `times` the standard
+    /// deviation of the noise there, or if the noise cannot be estimated.
     pub(super) fn is_below(&self, at: usize, height: f64, times: f64) -> bool {
         let all = self.differences.len();
         if all < LEAST_SAMPLES {
@@ -102,8 +102,8 @@ impl Noise {
     }
 }
 
-/// Whether the noise by some second differences is no more than that: then more of them than the
-/// quantile's share are as small as it would be. `None` where there are too few.
+/// True if the noise estimated from some second differences is at most `noise`: more of them than
+/// the quantile's share are then as small as it implies. `None` where there are too few.
 fn is_noise_at_most(differences: &[f64], noise: f64) -> Option<bool> {
     let limit = noise * NORMAL_AT_QUANTILE * SECOND_DIFFERENCE;
     let known = differences.iter().filter(|d| **d > 0.0).count();

@@ -36,12 +36,12 @@ impl Rect {
         }
     }
 
-    /// How many pixels it has.
+    /// Number of pixels.
     pub fn pixels(self) -> usize {
         self.width.saturating_mul(self.height)
     }
 
-    /// Whether it has pixels and all of them are in another rectangle.
+    /// True if it has pixels and all of them are in another rectangle.
     pub(crate) fn is_inside(self, other: Self) -> bool {
         let fits = |at: usize, size: usize, from: usize, room: usize| {
             let end = at.checked_add(size);

@@ -1,4 +1,4 @@
-//! What the pixels of a rectangle have in common: mean, spread and extremes of every band.
+//! Statistics of the pixels in a rectangle: mean, spread and extremes of every band.
 
 use super::{cube::Cube, rect::Rect, sampled::Sampled};
 

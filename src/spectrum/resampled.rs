@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 use super::composite::Composite;
 use super::{band::Band, basis::Basis, basis::Series, line::Line};
 
-/// How many points a product is formed on.
+/// Number of points on which a product is formed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Sampling {
@@ -94,7 +94,7 @@ impl SampleGrid {
         self.band.length_nm() / self.points as f64
     }
 
-    /// Where sample `i` stands, nm. For Fourier `i = points` is the period's other end, whose
+    /// Wavelength of sample `i`, nm. For Fourier `i = points` is the period's other end, whose
     /// value equals the first one's (Eq. 15 written with i = 0 ..= 2N+1).
     pub fn nm(self, i: usize) -> f64 {
         let offset = match self.basis {
@@ -143,8 +143,8 @@ impl SampleGrid {
             .collect()
     }
 
-    /// What takes values on the grid to the value of the series through them at a place, so that
-    /// weighing a spike is one sum of products.
+    /// Row that maps values on the grid to the value at a place of the series through them, so that
+    /// weighting a spike is one sum of products.
     pub fn row_at(self, at_nm: f64) -> Vec<f64> {
         (0..self.points)
             .map(|i| {
@@ -225,7 +225,7 @@ impl SampleGrid {
         }
     }
 
-    /// What a discrete sum is multiplied by to become a coefficient.
+    /// Factor that turns a discrete sum into a coefficient.
     fn projection_scale(self, k: usize) -> f64 {
         let m = self.points as f64;
         let nyquist =
@@ -242,7 +242,7 @@ impl SampleGrid {
 /// A spiky spectrum on a sample grid: values and spikes side by side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resampled {
-    /// Where the values stand.
+    /// Sample grid of the values.
     pub grid: SampleGrid,
     /// One value per point.
     pub values: Vec<f64>,

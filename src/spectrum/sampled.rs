@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::{band::Band, formula::Formula};
 
-/// How a table continues outside its first and last wavelength.
+/// Extrapolation of a table beyond its first and last wavelength.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outside {
     /// Zero: a light emits nothing where nothing was measured.
@@ -192,7 +192,7 @@ impl Sampled {
         })
     }
 
-    /// Whether all steps are the same to the rounding of a table (3.333 nm written 373, 377, 380):
+    /// True if all steps are uniform to the rounding of a table (3.333 nm written 373, 377, 380):
     /// within a thousandth of a nm, or a millionth of the step.
     pub(crate) fn has_even_steps(&self) -> bool {
         *self.axis.is_even.get_or_init(|| {

@@ -21,7 +21,7 @@ use super::{
     noise::Noise,
 };
 
-/// What the detector is asked for.
+/// Settings of the detector.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpikeSettings {
     /// Least share of the total power that a spike must carry, 0-1 (0.005 is the default 0.5 %).
@@ -56,14 +56,14 @@ pub struct FoundSpike {
     pub window_nm: [f64; 2],
 }
 
-/// What a line takes out of a spectrum when it becomes a spike.
+/// The part of a spectrum that a line removes when it becomes a spike.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LineShape {
     /// The spike that stands for it.
     pub spike: Line,
     /// Index of the first grid point it takes something from.
     pub first: usize,
-    /// What it takes from that grid point and those after it; negative for an absorption line.
+    /// Values removed from that grid point and those after it; negative for an absorption line.
     pub residue: Vec<f64>,
 }
 
@@ -83,7 +83,7 @@ impl LineShape {
     }
 }
 
-/// What a person's edits ask of a detector.
+/// Constraints that manual edits place on a detector.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Wishes<'a> {
     /// Places (nm) whose line stays in the smooth part.
@@ -96,7 +96,7 @@ pub struct Wishes<'a> {
 /// A spectrum taken apart on its grid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Decomposition {
-    /// What is left for the smooth part, one value per grid point.
+    /// Values left for the smooth part, one per grid point.
     pub smooth: Vec<f64>,
     /// The lines, by rising wavelength.
     pub spikes: Vec<FoundSpike>,
@@ -125,7 +125,7 @@ pub(crate) fn absolute_power(band: Band, values: &[f64]) -> f64 {
 
 /// A line may measure this much wider than asked for: its hull baseline is not exact.
 const WIDTH_TOLERANCE: f64 = 1.05;
-/// How far from a wished place a line may stand.
+/// Greatest distance of a line from a requested place, nm.
 const WISH_REACH_NM: f64 = 3.0;
 /// A line taken by wish may be this wide even when the detector looks for narrower ones.
 const WIDEST_WISHED_NM: f64 = 20.0;
@@ -167,8 +167,8 @@ pub fn detect_shapes(
     (parts, shapes)
 }
 
-/// What the dips of a factor take out of it, the first first: it has no lines that stand up, and
-/// what does between two dips is none.
+/// The parts that a factor's dips remove from it, in the order found: a factor has no emission
+/// lines, and a peak between two dips is not one.
 pub(super) fn dip_shapes(band: Band, values: &[f64], settings: SpikeSettings) -> Vec<LineShape> {
     let mut parts = Decomposition::untouched(band, values);
     let mut shapes = Vec::new();
@@ -333,7 +333,7 @@ pub(super) fn take_window(
 }
 
 impl FoundSpike {
-    /// Whether a place belongs to this line: within reach of its centroid and inside its window.
+    /// True if a place belongs to this line: within reach of its centroid and inside its window.
     pub(crate) fn covers(&self, at_nm: f64) -> bool {
         (self.spike.at_nm - at_nm).abs() <= WISH_REACH_NM
             && (self.window_nm[0]..=self.window_nm[1]).contains(&at_nm)

@@ -1,4 +1,4 @@
-//! What to buy with the next numbers: one more order, one more spike, or widths.
+//! Auction of the next numbers: one more order, one more spike, or widths.
 //!
 //! An order and a spike cost two numbers each. One number alone buys that lines are as wide as they
 //! are: it says so of all of them, since a width shares a word with its line's place. From order 0
@@ -23,14 +23,14 @@ use super::{
 };
 use crate::spectrum::{Basis, Line, LineShape, numbers_of_order};
 
-/// What is auctioned.
+/// Terms of an auction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Terms {
     /// Functions of the smooth part.
     pub basis: Basis,
-    /// Whether the subject's own colour is made exact.
+    /// True if the subject's own colour is made exact.
     pub colour_exact: bool,
-    /// What is to be made small.
+    /// Goal to minimise.
     pub goal: Goal,
     /// Most numbers that may be spent.
     pub numbers: usize,
@@ -50,9 +50,9 @@ pub enum Purchase {
 /// One step of the path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
-    /// What was bought; nothing in the first step, which is order 0.
+    /// Purchases of this step; empty in the first step, which is order 0.
     pub bought: Vec<Purchase>,
-    /// What was given back for it.
+    /// Purchases given back in exchange.
     pub gave_back: Vec<Purchase>,
     /// Numbers spent so far.
     pub numbers: usize,
@@ -63,13 +63,13 @@ pub struct Step {
     pub order: usize,
     /// The lines that are spikes, heaviest first, as indices into [`Auction::lines`].
     pub lines: Vec<usize>,
-    /// Whether the lines are as wide as they are.
+    /// True if the lines have their own widths.
     pub wide: bool,
     /// Every figure of the model.
     pub verdict: Verdict,
 }
 
-/// How an auction ended.
+/// Reason for the end of an auction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ended {
     /// The budget was spent, or less than two numbers were left.
@@ -98,7 +98,7 @@ pub struct Auction {
     pub with: Vec<Bid>,
     /// No spikes, every order that the budget allows.
     pub without: Vec<Bid>,
-    /// How it ended.
+    /// Reason for its end.
     pub ended: Ended,
 }
 
@@ -115,7 +115,7 @@ const SINGLY: usize = 24;
 /// Models of each price whose single purchases are all tried.
 const FOLLOWED: usize = 8;
 
-/// What was bought stays bought while the best model is better by less than this share.
+/// Least improvement, as a share, for which the best model replaces one that keeps past purchases.
 const LOYALTY: f64 = 0.05;
 
 /// Errors closer than this share of the one at order 0 are equal but for rounding.
@@ -208,7 +208,7 @@ impl Choice {
     }
 }
 
-/// What is for sale: the spectrum with its lines ideal, and with those that have a width as bells.
+/// Models for sale: the spectrum with its lines ideal, and with those that have a width as bells.
 struct Stock<'a> {
     ideal: ProjectedSpectrum,
     wide: ProjectedSpectrum,
@@ -230,7 +230,7 @@ impl<'a> Stock<'a> {
         self.bells.get(line)?.as_ref()
     }
 
-    /// Whether a model is one: widths are sold with a line that has one.
+    /// True if a model is for sale: widths are sold with a line that has one.
     fn has(&self, choice: &Choice) -> bool {
         !choice.wide || choice.lines.iter().any(|line| self.bell(*line).is_some())
     }

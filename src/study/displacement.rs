@@ -1,4 +1,4 @@
-//! How far a model's light is from its right place, in nm: a figure that ideal lines do not upset.
+//! Wasserstein distance of a model's light from the measured one, in nm; robust to ideal lines.
 //!
 //! With the running sums of power of the measured spectrum and of the model, each over its own
 //! total so that both go from 0 to 1,

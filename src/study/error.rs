@@ -1,4 +1,4 @@
-//! How far a model is from the spectrum it stands for.
+//! Errors of a model against the spectrum it represents.
 //!
 //! With `m` the measured spectrum on the 1 nm grid and `d` the model (each spike split linearly
 //! over its two neighbouring nm) minus `m`:

@@ -1,4 +1,4 @@
-//! What a model is to be good at.
+//! The goal that a model is optimised for.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,7 +8,7 @@ use super::{
 };
 use crate::spectrum::Line;
 
-/// What is to be made small: a weighted mix of four errors, each over its value at order 0.
+/// Objective to minimise: a weighted mix of four errors, each over its value at order 0.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Goal {
@@ -64,7 +64,7 @@ impl Goal {
         ("filters", Self::FILTERS),
     ];
 
-    /// What the plain goals make small, in the order of [`Goal::PLAIN`].
+    /// Measures that the plain goals minimise, in the order of [`Goal::PLAIN`].
     pub(crate) const MEASURES: [Measure; 4] = [
         Measure::Own,
         Measure::Patches,

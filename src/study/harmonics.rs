@@ -49,14 +49,14 @@ pub struct Question<'a> {
     pub table: &'a BasisTable,
     /// Coefficients of the smooth part in prefix order, in the spectrum's own unit.
     pub coefficients: &'a [f64],
-    /// What was taken out of the spectrum before the fit.
+    /// Lines removed from the spectrum before the fit.
     pub spikes: &'a [Line],
     /// The spectrum as measured, on the grid of the table's band.
     pub measured: &'a [f64],
-    /// What X, Y and Z weigh the spectrum with, on the same grid.
+    /// Weights of the spectrum for X, Y and Z, on the same grid.
     pub weights: &'a Weights,
-    /// Whether the weights are the colour-matching functions and nothing else: only then does
-    /// the Gaussian fit of Table 2 (made for CIE 1931) stand beside them.
+    /// True if the weights are the colour-matching functions and nothing else: only then is the
+    /// Gaussian fit of Table 2 (made for CIE 1931) given beside them.
     pub plain_colour_matching: bool,
 }
 
@@ -74,7 +74,7 @@ pub struct Number {
     /// Those of the Gaussian fit (Eq. 10); for plain colour-matching functions in the Fourier
     /// basis.
     pub gaussian: Option<[f64; 3]>,
-    /// What the number adds to X, Y and Z, in value x nm.
+    /// Contribution of the number to X, Y and Z, in value x nm.
     pub contribution: [f64; 3],
 }
 
@@ -90,17 +90,17 @@ pub struct Order {
     pub weights: [[f64; 2]; 3],
     /// The same of the Gaussian fit (Eq. 10), where [`Number::gaussian`] is there.
     pub gaussian: Option<[[f64; 2]; 3]>,
-    /// What the order adds to X, Y and Z, in value x nm.
+    /// Contribution of the order to X, Y and Z, in value x nm.
     pub contribution: [f64; 3],
     /// X, Y and Z of the spikes and all orders up to this one, in value x nm.
     pub running: [f64; 3],
-    /// What is truly neglected beyond this order, `(exact - running) / exact`; `None` where the
-    /// exact value is not positive. Counts in what it costs to reduce lines of some width to
-    /// spikes, which no order makes good.
+    /// Share actually neglected beyond this order, `(exact - running) / exact`; `None` where the
+    /// exact value is not positive. Includes the cost of reducing lines of some width to spikes,
+    /// which no order makes good.
     pub neglected: [Option<f64>; 3],
     /// The paper's measure, `|term n| / |term 0|` of the smooth part; `None` without a term 0.
     pub share_of_first: [Option<f64>; 3],
-    /// What Eq. 12 says that share stays below; from order 1 on, where the Gaussian fit applies.
+    /// Bound on that share by Eq. 12; from order 1 on, where the Gaussian fit applies.
     pub bound: Option<Bound>,
     /// `n sqrt(a_n^2 + b_n^2) / |a0|`: at most 1 where the light falls as Eq. 11 asks. From order
     /// 1 on, for the Fourier basis with a constant term.
@@ -126,7 +126,7 @@ pub struct SlowestFall {
 }
 
 impl SlowestFall {
-    /// Whether the light meets Eq. 11, so that Eq. 12 holds for it.
+    /// True if the light satisfies Eq. 11, so that Eq. 12 holds for it.
     pub(crate) fn meets_eq_11(self) -> bool {
         self.fall <= 1.0
     }
@@ -135,7 +135,7 @@ impl SlowestFall {
 /// The coefficients of a spectrum and of what weighs it, and how X, Y, Z add up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Harmonics {
-    /// Where the series live.
+    /// Band on which the series are defined.
     pub band: Band,
     /// Their functions.
     pub basis: Basis,
@@ -143,11 +143,11 @@ pub struct Harmonics {
     pub numbers: Vec<Number>,
     /// Order by order from 0 on.
     pub orders: Vec<Order>,
-    /// What the spikes add to X, Y and Z, in value x nm; in every running sum.
+    /// Contribution of the spikes to X, Y and Z, in value x nm; in every running sum.
     pub spikes: [f64; 3],
     /// X, Y and Z of the measured spectrum over the band, in value x nm.
     pub exact: [f64; 3],
-    /// Where the light falls most slowly; `None` where [`Order::fall`] is nowhere there.
+    /// Order at which the light falls most slowly; `None` where no order has an [`Order::fall`].
     pub slowest_fall: Option<SlowestFall>,
 }
 

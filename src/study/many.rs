@@ -18,7 +18,7 @@ use crate::spectrum::{Basis, SpikeSettings, numbers_of_order};
 pub struct SweptLight {
     /// Its name.
     pub name: String,
-    /// What it is listed under.
+    /// Class under which it is listed.
     pub class: String,
     /// All orders of the first way, then of the next.
     points: Vec<SweepPoint>,
@@ -48,7 +48,7 @@ impl SweptLight {
 pub struct ManyLights {
     /// Those that shine in the range.
     pub lights: Vec<SweptLight>,
-    /// How many do not, and are left out.
+    /// Number of lights that do not, and are left out.
     pub dark: usize,
     /// Highest order looked at.
     pub highest_order: usize,

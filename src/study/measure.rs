@@ -67,7 +67,7 @@ impl Measure {
         all.filter(|measure| Self::COMPARED.contains(measure))
     }
 
-    /// Whether it counts CIEDE2000; otherwise it is a share of the spectrum.
+    /// True if it is a CIEDE2000; otherwise it is a share of the spectrum.
     pub(crate) const fn is_colour(self) -> bool {
         matches!(
             self,
@@ -80,7 +80,7 @@ impl Measure {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ByMeasure<T>([T; Measure::ALL.len()]);
 
-/// What one model is off by; a figure that does not exist, or was not asked for, is `None`.
+/// Errors of one model; a figure that does not exist, or was not requested, is `None`.
 pub type Verdict = ByMeasure<Option<f64>>;
 
 impl<T> ByMeasure<T> {

@@ -10,13 +10,13 @@ use std::{
 
 use super::progress::Progress;
 
-/// How many processors there are.
+/// Number of processors.
 pub(crate) fn processors() -> usize {
     thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// What `work` makes of each item, in the order given, on `threads` threads, a step of progress an
-/// item. `None` when cancelled.
+/// Applies `work` to each item on `threads` threads, one step of progress per item; results are in
+/// the order given. `None` when cancelled.
 pub(crate) fn in_parallel<T: Sync, R: Send>(
     items: &[T],
     threads: usize,

@@ -105,7 +105,7 @@ impl ProjectedSpectrum {
         }
     }
 
-    /// How many lines may become spikes.
+    /// Number of lines that may become spikes.
     pub fn lines(&self) -> usize {
         self.lines.len()
     }

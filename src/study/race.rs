@@ -44,7 +44,7 @@ pub(crate) use super::{
 /// A light ready to race.
 struct Entrant {
     reference: Reference,
-    /// What took no part in any choice.
+    /// Reference for the measures that take no part in any choice.
     check: Reference,
     /// The light with 1 as its largest value.
     lamp: Lamp,
@@ -52,7 +52,7 @@ struct Entrant {
     projected: [ProjectedSpectrum; 2],
 }
 
-/// What all tasks share.
+/// State shared by all tasks.
 struct RaceContext<'a> {
     course: &'a RaceConfig,
     bases: [FitBasis; 2],
@@ -70,7 +70,7 @@ struct Reconstruction {
     lines: usize,
 }
 
-/// What reflectances are beside lights of known lamps and wide lines.
+/// Fit of the reflectances that accompany lights of known lamps and wide lines.
 const COLOUR_EXACT: FitVariant = FitVariant::new(Basis::Cosine, false, true);
 
 /// Runs the race on all processors; `None` when it was cancelled or no light shines.

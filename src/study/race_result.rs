@@ -1,4 +1,4 @@
-//! Who races, on what, and what a race gave: runs, spreads, rows and winners.
+//! Racers, the set-up of a race and its results: runs, spreads, rows and winners.
 
 use std::{fmt::Debug, sync::Arc};
 
@@ -14,7 +14,7 @@ use crate::{
     spectrum::SpikeSettings,
 };
 
-/// Who races.
+/// A competitor in the race.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Racer {
     /// A composite, or its smooth part alone.
@@ -30,7 +30,7 @@ pub enum Racer {
 }
 
 impl Racer {
-    /// What an [`Encode`] makes of a light.
+    /// Racers that an [`Encode`] produces from a light.
     pub(crate) const ENCODED: [Self; 2] = [Self::WideLines, Self::KnownLamps];
 
     /// Everybody, composites first.
@@ -65,7 +65,7 @@ impl Racer {
         }
     }
 
-    /// Whether fewer numbers are a prefix of more: one fit, truncated at will. With spikes the
+    /// True if fewer numbers are a prefix of more: one fit, truncated at will. With spikes the
     /// smooth part's numbers depend on which lines were taken out.
     pub(crate) fn is_prefix(self) -> bool {
         match self {
@@ -77,7 +77,7 @@ impl Racer {
         }
     }
 
-    /// Whether its numbers mean nothing without a table that is not counted among them.
+    /// True if its numbers are meaningless without a table that is not counted among them.
     pub(crate) fn needs_table(self) -> bool {
         match self {
             Self::KnownLamps => true,
@@ -121,7 +121,7 @@ pub struct RaceConfig {
     pub lights: Arc<Training>,
     /// Components for reflectances, trained without patches and check.
     pub reflectances: Arc<PrincipalBasis>,
-    /// How lines are looked for.
+    /// Settings of the line detector.
     pub spikes: SpikeSettings,
     /// Encodes for [`Racer::ENCODED`], who do not race without it.
     pub encoder: Option<Arc<dyn Encode>>,
@@ -129,7 +129,7 @@ pub struct RaceConfig {
     pub budgets: Vec<usize>,
 }
 
-/// How one racer did on one light at one count.
+/// Result of one racer on one light at one count.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Run {
     /// Numbers it took, at most the budget.
@@ -144,7 +144,7 @@ pub struct Run {
     pub check_filters: Option<f64>,
 }
 
-/// What a racer costs at one count, measured in this run on [`Race::cost_of`].
+/// Cost of a racer at one count, measured in this run on [`Race::cost_of`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cost {
     /// Bytes of the stored numbers of one spectrum.
@@ -189,7 +189,7 @@ pub struct Row {
     pub check: Option<Spread>,
     /// Share of the lights that dip below -0.1 % of their peak.
     pub negative_lobes: f64,
-    /// What it costs; nothing of its own for [`Racer::Chosen`].
+    /// Its cost; [`Racer::Chosen`] has none of its own.
     pub cost: Option<Cost>,
 }
 
@@ -197,12 +197,12 @@ pub struct Row {
 const A_LOBE: f64 = 1e-3;
 
 impl Race {
-    /// How a racer did on a light at a count, by their places.
+    /// Run of a racer on a light at a count, by their indices.
     pub fn run(&self, lamp: usize, budget: usize, racer: usize) -> &Run {
         &self.runs[(lamp * self.budgets.len() + budget) * self.racers.len() + racer]
     }
 
-    /// What a racer costs at a count, by their places.
+    /// Cost of a racer at a count, by their indices.
     pub(crate) fn cost(&self, budget: usize, racer: usize) -> Option<Cost> {
         self.costs[budget * self.racers.len() + racer]
     }

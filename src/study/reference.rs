@@ -1,5 +1,5 @@
-//! What every model of one spectrum is measured by: its own colour, the patches, narrow filters
-//! and the spectrum itself.
+//! Reference for every model of one spectrum: its own colour, the patches, narrow filters and the
+//! spectrum itself.
 //!
 //! **Behind narrow filters**: Gaussian band-passes of 10 nm full width centred at 420, 430 ... 670
 //! nm, for what takes no part in a choice at 425, 435 ... 675 nm; the filter exact, both sides
@@ -39,7 +39,7 @@ const FIRST_NM: f64 = 420.0;
 /// The first of those that take no part in a choice, nm.
 const FIRST_CHECK_NM: f64 = 425.0;
 
-/// What light behind a narrow filter is brightened by; both Y in one unit.
+/// Gain for light behind a narrow filter; both Y in one unit.
 pub(crate) fn brightened(behind_y: f64, white_y: f64) -> f64 {
     (FILTER_Y * white_y / behind_y.max(0.0)).min(FILTER_Y / LEAST_SHARE)
 }
@@ -68,7 +68,7 @@ fn bandpasses(band: Band, observer: Observer, first_nm: f64) -> PatchSet {
     PatchSet::new(&filters, names, band, observer)
 }
 
-/// What is shared by all spectra that are judged on one band for one observer.
+/// Measures shared by all spectra that are judged on one band for one observer.
 #[derive(Clone, Debug)]
 pub struct Measures {
     /// The 10 nm blur.
@@ -118,7 +118,7 @@ pub(crate) fn scaled_to_one(values: &[f64]) -> Option<Vec<f64>> {
 pub struct Reference {
     measures: Arc<Measures>,
     measured: Vec<f64>,
-    /// What weighs the spectrum to X, Y, Z.
+    /// Weights of the spectrum for X, Y, Z.
     seen: Weights,
     white: Xyz,
     own: Option<Lab>,
@@ -189,13 +189,13 @@ impl Reference {
         &self.measured
     }
 
-    /// What weighs the spectrum to X, Y, Z on the grid: the colour-matching functions, for a
+    /// Weights of the spectrum for X, Y, Z on the grid: the colour-matching functions, for a
     /// reflectance times the light.
     pub fn seen(&self) -> &Weights {
         &self.seen
     }
 
-    /// Whether anything of it is seen.
+    /// True if any of the spectrum is visible.
     pub(crate) fn has_colour(&self) -> bool {
         self.own.is_some()
     }

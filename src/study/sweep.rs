@@ -17,15 +17,15 @@ use crate::spectrum::{
 /// The subject of a study on the band of its measures.
 #[derive(Clone, Debug)]
 pub struct Subject {
-    /// What it is judged by.
+    /// Measures by which it is judged.
     pub measures: Arc<Measures>,
     /// The spectrum on the band's grid.
     pub values: Vec<f64>,
     /// The light on the grid when the subject is a reflectance; `None` when it is a light.
     pub under: Option<Vec<f64>>,
-    /// How lines are looked for.
+    /// Settings of the line detector.
     pub spikes: SpikeSettings,
-    /// How wide lines are; without it all are ideal.
+    /// Function that gives lines their widths; without it all are ideal.
     pub bell: Option<BellOf>,
 }
 
@@ -38,7 +38,7 @@ pub(super) type BellOf = fn(Band, &LineShape, SpikeSettings) -> Option<LineShape
 pub struct Examined {
     /// The reference of the scaled spectrum.
     pub reference: Reference,
-    /// What each line takes out, heaviest first; the same scale.
+    /// Part of the spectrum that each line removes, heaviest first; the same scale.
     pub shapes: Vec<LineShape>,
     /// The bells of those that have a width; empty where all lines are ideal.
     pub bells: Vec<Option<LineShape>>,
@@ -148,7 +148,7 @@ impl Examined {
 /// One model of the sweep.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SweepPoint {
-    /// How it is fitted.
+    /// Method of the fit.
     pub way: FitVariant,
     /// Order N.
     pub order: usize,
@@ -156,11 +156,11 @@ pub struct SweepPoint {
     pub spikes: usize,
     /// Numbers it takes, `2N + 1 + 2M`.
     pub numbers: usize,
-    /// What it is off by.
+    /// Its errors.
     pub verdict: Verdict,
 }
 
-/// What the threshold changes, with one basis and fit.
+/// Effect of the threshold, with one basis and fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ThresholdMap {
     /// Thresholds, percent of the power, rising.
@@ -169,7 +169,7 @@ pub struct ThresholdMap {
     pub spikes: Vec<usize>,
     /// Highest order; the orders are 0 to this.
     pub highest_order: usize,
-    /// What each model is off by: all orders of the first threshold, then of the next.
+    /// Errors of each model: all orders of the first threshold, then of the next.
     pub verdicts: Vec<Verdict>,
 }
 

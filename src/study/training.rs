@@ -28,7 +28,7 @@ pub struct Training {
     schools: Vec<School>,
 }
 
-/// What was learned from some of the spectra.
+/// Components learned from some of the spectra.
 #[derive(Clone, Debug)]
 struct School {
     /// One basis a fold, trained on the other folds.
@@ -48,7 +48,7 @@ pub struct Lamp {
 }
 
 impl Lamp {
-    /// Whether any of its values is above zero: what is below shines on nothing.
+    /// True if any of its values is above zero: negative ones illuminate nothing.
     pub fn shines(&self) -> bool {
         self.values.iter().any(|value| *value > 0.0)
     }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::spectrum::Basis;
 
-/// How a composite is fitted, whatever it costs.
+/// Method of fitting a composite, regardless of its cost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct FitVariant {
     /// Functions of the smooth part.

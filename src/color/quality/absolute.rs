@@ -1,4 +1,4 @@
-//! What absolute values mean: lux and the like, and photons.
+//! Absolute figures of a light: lux and the like, and photons.
 
 use super::{
     light::Light,
@@ -20,12 +20,12 @@ pub enum Radiometric {
     Intensity,
 }
 
-/// What a light's values measure.
+/// Quantity and unit of a light's values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
     /// The quantity.
     pub what: Radiometric,
-    /// What turns a value into the quantity's unit of W, m, sr and nm.
+    /// Factor that converts a value to the quantity's unit of W, m, sr and nm.
     pub factor: f64,
 }
 
@@ -51,10 +51,10 @@ impl Radiometric {
     }
 }
 
-/// What a light with a unit amounts to.
+/// Absolute figures of a light with a unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Absolute {
-    /// What was measured.
+    /// The quantity measured.
     pub what: Radiometric,
     /// Lux for an irradiance; cd/m², lm or cd else.
     pub photometric: f64,
@@ -66,7 +66,7 @@ pub struct Absolute {
     pub eppfd: f64,
 }
 
-/// What a light amounts to, its values being `measured`.
+/// Computes the absolute figures of a light whose values are `measured`.
 ///
 /// # Errors
 /// [`NoFigure`] when there is no light, the unit does not say what is measured, or the numbers are

@@ -23,7 +23,7 @@ const VIOLET_END_NM: f64 = 400.0;
 /// Above this wavelength the locus hardly moves, nm.
 const RED_END_NM: f64 = 690.0;
 
-/// How far beyond the ends of a segment a ray may meet it by rounding, as a share of it.
+/// Rounding tolerance for a ray that meets a segment beyond its ends, as a share of the segment.
 const SLACK: f64 = 1e-9;
 
 /// The hue of a light.
@@ -33,7 +33,7 @@ pub struct Dominant {
     pub nm: Result<f64, NoFigure>,
     /// Excitation purity: 0 at the white, 1 at the border. More than 1 only by negative samples.
     pub purity: f64,
-    /// Where the ray meets the border, xy.
+    /// Intersection of the ray with the border, xy.
     pub border_xy: [f64; 2],
 }
 
@@ -86,7 +86,7 @@ fn on_locus(away: [f64; 2]) -> Option<(f64, f64)> {
     hits.max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// Where the ray from the white meets a segment: share of the segment and reach of the ray.
+/// Intersects the ray from the white with a segment: share of the segment and reach of the ray.
 fn meets(away: [f64; 2], from: [f64; 2], to: [f64; 2]) -> Option<(f64, f64)> {
     let [px, py] = [from[0] - WHITE[0], from[1] - WHITE[1]];
     let [qx, qy] = [to[0] - from[0], to[1] - from[1]];

@@ -45,7 +45,7 @@ pub struct Fidelity {
     pub samples: Vec<f64>,
     /// The hue bins; `None` where no sample has that hue under the reference.
     pub bins: [Option<HueBin>; BINS],
-    /// What it was compared with.
+    /// The reference it was compared with.
     pub reference: Reference,
     /// The light itself (CIE 1964, Y = 100).
     pub test_white: Xyz,

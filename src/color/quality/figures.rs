@@ -50,7 +50,7 @@ pub struct Figures {
     pub shape: Result<Shape, NoFigure>,
     /// Lux and the like, where the unit says what is measured.
     pub absolute: Result<Absolute, NoFigure>,
-    /// What is to be known beside the figures, a sentence each.
+    /// Remarks on the figures, a sentence each.
     pub notes: Vec<String>,
 }
 

@@ -21,7 +21,7 @@ pub struct HueBin {
     pub test_ab: [f64; 2],
     /// Point under the reference, on the unit circle at its own hue.
     pub reference_ab: [f64; 2],
-    /// How many samples fall into the bin.
+    /// Number of samples in the bin.
     pub samples: usize,
     /// Mean colour of its samples under the light (CIE 1964, Y = 100 for the light).
     pub test_xyz: Xyz,
@@ -83,7 +83,7 @@ pub(crate) fn difference_of(index: f64) -> f64 {
     (100.0 - 10.0 * (index / 10.0).exp_m1().ln()) / FIDELITY_PER_UNIT
 }
 
-/// What is summed over a bin's samples.
+/// Sums over a bin's samples.
 #[derive(Clone, Copy, Default)]
 pub(super) struct BinSum {
     pub(super) samples: usize,

@@ -161,7 +161,7 @@ impl Light {
         &self.lines
     }
 
-    /// What 1 is in the source's own unit.
+    /// Factor from the values to the source's own unit.
     pub fn scale(&self) -> f64 {
         self.scale
     }

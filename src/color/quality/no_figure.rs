@@ -33,7 +33,7 @@ pub enum NoFigure {
         "expected a positive {sum}, found none: nothing visible, or negative samples outweigh the rest"
     )]
     NotPositive {
-        /// What was summed.
+        /// Name of the sum.
         sum: &'static str,
     },
     /// No correlated colour temperature, so no reference light.
@@ -64,7 +64,7 @@ pub enum NoFigure {
     /// The formula leaves its range for this light.
     #[error("out of the formula's range: {what}")]
     OutOfRange {
-        /// What broke.
+        /// Quantity or condition that failed.
         what: &'static str,
     },
     /// The unit does not say what is measured.
@@ -75,19 +75,19 @@ pub enum NoFigure {
     /// A line of no width has no height.
     #[error("a line of no width has no height; the heaviest stands at {heaviest_nm:.1} nm")]
     LineWithoutHeight {
-        /// Where the heaviest stands, nm.
+        /// Wavelength of the heaviest line, nm.
         heaviest_nm: f64,
     },
     /// More than one stretch reaches half of the maximum.
     #[error("{runs} separate stretches reach half of the maximum")]
     ManyRuns {
-        /// How many.
+        /// Number of stretches.
         runs: usize,
     },
     /// The stretch above half of the maximum touches an end of the table.
     #[error("still above half of the maximum at {at_nm} nm, where the table or the visible ends")]
     TouchesEnd {
-        /// Which end, nm.
+        /// Wavelength of that end, nm.
         at_nm: u32,
     },
     /// A reference light is dark in the range that is compared.

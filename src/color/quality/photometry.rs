@@ -12,7 +12,7 @@ use super::{
 /// the CIE table's peak at 555 nm reads 683.002.
 pub(crate) const LUMENS_PER_WATT: f64 = 683.002;
 
-/// What luminous efficacy of radiation is counted with: the rounded constant, by custom.
+/// Rounded constant used by convention for luminous efficacy of radiation, lm/W.
 pub(crate) const LUMENS_PER_WATT_ROUNDED: f64 = 683.0;
 
 /// The largest efficacy of scotopic vision, lm/W.

@@ -26,7 +26,7 @@ use super::{
 /// Number of test colours.
 pub(crate) const RENDERING_SAMPLES: usize = 15;
 
-/// What the test colours look like in daylight; the last is the skin complexion of JIS Z 8726.
+/// Appearance of the test colours in daylight; the last is the skin complexion of JIS Z 8726.
 pub(crate) const RENDERING_NAMES: [&str; RENDERING_SAMPLES] = [
     "light greyish red",
     "dark greyish yellow",
@@ -72,7 +72,7 @@ pub struct Rendering {
     pub ra: f64,
     /// R1 to R15 with the colours behind them (CIE 1931).
     pub samples: [RenderedSample; RENDERING_SAMPLES],
-    /// What it was compared with.
+    /// The reference it was compared with.
     pub reference: Reference,
     /// The light itself, Y = 100.
     pub test_white: Xyz,
@@ -88,7 +88,7 @@ impl Rendering {
         self.samples.map(|sample| sample.index)
     }
 
-    /// Whether the light is too far from its reference for CIE 13.3 to vouch for the index.
+    /// True if the light is too far from its reference for CIE 13.3 to vouch for the index.
     pub(crate) fn is_too_far(&self) -> bool {
         self.distance > FARTHEST_FROM_REFERENCE
     }

@@ -10,7 +10,7 @@ use super::{
 pub struct Peak {
     /// Whole nm of the largest value, the first of several.
     pub nm: u32,
-    /// Whether the table ends there, so that the light may be higher beyond.
+    /// True if the table ends there, so that the light may be higher beyond.
     pub is_at_end: bool,
 }
 
@@ -23,7 +23,7 @@ pub struct Width {
     pub middle_nm: f64,
 }
 
-/// What a light looks like as a curve.
+/// Shape of a light's curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
     /// The highest place; none for a model with lines, which have weight but no height.

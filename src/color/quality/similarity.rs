@@ -19,7 +19,7 @@ use super::{
 const BANDS: usize = 30;
 const BAND_NM: usize = 10;
 
-/// Where the first band begins, nm.
+/// Lower edge of the first band, nm.
 const FROM_NM: u32 = 375;
 
 /// From this temperature on the reference is daylight, K.
@@ -35,7 +35,7 @@ const BLUE_END: [f64; 5] = [
 ];
 const RED_END: [f64; 2] = [11.0 / 15.0, 3.0 / 15.0];
 
-/// What a light is compared with.
+/// The reference that a light is compared with.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SimilarityReference {
     /// A blackbody of this temperature, K: `P2856`.

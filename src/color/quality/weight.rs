@@ -1,4 +1,4 @@
-//! What a light is weighed by: tables on whole nm, read once from the shipped presets.
+//! Weighting functions for lights: tables on whole nm, read once from the shipped presets.
 
 use crate::{
     color::observer,

@@ -15,7 +15,7 @@ const COSINES: usize = 61;
 /// A channel: a light of unit power in 360-830 nm, to be weighed; behind a filter of less.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Channel {
-    /// What it is, in words.
+    /// Its specification, in words.
     pub spec: Spec,
     /// Power a nm on 360-830; a line is split over its two neighbours.
     pub values: Vec<f64>,
@@ -87,7 +87,7 @@ pub fn mixed(channels: &[Channel], weights: &[f64]) -> Vec<f64> {
     sum
 }
 
-/// Where 380-780 nm stand among the whole nm of 360-830.
+/// Index range of 380-780 nm within the whole nm of 360-830.
 fn within_composite() -> std::ops::Range<usize> {
     let first = (Band::VISIBLE.min_nm() - f64::from(crate::color::xyz::FIRST_NM)) as usize;
     first..first + Band::VISIBLE.points()

@@ -11,7 +11,7 @@ pub enum MixError {
     Spec {
         /// The words.
         found: String,
-        /// What they should have been.
+        /// The form expected of them.
         expected: String,
     },
     /// A light of a channel has no power in 360-830 nm, or less than none.
@@ -23,15 +23,15 @@ pub enum MixError {
     /// No channel, or too many.
     #[error("channels: expected 1 to {}, found {found}", MOST_CHANNELS)]
     Channels {
-        /// How many.
+        /// The number found.
         found: usize,
     },
     /// A target that is no colour.
     #[error("target: expected {expected}, found {found}")]
     Target {
-        /// What it was.
+        /// The target found.
         found: String,
-        /// What it should have been.
+        /// The form expected of it.
         expected: String,
     },
     /// A floor or a figure that is not known.

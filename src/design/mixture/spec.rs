@@ -28,7 +28,7 @@ const WIDTHS_NM: [f64; 2] = [1.0, 400.0];
 /// Greatest weight: beside it the least is still a share that can be told.
 const MOST_WEIGHT: f64 = 1e9;
 
-/// What a channel is made of.
+/// The source of a channel's light.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Source {
@@ -63,7 +63,7 @@ pub enum Source {
 pub struct Spec {
     /// The words, without the weight.
     pub words: String,
-    /// What it is made of.
+    /// The source of its light.
     pub source: Source,
     /// Its power where that is fixed.
     pub fixed: Option<f64>,

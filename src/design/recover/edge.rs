@@ -8,8 +8,8 @@ pub(super) fn white<const M: usize>(columns: &[[f64; M]; NODES]) -> [f64; M] {
     combined(columns, &[1.0; NODES])
 }
 
-/// How far the way from grey goes before it reaches the edge of what a surface can do, as a
-/// multiple of `away`, and the reflectance there.
+/// Distance from grey to the edge of possible surface colours, as a multiple of `away`, and the
+/// reflectance there.
 pub(super) fn edge_behind<const M: usize>(
     columns: &[[f64; M]; NODES],
     grey: [f64; M],

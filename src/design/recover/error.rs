@@ -31,7 +31,7 @@ pub enum RecoverError {
     Colours {
         /// The method.
         method: Method,
-        /// How many it was given.
+        /// The number of colours given.
         found: usize,
     },
     /// The two lights tell the same of every surface.
@@ -52,7 +52,7 @@ pub enum RecoverError {
     /// No lines, or too many.
     #[error("lines: expected 1 to 32, found {found}")]
     Lines {
-        /// How many.
+        /// The number of lines found.
         found: usize,
     },
     /// The background has no power in 380-780 nm, or less than none.

@@ -43,7 +43,7 @@ impl Method {
         }
     }
 
-    /// What colours it takes, in words.
+    /// The colours it takes, in words.
     pub(super) fn colours_words(self) -> &'static str {
         match self {
             Self::Smoothest => "a colour, or two under two lights",

@@ -66,7 +66,7 @@ pub struct ColourPicture<'a> {
     pub pixels: Encoded<'a>,
 }
 
-/// What became of a picture.
+/// Pixel counts of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PictureCount {
     /// Pixels.
@@ -182,7 +182,7 @@ struct Solved {
     possible: bool,
 }
 
-/// What all pixels share.
+/// Data shared by all pixels.
 struct Solver<'a> {
     viewing: &'a Viewing,
     /// Per band the node on its left and the share of the next one.

@@ -1,4 +1,4 @@
-//! Which colours a surface can have, and the nearest one to a colour that none can.
+//! The colours that surfaces can have, and the nearest one to a colour that none can have.
 //!
 //! Under a light the colours of all reflectances of 0-1 are a convex body, the optimal-colour
 //! solid (Schrödinger 1920, MacAdam 1935). Nearest means least CIE 1976 difference in L\*a\*b\*
@@ -22,12 +22,12 @@ const MOST_TURNS: usize = 60;
 /// A turn that moves no L\*a\*b\* number by more ends the search.
 const STILL: f64 = 1e-9;
 
-/// How near a surface's colours must come to those asked for, white = 1: a thousand times finer
-/// than any colour is known.
+/// Feasibility tolerance on a surface's colours, white = 1: a thousand times finer than any colour
+/// is known.
 const POSSIBLE: f64 = 1e-9;
 
-/// Whether some reflectance of 0-1 has these colours (white = 1). At the very edge of what surfaces
-/// can have, rounding stops the simplex method short, so that only two methods together say no.
+/// True if some reflectance of 0-1 has these colours (white = 1). At the very edge of possible
+/// colours rounding stops the simplex method short, so only two methods together reject a colour.
 pub(super) fn is_possible<const M: usize>(columns: &[[f64; M]; NODES], target: [f64; M]) -> bool {
     let mut programme = Programme::new(&columns[..], &[1.0; NODES], target);
     if programme.corner().is_ok() {

@@ -1,5 +1,5 @@
-//! What a recovered reflectance would look like under other lights, and how well a colour tells a
-//! real surface.
+//! Predicted colours of a recovered reflectance under other lights, and its error against a real
+//! surface.
 
 use super::{recovered::Recovered, recovered::Reflectance, viewing::BAND, viewing::Viewing};
 use crate::{
@@ -14,7 +14,7 @@ pub struct Prediction {
     pub light: String,
     /// XYZ, Y = 100 for the light.
     pub xyz: Xyz,
-    /// How a screen shows it.
+    /// Its colour on a screen.
     pub swatch: Swatch,
 }
 
@@ -35,7 +35,7 @@ pub fn predictions(
     lights.iter().map(one).collect()
 }
 
-/// How far a recovered reflectance is from the real one whose colour it was made from.
+/// Error of a recovered reflectance against the real one whose colour it was made from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Told {
     /// Root of the mean squared difference over the whole nm of 380-780.

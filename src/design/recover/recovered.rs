@@ -26,7 +26,7 @@ pub struct Seen<'a> {
 /// A reflectance made from one colour or two.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recovered {
-    /// How it was made.
+    /// The method used.
     pub method: Method,
     /// The reflectance; nothing keeps a Fourier series in 0-1.
     pub reflectance: Reflectance,
@@ -132,7 +132,7 @@ impl Recovered {
         }
     }
 
-    /// Whether every value lies in 0-1 (to rounding of the last digits of a series).
+    /// True if every value lies in 0-1 (to rounding of the last digits of a series).
     pub(crate) fn is_inside_0_1(&self) -> bool {
         let [lowest, highest] = self.reflectance.extent();
         lowest >= -1e-12 && highest <= 1.0 + 1e-12
@@ -219,7 +219,7 @@ impl Recovered {
     }
 }
 
-/// Whether some surface has these colours; false for another number of colours than one or two.
+/// True if some surface has these colours; false for any number of colours but one or two.
 pub(crate) fn can_be(seen: &[Seen<'_>]) -> bool {
     match seen {
         [_] => possible::is_possible::<3>(&columns_of(seen), target_of(seen)),

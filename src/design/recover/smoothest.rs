@@ -35,7 +35,7 @@ const FARTHEST: f64 = 19.0;
 /// A step this small was the last: the next one would be its square.
 const LAST_STEP: f64 = 1e-6;
 
-/// How exact the colours are met, white = 1: four digits below what dE00 .01 asks.
+/// Tolerance on the colours, white = 1: four digits finer than dE00 .01 requires.
 const EXACT: f64 = 1e-10;
 
 /// A pivot this small has no sign that is known.
@@ -53,7 +53,7 @@ const MOST_HALVINGS: usize = 24;
 /// Steps of z as small as this, where the diagonal has to grow, lead to a saddle.
 const NEAR_SADDLE: f64 = 0.05;
 
-/// What a saddle is left by: a wave that no node or border shares, in z.
+/// Amplitude, in z, of the push off a saddle: a wave that no node or border shares.
 const PUSH: f64 = 0.05;
 
 /// A colour this near to a grey is one: rounding of sums of 81 products, which no colour told in
@@ -63,7 +63,7 @@ const GREY: f64 = 1e-12;
 /// Smallest piece of the way from grey.
 const SHORTEST_WAY: f64 = 1.0 / 512.0;
 
-/// Where the mixture with the edge's reflectance starts, as a share of the way from grey.
+/// Start of the mixture with the edge's reflectance, as a share of the way from grey.
 const SAFE_SHARE: f64 = 0.999;
 
 /// A colour that is beyond the edge by no more than this share is on it but for rounding.
@@ -246,7 +246,7 @@ fn downwards<const M: usize>(
     None
 }
 
-/// What a state is judged by.
+/// Objective and residuals of a state.
 struct Measure {
     /// Half the sum of squared steps.
     squares: f64,
@@ -332,7 +332,7 @@ fn walked<const M: usize>(
     None
 }
 
-/// How far each number of the colours is from the target, white = 1.
+/// Residuals of the colours against the target, white = 1.
 fn missed<const M: usize>(
     columns: &[[f64; M]; NODES],
     target: &[f64; M],

@@ -12,7 +12,7 @@ use crate::{
     spectrum::{Band, Basis, Outside, Sampled, WORST_CONDITION, condition_number},
 };
 
-/// Where recovered reflectances are given.
+/// Band of recovered reflectances.
 pub(crate) const BAND: Band = Band::VISIBLE;
 
 /// Distance between nodes, nm.
@@ -87,7 +87,7 @@ impl Viewing {
         Self::unchecked(&values, observer)
     }
 
-    /// Whether a surface's colour under both is one: twice the same light, seen by one observer.
+    /// True if a surface has the same colour under both: twice the same light, for one observer.
     pub(crate) fn is_alike(&self, other: &Self) -> bool {
         self.columns == other.columns
     }

@@ -1,4 +1,4 @@
-//! What a designed light is scored by: Ra, Rf, Rg, luminous efficacy, melanopic ratio.
+//! The figures that score a designed light: Ra, Rf, Rg, luminous efficacy, melanopic ratio.
 //!
 //! All of them are functions of sums that are linear in the light. [`Scales`] holds those sums
 //! for each whole nm, for lights of one colour temperature (whose reference is then known), so that
@@ -265,7 +265,7 @@ fn sample_rows(samples: &[Vec<f64>], observer: Observer, first_nm: u32, last_nm:
     rows
 }
 
-/// Whether every sample has a value a nm.
+/// True if every sample has one finite value per nm.
 fn fits(samples: &[Vec<f64>]) -> bool {
     samples
         .iter()

@@ -1,4 +1,4 @@
-//! What efficacy is traded for along a front.
+//! The figures that efficacy is traded against along a front.
 
 use std::str::FromStr;
 

@@ -1,4 +1,4 @@
-//! What the edges of an interior method's room are worth, and how far a step stays inside.
+//! Dual variables of an interior-point method, and the share of a step that stays inside.
 
 use nalgebra::DVector;
 
@@ -9,7 +9,7 @@ const SHORT_OF_EDGE: f64 = 0.99;
 /// for a step to be Newton's, and no edge is forgotten.
 const PRICES_WITHIN: f64 = 1e3;
 
-/// What the edges are worth: multipliers of the unknowns and of the limits.
+/// The dual variables: multipliers of the unknowns and of the limits.
 pub(super) struct Duals {
     pub(super) unknowns: DVector<f64>,
     pub(super) limits: Option<Vec<f64>>,
@@ -48,7 +48,7 @@ impl Duals {
     }
 }
 
-/// How much of a step leaves every number positive, at most all of it.
+/// The share of a step that keeps every number positive, at most 1.
 pub(super) fn short_of_zero(from: &DVector<f64>, step: &DVector<f64>) -> f64 {
     let both = from.iter().zip(step.iter()).filter(|(_, s)| **s < 0.0);
     both.map(|(v, s)| -SHORT_OF_EDGE * v / s)

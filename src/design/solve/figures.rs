@@ -5,7 +5,7 @@ use crate::{
     design::scales::{Against, SampleTables, Scales, Sums},
 };
 
-/// What is to be known of a mixture; `None` for what does not exist.
+/// The figures of a mixture; `None` for those that do not exist.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MixFigures {
     /// CIE 1931, Y = 100.

@@ -27,7 +27,7 @@ const RANGE_NM: [f64; 2] = [400.0, 700.0];
 /// Worth of a light that misses its floor, or has no figure, is below this.
 const LEAST_WORTH: f64 = -1e5;
 
-/// Which front is wanted.
+/// Specification of a front.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrontWish {
     /// The colour of every light.

@@ -54,7 +54,7 @@ const SHORTEST_STEP: f64 = 1e-8;
 /// Share of the middle in a start that lies towards a corner: a fifth of the way from the edge.
 const OF_THE_MIDDLE: f64 = 0.2;
 
-/// What the extra unknown has above the limits at the start, so that it can be more than met.
+/// Excess of the extra unknown over the limits at the start, so that they can be more than met.
 const EASED_ABOVE: f64 = 2.0;
 
 /// A mixture without what it has nearly nothing of still has its colour to this, white = 1.
@@ -105,7 +105,7 @@ pub(super) struct Interior<'a> {
 struct Ask<'a> {
     goal: &'a Part,
     limits: &'a [Limit],
-    /// Whether the last unknown, less one, eases the limits.
+    /// True if the last unknown, less one, eases the limits.
     is_eased: bool,
 }
 
@@ -378,7 +378,7 @@ impl<'a> Interior<'a> {
         is_one.then_some(bare)
     }
 
-    /// What a place is worth, exactly.
+    /// Evaluates a place exactly: its unknowns, excess over the limits and goal.
     fn reached(&self, place: &DVector<f64>, goal: &Part, limits: &[Limit]) -> Option<Reached> {
         let value = |part: &Part| Some(self.parts.at(part, place, 0.0, false)?.value);
         let beyond = |limit: &Limit| Some((value(&limit.part)? - limit.most).max(0.0));

@@ -6,7 +6,7 @@ use crate::design::{
     small::{dot, solved},
 };
 
-/// How far a sum may be from its target, Y = 1: lines that nearly coincide have none.
+/// Tolerance on a sum against its target, Y = 1: lines that nearly coincide do not reach it.
 const ROUNDING: f64 = 1e-11;
 
 /// Turns of Newton's method; powers alone take one, and one more for each that reaches zero.

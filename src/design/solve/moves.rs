@@ -152,7 +152,7 @@ impl LineSearch<'_> {
         }
     }
 
-    /// Whether a change of its lines makes the light better; if so it is made.
+    /// True if a change of its lines improves the light; the change is then applied.
     fn changed(&self, light: &mut Light, floor: f64, change: impl Fn(&mut [Line])) -> bool {
         let mut lines = light.lines.clone();
         change(&mut lines);

@@ -1,4 +1,4 @@
-//! What is made small or kept below a limit, at a mixture: its value, slope and bend.
+//! A quantity to be minimised or kept below a limit: its value, slope and bend at a mixture.
 //!
 //! A mean of the sizes of samples' differences is nearly hollow upwards; its bend is taken from the
 //! slopes of the differences alone.
@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector};
 use super::polytope::Polytope;
 use crate::design::scales::{Against, Scales, Sums};
 
-/// What is made small, or kept below a limit.
+/// A quantity to be minimised or kept below a limit.
 #[derive(Clone, Debug)]
 pub(super) enum Part {
     /// A number a column of the polytope.
@@ -143,8 +143,8 @@ impl Parts<'_> {
         })
     }
 
-    /// How each sample's three differences change with its own X, Y, Z and with the light's: by
-    /// central differences, all samples at once, each of which knows no other.
+    /// Derivatives of each sample's three differences by its own X, Y, Z and by the light's:
+    /// central differences, all samples at once, each independent of the others.
     fn by_sums(&self, figure: Against, sums: &[f64], samples: usize) -> Option<Vec<[[f64; 6]; 3]>> {
         // A cube root of f64's rounding, of the light's Y: as exact as a central difference gets.
         let step = 6e-6 * sums[sums.len() - 2];

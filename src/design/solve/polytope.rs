@@ -5,7 +5,7 @@
 //! 683 Y - floor x power - slack = 0                    melanopic - floor x Y - slack' = 0
 //! ```
 //!
-//! What is fixed is one more channel, whose weight all others are divided by in the end: so every
+//! The fixed part is one more channel, by whose weight all others are divided in the end: so every
 //! mixture has Y = 1, and efficacy and melanopic ratio are greatest where a sum is.
 
 use crate::design::{
@@ -15,7 +15,7 @@ use crate::design::{
 
 const ROWS: usize = 5;
 
-/// What is fixed has at least this share of the power that 683 lm/W would take: else the best
+/// Least power of the fixed part, as a share of that which 683 lm/W would take: otherwise the best
 /// mixture would often be one that drowns it, however bright.
 const LEAST_FIXED: f64 = 1e-3;
 
@@ -144,7 +144,7 @@ impl Polytope {
     }
 }
 
-/// What a light adds to the equations.
+/// The terms that a light adds to the equations.
 fn rows(sums: &[f64; BASIC], [ler, melanopic]: [Option<f64>; 2]) -> [f64; ROWS] {
     let [x, y, z, mel, power] = *sums;
     let lumens = ler.map_or(0.0, |floor| y - floor / LUMENS_PER_WATT * power);

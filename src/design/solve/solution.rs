@@ -26,9 +26,9 @@ pub struct Solution {
     pub figures: MixFigures,
     /// Distance to the target in CIE 1976 u'v'; `None` without a target or a colour.
     pub delta_uv_to_target: Option<f64>,
-    /// Whether the colour and all floors are met.
+    /// True if the colour and all floors are met.
     pub reached: bool,
-    /// What was reached, or what stands in the way, in words.
+    /// The result reached, or the obstacle to it, in words.
     pub why: String,
 }
 

@@ -1,11 +1,11 @@
-//! What a mixture is to be best at.
+//! Objective, floors and search effort for a mixture.
 
 use serde::{Deserialize, Serialize};
 
 use super::target::Target;
 use crate::design::mixture::MixError;
 
-/// What to favour among the mixtures of the right colour.
+/// The objective among the mixtures of the right colour.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Objective {
@@ -38,7 +38,7 @@ impl Objective {
     }
 }
 
-/// How much is looked for where a figure of samples is favoured, or is a floor.
+/// Effort of the search where a figure of samples is favoured, or is a floor.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Care {
     /// From one start: for what is shown while something is dragged.
@@ -48,7 +48,7 @@ pub enum Care {
     Full,
 }
 
-/// What a mixture must not fall below.
+/// Lower bounds on a mixture's figures.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Floors {
@@ -93,24 +93,24 @@ impl Floors {
         }
     }
 
-    /// Whether a floor needs the samples.
+    /// True if a floor needs the samples.
     pub(super) fn of_samples(self) -> bool {
         self.rf.is_some() || self.ra.is_some()
     }
 }
 
-/// What is wished of a mixture.
+/// Requirements on a mixture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wish<'a> {
     /// Its colour; without one the weights are what is fixed, or one each.
     pub target: Option<Target>,
-    /// What it is to be best at.
+    /// Its objective.
     pub favour: Objective,
-    /// What it must not fall below.
+    /// Its lower bounds.
     pub floors: Floors,
     /// A light on whole nm 360-830 to come near to in the least squares, instead of a favour; the
     /// colour is met all the same.
     pub alike: Option<&'a [f64]>,
-    /// How much is looked for.
+    /// Effort of the search.
     pub care: Care,
 }

@@ -1,7 +1,7 @@
 //! Zip archives: members by name, unpacked in memory and never onto the disk.
 //!
 //! Every byte that comes out is counted: an archive that unfolds to more than its size allows is
-//! refused, whatever its directory says. Names are only compared, never used as paths.
+//! refused, regardless of its directory. Names are only compared, never used as paths.
 
 use std::io::{Cursor, Read};
 
@@ -10,15 +10,15 @@ use zip::ZipArchive;
 use super::guarded::guarded;
 use crate::io::{Input, ReadError, budget};
 
-/// Most members that are looked at.
+/// Most members that are examined.
 const MOST_MEMBERS: usize = 10_000;
 
-/// Whether bytes start as a zip archive.
+/// True if bytes start like a zip archive.
 pub(crate) fn is_zip(bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK\x03\x04")
 }
 
-/// Whether an archive names a member in its first or last part; a look, not a search.
+/// True if an archive names a member in its first or last part; a quick check, not a search.
 pub(crate) fn seems_to_hold(bytes: &[u8], name: &str) -> bool {
     is_zip(bytes) && names(bytes, name)
 }
@@ -31,7 +31,7 @@ pub(crate) fn names(bytes: &[u8], name: &str) -> bool {
     holds(head) || holds(tail)
 }
 
-/// An archive in memory and what may still come out of it.
+/// An archive in memory and the bytes that may still be unpacked.
 pub(crate) struct Archive<'a, 'b> {
     input: &'a Input<'b>,
     zip: ZipArchive<Cursor<&'a [u8]>>,
@@ -75,7 +75,7 @@ impl<'a, 'b> Archive<'a, 'b> {
         Ok(content)
     }
 
-    /// Unpacks the members whose names are told and keeps nothing: for archives that another
+    /// Unpacks the members selected by name and keeps nothing: for archives that another
     /// parser opens.
     pub(crate) fn count(&mut self, is_told: impl Fn(&str) -> bool) -> Result<(), ReadError> {
         for index in 0..self.names.len() {

@@ -1,5 +1,5 @@
-//! OpenEXR images, read a block (some rows, or a tile) at a time: a file that ends early has taken
-//! no more than what it held.
+//! OpenEXR images, read a block (some rows, or a tile) at a time: a truncated file takes no more
+//! memory than its contents.
 
 use std::io::Cursor;
 
@@ -14,9 +14,9 @@ use super::guarded::guarded;
 /// A channel of a layer.
 pub(crate) struct Channel {
     pub name: String,
-    /// Whether it has a number for each pixel.
+    /// True if it has a number for each pixel.
     pub is_full: bool,
-    /// Whether its numbers are whole ones.
+    /// True if its numbers are integers.
     pub is_whole: bool,
 }
 
@@ -69,7 +69,7 @@ pub(crate) struct ExrImage<'a> {
     pub layers: Vec<Layer>,
 }
 
-/// What the decoder makes of a file; its complaint, none where it breaks off.
+/// The decoder's result; its error in words, `None` if it panics.
 fn decoded<T>(decode: impl FnOnce() -> Decoded<T>) -> Result<T, Option<String>> {
     let decoded = guarded(decode).ok_or(None)?;
     decoded.map_err(|error| Some(error.to_string()))
@@ -79,7 +79,7 @@ impl<'a> ExrImage<'a> {
     /// Reads the headers.
     ///
     /// # Errors
-    /// The decoder's words, none where it breaks off.
+    /// The decoder's error in words, `None` if it panics.
     pub(crate) fn open(bytes: &'a [u8]) -> Result<Self, Option<String>> {
         let file = decoded(|| block::read(Cursor::new(bytes), false))?;
         let layers = file.headers().iter().map(Layer::of).collect();

@@ -1,17 +1,17 @@
-//! A parser of others is called so that a fault in it is a refusal and not the program's end.
+//! Guarded calls of third-party parsers: a panic becomes a refusal and not the program's end.
 
 use std::cell::Cell;
 use std::panic::{self, AssertUnwindSafe, catch_unwind};
 use std::sync::Once;
 
 thread_local! {
-    /// Whether a panic of this thread is about to be caught and said in other words.
+    /// True while panics of this thread are caught and reported in other words.
     static IS_GUARDED: Cell<bool> = const { Cell::new(false) };
 }
 
-/// What a call gives, or `None` when it panics. What the call was building is dropped then, so
-/// nothing half-done is ever seen, and the panic's own words are not printed: the refusal says
-/// what matters. Panics of other threads, and of this one before and after, are printed as ever.
+/// The result of a call, or `None` if it panics. Partial results are dropped then, so nothing
+/// half-done is ever seen, and the panic's own message is not printed: the refusal replaces it.
+/// Panics of other threads, and of this one before and after, are printed as ever.
 pub(crate) fn guarded<T>(call: impl FnOnce() -> T) -> Option<T> {
     static HUSHED: Once = Once::new();
     HUSHED.call_once(|| {

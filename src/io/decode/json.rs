@@ -23,7 +23,7 @@ pub(crate) fn any_json(input: &Input, text: &str) -> Result<Value, ReadError> {
 /// larger than their text, so they are counted first.
 ///
 /// # Errors
-/// [`ReadError`] that says so.
+/// [`ReadError`] if it takes more.
 pub(super) fn check_room(
     input: &Input,
     text: &str,
@@ -72,7 +72,7 @@ pub(crate) fn numbers(input: &Input, list: &Value, what: &str) -> Result<Vec<f64
     list.iter().map(|item| number(input, item, what)).collect()
 }
 
-/// A number; `null` stands for a missing one.
+/// A number; `null` for a missing one.
 pub(crate) fn number(input: &Input, item: &Value, what: &str) -> Result<f64, ReadError> {
     match item {
         Value::Null => Ok(f64::NAN),

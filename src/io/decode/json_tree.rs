@@ -29,7 +29,7 @@ pub(crate) enum Tree {
 /// Keys and their values in the order of the file.
 pub(crate) type Object = Vec<(String, Tree)>;
 
-/// A whole text as JSON; a list where values stand one behind another, as on lines of their own.
+/// A whole text as JSON; a list if values follow one another, as on lines of their own.
 ///
 /// # Errors
 /// [`ReadError`] for broken JSON, or more values than fit into the memory that the file may take.
@@ -46,7 +46,7 @@ pub(crate) fn of(input: &Input, text: &str) -> Result<Tree, ReadError> {
 }
 
 impl Tree {
-    /// The text, where it is one.
+    /// The text, if it is one.
     pub(crate) fn text(&self) -> Option<&str> {
         match self {
             Self::Text(text) => Some(text),
@@ -62,7 +62,7 @@ impl Tree {
         }
     }
 
-    /// Whether there are values in it.
+    /// True for a list or an object.
     pub(crate) fn holds_values(&self) -> bool {
         matches!(self, Self::List(_) | Self::Object(_))
     }

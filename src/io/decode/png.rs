@@ -9,17 +9,17 @@ use png::{BitDepth, Decoder, DecodingError, Reader, Transformations};
 
 use crate::io::unopened::words as why_unopened;
 
-/// What every PNG file begins with.
+/// The first bytes of every PNG file.
 pub(crate) const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 
-/// What is said of a picture that memory does not hold.
+/// The message about a picture that does not fit into memory.
 const TOO_LARGE: &str = "found a picture too large for memory, expected a smaller one";
 
-/// Kind of a chunk, and where its data stand in the file.
+/// Kind of a chunk, and the range of its data in the file.
 pub(crate) type Chunk = ([u8; 4], Range<usize>);
 
-/// The chunks of a file to its end; `None` for what is no PNG. Found and expected where one is not
-/// whole, which is the last.
+/// The chunks of a file to its end; `None` if it is not a PNG. Found and expected for an incomplete
+/// chunk, which is the last.
 pub(crate) fn chunks(bytes: &[u8]) -> Option<impl Iterator<Item = Result<Chunk, [String; 2]>>> {
     let mut next = bytes.starts_with(SIGNATURE).then_some(SIGNATURE.len());
     next?;
@@ -45,7 +45,7 @@ fn chunk(bytes: &[u8], at: usize) -> Result<Chunk, [String; 2]> {
     let mut check = flate2::Crc::new();
     check.update(&bytes[at + 4..end]);
     if check.sum().to_be_bytes() != sum {
-        // Any bytes may stand in a damaged file, line ends too.
+        // A damaged file may hold any bytes, line ends too.
         let name = kind.escape_ascii();
         let found = format!("a chunk {name} with a wrong check sum");
         return Err([found, "a whole one".to_owned()]);
@@ -71,8 +71,8 @@ pub enum ColourPixels {
     Sixteen(Vec<u16>),
 }
 
-/// The numbers of a picture, and of how many channels they are. An error is `None` where memory
-/// does not hold it.
+/// The numbers of a picture, and their number of channels. An error is `None` if the picture does
+/// not fit into memory.
 pub(crate) fn frame<R: BufRead + Seek>(
     mut reader: Reader<R>,
 ) -> Result<(ColourPixels, usize), Option<DecodingError>> {
@@ -93,10 +93,10 @@ pub(crate) fn frame<R: BufRead + Seek>(
 }
 
 impl ColourPng {
-    /// Reads a PNG file of at most so many pixels; what shines through is dropped.
+    /// Reads a PNG file of at most so many pixels; the alpha channel is dropped.
     ///
     /// # Errors
-    /// What was found and what was expected.
+    /// A message of what was found and what was expected.
     pub fn read(path: &Path, most_pixels: usize) -> Result<Self, String> {
         let unopened = |why| {
             let (found, expected) = why_unopened(path, &why);

@@ -43,7 +43,7 @@ pub(crate) fn parse<'a>(input: &Input, text: &'a str) -> Result<Document<'a>, Re
     })
 }
 
-/// Where a tag with too many equals signs outside quotation marks starts.
+/// The start of a tag with too many equals signs outside quotation marks.
 fn crowded_tag(text: &str) -> Option<usize> {
     let bytes = text.as_bytes();
     let mut at = 0;

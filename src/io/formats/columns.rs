@@ -1,7 +1,7 @@
 //! Plain columns: CSV, TSV and whatever else writes wavelengths and values as text.
 //!
 //! Nothing about the table is taken from the extension. [`table::read`](crate::io::table::read)
-//! finds out how its cells are set apart, where its wavelengths are and which columns are spectra.
+//! determines the separator of its cells, the place of its wavelengths and the columns of spectra.
 
 use super::{Confidence, Format};
 use crate::io::table::read::read_tables;

@@ -9,7 +9,7 @@
 //! ```
 //!
 //! `name` and `kind` ("light", "reflectance", ...) may be missing: then the model is called as its
-//! file and is a light. The last two are for people; a model is always written in its file's own
+//! file and is a light. The last two are for humans; a model is always written in its file's own
 //! numbers.
 //!
 //! `fwhm_nm`, the full width of a Gaussian line at half its height, is version 2's: without it a line
@@ -99,7 +99,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     })
 }
 
-/// One line about a composite: basis, order, range, spikes, and how many numbers it takes.
+/// One line about a composite: basis, order, range, spikes, and the count of its numbers.
 pub(crate) fn in_words(composite: &Composite) -> String {
     let (band, smooth) = (composite.band(), composite.smooth());
     format!(
@@ -117,13 +117,13 @@ pub(crate) fn in_words(composite: &Composite) -> String {
     )
 }
 
-/// Why something is no composite.
+/// The reason why a text is not a valid composite.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("found {found}, expected {expected}")]
 pub struct CompositeTextError {
-    /// What stands there.
+    /// The content found.
     pub found: String,
-    /// What should.
+    /// The content expected instead.
     pub expected: String,
 }
 
@@ -141,7 +141,7 @@ impl CompositeTextError {
     }
 }
 
-/// What a file holds; `stem` is what a composite without a name is called.
+/// The composite of a parsed file; `stem` is the name of one without a name.
 fn composite_of(file: File, stem: &str) -> Result<CompositeFile, CompositeTextError> {
     if file.format != FORMAT_WORD {
         let found = format!("format \"{}\"", file.format);
@@ -207,7 +207,7 @@ fn prefix_order(basis: Basis, coefficients: Coefficients) -> Result<Vec<f64>, Co
 const WIDEST_NM: f64 = 1000.0;
 
 /// A composite of numbers that make sense: at least one coefficient and no more than the band
-/// carries, everything below 1e30 (what is computed from it stays finite), lines on its range.
+/// carries, everything below 1e30 (so that derived values stay finite), lines on its range.
 pub(super) fn checked(
     band: Band,
     basis: Basis,

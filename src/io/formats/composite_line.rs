@@ -9,7 +9,7 @@
 //! Five fields: mark and version, basis, range in nm, coefficients in prefix order, spikes as
 //! `nm*weight`. In a line of mark `cs2` a spike may have a third number, the full width at half
 //! maximum of a Gaussian line in nm; it is written where a line has a width. Numbers are the shortest decimals that read back to the same bits. Unit, source, name
-//! and kind are not in the line: it is taken as a light unless a person says otherwise.
+//! and kind are not in the line: it is taken as a light unless chosen otherwise.
 
 use crate::spectrum::{Band, Basis, Composite, Kind, Line};
 

@@ -1,7 +1,7 @@
 //! CxF3, the Color Exchange Format (ISO 17972): XML with measured colours.
 //!
 //! An `Object` has a `Name` and under `ColorValues` spectra: `ReflectanceSpectrum`,
-//! `TransmittanceSpectrum`, `EmissiveSpectrum`, blanks between values. `StartWL` stands at the
+//! `TransmittanceSpectrum`, `EmissiveSpectrum`, blanks between values. `StartWL` is at the
 //! spectrum or, with `Increment`, at the `WavelengthRange` of the `ColorSpecification` that it
 //! names; without an increment it is 10 nm.
 
@@ -22,7 +22,7 @@ pub(crate) const FORMAT: Format = Format::new("CxF3", &["cxf"], sniff, read);
 /// Memory of a spectrum besides its samples, in bytes.
 const SPECTRUM_BYTES: usize = 1000;
 
-/// How far above a spectrum its object is looked for.
+/// The most levels above a spectrum at which its object is sought.
 const DEEPEST: usize = 16;
 
 const SPECTRA: [(&str, Kind); 4] = [

@@ -83,7 +83,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     Ok(reading)
 }
 
-/// Adds the spectrum of a measurement; what else is to be said of it.
+/// Adds the spectrum of a measurement; returns further notes on it.
 fn read_measurement(
     input: &Input,
     node: Node,

@@ -31,7 +31,7 @@ const MOST_COLUMNS: usize = 1000;
 const SETTINGS: &str = "i-time integration model serial time date memo title name measuring \
      viewing firmware version average";
 
-/// What may stand between a key and its values.
+/// Separators allowed between a key and its values.
 const MARKS: [(Delimiter, char); 3] = [
     (Delimiter::Tab, '\t'),
     (Delimiter::Semicolon, ';'),
@@ -43,11 +43,11 @@ const MARKS: [(Delimiter, char); 3] = [
 struct Setting<'a> {
     key: &'a str,
     values: Vec<&'a str>,
-    /// Whether the key names a setting of the instrument rather than a result.
+    /// True if the key names a setting of the instrument rather than a result.
     of_instrument: bool,
 }
 
-/// What a file of keys and values holds.
+/// The contents of a file of keys and values.
 #[derive(Default)]
 pub(crate) struct KeyedLines<'a> {
     /// Lines whose key is no wavelength.
@@ -57,7 +57,7 @@ pub(crate) struct KeyedLines<'a> {
     decimal_comma: bool,
 }
 
-/// The wavelength that a key tells, unit included; the unit of the value may stand behind it in
+/// The wavelength given by a key, unit included; the unit of the value may follow it in
 /// brackets (`380nm(umol/m2s)`).
 fn point_nm(key: &str) -> Option<f64> {
     let nm = key.split_once('(').map_or(key, |(nm, _)| nm);
@@ -65,7 +65,7 @@ fn point_nm(key: &str) -> Option<f64> {
     says_nm.then_some(nm)
 }
 
-/// Whether a line is a point: a wavelength with its unit, a separator, a number.
+/// True if a line is a point: a wavelength with its unit, a separator, a number.
 pub(crate) fn is_point(line: &str) -> bool {
     let parts = separator(line).and_then(|(_, mark)| Some((mark, line.split_once(mark)?)));
     parts.is_some_and(|(mark, (key, values))| {
@@ -98,8 +98,8 @@ impl<'a> KeyedLines<'a> {
     /// Splits the text of a meter's file.
     ///
     /// # Errors
-    /// [`ReadError`] for a point whose value is a word, and without two points: `none` says what
-    /// was found then and what was expected.
+    /// [`ReadError`] for a point whose value is a word, and without two points: `none` is then the
+    /// finding and the expectation in words.
     pub(crate) fn of_meter(
         input: &Input,
         text: &'a str,
@@ -164,7 +164,7 @@ impl<'a> KeyedLines<'a> {
         Ok(())
     }
 
-    /// How many values each point has.
+    /// The number of values of each point.
     pub(crate) fn columns(&self) -> usize {
         self.points.columns.len().saturating_sub(1)
     }
@@ -179,7 +179,7 @@ impl<'a> KeyedLines<'a> {
         &self.points.lines
     }
 
-    /// What the maker's software computed for one column: every key with a number that is no
+    /// The results of the maker's software for one column: every key with a number that is no
     /// setting of the instrument; at most `room` of them.
     pub(crate) fn results(
         &self,
@@ -252,7 +252,7 @@ pub(crate) fn reading_of<'k>(
     Ok(reading)
 }
 
-/// The separator of the points, and whether their decimals are marked by commas.
+/// The separator of the points, and true if their decimals are marked by commas.
 fn mark_of_points(text: &str) -> ((Delimiter, char), bool) {
     let all = lines(text).map(|(_, line)| line);
     let points: Vec<&str> = all.filter(|line| is_point(line)).take(50).collect();

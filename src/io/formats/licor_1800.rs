@@ -69,7 +69,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let because = "the remark names neither WATT nor QNTM: the unit is not known";
         ("", because)
     };
-    // A remark that names no unit may say what was held under the meter instead.
+    // A remark without a unit may name the object under the meter instead.
     let factor = unit.is_empty().then(|| factor_of_remark(&upper)).flatten();
     let mut name = remark;
     for unit in ["(QNTM", "(WATT"] {

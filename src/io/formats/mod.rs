@@ -1,4 +1,4 @@
-//! The formats, one a file or a folder: each says how sure it is of a file, and reads it.
+//! The formats, one a file or a folder: each rates its confidence in a file, and reads it.
 
 pub(super) mod cgats;
 pub(super) mod columns;
@@ -39,23 +39,23 @@ use super::decode::xml;
 use super::interpret::{KnownScale, RawSpectrum, interpret};
 use super::{Input, ReadError, Reading};
 
-/// How sure a format is that a file is its own.
+/// The confidence of a format that a file is its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Confidence {
     /// Not this format.
     No,
-    /// Nothing speaks against it.
+    /// No evidence against it.
     Possible,
     /// The content looks like it.
     Likely,
-    /// The content says so.
+    /// The content identifies it.
     Certain,
     /// This program wrote it: words in its names that other formats use do not matter.
     Own,
 }
 
 impl Confidence {
-    /// Certain where the content says so, else not this format.
+    /// Certain if the content identifies the format, else not this format.
     fn certain_if(says_so: bool) -> Self {
         match says_so {
             true => Self::Certain,
@@ -64,7 +64,7 @@ impl Confidence {
     }
 }
 
-/// How sure it is that a file is JSON of this program's own under a word.
+/// The confidence that a file is JSON of this program, marked by a word.
 fn own_json(input: &Input, word: &str) -> Confidence {
     Confidence::certain_if(input.head().starts_with('{') && input.head().contains(word))
 }
@@ -100,11 +100,11 @@ fn extent(numbers: &[f64]) -> (f64, f64) {
 /// A file format that the program knows.
 #[derive(Clone, Copy)]
 pub struct Format {
-    /// What messages call it.
+    /// The name used in messages.
     pub name: &'static str,
     /// Usual extensions, lower case, for file dialogues.
     pub extensions: &'static [&'static str],
-    /// How sure it is that a file is its own.
+    /// Rates the confidence that a file is its own.
     pub sniff: fn(&Input) -> Confidence,
     /// Reads a file of its own, or refuses it.
     pub read: fn(&Input) -> Result<Reading, ReadError>,

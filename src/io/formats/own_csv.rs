@@ -1,7 +1,7 @@
 //! CSV as this program writes it: comments with keys, a line of titles, one row a wavelength.
 //!
 //! Names of spectra may look like anything (numbers, units, spreads), so nothing in the titles is
-//! looked at: every column behind the wavelengths is a spectrum, and the keys say what it holds.
+//! examined: every column behind the wavelengths is a spectrum, and the keys describe it.
 
 use super::{Confidence, Format, columns};
 use crate::io::interpret::{Heading, RawSpectrum, Scale, check_room, interpret};
@@ -20,7 +20,7 @@ pub(crate) const FORMAT: Format = Format::new("Spectral Explorer CSV", &["csv"],
 /// More comments than the program writes.
 const MOST_COMMENTS: usize = 50;
 
-/// What stands between its cells.
+/// The separator of its cells.
 const DIALECT: Dialect = Dialect::new(Delimiter::Comma, false);
 
 fn sniff(input: &Input) -> Confidence {
@@ -63,7 +63,7 @@ impl<'a> Own<'a> {
         })
     }
 
-    /// What a column's spectrum is called; the header's name for what was measured.
+    /// The name of a column's spectrum; the header's name for the measured one.
     fn name(&self, column: usize) -> Option<&'a str> {
         let title = as_it_was(self.titles.get(column)?);
         (title != MEASURED || self.titles.len() > 2).then_some(title)
@@ -75,7 +75,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let choices = &input.choices;
     let is_chosen = choices.dialect.is_some() || choices.delimiter.is_some();
     let Some(own) = Own::of(text).filter(|_| !is_chosen) else {
-        // Who says how the cells are set apart wants the table as it stands.
+        // With a chosen separator the table is read as plain columns.
         return (columns::FORMAT.read)(input);
     };
     let lines_before = own.header.len() + 1;

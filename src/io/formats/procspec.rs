@@ -1,7 +1,7 @@
 //! Ocean Optics ProcSpec: a zip archive of `ps_0.xml`, ... written by SpectraSuite's XML streams.
 //!
 //! `channelWavelengths` and `processedPixels` hold a `<double>` a pixel; the raw pixels of sample,
-//! dark and reference stand in `sourceSpectra`, `darkSpectrum` and `referenceSpectrum` as
+//! dark and reference are in `sourceSpectra`, `darkSpectrum` and `referenceSpectrum` as
 //! `pixelValues`. The processed pixels are read, and the raw ones where there are none. The XML
 //! may hold bytes that no encoding knows; they are read as Windows-1252.
 

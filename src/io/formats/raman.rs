@@ -1,7 +1,7 @@
 //! Raman spectrometers' text: the axis counts wave numbers from a laser line, not nanometres.
 //!
-//! A shift `s` (1/cm) from a laser of `L` nm is light of `1e7 / (1e7 / L - s)` nm. The laser is told
-//! by the header ("Laser wavelength 785 nm") or by the file's name as Horiba's instruments write it
+//! A shift `s` (1/cm) from a laser of `L` nm is light of `1e7 / (1e7 / L - s)` nm. The laser is in
+//! the header ("Laser wavelength 785 nm") or in the file's name as Horiba's instruments write it
 //! (`iR785`, `iR532`) and the RRUFF project in its own (`__Raman__532__`); shifts from an unknown
 //! laser are refused. A table that holds wavelengths beside the shifts is left to
 //! [`columns`](super::columns).
@@ -38,17 +38,17 @@ pub(crate) const FORMAT: Format = Format {
     read,
 };
 
-/// Most lines of a header that are looked at.
+/// Most lines of a header that are examined.
 const HEADER_LINES: usize = 60;
 
 /// Lasers that Raman spectrometers have, nm: from deep ultraviolet to infrared.
 const LASERS_NM: std::ops::RangeInclusive<f64> = 220.0..=1100.0;
 
-/// What names an axis of shifts, lower case.
+/// Names of an axis of shifts, lower case.
 const SHIFTS: &str = "raman shift;ramanshift;raman_shift;rel. wavenumber;relative wavenumber;\
                       rel. 1/cm;rel.1/cm;rel 1/cm;relative 1/cm";
 
-/// Words behind which a laser's wavelength stands, lower case.
+/// Words followed by a laser's wavelength, lower case.
 const LASER: [&str; 4] = [
     "laser",
     "excitation",
@@ -66,12 +66,12 @@ impl<'a> Head<'a> {
         Self(words.map(|line| (line, line.to_lowercase())).collect())
     }
 
-    /// Whether any line in lower case is so.
+    /// True if any line in lower case satisfies the predicate.
     fn any(&self, is_so: impl Fn(&str) -> bool) -> bool {
         self.0.iter().any(|(_, lower)| is_so(lower))
     }
 
-    /// Keys of lines (lower case letters and digits only) and what stands behind them.
+    /// Keys of lines (lower case letters and digits only) and the text behind them.
     fn keys(&self) -> impl Iterator<Item = (String, &'a str)> {
         self.0.iter().filter_map(|(line, _)| {
             let (key, value) = line.split_once(['=', ':', ',', ';', '\t'])?;
@@ -80,14 +80,14 @@ impl<'a> Head<'a> {
         })
     }
 
-    /// Whether it names an axis of shifts, and no wavelengths beside them.
+    /// True if it names an axis of shifts, and no wavelengths beside them.
     fn names_shifts(&self) -> bool {
         self.any(|line| holds_one(line, SHIFTS) && !line.contains("wavelength"))
     }
 
-    /// Whether it counts its first axis in 1/cm as Horiba's LabSpec writes it: shifts from the
+    /// True if it counts its first axis in 1/cm as Horiba's LabSpec writes it: shifts from the
     /// laser. LabSpec's range (`#Range (cm-1):`) is of shifts, since it has no other wave numbers;
-    /// the lines about the laser or the exposure tell it from other programs' headers.
+    /// the lines about the laser or the exposure distinguish it from other programs' headers.
     fn counts_shifts(&self) -> bool {
         let unit = (self.0.iter()).find(|(_, lower)| lower.contains("axisunit[1]"));
         let range = self.0.iter().any(|(line, _)| {
@@ -100,7 +100,7 @@ impl<'a> Head<'a> {
             || range && self.keys().any(|(key, _)| is_of_labspec(&key))
     }
 
-    /// Whether it says that its data is a Raman spectrum, and nothing of wavelengths.
+    /// True if it declares its data a Raman spectrum, and does not mention wavelengths.
     fn says_raman(&self) -> bool {
         let says = self.keys().any(|(key, value)| {
             matches!(&*key, "datatype" | "filetype" | "technique")
@@ -112,8 +112,8 @@ impl<'a> Head<'a> {
         })
     }
 
-    /// Whether it is of one of the RRUFF project's Raman spectra: those of infrared light and
-    /// X-rays say what they are.
+    /// True if it is of one of the RRUFF project's Raman spectra: those of infrared light and
+    /// X-rays are marked as such.
     fn is_rruff(&self, name: &str) -> bool {
         let is_other = |text: &str| holds_one(&text.to_lowercase(), "infrared;x-ray;xray;powder");
         let kind = self.keys().find(|(key, _)| key == "filetype");
@@ -122,8 +122,8 @@ impl<'a> Head<'a> {
             && !kind.is_some_and(|(_, kind)| is_other(kind))
     }
 
-    /// How many columns a table of Renishaw's WiRE has: `#Wave`, `#Intensity`, and in front of them
-    /// where in a map.
+    /// The number of columns in a table of Renishaw's WiRE: `#Wave`, `#Intensity`, preceded by the
+    /// position in a map.
     fn wire_columns(&self) -> Option<usize> {
         let (_, line) = self.0.iter().find(|(line, _)| line.starts_with('#'))?;
         let titles: Vec<&str> = line.split_whitespace().collect();
@@ -140,13 +140,13 @@ impl<'a> Head<'a> {
     }
 }
 
-/// Whether a text holds the unit of a shift.
+/// True if a text holds the unit of a shift.
 fn is_per_cm(text: &str) -> bool {
     holds_one(text, "1/cm;1/CM;cm-1;cm-¹;cm⁻¹;cm^-1")
 }
 
 /// The numbers of a line in lower case that may be a laser's wavelength, not its power or its
-/// share, and whether they are said to be one.
+/// share, each with true if it is named as one.
 fn lasers_of(line: &str) -> Vec<(f64, bool)> {
     let mut lasers = Vec::new();
     let at = LASER.iter().find_map(|word| line.find(word));
@@ -200,12 +200,12 @@ fn sniff(input: &Input) -> Confidence {
     }
     let head = Head::of(text);
     if text.starts_with("##") {
-        // Its labels are written as JCAMP-DX's, which is sure of its own.
+        // Its labels are written as JCAMP-DX's, which recognises its own files.
         return Confidence::certain_if(head.is_rruff(&input.name));
     }
     let names_nm = || head.any(|line| holds_one(line, "wavelength;nm"));
     let is_raman = match head.wire_columns() {
-        // WiRE writes wavelengths under the same title: a person may say so.
+        // WiRE writes wavelengths under the same title: the user may choose them.
         Some(_) => input.choices.wavelengths.is_none(),
         None => {
             head.names_shifts()
@@ -220,8 +220,8 @@ fn sniff(input: &Input) -> Confidence {
     }
 }
 
-/// The tables of shifts of a text, each with its titles and the column of shifts, and notes on what
-/// is left out.
+/// The tables of shifts of a text, each with its titles and the column of shifts, and notes on
+/// omissions.
 fn tables_of(text: &str, dialect: Dialect) -> (Vec<(Block<'_>, Titles, usize)>, Vec<String>) {
     let (mut found, mut notes) = (Vec::new(), Vec::new());
     for table in pick::tables(text, dialect).unwrap_or_default() {
@@ -230,7 +230,7 @@ fn tables_of(text: &str, dialect: Dialect) -> (Vec<(Block<'_>, Titles, usize)>, 
             continue;
         }
         let axis = match table.layout {
-            // What rises beside shifts below zero looks more like wavelengths than they do.
+            // A rising column beside shifts below zero looks more like wavelengths than they do.
             _ if leads(&table.block) => 0,
             Layout::Column(axis) => axis,
             _ => continue,
@@ -249,7 +249,7 @@ fn tables_of(text: &str, dialect: Dialect) -> (Vec<(Block<'_>, Titles, usize)>, 
     (found, notes)
 }
 
-/// Whether the first column of a block can be one of shifts.
+/// True if the first column of a block can be one of shifts.
 fn leads(block: &Block) -> bool {
     if block.width < 2 || block.rows() < 2 || block.counts_rows(0) {
         return false;
@@ -284,7 +284,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     }
     let no_shifts = || input.error("no column of Raman shifts", "shifts (1/cm) and values");
     if tables.is_empty() {
-        // Plain columns know better what is wrong; what they make of shifts is not shown.
+        // The refusal of plain columns is more specific; their reading of shifts is not shown.
         let refusal = (columns::FORMAT.read)(input).err();
         return Err(refusal.unwrap_or_else(no_shifts));
     }

@@ -12,7 +12,7 @@ pub(super) fn filled(text: &str) -> impl Iterator<Item = (usize, &str)> {
 /// The numbers of cells, empty ones passed over.
 ///
 /// # Errors
-/// The first cell that is none, and how many numbers stand before it.
+/// The first cell that is not a number, preceded by the count of numbers before it.
 pub(super) fn numbers<'r>(
     cells: impl Iterator<Item = &'r str>,
     most: usize,
@@ -33,7 +33,7 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// Adds a row; whether it is as wide as the first one.
+    /// Adds a row; true if it is as wide as the first one.
     pub(super) fn add(&mut self, line: usize, row: &[f64]) -> bool {
         if self.lines.is_empty() {
             self.columns = vec![Vec::new(); row.len()];

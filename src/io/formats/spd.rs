@@ -1,7 +1,7 @@
 //! pbrt and Mitsuba `.spd`: one wavelength in nm and one value a line, `#` comments, nothing else.
 //!
-//! The format states neither kind nor unit; comments and the file's name may. Files whose name
-//! says `eta`, `n` or `k` hold optical constants, not a reflectance.
+//! The format states neither kind nor unit; comments and the file's name may. Files named
+//! `eta`, `n` or `k` hold optical constants, not a reflectance.
 
 use super::rows::{Rows, filled, numbers};
 use super::{Confidence, Format};
@@ -21,7 +21,7 @@ fn sniff(input: &Input) -> Confidence {
     }
 }
 
-/// The two numbers of a line, or what is wrong with it.
+/// The two numbers of a line, or the finding and the expectation.
 fn pair(line: &str) -> Result<[f64; 2], (String, &'static str)> {
     let number = |word: &str| number::number(word, false).filter(|v| v.is_finite());
     let all = numbers(line.split_ascii_whitespace(), usize::MAX, number);

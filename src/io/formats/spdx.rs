@@ -1,7 +1,7 @@
 //! IES TM-27-14 `.spdx`: XML with a header, a spectral quantity and irregular samples.
 //!
 //! Elements are matched by their local names, since files use two namespaces or none. Numeric
-//! header fields may say "Unknown". Entities and document type declarations are refused by the
+//! header fields may be "Unknown". Entities and document type declarations are refused by the
 //! XML parser, so a small file cannot unfold into a large one.
 
 use roxmltree::Node;
@@ -17,7 +17,7 @@ use crate::io::write::spdx::QUANTITIES;
 use crate::io::{Decision, Input, ReadError, Reading, quoted};
 use crate::spectrum::Kind;
 
-/// Behind this stand the notes in the comments of a file of this program.
+/// Precedes the notes in the comments of a file of this program.
 const NOTES_AT: &str = "; notes: ";
 
 pub(crate) const FORMAT: Format = Format::new("IES TM-27 .spdx", &["spdx"], sniff, read);
@@ -63,7 +63,7 @@ fn without_declaration(text: &str) -> String {
     declaration.chars().map(blank).collect::<String>() + rest
 }
 
-/// A header field, unless it is empty or says that it is unknown.
+/// A header field, unless it is empty or marked as unknown.
 fn field<'a>(header: Option<Node<'a, 'a>>, name: &str) -> Option<&'a str> {
     let text = children(header?, name).next()?.text()?.trim();
     (!text.is_empty() && !text.eq_ignore_ascii_case("unknown")).then(|| kept(text))
@@ -113,7 +113,7 @@ fn read_root<'a>(input: &Input, root: Node<'a, 'a>) -> Result<Reading, ReadError
     Ok(reading)
 }
 
-/// Adds the spectrum of an element; what is to be said of its bandwidth.
+/// Adds the spectrum of an element; returns a note on its bandwidth.
 fn read_distribution<'a>(
     input: &Input,
     node: Node<'a, 'a>,
@@ -159,7 +159,7 @@ fn quantity(stated: &str) -> (Decision<Kind>, String) {
     let kind = by_words.unwrap_or(Kind::Light);
     let stated_words = quoted(stated);
     let because = format!("the spectral quantity {stated_words} is none of TM-27's");
-    // Writers put units there too ("W/nm"), which say as much.
+    // Writers put units there too ("W/nm"), which imply as much.
     let kind = Decision::guessed(kind, by_words.is_some(), because);
     (kind, stated.to_owned())
 }

@@ -3,7 +3,7 @@
 //! The layout is that of Fichet, Pacanowski and Wilkie, An OpenEXR Layout for Spectral Images,
 //! JCGT 10(3), 2021. `S0.380,000000nm` is a channel of light at 380 nm (`S1` to `S3` are the other
 //! Stokes components, passed over here), `T.380,000000nm` one of reflectance or transmittance, and
-//! `T.380,0nm.400,0nm` how much light of 380 nm comes back at 400 nm: of such bispectral images
+//! `T.380,0nm.400,0nm` the share of light of 380 nm re-emitted at 400 nm: of such bispectral images
 //! the diagonal is read, which is the reflectance without fluorescence. Decimals are marked by
 //! commas, since points part the names of layers. Units are metres or hertz with any prefix. The
 //! attribute `emissiveUnits` is the unit of light.
@@ -11,7 +11,7 @@
 //! Pictures of red, green and blue are refused: they hold no spectrum. The numbers of the spectral
 //! channels may take [`budget::of`] bytes, which is checked before one is decoded. Then block
 //! after block (some rows, or a tile) is decoded, its spectral channels are kept and the block is
-//! dropped, so that a file that ends early has taken no more than what it held.
+//! dropped, so that a truncated file takes no more memory than its contents.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -44,7 +44,7 @@ fn sniff(input: &Input) -> Confidence {
     Confidence::certain_if(input.bytes.starts_with(b"\x76\x2f\x31\x01"))
 }
 
-/// What a channel holds.
+/// The contents of a channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Channel {
     /// Light at a wavelength, nm.
@@ -53,7 +53,7 @@ enum Channel {
     Polarised,
     /// Reflectance or transmittance at a wavelength, nm.
     Factor(f64),
-    /// Light of one wavelength that comes back at another.
+    /// Light of one wavelength re-emitted at another.
     Reradiated,
     Other,
 }
@@ -157,7 +157,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     Ok(reading)
 }
 
-/// Refuses what is no spectral image.
+/// Refuses anything but a spectral image.
 fn check(input: &Input, layers: &[Layer]) -> Result<(), ReadError> {
     for layer in layers {
         if layer.is_deep {

@@ -1,6 +1,6 @@
-//! What a reader of images hands out: the picture, and its pixels where they are a list of
-//! patches rather than a picture. Kind and scale are one decision for all pixels, made of the same
-//! parts as a spectrum's.
+//! Output of readers of images: the picture, and its pixels where they are a list of patches rather
+//! than a picture. Kind and scale are one decision for all pixels, made of the same parts as a
+//! spectrum's.
 
 use crate::spectrum::cube::Cube;
 use crate::spectrum::{Kind, SpectralImage};
@@ -18,42 +18,42 @@ use crate::io::{Choices, Reading, budget};
 /// Images of at most so many pixels are patches: each becomes a spectrum.
 pub(crate) const MOST_PATCHES: usize = 64;
 
-/// How many pixels are looked at where the size of an image's values must tell their scale.
+/// The number of pixels sampled to infer the scale of an image's values from their size.
 const PIXELS_LOOKED_AT: usize = 400;
 
 /// An image as its reader found it.
 pub(crate) struct RawImage {
     pub name: String,
     pub source: String,
-    /// The median width of its bands, nm, where the file tells.
+    /// The median width of its bands, nm, if given in the file.
     pub bandwidth_nm: Option<f64>,
     /// Its pixels in the file's own numbers.
     pub cube: Cube,
-    /// What its reader has to say about it, a sentence each.
+    /// Notes of its reader, a sentence each.
     pub notes: Vec<String>,
-    /// What its format knows of the values.
+    /// The properties of the values known from the format.
     pub known: Known,
-    /// What was decided about its wavelengths, and another unit that the file names for them.
+    /// The decision on its wavelengths, and a different unit named for them in the file.
     pub axis: Option<AxisDecision>,
     pub against: Option<String>,
 }
 
-/// What the values of an image are.
+/// The meaning of an image's values: kind, scale and unit.
 pub(crate) struct Meant {
-    /// What they stand for.
+    /// The kind of the values.
     pub kind: Decision<Kind>,
-    /// What they are counted in; `None` where they are no factor.
+    /// The unit in which factors are counted; `None` if the values are not factors.
     pub counted: Option<Decision<Counted>>,
     /// Factor from the file's numbers to the unit.
     pub scale: f64,
     /// Their unit, the scale applied.
     pub unit: String,
-    /// What the file says against a person's decision.
+    /// The remark on a file that contradicts the chosen kind.
     against_choice: Option<Remark>,
 }
 
 impl Meant {
-    /// By what the format knows and a person decided, else by the values of some pixels.
+    /// Decides by the format and the user's choices, else by the values of some pixels.
     pub(crate) fn of(known: Known, chosen: OfOne, sample: impl FnOnce() -> Vec<f64>) -> Self {
         let Known {
             kind: own,
@@ -84,12 +84,12 @@ impl Meant {
         }
     }
 
-    /// Whether neither the file nor a person says what the values are.
+    /// True if the kind is a guess, given neither by the file nor by the user.
     pub(crate) fn is_kind_guessed(&self) -> bool {
         self.kind.is_guess()
     }
 
-    /// What was guessed of the values, or goes against the file, a sentence each.
+    /// The guesses about the values, or contradictions to the file, a sentence each.
     pub(crate) fn said(&self) -> Vec<String> {
         let decisions = Decisions {
             axis: None,
@@ -110,7 +110,7 @@ pub(crate) fn sample(cube: &Cube) -> Vec<f64> {
         .collect()
 }
 
-/// Decides what a file leaves open about an image and adds it to a reading.
+/// Decides the properties of an image left open by its file and adds it to a reading.
 pub(crate) fn add(raw: RawImage, choices: &Choices, reading: &mut Reading) {
     let index = reading.images.len();
     let of_it = choices.each_image.get(&index).copied().unwrap_or_default();
@@ -144,7 +144,7 @@ pub(crate) fn add(raw: RawImage, choices: &Choices, reading: &mut Reading) {
     reading.images.push(image);
 }
 
-/// What had to be guessed of all pixels or spectra of a file, or what else is said of their kind.
+/// The guesses about all pixels or spectra of a file, or another remark on their kind, in words.
 pub(crate) fn guesses_in_words(decisions: &Decisions, of_kind: Remark) -> Vec<String> {
     let counted = decisions.counted.as_ref();
     let counted = counted.filter(|counted| counted.is_guess());

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! Values are in `unit`, kinds are the words of [`Kind::word`](crate::spectrum::Kind::word); the
-//! last three are for people.
+//! last three are for human readers.
 
 use super::{Confidence, Format};
 use crate::io::decode::json::json_error;

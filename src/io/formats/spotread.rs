@@ -1,4 +1,4 @@
-//! What Argyll's `spotread` prints: results in words, and with `-S` or `-s` the spectrum.
+//! Output of Argyll's `spotread`: results in words, and with `-S` or `-s` the spectrum.
 //!
 //! ```text
 //! Spectrum from 380.000000 to 730.000000 nm in 36 steps
@@ -7,7 +7,7 @@
 //!  Ambient = 44632.4 Lux, CCT = 5528K (Duv 0.0031)
 //! ```
 //!
-//! Without the spectrum it is refused, by what it is.
+//! Without the spectrum it is refused by name.
 
 use super::{Confidence, Format};
 use crate::io::interpret::{RawSpectrum, interpret};

@@ -10,7 +10,7 @@
 //! ```
 //!
 //! The reflectance comes first, reference and target follow as lights. Where the detectors overlap
-//! the wavelengths step back; they are put in order, and it is said.
+//! the wavelengths step back; they are sorted, with a note.
 
 use super::rows::{Rows, filled, numbers};
 use super::{Confidence, Format};

@@ -7,7 +7,7 @@
 //!  280.00     281.00     9.839E-17  8.887E-17     1.873E-17   1.873E-16
 //! ```
 //!
-//! Each row is a band; its spectrum stands at the band's middle. The total comes first.
+//! Each row is a band; its spectrum is placed at the band's middle. The total comes first.
 
 use super::rows::{Rows, numbers};
 use super::{Confidence, Format};

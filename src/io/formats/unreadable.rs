@@ -7,14 +7,14 @@ use crate::io::{Input, ReadError, Reading};
 /// Recognises files of other kinds so that they are refused in plain words.
 pub(crate) const FORMAT: Format = Format::new("a format that is not read", &[], sniff, read);
 
-/// What a person can do instead.
+/// Expectations in refusals: ways to obtain a readable file.
 const AS_CSV: &str = "a format that is read; save it as CSV or text first";
 const FROM_MAKER: &str =
     "a format that is read; export it as CSV, text or JCAMP-DX from the program that wrote it";
 const WITH_HEADER: &str = "a header .hdr of the same name beside it";
 const A_SPECTRUM: &str = "a file with a spectrum";
 
-/// What the first bytes of a file tell of it, and what was expected instead.
+/// First bytes of known files, the type of file, and the input expected instead.
 const MAGIC: [(&[u8], &str, &str); 12] = [
     (b"\x89PNG\r\n\x1a\n", "a PNG image", A_SPECTRUM),
     (b"\xff\xd8\xff", "a JPEG image", A_SPECTRUM),
@@ -47,7 +47,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     Err(input.error(found, expected))
 }
 
-/// What the file is, and what was expected instead.
+/// The type of the file, and the input expected instead.
 fn known(input: &Input) -> Option<(&'static str, &'static str)> {
     known_by_magic(input).or_else(|| match input.text() {
         Some(_) => known_text(input),

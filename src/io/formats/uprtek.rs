@@ -8,7 +8,7 @@
 //! 380nm<TAB>0.030267           mW m-2 nm-1
 //! ```
 //!
-//! Results may also stand behind the spectrum, several measurements side by side in columns. The
+//! Results may also follow the spectrum, several measurements side by side in columns. The
 //! values are mW m-2 nm-1; files of photons (µmol m-2 s-1 nm-1) look the same, so that the
 //! spectrum's total, by the trapezium rule, is held against the maker's `IRR`, `PFD` and `PPFD`.
 
@@ -39,7 +39,7 @@ pub(crate) const LI_180: Format = Format::new(
 /// Largest difference, as a share, between the spectrum's total and the one that the maker states.
 const SAME_TOTAL: f64 = 0.01;
 
-/// Whether a text has the layout that UPRtek's meters and those built by it share.
+/// True if a text has the layout shared by UPRtek's meters and those built by it.
 fn is_meter(input: &Input) -> bool {
     let head = input.head();
     let has_key = |most: usize, keys: &[&str]| {
@@ -57,14 +57,14 @@ fn is_meter(input: &Input) -> bool {
     known && (points || model) || model && points && results()
 }
 
-/// Whether the meter is LI-COR's.
+/// True if the meter is LI-COR's LI-180.
 fn is_li180(input: &Input) -> bool {
     let is_told = |l: &str| l.to_lowercase().starts_with("model name") && l.contains("LI-180");
     lines(input.head()).take(20).any(|(_, line)| is_told(line))
 }
 
-/// Reads a meter's file; `makers` is whose meters count in mW m-2 nm-1 unless their totals say
-/// otherwise.
+/// Reads a meter's file; `makers` names the maker, whose meters count in mW m-2 nm-1 unless their
+/// totals imply otherwise.
 ///
 /// # Errors
 /// [`ReadError`] for a file without points, or with a word for a value.
@@ -102,13 +102,13 @@ fn read(input: &Input, makers: &str) -> Result<Reading, ReadError> {
     })
 }
 
-/// Whether values were divided by the largest, which the maker gives as another number.
+/// True if values were divided by the largest, which the maker gives as another number.
 fn is_over_its_peak(values: &[f64], peak: f64) -> bool {
     let most = values.iter().copied().fold(f64::MIN, f64::max);
     most == 1.0 && (peak - most).abs() > SAME_TOTAL
 }
 
-/// The unit of values and what told it.
+/// The unit of the values and its justification in words.
 fn unit(
     nm: &[f64],
     values: &[f64],

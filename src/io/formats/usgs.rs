@@ -6,7 +6,7 @@
 //! ```
 //!
 //! The wavelengths, in micrometres, lie in `splib07a_Wavelengths_ASD_0.35-2.5_microns_2151_ch.txt`
-//! and its like: a file beside that says "Wavelengths" and holds as many numbers is taken, by the
+//! and its like: a file beside with "Wavelengths" and as many numbers is taken, by the
 //! spectrometer's name where several do. Without one, 2151 channels of an ASD are 350 to 2500 nm
 //! every nanometre; other counts are refused by the name of the file that is needed.
 
@@ -25,10 +25,10 @@ pub(crate) const FORMAT: Format = Format::new("USGS splib07", &["txt"], sniff, r
 /// Channels of an ASD, 350-2500 nm every nanometre.
 const ASD_CHANNELS: usize = 2151;
 
-/// Largest file beside that is looked at, in bytes: wavelengths of a library take some 60 KB.
+/// Largest file beside that is examined, in bytes: wavelengths of a library take some 60 KB.
 const LARGEST_BESIDE: u64 = 4 << 20;
 
-/// Most files of a folder that are looked through.
+/// Most files of a folder that are searched.
 const MOST_BESIDE: usize = 20_000;
 
 fn sniff(input: &Input) -> Confidence {

@@ -6,8 +6,8 @@
 //!  "spectrum": {"Processed": [..], "Raw": [..], "Dark": [..], "Reference": [..]}}
 //! ```
 //!
-//! The processed values are the spectrum; raw and dark readings are left out and it is said. What
-//! they count is told by the technique: counts, or per cent in reflectance and transmission.
+//! The processed values are the spectrum; raw and dark readings are left out with a note. Their
+//! unit is given by the technique: counts, or per cent in reflectance and transmission.
 
 use serde_json::Value;
 
@@ -67,7 +67,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             })?
         }
     };
-    // A region of interest may shorten the values, wherever a file says that it begins.
+    // A region of interest may shorten the values, regardless of the start given in the file.
     let start = value
         .pointer("/metadata/ROI Pixel Start")
         .and_then(Value::as_u64);

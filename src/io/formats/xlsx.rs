@@ -1,7 +1,7 @@
 //! Excel workbooks `.xlsx`: each sheet a table of plain columns.
 //!
-//! A sheet's cells go the way of every table, a row a line, with nothing to find out about how they
-//! are set apart ([`Dialect::SHEET`]); so lines in messages are rows of the sheet. Columns without
+//! A sheet's cells are read like every table, a row a line, with a known separator
+//! ([`Dialect::SHEET`]); so lines in messages are rows of the sheet. Columns without
 //! numbers (pictures' captions, disclaimers beside the table) are left out and their texts noted.
 //! Everything in the archive is unpacked once to count it before the workbook is opened; cells are
 //! read one by one, so that a lone cell far down costs nothing.
@@ -21,11 +21,11 @@ use crate::io::{Choices, Input, ReadError, Reading, budget};
 
 pub(crate) const FORMAT: Format = Format::new("Excel workbook", &["xlsx", "xlsm"], sniff, read);
 
-/// Shares of the memory that parts of the archive ([`part_of`]) may unpack to, by what they unfold
-/// to when the workbook is opened: sheets are streamed, a text of 5 bytes takes 24, a style hundreds.
+/// Shares of the memory that parts of the archive ([`part_of`]) may unpack to, by their memory once
+/// the workbook is opened: sheets are streamed, a text of 5 bytes takes 24, a style hundreds.
 const SHARES: [f64; 3] = [1.0, 0.1, 0.03];
 
-/// Folders of what is read piece by piece or not at all.
+/// Folders of members read piece by piece or not at all.
 const STREAMED: [&str; 5] = [
     "worksheets/",
     "charts/",
@@ -34,8 +34,8 @@ const STREAMED: [&str; 5] = [
     "printersettings/",
 ];
 
-/// The place in [`SHARES`] of a member: what is streamed, the workbook's list of texts, what is kept
-/// in memory (styles, names of sheets, links).
+/// The place in [`SHARES`] of a member: 0 if streamed, 1 for the workbook's list of texts, 2 if
+/// kept in memory (styles, names of sheets, links).
 fn part_of(name: &str) -> usize {
     let name = name.to_lowercase();
     let is_streamed = || STREAMED.iter().any(|folder| name.contains(folder));
@@ -61,11 +61,11 @@ fn sniff(input: &Input) -> Confidence {
     Confidence::certain_if(holds("xl/workbook") || holds("xl/worksheets"))
 }
 
-/// A cell as text, and whether it is a number.
+/// A cell as text, marked if it is a number.
 struct Cell {
     text: String,
     is_number: bool,
-    /// Whether it is a number that was typed as text with a decimal comma.
+    /// True if it is a number that was typed as text with a decimal comma.
     had_comma: bool,
 }
 
@@ -102,7 +102,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         if text.trim().is_empty() {
             continue;
         }
-        // What a person decides about a sheet is what its numbers mean.
+        // The user's choices for a sheet concern the meaning of its numbers.
         let choices = Choices {
             axis_column: None,
             ..input.choices.from(reading.spectra.len())
@@ -147,7 +147,7 @@ fn broken(input: &Input, why: &str) -> ReadError {
     input.error(format!("a broken workbook ({why})"), "a whole one")
 }
 
-/// The sheets that are shown by their names, and what the hidden ones are called.
+/// The visible sheets by their names, and the names of the hidden ones.
 type Sheets = (Vec<(String, Sheet)>, Vec<String>);
 
 fn sheets(input: &Input) -> Result<Sheets, ReadError> {
@@ -156,7 +156,7 @@ fn sheets(input: &Input) -> Result<Sheets, ReadError> {
     let mut book = Xlsx::new(Cursor::new(input.bytes)).map_err(broken)?;
     let mut left = budget::of(input.bytes.len()) / 2;
     let mut sheets = Vec::new();
-    // What somebody hid is no part of what they hand on.
+    // Hidden sheets are not part of the data passed on.
     let all = book.sheets_metadata().iter().cloned();
     let (shown, hidden): (Vec<_>, Vec<_>) =
         all.partition(|sheet| sheet.visible == SheetVisible::Visible);
@@ -192,8 +192,8 @@ fn flat(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// The columns with numbers, a row a line with a TAB at the edge of each cell, and notes of what
-/// stands beside them.
+/// The columns with numbers, a row a line with a TAB at the edge of each cell, and notes of the
+/// texts beside them.
 fn table_of(input: &Input, sheet: &Sheet) -> Result<(String, Vec<String>), ReadError> {
     let mut numbers: BTreeMap<u32, usize> = BTreeMap::new();
     for ((_, column), cell) in sheet {
@@ -212,7 +212,7 @@ fn table_of(input: &Input, sheet: &Sheet) -> Result<(String, Vec<String>), ReadE
             }
             continue;
         };
-        // Rows without cells are lines too, and a cell may say that it lies anywhere.
+        // Rows without cells are lines too, and a cell may claim any position.
         let lines = (*cell_row - row) as usize;
         if text.len().saturating_add(lines) > most {
             return Err(far());

@@ -7,20 +7,20 @@ use crate::io::text::units::{
 };
 use crate::io::text::words::holds_one;
 
-/// What is known of an axis.
+/// The known properties of an axis.
 #[derive(Clone, Copy)]
 pub(crate) struct Axis<'a> {
     /// Title and unit above it.
     pub title: &'a str,
     /// Units that lines above the table name, the nearest line first ([`units_of_header`]).
     pub header: &'a [WavelengthUnit],
-    /// Whether its numbers carry "nm".
+    /// True if its numbers carry "nm".
     pub says_nm: bool,
-    /// Whether the file is one of Bruker's `.dpt` tables.
+    /// True if the file is one of Bruker's `.dpt` tables.
     pub is_dpt: bool,
     /// Smallest and largest number.
     pub range: (f64, f64),
-    /// How uneven its steps are in nm if it is in a unit; `None` of few.
+    /// The unevenness of its steps in nm for a given unit; `None` for few steps.
     pub unevenness: &'a dyn Fn(WavelengthUnit) -> Option<f64>,
 }
 
@@ -37,14 +37,14 @@ fn in_small(text: &str) -> (String, bool) {
     (text, is_other)
 }
 
-/// Whether the title of wavelengths says that they are those in vacuum.
+/// True if the title of wavelengths states that they are wavelengths in vacuum.
 pub(crate) fn names_vacuum(title: &str) -> bool {
     let (title, is_other) = in_small(title);
     !is_other && holds_one(&title, "|vacuum|;|vac|;|vakuum") && holds_one(&title, LENGTHS)
 }
 
-/// Whether a line of a header says so: "vacuum wavelengths", "wavelengths (nm) are in vacuum". What
-/// was measured in a vacuum chamber, or stands under a title of its own, tells nothing of them.
+/// True if a line of a header states it: "vacuum wavelengths", "wavelengths (nm) are in vacuum". A
+/// vacuum chamber, or a quantity with a title of its own, implies nothing about them.
 pub(crate) fn says_vacuum(line: &str) -> bool {
     const BETWEEN: &str = "in;im;are;is;all;given;stated;quoted;measured;scale;axis;unit;units;\
          medium;nm;um;µm;μm;å;angstrom;)";
@@ -182,8 +182,8 @@ fn by_steps(axis: &Axis, of_range: WavelengthUnit) -> Option<WavelengthUnit> {
     (turned < 0.1 && turned < 0.1 * own).then_some(other)
 }
 
-/// Whether wavelengths in ångström would span visible light at even steps: wave numbers of that range
-/// are of the near infrared, and mostly at steps of no whole number.
+/// True if wavelengths in ångström would span visible light at even steps: wave numbers in that
+/// range are near-infrared, mostly at fractional steps.
 fn is_visible_in_angstrom(axis: &Axis) -> bool {
     let (min, max) = axis.range;
     let is_visible = (2000.0..=4500.0).contains(&min) && (6500.0..=11_000.0).contains(&max);

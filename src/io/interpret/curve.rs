@@ -19,16 +19,16 @@ pub(crate) const TRACED_REVERSALS: f64 = 0.5;
 pub(crate) struct Cleaned {
     /// The table.
     pub samples: Sampled,
-    /// What was done, a sentence each.
+    /// The changes made, a sentence each.
     pub notes: Vec<String>,
 }
 
 /// Why numbers are no spectrum.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Trouble {
-    /// What was found.
+    /// The actual state of the numbers.
     pub found: String,
-    /// What would have been right.
+    /// The required state of the numbers.
     pub expected: String,
     /// The point at fault among those given, from 0, where there is one.
     pub index: Option<usize>,

@@ -73,7 +73,7 @@ fn tell(spectrum: &mut NamedSpectrum, facts: Facts) -> String {
     line
 }
 
-/// What had to be guessed of a spectrum.
+/// The guesses made about a spectrum.
 fn guesses_of(facts: &Facts, spectrum: usize) -> impl Iterator<Item = OpenQuestion> {
     let guess = |what, chosen: String, reason: &str, plain| OpenQuestion {
         spectrum,

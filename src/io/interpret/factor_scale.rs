@@ -1,6 +1,6 @@
-//! What the values of a reflectance or transmittance are counted in: fractions, per cent, or whole
-//! numbers. A person's word goes before what the format says, that before titles and header, and
-//! these before the size of the values.
+//! The scale of the values of a reflectance or transmittance: fractions, per cent, or whole
+//! numbers. The user's choice takes precedence over the format, the format over titles and header,
+//! and these over the size of the values.
 
 use super::kinds::{kind_of_words, states_values};
 use crate::io::Counted;
@@ -9,7 +9,7 @@ use crate::io::text::NumberedLines;
 use crate::io::text::words::holds_one;
 use crate::spectrum::Kind;
 
-/// What a format knows of the factor from the file's numbers to the unit.
+/// The factor from the file's numbers to the unit, as far as a format determines it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum KnownScale {
     /// Nothing: of a factor titles or the size of the values must tell.
@@ -19,12 +19,12 @@ pub enum KnownScale {
     Stated(f64),
     /// Factors are fractions, unless their size says that somebody wrote per cent.
     Fractions,
-    /// What the reader decided for all spectra of the file.
+    /// The reader's decision for all spectra of the file.
     Told(Decision<Counted>),
 }
 
-/// What the values of a factor are counted in, and the factor to fractions; for other values the
-/// factor to their unit. `size` decides by titles and by the size of the values.
+/// The scale of the values of a factor, and the multiplier to fractions; for other values the
+/// multiplier to their unit. `size` decides by titles and by the size of the values.
 pub(crate) fn decide_scale(
     (kind, own): (Kind, Kind),
     known: &KnownScale,
@@ -71,7 +71,7 @@ const SIXTEEN_BITS: std::ops::RangeInclusive<f64> = 12_000.0..=65_535.0;
 
 const EIGHT_BITS: f64 = 255.0;
 
-/// Whether the largest values leave hardly a doubt about what they are counted in.
+/// True if the largest values leave hardly any doubt about their scale.
 pub(crate) fn is_plain_size(counted: Counted, high: f64) -> bool {
     match counted {
         Counted::Fraction => PLAIN_FRACTION.contains(&high),
@@ -81,8 +81,8 @@ pub(crate) fn is_plain_size(counted: Counted, high: f64) -> bool {
     }
 }
 
-/// What the values of a factor (reflectance, transmittance) are counted in: as their title states,
-/// per cent signs, or the header (`header` is per cent), else by their size.
+/// The scale of the values of a factor (reflectance, transmittance): as stated by their title, per
+/// cent signs, or the header (`header` is per cent), else by their size.
 ///
 /// Unstated, it is per cent when more than 1 % of the values exceed 1.5 and they are not just
 /// noise over fractions: the middle value exceeds 1.5 too, or lies far under the largest (a
@@ -126,17 +126,17 @@ pub(crate) fn counted(
 /// Largest values that are hardly per cent, whatever a title says.
 const MOST_DOUBTFUL: f64 = 1.2;
 
-/// Whether a title (lower case) says per cent.
+/// True if a title (lower case) means per cent.
 fn is_percent_title(title: &str) -> bool {
     holds_one(title.trim(), "%;percent;^tpc$;^rpc$")
 }
 
-/// Whether title, header or signs say that values are per cent.
+/// True if title, header or signs state that values are per cent.
 pub(crate) fn states_percent(title: &str, header: Option<bool>, signs: bool) -> bool {
     signs || is_percent_title(&title.to_lowercase()) || header == Some(true)
 }
 
-/// What the size of the values tells.
+/// The scale implied by the size of the values.
 pub(crate) fn by_size(values: &[f64]) -> Decision<Counted> {
     let mut sizes: Vec<f64> = values.iter().map(|v| v.abs()).collect();
     let mut at = |share: f64| {
@@ -161,14 +161,14 @@ fn are_bytes(values: &[f64]) -> bool {
     values.len() >= 10 && values.iter().all(is_byte)
 }
 
-/// Whether a title (lower case) says that 10 000 is all of the light: "reflectance (x10000)".
+/// True if 10 000 is all of the light by a title (lower case): "reflectance (x10000)".
 fn counts_ten_thousandths(title: &str) -> bool {
     const TIMES: &str = "x10000|;x1e4|;x10^4|;*10000|;*1e4|;*10^4|;×10000|;×1e4|;×10^4|";
     let bare: String = title.chars().filter(|c| !c.is_whitespace()).collect();
     holds_one(&bare, TIMES)
 }
 
-/// Whether a header says that values are per cent, or fractions; `None` where it does not.
+/// True if a header states per cent, false if it states fractions; `None` if neither.
 pub(crate) fn percent_of_header(header: &NumberedLines) -> Option<bool> {
     header.iter().rev().find_map(|(_, line)| {
         let line = line.trim().to_lowercase();
@@ -182,8 +182,8 @@ pub(crate) fn percent_of_header(header: &NumberedLines) -> Option<bool> {
     })
 }
 
-/// Whether a line (lower case) states how the values of a factor are counted: humidities and other
-/// settings are per cent too. It names the y axis or the factor, or nothing but a unit.
+/// True if a line (lower case) states the scale of the values of a factor: humidities and other
+/// settings are per cent too. It names the y axis or the factor, or only a unit.
 fn is_about_factors(line: &str) -> bool {
     let bare = ["unit", "units"].iter().any(|key| {
         line.strip_prefix(key).is_some_and(|rest| {
@@ -203,7 +203,7 @@ pub(crate) fn largest(values: &[f64]) -> f64 {
     sizes.get(sizes.len() * 99 / 100).copied().unwrap_or(0.0)
 }
 
-/// What the size of values tells, where they may be whole numbers to 10,000.
+/// The scale implied by the size of values, where they may be whole numbers to 10,000.
 pub(crate) fn or_large(
     size: Decision<Counted>,
     may_be_large: bool,

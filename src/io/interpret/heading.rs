@@ -1,36 +1,36 @@
-//! What the lines above a table say about its spectra, worked out once for all of them: a table
-//! may have thousands of columns under hundreds of lines.
+//! The facts about a table's spectra in the lines above it, worked out once for all of them: a
+//! table may have thousands of columns under hundreds of lines.
 
 use super::{axis, factor_scale, kinds, value_unit};
 use crate::io::provenance::ORIGINATOR;
 use crate::io::text::NumberedLines;
 use crate::io::text::units::WavelengthUnit;
 
-/// What a table's header says.
+/// The facts stated by a table's header.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Heading<'a> {
-    /// Whether this program wrote the file: names are names then, and every number was measured.
+    /// True if this program wrote the file: its names are names, and every number was measured.
     pub is_own: bool,
-    /// What it calls the spectrum.
+    /// The name of the spectrum.
     pub name: Option<&'a str>,
-    /// Where it says that the numbers come from.
+    /// The stated origin of the numbers.
     pub source: Option<&'a str>,
-    /// What a file of this program says of how the numbers were read before.
+    /// The notes in a file of this program on how the numbers were read before.
     pub notes: Option<&'a str>,
     /// Units of the wavelength axis, the nearest line first.
     pub axis_units: Vec<WavelengthUnit>,
-    /// Whether they are wavelengths in vacuum.
+    /// True if they are wavelengths in vacuum.
     pub in_vacuum: bool,
-    /// What it says of the values' kind.
+    /// The stated kind of the values.
     pub kind: kinds::FromHeader,
-    /// Whether values of a factor are per cent.
+    /// True if values of a factor are per cent.
     pub percent: Option<bool>,
     /// Unit of the values; empty when it names none.
     pub unit: String,
 }
 
 impl<'a> Heading<'a> {
-    /// What lines above a table say.
+    /// Parses the lines above a table.
     pub(crate) fn of(lines: &NumberedLines<'a>) -> Self {
         if field(lines, "written by:").is_some_and(|program| program.starts_with(ORIGINATOR)) {
             return Self::own(lines);
@@ -48,7 +48,7 @@ impl<'a> Heading<'a> {
         }
     }
 
-    /// What the lines of a file say that this program wrote: each key counts, and nothing else.
+    /// Parses the lines of a file that this program wrote: each key counts, and nothing else.
     pub(crate) fn own(lines: &NumberedLines<'a>) -> Self {
         let unit = field(lines, "unit:").unwrap_or("");
         Self {
@@ -83,7 +83,7 @@ const MOST_SHARED: usize = 3 << 20;
 /// Bytes of such a text that are kept in any case.
 const LEAST_SHARED: usize = 60;
 
-/// What a header line says behind a word ("name:", "source:"); upper or lower case.
+/// The text after a word ("name:", "source:") in a header line; upper or lower case.
 pub(crate) fn field<'a>(lines: &NumberedLines<'a>, word: &str) -> Option<&'a str> {
     lines.iter().rev().find_map(|(_, line)| {
         let start = line.trim_start().get(..word.len())?;

@@ -1,4 +1,4 @@
-//! What values stand for, told by titles, header lines, the file's name, last the values.
+//! The kind of values, determined from titles, header lines, the file's name, last the values.
 //!
 //! Titles of columns count most, then lines that state what is on the y axis, then the rest of
 //! the header, then the file's name. Whatever is not stated is a guess, and the reading says so.
@@ -12,7 +12,7 @@ use crate::spectrum::Kind;
 /// Words for what repeated measurements differ by.
 const SPREAD: &str = "variance;standard deviation;std dev;std. dev;stddev";
 
-/// Whether a text names what repeated measurements differ by, and not what was measured.
+/// True if a text names the spread of repeated measurements, not the measured quantity.
 pub(crate) fn is_spread(text: &str) -> bool {
     let text = text.to_lowercase();
     holds_one(&text, SPREAD)
@@ -194,21 +194,21 @@ pub(crate) fn kind_of_name(name: &str) -> Option<Kind> {
     kinds_of_name(name).last().copied()
 }
 
-/// Whether the words in a file's name all mean one kind.
+/// True if the words in a file's name all mean one kind.
 pub(crate) fn is_plain_name(name: &str) -> bool {
     let mut kinds = kinds_of_name(name);
     kinds.dedup();
     kinds.len() == 1
 }
 
-/// Whether a header line states what is on the y axis ("Y Units: Reflectance (percent)").
+/// True if a header line states the quantity on the y axis ("Y Units: Reflectance (percent)").
 pub(crate) fn states_values(line: &str) -> bool {
     const STARTS: &str = "^y unit;^yunit;^y-unit;^unit;^measurement;^quantity;^technique";
     holds_one(&line.trim().to_lowercase(), STARTS)
 }
 
-/// Whether a line titles columns of several kinds: it tells nothing of one without a kind. Nor does
-/// one that titles weightings beside something else: they are what a light is multiplied with.
+/// True if a line titles columns of several kinds: it implies nothing about one without a kind. Nor
+/// does one that titles weightings beside something else: weightings multiply a light.
 pub(super) fn titles_several(line: &str) -> bool {
     let cells = || line.split([';', '\t', ',']).map(str::trim);
     let mut kinds = cells().filter_map(kind_of_words);
@@ -225,16 +225,16 @@ fn titles_weighting(cell: &str) -> bool {
     kind_of_words(cell) == Some(Kind::Weighting)
 }
 
-/// What the lines above a table say of the kind of its values.
+/// The kind of a table's values, as stated by the lines above it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct FromHeader {
-    /// What this program's own files say under "kind:".
+    /// The kind in this program's own files, under "kind:".
     pub own: Option<Kind>,
     /// The kind that a line tells, and the line.
     telling: Option<(Kind, String)>,
-    /// Whether columns of weightings stand beside others: the file's name may be theirs.
+    /// True if there are columns of weightings beside others: the file's name may be theirs.
     beside_weightings: bool,
-    /// Whether a spectrometer says that it saw no white panel.
+    /// True if a spectrometer reports that it saw no white panel.
     no_white: bool,
 }
 

@@ -30,7 +30,7 @@ pub(super) use factor_scale::KnownScale;
 pub(super) use heading::Heading;
 pub(super) use raw::{Known, RawAxis, RawSpectrum, Scale};
 
-/// What a spectrum takes beside its values, in bytes: name, source, and how it was read. Files of
+/// The memory of a spectrum beside its values, in bytes: name, source, and reading notes. Files of
 /// tens of thousands of spectra of a few values each would take far more than their size.
 const BYTES_BESIDE: usize = 3072;
 
@@ -221,8 +221,8 @@ fn place(
     })
 }
 
-/// What values stand for: as a person says, else as the file does. With what goes against the
-/// person, where that is plain.
+/// The kind of the values: as chosen, else as in the file; with a remark where the file plainly
+/// contradicts the choice.
 pub(super) fn kind_as_chosen(
     own: Decision<Kind>,
     chosen: Option<Kind>,

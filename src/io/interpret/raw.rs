@@ -12,7 +12,7 @@ use crate::spectrum::{Kind, SHORTEST_IN_AIR_NM, Sampled, in_air};
 /// A spectrum on its way from a reader to [`interpret`](super::interpret()).
 #[derive(Default)]
 pub(crate) struct RawSpectrum<'a> {
-    /// What to call it.
+    /// Its name.
     pub name: String,
     /// Its wavelengths.
     pub axis: RawAxis<'a>,
@@ -20,19 +20,19 @@ pub(crate) struct RawSpectrum<'a> {
     pub values: Vec<f64>,
     /// Title and unit above its values.
     pub title: String,
-    /// Whether values carry per cent signs.
+    /// True if values carry per cent signs.
     pub percent_signs: bool,
-    /// What the lines above its table say.
+    /// The facts stated by the lines above its table.
     pub heading: Option<&'a Heading<'a>>,
-    /// What its format knows of it.
+    /// The properties fixed by its format.
     pub known: Known,
     /// Lines of the points in the file, for messages; one only for a spectrum in a row.
     pub lines: &'a [u32],
     /// Words for the line of provenance ("1 nm block", "decimal comma").
     pub how: Vec<String>,
-    /// What its reader has to say about it, a sentence each.
+    /// The reader's notes on it, a sentence each.
     pub notes: Vec<String>,
-    /// Where it comes from, where the file says so.
+    /// The origin of the numbers, where the file states it.
     pub source: Option<String>,
     /// The notes that a file of this program has in one line.
     pub before: &'a str,
@@ -46,7 +46,7 @@ pub(crate) enum RawAxis<'a> {
         scale: &'a Scale<'a>,
         /// Title and unit above them.
         title: String,
-        /// Whether they say "nm" themselves.
+        /// True if they carry "nm" themselves.
         says_nm: bool,
     },
 }
@@ -57,16 +57,16 @@ impl Default for RawAxis<'_> {
     }
 }
 
-/// What a format knows of a spectrum; what it does not is decided by words and numbers.
+/// The properties of a spectrum fixed by its format; the others are decided by words and numbers.
 #[derive(Clone, Debug, Default)]
 pub struct Known {
-    /// What its values stand for.
+    /// The kind of its values.
     pub kind: Option<Decision<Kind>>,
     /// Unit of its values, the scale applied; factors count as fractions.
     pub unit: Option<String>,
-    /// What its values are multiplied by.
+    /// The multiplier of its values.
     pub scale: KnownScale,
-    /// Whether factors may be stored as whole numbers to 10,000.
+    /// True if factors may be stored as whole numbers to 10,000.
     pub may_be_large: bool,
 }
 
@@ -174,8 +174,8 @@ impl<'a> Scale<'a> {
         *self.extent.get_or_init(|| extent(self.numbers))
     }
 
-    /// How uneven the steps between neighbours are in nm: the widest less the narrowest, over the
-    /// median; `None` of few.
+    /// The unevenness of the steps between neighbours in nm: the widest less the narrowest, over
+    /// the median; `None` for few steps.
     pub(super) fn unevenness(&self, unit: WavelengthUnit) -> Option<f64> {
         let steps = self.steps(unit);
         let (first, last) = (steps.first()?, steps.last()?);
@@ -196,7 +196,7 @@ impl<'a> Scale<'a> {
         steps
     }
 
-    /// Whether wavelengths in vacuum are turned into those in air: of many points far apart the
+    /// True if wavelengths in vacuum are converted to those in air: with many points far apart the
     /// difference is lost between two of them.
     pub(super) fn tells_air_from_vacuum(&self, unit: WavelengthUnit) -> bool {
         const MANY: usize = 20;

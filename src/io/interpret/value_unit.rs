@@ -10,14 +10,14 @@ pub(crate) const PHOTONS: &str = "µmol m-2 s-1 nm-1";
 /// Photons of which only a title tells.
 pub(crate) const PHOTONS_ALONE: &str = "photons";
 
-/// Whether a unit counts photons: moles of them, or einsteins (`µE/m2/s/nm`).
+/// True if a unit counts photons: moles of them, or einsteins (`µE/m2/s/nm`).
 pub(crate) fn counts_photons(unit: &str) -> bool {
     const WORDS: &str = "mol;photon;quanta;^ue;^µe;^μe;^einstein;^ph/";
     holds_one(&unit.to_lowercase(), WORDS)
 }
 
-/// Whether a title says that photons were counted: what they are, or how plant scientists call
-/// their flux. Their energy is an axis, and a quantum efficiency no light.
+/// True if a title states that photons were counted: by their name, or by plant scientists' terms
+/// for their flux. Photon energy is an axis, and a quantum efficiency is not a light.
 pub(crate) fn title_counts_photons(title: &str) -> bool {
     const WORDS: &str =
         "|photon|;|photons|;|quanta|;|quantum flux;|quantum irrad;|ppfd|;|pfd|;|umol;|µmol";
@@ -111,7 +111,7 @@ fn bare(title: &str) -> Option<&str> {
     })
 }
 
-/// Whether a text is a unit of values and nothing else.
+/// True if a text is a unit of values and nothing else.
 pub(crate) fn looks_like_unit(text: &str) -> bool {
     const WORDS: [&str; 6] = ["counts", "1.0", "fraction", "a.u.", "relative", "W"];
     !text.is_empty()

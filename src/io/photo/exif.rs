@@ -1,9 +1,9 @@
 //! The few lines of EXIF that are read.
 
-/// What is kept of a picture's EXIF: never where it was taken.
+/// The EXIF data kept of a picture: never the place where it was taken.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Exif {
-    /// How the stored picture is turned to be shown, 1 to 8.
+    /// The orientation for showing the stored picture, 1 to 8.
     pub orientation: u8,
     /// Seconds.
     pub exposure_s: Option<f64>,
@@ -58,7 +58,7 @@ impl Tiff<'_> {
         })
     }
 
-    /// Where the entry of a tag stands in a directory.
+    /// The offset of a tag's entry in a directory.
     fn entry(&self, directory: usize, tag: u16) -> Option<usize> {
         let count = usize::from(self.word(directory)?).min(MOST_ENTRIES);
         let mut entries = (0..count).map(|i| directory + 2 + 12 * i);
@@ -67,7 +67,7 @@ impl Tiff<'_> {
 }
 
 impl Exif {
-    /// What stands in the bytes of an EXIF segment; what is missing or bad is left out.
+    /// Parses the bytes of an EXIF segment; missing or bad entries are left out.
     pub(super) fn of(bytes: &[u8]) -> Self {
         let bytes = bytes.strip_prefix(b"Exif\0\0").unwrap_or(bytes);
         let tiff = Tiff {

@@ -56,7 +56,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Stored, Refused> {
     })
 }
 
-/// Whether the picture's own end is there, behind its first scan.
+/// True if the picture's own end marker is present, after its first scan.
 fn ends(bytes: &[u8]) -> bool {
     let mut at = 2;
     while let Some([0xff, marker, high, low]) = bytes.get(at..at + 4) {

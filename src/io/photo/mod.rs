@@ -33,13 +33,13 @@ pub struct Photo {
     pub pixels: ColourPixels,
     /// The codes are proportional to light: a PNG says so by a gamma of 1.
     pub is_linear: bool,
-    /// What is kept of its EXIF.
+    /// The EXIF data kept of it.
     pub exif: Exif,
-    /// What was done to it.
+    /// The changes made to it.
     pub notes: Vec<&'static str>,
 }
 
-/// What a file holds before it is turned.
+/// The contents of a file before the picture is turned.
 struct Stored {
     size: [usize; 2],
     pixels: ColourPixels,
@@ -98,7 +98,7 @@ pub(crate) fn photo_of(name: &str, bytes: &[u8]) -> Result<Photo, ReadError> {
         .map_err(|(found, expected)| ReadError::new(name, found, expected))
 }
 
-/// What a file is that is no JPEG and no PNG, and what to do about it.
+/// The type of a file that is neither JPEG nor PNG, and the suggested remedy.
 fn kind_of(bytes: &[u8]) -> (&'static str, &'static str) {
     let brand = bytes.get(4..12).unwrap_or_default();
     let is_brand = |names: &[&[u8; 4]]| {

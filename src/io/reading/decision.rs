@@ -1,16 +1,16 @@
-//! What was decided about a spectrum, by whom and why: every fact once.
+//! Decisions about a spectrum, with origin and reason: every fact once.
 
 use crate::io::choices::Counted;
 use crate::io::text::units::WavelengthUnit;
 use crate::spectrum::Kind;
 
-/// What is said of a decision that a person took.
+/// The reason given for a decision by the user.
 pub(crate) const BY_HAND: &str = "chosen by hand";
 
-/// What is said of one that the format leaves no choice about.
+/// The reason given for a decision to which the format leaves no alternative.
 const ITS_FORMAT: &str = "its format";
 
-/// What a decision stands on, the firmest first.
+/// The basis of a decision, the firmest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
     /// A person.
@@ -19,18 +19,18 @@ pub enum Origin {
     Stated,
     /// Words or numbers that leave hardly a doubt.
     Evident,
-    /// What is usual: a person should look.
+    /// The usual case: to be reviewed.
     Likely,
 }
 
 /// A decision about a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Decision<T> {
-    /// What was decided.
+    /// The decided value.
     pub value: T,
-    /// What it stands on.
+    /// The basis of the decision.
     pub origin: Origin,
-    /// What spoke for it, in words.
+    /// The evidence for it, in words.
     pub reason: String,
 }
 
@@ -68,18 +68,18 @@ impl<T> Decision<T> {
         Self::of(value, origin, reason)
     }
 
-    /// Whether neither a person nor the file says so.
+    /// True if stated neither by the user nor by the file.
     pub(crate) fn is_guess(&self) -> bool {
         matches!(self.origin, Origin::Evident | Origin::Likely)
     }
 
-    /// Whether a person should look.
+    /// True if it should be reviewed.
     pub(crate) fn is_doubtful(&self) -> bool {
         self.origin == Origin::Likely
     }
 }
 
-/// What the wavelength axis of a spectrum counts.
+/// The quantity along the wavelength axis of a spectrum.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AxisDecision {
     /// Wavelengths or their like.
@@ -89,7 +89,7 @@ pub enum AxisDecision {
 }
 
 impl AxisDecision {
-    /// Whether a person should look: anything but nanometres is rare enough to ask.
+    /// True if it should be reviewed: anything but nanometres is rare enough to ask about.
     pub(crate) fn is_doubtful(&self) -> bool {
         match self {
             Self::Unit(unit) => unit.is_doubtful() && unit.value != WavelengthUnit::Nanometre,
@@ -98,19 +98,19 @@ impl AxisDecision {
     }
 }
 
-/// How a spectrum or an image was understood, what was stated as well as what was guessed.
+/// The interpretation of a spectrum or an image, stated as well as guessed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Decisions {
-    /// What the wavelength axis counts; `None` where the format leaves it no choice.
+    /// The quantity along the wavelength axis; `None` where the format leaves no choice.
     pub axis: Option<AxisDecision>,
-    /// What the values stand for.
+    /// The kind of the values.
     pub kind: Decision<Kind>,
-    /// What the values are counted in; `None` where they are no factor.
+    /// The scale of the values; `None` where they are not a factor.
     pub counted: Option<Decision<Counted>>,
 }
 
 impl Decisions {
-    /// What spoke for each decision.
+    /// The evidence for each decision.
     pub(crate) fn reasons(&mut self) -> impl Iterator<Item = &mut String> {
         let axis = self.axis.as_mut().map(|axis| match axis {
             AxisDecision::Unit(unit) => &mut unit.reason,
@@ -121,7 +121,7 @@ impl Decisions {
         [kind, axis, counted].into_iter().flatten()
     }
 
-    /// Whether a person should look.
+    /// True if any of them should be reviewed.
     pub(crate) fn is_doubtful(&self) -> bool {
         self.kind.is_doubtful()
             || self.counted.as_ref().is_some_and(Decision::is_doubtful)

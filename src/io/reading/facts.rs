@@ -1,19 +1,19 @@
-//! What is kept of a spectrum beside its numbers while its file is read.
+//! Facts kept about a spectrum, beside its numbers, while its file is read.
 
 use super::decision::Decisions;
 use super::remark::Remark;
 
-/// What is known of a spectrum beside its numbers, until it is put in words.
+/// The known facts about a spectrum beside its numbers, until they are put in words.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Facts {
-    /// What was decided.
+    /// The decisions about it.
     pub decisions: Decisions,
     /// Another unit that the file names for its axis.
     pub against: Option<String>,
     /// Words for the line of provenance.
     pub how: Vec<String>,
-    /// Whether that line tells of per cent.
+    /// True if that line mentions per cent.
     pub tells_scale: bool,
-    /// What is to be said, in this order.
+    /// The remarks to be made, in this order.
     pub remarks: Vec<Remark>,
 }

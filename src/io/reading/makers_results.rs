@@ -1,4 +1,4 @@
-//! What an instrument itself computed and wrote beside its spectrum: CCT, Ra, lux, PPFD, ...
+//! Results computed by the instrument and written beside its spectrum: CCT, Ra, lux, PPFD, ...
 //!
 //! The program computes the same numbers from the spectrum; both can be shown side by side. A key
 //! is known in the spellings of UPRtek, Sekonic, LI-COR, Argyll and their like: upper or lower
@@ -12,7 +12,7 @@ use crate::io::text::number::{self, Cell};
 
 pub(crate) const MOST_RESULTS: usize = 1000;
 
-/// How many more results a file may give that has given so many.
+/// The number of further results allowed for a file that has given so many.
 pub(crate) fn room_for(given: usize) -> usize {
     MOST_RESULTS.saturating_sub(given)
 }
@@ -23,7 +23,7 @@ pub struct MakersResult {
     /// Index into [`Reading::spectra`](crate::io::Reading::spectra); `None` when the file has no
     /// spectrum that it belongs to.
     pub spectrum: Option<usize>,
-    /// What was computed.
+    /// The computed quantity.
     pub quantity: Quantity,
     /// Its value, in `unit`.
     pub value: f64,
@@ -33,7 +33,7 @@ pub struct MakersResult {
     pub as_written: String,
 }
 
-/// What an instrument computed.
+/// A quantity computed by an instrument.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Quantity {
@@ -83,8 +83,8 @@ pub enum Quantity {
     Other(String),
 }
 
-/// What a quantity is called, the unit in which makers give it when they do not say, and its keys
-/// as [`known`] has them, blanks between.
+/// A quantity, its name, the unit in which makers give it when they state none, and its keys as
+/// [`known`] has them, separated by blanks.
 type Known = (Quantity, &'static str, &'static str, &'static str);
 
 /// The quantities that have one name each.

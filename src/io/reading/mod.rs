@@ -1,4 +1,4 @@
-//! What comes out of a file.
+//! The result of reading a file.
 
 pub(super) mod decision;
 pub(super) mod facts;
@@ -16,38 +16,38 @@ use decision::{AxisDecision, Decisions, Origin};
 use facts::Facts;
 use makers_results::MakersResult;
 
-/// What a reader had to guess and a person may flip.
+/// A property guessed by a reader and open to change by the user.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Guessed {
-    /// What the values stand for.
+    /// The kind of the values.
     Kind,
-    /// What the wavelength axis counts.
+    /// The quantity along the wavelength axis.
     WavelengthUnit,
-    /// Whether the values are per cent or fractions.
+    /// The scale of the values: per cent or fractions.
     Percent,
-    /// What stands between the cells of a table.
+    /// The separator between the cells of a table.
     Columns,
 }
 
-/// What a file leaves open of a spectrum: what was taken, and why.
+/// A question about a spectrum left open by its file: the choice made, and why.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OpenQuestion {
     /// Index into [`Reading::spectra`], counted on through [`Reading::composites`].
     pub spectrum: usize,
-    /// What was guessed.
+    /// The guessed property.
     pub what: Guessed,
     /// The choice in a word ("light", "nm", "percent", "fraction").
     pub chosen: String,
-    /// What spoke for it.
+    /// The evidence for it.
     pub because: String,
-    /// Whether words or numbers leave hardly a doubt, so that nobody need be asked.
+    /// True if words or numbers leave hardly any doubt, so that no question is needed.
     pub plain: bool,
 }
 
-/// How a plain table was taken apart, for a person who wants to look.
+/// The structure of a plain table, for inspection.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableFound {
-    /// What stands between cells and marks decimals.
+    /// The separator of cells and the decimal mark.
     pub dialect: Dialect,
     /// The column of wavelengths, from 0; `None` where they stand in a row.
     pub axis_column: Option<usize>,
@@ -60,8 +60,8 @@ pub struct TableFound {
 }
 
 impl OpenQuestion {
-    /// Whether a person should look: the kind and per cent can hardly be told from numbers, and
-    /// anything but nanometres is rare enough to ask.
+    /// True if it should be reviewed: the kind and per cent can hardly be inferred from numbers,
+    /// and anything but nanometres is rare enough to ask about.
     pub(crate) fn is_doubtful(&self) -> bool {
         match self.what {
             _ if self.plain => false,
@@ -78,11 +78,11 @@ pub struct CompositeFile {
     pub composite: Composite,
     /// Unit of its smooth part; empty when unknown. A spike's weight is in this unit x nm.
     pub unit: String,
-    /// Where the numbers come from; empty when unknown.
+    /// The origin of the numbers; empty when unknown.
     pub source: String,
-    /// What lists and plots call it; the file's own name where the format has none.
+    /// The name in lists and plots; the file's own name where the format has none.
     pub name: String,
-    /// What its values stand for; a light where the format does not say.
+    /// The kind of its values; a light where the format does not state it.
     pub kind: Kind,
 }
 
@@ -97,23 +97,23 @@ pub struct Reading {
     pub spectra: Vec<NamedSpectrum>,
     /// Composite models.
     pub composites: Vec<CompositeFile>,
-    /// How its first plain table was taken apart; `None` for other formats.
+    /// The structure of its first plain table; `None` for other formats.
     pub table: Option<TableFound>,
-    /// What parts the cells of a text that is no plain table and is cut into cells all the same.
+    /// The separator of the cells of a text that is cut into cells without being a plain table.
     pub cut_by: Option<Delimiter>,
-    /// How its first spectra were understood, in their order.
+    /// The interpretation of its first spectra, in their order.
     pub understood: Vec<Decisions>,
-    /// How each of its images was understood.
+    /// The interpretation of each of its images.
     pub images_understood: Vec<Decisions>,
-    /// What the instrument itself computed and wrote beside its spectra.
+    /// The results computed by the instrument itself and written beside its spectra.
     pub results: Vec<MakersResult>,
     /// Images whose pixels are spectra.
     pub images: Vec<SpectralImage>,
-    /// What had to be guessed of its spectra.
+    /// The guesses made about its spectra.
     pub guesses: Vec<OpenQuestion>,
-    /// What is known of each spectrum until all is put in words; empty afterwards.
+    /// The known facts about each spectrum until all are put in words; empty afterwards.
     pub facts: Vec<Facts>,
-    /// What stands in front of the first spectrum's line of provenance in the file's own notes.
+    /// The prefix of the first spectrum's line of provenance in the file's own notes.
     pub in_front: String,
     /// Provenance and whatever is odd about the file, a line each; the first is the line that the
     /// window and the command line show ("1 nm block, 401 points, W m-2 nm-1, decimal comma").
@@ -121,7 +121,7 @@ pub struct Reading {
 }
 
 impl Reading {
-    /// Whether a person should look at how the file was read.
+    /// True if the reading of the file should be reviewed.
     pub fn is_doubtful(&self) -> bool {
         self.guesses.iter().any(OpenQuestion::is_doubtful)
             || self.images_understood.iter().any(Decisions::is_doubtful)
@@ -234,7 +234,7 @@ fn tidy(text: &mut String) {
 
 const MOST_HOLES: usize = 3;
 
-/// Where a spectrum has no samples in its midst, a sentence each.
+/// The notes on the interior gaps in a spectrum's samples, a sentence each.
 fn hole_notes(samples: &Sampled) -> Vec<String> {
     let holes = samples.holes();
     let range = samples.last_nm() - samples.first_nm();

@@ -1,10 +1,10 @@
-//! What is said about a spectrum, as facts; the words are made once, when all is decided.
+//! Remarks about a spectrum, as facts; the words are made once, when all is decided.
 
 use super::decision::{Decision, Decisions};
 use crate::io::choices::Counted;
 use crate::io::text::units::WavelengthUnit;
 
-/// What is said of a spectrum that counts photons.
+/// The note on a spectrum that counts photons.
 pub(crate) const PHOTON_NOTE: &str = "the file counts photons, not energy: unless they are turned into power, its values weigh long \
      wavelengths too heavily";
 
@@ -13,22 +13,22 @@ pub(crate) const PHOTON_NOTE: &str = "the file counts photons, not energy: unles
 pub enum Remark {
     /// The line of provenance.
     Line,
-    /// What its values stand for.
+    /// The kind of its values.
     Kind,
-    /// What its values are counted in.
+    /// The scale of its values.
     Counted,
-    /// What a file that was written here says of the one before it, unless the line of provenance
-    /// says so already: how that was read is most often how this one is.
+    /// The note of a file written here on the one before it, unless the line of provenance already
+    /// states it: both were most often read in the same way.
     Before(String),
     /// Words that hang on nothing else.
     Note(String),
 }
 
-/// What is said of a light over an axis that counts no lengths.
+/// The note on a light over an axis that does not count lengths.
 pub(crate) const PER_OTHER: &str = "the values are kept as written: where they are per unit of that axis \
      (per THz, per 1/cm, per eV) and not per nm, they are not rescaled";
 
-/// What is said of wavelengths that were measured in vacuum.
+/// The note on wavelengths measured in vacuum.
 pub(crate) const TO_AIR: &str =
     "wavelengths in vacuum turned into those in air, as lines of lamps are listed";
 pub(crate) const KEPT_IN_VACUUM: &str = "wavelengths in vacuum kept: those in air are shorter by less than a \
@@ -55,7 +55,7 @@ impl Remark {
     }
 }
 
-/// What a guessed unit of an axis is called: "nm", or "nm, not Å" where the file says otherwise.
+/// The words for a guessed unit of an axis: "nm", or "nm, not Å" where the file states otherwise.
 pub(crate) fn unit_words(unit: WavelengthUnit, against: Option<&str>) -> String {
     match against {
         Some(other) => format!("{}, not {other}", unit.word()),
@@ -63,7 +63,7 @@ pub(crate) fn unit_words(unit: WavelengthUnit, against: Option<&str>) -> String 
     }
 }
 
-/// What is said of the unit of an axis; `against` is another one that the file names.
+/// The note on the unit of an axis; `against` is another one that the file names.
 pub(crate) fn axis_words(unit: &Decision<WavelengthUnit>, against: Option<&str>) -> Option<String> {
     if unit.is_guess() {
         return Some(taken_as(&unit_words(unit.value, against), &unit.reason));

@@ -24,7 +24,7 @@ pub(crate) struct Pairs<'a> {
     pub values: Vec<f64>,
     /// Line of each value.
     pub lines: Vec<u32>,
-    /// Whether decimals are marked by commas.
+    /// True if decimals are marked by commas.
     pub decimal_comma: bool,
 }
 
@@ -54,7 +54,7 @@ fn longest_run(text: &str, decimal_comma: bool) -> Lone<'_> {
     best
 }
 
-/// How many lines hold one number each, and the first of them; `None` when hardly any do.
+/// The number of lines with one number each, and the first of them; `None` if there are hardly any.
 pub(crate) fn lone_numbers(text: &str) -> Option<(usize, usize)> {
     let (_, run) = longest_run(text, false);
     let (first, _) = run.first()?;

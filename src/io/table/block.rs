@@ -17,7 +17,7 @@ pub(crate) const LONGEST_BREAK: usize = 5;
 /// Fewest rows of a table that agree so clearly that one which does not is left out.
 pub(crate) const FEWEST_THAT_AGREE: usize = 20;
 
-/// How many rows of a table may be left out as mistyped: one in fifty, none of a short table.
+/// The most rows of a table that may be left out as mistyped: one in fifty, none of a short table.
 pub(crate) fn most_left_out(rows: usize) -> usize {
     if rows < FEWEST_THAT_AGREE {
         return 0;
@@ -25,7 +25,7 @@ pub(crate) fn most_left_out(rows: usize) -> usize {
     (rows / 50).max(1)
 }
 
-/// Whether values are a spectrum's: two at least that are not missing.
+/// True if values are a spectrum's: at least two are not missing.
 pub(crate) fn has_values<V: Borrow<f64>>(values: impl IntoIterator<Item = V>) -> bool {
     let mut filled = values.into_iter().filter(|value| !value.borrow().is_nan());
     filled.nth(1).is_some()
@@ -35,7 +35,7 @@ pub(crate) fn has_values<V: Borrow<f64>>(values: impl IntoIterator<Item = V>) ->
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum NoTable {
     Bad(BadCell),
-    /// What stands at a line, and what should.
+    /// The content of a line, and the content expected there.
     At {
         line: usize,
         found: String,
@@ -45,7 +45,7 @@ pub(crate) enum NoTable {
     NoRows,
 }
 
-/// What one column of a block holds.
+/// Statistics of one column of a block.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Column {
     /// Cells with a number.
@@ -60,7 +60,7 @@ pub(crate) struct Column {
     pub nanometres: usize,
     /// The unit behind its first number that has one.
     pub unit: Option<String>,
-    /// Whether a word below a number is in the block's list already.
+    /// True if a word below a number is already in the block's list.
     has_bad: bool,
 }
 
@@ -114,7 +114,7 @@ pub(crate) struct BadCell {
     /// Column, from 0.
     pub column: usize,
     pub text: String,
-    /// Whether its line is a row beyond doubt: its first number carries the column on.
+    /// True if its line is certainly a row: its first number carries the column on.
     pub certain: bool,
 }
 
@@ -133,7 +133,7 @@ impl BadCell {
         input.error(quoted(&self.text), expected).at_line(self.line)
     }
 
-    /// What is said where `what` (the row, the cell) was left out.
+    /// The note that `what` (the row, the cell) was left out.
     pub(crate) fn left_out(&self, what: &str) -> String {
         let (line, column) = (self.line, self.column + 1);
         let text = quoted(&self.text);
@@ -170,7 +170,7 @@ pub(crate) struct Block<'a> {
     pub ended_by: Option<BadCell>,
     /// The first lines behind the last block of a text.
     pub behind: Vec<(usize, &'a str)>,
-    /// What was passed over to get it, a sentence each.
+    /// The content skipped to get it, a sentence each.
     pub notes: Vec<String>,
     /// The rows with a word that it was broken by.
     pub lost: Vec<BadCell>,
@@ -268,7 +268,7 @@ impl<'a> Block<'a> {
         &self.values[column]
     }
 
-    /// Whether a column counts the rows, from 0 or 1.
+    /// True if a column counts the rows, from 0 or 1.
     pub(crate) fn counts_rows(&self, column: usize) -> bool {
         let values = self.column(column);
         let first = values[0];
@@ -276,7 +276,7 @@ impl<'a> Block<'a> {
         (first == 0.0 || first == 1.0) && numbered.all(|(row, v)| *v == first + row as f64)
     }
 
-    /// Whether rows begin with a name or a count.
+    /// True if rows begin with a name or a count.
     pub(crate) fn has_row_names(&self) -> bool {
         self.columns[0].numbers == 0 || self.counts_rows(0)
     }
@@ -286,7 +286,7 @@ impl<'a> Block<'a> {
         values.len() >= SETTLED && values.windows(2).all(|pair| pair[0] == pair[1])
     }
 
-    /// Whether a row with `used` filled of `all` cells belongs to the block: as wide, or shorter
+    /// True if a row with `used` filled of `all` cells belongs to the block: as wide, or shorter
     /// where the block has shown its width.
     pub(crate) fn takes(&self, used: usize, all: usize) -> bool {
         used == self.width || used < self.width && (all == self.width || self.rows() >= SETTLED)
@@ -432,8 +432,7 @@ impl<'a> Block<'a> {
     }
 }
 
-/// Whether `next` follows two numbers of a column: the same way on, and by no more than a few
-/// steps.
+/// True if `next` continues two numbers of a column: in the same direction, by at most a few steps.
 pub(crate) fn carries_on(before: f64, last: f64, next: f64) -> bool {
     let step = last - before;
     (next - last) * step > 0.0 && (next - last).abs() <= 20.0 * step.abs()

@@ -21,7 +21,7 @@ use crate::io::{Input, ReadError, Reading};
 pub(crate) struct File<'a, 'i> {
     /// Its bytes and what a person decided about it.
     pub input: &'a Input<'i>,
-    /// How its cells are set apart.
+    /// The delimiter and decimal mark of its cells.
     pub dialect: Dialect,
 }
 
@@ -32,11 +32,11 @@ struct Rows<'a> {
     values: &'a [usize],
     run: Range<usize>,
     part: String,
-    /// What the columns of values are called.
+    /// The names of the columns of values.
     names: &'a [String],
-    /// Whether the columns are a camera's R, G and B.
+    /// True if the columns are a camera's R, G and B.
     is_rgb: bool,
-    /// What a column of words calls these rows.
+    /// The name of these rows in a column of words.
     sample: Option<&'a str>,
 }
 
@@ -130,7 +130,7 @@ fn said_of_samples(table: &Table, columns: &[usize]) -> String {
     format!("{} {tell} the spectra apart", shown.join(" and "))
 }
 
-/// What is said of values that are only known to lie beyond a limit.
+/// The note on values known only to lie beyond a limit.
 fn said_of_limits(count: usize) -> Option<String> {
     let values = many(count, "value lies", "values lie");
     (count > 0)
@@ -246,7 +246,7 @@ fn names_above(
     Some(names)
 }
 
-/// Whether columns are a camera's or a display's R, G and B: then R is no reflectance.
+/// True if columns are a camera's or a display's R, G and B: then R is no reflectance.
 fn are_rgb(titles: &Titles, values: &[usize]) -> bool {
     ["r", "g", "b"].iter().all(|letter| {
         let mut names = values.iter().map(|column| titles.names[*column].trim());
@@ -266,7 +266,7 @@ fn column_name(titles: &Titles, column: usize, columns: usize) -> String {
     }
 }
 
-/// Whether a title says no more than what kind of value stands below it.
+/// True if a title names only the kind of value below it.
 fn is_generic(title: &str) -> bool {
     kinds::kind_of_title(title).is_some()
         || title.len() == 1

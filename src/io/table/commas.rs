@@ -17,9 +17,9 @@ pub(super) const FEWEST_WHOLE: usize = 3;
 /// A text with numbers that every dialect reads.
 pub(crate) struct Plain {
     pub text: String,
-    /// What was done to get it.
+    /// The changes made to get it, in words.
     pub said: String,
-    /// Whether it may be otherwise.
+    /// True if another reading is possible.
     pub is_doubtful: bool,
 }
 
@@ -61,8 +61,8 @@ impl<'a> Commas<'a> {
             .all(|pair| of(&pair[0].1) == of(&pair[1].1))
     }
 
-    /// Whether a row ends in decimals that begin with a zero, as no whole number does, and the number
-    /// before them is not filled up with zeros either.
+    /// True if a row ends in decimals that begin with a zero, as no whole number does, and the
+    /// number before them is not zero-padded either.
     fn has_zeros(&self) -> bool {
         let is_padded = |cell: &str| {
             cell.len() > 1 && cell.starts_with('0') && cell.bytes().all(|b| b.is_ascii_digit())
@@ -74,8 +74,8 @@ impl<'a> Commas<'a> {
         is(0) && !is(1)
     }
 
-    /// How many numbers a row holds that has more cells than titles; `None` where no comma seems to
-    /// stand within a number.
+    /// The count of numbers in a row with more cells than titles; `None` where no comma appears to
+    /// lie within a number.
     fn numbers(&self) -> Option<usize> {
         let (least, most) = self.widths();
         let mut firsts = self

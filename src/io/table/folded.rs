@@ -19,8 +19,8 @@ const MOST_AGAIN: f64 = 0.4;
 /// The share of the greatest value from which on values tell that two columns are one curve.
 const LEAST_AT_JOINT: f64 = 0.05;
 
-/// How much longer the way up and down a curve may be than that of every tenth of its points: lines
-/// of light stand between them.
+/// The largest total variation of a curve relative to that of every tenth of its points: emission
+/// lines lie between those.
 const LABELLED: f64 = 5.0;
 const UNLABELLED: f64 = 1.5;
 
@@ -116,8 +116,8 @@ fn side_by_side(table: &Table, groups: &[Group]) -> Option<Unfolded> {
     ))
 }
 
-/// Whether value and slope agree across the joint before a point: as far as slopes close by do, or
-/// to what rounding leaves of the greatest value.
+/// True if value and slope agree across the joint before a point: to within the change of nearby
+/// slopes, or the rounding of the greatest value.
 fn is_smooth(points: &[Point], joint: usize, greatest: f64) -> bool {
     const CLOSE_BY: usize = 6;
     let slope = |pair: &[Point]| (pair[1].1 - pair[0].1) / (pair[1].0 - pair[0].0);

@@ -1,4 +1,4 @@
-//! Where a block of numbers keeps its wavelengths: down a column or along a row.
+//! The position of the wavelengths in a block of numbers: down a column or along a row.
 
 use std::ops::Range;
 
@@ -29,7 +29,7 @@ pub(crate) struct AlongRow {
     /// The first row of values: 1 when the wavelengths are the block's first row, 0 when they
     /// stand in the header.
     pub from_row: usize,
-    /// Whether the axis says by itself that it counts nanometres.
+    /// True if the axis itself states that it is in nanometres.
     pub says_nm: bool,
 }
 
@@ -41,7 +41,7 @@ const FILLED: f64 = 0.9;
 /// The same under a title that names wavelengths.
 const FILLED_TITLED: f64 = 0.25;
 
-/// What a column of nanometres that says so scores.
+/// The score of a column of nanometres labelled as such.
 const SUREST: u32 = 14;
 
 /// Steps in a hundred that may go against the others: rounding and overlapping detectors.
@@ -50,11 +50,11 @@ const FEW_REVERSALS: usize = 10;
 /// The same under a title that names wavelengths: a curve traced by hand goes back and forth.
 const TRACED_REVERSALS: usize = 50;
 
-/// What nanometres in random order score: less than any that rise or fall.
+/// The score of nanometres in random order: less than any that rise or fall.
 const SHUFFLED: u32 = 1;
 
-/// What numbers in the range of nanometres score, and every axis that is titled so: what is asked
-/// of a few rows beside a long table.
+/// The score of numbers in the range of nanometres, reached by every axis titled so: the threshold
+/// for a few rows beside a long table.
 pub(crate) const CLEAR: u32 = 4;
 
 /// Some tables begin with zeros or end with a few that are no wavelengths.
@@ -71,7 +71,7 @@ fn without_zero_ends(numbers: &[f64]) -> &[f64] {
     }
 }
 
-/// How sure a sequence of numbers is a wavelength axis: 0 is no.
+/// Confidence that a sequence of numbers is a wavelength axis; 0 if it is not.
 fn strength(numbers: &[f64], most_reversals: usize) -> u32 {
     let mut min = f64::INFINITY;
     let mut max = f64::NEG_INFINITY;

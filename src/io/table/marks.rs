@@ -40,7 +40,7 @@ pub(crate) fn made_plain(
     }
 }
 
-/// How one mark is used in a number.
+/// The role of one mark in a number.
 #[derive(Clone, Copy, PartialEq)]
 enum Use {
     Absent,
@@ -57,7 +57,7 @@ fn bare(cell: &str) -> &str {
     cell.trim_start_matches(['-', '+', '−'])
 }
 
-/// Whether cells are a row: numbers, or one at the start and gaps.
+/// True if cells form a row: numbers, or one at the start followed by gaps.
 fn is_row(cells: &[&str]) -> bool {
     let is_gap = |cell: &&str| matches!(parse(cell, false), Cell::Gap | Cell::Empty);
     match cells.iter().filter(|cell| uses(cell).is_some()).count() {
@@ -67,7 +67,7 @@ fn is_row(cells: &[&str]) -> bool {
     }
 }
 
-/// How a number uses a point and a comma; `None` for what is no number.
+/// The roles of point and comma in a number; `None` for anything else.
 fn uses(cell: &str) -> Option<[Use; 2]> {
     let cell = bare(cell);
     let (body, power) = match cell.split_once(['e', 'E']) {
@@ -103,21 +103,21 @@ fn uses(cell: &str) -> Option<[Use; 2]> {
     }
 }
 
-/// What the marks of a column's numbers are.
+/// The thousands and decimal marks of a column's numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Marks {
     thousands: Option<char>,
     decimals: Option<char>,
-    /// Whether a number has thousands and no decimals.
+    /// True if a number has thousands and no decimals.
     is_bare: bool,
-    /// Whether all decimals are three, so that they may be thousands too.
+    /// True if all decimals have three digits, so that they may be thousands too.
     is_either: bool,
-    /// Whether nothing but whole numbers below 1000 tells of thousands.
+    /// True if only whole numbers below 1000 are evidence of thousands.
     is_unsure: bool,
 }
 
 impl Marks {
-    /// What all cells of a column tell; `None` where they are no numbers, or disagree.
+    /// The marks shown by all cells of a column; `None` where they are no numbers, or disagree.
     fn of(cells: &[&str]) -> Option<Self> {
         let (mut odd, mut count, mut found) = (0, 0, [[0usize; 4]; 2]);
         let (mut whole, mut is_large, mut has_bare) = (Vec::new(), false, false);

@@ -9,7 +9,7 @@ use crate::io::text::lines;
 use crate::io::text::number::number;
 use crate::io::{Input, ReadError, budget};
 
-/// What a refusal asks for.
+/// The expected content stated in a refusal.
 pub(crate) const A_TABLE: &str = "two or more columns of numbers: wavelengths and values";
 
 /// A line longer than this, in bytes, is named by its length.
@@ -66,7 +66,7 @@ fn no_rows(input: &Input, text: &str) -> ReadError {
     input.error(found, A_TABLE).at_line(line)
 }
 
-/// Whether a line is numbers and nothing else, two at least, however they are set apart.
+/// True if a line consists of numbers only, at least two, however separated.
 fn is_row(line: &str) -> bool {
     let mut cells = Vec::new();
     let begins = |c: char| c.is_ascii_digit() || ['+', '-', '.'].contains(&c);

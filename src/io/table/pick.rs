@@ -10,11 +10,11 @@ use crate::io::text::dialect::{Delimiter, Dialect};
 use crate::io::text::first_line;
 use crate::io::text::units::names_wavelength;
 
-/// How much text decides the dialect, in bytes: many times the longest header.
+/// The amount of text that decides the dialect, in bytes: many times the longest header.
 const SAMPLE_BYTES: usize = 256 * 1024;
 
-/// How much is looked at when the first sample holds no table, in bytes and in lines. Where that
-/// holds none either, there is none: every dialect goes over all of it.
+/// The amount examined when the first sample holds no table, in bytes and in lines. If that holds
+/// none either, there is none: every dialect scans all of it.
 const LONG_SAMPLE_BYTES: usize = 16 * 1024 * 1024;
 const LONG_SAMPLE_LINES: usize = 250_000;
 
@@ -30,12 +30,12 @@ pub(crate) struct Table<'a> {
     pub block: Block<'a>,
     pub titles: Titles,
     pub layout: Layout,
-    /// Whether it is far shorter than the longest: it may be none, and others do not hang on it.
+    /// True if it is far shorter than the longest: possibly no table, and irrelevant to the others.
     pub is_short: bool,
 }
 
-/// How a text with a table is written, and the part of it that was looked at and holds no wavelengths;
-/// all of it where some were found.
+/// The dialect of a text with a table, and the part examined that holds no wavelengths; all of the
+/// text where some were found.
 pub(crate) type Look<'a> = (Dialect, &'a str);
 
 /// All tables of a text. Where a look at its first part saw none, its rest is not gone over.
@@ -77,8 +77,8 @@ pub(crate) fn start(text: &str) -> &str {
     first_lines(text, (LONG_SAMPLE_BYTES, LONG_SAMPLE_LINES))
 }
 
-/// Whether a text has a table with wavelengths under any dialect, and the best of them. Where there
-/// are no rows at all, the one under which they are too many says more than any other.
+/// True if a text has a table with wavelengths under any dialect, and the best dialect. If there
+/// are no rows at all, the dialect under which they are too many is the most informative.
 fn best_of(sample: &str, chosen: Option<Delimiter>) -> (bool, Dialect) {
     // Only quotes let one mark part cells and decimals.
     let has_quotes = memchr::memchr(b'"', sample.as_bytes()).is_some();
@@ -185,9 +185,9 @@ pub(crate) fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoT
     Ok(tables)
 }
 
-/// Whether the first row holds numbers as titles ("Wavelength, 1, 2, 3") above a column of
-/// wavelengths. Where they look like wavelengths themselves, and there are more of them than rows,
-/// the table lies along its rows.
+/// True if the first row holds numbers as titles ("Wavelength, 1, 2, 3") above a column of
+/// wavelengths. Where they look like wavelengths themselves, and outnumber the rows, the table lies
+/// along its rows.
 fn begins_with_titles(block: &Block, dialect: Dialect) -> bool {
     let column = block.column(0);
     if block.rows() < 3 || !column[0].is_nan() {
@@ -200,7 +200,7 @@ fn begins_with_titles(block: &Block, dialect: Dialect) -> bool {
         && !(block.width > block.rows() && may_be_wavelengths(&block.row(0)[1..]))
 }
 
-/// What is said of a block that is not read.
+/// The note on a block that is not read.
 pub(crate) fn lines_left_out(block: &Block) -> String {
     let (first, last) = (block.lines[0], block.lines[block.rows() - 1]);
     format!("lines {first} to {last} left out")
@@ -218,8 +218,8 @@ pub(crate) fn blocks_behind(
         .ok_or(NoTable::NoRows)
 }
 
-/// What keeps the first column of a block from being wavelengths: a number that is not above zero
-/// where they run through, or the first step against the way that most go where they lie right.
+/// The reason why the first column of a block is not wavelengths: a number not above zero in a
+/// monotonic column, or the first step against the prevailing direction where all are in range.
 fn no_wavelengths(block: &Block) -> NoTable {
     let axis = block.column(0);
     let why = |row: usize, found, expected: &str| NoTable::At {
@@ -295,7 +295,7 @@ fn joined<'a>(
     Ok(out)
 }
 
-/// What is said of those lines at these places that are no rows: a sentence for each run of them.
+/// The notes on the lines at these places, which are not rows: a sentence for each run of them.
 fn no_rows(lines: &[(usize, &str)], places: &[usize]) -> Vec<String> {
     let runs = places.chunk_by(|a, b| a + 1 == *b);
     let said = runs.map(|run| {
@@ -308,8 +308,8 @@ fn no_rows(lines: &[(usize, &str)], places: &[usize]) -> Vec<String> {
     said.collect()
 }
 
-/// Whether `next` continues `block`: as wide, close behind, without other titles, and its first
-/// column carries on.
+/// True if `next` continues `block`: as wide, close behind, without other titles, and with a first
+/// column that carries on.
 fn goes_on(block: &Block, next: &Block, dialect: Dialect) -> bool {
     let has_titles = |(_, line): &(usize, &str)| {
         let cells = dialect.cells(line);

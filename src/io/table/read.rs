@@ -198,8 +198,8 @@ pub(crate) fn without_words(
     Ok(few.into_iter().map(|bad| bad.left_out("cell")).collect())
 }
 
-/// What speaks against the cells of a table with commas between them: fewer titles than numbers in
-/// each row. Decimal commas without quotes look so.
+/// The evidence against commas between the cells of a table: fewer titles than numbers in each row,
+/// as with decimal commas without quotes.
 fn titles_short_of_cells(table: &Table, dialect: Dialect) -> Option<String> {
     let block = &table.block;
     let (line, titles) = block.header.last()?;

@@ -1,4 +1,4 @@
-//! Which columns of a table are spectra and which are something beside them.
+//! The roles of a table's columns: spectra, or something beside them.
 
 use super::block::Block;
 use super::row_order::{extent, runs_one_way};
@@ -13,11 +13,11 @@ use crate::spectrum::Kind;
 pub(crate) struct LeftOut {
     /// Its place, from 0.
     pub column: usize,
-    /// What it is instead, and what became of it.
+    /// Its actual role, and its treatment.
     pub why: &'static str,
 }
 
-/// What is said of wavelengths that nothing stands under.
+/// The role and treatment of wavelengths without values.
 const SECOND_AXIS: &str = "is a second axis and was left out";
 
 impl LeftOut {
@@ -169,7 +169,7 @@ pub(crate) fn by_titles(
     )
 }
 
-/// Whether a title, in small letters, is of what a light is weighed with: it is no light itself.
+/// True if a title, in lower case, names a colour-matching function, which is not a light.
 fn is_matching_function(title: &str) -> bool {
     let name: String = title
         .chars()
@@ -181,9 +181,9 @@ fn is_matching_function(title: &str) -> bool {
     )
 }
 
-/// Whether a title, in small letters, counts in a unit that no spectrum has: of time, temperature,
-/// voltage, humidity, pressure, angle. One letter may name a sample ("Leaf (K)"): it is a unit
-/// behind the word for its quantity only.
+/// True if a title, in lower case, has a unit that no spectrum has: of time, temperature, voltage,
+/// humidity, pressure, angle. A single letter may name a sample ("Leaf (K)"): it is a unit only
+/// after the word for its quantity.
 fn counts_beside(title: &str) -> bool {
     const UNITS: &str = "sec;seconds;ms;msec;us;µs;μs;hr;°c;ºc;℃;degc;deg c;°f;deg;°;%rh;rh;pa;hpa;\
          kpa;bar;mbar;rpm;hz";
@@ -205,8 +205,8 @@ fn counts_beside(title: &str) -> bool {
     title.rsplit_once(['(', '[']).is_some_and(is_unit) || holds_one(title.trim(), BEHIND)
 }
 
-/// Which titles, in small letters, are of what was noted beside each point, by a word that is no
-/// other column's: days may be what several spectra are called by.
+/// The test for titles, in lower case, of data noted beside each point, by a word found in no other
+/// column's title: several spectra may be named by days.
 fn is_beside(titles: &[String]) -> impl Fn(&str) -> bool {
     const OF_POINTS: &str =
         "|flag|;|id|;|pixel|;|elapsed|;|integration|;|exposure|;|gain|;|averages|;|scans|";
@@ -222,8 +222,8 @@ fn is_beside(titles: &[String]) -> impl Fn(&str) -> bool {
     }
 }
 
-/// Whether a column holds a setting of each point, such as the range of an amplifier: whole numbers
-/// below zero throughout, beside measured ones.
+/// True if a column holds a setting of each point, such as the range of an amplifier: negative
+/// whole numbers throughout, beside measured ones.
 fn is_setting(block: &Block, column: usize, wavelength: usize) -> bool {
     let numbers = |column: usize| block.column(column).iter().filter(|v| !v.is_nan());
     let mut others = (0..block.width).filter(|other| *other != column && *other != wavelength);
@@ -231,7 +231,7 @@ fn is_setting(block: &Block, column: usize, wavelength: usize) -> bool {
         && others.any(|other| numbers(other).any(|v| *v > 0.0 && v.fract() != 0.0))
 }
 
-/// Whether a column rises by the same in every row, as times do.
+/// True if a column rises by the same step in every row, as times do.
 fn is_ramp(block: &Block, column: usize) -> bool {
     let values = block.column(column);
     let others = block.columns[column + 1..].iter();
@@ -250,14 +250,14 @@ fn is_counter(title: &str) -> bool {
     holds_one(title.trim_matches(['"', '#', '.', ' ']), COUNTERS)
 }
 
-/// Whether a column's title says that it is another axis. An "x" beside nanometres is a
-/// coordinate of a colour.
+/// True if a column's title names another axis. An "x" beside nanometres is a chromaticity
+/// coordinate.
 fn names_axis_beside(title: &str, titles: &Titles, wavelength: usize) -> bool {
     let is_x = |title: &str| title.trim().eq_ignore_ascii_case("x");
     names_wavelength(title) && (!is_x(title) || is_x(&titles.whole(wavelength)))
 }
 
-/// Whether a title is words and a unit of length behind them ("Em nm"): no quantity for each nm.
+/// True if a title is words and a unit of length after them ("Em nm"): no quantity for each nm.
 fn ends_in_length(title: &str) -> bool {
     let ends = " nm$; (nm)$; [nm]$;_nm$";
     holds_one(&title.to_lowercase(), ends) && !title.contains(['/', '^'])
@@ -304,7 +304,7 @@ fn axes(block: &Block, titles: &Titles, wavelength: usize) -> Vec<usize> {
     kept
 }
 
-/// Whether a column is another axis by its numbers: columns stand in pairs, and it holds the first
+/// True if a column is another axis by its numbers: columns come in pairs, and it holds the first
 /// axis again, or whole wavelengths at even steps.
 fn is_axis_by_values(block: &Block, column: usize, wavelength: usize) -> bool {
     let is_paired = block.width >= wavelength + 4
@@ -329,8 +329,8 @@ fn is_axis_by_values(block: &Block, column: usize, wavelength: usize) -> bool {
     own.len() >= 5 && (is_same || is_nm() && is_ramp())
 }
 
-/// Whether two columns hold the same wavelengths: the same numbers in one unit, or in two units to
-/// the rounding of a table.
+/// True if two columns hold the same wavelengths: the same numbers in one unit, or equal to the
+/// rounding of a table in two units.
 fn are_same_points(block: &Block, titles: &Titles, one: usize, other: usize) -> bool {
     let unit = |column: usize| {
         let (low, high) = extent(block.column(column));
@@ -396,7 +396,7 @@ fn beside_processed(titles: &Titles, wavelength: usize) -> Vec<usize> {
     others
 }
 
-/// Whether a title says no more than that its column is the result.
+/// True if a title names its column only as the result.
 pub(crate) fn is_processed(title: &str) -> bool {
     title.trim().eq_ignore_ascii_case("processed")
 }

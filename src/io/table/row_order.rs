@@ -184,8 +184,8 @@ fn longest_run(numbers: &[f64]) -> Option<(usize, usize)> {
     (best.1 - best.0 >= FEWEST_THAT_AGREE).then_some(best)
 }
 
-/// Whether a column without a title is one of wavelengths in random order: numbers in the range of
-/// nanometres, all at one step, or with values beside them that make a curve once they are sorted.
+/// True if an untitled column holds wavelengths in random order: numbers in the range of
+/// nanometres, all at one step, or with values beside them that form a curve once sorted.
 pub(crate) fn are_shuffled_nanometres(numbers: &[f64], values: Option<&[f64]>) -> bool {
     let (low, high) = extent(numbers);
     let is_even = |steps: Vec<f64>| {
@@ -198,8 +198,8 @@ pub(crate) fn are_shuffled_nanometres(numbers: &[f64], values: Option<&[f64]>) -
             || values.is_some_and(|values| is_smoother_sorted(numbers, values)))
 }
 
-/// Whether values run far more smoothly in the order of wavelengths than in that of the rows: then
-/// they are a curve over them.
+/// True if values are far smoother in the order of wavelengths than in that of the rows: then they
+/// are a curve over them.
 fn is_smoother_sorted(numbers: &[f64], values: &[f64]) -> bool {
     let mut rows: Vec<(f64, f64)> = numbers
         .iter()
@@ -226,12 +226,12 @@ fn sorted_steps(numbers: &[f64]) -> Option<Vec<f64>> {
     (steps.first()? > &0.0 && steps.last()?.is_finite()).then_some(steps)
 }
 
-/// Whether numbers rise throughout, or fall.
+/// True if numbers are strictly increasing or strictly decreasing.
 pub(in crate::io) fn runs_one_way(numbers: &[f64]) -> bool {
     numbers.is_sorted_by(|a, b| a < b) || numbers.is_sorted_by(|a, b| a > b)
 }
 
-/// Whether numbers run one way in a range of wavelengths.
+/// True if numbers are strictly monotonic within a range of wavelengths.
 pub(super) fn may_be_wavelengths(numbers: &[f64]) -> bool {
     let (Some(first), Some(last)) = (numbers.first(), numbers.last()) else {
         return false;
@@ -251,7 +251,7 @@ pub(super) fn steps_up_and_down(numbers: &[f64]) -> (usize, usize) {
     (up, down)
 }
 
-/// Whether numbers run to and fro, and hardly one stands twice.
+/// True if numbers alternately rise and fall, with hardly any duplicates.
 fn is_shuffled(numbers: &[f64]) -> bool {
     let (up, down) = steps_up_and_down(numbers);
     if numbers.len() < FEWEST_SHUFFLED || 5 * up.min(down) < numbers.len() {
@@ -263,7 +263,7 @@ fn is_shuffled(numbers: &[f64]) -> bool {
     sorted[0] > 0.0 && sorted[sorted.len() - 1].is_finite() && 20 * doubles <= numbers.len()
 }
 
-/// How many rows of a table may be left out as mistyped: one in twenty.
+/// The most rows of a table that may be left out as mistyped: one in twenty.
 fn most_stray(rows: usize) -> usize {
     (rows / 20).max(1)
 }

@@ -105,7 +105,7 @@ fn corner(table: &Table, dialect: Dialect, along: &AlongRow) -> String {
     if tells { corner } else { String::new() }
 }
 
-/// What stands before the wavelengths in their row ("wavelength (nm)").
+/// The titles before the wavelengths in their row ("wavelength (nm)").
 fn titles_before(table: &Table, first: usize) -> String {
     (0..first)
         .map(|c| table.titles.whole(c))

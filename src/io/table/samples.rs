@@ -11,7 +11,7 @@ use crate::io::text::dialect::Dialect;
 /// Fewest rows of a sample that a number tells from others: values may be whole numbers too.
 const FEWEST_ROWS: usize = 5;
 
-/// What a column calls a sample, and its rows, which stand together.
+/// The name of a sample in a column, and its contiguous rows.
 pub(crate) type Sample = (String, Range<usize>);
 
 /// Puts the rows of each sample together, in the order in which samples first appear: tables go
@@ -108,12 +108,12 @@ const MOST_TOGETHER: usize = 4;
 /// Columns that are looked at for numbers of samples: they stand in front.
 const MOST_COUNTED: usize = 20;
 
-/// Whether a column may number samples.
+/// True if a column may number samples.
 fn is_counted(values: &[f64]) -> bool {
     values.iter().any(|v| *v != values[0]) && values.iter().all(|v| v.fract() == 0.0)
 }
 
-/// Whether wavelengths, two at least, rise throughout, or fall.
+/// True if wavelengths, at least two, are strictly monotonic.
 fn runs_through(wavelengths: &[f64]) -> bool {
     wavelengths.len() > 1 && runs_one_way(wavelengths)
 }

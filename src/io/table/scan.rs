@@ -43,7 +43,7 @@ pub(crate) fn scan_start(text: &str, dialect: Dialect) -> Result<Vec<Block<'_>>,
 
 struct Scanner<'a> {
     dialect: Dialect,
-    /// What was not looked at yet.
+    /// The text not scanned yet.
     rest: &'a str,
     /// Lines that were.
     line: usize,
@@ -59,7 +59,7 @@ struct Scanner<'a> {
     /// Memory that the blocks take beside them, and may take.
     beside: usize,
     most_beside: usize,
-    /// Whether more blocks than may be end the scan, and are not refused.
+    /// True if too many blocks end the scan instead of being refused.
     is_start: bool,
 }
 
@@ -178,8 +178,8 @@ impl<'a> Scanner<'a> {
         Ok(is_row)
     }
 
-    /// Whether a line is a number alone that carries on the first column of a table: a row with
-    /// every value missing. Its cell is kept.
+    /// True if a line is a lone number that continues the first column of a table: a row with every
+    /// value missing. Its cell is kept.
     fn is_wavelength_alone(&mut self, content: &'a str) -> bool {
         let settled = self.open.as_ref().filter(|open| open.rows() >= SETTLED);
         // Most lines that are no rows are looked at in a dialect that is not theirs: nothing is open.

@@ -9,7 +9,7 @@ use crate::io::text::words::holds_one;
 /// Longest cell that can be a title; longer ones are sentences.
 const LONGEST_TITLE: usize = 80;
 
-/// What stands above each column; empty strings where nothing does.
+/// The titles and units above each column; empty strings where there are none.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Titles {
     /// One title a column.

@@ -1,11 +1,11 @@
-//! How a text table separates its cells and marks its decimals.
+//! The cell delimiter and decimal mark of a text table.
 
 use super::number;
 
 /// Most columns of one table: far more than any instrument writes.
 pub const MOST_COLUMNS: usize = 65_536;
 
-/// What stands between two cells.
+/// The separator between two cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Delimiter {
     /// One TAB.
@@ -39,9 +39,9 @@ impl Delimiter {
 /// A delimiter and a decimal mark, found together because either alone misleads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Dialect {
-    /// What stands between two cells.
+    /// The separator between two cells.
     pub delimiter: Delimiter,
-    /// Whether decimals are marked by a comma instead of a point.
+    /// True if decimals are marked by a comma instead of a point.
     pub decimal_comma: bool,
 }
 
@@ -59,7 +59,7 @@ impl Dialect {
         Self::new(Delimiter::Comma, true),
     ];
 
-    /// How the rows of a workbook's sheet are handed over.
+    /// The dialect in which the rows of a workbook's sheet are passed on.
     pub(crate) const SHEET: Self = Self::new(Delimiter::Cell, false);
 
     /// A dialect of these two.
@@ -139,7 +139,7 @@ impl Dialect {
         word.split(is_mark).filter(|part| !part.is_empty())
     }
 
-    /// Whether a line may have more than one cell, at a glance.
+    /// True if a line may have more than one cell, by a quick check.
     pub fn parts(self, line: &str) -> bool {
         let found = match self.mark() {
             Some(mark) => memchr::memchr(mark, line.as_bytes()),
@@ -149,7 +149,7 @@ impl Dialect {
         found.is_some() || !line.is_ascii() && is_fixed()
     }
 
-    /// How many cells a line has, were there ever so many.
+    /// The number of cells in a line, without an upper limit.
     pub fn count(self, line: &str) -> usize {
         let Some(mark) = self.mark() else {
             return line.split_ascii_whitespace().count();
@@ -162,7 +162,7 @@ impl Dialect {
         1 + marks.count()
     }
 
-    /// What stands between two cells; `None` for blanks and TABs in any number.
+    /// The byte between two cells; `None` for blanks and TABs in any number.
     pub(crate) fn mark(self) -> Option<u8> {
         match self.delimiter {
             Delimiter::Tab | Delimiter::Cell => Some(b'\t'),

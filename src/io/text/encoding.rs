@@ -1,12 +1,12 @@
-//! Which encoding a text is in that is neither marked nor UTF-8: told by words that tables are
-//! titled with, else by how its letters lie.
+//! The encoding of a text that is neither marked nor UTF-8, detected by words common in titles of
+//! tables, else by the pattern of its letters.
 
 use encoding_rs::{
     BIG5, EUC_JP, EUC_KR, Encoding, GBK, IBM866, KOI8_R, SHIFT_JIS, WINDOWS_1251, WINDOWS_1252,
     WINDOWS_1253,
 };
 
-/// How much of a text is looked at, in bytes.
+/// The amount of text examined, in bytes.
 const PROBE_BYTES: usize = 64 * 1024;
 
 const JAPANESE: &str = "波長;反射;透過;分光;強度;吸光;放射;試料;測定;データ";

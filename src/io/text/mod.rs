@@ -17,7 +17,7 @@ pub(crate) const MOST_BYTES: u64 = 512 * 1024 * 1024;
 /// far more than any of them writes.
 pub const MOST_BYTES_OF_A_FORMAT: usize = 64 * 1024 * 1024;
 
-/// How much of a file decides whether it is text.
+/// The amount of a file that decides whether it is text.
 const PROBE_BYTES: usize = 64 * 1024;
 
 /// Lines of a text with their numbers in the file.
@@ -28,14 +28,14 @@ pub(super) type NumberedLines<'a> = [(usize, &'a str)];
 pub struct Text<'a> {
     /// The decoded text, without byte order mark and without NUL characters.
     pub text: Cow<'a, str>,
-    /// What it was decoded from: "UTF-8", "UTF-16LE", "windows-1252", ...
+    /// The encoding of the source: "UTF-8", "UTF-16LE", "windows-1252", ...
     pub encoding: &'static str,
-    /// How many NUL characters some instrument left in the text and were dropped.
+    /// The number of NUL characters that some instrument left in the text and were dropped.
     pub nuls_dropped: usize,
 }
 
 impl Text<'_> {
-    /// What is odd about the text, a sentence each; nothing for plain UTF-8.
+    /// The oddities of the text, a sentence each; empty for plain UTF-8.
     pub fn notes(&self) -> Vec<String> {
         let mut notes = Vec::new();
         if self.encoding != "UTF-8" {
@@ -50,7 +50,7 @@ impl Text<'_> {
     }
 }
 
-/// Whether bytes are numbers or an image rather than text.
+/// True if bytes are numbers or an image rather than text.
 ///
 /// Text holds no control characters beyond TAB and line ends, instruments leave a few in headers;
 /// bytes of floating-point numbers hold some ten per cent. NUL bytes alone do not decide: they
@@ -146,13 +146,13 @@ pub(super) fn first_line(text: &str) -> Option<(&str, &str)> {
     Some((&text[..end], &text[past..]))
 }
 
-/// Where a part of a text stands in it, bytes.
+/// The byte offset of a part of a text within it.
 pub(crate) fn place_in(text: &str, part: &str) -> usize {
     part.as_ptr() as usize - text.as_ptr() as usize
 }
 
-/// Whether a line kept of a text is no comment, whose mark would stand before it: a row that
-/// somebody took out by a mark is none.
+/// True if a line kept of a text is not a comment, whose mark would precede it: a row that was
+/// commented out is not a row.
 pub(crate) fn is_no_comment(text: &str, content: &str) -> bool {
     let before = text[..place_in(text, content)].bytes().rev();
     let mut before = before.take_while(|byte| !matches!(byte, b'\n' | b'\r'));

@@ -1,6 +1,6 @@
 //! One cell of a table: a number, a gap, or text.
 
-/// What stands in a cell.
+/// The content of a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Cell {
     /// A finite number.
@@ -69,7 +69,7 @@ fn sized(value: f64, cell: fn(f64) -> Cell) -> Cell {
     }
 }
 
-/// Whether a number is one that can have been measured: neither NaN nor [`ABSURD`].
+/// True if a number can have been measured: neither NaN nor [`ABSURD`].
 pub(crate) fn is_measured(value: f64) -> bool {
     value.abs() < ABSURD
 }
@@ -136,7 +136,7 @@ fn in_brackets(cell: &str, decimal_comma: bool) -> Option<f64> {
     number(body, decimal_comma).filter(|value| *value >= 0.0 && body.contains(mark))
 }
 
-/// What a unit of light begins with.
+/// The prefixes of units of light.
 const UNITS: [&str; 8] = ["W", "mW", "uW", "µW", "μW", "kW", "counts", "a.u."];
 
 /// The unit of light behind a number and a blank: `58 W/m2`.
@@ -178,7 +178,7 @@ fn is_digits(text: &str) -> bool {
     text.bytes().all(|b| b.is_ascii_digit())
 }
 
-/// Whether digits stand in groups of three, the first of which may be shorter.
+/// True if digits form groups of three, the first of which may be shorter.
 pub(crate) fn is_grouped(digits: &str, separator: char) -> bool {
     let mut groups = digits.split(separator);
     let first = groups.next().unwrap_or("");

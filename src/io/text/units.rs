@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::words::{holds_one, without_brackets};
 
-/// What a file counts its wavelength axis in.
+/// The unit of a file's wavelength axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum WavelengthUnit {
@@ -87,7 +87,7 @@ impl WavelengthUnit {
         }
     }
 
-    /// Whether the unit is one of length, not of something that falls as wavelengths rise.
+    /// True if the unit is one of length, not of a quantity that falls as wavelengths rise.
     pub fn is_length(self) -> bool {
         use WavelengthUnit::{Angstrom, Metre, Micrometre, Nanometre, Picometre};
         matches!(self, Nanometre | Micrometre | Angstrom | Picometre | Metre)
@@ -121,9 +121,9 @@ impl WavelengthUnit {
 /// Wavelengths in metres that are plausible: 100 nm to 50 um.
 const METRES: std::ops::RangeInclusive<f64> = 1e-7..=5e-5;
 
-/// Whether a range of numbers looks like wavelengths in metres. Hardly any other column of a table
-/// does, but values of a faint light may: it counts for less than what [`WavelengthUnit::of_range`]
-/// finds.
+/// True if a range of numbers looks like wavelengths in metres. Hardly any other column of a table
+/// does, but values of a faint light may: it counts for less than a match of
+/// [`WavelengthUnit::of_range`].
 pub(crate) fn looks_like_metres(min: f64, max: f64) -> bool {
     METRES.contains(&min) && METRES.contains(&max)
 }
@@ -164,7 +164,7 @@ static UNITS: [(WavelengthUnit, &str, &str); 10] = [
     (WavelengthUnit::Metre, "m", "(m);[m];/ m|;|metres|;|meters|"),
 ];
 
-/// Whether a title speaks of wavelengths, which no energies or wave numbers are.
+/// True if a title names wavelengths, not energies or wave numbers.
 pub(crate) fn is_of_lengths(title: &str) -> bool {
     const STARTS: &str =
         "wavelen;波长;波長;파장;длина волн;wvl;lambda;λ;wellenl;longueur;longitud;lunghezza";
@@ -176,8 +176,8 @@ pub(crate) fn is_of_lengths(title: &str) -> bool {
 /// mostly what a lamp emits.
 const QUANTITIES: [&str; 3] = ["frequency", "energy", "photon energy"];
 
-/// Whether a column's title says that it is the wavelength axis: by its first word or its last, but
-/// not by what stands in brackets behind another (`S(lambda)`).
+/// True if a column's title names the wavelength axis: by its first word or its last, but not by a
+/// word in brackets after another (`S(lambda)`).
 pub(crate) fn names_wavelength(title: &str) -> bool {
     const WHOLE: &str = "^x$;^wl$;^nm$;^um$;^µm$;^w.length$;^λ$;^lam$;^cm-1$;^wn$;^ev$;^mev$;^thz$;\
          ^ghz$";
@@ -197,15 +197,15 @@ pub(crate) fn names_wavelength(title: &str) -> bool {
 pub(crate) const BESIDE: &str = "|time|;|hour|;|hours|;|minute|;|minutes|;|date|;|day|;|timestamp|;|temperature|;|temp|;\
      |humidity|;|pressure|;|distance|;|latitude|;|longitude|";
 
-/// Whether a title says that a column holds something that is no wavelength.
+/// True if a title names a quantity other than wavelength.
 pub(crate) fn names_another_quantity(title: &str) -> bool {
     const VALUES: &str = "|second|;|seconds|;|current|;|voltage|;|angle|;|depth|";
     let title = title.to_lowercase();
     holds_one(&title, BESIDE) || holds_one(&title, VALUES)
 }
 
-/// What a title of a wavelength axis counts in, where that is nothing known here: the word in
-/// brackets or behind a stroke (`Frequency (PHz)`), or a quantity without its unit.
+/// The unit in a title of a wavelength axis, if it is unknown here: the word in brackets or after a
+/// slash (`Frequency (PHz)`), or a quantity without its unit.
 pub(crate) fn unknown_unit(title: &str) -> Option<String> {
     if WavelengthUnit::of_title(title).is_some() {
         return None;

@@ -1,9 +1,9 @@
 //! Words in titles and header lines: found whole or by how they begin, not inside of others.
 
-/// Whether a text holds a pattern; both in lower case. A bar at either end of the pattern asks for
-/// the edge of a word there, `^` and `$` for the ends of the text: `reflect` is found anywhere, `|std`
-/// where a word begins, `|r%` too, `|opic|` as a whole word and `^no$` as the whole text only. Letters
-/// and digits make words, everything else parts them.
+/// True if a text contains a pattern; both in lower case. A bar at either end of the pattern
+/// requires the edge of a word there, `^` and `$` the ends of the text: `reflect` is found
+/// anywhere, `|std` where a word begins, `|r%` too, `|opic|` as a whole word and `^no$` as the
+/// whole text only. Letters and digits make words, everything else separates them.
 pub(crate) fn holds(text: &str, pattern: &str) -> bool {
     let core = pattern.trim_start_matches(['|', '^']);
     let core = core.trim_end_matches(['|', '$']);
@@ -19,7 +19,7 @@ pub(crate) fn holds(text: &str, pattern: &str) -> bool {
     })
 }
 
-/// Whether a text holds any of the patterns in one text, semicolons between them.
+/// True if a text contains any of the patterns in one text, separated by semicolons.
 pub(crate) fn holds_one(text: &str, patterns: &str) -> bool {
     patterns.split(';').any(|pattern| holds(text, pattern))
 }

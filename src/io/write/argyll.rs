@@ -1,9 +1,9 @@
 //! Writing Argyll `.sp`: CGATS text of one set, as `spec2cie`, `illumread` and `specplot` take it.
 //!
 //! The format knows even steps of 1 nm and more only, and its labels are whole nm: an irregular or
-//! finer grid is resampled so that its area is kept, and [`losses`] says so. Values are the spectrum's own, to the
-//! bit (`SPECTRAL_NORM` is 1). What Argyll has no keyword for (kind, unit, scale, source, settings)
-//! stands in keywords of our own, which its tools pass over.
+//! finer grid is resampled so that its area is kept, and [`losses`] notes it. Values are the
+//! spectrum's own, to the bit (`SPECTRAL_NORM` is 1). Properties without an Argyll keyword (kind,
+//! unit, scale, source, settings) go into keywords of our own, which its tools pass over.
 
 use std::fmt::Write;
 
@@ -14,13 +14,13 @@ use crate::spectrum::{Kind, NamedSpectrum, Outside};
 /// Most bands that Argyll's own tools read.
 const ARGYLL_BANDS: usize = 601;
 
-/// How far a wavelength may lie from an even grid to count as on it, nm.
+/// The largest distance from an even grid at which a wavelength counts as on it, nm.
 const EVEN_NM: f64 = 1e-3;
 
 /// Steps that an uneven grid is resampled to, nm: the first that Argyll's bands suffice for.
 const STEPS_NM: [f64; 6] = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0];
 
-/// Wavelengths that a label can tell, nm: smaller and larger numbers in one mean something else.
+/// Wavelengths that a label can give, nm: smaller and larger numbers in one mean something else.
 pub(crate) const LABELS_NM: std::ops::RangeInclusive<f64> = 100.0..=100_000.0;
 
 struct Grid {
@@ -68,7 +68,7 @@ fn grid(spectrum: &NamedSpectrum) -> Result<Grid, String> {
     let samples = samples.nm().iter().enumerate();
     let off = samples.map(|(band, nm)| (nm - even.nm(band)).abs());
     let moved = off.fold(0.0, f64::max);
-    // Whole nm tell steps of 1 nm and more apart.
+    // Labels in whole nm distinguish steps of 1 nm and more.
     let fine = last - first < (bands - 1) as f64 * (1.0 - 1e-9);
     if moved <= EVEN_NM && !fine && bands >= 3 {
         even.moved_nm = Some(moved);
@@ -97,7 +97,7 @@ fn grid(spectrum: &NamedSpectrum) -> Result<Grid, String> {
     })
 }
 
-/// What the format does not keep of a spectrum, a sentence each.
+/// The properties of a spectrum lost in the format, a sentence each.
 pub(crate) fn losses(spectrum: &NamedSpectrum) -> Vec<String> {
     let Ok(grid) = grid(spectrum) else {
         return Vec::new();
@@ -126,7 +126,7 @@ pub(crate) fn losses(spectrum: &NamedSpectrum) -> Vec<String> {
     said
 }
 
-/// What Argyll calls a measurement of that kind; `None` for what it does not know.
+/// Argyll's term for a measurement of that kind; `None` for kinds without one.
 fn measurement(spectrum: &NamedSpectrum) -> Option<&'static str> {
     let unit = &spectrum.unit;
     let falls_on = unit.contains("m-2") && !unit.contains("sr-1");
@@ -143,7 +143,7 @@ fn measurement(spectrum: &NamedSpectrum) -> Option<&'static str> {
 /// A spectrum as Argyll `.sp`.
 ///
 /// # Errors
-/// One line for a spectrum too short, or of wavelengths that the format cannot tell.
+/// One line for a spectrum too short, or of wavelengths that the format cannot represent.
 pub(crate) fn write(spectrum: &NamedSpectrum, provenance: &Provenance) -> Result<String, String> {
     let samples = &spectrum.samples;
     let grid = grid(spectrum)?;

@@ -11,13 +11,13 @@ use tempfile::NamedTempFile;
 use crate::io::error::WriteError;
 use crate::io::input::name_of;
 
-/// How the name of a file begins that is not complete yet.
+/// The prefix of the name of a file not yet complete.
 pub(crate) const UNFINISHED: &str = ".saving-";
 
 /// Saves bytes as a file, replacing an old one in a single step.
 ///
 /// A link is followed, and the permissions of a file that is replaced are kept. A pipe or device
-/// is written into and stays what it is.
+/// is written into and not replaced.
 ///
 /// # Errors
 /// [`WriteError`] in words: no such folder, read-only folder, disk full, ...
@@ -27,8 +27,8 @@ pub fn save_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     })
 }
 
-/// Saves what is written bit by bit, as [`save_atomically`] does. Where the writing fails nothing
-/// is left behind, and what was there stays.
+/// Saves output written piece by piece, as [`save_atomically`] does. If the writing fails, nothing
+/// is left behind, and an old file stays.
 ///
 /// # Errors
 /// Those of `write`, and [`WriteError`] in words.
@@ -63,12 +63,12 @@ fn refused(path: &Path, error: &Error) -> WriteError {
     WriteError::new(&name_of(path), words(path, error))
 }
 
-/// Where a file goes.
+/// The destination of a file.
 struct Place {
     target: PathBuf,
     /// Permissions of the file that is replaced.
     old: Option<fs::Permissions>,
-    /// A pipe or device: it takes what comes, and a file renamed over it would end it.
+    /// A pipe or device: it takes any output, and a file renamed over it would end it.
     is_taker: bool,
 }
 
@@ -94,14 +94,14 @@ impl Place {
         })
     }
 
-    /// A file that nobody takes for a complete one.
+    /// A temporary file beside the target, named as incomplete.
     fn beside(&self) -> Result<NamedTempFile, Error> {
         let mut builder = tempfile::Builder::new();
         builder.prefix(UNFINISHED);
         #[cfg(unix)]
         let everyone = {
             use std::os::unix::fs::PermissionsExt;
-            // As any new file: the user's mask takes away what it should.
+            // As any new file: the user's mask restricts the permissions.
             fs::Permissions::from_mode(0o666)
         };
         #[cfg(unix)]

@@ -1,4 +1,4 @@
-//! Writing CSV: comment lines that say what it is, a line of titles, one row a wavelength.
+//! Writing CSV: comment lines that describe it, a line of titles, one row a wavelength.
 //!
 //! [`own_csv`](crate::io::formats::own_csv) takes it back.
 
@@ -8,7 +8,7 @@ use crate::spectrum::NamedSpectrum;
 /// Title of the column of wavelengths.
 pub(crate) const FIRST_TITLE: &str = "wavelength_nm";
 
-/// A spectrum and what was computed from it as CSV.
+/// A spectrum and the values computed from it as CSV.
 pub fn write(spectrum: &NamedSpectrum, columns: &Columns, provenance: &Provenance) -> String {
     let mut out = provenance.comments(spectrum) + FIRST_TITLE;
     for column in &columns.columns {
@@ -32,7 +32,7 @@ pub fn write(spectrum: &NamedSpectrum, columns: &Columns, provenance: &Provenanc
 /// Signs that table programs take for the beginning of a formula.
 const FORMULA: [char; 4] = ['=', '+', '-', '@'];
 
-/// A text that no table program takes for a formula: an apostrophe stands before its first sign.
+/// A text that no table program takes for a formula: an apostrophe precedes its first character.
 pub(crate) fn no_formula(text: String) -> String {
     match text.starts_with(FORMULA) {
         true => format!("'{text}"),
@@ -40,7 +40,7 @@ pub(crate) fn no_formula(text: String) -> String {
     }
 }
 
-/// What [`no_formula`] was given.
+/// The text before [`no_formula`].
 pub(crate) fn as_it_was(text: &str) -> &str {
     let rest = text.strip_prefix('\'');
     rest.filter(|rest| rest.starts_with(FORMULA))
@@ -55,8 +55,7 @@ pub(crate) fn quoted_where(is_special: bool, text: &str) -> String {
     }
 }
 
-/// A title: what is read back takes a double quote for the edge of a cell, so one inside becomes a
-/// single one.
+/// A title: a double quote read back is the edge of a cell, so one inside becomes a single one.
 fn title(text: &str) -> String {
     let text = no_formula(one_line(text));
     quoted_where(text.contains([',', '"', ';']), &text.replace('"', "'"))

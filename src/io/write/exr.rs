@@ -11,7 +11,7 @@ use exr::meta::attribute::{AttributeValue, ChannelDescription, LineOrder, Sample
 use exr::meta::header::Header;
 use exr::prelude::{Encoding, LayerAttributes, WritableImage, f16};
 
-/// How exactly numbers are kept.
+/// The precision of stored numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Precision {
     /// 16 bits: costs some thousandths of a dE00.
@@ -31,7 +31,7 @@ impl Precision {
     }
 }
 
-/// Rows that [`write_rows`] asks for at a time.
+/// Rows that [`write_rows`] requests at a time.
 pub(crate) const BLOCK_ROWS: usize = 16;
 
 /// Attributes from texts; those with letters that the format does not know are left out.
@@ -48,7 +48,7 @@ fn attributes(texts: impl IntoIterator<Item = (String, String)>) -> LayerAttribu
 /// An image of channels, each with its numbers row after row from the top, and texts about it.
 ///
 /// # Errors
-/// What the encoder says, in words.
+/// The encoder's error, in words.
 pub(super) fn image(
     [width, height]: [usize; 2],
     channels: Vec<(String, Vec<f32>)>,
@@ -141,7 +141,7 @@ fn block(planes: &[f32], width: usize, rows: usize, channels: &[(String, Precisi
 
 /// The same file of one part with the attributes of its header by name, so that the same picture
 /// is the same file each time: the encoder keeps them in a map of random order. What follows the
-/// header stays where it is. Bytes that are no such file come back as they are.
+/// header stays where it is. Bytes of any other kind are returned unchanged.
 fn with_attributes_in_order(mut file: Vec<u8>) -> Vec<u8> {
     // Behind the magic number and the version.
     const FIRST: usize = 8;
@@ -167,7 +167,7 @@ fn with_attributes_in_order(mut file: Vec<u8>) -> Vec<u8> {
     file
 }
 
-/// Where the attribute that starts at a place ends: a name and a type, each ended by a zero, the
+/// The end of the attribute that starts at a place: a name and a type, each ended by a zero, the
 /// size of the value in 4 bytes, and the value. The place itself where the header ends.
 fn end_of_attribute(file: &[u8], start: usize) -> Option<usize> {
     if *file.get(start)? == 0 {

@@ -11,38 +11,38 @@ pub(crate) const FORMAT_WORD: &str = "spectral-explorer-spectrum";
 /// The version written and read.
 pub(crate) const VERSION: u32 = 1;
 
-/// A spectrum as it stands in the file.
+/// A spectrum as stored in the file.
 #[derive(Serialize, Deserialize)]
 pub(crate) struct SpectrumFile {
     /// [`FORMAT_WORD`].
     pub format: String,
     /// [`VERSION`].
     pub version: u32,
-    /// What the spectrum is called.
+    /// The name of the spectrum.
     #[serde(default)]
     pub name: String,
-    /// What its values stand for.
+    /// The kind of its values.
     pub kind: Kind,
-    /// What they are counted in.
+    /// The unit of its values.
     #[serde(default)]
     pub unit: String,
     /// Wavelengths in nm.
     pub wavelengths_nm: Vec<f64>,
     /// A value for each.
     pub values: Vec<f64>,
-    /// Where they are from.
+    /// The source of the values.
     #[serde(default)]
     pub source: String,
-    /// What was said of it.
+    /// Notes on the spectrum.
     #[serde(default)]
     pub notes: Vec<String>,
-    /// The scale that was in force, for people.
+    /// The scale that was in force, for human readers.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub scale_in_force: String,
-    /// The settings of the program, for people.
+    /// The settings of the program, for human readers.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub settings: String,
-    /// What wrote it, for people.
+    /// The program that wrote it, for human readers.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub written_by: String,
 }

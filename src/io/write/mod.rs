@@ -1,4 +1,4 @@
-//! Writing spectra: which formats there are.
+//! Writing spectra: the available formats.
 
 pub(super) mod argyll;
 pub(super) mod atomic;
@@ -27,7 +27,7 @@ pub const WRITABLE: [(&str, &str); 5] = [
     ("spdx", "IES TM-27 .spdx"),
 ];
 
-/// A spectrum in the format of an extension. `columns` is what CSV holds; other formats hold the
+/// A spectrum in the format of an extension. `columns` is for CSV; other formats hold the
 /// measured samples.
 ///
 /// # Errors
@@ -56,7 +56,7 @@ pub fn encode(
     }
 }
 
-/// What the format of an extension does not keep of a spectrum's samples, a sentence each.
+/// The properties of a spectrum's samples lost in the format of an extension, a sentence each.
 pub fn losses(extension: &str, spectrum: &NamedSpectrum) -> Vec<String> {
     match extension.to_lowercase().as_str() {
         "sp" => argyll::losses(spectrum),

@@ -1,4 +1,4 @@
-//! PNG out: pictures of 8-bit sRGB that say so, with chunks of one's own behind them.
+//! PNG out: pictures of 8-bit sRGB declared as such, followed by custom chunks.
 
 use std::io::{self, Write};
 
@@ -9,7 +9,7 @@ use png::{BitDepth, ColorType, Encoder, SrgbRenderingIntent, Writer};
 pub(crate) struct PngFile<W: Write>(Writer<W>);
 
 impl<W: Write> PngFile<W> {
-    /// Writes columns and rows of red, green, blue (and what shines through, where there are four
+    /// Writes columns and rows of red, green, blue (and alpha, where there are four
     /// bytes a pixel); `is_own` marks it as one of this program's.
     ///
     /// # Errors

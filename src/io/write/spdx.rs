@@ -36,7 +36,7 @@ fn quantity_of(spectrum: &NamedSpectrum) -> &'static str {
     }
 }
 
-/// What the format has no word for, a sentence each; it stands in the comments.
+/// The properties without a word in the format, a sentence each; they go into the comments.
 pub(crate) fn losses(spectrum: &NamedSpectrum) -> Vec<String> {
     let NamedSpectrum { kind, unit, .. } = spectrum;
     match quantity_of(spectrum) {
@@ -53,7 +53,7 @@ pub(crate) fn losses(spectrum: &NamedSpectrum) -> Vec<String> {
 /// A spectrum as TM-27 XML.
 pub(crate) fn write(spectrum: &NamedSpectrum, provenance: &Provenance) -> String {
     let about = provenance.of(spectrum);
-    // Notes may hold what divides the others, so they come last.
+    // Notes may hold the separators of the others, so they come last.
     let (last, first): (Vec<_>, Vec<_>) = about.iter().partition(|(key, _)| *key == "notes");
     let comments = first
         .into_iter()

@@ -10,14 +10,14 @@ use super::exr;
 /// Planes at wavelengths (nm), each row after row from the top.
 type Planes = Vec<(f64, Vec<f32>)>;
 
-/// What is said of planes that are not one value a pixel each, a plane a band.
+/// The message about planes that are not one value a pixel each, a plane a band.
 const UNEQUAL: &str = "found planes of another size, expected one value a pixel and band";
 
 /// A picture of reflectances, a plane for each band (nm). `facts` become attributes (`made.light`
 /// for "light").
 ///
 /// # Errors
-/// What is wrong with the planes, or what the encoder says, in words.
+/// The fault of the planes, or the encoder's error, in words.
 pub fn reflectance_exr(
     size: [usize; 2],
     bands_nm: &[f64],

@@ -10,7 +10,7 @@ pub(super) struct Point {
     pub sigma_nm: f64,
 }
 
-/// Which curve.
+/// Degree of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Degree {
     Straight,
@@ -36,7 +36,7 @@ const CURVATURE: f64 = 0.35;
 const THIRD: f64 = 0.15;
 /// A coefficient that a curve has not.
 const NONE: f64 = 1e-7;
-/// What any axis is off by at least, nm.
+/// Least error of any axis, nm.
 const FLOOR_NM: f64 = 0.1;
 /// A curve whose slope falls below this share of its mean anywhere may turn round.
 const LEAST_SLOPE: f64 = 0.25;
@@ -98,17 +98,17 @@ impl Curve {
         Some(0.5 * (low + high))
     }
 
-    /// How curved it is: `2 c2 / c1`.
+    /// Curvature: `2 c2 / c1`.
     pub(super) fn curvature(&self) -> f64 {
         2.0 * self.c[2] / self.c[1]
     }
 
-    /// Whether it rises or falls all along, nowhere much slower than in the mean.
+    /// True if it rises or falls throughout, nowhere much slower than in the mean.
     pub fn is_monotone(&self) -> bool {
         self.turns_at().is_none()
     }
 
-    /// Where it would turn round, or comes near to it, nm.
+    /// Wavelength at which it would turn round, or comes near to it, nm.
     pub fn turns_at(&self) -> Option<f64> {
         let first = self.centre_px - 0.5 * self.scale_px;
         let mean = (self.nm(first + self.scale_px) - self.nm(first)) / self.scale_px;

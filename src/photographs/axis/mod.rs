@@ -17,7 +17,7 @@ pub use verdict::{Answer, State, Wanted, find};
 
 use super::peaks::{Peak, Peaks};
 
-/// What an axis is looked for in.
+/// Input of the search for an axis.
 struct Scene<'p> {
     peaks: &'p Peaks,
     columns: usize,
@@ -35,13 +35,13 @@ impl Scene<'_> {
         self.x_of(self.peaks.peaks[peak].px)
     }
 
-    /// What it costs that a peak's colour is that of a wavelength.
+    /// Cost of a peak's colour at a wavelength.
     fn colour_cost(&self, peak: usize, nm: f64) -> f64 {
         let peak: &Peak = &self.peaks.peaks[peak];
         peak.hue.map_or(0.0, |hue| hue.cost(nm))
     }
 
-    /// Whether an axis keeps the pins.
+    /// True if an axis keeps the pins.
     fn is_kept(&self, nm: impl Fn(f64) -> f64) -> bool {
         let is_near = |(pin, most): &(Pin, f64)| (nm(pin.px) - pin.nm).abs() <= *most;
         self.pins.iter().all(is_near)

@@ -33,9 +33,9 @@ pub enum PinError {
     Turns(f64),
 }
 
-/// How far a pin is from a peak that it is meant for: columns, and share of all.
+/// Largest distance of a pin from the peak that it is meant for: columns, and share of all.
 const SNAP: (f64, f64) = (4.0, 0.012);
-/// What a pin by hand is off by, columns.
+/// Error of a pin set by hand, columns.
 const BY_HAND_PX: f64 = 0.5;
 
 /// Pins on the peaks that they were meant for, in the order of their columns.

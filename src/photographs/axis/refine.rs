@@ -11,10 +11,10 @@ use super::{
 /// A peak that is a landmark.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Match {
-    /// Which peak, in the order of their places.
+    /// Index of the peak, in the order of places.
     pub peak: usize,
     pub landmark: Landmark,
-    /// How far the curve is from the landmark there.
+    /// Deviation of the curve from the landmark there.
     pub error_nm: f64,
     /// The same by a curve that was fitted without this line.
     pub left_out_nm: f64,
@@ -38,13 +38,13 @@ pub struct Solution {
 /// Doubt of places in nm, round after round; the last is what any axis is off by.
 const TOLERANCES_NM: [f64; 6] = [1.5, 1.2, 0.9, 0.7, 0.5, 0.35];
 const LAST_NM: f64 = 0.2;
-/// What an axis costs beside no axis at all.
+/// Cost of an axis relative to no axis at all.
 const COST: f64 = 5.4;
 /// Standard deviation squared of curvatures, as the score has it.
 const CURVATURE2: f64 = 0.09;
 /// Landmarks closer than this share of a line's width are one peak.
 const UNPARTED: f64 = 0.4;
-/// Where peaks that are no landmark count against an axis, nm.
+/// Range in which peaks that are no landmark count against an axis, nm.
 const STRANGERS_NM: (f64, f64) = (400.0, 700.0);
 
 impl Solution {
@@ -199,7 +199,7 @@ fn points(
     pairs.iter().map(point).collect()
 }
 
-/// What a peak costs that is no landmark, by its height.
+/// Cost of a peak that is no landmark, by its height.
 fn stranger(height: f64) -> f64 {
     const STEPS: [(f64, f64); 4] = [(0.005, 0.3), (0.03, 1.0), (0.16, 2.5), (0.5, 4.0)];
     let after = STEPS.iter().position(|(h, _)| height < *h);
@@ -213,7 +213,7 @@ fn stranger(height: f64) -> f64 {
     }
 }
 
-/// What it costs that a landmark is not seen.
+/// Cost of a landmark that is not seen.
 fn unseen(scene: &Scene, curve: &Curve, landmark: &Landmark) -> f64 {
     if landmark.is_clipped {
         return 0.0;
@@ -235,7 +235,7 @@ fn unseen(scene: &Scene, curve: &Curve, landmark: &Landmark) -> f64 {
     -(1.0 - (landmark.chance * visible).min(0.92)).ln()
 }
 
-/// What speaks for a peak being a landmark; `None` where they are too far apart.
+/// Log-likelihood gain of a peak as a landmark; `None` where they are too far apart.
 fn gain(
     scene: &Scene,
     curve: &Curve,

@@ -20,9 +20,9 @@ const LEAST_APART_NM: f64 = 25.0;
 const LEAST_CHANCE: f64 = 0.55;
 /// Colours that cost more rule a pair out.
 const MOST_COLOUR: f64 = 3.5;
-/// How many nm all columns may span.
+/// Least and greatest span of all columns, nm.
 const SPAN_NM: (f64, f64) = (150.0, 2200.0);
-/// How far the width of lines may be from the slit of a table.
+/// Largest ratio between the width of lines and the slit of a table.
 const SLIT: f64 = 1.25;
 /// The narrowest and widest lines that the outermost tables are used for, nm.
 const WIDTHS_NM: (f64, f64) = (0.2, 12.5);
@@ -35,7 +35,7 @@ impl Hypothesis {
         self.a + self.b * (x + 0.5 * self.rho * x * x)
     }
 
-    /// Whether two axes are the same within what refining moves them by.
+    /// True if two axes agree within the change that refining makes.
     fn is_near(&self, other: &Self) -> bool {
         [-0.4, 0.0, 0.4]
             .iter()
@@ -145,7 +145,7 @@ fn of_table(
     found
 }
 
-/// What of the picture and of a table is weighed again and again.
+/// Data of the picture and of a table for repeated scoring.
 struct Scorer<'s> {
     scene: &'s Scene<'s>,
     landmarks: Vec<(f64, f64)>,
@@ -154,7 +154,7 @@ struct Scorer<'s> {
     seen: Vec<f64>,
 }
 
-/// Where peaks and landmarks are missed, nm.
+/// Range in which missed peaks and landmarks count, nm.
 const MISSED_NM: (f64, f64) = (400.0, 695.0);
 
 impl<'s> Scorer<'s> {

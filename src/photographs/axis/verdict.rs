@@ -11,7 +11,7 @@ use super::{
     search,
 };
 
-/// What may be done with an axis.
+/// Permitted use of an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum State {
     /// Used at once.
@@ -22,7 +22,7 @@ pub enum State {
     Nothing,
 }
 
-/// What a person has said of the light.
+/// Constraints on the light, set by hand.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Wanted {
     pub lamp: Option<Lamp>,
@@ -33,7 +33,7 @@ pub struct Wanted {
 /// The axis of a photograph.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
-    /// Whether it may be used.
+    /// Permitted use of the best axis.
     pub state: State,
     /// The likeliest axis, also where nothing can be said.
     pub best: Option<Solution>,
@@ -47,13 +47,13 @@ pub struct Answer {
 
 /// The score of no other solution at all.
 const NO_OTHER: f64 = -5.0;
-/// What is suggested is better than the next by this.
+/// Least lead of a suggested axis over the next.
 const LEAST_LEAD: f64 = 1.0;
 /// Axes that are nowhere farther apart than this are one, nm.
 const SAME_NM: f64 = 4.0;
 /// Lines nearer to one another count as one place, nm.
 const PLACE_NM: f64 = 10.0;
-/// What lines must span, nm.
+/// Least span of the lines, nm.
 const LEAST_SPAN_NM: f64 = 90.0;
 /// Fewer columns have no axis by themselves.
 const LEAST_COLUMNS: usize = 60;
@@ -138,7 +138,7 @@ fn no_axis(columns: usize, bright: &Peaks) -> String {
     }
 }
 
-/// Whether two axes are apart somewhere on the lines of the first.
+/// True if two axes are apart somewhere on the lines of the first.
 fn differs(best: &Solution, other: &Solution, peaks: &Peaks) -> bool {
     let px = best.matches.iter().map(|m| peaks.peaks[m.peak].px);
     let off = |px: f64| (best.curve.nm(px) - other.curve.nm(px)).abs();
@@ -174,7 +174,7 @@ impl Judged<'_> {
         }
     }
 
-    /// What speaks against using it at once.
+    /// Reason not to use the axis at once.
     fn against(&self, runner_up: Option<&Solution>) -> Option<String> {
         let solution = self.solution;
         let (lines, places) = (solution.matches.len(), self.places());
@@ -271,7 +271,7 @@ impl Judged<'_> {
         nm
     }
 
-    /// How many lines there are that are not near one another.
+    /// Number of lines that are not near one another.
     fn places(&self) -> usize {
         let mut last = f64::MIN;
         let mut places = 0;

@@ -21,7 +21,7 @@ const CLIPPED: f64 = 0.05;
 const TRIMMED: f64 = 0.15;
 /// Neighbouring rows share pixels and blocks of a JPEG.
 const SHARED: f64 = 1.1;
-/// How much of the scatter along a strip counts as noise.
+/// Share of the scatter along a strip that counts as noise.
 const ALONG: f64 = 0.7;
 /// A column above this share of the brightest is lit.
 const LIT: f64 = 0.02;

@@ -13,7 +13,7 @@ use super::{
 use rows::Rows;
 use small::Light;
 
-/// Where a strip lies in a photograph.
+/// Position of a strip in a photograph.
 ///
 /// A place `u` along and `v` across the strip is the pixel
 /// `x = xm + u cos t - v sin t`, `y = centre_y + u sin t + v cos t`, x and y changed for each other
@@ -36,11 +36,11 @@ pub struct Strip {
     pub half: f64,
     /// The first column.
     pub x0: f64,
-    /// How many columns it has.
+    /// Number of columns.
     pub columns: usize,
 }
 
-/// What a person has said of where the strip is.
+/// Position of the strip as far as it is set by hand.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ByHand {
     /// From top to bottom.
@@ -49,16 +49,16 @@ pub struct ByHand {
     pub area: Option<[f64; 4]>,
     /// Degrees.
     pub turn_deg: Option<f64>,
-    /// Which of several, from 1.
+    /// Number of the strip among several, from 1.
     pub strip: Option<usize>,
 }
 
 /// A strip with the light along it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
-    /// Where it is.
+    /// Position of the strip.
     pub strip: Strip,
-    /// How many there are.
+    /// Number of strips.
     pub strips: usize,
     /// Blue lies to the right, as far as colours tell.
     pub blue_is_right: Option<bool>,

@@ -13,13 +13,13 @@ pub(super) struct Rows {
     /// Their middle in the middle of the picture.
     pub middle: f64,
     pub half: f64,
-    /// How alike its rows are, times the root of its share of the chroma.
+    /// Correlation of its rows, times the root of its share of the chroma.
     pub strength: f64,
 }
 
 /// Rows above this share of the strongest belong to a strip.
 const RUN: f64 = 0.18;
-/// What a strip has at least: rows of the small picture, and share of the chroma.
+/// Least size of a strip: rows of the small picture, and share of the chroma.
 const LEAST_ROWS: usize = 3;
 const LEAST_SHARE: f64 = 0.08;
 /// Columns that a turn is fitted to are above this share of bright ones.

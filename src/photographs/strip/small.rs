@@ -2,7 +2,7 @@
 
 use super::super::{picture::Small, smooth::percentile};
 
-/// How much light of colour each place has.
+/// Amount of coloured light at each place.
 pub(super) struct Light {
     pub size: [usize; 2],
     /// Chroma above its floor; of a grey picture the light above its own.

@@ -11,7 +11,7 @@ use super::{
 
 /// Most rows that are sampled.
 pub(super) const MOST_ROWS: usize = 48;
-/// How far rows are searched, as shares of the columns: first and later.
+/// Search range for rows, as shares of the columns: first and later.
 const SEARCH: [f64; 3] = [1.0 / 14.0, 1.0 / 40.0, 1.0 / 40.0];
 /// Rows that are less alike are left out.
 const LEAST_ALIKE: f64 = 0.35;
@@ -35,7 +35,7 @@ pub(super) fn row_of(view: View<'_>, strip: &Strip, v: f64) -> Vec<[f32; 3]> {
         .collect()
 }
 
-/// What rows are compared by: colour, of grey pictures light.
+/// Signal by which rows are compared: colour, or light for grey pictures.
 fn signal(row: &[[f32; 3]], is_grey: bool) -> Vec<f64> {
     let of = |&[r, g, b]: &[f32; 3]| {
         let most = r.max(g).max(b);

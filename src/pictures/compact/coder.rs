@@ -48,7 +48,7 @@ pub(super) fn checked(value: i64) -> Result<i32, PictureError> {
     Ok(value as i32)
 }
 
-/// What a plane's coder 1 needs besides the bits.
+/// Parameters of a plane's coder 1, besides the bits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Parameters {
     mean: i64,
@@ -209,8 +209,8 @@ pub(super) fn encode_fitted(plane: &Plane, before: &mut Vec<u32>) -> Vec<u8> {
     bytes
 }
 
-/// Where activity parts the pixels into twelve groups: finer where it is high, since there the
-/// bits are.
+/// Activity thresholds that divide the pixels into twelve groups: finer where activity is high,
+/// since that is where the bits are.
 fn thresholds(activities: &[i64]) -> [i64; CONTEXTS - 1] {
     let mut sorted = activities.to_vec();
     sorted.sort_unstable();

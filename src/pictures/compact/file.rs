@@ -28,7 +28,7 @@ const CORRECTIONS: usize = 3;
 const FLOOR: usize = 64 << 20;
 const TIMES: usize = 400;
 
-/// What is needed to write a compact file, and what it will be off by.
+/// Quantiser for writing a compact file, and the errors that the file will have.
 #[derive(Clone, Debug)]
 pub struct CompactPlan {
     /// The steps.
@@ -152,7 +152,7 @@ pub struct CompactFile {
     pub header: Header,
     quantiser: Quantiser,
     bytes: Arc<Vec<u8>>,
-    /// Where each tile's planes lie, row after row.
+    /// Byte range of each tile's planes, row after row.
     tiles: Vec<(usize, usize)>,
     across: usize,
 }

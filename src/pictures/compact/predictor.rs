@@ -60,14 +60,14 @@ impl Framed {
             .map(|offset| self.values[(at as isize + offset) as usize])
     }
 
-    /// What is expected at a place.
+    /// Predicted value at a place.
     pub(super) fn predicted(&self, weights: &Weights, at: usize) -> i64 {
         let near = self.neighbours(at);
         let sum: i64 = weights.iter().zip(&near).map(|(w, v)| w * v).sum();
         (sum + ONE / 2).div_euclid(ONE)
     }
 
-    /// What the prediction misses, row after row.
+    /// Residuals of the prediction, row after row.
     pub(super) fn missed(&self, weights: &Weights) -> Vec<i64> {
         let places = (0..self.height).flat_map(|y| (0..self.width).map(move |x| (x, y)));
         let of = |(x, y)| {
@@ -163,14 +163,14 @@ impl Misses {
         misses
     }
 
-    /// What was missed at a place; its size.
+    /// Stores the residual at a place and returns its size.
     pub(super) fn put(&mut self, x: usize, y: usize, missed: i64) -> u32 {
         let size = missed.abs().min(MOST_MISS);
         self.sizes[(y + PAD) * self.stride + x + PAD] = size;
         size as u32
     }
 
-    /// How much was missed about a place, and there in the plane before.
+    /// Activity: size of the residuals around a place, and there in the plane before.
     pub(super) fn activity(&self, x: usize, y: usize, before: &[u32]) -> i64 {
         let (e, s) = (&self.sizes, self.stride);
         let at = (y + PAD) * s + x + PAD;

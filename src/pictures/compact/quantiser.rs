@@ -16,7 +16,7 @@ use super::super::{Light, Operator, PictureError, Relit};
 const OF_LIGHTNESS: f64 = 0.3 / 116.0;
 /// Below so many steps of the first plane the others are no longer scaled down.
 const FLOOR: f64 = 3.0;
-/// What counts as one in colour, and in the spectrum relative to grey.
+/// Unit differences in colour, and in the spectrum relative to grey.
 const ONE_COLOUR: f64 = 0.5;
 const ONE_SPECTRUM: f64 = 0.01;
 /// Least weight of a direction, as a share of the largest.
@@ -190,7 +190,7 @@ impl Quantiser {
         &self.metric_diagonal
     }
 
-    /// What the others are measured in beside a first number of `first` steps.
+    /// Unit of the other numbers beside a first number of `first` steps.
     fn unit(&self, first: f64) -> f64 {
         let root = first.abs().max(self.stored.floor) * self.stored.dc_step;
         self.stored.c_ref * root * root
@@ -260,7 +260,7 @@ impl Storage for Quantiser {
     }
 }
 
-/// What a unit of each number does to colour and spectrum of a grey.
+/// Metric for the effect of a unit of each number on the colour and spectrum of a grey.
 fn metric(operator: &Operator, sample: &[Vec<f64>]) -> Result<DMatrix<f64>, PictureError> {
     let (count, bands) = (operator.numbers(), operator.bands());
     let series = operator.plan().series;

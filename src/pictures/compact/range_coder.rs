@@ -2,12 +2,12 @@
 
 /// Bits of a probability.
 const BITS: u32 = 12;
-/// How slowly a probability follows what comes.
+/// Shift that sets how slowly a probability adapts.
 const SHIFT: u32 = 5;
 /// Below this the range is shifted by a byte.
 const TOP: u32 = 1 << 24;
 
-/// How likely a 0 is, in 4096ths.
+/// Probability of a 0, in 4096ths.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Chance(u16);
 
@@ -128,7 +128,7 @@ impl<'a> Decoder<'a> {
         u32::from(byte)
     }
 
-    /// Whether more was read than there is: the bytes were cut off.
+    /// True if more was read than there is: the bytes were cut off.
     pub(super) fn is_beyond_end(&self) -> bool {
         self.at > self.bytes.len() + 16
     }

@@ -6,7 +6,7 @@ use super::quantiser::Quantiser;
 use super::simple::{decode_simple, encode_simple};
 use super::zlib;
 
-/// How planes become bytes.
+/// Coder that turns planes into bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Coder {
     /// MED and zlib: any library reads it.

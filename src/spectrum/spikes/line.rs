@@ -1,4 +1,4 @@
-//! What one line takes out of a spectrum.
+//! Extraction of one line from a spectrum.
 //!
 //! A window is rounded outward to whole nm: its first grid point is the last one at or before its
 //! computed beginning, its last one the first at or after its computed end. Both stay within the
@@ -22,11 +22,11 @@ const WINDOW_WIDTHS: f64 = 1.5;
 const WINDOW_MARGIN_NM: f64 = 1.0;
 /// Narrowest width used for a window: a line between two samples looks this wide.
 const NARROWEST_NM: f64 = 2.0;
-/// Where an end of the range stands this share of a line's height above its other foot, it cuts
-/// the line's flank.
+/// Share of a line's height by which the curve at an end of the range must exceed the line's other
+/// foot for that end to cut its flank.
 const CUT_FLANK: f64 = 0.1;
 
-/// What one group would take out.
+/// The part that one group would remove.
 pub(super) struct Taken {
     pub(super) first: usize,
     pub(super) residue: Vec<f64>,
@@ -63,8 +63,8 @@ impl Taken {
     }
 }
 
-/// What a group would take out; `ends` are the first index of what was measured and one past its
-/// last.
+/// Computes the part that a group would remove; `ends` are the first measured index and one past
+/// the last.
 pub(super) fn weigh(
     band: Band,
     values: &[f64],
@@ -101,7 +101,7 @@ pub(super) fn window_of(members: &[Peak], limits: (usize, usize)) -> Option<(usi
     (last > first).then_some((first, last))
 }
 
-/// What stands above a baseline in a window.
+/// Computes the part above a baseline in a window.
 pub(super) fn weigh_window(
     band: Band,
     values: &[f64],

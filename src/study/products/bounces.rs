@@ -1,4 +1,4 @@
-//! What a chain costs as it grows longer.
+//! Errors of a chain as it grows longer.
 //!
 //! Both sides are brightened so that the exact product has half the light's Y: after eight
 //! bounces off an ordinary surface hardly any light is left, and no difference of colour either.
@@ -21,11 +21,11 @@ const BRIGHT: f64 = 0.5;
 /// One way of forming products over K = 1 to `MOST_BOUNCES` bounces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BounceErrors {
-    /// How products are formed.
+    /// Method of forming products.
     pub sampling: Sampling,
     /// CIEDE2000 against the exact product, K = 1 first; `None` where nothing is left to see.
     pub total: Vec<Option<f64>>,
-    /// What forming the products adds to the same series' exact product.
+    /// Error that forming the products adds to the same series' exact product.
     pub added: Vec<Option<f64>>,
 }
 

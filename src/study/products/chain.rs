@@ -10,7 +10,7 @@ use crate::{
     study::error::Spread,
 };
 
-/// What is multiplied, and how it is looked at.
+/// The light of a product, and the settings for forming and viewing it.
 #[derive(Clone, Copy, Debug)]
 pub struct Product<'a> {
     /// The light as measured, on the band's grid.
@@ -18,7 +18,7 @@ pub struct Product<'a> {
     /// The light's model. Its lines are weighed at their centres; a width counts where a line meets
     /// a dip of a factor.
     pub model: &'a Composite,
-    /// How products are formed.
+    /// Method of forming products.
     pub sampling: Sampling,
     /// Colour-matching functions on the band's grid.
     pub seen: &'a Weights,
@@ -129,11 +129,11 @@ impl Passage {
 /// Errors of one light with every factor of a set, each alone behind it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SetErrors {
-    /// How many factors were measured.
+    /// Number of factors measured.
     pub count: usize,
-    /// What forming the product adds; `None` when nothing has a colour.
+    /// Error added by forming the product; `None` when nothing has a colour.
     pub added: Option<Spread>,
-    /// What the whole model is off by.
+    /// Error of the whole model.
     pub total: Option<Spread>,
     /// Each factor's added and total CIEDE2000, in the order of the set.
     pub each: Vec<[Option<f64>; 2]>,

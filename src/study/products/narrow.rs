@@ -43,7 +43,7 @@ pub(crate) struct Narrow {
     numbers: usize,
 }
 
-/// What the three are off by behind one band-pass.
+/// Colours of the three representations behind one band-pass, each against the exact one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NarrowPoint {
     /// Centre of the band-pass, nm.
@@ -115,7 +115,7 @@ impl Narrow {
         self.white
     }
 
-    /// What both sides are brightened by behind a filter that leaves `exact` of the light.
+    /// Gain on both sides behind a filter that leaves `exact` of the light.
     pub(crate) fn gain(&self, exact: Xyz) -> f64 {
         let gain = BRIGHT * self.white.y / exact.y.max(0.0);
         if gain.is_nan() {

@@ -25,7 +25,7 @@ pub struct Formed {
     pub sampling: Sampling,
     /// Points that are multiplied: those of the sample grid, or every nm; a convolution has none.
     pub points: Option<usize>,
-    /// What comes out.
+    /// The resulting product.
     pub step: Step,
 }
 
@@ -65,9 +65,9 @@ pub(super) type ReadingCosts = [Option<f64>; 3];
 /// Eq. 17 spike by spike.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpikeCosts {
-    /// What is read at each spike, and what that one reading costs.
+    /// Reading at each spike, and the cost of that one reading.
     pub each: Vec<(SpikeReading, ReadingCosts)>,
-    /// What all readings cost together.
+    /// Cost of all readings together.
     pub all: ReadingCosts,
 }
 

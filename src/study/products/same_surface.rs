@@ -23,7 +23,7 @@ use crate::{
 /// prints the figures.
 pub const SAME_RESIDUAL: f64 = 0.1;
 
-/// How well a spectrum is explained as a light off a surface.
+/// Goodness of fit of a spectrum as a light off a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reflection {
     /// Relative RMS behind a 10 nm blur of what the best factor leaves.
@@ -39,7 +39,7 @@ impl Reflection {
     }
 }
 
-/// What the check says.
+/// Verdict of the check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sameness {
     /// The spectrum is the light off the surface.

@@ -1,4 +1,4 @@
-//! What one product takes on this machine, by every way of forming it.
+//! Time of one product on this machine, by every way of forming it.
 //!
 //! Measured is the multiplication alone, as in a chain that runs: values already stand on the
 //! points, the factor is already read where the spikes are, all numbers are in the cache, and one
@@ -38,7 +38,7 @@ pub struct Sizes {
     pub spikes: usize,
 }
 
-/// What one product takes.
+/// Time of one product.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProductTime {
     /// The way.
@@ -122,7 +122,7 @@ impl Watched {
     }
 }
 
-/// What forms a count of products, one after the other.
+/// Returns a closure that forms a given number of products, one after the other.
 fn products(sizes: Sizes, sampling: Sampling) -> Box<dyn FnMut(usize)> {
     let numbers = sizes.numbers.max(1);
     let weights = made_up(sizes.spikes, 0.3);

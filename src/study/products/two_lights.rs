@@ -205,8 +205,8 @@ fn rms_difference(band: Band, a: &[f64], b: &[f64]) -> f64 {
 pub struct Black {
     /// The curve on the grid.
     pub curve: Vec<f64>,
-    /// How many times it may be added before the sum leaves 0 to 1: down (not above 0) and up
-    /// (not below 0).
+    /// Largest multiples of it that may be added before the sum leaves 0 to 1: down (not above 0)
+    /// and up (not below 0).
     pub room: [f64; 2],
 }
 

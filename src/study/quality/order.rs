@@ -63,8 +63,8 @@ impl Chosen {
         }
     }
 
-    /// How near to the exact value counts as there: half a point of an index; half a per cent of
-    /// the CCT and half a hundredth of the ratio, in which a point would say nothing.
+    /// Tolerance within which the exact value counts as reached: half a point of an index; half a
+    /// per cent of the CCT and half a hundredth of the ratio, for which a point would mean nothing.
     pub(crate) fn near_enough(self, exact: f64) -> f64 {
         match self {
             Self::Ra | Self::Rf => 0.5,

@@ -48,7 +48,7 @@ impl SpikeReading {
     }
 }
 
-/// Where a straight line `S(l) = l` is read by Eq. 17, all in nm.
+/// Reading of a straight line `S(l) = l` by Eq. 17, all in nm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StraightLine {
     /// The place asked for.
@@ -57,9 +57,9 @@ pub struct StraightLine {
     pub left_nm: f64,
     /// The point on its right.
     pub right_nm: f64,
-    /// What the corrected weights read: the place asked for.
+    /// Value read with the corrected weights: the place requested.
     pub corrected_nm: f64,
-    /// What the printed weights read: its mirror image between the two points.
+    /// Value read with the printed weights: its mirror image between the two points.
     pub printed_nm: f64,
 }
 

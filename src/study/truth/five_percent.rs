@@ -30,12 +30,12 @@ pub struct ChannelTerms {
     pub promised: usize,
     /// The same by Eq. 12 as printed.
     pub promised_as_printed: usize,
-    /// What the paper's N = 5 leaves out; `None` when fewer orders were looked at or the channel
+    /// Part neglected at the paper's N = 5; `None` when fewer orders were looked at or the channel
     /// has no positive total.
     pub at_stated_order: Option<Neglected>,
 }
 
-/// What is left out beyond an order, as shares of a channel's exact total.
+/// Part neglected beyond an order, as shares of a channel's exact total.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Neglected {
     /// The first term left out, signed.

@@ -18,7 +18,7 @@ pub struct Resampling {
     pub ways: Vec<ResamplingWay>,
 }
 
-/// What forming a product on a number of points costs.
+/// Cost of forming a product on a number of points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ResamplingWay {
     /// The way.

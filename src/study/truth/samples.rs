@@ -21,7 +21,7 @@ pub struct Question<'a> {
     pub measured: &'a [f64],
     /// Its lines, each with what it takes out of the spectrum.
     pub lines: &'a [LineShape],
-    /// What X, Y and Z weigh the spectrum with, on the same grid.
+    /// Weights of the spectrum for X, Y and Z, on the same grid.
     pub weights: &'a Weights,
     /// XYZ of the exact light in the same unit: the white.
     pub white: Xyz,
@@ -34,13 +34,13 @@ pub struct SamplesAgainstNumbers {
     pub background: usize,
     /// Spikes of the composite, two numbers each.
     pub spikes: usize,
-    /// How far the composite is off. On the 1 nm grid a spike stands in its two neighbouring nm: a
-    /// line of some width counts as missed there, however well it is weighed.
+    /// Errors of the composite. On the 1 nm grid a spike is split over its two neighbouring nm: a
+    /// line of some width counts as missed there, however accurate its weight.
     pub composite: Verdict,
     /// Every even grid that was tried, from 1 nm on: the curve to draw.
     pub tried: Vec<SampledErrors>,
-    /// How finely one must sample to do as well as the composite by each error; `None` for colours
-    /// where there are none.
+    /// Sampling needed to do as well as the composite by each error; `None` for colours where there
+    /// are none.
     pub needed: ByMeasure<Option<Match>>,
 }
 
@@ -54,16 +54,16 @@ impl SamplesAgainstNumbers {
 /// Samples at even steps from end to end of the range, joined by straight lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SampledErrors {
-    /// How many samples.
+    /// Number of samples.
     pub samples: usize,
-    /// How far the straight lines are off.
+    /// Errors of the straight lines.
     pub errors: Verdict,
 }
 
 /// Samplings that are off by no more than the composite.
 ///
-/// Which count does depends on where the samples happen to fall, so there are two answers. A step
-/// of 1 nm loses nothing on the grid and is always one.
+/// The count that suffices depends on where the samples happen to fall, so there are two answers.
+/// A step of 1 nm loses nothing on the grid and always suffices.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Match {
     /// The fewest samples that do as well and so does every finer grid tried.

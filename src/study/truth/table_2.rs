@@ -8,7 +8,7 @@ use crate::{
     spectrum::Band,
 };
 
-/// How well Table 2 stands for the colour-matching functions.
+/// Accuracy of Table 2 against the colour-matching functions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Table2 {
     /// The largest deviation of x-bar, y-bar and z-bar on the range.

@@ -23,7 +23,7 @@ const BASIC: [[f64; 3]; 10] = [
     [6500.0, 6532.0, 510.0],
 ];
 
-/// How far a quadrangle reaches to either side of its middle line, Duv.
+/// Half-width of a quadrangle to either side of its middle line, Duv.
 pub(crate) const WHITE_HALF_WIDTH_DUV: f64 = 0.006;
 
 /// Below this the middle line is the Planckian locus itself, K.
@@ -32,7 +32,7 @@ const OFFSET_FROM_K: f64 = 2870.0;
 /// A nominal white.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Quadrangle {
-    /// What the lamp is called, K.
+    /// Nominal CCT, K.
     pub nominal_k: f64,
     /// Target CCT, K.
     pub target_k: f64,

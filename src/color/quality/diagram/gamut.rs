@@ -1,4 +1,4 @@
-//! What screens can show.
+//! Colour gamuts of screens.
 
 use crate::color::srgb::{self, WHITE_XY as D65};
 

@@ -34,7 +34,7 @@ const STEP: f64 = 1e-4;
 pub(crate) struct LocusPoint {
     /// Wavelength, nm.
     pub nm: u32,
-    /// Where it is in the plane.
+    /// Coordinates in the plane.
     pub at: [f64; 2],
 }
 

@@ -32,7 +32,7 @@ impl Ellipse {
             .collect()
     }
 
-    /// How many steps of this ellipse a point is away from its centre.
+    /// Distance of a point from the centre, in steps of this ellipse.
     #[cfg(test)]
     pub(crate) fn steps_to(&self, xy: [f64; 2]) -> f64 {
         let (sin, cos) = self.angle_deg.to_radians().sin_cos();

@@ -1,10 +1,10 @@
-//! Which columns of a CGATS table make a spectrum, and their wavelengths.
+//! The columns of a CGATS table that form a spectrum, and their wavelengths.
 
 use std::collections::HashMap;
 
 use crate::io::write::argyll::LABELS_NM;
 
-/// Most kinds of columns, told by what their labels have in common, that are looked at.
+/// Most kinds of columns considered, distinguished by the common part of their labels.
 const MOST_GROUPS: usize = 1000;
 
 /// Fewest columns of one kind that are a spectrum.
@@ -19,16 +19,16 @@ const ROUNDED_NM: f64 = 0.5 + 1e-6;
 /// Columns that make one spectrum a set.
 #[derive(Debug, Default)]
 pub(super) struct Bands {
-    /// What their labels have in common: `SPEC_`, `nm`.
+    /// The common part of their labels: `SPEC_`, `nm`.
     pub word: String,
     pub columns: Vec<usize>,
-    /// Wavelengths that the labels tell, nm.
+    /// Wavelengths given by the labels, nm.
     pub labels: Vec<f64>,
-    /// Columns of wavelengths, where they stand among the data.
+    /// Columns of wavelengths, where these are among the data.
     pub nm_columns: Vec<usize>,
 }
 
-/// A label's wavelength and what stands around it: `SPECTRAL_NM380_M1` is 380, `SPECTRAL_NM` and
+/// A label's wavelength and the text around it: `SPECTRAL_NM380_M1` is 380, `SPECTRAL_NM` and
 /// `_M1`.
 fn label(field: &str) -> Option<(f64, String)> {
     let start = field.find(|c: char| c.is_ascii_digit())?;
@@ -95,11 +95,11 @@ pub(super) fn bands(fields: &[&str], stated: Option<f64>) -> Vec<Bands> {
     found
 }
 
-/// Keywords that state how many bands there are, and the first and the last wavelength, nm.
+/// Keywords of the number of bands, and of the first and the last wavelength, nm.
 pub(super) const GRID: [&str; 3] = ["SPECTRAL_BANDS", "SPECTRAL_START_NM", "SPECTRAL_END_NM"];
 
-/// The wavelengths of bands by their labels and by what the keywords of [`GRID`] state, and what is
-/// to be said about them.
+/// The wavelengths of bands by their labels and by the values of the keywords of [`GRID`], and a
+/// note on them.
 pub(super) fn grid(stated: [Option<f64>; 3], labels: &[f64]) -> (Vec<f64>, Option<String>) {
     let of_labels = |note| (labels.to_vec(), note);
     let stated = stated.map(|number| number.filter(|v| v.is_finite()));

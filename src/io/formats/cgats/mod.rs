@@ -1,12 +1,12 @@
 //! CGATS text: Argyll `.sp`, `.ccss`, `.ti3`, CGATS.17 and IT8.7 with spectral columns.
 //!
 //! ```text
-//! SPECT                                   what the file is: SPECT, CCSS, CTI3, CGATS.17, IT8.7/2, ...
+//! SPECT                                   type of file: SPECT, CCSS, CTI3, CGATS.17, IT8.7/2, ...
 //! MEAS_TYPE "REFLECTIVE"                  EMISSION, AMBIENT, TRANSMISSIVE, SENSITIVITY, ..._FLASH
 //! SPECTRAL_BANDS "36"                     the grid, once more; it may lie
 //! SPECTRAL_START_NM "380.000000"
 //! SPECTRAL_END_NM "730.000000"
-//! SPECTRAL_NORM "100.000000"              the number that stands for 1
+//! SPECTRAL_NORM "100.000000"              the number that represents 1
 //! BEGIN_DATA_FORMAT
 //! SAMPLE_ID SPEC_380 SPEC_390 ...         nm380, SPECTRAL_NM380, SPECTRAL_380, R_380, ... likewise
 //! END_DATA_FORMAT
@@ -17,9 +17,9 @@
 //!
 //! Header and labels are compared. Labels are whole nanometres even where the grid is finer
 //! (SPEC_373 for 373.333), so that a header that agrees with every label to half a nanometre is
-//! believed; otherwise the labels are, since they stand with the numbers. Argyll counts light in
+//! believed; otherwise the labels are, being next to the numbers. Argyll counts light in
 //! mW (docs of spotread): radiance per m2, sr and nm, ambient light per m2 and nm. In the pairs
-//! `SPECTRAL_NM SPECTRAL_DEC` of CGATS.17 the wavelengths stand among the data.
+//! `SPECTRAL_NM SPECTRAL_DEC` of CGATS.17 the wavelengths are among the data.
 
 mod bands;
 mod quantity;

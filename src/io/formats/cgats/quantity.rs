@@ -1,4 +1,4 @@
-//! What the values of a CGATS table are.
+//! The quantity and unit of the values of a CGATS table.
 
 use super::bands::Bands;
 use super::tables::CgatsTable;
@@ -8,14 +8,14 @@ use crate::io::interpret::kinds::{is_plain_name, kind_of_name, kind_of_words};
 use crate::io::reading::decision::Decision;
 use crate::spectrum::Kind;
 
-/// A kind, the unit of a light, and what is to be said of it.
+/// A kind, the unit of a light, and a note on it.
 pub(super) struct Quantity<'a> {
     pub kind: Decision<Kind>,
     pub unit: &'a str,
     pub note: Option<String>,
 }
 
-/// What Argyll's `MEAS_TYPE` and the words of others say: words that they hold, the kind, and
+/// Kinds by Argyll's `MEAS_TYPE` and the terms of other programs: words contained, the kind, and
 /// Argyll's unit.
 const STATED: [([&str; 2], Kind, &str); 9] = [
     (["AMBIENT", "FLASH"], Kind::Light, "mW s m-2 nm-1"),
@@ -42,8 +42,8 @@ const LIGHTS: &str = "illum;light;lamp;daylight;tungsten;led;d50;d55;d65;d75;pow
 /// Words of a description that name samples.
 const SAMPLES: &str = "sample;chart;checker;paint;paper;target;munsell";
 
-/// What the values of a table are: as its keywords state, else as labels, descriptions or the
-/// file's name tell, else by their size.
+/// The quantity of a table's values: by its keywords, else by labels, descriptions or the file's
+/// name, else by their size.
 pub(super) fn quantity<'a>(
     input: &Input,
     table: &CgatsTable<'a>,
@@ -60,7 +60,7 @@ pub(super) fn quantity<'a>(
     })
 }
 
-/// What keywords state.
+/// The quantity stated by keywords.
 fn stated_quantity<'a>(table: &CgatsTable<'a>) -> Option<Quantity<'a>> {
     let stated = |kind, unit| Quantity {
         kind: Decision::of_format(kind),
@@ -96,7 +96,7 @@ fn stated_quantity<'a>(table: &CgatsTable<'a>) -> Option<Quantity<'a>> {
     }
 }
 
-/// What the labels of the columns tell.
+/// The kind by the labels of the columns.
 fn kind_of_labels(group: &Bands) -> Option<Decision<Kind>> {
     let word = group.word.to_uppercase();
     let starts = |start: &&str| word.starts_with(start);
@@ -108,7 +108,7 @@ fn kind_of_labels(group: &Bands) -> Option<Decision<Kind>> {
     Some(Decision::guessed(kind, true, "the columns' labels"))
 }
 
-/// What the first of some keywords says that says anything, and whether that is plain.
+/// The kind by the first of some keywords that implies one, marked as evident or as a guess.
 fn kind_of_keywords(
     table: &CgatsTable,
     keys: &[&str],
@@ -122,7 +122,7 @@ fn kind_of_keywords(
     })
 }
 
-/// What the way of measuring tells.
+/// The kind by the measurement conditions.
 fn kind_of_measurement(table: &CgatsTable) -> Option<Decision<Kind>> {
     let keys = [
         "MEASUREMENT_SOURCE",
@@ -140,7 +140,7 @@ fn kind_of_measurement(table: &CgatsTable) -> Option<Decision<Kind>> {
     })
 }
 
-/// What descriptions tell.
+/// The kind by the descriptions.
 fn kind_of_description(table: &CgatsTable) -> Option<Decision<Kind>> {
     let keys = ["DESCRIPTOR", "DISPLAY", "FILE_DESCRIPTOR", "TARGET_NAME"];
     kind_of_keywords(table, &keys, |value| {
@@ -158,7 +158,7 @@ fn kind_of_description(table: &CgatsTable) -> Option<Decision<Kind>> {
     })
 }
 
-/// What the file's name tells, else the size of the values.
+/// The kind by the file's name, else by the size of the values.
 fn kind_of_rest(input: &Input, table: &CgatsTable, values: &[Vec<f64>]) -> Decision<Kind> {
     if let Some(kind) = kind_of_name(&input.name) {
         return Decision::guessed(kind, is_plain_name(&input.name), "the file's name");

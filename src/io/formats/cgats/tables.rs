@@ -25,20 +25,20 @@ const NAMES: &str = "SAMPLE_NAME;SAMPLENAME;SAMPLE_ID;SAMPLEID;SAMPLE_LOC;PATCH_
 /// One table.
 #[derive(Debug, Default)]
 pub(super) struct CgatsTable<'a> {
-    /// What its first line calls it: `SPECT`, `CTI3`, `CGATS.17`, ...; of the first table where a
-    /// later one says nothing.
+    /// Its type by its first line: `SPECT`, `CTI3`, `CGATS.17`, ...; that of the first table where
+    /// a later one gives none.
     pub kind: &'a str,
     /// Keywords and values, quotes removed, in file order.
     keys: Vec<(&'a str, &'a str)>,
     pub fields: Rc<Fields<'a>>,
     /// One for each of the spectral columns, set by set; NaN where one is missing.
     numbers: Vec<f64>,
-    /// What each set is called; empty where nothing names it.
+    /// The name of each set; empty where nothing names it.
     pub names: Vec<&'a str>,
     /// First line of each set, from 1.
     pub lines: Vec<u32>,
     pub decimal_comma: bool,
-    /// What is odd, a sentence each.
+    /// Notes on irregularities, a sentence each.
     pub notes: Vec<String>,
 }
 
@@ -100,7 +100,7 @@ impl<'a> CgatsTable<'a> {
             .map(|(_, v)| *v)
     }
 
-    /// Whether this program wrote it: its keywords tell name, kind, unit and source.
+    /// True if this program wrote it: its keywords give name, kind, unit and source.
     pub(super) fn is_own(&self) -> bool {
         self.key("ORIGINATOR")
             .is_some_and(|v| v.starts_with(ORIGINATOR))
@@ -217,7 +217,7 @@ pub(super) fn tables<'a>(input: &Input, text: &'a str) -> Result<Vec<CgatsTable<
     Ok(done)
 }
 
-/// Takes titles of columns up to `END_DATA_FORMAT`; whether that is among them.
+/// Takes titles of columns up to `END_DATA_FORMAT`; true if that is among them.
 fn take_titles<'a>(row: &[&'a str], titles: &mut Vec<&'a str>) -> bool {
     let end = row.iter().position(|word| *word == "END_DATA_FORMAT");
     titles.extend(&row[..end.unwrap_or(row.len())]);
@@ -232,7 +232,7 @@ impl<'a> CgatsTable<'a> {
         lines: &mut impl Iterator<Item = (usize, &'a str)>,
     ) -> Result<Option<usize>, ReadError> {
         let width = self.fields.titles.len();
-        // Cells of a row, which may go on in further lines, and its first line.
+        // Cells of a row, which may continue on further lines, and its first line.
         let (mut row, mut more, mut first) = (Vec::new(), Vec::new(), 0);
         let mut end = None;
         for (line, content) in lines {
@@ -294,8 +294,8 @@ impl<'a> CgatsTable<'a> {
         Ok(())
     }
 
-    /// What the table in front of all others says for this one too, and what keywords say otherwise
-    /// than the data.
+    /// Adopts the type of the first table where this one has none, and notes keywords that
+    /// contradict the data.
     fn finish(&mut self, first: Option<&Self>) {
         if let Some(first) = first.filter(|_| self.kind.is_empty()) {
             self.kind = first.kind;

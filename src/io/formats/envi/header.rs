@@ -17,11 +17,11 @@ pub struct Fields {
     fields: HashMap<String, (usize, String)>,
 }
 
-/// A header: what the data are, and its fields.
+/// A header: the description of the data, and its fields.
 #[derive(Debug)]
 pub struct Header {
     fields: Fields,
-    /// Whether the data are spectra one after the other rather than an image.
+    /// True if the data are consecutive spectra rather than an image.
     pub is_library: bool,
     /// Columns, 1 in a library.
     pub width: usize,
@@ -41,10 +41,10 @@ impl Deref for Header {
 }
 
 impl Header {
-    /// How the numbers lie in the data.
+    /// The layout of the numbers in the data.
     ///
     /// # Errors
-    /// [`ReadError`] when the number that stands for "not measured" is none.
+    /// [`ReadError`] if the value that marks missing data is not a number.
     pub fn layout(&self) -> Result<Layout, ReadError> {
         let missing = self.number("data ignore value")?;
         Ok(Layout {
@@ -62,7 +62,7 @@ impl Header {
     /// The same where they are few enough to be read whole.
     ///
     /// # Errors
-    /// [`ReadError`] with how many there are.
+    /// [`ReadError`] with the size of the data in words.
     pub(super) fn few_bytes(&self) -> Result<usize, ReadError> {
         let few = self.bytes().filter(|bytes| *bytes as u64 <= MOST_BYTES);
         few.ok_or_else(|| self.error("samples", self.in_words(), "at most 512 MiB of data"))
@@ -75,7 +75,7 @@ impl Header {
         ReadError::new(data_name, format!("{found} bytes"), expected)
     }
 
-    /// What the data file holds.
+    /// The expected contents of the data file, in words.
     fn in_words(&self) -> String {
         let (bytes, lines) = (self.layout.number.bytes(), self.height);
         let (samples, bands) = match self.is_library {
@@ -124,7 +124,7 @@ impl Fields {
         let Some(text) = self.text(key) else {
             return Ok(None);
         };
-        // "-nan" and the like stand for numbers that are missing anyway.
+        // "-nan" and the like mark missing numbers in any case.
         match number::number(text, false) {
             Some(x) => Ok(Some(x)),
             None if text.to_lowercase().contains("nan") => Ok(None),
@@ -144,7 +144,7 @@ impl Fields {
             .map_err(|_| self.error(key, quoted(text), expected))
     }
 
-    /// An error at a field, or at the first line where there is none.
+    /// An error at a field, or at the first line if the field is absent.
     pub(crate) fn error(
         &self,
         key: &str,
@@ -156,7 +156,7 @@ impl Fields {
     }
 }
 
-/// The items between commas; one that begins with a quote goes on to the quote before a comma, so
+/// The items between commas; one that begins with a quote extends to the quote before a comma, so
 /// that names may have commas of their own.
 pub(super) fn split(text: &str) -> Vec<&str> {
     let mut items = Vec::new();
@@ -177,10 +177,10 @@ pub(super) fn split(text: &str) -> Vec<&str> {
     }
 }
 
-/// What a quote encloses, and what stands behind the comma after it; `None` where no quote is
-/// followed by a comma or the end, as in `'t Hooft`.
+/// The quoted text, and the rest behind the comma after it; `None` if no quote is followed by a
+/// comma or the end, as in `'t Hooft`.
 fn closed(text: &str, quote: char) -> Option<(&str, Option<&str>)> {
-    // As far as a header's longest name goes: an open quote must not be looked for again and again.
+    // As far as a header's longest name goes: an open quote must not be searched for repeatedly.
     let end = text
         .char_indices()
         .nth(200)

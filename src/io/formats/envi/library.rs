@@ -13,7 +13,7 @@ const SPECTRUM_BYTES: usize = 1500;
 /// Memory of a sample: wavelength and value, and both again while they are put in order.
 const SAMPLE_BYTES: usize = 32;
 
-/// How many values of the file decide kind and scale where the header is silent.
+/// The number of values that decide kind and scale where the header gives neither.
 const LOOKED_AT: usize = 20_000;
 
 /// Reads the spectra; `file_bytes` is the size of both files.

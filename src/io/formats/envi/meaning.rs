@@ -1,4 +1,4 @@
-//! What the numbers of an ENVI file mean: wavelengths of the channels, kind and scale of values.
+//! Interpretation of an ENVI file: wavelengths of the channels, kind and scale of the values.
 
 use crate::spectrum::Kind;
 
@@ -14,19 +14,19 @@ use crate::io::reading::remark::{taken_as, unit_words};
 use crate::io::text::units::WavelengthUnit;
 use crate::io::{ReadError, many::many};
 
-/// The channels to read and what was done to find them.
+/// The channels to read and notes on their selection.
 #[derive(Debug)]
 pub struct Chosen {
     /// Wavelength (nm, strictly rising) and channel (from 0).
     pub bands: Vec<(f64, usize)>,
-    /// What the wavelengths were counted in, and another unit that the header names.
+    /// The unit of the wavelengths, and a different unit named in the header.
     pub axis: AxisDecision,
     pub against: Option<String>,
-    /// What was done, a sentence each.
+    /// Notes on the selection, a sentence each.
     pub notes: Vec<String>,
 }
 
-/// The channels of a file without the bad ones; `chosen` is the unit that a person said.
+/// The channels of a file without the bad ones; `chosen` is the unit chosen by the user.
 ///
 /// # Errors
 /// [`ReadError`] when the header gives no wavelengths for them.
@@ -146,11 +146,11 @@ pub(crate) fn bandwidth_nm(header: &Header, nm: &[f64], stored: &[usize]) -> Opt
     Some(first * *widths.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
-/// What the values are by the header, else by a sample of them: kind, unit, scale, and what is to be
-/// said.
+/// The kind, unit and scale of the values by the header, else by a sample of them, and notes on
+/// them.
 ///
 /// # Errors
-/// [`ReadError`] when the scale factor is no number.
+/// [`ReadError`] if the scale factor is not a number.
 pub fn values(
     header: &Header,
     data_name: &str,
@@ -193,7 +193,7 @@ pub fn values(
     Ok((known, notes))
 }
 
-/// What is said of data that go on behind what the header tells of.
+/// A note on data that extend beyond the size given by the header.
 pub(crate) fn left_over(header: &Header, data_bytes: u64) -> Option<String> {
     let beyond = data_bytes.checked_sub(header.bytes()? as u64)?;
     (beyond > 0).then(|| {
@@ -201,8 +201,8 @@ pub(crate) fn left_over(header: &Header, data_bytes: u64) -> Option<String> {
     })
 }
 
-/// What values stand for: by their title, the key that scales factors, the words of the header, else
-/// by what is usual.
+/// The kind of the values, by their title, the key that scales factors, the words of the header,
+/// else by default.
 fn kind_of_values(
     header: &Header,
     title: &str,
@@ -235,7 +235,7 @@ fn kind_of_values(
     Decision::guessed(found.value, false, "nothing states it")
 }
 
-/// What values are divided by, in a title such as `reflectance [*10000]` or `reflectance (%)`.
+/// The divisor of the values in a title such as `reflectance [*10000]` or `reflectance (%)`.
 fn stated_factor(title: &str) -> Option<f64> {
     if title.contains('%') {
         return Some(100.0);

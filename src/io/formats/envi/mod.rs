@@ -1,6 +1,6 @@
 //! ENVI spectral libraries and image cubes: a text header `.hdr` beside a file of bare numbers.
 //!
-//! The header starts with the line `ENVI` and goes on with `key = value` lines; a value in braces
+//! The header starts with the line `ENVI` and continues with `key = value` lines; a value in braces
 //! may run over several lines, a line that starts with `;` is a comment. The data file has the
 //! same name without `.hdr`, with or without an extension of its own (`a.hdr` beside `a`, `a.sli`,
 //! `a.img`, `a.bsq`, ...; `a.sli.hdr` beside `a.sli`). Either of the two may be opened.
@@ -10,10 +10,10 @@
 //! `interleave` is `bsq` (band by band), `bil` (row by row) or `bip` (pixel by pixel), `byte
 //! order` 0 (least significant first) or 1, `data type` the kind of number, and `header
 //! offset` the bytes before the first number. `wavelength units` may be unknown; `bbl = {1, 0}`
-//! marks bad bands with 0; `reflectance scale factor = 10000` says that 10000 is a reflectance
+//! marks bad bands with 0; `reflectance scale factor = 10000` means that 10000 is a reflectance
 //! of 1.
 //!
-//! Limits: 512 MiB of data; [`needs`] tells size and memory from the header alone.
+//! Limits: 512 MiB of data; [`needs`] derives size and memory from the header alone.
 
 mod header;
 mod image;
@@ -103,8 +103,8 @@ pub(crate) fn pair_of(path: &Path) -> Option<PathBuf> {
     data_beside(path).or_else(|| pair::header_of(path))
 }
 
-/// What the header of the library or cube whose header or data file is at `path` says of data few
-/// enough to be read whole; they are not read.
+/// The header of the library or cube whose header or data file is at `path`, for data small enough
+/// to be read whole; the data are not read.
 ///
 /// # Errors
 /// [`ReadError`] when there is no header, or it is not right.

@@ -9,7 +9,7 @@ use crate::io::input::name_of;
 use crate::io::text::{self, MOST_BYTES};
 use crate::io::{ReadError, budget};
 
-/// Endings of data files, in the order in which they are looked for.
+/// Endings of data files, in the order of the search.
 const DATA_ENDINGS: [&str; 15] = [
     "", ".sli", ".esl", ".slb", ".img", ".dat", ".bsq", ".bil", ".bip", ".raw", ".bin", ".cube",
     ".hyspex", ".lib", ".spc",
@@ -45,7 +45,7 @@ fn longer(path: &Path, ending: &str) -> PathBuf {
     name.into()
 }
 
-/// Whether a file begins as an ENVI header does.
+/// True if a file begins like an ENVI header.
 pub(crate) fn starts_as_header(path: &Path) -> bool {
     let mut start = [0; 8];
     let read = File::open(path).and_then(|mut file| file.read(&mut start));
@@ -66,7 +66,7 @@ pub(crate) fn read_header(path: &Path) -> Result<Header, ReadError> {
 /// The data that belong to a header, and their file's name.
 ///
 /// # Errors
-/// [`ReadError`] when there is none, or it cannot be read.
+/// [`ReadError`] if the file is missing or cannot be read.
 pub(super) fn data_of(path: &Path, header: &Header) -> Result<(String, Vec<u8>), ReadError> {
     let chosen = place_of_data(path, header.few_bytes()?).ok_or_else(|| {
         ReadError::new(

@@ -32,7 +32,7 @@ pub(crate) const FORMAT: Format = Format {
     read,
 };
 
-/// What a refusal asks for.
+/// The input expected, as given in a refusal.
 const KNOWN: &str = "a spectrum or composite of this program, one of colorimetry-io, rawtoaces or tobes-ui, or \
      lists of numbers beside one of wavelengths";
 
@@ -64,7 +64,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     }
 }
 
-/// What JSON of no program in particular is.
+/// A description of JSON of no known program.
 fn in_words(tree: &Tree) -> String {
     let Some(root) = tree.object() else {
         return "a JSON list with no wavelengths in it".to_owned();
@@ -80,7 +80,7 @@ fn without_nan(text: &str) -> Cow<'_, str> {
         return Cow::Borrowed(text);
     }
     let mut out = String::with_capacity(text.len());
-    // Where quotes stand words and the rest take turns; a quote behind a stroke is a letter.
+    // Quotes alternate between words and the rest; an escaped quote belongs to the word.
     let mut is_word = false;
     for piece in text.split_inclusive('"') {
         if is_word {
@@ -99,7 +99,7 @@ fn without_nan(text: &str) -> Cow<'_, str> {
     Cow::Owned(out)
 }
 
-/// The keys by which known programs are told.
+/// The keys by which known programs are recognised.
 #[derive(Deserialize)]
 struct Keys {
     spectral_data: Option<IgnoredAny>,
@@ -108,7 +108,7 @@ struct Keys {
     spectrum: Option<IgnoredAny>,
 }
 
-/// Whether a text is one object with a key of a known program, told without keeping any of it.
+/// True if a text is one object with a key of a known program, checked without keeping any of it.
 fn has_known_keys(text: &str) -> bool {
     serde_json::from_str::<Keys>(text).is_ok_and(|keys| {
         let known = [keys.spectral_data, keys.spd, keys.spectra, keys.spectrum];

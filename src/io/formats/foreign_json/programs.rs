@@ -1,4 +1,4 @@
-//! JSON of programs that say what their spectra are: colorimetry-io 1.0, rawtoaces, tobes-ui.
+//! JSON of programs that describe their spectra: colorimetry-io 1.0, rawtoaces, tobes-ui.
 
 use serde_json::{Map, Value};
 
@@ -14,17 +14,17 @@ use crate::spectrum::Kind;
 /// Most channels of a rawtoaces file; a camera has three.
 const MOST_CHANNELS: usize = 100;
 
-/// What a program says of a spectrum.
+/// A program's description of a spectrum.
 struct Said<'a> {
     name: String,
     kind: Option<Kind>,
     unit: &'a str,
-    /// Whether a factor is per cent.
+    /// True if a factor is in per cent.
     percent: Option<bool>,
     source: Option<&'a str>,
 }
 
-/// Reads JSON of a program that is known; `false` where it is of none.
+/// Reads JSON of a known program; `false` for other JSON.
 pub(super) fn read(input: &Input, value: &Value, reading: &mut Reading) -> Result<bool, ReadError> {
     let has = |value: &Value, key: &str| value.get(key).is_some();
     let is_colorimetry = |v: &Value| has(v, "wavelength_axis") || has(v, "spectral_data");
@@ -138,7 +138,7 @@ fn range(input: &Input, axis: &Value, values: usize) -> Result<Vec<f64>, ReadErr
     Ok((0..=steps as usize).map(at).collect())
 }
 
-/// A table's keys as wavelengths in rising order, and what stands under each.
+/// A table's keys as wavelengths in rising order, and the content under each.
 fn keyed<T>(
     input: &Input,
     table: &Map<String, Value>,

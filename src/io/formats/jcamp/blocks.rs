@@ -25,7 +25,7 @@ pub(crate) struct Data<'a> {
     pub line: usize,
     /// The text behind its line.
     text: &'a str,
-    /// Whether they are pairs.
+    /// True if they are pairs.
     pub is_pairs: bool,
 }
 
@@ -99,7 +99,7 @@ pub(crate) fn of<'a>(input: &Input, text: &'a str) -> Result<Vec<Block<'a>>, Rea
 }
 
 impl<'a> Block<'a> {
-    /// Whether it only holds other blocks.
+    /// True if it only holds other blocks.
     pub(crate) fn is_link(&self) -> bool {
         let of_type = self
             .text("DATATYPE")
@@ -148,10 +148,10 @@ impl<'a> Block<'a> {
         })
     }
 
-    /// Whether numbers mark their decimals by commas: a limit or a factor does, or the first row
-    /// of pairs is two numbers of one comma each.
+    /// True if decimals are marked by commas: in a limit or an increment, or in a first row of
+    /// pairs that is two numbers of one comma each.
     fn has_decimal_comma(&self, data: &Data) -> bool {
-        // Factors do not tell: SpectraSuite writes 1.0 over numbers with commas.
+        // Factors are no evidence: SpectraSuite writes 1.0 over numbers with commas.
         const NUMBERS: [&str; 9] = [
             "FIRSTX", "LASTX", "FIRSTY", "LASTY", "DELTAX", "MAXX", "MINX", "MAXY", "MINY",
         ];
@@ -166,7 +166,7 @@ impl<'a> Block<'a> {
     }
 }
 
-/// The numbers of a block, and what its records say of them.
+/// The numbers of a block, and the records that describe them.
 pub(crate) struct Curve<'b, 'i> {
     pub input: &'b Input<'i>,
     block: &'b Block<'b>,
@@ -190,13 +190,13 @@ impl Curve<'_, '_> {
         number.map(Some).ok_or_else(refusal)
     }
 
-    /// What abscissas and ordinates are multiplied by.
+    /// The factors of abscissas and ordinates.
     pub(crate) fn factors(&self) -> Result<(f64, f64), ReadError> {
         let factor = |label| Ok(self.number(label)?.unwrap_or(1.0));
         Ok((factor("XFACTOR")?, factor("YFACTOR")?))
     }
 
-    /// Notes a record that says something else than the data, beyond a share and a rest of it.
+    /// Notes a record that differs from the data by more than a relative and an absolute tolerance.
     pub(crate) fn compare(
         &self,
         label: &str,

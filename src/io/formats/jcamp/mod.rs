@@ -42,11 +42,11 @@ pub(crate) const FORMAT: Format = Format {
 const POINT_BYTES: usize = 72;
 
 /// Wave numbers under this (1/cm) lie beyond 9 um, where no light is: numbers between
-/// [`LOW_NM`] and this are nanometres, whatever the label says.
+/// [`LOW_NM`] and this are nanometres, regardless of the label.
 const HIGH_NM: f64 = 1100.0;
 const LOW_NM: f64 = 150.0;
 
-/// A transmittance or reflectance beyond this many per cent is none.
+/// The per cent beyond which a value is not taken as a transmittance or reflectance.
 const ABSURD_PERCENT: f64 = 1000.0;
 
 fn sniff(input: &Input) -> Confidence {
@@ -151,7 +151,7 @@ fn read_block(
             "XUNITS says {x_units}, which would be beyond 9 um: taken as nm"
         ));
     }
-    // A block of what repeated measurements differ by stands beside that of their mean.
+    // A block of the spread of repeated measurements accompanies that of their mean.
     let of_spread = [y_units, data_type, block.text("TITLE").unwrap_or("")]
         .into_iter()
         .find(|text| kinds::is_spread(text));
@@ -198,7 +198,7 @@ fn read_block(
     Ok(count)
 }
 
-/// What is on the y axis, by the word that instruments' own stand for.
+/// The unit of the y axis, with instruments' own terms replaced by the standard one.
 fn y_units<'b>(block: &'b Block) -> &'b str {
     match block.text("YUNITS").unwrap_or("") {
         "A" | "AU" | "EXTINCTION" => "ABSORBANCE",

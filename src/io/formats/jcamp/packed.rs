@@ -1,7 +1,7 @@
 //! `(X++(Y..Y))`: lines of one abscissa and many ordinates, plain (AFFN) or packed (ASDF).
 //!
-//! In the packed forms a letter stands for the first digit and the sign of a number, so that
-//! nothing need stand between numbers:
+//! In the packed forms a letter represents the first digit and the sign of a number, so that
+//! numbers need no separator:
 //!
 //! ```text
 //! SQZ  @ = 0   A..I = 1..9   a..i = -1..-9    an ordinate
@@ -20,20 +20,20 @@ use crate::io::ReadError;
 use crate::io::error::quoted;
 use crate::io::text::number;
 
-/// What stands on a line.
+/// The form of a number on a line.
 #[derive(Clone, Copy, PartialEq)]
 enum Form {
     /// A number without a letter: the abscissa, then ordinates.
     Plain,
     Value,
     Difference,
-    /// How many times the number before stands there in all.
+    /// The total count of repetitions of the number before.
     Repeat,
     /// A question mark for a missing ordinate.
     Gap,
 }
 
-/// The letters that are first digits: from and to, what number they begin, the digit and the sign
+/// The letters that are first digits: from and to, the form of the number, the digit and the sign
 /// of the first one.
 const LETTERS: [(u8, u8, Form, u8, f64); 7] = [
     (b'@', b'I', Form::Value, 0, 1.0),
@@ -97,7 +97,7 @@ struct Unpacked<'c, 'b, 'i> {
     /// Ordinates in the file's whole numbers; NaN for a missing one.
     values: Vec<f64>,
     starts: Vec<Start>,
-    /// Lines whose check is wrong: the first, and how many.
+    /// Lines whose check is wrong: the first, and their count.
     wrong: Option<(usize, usize)>,
 }
 
@@ -144,7 +144,7 @@ pub(crate) fn read(curve: &Curve, notes: &mut Vec<String>) -> Result<Points, Rea
 }
 
 impl Unpacked<'_, '_, '_> {
-    /// Unpacks a line; returns whether it ends in differences.
+    /// Unpacks a line; returns true if it ends in differences.
     fn line(&mut self, row: &str, line: usize, check_follows: bool) -> Result<bool, ReadError> {
         let (bytes, decimal_comma) = (row.as_bytes(), self.curve.decimal_comma);
         let is_gap = |b: u8| b.is_ascii_whitespace() || b == b';' || (b == b',' && !decimal_comma);
@@ -215,7 +215,7 @@ impl Unpacked<'_, '_, '_> {
     }
 }
 
-/// What a block says about its abscissas.
+/// A block's statements about its abscissas.
 struct Grid {
     first: Option<f64>,
     last: Option<f64>,
@@ -224,8 +224,8 @@ struct Grid {
 }
 
 impl Grid {
-    /// Whether every line start agrees with the same ends the other way round, and not with the ends
-    /// as they are labelled: the abscissa beside a number is believed before a label.
+    /// True if every line start agrees with the ends swapped, and not with the ends as labelled:
+    /// the abscissa beside a number takes precedence over a label.
     fn is_turned(&self, starts: &[Start], count: usize) -> bool {
         let (Some(first), Some(last), 2..) = (self.first, self.last, count) else {
             return false;

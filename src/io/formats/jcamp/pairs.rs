@@ -1,6 +1,6 @@
 //! `(XY..XY)`: pairs of abscissa and ordinate, any number on a line.
 //!
-//! Where decimals are marked by commas, a comma may part the two numbers as well: before a blank
+//! With decimal commas, a comma may separate the two numbers as well: before a blank
 //! (`400,5, 12,75`), or as the second of three (`400,5,12,75`).
 
 use super::blocks::Curve;

@@ -16,8 +16,8 @@ const PARTS: [(f64, f64, f64); 5] = [
     (500_000.0, LAST_NM, 1_000.0),
 ];
 
-/// Wavelengths from one to another, nm: the multiples of the step between them, and how they were
-/// chosen in words.
+/// Wavelengths from one to another, nm: the multiples of the step between them, and the choice in
+/// words.
 pub(crate) fn of(from: f64, to: f64) -> (Vec<f64>, String) {
     let (from, to) = (tidied(from), tidied(to));
     let (first, last) = (from.max(FIRST_NM), to.min(LAST_NM));
@@ -53,7 +53,7 @@ pub(crate) fn of(from: f64, to: f64) -> (Vec<f64>, String) {
     (nm, how)
 }
 
-/// A number without what the way from um to nm leaves behind the last decimal.
+/// A number without the rounding error of the conversion from um to nm.
 fn tidied(x: f64) -> f64 {
     let rounded = (x * 1e6).round() / 1e6;
     if rounded.is_finite() { rounded } else { x }

@@ -3,7 +3,7 @@
 //! `DATA` is a list of tables (`tabulated nk`, `tabulated n`, `tabulated k`, columns with blanks)
 //! and dispersion formulas 1 to 9 ([`Formula`]), which are sampled at whole nanometres, and more
 //! coarsely in the far infrared ([`grid`]); the spectrum keeps its formula. Every n and k becomes a spectrum, and the reflectance
-//! at normal incidence from air, ((n - 1)^2 + k^2) / ((n + 1)^2 + k^2), a further one that says it
+//! at normal incidence from air, ((n - 1)^2 + k^2) / ((n + 1)^2 + k^2), a further one that notes it
 //! was computed. Where a file holds n as a table and by a formula, the table counts.
 
 pub(crate) mod grid;
@@ -38,7 +38,7 @@ fn sniff(input: &Input) -> Confidence {
         (text.contains("type: tabulated") || text.contains("type: formula"))
             && text.lines().any(|line| line.trim_end() == "DATA:")
     };
-    // Long references may stand before the data.
+    // Long references may precede the data.
     let is_named = || input.has_extension("yml") || input.has_extension("yaml");
     let is_whole = || input.text().is_some_and(|text| is_ours(&text.text));
     Confidence::certain_if(is_ours(input.head()) || is_named() && is_whole())
@@ -85,7 +85,7 @@ fn parse(input: &Input, text: &str) -> Result<File, ReadError> {
     })
 }
 
-/// What the parser makes of a text, or the first line of its complaint; none where it breaks off.
+/// The parsed file, or the first line of the parser's error; `None` if the parser panics.
 fn parse_strictly(text: &str) -> Result<File, Option<String>> {
     let mut limits = serde_saphyr::Budget::default();
     limits.max_recorded_anchor_bytes = 1 << 20;
@@ -159,7 +159,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     Ok(reading)
 }
 
-/// Spectra of one table or formula: 'n' or 'k', and what was done.
+/// Spectra of one table or formula: 'n' or 'k', and notes on the processing.
 fn read_data(
     input: &Input,
     text: &str,
@@ -257,7 +257,7 @@ fn read_formula(
     Ok((samples.of_formula(formula), notes))
 }
 
-/// The curve of some points, and what was done to get it.
+/// The curve of some points, and notes on the processing.
 fn clean(
     input: &Input,
     nm: &[f64],
@@ -270,8 +270,8 @@ fn clean(
     Ok((cleaned.samples, notes))
 }
 
-/// Reflectance at normal incidence from air, and how it came about; `None` where n and k have too
-/// few wavelengths in common.
+/// Reflectance at normal incidence from air, and its derivation in words; `None` if n and k have
+/// too few wavelengths in common.
 fn reflectance(n: &Sampled, k: Option<&Sampled>) -> Option<(Sampled, &'static str)> {
     let inside = |nm: f64| k.is_none_or(|k| nm >= k.first_nm() && nm <= k.last_nm());
     let points = n.nm().iter().zip(n.values());

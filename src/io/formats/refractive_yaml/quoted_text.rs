@@ -1,7 +1,7 @@
-//! Text in quotes that goes on at the start of a line, which the site's files have and YAML forbids.
+//! Quoted text that continues at the start of a line, which the site's files have and YAML forbids.
 
-/// The same text with such lines set in by a blank, so that line numbers stay; `None` where there
-/// are none. Only quotes that open behind a key at the start of a line are looked at.
+/// The same text with such lines indented by a blank, so that line numbers stay; `None` if there
+/// are none. Only quotes that open behind a key at the start of a line count.
 pub(crate) fn indented(text: &str) -> Option<String> {
     let mut changed = String::with_capacity(text.len() + text.len() / 8);
     let mut inside: Option<char> = None;
@@ -27,7 +27,7 @@ pub(crate) fn indented(text: &str) -> Option<String> {
     has_changed.then_some(changed)
 }
 
-/// The quote behind a key at the start of a line, and what follows it.
+/// The quote behind a key at the start of a line, and the text after it.
 fn opens(line: &str) -> Option<(char, &str)> {
     if line.starts_with([' ', '\t', '#', '-', '"', '\'']) {
         return None;
@@ -37,8 +37,8 @@ fn opens(line: &str) -> Option<(char, &str)> {
     Some((quote, &value[1..]))
 }
 
-/// Whether a text within quotes ends on this line: a backslash takes the next letter's meaning in
-/// double quotes, and a doubled single quote is one.
+/// True if a quoted text ends on this line: in double quotes a backslash escapes the next
+/// character, and a doubled single quote is a literal one.
 fn closes(line: &str, quote: char) -> bool {
     let mut letters = line.chars().peekable();
     while let Some(letter) = letters.next() {

@@ -1,13 +1,13 @@
-//! What a key says, and which values are numbers.
+//! Meanings of keys, and values that are numbers.
 
 use crate::io::decode::json_tree::{Object, Tree};
 use crate::io::text::number::{self, Cell};
 use crate::io::text::units::names_wavelength;
 
-/// Keys under which a sample's name stands.
+/// Keys of a sample's name.
 pub(super) const NAMES: [&str; 6] = ["name", "title", "label", "id", "sample", "description"];
 
-/// Whether a key, its words set apart in small letters, is no name of what stands under it.
+/// True if a key, its words separated and in lower case, is no name of the content under it.
 pub(super) fn is_no_name(plain: &str) -> bool {
     const NO_NAMES: &str = "data;spectrum;spectra;spectral data;values;value;points;samples;sample;\
          measurements;measurement;results;result;spd;series;records;rows;items;meta;metadata;info;\
@@ -15,12 +15,12 @@ pub(super) fn is_no_name(plain: &str) -> bool {
     NO_NAMES.split(';').any(|word| word == plain)
 }
 
-/// Whether a key is "x", which is mostly something else where another says that it is an axis.
+/// True if a key is "x", which is mostly something else where another key names an axis.
 pub(super) fn is_x(key: &str) -> bool {
     key.eq_ignore_ascii_case("x")
 }
 
-/// Whether keys count rows from 0 or 1, as tables are written that have columns for objects.
+/// True if keys count rows from 0 or 1, as in tables written with columns as objects.
 pub(super) fn row_numbers(object: &Object) -> bool {
     let number = |(key, _): &(String, Tree)| key.parse::<usize>().ok();
     let Some(first @ 0..=1) = object.first().and_then(number) else {
@@ -41,14 +41,14 @@ pub(super) fn items(value: &Tree) -> Option<Vec<&Tree>> {
     }
 }
 
-/// At least two numbers; `null` and words for a gap stand for missing ones.
+/// At least two numbers; `null` and words for a gap mark missing ones.
 pub(super) fn numbers(value: &Tree) -> Option<Vec<f64>> {
     let list = items(value).filter(|list| list.len() > 1)?.into_iter();
     let list: Vec<f64> = list.map(one_number).collect::<Option<_>>()?;
     list.iter().any(|number| !number.is_nan()).then_some(list)
 }
 
-/// A number, or a word that stands for one; NaN for a gap.
+/// A number, or a word that represents one; NaN for a gap.
 pub(super) fn one_number(value: &Tree) -> Option<f64> {
     match value {
         Tree::Nothing => Some(f64::NAN),
@@ -61,13 +61,13 @@ pub(super) fn one_number(value: &Tree) -> Option<f64> {
     }
 }
 
-/// Whether a number has "nm" behind it.
+/// True if a number has "nm" behind it.
 pub(super) fn says_nm(value: &Tree) -> bool {
     let ends = |text: &str| text.trim_end().ends_with("nm");
     value.text().is_some_and(ends)
 }
 
-/// Whether a key says that wavelengths stand under it.
+/// True if a key names wavelengths.
 pub(super) fn is_axis(key: &str) -> bool {
     names_wavelength(&spaced(key))
 }

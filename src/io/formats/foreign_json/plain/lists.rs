@@ -13,8 +13,7 @@ use crate::io::interpret::kinds;
 use crate::io::table::row_order::runs_one_way;
 use crate::io::text::number;
 
-/// Least and greatest number, nm, of a list that only its key's last word tells to be one of
-/// wavelengths.
+/// Least and greatest number, nm, of a list identified as wavelengths only by its key's last word.
 const BANDS_NM: std::ops::RangeInclusive<f64> = 100.0..=50_000.0;
 
 /// Memory that a table of points may take for each key in the file: not every point has every key.
@@ -28,7 +27,7 @@ const MOST_AXES: usize = 8;
 pub(super) struct Lists<'a> {
     /// The key above the wavelengths, its words set apart.
     pub axis_title: String,
-    /// Whether a number has "nm" behind it.
+    /// True if a number has "nm" behind it.
     pub says_nm: bool,
     pub axis: Vec<f64>,
     pub columns: Vec<Column<'a>>,
@@ -36,9 +35,9 @@ pub(super) struct Lists<'a> {
 
 /// A list of values.
 pub(super) struct Column<'a> {
-    /// The key above it: what is measured.
+    /// The key above it: the quantity measured.
     pub title: &'a str,
-    /// What its sample is called.
+    /// The name of its sample.
     pub name: Option<Cow<'a, str>>,
     /// As many as there are wavelengths; NaN where one is missing.
     pub values: Vec<f64>,
@@ -91,7 +90,7 @@ fn beside(object: &Object, at: usize) -> Option<Lists<'_>> {
     (!table.columns.is_empty()).then_some(table)
 }
 
-/// Wavelengths given by their ends, and the lists as long as they say.
+/// Wavelengths given by their ends, and the lists of matching length.
 fn of_range(object: &Object) -> Option<Lists<'_>> {
     let ends = Ends::of(object);
     let beside = object.iter().find_map(|(_, value)| numbers(value));
@@ -107,7 +106,7 @@ fn of_range(object: &Object) -> Option<Lists<'_>> {
     })
 }
 
-/// Whether the last word of a key says that numbers under it may be wavelengths.
+/// True if the last word of a key implies that numbers under it may be wavelengths.
 fn is_bands(key: &str) -> bool {
     let key = spaced(key).to_lowercase();
     let ends = |word: &&str| key.ends_with(*word);
@@ -163,7 +162,7 @@ fn gather<'a>(
             let own = NAMES.iter().find_map(|name| get(object, name)?.text());
             let is_named = !is_no_name(&spaced(key).to_lowercase());
             for (inner_key, inner) in object {
-                // Keys over lists of their own are names, unless they say what is measured:
+                // Keys over lists of their own are names, unless they name the quantity measured:
                 // {"samples": {"A": [..]}}, {"A": {"reflectance": [..]}}.
                 let plain = spaced(inner_key).to_lowercase();
                 let says_what = is_no_name(&plain) || kinds::kind_of_title(&plain).is_some();
@@ -189,7 +188,7 @@ pub(super) fn of_keys(object: &Object) -> Option<Lists<'_>> {
     if points.len() < 2 || row_numbers(object) {
         return None;
     }
-    // Keys may stand in the order of their letters.
+    // Keys may be in alphabetical order.
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     let (axis, values) = points.into_iter().unzip();
     Some(Lists {
@@ -207,7 +206,7 @@ fn wavelength_of(key: &str) -> Option<f64> {
 }
 
 /// Points as objects: `[{"wavelength": 380, "value": 0.1}, ...]`. Where wavelengths begin anew and
-/// a key tells samples apart, each has lists of its own.
+/// a key distinguishes samples, each has lists of its own.
 pub(super) fn of_points(value: &Tree) -> Vec<Lists<'_>> {
     let points = items(value).into_iter().flatten().map(Tree::object);
     let Some(points) = points.collect::<Option<Vec<&Object>>>() else {

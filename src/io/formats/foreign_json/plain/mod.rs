@@ -8,7 +8,7 @@
 //! {"wavelength": {"0": 380, "1": 390, ..}, "value": {"0": 0.1, "1": 0.2, ..}}
 //! ```
 //!
-//! What the words mean is decided as in a table of text: keys are the titles of columns, and other
+//! The meaning of words is decided as in a table of text: keys are the titles of columns, and other
 //! words beside them are the lines above it. Keys above several tables are their names.
 
 mod keys;
@@ -28,14 +28,14 @@ use crate::io::{Input, ReadError, Reading, quoted};
 use keys::{NAMES, is_no_name, spaced};
 use lists::{Column, Lists, of_keys, of_lists, of_points, of_rows};
 
-/// How deep in a file spectra are looked for.
+/// The depth to which a file is searched for spectra.
 pub(super) const DEPTH: usize = 8;
 
 /// Most words beside a table that are kept, and most bytes of them: every table is read with all.
 const MOST_WORDS: usize = 100;
 const MOST_WORD_BYTES: usize = 4096;
 
-/// Most keys above lists that are no spectra that are told.
+/// Most keys reported of lists that are no spectra.
 const MOST_LEFT_OUT: usize = 100;
 
 /// Bytes of words that are read with the tables of one file altogether, besides twice its size;
@@ -91,7 +91,7 @@ impl Finder<'_, '_, '_> {
         Ok(())
     }
 
-    /// Looks at what stands under the keys, which are names where there are several.
+    /// Searches the content under the keys, which are names where there are several.
     fn look_below(&mut self, object: &Object, depth: usize) -> Result<(), ReadError> {
         let below = || object.iter().filter(|(_, inner)| inner.holds_values());
         let several = below().nth(1).is_some();
@@ -196,7 +196,7 @@ fn tables_in(value: &Tree) -> Vec<Lists<'_>> {
     tables
 }
 
-/// Whether columns are a camera's or a display's red, green and blue: then R is no reflectance.
+/// True if columns are a camera's or a display's red, green and blue: then R is no reflectance.
 fn are_channels(columns: &[Column]) -> bool {
     let first_word = |column: &Column| {
         let title = spaced(column.title).to_lowercase();
@@ -208,7 +208,7 @@ fn are_channels(columns: &[Column]) -> bool {
         .all(|names| words.iter().any(|word| names.contains(&&**word)))
 }
 
-/// What the title of a channel says of its values: `red_ssf` is a camera's sensitivity.
+/// The quantity implied by the title of a channel: `red_ssf` is a camera's sensitivity.
 fn title_of_channel(title: &str) -> &'static str {
     let title = title.to_lowercase();
     let words = ["ssf", "sensitiv", "respons", "qe"];

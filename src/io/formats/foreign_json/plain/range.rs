@@ -9,30 +9,30 @@ use super::keys::{is_axis, one_number, spaced};
 use crate::io::decode::json_tree::Tree;
 use crate::io::text::words::holds_one;
 
-/// Ends of light where no key says that they are wavelengths, nm.
+/// Plausible ends of an axis, nm, where no key names wavelengths.
 const PLAUSIBLE_NM: std::ops::RangeInclusive<f64> = 150.0..=50_000.0;
 
 /// Fewest wavelengths: a pair or three numbers may be ends again.
 const FEWEST: usize = 4;
 
-/// What keys say of an axis.
+/// The description of an axis by keys.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Ends {
     start: Option<f64>,
     end: Option<f64>,
     step: Option<f64>,
     count: Option<f64>,
-    /// Whether the key of an end says that it is a wavelength.
+    /// True if the key of an end marks it as a wavelength.
     names_wavelengths: bool,
-    /// Whether the ends have keys of their own.
+    /// True if the ends have keys of their own.
     are_apart: bool,
     unit: Option<&'static str>,
 }
 
-/// Words in a key that say that it is about wavelengths.
+/// Words in a key that refer to wavelengths.
 const ABOUT: &str = "|wavelength|;|wavelengths|;|lambda|;|wl|;|nm|;|um|;|µm|;|spectral|;|band|";
 
-/// Words in a key that say nothing.
+/// Words in a key without meaning here.
 const FILLING: &str = "|range|;|axis|;|sampling|;|in|;|bands|;|of|;|spectrum|";
 
 /// Words in a key of two or three numbers that are ends and a step.
@@ -45,7 +45,7 @@ fn words(key: &str) -> impl Iterator<Item = &str> {
 }
 
 impl Ends {
-    /// What an object says of an axis.
+    /// The description of an axis in an object.
     pub(super) fn of<'o>(object: impl IntoIterator<Item = &'o (String, Tree)>) -> Self {
         let mut ends = Self::default();
         for (key, value) in object {
@@ -60,7 +60,7 @@ impl Ends {
             Tree::Number(number) => self.number(key, *number),
             Tree::List(list) if is_range || is_axis && list.len() == 3 => self.list(key, list),
             Tree::Object(inner) if is_range || is_axis => {
-                // Nothing is looked for further down.
+                // No search at deeper levels.
                 let is_number = |entry: &&(String, Tree)| matches!(entry.1, Tree::Number(_));
                 let inner = Self::of(inner.iter().filter(is_number));
                 if inner.start.is_some() && self.start.is_none() {
@@ -73,7 +73,7 @@ impl Ends {
         }
     }
 
-    /// Takes a number for what its key says that it is to an axis.
+    /// Assigns a number to the part of the axis named by its key.
     fn number(&mut self, key: &str, number: f64) {
         let is_left = |word: &&str| !holds_one(word, ABOUT) && !holds_one(word, FILLING);
         let left: Vec<&str> = words(key).filter(is_left).collect();
@@ -119,7 +119,7 @@ impl Ends {
         self.unit = units.next().or(self.unit);
     }
 
-    /// How many wavelengths there may be; `beside` is the length of the first list of numbers.
+    /// The possible numbers of wavelengths; `beside` is the length of the first list of numbers.
     pub(super) fn lengths(&self, beside: Option<usize>) -> Vec<usize> {
         let (Some(start), Some(end)) = (self.start, self.end) else {
             return Vec::new();
@@ -137,7 +137,7 @@ impl Ends {
         let mut lengths: Vec<usize> = by_step.into_iter().collect();
         lengths.extend(self.count.and_then(whole));
         if self.step.is_none() && self.count.is_none() && self.are_apart && self.names_wavelengths {
-            // Pixels of a spectrometer are not evenly apart: only steps that a person would choose.
+            // Pixels of a spectrometer are not evenly apart: only round steps as chosen by hand.
             let is_chosen = |n: &usize| {
                 let hundredths = 100.0 * (end - start) / (*n as f64 - 1.0);
                 (hundredths - hundredths.round()).abs() < 1e-6
