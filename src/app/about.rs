@@ -161,8 +161,8 @@ mod tests {
     #[test]
     fn every_shipped_light_has_a_family_and_a_sentence() {
         for entry in bundled_entries() {
-            let told = About::of(&entry);
-            let family = family(&entry, &Identified::default());
+            let told = About::of(entry);
+            let family = family(entry, &Identified::default());
             assert!(family.is_some(), "{}", entry.key);
             assert!(!told.table.is_empty(), "{}", entry.key);
             if entry.kind() != Kind::Light {
@@ -183,8 +183,8 @@ mod tests {
         let lines = Library::bundled().lines();
         let mut counted = 0;
         for entry in bundled_entries() {
-            let told = About::of(&entry);
-            let light = identified(&entry, lines);
+            let told = About::of(entry);
+            let light = identified(entry, lines);
             let named: BTreeSet<&str> = light.peaks().filter_map(|(_, name)| name).collect();
             let mercury = named.iter().filter(|name| name.contains("Hg ")).count();
             if told.about.starts_with("Four mercury lines") {

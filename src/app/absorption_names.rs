@@ -420,7 +420,7 @@ mod tests {
                     name if name.starts_with("Neodimium") => vec![2],
                     _ => Vec::new(),
                 };
-                let found = families_of(&entry, band);
+                let found = families_of(entry, band);
                 if found != expected {
                     wrong.push(format!("{} {band:?} {found:?}", entry.key));
                 }
@@ -453,12 +453,12 @@ mod tests {
     #[test]
     fn one_line_names_one_dip_a_wide_band_all_that_stand_in_it() {
         let sun = bundled_entries()
-            .into_iter()
+            .iter()
             .find(|e| e.name().contains("AM1.5G"))
             .unwrap();
         let band = Band::new(380.0, 1000.0).unwrap();
         let values = sun.on_band(band);
-        let curve = Curve::of(&sun, band, &values);
+        let curve = Curve::of(sun, band, &values);
         let names = name_dips(&[589.2, 589.9, 658.0, 720.0, 726.0], curve);
         let safe: Vec<_> = names.iter().map(|n| n.safe.as_deref()).collect();
         let water = Some("H2O 718-730");

@@ -143,7 +143,7 @@ mod tests {
 
     #[test]
     fn a_step_is_told_by_what_it_changes() {
-        let before = Document::about(first_light(&bundled_entries()));
+        let before = Document::about(first_light(bundled_entries()));
         let mut after = before.clone();
         after.settings.order = 24;
         assert_eq!(difference(&before, &after), "order 7 to 24");

@@ -47,13 +47,13 @@ impl Errors {
 }
 
 impl From<&Verdict> for Errors {
-    /// A figure that does not exist is infinite.
+    /// Colours that do not exist are not off: no centre of a band-pass lies in a range that ends
+    /// below 420 nm. An error of the curve that does not exist is infinite.
     fn from(verdict: &Verdict) -> Self {
-        let of = |measure| verdict[measure].unwrap_or(f64::INFINITY);
         Self {
-            patches: of(Measure::Patches),
-            filters: of(Measure::Filters),
-            blurred: of(Measure::RmsBlurred),
+            patches: verdict[Measure::Patches].unwrap_or(0.0),
+            filters: verdict[Measure::Filters].unwrap_or(0.0),
+            blurred: verdict[Measure::RmsBlurred].unwrap_or(f64::INFINITY),
         }
     }
 }

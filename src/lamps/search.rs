@@ -263,7 +263,8 @@ impl<'a> Search<'a> {
 
     /// The column that lowers the square of what is left most.
     fn best(&self, is_atom: bool, squares: &Sums, towards: &Sums, picks: &[Pick]) -> Option<Pick> {
-        let (pick, of): (fn(usize) -> Pick, fn(&Sums) -> &Vec<f64>) = match is_atom {
+        type Of = fn(&Sums) -> &Vec<f64>;
+        let (pick, of): (fn(usize) -> Pick, Of) = match is_atom {
             true => (Pick::Atom, |s| &s.atoms),
             false => (Pick::Line, |s| &s.lines),
         };

@@ -205,7 +205,8 @@ fn checked(layer: &ExrLayer) -> Result<Header, PictureError> {
         let expected = format!("B, G, R and CS.000 to CS.{:03}", header.numbers - 1);
         return Err(PictureError::broken(found, expected));
     }
-    if layer.channels.iter().any(|channel| channel.is_whole) {
+    let of_planes = |name: &str| name.starts_with("CS.");
+    if (layer.channels.iter()).any(|channel| channel.is_whole && of_planes(&channel.name)) {
         return Err(PictureError::broken(
             "a channel of other numbers",
             "half or float",

@@ -16,7 +16,7 @@ pub(crate) const FL11: &str = "cie_fluorescent_1nm/FL11";
 pub(crate) fn plain() -> App {
     let bundled = bundled_entries();
     let lamp = bundled.iter().find(|entry| entry.key == FL11);
-    plain_about(lamp.cloned().unwrap_or_else(|| first_light(&bundled)))
+    plain_about(lamp.cloned().unwrap_or_else(|| first_light(bundled)))
 }
 
 /// The same about another light.

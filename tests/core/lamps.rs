@@ -188,6 +188,19 @@ fn the_json_has_the_keys_of_the_command() {
 }
 
 #[test]
+fn a_range_without_the_centre_of_a_filter_is_encoded_and_no_filter_is_off() {
+    let lamp = preset::table("cie_fluorescent_1nm", "FL2").expect("a shipped lamp");
+    for last_nm in [415.0, 419.0, 424.0] {
+        let band = Band::new(380.0, last_nm).expect("a band");
+        let encoder = Encoder::new(band, Observer::CIE_1931, SpikeSettings::default());
+        let encoder = encoder.expect("its end tells X, Y and Z apart");
+        let values = lamp.on_band(band, Outside::Zero);
+        let encoded = encoder.encode(&values, Ask::numbers(11)).expect("a light");
+        assert!(encoded.errors.filters.is_finite(), "{last_nm}");
+    }
+}
+
+#[test]
 fn a_shipped_lamp_is_itself_and_nothing_else() {
     let values = shipped("lamps_nist_philips", "F32T8/TL841 (Triphosphor)");
     let chosen = encoder()

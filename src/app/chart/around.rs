@@ -114,7 +114,7 @@ impl Drawing<'_> {
             out.push(self.text(at, Anchor::End, palette.faint, &words));
         }
         self.y_label(out, field, y_label);
-        let mut pen = Pen::new(plot, self.looks, self.chart);
+        let mut pen = Pen::new(plot, self.looks, &self.colours, self.chart.x_range);
         for series in series {
             let inner = pen.series(series);
             if series.name.is_empty() {
@@ -148,9 +148,10 @@ impl Drawing<'_> {
     /// The first colour belongs to the left end and the last to the right end, so each box reaches
     /// from half way to its left neighbour to half way to its right one. Equal neighbours are one.
     pub(super) fn strip(&self, out: &mut Vec<Primitive>, main: &Plot) {
-        let Some(colours) = self.chart.strip() else {
+        if self.chart.strip().is_none() {
             return;
-        };
+        }
+        let colours = &self.colours;
         let room = Field {
             top: main.field.bottom() + 2.0,
             height: self.strip_height(),
@@ -167,10 +168,7 @@ impl Drawing<'_> {
         for run in colours.chunk_by(|a, b| a == b) {
             let end = first + run.len();
             let corner = [border(end), room.bottom()];
-            fields.push((
-                Field::between([border(first), room.top], corner),
-                run[0].of(self.looks.theme),
-            ));
+            fields.push((Field::between([border(first), room.top], corner), run[0]));
             first = end;
         }
         fields.retain(|(field, _)| field.width > 0.0);

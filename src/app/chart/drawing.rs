@@ -2,7 +2,7 @@
 //! the primitives as SVG, the window paints them.
 
 use super::{
-    Chart, Panel, Scale,
+    Chart, Panel, Rgb, Scale,
     axis::Axis,
     legend::legend_fields,
     looks::Looks,
@@ -64,6 +64,8 @@ pub struct Drawing<'a> {
     /// What is drawn.
     pub chart: &'a Chart,
     pub(super) looks: Looks,
+    /// Its colours along the horizontal axis, in its theme.
+    pub(super) colours: Vec<Rgb>,
     /// Width and height of the picture, px: higher than asked where nothing else would leave the
     /// panels any room.
     pub size: [f64; 2],
@@ -109,6 +111,11 @@ impl<'a> Drawing<'a> {
         let mut drawing = Self {
             chart,
             looks,
+            colours: chart
+                .colours
+                .iter()
+                .map(|ink| ink.of(looks.theme))
+                .collect(),
             size: [width, height],
             main: Field::default(),
             lower: None,

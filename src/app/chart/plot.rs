@@ -2,7 +2,7 @@
 
 use super::{
     super::ticks::short,
-    Cells, Chart, Marks, Rgb, Series,
+    Cells, Marks, Rgb, Series,
     axis::Axis,
     base_at,
     cut::{cut_band, cut_segment},
@@ -67,7 +67,7 @@ pub(super) struct Pen<'a> {
     pub(super) looks: Looks,
     pub(super) palette: &'static Palette,
     /// Colours along the horizontal axis, and the values that they reach from and to.
-    colours: Vec<Rgb>,
+    colours: &'a [Rgb],
     x_range: [f64; 2],
     /// The labels written so far, which go over everything, and their fields.
     pub(super) labels: Vec<Primitive>,
@@ -75,17 +75,14 @@ pub(super) struct Pen<'a> {
 }
 
 impl<'a> Pen<'a> {
-    pub(super) fn new(plot: &'a Plot, looks: Looks, chart: &'a Chart) -> Self {
+    /// `colours` reach along the horizontal axis, from one end of `x_range` to the other.
+    pub(super) fn new(plot: &'a Plot, looks: Looks, colours: &'a [Rgb], x_range: [f64; 2]) -> Self {
         Self {
             plot,
             looks,
             palette: Palette::of(looks.theme),
-            colours: chart
-                .colours
-                .iter()
-                .map(|ink| ink.of(looks.theme))
-                .collect(),
-            x_range: chart.x_range,
+            colours,
+            x_range,
             labels: Vec::new(),
             taken: Vec::new(),
         }
@@ -124,7 +121,7 @@ impl<'a> Pen<'a> {
                 base,
                 is_coloured,
             } => {
-                let colours = is_coloured.then_some(&self.colours[..]);
+                let colours = is_coloured.then_some(self.colours);
                 self.bands(points, base, colour, colours.unwrap_or_default())
             }
             Marks::Bars { points, width } => {

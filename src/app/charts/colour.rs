@@ -66,7 +66,7 @@ pub fn colour_chart(sheet: &ColourSheet) -> Chart {
         y_range: Some(ends),
         colours: strip(BAND),
         strip: true,
-        residual: sheet.lines.as_ref().ok().map(|light| lines_panel(light)),
+        residual: sheet.lines.as_ref().ok().map(lines_panel),
         series,
         ..over(BAND)
     }

@@ -290,7 +290,7 @@ fn behind_filter(scene: &Scene<'_>, way: usize) -> Option<f64> {
 
 /// The keys of light quality.
 fn quality_keys() -> Vec<&'static str> {
-    let light = first_light(&bundled_entries());
+    let light = first_light(bundled_entries());
     let (light, measured) = light_of(&light.spectrum);
     let rows = rows(&Figures::of(&light, measured));
     rows.iter().map(|row| row.key).collect()

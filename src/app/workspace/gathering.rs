@@ -77,7 +77,7 @@ pub fn begin(path: &Path) -> Begun {
 /// A fresh document with the looks of another.
 fn fresh(preferences: Option<Preferences>) -> Restored {
     Restored {
-        document: Document::about(first_light(&bundled_entries())),
+        document: Document::about(first_light(bundled_entries())),
         images: Vec::new(),
         preferences,
         losses: Vec::new(),

@@ -37,12 +37,12 @@ pub fn from_json(text: &str) -> Result<Restored, String> {
     earlier::translate(&mut rest);
     take_nearest_band(&mut rest, &mut losses);
     let bundled = bundled_entries();
-    let first = first_light(&bundled);
+    let first = first_light(bundled);
     let has_preferences = rest.get("preferences").is_some_and(|p| !p.is_null());
     let preferences = has_preferences.then(Preferences::default);
     let usual = Stored::of(&Document::about(first.clone()), preferences.as_ref(), &[]);
     let stored = mended(usual, rest, &mut losses);
-    Ok(restored(stored, own, &bundled, &first, losses))
+    Ok(restored(stored, own, bundled, &first, losses))
 }
 
 /// A workspace taken apart: the user's own spectra, which are large, and all that is small.

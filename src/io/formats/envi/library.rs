@@ -59,9 +59,8 @@ pub(super) fn read(
     let names = header.list("spectra names");
     let nm: Vec<f64> = axis.bands.iter().map(|(nm, _)| *nm).collect();
 
-    let spectra = many(count, "spectrum", "spectra");
     let mut reading = Reading {
-        in_front: format!("library of {spectra}: "),
+        in_front: format!("library of {}: ", many(count, "spectrum", "spectra")),
         ..Reading::default()
     };
     let mut empty = 0_usize;

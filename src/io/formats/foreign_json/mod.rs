@@ -89,10 +89,16 @@ fn without_nan(text: &str) -> Cow<'_, str> {
             let strokes = word.len() - word.trim_end_matches('\\').len();
             is_word = strokes % 2 == 1;
         } else {
-            let bare = piece
-                .replace("-Infinity", "null")
-                .replace("Infinity", "null");
-            out += &bare.replace("NaN", "null");
+            let mut rest = piece;
+            while let Some(at) = rest.find(['N', 'I', '-']) {
+                let (before, from) = rest.split_at(at);
+                out.push_str(before);
+                let words = ["NaN", "-Infinity", "Infinity"];
+                let word = words.into_iter().find(|word| from.starts_with(word));
+                out.push_str(if word.is_some() { "null" } else { &from[..1] });
+                rest = &from[word.map_or(1, str::len)..];
+            }
+            out.push_str(rest);
             is_word = true;
         }
     }
