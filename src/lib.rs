@@ -61,7 +61,7 @@
 
 #![cfg_attr(
     not(feature = "window"),
-    allow(dead_code, reason = "what the window alone calls")
+    allow(dead_code, unused_imports, reason = "what the window alone calls")
 )]
 
 pub mod app;

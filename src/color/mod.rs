@@ -47,7 +47,7 @@ pub(crate) use chromaticity::{uv_1960_from_xyz, uv_1976_from_xyz, xyz_from_xy};
 pub use ciede2000::{delta_e_2000, delta_e_of_xyz};
 pub(crate) use lab::{LAB_EPSILON, LAB_KAPPA, xyz_from_lab};
 pub use lab::{Lab, lab_from_xyz};
-pub use observer::{ColourMatching, Observer, weighting};
+pub use observer::{ColourMatching, Observer, ObserverError, weighting};
 pub use patches::PatchSet;
 #[cfg(test)]
 pub(crate) use srgb::Mapping;

@@ -203,7 +203,7 @@ impl PatchMatrix {
     }
 
     /// XYZ of every patch under the light of these coefficients, into `out`. Fewer coefficients
-    /// than [`PatchMatrix::numbers`] mean a shorter series.
+    /// than `PatchMatrix::numbers` mean a shorter series.
     ///
     /// # Panics
     /// When there are more coefficients than numbers, or `out` has the wrong length.

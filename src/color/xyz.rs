@@ -2,7 +2,7 @@
 //!
 //! Two ways lead to XYZ. Measured data go through CIE sums on whole nm, 360-830 (the
 //! "full" colour; where a table is at hand, over the observer's whole range). Models are integrated against a weight, so that spikes are exact: on a band's
-//! grid by `xyz_of_parts`, of anything that can be integrated by [`xyz_from_integral`].
+//! grid by `xyz_of_parts`, of anything that can be integrated by `xyz_from_integral`.
 
 use std::ops::{Add, AddAssign, Mul, Sub};
 

@@ -39,13 +39,13 @@ pub(crate) use choices::OfOne;
 pub use choices::{Choices, Counted};
 pub use decode::png::{ColourPixels, ColourPng};
 pub(crate) use decode::{exr::ExrImage, exr::Layer as ExrLayer, png::chunks as png_chunks};
-pub use error::{ReadError, quoted, shown};
-pub(crate) use error::{WriteError, part_of_message};
+pub(crate) use error::part_of_message;
+pub use error::{ReadError, WriteError, quoted, shown};
 pub(crate) use formats::{
     Confidence, composite_json::in_words as composite_in_words, spectral_image::Meant,
 };
 pub use formats::{
-    FORMATS, Format, composite_json::write as composite_json,
+    FORMATS, Format, composite_json::CompositeTextError, composite_json::write as composite_json,
     composite_line::parse as parse_composite_line, composite_line::write as composite_line, envi,
 };
 pub use input::Input;
@@ -87,7 +87,7 @@ const AT_MOST: &str = "at most 512 MiB in one file";
 /// Reads a file from disk.
 ///
 /// # Errors
-/// [`ReadError`] when it cannot be opened, is larger than [`text::MOST_BYTES`], or holds nothing
+/// [`ReadError`] when it cannot be opened, is larger than `text::MOST_BYTES`, or holds nothing
 /// that the program reads.
 pub fn read_path(path: &Path) -> Result<Reading, ReadError> {
     read_path_as(path, &Choices::default())

@@ -50,7 +50,7 @@ pub(crate) use encoding::AtomWeight;
 pub use encoding::Decoder;
 #[cfg(test)]
 pub(crate) use encoding::Encoding;
-pub(crate) use error::EncodingError;
+pub use error::EncodingError;
 pub use judge::{Errors, EvaluationSet};
 pub(crate) use known::namesakes;
 #[cfg(test)]

@@ -277,7 +277,7 @@ impl Number {
 /// colour it had: what its words decode to.
 ///
 /// # Errors
-/// As [`to_words`], and as [`Decoder::decode`].
+/// As `to_words`, and as [`Decoder::decode`].
 pub fn rounded(
     encoding: &Encoding,
     decoder: &Decoder,

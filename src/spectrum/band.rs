@@ -30,12 +30,12 @@ pub enum BandError {
     /// A bound is not a whole, non-negative number of nm.
     #[error("range: expected whole nm, found {found}")]
     NotWhole { found: f64 },
-    /// The range is shorter than [`SHORTEST_NM`] (or runs backwards).
+    /// The range is shorter than `SHORTEST_NM` (or runs backwards).
     #[error(
         "range: expected MIN:MAX, MAX at least {SHORTEST_NM} nm above MIN, found {min_nm}:{max_nm}"
     )]
     TooShort { min_nm: f64, max_nm: f64 },
-    /// The range is longer than [`MOST_STEPS`] or ends beyond [`LONGEST_NM`].
+    /// The range is longer than `MOST_STEPS` or ends beyond `LONGEST_NM`.
     #[error(
         "range: expected at most {MOST_STEPS} nm below {LONGEST_NM} nm, found {min_nm}:{max_nm}"
     )]

@@ -69,7 +69,7 @@ pub(super) type Pair = [f64; 2];
 impl Formula {
     /// Formula `number` with coefficients C1, C2, ... (missing ones are zero), published for a
     /// range of wavelengths, nm. `None` for a number other than 1 to 9, more than
-    /// [`MOST_COEFFICIENTS`], what is not finite, and a range that does not rise.
+    /// `MOST_COEFFICIENTS`, what is not finite, and a range that does not rise.
     pub fn new(number: u8, coefficients: Vec<f64>, range_nm: [f64; 2]) -> Option<Self> {
         let [from, to] = range_nm;
         let is_sound = (1..=9).contains(&number)

@@ -31,8 +31,8 @@ mod spikes;
 
 pub use air::in_air;
 pub(crate) use air::{SHORTEST_IN_AIR_NM, index_of_air, slope_of_air};
-pub use band::Band;
-pub(crate) use band::{BandError, LONGEST_NM, MOST_STEPS, SHORTEST_NM, dot};
+pub use band::{Band, BandError};
+pub(crate) use band::{LONGEST_NM, MOST_STEPS, SHORTEST_NM, dot};
 pub use basis::{Basis, BasisTable, Series, numbers_of_order};
 pub use chain::Stage;
 pub(crate) use chain::{ChainTables, LineInDip, SAME_PLACE_NM, below_zero};
@@ -60,7 +60,6 @@ pub(crate) use region::Region;
 #[cfg(test)]
 pub(crate) use resampled::Resampled;
 pub use resampled::{SampleGrid, Sampling};
-pub(crate) use sampled::SampledError;
-pub use sampled::{Outside, Sampled};
+pub use sampled::{Outside, Sampled, SampledError};
 pub(crate) use spikes::{Decomposition, FoundSpike, LineShape, absolute_power, window_near};
 pub use spikes::{SpikeSettings, Wishes, detect, detect_shapes};

@@ -78,7 +78,7 @@ impl Sampled {
         values
     }
 
-    /// The spectrum on the 1 nm grid of a band, one value per grid point ([`Sampled::on_grid`]).
+    /// The spectrum on the 1 nm grid of a band, one value per grid point (`Sampled::on_grid`).
     pub fn on_band(&self, band: Band, outside: Outside) -> Vec<f64> {
         self.on_grid(band.min_nm(), 1.0, band.points(), outside)
     }

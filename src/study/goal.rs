@@ -95,7 +95,7 @@ impl Goal {
         }
     }
 
-    /// The weights in the order of [`Goal::PLAIN`].
+    /// The weights in the order of `Goal::PLAIN`.
     pub fn weights(self) -> [f64; 4] {
         [self.own, self.patches, self.spectrum, self.filters]
     }

@@ -123,7 +123,7 @@ pub struct RaceConfig {
     pub reflectances: Arc<PrincipalBasis>,
     /// Settings of the line detector.
     pub spikes: SpikeSettings,
-    /// Encodes for [`Racer::ENCODED`], who do not race without it.
+    /// Encodes for `Racer::ENCODED`, who do not race without it.
     pub encoder: Option<Arc<dyn Encode>>,
     /// Counts of numbers, rising.
     pub budgets: Vec<usize>,

@@ -17,7 +17,7 @@ use crate::{
     },
 };
 
-/// Names of the plain goals for people, in the order of [`Goal::PLAIN`].
+/// Names of the plain goals for people, in the order of `Goal::PLAIN`.
 pub const NAMES: [&str; 4] = ["own colour", "patches", "spectrum", "narrow filters"];
 
 /// The goal without what does not exist for the document's subject; when nothing is left, the

@@ -12,6 +12,7 @@ mod spec;
 
 pub(crate) use channel::left_out;
 pub use channel::{Channel, composite, mixed};
-pub(crate) use error::{MOST_CHANNELS, MixError};
+pub(crate) use error::MOST_CHANNELS;
+pub use error::MixError;
 pub use spec::Source;
 pub(crate) use spec::Spec;

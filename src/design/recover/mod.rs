@@ -32,7 +32,7 @@ mod smoothest;
 mod viewing;
 
 pub use colour::Colour;
-pub(crate) use error::RecoverError;
+pub use error::RecoverError;
 pub(crate) use lines::{LineLight, LitColour};
 pub(crate) use metamers::MetamerBand;
 pub use method::Method;

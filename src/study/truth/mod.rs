@@ -1,7 +1,7 @@
 //! The paper's claims, measured again on the spectrum and range at hand.
 //!
 //! Source: Sun, Fracchia, Drew, "A Composite Spectral Model and Its Applications". Each claim has
-//! the paper's own figure as a [`Stated`] and a function that measures the same thing here:
+//! the paper's own figure as a `Stated` and a function that measures the same thing here:
 //!
 //! ```text
 //! five_percent   terms beyond N contribute under 5 %              Eq. 12

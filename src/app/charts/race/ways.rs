@@ -19,7 +19,7 @@ const OURS: [Racer; 2] = [Racer::KnownLamps, Racer::WideLines];
 /// One representation at one count.
 pub struct WaysRow {
     pub racer: Racer,
-    /// Patches, filters and blurred spectrum, in the order of [`Judged::ALL`].
+    /// Patches, filters and blurred spectrum, in the order of `Judged::ALL`.
     pub errors: [RaceCell; 3],
     /// Per cent of the cells that known lamps, then wide lines win against it.
     pub won: [String; 2],
