@@ -41,7 +41,7 @@ pub enum Exactness {
 
 impl Exactness {
     /// True if the inner products are exact.
-    pub(crate) fn is_exact(self) -> bool {
+    pub fn is_exact(self) -> bool {
         matches!(self, Self::Exact { .. })
     }
 }
