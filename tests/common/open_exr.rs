@@ -1,6 +1,6 @@
 //! OpenEXR images made and read in memory, for tests.
 
-#![allow(dead_code)]
+#![allow(dead_code, reason = "no program of tests needs all of it")]
 
 use std::io::Cursor;
 
