@@ -58,18 +58,22 @@ macro_rules! real {
             fn of(value: f64) -> Self {
                 value as Self
             }
+
             #[inline(always)]
             fn double(self) -> f64 {
                 f64::from(self)
             }
+
             #[inline(always)]
             fn root(self) -> Self {
                 self.sqrt()
             }
+
             #[inline(always)]
             fn exponential(self) -> Self {
                 self.exp()
             }
+
             #[inline(always)]
             fn size(self) -> Self {
                 self.abs()

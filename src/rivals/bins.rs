@@ -26,6 +26,7 @@ impl Bins {
                 .collect(),
         }
     }
+
     /// Average of the boxes over an interval given in bins from the band's start.
     fn average_of_boxes(&self, from: f64, to: f64) -> f64 {
         let last = self.values.len() - 1;

@@ -64,11 +64,7 @@ impl FitTables {
             Family::Wavelet => Box::new(Wavelet::fit(&self.wavelets, &unit, numbers)),
         };
         fitted.scale(height);
-        Rival {
-            #[cfg(test)]
-            family,
-            fitted,
-        }
+        Rival(fitted)
     }
 }
 

@@ -212,19 +212,9 @@ pub(crate) trait Representation: Debug {
 
 /// One fitted representation.
 #[derive(Debug)]
-pub(crate) struct Rival {
-    #[cfg(test)]
-    family: Family,
-    fitted: Box<dyn Representation>,
-}
+pub(crate) struct Rival(Box<dyn Representation>);
 
 impl Rival {
-    /// Family of the representation.
-    #[cfg(test)]
-    pub(crate) fn family(&self) -> Family {
-        self.family
-    }
-
     /// Count of its numbers; two for each wavelet coefficient kept.
     pub(crate) fn numbers(&self) -> usize {
         self.stored().len()
@@ -244,7 +234,7 @@ impl Deref for Rival {
     type Target = dyn Representation;
 
     fn deref(&self) -> &Self::Target {
-        &*self.fitted
+        &*self.0
     }
 }
 
@@ -275,11 +265,16 @@ mod tests {
         Arc::new(PrincipalBasis::train(band, &spectra, 31))
     }
 
-    fn every_rival(band: Band, values: &[f64], numbers: usize, bounds: Bounds) -> Vec<Rival> {
+    fn every_rival(
+        band: Band,
+        values: &[f64],
+        numbers: usize,
+        bounds: Bounds,
+    ) -> Vec<(Family, Rival)> {
         let (tables, basis) = (FitTables::new(band, numbers), trained(band));
         Family::ALL
             .into_iter()
-            .map(|family| tables.fit(family, values, numbers, bounds, &basis))
+            .map(|family| (family, tables.fit(family, values, numbers, bounds, &basis)))
             .collect()
     }
 
@@ -320,20 +315,18 @@ mod tests {
     }
 
     #[test]
-    fn what_is_fitted_says_which_family_and_band_it_is() {
+    fn what_is_fitted_says_which_band_it_is_on() {
         let values = thermal(Band::PAPER, 5000.0);
-        let rivals = every_rival(Band::PAPER, &values, 11, Bounds::Light);
-        for (rival, family) in rivals.iter().zip(Family::ALL) {
-            assert_eq!(rival.family(), family);
-            assert_eq!(rival.band(), Band::PAPER);
+        for (family, rival) in every_rival(Band::PAPER, &values, 11, Bounds::Light) {
+            assert_eq!(rival.band(), Band::PAPER, "{family:?}");
         }
     }
 
     #[test]
     fn a_fit_takes_the_numbers_it_was_given() {
         let values = fluorescent(Band::VISIBLE);
-        for rival in every_rival(Band::VISIBLE, &values, 11, Bounds::Light) {
-            let (numbers, bytes) = match rival.family() {
+        for (family, rival) in every_rival(Band::VISIBLE, &values, 11, Bounds::Light) {
+            let (numbers, bytes) = match family {
                 Family::Wavelet => (10, 50),
                 _ => (11, 88),
             };
@@ -344,11 +337,11 @@ mod tests {
     #[test]
     fn a_count_that_cannot_be_had_is_brought_to_the_nearest_that_can() {
         let values = fluorescent(Band::VISIBLE);
-        for rival in every_rival(Band::VISIBLE, &values, 0, Bounds::Light) {
-            let least = 1 + usize::from(rival.family() == Family::Wavelet);
+        for (family, rival) in every_rival(Band::VISIBLE, &values, 0, Bounds::Light) {
+            let least = 1 + usize::from(family == Family::Wavelet);
             assert_eq!(rival.numbers(), least);
         }
-        for rival in every_rival(Band::VISIBLE, &values, 5000, Bounds::Light) {
+        for (_, rival) in every_rival(Band::VISIBLE, &values, 5000, Bounds::Light) {
             assert!(rival.numbers() <= 2 * Band::VISIBLE.points());
         }
     }
@@ -393,7 +386,7 @@ mod tests {
         let top = values.iter().fold(0.0_f64, |m, v| m.max(*v));
         let once = every_rival(band, &values, 20, Bounds::Light);
         let often = every_rival(band, &stronger, 20, Bounds::Light);
-        for (once, often) in once.iter().zip(&often) {
+        for ((_, once), (_, often)) in once.iter().zip(&often) {
             for (a, b) in once.on_band().iter().zip(often.on_band()) {
                 // Rounding; the moments' recursion makes some thousand roundings of one.
                 assert!((370.0 * a - b).abs() < 1e-10 * 370.0 * top);
@@ -407,21 +400,21 @@ mod tests {
         let light = every_rival(band, &fluorescent(band), 20, Bounds::Light);
         let leaf = every_rival(band, &leaf(band), 20, Bounds::Reflectance);
         // Bins give cell averages on the grid, which differ where a box begins.
-        let pointwise = |r: &&Rival| r.family() != Family::Bins;
-        for rival in light.iter().chain(&leaf).filter(pointwise) {
+        let pointwise = |(family, _): &&(Family, Rival)| *family != Family::Bins;
+        for (family, rival) in light.iter().chain(&leaf).filter(pointwise) {
             let on_band = rival.on_band();
             let top = on_band.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
             for (nm, v) in band.grid().zip(&on_band) {
                 // Two orders of summation, some hundred roundings of the polynomials' terms.
                 let difference = (rival.at(nm) - v).abs();
-                assert!(difference < 1e-10 * top, "{:?} {nm}", rival.family());
+                assert!(difference < 1e-10 * top, "{family:?} {nm}");
             }
         }
     }
 
     #[test]
     fn there_is_nothing_outside_the_band() {
-        for rival in every_rival(Band::VISIBLE, &[1.0; 401], 11, Bounds::Light) {
+        for (_, rival) in every_rival(Band::VISIBLE, &[1.0; 401], 11, Bounds::Light) {
             assert_eq!(rival.at(379.9), 0.0);
             assert_eq!(rival.at(780.1), 0.0);
             assert_eq!(rival.at(f64::NAN), 0.0);
@@ -431,10 +424,10 @@ mod tests {
     #[test]
     fn points_are_values_at_their_places() {
         let band = Band::VISIBLE;
-        for rival in every_rival(band, &leaf(band), 20, Bounds::Reflectance) {
+        for (family, rival) in every_rival(band, &leaf(band), 20, Bounds::Reflectance) {
             let (points, places) = (rival.points(), rival.places_nm());
             assert_eq!(points.len(), places.len());
-            let expected = match rival.family() {
+            let expected = match family {
                 Family::Samples | Family::Bins => 20,
                 Family::Legendre | Family::Moments => 40,
                 Family::Principal | Family::Wavelet => 401,

@@ -195,6 +195,7 @@ fn blackbodies(series: &mut Vec<Series>, shows: DiagramShows) {
     }
     series.push(Series::new("", black, Marks::Words { words }));
 }
+
 /// The colours inside the locus, as far as a screen shows them.
 fn colours(locus: &[[f64; 2]], plane: Plane, [x_range, y_range]: [[f64; 2]; 2]) -> Series {
     let step = |[low, high]: [f64; 2], boxes: usize| (high - low) / boxes as f64;
