@@ -1,5 +1,7 @@
 //! The colours of a chart's surroundings and of its curves, in both themes.
 
+use std::sync::LazyLock;
+
 use super::{Rgb, Theme};
 use crate::color::{Srgb, srgb_from_wavelength_over};
 
@@ -114,11 +116,7 @@ impl Ink {
         let palette = Palette::of(theme);
         let [dark, light]: [Rgb; 2] = match self {
             Self::Own(colour) => return colour,
-            Self::Wavelength(nm) => {
-                let [dark, light] = [[27; 3], [255; 3]];
-                let ground = if theme == Theme::Dark { dark } else { light };
-                return srgb_from_wavelength_over(nm, Srgb(ground)).0;
-            }
+            Self::Wavelength(nm) => return of_wavelength(nm, theme),
             Self::Faint => return palette.faint,
             Self::Text => return palette.text,
             Self::Axis => return palette.axis,
@@ -145,6 +143,26 @@ impl Ink {
     }
 }
 
+/// The colour of a wavelength, nm, over the ground of strips.
+fn of_wavelength(nm: f64, theme: Theme) -> Rgb {
+    const FIRST_NM: u32 = 360;
+    const LAST_NM: u32 = 830;
+    const GROUNDS: [(Theme, Rgb); 2] = [(Theme::Dark, [27; 3]), (Theme::Light, [255; 3])];
+    /// Whole nm, which strips are made of: they are painted every frame.
+    static WHOLE_NM: LazyLock<[Vec<Rgb>; 2]> = LazyLock::new(|| {
+        GROUNDS.map(|(_, ground)| {
+            let all = (FIRST_NM..=LAST_NM).map(f64::from);
+            all.map(|nm| srgb_from_wavelength_over(nm, Srgb(ground)).0)
+                .collect()
+        })
+    });
+    let which = usize::from(theme != GROUNDS[0].0);
+    let place = nm - f64::from(FIRST_NM);
+    let whole = (nm.fract() == 0.0 && place >= 0.0).then(|| WHOLE_NM[which].get(place as usize));
+    let whole = whole.flatten().copied();
+    whole.unwrap_or_else(|| srgb_from_wavelength_over(nm, Srgb(GROUNDS[which].1)).0)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -164,6 +182,19 @@ mod tests {
             for ink in [Ink::Measured, Ink::Smooth, Ink::Spikes, Ink::Residual] {
                 assert_eq!(palette.legible(ink.of(theme)), ink.of(theme));
             }
+        }
+    }
+
+    #[test]
+    fn a_wavelength_has_its_colour_over_the_ground_of_its_theme() {
+        for (theme, ground) in [(Theme::Dark, [27; 3]), (Theme::Light, [255; 3])] {
+            for nm in [
+                300.0, 360.0, 380.0, 546.0, 546.1, 780.0, 830.0, 831.0, 2500.0,
+            ] {
+                let expected = srgb_from_wavelength_over(nm, Srgb(ground)).0;
+                assert_eq!(Ink::Wavelength(nm).of(theme), expected, "{nm} nm");
+            }
+            assert_eq!(Ink::Wavelength(300.0).of(theme), ground);
         }
     }
 }
