@@ -1,9 +1,11 @@
 //! Spectra that a lesson makes: a mixture of a light's colour, a surface recovered from its
-//! colours, a metamer.
+//! colours, a metamer, a lamp without a label, a light as an instrument records it.
+
+use std::sync::Arc;
 
 use serde::Deserialize;
 
-use super::names::entry;
+use super::names::{entry, light};
 use crate::{
     app::{App, Command, Entry, command::MadeFor, library::Library, recipe::Recipe},
     color::{
@@ -16,7 +18,8 @@ use crate::{
         recover::{Method, Recovered, Seen, Viewing},
         solve::{Mixer, Objective, Target, Wish},
     },
-    spectrum::{Kind, NamedSpectrum, Sampled},
+    measurements::{Kernel, Measurement, Quantity, Slit, smoothed},
+    spectrum::{Band, Kind, NamedSpectrum, Outside, Sampled},
 };
 
 /// A spectrum and how it is made.
@@ -55,15 +58,35 @@ pub enum Making {
         /// Where they part.
         other: String,
     },
+    /// Lights added with equal power, under a name that does not tell which they are.
+    Sum {
+        /// What it is called.
+        name: String,
+        /// The lights, 1 to 8.
+        lights: Vec<String>,
+    },
+    /// A light as an instrument records it.
+    Recorded {
+        /// What it is called.
+        name: String,
+        light: String,
+        /// Full width at half maximum of the triangular slit, nm, 0.5 to 50.
+        slit_nm: f64,
+        /// Standard deviation of white noise, per cent of the largest value, 0 to 50.
+        #[serde(default)]
+        noise_percent: f64,
+    },
 }
 
 impl Making {
     /// What it is called.
     pub fn name(&self) -> &str {
         match self {
-            Self::Mix { name, .. } | Self::Recovered { name, .. } | Self::Metamer { name, .. } => {
-                name
-            }
+            Self::Mix { name, .. }
+            | Self::Recovered { name, .. }
+            | Self::Metamer { name, .. }
+            | Self::Sum { name, .. }
+            | Self::Recorded { name, .. } => name,
         }
     }
 
@@ -97,9 +120,23 @@ impl Making {
             Self::Metamer {
                 name,
                 surface,
-                light,
+                light: here,
                 other,
-            } => metamer(app, name, surface, [light, other])?,
+            } => metamer(app, name, surface, [here, other])?,
+            Self::Sum { name, lights } => {
+                let lights = lights.iter().map(|name| light(app, name));
+                let spectrum = sum(name, &lights.collect::<Result<Vec<_>, _>>()?)?;
+                app.apply(Command::Adopt(vec![spectrum]));
+            }
+            Self::Recorded {
+                name,
+                light: of,
+                slit_nm,
+                noise_percent,
+            } => {
+                let spectrum = recorded(name, &*light(app, of)?, *slit_nm, *noise_percent)?;
+                app.apply(Command::Adopt(vec![spectrum]));
+            }
         }
         let own = app.document().own.last();
         own.map(|own| own.key.clone())
@@ -153,11 +190,7 @@ fn found(why: impl std::fmt::Display) -> String {
     format!("found what cannot be mixed: {why}")
 }
 
-fn recovered(
-    name: &str,
-    surface: &Entry,
-    lights: &[std::sync::Arc<Entry>],
-) -> Result<NamedSpectrum, String> {
+fn recovered(name: &str, surface: &Entry, lights: &[Arc<Entry>]) -> Result<NamedSpectrum, String> {
     const OBSERVER: Observer = Observer::CIE_1931;
     let words = |why: &dyn std::fmt::Display| format!("found what cannot be recovered: {why}");
     let mut views = Vec::new();
@@ -220,6 +253,92 @@ fn metamer(app: &mut App, name: &str, surface: &str, lights: [&String; 2]) -> Re
             "found no metamer of {surface} between these lights, expected one"
         )),
     }
+}
+
+fn sum(name: &str, lights: &[Arc<Entry>]) -> Result<NamedSpectrum, String> {
+    const LAST_NM: f64 = 830.0;
+    const MOST: usize = 8;
+    if !(1..=MOST).contains(&lights.len()) {
+        let count = lights.len();
+        return Err(format!(
+            "found a sum of {count} lights, expected 1 to {MOST}"
+        ));
+    }
+    let first_nm = f64::from(FIRST_NM);
+    let band = Band::new(first_nm, LAST_NM).map_err(|why| why.to_string())?;
+    let mut values = vec![0.0; (LAST_NM - first_nm) as usize + 1];
+    for light in lights {
+        let samples = &light.spectrum.samples;
+        let power = samples.integrate(band, Outside::Zero, |_| 1.0);
+        if power <= 0.0 {
+            return Err(format!(
+                "found {} without power, expected a light",
+                light.name()
+            ));
+        }
+        for (index, value) in values.iter_mut().enumerate() {
+            *value += samples.at(first_nm + index as f64, Outside::Zero) / power;
+        }
+    }
+    let samples = Sampled::even(first_nm, 1.0, values).map_err(|why| why.to_string())?;
+    Ok(named(
+        name,
+        Kind::Light,
+        "relative",
+        samples,
+        "A lamp without a label.".to_owned(),
+    ))
+}
+
+fn recorded(
+    name: &str,
+    light: &Entry,
+    fwhm_nm: f64,
+    noise_percent: f64,
+) -> Result<NamedSpectrum, String> {
+    for (what, value, [least, most]) in [
+        ("slit_nm", fwhm_nm, [0.5, 50.0]),
+        ("noise_percent", noise_percent, [0.0, 50.0]),
+    ] {
+        if !(least..=most).contains(&value) {
+            return Err(format!("found {what} {value}, expected {least} to {most}"));
+        }
+    }
+    let samples = light.spectrum.samples.clone();
+    let measured = Measurement::new(light.name(), Quantity::Light, "", samples);
+    let slit = Slit {
+        shape: Kernel::Triangle,
+        fwhm_nm,
+    };
+    let samples = smoothed(&measured, slit)
+        .map_err(|why| why.to_string())?
+        .samples;
+    let largest = samples.values().iter().copied().fold(0.0, f64::max);
+    let sigma = largest * noise_percent / 100.0;
+    let noisy = samples.values().iter().zip(normal());
+    let values = noisy.map(|(value, noise)| value + sigma * noise).collect();
+    let samples = Sampled::new(samples.nm().to_vec(), values).map_err(|why| why.to_string())?;
+    let note = format!(
+        "{} behind a slit of {fwhm_nm} nm, with noise of {noise_percent} % of its largest value.",
+        light.name()
+    );
+    Ok(named(name, Kind::Light, "relative", samples, note))
+}
+
+/// Normal numbers, the same every time: a lesson shows every class the same noise. Box and Muller
+/// over a linear congruence (Knuth's MMIX).
+fn normal() -> impl Iterator<Item = f64> {
+    let mut state = 1_u64;
+    let mut even = move || {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        ((state >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
+    };
+    std::iter::from_fn(move || {
+        let (a, b) = (even(), even());
+        Some((-2.0 * a.ln()).sqrt() * (std::f64::consts::TAU * b).cos())
+    })
 }
 
 fn named(name: &str, kind: Kind, unit: &str, samples: Sampled, note: String) -> NamedSpectrum {
