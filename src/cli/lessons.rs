@@ -16,7 +16,7 @@ use crate::{
     app::{
         App,
         lessons::{
-            self, Lesson,
+            self, Findings, Lesson,
             handout::{Form, handout},
             shelf,
         },
@@ -99,15 +99,27 @@ fn check(word: &str, pictures: Option<&dyn Pictures>, out: &mut dyn Write) -> Re
         };
         pictures?.names(app, &preferences)
     };
-    lessons::check(&lesson, &names).map_err(Refusal::file)?;
+    let found = lessons::check(&lesson, &names);
+    match &found.faults[..] {
+        [] => {}
+        [only] => return Err(Refusal::file(only)),
+        all => {
+            print(out, &(Findings::lines(all) + "\n"))?;
+            let count = all.len();
+            let words = format!("{}: found {count} faults, expected none", lesson.name);
+            return Err(Refusal::file(words));
+        }
+    }
     let (title, steps) = (one_line(&lesson.title), lesson.steps.len());
     let with = match lesson.also.len() {
         0 => String::new(),
         count => format!(", also with {}", many(count, "other light", "other lights")),
     };
+    let advice = found.advice.iter().map(|one| format!("Advice: {one}\n"));
+    let advice: String = advice.collect();
     print(
         out,
-        &format!("{title}: {steps} steps, played through{with}.\n"),
+        &format!("{title}: {steps} steps, played through{with}.\n{advice}"),
     )
 }
 

@@ -1,7 +1,7 @@
 //! A lesson that is being taken, as a column that leads over the ordinary pages.
 
 use eframe::egui;
-use egui::{Align, Button, Label, Layout, RichText, ScrollArea, Ui, vec2};
+use egui::{Align, Button, Label, Layout, ProgressBar, Rect, RichText, ScrollArea, Ui, vec2};
 
 use super::{
     kit::{framed, pressed, pressed_if, sign_button, warning},
@@ -22,6 +22,8 @@ pub(super) enum Wish {
     Go(usize),
     /// This answer is the prediction.
     Choose(usize),
+    /// A choice waits until the answer is told.
+    HandsUp,
     /// Which answer is right.
     Tell,
     /// The program does the task.
@@ -39,6 +41,8 @@ const TYPE: [f32; 2] = [18.0, 28.0];
 #[derive(Default)]
 pub(super) struct LessonView {
     shown: Memo<(u64, PageMemory, usize, bool), Shown>,
+    /// The step whose reasons were brought into view, once.
+    brought: Option<usize>,
     trial: TrialView,
 }
 
@@ -68,7 +72,13 @@ impl LessonView {
             .max_height((ui.available_height() - foot).max(80.0))
             .show(ui, |ui| {
                 ui.set_max_width(ui.available_width() - 10.0);
-                body(ui, run, shown, theme, &mut wishes);
+                let end = body(ui, run, shown, theme, &mut wishes);
+                let tells = run.is_told() && !run.begins_told();
+                if tells && self.brought != Some(run.index()) {
+                    // The one sentence that matters must not stay below the fold.
+                    ui.scroll_to_rect(end, None);
+                }
+                self.brought = tells.then(|| run.index());
                 if run.is_last() && run.is_told() {
                     ui.add_space(8.0);
                     trial.show(ui, run.lesson(), (app, studies, wake), theme);
@@ -106,7 +116,8 @@ fn head(ui: &mut Ui, run: &Run, wishes: &mut Vec<Wish>) {
     ui.separator();
 }
 
-fn body(ui: &mut Ui, run: &Run, shown: &Shown, theme: Theme, wishes: &mut Vec<Wish>) {
+/// The step's words; gives where its reasons stand.
+fn body(ui: &mut Ui, run: &Run, shown: &Shown, theme: Theme, wishes: &mut Vec<Wish>) -> Rect {
     let strong = ui.visuals().strong_text_color();
     ui.add(Label::new(&shown.say).wrap());
     if let Some(trouble) = run.trouble() {
@@ -122,14 +133,20 @@ fn body(ui: &mut Ui, run: &Run, shown: &Shown, theme: Theme, wishes: &mut Vec<Wi
             }
             if !run.is_told() && shown.task.is_none() {
                 ui.add_space(4.0);
-                let words = match run.chosen() {
-                    Some(_) => "Check",
-                    None => "Tell me",
+                let (words, meaning, wish) = match run.waits() {
+                    false => (
+                        "Hands up",
+                        "A class votes by show of hands: a choice waits until you tell.",
+                        Wish::HandsUp,
+                    ),
+                    true => (
+                        "Tell",
+                        "Says which answer is right, and why (Space, Page Down).",
+                        Wish::Tell,
+                    ),
                 };
-                let meaning =
-                    "Says which answer is right, and why (Space). A class can vote by hands.";
                 if pressed(ui, words, meaning) {
-                    wishes.push(Wish::Tell);
+                    wishes.push(wish);
                 }
             }
         });
@@ -140,8 +157,10 @@ fn body(ui: &mut Ui, run: &Run, shown: &Shown, theme: Theme, wishes: &mut Vec<Wi
             let sign = if run.is_done() { "✔" } else { "▶" };
             ui.add(Label::new(RichText::new(format!("{sign} {task}")).color(strong)).wrap());
             if !run.is_done() {
-                if !shown.now.is_empty() {
-                    ui.weak(format!("Now: {}", shown.now));
+                for meter in &shown.meters {
+                    ui.weak(&meter.words);
+                    let bar = ProgressBar::new(meter.share).desired_height(6.0);
+                    ui.add(bar.fill(theme.accent));
                 }
                 let show = Button::new(if run.is_showing() { "Watch" } else { "Show me" });
                 let meaning = "The program does it, step by step (Space).";
@@ -151,9 +170,10 @@ fn body(ui: &mut Ui, run: &Run, shown: &Shown, theme: Theme, wishes: &mut Vec<Wi
             }
         });
     }
+    let mut end = Rect::from_pos(ui.cursor().min);
     if !shown.explain.is_empty() {
         ui.add_space(8.0);
-        ui.add(Label::new(&shown.explain).wrap());
+        end = ui.add(Label::new(&shown.explain).wrap()).rect;
     }
     if run.is_last() && run.is_told() {
         let lesson = run.lesson();
@@ -163,7 +183,9 @@ fn body(ui: &mut Ui, run: &Run, shown: &Shown, theme: Theme, wishes: &mut Vec<Wi
             ui.add_space(4.0);
             ui.add(Label::new(format!("Try next: {}", lesson.next)).wrap());
         });
+        end = end.union(ui.min_rect().with_min_y(end.top()));
     }
+    end
 }
 
 /// One answer: to be chosen, and once told with a sign, never by colour alone.
@@ -185,12 +207,7 @@ fn answer(
     let button = Button::new(RichText::new(words)).wrap().selected(is_chosen);
     let width = ui.available_width();
     let button = button.min_size(vec2(width, 0.0));
-    if pressed_if(
-        ui,
-        true,
-        button,
-        "Your prediction; a digit chooses it, too.",
-    ) {
+    if pressed_if(ui, true, button, "Your answer; a digit chooses it, too.") {
         wishes.push(Wish::Choose(index));
     }
     if !because.is_empty() && (is_chosen || *right || is_open) {

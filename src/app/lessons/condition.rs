@@ -35,6 +35,17 @@ pub struct Condition {
     pub chain: Option<Vec<String>>,
     /// This page is shown.
     pub page: Option<String>,
+    /// What a lesson calls its figure.
+    pub called: Option<String>,
+}
+
+/// A figure on its way to what a task wants of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Meter {
+    /// The figure, its value and its aim.
+    pub words: String,
+    /// The part of the way since the step began, 0 to 1.
+    pub share: f32,
 }
 
 impl Condition {
@@ -68,11 +79,31 @@ impl Condition {
         page == Some(scene.memory.page)
     }
 
-    /// Its figure as it is now, in words; `None` where it is about none.
-    pub fn now(&self, scene: &Scene<'_>) -> Option<String> {
-        let told = figure(scene, self.figure.as_ref()?, self.of.as_deref());
-        let told = told.ok()?;
-        Some(format!("{} {}", told.title, told.words))
+    /// How far its figure is from its bounds, 0 within them; `None` where it is about none, or has
+    /// no value.
+    pub fn distance(&self, scene: &Scene<'_>) -> Option<f64> {
+        let told = figure(scene, self.figure.as_ref()?, self.of.as_deref()).ok()?;
+        let value = told.value?;
+        let between = self.between.unwrap_or([value; 2]);
+        let least = [self.above, self.equals, Some(between[0])];
+        let most = [self.below, self.equals, Some(between[1])];
+        let under = least.into_iter().flatten().map(|least| least - value);
+        let over = most.into_iter().flatten().map(|most| value - most);
+        Some(under.chain(over).fold(0.0, f64::max))
+    }
+
+    /// Its figure on the way from a distance at the beginning; `None` where it is about none.
+    pub fn meter(&self, scene: &Scene<'_>, begun: f64) -> Option<Meter> {
+        let told = figure(scene, self.figure.as_ref()?, self.of.as_deref()).ok()?;
+        let left = self.distance(scene)?;
+        let title = self.called.as_deref().unwrap_or(told.title);
+        Some(Meter {
+            words: format!("{title}: {} (aim: {})", told.words, self.bounds(&told)),
+            share: match begun > 0.0 {
+                true => (1.0 - left / begun).clamp(0.0, 1.0) as f32,
+                false => f32::from(u8::from(left == 0.0)),
+            },
+        })
     }
 
     /// What is there and what was wanted instead, in words.

@@ -102,6 +102,9 @@ pub struct Step {
     /// What must hold at its end for its words to be true.
     #[serde(default)]
     pub claims: Vec<Condition>,
+    /// The page is covered until an answer is chosen.
+    #[serde(default)]
+    pub veil: bool,
 }
 
 impl Step {
@@ -118,11 +121,27 @@ impl Step {
 pub struct Ask {
     /// What is asked.
     pub question: String,
-    /// Two to four answers.
+    /// Two to four answers, in the order in which they are shown.
     pub answers: Vec<Answer>,
     /// No answer is right: it is about what one thinks.
     #[serde(default)]
     pub open: bool,
+    /// The answers keep the file's order, as numbers that rise do.
+    #[serde(default)]
+    pub ordered: bool,
+}
+
+impl Ask {
+    /// Moves the right answer to a place that goes round from question to question, so that no
+    /// place gives it away; the others keep their order.
+    fn arrange(&mut self, turn: usize) {
+        let right = self.answers.iter().position(|answer| answer.right);
+        if let Some(right) = right.filter(|_| !self.open && !self.ordered) {
+            let answer = self.answers.remove(right);
+            let place = turn % (self.answers.len() + 1);
+            self.answers.insert(place, answer);
+        }
+    }
 }
 
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -202,10 +221,15 @@ impl Lesson {
         let steps = steps.into_iter().enumerate();
         let steps = steps
             .map(|(index, step)| parsed::<Step>(step).map_err(|what| fault(Some(index + 1), what)));
+        let mut steps = steps.collect::<Result<Vec<Step>, _>>()?;
+        let questions = steps.iter_mut().filter_map(|step| step.ask.as_mut());
+        for (turn, ask) in (lesson.minutes as usize..).zip(questions) {
+            ask.arrange(turn);
+        }
         let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
         Ok(Self {
             name: name.strip_suffix(".json").unwrap_or(name).to_owned(),
-            steps: steps.collect::<Result<_, _>>()?,
+            steps,
             text: text.to_owned(),
             ..lesson
         })

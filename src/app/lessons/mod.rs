@@ -11,12 +11,14 @@
 //! condition when a task is done
 //! run       a lesson that is being taken: its step, predictions, tasks
 //! point     what a step points at
+//! advice    answers that give themselves away, controls that move the other way
 //! proof     a lesson checked and played through without a window
 //! trial     a lesson's claims tried on another light
 //! handout   a sheet for a class
 //! shelf     the shipped ones, and a person's own files
 //! ```
 
+mod advice;
 mod condition;
 pub mod figures;
 mod format;
@@ -34,6 +36,6 @@ mod words;
 
 pub use format::{Fault, Lesson, Step};
 pub use point::Aim;
-pub use proof::{Names, check, is_sound, play};
+pub use proof::{Findings, Names, check, is_sound, play};
 pub use run::{Run, Shown};
 pub use trial::{Trial, TrialAsk};

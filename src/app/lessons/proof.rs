@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::{
+    advice,
     condition::Condition,
     figures::Scene,
     format::{Answer, Fault, Lesson, Step},
@@ -55,12 +56,7 @@ pub(super) fn walk<T>(
     mut app: App,
     mut see: impl FnMut(&App, &PageMemory) -> T,
 ) -> Result<impl Iterator<Item = Result<Played<T>, Fault>>, Fault> {
-    let file = lesson.name.clone();
-    let fault = move |index: usize, what: String| Fault {
-        file: file.clone(),
-        step: Some(index + 1),
-        what,
-    };
+    let whole = lesson.clone();
     let own = app.document().own.clone();
     let own: Vec<&str> = own.iter().map(|own| own.name()).collect();
     is_sound(lesson, &own)?;
@@ -71,7 +67,8 @@ pub(super) fn walk<T>(
         if index > 0 {
             run.go(index, &mut app, &mut memory);
         }
-        play_step(&mut run, (&mut app, &mut memory), &mut see).map_err(|what| fault(index, what))
+        play_step(&mut run, (&mut app, &mut memory), &mut see)
+            .map_err(|what| fault(&whole, Some(index), what))
     }))
 }
 
@@ -79,54 +76,113 @@ pub(super) fn walk<T>(
 /// Nothing is played.
 ///
 /// # Errors
-/// [`Fault`]: the step, what was found and what was expected.
+/// [`Fault`]: the first of [`unsound`].
 pub fn is_sound(lesson: &Lesson, own: &[&str]) -> Result<(), Fault> {
-    let fault = |step: Option<usize>, what: String| Fault {
+    unsound(lesson, own).into_iter().next().map_or(Ok(()), Err)
+}
+
+/// All that cannot be understood in what a lesson says.
+fn unsound(lesson: &Lesson, own: &[&str]) -> Vec<Fault> {
+    let made = names_made(lesson).into_iter();
+    let known: Vec<&str> = made.chain(own.iter().copied()).collect();
+    let whole = of_lesson(lesson).map_err(|what| fault(lesson, None, what));
+    let steps = lesson.steps.iter().enumerate();
+    let steps = steps.map(|(index, step)| {
+        of_step(step, &known).map_err(|what| fault(lesson, Some(index), what))
+    });
+    std::iter::once(whole)
+        .chain(steps)
+        .filter_map(Result::err)
+        .collect()
+}
+
+fn fault(lesson: &Lesson, index: Option<usize>, what: String) -> Fault {
+    Fault {
         file: lesson.name.clone(),
-        step: step.map(|index| index + 1),
+        step: index.map(|index| index + 1),
         what,
-    };
-    of_lesson(lesson).map_err(|what| fault(None, what))?;
-    let known: Vec<&str> = names_made(lesson)
-        .into_iter()
-        .chain(own.iter().copied())
-        .collect();
-    for (index, step) in lesson.steps.iter().enumerate() {
-        of_step(step, &known).map_err(|what| fault(Some(index), what))?;
     }
-    Ok(())
 }
 
 /// Names of all that a page shows, as screen readers are told them; `None` where there is no window
 /// that could tell.
 pub type Names<'a> = &'a dyn Fn(&App, &PageMemory) -> Option<Vec<String>>;
 
-/// Checks a lesson as an author wants it checked: it is played through, also with every other light
-/// that it may be taken with, and the controls that it points at are on their pages.
-///
-/// # Errors
-/// [`Fault`]: the step, what was found and what was expected.
-pub fn check(lesson: &Lesson, names: Names<'_>) -> Result<(), Fault> {
-    let mut steps = lesson.steps.iter();
-    let played = play(lesson, |app, memory| {
-        let point = steps.next().and_then(|step| step.point.as_ref())?;
-        absent(point.control.as_deref()?, &names(app, memory)?, memory.page)
-    })?;
-    let mut missing = played.into_iter().map(|step| step.seen).enumerate();
-    if let Some((index, Some(what))) = missing.find(|(_, absent)| absent.is_some()) {
-        return Err(Fault {
-            file: lesson.name.clone(),
-            step: Some(index + 1),
-            what,
-        });
-    }
-    for light in &lesson.also {
-        play(&lesson.about(light)?, |_, _| ())?;
-    }
-    Ok(())
+/// Findings of a check: a lesson with faults is not taken, one with advice is.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Findings {
+    pub faults: Vec<Fault>,
+    pub advice: Vec<Fault>,
 }
 
-/// What is said of a control that is not on its page.
+impl Findings {
+    /// A line each.
+    pub fn lines(of: &[Fault]) -> String {
+        let lines: Vec<String> = of.iter().map(Fault::to_string).collect();
+        lines.join("\n")
+    }
+}
+
+/// Checks a lesson as an author wants it checked: it is played through, also with every other light
+/// that it may be taken with, the controls that it points at are on their pages and move as its
+/// words say, and no page gives an answer away. All that is found is told, step by step.
+pub fn check(lesson: &Lesson, names: Names<'_>) -> Findings {
+    let mut found = Findings {
+        faults: unsound(lesson, &[]),
+        advice: advice::of_questions(lesson),
+    };
+    if !found.faults.is_empty() {
+        return found;
+    }
+    let mut steps = lesson.steps.iter();
+    let played = walk(lesson, App::new(), |app, memory| {
+        let (mut faults, mut hints) = (Vec::new(), None);
+        if let Some(step) = steps.next() {
+            faults.extend(advice::wrong_way(step, &app.document().settings));
+            if let Some(names) = names(app, memory) {
+                let control = step
+                    .point
+                    .as_ref()
+                    .and_then(|point| point.control.as_deref());
+                faults.extend(control.and_then(|name| absent(name, &names, memory.page)));
+                hints = advice::given_away(step, &names);
+            }
+        }
+        (faults, hints)
+    });
+    match played {
+        Err(why) => found.faults.push(why),
+        Ok(played) => {
+            for (index, step) in played.enumerate() {
+                match step {
+                    Err(why) => found.faults.push(why),
+                    Ok(step) => {
+                        let (faults, hint) = step.seen;
+                        let faults = faults.into_iter();
+                        found
+                            .faults
+                            .extend(faults.map(|what| fault(lesson, Some(index), what)));
+                        let hint = hint.map(|what| fault(lesson, Some(index), what));
+                        found.advice.extend(hint);
+                    }
+                }
+            }
+        }
+    }
+    for light in &lesson.also {
+        let other = lesson.about(light).and_then(|other| {
+            walk(&other, App::new(), |_, _| ())
+                .map(|steps| steps.filter_map(Result::err).collect::<Vec<_>>())
+        });
+        match other {
+            Ok(faults) => found.faults.extend(faults),
+            Err(why) => found.faults.push(why),
+        }
+    }
+    found
+}
+
+/// A control that is not on its page, in words.
 fn absent(control: &str, names: &[String], page: Page) -> Option<String> {
     const MOST: usize = 12;
     if names.iter().any(|name| name.starts_with(control.trim())) {

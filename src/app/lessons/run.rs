@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::{
+    condition::Meter,
     figures::Scene,
     format::{Lesson, Step},
     point::Aim,
@@ -27,6 +28,8 @@ struct Taken {
     done: bool,
     /// What was said when the step began.
     begun: Begun,
+    /// How far the task's figures were from their aims then; `None` for what is no figure.
+    distances: Vec<Option<f64>>,
     /// Why, as it was told.
     reasons: Option<Reasons>,
 }
@@ -92,6 +95,8 @@ pub struct Run {
     looked_at: Option<(u64, PageMemory)>,
     /// What could not be set, a sentence.
     trouble: Option<String>,
+    /// Choices wait until the answer is told.
+    waits: bool,
 }
 
 /// The words of a step with their figures.
@@ -105,8 +110,8 @@ pub struct Shown {
     pub answers: Vec<(String, bool, String)>,
     /// What is to be done.
     pub task: Option<String>,
-    /// The figures that the task is about as they are now; empty where it is about none.
-    pub now: String,
+    /// The figures that the task is about, and how near they are to its aim.
+    pub meters: Vec<Meter>,
     /// What is said at the end.
     pub explain: String,
 }
@@ -124,6 +129,7 @@ impl Run {
             showing: None,
             looked_at: None,
             trouble: None,
+            waits: false,
         };
         run.set_stage(app, memory);
         run
@@ -162,6 +168,12 @@ impl Run {
         }
     }
 
+    /// Whether the page is covered: a prediction comes before the look.
+    pub fn is_veiled(&self) -> bool {
+        let step = self.step();
+        step.veil && step.ask.is_some() && self.chosen().is_none() && !self.is_told()
+    }
+
     /// Whether the task is done.
     pub fn is_done(&self) -> bool {
         self.taken[self.step].done
@@ -177,9 +189,15 @@ impl Run {
         self.trouble.as_deref()
     }
 
-    /// What the step points at, with the words beside it; nothing once its task is done.
+    /// What the step points at, with the words beside it; nothing once its task is done or its
+    /// question answered.
     pub fn aim(&self, app: &App, memory: &PageMemory) -> Option<(Aim, &str)> {
-        let point = self.step().point.as_ref().filter(|_| !self.is_done())?;
+        let step = self.step();
+        let is_over = match (&step.ask, &step.task) {
+            (None, None) => false,
+            _ => self.is_told(),
+        };
+        let point = step.point.as_ref().filter(|_| !is_over)?;
         Some((point.aim(app, memory).ok()?, &point.label))
     }
 
@@ -196,7 +214,10 @@ impl Run {
         let answers = step.ask.iter().flat_map(|ask| &ask.answers);
         let answers = answers.zip(&taken.begun.answers).enumerate();
         let until = step.task.iter().flat_map(|task| &task.until);
-        let now: Vec<String> = until.filter_map(|one| one.now(&scene)).collect();
+        let begun = taken.distances.iter();
+        let meters = until.zip(begun);
+        let meters = meters.filter_map(|(one, begun)| one.meter(&scene, (*begun)?));
+        let meters = meters.collect();
         let explain = match told {
             Some(told) if told.explain.is_empty() || step.holds(&scene) => told.explain.clone(),
             Some(_) => SET_BACK.to_owned(),
@@ -209,7 +230,7 @@ impl Run {
                 .map(|(index, (answer, text))| (text.clone(), answer.right, because(index)))
                 .collect(),
             task: taken.begun.task.clone(),
-            now: now.join(", "),
+            meters,
             explain,
         }
     }
@@ -254,9 +275,13 @@ impl Run {
     fn begin(&mut self, app: &App, memory: &PageMemory) {
         self.showing = None;
         self.looked_at = None;
-        let begun = Begun::of(self.step(), &Scene { app, memory });
+        let scene = Scene { app, memory };
+        let begun = Begun::of(self.step(), &scene);
+        let until = self.step().task.iter().flat_map(|task| &task.until);
+        let distances = until.map(|one| one.distance(&scene)).collect();
         self.taken[self.step] = Taken {
             begun,
+            distances,
             ..Taken::default()
         };
         self.give_reasons(app, memory);
@@ -270,17 +295,38 @@ impl Run {
         }
     }
 
-    /// Chooses an answer; one that is told is not changed any more.
-    pub fn choose(&mut self, answer: usize) {
+    /// Chooses an answer, which is told at once, unless a task comes after it or a class votes; one
+    /// that is told is not changed any more.
+    pub fn choose(&mut self, answer: usize, app: &App, memory: &PageMemory) {
         let count = self.step().ask.as_ref().map_or(0, |ask| ask.answers.len());
         if answer < count && !self.is_told() {
             self.taken[self.step].chosen = Some(answer);
+            if !self.waits {
+                self.tell(app, memory);
+            }
         }
+    }
+
+    /// Lets choices wait until the answer is told: a class votes.
+    pub fn hands_up(&mut self) {
+        self.waits = true;
+    }
+
+    /// Whether choices wait.
+    pub fn waits(&self) -> bool {
+        self.waits
+    }
+
+    /// Whether there is nothing to be told: neither a question nor a task.
+    pub fn begins_told(&self) -> bool {
+        let step = self.step();
+        step.ask.is_none() && step.task.is_none()
     }
 
     /// Tells which answer is right: whoever predicted, and a class that raised its hands.
     pub fn tell(&mut self, app: &App, memory: &PageMemory) {
         self.taken[self.step].told = true;
+        self.waits = false;
         self.give_reasons(app, memory);
     }
 
@@ -352,16 +398,31 @@ mod tests {
     #[test]
     fn a_prediction_is_kept_until_the_answer_is_told_and_not_changed_after() {
         let (mut run, app, memory) = start("light");
-        run.choose(0);
-        run.choose(7);
+        run.hands_up();
+        run.choose(0, &app, &memory);
+        run.choose(7, &app, &memory);
         assert_eq!((run.chosen(), run.is_told()), (Some(0), false));
         let shown = run.shown(&app, &memory);
         assert!(shown.explain.is_empty() && shown.answers.iter().all(|a| a.2.is_empty()));
         run.tell(&app, &memory);
-        run.choose(1);
+        run.choose(1, &app, &memory);
         assert_eq!((run.chosen(), run.is_told()), (Some(0), true));
         let shown = run.shown(&app, &memory);
         assert!(!shown.explain.is_empty() && shown.answers.iter().all(|a| !a.2.is_empty()));
+    }
+
+    #[test]
+    fn a_choice_is_told_at_once_unless_a_class_votes() {
+        let (mut run, app, memory) = start("light");
+        run.choose(0, &app, &memory);
+        assert!(run.is_told() && !run.shown(&app, &memory).explain.is_empty());
+        // A task is still to be done: its question is answered by what it shows.
+        let (mut run, app, memory) = start("colour");
+        run.choose(0, &app, &memory);
+        assert!(!run.is_told());
+        let meters = run.shown(&app, &memory).meters;
+        assert_eq!(meters.len(), 1);
+        assert!(meters[0].share == 0.0 && meters[0].words.contains("aim: below 1"));
     }
 
     #[test]

@@ -10,7 +10,7 @@ use super::super::{picture, theme::Wake};
 use crate::{
     app::{
         App,
-        lessons::{self, Lesson, shelf},
+        lessons::{self, Findings, Lesson, shelf},
         pages::PageMemory,
         studies::{Job, Work as _},
         workspace::Preferences,
@@ -79,9 +79,12 @@ fn checked(path: &Path) -> Checked {
         };
         Some(picture::names(app, &preferences))
     };
-    let lesson =
-        shelf::read_file(path).and_then(|lesson| lessons::check(&lesson, &names).map(|()| lesson));
-    lesson.map(Arc::new).map_err(|why| why.to_string())
+    let lesson = shelf::read_file(path).map_err(|why| why.to_string())?;
+    let found = lessons::check(&lesson, &names);
+    match found.faults.is_empty() {
+        true => Ok(Arc::new(lesson)),
+        false => Err(Findings::lines(&found.faults)),
+    }
 }
 
 #[cfg(test)]

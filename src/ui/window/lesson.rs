@@ -141,6 +141,8 @@ impl Window {
         // A slider that was just moved has the arrows and the digits, never a clicker's keys.
         let is_free = context.memory(|m| m.focused().is_none());
         let (index, has_task) = (run.index(), run.step().task.is_some());
+        // A clicker has two buttons: the one that goes on reveals first.
+        let reveals = !run.is_told() && !run.is_showing();
         let ends = run.is_last() && run.is_told();
         let last = run.lesson().steps.len() - 1;
         let mut wishes = Vec::new();
@@ -153,7 +155,9 @@ impl Window {
                 true => vec![arrow, page],
                 false => vec![page],
             };
-            if pressed(&both(Key::ArrowRight, Key::PageDown)) {
+            if reveals && pressed(&[Key::PageDown]) {
+                wishes.push(if has_task { Wish::ShowMe } else { Wish::Tell });
+            } else if pressed(&both(Key::ArrowRight, Key::PageDown)) {
                 if index < last {
                     wishes.push(Wish::Go(index + 1));
                 } else if ends {
@@ -186,7 +190,8 @@ impl Window {
         let (app, pages) = (&mut self.app, &mut self.preferences.pages);
         match wish {
             Wish::Go(step) => run.go(step, app, pages),
-            Wish::Choose(answer) => run.choose(answer),
+            Wish::Choose(answer) => run.choose(answer, app, pages),
+            Wish::HandsUp => run.hands_up(),
             Wish::Tell => run.tell(app, pages),
             Wish::ShowMe => {
                 run.show_me();
