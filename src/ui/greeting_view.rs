@@ -10,7 +10,7 @@ use crate::app::pages::Page;
 const TILES: [(&str, &str, Page); 3] = [
     (
         "Show a class",
-        "Twelve short lessons on live data: predict, do it, see why. Or take one by yourself.",
+        "Short lessons on live data: predict, do it, see why. Or take one by yourself.",
         Page::Lessons,
     ),
     (

@@ -90,6 +90,14 @@ impl LessonView {
     }
 }
 
+/// What covers a page until an answer is chosen.
+pub(super) fn veil(ui: &mut Ui) {
+    ui.centered_and_justified(|ui| {
+        let words = RichText::new("Choose an answer first. Then the page is shown.");
+        ui.add(Label::new(words.size(20.0)).wrap());
+    });
+}
+
 fn head(ui: &mut Ui, run: &Run, wishes: &mut Vec<Wish>) {
     let lesson = run.lesson();
     let strong = ui.visuals().strong_text_color();

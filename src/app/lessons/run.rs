@@ -18,7 +18,7 @@ pub(super) const SET_BACK: &str = "What is shown has changed since, so the reaso
 
 /// What happened at a step. Its words have the figures of the moment in which they were said: what
 /// a person does afterwards makes none of them false.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 struct Taken {
     /// The answer that was chosen.
     chosen: Option<usize>,
@@ -100,7 +100,7 @@ pub struct Run {
 }
 
 /// The words of a step with their figures.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Shown {
     /// What is said.
     pub say: String,

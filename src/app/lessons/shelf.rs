@@ -11,20 +11,37 @@ use super::{
 };
 use crate::io::{decode_text, is_binary, save_atomically, shown, stream::bytes_of_file};
 
-/// Files of the shipped lessons by their names, in the order of the list.
-pub const FILES: [(&str, &str); 12] = [
+/// Files of the shipped lessons by their names, in the order of the list: path after path.
+pub const FILES: [(&str, &str); 19] = [
+    ("prism", include_str!("../../../lessons/prism.json")),
     ("light", include_str!("../../../lessons/light.json")),
-    ("waves", include_str!("../../../lessons/waves.json")),
-    ("colour", include_str!("../../../lessons/colour.json")),
-    ("spend", include_str!("../../../lessons/spend.json")),
+    ("missing", include_str!("../../../lessons/missing.json")),
+    ("gas", include_str!("../../../lessons/gas.json")),
+    ("hotter", include_str!("../../../lessons/hotter.json")),
+    ("phone", include_str!("../../../lessons/phone.json")),
     ("metamers", include_str!("../../../lessons/metamers.json")),
     ("filters", include_str!("../../../lessons/filters.json")),
-    ("samples", include_str!("../../../lessons/samples.json")),
-    ("missing", include_str!("../../../lessons/missing.json")),
-    ("prism", include_str!("../../../lessons/prism.json")),
     ("quality", include_str!("../../../lessons/quality.json")),
     ("white", include_str!("../../../lessons/white.json")),
+    ("tint", include_str!("../../../lessons/tint.json")),
+    ("which", include_str!("../../../lessons/which.json")),
+    ("waves", include_str!("../../../lessons/waves.json")),
+    ("colour", include_str!("../../../lessons/colour.json")),
+    ("samples", include_str!("../../../lessons/samples.json")),
+    ("spend", include_str!("../../../lessons/spend.json")),
     ("recover", include_str!("../../../lessons/recover.json")),
+    (
+        "instrument",
+        include_str!("../../../lessons/instrument.json"),
+    ),
+    ("three", include_str!("../../../lessons/three.json")),
+];
+
+/// The paths through the shipped lessons: a title each, and how many of [`FILES`] follow it.
+pub const PATHS: [(&str, usize); 3] = [
+    ("School", 8),
+    ("Lighting", 4),
+    ("University and graphics", 7),
 ];
 
 /// The shipped lessons; one that cannot be read is left out, and a test finds it.
@@ -136,6 +153,12 @@ pub fn named(word: &str) -> Result<Arc<Lesson>, Fault> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn every_shipped_lesson_is_on_one_path() {
+        let on_paths: usize = PATHS.iter().map(|(_, count)| count).sum();
+        assert_eq!(on_paths, FILES.len());
+    }
 
     #[test]
     fn every_shipped_file_is_a_lesson_with_a_title_of_its_own() {

@@ -100,20 +100,30 @@ impl LessonsView {
             };
             let gap = ui.spacing().item_spacing.x;
             let width = (ui.available_width() - gap * (columns - 1) as f32) / columns as f32;
-            for (row, lessons) in all.chunks(columns).enumerate() {
-                ui.horizontal_top(|ui| {
-                    for (column, lesson) in lessons.iter().enumerate() {
-                        let number = row * columns + column + 1;
-                        let tick = context.memory.lessons_finished.contains(&lesson.name);
-                        let height = lessons
-                            .iter()
-                            .map(|lesson| Card::of(ui, lesson, 0, false, width).height())
-                            .fold(0.0, f32::max);
-                        if Card::of(ui, lesson, number, tick, width).show(ui, height) {
-                            asked = Some(lesson.name.clone());
+            let paths = shelf::PATHS.into_iter();
+            let own = ("Your own", self.own.len());
+            let mut first = 0;
+            for (title, count) in paths.chain([own]).filter(|(_, count)| *count > 0) {
+                let begins = first;
+                first += count;
+                ui.label(RichText::new(title).color(ui.visuals().strong_text_color()));
+                let lessons: Vec<_> = all[begins..first].iter().enumerate().collect();
+                for row in lessons.chunks(columns) {
+                    let heights = row.iter();
+                    let heights =
+                        heights.map(|(_, lesson)| Card::of(ui, lesson, 0, false, width).height());
+                    let height = heights.fold(0.0, f32::max);
+                    ui.horizontal_top(|ui| {
+                        for (index, lesson) in row {
+                            let tick = context.memory.lessons_finished.contains(&lesson.name);
+                            let card = Card::of(ui, lesson, index + 1, tick, width);
+                            if card.show(ui, height) {
+                                asked = Some(lesson.name.clone());
+                            }
                         }
-                    }
-                });
+                    });
+                }
+                ui.add_space(10.0);
             }
             ui.add_space(6.0);
             self.of_own_ones(ui, context.theme);

@@ -10,6 +10,7 @@ use super::{
         greeting_view::{self, Beginning},
         keys::Act,
         kit::rolled,
+        lesson_view,
         look_view::{self, Scene},
         pages::{self, PageContext, PageWish},
         palette_view::Chosen,
@@ -21,7 +22,7 @@ use super::{
     Window,
     filing::Saving,
 };
-use crate::app::{Command, import::Again, pages::Page, workspace::Preferences};
+use crate::app::{Command, import::Again, lessons::Run, pages::Page, workspace::Preferences};
 
 /// Widths from which the column of the verdict stands beside the page, and from which it is wider,
 /// points.
@@ -249,7 +250,9 @@ impl Window {
                     self.side_open = Some(true);
                 }
             }
-            if self.preferences.pages.page == Page::Spectrum {
+            if self.lesson.as_ref().is_some_and(Run::is_veiled) {
+                lesson_view::veil(ui);
+            } else if self.preferences.pages.page == Page::Spectrum {
                 self.look(ui, shape, theme);
             } else {
                 self.page(ui, theme);
