@@ -3,6 +3,8 @@
 
 use std::{fmt::Write as _, sync::Arc};
 
+use svg2pdf::usvg;
+
 use super::{
     about::About,
     chart::{Chart, Palette, Rgb, SVG_HEAD, Theme, elided, escaped, px, text_width, wrap},
@@ -70,14 +72,7 @@ pub fn to_svg(app: &App) -> String {
 /// # Errors
 /// One line when the page cannot be written so.
 pub fn to_pdf(app: &App) -> Result<Vec<u8>, String> {
-    use svg2pdf::usvg;
-    let mut options = usvg::Options {
-        font_family: "DejaVu Sans".to_owned(),
-        ..usvg::Options::default()
-    };
-    let fonts = Arc::make_mut(&mut options.fontdb);
-    fonts.load_font_data(FONT.to_vec());
-    fonts.set_sans_serif_family("DejaVu Sans");
+    let options = svg_options();
     let tree = usvg::Tree::from_str(&to_svg(app), &options).map_err(|e| e.to_string())?;
     // 96 px are an inch, and an inch is 72 points.
     let page = svg2pdf::PageOptions { dpi: 96.0 };
@@ -85,6 +80,18 @@ pub fn to_pdf(app: &App) -> Result<Vec<u8>, String> {
     let mut pdf = pdf.map_err(|e| e.to_string())?;
     pdf.extend_from_slice(PDF_TAIL.as_bytes());
     Ok(pdf)
+}
+
+/// Options by which pages are drawn: the program's own font.
+pub fn svg_options() -> usvg::Options<'static> {
+    let mut options = usvg::Options {
+        font_family: "DejaVu Sans".to_owned(),
+        ..usvg::Options::default()
+    };
+    let fonts = Arc::make_mut(&mut options.fontdb);
+    fonts.load_font_data(FONT.to_vec());
+    fonts.set_sans_serif_family("DejaVu Sans");
+    options
 }
 
 /// How every PDF document of the program ends, a comment: the command line knows its own pages by

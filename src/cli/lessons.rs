@@ -17,7 +17,7 @@ use crate::{
         App,
         lessons::{
             self, Findings, Lesson,
-            handout::{Form, handout},
+            handout::{Form, Reader, handout},
             shelf,
         },
         pages::PageMemory,
@@ -39,15 +39,25 @@ pub(super) fn run(
         act,
         lesson,
         json,
+        pupil,
+        teacher,
         out: path,
         force,
     } = options;
+    let readers: &[Reader] = match (pupil, teacher) {
+        (true, _) => &[Reader::Pupil],
+        (_, true) => &[Reader::Teacher],
+        _ => &[Reader::Pupil, Reader::Teacher],
+    };
     match (act, lesson, path) {
         (None, None, None) => list(*json, out),
         (Some(LessonAct::Check), Some(word), None) => check(word, pictures, out),
-        (Some(LessonAct::Handout), Some(word), Some(path)) => sheet(word, path, *force, out),
+        (Some(LessonAct::Handout), Some(word), Some(path)) => {
+            sheet(word, (path, *force), readers, pictures, out)
+        }
         (Some(LessonAct::Handout), _, None) => Err(Refusal::Usage(
-            "lessons handout: found no --out, expected a file that ends in .md or .html".to_owned(),
+            "lessons handout: found no --out, expected a file that ends in .md, .html or .pdf"
+                .to_owned(),
         )),
         _ => Err(Refusal::Usage(
             "lessons: found --out without handout, expected lessons handout NAME --out FILE"
@@ -123,20 +133,43 @@ fn check(word: &str, pictures: Option<&dyn Pictures>, out: &mut dyn Write) -> Re
     )
 }
 
-fn sheet(word: &str, path: &Path, force: bool, out: &mut dyn Write) -> Result<(), Refusal> {
+/// The page of a step in a window of a laptop's size, light as paper is.
+fn page_picture(
+    pictures: Option<&dyn Pictures>,
+    app: &App,
+    memory: &PageMemory,
+) -> Option<Vec<u8>> {
+    const SIZE: [u32; 2] = [1280, 640];
+    let preferences = Preferences {
+        pages: memory.clone(),
+        dark: false,
+        ..Preferences::default()
+    };
+    Some(pictures?.window(app, &preferences, SIZE))
+}
+
+fn sheet(
+    word: &str,
+    (path, force): (&Path, bool),
+    readers: &[Reader],
+    pictures: Option<&dyn Pictures>,
+    out: &mut dyn Write,
+) -> Result<(), Refusal> {
     let lesson = shelf::named(word).map_err(Refusal::file)?;
     let form = match words::extension(path).as_str() {
         "html" => Form::Html,
+        "pdf" => Form::Pdf,
         _ => Form::Markdown,
     };
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let sheet = handout(&lesson, form, &stem).map_err(Refusal::file)?;
+    let page = |app: &App, memory: &PageMemory| page_picture(pictures, app, memory);
+    let sheet = handout(&lesson, readers, form, &stem, &page).map_err(Refusal::file)?;
     let beside = sheet.pictures.iter();
-    let beside = beside.map(|(end, svg)| {
+    let beside = beside.map(|(end, picture)| {
         let file = path.with_file_name(format!("{stem}{end}"));
-        (file, svg.as_bytes())
+        (file, picture.as_slice())
     });
-    let first = (path.to_owned(), sheet.text.as_bytes());
+    let first = (path.to_owned(), sheet.bytes.as_slice());
     let files: Vec<_> = std::iter::once(first).chain(beside).collect();
     let target = |path, replaces| Target {
         what: "--out",

@@ -51,7 +51,7 @@ pub use formats::{
 pub use input::Input;
 pub(crate) use input::name_of;
 pub(crate) use interpret::{describe::MOST_UNDERSTOOD, value_unit::counts_photons};
-pub(crate) use photo::{Exif, Photo, read_photo};
+pub(crate) use photo::{Exif, Photo, photo_of, read_photo};
 pub(crate) use provenance::one_line;
 pub use provenance::{Column, Columns, Provenance, shortest};
 pub use reading::{

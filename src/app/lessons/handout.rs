@@ -1,174 +1,303 @@
-//! A sheet for a class: words, questions, a picture of each step, and the answers on a page of
-//! their own.
+//! Sheets for a class: what a pupil writes on, and what a teacher holds.
 
 use std::fmt::Write as _;
 
+use base64::{Engine as _, prelude::BASE64_STANDARD};
+
 use super::{
     format::{Fault, Lesson},
+    handout_pdf,
     proof::{Played, play},
 };
-use crate::app::{chart::Theme, charts::spectrum::spectrum_chart};
+use crate::app::{
+    App,
+    chart::Theme,
+    charts::spectrum::spectrum_chart,
+    pages::{Page, PageMemory},
+};
 
-/// Width and height of a picture, px.
-const PICTURE: [u32; 2] = [900, 420];
+/// Width and height of a drawn plot, px.
+const PLOT: [u32; 2] = [900, 420];
 
-/// What a sheet is written as.
+/// Formats of a sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// Markdown, with the pictures in files beside it.
     Markdown,
     /// One page of HTML with the pictures in it.
     Html,
+    /// A4 pages.
+    Pdf,
 }
 
-/// A sheet, and the files beside it: the end of each name and its text.
+/// Readers of a sheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reader {
+    /// Questions with boxes to tick, room to write, axes to sketch on; no answers, and no picture
+    /// that answers a question before it.
+    Pupil,
+    /// Every picture, every answer with its reason, notes and sources.
+    Teacher,
+}
+
+/// A sheet, and the files beside it: the end of each name and its bytes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Handout {
-    /// The sheet.
-    pub text: String,
-    /// Pictures: `-1.svg` and so on, to be put behind the sheet's own name.
-    pub pictures: Vec<(String, String)>,
+    pub bytes: Vec<u8>,
+    /// Pictures: `-1.svg` or `-1.png` and so on, to be put behind the sheet's own name.
+    pub pictures: Vec<(String, Vec<u8>)>,
 }
 
-/// Writes the sheet of a lesson, which is played for it; `stem` is the sheet's name without its
-/// ending.
+/// A picture of a step.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Picture {
+    /// The plot of the first page.
+    Svg(String),
+    /// The page as the window shows it.
+    Png(Vec<u8>),
+}
+
+/// The page of a step as PNG; `None` where there is no window that could draw it.
+pub type PagePicture<'a> = &'a dyn Fn(&App, &PageMemory) -> Option<Vec<u8>>;
+
+/// A part of a sheet.
+pub(super) enum Block {
+    Title(String),
+    Heading(String),
+    Words(String),
+    /// A word in bold before the words.
+    Led(&'static str, String),
+    /// A letter and an answer, with a box to tick.
+    Choice(char, String),
+    Picture(Picture),
+    /// An empty axis of wavelengths.
+    Axis,
+    /// So many lines to write on.
+    Lines(usize),
+    NewPage,
+}
+
+/// Writes the sheets of a lesson for some readers, each from a page of its own; the lesson is played
+/// for it. `stem` is the sheet's name without its ending.
 ///
 /// # Errors
-/// [`Fault`] where it cannot be played.
-pub fn handout(lesson: &Lesson, form: Form, stem: &str) -> Result<Handout, Fault> {
-    let [width, height] = PICTURE;
-    let played = play(lesson, |app, _| {
-        spectrum_chart(app).to_svg(width, height, Theme::Light)
-    })?;
-    let mut sheet = Sheet {
-        form,
-        stem,
-        text: String::new(),
-        pictures: Vec::new(),
-        last: "",
-    };
-    sheet.head(lesson);
-    for (index, step) in played.iter().enumerate() {
-        sheet.step(index + 1, step);
-    }
-    sheet.answers(lesson, &played);
-    Ok(Handout {
-        text: sheet.text,
-        pictures: sheet.pictures,
-    })
-}
-
-/// A sheet that is being written.
-struct Sheet<'a> {
+/// [`Fault`] where it cannot be played, or drawn.
+pub fn handout(
+    lesson: &Lesson,
+    readers: &[Reader],
     form: Form,
-    stem: &'a str,
-    text: String,
-    pictures: Vec<(String, String)>,
-    /// The picture that was drawn last: one that did not change is not drawn again.
-    last: &'a str,
+    stem: &str,
+    page: PagePicture<'_>,
+) -> Result<Handout, Fault> {
+    let [width, height] = PLOT;
+    let played = play(lesson, |app, memory| match memory.page {
+        Page::Spectrum => Some(Picture::Svg(spectrum_chart(app).to_svg(
+            width,
+            height,
+            Theme::Light,
+        ))),
+        _ => page(app, memory).map(Picture::Png),
+    })?;
+    let mut blocks = Vec::new();
+    for reader in readers {
+        if !blocks.is_empty() {
+            blocks.push(Block::NewPage);
+        }
+        match reader {
+            Reader::Pupil => of_pupil(&mut blocks, lesson, &played),
+            Reader::Teacher => of_teacher(&mut blocks, lesson, &played),
+        }
+    }
+    let mut pictures = Vec::new();
+    let bytes = match form {
+        Form::Html => html(lesson, &blocks).into_bytes(),
+        Form::Markdown => markdown(&blocks, stem, &mut pictures).into_bytes(),
+        Form::Pdf => handout_pdf::pdf(&blocks).map_err(|what| Fault {
+            file: lesson.name.clone(),
+            step: None,
+            what,
+        })?,
+    };
+    Ok(Handout { bytes, pictures })
 }
 
-impl<'a> Sheet<'a> {
-    fn line(&mut self, html: &str, markdown: &str, words: &str) {
-        // Writing to a string cannot fail.
-        let _ = match self.form {
-            Form::Html => writeln!(self.text, "<{html}>{}</{html}>", escaped(words)),
-            Form::Markdown => writeln!(self.text, "{markdown}{}\n", unmarked(words)),
-        };
-    }
+fn head(blocks: &mut Vec<Block>, lesson: &Lesson) {
+    blocks.push(Block::Title(lesson.title.clone()));
+    blocks.push(Block::Words(lesson.sentence.clone()));
+}
 
-    /// A paragraph with a word in bold before it.
-    fn led(&mut self, lead: &str, words: &str) {
-        let html = format!("<p><b>{lead}</b> {}</p>\n", escaped(words));
-        self.raw(&html, &format!("**{lead}** {}\n\n", unmarked(words)));
-    }
+fn step_head(blocks: &mut Vec<Block>, number: usize, step: &Played<Option<Picture>>) {
+    let place = format!("{number}. {}", step.page.title());
+    blocks.push(Block::Heading(place));
+    blocks.push(Block::Words(step.say.clone()));
+}
 
-    fn raw(&mut self, html: &str, markdown: &str) {
-        let raw = match self.form {
-            Form::Html => html,
-            Form::Markdown => markdown,
-        };
-        self.text.push_str(raw);
+fn choices(blocks: &mut Vec<Block>, step: &Played<Option<Picture>>) {
+    if let Some((question, answers)) = &step.ask {
+        blocks.push(Block::Led("Predict.", question.clone()));
+        let answers = ('A'..).zip(answers);
+        blocks.extend(answers.map(|(letter, one)| Block::Choice(letter, one.text.clone())));
     }
+}
 
-    fn head(&mut self, lesson: &Lesson) {
-        let (title, language) = (escaped(&lesson.title), escaped(&lesson.language));
-        self.raw(
-            &format!(
-                "<!DOCTYPE html>\n<html lang=\"{language}\">\n<head>\n<meta charset=\"utf-8\">\n\
-                 <title>{title}</title>\n<style>body{{font:12pt/1.45 sans-serif;max-width:46em;\
-                 margin:2em auto;padding:0 1em}}svg{{width:100%;height:auto}}\
-                 .answers{{break-before:page}}</style>\n</head>\n<body>\n"
-            ),
-            "",
-        );
-        self.line("h1", "# ", &lesson.title);
-        self.line("p", "", &lesson.sentence);
-        let minutes = format!(
-            "{} minutes, for {}.",
-            lesson.minutes,
-            lesson.audience_words()
-        );
-        self.line("p", "", &minutes);
-    }
-
-    fn step(&mut self, number: usize, step: &'a Played<String>) {
-        let title = format!(
-            "{number}. {}: {}",
-            step.page.place().title(),
-            step.page.title()
-        );
-        self.line("h2", "## ", &title);
-        self.line("p", "", &step.say);
-        if self.last != step.seen {
-            let svg = step.seen.find("<svg").map_or("", |at| &step.seen[at..]);
-            let name = format!("-{number}.svg");
-            self.raw(
-                svg,
-                &format!(
-                    "![What the plot shows at step {number}]({}{name})\n\n",
-                    self.stem
-                ),
-            );
-            if self.form == Form::Markdown {
-                self.pictures.push((name, step.seen.clone()));
+fn of_pupil(blocks: &mut Vec<Block>, lesson: &Lesson, played: &[Played<Option<Picture>>]) {
+    head(blocks, lesson);
+    blocks.push(Block::Words(
+        "Name: ______________________________   Date: ______________".to_owned(),
+    ));
+    for (index, step) in played.iter().enumerate() {
+        step_head(blocks, index + 1, step);
+        let has_picture = lesson.steps[index].stage.is_some();
+        match &step.seen {
+            // Later pictures answer the questions before them.
+            Some(picture) if index == 0 && !lesson.steps[0].veil => {
+                blocks.push(Block::Picture(picture.clone()));
             }
-            self.last = &step.seen;
+            _ if has_picture && step.page == Page::Spectrum => {
+                let words = "Sketch the curve that you see, or that you expect.";
+                blocks.push(Block::Words(words.to_owned()));
+                blocks.push(Block::Axis);
+            }
+            _ => {}
         }
-        if let Some((question, answers)) = &step.ask {
-            self.led("Predict.", question);
-            self.raw("<ol type=\"a\">\n", "");
-            for (letter, answer) in ('a'..).zip(answers) {
-                self.line("li", &format!("- {letter}) "), &answer.text);
-            }
-            self.raw("</ol>\n", "");
+        choices(blocks, step);
+        if step.ask.is_some() {
+            blocks.push(Block::Led("Because", String::new()));
+            blocks.push(Block::Lines(2));
         }
         if let Some(task) = &step.task {
-            self.led("Do.", task);
+            blocks.push(Block::Led("Do.", task.clone()));
+            blocks.push(Block::Led("What I saw", String::new()));
+            blocks.push(Block::Lines(2));
         }
     }
+    blocks.push(Block::Led("One sentence to remember", String::new()));
+    blocks.push(Block::Lines(2));
+}
 
-    fn answers(&mut self, lesson: &Lesson, played: &[Played<String>]) {
-        self.raw(
-            "<div class=\"answers\">\n",
-            "<div style=\"page-break-before: always\"></div>\n\n",
-        );
-        self.line("h1", "# ", "Answers");
-        for (number, step) in (1..).zip(played) {
-            let answers = step.ask.iter().flat_map(|(_, answers)| answers);
-            for (letter, answer) in ('a'..).zip(answers) {
-                let mark = if answer.right { " (right)" } else { "" };
-                let words = format!("{number} {letter}{mark}: {}", answer.because);
-                self.line("p", "", &words);
-            }
-            if !step.explain.is_empty() {
-                self.line("p", "", &format!("{number}: {}", step.explain));
-            }
+fn of_teacher(blocks: &mut Vec<Block>, lesson: &Lesson, played: &[Played<Option<Picture>>]) {
+    head(blocks, lesson);
+    blocks.push(Block::Words(format!(
+        "Teacher's sheet. {} minutes, for {}.",
+        lesson.minutes,
+        lesson.audience_words()
+    )));
+    blocks.push(Block::Led("Afterwards a class can", lesson.teaches.clone()));
+    blocks.push(Block::Led("Notes.", lesson.notes_for_teachers.clone()));
+    for (index, step) in played.iter().enumerate() {
+        step_head(blocks, index + 1, step);
+        blocks.extend(step.seen.clone().map(Block::Picture));
+        choices(blocks, step);
+        let answers = step.ask.iter().flat_map(|(_, answers)| answers);
+        for (letter, answer) in ('A'..).zip(answers) {
+            let mark = if answer.right { ", right" } else { "" };
+            let words = format!("{letter}{mark}: {}", answer.because);
+            blocks.push(Block::Words(words));
         }
-        self.led("Remember.", &lesson.remember);
-        self.led("Try next.", &lesson.next);
-        self.raw("</div>\n</body>\n</html>\n", "");
+        if let Some(task) = &step.task {
+            blocks.push(Block::Led("Do.", task.clone()));
+        }
+        if !step.explain.is_empty() {
+            blocks.push(Block::Led("Why.", step.explain.clone()));
+        }
     }
+    blocks.push(Block::Led("Remember.", lesson.remember.clone()));
+    blocks.push(Block::Led("Try next.", lesson.next.clone()));
+    blocks.push(Block::Led("Sources.", lesson.sources.join("; ")));
+}
+
+/// The empty axis as SVG: 380 to 780 nm.
+pub(super) fn axis_svg() -> String {
+    let mut body = String::new();
+    for nm in (400..=750).step_by(50) {
+        let x = 20 + (nm - 380) * 860 / 400;
+        // Writing to a string cannot fail.
+        let _ = write!(
+            body,
+            "<path d=\"M{x} 250v8\"/><text x=\"{x}\" y=\"276\" text-anchor=\"middle\" \
+             font-size=\"16\" stroke=\"none\" fill=\"#333333\">{nm}</text>"
+        );
+    }
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"900\" height=\"300\" viewBox=\"0 0 900 \
+         300\" font-family=\"DejaVu Sans, sans-serif\"><g stroke=\"#333333\" fill=\"none\"><path \
+         d=\"M20 20V250H880\"/>{body}</g><text x=\"880\" y=\"296\" text-anchor=\"end\" \
+         font-size=\"16\" fill=\"#333333\">wavelength, nm</text></svg>"
+    )
+}
+
+/// An SVG without the lines before it.
+pub(super) fn bare(svg: &str) -> &str {
+    svg.find("<svg").map_or("", |at| &svg[at..])
+}
+
+/// A PNG as an address that holds it.
+fn data_url(png: &[u8]) -> String {
+    format!("data:image/png;base64,{}", BASE64_STANDARD.encode(png))
+}
+
+fn html(lesson: &Lesson, blocks: &[Block]) -> String {
+    let (title, language) = (escaped(&lesson.title), escaped(&lesson.language));
+    let mut text = format!(
+        "<!DOCTYPE html>\n<html lang=\"{language}\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <title>{title}</title>\n<style>body{{font:12pt/1.45 sans-serif;max-width:46em;\
+         margin:2em auto;padding:0 1em}}svg,img{{width:100%;height:auto}}\
+         .new{{break-before:page}}.line{{border-bottom:1px solid #888;height:2em}}\
+         h2,.picture{{break-inside:avoid}}</style>\n</head>\n<body>\n"
+    );
+    for block in blocks {
+        let part = match block {
+            Block::Title(words) => format!("<h1>{}</h1>", escaped(words)),
+            Block::Heading(words) => format!("<h2>{}</h2>", escaped(words)),
+            Block::Words(words) => format!("<p>{}</p>", escaped(words)),
+            Block::Led(lead, words) => format!("<p><b>{lead}</b> {}</p>", escaped(words)),
+            Block::Choice(letter, words) => format!("<p>☐ {letter}. {}</p>", escaped(words)),
+            Block::Picture(Picture::Svg(svg)) => {
+                format!("<div class=\"picture\">{}</div>", bare(svg))
+            }
+            Block::Picture(Picture::Png(png)) => format!(
+                "<div class=\"picture\"><img alt=\"The page of this step\" src=\"{}\"></div>",
+                data_url(png)
+            ),
+            Block::Axis => format!("<div class=\"picture\">{}</div>", axis_svg()),
+            Block::Lines(count) => "<div class=\"line\"></div>".repeat(*count),
+            Block::NewPage => "<div class=\"new\"></div>".to_owned(),
+        };
+        text += &part;
+        text.push('\n');
+    }
+    text + "</body>\n</html>\n"
+}
+
+fn markdown(blocks: &[Block], stem: &str, pictures: &mut Vec<(String, Vec<u8>)>) -> String {
+    let mut text = String::new();
+    for block in blocks {
+        let mut picture = |end: &str, bytes: Vec<u8>| {
+            let known = pictures.iter().find(|(_, known)| *known == bytes);
+            let name = known.map(|(name, _)| name.clone());
+            let name = name.unwrap_or_else(|| {
+                let name = format!("-{}.{end}", pictures.len() + 1);
+                pictures.push((name.clone(), bytes));
+                name
+            });
+            format!("![The page of this step]({stem}{name})")
+        };
+        let part = match block {
+            Block::Title(words) => format!("# {}", unmarked(words)),
+            Block::Heading(words) => format!("## {}", unmarked(words)),
+            Block::Words(words) => unmarked(words),
+            Block::Led(lead, words) => format!("**{lead}** {}", unmarked(words)),
+            Block::Choice(letter, words) => format!("☐ {letter}. {}", unmarked(words)),
+            Block::Picture(Picture::Svg(svg)) => picture("svg", svg.clone().into_bytes()),
+            Block::Picture(Picture::Png(png)) => picture("png", png.clone()),
+            Block::Axis => picture("svg", axis_svg().into_bytes()),
+            Block::Lines(count) => ["_".repeat(60).as_str()].repeat(*count).join("\n\n"),
+            Block::NewPage => "<div style=\"page-break-before: always\"></div>".to_owned(),
+        };
+        text += part.trim_end();
+        text += "\n\n";
+    }
+    text
 }
 
 /// Words in Markdown, where an element of HTML would be one.
@@ -176,7 +305,7 @@ fn unmarked(text: &str) -> String {
     text.replace('<', "&lt;")
 }
 
-fn escaped(text: &str) -> String {
+pub(super) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('"', "&quot;")
@@ -187,15 +316,23 @@ mod tests {
     use super::*;
     use crate::app::lessons::shelf;
 
+    fn sheet(lesson: &Lesson, readers: &[Reader], form: Form) -> Handout {
+        handout(lesson, readers, form, "sheet", &|_, _| None).expect("it plays")
+    }
+
+    fn words(lesson: &Lesson, reader: Reader, form: Form) -> String {
+        String::from_utf8(sheet(lesson, &[reader], form).bytes).expect("text")
+    }
+
     #[test]
     fn no_words_of_a_lesson_are_elements_of_a_sheet() {
         let mut lesson = Lesson::clone(&shelf::shipped()[0]);
         lesson.title = "<script>alert(1)</script>".to_owned();
-        lesson.next = "<img src=x onerror=alert(1)>".to_owned();
+        lesson.sentence = "<img src=x onerror=alert(1)>".to_owned();
         for form in [Form::Markdown, Form::Html] {
-            let sheet = handout(&lesson, form, "sheet").expect("it plays").text;
+            let sheet = words(&lesson, Reader::Teacher, form);
             assert!(
-                !sheet.contains("<script") && !sheet.contains("<img"),
+                !sheet.contains("<script") && !sheet.contains("<img src=x"),
                 "{form:?}"
             );
             assert!(sheet.contains("&lt;script"), "{form:?}");
@@ -203,21 +340,46 @@ mod tests {
     }
 
     #[test]
-    fn a_sheet_has_every_question_and_its_answers_on_a_page_of_their_own() {
-        let lesson = &shelf::shipped()[0];
+    fn a_pupils_sheet_asks_and_a_teachers_answers() {
+        let lesson = shelf::named("light").expect("shipped");
         for form in [Form::Markdown, Form::Html] {
-            let sheet = handout(lesson, form, "sheet").expect("it plays");
-            let (questions, answers) = sheet.text.split_once("Answers").expect("two pages");
+            let pupil = words(&lesson, Reader::Pupil, form);
+            let teacher = words(&lesson, Reader::Teacher, form);
             for ask in lesson.steps.iter().filter_map(|step| step.ask.as_ref()) {
-                assert!(questions.contains(&ask.answers[0].text));
-                assert!(!questions.contains(&ask.answers[0].because));
+                for answer in &ask.answers {
+                    assert!(pupil.contains(&answer.text) && teacher.contains(&answer.text));
+                    assert!(!pupil.contains(&answer.because), "{}", answer.because);
+                    assert!(teacher.contains(&answer.because), "{}", answer.because);
+                }
             }
-            assert!(answers.contains("(right)") && answers.contains(&lesson.remember));
-            assert_eq!(sheet.text.contains("<svg"), form == Form::Html);
-            for (name, svg) in &sheet.pictures {
-                assert!(sheet.text.contains(&format!("](sheet{name})")) && svg.contains("<svg"));
-            }
-            assert_ne!(sheet.pictures.is_empty(), form == Form::Markdown);
+            assert!(!pupil.contains(", right:") && teacher.contains(", right:"));
+            assert!(!pupil.contains(&lesson.remember) && teacher.contains(&lesson.remember));
         }
+    }
+
+    #[test]
+    fn pictures_of_markdown_stand_beside_it_once_each() {
+        let lesson = shelf::named("light").expect("shipped");
+        let sheet = sheet(&lesson, &[Reader::Pupil, Reader::Teacher], Form::Markdown);
+        let text = String::from_utf8(sheet.bytes).expect("text");
+        assert!(sheet.pictures.len() > 1);
+        for (index, (name, bytes)) in sheet.pictures.iter().enumerate() {
+            assert!(text.contains(&format!("](sheet{name})")), "{name}");
+            assert!(
+                sheet.pictures[..index]
+                    .iter()
+                    .all(|(_, other)| other != bytes)
+            );
+        }
+    }
+
+    #[test]
+    fn a_sheet_as_pdf_has_pages() {
+        let lesson = shelf::named("light").expect("shipped");
+        let sheet = sheet(&lesson, &[Reader::Pupil, Reader::Teacher], Form::Pdf);
+        assert!(sheet.bytes.starts_with(b"%PDF-") && sheet.pictures.is_empty());
+        let text = String::from_utf8_lossy(&sheet.bytes);
+        let pages = text.matches("/Type /Page\n").count();
+        assert!((4..20).contains(&pages), "{pages}");
     }
 }

@@ -14,7 +14,7 @@
 //! advice    answers that give themselves away, controls that move the other way
 //! proof     a lesson checked and played through without a window
 //! trial     a lesson's claims tried on another light
-//! handout   a sheet for a class
+//! handout   sheets for a class, and their A4 pages
 //! shelf     the shipped ones, and a person's own files
 //! ```
 
@@ -23,6 +23,7 @@ mod condition;
 pub mod figures;
 mod format;
 pub mod handout;
+mod handout_pdf;
 mod making;
 mod names;
 mod parsed;

@@ -28,8 +28,15 @@ pub(crate) struct Lessons {
     /// Print JSON, a list with one object a lesson; its keys are stable.
     #[arg(long, conflicts_with = "act")]
     pub json: bool,
-    /// The sheet to write, .md (its pictures are put beside it) or .html.
-    #[arg(long, value_name = "FILE", value_parser = words::path_in(&["md", "html"]))]
+    /// Only the pupil's sheet: questions, boxes, axes to sketch on, no answers.
+    #[arg(long, requires = "out", conflicts_with = "teacher")]
+    pub pupil: bool,
+    /// Only the teacher's sheet: pictures, answers with their reasons, notes, sources.
+    #[arg(long, requires = "out")]
+    pub teacher: bool,
+    /// The sheet to write, .md (its pictures are put beside it), .html or .pdf; without --pupil and
+    /// --teacher both, each from a page of its own.
+    #[arg(long, value_name = "FILE", value_parser = words::path_in(&["md", "html", "pdf"]))]
     pub out: Option<PathBuf>,
     /// Let it replace files that exist.
     #[arg(long, requires = "out")]

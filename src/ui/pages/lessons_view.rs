@@ -37,8 +37,10 @@ pub struct LessonsView {
 /// What is saved of a lesson.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LessonFile {
-    /// A sheet for the class.
-    Handout,
+    /// A sheet to write on.
+    Pupil,
+    /// A sheet with pictures, answers and notes.
+    Teacher,
     /// Its file, to begin one's own with.
     Start,
 }
@@ -229,15 +231,19 @@ fn of_teachers(
             if pressed(ui, "Begin", "Begins this lesson.") {
                 begin(ui, context.memory, &lesson.name);
             }
-            let save = ui.button("Save a handout").on_hover_text(
-                "A sheet for the class, one page of HTML: words, questions and pictures, the \
-                 answers on a page of their own.",
+            let pupil = ui.button("Pupil's sheet").on_hover_text(
+                "Saves a PDF to print: words, questions with boxes, axes to sketch on, no answers.",
+            );
+            let teacher = ui.button("Teacher's sheet").on_hover_text(
+                "Saves a PDF with the page of every step, the answers with their reasons, notes \
+                 and sources.",
             );
             let start = ui.button("Copy as a start").on_hover_text(
                 "Saves the lesson's own file under another name: change it, and drop it on this \
                  window.",
             );
-            copy = save.clicked().then_some(LessonFile::Handout);
+            copy = pupil.clicked().then_some(LessonFile::Pupil);
+            copy = teacher.clicked().then_some(LessonFile::Teacher).or(copy);
             copy = start.clicked().then_some(LessonFile::Start).or(copy);
         });
         ui.add_space(6.0);

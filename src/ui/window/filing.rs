@@ -27,7 +27,7 @@ use crate::{
         known,
         lessons::{
             Lesson,
-            handout::{Form, handout},
+            handout::{Form, Reader, handout},
         },
         open::{Finished, Loaded, load_bytes},
         pages::Page,
@@ -220,7 +220,7 @@ impl Window {
             Saving::Chart(wish) => wish.form.extension(),
             Saving::Gem(gem) => gem.extension(),
             Saving::Picture(wish) => wish.form.ending(),
-            Saving::Lesson(_, LessonFile::Handout) => "html",
+            Saving::Lesson(_, LessonFile::Pupil | LessonFile::Teacher) => "pdf",
             Saving::Lesson(_, LessonFile::Start) => "json",
         };
         self.ask(
@@ -256,7 +256,8 @@ impl Window {
             Saving::Chart(wish) => wish.file_name(),
             Saving::Gem(gem) => gem.file_name(),
             Saving::Picture(wish) => wish.file_name(),
-            Saving::Lesson(lesson, LessonFile::Handout) => format!("{}.html", lesson.name),
+            Saving::Lesson(lesson, LessonFile::Pupil) => format!("{}-pupil.pdf", lesson.name),
+            Saving::Lesson(lesson, LessonFile::Teacher) => format!("{}-teacher.pdf", lesson.name),
             Saving::Lesson(lesson, LessonFile::Start) => format!("my-{}.json", lesson.name),
         }
     }
@@ -313,10 +314,11 @@ impl Window {
                     return wake();
                 }
                 Saving::Lesson(lesson, LessonFile::Start) => Ok(lesson.text.clone().into_bytes()),
-                Saving::Lesson(lesson, LessonFile::Handout) => {
-                    handout(lesson, Form::Html, &lesson.name)
-                        .map(|sheet| sheet.text.into_bytes())
-                        .map_err(|why| why.to_string())
+                Saving::Lesson(lesson, LessonFile::Pupil) => {
+                    lesson_sheet(lesson, Reader::Pupil, &preferences)
+                }
+                Saving::Lesson(lesson, LessonFile::Teacher) => {
+                    lesson_sheet(lesson, Reader::Teacher, &preferences)
                 }
             };
             let written =
@@ -372,4 +374,24 @@ fn chart_bytes(wish: &ChartWish, theme: Theme) -> Vec<u8> {
         ChartForm::Svg => wish.chart.to_svg(width, height, theme).into_bytes(),
         ChartForm::Png => picture::chart_png(&wish.chart, CHART_SIZE, theme),
     }
+}
+
+/// A sheet of a lesson as PDF, with pictures of its pages.
+fn lesson_sheet(
+    lesson: &Lesson,
+    reader: Reader,
+    preferences: &Preferences,
+) -> Result<Vec<u8>, String> {
+    const SIZE: [u32; 2] = [1280, 640];
+    let page = |app: &App, memory: &PageMemory| {
+        let preferences = Preferences {
+            pages: memory.clone(),
+            dark: false,
+            ..preferences.clone()
+        };
+        Some(picture::window_png(app, &preferences, SIZE))
+    };
+    handout(lesson, &[reader], Form::Pdf, &lesson.name, &page)
+        .map(|sheet| sheet.bytes)
+        .map_err(|why| why.to_string())
 }
