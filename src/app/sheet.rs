@@ -4,6 +4,7 @@
 use std::{fmt::Write as _, sync::Arc};
 
 use super::{
+    Lit,
     about::About,
     chart::{Chart, Palette, Rgb, SVG_HEAD, Theme, elided, escaped, px, text_width, wrap},
     charts::{
@@ -14,7 +15,10 @@ use super::{
     quality_report::Row,
     state::App,
 };
-use crate::{color::Srgb, io::composite_line};
+use crate::{
+    color::{Srgb, Swatch},
+    io::composite_line,
+};
 
 /// A4 in px of 1/96 inch.
 const PAGE: [f64; 2] = [794.0, 1123.0];
@@ -50,17 +54,17 @@ pub fn to_svg(app: &App) -> String {
     page.chart(&spectrum, [MARGIN, page.y], [whole, 236.0]);
     page.y += 244.0;
     let half = (whole - 16.0) / 2.0;
-    let [measured, model] = shown.places();
-    let places = diagram(measured, model, DiagramShows::default());
+    let places = diagram(&shown.placed(), DiagramShows::default());
     page.chart(&places, [MARGIN, page.y], [half, 280.0]);
-    if let Ok(fidelity) = &shown.sheet.measured.fidelity {
-        let vectors = vector_graphic(fidelity);
+    let fidelities = shown.fidelities();
+    if !fidelities.is_empty() {
+        let vectors = vector_graphic(&fidelities, None);
         let square = [half.min(290.0), 280.0];
         page.chart(&vectors, [MARGIN + half + 16.0, page.y], square);
     }
     page.y += 292.0;
     page.table(&shown);
-    page.patches(app);
+    page.patches(app, &shown);
     page.foot(app);
     page.finish()
 }
@@ -140,19 +144,28 @@ impl Page {
 
     fn head(&mut self, app: &App, shown: &QualityShown) {
         let palette = Palette::of(Theme::Light);
-        let about = About::of(&app.document().light);
-        self.words(19.0, palette.text, &about.title());
-        let rest = [about.about, about.table].join(" ");
-        self.words(SIZES[0], palette.faint, rest.trim());
-        let source = &app.document().light.spectrum.source;
-        let scale = format!("Scale of the curves: {}.", app.document().scale.words());
+        let document = app.document();
+        let lights = [Some(&document.light), document.second.as_ref()];
+        let abouts = lights.map(|light| light.map(|light| About::of(light)));
+        let titles = abouts.iter().flatten().map(About::title);
+        let title = titles.collect::<Vec<_>>().join(" | ");
         self.words(
-            SIZES[1],
-            palette.faint,
-            &format!("{scale} Source: {source}"),
+            if shown.sides.len() > 1 { 15.0 } else { 19.0 },
+            palette.text,
+            &title,
         );
+        for about in abouts.into_iter().flatten() {
+            let rest = [about.about, about.table].join(" ");
+            self.words(SIZES[0], palette.faint, rest.trim());
+        }
+        let scale = format!("Scale of the curves: {}.", document.scale.words());
+        let sources = lights.into_iter().flatten();
+        let sources: Vec<&str> = sources.map(|light| &*light.spectrum.source).collect();
+        let sources = format!("{scale} Source: {}", sources.join("; "));
+        self.words(SIZES[1], palette.faint, &sources);
         self.y += 4.0;
-        for sentence in [&shown.sentence, &shown.place, &shown.rendition] {
+        let sentences = [&shown.sentence].into_iter().chain(&shown.more);
+        for sentence in sentences.chain([&shown.place, &shown.rendition]) {
             self.words(SIZES[0], palette.text, sentence);
         }
         self.y += 12.0;
@@ -161,20 +174,24 @@ impl Page {
     fn table(&mut self, shown: &QualityShown) {
         let palette = Palette::of(Theme::Light);
         let step = 1.32 * SIZES[0];
-        let titles = [
-            "",
-            "measured",
-            "model",
-            "what it says of the light as measured",
-        ];
+        let titles = match &shown.sides[..] {
+            [first, second, ..] => ["", &first.name, &second.name, "what it says of the first"],
+            _ => [
+                "",
+                "measured",
+                "model",
+                "what it says of the light as measured",
+            ],
+        };
         for (x, title) in COLUMNS.iter().zip(titles) {
-            self.text([MARGIN + x, self.y], SIZES[1], palette.faint, title);
+            let title = elided(title, 24);
+            self.text([MARGIN + x, self.y], SIZES[1], palette.faint, &title);
         }
-        let is_told = |row: &&Vec<Row>| row[0].value.is_ok() && !LEFT_OUT.contains(&row[0].key);
+        let is_told = |row: &&[Row; 2]| row[0].value.is_ok() && !LEFT_OUT.contains(&row[0].key);
         for row in shown.rows.iter().filter(is_told) {
             self.y += step;
-            let [first, model] = [&row[0], &row[1]];
-            let told = [first.title, &first.shown(), &model.shown(), &first.reading];
+            let [first, other] = row;
+            let told = [first.title, &first.shown(), &other.shown(), &first.reading];
             for (x, words) in COLUMNS.iter().zip(told) {
                 // Letters are about half as wide as the font is high.
                 let room = (PAGE[0] - 2.0 * MARGIN - x) / (0.52 * SIZES[0]);
@@ -185,15 +202,21 @@ impl Page {
         self.y += 16.0;
     }
 
-    /// Surfaces under the light, each split into measured and model.
-    fn patches(&mut self, app: &App) {
-        let Some(patches) = &app.derived().patches else {
-            return;
-        };
+    /// Surfaces under the light, each split into measured and model, or into the two lights.
+    fn patches(&mut self, app: &App, shown: &QualityShown) {
+        let document = app.document();
+        let second = document.second.as_ref();
+        let of_model = app.derived().patches.as_ref().filter(|_| second.is_none());
+        let of_model = of_model.iter().flat_map(|patches| &patches.items);
+        let beside = second.and_then(|second| Lit::beside(document, second));
+        let halves: Vec<[Swatch; 2]> = of_model
+            .map(|patch| [patch.exact_swatch, patch.model_swatch])
+            .chain(beside.iter().flatten().map(|lit| lit.swatches))
+            .collect();
         let side = (PAGE[0] - 2.0 * MARGIN) / 24.0;
-        for (i, patch) in patches.items.iter().take(24).enumerate() {
+        for (i, halves) in halves.iter().take(24).enumerate() {
             let x = MARGIN + side * i as f64;
-            for (part, swatch) in [(0.0, patch.exact_swatch), (0.5, patch.model_swatch)] {
+            for (part, swatch) in [0.0, 0.5].into_iter().zip(halves) {
                 let _ = writeln!(
                     self.body,
                     r#"<rect x="{}" y="{}" width="{}" height="22" fill="{}"/>"#,
@@ -206,8 +229,14 @@ impl Page {
         }
         self.y += 34.0;
         let ink = Palette::of(Theme::Light).faint;
-        let words = "Surfaces under the light, left as measured, right by the model.";
-        self.text([MARGIN, self.y], SIZES[1], ink, words);
+        let words = match &shown.sides[..] {
+            [first, second, ..] => format!(
+                "Surfaces, left under {}, right under {}, as eyes used to each see them.",
+                first.name, second.name
+            ),
+            _ => "Surfaces under the light, left as measured, right by the model.".to_owned(),
+        };
+        self.text([MARGIN, self.y], SIZES[1], ink, &words);
         self.y += 6.0;
     }
 

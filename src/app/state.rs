@@ -11,13 +11,16 @@ use std::{
 };
 
 use super::{
+    beside::Beside,
     command::{Command, Gesture},
+    comparison::Compared,
     derived::Derived,
     document::{Document, Subject, WEIGHT_FACTORS, first_light},
     entry::{Entry, bundled_entries},
     history::History,
     library::{Library, now_called},
     line_names::{ElementLine, LineName},
+    lit::Lit,
     product_view::ProductView,
     spike_hand::{self, SpikeAct},
     spike_names::{Told, names_in},
@@ -46,6 +49,7 @@ pub struct App {
     told: Option<Arc<Told>>,
     product: Option<ProductView>,
     surfaces: OnceLock<Option<Surfaces>>,
+    beside: Option<Beside>,
     scale_factor: f64,
     unit: String,
     took: Duration,
@@ -74,7 +78,10 @@ impl App {
     pub fn with_document(mut document: Document) -> Self {
         // What is shown is the very one in the library: to show it again is no step.
         let factor = document.factor.iter_mut();
-        let shown = std::iter::once(&mut document.light).chain(factor);
+        let lights = [&mut document.light]
+            .into_iter()
+            .chain(&mut document.second);
+        let shown = lights.chain(factor);
         for entry in shown.chain(&mut document.overlays) {
             let same = bundled_entries().iter().find(|b| **b == *entry);
             if let Some(same) = same {
@@ -100,6 +107,7 @@ impl App {
             told: None,
             product: None,
             surfaces: OnceLock::new(),
+            beside: None,
             scale_factor: 1.0,
             unit: String::new(),
             took: Duration::ZERO,
@@ -175,6 +183,18 @@ impl App {
         Library::bundled().lines()
     }
 
+    /// The light compared with the second light, computed at the first call; `None` where there is
+    /// no second light.
+    pub fn compared(&self) -> Option<&Compared> {
+        self.beside.as_ref().map(Beside::compared)
+    }
+
+    /// The surfaces under the light and the second light, computed at the first call after a change;
+    /// `None` where there is no second light, or one of them is not seen.
+    pub fn surfaces_beside(&self) -> Option<&[Lit]> {
+        self.beside.as_ref()?.surfaces(&self.document)
+    }
+
     /// How long the last recomputation took.
     pub fn took(&self) -> Duration {
         self.took
@@ -222,6 +242,7 @@ impl App {
                 self.document.settings = settings.clamped();
                 self.document.weigh_the_papers_lamps();
             }
+            Command::Compare(second) => self.compare(second),
             Command::ToggleOverlay(entry) => {
                 let overlays = &mut self.document.overlays;
                 match overlays.iter().position(|o| o.key == entry.key) {
@@ -347,6 +368,16 @@ impl App {
         }
     }
 
+    fn compare(&mut self, second: Option<Arc<Entry>>) {
+        if let Some(entry) = second.as_ref().filter(|e| e.kind() != Kind::Light) {
+            let (name, kind) = (entry.name(), entry.kind());
+            let words = format!("{name} is no light to compare with: it holds {kind} values.");
+            return self.say(Tone::Problem, words);
+        }
+        self.document.second = second;
+        self.document.weigh_the_papers_lamps();
+    }
+
     fn set_edits(&mut self, edits: SpikeEdits) {
         let key = self.document.subject_entry().key.clone();
         if edits.is_empty() {
@@ -397,6 +428,7 @@ impl App {
             self.surfaces = OnceLock::new();
             self.name_spikes();
         }
+        self.beside = Beside::of(&self.document, self.beside.take());
         let spectrum = &self.document.subject_entry().spectrum;
         self.product = self.document.patch.and_then(|index| {
             let patches = self.tables.patches.as_ref()?;

@@ -17,6 +17,12 @@ pub(super) fn difference(before: &Document, after: &Document) -> String {
             after.light.name()
         ));
     }
+    if before.second.as_ref().map(|e| &e.key) != after.second.as_ref().map(|e| &e.key) {
+        words.push(match &after.second {
+            Some(second) => format!("compared with {}", second.name()),
+            None => "no second light".to_owned(),
+        });
+    }
     if before.light.key == after.light.key && before.given.is_some() && after.given.is_none() {
         words.push("analysed anew".to_owned());
     }

@@ -8,8 +8,12 @@ use super::{
     swatch,
     theme::Theme,
 };
-use crate::app::{
-    App, Command, Library, answers::set_title, derived::PatchComparison, verdicts::Seen,
+use crate::{
+    app::{
+        App, Command, Library, Lit, answers::set_title, chart::elided, derived::PatchPair,
+        verdicts::Seen,
+    },
+    color::Swatch,
 };
 
 /// Most patches in one row: the ColorChecker makes two rows.
@@ -42,14 +46,18 @@ pub(super) fn head(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Comm
             .small()
             .color(theme.faint)
     };
+    let halves = match &app.document().second {
+        Some(second) => format!("{} | {}", app.document().light.name(), second.name()),
+        None => "measured | model".to_owned(),
+    };
     if ui.available_width() > 420.0 {
-        ui.label(small("measured | model"));
+        let rest = ui.available_width() - 240.0;
+        let halves = elided(&halves, (rest / 6.5) as usize);
+        ui.label(small(&halves));
     }
-    if let Some(patches) = &app.derived().patches {
-        let off = |p: &&crate::app::derived::PatchPair| {
-            !(p.exact_swatch.in_gamut && p.model_swatch.in_gamut)
-        };
-        let count = patches.items.iter().filter(off).count();
+    if let Some(fields) = Fields::of(app) {
+        let off = |field: &&Field<'_>| !field.halves.iter().all(|half| half.in_gamut);
+        let count = fields.items.iter().filter(off).count();
         if count > 0 && ui.available_width() > 330.0 {
             ui.label(small(&format!("◥ {count} outside the screen's colours")));
         }
@@ -61,7 +69,7 @@ pub(super) fn head(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Comm
 
 /// The patches themselves, on a ground that is equal to none of them.
 pub(super) fn patches(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
-    let Some(comparison) = &app.derived().patches else {
+    let Some(fields) = Fields::of(app) else {
         ui.add_space(6.0);
         ui.weak(if app.document().is_about_light() {
             "There is no visible light in this range: surfaces would be black."
@@ -73,20 +81,66 @@ pub(super) fn patches(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<C
     let room = ui.available_rect_before_wrap();
     ui.painter().rect_filled(room, 4.0, theme.swatch_ground);
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(room.shrink(8.0)));
-    rolled(&mut inside, |ui| grid(ui, app, comparison, theme, commands));
+    rolled(&mut inside, |ui| grid(ui, app, &fields, theme, commands));
 }
 
-fn grid(
-    ui: &mut Ui,
-    app: &App,
-    comparison: &PatchComparison,
-    theme: Theme,
-    commands: &mut Vec<Command>,
-) {
+/// A surface of which two halves are seen: measured and by the model, or under two lights.
+struct Field<'a> {
+    name: &'a str,
+    delta_e_2000: f64,
+    halves: [&'a Swatch; 2],
+}
+
+struct Fields<'a> {
+    items: Vec<Field<'a>>,
+    /// What the halves are under.
+    under: [String; 2],
+}
+
+impl<'a> Fields<'a> {
+    /// `None` where no light falls on surfaces.
+    fn of(app: &'a App) -> Option<Self> {
+        let patches = app.derived().patches.as_ref()?;
+        if let Some((second, lit)) = app.document().second.as_ref().zip(app.surfaces_beside()) {
+            let field = |lit: &'a Lit| Field {
+                name: &lit.name,
+                delta_e_2000: lit.delta_e_2000,
+                halves: lit.swatches.each_ref(),
+            };
+            return Some(Self {
+                items: lit.iter().map(field).collect(),
+                under: [&app.document().light, second].map(|light| light.name().to_owned()),
+            });
+        }
+        let field = |patch: &'a PatchPair| Field {
+            name: &patch.name,
+            delta_e_2000: patch.delta_e_2000,
+            halves: [&patch.exact_swatch, &patch.model_swatch],
+        };
+        Some(Self {
+            items: patches.items.iter().map(field).collect(),
+            under: ["the measured light", "the model"].map(str::to_owned),
+        })
+    }
+
+    /// The place of the surface whose halves differ most.
+    fn worst(&self) -> Option<usize> {
+        let all = self
+            .items
+            .iter()
+            .map(|field| field.delta_e_2000)
+            .enumerate();
+        all.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
+    }
+}
+
+fn grid(ui: &mut Ui, app: &App, fields: &Fields<'_>, theme: Theme, commands: &mut Vec<Command>) {
     let gap = 8.0;
     ui.spacing_mut().item_spacing = vec2(gap, gap);
     let room = ui.available_size();
-    let count = comparison.items.len();
+    let count = fields.items.len();
+    let worst = fields.worst();
+    let [left, right] = &fields.under;
     // A low field has one row of all 24, a usual one two; more patches scroll.
     let in_row = if room.y < 70.0 { 2 * PER_ROW } else { PER_ROW };
     let rows = count.div_ceil(in_row).max(1);
@@ -94,22 +148,17 @@ fn grid(
     let shown = rows.min(2) as f32;
     let height = ((room.y - gap * (shown - 1.0)) / shown).clamp(18.0, 90.0 * theme.scale);
     let selected = app.document().patch;
-    for (row, chunk) in comparison.items.chunks(in_row).enumerate() {
+    for (row, chunk) in fields.items.chunks(in_row).enumerate() {
         ui.horizontal(|ui| {
             for (column, patch) in chunk.iter().enumerate() {
                 let index = row * in_row + column;
                 let name = format!("{}: ΔE₀₀ {:.3}", patch.name, patch.delta_e_2000);
-                let response = swatch::split(
-                    ui,
-                    vec2(width, height),
-                    &patch.exact_swatch,
-                    &patch.model_swatch,
-                    &name,
-                );
+                let [first, second] = patch.halves;
+                let response = swatch::split(ui, vec2(width, height), first, second, &name);
                 swatch::ticks(ui, response.rect, 5.0 * theme.scale);
                 // The worst is marked only where it can be seen.
                 let is_worst =
-                    index == comparison.worst && Seen::of(patch.delta_e_2000) != Seen::Hardly;
+                    Some(index) == worst && Seen::of(patch.delta_e_2000) != Seen::Hardly;
                 if selected == Some(index) || is_worst {
                     let stroke = egui::Stroke::new(1.5, ui.visuals().strong_text_color());
                     swatch::outline(ui, response.rect.expand(2.0), stroke);
@@ -119,13 +168,12 @@ fn grid(
                     commands.push(Command::Patch(patch));
                 }
                 response.on_hover_text(format!(
-                    "{}: ΔE₀₀ {:.4}, {}\nLeft under the measured light {}, right under the \
-                     model {}.\nClick to see its product in the plot.",
+                    "{}: ΔE₀₀ {:.4}, {}\nLeft under {left} {}, right under {right} {}.\nClick to see its product in the plot.",
                     patch.name,
                     patch.delta_e_2000,
                     Seen::of(patch.delta_e_2000).seen(),
-                    patch.exact_swatch.hex(),
-                    patch.model_swatch.hex(),
+                    first.hex(),
+                    second.hex(),
                 ));
             }
         });

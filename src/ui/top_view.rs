@@ -7,17 +7,19 @@ use egui::{Align, Button, Color32, Layout, RichText, Sense, Ui, vec2};
 
 use super::{
     keys::Act,
-    kit::{named, named_choice},
+    kit::{cut_words, named, named_choice},
     swatch,
     theme::{Theme, grey},
 };
-use crate::app::{App, export::Export, workspace::Preferences};
+use crate::app::{App, Entry, chart::Ink, export::Export, workspace::Preferences};
 
 /// What the bar can ask for beside commands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Wish {
     /// As a shortcut would.
     Act(Act),
+    /// No second light.
+    CompareNoMore,
     /// Open a recent file, by its place in the list.
     Recent(usize),
     /// What came of the files opened last.
@@ -85,10 +87,24 @@ pub(super) fn show(
             }
             steps(ui, app, wishes);
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                let compare = if room == Room::Much { COMPARE } else { 30.0 };
-                let most = ui.available_width() - compare - ui.spacing().item_spacing.x;
-                light(ui, app, drawer, most.min(MOST_NAME), theme);
-                compare_button(ui, drawer, room);
+                let gap = ui.spacing().item_spacing.x;
+                let room_for_both = ui.available_width() - gap;
+                match &app.document().second {
+                    Some(second) => {
+                        let most = (0.5 * room_for_both).min(MOST_NAME);
+                        light(ui, app, drawer, most, theme);
+                        let rest = ui.available_width();
+                        if second_chip(ui, app, second, drawer, rest.min(MOST_NAME), theme) {
+                            wishes.push(Wish::CompareNoMore);
+                        }
+                    }
+                    None => {
+                        let compare = if room == Room::Much { COMPARE } else { 30.0 };
+                        let most = room_for_both - compare;
+                        light(ui, app, drawer, most.min(MOST_NAME), theme);
+                        compare_button(ui, drawer, room);
+                    }
+                }
             });
         });
     });
@@ -121,16 +137,91 @@ fn compare_button(ui: &mut Ui, drawer: &mut Drawer, room: Room) {
     let button = Button::selectable(drawer.open && drawer.compares, words);
     let compare = ui.add(button.frame_when_inactive(true));
     named(&compare, egui::Role::Button, "+ Compare");
-    let compare =
-        compare.on_hover_text("Lays another spectrum over this one: choose it in the library.");
+    let compare = compare.on_hover_text(
+        "A second light beside this one, on every page: choose it in the library. A surface is \
+         laid over a surface.",
+    );
     if compare.clicked() {
-        let compares = !(drawer.open && drawer.compares);
-        *drawer = Drawer {
-            open: compares || drawer.open && !drawer.compares,
+        drawer.choose_second();
+    }
+}
+
+impl Drawer {
+    /// Opens the library for a second light; closes it where it is open for one.
+    fn choose_second(&mut self) {
+        let compares = !(self.open && self.compares);
+        *self = Self {
+            open: compares || self.open && !self.compares,
             compares,
         };
     }
 }
+
+/// The second light: its name opens the library for another one, and the cross lets go of it;
+/// whether that was clicked.
+fn second_chip(
+    ui: &mut Ui,
+    app: &App,
+    second: &Entry,
+    drawer: &mut Drawer,
+    width: f32,
+    theme: Theme,
+) -> bool {
+    let height = 32.0 * theme.scale;
+    let cross = 26.0 * theme.scale;
+    let font = egui::TextStyle::Button.resolve(ui.style());
+    let ink = ui.visuals().strong_text_color();
+    let words = format!("vs {}", second.name());
+    let galley = cut_words(ui, &words, font.clone(), ink, width - cross - 36.0);
+    let size = vec2(
+        (galley.size().x + cross + 36.0).min(width.max(60.0)),
+        height,
+    );
+    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+    let (chosen, left) = (
+        rect.with_max_x(rect.right() - cross),
+        rect.with_min_x(rect.right() - cross),
+    );
+    let id = ui.scope_id().with("second light");
+    let name = ui.interact(chosen, id, Sense::click());
+    named_choice(
+        &name,
+        egui::Role::Button,
+        drawer.open && drawer.compares,
+        &format!("Compared with {}", second.name()),
+    );
+    let close = ui.interact(left, id.with("no more"), Sense::click());
+    named(&close, egui::Role::Button, NO_MORE);
+    let visuals = ui.visuals();
+    let lit = |response: &egui::Response| response.hovered() || response.has_focus();
+    let fill = match (drawer.open && drawer.compares, lit(&name)) {
+        (true, _) => visuals.selection.bg_fill,
+        (false, true) => visuals.widgets.hovered.bg_fill,
+        (false, false) => visuals.widgets.inactive.bg_fill,
+    };
+    let painter = ui.painter();
+    painter.rect_filled(rect, 4.0, fill);
+    if lit(&close) {
+        painter.rect_filled(left, 4.0, visuals.widgets.active.bg_fill);
+    }
+    // The ink that it has in every picture.
+    let mark = egui::Rect::from_min_size(rect.min, vec2(4.0, height));
+    painter.rect_filled(mark, 2.0, theme.ink(Ink::Second));
+    let y = rect.center().y;
+    let at = egui::pos2(rect.left() + 14.0, y - galley.size().y / 2.0);
+    painter.galley(at, galley, Color32::WHITE);
+    let middle = egui::Align2::CENTER_CENTER;
+    painter.text(left.center(), middle, "✕", font, ink);
+    if name.clicked() {
+        drawer.choose_second();
+    }
+    let summary = app.compared().map_or("", |compared| &compared.summary);
+    name.on_hover_text(format!("{summary}\nClick to choose another."));
+    close.on_hover_text("Compares no more.").clicked()
+}
+
+/// What the cross of the second light is called.
+const NO_MORE: &str = "Compare no more";
 
 /// The light's name with its colour: it opens the library.
 fn light(ui: &mut Ui, app: &App, drawer: &mut Drawer, width: f32, theme: Theme) {
@@ -140,10 +231,7 @@ fn light(ui: &mut Ui, app: &App, drawer: &mut Drawer, width: f32, theme: Theme) 
     let colour = colour.map_or(grey(128), |colour| swatch::colour(colour.swatch.rgb8));
     let font = egui::TextStyle::Button.resolve(ui.style());
     let ink = ui.visuals().strong_text_color();
-    let most = (width - 76.0).max(8.0);
-    let mut job = egui::text::LayoutJob::simple_singleline(name.to_owned(), font, ink);
-    job.wrap = egui::text::TextWrapping::truncate_at_width(most);
-    let galley = ui.painter().layout_job(job);
+    let galley = cut_words(ui, name, font, ink, width - 76.0);
     let height = 32.0 * theme.scale;
     let size = vec2((galley.size().x + 76.0).min(width.max(60.0)), height);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());

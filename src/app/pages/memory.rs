@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::Page;
 use crate::{
     app::{
-        charts::quality::DiagramShows,
+        charts::quality::{DiagramShows, OfColours},
         design::{DeskSurfaces, colour::FromColour, mix::Snapshot, wish::MixWish},
         dispersion::DispersionMemory,
         picture::ImageMemory,
@@ -55,6 +55,8 @@ pub struct PageMemory {
     pub products: ProductsMemory,
     /// Chromaticity: what the diagram shows.
     pub diagram: DiagramShows,
+    /// Colours under it: the large chart.
+    pub of_colours: OfColours,
     /// Design: desks that were kept, A, B and C.
     pub kept: [Option<Snapshot>; 3],
     /// Design: which surfaces stand under the mixture.
@@ -104,6 +106,7 @@ impl Default for PageMemory {
             words: WordsMemory::default(),
             products: ProductsMemory::default(),
             diagram: DiagramShows::default(),
+            of_colours: OfColours::default(),
             kept: [None, None, None],
             desk_surfaces: DeskSurfaces::default(),
             wish: MixWish::default(),

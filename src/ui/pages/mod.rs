@@ -143,6 +143,7 @@ impl Pages {
             Page::Chain => products.chain.show(ui, context),
             Page::Narrow => products.narrow.show(ui, context),
             Page::TwoLights => products.two_lights.show(ui, context),
+            Page::Metamers => products.metamers.show(ui, context),
             Page::SameSurface => products.same_surface.show(ui, context),
             Page::Quality => self.quality.figures(ui, context),
             Page::Chromaticity => self.quality.diagram(ui, context),

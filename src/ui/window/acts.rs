@@ -168,6 +168,10 @@ impl Window {
                     context.copy_text(path);
                 }
             }
+            Wish::CompareNoMore => {
+                self.app.apply(Command::Compare(None));
+                self.app.end_gesture();
+            }
             Wish::About => self.dialog = Some(Dialog::About(None)),
         }
     }

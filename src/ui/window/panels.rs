@@ -15,7 +15,7 @@ use super::{
         palette_view::Chosen,
         rail_view,
         theme::{self, Theme},
-        top_view,
+        top_view::{self, Drawer},
         verdict_view::{self, Side},
     },
     Window,
@@ -190,8 +190,14 @@ impl Window {
             // What was chosen is to be seen.
             closes |= !commands.is_empty() && !compares;
         }
+        // A second light is chosen once; of surfaces many may be laid over.
+        let is_second = |command: &Command| matches!(command, Command::Compare(_));
+        closes |= compares && commands.iter().any(is_second);
         if closes {
-            self.drawer.open = false;
+            self.drawer = Drawer {
+                open: false,
+                compares: false,
+            };
         }
         self.keep_surface(&mut commands);
         self.apply(&mut commands);
