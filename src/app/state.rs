@@ -3,6 +3,7 @@
 mod deriving;
 mod messages;
 mod own;
+mod second;
 mod steps;
 
 use std::{
@@ -13,14 +14,12 @@ use std::{
 use super::{
     beside::Beside,
     command::{Command, Gesture},
-    comparison::Compared,
     derived::Derived,
     document::{Document, Subject, WEIGHT_FACTORS, first_light},
     entry::{Entry, bundled_entries},
     history::History,
     library::{Library, now_called},
     line_names::{ElementLine, LineName},
-    lit::Lit,
     product_view::ProductView,
     spike_hand::{self, SpikeAct},
     spike_names::{Told, names_in},
@@ -181,18 +180,6 @@ impl App {
     /// All atomic lines, for hover.
     pub fn element_lines(&self) -> &'static [ElementLine] {
         Library::bundled().lines()
-    }
-
-    /// The light compared with the second light, computed at the first call; `None` where there is
-    /// no second light.
-    pub fn compared(&self) -> Option<&Compared> {
-        self.beside.as_ref().map(Beside::compared)
-    }
-
-    /// The surfaces under the light and the second light, computed at the first call after a change;
-    /// `None` where there is no second light, or one of them is not seen.
-    pub fn surfaces_beside(&self) -> Option<&[Lit]> {
-        self.beside.as_ref()?.surfaces(&self.document)
     }
 
     /// How long the last recomputation took.
@@ -366,16 +353,6 @@ impl App {
             self.document.weight_factor = factor.clamp(least, most);
             self.document.weigh_the_papers_lamps();
         }
-    }
-
-    fn compare(&mut self, second: Option<Arc<Entry>>) {
-        if let Some(entry) = second.as_ref().filter(|e| e.kind() != Kind::Light) {
-            let (name, kind) = (entry.name(), entry.kind());
-            let words = format!("{name} is no light to compare with: it holds {kind} values.");
-            return self.say(Tone::Problem, words);
-        }
-        self.document.second = second;
-        self.document.weigh_the_papers_lamps();
     }
 
     fn set_edits(&mut self, edits: SpikeEdits) {

@@ -32,6 +32,7 @@ mod rail_view;
 pub mod saver;
 pub mod shell;
 mod spectrum_view;
+mod second_chip;
 mod spikes_view;
 mod swatch;
 pub mod theme;

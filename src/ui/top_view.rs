@@ -8,10 +8,10 @@ use egui::{Align, Button, Color32, Layout, RichText, Sense, Ui, vec2};
 use super::{
     keys::Act,
     kit::{cut_words, named, named_choice},
-    swatch,
+    second_chip, swatch,
     theme::{Theme, grey},
 };
-use crate::app::{App, Entry, chart::Ink, export::Export, workspace::Preferences};
+use crate::app::{App, export::Export, workspace::Preferences};
 
 /// What the bar can ask for beside commands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,7 +94,7 @@ pub(super) fn show(
                         let most = (0.5 * room_for_both).min(MOST_NAME);
                         light(ui, app, drawer, most, theme);
                         let rest = ui.available_width();
-                        if second_chip(ui, app, second, drawer, rest.min(MOST_NAME), theme) {
+                        if second_chip::show(ui, app, second, drawer, rest.min(MOST_NAME), theme) {
                             wishes.push(Wish::CompareNoMore);
                         }
                     }
@@ -148,7 +148,7 @@ fn compare_button(ui: &mut Ui, drawer: &mut Drawer, room: Room) {
 
 impl Drawer {
     /// Opens the library for a second light; closes it where it is open for one.
-    fn choose_second(&mut self) {
+    pub(super) fn choose_second(&mut self) {
         let compares = !(self.open && self.compares);
         *self = Self {
             open: compares || self.open && !self.compares,
@@ -156,72 +156,6 @@ impl Drawer {
         };
     }
 }
-
-/// The second light: its name opens the library for another one, and the cross lets go of it;
-/// whether that was clicked.
-fn second_chip(
-    ui: &mut Ui,
-    app: &App,
-    second: &Entry,
-    drawer: &mut Drawer,
-    width: f32,
-    theme: Theme,
-) -> bool {
-    let height = 32.0 * theme.scale;
-    let cross = 26.0 * theme.scale;
-    let font = egui::TextStyle::Button.resolve(ui.style());
-    let ink = ui.visuals().strong_text_color();
-    let words = format!("vs {}", second.name());
-    let galley = cut_words(ui, &words, font.clone(), ink, width - cross - 36.0);
-    let size = vec2(
-        (galley.size().x + cross + 36.0).min(width.max(60.0)),
-        height,
-    );
-    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
-    let (chosen, left) = (
-        rect.with_max_x(rect.right() - cross),
-        rect.with_min_x(rect.right() - cross),
-    );
-    let id = ui.scope_id().with("second light");
-    let name = ui.interact(chosen, id, Sense::click());
-    named_choice(
-        &name,
-        egui::Role::Button,
-        drawer.open && drawer.compares,
-        &format!("Compared with {}", second.name()),
-    );
-    let close = ui.interact(left, id.with("no more"), Sense::click());
-    named(&close, egui::Role::Button, NO_MORE);
-    let visuals = ui.visuals();
-    let lit = |response: &egui::Response| response.hovered() || response.has_focus();
-    let fill = match (drawer.open && drawer.compares, lit(&name)) {
-        (true, _) => visuals.selection.bg_fill,
-        (false, true) => visuals.widgets.hovered.bg_fill,
-        (false, false) => visuals.widgets.inactive.bg_fill,
-    };
-    let painter = ui.painter();
-    painter.rect_filled(rect, 4.0, fill);
-    if lit(&close) {
-        painter.rect_filled(left, 4.0, visuals.widgets.active.bg_fill);
-    }
-    // The ink that it has in every picture.
-    let mark = egui::Rect::from_min_size(rect.min, vec2(4.0, height));
-    painter.rect_filled(mark, 2.0, theme.ink(Ink::Second));
-    let y = rect.center().y;
-    let at = egui::pos2(rect.left() + 14.0, y - galley.size().y / 2.0);
-    painter.galley(at, galley, Color32::WHITE);
-    let middle = egui::Align2::CENTER_CENTER;
-    painter.text(left.center(), middle, "✕", font, ink);
-    if name.clicked() {
-        drawer.choose_second();
-    }
-    let summary = app.compared().map_or("", |compared| &compared.summary);
-    name.on_hover_text(format!("{summary}\nClick to choose another."));
-    close.on_hover_text("Compares no more.").clicked()
-}
-
-/// What the cross of the second light is called.
-const NO_MORE: &str = "Compare no more";
 
 /// The light's name with its colour: it opens the library.
 fn light(ui: &mut Ui, app: &App, drawer: &mut Drawer, width: f32, theme: Theme) {
