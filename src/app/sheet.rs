@@ -211,7 +211,11 @@ impl Page {
         for row in shown.rows.iter().filter(is_told) {
             self.y += step;
             let [first, other] = row;
-            let reading = if left_out.is_empty() { &first.reading } else { "" };
+            let reading = if left_out.is_empty() {
+                &first.reading
+            } else {
+                ""
+            };
             let told = [first.title, &first.shown(), &other.shown(), reading];
             for (x, words) in COLUMNS.iter().zip(told) {
                 // Letters are about half as wide as the font is high.

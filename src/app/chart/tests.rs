@@ -487,7 +487,10 @@ fn a_bare_chart_has_no_axes_and_stands_in_the_middle() {
     };
     let drawing = Drawing::new(&chart, [640.0, 400.0], Looks::of_file(Theme::Light));
     let main = drawing.main;
-    assert!((main.width - main.height).abs() < 1e-9, "as long on both axes");
+    assert!(
+        (main.width - main.height).abs() < 1e-9,
+        "as long on both axes"
+    );
     assert!((main.left + main.right() - 640.0).abs() < 1e-9);
     // The name of the series is all that is written.
     assert_eq!(texts(&checked(&chart)), ["data"]);
@@ -496,7 +499,12 @@ fn a_bare_chart_has_no_axes_and_stands_in_the_middle() {
 #[test]
 fn pieces_of_a_ground_stay_in_the_panel_and_those_beside_it_are_left_out() {
     let piece = |left: f64| Piece {
-        corners: [[left, 0.0], [left + 1.0, 0.0], [left + 1.0, 1.0], [left, 1.0]],
+        corners: [
+            [left, 0.0],
+            [left + 1.0, 0.0],
+            [left + 1.0, 1.0],
+            [left, 1.0],
+        ],
         colours: [RED; 4],
     };
     let pieces = vec![piece(-0.5), piece(0.25), piece(3.0)];

@@ -115,6 +115,8 @@ pub struct Window {
     lesson_checks: LessonChecks,
     /// What is to be noticed on a page, and a question to try.
     foot_words: Memo<(u64, Page), (String, String)>,
+    /// Whether there was a second light in the last frame.
+    had_second: bool,
     /// Two surfaces side by side.
     pair_shown: Memo<u64, Option<Pair>>,
 }
@@ -165,6 +167,7 @@ impl Window {
             shows_next_at: 0.0,
             lesson_checks: LessonChecks::default(),
             foot_words: Memo::default(),
+            had_second: false,
             pair_shown: Memo::default(),
         }
     }
@@ -202,6 +205,7 @@ impl Window {
         self.take_in(ui);
         self.lesson_goes_on(&context);
         self.keys(&context);
+        self.follow_second();
 
         let shape = self.shape(ui, theme);
         let mut centre = ui.available_rect_before_wrap();
@@ -237,6 +241,16 @@ impl Window {
             self.app.end_gesture();
         }
         self.keep();
+    }
+
+    /// Pages that remember what stands beside the light take a second light that was chosen.
+    fn follow_second(&mut self) {
+        let is_there = self.app.document().second.is_some();
+        if is_there != self.had_second {
+            self.had_second = is_there;
+            let pages = &mut self.preferences.pages;
+            pages.dispersion.follow_second(is_there);
+        }
     }
 
     /// What goes on where no frame is drawn, since the window is wholly covered or minimised: what
