@@ -6,7 +6,7 @@ use spectral_explorer::{
     app::{
         App, Command, Detector, Document, Entry, FIRST_LIGHT, Gel, Given, Height, Scale, Settings,
         SpikeAct, View,
-        charts::quality::DiagramShows,
+        charts::quality::{DiagramShows, OfColours},
         design::{
             DeskSurfaces, Telling,
             colour::FromColour,
@@ -247,6 +247,7 @@ pub(crate) fn full_preferences() -> Preferences {
                 two_lights: TwoLightsMemory {
                     patch: 3,
                     pair: 2,
+                    makes: true,
                     everywhere: false,
                     room_percent: -40,
                 },
@@ -256,6 +257,7 @@ pub(crate) fn full_preferences() -> Preferences {
                 },
                 absorption: AbsorptionMemory { example: 1 },
             },
+            of_colours: OfColours::Samples,
             diagram: DiagramShows {
                 gamuts: true,
                 near: true,

@@ -159,7 +159,9 @@ fn a_surface_is_no_second_light_and_what_is_removed_is_none_any_more() {
         name: "lamp in the hall".to_owned(),
     });
     assert!(summary(&app).contains("lamp in the hall"));
-    app.apply(Command::Remove { key: own.key });
+    app.apply(Command::Remove {
+        key: own.key.clone(),
+    });
     assert!(app.document().second.is_none() && app.compared().is_none());
 }
 
