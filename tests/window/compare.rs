@@ -168,7 +168,10 @@ fn a_surface_is_no_second_light_and_what_is_removed_is_none_any_more() {
 #[test]
 fn prism_and_rainbow_send_it_through_as_well() {
     for page in [Page::Prism, Page::Rainbow] {
-        let mut ui = on(page, compared());
+        let mut ui = on(page, App::new());
+        let second = app(&ui).entry(SECOND).expect("shipped");
+        ui.state_mut().app.apply(Command::Compare(Some(second)));
+        ui.run();
         let dispersion = &ui.state().preferences.pages.dispersion;
         let beside = [dispersion.prism.beside, dispersion.rainbow.beside];
         assert_eq!(beside, [Beside::Overlaid; 2]);

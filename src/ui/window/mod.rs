@@ -126,6 +126,7 @@ impl Window {
     pub fn new(app: App, preferences: Preferences, picker: Picker, saver: Option<Saver>) -> Self {
         Self {
             kept: (app.revision(), preferences.clone()),
+            had_second: app.document().second.is_some(),
             lessons_folder: saver.as_ref().map(|s| s.path().with_file_name("lessons")),
             lists_lessons: false,
             app,
@@ -167,7 +168,6 @@ impl Window {
             shows_next_at: 0.0,
             lesson_checks: LessonChecks::default(),
             foot_words: Memo::default(),
-            had_second: false,
             pair_shown: Memo::default(),
         }
     }
