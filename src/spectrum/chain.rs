@@ -22,16 +22,15 @@
 //!
 //! of its area: all of the depth if it is ideal (`l` = 0), hardly anything if it is much the wider.
 
-use std::f64::consts::PI;
-
 use super::{
     band::{Band, dot},
-    basis::{Basis, Series},
+    basis::Basis,
     composite::Composite,
     factor::{Dip, Factor},
     line::{GAUSSIAN_AREA, Line},
     product::{chain_points, convolve, folded_shares, weigh_lines},
     resampled::{SampleGrid, Sampling},
+    series::Series,
 };
 
 /// A line of the light this close to a factor's dip meets it, nm.
@@ -100,7 +99,7 @@ impl ChainTables {
             other => other.points(numbers).unwrap_or(0),
         };
         let grid = SampleGrid::new(band, basis, points);
-        let functions = functions_on_grid(band, basis, points.max(numbers));
+        let functions = basis.rows(band, points.max(numbers));
         Self {
             band,
             basis,
@@ -314,37 +313,6 @@ fn multiply_by(values: &mut [f64], factor: &[f64]) {
     }
 }
 
-/// The first `count` functions of a basis on the band's grid, row by row.
-///
-/// Whole nm are whole fractions of the period, so one turn of the circle serves all orders.
-fn functions_on_grid(band: Band, basis: Basis, count: usize) -> Vec<f64> {
-    let steps = band.steps();
-    let turn = match basis {
-        Basis::Fourier => steps,
-        Basis::Cosine => 2 * steps,
-    };
-    let circle: Vec<(f64, f64)> = (0..turn)
-        .map(|i| (2.0 * PI * i as f64 / turn as f64).sin_cos())
-        .collect();
-    let mut functions = Vec::with_capacity(count * band.points());
-    for k in 0..count {
-        let (order, is_sine) = match basis {
-            Basis::Fourier => (k.div_ceil(2), k > 0 && k % 2 == 0),
-            Basis::Cosine => (k, false),
-        };
-        let whole = if basis == Basis::Fourier && k == 0 {
-            0.5
-        } else {
-            1.0
-        };
-        functions.extend((0..=steps).map(|i| {
-            let (sin, cos) = circle[order * i % turn];
-            whole * if is_sine { sin } else { cos }
-        }));
-    }
-    functions
-}
-
 #[cfg(test)]
 mod tests {
     use std::f64::consts::LN_2;
@@ -366,28 +334,11 @@ mod tests {
     }
 
     fn flat_light(spikes: Vec<Line>, basis: Basis) -> Composite {
-        let one = match basis {
-            Basis::Fourier => 2.0,
-            Basis::Cosine => 1.0,
-        };
+        let one = 1.0 / basis.mean(1.0);
         Composite::of_lines_inside(
             Series::new(BAND, basis, vec![one, 0.0, 0.0, 0.0, 0.0]),
             spikes,
         )
-    }
-
-    #[test]
-    fn functions_read_off_the_circle_are_those_of_the_basis() {
-        for basis in Basis::ALL {
-            let table = BasisTable::new(BAND, basis, 61);
-            let quick = functions_on_grid(BAND, basis, 61);
-            for (k, row) in quick.chunks_exact(BAND.points()).enumerate() {
-                for (a, b) in row.iter().zip(table.row(k)) {
-                    // Angles of up to 60 half turns, rounded once more on the long way.
-                    assert!((a - b).abs() < 1e-13, "{basis:?} {k}: {a} {b}");
-                }
-            }
-        }
     }
 
     #[test]

@@ -8,7 +8,6 @@
 
 use super::{
     band::Band,
-    basis::Series,
     line::{Line, add_lines},
 };
 

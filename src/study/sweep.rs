@@ -11,7 +11,7 @@ use super::{
     way::FitVariant,
 };
 use crate::spectrum::{
-    Band, Basis, Line, LineShape, SpikeSettings, detect_shapes, numbers_of_order,
+    Band, Basis, Line, LineShape, PerBasis, SpikeSettings, detect_shapes, numbers_of_order,
 };
 
 /// The subject of a study on the band of its measures.
@@ -42,8 +42,8 @@ pub struct Examined {
     pub shapes: Vec<LineShape>,
     /// The bells of those that have a width; empty where all lines are ideal.
     pub bells: Vec<Option<LineShape>>,
-    /// Both bases with their colours, in the order of [`Basis::ALL`].
-    pub bases: [FitBasis; 2],
+    /// Each basis with its colours.
+    pub bases: PerBasis<FitBasis>,
 }
 
 impl Examined {
@@ -61,7 +61,7 @@ impl Examined {
             }
         };
         let (_, shapes) = detect_shapes(band, &values, subject.spikes);
-        let bases = Basis::ALL.map(|basis| FitBasis::new(band, basis, numbers, reference.seen()));
+        let bases = PerBasis::of(|basis| FitBasis::new(band, basis, numbers, reference.seen()));
         let bell = subject.bell.filter(|_| !shapes.is_empty());
         let bells = bell.map_or_else(Vec::new, |bell| {
             let bells = shapes.iter().map(|shape| bell(band, shape, subject.spikes));
@@ -73,11 +73,6 @@ impl Examined {
             bells,
             bases,
         })
-    }
-
-    /// Functions of a basis and their colours.
-    pub(crate) fn fit_basis(&self, basis: Basis) -> &FitBasis {
-        &self.bases[Basis::ALL.iter().position(|b| *b == basis).unwrap_or(0)]
     }
 
     /// The spectrum in terms of a basis, with these lines.
@@ -92,7 +87,7 @@ impl Examined {
         shapes: &[LineShape],
         bells: &[Option<LineShape>],
     ) -> ProjectedSpectrum {
-        let fit_basis = self.fit_basis(basis);
+        let fit_basis = &self.bases[basis];
         ProjectedSpectrum::with_bells(
             fit_basis,
             self.reference.measured(),
@@ -194,7 +189,7 @@ pub struct Sweep {
 
 /// An error below which nobody sees or measures a difference: CIEDE2000 of colours, a share of
 /// spectra.
-pub fn just_noticeable(measure: Measure) -> f64 {
+pub(crate) fn just_noticeable(measure: Measure) -> f64 {
     if measure.is_colour() { 1e-4 } else { 1e-6 }
 }
 

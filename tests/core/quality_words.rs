@@ -6,7 +6,10 @@ use spectral_explorer::{
     app::quality_report::{TLCI, csv_head, csv_line, full_json, json, rows},
     color::{
         Observer,
-        quality::{Dark, FewFigures, Figures, Light, Measured, NoFigure, POINTS, Radiometric},
+        quality::{
+            Dark, EFFICACY, FewFigures, Figures, Light, Measured, NoFigure, POINTS, Radiometric,
+            SP_RATIO,
+        },
     },
     preset,
     spectrum::{
@@ -302,16 +305,16 @@ fn spikes_are_weighed_where_they_stand() {
         on_grid.fidelity.unwrap().rf
     ));
     assert!(close(
-        with_line.sp_ratio.unwrap(),
-        on_grid.sp_ratio.unwrap()
+        with_line.single(&SP_RATIO).unwrap(),
+        on_grid.single(&SP_RATIO).unwrap()
     ));
     assert!(close(
         with_line.photons.unwrap().eppfd,
         on_grid.photons.unwrap().eppfd
     ));
     assert!(close(
-        with_line.luminous_efficacy.unwrap(),
-        on_grid.luminous_efficacy.unwrap()
+        with_line.single(&EFFICACY).unwrap(),
+        on_grid.single(&EFFICACY).unwrap()
     ));
     let similarity = |figures: &Figures| figures.similarity.as_ref().unwrap().d65;
     let on_grid = Figures::of(&Light::of_parts(band, &values, &[]), None);
@@ -420,7 +423,7 @@ proptest! {
         let figures = Figures::of(&light, None);
         let dominant = figures.dominant.unwrap();
         prop_assert!((0.0..=1.0).contains(&dominant.purity));
-        prop_assert!((0.0..=683.0).contains(&figures.luminous_efficacy.unwrap()));
+        prop_assert!((0.0..=683.0).contains(&figures.single(&EFFICACY).unwrap()));
         if let Ok(found) = figures.rendering {
             prop_assert!(found.ra <= 100.0 + 1e-9);
         }

@@ -107,7 +107,10 @@ pub fn parse(text: &str) -> Result<Composite, CompositeTextError> {
             return Err(CompositeTextError::new(found, expected));
         }
     };
-    let basis = Basis::from_word(basis).ok_or_else(|| odd("basis", basis, "fourier or cosine"))?;
+    let basis = Basis::from_word(basis).ok_or_else(|| {
+        let words = Basis::ALL.map(Basis::word).join(" or ");
+        odd("basis", basis, &words)
+    })?;
     let band = parse_range(range)?;
     let coefficients = coefficients
         .split_whitespace()
@@ -117,7 +120,7 @@ pub fn parse(text: &str) -> Result<Composite, CompositeTextError> {
         .split_whitespace()
         .map(|word| parse_spike(word, has_widths))
         .collect::<Result<_, _>>()?;
-    checked(band, basis, coefficients, spikes)
+    checked(Series::new(band, basis, coefficients), spikes)
 }
 
 fn finite(word: &str, expected: &str) -> Result<f64, CompositeTextError> {
