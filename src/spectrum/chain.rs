@@ -30,7 +30,7 @@ use super::{
     line::{GAUSSIAN_AREA, Line},
     product::{chain_points, convolve, folded_shares, weigh_lines},
     resampled::{SampleGrid, Sampling},
-    series::Series,
+    series::{BasisTable, Series},
 };
 
 /// A line of the light this close to a factor's dip meets it, nm.
@@ -76,8 +76,8 @@ pub(crate) struct ChainTables {
     sampling: Sampling,
     /// Points of the sample grid; zero for the ways without.
     points: usize,
-    /// Basis functions on the 1 nm grid, row by row.
-    functions: Vec<f64>,
+    /// Basis functions on the 1 nm grid.
+    table: BasisTable,
     /// `points` rows that take coefficients to the value at a point.
     to_points: Vec<f64>,
     /// `points` rows that take values at the points to a coefficient.
@@ -99,14 +99,14 @@ impl ChainTables {
             other => other.points(numbers).unwrap_or(0),
         };
         let grid = SampleGrid::new(band, basis, points);
-        let functions = basis.rows(band, points.max(numbers));
+        let table = BasisTable::beyond_the_grid(band, basis, points.max(numbers));
         Self {
             band,
             basis,
             numbers,
             sampling,
             points,
-            functions,
+            table,
             to_points: grid.sampling_rows(numbers),
             to_numbers: grid.series_rows(),
         }
@@ -150,7 +150,7 @@ impl ChainTables {
     }
 
     fn pass_measured(&self, light: &Composite, factors: &[Factor]) -> Vec<Stage> {
-        let mut smooth = self.evaluate(&light.smooth().coefficients);
+        let mut smooth = self.table.evaluate(&light.smooth().coefficients);
         let mut spikes = light.lines().to_vec();
         let mut stages = Vec::with_capacity(factors.len());
         for factor in factors {
@@ -175,7 +175,7 @@ impl ChainTables {
             points => (points, points),
         };
         let folded = folded_shares(light.smooth(), &series, kept);
-        let mut unfolded = self.evaluate(&light.smooth().coefficients);
+        let mut unfolded = self.table.evaluate(&light.smooth().coefficients);
         let mut values = self.sample(&light.smooth().coefficients);
         let mut product = light.smooth().clone();
         let mut spikes = light.lines().to_vec();
@@ -191,9 +191,9 @@ impl ChainTables {
             } else {
                 product = convolve(&product, short).truncated(self.numbers);
             }
-            multiply_by(&mut unfolded, &self.evaluate(&short.coefficients));
+            multiply_by(&mut unfolded, &self.table.evaluate(&short.coefficients));
             stages.push(Stage {
-                smooth: self.evaluate(&product.coefficients),
+                smooth: self.table.evaluate(&product.coefficients),
                 unfolded: unfolded.clone(),
                 spikes: centres(&spikes),
                 met,
@@ -206,27 +206,8 @@ impl ChainTables {
 
     /// Series of a factor without its dips, by Eq. 5 with the trapezoid rule.
     fn series(&self, factor: &Factor) -> Series {
-        let (band, values) = (self.band, factor.background());
-        let rows = self
-            .functions
-            .chunks_exact(band.points())
-            .take(self.numbers);
-        let projected = rows
-            .enumerate()
-            .map(|(k, row)| band.inner(row, values) / self.basis.norm_squared(k, band));
-        Series::new(band, self.basis, projected.collect())
-    }
-
-    /// A series on the 1 nm grid.
-    fn evaluate(&self, coefficients: &[f64]) -> Vec<f64> {
-        let mut out = vec![0.0; self.band.points()];
-        let rows = self.functions.chunks_exact(out.len());
-        for (row, c) in rows.zip(coefficients) {
-            for (o, f) in out.iter_mut().zip(row) {
-                *o += c * f;
-            }
-        }
-        out
+        let coefficients = self.table.project(factor.background(), self.numbers);
+        Series::new(self.band, self.basis, coefficients)
     }
 
     /// A series on the sample grid.

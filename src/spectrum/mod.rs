@@ -64,5 +64,5 @@ pub(crate) use resampled::Resampled;
 pub use resampled::{SampleGrid, Sampling};
 pub use sampled::{Outside, Sampled, SampledError};
 pub use series::{BasisTable, Series};
+pub use spikes::{Constraints, SpikeSettings, detect, detect_shapes};
 pub(crate) use spikes::{Decomposition, FoundSpike, LineShape, absolute_power, window_near};
-pub use spikes::{SpikeSettings, Wishes, detect, detect_shapes};

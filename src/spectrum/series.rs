@@ -24,7 +24,13 @@ impl BasisTable {
     ///
     /// The count is cut to what the grid carries ([`Basis::highest_order`]).
     pub fn new(band: Band, basis: Basis, numbers: usize) -> Self {
-        let numbers = numbers.clamp(1, numbers_of_order(Basis::highest_order(band)));
+        let most = numbers_of_order(Basis::highest_order(band));
+        Self::beyond_the_grid(band, basis, numbers.clamp(1, most))
+    }
+
+    /// As [`BasisTable::new`] for any count: functions beyond those that the grid carries are not
+    /// orthogonal on it to the others.
+    pub(super) fn beyond_the_grid(band: Band, basis: Basis, numbers: usize) -> Self {
         let functions = basis.rows(band, numbers);
         let rows = functions.chunks_exact(band.points());
         let projectors = rows.enumerate().flat_map(|(index, row)| {
