@@ -142,7 +142,7 @@ pub fn composite_from_preset(printed: &preset::Composite) -> Option<Composite> {
         Series::from_lists(
             band,
             Basis::Fourier,
-            &[("a", &printed.a), ("b", &printed.b)],
+            &[("a", &printed.a[..]), ("b", &printed.b[..])],
         )?,
         printed
             .spikes_in_unit_nm()

@@ -296,11 +296,10 @@ fn multiply_by(values: &mut [f64], factor: &[f64]) {
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::LN_2;
+    use std::f64::consts::{LN_2, PI};
 
     use super::*;
     use crate::spectrum::{
-        BasisTable,
         factor::{bounces, glass},
         spikes::SpikeSettings,
     };

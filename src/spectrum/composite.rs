@@ -9,6 +9,7 @@
 use super::{
     band::Band,
     line::{Line, add_lines},
+    series::Series,
 };
 
 /// A spectrum as a smooth series and lines.

@@ -131,7 +131,8 @@ impl Series {
                 list.next().copied()
             })
             .collect();
-        let is_whole = left.iter().all(|(_, list)| list.len() == 0) && !coefficients.is_empty();
+        let is_whole =
+            left.iter().all(|(_, list)| list.as_slice().is_empty()) && !coefficients.is_empty();
         is_whole.then(|| Self::new(band, basis, coefficients))
     }
 

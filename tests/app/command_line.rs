@@ -197,7 +197,7 @@ fn the_words_of_bases_observers_and_materials_are_told_in_the_document_and_the_h
     let helped = |command: &str, name: &str| {
         let help = help(command);
         let (_, from) = help.split_once(&format!("{name} <")).expect("the option");
-        let (text, _) = from.split_once("\n  -").unwrap_or((from, ""));
+        let (text, _) = from.split_once("--").unwrap_or((from, ""));
         text.to_owned()
     };
     let bases = Basis::ALL.map(Basis::word);

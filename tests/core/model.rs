@@ -629,7 +629,7 @@ fn table_3_is_near_on_the_programs_1_nm_grid() {
     let paper = paper_lamp("Source C", None);
     let (a, b) = a_b(paper.smooth());
     assert_eq!(
-        Series::from_lists(Band::PAPER, Basis::Fourier, &[("a", &a), ("b", &b)]),
+        Series::from_lists(Band::PAPER, Basis::Fourier, &[("a", &a[..]), ("b", &b[..])]),
         Some(paper.smooth().clone())
     );
     assert_eq!(paper.smooth().coefficients, SOURCE_C);

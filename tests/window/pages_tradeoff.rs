@@ -24,7 +24,7 @@ use spectral_explorer::{
         studies::{self, AuctionAsk, Question, SweepAsk},
         workspace::Preferences,
     },
-    spectrum::{Band, Kind, NamedSpectrum, Sampled, SpikeEdits},
+    spectrum::{Band, Basis, Kind, NamedSpectrum, Sampled, SpikeEdits},
     study::{
         Auction, Goal, Measure, Progress, Reference, Verdict,
         auction::{Ended, Purchase},

@@ -275,7 +275,7 @@ fn by_word<S: Serializer>(bases: &PerBasis<bool>, serializer: S) -> Result<S::Ok
 
 /// One that is not said is shown.
 fn of_words<'de, D: Deserializer<'de>>(deserializer: D) -> Result<PerBasis<bool>, D::Error> {
-    let said = serde_json::Map::deserialize(deserializer)?;
+    let said = serde_json::Map::<String, Value>::deserialize(deserializer)?;
     let is_shown = |basis: Basis| said.get(basis.word()).and_then(Value::as_bool);
     Ok(PerBasis::of(|basis| is_shown(basis).unwrap_or(true)))
 }

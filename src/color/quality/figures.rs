@@ -98,15 +98,16 @@ impl Figures {
     pub(crate) fn singles(
         &self,
     ) -> impl Iterator<Item = (&'static Single, &Result<f64, NoFigure>)> {
-        SINGLES.iter().zip(&self.singles)
+        let all: &'static [Single] = &SINGLES;
+        all.iter().zip(&self.singles)
     }
 
     /// A figure of one number.
     pub(crate) fn single(&self, wanted: &Single) -> Result<f64, NoFigure> {
-        let of = SINGLES.iter().map(|single| single.key);
-        let place = of.clone().position(|key| key == wanted.key);
-        let number = place.map(|place| self.singles[place].clone());
-        number.unwrap_or_else(|| panic!("{} is not among {of:?}", wanted.key))
+        let is_it = |(single, _): &(&Single, _)| single.key == wanted.key;
+        let found = self.singles().find(is_it);
+        let (_, number) = found.unwrap_or_else(|| panic!("{} is not in SINGLES", wanted.key));
+        number.clone()
     }
 
     fn noted(&self, light: &Light) -> Vec<String> {

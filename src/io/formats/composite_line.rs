@@ -11,7 +11,7 @@
 //! maximum of a Gaussian line in nm; it is written where a line has a width. Numbers are the shortest decimals that read back to the same bits. Unit, source, name
 //! and kind are not in the line: it is taken as a light unless chosen otherwise.
 
-use crate::spectrum::{Band, Basis, Composite, Kind, Line};
+use crate::spectrum::{Band, Basis, Composite, Kind, Line, Series};
 
 use super::composite_json::{CompositeTextError, checked, in_words};
 use super::{Confidence, Format};
