@@ -61,5 +61,4 @@ pub use report::{Encoded, judged};
 pub(crate) use report::{decode_json, encode_json, encode_words, read_encoding};
 #[cfg(test)]
 pub(crate) use words::from_words;
-pub(crate) use words::rounded;
 pub(crate) use words::words_in_text;
