@@ -33,6 +33,8 @@ pub use race::Race;
 pub use reference::Reference;
 pub(crate) use reference::{Measures, bandpass, brightened, filter_centres, scaled_to_one};
 pub use sweep::Examined;
+#[cfg(test)]
+pub(crate) use sweep::just_noticeable;
 pub(crate) use sweep::{Subject, Sweep, SweepPoint};
 pub(crate) use training::Training;
 pub use way::FitVariant;

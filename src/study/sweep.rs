@@ -191,7 +191,7 @@ pub struct Sweep {
 
 /// An error below which nobody sees or measures a difference: CIEDE2000 of colours, a share of
 /// spectra.
-fn just_noticeable(measure: Measure) -> f64 {
+pub(crate) fn just_noticeable(measure: Measure) -> f64 {
     if measure.is_colour() { 1e-4 } else { 1e-6 }
 }
 

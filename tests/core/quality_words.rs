@@ -297,20 +297,20 @@ fn spikes_are_weighed_where_they_stand() {
     let close = |a: f64, b: f64| (a - b).abs() < 1e-9 * a.abs().max(1.0);
     // Only the order of sums differs; Rf and Ra enlarge that little.
     assert!(close(
-        with_line.rendering.unwrap().ra,
-        on_grid.rendering.unwrap().ra
+        with_line.rendering.as_ref().unwrap().ra,
+        on_grid.rendering.as_ref().unwrap().ra
     ));
     assert!(close(
-        with_line.fidelity.unwrap().rf,
-        on_grid.fidelity.unwrap().rf
+        with_line.fidelity.as_ref().unwrap().rf,
+        on_grid.fidelity.as_ref().unwrap().rf
     ));
     assert!(close(
         with_line.single(&SP_RATIO).unwrap(),
         on_grid.single(&SP_RATIO).unwrap()
     ));
     assert!(close(
-        with_line.photons.unwrap().eppfd,
-        on_grid.photons.unwrap().eppfd
+        with_line.photons.as_ref().unwrap().eppfd,
+        on_grid.photons.as_ref().unwrap().eppfd
     ));
     assert!(close(
         with_line.single(&EFFICACY).unwrap(),
@@ -421,7 +421,7 @@ proptest! {
         let values: Vec<f64> = smooth.on_band().iter().map(|v| v.exp()).collect();
         let light = Light::of_parts(Band::VISIBLE, &values, &[]);
         let figures = Figures::of(&light, None);
-        let dominant = figures.dominant.unwrap();
+        let dominant = figures.dominant.as_ref().unwrap();
         prop_assert!((0.0..=1.0).contains(&dominant.purity));
         prop_assert!((0.0..=683.0).contains(&figures.single(&EFFICACY).unwrap()));
         if let Ok(found) = figures.rendering {
