@@ -184,7 +184,7 @@ pub fn tabs(ui: &mut Ui, page: &mut Page, at_end: impl FnOnce(&mut Ui)) {
     row(ui, &mut |ui| {
         for tab in page.place().tabs() {
             let is_here = page.tab() == tab;
-            let response = ui.selectable_label(is_here, tab.title());
+            let response = ui.selectable_label(is_here, tab.tab_title());
             if response.on_hover_text(tab.meaning()).clicked() && !is_here {
                 *page = tab;
             }

@@ -202,7 +202,6 @@ impl RaceView {
         let Some(budget) = race.budgets.iter().position(|n| *n == numbers) else {
             return;
         };
-        let class = self.class.as_deref();
         let key = (
             ByAddress(race.clone()),
             self.class.clone(),
