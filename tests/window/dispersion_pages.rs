@@ -58,10 +58,10 @@ fn the_handles_of_the_bench_are_dragged() {
     let usual = PrismMemory::default();
     for handle in Handle::ALL {
         let name = format!("{}, drawn", handle.title());
-        // The corner goes outwards against the clock about the apex above it, the jaw downwards.
+        // Outwards: the corner, at the left of the apex, against the clock; the jaw to the left.
         let by = match handle {
-            Handle::Apex => [12.0, 0.0],
-            Handle::Slit => [0.0, 9.0],
+            Handle::Apex => [0.0, 12.0],
+            Handle::Slit => [-9.0, 0.0],
         };
         drag(&mut ui, &name, by);
     }

@@ -88,11 +88,7 @@ impl DesignView {
         ui.add_space(GROUP);
         let both = [now, then].map(swatch::colour);
         let pair = |ui: &mut Ui, context: &PageContext<'_>| {
-            let meaning = "Each as bright as the screen can show it.";
-            let words = ["the faders now", "as solved for"];
-            large_swatch(ui, context, both, ("Now and solved", meaning), words);
-            ui.add(egui::Label::new(egui::RichText::new(figures).small()).wrap());
-            ui.add_space(GROUP);
+            now_and_solved(ui, context, both, figures);
         };
         let before = context.memory.wish.clone();
         let target = solved.as_ref().ok().map(|solved| solved.target_uv);
@@ -142,6 +138,15 @@ impl DesignView {
             ui.ctx().request_repaint();
         }
     }
+}
+
+/// The faders' colour now and as solved for, with the figures of the latter.
+fn now_and_solved(ui: &mut Ui, context: &PageContext<'_>, both: [egui::Color32; 2], figures: &str) {
+    let meaning = "Each as bright as the screen can show it.";
+    let words = ["the faders now", "as solved for"];
+    large_swatch(ui, context, both, ("Now and solved", meaning), words);
+    ui.add(egui::Label::new(egui::RichText::new(figures).small()).wrap());
+    ui.add_space(GROUP);
 }
 
 /// The wish, and the faders as they are solved for; whether they are to be set so.
