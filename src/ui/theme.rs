@@ -16,6 +16,15 @@ use crate::app::{
     workspace::Preferences,
 };
 
+/// From this width of the window on type grows with it, points, and how much at most.
+const LARGE: f32 = 1920.0;
+const MOST_GROWN: f32 = 1.4;
+
+/// By how much type is larger in a window of a width.
+pub fn grown(width: f32) -> f32 {
+    (width / LARGE).clamp(1.0, MOST_GROWN)
+}
+
 /// How much larger type and how much thicker lines are while presenting.
 const PRESENT_TYPE: f32 = 2.0;
 const PRESENT_LINES: f32 = 2.0;
@@ -81,7 +90,7 @@ impl Theme {
             track: grey(if dark { 88 } else { 178 }),
             zone: if dark { [23, 48, 41] } else { [220, 239, 232] },
             warning: either([240, 190, 90], [140, 80, 0]),
-            scale: presented(PRESENT_TYPE),
+            scale: presented(PRESENT_TYPE).max(preferences.grown),
         }
     }
 

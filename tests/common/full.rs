@@ -199,7 +199,7 @@ pub(crate) fn full_preferences() -> Preferences {
         folded: vec!["LED".to_owned()],
         pinned: true,
         greeted: true,
-        larger_answered: true,
+        grown: 1.0,
         pages: PageMemory {
             page: Page::Race,
             partial_order: 5,

@@ -133,6 +133,8 @@ pub fn diagram(measured: Option<[f64; 2]>, model: Option<[f64; 2]>, shows: Diagr
         y_label: y_label.to_owned(),
         x_range,
         y_range: Some(y_range),
+        // Distances are differences of colour in u'v' alone, and only if both axes have one scale.
+        even: true,
         series,
         ..Chart::default()
     }

@@ -35,7 +35,16 @@ pub fn value_label(unit: &str) -> String {
 
 /// A unit, or what stands for one where there is none.
 pub(super) fn unit_or_value(unit: &str) -> String {
-    if unit.is_empty() { "value" } else { unit }.to_owned()
+    match unit {
+        "" => "Value",
+        unit if unit.starts_with("relative") => "Relative power",
+        "W m-2 nm-1" => "W/(m² nm)",
+        "W nm-1" => "W/nm",
+        "mW nm-1" => "mW/nm",
+        "fraction" => "Share",
+        unit => unit,
+    }
+    .to_owned()
 }
 
 /// The spectrum plot of the present document.

@@ -44,6 +44,11 @@ impl Page {
         self.row().mode
     }
 
+    /// What the tab is called whose first page it is.
+    pub fn tab_title(self) -> &'static str {
+        self.row().tab_title
+    }
+
     /// The name of the lesson that answers what it asks; none in Learn, where all of them are.
     pub fn lesson(self) -> Option<&'static str> {
         Some(self.row().lesson).filter(|name| !name.is_empty())

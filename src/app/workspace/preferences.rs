@@ -37,8 +37,9 @@ pub struct Preferences {
     pub pinned: bool,
     /// The ways to begin were seen.
     pub greeted: bool,
-    /// The offer of larger type in a large window was answered.
-    pub larger_answered: bool,
+    /// By how much type is larger in a large window: the window finds it anew.
+    #[serde(skip)]
+    pub grown: f32,
     /// What the pages remember.
     pub pages: PageMemory,
 }
@@ -62,7 +63,7 @@ impl Default for Preferences {
             folded: FOLDED_AT_FIRST.map(str::to_owned).to_vec(),
             pinned: false,
             greeted: false,
-            larger_answered: false,
+            grown: 1.0,
             pages: PageMemory::default(),
         }
     }

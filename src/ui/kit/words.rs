@@ -2,14 +2,14 @@
 
 use eframe::egui;
 use egui::{
-    Align, Button, DragValue, Frame, Label, Layout, Margin, Rect, Response, RichText, Sense,
-    TextEdit, Ui, Vec2, WidgetText,
+    Align, Button, CollapsingHeader, DragValue, Frame, Label, Layout, Margin, Rect, Response,
+    RichText, Sense, TextEdit, Ui, Vec2, WidgetText,
 };
 
 use crate::ui::theme::Theme;
 
 /// Size of the sentence that a page begins with, points.
-pub const HEADLINE: f32 = 16.0;
+pub const HEADLINE: f32 = 20.0;
 
 /// The sentence that a page begins with: its result.
 pub fn headline(ui: &mut Ui, theme: Theme, words: impl Into<String>) -> Response {
@@ -108,6 +108,11 @@ pub fn titled(ui: &mut Ui, title: &str, copy: &str, meaning: &str, csv: impl FnO
             copy_button(ui, copy, meaning, csv);
         });
     });
+}
+
+/// What is seen on demand, below its title; `id` tells it apart from others of the page.
+pub fn fold(ui: &mut Ui, id: &str, title: &str, add: impl FnOnce(&mut Ui)) {
+    CollapsingHeader::new(title).id_salt(id).show(ui, add);
 }
 
 /// A card: what belongs together, on a ground of its own.

@@ -27,7 +27,7 @@ use egui::Ui;
 
 use super::{
     chart_view::{ChartResponse, ChartView, ChartWish},
-    kit::{named, pressed_small},
+    kit::{named, pressed_small, segments},
     theme::{Theme, Wake},
 };
 use crate::app::{
@@ -172,14 +172,10 @@ impl Pages {
     }
 }
 
-/// The tabs of the place, the modes of a tab behind them; at the right end what `at_end` draws.
+/// The tabs of the place, at the right end what `at_end` draws; below them the modes of a tab that
+/// has several.
 pub fn tabs(ui: &mut Ui, page: &mut Page, at_end: impl FnOnce(&mut Ui)) {
-    let needs = if page.modes().count() > 2 {
-        800.0
-    } else {
-        560.0
-    };
-    let wide = ui.available_width() >= needs;
+    let wide = ui.available_width() >= 560.0;
     let row = |ui: &mut Ui, add: &mut dyn FnMut(&mut Ui)| match wide {
         true => ui.horizontal(add).response,
         false => ui.horizontal_wrapped(add).response,
@@ -188,23 +184,20 @@ pub fn tabs(ui: &mut Ui, page: &mut Page, at_end: impl FnOnce(&mut Ui)) {
     row(ui, &mut |ui| {
         for tab in page.place().tabs() {
             let is_here = page.tab() == tab;
-            let response = ui.selectable_label(is_here, tab.title());
+            let response = ui.selectable_label(is_here, tab.tab_title());
             if response.on_hover_text(tab.meaning()).clicked() && !is_here {
                 *page = tab;
-            }
-        }
-        let modes: Vec<Page> = page.modes().collect();
-        if modes.len() > 1 {
-            ui.separator();
-            for mode in modes {
-                ui.selectable_value(page, mode, mode.mode())
-                    .on_hover_text(mode.meaning());
             }
         }
         if let Some(at_end) = at_end.take().filter(|_| wide) {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), at_end);
         }
     });
+    let modes: Vec<Page> = page.modes().collect();
+    if modes.len() > 1 {
+        ui.add_space(4.0);
+        segments(ui, page, modes, |mode| (mode.mode(), mode.meaning()));
+    }
 }
 
 /// How a computation stands, in a line with a bar and a button to stop it.

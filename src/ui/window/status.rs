@@ -17,9 +17,6 @@ use crate::{
     io::many::many,
 };
 
-/// Width from which on a window is large, points.
-const LARGE: f32 = 1800.0;
-
 /// Messages that the status line's tooltip tells.
 const MESSAGES_SHOWN: usize = 12;
 /// Width from which the button to a lesson has room for its title, points.
@@ -65,7 +62,6 @@ impl Window {
                     ui.label(format!("reading {} again", many(images, "image", "images")));
                 }
                 self.offer_to_forget(ui);
-                self.offer_larger(ui);
                 if self.waiting.is_some() {
                     let meaning = "Gives up on the file dialog; a late answer is ignored.";
                     if pressed_small(ui, "stop waiting", meaning) {
@@ -122,24 +118,6 @@ impl Window {
         if button.on_hover_text(hover).clicked() {
             begin(ui, &mut self.preferences.pages, &lesson.name);
         }
-    }
-
-    /// In a large window: larger type, until somebody answers.
-    fn offer_larger(&mut self, ui: &mut Ui) {
-        let preferences = &mut self.preferences;
-        let is_large = ui.ctx().content_rect().width() >= LARGE && preferences.zoom == 1.0;
-        if self.quiet || !is_large || preferences.larger_answered {
-            return;
-        }
-        let no = ui.small_button("No").on_hover_text("Leaves type as it is.");
-        let yes = ui
-            .small_button("125 %")
-            .on_hover_text("Ctrl+0 brings 100 % back.");
-        ui.weak("Larger type?");
-        if yes.clicked() {
-            preferences.zoom = 1.25;
-        }
-        preferences.larger_answered = yes.clicked() || no.clicked();
     }
 
     /// A button that gives up the images of the last time that were not found.
