@@ -113,6 +113,11 @@ pub fn brief(shown: f64, unit: Unit) -> String {
     }
 }
 
+/// A number in two digits.
+pub fn two_digits(value: f64) -> String {
+    short(format!("{value:.1e}").parse().unwrap_or(value))
+}
+
 /// A number in three digits.
 pub fn three_digits(value: f64) -> String {
     short(format!("{value:.2e}").parse().unwrap_or(value))

@@ -377,6 +377,9 @@ pub(super) struct Render {
     /// page.
     #[arg(long, value_name = "NAME[:STEP]")]
     pub lesson: Option<String>,
+    /// As the page is presented to a class (F5): its main picture and its main controls, large.
+    #[arg(long)]
+    pub present: bool,
 }
 
 /// Options of `plot`.

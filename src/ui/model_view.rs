@@ -27,7 +27,7 @@ const SLIDER_ORDERS: std::ops::RangeInclusive<usize> = 0..=40;
 /// Names of controls, shared with the tests that move them.
 pub mod names {
     /// The order slider.
-    pub const ORDER: &str = "Order N";
+    pub const ORDER: &str = "Waves (order N)";
     /// The spike threshold slider.
     pub const THRESHOLD: &str = "Threshold";
     /// The widest line.

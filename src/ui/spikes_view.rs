@@ -17,9 +17,9 @@ pub(super) fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAc
     if spikes.is_empty() {
         ui.add_space(6.0);
         ui.weak(if app.document().settings.spikes {
-            "No spikes. Lower the threshold, or double-click in the plot to set one."
+            "No lines. Push Lines to the right, or set one: + Line above the plot."
         } else {
-            "Spikes are switched off."
+            "Lines are switched off."
         });
         return;
     }

@@ -109,7 +109,7 @@ fn a_folder_is_opened_in_one_step_with_a_summary_and_undone_in_one() {
     assert!(!app(&ui).can_undo());
     // What was told of the files is no news of what is shown now: that is what was undone.
     let said = app(&ui).current_message().expect("a word");
-    assert!(said.text.starts_with("Undone: light FL11 to a"), "{said:?}");
+    assert!(said.text.starts_with("Undone: opened 4 files"), "{said:?}");
     click(&mut ui, "Redo");
     assert_eq!(app(&ui).document().own.len(), 4);
     // It is still to be had from the menu when the message is gone.

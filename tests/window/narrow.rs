@@ -109,7 +109,7 @@ const LOOK: [(Role, &str); 10] = [
     (Role::SpinButton, knobs::BUDGET),
     (Role::Button, knobs::MORE),
     (Role::Button, knobs::RESET),
-    (Role::ComboBox, "How patches are seen"),
+    (Role::ComboBox, "How surfaces are seen"),
 ];
 
 /// Every knob, in the column.
@@ -276,7 +276,7 @@ fn the_column_and_the_library_cover_nothing_at_any_width() {
                     // The order can be typed in both.
                     let once = all
                         .iter()
-                        .filter(|c| side != Side::Settings || c.1 != "Order N");
+                        .filter(|c| side != Side::Settings || c.1 != "Waves (order N)");
                     controls.extend(rects(&ui, &once.copied().collect::<Vec<_>>()));
                 }
             }

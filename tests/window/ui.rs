@@ -858,7 +858,7 @@ fn a_spike_is_dragged_to_the_same_place_under_another_scale_and_a_log_axis() {
 }
 
 #[test]
-fn a_double_click_beside_the_spikes_adds_one() {
+fn shift_and_a_double_click_beside_the_lines_add_one() {
     let mut ui = fresh();
     let before = app(&ui).derived().model.lines().len();
     let frame = *transform(&ui).frame();
@@ -870,13 +870,15 @@ fn a_double_click_beside_the_spikes_adds_one() {
     ui.run();
     let height = transform(&ui).value_from_position(at).y;
     for _ in 0..2 {
-        ui.drag_at(at);
-        ui.event(egui::Event::PointerButton {
-            pos: at,
-            button: egui::PointerButton::Primary,
-            pressed: false,
-            modifiers: Modifiers::NONE,
-        });
+        for pressed in [true, false] {
+            let event = egui::Event::PointerButton {
+                pos: at,
+                button: egui::PointerButton::Primary,
+                pressed,
+                modifiers: Modifiers::SHIFT,
+            };
+            ui.event_modifiers(event, Modifiers::SHIFT);
+        }
         ui.step();
     }
     ui.run();
@@ -1359,7 +1361,7 @@ fn the_ways_to_begin_and_the_list_of_shortcuts_open_by_key_and_keeps_keys_to_its
     control(&ui, Role::Button, "Show a class");
     press(&mut ui, Key::Escape);
     shortcut(&mut ui, Modifiers::SHIFT, Key::F1);
-    assert_written(&ui, "Order N plus one");
+    assert_written(&ui, "One wave more");
     control(&ui, Role::Button, "Close");
     press(&mut ui, Key::ArrowRight);
     assert_eq!(settings(&ui).order, 7, "an open dialog has the keyboard");
@@ -1544,8 +1546,8 @@ fn every_small_window_and_menu_is_drawn_with_names() {
         }
         for combo in [
             "What the curve shows",
-            "Patch set",
-            "How patches are seen",
+            "Set of surfaces",
+            "How surfaces are seen",
             "Scale",
             "Observer",
             "Spike detector",
@@ -1599,7 +1601,7 @@ fn small_and_large_windows_are_drawn() {
         (Role::SpinButton, knobs::LINES_TYPED),
         (Role::Button, knobs::AUTOMATIC),
         (Role::Button, knobs::RESET),
-        (Role::ComboBox, "How patches are seen"),
+        (Role::ComboBox, "How surfaces are seen"),
         (Role::ComboBox, "What the curve shows"),
         (Role::Button, "All figures"),
         (Role::Button, "Help"),

@@ -42,7 +42,7 @@ pub fn curve_chart(app: &App) -> Chart {
             derived.model.smooth().basis.word(),
             many(derived.model.lines().len(), "spike", "spikes")
         ),
-        x_label: "Order N".to_owned(),
+        x_label: "Waves".to_owned(),
         y_label: "Error (CIEDE2000, or percent)".to_owned(),
         x_range: [
             0.0,

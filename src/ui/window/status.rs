@@ -38,13 +38,6 @@ impl Window {
         let mut wants_summary = false;
         ui.horizontal_centered(|ui| {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                // Where there is little room, what is said has it.
-                if !self.quiet && ui.available_width() >= 900.0 {
-                    let ms = 1e3 * self.app.took().as_secs_f64();
-                    ui.weak(format!("recomputed in {ms:.2} ms")).on_hover_text(
-                        "Time for fit, errors, colours, patches and the order curve.",
-                    );
-                }
                 if let Some(lesson) = lesson {
                     self.offer_lesson(ui, lesson);
                 }

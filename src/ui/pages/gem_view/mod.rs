@@ -11,7 +11,12 @@ use egui::{
     Color32, ColorImage, Rect, RichText, Sense, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2,
 };
 
-use super::{PageContext, prism_view::notes, progress};
+use super::{
+    PageContext,
+    presented::head,
+    prism_view::{exposure, notes},
+    progress,
+};
 use crate::{
     app::{
         ByAddress, Memo,
@@ -62,6 +67,15 @@ pub struct GemView {
 impl GemView {
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        self.page(ui, context, false);
+    }
+
+    /// The pictures alone with their exposure; whether a hand wants the whole window back.
+    pub(super) fn present(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) -> bool {
+        self.page(ui, context, true)
+    }
+
+    fn page(&mut self, ui: &mut Ui, context: &mut PageContext<'_>, presented: bool) -> bool {
         let (app, revision) = (context.app, context.app.revision());
         let sent = context.memory.dispersion.gem.sent;
         let light = match &*self
@@ -71,7 +85,7 @@ impl GemView {
             Ok(light) => light.clone(),
             Err(why) => {
                 headline(ui, context.theme, why);
-                return;
+                return presented && head(ui, "");
             }
         };
         let under = context.memory.dispersion.gem.under.clone();
@@ -96,11 +110,18 @@ impl GemView {
             .and_then(|film| noise(context, film, &lights[0]));
 
         let memory = &context.memory.dispersion.gem;
-        headline(
-            ui,
-            context.theme,
-            sentence(app, memory, &lights[0].name, noise.as_ref()),
-        );
+        let words = sentence(app, memory, &lights[0].name, noise.as_ref());
+        if presented {
+            let leaves = head(ui, &words);
+            let row = ui.spacing().interact_size.y + 2.0 * ui.spacing().item_spacing.y;
+            let size = vec2(ui.available_width(), ui.available_height() - row);
+            down(ui, size, |ui| {
+                self.pictures(ui, context, film.as_ref(), &lights);
+            });
+            exposure(ui, &mut context.memory.dispersion.gem.stops);
+            return leaves;
+        }
+        headline(ui, context.theme, words);
         for words in scene.as_ref().err().into_iter().chain(&trouble) {
             warning(ui, context.theme, words.as_str());
         }
@@ -117,6 +138,7 @@ impl GemView {
                 self.pictures(ui, context, film.as_ref(), &lights);
             });
         });
+        false
     }
 
     /// The finest film that there is, whatever it shows; what is missing of it is asked for.
