@@ -141,7 +141,7 @@ pub fn spike_words(app: &App, spike: Line, name: &LineName) -> String {
         "" => "nm".to_owned(),
         unit => format!("{unit} x nm"),
     };
-    let mut words = format!("spike {:.1} nm{name}   {weight} {unit}", spike.at_nm);
+    let mut words = format!("line {:.1} nm{name}   {weight} {unit}", spike.at_nm);
     if let Some(share) = derived.parts.share(spike.weight) {
         words += &format!("   {:.1} % of the power", 100.0 * share);
     }
@@ -153,7 +153,7 @@ pub fn spike_words(app: &App, spike: Line, name: &LineName) -> String {
     };
     let adds = 100.0 * xyz_of_lines(&[spike], weights).y / white;
     if adds.is_finite() {
-        words += &format!("   adds {adds:+.1} Y");
+        words += &format!("   adds {adds:+.1} % of the brightness");
     }
     words
 }

@@ -80,7 +80,7 @@ impl Export {
             Self::ArgyllSp => ["Measured spectrum (Argyll .sp)", "", "sp"],
             Self::SpectrumJson => ["Measured spectrum (JSON)", "", "json"],
             Self::PatchesCsv => ["Patches (CSV)", "-patches", "csv"],
-            Self::SpikesCsv => ["Spikes (CSV)", "-spikes", "csv"],
+            Self::SpikesCsv => ["Lines (CSV)", "-spikes", "csv"],
             Self::CurveCsv => ["Error against order (CSV)", "-error-against-order", "csv"],
             Self::PlotSvg => ["Plot (SVG)", "", "svg"],
             Self::CurveSvg => ["Error against order (SVG)", "-error-against-order", "svg"],

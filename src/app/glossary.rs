@@ -75,7 +75,7 @@ pub const WORDS: &[Word] = &[
     ),
     word(
         "Emission line",
-        "Light at one wavelength, or nearly, as atoms of a gas give it off. In the model: a spike.",
+        "Light at one wavelength, or nearly, as atoms of a gas give it off. The model keeps it as a place and a weight.",
     ),
     word(
         "Error against waves",
@@ -177,7 +177,7 @@ pub const WORDS: &[Word] = &[
     ),
     word(
         "Threshold",
-        "The least share of the power that a line must hold to become a spike.",
+        "The least share of the power that a line must hold to be kept as a line.",
     ),
     word("Tint", "See Duv."),
     word(
@@ -198,7 +198,7 @@ pub const WORDS: &[Word] = &[
     ),
     word(
         "Weight",
-        "The power of a spike, in the spectrum's unit times nanometres; on screen its share of the power is told.",
+        "The power of a line, in the spectrum's unit times nanometres; on screen its share of the power is told.",
     ),
     word(
         "XYZ",

@@ -78,18 +78,20 @@ pub(super) fn brief(ui: &mut Ui, app: &App, theme: Theme) {
 pub(super) fn presented(ui: &mut Ui, app: &App, theme: Theme) {
     let strong = ui.visuals().strong_text_color();
     ui.spacing_mut().item_spacing.y = 4.0;
-    split(ui, app, theme, 64.0, false);
-    through_a_prism(ui, app, theme, false);
+    split(ui, app, theme, 72.0, false);
+    through_a_prism(ui, app, theme);
     ui.add_space(6.0);
     if let Some(worst) = Worst::of(app) {
         let seen = Seen::of(worst.delta_e_2000);
         let words = RichText::new(verdict_alone(app, seen)).size(20.0 * theme.scale);
         ui.add(Label::new(words.color(strong)).wrap())
             .on_hover_text(verdict(app, seen));
+        ui.add_space(6.0);
+        let words = format!("To the eye: {}", seen.word().to_lowercase());
+        ui.add(Label::new(words).wrap()).on_hover_text(seen.meaning());
     }
-    ui.add_space(6.0);
     if let Some(behind) = BehindSlit::of(app) {
-        let words = format!("To an instrument {} % off", behind.percent());
+        let words = format!("To an instrument: {}", behind.step.word().to_lowercase());
         ui.add(Label::new(words).wrap())
             .on_hover_text(behind.step.meaning_behind_slit());
     }

@@ -9,7 +9,7 @@ use egui::{
 
 use super::{
     curve_view,
-    kit::{cell, drawing, named, named_choice, pressed_small, small_warnings},
+    kit::{drawing, named, named_choice, pressed_small, small_warnings},
     swatch,
     theme::{Theme, of_seen},
 };
@@ -49,7 +49,7 @@ pub fn show(
     commands: &mut Vec<Command>,
 ) {
     split(ui, app, theme, SWATCH * theme.scale, true);
-    through_a_prism(ui, app, theme, true);
+    through_a_prism(ui, app, theme);
     ui.add_space(4.0);
     headline(ui, app, theme);
     rule(ui);
@@ -175,14 +175,14 @@ pub(super) fn figure(delta: f64) -> String {
     }
 }
 
-/// Height of the strip, points.
-const STRIP: f32 = 24.0;
+/// Height of the strip, points: half of it each.
+const STRIP: f32 = 32.0;
 
 /// What stands in the strip below the swatch, for those who have it read out.
 const STRIP_NAME: &str = "Through a prism: measured above, model below";
 
 /// Both spectra as strips of colour, the model's below the light's: what only an instrument sees.
-pub(super) fn through_a_prism(ui: &mut Ui, app: &App, theme: Theme, says: bool) {
+pub(super) fn through_a_prism(ui: &mut Ui, app: &App, theme: Theme) {
     let colours = match app.document().is_about_light() {
         true => behind_slit::strip(app),
         false => Vec::new(),
@@ -204,20 +204,19 @@ pub(super) fn through_a_prism(ui: &mut Ui, app: &App, theme: Theme, says: bool) 
         }
     }
     ui.painter().add(mesh);
-    response.on_hover_text(
-        "Behind a slit of 10 nm, 380 to 780 nm where the range reaches: each wavelength as bright \
-         as the light is there.",
-    );
-    if !says {
-        return;
+    // The eye sees nothing at the end of the long wavelengths: it is dark in both looks.
+    for (row, words) in ["measured", "model"].into_iter().enumerate() {
+        let middle = rect.top() + (row as f32 + 0.5) * rect.height() / 2.0;
+        let font = egui::FontId::proportional(11.0 * theme.scale);
+        let at = egui::pos2(rect.right() - 4.0, middle);
+        let ink = super::theme::grey(200);
+        ui.painter()
+            .text(at, Align2::RIGHT_CENTER, words, font, ink);
     }
-    ui.horizontal(|ui| {
-        let small = |words: &str| RichText::new(words.to_owned()).small().color(theme.faint);
-        ui.label(small("through a prism"));
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            ui.label(small("above measured, below model"));
-        });
-    });
+    response.on_hover_text(
+        "Through a prism, behind a slit of 10 nm: 380 to 780 nm where the range reaches, each \
+         wavelength as bright as the light is there.",
+    );
 }
 
 fn headline(ui: &mut Ui, app: &App, theme: Theme) {
@@ -242,12 +241,13 @@ fn headline(ui: &mut Ui, app: &App, theme: Theme) {
             .on_hover_text(Measure::RmsBlurred.figure().meaning);
     }
     if let Some(surfaces) = app.surfaces().filter(|_| worst.is_some()) {
-        let words = RichText::new(surfaces.sentence()).small();
+        let words = RichText::new(surfaces.brief()).small();
         ui.add(Label::new(words.color(theme.faint)).wrap())
-            .on_hover_text(
-                "All tables of surfaces that ship and were measured, under the light and under \
-                 the model.",
-            );
+            .on_hover_text(format!(
+                "{} All tables of surfaces that ship and were measured, under the light and \
+                 under the model.",
+                surfaces.sentence()
+            ));
     }
 }
 
@@ -297,7 +297,9 @@ fn scale(ui: &mut Ui, of: &str, now: Seen, meaning: fn(Seen) -> &'static str, th
     let height = 24.0 * theme.scale;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = gap;
-        cell(ui, label, |ui| {
+        let size = vec2(label, height);
+        ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_size(size);
             ui.label(RichText::new(of).small());
         });
         for (seen, width) in Seen::ALL.into_iter().zip(widths) {
@@ -392,7 +394,7 @@ fn numbers(ui: &mut Ui, app: &App, theme: Theme) {
             };
             let words = format!("{smooth} for the smooth part, {lines}{label}");
             ui.label(RichText::new(words).small().color(theme.faint))
-                .on_hover_text("An order N takes 2N + 1 numbers; a line two, place and weight.");
+                .on_hover_text("N waves take 2N + 1 numbers; a line takes two, place and weight.");
         });
     });
 }
@@ -400,8 +402,7 @@ fn numbers(ui: &mut Ui, app: &App, theme: Theme) {
 /// What must be said about the model, and the way to another one for a composite as it is.
 fn warnings(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
     small_warnings(ui, theme, &app.derived().warnings);
-    let meaning = "Takes the composite apart like any measured spectrum, with the knobs that were \
-                   in force before it was shown.";
+    let meaning = "Takes the composite apart like a measured spectrum, with the knobs of before.";
     if app.document().as_given().is_some() && pressed_small(ui, ANALYSE, meaning) {
         commands.push(Command::Analyse);
     }

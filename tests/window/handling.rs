@@ -65,6 +65,7 @@ fn wheel(ui: &mut Ui, at: Pos2, notches: f32) {
         unit: egui::MouseWheelUnit::Point,
         delta: vec2(0.0, 60.0 * notches),
         phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Wheel,
         modifiers: Modifiers::NONE,
     });
     for _ in 0..20 {

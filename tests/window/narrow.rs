@@ -117,7 +117,7 @@ const SETTINGS: [(Role, &str); 12] = [
     (Role::Button, "Fourier"),
     (Role::CheckBox, names::COLOUR_EXACT),
     (Role::Slider, names::ORDER),
-    (Role::ComboBox, "Spike detector"),
+    (Role::ComboBox, "How lines are found"),
     (Role::Slider, names::THRESHOLD),
     (Role::SpinButton, names::THRESHOLD),
     (Role::SpinButton, names::WIDTH),

@@ -919,17 +919,17 @@ fn the_spike_table_edits_locks_and_deletes() {
     let mut ui = fresh();
     let count = app(&ui).derived().model.lines().len();
     click(&mut ui, "All figures");
-    type_into(&mut ui, Role::SpinButton, "Spike 1 place", "410");
+    type_into(&mut ui, Role::SpinButton, "Line 1 place", "410");
     press(&mut ui, Key::Enter);
     assert_eq!(hand_spike(&ui).map(|s| s.at_nm), Some(410.0));
-    type_into(&mut ui, Role::SpinButton, "Spike 1 weight", "12.5");
+    type_into(&mut ui, Role::SpinButton, "Line 1 weight", "12.5");
     press(&mut ui, Key::Enter);
     assert_eq!(hand_spike(&ui).map(|s| s.weight), Some(12.5));
     click(&mut ui, "Forget hand edits");
     assert_eq!(hand_spike(&ui), None);
-    click(&mut ui, "Delete spike 1");
+    click(&mut ui, "Delete line 1");
     assert_eq!(app(&ui).derived().model.lines().len(), count - 1);
-    control(&ui, Role::CheckBox, "Lock spike 1").click();
+    control(&ui, Role::CheckBox, "Lock line 1").click();
     ui.run();
     assert!(hand_spike(&ui).is_some());
 }
@@ -1550,7 +1550,7 @@ fn every_small_window_and_menu_is_drawn_with_names() {
             "How surfaces are seen",
             "Scale",
             "Observer",
-            "Spike detector",
+            "How lines are found",
             "Products by",
         ] {
             if combo == "Scale" {

@@ -71,7 +71,7 @@ pub(super) fn layers(
     commands: &mut Vec<Command>,
 ) {
     let width = ui.available_width();
-    let (wide, tight) = (width >= 712.0, width < 440.0);
+    let (wide, tight) = (width >= 780.0, width < 500.0);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = if tight { 4.0 } else { 8.0 };
         chip(
@@ -88,13 +88,13 @@ pub(super) fn layers(
             Some(theme.ink(Ink::Model)),
             "The model's smooth part as an outline; its lines stand on it.",
         );
-        let with_widths = width >= 800.0;
+        let with_widths = width >= 920.0;
         if !tight {
             lines(ui, theme, view);
             add_line(ui, adds_line);
         }
         if with_widths {
-            widths(ui, app, width >= 880.0, commands);
+            widths(ui, app, width >= 1000.0, commands);
         }
         // What is laid over, and on what scale, takes their place.
         let with_others = wide && app.document().overlays.is_empty();

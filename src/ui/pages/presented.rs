@@ -51,7 +51,7 @@ pub(in crate::ui) fn show(
         _ => {}
     }
     let drawn = match page {
-        Page::Prism => pages.prism.present_prism(ui, context),
+        Page::Prism => pages.prism.present_prism(ui, context, in_lesson),
         Page::Rainbow => pages.prism.present_rainbow(ui, context),
         Page::Gem => pages.gem.present(ui, context),
         _ => return chart(pages, ui, context, knobs),

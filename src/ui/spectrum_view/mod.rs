@@ -138,6 +138,6 @@ fn spoken(app: &App) -> String {
         "Spectrum of {}{nothing}: {}, {}{unit}",
         app.document().subject_entry().name(),
         numbers(derived.numbers()),
-        many(derived.model.lines().len(), "spike", "spikes"),
+        many(derived.model.lines().len(), "line", "lines"),
     )
 }

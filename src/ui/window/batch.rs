@@ -122,7 +122,7 @@ impl Window {
             batch_view::Wish::Show(brought) => {
                 self.app.end_gesture();
                 if !self.show_brought(&brought) {
-                    let words = "What that file brought is not among your files any more.";
+                    let words = "The spectra of that file are not open any more.";
                     self.app.say(Tone::Info, words);
                 }
             }

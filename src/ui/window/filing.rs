@@ -168,10 +168,10 @@ impl Window {
                 let odd = first.len().saturating_sub(1);
                 let odd = match odd {
                     0 => String::new(),
-                    _ => " More in its tooltip.".to_owned(),
+                    _ => " Its tooltip says more.".to_owned(),
                 };
                 let beside = if is_beside {
-                    " It is open already with other values: opened beside them."
+                    " A file of this name with other values is open: both are there now."
                 } else {
                     ""
                 };

@@ -60,7 +60,7 @@ impl Window {
                 self.offer_to_forget(ui);
                 self.offer_larger(ui);
                 if self.waiting.is_some() {
-                    let meaning = "Gives up on the file dialog; a late answer is ignored.";
+                    let meaning = "Stops waiting for the file dialog.";
                     if pressed_small(ui, "stop waiting", meaning) {
                         self.waiting = None;
                     }
@@ -147,8 +147,7 @@ impl Window {
         };
         let names: Vec<String> = lost.iter().map(|l| l.path.display().to_string()).collect();
         let forgets = ui.small_button(words).on_hover_text(format!(
-            "Not found this time: {}. They are looked for again at every start until you forget \
-             them.",
+            "Not found: {}. The program looks for them at every start until you forget them.",
             names.join(", ")
         ));
         if forgets.clicked() {
