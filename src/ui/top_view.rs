@@ -122,7 +122,7 @@ fn compare_button(ui: &mut Ui, drawer: &mut Drawer, room: Room) {
     let compare = ui.add(button.frame_when_inactive(true));
     named(&compare, egui::Role::Button, "+ Compare");
     let compare =
-        compare.on_hover_text("Lays another spectrum over this one: choose it in the library.");
+        compare.on_hover_text("Compares another light with this one: choose it in the library.");
     if compare.clicked() {
         let compares = !(drawer.open && drawer.compares);
         *drawer = Drawer {

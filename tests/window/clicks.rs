@@ -201,7 +201,7 @@ fn how_many_numbers_a_light_needs_is_one_act_away() {
     assert_eq!(person.acts, 1);
     assert_written(
         &person.ui,
-        "To stay under ΔE₀₀ 1 on the patches (mean), FL2 needs",
+        "To stay under ΔE₀₀ 1 on the surfaces (mean), FL2 needs",
     );
     let needed = figure_behind(&person.ui, "FL2 needs");
     let measured = app(&person.ui).derived().band.points() as f64;
