@@ -60,9 +60,11 @@ pub(super) fn brief(ui: &mut Ui, app: &App, theme: Theme) {
                     ui.add(words.wrap()).on_hover_text(verdict(app, seen));
                     let (off, of) = (figure(worst.delta_e_2000), of_how_many(app));
                     let words = format!("ΔE₀₀ {off} at worst{of}");
-                    ui.add(Label::new(words).wrap());
-                    if let Some(behind) = BehindSlit::of(app) {
-                        let words = format!("To an instrument {} % off", behind.percent());
+                    ui.add(Label::new(words).truncate());
+                    // Without room for it, the words above and the numbers are enough.
+                    let has_room = height >= 92.0 && theme.scale <= 1.0;
+                    if let Some(behind) = BehindSlit::of(app).filter(|_| has_room) {
+                        let words = format!("Instrument: {} % off", behind.percent());
                         ui.add(Label::new(words).truncate())
                             .on_hover_text(behind.step.meaning_behind_slit());
                     }

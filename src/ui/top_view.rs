@@ -285,15 +285,15 @@ const GROUPS: [(&str, &[Export]); 3] = [
 
 /// What is saved most.
 const FIRST: [(&str, &str, Wish); 4] = [
-    ("Spectrum (CSV)…", "Its numbers as a table.", Wish::Save(Export::Csv)),
-    ("Plot (PNG)…", "The picture of the spectrum.", Wish::SavePlotPng),
+    ("Spectrum and model (CSV)", "Its numbers as a table.", Wish::Save(Export::Csv)),
+    ("Plot (PNG)", "The picture of the spectrum.", Wish::SavePlotPng),
     (
-        "Sheet about the light (PDF)…",
+        "Sheet about the light (PDF)",
         "One page: what it is, how good it is, its colours, its numbers.",
         Wish::SaveSheetPdf,
     ),
     (
-        "Project…",
+        "Project",
         "Everything that is open, to go on later (Ctrl+S).",
         Wish::Save(Export::Project),
     ),

@@ -165,13 +165,11 @@ pub(super) fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32, says: boo
     });
 }
 
-/// An error in as many digits as it is good for.
+/// An error in the two digits that it is good for.
 pub(super) fn figure(delta: f64) -> String {
     match delta {
-        d if d < 0.0005 => "0.000".to_owned(),
-        d if d < 0.1 => format!("{d:.3}"),
-        d if d < 10.0 => format!("{d:.2}"),
-        d => format!("{d:.1}"),
+        d if d < 0.001 => "< 0.001".to_owned(),
+        d => two_digits(d),
     }
 }
 

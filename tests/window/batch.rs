@@ -160,7 +160,7 @@ fn a_row_of_the_summary_shows_its_spectrum_and_a_doubtful_one_how_it_was_read() 
     click_row(&mut ui, "lamps/a.csv: ");
     let message = app(&ui).message().unwrap();
     assert!(
-        message.text.contains("not among your files any more"),
+        message.text.contains("are not open any more"),
         "{message:?}"
     );
 }
@@ -200,7 +200,7 @@ fn a_file_that_is_open_is_shown_again_and_not_opened_twice() {
     assert_eq!(app(&ui).document().own.len(), 4);
     let message = app(&ui).message().unwrap();
     assert!(
-        message.text.contains("open already with other values"),
+        message.text.contains("with other values is open"),
         "{message:?}"
     );
 }

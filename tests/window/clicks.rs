@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::driver::{Ui, app, assert_written, at_rest, click, no_files, wait_until, words};
 use crate::sizes;
 use eframe::egui;
+use egui::accesskit::Toggled;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use spectral_explorer::{
     app::{App, pages::Page, workspace::Preferences},
@@ -84,7 +85,7 @@ fn why_lines_matter_is_two_acts_away_on_the_first_screen() {
     // The eye and the instrument disagree, on the same four steps.
     let chosen = |name: &str| {
         let node = ui.get_by_label(name);
-        node.accesskit_node().is_selected() == Some(true)
+        node.accesskit_node().toggled() == Some(Toggled::True)
     };
     assert!(chosen("To the eye: hard to tell"));
     assert!(chosen("To an instrument: large"));

@@ -515,7 +515,7 @@ fn automatic_takes_the_best_says_so_and_is_one_step_of_undo() {
         now.basis.word()
     );
     assert!(words.starts_with(&begins), "{words}");
-    assert!(words.contains(&format!("order {}", now.order)), "{words}");
+    assert!(words.contains(&format!("{} waves", now.order)), "{words}");
     assert_eq!(words.contains("with its lines"), now.spikes, "{words}");
     assert_eq!(words.contains("colour-exact"), now.colour_exact, "{words}");
     ui.state_mut().0.app.apply(Command::Undo);

@@ -96,6 +96,16 @@ fn beside(side: Side) -> Ui {
     ui
 }
 
+/// Chooses what is to be saved, in the menu or in its second level.
+fn save_as(ui: &mut Ui, title: &str) {
+    click(ui, "Save");
+    if ui.query_by_role_and_label(Role::Button, title).is_none() {
+        control(ui, Role::Button, "More formats").click();
+        ui.run();
+    }
+    control(ui, Role::Button, title).click();
+}
+
 /// The window with the library open.
 fn with_library() -> Ui {
     let mut ui = fresh();
@@ -219,13 +229,10 @@ fn a_slider_moves_everything_in_the_same_frame() {
         if side == Side::Verdict {
             assert_written(&ui, &now);
             let worst = &patches.items[patches.worst];
-            assert_written(&ui, &format!("at worst ({})", worst.name));
-            let digits = match worst.delta_e_2000 {
-                d if d < 0.1 => 3,
-                d if d < 10.0 => 2,
-                _ => 1,
-            };
-            assert_written(&ui, &format!("ΔE₀₀ {:.digits$} at", worst.delta_e_2000));
+            assert_written(&ui, &format!("at worst of 24 ({})", worst.name));
+            // Two digits, without zeros at the end.
+            let two: f64 = format!("{:.1e}", worst.delta_e_2000).parse().expect("a number");
+            assert_written(&ui, &format!("ΔE₀₀ {two} at"));
             assert_written(&ui, &Seen::of(worst.delta_e_2000).verdict("light"));
         } else {
             let own = app(&ui).derived().colour.delta_e_2000.expect("a colour");
@@ -446,7 +453,7 @@ fn switches_and_choices_do_what_they_say() {
 #[test]
 fn a_click_in_the_error_curve_goes_to_that_order() {
     let mut ui = fresh();
-    let name = "Error against order; click to go to an order";
+    let name = "Error against waves; click to go there";
     let rect = control(&ui, Role::Image, name).rect();
     let inside = rect.left_top() + vec2(0.7 * rect.width(), 0.4 * rect.height());
     ui.hover_at(inside);
@@ -485,7 +492,7 @@ fn a_search_finds_a_spectrum_and_a_click_shows_it() {
     search(&mut ui, "ohta red");
     click(&mut ui, "moderate red");
     assert_eq!(app(&ui).document().subject, Subject::Factor);
-    assert_written(&ui, "This is a surface");
+    assert_written(&ui, "moderate red under six lights");
     // Back to the light by the switch over the knobs.
     click(&mut ui, "Settings");
     click(&mut ui, "FL2");
@@ -667,7 +674,7 @@ fn a_click_on_a_patch_shows_its_product_and_a_second_hides_it() {
         app(&ui).product().map(|p| p.name.clone()),
         Some(patch.name.clone())
     );
-    assert_written(&ui, &format!("through {}", patch.name));
+    assert_written(&ui, &format!("off {}", patch.name));
     click(&mut ui, &name);
     assert_eq!(app(&ui).product(), None);
 }
@@ -968,7 +975,7 @@ fn the_plot_in_a_file_shows_what_the_window_shows() {
         ] {
             assert!(names.contains(&name), "{name} in {names:?}");
         }
-        assert!(names.iter().any(|name| name.starts_with("through ")));
+        assert!(names.iter().any(|name| name.starts_with("off ")));
     }
 }
 
@@ -1193,8 +1200,7 @@ fn everything_in_the_save_menu_is_written_where_the_picker_says() {
     let (picker, asked) = picker(Picked::Paths(vec![path.clone()]));
     let mut ui = at_rest(window(plain(), picker));
     for export in Export::ALL {
-        click(&mut ui, "Save");
-        control(&ui, Role::Button, export.title()).click();
+        save_as(&mut ui, export.title());
         ui.step();
         wait_until(&mut ui, export.title(), |ui| {
             !ui.state().is_busy() && path.is_file() && app(ui).message().is_some()
@@ -1226,8 +1232,7 @@ fn the_error_curve_is_saved_as_a_picture_of_pixels_too() {
     let path = folder.path().join("curve.png");
     let (picker, asked) = picker(Picked::Paths(vec![path.clone()]));
     let mut ui = at_rest(window(plain(), picker));
-    click(&mut ui, "Save");
-    control(&ui, Role::Button, "Error against order (PNG)").click();
+    save_as(&mut ui, "Error against waves (PNG)");
     ui.step();
     wait_until(&mut ui, "the word that it is saved", |ui| {
         app(ui)
@@ -1249,8 +1254,7 @@ fn a_saved_composite_can_be_opened_again() {
     let path = folder.path().join("fl11.json");
     let (picker, _) = picker(Picked::NoDialog);
     let mut ui = at_rest(window(plain(), picker));
-    click(&mut ui, "Save");
-    control(&ui, Role::Button, Export::CompositeJson.title()).click();
+    save_as(&mut ui, Export::CompositeJson.title());
     wait_until(&mut ui, "the path field", |ui| {
         ui.query_by_role_and_label(Role::TextInput, "Path of the file")
             .is_some()
@@ -1272,8 +1276,7 @@ fn a_typed_path_replaces_a_file_only_by_the_button_that_says_so() {
     fs::write(&path, "kept").expect("written");
     let (picker, _) = picker(Picked::NoDialog);
     let mut ui = at_rest(window(plain(), picker));
-    click(&mut ui, "Save");
-    control(&ui, Role::Button, Export::CompositeJson.title()).click();
+    save_as(&mut ui, Export::CompositeJson.title());
     wait_until(&mut ui, "the path field", |ui| {
         ui.query_by_role_and_label(Role::TextInput, "Path of the file")
             .is_some()

@@ -51,7 +51,7 @@ pub fn threshold_chart(ask: &SweepAsk, sweep: &Sweep, measure: Measure) -> Chart
             way.title()
         ),
         x_label: "Waves".to_owned(),
-        y_label: "Spike threshold, % of the power".to_owned(),
+        y_label: "Lines above, % of the power".to_owned(),
         x_range: [-0.5, columns as f64 - 0.5],
         y_range: Some([
             cells.y_edges.first().copied().unwrap_or(0.1),

@@ -331,7 +331,10 @@ fn acts(ui: &mut Ui, (budget, busy): (&mut usize, bool), asked: &mut Asked) {
     let count = DragValue::new(budget).range(SPENDABLE).speed(0.1);
     number(ui, count, names::BUDGET)
         .on_hover_text("Most numbers that Automatic may spend, 1 to 101.");
-    ui.label("numbers");
+    // In a narrow window the buttons need the room.
+    if ui.available_width() >= 190.0 {
+        ui.label("numbers");
+    }
     let meaning = "Basis, colour-exact, widest line, dark lines, range, observer, products.";
     asked.more = pressed(ui, names::MORE, meaning);
     let meaning = "Model, layers and surfaces back to the start (R).";

@@ -86,7 +86,7 @@ pub(super) fn head(ui: &mut Ui, words: &str) -> bool {
         leaves = back
             .on_hover_text("Back to the whole window (Esc).")
             .clicked();
-        let size = vec2(ui.available_width() - GAP, 0.0);
+        let size = vec2(ui.available_width(), 0.0);
         ui.allocate_ui_with_layout(size, Layout::top_down(Align::Min), |ui| {
             let ink = ui.visuals().strong_text_color();
             ui.add(Label::new(RichText::new(words).color(ink)).wrap());

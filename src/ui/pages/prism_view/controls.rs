@@ -74,7 +74,7 @@ pub(super) fn prism(ui: &mut Ui, context: &mut PageContext<'_>) {
         together(ui, names::MINIMUM, 30.0);
         ui.checkbox(&mut memory.at_minimum, names::MINIMUM)
             .on_hover_text(
-                "The light meets the prism so that one wavelength is bent least, as one sets a \
+                "The light meets the prism so that one wavelength is bent least, as in a \
                  spectroscope; else at an angle of your choice. Drag the drawing to turn it.",
             );
         if memory.at_minimum {
