@@ -7,7 +7,6 @@ mod steps;
 
 use std::{
     sync::{Arc, OnceLock},
-    time::{Duration, Instant},
 };
 
 use super::{
@@ -48,7 +47,6 @@ pub struct App {
     surfaces: OnceLock<Option<Surfaces>>,
     scale_factor: f64,
     unit: String,
-    took: Duration,
     messages: Vec<Message>,
     /// Steps taken that can be undone, ever.
     steps: u64,
@@ -102,7 +100,6 @@ impl App {
             surfaces: OnceLock::new(),
             scale_factor: 1.0,
             unit: String::new(),
-            took: Duration::ZERO,
             messages: Vec::new(),
             steps: 0,
             revision: 0,
@@ -173,11 +170,6 @@ impl App {
     /// All atomic lines, for hover.
     pub fn element_lines(&self) -> &'static [ElementLine] {
         Library::bundled().lines()
-    }
-
-    /// How long the last recomputation took.
-    pub fn took(&self) -> Duration {
-        self.took
     }
 
     /// Grows with every change of the document.
@@ -386,7 +378,6 @@ impl App {
 
     /// Derives what cannot be the same any more.
     fn recompute(&mut self, has_same_model: bool) {
-        let start = Instant::now();
         if !has_same_model {
             let wanted = tables_for(&self.document);
             if wanted != self.tables_for {
@@ -406,7 +397,6 @@ impl App {
         // Integrals over the whole table: once a change, not once a frame.
         self.scale_factor = self.document.scale.factor(spectrum).unwrap_or(1.0);
         self.unit = self.document.scale.unit(spectrum);
-        self.took = start.elapsed();
         self.revision += 1;
     }
 

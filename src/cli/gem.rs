@@ -265,7 +265,7 @@ fn screen_file(picture: &Picture, options: &Gem, inputs: &mut Inputs) -> Result<
     let adapted = by_eye.then(|| picture.adapted());
     if adapted == Some(None) {
         inputs.note(
-            "no eye adapts to so narrow a light: the picture is as a daylight camera sees it",
+            "no eye adapts to so narrow a light: the picture is as seen beside daylight",
         );
     }
     let adapted = adapted.flatten();

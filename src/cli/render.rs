@@ -45,6 +45,7 @@ pub(super) fn run(
         theme,
         page,
         lesson,
+        present,
     } = options;
     let pictures = painter(pictures, "render")?;
     // A lesson brings its own light.
@@ -72,6 +73,7 @@ pub(super) fn run(
     }
     let preferences = Preferences {
         dark: *theme == Theme::Dark,
+        present: *present,
         pages: PageMemory {
             page: *page,
             image: memory,

@@ -18,6 +18,7 @@ mod keys;
 pub mod kit;
 mod lesson_view;
 mod library_view;
+mod lights_quality_view;
 pub mod look_view;
 mod makers_view;
 pub mod model_view;

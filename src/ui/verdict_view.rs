@@ -9,13 +9,15 @@ use egui::{
 
 use super::{
     curve_view,
-    kit::{named, named_choice, pressed_small, small_warnings},
+    kit::{drawing, named, named_choice, pressed_small, small_warnings},
     swatch,
     theme::{Theme, of_seen},
 };
 use crate::app::{
     App, Command,
-    answers::{Worst, judged_on, of_how_many, verdict, white_words},
+    answers::{Worst, judged_on, of_how_many, verdict, verdict_alone, white_words},
+    behind_slit::{self, BehindSlit},
+    figures::two_digits,
     verdicts::Seen,
     workspace::Preferences,
 };
@@ -47,6 +49,7 @@ pub fn show(
     commands: &mut Vec<Command>,
 ) {
     split(ui, app, theme, SWATCH * theme.scale, true);
+    through_a_prism(ui, app, theme);
     ui.add_space(4.0);
     headline(ui, app, theme);
     rule(ui);
@@ -147,7 +150,7 @@ pub(super) fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32, says: boo
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.label(small("model"));
             let middle = if app.document().is_about_light() {
-                "as a daylight camera sees it".to_owned()
+                "as seen beside daylight".to_owned()
             } else {
                 format!("under {}", app.document().light.name())
             };
@@ -162,36 +165,98 @@ pub(super) fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32, says: boo
     });
 }
 
-/// An error in as many digits as it is good for.
+/// An error in the two digits that it is good for.
 pub(super) fn figure(delta: f64) -> String {
     match delta {
-        d if d < 0.0005 => "0.000".to_owned(),
-        d if d < 0.1 => format!("{d:.3}"),
-        d if d < 10.0 => format!("{d:.2}"),
-        d => format!("{d:.1}"),
+        d if d < 0.001 => "< 0.001".to_owned(),
+        d => two_digits(d),
     }
 }
 
-/// Two digits are what such a figure is read for.
-fn two_digits(value: f64) -> String {
-    let rounded: f64 = format!("{value:.1e}").parse().unwrap_or(value);
-    crate::app::ticks::short(rounded)
+/// Height of the strip, points: half of it each.
+const STRIP: f32 = 32.0;
+
+/// What stands in the strip below the swatch, for those who have it read out.
+const STRIP_NAME: &str = "Through a prism: measured above, model below";
+
+/// Both spectra as strips of colour, the model's below the light's: what only an instrument sees.
+pub(super) fn through_a_prism(ui: &mut Ui, app: &App, theme: Theme) {
+    let colours = match app.document().is_about_light() {
+        true => behind_slit::strip(app),
+        false => Vec::new(),
+    };
+    if colours.is_empty() {
+        return;
+    }
+    let size = vec2(ui.available_width(), STRIP * theme.scale);
+    let (rect, response) = drawing(ui, size, Sense::hover(), STRIP_NAME);
+    let mut mesh = egui::Mesh::default();
+    let width = rect.width() / colours.len() as f32;
+    for (k, both) in colours.iter().enumerate() {
+        let left = rect.left() + k as f32 * width;
+        for (row, colour) in both.iter().enumerate() {
+            let top = rect.top() + row as f32 * rect.height() / 2.0;
+            let at = egui::pos2(left, top);
+            let field = Rect::from_min_size(at, vec2(width, rect.height() / 2.0));
+            mesh.add_colored_rect(field, swatch::colour(*colour));
+        }
+    }
+    ui.painter().add(mesh);
+    // The eye sees nothing at the end of the long wavelengths: it is dark in both looks.
+    for (row, words) in ["measured", "model"].into_iter().enumerate() {
+        let middle = rect.top() + (row as f32 + 0.5) * rect.height() / 2.0;
+        let font = egui::FontId::proportional(11.0 * theme.scale);
+        let at = egui::pos2(rect.right() - 4.0, middle);
+        let ink = super::theme::grey(200);
+        ui.painter()
+            .text(at, Align2::RIGHT_CENTER, words, font, ink);
+    }
+    response.on_hover_text(
+        "Through a prism, behind a slit of 10 nm: 380 to 780 nm where the range reaches, each \
+         wavelength as bright as the light is there.",
+    );
 }
 
 fn headline(ui: &mut Ui, app: &App, theme: Theme) {
-    let Some(worst) = Worst::of(app) else {
-        return;
-    };
-    let seen = Seen::of(worst.delta_e_2000);
-    let size = if theme.scale > 1.0 { 18.0 } else { 20.0 };
-    let words = RichText::new(verdict(app, seen))
-        .size(size * theme.scale)
-        .color(ui.visuals().strong_text_color());
-    ui.add(Label::new(words).wrap());
-    scale(ui, seen, theme);
+    let worst = Worst::of(app);
+    if let Some(worst) = &worst {
+        let seen = Seen::of(worst.delta_e_2000);
+        let size = if theme.scale > 1.0 { 18.0 } else { 20.0 };
+        let words = RichText::new(verdict_alone(app, seen))
+            .size(size * theme.scale)
+            .color(ui.visuals().strong_text_color());
+        ui.add(Label::new(words).wrap())
+            .on_hover_text(verdict(app, seen));
+        scale(ui, TO_THE_EYE, seen, Seen::meaning, theme);
+        eye_caption(ui, app, worst, theme);
+    }
+    if let Some(behind) = BehindSlit::of(app) {
+        ui.add_space(2.0);
+        let meaning = Seen::meaning_behind_slit;
+        scale(ui, TO_AN_INSTRUMENT, behind.step, meaning, theme);
+        let words = format!("{} % off behind a slit of 10 nm", behind.percent());
+        ui.label(RichText::new(words).small())
+            .on_hover_text(Measure::RmsBlurred.figure().meaning);
+    }
+    if let Some(surfaces) = app.surfaces().filter(|_| worst.is_some()) {
+        let words = RichText::new(surfaces.brief()).small();
+        ui.add(Label::new(words.color(theme.faint)).wrap())
+            .on_hover_text(format!(
+                "{} All tables of surfaces that ship and were measured, under the light and \
+                 under the model.",
+                surfaces.sentence()
+            ));
+    }
+}
+
+/// What a difference is judged by: both have the same four steps.
+const TO_THE_EYE: &str = "To the eye";
+const TO_AN_INSTRUMENT: &str = "To an instrument";
+
+fn eye_caption(ui: &mut Ui, app: &App, worst: &Worst, theme: Theme) {
     let at = match &worst.patch {
         None => "of its own colour".to_owned(),
-        Some(patch) => format!("at worst ({patch})"),
+        Some(patch) => format!("at worst{} ({patch})", of_how_many(app)),
     };
     // Where there are no patches it is said already.
     let own = app.derived().colour.delta_e_2000;
@@ -208,33 +273,33 @@ fn headline(ui: &mut Ui, app: &App, theme: Theme) {
                 .on_hover_text("CIEDE2000, the CIE's measure of how different two colours look.");
         });
     });
-    if let Some(surfaces) = app.surfaces() {
-        let words = RichText::new(surfaces.sentence()).small();
-        ui.add(Label::new(words.color(theme.faint)).wrap())
-            .on_hover_text(
-                "All tables of surfaces that ship and were measured, under the light and under \
-                 the model.",
-            );
-    }
 }
 
-/// The four words, the one that holds filled.
-fn scale(ui: &mut Ui, now: Seen, theme: Theme) {
+/// Whose scale it is, and the four words, the one that holds filled.
+fn scale(ui: &mut Ui, of: &str, now: Seen, meaning: fn(Seen) -> &'static str, theme: Theme) {
     let gap = 4.0;
     let font = egui::TextStyle::Small.resolve(ui.style());
-    let widths = Seen::ALL.map(|seen| {
-        let galley = ui.painter().layout_no_wrap(
-            seen.word().to_owned(),
-            font.clone(),
-            ui.visuals().text_color(),
-        );
+    let wide = |words: &str| {
+        let ink = ui.visuals().text_color();
+        let galley = ui
+            .painter()
+            .layout_no_wrap(words.to_owned(), font.clone(), ink);
         galley.size().x
-    });
-    let (total, room) = (widths.iter().sum::<f32>(), ui.available_width() - 3.0 * gap);
+    };
+    let widths = Seen::ALL.map(|seen| wide(seen.word()));
+    // Both rows begin at the same place.
+    let label = wide(TO_THE_EYE).max(wide(TO_AN_INSTRUMENT)) + gap;
+    let total = widths.iter().sum::<f32>();
+    let room = ui.available_width() - 4.0 * gap - label;
     let air = ((room - total) / 4.0).max(4.0);
     let height = 24.0 * theme.scale;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = gap;
+        let size = vec2(label, height);
+        ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_size(size);
+            ui.label(RichText::new(of).small());
+        });
         for (seen, width) in Seen::ALL.into_iter().zip(widths) {
             let (rect, response) =
                 ui.allocate_exact_size(vec2(width + air, height), Sense::hover());
@@ -256,13 +321,14 @@ fn scale(ui: &mut Ui, now: Seen, theme: Theme) {
                 font.clone(),
                 ink,
             );
-            named_choice(&response, egui::Role::Label, is_now, seen.word());
-            response.on_hover_text(seen.meaning());
+            let name = format!("{of}: {}", seen.word().to_lowercase());
+            named_choice(&response, egui::Role::Label, is_now, &name);
+            response.on_hover_text(meaning(seen));
         }
     });
 }
 
-/// The two other questions, and what white it is.
+/// How far light is moved, and what white it is.
 fn answers(ui: &mut Ui, app: &App, theme: Theme) {
     let derived = app.derived();
     let mut row = |question: &str, answer: String, meaning: &str| {
@@ -279,18 +345,9 @@ fn answers(ui: &mut Ui, app: &App, theme: Theme) {
         true => "Light moved along the spectrum",
         false => "Moved along the spectrum",
     };
-    for (question, measure, off) in [
-        (moved, Measure::Displacement, ""),
-        ("To an instrument (10 nm slit)", Measure::RmsBlurred, " off"),
-    ] {
-        if let Some((figure, value)) = figure(measure) {
-            let words = format!(
-                "{}{}{off}",
-                two_digits(figure.shown(value)),
-                figure.unit.tail
-            );
-            row(question, words, figure.meaning);
-        }
+    if let Some((figure, value)) = figure(Measure::Displacement) {
+        let words = format!("{}{}", two_digits(figure.shown(value)), figure.unit.tail);
+        row(moved, words, figure.meaning);
     }
     if !derived.has_errors() {
         let nothing = "nothing to compare".to_owned();
@@ -298,7 +355,7 @@ fn answers(ui: &mut Ui, app: &App, theme: Theme) {
     }
     if let Some(white) = white_words(app) {
         row(
-            "What white is it?",
+            "White",
             white,
             "Correlated colour temperature of the light from 360 to 830 nm, after Ohno, and which \
              way it leaves the line of blackbodies (Duv).",
@@ -335,7 +392,7 @@ fn numbers(ui: &mut Ui, app: &App, theme: Theme) {
             };
             let words = format!("{smooth} for the smooth part, {lines}{label}");
             ui.label(RichText::new(words).small().color(theme.faint))
-                .on_hover_text("An order N takes 2N + 1 numbers; a line two, place and weight.");
+                .on_hover_text("N waves take 2N + 1 numbers; a line takes two, place and weight.");
         });
     });
 }
@@ -343,8 +400,7 @@ fn numbers(ui: &mut Ui, app: &App, theme: Theme) {
 /// What must be said about the model, and the way to another one for a composite as it is.
 fn warnings(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
     small_warnings(ui, theme, &app.derived().warnings);
-    let meaning = "Takes the composite apart like any measured spectrum, with the knobs that were \
-                   in force before it was shown.";
+    let meaning = "Takes the composite apart like a measured spectrum, with the knobs of before.";
     if app.document().as_given().is_some() && pressed_small(ui, ANALYSE, meaning) {
         commands.push(Command::Analyse);
     }

@@ -202,6 +202,7 @@ pub(crate) fn full_preferences() -> Preferences {
         grown: 1.0,
         pages: PageMemory {
             page: Page::Race,
+            last_of_places: vec![Page::Rainbow, Page::Race],
             partial_order: 5,
             channel: 2,
             measure: Measure::Filters,

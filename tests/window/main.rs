@@ -17,6 +17,7 @@ mod clicks;
 mod design_pages;
 mod dispersion_pages;
 mod ends;
+mod handling;
 mod image_page;
 mod import;
 mod lessons;

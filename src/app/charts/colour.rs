@@ -90,7 +90,7 @@ fn lines_panel(light: &LineLight) -> Panel {
         series.push(Series::stems("", colour, top, Vec::new()));
     }
     Panel {
-        y_label: "Light of lines, power a nm".to_owned(),
+        y_label: "Light of lines, power per nm".to_owned(),
         y_range: None,
         series,
     }

@@ -28,8 +28,46 @@ pub const SPIKES: &str = "spikes";
 /// What values in a unit are called on an axis.
 pub fn value_label(unit: &str) -> String {
     match unit {
-        "relative" => "Relative power per nm".to_owned(),
-        unit => unit_or_value(unit),
+        // What else a file says of it belongs to its source.
+        unit if unit.starts_with("relative") => "Relative power per nm".to_owned(),
+        unit => unit_or_value(&as_fraction(unit)),
+    }
+}
+
+/// A unit of powers as a fraction: "W m-2 nm-1" as "W/(m² nm)"; others as they are.
+fn as_fraction(unit: &str) -> String {
+    let power = |part: &str| {
+        let at = part.find(|c: char| c == '-' || c.is_ascii_digit())?;
+        let (name, exponent) = part.split_at(at);
+        let exponent: i32 = exponent.parse().ok()?;
+        let sign = match exponent.abs() {
+            1 => "",
+            2 => "²",
+            3 => "³",
+            _ => return None,
+        };
+        Some((format!("{name}{sign}"), exponent < 0))
+    };
+    let (mut over, mut under) = (Vec::new(), Vec::new());
+    for part in unit.split(' ') {
+        match power(part) {
+            Some((name, true)) if name.starts_with(char::is_alphabetic) => under.push(name),
+            _ => over.push(part.to_owned()),
+        }
+    }
+    match under.len() {
+        0 => unit.to_owned(),
+        1 => format!("{}/{}", over.join(" "), under[0]),
+        _ => format!("{}/({})", over.join(" "), under.join(" ")),
+    }
+}
+
+/// What the values of the subject are called on an axis.
+fn subject_label(app: &App) -> String {
+    match app.document().subject_entry().kind() {
+        Kind::Reflectance => "Reflectance".to_owned(),
+        Kind::Transmittance => "Transmittance".to_owned(),
+        _ => value_label(app.unit()),
     }
 }
 
@@ -52,7 +90,6 @@ pub fn spectrum_chart(app: &App) -> Chart {
     let (document, derived) = (app.document(), app.derived());
     let (view, band) = (document.view, derived.band);
     let subject = document.subject_entry();
-    let unit = app.unit();
     let has_subject = app.is_measured_in_range();
     let mut chart = Chart {
         title: format!(
@@ -63,7 +100,7 @@ pub fn spectrum_chart(app: &App) -> Chart {
             derived.model.smooth().order(),
             many(derived.model.lines().len(), "spike", "spikes"),
         ),
-        y_label: value_label(unit),
+        y_label: subject_label(app),
         y_scale: scale(app),
         series: spectrum_series(app),
         colours: colours(app),
@@ -142,17 +179,19 @@ fn spectrum_series(app: &App) -> Vec<Series> {
     if view.measured {
         let points = app.measured_points();
         let points: Vec<[f64; 2]> = points.map(|(nm, v)| [nm, v * app.scale_factor()]).collect();
-        if view.strip && document.is_about_light() {
+        if view.strip {
             let area = Series::area("measured", Ink::Measured, points, Vec::new());
             series.push(area.coloured());
-            series.extend(line_bars(app));
+            if document.is_about_light() {
+                series.extend(line_bars(app));
+            }
         } else {
             series.push(Series::line("measured", Ink::Measured, points));
         }
     }
     if let Some(product) = app.product() {
         let (exact, model) = (curve(app, &product.exact), curve(app, &product.smooth));
-        let name = format!("through {}", product.name);
+        let name = format!("off {}", product.name);
         series.push(Series::line(&name, Ink::Product, exact));
         let name = format!("{name}, by the model");
         series.push(stroke(&name, Ink::Product, model, 1.8, Dash::Dashed));

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::Value;
 
-use super::Page;
+use super::{Page, Place};
 use crate::{
     app::{
         charts::quality::DiagramShows,
@@ -25,6 +25,8 @@ use crate::{
 pub struct PageMemory {
     /// The page shown.
     pub page: Page,
+    /// The pages that were shown last, one a place: the rail leads back to them.
+    pub last_of_places: Vec<Page>,
     /// Coefficients: the partial sum's order.
     pub partial_order: usize,
     /// Coefficients: which of X, Y, Z the bars are of.
@@ -90,6 +92,7 @@ impl Default for PageMemory {
     fn default() -> Self {
         Self {
             page: Page::Spectrum,
+            last_of_places: Vec::new(),
             partial_order: 3,
             channel: 1,
             measure: Measure::Patches,
@@ -126,6 +129,23 @@ pub const SPENDABLE: std::ops::RangeInclusive<usize> = 1..=101;
 pub const RACE_BUDGETS: [usize; 7] = [8, 11, 15, 20, 25, 31, 41];
 
 impl PageMemory {
+    /// Remembers the page that is shown as the last of its place.
+    pub fn note_page(&mut self) {
+        let page = self.page;
+        if !self.last_of_places.contains(&page) {
+            self.last_of_places.retain(|other| other.place() != page.place());
+            self.last_of_places.push(page);
+        }
+    }
+
+    /// Goes to the page of a place that was shown last.
+    pub fn go_to(&mut self, place: Place) {
+        self.note_page();
+        let mut last = self.last_of_places.iter();
+        let last = last.find(|page| page.place() == place).copied();
+        self.page = last.unwrap_or_else(|| place.first());
+    }
+
     /// Goes to the page "From a colour" with a screen's colour.
     pub fn ask_about_colour(&mut self, rgb: [u8; 3]) {
         self.colour = self.colour.clone().about(rgb);
@@ -140,6 +160,7 @@ impl PageMemory {
             .into_iter()
             .min_by_key(|budget| budget.abs_diff(self.race_numbers));
         Self {
+            last_of_places: one_a_place(self.last_of_places),
             partial_order: self.partial_order.min(100),
             channel: self.channel.min(2),
             ways: self.ways.clamped(),
@@ -168,6 +189,16 @@ impl PageMemory {
             ..self
         }
     }
+}
+
+/// The last page of each place.
+fn one_a_place(pages: Vec<Page>) -> Vec<Page> {
+    let mut all = PageMemory::default();
+    for page in pages {
+        all.page = page;
+        all.note_page();
+    }
+    all.last_of_places
 }
 
 /// What is asked of many lights.

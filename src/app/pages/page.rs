@@ -66,9 +66,15 @@ impl Page {
         ROWS.iter().find(is_it).map(|row| row.page)
     }
 
-    /// Whether the model's knobs act on what it shows.
+    /// Whether it asks about the model: then its verdict and its knobs stand beside it.
     pub fn has_model(self) -> bool {
-        matches!(self.place(), Place::Look | Place::Quality | Place::Numbers)
+        matches!(self.place(), Place::Look | Place::Numbers)
+    }
+
+    /// Whether the model acts on what it shows, though it asks something else: then one line tells of
+    /// it and leads to its knobs.
+    pub fn has_model_line(self) -> bool {
+        matches!(self.place(), Place::Quality | Place::Through)
     }
 }
 

@@ -7,7 +7,7 @@ use serde::{Deserialize, Deserializer, Serialize, de::Error as _};
 use crate::{
     app::{
         derived::OF_CURVE,
-        pages::{Page, PageMemory},
+        pages::PageMemory,
         stored_path,
     },
     study::Measure,
@@ -45,9 +45,9 @@ pub struct Preferences {
 }
 
 impl Preferences {
-    /// Whether the first screen is being presented; the other pages never are.
+    /// Whether a page is being presented: it has the window alone, in large type.
     pub fn presents(&self) -> bool {
-        self.present && self.pages.page == Page::Spectrum
+        self.present
     }
 }
 

@@ -9,7 +9,7 @@ use crate::cli::{options::FileOptions, room_words, words};
 /// Options of `combine`.
 #[derive(Args, Debug)]
 pub(crate) struct Combine {
-    /// What becomes of the inputs, whose letters are A, B, C, ... in their order: a formula with
+    /// What to do with the inputs, whose letters are A, B, C, ... in their order: a formula with
     /// the signs + - * / ( ), numbers and -log10, such as "A - B", "A / B", "(A - C) / (B - C)",
     /// "-log10(A / B)"; or mean (scans of one light), splice (two ranges), slit NM
     /// [triangle|gauss] (as such an instrument sees it), changed (what differs: the second set
@@ -27,13 +27,13 @@ pub(crate) struct Combine {
     /// nm such as 1; a coarser grid takes areas, never single samples.
     #[arg(long, value_name = "GRID", default_value = "union", value_parser = room_words::grid)]
     pub grid: room_words::Grid,
-    /// What one reading's level is known to, such as 1%.
+    /// Uncertainty of a reading's level, such as 1%.
     #[arg(long, value_name = "PERCENT", value_parser = room_words::level)]
     pub level: Option<f64>,
-    /// What the wavelengths are known to, such as 0.1nm.
+    /// Uncertainty of the wavelengths, such as 0.1nm.
     #[arg(long, value_name = "NM", value_parser = room_words::axis)]
     pub axis: Option<f64>,
-    /// Leave out nothing of a quotient, however dark the reference is.
+    /// Keep all of a quotient, even where the reference is dark.
     #[arg(long)]
     pub keep_all: bool,
     /// The spectrum to write: .csv with a column of sigma, or .json, .sp (Argyll), .spd, .spdx.

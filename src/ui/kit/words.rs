@@ -6,15 +6,30 @@ use egui::{
     RichText, Sense, TextEdit, Ui, Vec2, WidgetText,
 };
 
-use crate::ui::theme::Theme;
+use crate::ui::theme::{Theme, main_colours};
 
 /// Size of the sentence that a page begins with, points.
 pub const HEADLINE: f32 = 20.0;
 
 /// The sentence that a page begins with: its result.
 pub fn headline(ui: &mut Ui, theme: Theme, words: impl Into<String>) -> Response {
+    let words = words.into();
+    if !ui.is_visible() {
+        ui.data_mut(|data| data.insert_temp(hidden(), words.clone()));
+    }
     let text = RichText::new(words).size(HEADLINE * theme.scale);
     ui.add(Label::new(text).wrap())
+}
+
+/// Where the sentence of a page that is drawn unseen is kept.
+fn hidden() -> egui::Id {
+    egui::Id::unique("sentence of a page that is presented")
+}
+
+/// The sentence of the page that was drawn unseen just now.
+pub fn hidden_headline(ui: &Ui) -> String {
+    ui.data_mut(|data| data.remove_temp(hidden()))
+        .unwrap_or_default()
 }
 
 /// Gives a widget the name that screen readers and tests call it.
@@ -59,6 +74,12 @@ pub fn pressed(ui: &mut Ui, words: &str, meaning: &str) -> bool {
 /// The same in small.
 pub fn pressed_small(ui: &mut Ui, words: &str, meaning: &str) -> bool {
     pressed_if(ui, true, Button::new(words).small(), meaning)
+}
+
+/// The one button of a card that does its work: it looks like nothing that is switched on.
+pub fn main_button(ui: &Ui, words: &str) -> Button<'static> {
+    let (fill, ink) = main_colours(ui.visuals().dark_mode);
+    Button::new(RichText::new(words.to_owned()).color(ink)).fill(fill)
 }
 
 /// A button that can be clicked under a condition, with what it does.

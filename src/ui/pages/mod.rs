@@ -9,6 +9,7 @@ pub mod image_view;
 mod known_lamps_view;
 mod lessons_view;
 mod many_view;
+pub(super) mod presented;
 mod prism_view;
 pub mod products_view;
 mod quality_view;
@@ -58,6 +59,8 @@ pub struct PageContext<'a> {
     pub wishes: &'a mut Vec<PageWish>,
     /// Whether what changes from run to run (times) is left out, for pictures.
     pub quiet: bool,
+    /// While a page is drawn unseen, to be presented: its largest chart so far, with its area.
+    pub taken: Option<Option<(f32, Box<Chart>)>>,
 }
 
 /// What a page asks of the window.
@@ -85,6 +88,11 @@ impl PageContext<'_> {
         id: impl std::hash::Hash + std::fmt::Debug,
         size: egui::Vec2,
     ) -> ChartResponse {
+        if let Some(taken) = &mut self.taken
+            && taken.as_ref().is_none_or(|(area, _)| *area < size.x * size.y)
+        {
+            *taken = Some((size.x * size.y, Box::new(chart.clone())));
+        }
         let mut shown = ChartView::show(ui, chart, id, size, self.theme);
         self.ask_for_chart(shown.wish.take());
         shown

@@ -11,7 +11,7 @@ use super::{
         keys::Act,
         kit::rolled,
         look_view::{self, Scene},
-        pages::{self, PageContext, PageWish},
+        pages::{self, PageContext, PageWish, Pages, presented},
         palette_view::Chosen,
         rail_view,
         theme::{self, Theme},
@@ -94,6 +94,7 @@ impl Window {
     /// The top bar.
     pub(super) fn bar(&mut self, ui: &mut Ui, shape: Shape, context: &Context) {
         let mut wishes = Vec::new();
+        let before = self.drawer;
         let frame = plain(ui, Margin::symmetric(16, 0));
         let height = if shape.low { 44.0 } else { 48.0 };
         Panel::top("top")
@@ -110,6 +111,8 @@ impl Window {
                     top_view::show(ui, &self.app, &self.preferences, drawer, menus, &mut wishes);
                 });
             });
+        // What is typed next is meant for it.
+        self.library.wants_search |= self.drawer.open && self.drawer != before;
         for wish in wishes {
             self.fulfil(wish, context);
         }
@@ -146,9 +149,9 @@ impl Window {
         let width = if shape.wide { words } else { none };
         let frame = plain(ui, Margin::ZERO);
         fixed(Panel::left("rail"), frame, width).show(ui, |ui| {
-            let page = &mut self.preferences.pages.page;
+            let pages = &mut self.preferences.pages;
             ScrollArea::vertical().show(ui, |ui| {
-                rail_view::show(ui, page, shape.wide, theme);
+                rail_view::show(ui, pages, shape.wide, theme);
             });
         });
     }
@@ -190,8 +193,11 @@ impl Window {
             // What was chosen is to be seen.
             closes |= !commands.is_empty() && !compares;
         }
-        if closes {
+        // One light is compared: the next click is for the page.
+        closes |= compares && !commands.is_empty();
+        if closes || std::mem::take(&mut self.library.closes) {
             self.drawer.open = false;
+            self.preferences.pinned &= closes;
         }
         self.keep_surface(&mut commands);
         self.apply(&mut commands);
@@ -200,6 +206,9 @@ impl Window {
     /// The page in force, scrolled where the window is too low for it. Gives where it is seen.
     pub(super) fn page_panel(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) -> Rect {
         let room = ui.available_rect_before_wrap();
+        if shape.present && self.preferences.pages.page != Page::Spectrum {
+            return self.whole_page(ui, shape, theme);
+        }
         let folded = !shape.wide && !self.side_is_open(shape);
         let beside = folded && self.tells_verdict() || self.pair().is_some();
         let with_verdict = self.preferences.pages.page == Page::Spectrum && beside;
@@ -231,7 +240,7 @@ impl Window {
             let tells = self.tells_verdict();
             if !shape.present {
                 let page = &mut self.preferences.pages.page;
-                let has_line = tells && !page.has_model() && self.side_open != Some(true);
+                let has_line = tells && page.has_model_line() && self.side_open != Some(true);
                 let mut opens = false;
                 if page.place().tabs().count() > 1 || has_line {
                     let beside = has_line && ui.available_width() >= LINE_BESIDE;
@@ -249,10 +258,10 @@ impl Window {
                     self.side_open = Some(true);
                 }
             }
-            if self.preferences.pages.page == Page::Spectrum {
-                self.look(ui, shape, theme);
-            } else {
-                self.page(ui, theme);
+            match (self.preferences.pages.page, shape.present) {
+                (Page::Spectrum, _) => self.look(ui, shape, theme),
+                (_, false) => self.page(ui, theme, |pages, ui, shown| pages.show(ui, shown)),
+                (_, true) => self.presented(ui, theme),
             }
         });
         centre
@@ -298,19 +307,49 @@ impl Window {
             self.app.say(tone, words);
         }
         if wishes.opens_settings {
-            self.side = Side::Settings;
-            if !self.side_is_open(shape) {
+            let is_open = self.side_is_open(shape);
+            self.side = match is_open && self.side == Side::Settings {
+                true => Side::Verdict,
+                false => Side::Settings,
+            };
+            if !is_open {
                 self.side_open = Some(true);
             }
             context.request_repaint();
+        }
+        if let Some(chart) = wishes.chart {
+            self.save_chart(chart, &context);
         }
         if wishes.leaves {
             self.leave();
         }
     }
 
+    /// A page beside the spectrum, large and without the rest of the window.
+    fn presented(&mut self, ui: &mut Ui, theme: Theme) {
+        let in_lesson = self.lesson.is_some();
+        let mut look = std::mem::take(&mut self.look);
+        let mut leaves = false;
+        self.page(ui, theme, |pages, ui, shown| {
+            let knobs = presented::Knobs {
+                height: look_view::knobs_height(ui.available_width(), theme),
+                show: &mut |ui, shown| look.knobs(ui, shown.app, theme, shown.commands),
+            };
+            leaves = presented::show(pages, ui, shown, in_lesson, knobs);
+        });
+        self.look = look;
+        if leaves {
+            self.leave();
+        }
+    }
+
     /// A page beside the spectrum.
-    fn page(&mut self, ui: &mut Ui, theme: Theme) {
+    fn page(
+        &mut self,
+        ui: &mut Ui,
+        theme: Theme,
+        mut draw: impl FnMut(&mut Pages, &mut Ui, &mut PageContext<'_>),
+    ) {
         let context = ui.ctx().clone();
         let (mut commands, mut wishes) = (Vec::new(), Vec::new());
         // Every page keeps its own place in its scroll area.
@@ -325,11 +364,12 @@ impl Window {
             commands: &mut commands,
             wishes: &mut wishes,
             quiet: self.quiet,
+            taken: None,
         };
         let page_ui = &mut ui.new_child(egui::UiBuilder::new().id_salt(salt));
         let size = page_ui.available_size();
         if size.x >= LEAST_WIDTH {
-            pages.show(page_ui, &mut shown);
+            draw(pages, page_ui, &mut shown);
         } else {
             ScrollArea::horizontal()
                 .auto_shrink(false)
@@ -337,7 +377,7 @@ impl Window {
                     let whole =
                         Rect::from_min_size(ui.cursor().min, vec2(LEAST_WIDTH, size.y - 10.0));
                     let mut child = ui.new_child(UiBuilder::new().max_rect(whole));
-                    pages.show(&mut child, &mut shown);
+                    draw(pages, &mut child, &mut shown);
                     ui.advance_cursor_after_rect(whole);
                 });
         }

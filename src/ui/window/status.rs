@@ -35,13 +35,6 @@ impl Window {
         let mut wants_summary = false;
         ui.horizontal_centered(|ui| {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                // Where there is little room, what is said has it.
-                if !self.quiet && ui.available_width() >= 900.0 {
-                    let ms = 1e3 * self.app.took().as_secs_f64();
-                    ui.weak(format!("recomputed in {ms:.2} ms")).on_hover_text(
-                        "Time for fit, errors, colours, patches and the order curve.",
-                    );
-                }
                 if let Some(lesson) = lesson {
                     self.offer_lesson(ui, lesson);
                 }
@@ -63,7 +56,7 @@ impl Window {
                 }
                 self.offer_to_forget(ui);
                 if self.waiting.is_some() {
-                    let meaning = "Gives up on the file dialog; a late answer is ignored.";
+                    let meaning = "Stops waiting for the file dialog.";
                     if pressed_small(ui, "stop waiting", meaning) {
                         self.waiting = None;
                     }
@@ -132,8 +125,7 @@ impl Window {
         };
         let names: Vec<String> = lost.iter().map(|l| l.path.display().to_string()).collect();
         let forgets = ui.small_button(words).on_hover_text(format!(
-            "Not found this time: {}. They are looked for again at every start until you forget \
-             them.",
+            "Not found: {}. The program looks for them at every start until you forget them.",
             names.join(", ")
         ));
         if forgets.clicked() {

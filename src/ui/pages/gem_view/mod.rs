@@ -11,7 +11,12 @@ use egui::{
     Color32, ColorImage, Rect, RichText, Sense, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2,
 };
 
-use super::{PageContext, prism_view::notes, progress};
+use super::{
+    PageContext,
+    presented::head,
+    prism_view::{exposure, notes},
+    progress,
+};
 use crate::{
     app::{
         ByAddress, Memo,
@@ -60,6 +65,15 @@ pub struct GemView {
 impl GemView {
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        self.page(ui, context, false);
+    }
+
+    /// The pictures alone with their exposure; whether a hand wants the whole window back.
+    pub(super) fn present(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) -> bool {
+        self.page(ui, context, true)
+    }
+
+    fn page(&mut self, ui: &mut Ui, context: &mut PageContext<'_>, presented: bool) -> bool {
         let (app, revision) = (context.app, context.app.revision());
         let sent = context.memory.dispersion.gem.sent;
         let light = match &*self
@@ -69,7 +83,7 @@ impl GemView {
             Ok(light) => light.clone(),
             Err(why) => {
                 headline(ui, context.theme, why);
-                return;
+                return presented && head(ui, "");
             }
         };
         let under = context.memory.dispersion.gem.under.clone();
@@ -94,23 +108,35 @@ impl GemView {
             .and_then(|film| noise(context, film, &lights[0]));
 
         let memory = &context.memory.dispersion.gem;
-        headline(ui, context.theme, sentence(app, memory, &lights));
+        let words = sentence(app, memory, &lights);
+        let scale = context.theme.scale;
+        let (shown, both) = (film.clone(), &lights);
+        let noise = noise.as_ref().map(noise_words);
+        if presented {
+            let leaves = head(ui, &words);
+            let row = ui.spacing().interact_size.y + 2.0 * ui.spacing().item_spacing.y;
+            let size = vec2(ui.available_width(), ui.available_height() - row);
+            down(ui, size, |ui| {
+                self.pictures(ui, context, (film.as_ref(), both, noise), size);
+            });
+            exposure(ui, &mut context.memory.dispersion.gem.stops);
+            return leaves;
+        }
+        headline(ui, context.theme, words);
         for words in scene.as_ref().err().into_iter().chain(&trouble) {
             warning(ui, context.theme, words.as_str());
         }
         ui.add_space(GROUP);
-        let scale = context.theme.scale;
-        let (shown, both) = (film.clone(), &lights);
         with_panel(
             ui,
             context,
             ("gem", scale),
             |ui, context, room| {
-                let noise = noise.as_ref().map(noise_words);
                 self.pictures(ui, context, (film.as_ref(), both, noise), room);
             },
             |ui, context| controls::show(ui, context, shown.as_ref(), both),
         );
+        false
     }
 
     /// The finest film that there is, whatever it shows; what is missing of it is asked for.

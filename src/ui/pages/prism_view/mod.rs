@@ -4,6 +4,7 @@ mod bench;
 mod controls;
 mod drop;
 pub(super) mod model;
+mod presented;
 mod sky;
 mod strips;
 mod substance;
