@@ -2,6 +2,7 @@
 //! found, with its figures.
 
 use super::{
+    Lit,
     charts::products::{
         absorption::{DipRow, looks},
         narrow::{Behind, Figures, Filter},
@@ -9,7 +10,7 @@ use super::{
     },
     opened::ImageEntry,
     product_report::Told,
-    products::{same_surface::SameSurfaceSheet, two_lights::TwoLightsSheet},
+    products::same_surface::SameSurfaceSheet,
     state::App,
     studies::paper::{Row, Verdict, delta_e, percent},
     ticks::{hundredths, short},
@@ -100,23 +101,42 @@ pub fn narrow(behind: &Behind, figures: &Figures, filter: &Filter) -> String {
     )
 }
 
-/// How far the surfaces move from one light to the other.
-pub fn two_lights(sheet: &TwoLightsSheet) -> String {
-    let [first, second] = &sheet.lights;
-    let Some(exact) = &sheet.exact else {
+/// How many surfaces change from one light to the other, and which one most.
+pub fn two_lights([first, second]: [&str; 2], lit: Option<&[Lit]>) -> String {
+    let Some(lit) = lit else {
         return "One of the lights is not seen on this range, so there is no colour to compare."
             .to_owned();
     };
-    match (exact.mean(), exact.worst()) {
-        (Some(mean), Some(worst)) => format!(
-            "From {first} to {second} the {} move by ΔE₀₀ {mean:.2} on average, the patch \"{}\" \
-             most, by {:.2}.",
-            many(sheet.names.len(), "patch", "patches"),
-            sheet.names[worst],
-            exact.patches[worst].delta_e_2000
-        ),
-        _ => "There are no patches to compare.".to_owned(),
-    }
+    let most = lit
+        .iter()
+        .max_by(|a, b| a.delta_e_2000.total_cmp(&b.delta_e_2000));
+    let Some(most) = most else {
+        return "There are no surfaces to compare.".to_owned();
+    };
+    let seen = |lit: &&Lit| Seen::of(lit.delta_e_2000) >= Seen::Visible;
+    let changed = lit.iter().filter(seen).count();
+    let how_many = match changed {
+        0 => format!("none of {} surfaces changes", lit.len()),
+        all if all == lit.len() => format!("all {all} surfaces change"),
+        1 => format!("1 of {} surfaces changes", lit.len()),
+        some => format!("{some} of {} surfaces change", lit.len()),
+    };
+    format!(
+        "From {first} to {second} {how_many} visibly, \"{}\" most (ΔE₀₀ {:.1}).",
+        most.name, most.delta_e_2000
+    )
+}
+
+/// A pair that is one colour under a light, and how it parts under another.
+pub fn metamers([first, second]: [&str; 2], names: &[String; 2], delta_e_2000: [f64; 2]) -> String {
+    let [one, other] = names;
+    let [alike, apart] = delta_e_2000;
+    let how = |delta| Seen::of(delta).of_two();
+    format!(
+        "Under {first} {one} and {other} {} (ΔE₀₀ {alike:.1}); under {second} they {} ({apart:.1}).",
+        how(alike),
+        how(apart)
+    )
 }
 
 /// Whether a spectrum can be the light off a surface.

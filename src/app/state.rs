@@ -3,13 +3,13 @@
 mod deriving;
 mod messages;
 mod own;
+mod second;
 mod steps;
 
-use std::{
-    sync::{Arc, OnceLock},
-};
+use std::sync::{Arc, OnceLock};
 
 use super::{
+    beside::Beside,
     command::{Command, Gesture},
     derived::Derived,
     document::{Document, Subject, WEIGHT_FACTORS, first_light},
@@ -45,6 +45,7 @@ pub struct App {
     told: Option<Arc<Told>>,
     product: Option<ProductView>,
     surfaces: OnceLock<Option<Surfaces>>,
+    beside: Option<Beside>,
     scale_factor: f64,
     unit: String,
     messages: Vec<Message>,
@@ -72,7 +73,10 @@ impl App {
     pub fn with_document(mut document: Document) -> Self {
         // What is shown is the very one in the library: to show it again is no step.
         let factor = document.factor.iter_mut();
-        let shown = std::iter::once(&mut document.light).chain(factor);
+        let lights = [&mut document.light]
+            .into_iter()
+            .chain(&mut document.second);
+        let shown = lights.chain(factor);
         for entry in shown.chain(&mut document.overlays) {
             let same = bundled_entries().iter().find(|b| **b == *entry);
             if let Some(same) = same {
@@ -98,6 +102,7 @@ impl App {
             told: None,
             product: None,
             surfaces: OnceLock::new(),
+            beside: None,
             scale_factor: 1.0,
             unit: String::new(),
             messages: Vec::new(),
@@ -214,6 +219,7 @@ impl App {
                 self.document.settings = settings.clamped();
                 self.document.weigh_the_papers_lamps();
             }
+            Command::Compare(second) => self.compare(second),
             Command::ToggleOverlay(entry) => {
                 let overlays = &mut self.document.overlays;
                 match overlays.iter().position(|o| o.key == entry.key) {
@@ -388,6 +394,7 @@ impl App {
             self.surfaces = OnceLock::new();
             self.name_spikes();
         }
+        self.beside = Beside::of(&self.document, self.beside.take());
         let spectrum = &self.document.subject_entry().spectrum;
         self.product = self.document.patch.and_then(|index| {
             let patches = self.tables.patches.as_ref()?;

@@ -18,7 +18,7 @@
 use crate::study::products::MATCH_DELTA_E;
 
 /// How large a difference is: of colours to the eye, of spectra to an instrument.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Seen {
     /// CIEDE2000 below [`HARD_TO_SEE`]; rms behind the slit below 2 %.
     Hardly,
@@ -125,9 +125,14 @@ impl Seen {
         self.words().seen
     }
 
+    /// Behind two things that are seen.
+    pub fn of_two(self) -> &'static str {
+        self.words().verdict
+    }
+
     /// As a verdict on the model of a light, a surface or a filter.
     pub fn verdict(self, subject: &str) -> String {
-        format!("Model and {subject} {}", self.words().verdict)
+        format!("Model and {subject} {}", self.of_two())
     }
 
     /// What it means to the eye, a sentence or two.
@@ -181,21 +186,21 @@ pub fn of_ra(ra: f64) -> &'static str {
 }
 
 const OF_RG: Borders = &[
-    (
-        102.0,
-        "colours more vivid than under the reference on average",
-    ),
-    (98.0, "colours as vivid as under the reference on average"),
-    (80.0, "colours duller than under the reference on average"),
-    (
-        f64::NEG_INFINITY,
-        "colours much duller than under the reference on average",
-    ),
+    (102.0, "more vivid than"),
+    (98.0, "as vivid as"),
+    (80.0, "duller than"),
+    (f64::NEG_INFINITY, "much duller than"),
 ];
 
 /// How vivid colours are, by Rg.
-pub fn of_rg(rg: f64) -> &'static str {
-    reached(OF_RG, rg)
+pub fn of_rg(rg: f64) -> String {
+    let than = reached(OF_RG, rg);
+    format!("colours {than} under the reference on average")
+}
+
+/// The same beside a figure.
+pub fn vividness(rg: f64) -> String {
+    format!("{} the reference", reached(OF_RG, rg))
 }
 
 const OF_SAMPLE: Borders = &[
@@ -242,12 +247,19 @@ const OF_SSI: Borders = &[
 
 /// How like a reference a spectrum is, and what that tells of cameras.
 pub fn of_ssi(index: f64, reference: &str) -> String {
-    let cameras = match index {
-        i if i >= 90.0 => "cameras should match",
-        i if i >= 70.0 => "cameras should nearly match",
-        _ => "cameras may or may not match",
-    };
-    format!("{} {reference}: {cameras}", reached(OF_SSI, index))
+    let cameras = of_cameras(index);
+    format!("{} {reference}: cameras {cameras}", reached(OF_SSI, index))
+}
+
+const OF_CAMERAS: Borders = &[
+    (90.0, "should match"),
+    (70.0, "should nearly match"),
+    (f64::NEG_INFINITY, "may or may not match"),
+];
+
+/// What an SSI tells of cameras, behind their name.
+pub fn of_cameras(index: f64) -> &'static str {
+    reached(OF_CAMERAS, index)
 }
 
 const HUES: Borders = &[

@@ -357,6 +357,9 @@ pub(super) struct Render {
     pub pick: PickOptions,
     #[command(flatten)]
     pub model: ModelOptions,
+    /// A second light beside the INPUT, a file or a name: it is compared with this one.
+    #[arg(long, value_name = "LIGHT")]
+    pub against: Option<OsString>,
     /// The picture to write; it may replace one that this program drew.
     #[arg(long, value_name = "FILE.png", value_parser = words::path_in(&["png"]))]
     pub out: PathBuf,
@@ -392,6 +395,9 @@ pub(super) struct Plot {
     pub pick: PickOptions,
     #[command(flatten)]
     pub model: ModelOptions,
+    /// A second light beside the INPUT, a file or a name: it is compared with this one.
+    #[arg(long, value_name = "LIGHT")]
+    pub against: Option<OsString>,
     /// The picture to write, .svg or .png, with --sheet .svg or .pdf; it may replace one that
     /// this program drew.
     #[arg(long, value_name = "FILE", value_parser = words::plot_path())]

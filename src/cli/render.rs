@@ -39,6 +39,7 @@ pub(super) fn run(
         input,
         pick,
         model,
+        against,
         out: path,
         force,
         size,
@@ -54,13 +55,16 @@ pub(super) fn run(
         Some(_) => (&None, &nothing),
         None => (input, pick),
     };
-    let read = [input.as_deref(), pick.light.as_deref()];
+    let read = [input.as_deref(), pick.light.as_deref(), against.as_deref()];
     let mut target = Target::out(path, Replaces::Pictures, *force, &read);
     target.path()?;
     let mut app = match input {
         Some(input) => subject::app(input, pick, *model, inputs)?,
         None => subject::first_app(pick, *model)?,
     };
+    if lesson.is_none() {
+        subject::compare(&mut app, against.as_deref(), inputs)?;
+    }
     let memory = ImageMemory {
         selection: pick.pixels(),
         ..ImageMemory::default()

@@ -8,9 +8,12 @@ use super::{
     swatch,
     theme::{self, Theme},
 };
-use crate::app::{
-    App, Command, Library, answers::set_title, derived::PatchComparison, under_favourites,
-    verdicts::Seen,
+use crate::{
+    app::{
+        App, Command, Library, Lit, answers::set_title, chart::elided, derived::PatchPair,
+        under_favourites, verdicts::Seen,
+    },
+    color::Swatch,
 };
 
 /// Most patches in one row: the ColorChecker makes two rows.
@@ -51,14 +54,18 @@ pub(super) fn head(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Comm
             .small()
             .color(theme.faint)
     };
+    let halves = match &app.document().second {
+        Some(second) => format!("{} | {}", app.document().light.name(), second.name()),
+        None => "measured | model".to_owned(),
+    };
     if ui.available_width() > 420.0 {
-        ui.label(small("measured | model"));
+        let rest = ui.available_width() - 240.0;
+        let halves = elided(&halves, (rest / 6.5) as usize);
+        ui.label(small(&halves));
     }
-    if let Some(patches) = &app.derived().patches {
-        let off = |p: &&crate::app::derived::PatchPair| {
-            !(p.exact_swatch.in_gamut && p.model_swatch.in_gamut)
-        };
-        let count = patches.items.iter().filter(off).count();
+    if let Some(fields) = Fields::of(app) {
+        let off = |field: &&Field<'_>| !field.halves.iter().all(|half| half.in_gamut);
+        let count = fields.items.iter().filter(off).count();
         if count > 0 && ui.available_width() > 330.0 {
             ui.label(small(&format!("◥ {count} outside the screen's colours")));
         }
@@ -70,7 +77,7 @@ pub(super) fn head(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Comm
 
 /// The patches themselves, on a ground that is equal to none of them.
 pub(super) fn patches(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
-    let Some(comparison) = &app.derived().patches else {
+    let Some(fields) = Fields::of(app) else {
         if app.document().is_about_light() {
             ui.add_space(6.0);
             ui.weak("There is no visible light in this range: surfaces would be black.");
@@ -82,7 +89,7 @@ pub(super) fn patches(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<C
     let room = ui.available_rect_before_wrap();
     ui.painter().rect_filled(room, 4.0, theme.swatch_ground);
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(room.shrink(8.0)));
-    rolled(&mut inside, |ui| grid(ui, app, comparison, theme, commands));
+    rolled(&mut inside, |ui| grid(ui, app, &fields, theme, commands));
 }
 
 /// The surface that is looked at, under six lights.
@@ -111,17 +118,63 @@ fn under_lights(ui: &mut Ui, app: &App, theme: Theme) {
     }
 }
 
-fn grid(
-    ui: &mut Ui,
-    app: &App,
-    comparison: &PatchComparison,
-    theme: Theme,
-    commands: &mut Vec<Command>,
-) {
+/// A surface of which two halves are seen: measured and by the model, or under two lights.
+struct Field<'a> {
+    name: &'a str,
+    delta_e_2000: f64,
+    halves: [&'a Swatch; 2],
+}
+
+struct Fields<'a> {
+    items: Vec<Field<'a>>,
+    /// What the halves are under.
+    under: [String; 2],
+}
+
+impl<'a> Fields<'a> {
+    /// `None` where no light falls on surfaces.
+    fn of(app: &'a App) -> Option<Self> {
+        let patches = app.derived().patches.as_ref()?;
+        if let Some((second, lit)) = app.document().second.as_ref().zip(app.surfaces_beside()) {
+            let field = |lit: &'a Lit| Field {
+                name: &lit.name,
+                delta_e_2000: lit.delta_e_2000,
+                halves: lit.swatches.each_ref(),
+            };
+            return Some(Self {
+                items: lit.iter().map(field).collect(),
+                under: [&app.document().light, second].map(|light| light.name().to_owned()),
+            });
+        }
+        let field = |patch: &'a PatchPair| Field {
+            name: &patch.name,
+            delta_e_2000: patch.delta_e_2000,
+            halves: [&patch.exact_swatch, &patch.model_swatch],
+        };
+        Some(Self {
+            items: patches.items.iter().map(field).collect(),
+            under: ["the measured light", "the model"].map(str::to_owned),
+        })
+    }
+
+    /// The place of the surface whose halves differ most.
+    fn worst(&self) -> Option<usize> {
+        let all = self
+            .items
+            .iter()
+            .map(|field| field.delta_e_2000)
+            .enumerate();
+        all.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
+    }
+}
+
+fn grid(ui: &mut Ui, app: &App, fields: &Fields<'_>, theme: Theme, commands: &mut Vec<Command>) {
     let gap = 8.0;
     ui.spacing_mut().item_spacing = vec2(gap, gap);
     let room = ui.available_size();
-    let count = comparison.items.len();
+    let count = fields.items.len();
+    let worst = fields.worst();
+    let [left, right] = &fields.under;
     // A low field has one row of all 24, a usual one two; more patches scroll.
     let in_row = if room.y < 70.0 { 2 * PER_ROW } else { PER_ROW };
     let rows = count.div_ceil(in_row).max(1);
@@ -129,22 +182,16 @@ fn grid(
     let shown = rows.min(2) as f32;
     let height = ((room.y - gap * (shown - 1.0)) / shown).clamp(18.0, 90.0 * theme.scale);
     let selected = app.document().patch;
-    for (row, chunk) in comparison.items.chunks(in_row).enumerate() {
+    for (row, chunk) in fields.items.chunks(in_row).enumerate() {
         ui.horizontal(|ui| {
             for (column, patch) in chunk.iter().enumerate() {
                 let index = row * in_row + column;
                 let name = format!("{}: ΔE₀₀ {:.3}", patch.name, patch.delta_e_2000);
-                let response = swatch::split(
-                    ui,
-                    vec2(width, height),
-                    &patch.exact_swatch,
-                    &patch.model_swatch,
-                    &name,
-                );
+                let [first, second] = patch.halves;
+                let response = swatch::split(ui, vec2(width, height), first, second, &name);
                 swatch::ticks(ui, response.rect, 5.0 * theme.scale);
                 // The worst is marked only where it can be seen.
-                let is_worst =
-                    index == comparison.worst && Seen::of(patch.delta_e_2000) != Seen::Hardly;
+                let is_worst = Some(index) == worst && Seen::of(patch.delta_e_2000) != Seen::Hardly;
                 if is_worst {
                     swatch::dot(ui, response.rect, theme.scale);
                 }
@@ -155,15 +202,15 @@ fn grid(
                     let patch = (selected != Some(index)).then_some(index);
                     commands.push(Command::Patch(patch));
                 }
-                let worst = if is_worst { " (the worst)" } else { "" };
+                let mark = if is_worst { " (the worst)" } else { "" };
                 response.on_hover_text(format!(
-                    "{}{worst}: ΔE₀₀ {:.4}, {}\nLeft under the measured light {}, right under the \
-                     model {}.\nClick to see the light off it in the plot.",
+                    "{}{mark}: ΔE₀₀ {:.4}, {}\nLeft under {left} {}, right under {right} {}.\n\
+                     Click to see the light off it in the plot.",
                     patch.name,
                     patch.delta_e_2000,
                     Seen::of(patch.delta_e_2000).seen(),
-                    patch.exact_swatch.hex(),
-                    patch.model_swatch.hex(),
+                    first.hex(),
+                    second.hex(),
                 ));
             }
         });

@@ -7,8 +7,8 @@ use egui::{Align, Button, Color32, Layout, RichText, Sense, Ui, vec2};
 
 use super::{
     keys::Act,
-    kit::{named, named_choice},
-    swatch,
+    kit::{cut_words, named, named_choice},
+    second_chip, swatch,
     theme::{Theme, grey},
 };
 use crate::app::{App, export::Export, workspace::Preferences};
@@ -18,6 +18,8 @@ use crate::app::{App, export::Export, workspace::Preferences};
 pub(super) enum Wish {
     /// As a shortcut would.
     Act(Act),
+    /// No second light.
+    CompareNoMore,
     /// Open a recent file, by its place in the list.
     Recent(usize),
     /// What came of the files opened last.
@@ -85,10 +87,24 @@ pub(super) fn show(
             }
             steps(ui, app, wishes);
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                let compare = if room == Room::Much { COMPARE } else { 30.0 };
-                let most = ui.available_width() - compare - ui.spacing().item_spacing.x;
-                light(ui, app, drawer, most.min(MOST_NAME), theme);
-                compare_button(ui, drawer, room);
+                let gap = ui.spacing().item_spacing.x;
+                let room_for_both = ui.available_width() - gap;
+                match &app.document().second {
+                    Some(second) => {
+                        let most = (0.5 * room_for_both).min(MOST_NAME);
+                        light(ui, app, drawer, most, theme);
+                        let rest = ui.available_width();
+                        if second_chip::show(ui, app, second, drawer, rest.min(MOST_NAME), theme) {
+                            wishes.push(Wish::CompareNoMore);
+                        }
+                    }
+                    None => {
+                        let compare = if room == Room::Much { COMPARE } else { 30.0 };
+                        let most = room_for_both - compare;
+                        light(ui, app, drawer, most.min(MOST_NAME), theme);
+                        compare_button(ui, drawer, room);
+                    }
+                }
             });
         });
     });
@@ -121,12 +137,21 @@ fn compare_button(ui: &mut Ui, drawer: &mut Drawer, room: Room) {
     let button = Button::selectable(drawer.open && drawer.compares, words);
     let compare = ui.add(button.frame_when_inactive(true));
     named(&compare, egui::Role::Button, "+ Compare");
-    let compare =
-        compare.on_hover_text("Compares another light with this one: choose it in the library.");
+    let compare = compare.on_hover_text(
+        "A second light beside this one, on every page: choose it in the library. A surface is \
+         compared with surfaces.",
+    );
     if compare.clicked() {
-        let compares = !(drawer.open && drawer.compares);
-        *drawer = Drawer {
-            open: compares || drawer.open && !drawer.compares,
+        drawer.choose_second();
+    }
+}
+
+impl Drawer {
+    /// Opens the library for a second light; closes it where it is open for one.
+    pub(super) fn choose_second(&mut self) {
+        let compares = !(self.open && self.compares);
+        *self = Self {
+            open: compares || self.open && !self.compares,
             compares,
         };
     }
@@ -140,10 +165,7 @@ fn light(ui: &mut Ui, app: &App, drawer: &mut Drawer, width: f32, theme: Theme) 
     let colour = colour.map_or(grey(128), |colour| swatch::colour(colour.swatch.rgb8));
     let font = egui::TextStyle::Button.resolve(ui.style());
     let ink = ui.visuals().strong_text_color();
-    let most = (width - 76.0).max(8.0);
-    let mut job = egui::text::LayoutJob::simple_singleline(name.to_owned(), font, ink);
-    job.wrap = egui::text::TextWrapping::truncate_at_width(most);
-    let galley = ui.painter().layout_job(job);
+    let galley = cut_words(ui, name, font, ink, width - 76.0);
     let height = 32.0 * theme.scale;
     let size = vec2((galley.size().x + 76.0).min(width.max(60.0)), height);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
@@ -260,11 +282,7 @@ fn files(ui: &mut Ui, preferences: &Preferences, menus: Menus<'_>, wishes: &mut 
 const GROUPS: [(&str, &[Export]); 3] = [
     (
         "Spectrum",
-        &[
-            Export::Spdx,
-            Export::ArgyllSp,
-            Export::SpectrumJson,
-        ],
+        &[Export::Spdx, Export::ArgyllSp, Export::SpectrumJson],
     ),
     (
         "Model",
@@ -285,8 +303,16 @@ const GROUPS: [(&str, &[Export]); 3] = [
 
 /// What is saved most.
 const FIRST: [(&str, &str, Wish); 4] = [
-    ("Spectrum and model (CSV)", "Its numbers as a table.", Wish::Save(Export::Csv)),
-    ("Plot (PNG)", "The picture of the spectrum.", Wish::SavePlotPng),
+    (
+        "Spectrum and model (CSV)",
+        "Its numbers as a table.",
+        Wish::Save(Export::Csv),
+    ),
+    (
+        "Plot (PNG)",
+        "The picture of the spectrum.",
+        Wish::SavePlotPng,
+    ),
     (
         "Sheet about the light (PDF)",
         "One page: what it is, how good it is, its colours, its numbers.",

@@ -148,6 +148,7 @@ pub(crate) fn full_document() -> Document {
     }));
     let red = preset(&app, RED);
     let own = app.document().own[1].clone();
+    app.apply(Command::Compare(Some(own.clone())));
     app.apply(Command::Products(Products {
         chain: vec![
             Link {
@@ -157,7 +158,6 @@ pub(crate) fn full_document() -> Document {
             },
             Link::once(red.clone()),
         ],
-        other_light: Some(own.clone()),
         surface: Some(red),
         outgoing: Some(own),
     }));

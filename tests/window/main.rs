@@ -14,6 +14,7 @@ mod soft_renderer;
 mod batch;
 mod chart_view;
 mod clicks;
+mod compare;
 mod design_pages;
 mod dispersion_pages;
 mod ends;

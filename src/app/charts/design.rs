@@ -29,7 +29,7 @@ pub fn ground() -> Chart {
         whites: false,
         ..DiagramShows::default()
     };
-    diagram(None, None, shows)
+    diagram(&[], shows)
 }
 
 /// The diagram with the channels of a desk, what they reach, the mixture and a target.

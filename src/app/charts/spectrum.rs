@@ -134,7 +134,14 @@ pub fn scale(app: &App) -> Scale {
             let derived = app.derived();
             let most = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
             let glow = most(&derived.smooth);
-            match most(&derived.measured) > TOWERS * glow && glow > 0.0 {
+            let second = app.document().second.as_ref();
+            let second = second.and_then(|second| laid_points(app, second));
+            let second = second
+                .into_iter()
+                .flatten()
+                .map(|at| at[1] / app.scale_factor());
+            let top = second.fold(most(&derived.measured), f64::max);
+            match top > TOWERS * glow && glow > 0.0 {
                 true => Scale::Root,
                 false => Scale::Linear,
             }
@@ -189,6 +196,7 @@ fn spectrum_series(app: &App) -> Vec<Series> {
             series.push(Series::line("measured", Ink::Measured, points));
         }
     }
+    series.extend(second(app).into_iter().flatten());
     if let Some(product) = app.product() {
         let (exact, model) = (curve(app, &product.exact), curve(app, &product.smooth));
         let name = format!("off {}", product.name);
@@ -216,6 +224,18 @@ fn spectrum_series(app: &App) -> Vec<Series> {
         series.push(stems.labelled(labels(app, spikes)));
     }
     series
+}
+
+/// The second light over the first, with an edge that keeps it apart from what it runs over.
+fn second(app: &App) -> Option<[Series; 2]> {
+    let document = app.document();
+    let entry = document.second.as_ref();
+    let entry = entry.filter(|_| document.is_about_light())?;
+    let points = laid_points(app, entry)?;
+    let edge = stroke("", Ink::Ground, points.clone(), 5.0, Dash::Solid);
+    let mut line = stroke(entry.name(), Ink::Second, points, 2.4, Dash::Solid);
+    line.is_tagged = true;
+    Some([edge, line])
 }
 
 /// A line is never drawn narrower than this share of the range: thinner ones could not be seen.
@@ -331,8 +351,8 @@ pub(super) fn broken_at_holes(mut points: Vec<[f64; 2]>, samples: &Sampled) -> V
     points
 }
 
-/// A spectrum laid over the subject, on its axis.
-fn overlay(app: &App, entry: &Entry, index: usize) -> Option<Series> {
+/// The curve of a spectrum that is laid over the subject, on its axis.
+fn laid_points(app: &App, entry: &Entry) -> Option<Vec<[f64; 2]>> {
     let samples = &entry.spectrum.samples;
     let factor = match Laid::of(app, entry) {
         Laid::Alike(factor) | Laid::EquallyBright(factor) | Laid::AsHigh(factor) => factor,
@@ -340,7 +360,12 @@ fn overlay(app: &App, entry: &Entry, index: usize) -> Option<Series> {
     };
     let values = samples.values().iter().map(|v| v * factor);
     let points = chart::curve(samples.nm().iter().copied(), values);
-    let points = broken_at_holes(points, samples);
+    Some(broken_at_holes(points, samples))
+}
+
+/// A spectrum laid over the subject.
+fn overlay(app: &App, entry: &Entry, index: usize) -> Option<Series> {
+    let points = laid_points(app, entry)?;
     // The second round of inks is thinner: dashes of many curves cost a third of a frame.
     let width = (1.8 / (1 + index / OVERLAY_INKS) as f64).max(0.7);
     let mut series = stroke(

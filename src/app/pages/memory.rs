@@ -6,7 +6,7 @@ use serde_json::Value;
 use super::{Page, Place};
 use crate::{
     app::{
-        charts::quality::DiagramShows,
+        charts::quality::{DiagramShows, OfColours},
         design::{DeskSurfaces, colour::FromColour, mix::Snapshot, wish::MixWish},
         dispersion::DispersionMemory,
         picture::ImageMemory,
@@ -59,6 +59,8 @@ pub struct PageMemory {
     pub products: ProductsMemory,
     /// Chromaticity: what the diagram shows.
     pub diagram: DiagramShows,
+    /// Colours under it: the large chart.
+    pub of_colours: OfColours,
     /// Design: desks that were kept, A, B and C.
     pub kept: [Option<Snapshot>; 3],
     /// Design: which surfaces stand under the mixture.
@@ -109,6 +111,7 @@ impl Default for PageMemory {
             words: WordsMemory::default(),
             products: ProductsMemory::default(),
             diagram: DiagramShows::default(),
+            of_colours: OfColours::default(),
             kept: [None, None, None],
             desk_surfaces: DeskSurfaces::default(),
             wish: MixWish::default(),
@@ -133,7 +136,8 @@ impl PageMemory {
     pub fn note_page(&mut self) {
         let page = self.page;
         if !self.last_of_places.contains(&page) {
-            self.last_of_places.retain(|other| other.place() != page.place());
+            self.last_of_places
+                .retain(|other| other.place() != page.place());
             self.last_of_places.push(page);
         }
     }

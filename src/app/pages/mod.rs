@@ -30,6 +30,8 @@ pub enum Page {
     Narrow,
     /// The same surfaces under two lights.
     TwoLights,
+    /// Surfaces that are one colour under a light and two under another.
+    Metamers,
     /// Is this light that one off this surface?
     SameSurface,
     /// Figures of light quality, measured and by the model.
@@ -205,9 +207,16 @@ const ROWS: &[Row] = &[
         Place::Through,
         ("Two lights", "two-lights"),
         "metamers",
-        "The same surfaces under two lights; metamers found and made.",
+        "The same surfaces under two lights: which colours change.",
     )
     .once(&["lights"]),
+    row(
+        Page::Metamers,
+        Place::Through,
+        ("Metamers", "metamers"),
+        "metamers",
+        "Surfaces that look alike under one light and differ under another, found and made.",
+    ),
     row(
         Page::SameSurface,
         Place::Through,
@@ -219,9 +228,9 @@ const ROWS: &[Row] = &[
     row(
         Page::Quality,
         Place::Quality,
-        ("Figures", "quality"),
+        ("Verdict", "quality"),
         "quality",
-        "Every figure of light quality, measured beside model, and what it means.",
+        "Is it a good light? Surfaces under it, twelve figures in words, and all of them.",
     ),
     row(
         Page::Chromaticity,

@@ -95,7 +95,10 @@ impl Hands {
         if let Some((factor, at)) = main.wheel(ui, how) {
             for k in 0..if chart.even { 2 } else { 1 } {
                 let [low, high] = shown[k];
-                shown[k] = [at[k] - factor * (at[k] - low), at[k] + factor * (high - at[k])];
+                shown[k] = [
+                    at[k] - factor * (at[k] - low),
+                    at[k] + factor * (high - at[k]),
+                ];
             }
         }
         for k in 0..2 {
@@ -150,7 +153,11 @@ fn fit_button(ui: &mut Ui, frame: Rect, chart: &Chart) -> bool {
     let corner = frame.right_bottom() - size - Vec2::splat(6.0);
     let button = egui::Button::new("fit");
     let response = ui.put(Rect::from_min_size(corner, size), button);
-    named(&response, egui::Role::Button, &format!("Fit the view {}", chart.title));
+    named(
+        &response,
+        egui::Role::Button,
+        &format!("Fit the view {}", chart.title),
+    );
     response
         .on_hover_text("Shows everything again (double click on an empty place, Home).")
         .clicked()

@@ -73,7 +73,25 @@ fn add(out: &mut Vec<Shape>, painter: &Painter, origin: Vec2, primitive: &Primit
             }
             out.push(mesh.into());
         }
-        Primitive::Fields(fields) => out.push(running(fields, origin).into()),
+        Primitive::Fields(fields) => {
+            let mut mesh = Mesh::default();
+            for (field, colour) in fields {
+                mesh.add_colored_rect(rect(origin, *field), ink(*colour));
+            }
+            out.push(mesh.into());
+        }
+        Primitive::Pieces(pieces) => {
+            let mut mesh = Mesh::default();
+            for (corners, colours) in pieces {
+                let first = mesh.vertices.len() as u32;
+                for (at, colour) in corners.iter().zip(colours) {
+                    mesh.colored_vertex(pos(origin, *at), ink(*colour));
+                }
+                mesh.add_triangle(first, first + 1, first + 2);
+                mesh.add_triangle(first, first + 2, first + 3);
+            }
+            out.push(mesh.into());
+        }
         Primitive::Polygon { corners, colour } => {
             let corners = corners.iter().map(|at| pos(origin, *at)).collect();
             out.push(Shape::convex_polygon(corners, ink(*colour), Stroke::NONE));
@@ -93,35 +111,6 @@ fn add(out: &mut Vec<Shape>, painter: &Painter, origin: Vec2, primitive: &Primit
         Primitive::Text(text) => add_text(out, painter, origin, text),
         Primitive::Group { inner, .. } => out.extend(shapes(painter, origin, inner)),
     }
-}
-
-/// Fields side by side as one mesh: where they touch, their colours run into one another.
-fn running(fields: &[(Field, Rgb)], origin: Vec2) -> Mesh {
-    let mut mesh = Mesh::default();
-    let touch = |a: &Field, b: &Field| {
-        a.top == b.top && a.left < b.left && b.left <= a.right() + f64::from(UNSEEN)
-    };
-    let between = |[a, b]: [Rgb; 2]| ink([0, 1, 2].map(|k| a[k].midpoint(b[k])));
-    for (i, (field, colour)) in fields.iter().enumerate() {
-        let before = i.checked_sub(1).map(|i| &fields[i]);
-        let left = before.filter(|(before, _)| touch(before, field));
-        let right = fields.get(i + 1).filter(|(next, _)| touch(field, next));
-        let edge = |beside: Option<&(Field, Rgb)>| match beside {
-            Some((_, other)) => between([*other, *colour]),
-            None => ink(*colour),
-        };
-        let area = rect(origin, *field);
-        // What reaches over the next one would hide its beginning.
-        let end = right.map_or(area.right(), |(next, _)| rect(origin, *next).left());
-        let first = mesh.vertices.len() as u32;
-        for (x, fill) in [(area.left(), edge(left)), (end, edge(right))] {
-            mesh.colored_vertex(pos2(x, area.top()), fill);
-            mesh.colored_vertex(pos2(x, area.bottom()), fill);
-        }
-        mesh.add_triangle(first, first + 1, first + 2);
-        mesh.add_triangle(first + 1, first + 2, first + 3);
-    }
-    mesh
 }
 
 fn add_text(out: &mut Vec<Shape>, painter: &Painter, origin: Vec2, text: &Text) {

@@ -59,6 +59,19 @@ pub fn text_field(ui: &mut Ui, text: &mut String, [name, hint]: [&str; 2], width
     response
 }
 
+/// Words in one line, cut where they are wider than a width, to be painted.
+pub fn cut_words(
+    ui: &Ui,
+    words: &str,
+    font: egui::FontId,
+    ink: egui::Color32,
+    width: f32,
+) -> std::sync::Arc<egui::Galley> {
+    let mut job = egui::text::LayoutJob::simple_singleline(words.to_owned(), font, ink);
+    job.wrap = egui::text::TextWrapping::truncate_at_width(width.max(8.0));
+    ui.painter().layout_job(job)
+}
+
 /// Room for what is painted, under its name.
 pub fn drawing(ui: &mut Ui, size: Vec2, sense: Sense, name: &str) -> (Rect, Response) {
     let (rect, response) = ui.allocate_exact_size(size, sense);

@@ -27,7 +27,7 @@ pub(super) fn favourites_row(
                 let button = egui::Button::new(favourite.label).truncate();
                 let response = ui.add_sized(size, button);
                 if response.clicked() {
-                    commands.push(taken(&favourite.entry, compares));
+                    commands.push(taken(app, &favourite.entry, compares));
                 }
                 response.on_hover_text(favourite.entry.name());
             }

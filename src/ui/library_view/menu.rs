@@ -33,6 +33,16 @@ impl LibraryView {
         };
         let key = || entry.key.clone();
         item(ui, ["Show", ""], Command::Show(entry.clone()));
+        if entry.kind() == Kind::Light {
+            let now = app.document().second.as_ref();
+            let is_second = now.is_some_and(|second| second.key == entry.key);
+            let [words, second] = match is_second {
+                true => ["Compare no more", ""],
+                false => ["Compare with it", "The second light of every page."],
+            };
+            let compared = Command::Compare((!is_second).then(|| entry.clone()));
+            item(ui, [words, second], compared);
+        }
         let words = match overlaid {
             true => "Stop comparing",
             false => "Compare with this",

@@ -59,6 +59,10 @@ pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut boo
             let words = words.join(" · ").replace(". · ", ". ");
             ui.add(Label::new(RichText::new(words).color(theme.faint)).truncate());
         });
+        let compared = app.compared().filter(|_| app.document().is_about_light());
+        if let Some(compared) = compared {
+            ui.add(Label::new(&compared.summary).wrap());
+        }
     }
 }
 
@@ -97,7 +101,8 @@ pub(super) fn layers(
             widths(ui, app, width >= 1000.0, commands);
         }
         // What is laid over, and on what scale, takes their place.
-        let with_others = wide && app.document().overlays.is_empty();
+        let has_over = app.document().laid_over().next().is_some();
+        let with_others = wide && !has_over;
         if with_others {
             others(ui, theme, view);
         }
@@ -127,7 +132,7 @@ pub(super) fn layers(
         if !tight {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 heights(ui, app, view, wide);
-                if !app.document().overlays.is_empty() && ui.available_width() > 60.0 {
+                if has_over && ui.available_width() > 60.0 {
                     ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                         let words = RichText::new(laid_over(app)).small().color(theme.faint);
                         ui.add(Label::new(words).truncate());
@@ -182,11 +187,11 @@ fn others(ui: &mut Ui, theme: Theme, view: &mut View) {
 
 /// What lies over the spectrum, and on what scale.
 fn laid_over(app: &App) -> String {
-    let overlays = &app.document().overlays;
+    let overlays: Vec<_> = app.document().laid_over().collect();
     let laid: Vec<Laid> = overlays.iter().map(|o| Laid::of(app, o)).collect();
     let names = match &overlays[..] {
         [one] => one.name().to_owned(),
-        _ => format!("{} overlays", overlays.len()),
+        _ => format!("{} others", overlays.len()),
     };
     let of = |words: &str, is: fn(&Laid) -> bool| match laid.iter().filter(|l| is(l)).count() {
         0 => String::new(),

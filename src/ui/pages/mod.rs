@@ -89,7 +89,9 @@ impl PageContext<'_> {
         size: egui::Vec2,
     ) -> ChartResponse {
         if let Some(taken) = &mut self.taken
-            && taken.as_ref().is_none_or(|(area, _)| *area < size.x * size.y)
+            && taken
+                .as_ref()
+                .is_none_or(|(area, _)| *area < size.x * size.y)
         {
             *taken = Some((size.x * size.y, Box::new(chart.clone())));
         }
@@ -151,6 +153,7 @@ impl Pages {
             Page::Chain => products.chain.show(ui, context),
             Page::Narrow => products.narrow.show(ui, context),
             Page::TwoLights => products.two_lights.show(ui, context),
+            Page::Metamers => products.metamers.show(ui, context),
             Page::SameSurface => products.same_surface.show(ui, context),
             Page::Quality => self.quality.figures(ui, context),
             Page::Chromaticity => self.quality.diagram(ui, context),

@@ -72,8 +72,10 @@ fn has_chart(page: Page) -> bool {
 fn follows_knobs(page: Page) -> bool {
     match page {
         Page::Many | Page::Race | Page::KnownLamps | Page::Truth => false,
-        page => matches!(page.place(), Place::Look | Place::Through | Place::Quality)
-            || page.place() == Place::Numbers,
+        page => {
+            matches!(page.place(), Place::Look | Place::Through | Place::Quality)
+                || page.place() == Place::Numbers
+        }
     }
 }
 
@@ -97,12 +99,7 @@ pub(super) fn head(ui: &mut Ui, words: &str) -> bool {
 }
 
 /// The largest chart of the page, its sentence above, the model's knobs below.
-fn chart(
-    pages: &mut Pages,
-    ui: &mut Ui,
-    context: &mut PageContext<'_>,
-    knobs: Knobs<'_>,
-) -> bool {
+fn chart(pages: &mut Pages, ui: &mut Ui, context: &mut PageContext<'_>, knobs: Knobs<'_>) -> bool {
     let page = context.memory.page;
     let (words, found) = taken_out(pages, ui, context);
     let leaves = head(ui, &words);

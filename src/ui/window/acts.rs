@@ -17,12 +17,8 @@ use super::{
     filing::Saving,
 };
 use crate::app::{
-    Command, Settings, Tone, chart,
-    charts::order::curve_chart,
-    command_lines,
-    export::Export,
-    pages::Place,
-    workspace::ZOOMS,
+    Command, Settings, Tone, chart, charts::order::curve_chart, command_lines, export::Export,
+    pages::Place, workspace::ZOOMS,
 };
 
 impl Window {
@@ -164,6 +160,10 @@ impl Window {
                     self.app.say(Tone::Info, format!("Copied: {path}."));
                     context.copy_text(path);
                 }
+            }
+            Wish::CompareNoMore => {
+                self.app.apply(Command::Compare(None));
+                self.app.end_gesture();
             }
             Wish::About => self.dialog = Some(Dialog::About(None)),
         }

@@ -15,7 +15,7 @@ use super::{
         palette_view::Chosen,
         rail_view,
         theme::{self, Theme},
-        top_view,
+        top_view::{self, Drawer},
         verdict_view::{self, Side},
     },
     Window,
@@ -193,10 +193,14 @@ impl Window {
             // What was chosen is to be seen.
             closes |= !commands.is_empty() && !compares;
         }
-        // One light is compared: the next click is for the page.
-        closes |= compares && !commands.is_empty();
+        // A second light is chosen once; of surfaces many may be compared.
+        let is_second = |command: &Command| matches!(command, Command::Compare(_));
+        closes |= compares && commands.iter().any(is_second);
         if closes || std::mem::take(&mut self.library.closes) {
-            self.drawer.open = false;
+            self.drawer = Drawer {
+                open: false,
+                compares: false,
+            };
             self.preferences.pinned &= closes;
         }
         self.keep_surface(&mut commands);
