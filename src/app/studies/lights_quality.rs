@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use crate::{
     app::{Entry, memo::ByAddress, quality_report::light_of, tint},
-    color::quality::Figures,
+    color::quality::{EFFICACY, Figures},
     spectrum::Kind,
     study::{Progress, quality::figures_of_many},
 };
@@ -50,7 +50,7 @@ impl LightQuality {
             rf: figures.fidelity.as_ref().ok().map(|found| found.rf),
             ra: rendering.map(|found| found.ra),
             r9: rendering.map(|found| found.samples[8].index),
-            efficacy: figures.luminous_efficacy.as_ref().ok().copied(),
+            efficacy: figures.single(&EFFICACY).as_ref().ok().copied(),
         }
     }
 }

@@ -7,7 +7,7 @@ use egui::{
 };
 
 use super::super::theme::ink;
-use crate::app::chart::{Anchor, Field, Place, Primitive, Rgb, Text};
+use crate::app::chart::{Anchor, Field, Place, Primitive, Text};
 
 /// Points closer than this to the last one drawn change nothing that can be seen.
 const UNSEEN: f32 = 0.4;

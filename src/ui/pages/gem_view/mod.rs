@@ -30,7 +30,7 @@ use crate::{
     optics::{Light, Noise},
     study::Progress,
     ui::{
-        kit::{GROUP, down, drawing, headline, warning, with_panel},
+        kit::{GROUP, down, drawing, form, headline, warning, with_panel},
         swatch,
         theme::grey,
     },
@@ -119,7 +119,8 @@ impl GemView {
             down(ui, size, |ui| {
                 self.pictures(ui, context, (film.as_ref(), both, noise), size);
             });
-            exposure(ui, &mut context.memory.dispersion.gem.stops);
+            let stops = &mut context.memory.dispersion.gem.stops;
+            form(ui, "gem presented", |form| exposure(form, stops));
             return leaves;
         }
         headline(ui, context.theme, words);

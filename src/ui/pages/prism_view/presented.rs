@@ -9,6 +9,7 @@ use crate::{
         APEXES_DEG, IMPACTS, PrismShown, RainbowShown, SLITS_MM, STOPS, StripShown, sky,
     },
     ui::{
+        kit::form,
         pages::{PageContext, presented::head},
         theme::Theme,
     },
@@ -90,7 +91,7 @@ impl PrismView {
         let axis = axis_of(shown, &tells);
         let left = ui.available_height() - strip_height(&strip, &axis, theme) - row_height(ui);
         let size = vec2(ui.available_width(), left.max(super::LEAST));
-        drawn(ui, context, shown, size);
+        drawn(ui, context, (shown, &axis), size);
         strips::show(ui, &strip, &axis, theme);
         let theme = context.theme;
         let bench = &mut context.memory.dispersion.prism;
@@ -111,7 +112,11 @@ impl PrismView {
         if in_lesson {
             // The lesson points at it.
             let sent = bench.sent;
-            let lines = &mut |ui: &mut Ui| model::knobs(ui, context, sent);
+            let lines = &mut |ui: &mut Ui| {
+                form(ui, "lines presented", |form| {
+                    model::knobs(form, context, sent)
+                });
+            };
             row(ui, theme, [lines]);
         } else {
             let bright = &mut |ui: &mut Ui| exposed(ui, stops);
@@ -153,7 +158,8 @@ impl PrismView {
             }
             if let Some(strip) = shown.strips.first() {
                 let size = vec2(ui.available_width(), high);
-                picture.show(ui, (&strip.colours.rgb, shown.ends_deg), size);
+                let colours = (&strip.colours.rgb[..], shown.ends_deg);
+                picture.show(ui, colours, (size, None), context.theme);
             }
         });
         strips::show(ui, &strip, &axis, theme);

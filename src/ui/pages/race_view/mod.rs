@@ -110,7 +110,10 @@ impl RaceView {
         }
         let race = context.put(&ask);
         progress(ui, race, "The race");
-        let is_impossible = race.stage() == Stage::Impossible;
+        if race.stage() == Stage::Impossible {
+            // What is still there answers another question.
+            return;
+        }
         let Some((ask, race)) = race.answer().map(|(ask, race)| (ask.clone(), race.clone())) else {
             return;
         };
