@@ -6,7 +6,7 @@ use spectral_explorer::{
     app::{
         App, Command, Detector, Document, Entry, FIRST_LIGHT, Gel, Given, Height, Scale, Settings,
         SpikeAct, View,
-        charts::quality::DiagramShows,
+        charts::quality::{DiagramShows, OfColours},
         design::{
             DeskSurfaces, Telling,
             colour::FromColour,
@@ -250,6 +250,7 @@ pub(crate) fn full_preferences() -> Preferences {
                     pair: 2,
                     everywhere: false,
                     room_percent: -40,
+                    makes: true,
                 },
                 same_surface: SameSurfaceMemory {
                     everywhere: false,
@@ -257,6 +258,7 @@ pub(crate) fn full_preferences() -> Preferences {
                 },
                 absorption: AbsorptionMemory { example: 1 },
             },
+            of_colours: OfColours::Hue,
             diagram: DiagramShows {
                 gamuts: true,
                 near: true,

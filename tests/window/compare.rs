@@ -3,7 +3,7 @@
 use crate::driver::{Ui, app, assert_written, at_rest, click, is_written, no_files};
 use eframe::egui;
 use egui::{Key, Role};
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use spectral_explorer::{
     app::{
         App, Command, Document,
@@ -158,7 +158,9 @@ fn a_surface_is_no_second_light_and_what_is_removed_is_none_any_more() {
         name: "lamp in the hall".to_owned(),
     });
     assert!(summary(&app).contains("lamp in the hall"));
-    app.apply(Command::Remove { key: own.key });
+    app.apply(Command::Remove {
+        key: own.key.clone(),
+    });
     assert!(app.document().second.is_none() && app.compared().is_none());
 }
 

@@ -32,10 +32,10 @@ use crate::{
 };
 
 /// What people and tests call the folds.
-pub mod names {
-    pub const TABLE: &str = "Every figure at this count";
-    pub const WAYS: &str = "How far known lamps and lines of their own width are ahead";
-    pub const NUMBERS: &str = "Errors against numbers, and who wins";
+pub(crate) mod names {
+    pub(crate) const TABLE: &str = "Every figure at this count";
+    pub(crate) const WAYS: &str = "How far known lamps and lines of their own width are ahead";
+    pub(crate) const NUMBERS: &str = "Errors against numbers, and who wins";
 }
 
 /// Height of the folds while they are shut, points.
