@@ -128,6 +128,20 @@ pub(super) struct BatchView {
     chosen: Option<usize>,
 }
 
+/// What may come after many spectra were opened.
+fn next_step(ui: &mut Ui) -> Option<Wish> {
+    let mut wish = None;
+    ui.horizontal_wrapped(|ui| {
+        for (words, meaning, asked) in NEXT {
+            if pressed(ui, words, meaning) {
+                wish = Some(asked);
+            }
+        }
+    });
+    ui.add_space(4.0);
+    wish
+}
+
 impl BatchView {
     /// A new summary: its window opens.
     ///
@@ -219,14 +233,7 @@ impl BatchView {
         );
         let (mut chosen, mut wish, mut closed) = (None, None, false);
         if self.brought.iter().filter(|b| b.is_spectrum()).count() > 1 {
-            ui.horizontal_wrapped(|ui| {
-                for (words, meaning, asked) in NEXT {
-                    if pressed(ui, words, meaning) {
-                        wish = Some(asked);
-                    }
-                }
-            });
-            ui.add_space(4.0);
+            wish = next_step(ui);
         }
         ui.horizontal(|ui| {
             for (shown, words, count, meaning) in [

@@ -50,13 +50,12 @@ pub(in crate::ui) fn show(
         }
         _ => {}
     }
-    let drawn = match page {
+    match page {
         Page::Prism => pages.prism.present_prism(ui, context, in_lesson),
         Page::Rainbow => pages.prism.present_rainbow(ui, context),
         Page::Gem => pages.gem.present(ui, context),
-        _ => return chart(pages, ui, context, knobs),
-    };
-    drawn
+        _ => chart(pages, ui, context, knobs),
+    }
 }
 
 /// Whether the page's main picture is a chart.
