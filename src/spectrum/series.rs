@@ -169,30 +169,53 @@ impl Series {
     }
 
     /// Value at a wavelength inside the band; zero outside it.
-    ///
-    /// The waves of all orders come from one `sin_cos` by the angle-addition recurrence.
     pub fn at(&self, at_nm: f64) -> f64 {
         if !self.band.contains(at_nm) {
             return 0.0;
         }
-        let x = (at_nm - self.band.min_nm()) / self.band.length_nm();
-        let (s1, c1) = (PI * self.basis.half_turns() as f64 * x).sin_cos();
-        let (mut multiple, mut sin, mut cos) = (0, 0.0, 1.0);
-        let mut sum = 0.0;
-        for (index, c) in self.coefficients.iter().enumerate() {
-            let wave = self.basis.wave(index);
-            if wave.multiple > multiple {
-                multiple = wave.multiple;
-                (sin, cos) = (sin * c1 + cos * s1, cos * c1 - sin * s1);
-            }
-            sum += c * wave.value(sin, cos);
-        }
-        sum
+        self.values([at_nm])[0]
     }
 
     /// The series on the band's grid.
     pub fn on_band(&self) -> Vec<f64> {
-        self.band.grid().map(|nm| self.at(nm)).collect()
+        // Enough side by side that none waits for the step before it.
+        const LANES: usize = 8;
+        let points = self.band.points();
+        let starts = (0..points).step_by(LANES);
+        let mut values: Vec<f64> = starts
+            .flat_map(|start| {
+                let nm = |lane: usize| self.band.nm((start + lane).min(points - 1));
+                self.values::<LANES>(std::array::from_fn(nm))
+            })
+            .collect();
+        values.truncate(points);
+        values
+    }
+
+    /// Values at wavelengths of the band. The waves of all orders come from one `sin_cos` by the
+    /// angle-addition recurrence.
+    fn values<const N: usize>(&self, at_nm: [f64; N]) -> [f64; N] {
+        let half_turns = PI * self.basis.half_turns() as f64;
+        let first = at_nm.map(|nm| {
+            let x = (nm - self.band.min_nm()) / self.band.length_nm();
+            (half_turns * x).sin_cos()
+        });
+        let (mut sin, mut cos, mut sums) = ([0.0; N], [1.0; N], [0.0; N]);
+        let mut multiple = 0;
+        for (index, c) in self.coefficients.iter().enumerate() {
+            let wave = self.basis.wave(index);
+            if wave.multiple > multiple {
+                multiple = wave.multiple;
+                for (lane, (s1, c1)) in first.into_iter().enumerate() {
+                    let (s, c) = (sin[lane], cos[lane]);
+                    (sin[lane], cos[lane]) = (s * c1 + c * s1, c * c1 - s * s1);
+                }
+            }
+            for (lane, sum) in sums.iter_mut().enumerate() {
+                *sum += c * wave.value(sin[lane], cos[lane]);
+            }
+        }
+        sums
     }
 
     /// Exact integral over the band, in value x nm.
