@@ -5,9 +5,7 @@ mod messages;
 mod own;
 mod steps;
 
-use std::{
-    sync::{Arc, OnceLock},
-};
+use std::sync::{Arc, OnceLock};
 
 use super::{
     command::{Command, Gesture},

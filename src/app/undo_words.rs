@@ -74,7 +74,10 @@ pub(super) fn difference(before: &Document, after: &Document) -> String {
 /// What was opened, where files or numbers came in: the light that it brought is no news then.
 fn opened(before: &Document, after: &Document) -> Option<String> {
     let is_new = |entry: &&Arc<Entry>| !before.own.iter().any(|b| b.key == entry.key);
-    let is_whole = before.own.iter().all(|b| after.own.iter().any(|a| a.key == b.key));
+    let is_whole = before
+        .own
+        .iter()
+        .all(|b| after.own.iter().any(|a| a.key == b.key));
     let new: Vec<&Arc<Entry>> = after.own.iter().filter(is_new).collect();
     let files: Vec<&Arc<SourceFile>> = new
         .iter()
@@ -97,7 +100,10 @@ fn opened(before: &Document, after: &Document) -> Option<String> {
             let folder = |file: &Arc<SourceFile>| Some(file.path.as_ref()?.parent()?.to_owned());
             let first = folder(files[0]);
             let is_one = first.is_some() && files.iter().all(|file| folder(file) == first);
-            let name = first.as_deref().and_then(|f| f.file_name()).filter(|_| is_one);
+            let name = first
+                .as_deref()
+                .and_then(|f| f.file_name())
+                .filter(|_| is_one);
             let from = name.map_or_else(String::new, |n| format!(" from {}", n.to_string_lossy()));
             format!("opened {} files{from}", files.len())
         }
@@ -162,10 +168,7 @@ fn of_spectra(before: &Document, after: &Document) -> Option<String> {
             Some("an image taken out".to_owned())
         }
         (None, None) => {
-            let changed = is
-                .iter()
-                .zip(was)
-                .find(|(a, b)| !Arc::ptr_eq(a, b));
+            let changed = is.iter().zip(was).find(|(a, b)| !Arc::ptr_eq(a, b));
             changed.map(|(entry, _)| format!("{} changed", entry.name()))
         }
     }

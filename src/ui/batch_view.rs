@@ -106,6 +106,18 @@ const NEXT: [(&str, &str, Wish); 2] = [
     ),
 ];
 
+/// The questions; the one that was clicked.
+fn next(ui: &mut Ui) -> Option<Wish> {
+    let ask = |ui: &mut Ui| {
+        let asked = NEXT.into_iter();
+        let mut asked = asked.filter(|(words, meaning, _)| pressed(ui, words, meaning));
+        asked.next_back().map(|(.., wish)| wish)
+    };
+    let wish = ui.horizontal_wrapped(ask).inner;
+    ui.add_space(4.0);
+    wish
+}
+
 impl Brought {
     fn is_spectrum(&self) -> bool {
         matches!(self, Self::Spectrum { .. })
@@ -219,14 +231,7 @@ impl BatchView {
         );
         let (mut chosen, mut wish, mut closed) = (None, None, false);
         if self.brought.iter().filter(|b| b.is_spectrum()).count() > 1 {
-            ui.horizontal_wrapped(|ui| {
-                for (words, meaning, asked) in NEXT {
-                    if pressed(ui, words, meaning) {
-                        wish = Some(asked);
-                    }
-                }
-            });
-            ui.add_space(4.0);
+            wish = next(ui);
         }
         ui.horizontal(|ui| {
             for (shown, words, count, meaning) in [

@@ -5,9 +5,10 @@ use egui::{Label, RichText, Ui, vec2};
 
 use super::{
     kit::down,
+    steps_view::through_a_prism,
     swatch,
     theme::Theme,
-    verdict_view::{SWATCH, counts, figure, no_colour, split, through_a_prism},
+    verdict_view::{SWATCH, counts, figure, no_colour, split},
 };
 use crate::app::{
     App, Pair,
@@ -90,7 +91,8 @@ pub(super) fn presented(ui: &mut Ui, app: &App, theme: Theme) {
             .on_hover_text(verdict(app, seen));
         ui.add_space(6.0);
         let words = format!("To the eye: {}", seen.word().to_lowercase());
-        ui.add(Label::new(words).wrap()).on_hover_text(seen.meaning());
+        ui.add(Label::new(words).wrap())
+            .on_hover_text(seen.meaning());
     }
     if let Some(behind) = BehindSlit::of(app) {
         let words = format!("To an instrument: {}", behind.step.word().to_lowercase());

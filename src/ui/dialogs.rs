@@ -135,7 +135,10 @@ const POINTER: [(&str, &str); 7] = [
     ("Right click", "Save, copy or print a plot"),
     ("Drag a line", "Move it, change its height"),
     ("Shift + double click", "Add a line"),
-    ("Ctrl or Shift + click", "Compare with a spectrum of the library"),
+    (
+        "Ctrl or Shift + click",
+        "Compare with a spectrum of the library",
+    ),
 ];
 
 /// Width of a window from which the groups stand in two columns, points.
@@ -183,7 +186,9 @@ fn keys(ui: &mut Ui, groups: &[&str]) {
 }
 
 fn pointer(ui: &mut Ui) {
-    let rows = POINTER.iter().map(|(keys, words)| ((*keys).to_owned(), *words));
+    let rows = POINTER
+        .iter()
+        .map(|(keys, words)| ((*keys).to_owned(), *words));
     let rows = std::iter::once(("Tab".to_owned(), "From control to control")).chain(rows);
     group(ui, "Pointer and Tab", rows);
 }

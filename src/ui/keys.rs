@@ -57,7 +57,12 @@ pub(super) enum Act {
 
 /// What a person does with a key, in the order of the list.
 pub(super) const GROUPS: [&str; 6] = [
-    "Go to", "Files", "The model", "The view", "Undo and find", "Help",
+    "Go to",
+    "Files",
+    "The model",
+    "The view",
+    "Undo and find",
+    "Help",
 ];
 
 impl Act {
@@ -153,13 +158,13 @@ pub(super) const SHORTCUTS: [Shortcut; 33] = [
     on(CTRL, Key::Num6, Act::Place(5), "Numbers"),
     on(CTRL, Key::Num7, Act::Place(6), "Picture"),
     on(PLAIN, Key::F5, Act::Present, "Present this page"),
-    on(PLAIN, Key::R, Act::Reset, "Model and layers back to the start"),
     on(
         PLAIN,
-        Key::Home,
-        Act::ResetView,
-        "Fit the view of the plot",
+        Key::R,
+        Act::Reset,
+        "Model and layers back to the start",
     ),
+    on(PLAIN, Key::Home, Act::ResetView, "Fit the view of the plot"),
     on(Modifiers::SHIFT, Key::F1, Act::Shortcuts, "Shortcuts"),
     on(PLAIN, Key::F1, Act::Greeting, "The ways to begin"),
     on(PLAIN, Key::ArrowLeft, Act::OrderDown, "One wave less"),

@@ -9,7 +9,7 @@ use super::{
     theme::{Theme, Wake},
 };
 use crate::app::{
-    App, Memo, ByAddress,
+    App, ByAddress, Memo,
     studies::{
         LightsQualityAsk, Studies,
         lights_quality::{LightQuality, csv, sentence},
@@ -85,7 +85,9 @@ impl LightsQualityView {
         let mut wish = None;
         if pressed(ui, "Copy as CSV", "Every light with its figures.") {
             ui.ctx().copy_text(csv(&found));
-            wish = Some(Wish::Say("Copied as CSV: quality of these lights.".to_owned()));
+            wish = Some(Wish::Say(
+                "Copied as CSV: quality of these lights.".to_owned(),
+            ));
         }
         ui.add_space(4.0);
         let columns = [

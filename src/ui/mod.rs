@@ -33,6 +33,7 @@ pub mod saver;
 pub mod shell;
 mod spectrum_view;
 mod spikes_view;
+mod steps_view;
 mod swatch;
 pub mod theme;
 mod top_view;

@@ -270,7 +270,11 @@ mod tests {
             let mut visuals = egui::Visuals::dark();
             colours(&mut visuals, dark);
             let widgets = &visuals.widgets;
-            let grounds = [visuals.panel_fill, visuals.extreme_bg_color, visuals.faint_bg_color];
+            let grounds = [
+                visuals.panel_fill,
+                visuals.extreme_bg_color,
+                visuals.faint_bg_color,
+            ];
             let words = [
                 visuals.text_color(),
                 visuals.strong_text_color(),

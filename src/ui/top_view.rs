@@ -260,11 +260,7 @@ fn files(ui: &mut Ui, preferences: &Preferences, menus: Menus<'_>, wishes: &mut 
 const GROUPS: [(&str, &[Export]); 3] = [
     (
         "Spectrum",
-        &[
-            Export::Spdx,
-            Export::ArgyllSp,
-            Export::SpectrumJson,
-        ],
+        &[Export::Spdx, Export::ArgyllSp, Export::SpectrumJson],
     ),
     (
         "Model",
@@ -285,8 +281,16 @@ const GROUPS: [(&str, &[Export]); 3] = [
 
 /// What is saved most.
 const FIRST: [(&str, &str, Wish); 4] = [
-    ("Spectrum and model (CSV)", "Its numbers as a table.", Wish::Save(Export::Csv)),
-    ("Plot (PNG)", "The picture of the spectrum.", Wish::SavePlotPng),
+    (
+        "Spectrum and model (CSV)",
+        "Its numbers as a table.",
+        Wish::Save(Export::Csv),
+    ),
+    (
+        "Plot (PNG)",
+        "The picture of the spectrum.",
+        Wish::SavePlotPng,
+    ),
     (
         "Sheet about the light (PDF)",
         "One page: what it is, how good it is, its colours, its numbers.",

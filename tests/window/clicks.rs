@@ -98,7 +98,10 @@ fn why_lines_matter_is_two_acts_away_on_the_first_screen() {
 
 #[test]
 fn a_prism_is_before_the_class_in_three_acts() {
-    for starts in [&["Picture", "Prism and rainbow"][..], &["Light through a prism"]] {
+    for starts in [
+        &["Picture", "Prism and rainbow"][..],
+        &["Light through a prism"],
+    ] {
         let mut person = Person::at_first_start();
         if starts.len() > 1 {
             // The ways to begin were left before.
@@ -139,7 +142,10 @@ fn a_hundred_lamps_are_judged_in_five_acts_under_the_names_of_their_files() {
     }
     let mut person = Person::at_first_start();
     let path = folder.path().to_owned();
-    person.ui.state_mut().open_files(vec![path], Arc::new(|| {}));
+    person
+        .ui
+        .state_mut()
+        .open_files(vec![path], Arc::new(|| {}));
     wait_until(&mut person.ui, "the files", |ui| !ui.state().is_busy());
     person.acts += 1;
     let names: Vec<String> = app(&person.ui)
@@ -157,7 +163,11 @@ fn a_hundred_lamps_are_judged_in_five_acts_under_the_names_of_their_files() {
     assert_written(&person.ui, "lamp 007");
     // Opening was a step of its own.
     person.clicks("Undo");
-    let said = app(&person.ui).current_message().expect("a word").text.clone();
+    let said = app(&person.ui)
+        .current_message()
+        .expect("a word")
+        .text
+        .clone();
     assert!(said.starts_with("Undone: opened 100 files from"), "{said}");
     assert!(app(&person.ui).document().own.is_empty());
     person.clicks("Redo");

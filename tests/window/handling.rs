@@ -100,11 +100,18 @@ fn the_wheel_zooms_the_wavelengths_around_the_pointer_and_three_ways_lead_back()
     let lines = app(&ui).derived().model.lines().len();
     for back in ["fit", "double click", "Home"] {
         let place = empty_place(&ui);
-        let fit = |ui: &Ui| words(ui).iter().any(|word| word.starts_with("Fit the view"));
+        let fit = |ui: &Ui| {
+            words(ui)
+                .iter()
+                .any(|word| word.starts_with("Fit the view"))
+        };
         assert!(!fit(&ui), "{back}: all is in view");
         wheel(&mut ui, place, 2.0);
         let [[first, last], heights] = seen(&ui);
-        assert!(first > whole[0][0] + 10.0 && last < whole[0][1] - 1.0, "{first} {last}");
+        assert!(
+            first > whole[0][0] + 10.0 && last < whole[0][1] - 1.0,
+            "{first} {last}"
+        );
         assert_eq!(heights, whole[1], "the base line stays");
         // What was under the pointer still is.
         let transform = ui.state().look.spectrum.transform.expect("a plot");
@@ -147,7 +154,11 @@ fn a_line_is_added_by_its_button_and_a_click_or_by_shift_and_a_double_click() {
         } else {
             double_click(&mut ui, place, Modifiers::SHIFT);
         }
-        assert_eq!(app(&ui).derived().model.lines().len(), before + 1, "{by_button}");
+        assert_eq!(
+            app(&ui).derived().model.lines().len(),
+            before + 1,
+            "{by_button}"
+        );
         click(&mut ui, "Undo");
         assert!(!app(&ui).can_undo());
     }
@@ -158,7 +169,10 @@ fn heights_hold_still_while_a_line_is_dragged_and_for_a_moment_after() {
     let mut ui = fresh();
     let before = seen(&ui)[1];
     let model = &app(&ui).derived().model;
-    let largest = model.lines().iter().max_by(|a, b| a.weight.total_cmp(&b.weight));
+    let largest = model
+        .lines()
+        .iter()
+        .max_by(|a, b| a.weight.total_cmp(&b.weight));
     let nm = largest.expect("a line").at_nm;
     let transform = ui.state().look.spectrum.transform.expect("a plot");
     // Its stem, below its head.

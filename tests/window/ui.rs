@@ -231,7 +231,9 @@ fn a_slider_moves_everything_in_the_same_frame() {
             let worst = &patches.items[patches.worst];
             assert_written(&ui, &format!("at worst of 24 ({})", worst.name));
             // Two digits, without zeros at the end.
-            let two: f64 = format!("{:.1e}", worst.delta_e_2000).parse().expect("a number");
+            let two: f64 = format!("{:.1e}", worst.delta_e_2000)
+                .parse()
+                .expect("a number");
             assert_written(&ui, &format!("ΔE₀₀ {two} at"));
             assert_written(&ui, &Seen::of(worst.delta_e_2000).verdict("light"));
         } else {

@@ -75,7 +75,12 @@ pub fn order_chart(app: &App, measure: Measure) -> Option<Chart> {
     if measure.is_colour() {
         let below = x_range.map(|x| [x, HARD_TO_SEE.min(y_range[1])]).to_vec();
         let floor = vec![y_range[0]; 2];
-        series.push(Series::area(Seen::Hardly.seen(), Ink::Residual, below, floor));
+        series.push(Series::area(
+            Seen::Hardly.seen(),
+            Ink::Residual,
+            below,
+            floor,
+        ));
         // A chart that begins above the limit has no room for its name. At the right end the curve
         // is farthest below.
         if y_range[0] < HARD_TO_SEE {

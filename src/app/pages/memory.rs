@@ -131,7 +131,8 @@ impl PageMemory {
     pub fn note_page(&mut self) {
         let page = self.page;
         if !self.last_of_places.contains(&page) {
-            self.last_of_places.retain(|other| other.place() != page.place());
+            self.last_of_places
+                .retain(|other| other.place() != page.place());
             self.last_of_places.push(page);
         }
     }

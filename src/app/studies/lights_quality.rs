@@ -75,10 +75,8 @@ impl Question for LightsQualityAsk {
 /// "Rf from 98 (a.csv) to 51 (c.csv): 2 of 3 lights reach 80."
 pub fn sentence(rows: &[LightQuality]) -> String {
     const GOOD: f64 = 80.0;
-    let known: Vec<(&LightQuality, f64)> = rows
-        .iter()
-        .filter_map(|row| Some((row, row.rf?)))
-        .collect();
+    let known: Vec<(&LightQuality, f64)> =
+        rows.iter().filter_map(|row| Some((row, row.rf?))).collect();
     match (known.first(), known.last()) {
         (Some((best, most)), Some((worst, least))) => format!(
             "Rf from {most:.0} ({}) to {least:.0} ({}): {} of {} lights reach {GOOD}.",
@@ -128,7 +126,10 @@ mod tests {
         let said = sentence(&rows);
         let [best, worst] = [&rows[0], &rows[1]].map(|row| row.rf.expect("a white"));
         assert!(said.contains(&format!("from {best:.0} (")), "{said}");
-        assert!(said.contains(&format!("to {worst:.0} (FL2): 1 of 2")), "{said}");
+        assert!(
+            said.contains(&format!("to {worst:.0} (FL2): 1 of 2")),
+            "{said}"
+        );
         assert_eq!(csv(&rows).lines().count(), 3);
         assert!(sentence(&[]).starts_with("None"));
     }

@@ -13,8 +13,8 @@ pub mod take;
 pub use about::{About, Patches, reflectances};
 pub use field::{CHECK_SET, Class, Field, RaceAsk};
 pub use job::{Job, Question, Stage, Wake, Work};
-pub use lights_quality::LightsQualityAsk;
 pub use lamps::{EncodeAsk, EncodedLight, most_numbers};
+pub use lights_quality::LightsQualityAsk;
 pub use surfaces::{Pairs, PairsAsk, RankAsk, Ranked, Surface, shipped_reflectances};
 pub use take::take;
 

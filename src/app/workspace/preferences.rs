@@ -5,11 +5,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Deserializer, Serialize, de::Error as _};
 
 use crate::{
-    app::{
-        derived::OF_CURVE,
-        pages::PageMemory,
-        stored_path,
-    },
+    app::{derived::OF_CURVE, pages::PageMemory, stored_path},
     study::Measure,
 };
 

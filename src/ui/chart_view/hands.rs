@@ -93,9 +93,9 @@ impl Hands {
         let main = panel(ui, rect(drawing.main), "main", bounds, how);
         let mut shown = main.shown(bounds);
         if let Some((factor, at)) = main.wheel(ui, how) {
-            for k in 0..if chart.even { 2 } else { 1 } {
-                let [low, high] = shown[k];
-                shown[k] = [at[k] - factor * (at[k] - low), at[k] + factor * (high - at[k])];
+            let axes = if chart.even { 2 } else { 1 };
+            for (range, at) in shown.iter_mut().zip(at).take(axes) {
+                *range = range.map(|end| at + factor * (end - at));
             }
         }
         for k in 0..2 {
@@ -150,7 +150,11 @@ fn fit_button(ui: &mut Ui, frame: Rect, chart: &Chart) -> bool {
     let corner = frame.right_bottom() - size - Vec2::splat(6.0);
     let button = egui::Button::new("fit");
     let response = ui.put(Rect::from_min_size(corner, size), button);
-    named(&response, egui::Role::Button, &format!("Fit the view {}", chart.title));
+    named(
+        &response,
+        egui::Role::Button,
+        &format!("Fit the view {}", chart.title),
+    );
     response
         .on_hover_text("Shows everything again (double click on an empty place, Home).")
         .clicked()

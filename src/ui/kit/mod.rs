@@ -15,7 +15,7 @@ pub use seen::{adapt_box, seen_choice};
 pub use stops::{Stops, hold_arrows};
 pub use table::{Column, Look, Row, Table, bar, table};
 pub use words::{
-    HEADLINE, copy_button, drawing, framed, headline, hidden_headline, main_button, named, named_choice, number, pressed,
-    pressed_if, pressed_small, sign_button, small_warnings, text_field, tile_button, titled,
-    warning,
+    HEADLINE, copy_button, drawing, framed, headline, hidden_headline, main_button, named,
+    named_choice, number, pressed, pressed_if, pressed_small, sign_button, small_warnings,
+    text_field, tile_button, titled, warning,
 };

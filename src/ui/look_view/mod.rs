@@ -7,8 +7,8 @@ use eframe::egui;
 use egui::{Rect, Ui, UiBuilder, Vec2, vec2};
 
 pub use sliders::names;
-pub use title::ADD_LINE;
 use sliders::{Asked, SlidersView};
+pub use title::ADD_LINE;
 
 use super::{
     brief_view,
@@ -116,7 +116,10 @@ pub fn knobs_height(width: f32, theme: Theme) -> f32 {
 impl LookView {
     /// Draws the two knobs alone, where another page is presented.
     pub fn knobs(&mut self, ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
-        let size = vec2(ui.available_width(), knobs_height(ui.available_width(), theme));
+        let size = vec2(
+            ui.available_width(),
+            knobs_height(ui.available_width(), theme),
+        );
         let room = Rect::from_min_size(ui.cursor().min, size);
         let mut inside = ui.new_child(UiBuilder::new().max_rect(room.shrink2(CARD_MARGIN)));
         let mut unused = 0;

@@ -74,9 +74,7 @@ pub(super) fn spike_rows(ui: &mut Ui, settings: &mut Settings) {
                 egui::Checkbox::new(&mut settings.dips, names::DIPS),
             )
             .on_disabled_hover_text("The gradient detector finds bright lines only.")
-            .on_hover_text(
-                "Looks for absorption lines too; they become lines of negative weight.",
-            );
+            .on_hover_text("Looks for absorption lines too; they become lines of negative weight.");
         });
     });
     ui.end_row();

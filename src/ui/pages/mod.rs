@@ -89,7 +89,9 @@ impl PageContext<'_> {
         size: egui::Vec2,
     ) -> ChartResponse {
         if let Some(taken) = &mut self.taken
-            && taken.as_ref().is_none_or(|(area, _)| *area < size.x * size.y)
+            && taken
+                .as_ref()
+                .is_none_or(|(area, _)| *area < size.x * size.y)
         {
             *taken = Some((size.x * size.y, Box::new(chart.clone())));
         }

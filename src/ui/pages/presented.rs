@@ -42,21 +42,16 @@ pub(in crate::ui) fn show(
 ) -> bool {
     let page = context.memory.page;
     match page {
-        Page::Prism | Page::Rainbow | Page::Gem => {}
-        _ if in_lesson || !has_chart(page) => {
-            let leaves = head(ui, page.title());
-            rolled(ui, |ui| pages.show(ui, context));
-            return leaves;
-        }
-        _ => {}
-    }
-    let drawn = match page {
         Page::Prism => pages.prism.present_prism(ui, context, in_lesson),
         Page::Rainbow => pages.prism.present_rainbow(ui, context),
         Page::Gem => pages.gem.present(ui, context),
-        _ => return chart(pages, ui, context, knobs),
-    };
-    drawn
+        _ if in_lesson || !has_chart(page) => {
+            let leaves = head(ui, page.title());
+            rolled(ui, |ui| pages.show(ui, context));
+            leaves
+        }
+        _ => chart(pages, ui, context, knobs),
+    }
 }
 
 /// Whether the page's main picture is a chart.
@@ -72,8 +67,10 @@ fn has_chart(page: Page) -> bool {
 fn follows_knobs(page: Page) -> bool {
     match page {
         Page::Many | Page::Race | Page::KnownLamps | Page::Truth => false,
-        page => matches!(page.place(), Place::Look | Place::Through | Place::Quality)
-            || page.place() == Place::Numbers,
+        page => {
+            matches!(page.place(), Place::Look | Place::Through | Place::Quality)
+                || page.place() == Place::Numbers
+        }
     }
 }
 
@@ -97,12 +94,7 @@ pub(super) fn head(ui: &mut Ui, words: &str) -> bool {
 }
 
 /// The largest chart of the page, its sentence above, the model's knobs below.
-fn chart(
-    pages: &mut Pages,
-    ui: &mut Ui,
-    context: &mut PageContext<'_>,
-    knobs: Knobs<'_>,
-) -> bool {
+fn chart(pages: &mut Pages, ui: &mut Ui, context: &mut PageContext<'_>, knobs: Knobs<'_>) -> bool {
     let page = context.memory.page;
     let (words, found) = taken_out(pages, ui, context);
     let leaves = head(ui, &words);

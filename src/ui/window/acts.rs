@@ -17,12 +17,8 @@ use super::{
     filing::Saving,
 };
 use crate::app::{
-    Command, Settings, Tone, chart,
-    charts::order::curve_chart,
-    command_lines,
-    export::Export,
-    pages::Place,
-    workspace::ZOOMS,
+    Command, Settings, Tone, chart, charts::order::curve_chart, command_lines, export::Export,
+    pages::Place, workspace::ZOOMS,
 };
 
 impl Window {
