@@ -108,12 +108,14 @@ const NEXT: [(&str, &str, Wish); 2] = [
 
 /// The questions; the one that was clicked.
 fn next(ui: &mut Ui) -> Option<Wish> {
-    let ask = |ui: &mut Ui| {
-        let asked = NEXT.into_iter();
-        let mut asked = asked.filter(|(words, meaning, _)| pressed(ui, words, meaning));
-        asked.next_back().map(|(.., wish)| wish)
-    };
-    let wish = ui.horizontal_wrapped(ask).inner;
+    let mut wish = None;
+    ui.horizontal_wrapped(|ui| {
+        for (words, meaning, asked) in NEXT {
+            if pressed(ui, words, meaning) {
+                wish = Some(asked);
+            }
+        }
+    });
     ui.add_space(4.0);
     wish
 }
