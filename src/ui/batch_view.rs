@@ -106,6 +106,20 @@ const NEXT: [(&str, &str, Wish); 2] = [
     ),
 ];
 
+/// The questions; the one that was clicked.
+fn next(ui: &mut Ui) -> Option<Wish> {
+    let mut wish = None;
+    ui.horizontal_wrapped(|ui| {
+        for (words, meaning, asked) in NEXT {
+            if pressed(ui, words, meaning) {
+                wish = Some(asked);
+            }
+        }
+    });
+    ui.add_space(4.0);
+    wish
+}
+
 impl Brought {
     fn is_spectrum(&self) -> bool {
         matches!(self, Self::Spectrum { .. })
@@ -126,20 +140,6 @@ pub(super) struct BatchView {
     of: Vec<usize>,
     /// The row of the summary that was clicked last.
     chosen: Option<usize>,
-}
-
-/// What may come after many spectra were opened.
-fn next_step(ui: &mut Ui) -> Option<Wish> {
-    let mut wish = None;
-    ui.horizontal_wrapped(|ui| {
-        for (words, meaning, asked) in NEXT {
-            if pressed(ui, words, meaning) {
-                wish = Some(asked);
-            }
-        }
-    });
-    ui.add_space(4.0);
-    wish
 }
 
 impl BatchView {
@@ -233,7 +233,7 @@ impl BatchView {
         );
         let (mut chosen, mut wish, mut closed) = (None, None, false);
         if self.brought.iter().filter(|b| b.is_spectrum()).count() > 1 {
-            wish = next_step(ui);
+            wish = next(ui);
         }
         ui.horizontal(|ui| {
             for (shown, words, count, meaning) in [

@@ -5,9 +5,10 @@ use egui::{Label, RichText, Ui, vec2};
 
 use super::{
     kit::down,
+    steps_view::through_a_prism,
     swatch,
     theme::Theme,
-    verdict_view::{SWATCH, counts, figure, no_colour, split, through_a_prism},
+    verdict_view::{SWATCH, counts, figure, no_colour, split},
 };
 use crate::app::{
     App, Pair,

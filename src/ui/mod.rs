@@ -35,6 +35,7 @@ mod second_chip;
 pub mod shell;
 mod spectrum_view;
 mod spikes_view;
+mod steps_view;
 mod swatch;
 pub mod theme;
 mod top_view;

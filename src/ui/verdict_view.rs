@@ -2,21 +2,19 @@
 //! against the order.
 
 use eframe::egui;
-use egui::{
-    Align, Align2, Button, CornerRadius, Label, Layout, Rect, RichText, Sense, Stroke, StrokeKind,
-    Ui, vec2,
-};
+use egui::{Align, Align2, Button, Label, Layout, Rect, RichText, Sense, Ui, vec2};
 
 use super::{
     curve_view,
-    kit::{drawing, named, named_choice, pressed_small, small_warnings},
+    kit::{named, named_choice, pressed_small, small_warnings},
+    steps_view::{TO_AN_INSTRUMENT, TO_THE_EYE, scale, through_a_prism},
     swatch,
-    theme::{Theme, of_seen},
+    theme::Theme,
 };
 use crate::app::{
     App, Command,
     answers::{Worst, judged_on, of_how_many, verdict, verdict_alone, white_words},
-    behind_slit::{self, BehindSlit},
+    behind_slit::BehindSlit,
     figures::two_digits,
     verdicts::Seen,
     workspace::Preferences,
@@ -173,50 +171,6 @@ pub(super) fn figure(delta: f64) -> String {
     }
 }
 
-/// Height of the strip, points: half of it each.
-const STRIP: f32 = 32.0;
-
-/// What stands in the strip below the swatch, for those who have it read out.
-const STRIP_NAME: &str = "Through a prism: measured above, model below";
-
-/// Both spectra as strips of colour, the model's below the light's: what only an instrument sees.
-pub(super) fn through_a_prism(ui: &mut Ui, app: &App, theme: Theme) {
-    let colours = match app.document().is_about_light() {
-        true => behind_slit::strip(app),
-        false => Vec::new(),
-    };
-    if colours.is_empty() {
-        return;
-    }
-    let size = vec2(ui.available_width(), STRIP * theme.scale);
-    let (rect, response) = drawing(ui, size, Sense::hover(), STRIP_NAME);
-    let mut mesh = egui::Mesh::default();
-    let width = rect.width() / colours.len() as f32;
-    for (k, both) in colours.iter().enumerate() {
-        let left = rect.left() + k as f32 * width;
-        for (row, colour) in both.iter().enumerate() {
-            let top = rect.top() + row as f32 * rect.height() / 2.0;
-            let at = egui::pos2(left, top);
-            let field = Rect::from_min_size(at, vec2(width, rect.height() / 2.0));
-            mesh.add_colored_rect(field, swatch::colour(*colour));
-        }
-    }
-    ui.painter().add(mesh);
-    // The eye sees nothing at the end of the long wavelengths: it is dark in both looks.
-    for (row, words) in ["measured", "model"].into_iter().enumerate() {
-        let middle = rect.top() + (row as f32 + 0.5) * rect.height() / 2.0;
-        let font = egui::FontId::proportional(11.0 * theme.scale);
-        let at = egui::pos2(rect.right() - 4.0, middle);
-        let ink = super::theme::grey(200);
-        ui.painter()
-            .text(at, Align2::RIGHT_CENTER, words, font, ink);
-    }
-    response.on_hover_text(
-        "Through a prism, behind a slit of 10 nm: 380 to 780 nm where the range reaches, each \
-         wavelength as bright as the light is there.",
-    );
-}
-
 fn headline(ui: &mut Ui, app: &App, theme: Theme) {
     let worst = Worst::of(app);
     if let Some(worst) = &worst {
@@ -249,10 +203,6 @@ fn headline(ui: &mut Ui, app: &App, theme: Theme) {
     }
 }
 
-/// What a difference is judged by: both have the same four steps.
-const TO_THE_EYE: &str = "To the eye";
-const TO_AN_INSTRUMENT: &str = "To an instrument";
-
 fn eye_caption(ui: &mut Ui, app: &App, worst: &Worst, theme: Theme) {
     let at = match &worst.patch {
         None => "of its own colour".to_owned(),
@@ -272,59 +222,6 @@ fn eye_caption(ui: &mut Ui, app: &App, worst: &Worst, theme: Theme) {
             ui.add(Label::new(RichText::new(words).small()).truncate())
                 .on_hover_text("CIEDE2000, the CIE's measure of how different two colours look.");
         });
-    });
-}
-
-/// Whose scale it is, and the four words, the one that holds filled.
-fn scale(ui: &mut Ui, of: &str, now: Seen, meaning: fn(Seen) -> &'static str, theme: Theme) {
-    let gap = 4.0;
-    let font = egui::TextStyle::Small.resolve(ui.style());
-    let wide = |words: &str| {
-        let ink = ui.visuals().text_color();
-        let galley = ui
-            .painter()
-            .layout_no_wrap(words.to_owned(), font.clone(), ink);
-        galley.size().x
-    };
-    let widths = Seen::ALL.map(|seen| wide(seen.word()));
-    // Both rows begin at the same place.
-    let label = wide(TO_THE_EYE).max(wide(TO_AN_INSTRUMENT)) + gap;
-    let total = widths.iter().sum::<f32>();
-    let room = ui.available_width() - 4.0 * gap - label;
-    let air = ((room - total) / 4.0).max(4.0);
-    let height = 24.0 * theme.scale;
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = gap;
-        let size = vec2(label, height);
-        ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
-            ui.set_min_size(size);
-            ui.label(RichText::new(of).small());
-        });
-        for (seen, width) in Seen::ALL.into_iter().zip(widths) {
-            let (rect, response) =
-                ui.allocate_exact_size(vec2(width + air, height), Sense::hover());
-            let is_now = seen == now;
-            let painter = ui.painter();
-            let (ink, stroke) = if is_now {
-                painter.rect_filled(rect, 3.0, of_seen(seen, theme.dark));
-                let ink = if theme.dark { 18 } else { 255 };
-                (super::theme::grey(ink), Stroke::NONE)
-            } else {
-                let outline = ui.visuals().widgets.noninteractive.bg_stroke;
-                (theme.faint, outline)
-            };
-            painter.rect_stroke(rect, CornerRadius::same(3), stroke, StrokeKind::Inside);
-            painter.text(
-                rect.center(),
-                Align2::CENTER_CENTER,
-                seen.word(),
-                font.clone(),
-                ink,
-            );
-            let name = format!("{of}: {}", seen.word().to_lowercase());
-            named_choice(&response, egui::Role::Label, is_now, &name);
-            response.on_hover_text(meaning(seen));
-        }
     });
 }
 

@@ -1,5 +1,6 @@
 //! The spectrum plot: the window draws it and files hold it.
 
+use super::units::subject_label;
 use crate::{
     app::{
         chart::{self, Chart, Dash, Ink, OVERLAY_INKS, Panel, Scale, Series, stroke},
@@ -24,66 +25,6 @@ const LOG_FLOOR: f64 = 1e-5;
 
 /// The name of the series of the model's spikes: a point of it is a spike of the model.
 pub const SPIKES: &str = "spikes";
-
-/// What values in a unit are called on an axis.
-pub fn value_label(unit: &str) -> String {
-    match unit {
-        // What else a file says of it belongs to its source.
-        unit if unit.starts_with("relative") => "Relative power per nm".to_owned(),
-        unit => unit_or_value(&as_fraction(unit)),
-    }
-}
-
-/// A unit of powers as a fraction: "W m-2 nm-1" as "W/(m² nm)"; others as they are.
-fn as_fraction(unit: &str) -> String {
-    let power = |part: &str| {
-        let at = part.find(|c: char| c == '-' || c.is_ascii_digit())?;
-        let (name, exponent) = part.split_at(at);
-        let exponent: i32 = exponent.parse().ok()?;
-        let sign = match exponent.abs() {
-            1 => "",
-            2 => "²",
-            3 => "³",
-            _ => return None,
-        };
-        Some((format!("{name}{sign}"), exponent < 0))
-    };
-    let (mut over, mut under) = (Vec::new(), Vec::new());
-    for part in unit.split(' ') {
-        match power(part) {
-            Some((name, true)) if name.starts_with(char::is_alphabetic) => under.push(name),
-            _ => over.push(part.to_owned()),
-        }
-    }
-    match under.len() {
-        0 => unit.to_owned(),
-        1 => format!("{}/{}", over.join(" "), under[0]),
-        _ => format!("{}/({})", over.join(" "), under.join(" ")),
-    }
-}
-
-/// What the values of the subject are called on an axis.
-fn subject_label(app: &App) -> String {
-    match app.document().subject_entry().kind() {
-        Kind::Reflectance => "Reflectance".to_owned(),
-        Kind::Transmittance => "Transmittance".to_owned(),
-        _ => value_label(app.unit()),
-    }
-}
-
-/// A unit, or what stands for one where there is none.
-pub(super) fn unit_or_value(unit: &str) -> String {
-    match unit {
-        "" => "Value",
-        unit if unit.starts_with("relative") => "Relative power",
-        "W m-2 nm-1" => "W/(m² nm)",
-        "W nm-1" => "W/nm",
-        "mW nm-1" => "mW/nm",
-        "fraction" => "Share",
-        unit => unit,
-    }
-    .to_owned()
-}
 
 /// The spectrum plot of the present document.
 pub fn spectrum_chart(app: &App) -> Chart {

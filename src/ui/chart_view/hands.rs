@@ -93,12 +93,9 @@ impl Hands {
         let main = panel(ui, rect(drawing.main), "main", bounds, how);
         let mut shown = main.shown(bounds);
         if let Some((factor, at)) = main.wheel(ui, how) {
-            for k in 0..if chart.even { 2 } else { 1 } {
-                let [low, high] = shown[k];
-                shown[k] = [
-                    at[k] - factor * (at[k] - low),
-                    at[k] + factor * (high - at[k]),
-                ];
+            let axes = if chart.even { 2 } else { 1 };
+            for (range, at) in shown.iter_mut().zip(at).take(axes) {
+                *range = range.map(|end| at + factor * (end - at));
             }
         }
         for k in 0..2 {

@@ -42,18 +42,14 @@ pub(in crate::ui) fn show(
 ) -> bool {
     let page = context.memory.page;
     match page {
-        Page::Prism | Page::Rainbow | Page::Gem => {}
-        _ if in_lesson || !has_chart(page) => {
-            let leaves = head(ui, page.title());
-            rolled(ui, |ui| pages.show(ui, context));
-            return leaves;
-        }
-        _ => {}
-    }
-    match page {
         Page::Prism => pages.prism.present_prism(ui, context, in_lesson),
         Page::Rainbow => pages.prism.present_rainbow(ui, context),
         Page::Gem => pages.gem.present(ui, context),
+        _ if in_lesson || !has_chart(page) => {
+            let leaves = head(ui, page.title());
+            rolled(ui, |ui| pages.show(ui, context));
+            leaves
+        }
         _ => chart(pages, ui, context, knobs),
     }
 }

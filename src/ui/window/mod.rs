@@ -9,6 +9,7 @@ mod images;
 mod importing;
 mod lesson;
 mod notices;
+mod page;
 mod panels;
 mod printing;
 mod status;

@@ -5,7 +5,10 @@ use crate::{
         absorption_names::{Curve, dark_lines},
         cells::{line, number, words},
         chart::{Chart, Dash, Ink, Series, stroke},
-        charts::spectrum::{of_subject, on_grid, over, unit_or_value},
+        charts::{
+            spectrum::{of_subject, on_grid, over},
+            units::subject_label,
+        },
         export,
         product_report::Told,
         products::ModelledLight,
@@ -215,7 +218,7 @@ pub fn absorption_chart(app: &App, (dips, known): (&[DipRow], &[DarkLine])) -> C
     }
     Chart {
         title: format!("What is missing in {}", document.subject_entry().name()),
-        y_label: unit_or_value(app.unit()),
+        y_label: subject_label(app),
         series,
         colours: strip(band),
         notes: of_subject(app),
