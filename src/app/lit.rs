@@ -4,13 +4,12 @@ use super::{
     cells::{line, number, words},
     document::Document,
     entry::Entry,
-    products::two_lights::swatches,
     studies::Patches,
 };
 use crate::{
     color::{Adaptation, Observer, Swatch, quality::hue_of},
     spectrum::Band,
-    study::products::two_lights,
+    study::products::{TwoLights, two_lights},
 };
 
 /// A surface under two lights.
@@ -84,6 +83,15 @@ impl Lit {
         }
         out
     }
+}
+
+/// Every surface in colours of the screen, under each of the lights.
+pub(super) fn swatches(both: &TwoLights, adaptation: Adaptation) -> Vec<[Swatch; 2]> {
+    let of = |i: usize, xyz| Swatch::of_patch(xyz, both.whites[i], adaptation);
+    let patches = both.patches.iter();
+    patches
+        .map(|p| [of(0, p.xyz[0]), of(1, p.xyz[1])])
+        .collect()
 }
 
 #[cfg(test)]

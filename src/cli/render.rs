@@ -75,7 +75,7 @@ pub(super) fn run(
         let files = images.filter_map(|image| image.path());
         files.for_each(|file| target.reads(file));
     }
-    let preferences = Preferences {
+    let mut preferences = Preferences {
         dark: *theme == Theme::Dark,
         present: *present,
         pages: PageMemory {
@@ -86,6 +86,9 @@ pub(super) fn run(
         },
         ..Preferences::default()
     };
+    if app.document().second.is_some() {
+        preferences.pages.dispersion.follow_second(true);
+    }
     let picture = pictures.window(&app, &preferences, *size);
     target.save(&picture)?;
     let is_learnt = page.place() == Place::Learn && lesson.is_none();

@@ -6,20 +6,26 @@ use egui::{Color32, Sense, Ui, vec2};
 use super::{
     kit::{cut_words, named, named_choice},
     theme::Theme,
-    top_view::Drawer,
 };
 use crate::app::{App, Entry, chart::Ink};
 
-/// The second light: its name opens the library for another one, and the cross lets go of it;
-/// whether that was clicked.
+/// What the second light was clicked for.
+pub(super) enum Wish {
+    /// Another one.
+    Choose,
+    /// None.
+    NoMore,
+}
+
+/// The second light: its name asks for another one, and the cross for none.
 pub(super) fn show(
     ui: &mut Ui,
     app: &App,
     second: &Entry,
-    drawer: &mut Drawer,
+    is_choosing: bool,
     width: f32,
     theme: Theme,
-) -> bool {
+) -> Option<Wish> {
     let height = 32.0 * theme.scale;
     let cross = 26.0 * theme.scale;
     let font = egui::TextStyle::Button.resolve(ui.style());
@@ -40,14 +46,14 @@ pub(super) fn show(
     named_choice(
         &name,
         egui::Role::Button,
-        drawer.open && drawer.compares,
+        is_choosing,
         &format!("Compared with {}", second.name()),
     );
     let close = ui.interact(left, id.with("no more"), Sense::click());
     named(&close, egui::Role::Button, NO_MORE);
     let visuals = ui.visuals();
     let lit = |response: &egui::Response| response.hovered() || response.has_focus();
-    let fill = match (drawer.open && drawer.compares, lit(&name)) {
+    let fill = match (is_choosing, lit(&name)) {
         (true, _) => visuals.selection.bg_fill,
         (false, true) => visuals.widgets.hovered.bg_fill,
         (false, false) => visuals.widgets.inactive.bg_fill,
@@ -65,12 +71,14 @@ pub(super) fn show(
     painter.galley(at, galley, Color32::WHITE);
     let middle = egui::Align2::CENTER_CENTER;
     painter.text(left.center(), middle, "✕", font, ink);
-    if name.clicked() {
-        drawer.choose_second();
-    }
     let summary = app.compared().map_or("", |compared| &compared.summary);
+    let (chooses, closes) = (name.clicked(), close.clicked());
     name.on_hover_text(format!("{summary}\nClick to choose another."));
-    close.on_hover_text("Compares no more.").clicked()
+    close.on_hover_text("Compares no more.");
+    if closes {
+        return Some(Wish::NoMore);
+    }
+    chooses.then_some(Wish::Choose)
 }
 
 /// What the cross of the second light is called.

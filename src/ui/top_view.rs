@@ -94,8 +94,12 @@ pub(super) fn show(
                         let most = (0.5 * room_for_both).min(MOST_NAME);
                         light(ui, app, drawer, most, theme);
                         let rest = ui.available_width();
-                        if second_chip::show(ui, app, second, drawer, rest.min(MOST_NAME), theme) {
-                            wishes.push(Wish::CompareNoMore);
+                        let is_choosing = drawer.open && drawer.compares;
+                        let most = rest.min(MOST_NAME);
+                        match second_chip::show(ui, app, second, is_choosing, most, theme) {
+                            Some(second_chip::Wish::Choose) => drawer.choose_second(),
+                            Some(second_chip::Wish::NoMore) => wishes.push(Wish::CompareNoMore),
+                            None => {}
                         }
                     }
                     None => {
@@ -138,8 +142,8 @@ fn compare_button(ui: &mut Ui, drawer: &mut Drawer, room: Room) {
     let compare = ui.add(button.frame_when_inactive(true));
     named(&compare, egui::Role::Button, "+ Compare");
     let compare = compare.on_hover_text(
-        "A second light beside this one, on every page: choose it in the library. A surface is \
-         compared with surfaces.",
+        "A second light beside this one, on every page: choose it in the library. A surface \
+         is compared with surfaces.",
     );
     if compare.clicked() {
         drawer.choose_second();
@@ -148,7 +152,7 @@ fn compare_button(ui: &mut Ui, drawer: &mut Drawer, room: Room) {
 
 impl Drawer {
     /// Opens the library for a second light; closes it where it is open for one.
-    pub(super) fn choose_second(&mut self) {
+    fn choose_second(&mut self) {
         let compares = !(self.open && self.compares);
         *self = Self {
             open: compares || self.open && !self.compares,

@@ -248,9 +248,9 @@ pub(crate) fn full_preferences() -> Preferences {
                 two_lights: TwoLightsMemory {
                     patch: 3,
                     pair: 2,
+                    makes: true,
                     everywhere: false,
                     room_percent: -40,
-                    makes: true,
                 },
                 same_surface: SameSurfaceMemory {
                     everywhere: false,
@@ -258,7 +258,7 @@ pub(crate) fn full_preferences() -> Preferences {
                 },
                 absorption: AbsorptionMemory { example: 1 },
             },
-            of_colours: OfColours::Hue,
+            of_colours: OfColours::Samples,
             diagram: DiagramShows {
                 gamuts: true,
                 near: true,

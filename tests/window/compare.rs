@@ -9,6 +9,7 @@ use spectral_explorer::{
         App, Command, Document,
         chart::Marks,
         charts::spectrum::spectrum_chart,
+        dispersion::{Beside, DispersionMemory},
         pages::Page,
         workspace::{Preferences, from_json, to_json},
     },
@@ -165,6 +166,22 @@ fn a_surface_is_no_second_light_and_what_is_removed_is_none_any_more() {
 }
 
 #[test]
+fn prism_and_rainbow_send_it_through_as_well() {
+    for page in [Page::Prism, Page::Rainbow] {
+        let mut ui = on(page, App::new());
+        let second = app(&ui).entry(SECOND).expect("shipped");
+        ui.state_mut().app.apply(Command::Compare(Some(second)));
+        ui.run();
+        let dispersion = &ui.state().preferences.pages.dispersion;
+        let beside = [dispersion.prism.beside, dispersion.rainbow.beside];
+        assert_eq!(beside, [Beside::Overlaid; 2]);
+        click(&mut ui, "Compare no more");
+        let dispersion = &ui.state().preferences.pages.dispersion;
+        assert_eq!(*dispersion, DispersionMemory::default());
+    }
+}
+
+#[test]
 fn a_hue_that_is_pointed_at_lights_its_surfaces_up() {
     let mut ui = on(Page::Rendition, App::new());
     let lit = |ui: &Ui| {
@@ -174,7 +191,7 @@ fn a_hue_that_is_pointed_at_lights_its_surfaces_up() {
             let is_field = node
                 .label()
                 .is_some_and(|label| label.contains("from its reference"));
-            is_field && node.is_selected() == Some(true)
+            is_field && node.toggled() == Some(egui::accesskit::Toggled::True)
         });
         fields.count()
     };
@@ -182,7 +199,7 @@ fn a_hue_that_is_pointed_at_lights_its_surfaces_up() {
     let chart = ui
         .query_all_by_role(Role::Image)
         .find(|node| {
-            let label = egui_kittest::kittest::NodeT::accesskit_node(node).label();
+            let label = node.accesskit_node().label();
             label.is_some_and(|label| label.starts_with("Colour vectors"))
         })
         .expect("the large chart")

@@ -194,6 +194,23 @@ pub struct DispersionMemory {
 }
 
 impl DispersionMemory {
+    /// A second light that was chosen stands beside the light in prism and rainbow too; where it is
+    /// let go of, what stood there at first.
+    pub fn follow_second(&mut self, is_there: bool) {
+        let usual = Self::default();
+        let both = [
+            (&mut self.prism.beside, usual.prism.beside),
+            (&mut self.rainbow.beside, usual.rainbow.beside),
+        ];
+        for (beside, usual) in both {
+            match (is_there, *beside) {
+                (true, _) => *beside = Beside::Overlaid,
+                (false, Beside::Overlaid) => *beside = usual,
+                (false, _) => {}
+            }
+        }
+    }
+
     /// Every value moved to the nearest one that is allowed.
     #[must_use]
     pub fn clamped(self) -> Self {

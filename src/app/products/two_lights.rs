@@ -10,7 +10,7 @@ use crate::{
         studies::{Pairs, reflectances},
         ticks::short,
     },
-    color::{Adaptation, Observer, Swatch, Weights, delta_e_2000},
+    color::{Observer, Weights, delta_e_2000},
     spectrum::{Band, Kind, NamedSpectrum, Sampled},
     study::products::{Black, TwoLights, metameric_black, two_lights},
 };
@@ -69,15 +69,6 @@ impl TwoLightsSheet {
             seen,
         }
     }
-}
-
-/// Swatches of every patch of a set under both lights.
-pub fn swatches(both: &TwoLights, adaptation: Adaptation) -> Vec<[Swatch; 2]> {
-    let of = |i: usize, xyz| Swatch::of_patch(xyz, both.whites[i], adaptation);
-    let patches = both.patches.iter();
-    patches
-        .map(|p| [of(0, p.xyz[0]), of(1, p.xyz[1])])
-        .collect()
 }
 
 /// Pairs that were found as a table.

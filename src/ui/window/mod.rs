@@ -121,6 +121,8 @@ pub struct Window {
     lesson_checks: LessonChecks,
     /// What is to be noticed on a page, and a question to try.
     foot_words: Memo<(u64, Page), (String, String)>,
+    /// Whether there was a second light in the last frame.
+    had_second: bool,
     /// Two surfaces side by side.
     pair_shown: Memo<u64, Option<Pair>>,
     /// Where files were dropped that are being read, and what of them was refused.
@@ -141,6 +143,7 @@ impl Window {
         preferences.pages.note_page();
         Self {
             kept: (app.revision(), preferences.clone()),
+            had_second: app.document().second.is_some(),
             lessons_folder: saver.as_ref().map(|s| s.path().with_file_name("lessons")),
             lists_lessons: false,
             app,
@@ -224,6 +227,7 @@ impl Window {
         self.take_in(ui);
         self.lesson_goes_on(&context);
         self.keys(&context);
+        self.follow_second();
 
         let shape = self.shape(ui, theme);
         let mut centre = ui.available_rect_before_wrap();
@@ -262,6 +266,16 @@ impl Window {
         }
         self.preferences.pages.note_page();
         self.keep();
+    }
+
+    /// Pages that remember what stands beside the light take a second light that was chosen.
+    fn follow_second(&mut self) {
+        let is_there = self.app.document().second.is_some();
+        if is_there != self.had_second {
+            self.had_second = is_there;
+            let pages = &mut self.preferences.pages;
+            pages.dispersion.follow_second(is_there);
+        }
     }
 
     /// What goes on where no frame is drawn, since the window is wholly covered or minimised: what

@@ -6,7 +6,8 @@ use crate::{
     app::{
         chart::{Chart, Dash, Ink, Series},
         charts::spectrum::{before_provenance, on_grid, over},
-        products::two_lights::{Made, NoMetamer, TwoLightsSheet, swatches},
+        lit::swatches,
+        products::two_lights::{Made, NoMetamer, TwoLightsSheet},
         state::App,
         studies::{Pairs, PairsAsk, Surface},
         ticks::short,

@@ -7,10 +7,7 @@ mod vectors;
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    app::{
-        QualityShown,
-        chart::{Chart, Dash, Ink, Series, Shape, stroke},
-    },
+    app::chart::{Chart, Dash, Ink, Series, Shape, stroke},
     color::{
         Adaptation, Srgb, Swatch,
         quality::{Fidelity, HUE_NAMES, HueBin, RENDERING_NAMES, Rendering},
@@ -74,19 +71,6 @@ impl OfColours {
             Self::Hue => "Hue",
             Self::Samples => "CRI",
             Self::Surfaces => "99 surfaces",
-        }
-    }
-
-    /// The chart of one light or two; `pointed` is the hue that is pointed at.
-    pub fn chart(self, shown: &QualityShown, pointed: Option<usize>) -> Chart {
-        let lights = &shown.fidelities()[..];
-        match self {
-            Self::Vectors => vector_graphic(lights, pointed),
-            Self::Fidelity => bin_bars(lights, OfBins::Fidelity),
-            Self::Chroma => bin_bars(lights, OfBins::Chroma),
-            Self::Hue => bin_bars(lights, OfBins::Hue),
-            Self::Samples => sample_bars(&shown.renderings()),
-            Self::Surfaces => fidelity_bars(lights),
         }
     }
 }

@@ -8,7 +8,9 @@ use crate::{
     app::{
         Memo, QualityShown,
         chart::{Chart, Drawing, Looks, Marks},
-        charts::quality::{OfColours, hue_at},
+        charts::quality::{
+            OfBins, OfColours, bin_bars, fidelity_bars, hue_at, sample_bars, vector_graphic,
+        },
         verdicts,
     },
     color::quality::HUE_NAMES,
@@ -96,7 +98,7 @@ impl RenditionView {
     ) {
         let chosen = context.memory.of_colours;
         let key = (context.app.revision(), chosen, pointed);
-        let chart = &*self.chart.get(key, |_| chosen.chart(shown, pointed));
+        let chart = &*self.chart.get(key, |_| chart_of(chosen, shown, pointed));
         let words = ui.spacing().interact_size.y + 4.0;
         let size = vec2(ui.available_width(), ui.available_height() - words);
         let drawn = context.chart(ui, chart, ("of colours", chosen), size);
@@ -224,6 +226,19 @@ impl RenditionView {
                 }
             }
         });
+    }
+}
+
+/// A chart of one light or two; `pointed` is the hue that is pointed at.
+fn chart_of(of: OfColours, shown: &QualityShown, pointed: Option<usize>) -> Chart {
+    let lights = &shown.fidelities()[..];
+    match of {
+        OfColours::Vectors => vector_graphic(lights, pointed),
+        OfColours::Fidelity => bin_bars(lights, OfBins::Fidelity),
+        OfColours::Chroma => bin_bars(lights, OfBins::Chroma),
+        OfColours::Hue => bin_bars(lights, OfBins::Hue),
+        OfColours::Samples => sample_bars(&shown.renderings()),
+        OfColours::Surfaces => fidelity_bars(lights),
     }
 }
 
