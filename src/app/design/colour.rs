@@ -18,8 +18,8 @@ use crate::{
     },
     color::{Adaptation, Srgb, Swatch, Xyz, delta_e_of_xyz, xyz_from_reflectance},
     design::recover::{
-        LineLight, MetamerBand, Method, NODES, Recovered, Reflectance, Seen, Told, Viewing,
-        examples, metamers, told,
+        Deviation, LineLight, MetamerBand, Method, NODES, Recovered, Reflectance, Seen, Viewing,
+        deviation, examples, metamers,
     },
     spectrum::Sampled,
 };
@@ -217,7 +217,7 @@ pub struct ColourSheet {
     /// Under other lights.
     pub under: Vec<Under>,
     /// How well the colour tells the surface that it started from.
-    pub told: Option<Told>,
+    pub told: Option<Deviation>,
 }
 
 impl ColourSheet {
@@ -245,7 +245,7 @@ impl ColourSheet {
         let lights = &*LIGHTS;
         let told = measured.map(|measured| {
             let pairs: Vec<_> = lights.iter().map(|(_, t, v)| (t, v)).collect();
-            told(&smoothest, measured, &pairs)
+            deviation(&smoothest, measured, &pairs)
         });
         let under = lights
             .iter()

@@ -13,7 +13,7 @@ use crate::{
         studies::paper::{Claims, Row, Verdict, delta_e, figure, percent, truth_csv, truth_table},
         ticks::short,
     },
-    spectrum::{Basis, Sampling},
+    spectrum::Sampling,
     ui::kit::{GROUP, framed, headline, pressed, scrolled, sign_button},
 };
 
@@ -91,14 +91,11 @@ fn head(ui: &mut Ui, context: &PageContext<'_>, claims: &Claims) {
             ui.ctx().copy_text(truth_csv(context.app, claims));
         }
         ui.weak(format!(
-            "Measured on {}, {}-{} nm, {}, N = {}.",
+            "Measured on {}, {}-{} nm, {} basis, N = {}.",
             claims.subject,
             short(claims.band.min_nm()),
             short(claims.band.max_nm()),
-            match claims.basis {
-                Basis::Fourier => "Fourier basis",
-                Basis::Cosine => "cosine basis",
-            },
+            claims.basis.name(),
             claims.order,
         ));
     });
