@@ -137,7 +137,7 @@ fn letters_of(formula: &Formula, inputs: usize) -> Result<Vec<usize>, Measuremen
 
 /// What is masked and what is known there all the same, a sentence a stretch.
 fn masked_words(step: &Step, grid: &Grid, result: &Measurement) -> Vec<String> {
-    let bound = step.bound(&grid);
+    let bound = step.bound(grid);
     let told = |m: &Masked| match &bound {
         // At least so much of it is known even there.
         Some(bound) => {

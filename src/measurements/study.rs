@@ -177,9 +177,10 @@ fn intervals_of_lines_hold_90_to_100_of_100() {
                         ];
                         let u = [u[1], u[0], u[2]];
                         all += 1;
-                        for k in 0..3 {
-                            held[k] += i32::from(off[k].abs() <= t * u[k]);
-                        }
+                        let inside = off.iter().zip(u).map(|(off, u)| off.abs() <= t * u);
+                        held.iter_mut()
+                            .zip(inside)
+                            .for_each(|(held, is_inside)| *held += i32::from(is_inside));
                     }
                 }
             }
