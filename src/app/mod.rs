@@ -95,7 +95,6 @@ pub use pair::Pair;
 pub use quality::{ByOrder, QualityShown, coarse_words, settled_words};
 pub use recipe::{Gel, Given, Recipe, Times};
 pub use scale::Scale;
-pub use today::today;
 pub use settings::{
     Detector, GRADIENTS_PERCENT, ORDERS, Settings, THRESHOLDS_PERCENT, WIDTHS_NM, range_words,
 };
@@ -103,6 +102,7 @@ pub use spike_hand::SpikeAct;
 pub use state::{App, Message, Tone, derive};
 pub use surfaces::Surfaces;
 pub use tables::{CURVE_ORDER, Tables};
+pub use today::today;
 
 /// The program as it shows a shipped spectrum.
 #[cfg(test)]

@@ -440,10 +440,24 @@ fn the_keys_of_a_combination_are_told() {
     let all = ["combine", "A / B", "FL2", "CIE A", "--keep-all", "--json"];
     let unslit = ["combine", "unslit", "5", "FL2", "--json"];
     let learn = [
-        "combine", "instrument", "learn", "CIE A", "--known", "black body 2856 K", "--json",
+        "combine",
+        "instrument",
+        "learn",
+        "CIE A",
+        "--known",
+        "black body 2856 K",
+        "--json",
     ];
     let told = [
-        &mean[..], &changed, &quotient, &over_lines, &slit, &splice, &all, &unslit, &learn,
+        &mean[..],
+        &changed,
+        &quotient,
+        &over_lines,
+        &slit,
+        &splice,
+        &all,
+        &unslit,
+        &learn,
     ];
     holds("combine --json", &told);
 }
