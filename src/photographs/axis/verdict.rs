@@ -5,7 +5,7 @@ use super::{
         landmarks::Lamp,
         peaks::{Peak, Peaks},
     },
-    Scene,
+    Scene, odds,
     pins::Pin,
     refine::{Solution, refine},
     search,
@@ -49,6 +49,8 @@ pub struct Answer {
 const NO_OTHER: f64 = -5.0;
 /// Least lead of a suggested axis over the next.
 const LEAST_LEAD: f64 = 1.0;
+/// Least log-odds of a suggested axis of more than three lines.
+const SUGGESTED_ODDS: f64 = -3.0;
 /// Axes that are nowhere farther apart than this are one, nm.
 const SAME_NM: f64 = 4.0;
 /// Lines nearer to one another count as one place, nm.
@@ -160,13 +162,13 @@ impl Judged<'_> {
         let lines = solution.matches.len();
         let (low, high) = solution.span_nm();
         let spans = high - low >= LEAST_SPAN_NM;
-        let least = match () {
-            () if self.is_named && !solution.lamp.is_dark() => 0.5,
-            () if solution.lamp.is_dark() || self.is_grey() => 7.0,
-            () => 6.0,
+        let fits = match () {
+            () if self.is_named && !solution.lamp.is_dark() => solution.score >= 0.5,
+            () if solution.lamp.is_dark() || self.is_grey() => solution.score >= 7.0,
+            () => solution.score >= 6.0 || lines > 3 && self.log_odds() >= SUGGESTED_ODDS,
         };
         let is_first = self.is_named || self.margin >= LEAST_LEAD;
-        let is_suggested = spans && lines >= 3 && solution.score >= least && is_first;
+        let is_suggested = spans && lines >= 3 && fits && is_first;
         match self.against(runner_up) {
             None => (State::Found, None),
             Some(why) if is_suggested => (State::Suggested, Some(why)),
@@ -201,6 +203,11 @@ impl Judged<'_> {
                 solution.score
             ));
         }
+        if !self.is_named && !solution.lamp.is_dark() && self.log_odds() < self.least_odds() {
+            return Some(format!(
+                "the {lines} lines may fit {name} by chance: set one pin, or name the lamp"
+            ));
+        }
         if self.margin < least_margin {
             let other = runner_up.map_or("nothing", |other| other.lamp.name());
             return Some(if other == name {
@@ -224,9 +231,19 @@ impl Judged<'_> {
             // Dark lines are many and alike: a name does not tell them apart.
             () if self.is_named && !self.solution.lamp.is_dark() => 0.5,
             () if is_grey || self.solution.lamp.is_dark() => 9.0,
-            // Few lines of an unknown lamp fit something by chance.
-            () if self.solution.matches.len() < 7 => 10.5,
-            () => 7.5,
+            () => 3.0,
+        }
+    }
+
+    fn log_odds(&self) -> f64 {
+        odds::log_odds(self.solution, self.peaks)
+    }
+
+    fn least_odds(&self) -> f64 {
+        match self.solution.lamp {
+            // The commonest by far.
+            Lamp::Fluorescent => 0.0,
+            _ => 1.0,
         }
     }
 
