@@ -57,6 +57,11 @@ const SAME_NM: f64 = 4.0;
 const PLACE_NM: f64 = 10.0;
 /// Least span of the lines, nm.
 const LEAST_SPAN_NM: f64 = 90.0;
+/// A peak of this height must be a line of the lamp, so far beyond the shortest also, nm.
+const STRONG: f64 = 0.3;
+const BEYOND_NM: f64 = 40.0;
+/// A wider gap parts groups of lines, nm.
+const GAP_NM: f64 = 90.0;
 /// Fewer columns have no axis by themselves.
 const LEAST_COLUMNS: usize = 60;
 
@@ -216,6 +221,14 @@ impl Judged<'_> {
                 format!("fits {name} and {other} about equally: set one pin")
             });
         }
+        if let Some(nm) = self.strong_stranger() {
+            return Some(format!("the strong line at {nm:.0} nm is none of {name}'s"));
+        }
+        if !self.is_named && self.solution.lamp.crowds() && self.has_lonely_group() {
+            return Some(format!(
+                "a gap of more than {GAP_NM} nm is left open, and few lines stand beyond it"
+            ));
+        }
         if is_grey && self.widest_gap() > 120.0 {
             return Some("without colours a gap of more than 120 nm is left open".to_owned());
         }
@@ -298,6 +311,26 @@ impl Judged<'_> {
             }
         }
         places
+    }
+
+    /// The wavelength of a strong peak among the lines that is none of them.
+    fn strong_stranger(&self) -> Option<f64> {
+        let (low, high) = self.solution.span_nm();
+        let mut peaks = self.peaks.peaks.iter().enumerate();
+        peaks.find_map(|(i, peak)| {
+            let nm = self.solution.curve.nm(peak.px);
+            let counts = peak.height >= STRONG && (low - BEYOND_NM..=high).contains(&nm);
+            let is_matched = self.solution.matches.iter().any(|m| m.peak == i);
+            (counts && !is_matched).then_some(nm)
+        })
+    }
+
+    /// A group of fewer than three lines stands apart at an end: it may be slipped by one.
+    fn has_lonely_group(&self) -> bool {
+        let nm = self.sorted_nm();
+        let gaps = nm.windows(2).enumerate();
+        let mut wide = gaps.filter(|(_, pair)| pair[1] - pair[0] > GAP_NM);
+        wide.any(|(i, _)| (i + 1).min(nm.len() - i - 1) < 3)
     }
 
     fn widest_gap(&self) -> f64 {
