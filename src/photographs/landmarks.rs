@@ -73,7 +73,12 @@ impl Lamp {
 
     /// By how much an answer must be better than the next one to be used at once.
     pub(super) fn least_margin(self) -> f64 {
-        if self.crowds() { 6.0 } else { 4.0 }
+        match self {
+            // Dark lines are many and alike.
+            Self::Daylight => 7.0,
+            _ if self.crowds() => 6.0,
+            _ => 4.0,
+        }
     }
 
     /// Its lines crowd at the blue end: a group of others can slip by one.

@@ -59,7 +59,7 @@ const PLACE_NM: f64 = 10.0;
 const LEAST_SPAN_NM: f64 = 90.0;
 /// A peak of this height must be a line of the lamp, so far beyond the shortest also, nm.
 const STRONG: f64 = 0.3;
-const BEYOND_NM: f64 = 40.0;
+const BEYOND_NM: f64 = 25.0;
 /// A wider gap parts groups of lines, nm.
 const GAP_NM: f64 = 90.0;
 /// Fewer columns have no axis by themselves.
@@ -243,6 +243,7 @@ impl Judged<'_> {
         match () {
             // Dark lines are many and alike: a name does not tell them apart.
             () if self.is_named && !self.solution.lamp.is_dark() => 0.5,
+            () if self.is_named => 2.5,
             () if is_grey || self.solution.lamp.is_dark() => 9.0,
             () => 3.0,
         }
@@ -263,6 +264,7 @@ impl Judged<'_> {
     fn least_margin(&self, is_grey: bool) -> f64 {
         match () {
             () if self.is_pinned => 0.0,
+            () if self.is_named && self.solution.lamp.is_dark() => 8.0,
             () if self.is_named => 5.0,
             () if is_grey => 9.0,
             () => self.solution.lamp.least_margin(),
