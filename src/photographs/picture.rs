@@ -108,22 +108,6 @@ pub(super) struct Small {
     pub block: usize,
 }
 
-impl Small {
-    /// The same with columns and rows changed for each other.
-    pub(super) fn transposed(&self) -> Self {
-        let [columns, rows] = self.size;
-        let turned = |channel: &Vec<f32>| {
-            let places = (0..columns).flat_map(|x| (0..rows).map(move |y| y * columns + x));
-            places.map(|at| channel[at]).collect()
-        };
-        Self {
-            size: [rows, columns],
-            channels: self.channels.each_ref().map(turned),
-            block: self.block,
-        }
-    }
-}
-
 /// A photograph looked at with its dispersion from left to right.
 #[derive(Clone, Copy)]
 pub(super) struct View<'p> {
@@ -235,6 +219,5 @@ mod tests {
             .sum::<f64>()
             / 4.0;
         assert!((f64::from(small.channels[0][0]) - mean).abs() < 1e-6);
-        assert_eq!(small.transposed().size, [1, 2]);
     }
 }

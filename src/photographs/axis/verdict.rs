@@ -256,7 +256,7 @@ impl Judged<'_> {
     fn least_odds(&self) -> f64 {
         match self.solution.lamp {
             // The commonest by far.
-            Lamp::Fluorescent => 0.0,
+            Lamp::Fluorescent => 0.5,
             _ => 1.0,
         }
     }
