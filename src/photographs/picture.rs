@@ -16,6 +16,7 @@ pub struct Picture {
     codes: Codes,
     /// Light of each code, 0 to 1.
     light: Vec<f32>,
+    is_linear: bool,
     /// From this code on a channel is at its end.
     full: u16,
 }
@@ -44,16 +45,31 @@ impl Picture {
         if count == 0 || size[0].checked_mul(size[1])?.checked_mul(3)? != count {
             return None;
         }
-        let light = |code: u16| {
-            let share = f64::from(code) / f64::from(largest);
-            (if is_linear { share } else { srgb(share) }) as f32
-        };
-        Some(Self {
+        let mut picture = Self {
             size,
             codes,
-            light: (0..=largest).map(light).collect(),
+            light: Vec::new(),
+            is_linear,
             full: (FULL * f64::from(largest)).ceil() as u16,
-        })
+        };
+        picture.straighten_tones(1.0);
+        Some(picture)
+    }
+
+    /// Takes codes for those of a camera that bends its tones by an S of a power: a share z of the
+    /// largest code was made `z^p / (z^p + (1 - z)^p)`. 1 is a straight camera.
+    pub fn straighten_tones(&mut self, power: f64) {
+        let largest = match &self.codes {
+            Codes::Eight(_) => u16::from(u8::MAX),
+            Codes::Sixteen(_) => u16::MAX,
+        };
+        let light = |code: u16| {
+            let share = f64::from(code) / f64::from(largest);
+            let (a, b) = (share.powf(1.0 / power), (1.0 - share).powf(1.0 / power));
+            let straight = if power == 1.0 { share } else { a / (a + b) };
+            (if self.is_linear { straight } else { srgb(straight) }) as f32
+        };
+        self.light = (0..=largest).map(light).collect();
     }
 
     /// Width and height.
@@ -188,6 +204,25 @@ mod tests {
         let straight = Picture::new([1, 1], Codes::Sixteen(vec![32_768; 3]), true);
         assert!((straight.expect("a pixel").light(0, 0)[0] - 0.5).abs() < 1e-4);
         assert_eq!(Picture::new([2, 1], Codes::Eight(vec![0; 3]), false), None);
+    }
+
+    #[test]
+    fn tones_that_a_camera_has_bent_are_straightened() {
+        let straight = picture();
+        let bent = |share: f64| {
+            let (a, b) = (share.powf(1.3), (1.0 - share).powf(1.3));
+            a / (a + b)
+        };
+        let codes = (0..12_u16).flat_map(|i| [bent(f64::from(20 * i) / 255.0), 0.0, 1.0]);
+        let codes = codes.map(|share| (65_535.0 * share).round() as u16);
+        let mut picture = Picture::new([4, 3], Codes::Sixteen(codes.collect()), false);
+        let picture = picture.as_mut().expect("a picture");
+        picture.straighten_tones(1.3);
+        for (x, y) in [(1, 0), (2, 1), (3, 2)] {
+            let off = picture.light(x, y)[0] - straight.light(x, y)[0];
+            // Codes of two bytes are rounded by 1 in 131,070.
+            assert!(off.abs() < 1e-4, "{off}");
+        }
     }
 
     #[test]

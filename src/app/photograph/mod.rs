@@ -1,5 +1,6 @@
 //! A photograph of a spectrum: read, its strip found, its axis by the lines of a lamp or by pins.
 
+mod figures;
 mod instrument;
 mod response;
 mod spectrum;
@@ -7,15 +8,16 @@ mod words;
 
 use std::path::Path;
 
+pub use figures::{ColourFigures, Estimate};
 pub use instrument::{Applied, Fit, Instrument};
 pub use response::{Kept, Known, Through};
 pub use spectrum::{Row, Rows, Stands};
-pub use words::{csv, json, sentence, warnings};
+pub use words::{colour_words, csv, json, sentence, warnings};
 
 use crate::{
     io::{ColourPixels, Exif, Photo, read_photo},
     photographs::{
-        Lamp,
+        Lamp, Profile,
         axis::{Answer, Curve, Pin, State, Wanted, find, snapped, through_pins},
         hue::Hues,
         peaks::{Peak, Peaks, bright, dark},
@@ -109,6 +111,8 @@ pub struct Photograph {
     pub instrument: Option<Applied>,
     /// What it is through a response.
     pub through: Option<Through>,
+    /// Its colour figures, or why there are none; not asked for without a response or an instrument.
+    pub figures: Option<Result<ColourFigures, String>>,
 }
 
 /// Reads a photograph and finds its strip and its axis.
@@ -131,8 +135,13 @@ fn picture_of(photo: Photo) -> Result<Picture, String> {
     picture.ok_or_else(|| "found too few pixels, expected those of the whole picture".to_owned())
 }
 
-/// The light along a strip of another picture of the same size.
-fn of_strip(path: &Path, size: [usize; 2], strip: &Strip) -> Result<Found, String> {
+/// The light along a strip of another picture of the same size, with each of some tones.
+fn of_strip(
+    path: &Path,
+    size: [usize; 2],
+    strip: &Strip,
+    tones: &[f64],
+) -> Result<(Found, Vec<Profile>), String> {
     let photo = read_photo(path)
         .map_err(|why| format!("found {}, expected {}", why.found, why.expected))?;
     if photo.size != size {
@@ -141,7 +150,15 @@ fn of_strip(path: &Path, size: [usize; 2], strip: &Strip) -> Result<Found, Strin
             photo.size[0], photo.size[1], size[0], size[1]
         ));
     }
-    Ok(strip::read_at(&picture_of(photo)?, strip))
+    let mut picture = picture_of(photo)?;
+    let found = strip::read_at(&picture, strip);
+    let profiles = (tones.iter())
+        .map(|power| {
+            picture.straighten_tones(*power);
+            strip::again(&picture, &found)
+        })
+        .collect();
+    Ok((found, profiles))
 }
 
 /// The same of a photograph that was read.
@@ -153,9 +170,13 @@ pub fn of_photo(name: &str, photo: Photo, said: &Said) -> Result<Photograph, Str
     let kept = said
         .instrument
         .as_ref()
-        .map(|i| i.strip(size))
+        .map(|i| i.strip(size, said.yes))
         .transpose()?;
-    let picture = picture_of(photo)?;
+    let mut picture = picture_of(photo)?;
+    let response = said.instrument.as_ref().and_then(|i| i.response.as_ref());
+    if let Some(response) = response {
+        picture.straighten_tones(response.tone_p);
+    }
     let found = match kept {
         Some(strip) => strip::read_at(&picture, &strip),
         None => strip::find(&picture, &said.strip).map_err(|why| why.to_string())?,
@@ -176,7 +197,7 @@ pub fn of_photo(name: &str, photo: Photo, said: &Said) -> Result<Photograph, Str
     let answer = wanted.map(|wanted| find(columns, &bright, dark.as_ref(), &wanted));
     let instrument = said.instrument.as_ref().map(|instrument| {
         let hues = Hues::of(&found.profile, 1);
-        instrument.applied(hues.as_ref(), answer.as_ref(), &bright)
+        instrument.applied(size, hues.as_ref(), answer.as_ref(), &bright)
     });
     Ok(Photograph {
         file: name.to_owned(),
@@ -193,6 +214,7 @@ pub fn of_photo(name: &str, photo: Photo, said: &Said) -> Result<Photograph, Str
         yes: said.yes,
         instrument,
         through: None,
+        figures: None,
     })
 }
 
@@ -271,6 +293,19 @@ impl Photograph {
             (Some(dark), Some(lamp)) if lamp.is_dark() && self.is_by_lines() => dark,
             _ => &self.bright,
         }
+    }
+
+    /// Reads it through a response, and estimates its colour figures.
+    pub fn read_through(&mut self, response: Option<&Kept>) {
+        self.through = response.and_then(|response| response.through(self));
+        let is_asked = self.through.is_some() || self.instrument.is_some();
+        let is_asked = is_asked && self.used_curve().is_some();
+        self.figures = is_asked.then(|| ColourFigures::of(self));
+    }
+
+    /// Its light is lines: the channels of one column see different parts of one.
+    pub fn is_of_lines(&self) -> bool {
+        self.bright.stand_out()
     }
 
     /// The axis is that of the picture's own lines.

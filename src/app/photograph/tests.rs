@@ -187,9 +187,10 @@ fn a_picture_turned_or_mirrored_has_the_same_wavelengths() {
 /// An instrument by the lamp's picture, with the response of the bulb's.
 fn instrument() -> Instrument {
     let (path, _) = named("inst0_cfl.jpg");
-    let lamp = read(&path, &Said::default()).expect("a strip");
+    let mut lamp = read(&path, &Said::default()).expect("a strip");
     let (bulb, _) = named("inst0_bulb.jpg");
-    let response = Kept::learn(&bulb, &Known::Blackbody(2856.0), &lamp).expect("a response");
+    let known = Known::Blackbody(2856.0);
+    let response = Kept::learn(&bulb, &known, &mut lamp, Some(&path)).expect("a response");
     let kept = Instrument::of(&lamp, "bench", Some(response)).expect("an axis");
     let again = Instrument::read(&kept.text()).expect("its own file");
     assert_eq!(again, kept);
@@ -247,7 +248,7 @@ fn an_instrument_reads_other_lights_finds_how_it_moved_and_knows_their_shape() {
         let is_moved = matches!(applied.fit, Fit::Moved(_));
         assert_eq!(is_moved, golden.shift_px != 0.0, "{name}");
         let response = instrument.response.as_ref().expect("a response");
-        photograph.through = response.through(&photograph);
+        photograph.read_through(Some(response));
         let error = shape_error(&photograph, golden.light.as_ref().expect("a light"));
         assert!(error < most, "{name}: {error:.1} %");
     }

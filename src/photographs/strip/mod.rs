@@ -166,6 +166,15 @@ pub fn read_at(picture: &Picture, strip: &Strip) -> Found {
     }
 }
 
+/// The light along a strip that was read before, of the same picture with other tones.
+pub fn again(picture: &Picture, found: &Found) -> Profile {
+    let view = View {
+        picture,
+        is_vertical: found.strip.is_vertical,
+    };
+    extract::profile(view, &found.strip, found.profile.is_grey)
+}
+
 /// The strip where colours run from left to right, and how good it is.
 fn one_way(
     picture: &Picture,
