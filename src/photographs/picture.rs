@@ -67,7 +67,11 @@ impl Picture {
             let share = f64::from(code) / f64::from(largest);
             let (a, b) = (share.powf(1.0 / power), (1.0 - share).powf(1.0 / power));
             let straight = if power == 1.0 { share } else { a / (a + b) };
-            (if self.is_linear { straight } else { srgb(straight) }) as f32
+            (if self.is_linear {
+                straight
+            } else {
+                srgb(straight)
+            }) as f32
         };
         self.light = (0..=largest).map(light).collect();
     }
@@ -75,6 +79,13 @@ impl Picture {
     /// Width and height.
     pub fn size(&self) -> [usize; 2] {
         self.size
+    }
+
+    /// The codes of a pixel as bytes.
+    pub fn shown(&self, [x, y]: [usize; 2]) -> [u8; 3] {
+        let is_wide = matches!(self.codes, Codes::Sixteen(_));
+        self.code(x, y)
+            .map(|code| (if is_wide { code >> 8 } else { code }) as u8)
     }
 
     /// The codes of a pixel.

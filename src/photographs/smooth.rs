@@ -44,7 +44,11 @@ pub(super) fn percentile(values: &[f64], share: f64) -> f64 {
     let (_, low, above) = known.select_nth_unstable_by(place as usize, f64::total_cmp);
     let high = above.iter().copied().fold(f64::INFINITY, f64::min);
     let part = place.fract();
-    if part > 0.0 { *low + (high - *low) * part } else { *low }
+    if part > 0.0 {
+        *low + (high - *low) * part
+    } else {
+        *low
+    }
 }
 
 /// The middle of a list; 0 of an empty one.

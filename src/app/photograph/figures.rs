@@ -78,22 +78,30 @@ impl ColourFigures {
     pub fn of(photograph: &Photograph) -> Result<Self, String> {
         let curve = (photograph.used_curve()).ok_or("no axis: no colour figures")?;
         let through = photograph.through.as_ref();
-        let through =
-            through.ok_or("the instrument has no response: no colour figures")?;
+        let through = through.ok_or("the instrument has no response: no colour figures")?;
         if through.disagreement > through.most_disagreement {
-            return Err("the camera's values are not proportional to light: colour figures would \
+            return Err(
+                "the camera's values are not proportional to light: colour figures would \
                         be wrong by 10 % and more"
-                .to_owned());
+                    .to_owned(),
+            );
         }
         let profile = &photograph.found.profile;
         let needed = |c: &usize| (NEEDED_NM.0..=NEEDED_NM.1).contains(&curve.nm(*c as f64));
-        if (0..profile.columns()).filter(needed).any(|c| profile.clipped[c]) {
+        if (0..profile.columns())
+            .filter(needed)
+            .any(|c| profile.clipped[c])
+        {
             return Err("over-exposed: take it again, darker".to_owned());
         }
         let last = profile.columns() as f64 - 1.0;
-        let valid = photograph.valid_nm().ok_or("no axis: no colour figures")?;
+        let valid = photograph.reach_nm().ok_or("no axis: no colour figures")?;
         let corrected = &through.corrected;
-        let values = corrected.nm.iter().zip(&corrected.value).zip(&corrected.sigma);
+        let values = corrected
+            .nm
+            .iter()
+            .zip(&corrected.value)
+            .zip(&corrected.sigma);
         let known: Known = values
             .filter(|((nm, _), _)| (valid.0..=valid.1).contains(*nm))
             .filter_map(|((nm, value), sigma)| {
@@ -136,12 +144,14 @@ impl ColourFigures {
         }
         let [cct, duv, x, y, ra, rf] = std::array::from_fn(|k| {
             // A figure that some lights within the doubt have not is none.
-            best[k].filter(|_| drawn[k].len() == DRAWS as usize).map(|best| {
-                drawn[k].sort_by(f64::total_cmp);
-                let ends = [ENDS, 1.0 - ENDS]
-                    .map(|share| drawn[k][(share * (DRAWS - 1) as f64).round() as usize]);
-                [ends[0].min(best), best, ends[1].max(best)]
-            })
+            best[k]
+                .filter(|_| drawn[k].len() == DRAWS as usize)
+                .map(|best| {
+                    drawn[k].sort_by(f64::total_cmp);
+                    let ends = [ENDS, 1.0 - ENDS]
+                        .map(|share| drawn[k][(share * (DRAWS - 1) as f64).round() as usize]);
+                    [ends[0].min(best), best, ends[1].max(best)]
+                })
         });
         let narrow = |of: &Estimate| of[2] - of[0] < WIDEST;
         Self {
@@ -157,8 +167,8 @@ impl ColourFigures {
 
 /// A light is known throughout a range.
 fn reaches(known: &Known, (from, to): (f64, f64)) -> bool {
-    let ends = known.first().is_some_and(|k| k[0] <= from)
-        && known.last().is_some_and(|k| k[0] >= to);
+    let ends =
+        known.first().is_some_and(|k| k[0] <= from) && known.last().is_some_and(|k| k[0] >= to);
     ends && known.windows(2).all(|two| two[1][0] - two[0][0] <= GAP_NM)
 }
 

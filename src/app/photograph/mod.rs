@@ -4,6 +4,7 @@ mod figures;
 mod instrument;
 mod response;
 mod spectrum;
+mod view;
 mod words;
 
 use std::path::Path;
@@ -12,6 +13,7 @@ pub use figures::{ColourFigures, Estimate};
 pub use instrument::{Applied, Fit, Instrument};
 pub use response::{Kept, Known, Through};
 pub use spectrum::{Row, Rows, Stands};
+pub use view::{PhotographAsk, Pixels, ResponseAsk, SeenPhotograph, is_photograph};
 pub use words::{colour_words, csv, json, sentence, warnings};
 
 use crate::{
@@ -166,22 +168,30 @@ fn of_strip(
 /// # Errors
 /// What was found and what was expected.
 pub fn of_photo(name: &str, photo: Photo, said: &Said) -> Result<Photograph, String> {
-    let (size, exif, notes) = (photo.size, photo.exif.clone(), photo.notes.clone());
+    let about = (photo.exif.clone(), photo.notes.clone());
+    of_picture(name, &mut picture_of(photo)?, about, said)
+}
+
+fn of_picture(
+    name: &str,
+    picture: &mut Picture,
+    (exif, notes): (Exif, Vec<&'static str>),
+    said: &Said,
+) -> Result<Photograph, String> {
+    let size = picture.size();
     let kept = said
         .instrument
         .as_ref()
         .map(|i| i.strip(size, said.yes))
         .transpose()?;
-    let mut picture = picture_of(photo)?;
     let response = said.instrument.as_ref().and_then(|i| i.response.as_ref());
     if let Some(response) = response {
         picture.straighten_tones(response.tone_p);
     }
     let found = match kept {
-        Some(strip) => strip::read_at(&picture, &strip),
-        None => strip::find(&picture, &said.strip).map_err(|why| why.to_string())?,
+        Some(strip) => strip::read_at(picture, &strip),
+        None => strip::find(picture, &said.strip).map_err(|why| why.to_string())?,
     };
-    drop(picture);
     let bright = bright(&found.profile);
     let dark = dark(&found.profile, &bright);
     let columns = found.profile.columns();
@@ -315,9 +325,23 @@ impl Photograph {
 
     /// The wavelengths in which the axis holds: near its lines, and where its doubt is small.
     pub fn valid_nm(&self) -> Option<(f64, f64)> {
+        self.sure_nm(BEYOND_NM)
+    }
+
+    /// The wavelengths that colour figures are made of: also farther from the lines, where the doubt
+    /// is small.
+    pub fn reach_nm(&self) -> Option<(f64, f64)> {
+        self.sure_nm(FARTHEST_NM)
+    }
+
+    /// From where to where the doubt is small, so far beyond the outermost lines.
+    fn sure_nm(&self, beyond: f64) -> Option<(f64, f64)> {
         let curve = self.curve()?;
         let (low, high) = match self.source() {
-            Source::Instrument => return self.instrument.as_ref().map(|i| i.valid_nm),
+            Source::Instrument => {
+                let (low, high) = self.instrument.as_ref()?.valid_nm;
+                (low + BEYOND_NM, high - BEYOND_NM)
+            }
             Source::Pins => {
                 let nm = self.pins.iter().map(|pin| pin.nm);
                 let high = nm.clone().fold(f64::MIN, f64::max);
@@ -329,7 +353,7 @@ impl Photograph {
         let last = self.found.profile.columns() as f64 - 1.0;
         let ends = [curve.nm(0.0), curve.nm(last)];
         let (least, most) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        let (mut from, mut to) = ((low - BEYOND_NM).max(least), (high + BEYOND_NM).min(most));
+        let (mut from, mut to) = ((low - beyond).max(least), (high + beyond).min(most));
         let sure = |nm: f64| {
             let px = curve.px(nm, 0.0, last);
             px.is_some_and(|px| curve.sigma(px) <= MOST_SIGMA_NM)
@@ -357,6 +381,8 @@ impl Photograph {
 /// An axis holds so far beyond its outermost lines, where its doubt is not larger than this.
 const BEYOND_NM: f64 = 15.0;
 const MOST_SIGMA_NM: f64 = 1.5;
+/// Figures may reach so far beyond them.
+const FARTHEST_NM: f64 = 60.0;
 
 #[cfg(test)]
 mod tests;

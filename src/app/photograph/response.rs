@@ -165,7 +165,7 @@ impl Kept {
     ) -> Result<Self, String> {
         let no_axis = "found no axis, expected one to learn a response on";
         let curve = of.used_curve().ok_or(no_axis)?;
-        let valid = of.valid_nm().ok_or(no_axis)?;
+        let reach = of.reach_nm().ok_or(no_axis)?;
         let (found, _) = of_strip(path, of.size, &of.found.strip, &[])?;
         let hues = Hues::of(&found.profile, HUE_STEP);
         let moved = Hues::of(&of.found.profile, HUE_STEP)
@@ -180,10 +180,10 @@ impl Kept {
         if (0..found.profile.columns()).any(|c| found.profile.clipped[c] && inside(c)) {
             return Err("over-exposed: take it again, darker".to_owned());
         }
-        let range = (valid.0.max(380.0), valid.1.min(780.0));
+        let range = (reach.0.max(380.0), reach.1.min(780.0));
         let learn = |profile: &Profile| Response::learn(profile, &seen, range, known.power());
-        let mut response = learn(&found.profile)
-            .ok_or("the known light and this picture have no nm in common")?;
+        let mut response =
+            learn(&found.profile).ok_or("the known light and this picture have no nm in common")?;
         let mut tone_p = 1.0;
         let plain = response.disagreement_of(&of.found.profile, &curve);
         let limit = most_disagreement(of);

@@ -100,10 +100,10 @@ pub fn warnings(photograph: &Photograph) -> Vec<String> {
     let found = &photograph.found;
     let mut warnings: Vec<String> = photograph.notes.iter().map(|n| (*n).to_owned()).collect();
     if found.strips > 1 && !photograph.by_hand {
-        warnings.push(format!(
-            "{} strips were found, the strongest is read",
-            found.strips
-        ));
+        warnings.push(match found.strips {
+            2 => "two strips were found, the stronger is read".to_owned(),
+            count => format!("{count} strips were found, the strongest is read"),
+        });
     }
     if found.profile.is_grey {
         warnings.push(
@@ -133,7 +133,7 @@ pub fn warnings(photograph: &Photograph) -> Vec<String> {
     }
     if photograph.bright.hairlines > 0 {
         let count = photograph.bright.hairlines;
-        let lines = many(count, "thin drawn line", "thin drawn lines");
+        let lines = many(count, "thin drawn line was", "thin drawn lines were");
         warnings.push(format!("{lines} ignored"));
     }
     if let Some(why) = photograph
@@ -150,6 +150,15 @@ pub fn warnings(photograph: &Photograph) -> Vec<String> {
     if tone_p != 1.0 {
         warnings.push(format!(
             "this camera bends its tones; undone (p = {tone_p:.1})"
+        ));
+    }
+    let reach = photograph.valid_nm().zip(photograph.reach_nm());
+    if let (Some(Ok(_)), Some((valid, reach))) = (&photograph.figures, reach)
+        && (reach.0 < valid.0 || reach.1 > valid.1)
+    {
+        warnings.push(format!(
+            "the figures use the axis from {:.0} to {:.0} nm, its lines fix it from {:.0} to {:.0}",
+            reach.0, reach.1, valid.0, valid.1
         ));
     }
     if let Some(Err(why)) = &photograph.figures {

@@ -12,7 +12,7 @@ mod search;
 mod verdict;
 
 pub use curve::Curve;
-pub use pins::{Pin, PinError, snapped, through_pins};
+pub use pins::{Pin, PinError, snapped, through_pins, with_line_at};
 pub use refine::{Match, Solution};
 pub use verdict::{Answer, State, Wanted, find};
 

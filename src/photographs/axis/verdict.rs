@@ -62,6 +62,8 @@ const STRONG: f64 = 0.3;
 const BEYOND_NM: f64 = 25.0;
 /// A wider gap parts groups of lines, nm.
 const GAP_NM: f64 = 90.0;
+/// A single peak of this height is a line and no bump of smooth light.
+const ALONE: f64 = 0.5;
 /// Fewer columns have no axis by themselves.
 const LEAST_COLUMNS: usize = 60;
 
@@ -136,6 +138,11 @@ fn no_axis(columns: usize, bright: &Peaks) -> String {
         _ if columns < LEAST_COLUMNS => format!(
             "found a strip of {columns} columns, expected {LEAST_COLUMNS} and more for an axis"
         ),
+        1 if bright.peaks[0].height > ALONE => match bright.peaks[0].hue {
+            // Low-pressure sodium: the one lamp of one line that is common.
+            Some(hue) if hue.is_yellow() => "one sodium line is no axis".to_owned(),
+            _ => "one line is no axis".to_owned(),
+        },
         0 | 1 => {
             "this is smooth light without lines: take a picture of an energy-saving lamp with \
                   the same set-up, then this one with it"
@@ -192,10 +199,14 @@ impl Judged<'_> {
             ));
         }
         if lines < 4 || places < 4 {
-            let nm: Vec<String> = solution.lines_nm().map(|nm| format!("{nm:.0}")).collect();
+            let nm: Vec<String> = self
+                .sorted_nm()
+                .iter()
+                .map(|nm| format!("{nm:.0}"))
+                .collect();
+            let few = if lines == 3 { "three lines" } else { "so few" };
             return Some(format!(
-                "{lines} lines at {places} places only ({}): this fits {name}, but so few prove \
-                 nothing. Right?",
+                "{lines} lines only ({}): this fits {name}, but {few} prove nothing. Right?",
                 nm.join(", ")
             ));
         }

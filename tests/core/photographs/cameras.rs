@@ -77,8 +77,7 @@ impl Camera {
                     let hump = |[at, height, wide]: &[f64; 3]| {
                         height * (-0.5 * ((nm - at) / wide).powi(2)).exp()
                     };
-                    let edges =
-                        (1.0 + ((uv - nm) / 5.0).exp()) * (1.0 + ((nm - ir) / 7.0).exp());
+                    let edges = (1.0 + ((uv - nm) / 5.0).exp()) * (1.0 + ((nm - ir) / 7.0).exp());
                     of.iter().map(hump).sum::<f64>() / edges
                 })
                 .collect()
@@ -89,7 +88,11 @@ impl Camera {
         for (i, row) in matrix.iter_mut().enumerate() {
             let off = [0, 1, 2].map(|j| {
                 let most = if i.abs_diff(j) == 1 { 0.55 } else { 0.12 };
-                if i == j { 0.0 } else { strength * dice.between(0.2, most) }
+                if i == j {
+                    0.0
+                } else {
+                    strength * dice.between(0.2, most)
+                }
             });
             *row = off.map(|o| -o);
             row[i] = 1.0 + off.iter().sum::<f64>();

@@ -20,7 +20,11 @@ fn steps(table: &[u8; 64], quality: u32) -> [f64; 64] {
     } else {
         200.0 - 2.0 * f64::from(quality)
     };
-    table.map(|s| ((f64::from(s) * scale + 50.0) / 100.0).floor().clamp(1.0, 255.0))
+    table.map(|s| {
+        ((f64::from(s) * scale + 50.0) / 100.0)
+            .floor()
+            .clamp(1.0, 255.0)
+    })
 }
 
 /// A plane behind rounding of its waves, block by block.
@@ -34,9 +38,8 @@ fn rounded(plane: &mut [f64], [width, height]: [usize; 2], steps: &[f64; 64]) {
     }
     for top in (0..height).step_by(8) {
         for left in (0..width).step_by(8) {
-            let place = |x: usize, y: usize| {
-                (top + y).min(height - 1) * width + (left + x).min(width - 1)
-            };
+            let place =
+                |x: usize, y: usize| (top + y).min(height - 1) * width + (left + x).min(width - 1);
             let mut block = [[0.0; 8]; 8];
             for (y, row) in block.iter_mut().enumerate() {
                 for (x, v) in row.iter_mut().enumerate() {
@@ -99,7 +102,11 @@ pub(crate) fn through(codes: &[u8], size: [usize; 2], quality: u32) -> Vec<u8> {
             for x in 0..width {
                 // Three quarters of the nearest and a quarter of the next, both ways.
                 let near = |i: usize, most: usize| {
-                    let next = if i % 2 == 0 { (i / 2).saturating_sub(1) } else { i / 2 + 1 };
+                    let next = if i % 2 == 0 {
+                        (i / 2).saturating_sub(1)
+                    } else {
+                        i / 2 + 1
+                    };
                     (i / 2, next.min(most - 1))
                 };
                 let ((x0, x1), (y0, y1)) = (near(x, half[0]), near(y, half[1]));

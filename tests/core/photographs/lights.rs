@@ -141,7 +141,10 @@ fn of_tube(lamp: &str, element: &str, dice: &mut Dice) -> Vec<[f64; 3]> {
         .filter(|row| row[3] == 0.0)
         .map(|[nm, chance, strength, _]| {
             let away = |l: &f64| (l - nm).abs();
-            let nearest = known.iter().copied().min_by(|a, b| away(a).total_cmp(&away(b)));
+            let nearest = known
+                .iter()
+                .copied()
+                .min_by(|a, b| away(a).total_cmp(&away(b)));
             let nm = nearest.filter(|l| away(l) < 0.4).unwrap_or(nm);
             [nm, strength * chance * dice.factor(0.45), 0.05]
         })
@@ -180,9 +183,21 @@ impl Light {
             Sky => Self::sky(dice),
             Led => Self {
                 bands: vec![
-                    [dice.between(440.0, 460.0), dice.between(0.5, 1.2), dice.between(18.0, 26.0)],
-                    [dice.between(540.0, 580.0), dice.between(0.4, 1.0), dice.between(95.0, 130.0)],
-                    [dice.between(600.0, 630.0), dice.between(0.0, 0.7), dice.between(70.0, 95.0)],
+                    [
+                        dice.between(440.0, 460.0),
+                        dice.between(0.5, 1.2),
+                        dice.between(18.0, 26.0),
+                    ],
+                    [
+                        dice.between(540.0, 580.0),
+                        dice.between(0.4, 1.0),
+                        dice.between(95.0, 130.0),
+                    ],
+                    [
+                        dice.between(600.0, 630.0),
+                        dice.between(0.0, 0.7),
+                        dice.between(70.0, 95.0),
+                    ],
                 ],
                 ..Self::default()
             },
@@ -260,7 +275,13 @@ impl Light {
         let mut all = lines(&MERCURY, 1.0, 0.25, dice);
         if dice.chance(0.4) {
             // Coated with yttrium vanadate.
-            for (nm, power) in [(595.0, 0.15), (615.5, 0.2), (619.3, 0.8), (698.4, 0.2), (704.5, 0.25)] {
+            for (nm, power) in [
+                (595.0, 0.15),
+                (615.5, 0.2),
+                (619.3, 0.8),
+                (698.4, 0.2),
+                (704.5, 0.25),
+            ] {
                 all.push([nm, power * dice.factor(0.3), 2.5]);
             }
         }
@@ -308,13 +329,19 @@ impl Light {
         let landmarks: serde_json::Value =
             serde_json::from_str(include_str!("../../../presets/photograph_landmarks.json"))
                 .expect("landmarks");
-        let table = landmarks["lamps"]["daylight"]["1.0"].as_array().expect("a table");
+        let table = landmarks["lamps"]["daylight"]["1.0"]
+            .as_array()
+            .expect("a table");
         let dark = (table.iter())
             .map(|row| [0, 2, 3].map(|k| row[k].as_f64().expect("a figure")))
             .map(|[nm, chance, depth]| {
                 let wide: f64 = if nm > 680.0 { 2.0 } else { 0.4 };
                 // What a slit of 1 nm leaves of it is the landmark's depth.
-                [nm, depth * chance.sqrt() * wide.hypot(1.0) * dice.factor(0.2), wide]
+                [
+                    nm,
+                    depth * chance.sqrt() * wide.hypot(1.0) * dice.factor(0.2),
+                    wide,
+                ]
             })
             .collect();
         Self {
@@ -379,7 +406,8 @@ impl Light {
         if let Some(kelvin) = self.kelvin {
             for (i, p) in power.iter_mut().enumerate() {
                 let x = 1.438_776_9e7 / (nm(i) * kelvin);
-                *p += (560.0 / nm(i)).powi(5) / (x.exp() - 1.0) * (1.438_776_9e7_f64 / (560.0 * kelvin)).exp();
+                *p += (560.0 / nm(i)).powi(5) / (x.exp() - 1.0)
+                    * (1.438_776_9e7_f64 / (560.0 * kelvin)).exp();
             }
         }
         for [at, width, fwhm] in &self.dark {

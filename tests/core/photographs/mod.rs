@@ -8,6 +8,7 @@ mod nothing;
 mod scenes;
 
 pub(crate) use dice::Dice;
+pub(crate) use jpeg::through as jpeg_of;
 pub(crate) use lights::{Kind, Light};
 pub(crate) use nothing::{NOTHINGS, no_spectrum};
-pub(crate) use scenes::{Drawn, Setup, Strange, drawn_profile, picture};
+pub(crate) use scenes::{Setup, drawn_profile, picture};

@@ -29,12 +29,16 @@ pub(crate) fn no_spectrum(kind: &str, dice: &mut Dice) -> ([usize; 2], Vec<u8>) 
     let (wide, noise) = (dice.between(12.0, 60.0), dice.between(1.0, 9.0));
     let wave = [dice.between(0.02, 0.3), dice.between(0.02, 0.3)];
     let paint = |x: f64, y: f64, dice: &mut Dice| -> [f64; 3] {
-        let spot = |s: &[f64; 6]| (-0.5 * ((x - s[0]).powi(2) + (y - s[1]).powi(2)) / s[2].powi(2)).exp();
+        let spot =
+            |s: &[f64; 6]| (-0.5 * ((x - s[0]).powi(2) + (y - s[1]).powi(2)) / s[2].powi(2)).exp();
         match kind {
             "blobs" => [0, 1, 2].map(|k| spots.iter().map(|s| s[3 + k] * spot(s)).sum()),
             "street" => [0, 1, 2].map(|k| {
                 let warm = [1.0, 0.75, 0.4][k];
-                12.0 + spots.iter().map(|s| 2.0 * s[3] * warm * spot(&[s[0], s[1], 0.15 * s[2], 0.0, 0.0, 0.0])).sum::<f64>()
+                12.0 + spots
+                    .iter()
+                    .map(|s| 2.0 * s[3] * warm * spot(&[s[0], s[1], 0.15 * s[2], 0.0, 0.0, 0.0]))
+                    .sum::<f64>()
             }),
             "sunset" => {
                 let t = y / h;
@@ -42,7 +46,8 @@ pub(crate) fn no_spectrum(kind: &str, dice: &mut Dice) -> ([usize; 2], Vec<u8>) 
             }
             "words" => {
                 let row = (y / 14.0) as i64;
-                let is_ink = (y as i64 % 14) < 8 && ((x * 0.7 + row as f64 * 3.1).sin() * (x * 1.9 + row as f64).cos()) > 0.25;
+                let is_ink = (y as i64 % 14) < 8
+                    && ((x * 0.7 + row as f64 * 3.1).sin() * (x * 1.9 + row as f64).cos()) > 0.25;
                 [if is_ink { 20.0 } else { 235.0 }; 3]
             }
             "chart" => bars[((x / 80.0) as usize + 6 * (y / 84.0) as usize) % 24],
@@ -54,8 +59,16 @@ pub(crate) fn no_spectrum(kind: &str, dice: &mut Dice) -> ([usize; 2], Vec<u8>) 
             "rainbow" => {
                 let hue = 6.0 * x / w;
                 let up = |at: f64| (2.0 - (hue - at).abs()).clamp(0.0, 1.0);
-                let inside = if (y - 0.5 * h).abs() < 2.0 * wide { 255.0 } else { 10.0 };
-                [(up(0.0) + up(6.0)).min(1.0) * inside, up(2.0) * inside, up(4.0) * inside]
+                let inside = if (y - 0.5 * h).abs() < 2.0 * wide {
+                    255.0
+                } else {
+                    10.0
+                };
+                [
+                    (up(0.0) + up(6.0)).min(1.0) * inside,
+                    up(2.0) * inside,
+                    up(4.0) * inside,
+                ]
             }
             "noise" => [(); 3].map(|()| dice.between(0.0, 255.0)),
             _ => bars[0],
@@ -65,7 +78,11 @@ pub(crate) fn no_spectrum(kind: &str, dice: &mut Dice) -> ([usize; 2], Vec<u8>) 
     for y in 0..height {
         for x in 0..width {
             for v in paint(x as f64, y as f64, dice) {
-                let v = if kind == "flat" { v } else { v + noise * dice.normal() };
+                let v = if kind == "flat" {
+                    v
+                } else {
+                    v + noise * dice.normal()
+                };
                 codes.push(v.round().clamp(0.0, 255.0) as u8);
             }
         }

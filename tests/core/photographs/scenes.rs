@@ -87,10 +87,7 @@ impl Setup {
             tilt_deg: 2.5 * dice.normal(),
             shear: 0.06 * dice.normal(),
             smile: 0.02 * dice.normal() / half,
-            middle: [
-                w * dice.between(0.42, 0.58),
-                h * dice.between(0.38, 0.62),
-            ],
+            middle: [w * dice.between(0.42, 0.58), h * dice.between(0.38, 0.62)],
             half,
             quality: (!dice.chance(0.15)).then(|| dice.between(70.0, 96.0) as u32),
             strange: Vec::new(),
@@ -109,7 +106,11 @@ impl Setup {
             let mean = |i: usize| {
                 let u = first + 0.25 * i as f64;
                 let (a, b) = (self.grating.nm(u - 0.5), self.grating.nm(u + 0.5));
-                if (b - a).abs() > 4.0 * self.nm_a_column { 0.0 } else { sums.mean(a, b) }
+                if (b - a).abs() > 4.0 * self.nm_a_column {
+                    0.0
+                } else {
+                    sums.mean(a, b)
+                }
             };
             (0..count).map(mean).collect::<Vec<f64>>()
         });
@@ -132,7 +133,11 @@ impl Setup {
     fn pixel(&self, u: f64) -> [f64; 2] {
         let (sin, cos) = self.tilt_deg.to_radians().sin_cos();
         let (x, y) = (self.middle[0] + u * cos, self.middle[1] + u * sin);
-        let x = if self.is_flipped { self.size[0] as f64 - 1.0 - x } else { x };
+        let x = if self.is_flipped {
+            self.size[0] as f64 - 1.0 - x
+        } else {
+            x
+        };
         if self.is_vertical { [y, x] } else { [x, y] }
     }
 }
@@ -154,17 +159,24 @@ pub(crate) fn picture(
     let cast = [dice.factor(0.08), dice.factor(0.08), dice.factor(0.08)];
     let stray = dice.between(0.0, 0.003);
     let dust: Vec<f64> = (0..2 * setup.size[1])
-        .map(|_| if dice.chance(0.03) { dice.between(0.3, 0.9) } else { 1.0 + 0.02 * dice.normal() })
+        .map(|_| {
+            if dice.chance(0.03) {
+                dice.between(0.3, 0.9)
+            } else {
+                1.0 + 0.02 * dice.normal()
+            }
+        })
         .collect();
     let marks = Marks::of(&setup, dice);
     let mut linear = vec![[0.0; 3]; width * height];
     for (i, pixel) in linear.iter_mut().enumerate() {
         let (x, y) = ((i % width) as f64, (i / width) as f64);
         let (u, v) = setup.along(x, y);
-        let row = marks.row(v) * dust[(v.round() + setup.size[1] as f64).max(0.0) as usize % dust.len()];
+        let row =
+            marks.row(v) * dust[(v.round() + setup.size[1] as f64).max(0.0) as usize % dust.len()];
         let ghost = marks.ghost(v);
         let white = marks.white(u, v, x, y);
-        let seen = |k: usize, u: f64| super::scenes::between(&strip[k], 4.0 * (u - first));
+        let seen = |k: usize, u: f64| between(&strip[k], 4.0 * (u - first));
         for k in 0..3 {
             pixel[k] = floor * cast[k] + row * (seen(k, u) + stray) + white;
             if ghost > 0.0 {
@@ -179,7 +191,11 @@ pub(crate) fn picture(
         .filter_map(|nm| {
             let u = place_of(&setup.grating, nm, width as f64)?;
             let [x, y] = setup.pixel(u);
-            let size = if setup.is_vertical { [height, width] } else { [width, height] };
+            let size = if setup.is_vertical {
+                [height, width]
+            } else {
+                [width, height]
+            };
             let inside = x >= 0.0 && y >= 0.0 && x < size[0] as f64 && y < size[1] as f64;
             inside.then_some([nm, x, y])
         })
@@ -212,7 +228,11 @@ fn place_of(grating: &Grating, nm: f64, width: f64) -> Option<f64> {
     }
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
-        if grating.nm(middle) < nm { low = middle } else { high = middle }
+        if grating.nm(middle) < nm {
+            low = middle
+        } else {
+            high = middle
+        }
     }
     Some(low)
 }
@@ -237,7 +257,10 @@ impl Marks {
         // The image of the slit itself stands beyond the blue end, wherever there is room.
         let blue = place_of(&setup.grating, 385.0, w).unwrap_or(-0.5 * w);
         let zero = (blue - dice.between(0.05, 0.4) * w).max(5.0 - setup.middle[0]);
-        let corner = [dice.between(0.02, 0.7) * w, if dice.chance(0.5) { 0.04 * h } else { 0.92 * h }];
+        let corner = [
+            dice.between(0.02, 0.7) * w,
+            if dice.chance(0.5) { 0.04 * h } else { 0.92 * h },
+        ];
         let mut ink = Vec::new();
         if has(Strange::Words) {
             for letter in 0..dice.between(8.0, 18.0) as usize {
@@ -252,8 +275,12 @@ impl Marks {
             half: setup.half,
             edge: dice.between(0.5, 1.6),
             has_gap: has(Strange::TwoStrips),
-            ghost: has(Strange::Reflection)
-                .then(|| (side * dice.between(1.9, 3.0) * setup.half, dice.between(0.08, 0.35))),
+            ghost: has(Strange::Reflection).then(|| {
+                (
+                    side * dice.between(1.9, 3.0) * setup.half,
+                    dice.between(0.08, 0.35),
+                )
+            }),
             ghost_u: dice.between(-0.04, 0.04) * w,
             zero: has(Strange::ZeroOrder).then(|| (zero, dice.between(3.0, 8.0))),
             glow: has(Strange::Glow).then(|| {
@@ -309,7 +336,9 @@ impl Marks {
 fn developed(linear: &[[f64; 3]], [width, height]: [usize; 2], dice: &mut Dice) -> Vec<u8> {
     let (shot, read) = (dice.between(0.0004, 0.004), dice.between(0.0006, 0.004));
     let noisy: Vec<[f64; 3]> = (linear.iter())
-        .map(|p| p.map(|v| v + (shot * shot * v.max(0.0) * 25.0 + read * read).sqrt() * dice.normal()))
+        .map(|p| {
+            p.map(|v| v + (shot * shot * v.max(0.0) * 25.0 + read * read).sqrt() * dice.normal())
+        })
         .collect();
     let mixed = |from: &[[f64; 3]], at: usize, step: usize, place: usize, count: usize| {
         let left = if place > 0 { at - step } else { at };
@@ -335,7 +364,11 @@ fn developed(linear: &[[f64; 3]], [width, height]: [usize; 2], dice: &mut Dice) 
 /// A picture mirrored and turned as the bench has it.
 fn shown(codes: &[u8], setup: &Setup) -> (Vec<u8>, [usize; 2]) {
     let [width, height] = setup.size;
-    let size = if setup.is_vertical { [height, width] } else { [width, height] };
+    let size = if setup.is_vertical {
+        [height, width]
+    } else {
+        [width, height]
+    };
     let pixel = |i: usize| {
         let (x, y) = (i % size[0], i / size[0]);
         let (x, y) = if setup.is_vertical { (y, x) } else { (x, y) };
@@ -353,7 +386,11 @@ pub(crate) fn drawn_profile(light: &Light, dice: &mut Dice) -> (Profile, Vec<f64
     // Half the pictures are cut near to the light.
     setup.nm_a_column = 330.0 * 3.3_f64.powf(dice.roll().powf(1.7)) / columns as f64;
     setup.grating = Grating::of(columns as f64, setup.nm_a_column, dice);
-    let exposure = if dice.chance(0.25) { dice.between(1.0, 3.0) } else { dice.between(0.3, 0.98) };
+    let exposure = if dice.chance(0.25) {
+        dice.between(1.0, 3.0)
+    } else {
+        dice.between(0.3, 0.98)
+    };
     let (first, strip) = setup.strip(light, exposure);
     let (noise, floor) = (dice.between(0.0005, 0.0023), dice.between(0.003, 0.015));
     let half = 0.5 * columns as f64;
@@ -371,7 +408,15 @@ pub(crate) fn drawn_profile(light: &Light, dice: &mut Dice) -> (Profile, Vec<f64
             })
             .collect::<Vec<f64>>()
     });
-    let channels = if setup.is_grey { [channels[0].clone(), channels[0].clone(), channels[0].clone()] } else { channels };
+    let channels = if setup.is_grey {
+        [
+            channels[0].clone(),
+            channels[0].clone(),
+            channels[0].clone(),
+        ]
+    } else {
+        channels
+    };
     let nm = (0..columns).map(|i| setup.grating.nm(place(i))).collect();
     let profile = Profile {
         channels,
