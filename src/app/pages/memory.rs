@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use serde::{Deserialize, Serialize};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::Value;
 
