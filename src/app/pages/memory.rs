@@ -1,5 +1,7 @@
 //! What each page remembers beside the document; not part of undo.
 
+use std::path::PathBuf;
+
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::Value;
 
@@ -77,6 +79,9 @@ pub struct PageMemory {
     pub relit: RelitMemory,
     /// Lessons: names of those that were gone through.
     pub lessons_finished: Vec<String>,
+    /// A photograph of a spectrum that is to be read, once.
+    #[serde(skip)]
+    pub photograph_asked: Option<PathBuf>,
     /// A lesson that is to be begun, once.
     #[serde(skip)]
     pub lesson_asked: Option<AskedLesson>,
@@ -120,6 +125,7 @@ impl Default for PageMemory {
             dispersion: DispersionMemory::default(),
             relit: RelitMemory::default(),
             lessons_finished: Vec::new(),
+            photograph_asked: None,
             lesson_asked: None,
         }
     }

@@ -66,6 +66,8 @@ pub enum Page {
     Bounces,
     /// A spectral image: a pixel or a region becomes a spectrum.
     Image,
+    /// A photograph of a spectrum becomes a spectrum.
+    Photograph,
     /// Light through a prism.
     Prism,
     /// Light through drops of water.
@@ -354,6 +356,13 @@ const ROWS: &[Row] = &[
         ("Spectral image", "image"),
         "recover",
         "A spectral image: a pixel or a region's mean becomes a spectrum.",
+    ),
+    row(
+        Page::Photograph,
+        Place::Picture,
+        ("Photograph", "photograph"),
+        "prism",
+        "A photograph of a spectrum: the lines of a lamp fix its wavelengths.",
     ),
     row(
         Page::Prism,

@@ -9,7 +9,11 @@ pub mod image_view;
 mod known_lamps_view;
 mod lessons_view;
 mod many_view;
+<<<<<<< HEAD
 pub(super) mod presented;
+=======
+pub mod photograph_view;
+>>>>>>> photo
 mod prism_view;
 pub mod products_view;
 mod quality_view;
@@ -129,6 +133,7 @@ pub struct Pages {
     quality: quality_view::QualityView,
     design: design_view::DesignView,
     image: image_view::ImageView,
+    photograph: photograph_view::PhotographView,
     prism: prism_view::PrismView,
     gem: gem_view::GemView,
     relit: relit_view::RelitView,
@@ -171,6 +176,7 @@ impl Pages {
             Page::Resampling => products.resampling.show(ui, context),
             Page::Bounces => products.bounces.show(ui, context),
             Page::Image => self.image.show(ui, context),
+            Page::Photograph => self.photograph.show(ui, context),
             Page::Prism => self.prism.prism(ui, context),
             Page::Rainbow => self.prism.rainbow(ui, context),
             Page::Gem => self.gem.show(ui, context),

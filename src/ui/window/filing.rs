@@ -32,6 +32,7 @@ use crate::{
         },
         open::{Finished, Loaded, load_bytes},
         pages::Page,
+        photograph::is_photograph,
         relit::PictureWish,
         sheet,
     },
@@ -63,6 +64,7 @@ impl Window {
     pub fn open_files(&mut self, paths: Vec<PathBuf>, wake: Wake) {
         let paths = self.without_lessons(paths, &wake);
         let paths = self.without_photos(paths);
+        let paths = self.without_photographs(paths);
         if !paths.is_empty() {
             // What is opened is to be seen.
             self.greets = false;
@@ -83,6 +85,17 @@ impl Window {
         let (photos, others): (Vec<PathBuf>, _) = paths.into_iter().partition(is_photo);
         if let Some(path) = photos.into_iter().next_back() {
             self.pages.take_photo(path);
+        }
+        others
+    }
+
+    /// A picture that is no spectral image is a photograph of a spectrum: the last is shown.
+    fn without_photographs(&mut self, paths: Vec<PathBuf>) -> Vec<PathBuf> {
+        let (pictures, others): (Vec<PathBuf>, _) =
+            paths.into_iter().partition(|path| is_photograph(path));
+        if let Some(path) = pictures.into_iter().next_back() {
+            self.preferences.pages.photograph_asked = Some(path);
+            self.preferences.pages.page = Page::Photograph;
         }
         others
     }
