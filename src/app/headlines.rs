@@ -13,7 +13,7 @@ use super::{
     products::same_surface::SameSurfaceSheet,
     state::App,
     studies::paper::{Row, Verdict, delta_e, percent},
-    ticks::short,
+    ticks::{hundredths, short},
     verdicts::Seen,
 };
 use crate::{
@@ -69,7 +69,7 @@ pub fn chain(light: &str, told: &Told) -> String {
     match total.colours.delta_e_2000 {
         Some(off) => format!(
             "{passes}. The model's colour is off by ΔE₀₀ {}: {}.",
-            delta_e(off),
+            hundredths(off),
             Seen::of(off).seen()
         ),
         None => format!("{passes}."),
@@ -143,8 +143,11 @@ pub fn metamers([first, second]: [&str; 2], names: &[String; 2], delta_e_2000: [
 pub fn same_surface(sheet: &SameSurfaceSheet) -> String {
     let [light, surface, outgoing] = &sheet.names;
     match sheet.verdict() {
-        Sameness::Holds => format!("{outgoing} can be {light} off {surface}."),
-        Sameness::DoesNotHold => format!("{outgoing} is not {light} off {surface}."),
+        Sameness::Holds => match *outgoing == format!("{light} off {surface}") {
+            true => format!("Yes: the spectrum is what {light} off {surface} would be."),
+            false => format!("Yes: {outgoing} can be {light} off {surface}."),
+        },
+        Sameness::DoesNotHold => format!("No: {outgoing} is not {light} off {surface}."),
         Sameness::Unknown if sheet.model.is_none() => {
             "One of the spectra is dark on this range.".to_owned()
         }
@@ -208,19 +211,18 @@ pub fn paper(subject: &str, rows: &[Row]) -> String {
 
 /// What the pixels chosen of an image are.
 pub fn image(entry: &ImageEntry, pixels: usize) -> String {
-    let nm = entry.image.cube.nm();
-    format!(
-        "{}: a spectrum of {} from {} to {} nm in each of {} pixels, {} of them chosen.",
-        entry.image.name,
-        many(nm.len(), "band", "bands"),
-        short(nm[0]),
-        short(nm[nm.len() - 1]),
-        entry.image.cube.width() * entry.image.cube.height(),
-        if pixels == 1 {
-            "one".to_owned()
-        } else {
-            pixels.to_string()
+    let cube = &entry.image.cube;
+    let chosen = match pixels {
+        1 => "That of one pixel is shown.".to_owned(),
+        all if all == cube.width() * cube.height() => {
+            "Click one, or drag over some, to see theirs.".to_owned()
         }
+        some => format!("The mean of {some} pixels is shown."),
+    };
+    format!(
+        "{}: each of its pixels is a spectrum of {}. {chosen}",
+        entry.image.name,
+        many(cube.nm().len(), "band", "bands"),
     )
 }
 

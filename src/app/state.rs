@@ -6,10 +6,7 @@ mod own;
 mod second;
 mod steps;
 
-use std::{
-    sync::{Arc, OnceLock},
-    time::{Duration, Instant},
-};
+use std::sync::{Arc, OnceLock};
 
 use super::{
     beside::Beside,
@@ -51,7 +48,6 @@ pub struct App {
     beside: Option<Beside>,
     scale_factor: f64,
     unit: String,
-    took: Duration,
     messages: Vec<Message>,
     /// Steps taken that can be undone, ever.
     steps: u64,
@@ -109,7 +105,6 @@ impl App {
             beside: None,
             scale_factor: 1.0,
             unit: String::new(),
-            took: Duration::ZERO,
             messages: Vec::new(),
             steps: 0,
             revision: 0,
@@ -180,11 +175,6 @@ impl App {
     /// All atomic lines, for hover.
     pub fn element_lines(&self) -> &'static [ElementLine] {
         Library::bundled().lines()
-    }
-
-    /// How long the last recomputation took.
-    pub fn took(&self) -> Duration {
-        self.took
     }
 
     /// Grows with every change of the document.
@@ -394,7 +384,6 @@ impl App {
 
     /// Derives what cannot be the same any more.
     fn recompute(&mut self, has_same_model: bool) {
-        let start = Instant::now();
         if !has_same_model {
             let wanted = tables_for(&self.document);
             if wanted != self.tables_for {
@@ -415,7 +404,6 @@ impl App {
         // Integrals over the whole table: once a change, not once a frame.
         self.scale_factor = self.document.scale.factor(spectrum).unwrap_or(1.0);
         self.unit = self.document.scale.unit(spectrum);
-        self.took = start.elapsed();
         self.revision += 1;
     }
 

@@ -1,6 +1,11 @@
 //! `render`: a picture of the window, with no display needed.
 
-use std::{ffi::OsStr, io::Write, path::Path, sync::Arc};
+use std::{
+    ffi::OsStr,
+    io::Write,
+    path::{Path, PathBuf},
+    sync::Arc,
+};
 
 use super::{
     Pictures,
@@ -46,6 +51,7 @@ pub(super) fn run(
         theme,
         page,
         lesson,
+        present,
     } = options;
     let pictures = painter(pictures, "render")?;
     // A lesson brings its own light.
@@ -57,7 +63,8 @@ pub(super) fn run(
     let read = [input.as_deref(), pick.light.as_deref(), against.as_deref()];
     let mut target = Target::out(path, Replaces::Pictures, *force, &read);
     target.path()?;
-    let mut app = match input {
+    let photograph = input.as_ref().filter(|_| *page == Page::Photograph);
+    let mut app = match input.as_ref().filter(|_| photograph.is_none()) {
         Some(input) => subject::app(input, pick, *model, inputs)?,
         None => subject::first_app(pick, *model)?,
     };
@@ -76,9 +83,11 @@ pub(super) fn run(
     }
     let mut preferences = Preferences {
         dark: *theme == Theme::Dark,
+        present: *present,
         pages: PageMemory {
             page: *page,
             image: memory,
+            photograph_asked: photograph.map(PathBuf::from),
             lesson_asked: lesson.as_deref().map(asked_lesson).transpose()?,
             ..PageMemory::default()
         },

@@ -6,12 +6,12 @@ use egui::{Ui, vec2};
 use super::{
     kit::{Choice, rolled, seen_choice},
     swatch,
-    theme::Theme,
+    theme::{self, Theme},
 };
 use crate::{
     app::{
         App, Command, Library, Lit, answers::set_title, chart::elided, derived::PatchPair,
-        verdicts::Seen,
+        under_favourites, verdicts::Seen,
     },
     color::Swatch,
 };
@@ -35,8 +35,16 @@ pub(super) fn set_choice(ui: &mut Ui, choice: Choice<'_>, app: &App, commands: &
 
 /// The row above the patches: the set, what lies outside the screen's colours, how they are seen.
 pub(super) fn head(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
+    if !app.document().is_about_light() {
+        let words = format!("{} under six lights", app.document().subject_entry().name());
+        ui.add(egui::Label::new(words).truncate());
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            seen_choice(ui, app, ("How surfaces are seen", 220.0), commands);
+        });
+        return;
+    }
     let choice = Choice {
-        name: "Patch set",
+        name: "Set of surfaces",
         meaning: "Whose reflectances the light falls on.",
         width: 140.0,
     };
@@ -63,25 +71,51 @@ pub(super) fn head(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Comm
         }
     }
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-        seen_choice(ui, app, ("How patches are seen", 220.0), commands);
+        seen_choice(ui, app, ("How surfaces are seen", 220.0), commands);
     });
 }
 
 /// The patches themselves, on a ground that is equal to none of them.
 pub(super) fn patches(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
     let Some(fields) = Fields::of(app) else {
-        ui.add_space(6.0);
-        ui.weak(if app.document().is_about_light() {
-            "There is no visible light in this range: surfaces would be black."
+        if app.document().is_about_light() {
+            ui.add_space(6.0);
+            ui.weak("There is no visible light in this range: surfaces would be black.");
         } else {
-            "This is a surface: choose the light in Settings to see surfaces under it."
-        });
+            under_lights(ui, app, theme);
+        }
         return;
     };
     let room = ui.available_rect_before_wrap();
     ui.painter().rect_filled(room, 4.0, theme.swatch_ground);
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(room.shrink(8.0)));
     rolled(&mut inside, |ui| grid(ui, app, &fields, theme, commands));
+}
+
+/// The surface that is looked at, under six lights.
+fn under_lights(ui: &mut Ui, app: &App, theme: Theme) {
+    let shown = under_favourites(app);
+    let room = ui.available_rect_before_wrap();
+    ui.painter().rect_filled(room, 4.0, theme.swatch_ground);
+    let inside = room.shrink(8.0);
+    let row = ui.text_style_height(&egui::TextStyle::Small);
+    let count = shown.len().max(1) as f32;
+    let width = (inside.width() - 8.0 * (count - 1.0)) / count;
+    let ink = theme::grey(if theme.dark { 240 } else { 16 });
+    for (k, (light, colour)) in shown.iter().enumerate() {
+        let left = inside.left() + k as f32 * (width + 8.0);
+        let size = vec2(width, (inside.height() - row - 2.0).max(1.0));
+        let field = egui::Rect::from_min_size(egui::pos2(left, inside.top()), size);
+        let mut child = ui.new_child(egui::UiBuilder::new().max_rect(field));
+        let name = format!("Under {light}: {}", colour.hex());
+        swatch::split(&mut child, size, colour, colour, &name).on_hover_text(name.as_str());
+        let font = egui::TextStyle::Small.resolve(ui.style());
+        let at = egui::pos2(field.center().x, inside.bottom());
+        let words = ui.painter().layout_no_wrap((*light).to_owned(), font, ink);
+        let corner = at - vec2(words.size().x / 2.0, words.size().y);
+        let painter = ui.painter().with_clip_rect(field.with_max_y(room.bottom()));
+        painter.galley(corner, words, ink);
+    }
 }
 
 /// A surface of which two halves are seen: measured and by the model, or under two lights.
@@ -157,18 +191,21 @@ fn grid(ui: &mut Ui, app: &App, fields: &Fields<'_>, theme: Theme, commands: &mu
                 let response = swatch::split(ui, vec2(width, height), first, second, &name);
                 swatch::ticks(ui, response.rect, 5.0 * theme.scale);
                 // The worst is marked only where it can be seen.
-                let is_worst =
-                    Some(index) == worst && Seen::of(patch.delta_e_2000) != Seen::Hardly;
-                if selected == Some(index) || is_worst {
-                    let stroke = egui::Stroke::new(1.5, ui.visuals().strong_text_color());
-                    swatch::outline(ui, response.rect.expand(2.0), stroke);
+                let is_worst = Some(index) == worst && Seen::of(patch.delta_e_2000) != Seen::Hardly;
+                if is_worst {
+                    swatch::dot(ui, response.rect, theme.scale);
+                }
+                if selected == Some(index) {
+                    swatch::ring(ui, response.rect, theme.scale);
                 }
                 if response.clicked() {
                     let patch = (selected != Some(index)).then_some(index);
                     commands.push(Command::Patch(patch));
                 }
+                let mark = if is_worst { " (the worst)" } else { "" };
                 response.on_hover_text(format!(
-                    "{}: ΔE₀₀ {:.4}, {}\nLeft under {left} {}, right under {right} {}.\nClick to see its product in the plot.",
+                    "{}{mark}: ΔE₀₀ {:.4}, {}\nLeft under {left} {}, right under {right} {}.\n\
+                     Click to see the light off it in the plot.",
                     patch.name,
                     patch.delta_e_2000,
                     Seen::of(patch.delta_e_2000).seen(),

@@ -18,6 +18,7 @@ mod compare;
 mod design_pages;
 mod dispersion_pages;
 mod ends;
+mod handling;
 mod image_page;
 mod import;
 mod lessons;

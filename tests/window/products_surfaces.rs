@@ -417,7 +417,13 @@ fn found_pairs_are_listed_and_a_click_shows_one_large() {
 #[test]
 fn a_teacher_makes_an_example_and_reads_the_verdict() {
     let mut ui = open(about("FL2"), Page::SameSurface, [1920.0, 1080.0]);
-    ui.get_by_label_contains("There is no outgoing spectrum S3 yet");
+    // An example stands there from the start, and nothing was made for it.
+    ui.get_by_label_contains("Yes: the spectrum is what FL2 off red would be.");
+    assert!(ui.state().0.app.document().own.is_empty());
+    ui.get_by_label(same_surface::names::HOW).click();
+    for _ in 0..8 {
+        ui.run_steps(1);
+    }
     ui.get_by_label(same_surface::names::MAKE).click();
     ui.run_steps(4);
     settle(&mut ui);

@@ -50,7 +50,7 @@ pub(crate) struct Words {
     /// How it is turned, radians, and where it would stand were everything turned back.
     turned: (f32, Rect),
     /// Size of its first letter.
-    size: f32,
+    pub size: f32,
 }
 
 impl fmt::Debug for Words {

@@ -1,5 +1,6 @@
 //! The spectrum plot: the window draws it and files hold it.
 
+use super::units::subject_label;
 use crate::{
     app::{
         chart::{self, Chart, Dash, Ink, OVERLAY_INKS, Panel, Scale, Series, stroke},
@@ -25,25 +26,11 @@ const LOG_FLOOR: f64 = 1e-5;
 /// The name of the series of the model's spikes: a point of it is a spike of the model.
 pub const SPIKES: &str = "spikes";
 
-/// What values in a unit are called on an axis.
-pub fn value_label(unit: &str) -> String {
-    match unit {
-        "relative" => "Relative power per nm".to_owned(),
-        unit => unit_or_value(unit),
-    }
-}
-
-/// A unit, or what stands for one where there is none.
-pub(super) fn unit_or_value(unit: &str) -> String {
-    if unit.is_empty() { "value" } else { unit }.to_owned()
-}
-
 /// The spectrum plot of the present document.
 pub fn spectrum_chart(app: &App) -> Chart {
     let (document, derived) = (app.document(), app.derived());
     let (view, band) = (document.view, derived.band);
     let subject = document.subject_entry();
-    let unit = app.unit();
     let has_subject = app.is_measured_in_range();
     let mut chart = Chart {
         title: format!(
@@ -54,7 +41,7 @@ pub fn spectrum_chart(app: &App) -> Chart {
             derived.model.smooth().order(),
             many(derived.model.lines().len(), "spike", "spikes"),
         ),
-        y_label: value_label(unit),
+        y_label: subject_label(app),
         y_scale: scale(app),
         series: spectrum_series(app),
         colours: colours(app),
@@ -140,10 +127,12 @@ fn spectrum_series(app: &App) -> Vec<Series> {
     if view.measured {
         let points = app.measured_points();
         let points: Vec<[f64; 2]> = points.map(|(nm, v)| [nm, v * app.scale_factor()]).collect();
-        if view.strip && document.is_about_light() {
+        if view.strip {
             let area = Series::area("measured", Ink::Measured, points, Vec::new());
             series.push(area.coloured());
-            series.extend(line_bars(app));
+            if document.is_about_light() {
+                series.extend(line_bars(app));
+            }
         } else {
             series.push(Series::line("measured", Ink::Measured, points));
         }
@@ -151,7 +140,7 @@ fn spectrum_series(app: &App) -> Vec<Series> {
     series.extend(second(app).into_iter().flatten());
     if let Some(product) = app.product() {
         let (exact, model) = (curve(app, &product.exact), curve(app, &product.smooth));
-        let name = format!("through {}", product.name);
+        let name = format!("off {}", product.name);
         series.push(Series::line(&name, Ink::Product, exact));
         let name = format!("{name}, by the model");
         series.push(stroke(&name, Ink::Product, model, 1.8, Dash::Dashed));

@@ -2,19 +2,34 @@
 
 use eframe::egui;
 use egui::{
-    Align, Button, DragValue, Frame, Label, Layout, Margin, Rect, Response, RichText, Sense,
-    TextEdit, Ui, Vec2, WidgetText,
+    Align, Button, CollapsingHeader, DragValue, Frame, Label, Layout, Margin, Rect, Response,
+    RichText, Sense, TextEdit, Ui, Vec2, WidgetText,
 };
 
-use crate::ui::theme::Theme;
+use crate::ui::theme::{Theme, main_colours};
 
 /// Size of the sentence that a page begins with, points.
-pub const HEADLINE: f32 = 16.0;
+pub const HEADLINE: f32 = 20.0;
 
 /// The sentence that a page begins with: its result.
 pub fn headline(ui: &mut Ui, theme: Theme, words: impl Into<String>) -> Response {
+    let words = words.into();
+    if !ui.is_visible() {
+        ui.data_mut(|data| data.insert_temp(hidden(), words.clone()));
+    }
     let text = RichText::new(words).size(HEADLINE * theme.scale);
     ui.add(Label::new(text).wrap())
+}
+
+/// Where the sentence of a page that is drawn unseen is kept.
+fn hidden() -> egui::Id {
+    egui::Id::unique("sentence of a page that is presented")
+}
+
+/// The sentence of the page that was drawn unseen just now.
+pub fn hidden_headline(ui: &Ui) -> String {
+    ui.data_mut(|data| data.remove_temp(hidden()))
+        .unwrap_or_default()
 }
 
 /// Gives a widget the name that screen readers and tests call it.
@@ -74,6 +89,12 @@ pub fn pressed_small(ui: &mut Ui, words: &str, meaning: &str) -> bool {
     pressed_if(ui, true, Button::new(words).small(), meaning)
 }
 
+/// The one button of a card that does its work: it looks like nothing that is switched on.
+pub fn main_button(ui: &Ui, words: &str) -> Button<'static> {
+    let (fill, ink) = main_colours(ui.visuals().dark_mode);
+    Button::new(RichText::new(words.to_owned()).color(ink)).fill(fill)
+}
+
 /// A button that can be clicked under a condition, with what it does.
 pub fn pressed_if(ui: &mut Ui, can: bool, button: Button<'_>, meaning: &str) -> bool {
     ui.add_enabled(can, button).on_hover_text(meaning).clicked()
@@ -121,6 +142,11 @@ pub fn titled(ui: &mut Ui, title: &str, copy: &str, meaning: &str, csv: impl FnO
             copy_button(ui, copy, meaning, csv);
         });
     });
+}
+
+/// What is seen on demand, below its title; `id` tells it apart from others of the page.
+pub fn fold(ui: &mut Ui, id: &str, title: &str, add: impl FnOnce(&mut Ui)) {
+    CollapsingHeader::new(title).id_salt(id).show(ui, add);
 }
 
 /// A card: what belongs together, on a ground of its own.

@@ -107,5 +107,5 @@ pub(super) fn describe(ui: &mut Ui, entry: &Entry) {
     if !entry.licence.is_empty() {
         ui.weak(format!("Licence: {}", entry.licence));
     }
-    ui.weak("Click to show it. Ctrl or Shift and click to lay it over.");
+    ui.weak("Click to show it. Ctrl or Shift and click to compare.");
 }

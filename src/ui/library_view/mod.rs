@@ -15,7 +15,7 @@ use self::{
 };
 use super::{
     entry_row::{Painted, row_name},
-    kit::{named, named_choice, text_field},
+    kit::{named, named_choice, sign_button, text_field},
     theme::Theme,
 };
 use crate::{
@@ -38,6 +38,8 @@ pub(super) struct LibraryView {
     listed: Listed,
     /// The row that Enter takes, of those that a search found.
     at: usize,
+    /// The button that closes it was clicked.
+    pub closes: bool,
 }
 
 /// Indent of a file's spectra, points.
@@ -63,6 +65,8 @@ impl LibraryView {
             let words = if compares { "Compare with" } else { "Library" };
             ui.label(egui::RichText::new(words).heading());
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                let meaning = "Closes the library (Esc, Ctrl+L).";
+                self.closes = sign_button(ui, "✕", "Close the library", meaning);
                 ui.toggle_value(&mut preferences.pinned, "Pin")
                     .on_hover_text("The library stays open beside the page.");
             });

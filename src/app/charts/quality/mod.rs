@@ -256,7 +256,7 @@ pub fn against_order(found: &OrderFigures, chosen: Chosen) -> Chart {
     series.push(Series::points("", Ink::Spikes, Shape::Dot, points));
     Chart {
         title: format!("{} against the order", chosen.title()),
-        x_label: "Order N".to_owned(),
+        x_label: "Waves".to_owned(),
         y_label: chosen.title().to_owned(),
         x_range: [0.0, last],
         series,
