@@ -9,11 +9,8 @@ pub mod image_view;
 mod known_lamps_view;
 mod lessons_view;
 mod many_view;
-<<<<<<< HEAD
-pub(super) mod presented;
-=======
 pub mod photograph_view;
->>>>>>> photo
+pub(super) mod presented;
 mod prism_view;
 pub mod products_view;
 mod quality_view;
