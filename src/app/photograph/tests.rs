@@ -319,7 +319,7 @@ fn bands_of_drawn_instruments_hold_the_temperatures_of_their_lights() {
         let mut dice = Dice::new(9_000_000 + seed);
         let mut bench = Setup::of([640, 480], &mut dice);
         bench.slit_nm = 2.5;
-        let mut save = |name: &str, light: &DrawnLight, dice: &mut Dice| {
+        let save = |name: &str, light: &DrawnLight, dice: &mut Dice| {
             let drawn = picture(&bench, light, 0.8, 0.0, dice);
             let path = folder.path().join(format!("{seed}-{name}.png"));
             std::fs::write(&path, png_of(drawn.size, &drawn.codes)).expect("a picture");
