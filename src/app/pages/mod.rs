@@ -135,7 +135,7 @@ impl Row {
     }
 
     /// The first page of a tab that is called otherwise than the page.
-    const fn as_tab(self, tab_title: &'static str) -> Self {
+    const fn titled_tab(self, tab_title: &'static str) -> Self {
         Self { tab_title, ..self }
     }
 
@@ -297,7 +297,7 @@ const ROWS: &[Row] = &[
         "Why few numbers carry colour: the coefficients of the light beside those of the eye.",
     )
     .once(&["coefficients"])
-    .as_tab("For authors"),
+    .titled_tab("For authors"),
     row(
         Page::Race,
         Place::Numbers,
