@@ -269,7 +269,7 @@ fn automatic(
         false => "",
     };
     told(format!(
-        "The best of all eight ways with at most {}: {}{fit}, {} waves, {lines}.",
+        "The best of all ways with at most {}: {}{fit}, {} waves, {lines}.",
         numbers(most),
         best.basis.word(),
         best.order,
