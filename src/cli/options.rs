@@ -121,25 +121,24 @@ pub(super) struct ModelOptions {
     /// Order of the smooth part, 0 to 100: it takes 2N + 1 numbers [default: 7].
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = words::order)]
     pub order: Option<usize>,
-    /// Least share of the power that makes a line a spike, 0.01 to 50 % [default: 0.5].
+    /// Least share of the power that a line must hold to be kept, 0.01 to 50 % [default: 0.5].
     #[arg(long, value_name = "PERCENT", allow_hyphen_values = true, value_parser = words::threshold)]
     pub threshold: Option<f64>,
     /// Widest line, full width at half maximum, 1 to 50 nm [default: 10].
     #[arg(long, value_name = "NM", allow_hyphen_values = true, value_parser = words::max_width)]
     pub max_width: Option<f64>,
-    /// Functions of the smooth part: fourier or cosine [default: cosine].
-    #[arg(long, value_name = "BASIS", value_parser = words::basis)]
+    #[arg(long, value_name = "BASIS", value_parser = words::basis, help = words::basis_help())]
     pub basis: Option<Basis>,
-    /// Make X, Y and Z of the model exact: the default, and with --as-in-paper the exception.
+    /// Keep X, Y and Z of the model exact: the default, except with --as-in-paper.
     #[arg(long)]
     pub colour_exact: bool,
     /// Fit by plain least squares.
     #[arg(long, conflicts_with = "colour_exact")]
     pub plain: bool,
-    /// The paper's series: fourier and plain, where nothing else is said of them.
+    /// The paper's series: Fourier and plain, unless --basis or --colour-exact says otherwise.
     #[arg(long)]
     pub as_in_paper: bool,
-    /// Take no lines out as spikes.
+    /// Keep no lines: the waves draw everything.
     #[arg(long)]
     pub no_spikes: bool,
     /// Keep each line as wide as it is; without it lines are ideal spikes.
@@ -151,9 +150,8 @@ pub(super) struct ModelOptions {
     /// Range of the model in whole nm, at least 20 nm [default: 380:780].
     #[arg(long, value_name = "MIN:MAX", allow_hyphen_values = true, value_parser = words::range)]
     pub range: Option<Band>,
-    /// Colour-matching functions: 1931, 1964, 2015-2, 2015-10, or a file of three functions of
-    /// wavelength: x, y, z or a camera's red, green, blue [default: 1931].
-    #[arg(long, value_name = "OBSERVER", value_parser = words::observer)]
+    #[arg(long, value_name = "OBSERVER", value_parser = words::observer,
+        help = words::observer_help())]
     pub observer: Option<Observer>,
     /// How products with reflectances are formed: paper, 3n, 4n, double, convolution or exact; 3n
     /// takes 3N+1 points, for an odd order N 3N+2 [default: exact].

@@ -24,7 +24,7 @@ use spectral_explorer::{
         studies::{self, AuctionAsk, Question, SweepAsk},
         workspace::Preferences,
     },
-    spectrum::{Band, Kind, NamedSpectrum, Sampled, SpikeEdits},
+    spectrum::{Band, Basis, Kind, NamedSpectrum, Sampled, SpikeEdits},
     study::{
         Auction, Goal, Measure, Progress, Reference, Verdict,
         auction::{Ended, Purchase},
@@ -293,10 +293,8 @@ fn every_point_of_the_charts_stands_for_its_model() {
     let app = fl2();
     let ask = SweepAsk::of(app.document());
     let sweep = ask.answer(&Progress::default()).expect("it shines");
-    let shown = WaysShown {
-        fourier: false,
-        ..WaysShown::default()
-    };
+    let mut shown = WaysShown::default();
+    shown.bases[Basis::Fourier] = false;
     for measure in Measure::COMPARED {
         let mut tradeoff = Tradeoff::of(&ask, &sweep, measure, &shown);
         tradeoff.mark(&app, Some(&verdict_now(&app)), measure);
@@ -341,7 +339,7 @@ fn the_sentence_tells_the_cheapest_model_or_that_there_is_none() {
     let words = needs(&ask, &sweep, &found, Measure::Patches, 1.0);
     assert_eq!(
         words,
-        "To stay under ΔE₀₀ 1 on the patches (mean), FL11 needs 9 numbers (cosine, colour-exact, \
+        "To stay under ΔE₀₀ 1 on the surfaces (mean), FL11 needs 9 numbers (cosine, colour-exact, \
          order 4, no spikes)."
     );
     let words = needs(&ask, &sweep, &found, Measure::Patches, 1e-9);
@@ -370,7 +368,7 @@ fn a_row_of_the_front_takes_its_model() {
     let mut ui = on(plain(), Page::Tradeoff);
     assert_written(
         &ui,
-        "To stay under ΔE₀₀ 1 on the patches (mean), FL11 needs 9 numbers",
+        "To stay under ΔE₀₀ 1 on the surfaces (mean), FL11 needs 9 numbers",
     );
     click(&mut ui, "9 numbers: Cosine, colour-exact, order 4");
     let now = settings(app(&ui));
@@ -389,7 +387,7 @@ fn ways_and_figures_are_switched_and_remembered() {
     assert_written(&ui, "To stay under 10 % rms behind a 10 nm blur, FL2 needs");
     control(&ui, Role::CheckBox, "Fourier").click();
     ui.run();
-    assert!(!ui.state().0.preferences.pages.ways.fourier);
+    assert!(!ui.state().0.preferences.pages.ways.bases[Basis::Fourier]);
     // The last of a pair brings both back.
     control(&ui, Role::CheckBox, "cosine").click();
     ui.run();
@@ -511,11 +509,11 @@ fn automatic_takes_the_best_says_so_and_is_one_step_of_undo() {
     assert_best(app(&ui), 21, Measure::Patches);
     let words = said(&ui);
     let begins = format!(
-        "The best of all eight ways with at most 21 numbers: {}",
+        "The best of all ways with at most 21 numbers: {}",
         now.basis.word()
     );
     assert!(words.starts_with(&begins), "{words}");
-    assert!(words.contains(&format!("order {}", now.order)), "{words}");
+    assert!(words.contains(&format!("{} waves", now.order)), "{words}");
     assert_eq!(words.contains("with its lines"), now.spikes, "{words}");
     assert_eq!(words.contains("colour-exact"), now.colour_exact, "{words}");
     ui.state_mut().0.app.apply(Command::Undo);

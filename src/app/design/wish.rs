@@ -10,12 +10,13 @@ use crate::{
     app::{document::Document, make::table_of, state::App},
     color::{
         Swatch, Xyz,
+        quality::diagram::xy_from_uv_1976,
         xyz::{FIRST_NM, LAST_NM},
     },
     design::{
         SampleTables,
         mixture::{Channel, MixError},
-        solve::{Against, Care, FREE_LINES, Floors, Mixer, Objective, Solution, Target, Wish},
+        solve::{Against, Care, FREE_LINES, Floors, Mixer, Objective, Problem, Solution, Target},
     },
     spectrum::Outside,
 };
@@ -124,6 +125,17 @@ impl MixWish {
         }
     }
 
+    /// The same wish for the colour at a place of CIE 1976 u'v'.
+    #[must_use]
+    pub fn at_uv(self, uv: [f64; 2]) -> Self {
+        Self {
+            light: None,
+            xy: Some(xy_from_uv_1976(uv)),
+            ..self
+        }
+        .clamped()
+    }
+
     /// Whether two wishes ask for the same faders: the front's own settings do not matter.
     pub fn asks_as(&self, other: &Self) -> bool {
         let same_front = Self {
@@ -187,9 +199,9 @@ impl Solved {
         let alike = wish.light.as_ref().filter(|_| wish.alike);
         let alike = alike.and_then(|key| table_of(document, key));
         let alike = alike.map(|light| light.on_whole_nm(FIRST_NM, LAST_NM, Outside::Zero));
-        let solution = mixer.solve(&Wish {
+        let solution = mixer.solve(&Problem {
             target: Some(target),
-            favour: wish.favour,
+            objective: wish.favour,
             floors: wish.floors,
             alike: alike.as_deref(),
             care,

@@ -1,11 +1,14 @@
 //! What each page remembers beside the document; not part of undo.
 
-use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
 
-use super::Page;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::Value;
+
+use super::{Page, Place};
 use crate::{
     app::{
-        charts::quality::DiagramShows,
+        charts::quality::{DiagramShows, OfColours},
         design::{DeskSurfaces, colour::FromColour, mix::Snapshot, wish::MixWish},
         dispersion::DispersionMemory,
         picture::ImageMemory,
@@ -14,6 +17,7 @@ use crate::{
         verdicts::HARD_TO_SEE,
     },
     lamps::NUMBERS,
+    spectrum::{Basis, PerBasis},
     study::{Goal, Measure},
 };
 
@@ -23,6 +27,8 @@ use crate::{
 pub struct PageMemory {
     /// The page shown.
     pub page: Page,
+    /// The pages that were shown last, one a place: the rail leads back to them.
+    pub last_of_places: Vec<Page>,
     /// Coefficients: the partial sum's order.
     pub partial_order: usize,
     /// Coefficients: which of X, Y, Z the bars are of.
@@ -55,6 +61,8 @@ pub struct PageMemory {
     pub products: ProductsMemory,
     /// Chromaticity: what the diagram shows.
     pub diagram: DiagramShows,
+    /// Colours under it: the large chart.
+    pub of_colours: OfColours,
     /// Design: desks that were kept, A, B and C.
     pub kept: [Option<Snapshot>; 3],
     /// Design: which surfaces stand under the mixture.
@@ -71,6 +79,9 @@ pub struct PageMemory {
     pub relit: RelitMemory,
     /// Lessons: names of those that were gone through.
     pub lessons_finished: Vec<String>,
+    /// A photograph of a spectrum that is to be read, once.
+    #[serde(skip)]
+    pub photograph_asked: Option<PathBuf>,
     /// A lesson that is to be begun, once.
     #[serde(skip)]
     pub lesson_asked: Option<AskedLesson>,
@@ -88,6 +99,7 @@ impl Default for PageMemory {
     fn default() -> Self {
         Self {
             page: Page::Spectrum,
+            last_of_places: Vec::new(),
             partial_order: 3,
             channel: 1,
             measure: Measure::Patches,
@@ -104,6 +116,7 @@ impl Default for PageMemory {
             words: WordsMemory::default(),
             products: ProductsMemory::default(),
             diagram: DiagramShows::default(),
+            of_colours: OfColours::default(),
             kept: [None, None, None],
             desk_surfaces: DeskSurfaces::default(),
             wish: MixWish::default(),
@@ -112,6 +125,7 @@ impl Default for PageMemory {
             dispersion: DispersionMemory::default(),
             relit: RelitMemory::default(),
             lessons_finished: Vec::new(),
+            photograph_asked: None,
             lesson_asked: None,
         }
     }
@@ -124,6 +138,24 @@ pub const SPENDABLE: std::ops::RangeInclusive<usize> = 1..=101;
 pub const RACE_BUDGETS: [usize; 7] = [8, 11, 15, 20, 25, 31, 41];
 
 impl PageMemory {
+    /// Remembers the page that is shown as the last of its place.
+    pub fn note_page(&mut self) {
+        let page = self.page;
+        if !self.last_of_places.contains(&page) {
+            self.last_of_places
+                .retain(|other| other.place() != page.place());
+            self.last_of_places.push(page);
+        }
+    }
+
+    /// Goes to the page of a place that was shown last.
+    pub fn go_to(&mut self, place: Place) {
+        self.note_page();
+        let mut last = self.last_of_places.iter();
+        let last = last.find(|page| page.place() == place).copied();
+        self.page = last.unwrap_or_else(|| place.first());
+    }
+
     /// Goes to the page "From a colour" with a screen's colour.
     pub fn ask_about_colour(&mut self, rgb: [u8; 3]) {
         self.colour = self.colour.clone().about(rgb);
@@ -138,6 +170,7 @@ impl PageMemory {
             .into_iter()
             .min_by_key(|budget| budget.abs_diff(self.race_numbers));
         Self {
+            last_of_places: one_a_place(self.last_of_places),
             partial_order: self.partial_order.min(100),
             channel: self.channel.min(2),
             ways: self.ways.clamped(),
@@ -166,6 +199,16 @@ impl PageMemory {
             ..self
         }
     }
+}
+
+/// The last page of each place.
+fn one_a_place(pages: Vec<Page>) -> Vec<Page> {
+    let mut all = PageMemory::default();
+    for page in pages {
+        all.page = page;
+        all.note_page();
+    }
+    all.last_of_places
 }
 
 /// What is asked of many lights.
@@ -250,14 +293,13 @@ impl Default for WordsMemory {
     }
 }
 
-/// Which of the eight ways are drawn: a way is when all three of its choices are.
+/// Which ways are drawn: a way is when all three of its choices are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct WaysShown {
-    /// The periodic Fourier basis.
-    pub fourier: bool,
-    /// The half-range cosine basis.
-    pub cosine: bool,
+    /// The bases; in files each by its word.
+    #[serde(flatten, serialize_with = "by_word", deserialize_with = "of_words")]
+    pub bases: PerBasis<bool>,
     /// Models without spikes.
     pub without_spikes: bool,
     /// Models with spikes.
@@ -268,11 +310,21 @@ pub struct WaysShown {
     pub colour_exact: bool,
 }
 
+fn by_word<S: Serializer>(bases: &PerBasis<bool>, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(Basis::ALL.map(|basis| (basis.word(), bases[basis])))
+}
+
+/// One that is not said is shown.
+fn of_words<'de, D: Deserializer<'de>>(deserializer: D) -> Result<PerBasis<bool>, D::Error> {
+    let said = serde_json::Map::<String, Value>::deserialize(deserializer)?;
+    let is_shown = |basis: Basis| said.get(basis.word()).and_then(Value::as_bool);
+    Ok(PerBasis::of(|basis| is_shown(basis).unwrap_or(true)))
+}
+
 impl Default for WaysShown {
     fn default() -> Self {
         Self {
-            fourier: true,
-            cosine: true,
+            bases: PerBasis::of(|_| true),
             without_spikes: true,
             with_spikes: true,
             plain: true,
@@ -282,16 +334,16 @@ impl Default for WaysShown {
 }
 
 impl WaysShown {
-    /// The same with both of a pair where neither was chosen: there is always something drawn.
+    /// The same with all of a choice where none was chosen: there is always something drawn.
     #[must_use]
     pub fn clamped(self) -> Self {
         let both = |a: bool, b: bool| if a || b { (a, b) } else { (true, true) };
-        let (fourier, cosine) = both(self.fourier, self.cosine);
+        let none = Basis::ALL.iter().all(|basis| !self.bases[*basis]);
+        let bases = PerBasis::of(|basis| none || self.bases[basis]);
         let (without_spikes, with_spikes) = both(self.without_spikes, self.with_spikes);
         let (plain, colour_exact) = both(self.plain, self.colour_exact);
         Self {
-            fourier,
-            cosine,
+            bases,
             without_spikes,
             with_spikes,
             plain,

@@ -5,6 +5,7 @@ mod about;
 mod field;
 mod job;
 mod lamps;
+pub mod lights_quality;
 pub mod paper;
 mod surfaces;
 pub mod take;
@@ -13,6 +14,7 @@ pub use about::{About, Patches, reflectances};
 pub use field::{CHECK_SET, Class, Field, RaceAsk};
 pub use job::{Job, Question, Stage, Wake, Work};
 pub use lamps::{EncodeAsk, EncodedLight, most_numbers};
+pub use lights_quality::LightsQualityAsk;
 pub use surfaces::{Pairs, PairsAsk, RankAsk, Ranked, Surface, shipped_reflectances};
 pub use take::take;
 
@@ -23,7 +25,7 @@ use std::{
 
 use super::{document::Document, memo::ByAddress, pages::FieldChoice, tables::CURVE_ORDER};
 use crate::{
-    lamps::bell,
+    lamps::own_profile,
     spectrum::{Basis, Kind},
     study::{
         Auction, Goal, ManyLights, Progress, Race, Subject, Sweep,
@@ -134,7 +136,7 @@ impl Question for AuctionAsk {
 
     fn answer(&self, progress: &Progress) -> Option<Auction> {
         let subject = Subject {
-            bell: Some(bell),
+            profile: Some(own_profile),
             ..self.about.subject()
         };
         auction::hold(&subject, self.terms, progress)

@@ -20,7 +20,7 @@ pub(crate) struct Encode {
     #[arg(long, value_name = "N", default_value = "20",
         allow_negative_numbers = true, value_parser = room_words::whole_number)]
     pub numbers: usize,
-    /// Without known lamps, so that whoever has the formula can decode the words.
+    /// Without known lamps: the formula alone then decodes the words.
     #[arg(long)]
     pub portable: bool,
     /// Count a known lamp's index and a line's width as numbers of their own; the words are then
@@ -33,9 +33,8 @@ pub(crate) struct Encode {
     /// 380:780].
     #[arg(long, value_name = "MIN:MAX", allow_hyphen_values = true, value_parser = words::range)]
     pub range: Option<Band>,
-    /// Colour-matching functions: 1931, 1964, 2015-2, 2015-10, or a file of three functions of
-    /// wavelength: x, y, z or a camera's red, green, blue [default: 1931].
-    #[arg(long, value_name = "OBSERVER", value_parser = words::observer)]
+    #[arg(long, value_name = "OBSERVER", value_parser = words::observer,
+        help = words::observer_help())]
     pub observer: Option<Observer>,
     /// Print JSON; its keys are stable.
     #[arg(long)]
