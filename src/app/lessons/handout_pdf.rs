@@ -248,7 +248,8 @@ fn bound(pages: &[Page]) -> Result<Vec<u8>, String> {
             content.transform([wide, 0.0, 0.0, high, x, h - y - high]);
             content.x_object(Name(name.as_bytes())).restore_state();
             let mut object = pdf.image_xobject(*id, &image.deflated);
-            object.filter(Filter::FlateDecode).bits_per_component(8);
+            object.filter(Filter::FlateDecode);
+            object.bits_per_component(8);
             object
                 .width(image.size[0] as i32)
                 .height(image.size[1] as i32);

@@ -20,7 +20,7 @@ use super::{
 };
 use crate::{
     app::{
-        Command, Known, Tone,
+        App, Command, Known, Tone,
         chart::Theme,
         charts::spectrum::spectrum_chart,
         dispersion::GemFile,
@@ -31,10 +31,11 @@ use crate::{
             handout::{Form, Reader, handout},
         },
         open::{Finished, Loaded, load_bytes},
-        pages::Page,
+        pages::{Page, PageMemory},
         photograph::is_photograph,
         relit::PictureWish,
         sheet,
+        workspace::Preferences,
     },
     io::{name_of, save_atomically},
 };
