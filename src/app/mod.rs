@@ -4,6 +4,8 @@ pub mod about;
 mod absorption_names;
 mod already_open;
 pub mod answers;
+pub mod behind_slit;
+mod beside;
 mod cells;
 pub mod chart;
 pub mod charts;
@@ -22,11 +24,13 @@ pub mod glossary;
 pub mod headlines;
 mod history;
 pub mod import;
+pub mod instruments;
 mod known_lamps;
 pub mod lessons;
 mod library;
 pub mod licences;
 mod line_names;
+mod lit;
 mod made;
 mod make;
 pub mod makers;
@@ -50,6 +54,7 @@ mod quality;
 pub mod quality_report;
 pub mod race_report;
 pub mod read_report;
+pub mod readings;
 mod recipe;
 pub mod relit;
 pub mod report;
@@ -68,6 +73,7 @@ mod surfaces;
 mod tables;
 pub mod ticks;
 pub mod tint;
+mod today;
 mod undo_words;
 pub mod verdicts;
 pub mod workspace;
@@ -85,11 +91,15 @@ pub use families::Families;
 pub use known_lamps::{WordsShown, lamps_asked, lamps_better};
 pub use library::{FindError, Library};
 pub use line_names::{LineName, spike_under};
+pub use lit::Lit;
 pub use made::is_made;
 pub use memo::{ByAddress, Memo};
 pub use opened::{ImageEntry, Opened};
-pub use pair::Pair;
-pub use quality::{ByOrder, QualityShown, coarse_words, settled_words};
+pub use pair::{Pair, under_favourites};
+pub use quality::{
+    Board, ByOrder, CLIENTS_TABLES, GROUPS, IN_GROUP, QualityShown, Tile, Told, coarse_words,
+    settled_words,
+};
 pub use recipe::{Gel, Given, Recipe, Times};
 pub use scale::Scale;
 pub use settings::{
@@ -99,6 +109,7 @@ pub use spike_hand::SpikeAct;
 pub use state::{App, Message, Tone, derive};
 pub use surfaces::Surfaces;
 pub use tables::{CURVE_ORDER, Tables};
+pub use today::today;
 
 /// The program as it shows a shipped spectrum.
 #[cfg(test)]

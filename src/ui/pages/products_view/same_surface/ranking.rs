@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{RichText, Ui};
+use egui::Ui;
 
 use super::{
     super::{among, change},
@@ -34,7 +34,7 @@ pub(super) fn show(
     let answer = context.studies.of::<RankAsk>().answer();
     let ranked = answer.map(|(_, ranked)| ranked.clone());
     ui.horizontal_wrapped(|ui| {
-        ui.label(RichText::new("Which surface explains it best?").heading());
+        ui.strong("Which surface explains it best?");
         copy_button(ui, names::COPY, "", || {
             let csv = |ranked: &Arc<Vec<Ranked>>| ranking_csv(&sheet.names, ranked);
             ranked.as_ref().map_or_else(String::new, csv)
@@ -105,12 +105,12 @@ fn columns() -> [Column; 5] {
     [
         Column::words("", "Colour of the surface under the light.", 0.09),
         Column::words("surface", "Click a row to take it as the surface S2.", 0.43),
-        Column::words(
+        Column::numbers(
             "residual",
             &format!("In the model's numbers. {RESIDUAL_MEANS}"),
             0.14,
         ),
-        Column::words(
+        Column::numbers(
             "measured",
             &format!("Of the measured curves. {RESIDUAL_MEANS}"),
             0.15,
