@@ -129,7 +129,8 @@ mod tests {
         let [lamp, model] = strip(&fl2(0.5))[at_line].map(brightness);
         assert!(lamp.abs_diff(model) < 12, "{lamp} {model}");
         let [lamp, model] = strip(&fl2(20.0))[at_line].map(brightness);
-        assert!(lamp > model + 150, "{lamp} {model}");
+        // The waves draw some of the line, about half of its light.
+        assert!(lamp > model + 72, "{lamp} {model}");
         assert_eq!(strip(&fl2(0.5)).len(), 401);
     }
 }

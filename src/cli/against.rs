@@ -11,14 +11,15 @@ use super::{
     arguments::Light,
     asked_lights::{Asked, AskedLight},
     inputs::Inputs,
-    options::ModelOptions,
     print, print_json,
     refusal::Refusal,
+    repeats::without_figures,
 };
 use crate::{
     app::{
         comparison::{self, Compared, Side},
         quality_report::{Modeller, full_json, json},
+        readings::Reading,
     },
     io::shown,
 };
@@ -39,10 +40,9 @@ pub(super) fn run(
             "--against: found {count} INPUTs, expected one"
         )));
     };
-    let lights = [
-        one("INPUT", input, options.model, inputs)?,
-        one("--against", &other.to_owned(), options.model, inputs)?,
-    ];
+    let (first, reading_a) = one("INPUT", input, options, inputs)?;
+    let (second, reading_b) = one("--against", &other.to_owned(), options, inputs)?;
+    let lights = [first, second];
     for light in &lights {
         light.note_coarse(inputs);
     }
@@ -67,18 +67,24 @@ pub(super) fn run(
         Side::new(b.name.clone(), spectra[1], b.measured.clone()),
     ]);
     let of = if options.full { full_json } else { json };
-    let figures = [(&compared.sides[0], &a), (&compared.sides[1], &b)]
-        .map(|(side, sheet)| of(&side.name, &sheet.measured, Some(&sheet.model)));
+    let figures = [
+        (&compared.sides[0], &a, &reading_a),
+        (&compared.sides[1], &b, &reading_b),
+    ]
+    .map(|(side, sheet, reading)| {
+        let told = of(&side.name, &sheet.measured, Some(&sheet.model));
+        without_figures(told, reading)
+    });
     print_json(out, &comparison::json(&compared, figures))
 }
 
-/// The one light that a word means.
+/// The one light that a word means, and what its values tell of themselves; counts are none.
 fn one(
     what: &'static str,
     word: &OsString,
-    model: ModelOptions,
+    options: &Light,
     inputs: &mut Inputs,
-) -> Result<AskedLight, Refusal> {
+) -> Result<(AskedLight, Reading), Refusal> {
     let name = shown(Path::new(word));
     let refused = |found: &str, remedy: &str| {
         let words = format!("{what}: {name}: found {found}, expected one light{remedy}");
@@ -87,10 +93,16 @@ fn one(
     if Path::new(word).is_dir() {
         return refused("a folder", "");
     }
-    let mut asked = Asked::of(what, slice::from_ref(word), model, inputs);
+    let mut asked = Asked::of(what, slice::from_ref(word), options.model, inputs);
     inputs.tell_refused(asked.refused)?;
     match (asked.lights.pop(), asked.lights.len()) {
-        (Some(light), 0) => Ok(light),
+        (Some(light), 0) => {
+            let reading = Reading::of(&light.of.light().spectrum, options.stated.as_light);
+            if reading.has_no_figures() {
+                return refused("counts", " (--as-light takes them for one)");
+            }
+            Ok((light, reading))
+        }
         (_, before) => refused(
             &format!("{} lights", before + 1),
             &format!(" ({name}#2 is the second)"),

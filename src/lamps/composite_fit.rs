@@ -108,12 +108,16 @@ impl Composite {
     /// Fits a smooth series and lines to a measured spectrum, as the window does.
     ///
     /// ```
-    /// use spectral_explorer::{lamps::FitOptions, preset, spectrum::Composite};
+    /// use spectral_explorer::{
+    ///     lamps::FitOptions,
+    ///     preset,
+    ///     spectrum::{Composite, Exactness},
+    /// };
     ///
     /// let lamp = preset::table("cie_fluorescent_1nm", "FL2").expect("shipped");
     /// let fit = Composite::fit(lamp, &FitOptions::default().order(7));
     /// assert_eq!(fit.composite.numbers(), 15 + 2 * 4);
-    /// assert!(fit.exactness.is_some_and(|found| found.is_exact()));
+    /// assert!(matches!(fit.exactness, Some(Exactness::Exact { .. })));
     /// ```
     pub fn fit(measured: &Sampled, options: &FitOptions) -> Fit {
         let FitOptions {

@@ -35,8 +35,9 @@ fn slits_are_told_to_a_third_of_a_nm_and_taken_off_to_a_third_of_the_colour_or_t
             shape: Kernel::Gauss,
             fwhm_nm: fwhm,
         };
-        let found = unslit(&seen, slit).expect(name);
+        // The case states its noise.
         seen.sigma = Some(vec![noise; seen.samples.len()]);
+        let found = unslit(&seen, slit).expect(name);
         let [x, y] = numbers(&case["true_xy"])[..] else {
             panic!("x and y");
         };

@@ -16,13 +16,13 @@ use crate::app::{
     workspace::Preferences,
 };
 
-/// From this width of the window on type grows with it, points, and how much at most.
-const LARGE: f32 = 1920.0;
-const MOST_GROWN: f32 = 1.4;
+/// From this size of the window on type grows with it, points, and how much at most.
+const LARGE: Vec2 = Vec2::new(1920.0, 1080.0);
+pub(super) const MOST_GROWN: f32 = 1.4;
 
-/// By how much type is larger in a window of a width.
-pub fn grown(width: f32) -> f32 {
-    (width / LARGE).clamp(1.0, MOST_GROWN)
+/// By how much type is larger in a window of a size: a wide one that is low has no room for it.
+pub fn grown(size: Vec2) -> f32 {
+    (size / LARGE).min_elem().clamp(1.0, MOST_GROWN)
 }
 
 /// How much larger type and how much thicker lines are while presenting.

@@ -602,7 +602,7 @@ fn what_is_outside_its_limits_is_refused_in_one_line() {
 fn arguments_that_make_no_sense_are_refused_in_one_line() {
     for (args, expected) in [
         (&["report"][..], "found no INPUT"),
-        (&["report", "FL2", "FL3"], "found \"FL3\""),
+        (&["report", "FL2", "FL3"], "found no --repeats"),
         (&["report", "FL2", "--order"], "--order: found no value"),
         (
             &["report", "FL2", "--order", "3", "--order", "4"],

@@ -44,6 +44,25 @@ fn two_lights_are_compared_beside_their_figures() {
 }
 
 #[test]
+fn counts_are_compared_only_where_they_are_said_to_be_a_light() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("lamp.csv");
+    let rows: String = (380..=780)
+        .map(|nm| format!("{nm},{}.5\n", 1000 + nm % 7))
+        .collect();
+    std::fs::write(&file, format!("nm,counts\n{rows}")).expect("a table");
+    let file = file.to_str().expect("UTF-8");
+    let (code, out, err) = tell(&["FL2", "--against", file]);
+    assert_eq!((code, out.as_str()), (1, ""));
+    assert!(err.contains("found counts, expected one light"), "{err}");
+    let (code, out, err) = tell(&["FL2", "--against", file, "--as-light", "--json"]);
+    assert_eq!(code, 0, "{err}");
+    let found: Value = serde_json::from_str(&out).expect("JSON");
+    assert_eq!(found["b"]["counts"]["is"], true);
+    assert!(found["b"]["cct"].is_number(), "{}", found["b"]);
+}
+
+#[test]
 fn tables_of_one_lamp_are_told_apart() {
     let (_, text, _) = tell(&[
         "cie_fluorescent_1nm/FL2",

@@ -914,7 +914,7 @@ fn a_sheet_of_a_lesson_is_written_with_all_of_its_pictures_or_not_at_all() {
     let desk = Desk::new();
     // Nothing can be written where a folder stands.
     fs::create_dir(desk.path("s-1.svg")).expect("a folder");
-    desk.refused(&["lessons", "handout", "samples", "--out", "s.md"]);
+    desk.refused(&["lessons", "handout", "light", "--out", "s.md"]);
     let left = fs::read_dir(desk.path(".")).expect("a folder").count();
     assert_eq!(left, 1, "the folder alone");
 }

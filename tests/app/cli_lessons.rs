@@ -129,13 +129,13 @@ fn a_sheet_is_written_with_its_pictures_and_replaces_nothing_unasked() {
     let write = |name: &str, more: &[&str]| {
         let path = folder.path().join(name);
         let file = path.to_str().expect("UTF-8").to_owned();
-        let args = [&["handout", "samples", "--out", &file], more].concat();
+        let args = [&["handout", "light", "--out", &file], more].concat();
         (tell(&args), path)
     };
     let ((code, _, err), html) = write("sheet.html", &[]);
     assert_eq!(code, 0, "{err}");
     let text = fs::read_to_string(html).expect("the sheet");
-    assert!(text.contains("<svg") && text.contains("Answers"));
+    assert!(text.contains("<svg") && text.contains(", right:"));
     let ((code, _, err), markdown) = write("sheet.md", &[]);
     assert_eq!(code, 0, "{err}");
     let text = fs::read_to_string(markdown).expect("the sheet");

@@ -490,7 +490,8 @@ fn the_similarity_of_a_model_does_not_hang_on_the_scale_of_the_values() {
             let rows: String = pairs
                 .map(|(nm, v)| format!("{nm},{:e}\n", v * scale))
                 .collect();
-            fs::write(&file, format!("nm,W\n{rows}")).expect("a table");
+            // Whole numbers without a unit would be an instrument's counts.
+            fs::write(&file, format!("nm,lamp (W/m2/nm)\n{rows}")).expect("a table");
             let said = said(&[file.to_str().expect("UTF-8"), "--json"]);
             let told: Value = serde_json::from_str(&said).expect("JSON");
             let [model, lamp] = [&told["model"]["ssi"]["value"], &told["ssi"]["value"]];

@@ -34,6 +34,12 @@ impl Drawn {
         lines: &LINES,
         smooth: 0.004,
     };
+    /// The same lines on a glow that is seen beyond them: its strip reaches over all wavelengths
+    /// that colour figures need.
+    pub(crate) const GLOWING: Self = Self {
+        lines: &LINES,
+        smooth: 0.04,
+    };
     pub(crate) const BULB: Self = Self {
         lines: &[],
         smooth: 0.3,
@@ -199,7 +205,7 @@ fn what_is_no_picture_or_no_strip_is_refused_in_one_line() {
 #[test]
 fn colour_figures_need_a_response_and_come_with_their_bands() {
     let folder = tempfile::tempdir().expect("a folder");
-    let lamp = put(folder.path(), "lamp.png", &Drawn::LAMP.png());
+    let lamp = put(folder.path(), "lamp.png", &Drawn::GLOWING.png());
     let flat = put(folder.path(), "flat.png", &Drawn::BULB.png());
     let kept = folder.path().join("bench.json");
     let kept = kept.to_str().expect("UTF-8");

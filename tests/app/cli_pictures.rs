@@ -422,8 +422,10 @@ fn of_a_folder_every_spectrum_of_its_files_is_a_row() {
     assert!(err.contains(cut), "{err}");
     assert!(err.contains("skipped") && err.contains("notes.md"), "{err}");
     let text = fs::read_to_string(&out).expect("numbers");
-    for name in ["one", "two", "three", "four", "five"] {
-        assert!(text.contains(name), "{text}");
+    // The only column of a file is called after the file.
+    for name in ["one", "two", "three", "four", "c"] {
+        let is_its = |line: &str| line.split(',').next() == Some(name);
+        assert!(text.lines().any(is_its), "{name}: {text}");
     }
     fs::write(lamps.join("leaf.csv"), format!("nm,reflectance\n{wider}")).expect("a table");
     let (code, _, err) = tell(&[&args[..], &["--force"]].concat());

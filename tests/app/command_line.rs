@@ -351,7 +351,10 @@ fn the_keys_of_a_light_are_told() {
     holds("light --json --full", &[&args, &of_cut]);
     holds(
         "light --against --json",
-        &[&["light", "FL2", "--against", "LED-B1", "--json"]],
+        &[
+            &["light", "FL2", "--against", "LED-B1", "--json"],
+            &["light", &cut, "--against", &cut, "--json"],
+        ],
     );
 }
 
@@ -554,7 +557,7 @@ fn the_keys_of_a_picture_are_told() {
 #[test]
 fn the_keys_of_a_photograph_are_told() {
     let folder = tempfile::tempdir().expect("a folder");
-    let lamp = put(folder.path(), "lamp.png", Drawn::LAMP.png());
+    let lamp = put(folder.path(), "lamp.png", Drawn::GLOWING.png());
     let bulb = put(folder.path(), "bulb.png", Drawn::BULB.png());
     let kept = folder.path().join("bench.json");
     let kept = kept.to_str().expect("UTF-8");

@@ -101,7 +101,7 @@ fn setting_of(place: &Place) -> Place {
         "preferences" if is(1, "recent") || is(1, "folded") || is(1, "window") => 2,
         "preferences" if is(2, "goal") || is(2, "spend_goal") => 3,
         "preferences" if is(3, "selection") => 4,
-        "preferences" if is(2, "lessons_finished") => 3,
+        "preferences" if is(2, "lessons_finished") || is(2, "last_of_places") => 3,
         "preferences" if is(4, "hidden") => 5,
         "preferences" if is(4, "lines") => place.len().min(6),
         "preferences"

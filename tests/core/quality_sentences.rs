@@ -384,12 +384,16 @@ fn the_sentences_of_the_pages_have_the_words_of_the_rows() {
         if page.figures.fidelity.is_ok() && page.figures.rendering.is_ok() {
             let rf = page.said("rf").split(" on average").next().expect("words");
             assert!(shown.sentence.contains(rf), "{name}: {}", shown.sentence);
-            let hue = shown
-                .rendition
-                .split_once("Most shifts ")
-                .map(|(_, hue)| hue);
-            let is_named = hue.is_some_and(|hue| HUE_NAMES.iter().any(|n| hue.starts_with(n)));
-            assert!(is_named, "{}", shown.rendition);
+            // "Under FL2 red shifts most: ..."; where no figure is below 100, no hue does.
+            let fidelity = shown.sides[0].figures.fidelity.as_ref().expect("known");
+            let bins = fidelity.bins.iter().flatten();
+            let lowest = bins.map(|bin| bin.rf).fold(f64::INFINITY, f64::min);
+            let hue = shown.rendition.split_once(" shifts most: ");
+            let is_named =
+                hue.is_some_and(|(hue, _)| HUE_NAMES.iter().any(|name| hue.ends_with(name)));
+            assert_eq!(is_named, lowest < 99.5, "{}", shown.rendition);
+            let figure = format!("Rf {lowest:.0}");
+            assert!(shown.rendition.contains(&figure), "{}", shown.rendition);
         }
     }
 }

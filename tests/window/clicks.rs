@@ -199,10 +199,18 @@ fn whether_a_light_suits_skin_is_one_act_away() {
     let mut person = Person::at_first_start();
     person.clicks("Is this a good light?");
     assert_eq!(person.acts, 1);
-    // FL2 is known for it: R9 below zero; skin has rows of its own.
     let painted = sizes::words(&person.ui, egui::vec2(1280.0, 800.0));
-    let told = |words: &sizes::Words| words.text.contains("strong red looks wrong: R9 -");
-    assert!(painted.iter().any(told), "{painted:?}");
+    let told = "light skin looks off, strong red looks wrong";
+    let is_told = painted.iter().any(|words| words.text.contains(told));
+    assert!(is_told, "{painted:?}");
+    // FL2 is known for it: R9 below zero; skin has a row of its own.
+    let behind = |title: &str| {
+        let at = painted.iter().position(|words| words.text == title);
+        let figure = at.and_then(|at| painted.get(at + 1));
+        figure.and_then(|words| words.text.parse::<f64>().ok())
+    };
+    assert!(behind("R9").is_some_and(|r9| r9 < 0.0), "{painted:?}");
+    assert!(behind("R13").is_some(), "{painted:?}");
 }
 
 #[test]

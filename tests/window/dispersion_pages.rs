@@ -102,6 +102,14 @@ fn a_gem_is_coloured_and_says_how_it_is_seen() {
     let mut ui = page(Page::Gem);
     let said = |ui: &Ui, part: &str| words(ui).join("\n").contains(part);
     assert!(said(&ui, Adaptation::ToLight.words()));
+    ui.get_by_label("Colour and picture").scroll_to_me();
+    settle(&mut ui);
+    ui.get_by_label("Colour and picture").click();
+    settle(&mut ui);
+    // What a fold shows may lie below the edge.
+    ui.get_by_role_and_label(Role::ComboBox, names::COLOUR)
+        .scroll_to_me();
+    settle(&mut ui);
     ui.get_by_role_and_label(Role::ComboBox, names::COLOUR)
         .click();
     settle(&mut ui);
@@ -109,6 +117,8 @@ fn a_gem_is_coloured_and_says_how_it_is_seen() {
     settle(&mut ui);
     let memory = &ui.state().0.preferences.pages.dispersion.gem;
     assert_eq!(memory.colour, GemColour::Filter);
+    ui.get_by_label(names::SEEN).scroll_to_me();
+    settle(&mut ui);
     ui.get_by_label(names::SEEN).click();
     settle(&mut ui);
     ui.get_by_label(Adaptation::None.words()).click();

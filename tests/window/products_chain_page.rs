@@ -95,6 +95,12 @@ fn unfold(ui: &mut Ui, fold: &str) {
     }
 }
 
+/// Brings what an open fold shows below the edge into view.
+fn scroll_to(ui: &mut Ui, role: Role, name: &str) {
+    ui.get_by_role_and_label(role, name).scroll_to_me();
+    ui.run_steps(4);
+}
+
 fn order(ui: &Ui) -> Vec<String> {
     let chain = &app(ui).document().products.chain;
     chain
@@ -199,6 +205,7 @@ fn a_glass_of_2_mm_is_typed_in_mm_and_bounces_in_times() {
 fn the_ways_of_forming_are_those_of_the_settings() {
     let mut ui = open(about("FL2"), Page::Chain, [1280.0, 1400.0]);
     unfold(&mut ui, chain::names::MODEL);
+    scroll_to(&mut ui, Role::ComboBox, chain::names::WAY);
     ui.get_by_role_and_label(Role::ComboBox, chain::names::WAY)
         .click();
     ui.run();
@@ -212,6 +219,7 @@ fn the_ways_of_forming_are_those_of_the_settings() {
 fn stages_and_spikes_are_copied_as_tables() {
     let mut ui = open(about("FL2"), Page::Chain, [1280.0, 1400.0]);
     unfold(&mut ui, chain::names::MODEL);
+    scroll_to(&mut ui, Role::Button, chain::names::COPY_STAGES);
     let stages = copied(&mut ui, chain::names::COPY_STAGES).expect("a table");
     let rows: Vec<&str> = stages.lines().filter(|l| !l.starts_with('#')).collect();
     assert_eq!(rows.len(), 1 + 1 + 2, "{stages}");
@@ -220,6 +228,7 @@ fn stages_and_spikes_are_copied_as_tables() {
         rows.iter().all(|row| row.split(',').count() == cells),
         "{stages}"
     );
+    scroll_to(&mut ui, Role::Button, chain::names::COPY_SPIKES);
     let spikes = copied(&mut ui, chain::names::COPY_SPIKES).expect("a table");
     assert!(spikes.contains("Hg 435.8"), "{spikes}");
     assert!(spikes.contains("# behind: light skin"), "{spikes}");
@@ -266,6 +275,7 @@ fn an_example_of_the_sun_is_one_click_and_its_lines_have_their_names() {
         assert!((0.0..=1.0).contains(&depth) && row.spike.weight < 0.0);
     }
     unfold(&mut ui, absorption::names::ALL);
+    scroll_to(&mut ui, Role::Button, absorption::names::COPY);
     let table = copied(&mut ui, absorption::names::COPY).expect("a table");
     assert!(
         table.contains("place nm,weight,depth,name,below zero"),

@@ -52,6 +52,9 @@ fn a_whole_set_shows_both_halves_and_a_click_on_a_light_shows_it() {
         "Every figure at this count",
         "Errors against numbers, and who wins",
     ] {
+        // The fold before it may have pushed it below the edge.
+        ui.get_by_label(fold).scroll_to_me();
+        ui.run_steps(4);
         ui.get_by_label(fold).click();
         // It opens in a moment.
         for _ in 0..8 {
@@ -64,6 +67,12 @@ fn a_whole_set_shows_both_halves_and_a_click_on_a_light_shows_it() {
         &ui,
         "Fluorescent: the composite loses: principal components",
     );
+    // The list of lights stands just above what is won and lost.
+    ui.query_all_by_label_contains("Fluorescent: the composite wins")
+        .next()
+        .expect("a sentence")
+        .scroll_to_me();
+    ui.run_steps(4);
     click(&mut ui, "Show FL3 (3)");
     assert_eq!(ui.state().0.app.document().light.name(), "FL3");
     // The lights that race are the same: the result stands.

@@ -481,6 +481,7 @@ fn a_bare_chart_has_no_axes_and_stands_in_the_middle() {
     let chart = Chart {
         even: true,
         is_bare: true,
+        y_range: Some([0.0, 1.0]),
         x_label: "x".to_owned(),
         y_label: "y".to_owned(),
         ..line(&[[0.0, 0.0], [1.0, 1.0]])

@@ -383,11 +383,19 @@ mod tests {
             // The smoothest has it to 1e-7 of the white, the rest is rounding.
             assert!(off.iter().all(|off| off.abs() < 1e-6), "{off:?}");
         }
-        // The band is of single wavelengths, and of what is straight between its points.
-        assert_says(&found.sentence(), "At a single wavelength");
-        assert_says(&found.sentence(), "between points 5 nm apart");
-        assert_says(&found.sentence(), "standard observer");
+        // The band is of single wavelengths, and of what is straight between its points: the
+        // sentence says the first, the handbook all of it.
+        assert_says(&found.sentence(), "at a wavelength, on average");
         assert_says(&found.sentence(), "smoothest");
+        let handbook = include_str!("../../../docs/window.md");
+        for words in [
+            "at each wavelength alone",
+            "straight between points 5 nm apart",
+            "match it to the standard observer",
+            "least slope of artanh(2r - 1)",
+        ] {
+            assert_says(handbook, words);
+        }
     }
 
     #[test]

@@ -3,6 +3,21 @@
 use super::format::{Ask, Fault, Lesson, Step};
 use crate::app::Settings;
 
+/// Findings of a check: a lesson with faults is not taken, one with advice is.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Findings {
+    pub faults: Vec<Fault>,
+    pub advice: Vec<Fault>,
+}
+
+impl Findings {
+    /// A line each.
+    pub fn lines(of: &[Fault]) -> String {
+        let lines: Vec<String> = of.iter().map(Fault::to_string).collect();
+        lines.join("\n")
+    }
+}
+
 /// A right answer that is longer than the longest wrong one by this factor is guessed by its length.
 const TELLTALE: f64 = 1.3;
 /// Shorter answers stand on many pages by chance, in letters.

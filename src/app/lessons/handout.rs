@@ -1,11 +1,10 @@
 //! Sheets for a class: what a pupil writes on, and what a teacher holds.
 
-use std::fmt::Write as _;
-
 use base64::{Engine as _, prelude::BASE64_STANDARD};
 
 use super::{
     format::{Fault, Lesson},
+    handout_parts::{Block, Picture, axis_svg, bare, escaped},
     handout_pdf,
     proof::{Played, play},
 };
@@ -48,34 +47,8 @@ pub struct Handout {
     pub pictures: Vec<(String, Vec<u8>)>,
 }
 
-/// A picture of a step.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Picture {
-    /// The plot of the first page.
-    Svg(String),
-    /// The page as the window shows it.
-    Png(Vec<u8>),
-}
-
 /// The page of a step as PNG; `None` where there is no window that could draw it.
 pub type PagePicture<'a> = &'a dyn Fn(&App, &PageMemory) -> Option<Vec<u8>>;
-
-/// A part of a sheet.
-pub(super) enum Block {
-    Title(String),
-    Heading(String),
-    Words(String),
-    /// A word in bold before the words.
-    Led(&'static str, String),
-    /// A letter and an answer, with a box to tick.
-    Choice(char, String),
-    Picture(Picture),
-    /// An empty axis of wavelengths.
-    Axis,
-    /// So many lines to write on.
-    Lines(usize),
-    NewPage,
-}
 
 /// Writes the sheets of a lesson for some readers, each from a page of its own; the lesson is played
 /// for it. `stem` is the sheet's name without its ending.
@@ -206,31 +179,6 @@ fn of_teacher(blocks: &mut Vec<Block>, lesson: &Lesson, played: &[Played<Option<
     blocks.push(Block::Led("Sources.", lesson.sources.join("; ")));
 }
 
-/// The empty axis as SVG: 380 to 780 nm.
-pub(super) fn axis_svg() -> String {
-    let mut body = String::new();
-    for nm in (400..=750).step_by(50) {
-        let x = 20 + (nm - 380) * 860 / 400;
-        // Writing to a string cannot fail.
-        let _ = write!(
-            body,
-            "<path d=\"M{x} 250v8\"/><text x=\"{x}\" y=\"276\" text-anchor=\"middle\" \
-             font-size=\"16\" stroke=\"none\" fill=\"#333333\">{nm}</text>"
-        );
-    }
-    format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"900\" height=\"300\" viewBox=\"0 0 900 \
-         300\" font-family=\"DejaVu Sans, sans-serif\"><g stroke=\"#333333\" fill=\"none\"><path \
-         d=\"M20 20V250H880\"/>{body}</g><text x=\"880\" y=\"296\" text-anchor=\"end\" \
-         font-size=\"16\" fill=\"#333333\">wavelength, nm</text></svg>"
-    )
-}
-
-/// An SVG without the lines before it.
-pub(super) fn bare(svg: &str) -> &str {
-    svg.find("<svg").map_or("", |at| &svg[at..])
-}
-
 /// A PNG as an address that holds it.
 fn data_url(png: &[u8]) -> String {
     format!("data:image/png;base64,{}", BASE64_STANDARD.encode(png))
@@ -303,12 +251,6 @@ fn markdown(blocks: &[Block], stem: &str, pictures: &mut Vec<(String, Vec<u8>)>)
 /// Words in Markdown, where an element of HTML would be one.
 fn unmarked(text: &str) -> String {
     text.replace('<', "&lt;")
-}
-
-pub(super) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('"', "&quot;")
 }
 
 #[cfg(test)]

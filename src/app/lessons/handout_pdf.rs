@@ -5,7 +5,7 @@ use std::{collections::HashMap, fmt::Write as _, io::Write as _};
 use flate2::{Compression, write::ZlibEncoder};
 use svg2pdf::usvg;
 
-use super::handout::{Block, Picture, axis_svg, bare, escaped};
+use super::handout_parts::{Block, Picture, axis_svg, bare, escaped};
 use crate::{
     app::{
         chart::{px, wrap},

@@ -23,6 +23,7 @@ mod condition;
 pub mod figures;
 mod format;
 pub mod handout;
+mod handout_parts;
 mod handout_pdf;
 mod making;
 mod names;
@@ -35,8 +36,9 @@ mod stage;
 mod trial;
 mod words;
 
+pub use advice::Findings;
 pub use format::{Fault, Lesson, Step};
 pub use point::Aim;
-pub use proof::{Findings, Names, check, is_sound, play};
+pub use proof::{Names, check, is_sound, play};
 pub use run::{Run, Shown};
 pub use trial::{Trial, TrialAsk};

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{
-    advice,
+    advice::{self, Findings},
     condition::Condition,
     figures::Scene,
     format::{Answer, Fault, Lesson, Step},
@@ -108,21 +108,6 @@ fn fault(lesson: &Lesson, index: Option<usize>, what: String) -> Fault {
 /// that could tell.
 pub type Names<'a> = &'a dyn Fn(&App, &PageMemory) -> Option<Vec<String>>;
 
-/// Findings of a check: a lesson with faults is not taken, one with advice is.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Findings {
-    pub faults: Vec<Fault>,
-    pub advice: Vec<Fault>,
-}
-
-impl Findings {
-    /// A line each.
-    pub fn lines(of: &[Fault]) -> String {
-        let lines: Vec<String> = of.iter().map(Fault::to_string).collect();
-        lines.join("\n")
-    }
-}
-
 /// Checks a lesson as an author wants it checked: it is played through, also with every other light
 /// that it may be taken with, the controls that it points at are on their pages and move as its
 /// words say, and no page gives an answer away. All that is found is told, step by step.
@@ -168,6 +153,9 @@ pub fn check(lesson: &Lesson, names: Names<'_>) -> Findings {
                 }
             }
         }
+    }
+    if !found.faults.is_empty() {
+        return found;
     }
     for light in &lesson.also {
         let other = lesson.about(light).and_then(|other| {

@@ -315,7 +315,11 @@ fn a_bulb_read_through_its_own_response_is_the_black_body_within_its_band() {
 fn bands_of_drawn_instruments_hold_the_temperatures_of_their_lights() {
     let folder = tempfile::tempdir().expect("a folder");
     let (mut inside, mut all, mut worst) = (0, 0, 0.0_f64);
-    for seed in 0..6 {
+    // Not every drawn lamp is found surely enough to be learnt from: as many are drawn as it takes.
+    for seed in 0..24 {
+        if all == 4 {
+            break;
+        }
         let mut dice = Dice::new(9_000_000 + seed);
         let mut bench = Setup::of([640, 480], &mut dice);
         bench.slit_nm = 2.5;

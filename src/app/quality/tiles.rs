@@ -364,10 +364,15 @@ mod tests {
 
     #[test]
     fn a_light_without_a_white_says_why_where_a_figure_would_stand() {
-        let sodium = tiles(&[side("paper/Sodium")], None);
-        let rf = &sodium[0].sides[0];
+        // Redder than any blackbody: there is no reference.
+        let neon = tiles(&[side("Neon tube")], None);
+        let rf = &neon[0].sides[0];
         assert_eq!(rf.shown, "–");
         assert!(rf.value.is_err() && !rf.word.is_empty());
-        assert!(sodium.iter().any(|tile| tile.sides[0].value.is_ok()));
+        assert!(neon.iter().any(|tile| tile.sides[0].value.is_ok()));
+        // The yellow of sodium is near a blackbody's, and its Rf is as low as can be.
+        let sodium = tiles(&[side("paper/Sodium")], None);
+        let rf = &sodium[0].sides[0];
+        assert_eq!((rf.shown.as_str(), rf.grade), ("0", Some(3)));
     }
 }

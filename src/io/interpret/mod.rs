@@ -260,6 +260,9 @@ fn unit_of_values(kind: Kind, known: Known, title: &str, heading: &Heading) -> S
         {
             value_unit::PHOTONS_ALONE.to_owned()
         }
+        Kind::Light if unit.is_empty() && value_unit::title_tells_counts(title) => {
+            value_unit::COUNTS.to_owned()
+        }
         _ => unit,
     }
 }

@@ -25,6 +25,16 @@ pub(crate) fn title_counts_photons(title: &str) -> bool {
     holds_one(&title, WORDS) && !title.contains("photon energy") && !title.contains("w/")
 }
 
+/// What an instrument counted.
+pub(crate) const COUNTS: &str = "counts";
+
+/// True if a title states that an instrument counted. The name of a spectrum need not say it: an
+/// only column is called after its file.
+pub(crate) fn title_tells_counts(title: &str) -> bool {
+    const WORDS: &str = "|count|;|counts|;|adu|;|dn|;|digital|;|scope|;|raw|";
+    holds_one(&title.to_lowercase(), WORDS)
+}
+
 /// The unit of values that a title gives: text in brackets, a unit at its end, or what a
 /// spectrometer counted above its own dark reading.
 pub(crate) fn unit_of_title(title: &str) -> Option<&str> {
@@ -32,7 +42,7 @@ pub(crate) fn unit_of_title(title: &str) -> Option<&str> {
         .trim_start()
         .to_lowercase()
         .starts_with("dark subtracted");
-    let counts = is_counted.then_some("counts");
+    let counts = is_counted.then_some(COUNTS);
     bracketed(title).or_else(|| bare(title)).or(counts)
 }
 

@@ -12,7 +12,7 @@ use crate::{
     },
     ui::{
         kit::{Stops, main_button, named, number, pressed, pressed_if},
-        theme::Theme,
+        theme::{MOST_GROWN, Theme},
     },
 };
 
@@ -118,19 +118,20 @@ impl SlidersView {
             layout.knob,
             theme,
         );
+        let high = ACTS * theme.scale;
         let acts_room = match layout.acts {
             Acts::Beside => Some((
-                room.min + vec2(2.0 * (layout.knob + GAP), 0.5 * (knob.y - ACTS)),
-                vec2(BUTTONS, ACTS),
+                room.min + vec2(2.0 * (layout.knob + GAP), 0.5 * (knob.y - high)),
+                vec2(BUTTONS * theme.scale, high),
             )),
-            Acts::Below => Some((room.min + vec2(0.0, knob.y + 4.0), vec2(room.width(), ACTS))),
+            Acts::Below => Some((room.min + vec2(0.0, knob.y + 4.0), vec2(room.width(), high))),
             Acts::None => None,
         };
         if let Some((at, size)) = acts_room {
             child(at, size).horizontal(|ui| {
-                ui.spacing_mut().interact_size.y = ACTS;
+                ui.spacing_mut().interact_size.y = high;
                 ui.spacing_mut().item_spacing.x = 8.0;
-                acts(ui, (budget, busy), &mut asked);
+                acts(ui, (budget, busy), theme, &mut asked);
             });
         }
         if settings != before {
@@ -164,8 +165,9 @@ struct Layout {
 
 impl Layout {
     fn of(width: f32, scale: f32) -> Self {
-        let beside = (width - BUTTONS - 2.0 * GAP) / 2.0;
-        let acts = match (scale > 1.0, beside >= 190.0) {
+        let beside = (width - BUTTONS * scale - 2.0 * GAP) / 2.0;
+        // A large window's type is larger too, but less so.
+        let acts = match (scale > MOST_GROWN, beside >= 190.0 * scale) {
             (true, _) => Acts::None,
             (false, true) => Acts::Beside,
             (false, false) => Acts::Below,
@@ -182,7 +184,7 @@ impl Layout {
 /// Height of the card's contents at a width, points.
 pub(super) fn height(width: f32, scale: f32) -> f32 {
     let acts = match Layout::of(width, scale).acts {
-        Acts::Below => ACTS + 4.0,
+        Acts::Below => ACTS * scale + 4.0,
         Acts::Beside | Acts::None => 0.0,
     };
     KNOB * scale + acts
@@ -323,7 +325,7 @@ fn lines(
 }
 
 /// What decides in the place of the knobs, and the other knobs.
-fn acts(ui: &mut Ui, (budget, busy): (&mut usize, bool), asked: &mut Asked) {
+fn acts(ui: &mut Ui, (budget, busy): (&mut usize, bool), theme: Theme, asked: &mut Asked) {
     let button = main_button(ui, names::AUTOMATIC);
     let meaning = "The best model with at most this many numbers, over every basis, with and \
                    without lines, plain and colour-exact; one step of undo.";
@@ -332,7 +334,7 @@ fn acts(ui: &mut Ui, (budget, busy): (&mut usize, bool), asked: &mut Asked) {
     number(ui, count, names::BUDGET)
         .on_hover_text("Most numbers that Automatic may spend, 1 to 101.");
     // In a narrow window the buttons need the room.
-    if ui.available_width() >= 190.0 {
+    if ui.available_width() >= 190.0 * theme.scale {
         ui.label("numbers");
     }
     let meaning = "Basis, colour-exact, widest line, dark lines, range, observer, products.";

@@ -358,7 +358,8 @@ fn draw(
                 pointed = taken(context, shown, order);
             });
         } else {
-            let size = vec2(width, 0.5 * top);
+            // Lower ones would have no room for their own words.
+            let size = vec2(width, (0.5 * top).max(LEAST_ROW * scale));
             context.chart(ui, &charts.partial, "partial sum", size);
             let shown = one(ui, context, product, size);
             pointed = taken(context, shown, order);

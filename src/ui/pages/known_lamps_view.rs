@@ -20,6 +20,9 @@ use crate::{
 
 /// Room below the chart, points.
 const BELOW: f32 = 176.0;
+/// Least height of the chart, points: in a lower one the numbers at the axis of what it is off by
+/// stand in each other's way.
+const LEAST_CHART: f32 = 260.0;
 
 #[derive(Default)]
 pub(super) struct KnownLampsView {
@@ -67,11 +70,20 @@ impl KnownLampsView {
                 ui.add_space(GROUP);
                 let room = ui.available_size();
                 let below = BELOW * context.theme.scale;
-                let size = vec2(room.x, (room.y - below).max(160.0));
-                context.chart(ui, chart, "known lamps", size);
-                scrolled(ui, "below known lamps", |ui| {
-                    below_chart(ui, context, words)
-                });
+                let least = LEAST_CHART * context.theme.scale;
+                if room.y - below >= least {
+                    let size = vec2(room.x, room.y - below);
+                    context.chart(ui, chart, "known lamps", size);
+                    scrolled(ui, "below known lamps", |ui| {
+                        below_chart(ui, context, words)
+                    });
+                } else {
+                    scrolled(ui, "known lamps in a low page", |ui| {
+                        let size = vec2(ui.available_width(), least);
+                        context.chart(ui, chart, "known lamps", size);
+                        below_chart(ui, context, words);
+                    });
+                }
             }
         }
     }

@@ -87,7 +87,8 @@ impl Window {
             (false, true) => least,
             (false, false) => usual,
         };
-        fixed(Panel::right("model"), frame, width)
+        // What stands in it grows with the window's type.
+        fixed(Panel::right("model"), frame, width * theme.scale.max(1.0))
             .show(ui, |ui| in_its_size(ui, |ui| self.column(ui, theme)));
     }
 
@@ -103,7 +104,8 @@ impl Window {
                 .show(ui, |ui| {
                     verdict_view::show(ui, app, preferences, theme, &mut commands);
                     let left = ui.clip_rect().bottom() - ui.cursor().top();
-                    if left >= LINES * theme.scale && ui.available_width() >= LINES_WIDE {
+                    let [least, wide] = [LINES, LINES_WIDE].map(|room| room * theme.scale);
+                    if left >= least && ui.available_width() >= wide {
                         theme::section(ui, "Lines");
                         spikes_view::table(ui, app, theme, &mut acts);
                     }

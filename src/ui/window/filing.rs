@@ -16,7 +16,7 @@ use super::{
         theme::{Wake, waker},
     },
     Window,
-    printing::PrintedAs,
+    printing::{CHART_SIZE, PrintedAs},
 };
 use crate::{
     app::{
@@ -388,9 +388,6 @@ impl Window {
         self.dialog = None;
     }
 }
-
-/// Size of a chart's picture, px.
-pub(super) const CHART_SIZE: [u32; 2] = [1200, 760];
 
 fn chart_bytes(wish: &ChartWish, theme: Theme) -> Vec<u8> {
     let [width, height] = CHART_SIZE;

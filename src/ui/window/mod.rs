@@ -220,7 +220,7 @@ impl Window {
     /// One frame.
     pub fn show(&mut self, ui: &mut Ui) {
         let context = ui.ctx().clone();
-        self.preferences.grown = theme::grown(ui.max_rect().width());
+        self.preferences.grown = theme::grown(ui.max_rect().size());
         self.dress(&context);
         let theme = Theme::of(&self.preferences);
         self.menu_open = egui::Popup::is_any_open(&context);

@@ -8,7 +8,6 @@ use eframe::egui::Context;
 use super::{
     super::{picture, theme::waker},
     Window,
-    filing::CHART_SIZE,
 };
 use crate::{
     app::{
@@ -20,6 +19,9 @@ use crate::{
     },
     io::save_atomically,
 };
+
+/// Size of a chart's picture, px, in a file and on paper.
+pub(super) const CHART_SIZE: [u32; 2] = [1200, 760];
 
 /// A picture to print.
 pub(super) enum PrintedAs {

@@ -107,16 +107,24 @@ fn the_line_of_the_y_axis_and_the_technique_outweigh_the_rest_of_the_header() {
 
 #[test]
 fn titles_stand_above_a_line_of_units_and_settings_are_none() {
+    // Several columns have their titles.
     for (text, called) in [
         (
-            "Wave ;Lamp \n[nm] ;[counts] \n\n300;3\n301;2\n302;2\n",
-            "Lamp",
+            "Wave ;Lamp ;Sun \n[nm] ;[counts] ;[counts] \n\n300;3;4\n301;2;5\n302;2;6\n",
+            ["Lamp", "Sun"],
         ),
-        ("nm lamp\n1 380 0.5\n2 385 0.6\n3 390 0.7\n", "lamp"),
         (
-            "Wave length   Value of it\n380 0.5\n385 0.6\n",
-            "Value of it",
+            "Wave length   Value of it   Value of that\n380 0.5 0.7\n385 0.6 0.8\n",
+            ["Value of it", "Value of that"],
         ),
+    ] {
+        assert_eq!(names(&read("a.csv", text)), called, "{text}");
+    }
+    // The only one is called after the file.
+    for (text, called) in [
+        ("Wave ;Lamp \n[nm] ;[counts] \n\n300;3\n301;2\n302;2\n", "a"),
+        ("nm lamp\n1 380 0.5\n2 385 0.6\n3 390 0.7\n", "a"),
+        ("Wave length   Value of it\n380 0.5\n385 0.6\n", "a"),
         ("I-Time,92.0\n380nm,1\n381nm,2\n", "a"),
         ("Remarks:, none\n380nm,1\n381nm,2\n", "a"),
         ("\"Time: 130msec\"\n380 1\n381 2\n", "a"),

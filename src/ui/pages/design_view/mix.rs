@@ -265,13 +265,12 @@ impl DesignView {
             let inner = rect.shrink(8.0);
             ui.painter()
                 .rect_filled(inner, 3.0, swatch::colour(desk.swatch().rgb8));
-            response.on_hover_text(
-                "As a daylight camera sees it, as bright as the screen can show it.",
-            );
+            response
+                .on_hover_text("As it looks beside daylight, as bright as the screen can show it.");
             ui.add_space(8.0);
             main_figures(ui, context.theme, &desk.main_figures());
             ui.add_space(8.0);
-            let foot = ui.spacing().interact_size.y + 10.0;
+            let foot = worth::kept_height(ui, size.x, scale) + 10.0;
             let high = (ui.available_height() - foot).max(100.0 * scale);
             self.spectrum(ui, context, desk, lines, vec2(size.x, high));
             kept_row(ui, context, desk);

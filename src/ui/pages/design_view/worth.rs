@@ -61,9 +61,20 @@ pub(super) fn main_figures(ui: &mut Ui, theme: Theme, figures: &[MainFigure]) {
     }
 }
 
+/// Width that the row of what is kept needs, points: a narrower one has two.
+const KEPT: f32 = 290.0;
+
+/// Height of what is kept in a width, points.
+pub(super) fn kept_height(ui: &Ui, width: f32, scale: f32) -> f32 {
+    let rows = if width < KEPT * scale { 2.0 } else { 1.0 };
+    let spacing = ui.spacing();
+    rows * spacing.interact_size.y + (rows - 1.0) * spacing.item_spacing.y
+}
+
 /// Where the mixture goes, and desks to come back to.
 pub(super) fn kept_row(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 6.0;
         let recipe = desk.recipe();
         let button = ui
             .add_enabled(recipe.is_some(), egui::Button::new("To the library"))

@@ -92,7 +92,14 @@ pub(super) fn looks(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEnt
             ui.selectable_value(&mut context.memory.image.show, show, show.title())
                 .on_hover_text(show.meaning());
         }
-        ui.separator();
+        if ui.available_size_before_wrap().x < EXPOSURE_ROOM * context.theme.scale {
+            // A slider does not go on in a further row by itself.
+            let high = ui.spacing().interact_size.y;
+            ui.end_row();
+            ui.set_row_height(high);
+        } else {
+            ui.separator();
+        }
         exposure(ui, context);
         let is_factor = entry.image.kind.is_factor();
         if is_factor && context.memory.image.show == Show::TrueColour {
@@ -134,6 +141,9 @@ pub(super) fn looks(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEnt
 /// Room of a band's name, slider and number, and of the slider's rail in it, points.
 const BAND_ROOM: f32 = 200.0;
 const BAND_RAIL: f32 = 60.0;
+
+/// Room of the exposure's name, slider and number, points.
+const EXPOSURE_ROOM: f32 = 230.0;
 
 /// The exposure with what its 0 means beside it.
 fn exposure(ui: &mut Ui, context: &mut PageContext<'_>) {
