@@ -1,5 +1,6 @@
 //! What may stand on the command line. The comments here are what `--help` prints.
 
+mod convert;
 mod design;
 mod encoding;
 mod lessons;
@@ -14,7 +15,7 @@ use clap::{Args, Parser, Subcommand};
 
 use super::{
     options::{FileOptions, ModelOptions, PickOptions},
-    words::{self, Form},
+    words,
 };
 use crate::{
     app::{chart::Theme, pages::Page},
@@ -22,6 +23,7 @@ use crate::{
     study::Goal,
 };
 
+pub(super) use convert::Convert;
 pub(super) use design::{Mix, Recover};
 pub(super) use encoding::{Decode, Encode};
 pub(super) use lessons::{LessonAct, Lessons};
@@ -428,32 +430,4 @@ pub(super) struct Plot {
     /// dark or light.
     #[arg(long, value_name = "THEME", default_value = "light", value_parser = words::theme)]
     pub theme: Theme,
-}
-
-/// Options of `convert`.
-#[derive(Args, Debug)]
-pub(super) struct Convert {
-    /// A file (- is standard input), a preset's name or group/name.
-    #[arg(value_name = "IN")]
-    pub input: OsString,
-    /// The file to write: .csv, .json, .sp (Argyll), .spd, .spdx, or .txt (a model in one line);
-    /// a new one, never the one that is read.
-    #[arg(value_name = "OUT")]
-    pub out: PathBuf,
-    /// Let OUT replace a file that exists.
-    #[arg(long)]
-    pub force: bool,
-    /// Write the samples (spectrum) or the model (composite, as .json or .txt only)
-    /// [default: composite for .txt, for OUT.composite.json, or for .json from a composite].
-    #[arg(long = "as", value_name = "FORM", value_parser = words::form)]
-    pub form: Option<Form>,
-    /// Write all spectra of the file, a column each; into .csv only. Without it one of several
-    /// must be named by --spectrum.
-    #[arg(long)]
-    pub all: bool,
-    #[command(flatten)]
-    pub pick: PickOptions,
-    /// The model, where one is written.
-    #[command(flatten)]
-    pub model: ModelOptions,
 }

@@ -42,6 +42,9 @@ fn watch(ui: &mut Ui) {
 fn a_lesson_is_taken_with_the_keyboard_alone_and_leaves_everything_as_it_was() {
     let mut ui = at(Page::Lessons);
     let before = app(&ui).document().clone();
+    ui.get_by_label("Lesson: Draw a lamp with waves")
+        .scroll_to_me();
+    watch(&mut ui);
     click(&mut ui, "Lesson: Draw a lamp with waves");
     assert_written(&ui, "Step 1 of 4");
     assert_eq!(app(&ui).document().light.name(), "CIE D65");

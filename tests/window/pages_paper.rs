@@ -244,7 +244,9 @@ fn pointing_at_a_bar_tells_its_order_and_a_click_takes_the_sum_there() {
     // Its bars are below the edge.
     ui.get_by_role_and_label(Role::Image, "Coefficients of the light")
         .scroll_to_me();
-    ui.run_steps(4);
+    for _ in 0..40 {
+        ui.step();
+    }
     let rect = ui
         .get_by_role_and_label(Role::Image, "Coefficients of the light")
         .rect();
@@ -272,7 +274,9 @@ fn the_whole_page_is_copied_as_a_table() {
     let mut ui = open(about("FL2"), Page::Truth, [1280.0, 800.0]);
     // It stands below the claims.
     ui.get_by_role_and_label(Role::Button, COPY).scroll_to_me();
-    ui.run_steps(4);
+    for _ in 0..40 {
+        ui.step();
+    }
     let table = copied(&mut ui, COPY).expect("a table");
     assert!(table.contains("claim,paper,measured,verdict"));
 }

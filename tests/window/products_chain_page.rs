@@ -98,7 +98,9 @@ fn unfold(ui: &mut Ui, fold: &str) {
 /// Brings what an open fold shows below the edge into view.
 fn scroll_to(ui: &mut Ui, role: Role, name: &str) {
     ui.get_by_role_and_label(role, name).scroll_to_me();
-    ui.run_steps(4);
+    for _ in 0..40 {
+        ui.step();
+    }
 }
 
 fn order(ui: &Ui) -> Vec<String> {

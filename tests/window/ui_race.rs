@@ -54,7 +54,9 @@ fn a_whole_set_shows_both_halves_and_a_click_on_a_light_shows_it() {
     ] {
         // The fold before it may have pushed it below the edge.
         ui.get_by_label(fold).scroll_to_me();
-        ui.run_steps(4);
+        for _ in 0..40 {
+            ui.step();
+        }
         ui.get_by_label(fold).click();
         // It opens in a moment.
         for _ in 0..8 {
@@ -72,7 +74,9 @@ fn a_whole_set_shows_both_halves_and_a_click_on_a_light_shows_it() {
         .next()
         .expect("a sentence")
         .scroll_to_me();
-    ui.run_steps(4);
+    for _ in 0..40 {
+        ui.step();
+    }
     click(&mut ui, "Show FL3 (3)");
     assert_eq!(ui.state().0.app.document().light.name(), "FL3");
     // The lights that race are the same: the result stands.

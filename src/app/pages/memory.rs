@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 use serde_json::Value;
 
 use super::{Page, Place};
@@ -315,8 +315,19 @@ fn by_word<S: Serializer>(bases: &PerBasis<bool>, serializer: S) -> Result<S::Ok
 }
 
 /// One that is not said is shown.
+///
+/// # Errors
+/// A basis with anything but true or false.
 fn of_words<'de, D: Deserializer<'de>>(deserializer: D) -> Result<PerBasis<bool>, D::Error> {
     let said = serde_json::Map::<String, Value>::deserialize(deserializer)?;
+    for basis in Basis::ALL {
+        if let Some(other) = said.get(basis.word()).filter(|value| !value.is_boolean()) {
+            let word = basis.word();
+            return Err(D::Error::custom(format!(
+                "found {other} for {word}, expected true or false"
+            )));
+        }
+    }
     let is_shown = |basis: Basis| said.get(basis.word()).and_then(Value::as_bool);
     Ok(PerBasis::of(|basis| is_shown(basis).unwrap_or(true)))
 }
