@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, sync::Arc};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    entry::Entry, library::Library, opened::ImageEntry, origin::Before, pages::PageSettings,
+    entry::Entry, library::Library, opened::ImageEntry, origin::Before, pages::PageStates,
     products::Products, scale::Scale, settings::Settings,
 };
 use crate::{
@@ -141,8 +141,8 @@ pub struct Document {
     pub view: View,
     /// What the page `Products` multiplies.
     pub products: Products,
-    /// What pages keep of their own.
-    pub pages: PageSettings,
+    /// What pages keep.
+    pub pages: PageStates,
 }
 
 /// The best reading of Table 4's weights: contributions to the mean over the paper's 300 nm.
@@ -220,7 +220,7 @@ impl Document {
             weight_factor: PAPER_WEIGHT_FACTOR,
             view: View::default(),
             products: Products::first(),
-            pages: PageSettings::default(),
+            pages: PageStates::default(),
         }
     }
 

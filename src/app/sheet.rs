@@ -7,14 +7,14 @@ use super::{
     about::About,
     chart::{Chart, Palette, Rgb, SVG_HEAD, Theme, elided, escaped, px, text_width, wrap},
     charts::{
-        quality::{DiagramShows, diagram, vector_graphic},
+        quality::{diagram, vector_graphic},
         spectrum::spectrum_chart,
     },
     quality::QualityShown,
     quality_report::Row,
     state::App,
 };
-use crate::{color::Srgb, io::composite_line};
+use crate::{app::pages::DiagramShows, color::Srgb, io::composite_line};
 
 /// A4 in px of 1/96 inch.
 const PAGE: [f64; 2] = [794.0, 1123.0];

@@ -20,7 +20,7 @@ use crate::{
             handout::{Form, handout},
             shelf,
         },
-        pages::PageMemory,
+        pages::Page,
         workspace::Preferences,
     },
     io::{many::many, one_line, save_together, shown},
@@ -92,9 +92,9 @@ fn of_lesson(lesson: &Lesson) -> Value {
 
 fn check(word: &str, pictures: Option<&dyn Pictures>, out: &mut dyn Write) -> Result<(), Refusal> {
     let lesson = shelf::named(word).map_err(Refusal::file)?;
-    let names = |app: &App, memory: &PageMemory| {
+    let names = |app: &App, page: Page| {
         let preferences = Preferences {
-            pages: memory.clone(),
+            page,
             ..Preferences::default()
         };
         pictures?.names(app, &preferences)

@@ -18,8 +18,8 @@ use crate::{
         chart::Theme,
         lessons::shelf,
         open::Loaded,
-        pages::{AskedLesson, Page, PageMemory, Place},
-        picture::{ImageMemory, reload},
+        pages::{AskedLesson, Page, Place},
+        picture::reload,
         workspace::Preferences,
     },
     io::{Choices, shown},
@@ -60,10 +60,7 @@ pub(super) fn run(
         Some(input) => subject::app(input, pick, *model, inputs)?,
         None => subject::first_app(pick, *model)?,
     };
-    let memory = ImageMemory {
-        selection: pick.pixels(),
-        ..ImageMemory::default()
-    };
+    app.pages_follow(|pages| pages.image.selection = pick.pixels());
     if let (Page::Image | Page::Relit, Some(input)) = (page, input) {
         open_images(&mut app, input, inputs);
         let images = app.document().images.iter();
@@ -72,12 +69,8 @@ pub(super) fn run(
     }
     let preferences = Preferences {
         dark: *theme == Theme::Dark,
-        pages: PageMemory {
-            page: *page,
-            image: memory,
-            lesson_asked: lesson.as_deref().map(asked_lesson).transpose()?,
-            ..PageMemory::default()
-        },
+        page: *page,
+        lesson_asked: lesson.as_deref().map(asked_lesson).transpose()?,
         ..Preferences::default()
     };
     let picture = pictures.window(&app, &preferences, *size);

@@ -267,7 +267,7 @@ fn several_damages_cost_themselves_alone_and_are_each_told() {
     let mut value = stored();
     value["settings"]["observer"] = json!("1066");
     value["settings"]["basis"] = json!("wavelets");
-    value["preferences"]["pages"]["page"] = json!("poetry");
+    value["preferences"]["page"] = json!("poetry");
     // A word of another menu.
     value["preferences"]["curve"] = json!("filters");
     value["scale"] = json!(5);
@@ -278,11 +278,7 @@ fn several_damages_cost_themselves_alone_and_are_each_told() {
     for (place, found, stands) in [
         ("settings.observer", "\"1066\"", "\"1931\" stands"),
         ("settings.basis", "\"wavelets\"", "\"cosine\" stands"),
-        (
-            "preferences.pages.page",
-            "\"poetry\"",
-            "\"spectrum\" stands",
-        ),
+        ("preferences.page", "\"poetry\"", "\"spectrum\" stands"),
         (
             "preferences.curve",
             "\"filters\"",
@@ -373,21 +369,19 @@ fn what_the_program_itself_wrote_is_never_a_loss() {
     preferences.window = Some([0.0, f32::NAN]);
     preferences.zoom = f32::INFINITY;
     preferences.recent = (0..40).map(|i| PathBuf::from(format!("{i}.csv"))).collect();
-    preferences.pages.auction_numbers = 0;
-    preferences.pages.products.narrow.centre_nm = f64::NAN;
-    let resampling = &mut preferences.pages.products.resampling;
-    for way in [Sampling::Convolution, Sampling::Paper, Sampling::Double] {
-        resampling.show(way, false);
-    }
-    let text = workspace::to_json(&full_document(), Some(&preferences)).unwrap();
+    let mut app = App::with_document(full_document());
+    app.edit_pages(|pages| {
+        pages.auction.numbers = 0;
+        pages.narrow.centre_nm = f64::NAN;
+        for way in [Sampling::Convolution, Sampling::Paper, Sampling::Double] {
+            pages.resampling.show(way, false);
+        }
+    });
+    let text = workspace::to_json(app.document(), Some(&preferences)).unwrap();
     let restored = workspace::from_json(&text).expect("our own text");
     assert!(restored.losses.is_empty(), "{:?}", restored.losses);
-    let restored = restored.preferences.expect("the window's");
-    assert_eq!(restored.window, None);
-    assert_eq!(
-        restored.pages.products.resampling,
-        preferences.pages.products.resampling
-    );
+    assert_eq!(restored.document.pages, app.document().pages);
+    assert_eq!(restored.preferences.expect("the window's").window, None);
 }
 
 // -------------------------------------------------------------------------------------- overlays

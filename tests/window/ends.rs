@@ -20,8 +20,7 @@ use serde_json::{Value, json};
 use spectral_explorer::{
     app::{
         App, Command, Detector, Document, Message, Scale, Settings, Subject,
-        pages::{FieldChoice, Page},
-        picture::{Show, Spread},
+        pages::{FieldChoice, Page, Show, Spread},
         workspace::{self, Preferences, Restored},
     },
     color::Observer,
@@ -228,7 +227,7 @@ fn draw(ui: &mut Ui, restored: Restored, place: &Place, case: &str) {
     let (app, mut preferences, _) = Window::restored(restored);
     let page = page_of(place);
     if place.last().is_none_or(|last| last != "page") {
-        preferences.pages.page = page;
+        preferences.page = page;
     }
     start(ui, app, preferences);
     assert_sound(ui, case);
@@ -288,7 +287,7 @@ fn the_widest_range_is_drawn_on_every_page() {
     let mut ui = over(app.clone(), Preferences::default());
     for page in Page::all() {
         let mut preferences = Preferences::default();
-        preferences.pages.page = page;
+        preferences.page = page;
         start(&mut ui, app.clone(), preferences);
         assert_sound(&ui, page.title());
     }

@@ -310,7 +310,7 @@ fn charts_hold_no_number_that_is_none() {
 
 fn preferences(page: Page) -> Preferences {
     let mut preferences = Preferences::default();
-    preferences.pages.page = page;
+    preferences.page = page;
     preferences
 }
 
@@ -358,7 +358,7 @@ fn a_click_on_a_patch_makes_its_metamer_which_can_be_kept() {
         .expect("a field")
         .click();
     ui.run_steps(4);
-    assert_eq!(ui.state().0.preferences.pages.products.two_lights.patch, 8);
+    assert_eq!(ui.state().0.app.document().pages.two_lights.patch, 8);
     ui.get_by_role_and_label(Role::Slider, two_lights::names::ROOM);
     ui.get_by_label(two_lights::names::KEEP).click();
     ui.run_steps(4);
@@ -385,7 +385,7 @@ fn found_pairs_are_listed_and_a_click_draws_one() {
         .expect("a row")
         .click();
     ui.run_steps(4);
-    assert_eq!(ui.state().0.preferences.pages.products.two_lights.pair, 2);
+    assert_eq!(ui.state().0.app.document().pages.two_lights.pair, 2);
 }
 
 #[test]

@@ -156,7 +156,7 @@ fn says_something(ui: &Ui, size: Vec2, scale: f32) -> bool {
 
 /// Walks a page through all sizes, with what its computations find.
 fn walk(preferences: Preferences, wrong: &mut Vec<String>) {
-    let page = preferences.pages.page;
+    let page = preferences.page;
     let present = if preferences.presents() {
         ", presented"
     } else {
@@ -195,7 +195,7 @@ fn assert_sound(place: Place) {
             greeted: true,
             ..Preferences::default()
         };
-        preferences.pages.page = page;
+        preferences.page = page;
         walk(preferences, &mut wrong);
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));

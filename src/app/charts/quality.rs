@@ -1,10 +1,11 @@
 //! The figures of a light as charts: its place among colours, what it does to colours, and what a
 //! few numbers do to both.
 
-use serde::{Deserialize, Serialize};
-
 use crate::{
-    app::chart::{Chart, Dash, Ink, Marks, Rgb, Series, Shape, stroke},
+    app::{
+        chart::{Chart, Dash, Ink, Marks, Rgb, Series, Shape, stroke},
+        pages::DiagramShows,
+    },
     color::{
         Observer, Srgb, Xyz,
         quality::{
@@ -18,34 +19,6 @@ use crate::{
     },
     study::quality::{Chosen, OrderFigures},
 };
-
-/// What the diagram shows beside the light.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct DiagramShows {
-    /// CIE 1976 u'v', else CIE 1931 xy.
-    pub uniform: bool,
-    /// sRGB, P3 and Rec. 2020.
-    pub gamuts: bool,
-    /// The nominal whites of ANSI C78.377.
-    pub whites: bool,
-    /// MacAdam's ellipses, ten times enlarged.
-    pub ellipses: bool,
-    /// The neighbourhood of the light alone.
-    pub near: bool,
-}
-
-impl Default for DiagramShows {
-    fn default() -> Self {
-        Self {
-            uniform: true,
-            gamuts: false,
-            whites: true,
-            ellipses: false,
-            near: false,
-        }
-    }
-}
 
 impl DiagramShows {
     fn plane(self) -> Plane {

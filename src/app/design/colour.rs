@@ -14,6 +14,7 @@ use crate::{
         entry::Entry,
         library::Library,
         make::{entry_of, table_of},
+        pages::states::{PageState, in_reach},
         recipe::{Given, Recipe},
     },
     color::{Adaptation, Srgb, Swatch, Xyz, delta_e_of_xyz, xyz_from_reflectance},
@@ -47,7 +48,7 @@ static LIGHTS: LazyLock<Vec<(String, Sampled, Viewing)>> = LazyLock::new(|| {
 /// Lines of mercury, where none are told.
 pub const MERCURY_NM: [f64; 4] = [405.0, 436.0, 546.0, 578.0];
 
-/// What the page asks about; not part of undo.
+/// What the page asks about.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct FromColour {
@@ -81,32 +82,41 @@ impl Default for FromColour {
     }
 }
 
-impl FromColour {
-    /// Every value moved to the nearest one that is allowed.
-    #[must_use]
-    pub fn clamped(mut self) -> Self {
-        self.given = self.given.clamped();
-        self.second = self.second.map(|(given, light)| (given.clamped(), light));
+impl PageState for FromColour {
+    const NAMES: &'static [(&'static str, &'static str)] = &[
+        ("given", "the colour"),
+        ("light", "the light that it is seen under"),
+        ("method", "the way"),
+        ("lines", "the lines"),
+        ("lamp", "the lamp behind the lines"),
+        ("second", "the second colour"),
+        ("telling", "how the colour is told"),
+    ];
+
+    fn settle(&mut self) {
+        self.given.settle();
+        if let Some((given, _)) = &mut self.second {
+            given.settle();
+        }
         self.lines.retain(|nm| nm.is_finite());
         self.lines.truncate(12);
         // As many coefficients as there are numbers.
-        self.method = match self.method {
-            Method::Fourier3 | Method::Fourier6 => self.coefficients(),
-            method => method,
-        };
-        self
+        if let Method::Fourier3 | Method::Fourier6 = self.method {
+            self.method = self.coefficients();
+        }
     }
+}
 
+impl FromColour {
     /// The same about a screen's colour, by itself.
     #[must_use]
     pub fn about(self, rgb: [u8; 3]) -> Self {
-        Self {
+        in_reach(Self {
             given: Given::Srgb(rgb),
             second: None,
             telling: Telling::Srgb,
             ..self
-        }
-        .clamped()
+        })
     }
 
     /// The paper's way for one colour, or for two.
@@ -125,11 +135,10 @@ impl FromColour {
     /// The same with one light.
     #[must_use]
     pub fn with_one(self) -> Self {
-        Self {
+        in_reach(Self {
             second: None,
             ..self
-        }
-        .clamped()
+        })
     }
 
     /// The same with a second light: at first with the colour that the smoothest surface has under
@@ -151,7 +160,7 @@ impl FromColour {
             Some(Given::Xyz(xyz.to_array()))
         };
         let second = found().map(|given| (given, light.to_owned()));
-        Self { second, ..self }.clamped()
+        in_reach(Self { second, ..self })
     }
 
     /// The spectrum of the method chosen as a spectrum of the library.
@@ -419,7 +428,7 @@ mod tests {
             method: Method::Fourier6,
             ..two.clone()
         };
-        assert_eq!(few.clone().clamped().method, Method::Fourier6);
+        assert_eq!(in_reach(few.clone()).method, Method::Fourier6);
         assert_eq!(few.with_one().method, Method::Fourier3);
         // The same light twice tells no six numbers.
         let same = two.with_second(Some(&first), UNDER[0], app.document());
@@ -477,7 +486,7 @@ mod tests {
             method: Method::Fourier6,
             ..of(Given::Lab([f64::NAN, 1e9, 0.0]))
         };
-        let sound = nonsense.clamped();
+        let sound = in_reach(nonsense);
         assert_eq!(sound.given, Given::Lab([0.0, 200.0, 0.0]));
         assert_eq!(sound.method, Method::Fourier3);
         assert_eq!(of_hex(" C08040"), Some([0xc0, 0x80, 0x40]));

@@ -7,7 +7,15 @@ use super::{
     mix::Mix,
 };
 use crate::{
-    app::{document::Document, make::table_of, state::App},
+    app::{
+        document::Document,
+        make::table_of,
+        pages::{
+            knob::{Knob, Reach},
+            states::PageState,
+        },
+        state::App,
+    },
     color::{
         Swatch, Xyz,
         xyz::{FIRST_NM, LAST_NM},
@@ -20,13 +28,7 @@ use crate::{
     spectrum::Outside,
 };
 
-/// Temperatures that may be wished for, K.
-pub const KELVIN: std::ops::RangeInclusive<f64> = 1000.0..=25_000.0;
-
-/// Distances from the blackbodies that may be wished for.
-pub const DUV: std::ops::RangeInclusive<f64> = -0.05..=0.05;
-
-/// What a mixture is wished to be; not part of undo.
+/// What a mixture is wished to be.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct MixWish {
@@ -67,32 +69,59 @@ impl Default for MixWish {
     }
 }
 
-impl MixWish {
-    /// Every value moved to the nearest one that is allowed.
-    #[must_use]
-    pub fn clamped(self) -> Self {
-        let within = |value: f64, range: std::ops::RangeInclusive<f64>| {
-            value.max(*range.start()).min(*range.end())
-        };
-        let floor = |floor: Option<f64>| floor.filter(|value| value.is_finite());
-        Self {
-            xy: self.xy.map(|xy| {
-                // What is no number becomes the equal-energy white.
-                let sound = |v: f64| if v.is_nan() { 1.0 / 3.0 } else { v };
-                xy.map(|v| sound(v).clamp(0.0, 1.0))
-            }),
-            kelvin: within(self.kelvin, KELVIN),
-            duv: within(self.duv, DUV),
-            floors: Floors {
-                ler: floor(self.floors.ler),
-                rf: floor(self.floors.rf),
-                ra: floor(self.floors.ra),
-                melanopic: floor(self.floors.melanopic),
-            },
-            lines: self.lines.clamp(*FREE_LINES.start(), *FREE_LINES.end()),
-            ..self
+impl PageState for MixWish {
+    const KNOBS: &'static [Knob<Self>] = &[
+        Self::KELVIN,
+        Self::DUV,
+        Knob::new(
+            ("lines", "Lines of the front"),
+            "Lines at free places.",
+            Reach::Within(*FREE_LINES.start() as f64, *FREE_LINES.end() as f64),
+            |wish| &mut wish.lines,
+        ),
+    ];
+
+    const NAMES: &'static [(&'static str, &'static str)] = &[
+        ("light", "the colour wished for"),
+        ("xy", "the colour wished for"),
+        ("alike", "how near it comes to the light"),
+        ("favour", "what it is best at"),
+        ("floors", "the lower bounds"),
+        ("against", "what efficacy is traded for"),
+    ];
+
+    fn settle(&mut self) {
+        if let Some(xy) = &mut self.xy {
+            // What is no number becomes the equal-energy white.
+            *xy = xy.map(|v| Reach::Within(0.0, 1.0).nearest(v, 1.0 / 3.0));
+        }
+        let Floors {
+            ler,
+            rf,
+            ra,
+            melanopic,
+        } = &mut self.floors;
+        for floor in [ler, rf, ra, melanopic] {
+            *floor = floor.filter(|value| value.is_finite());
         }
     }
+}
+
+impl MixWish {
+    pub const KELVIN: Knob<Self> = Knob::new(
+        ("kelvin", "Temperature"),
+        "The correlated colour temperature.",
+        Reach::Within(1000.0, 25_000.0),
+        |wish| &mut wish.kelvin,
+    )
+    .shown(0, " K");
+    pub const DUV: Knob<Self> = Knob::new(
+        ("duv", "Duv"),
+        "The distance from the blackbodies.",
+        Reach::Within(-0.05, 0.05),
+        |wish| &mut wish.duv,
+    )
+    .shown(4, "");
 
     /// The colour.
     ///
@@ -198,9 +227,11 @@ impl Solved {
         for ((index, _), weight) in heard.iter().zip(&solution.weights) {
             powers[*index] = *weight;
         }
+        let mut mix = desk.mix.clone().at_powers(&powers);
+        mix.settle();
         Ok(Self {
             target_uv: target.uv(),
-            mix: desk.mix.clone().at_powers(&powers).clamped(),
+            mix,
             swatch: Swatch::of_light(solution.figures.xyz.unwrap_or(Xyz::ZERO)),
             reached: solution.reached,
             sentence: told(&wish.colour_words(document), &solution),
@@ -230,7 +261,7 @@ struct Held {
 impl Held {
     fn answers(&self, app: &App, wish: &MixWish, mix: &Mix, care: Care) -> bool {
         let is_careful = self.care == Care::Full || care == Care::Quick;
-        let (revision, now) = (self.revision, app.revision());
+        let (revision, now) = (self.revision, app.changes());
         let stands_so = || self.found.as_ref().is_ok_and(|found| found.mix == *mix);
         let is_followed = self.is_followed && now == revision + 1 && stands_so();
         is_careful && self.wish.asks_as(wish) && (now == revision || is_followed)
@@ -249,7 +280,7 @@ impl Answered {
         desk: &Desk,
         care: Care,
     ) -> &Result<Solved, String> {
-        let revision = app.revision();
+        let revision = app.changes();
         let held = self.held.take();
         let held = held.filter(|held| held.answers(app, wish, &desk.mix, care));
         let held = match held {
@@ -339,7 +370,7 @@ mod tests {
             let shown = Desk::of(app.document()).swatch();
             assert_eq!(found.swatch.hex(), shown.hex());
             // Solving again changes nothing.
-            assert_eq!(solved(&app, &wish).mix, app.document().pages.mix);
+            assert_eq!(solved(&app, &wish).mix, app.document().pages.mix.desk);
         }
     }
 
@@ -363,7 +394,7 @@ mod tests {
         assert_eq!(ask(&mut answered, &app, &lines, Care::Full), found);
         assert_eq!(answered.solves(), 1);
         // The faders are set to it.
-        let followed = answered.follow(&app.document().pages.mix);
+        let followed = answered.follow(&app.document().pages.mix.desk);
         assert_eq!(followed.as_ref(), Some(&found));
         put_on_desk(&mut app, found.clone());
         for _ in 0..2 {
@@ -381,7 +412,7 @@ mod tests {
         }
         assert_eq!(answered.solves(), 3);
         // Another desk is another question.
-        let mut mix = app.document().pages.mix.clone();
+        let mut mix = app.document().pages.mix.desk.clone();
         mix.channels[0].level *= 0.5;
         put_on_desk(&mut app, mix);
         ask(&mut answered, &app, &warm, Care::Full);
@@ -395,7 +426,7 @@ mod tests {
             kelvin: 3000.0,
             ..MixWish::default()
         };
-        let by_xy = warm.by_xy(app.document()).clamped();
+        let by_xy = in_reach(warm.by_xy(app.document()));
         let [x, y] = by_xy.xy.expect("x and y");
         let off = [(x - 0.4369).abs(), (y - 0.4041).abs()];
         assert!(off.iter().all(|off| *off < 2e-4), "{x} {y}");
@@ -416,7 +447,7 @@ mod tests {
             xy: Some([f64::NAN, 0.3]),
             ..MixWish::default()
         };
-        let light = light.clamped();
+        let light = in_reach(light);
         assert_eq!(light.colour_words(app.document()), "CIE A");
         let of_light = light.target(app.document()).expect("a white");
         assert!((of_light.xy()[0] - 0.4476).abs() < 1e-3);
@@ -426,14 +457,14 @@ mod tests {
     #[test]
     fn a_locked_fader_keeps_its_share_and_a_silent_one_its_place() {
         let mut app = App::new();
-        let mut mix = app.document().pages.mix.clone();
+        let mut mix = app.document().pages.mix.desk.clone();
         mix.channels[2].lock = true;
         mix.channels[2].level = 5.0;
         put_on_desk(&mut app, mix);
         let found = solved(&app, &MixWish::default());
         assert!(found.reached, "{}", found.sentence);
         assert_eq!(found.mix.channels[2].level, 5.0);
-        let mut mix = app.document().pages.mix.clone();
+        let mut mix = app.document().pages.mix.desk.clone();
         mix.channels[2].lock = false;
         mix.channels[2].mute = true;
         put_on_desk(&mut app, mix);
@@ -454,7 +485,7 @@ mod tests {
         let found = solved(&app, &wish);
         assert!(!found.reached);
         assert_says(&found.sentence, "LER");
-        let mut mix = app.document().pages.mix.clone();
+        let mut mix = app.document().pages.mix.desk.clone();
         mix.channels.truncate(2);
         put_on_desk(&mut app, mix);
         let found = solved(&app, &MixWish::default());
@@ -479,7 +510,7 @@ mod tests {
     fn a_light_among_the_channels_is_found_again_by_its_spectrum() {
         let mut app = App::new();
         let key = "cie_illuminants/CIE A".to_owned();
-        let mut mix = app.document().pages.mix.clone();
+        let mut mix = app.document().pages.mix.desk.clone();
         mix.channels
             .push(MixChannel::new(Source::Named(key.clone())));
         put_on_desk(&mut app, mix);

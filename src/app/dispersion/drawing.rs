@@ -1,9 +1,9 @@
 //! The bench drawn from above: the prism, one exact ray for each line, the smooth part between its
 //! neighbours.
 
-use super::{memory::Handle, strip::smooth_is_seen, words::Line};
+use super::{strip::smooth_is_seen, words::Line};
 use crate::{
-    app::chart::Rgb,
+    app::{chart::Rgb, pages::Handle},
     color::{Observer, Srgb, Swatch, srgb_from_wavelength},
     optics::{Bench, BenchSettings, Light, SEEN_NM},
 };

@@ -5,9 +5,14 @@
 
 use std::{sync::Arc, time::Instant};
 
-use super::gem_memory::{GemColour, GemMemory};
 use crate::{
-    app::{memo::ByAddress, state::App, studies::Question, verdicts::Seen},
+    app::{
+        memo::ByAddress,
+        pages::{GemColour, GemMemory},
+        state::App,
+        studies::Question,
+        verdicts::Seen,
+    },
     color::Observer,
     io::many::{capitalised, many},
     optics::{

@@ -3,13 +3,12 @@
 use super::{
     drop::DropDrawing,
     lights::document_light,
-    memory::RainbowMemory,
     prism::StripShown,
     strip::Colours,
     words::{Line, lines_of, nm, touching},
 };
 use crate::{
-    app::state::App,
+    app::{pages::RainbowMemory, state::App},
     io::many::many,
     optics::{Bows, BuiltinMaterial, Light, SKY_DEG, SUN_DEG, Sky},
 };

@@ -65,7 +65,7 @@ impl Condition {
             return chain.len() == names.len() && pairs.all(|(link, name)| is(&link.entry, name));
         }
         let page = self.page.as_deref().and_then(Page::of_word);
-        page == Some(scene.memory.page)
+        page == Some(scene.page)
     }
 
     /// Its figure as it is now, in words; `None` where it is about none.

@@ -1,19 +1,65 @@
-//! The places of the window and the pages in them: one row a page, and what pages keep under undo.
+//! The places of the window and the pages in them: one row a page, and what each keeps.
 //! All that is listed page by page is listed here.
 
-mod memory;
+mod auction;
+mod bounces;
+mod chain;
+mod chromaticity;
+mod dark_lines;
+mod gem;
+mod image;
+pub mod knob;
+mod known_lamps;
+mod look;
+mod many;
+mod mix;
+mod narrow;
 mod page;
 mod place;
+mod prism;
+mod race;
+mod rainbow;
+mod relit;
+mod resampling;
+mod same_surface;
+pub mod states;
+mod tradeoff;
+mod two_lights;
+mod why;
 
 use serde::{Deserialize, Serialize};
 
-use super::{design::mix::Mix, recipe::NameOf};
-
-pub use memory::{
-    AskedLesson, FieldChoice, LIMITS, ManyMemory, PageMemory, RACE_BUDGETS, SHARES_PERCENT,
-    SPENDABLE, WaysShown, WordsMemory,
-};
+pub use auction::AuctionState;
+pub use bounces::BouncesMemory;
+pub use chain::ChainMemory;
+pub use chromaticity::DiagramShows;
+pub use dark_lines::AbsorptionMemory;
+pub use gem::{GemColour, GemMemory, LightPart, RAYS_SHOWN, SIZES_SHOWN};
+pub use image::{ImageMemory, Show, Spread};
+pub use known_lamps::WordsMemory;
+pub use look::{LookState, SPENDABLE};
+pub use many::ManyMemory;
+pub use mix::MixState;
+pub use narrow::NarrowMemory;
 pub use place::Place;
+pub use prism::{Beside, Handle, PrismMemory, STOPS};
+pub use race::{FieldChoice, RACE_BUDGETS, RaceState};
+pub use rainbow::RainbowMemory;
+pub use relit::{LINES_NM, Look, MOST_LINES, RelitMemory};
+pub use resampling::ResamplingMemory;
+pub use same_surface::SameSurfaceMemory;
+pub use states::PageStates;
+pub use tradeoff::{TradeoffState, WaysShown};
+pub use two_lights::TwoLightsMemory;
+pub use why::WhyState;
+
+/// A lesson that is to be begun.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AskedLesson {
+    pub name: String,
+    /// The step that it is to begin with, from 0.
+    pub step: usize,
+}
 
 /// A page of the window: they all show the same document.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -365,53 +411,3 @@ const ROWS: &[Row] = &[
         "A spectral image in few numbers a pixel, and how it looks under any light.",
     ),
 ];
-
-/// What pages keep in the document, under undo and in projects, each under its own key: plain data,
-/// spectra by their keys.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct PageSettings {
-    /// The mixing desk of the place `Design`.
-    pub mix: Mix,
-}
-
-/// What one page keeps.
-#[derive(Clone, Debug, PartialEq)]
-pub enum PageSetting {
-    /// The mixing desk.
-    Mix(Mix),
-}
-
-impl Default for PageSettings {
-    fn default() -> Self {
-        Self { mix: Mix::first() }
-    }
-}
-
-impl PageSettings {
-    /// One of them anew, moved to what is allowed.
-    pub fn set(&mut self, setting: PageSetting) {
-        match setting {
-            PageSetting::Mix(mix) => self.mix = mix.clamped(),
-        }
-    }
-
-    /// Every value moved to the nearest one that is allowed.
-    #[must_use]
-    pub fn clamped(self) -> Self {
-        Self {
-            mix: self.mix.clamped(),
-        }
-    }
-
-    /// Lets go of a spectrum that left the library.
-    pub fn forget(&mut self, key: &str) {
-        self.mix.forget(key);
-    }
-
-    /// What changed, in words.
-    pub fn changed_since(&self, before: &Self, name_of: NameOf<'_>) -> Vec<String> {
-        let mix = self.mix.changed_since(&before.mix, name_of);
-        mix.into_iter().collect()
-    }
-}

@@ -3,20 +3,18 @@
 
 mod band_weights;
 mod exposure;
-mod memory;
 mod raster;
 mod region_spectrum;
 pub mod reload;
 
 pub use band_weights::BandWeights;
 pub use exposure::{Exposed, NOT_MEASURED, exposed, seen_in};
-pub use memory::{BAND_NM, ImageMemory, STOPS, Show, Spread};
 pub use raster::{MOST_SIDE, Raster, RasterAsk, Source, step_of};
 pub use region_spectrum::{RegionAsk, RegionSpectrum, named};
 
 use std::sync::Arc;
 
-use super::{document::Document, opened::ImageEntry};
+use super::{document::Document, opened::ImageEntry, pages::ImageMemory};
 
 /// The image that the page shows: the chosen one, or the one opened last.
 pub fn shown<'a>(document: &'a Document, memory: &ImageMemory) -> Option<&'a Arc<ImageEntry>> {

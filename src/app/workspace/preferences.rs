@@ -7,7 +7,7 @@ use serde::{Deserialize, Deserializer, Serialize, de::Error as _};
 use crate::{
     app::{
         derived::OF_CURVE,
-        pages::{Page, PageMemory},
+        pages::{AskedLesson, Page},
         stored_path,
     },
     study::Measure,
@@ -39,14 +39,19 @@ pub struct Preferences {
     pub greeted: bool,
     /// The offer of larger type in a large window was answered.
     pub larger_answered: bool,
-    /// What the pages remember.
-    pub pages: PageMemory,
+    /// The page shown.
+    pub page: Page,
+    /// Names of the lessons that were gone through.
+    pub lessons_finished: Vec<String>,
+    /// A lesson that is to be begun, once.
+    #[serde(skip)]
+    pub lesson_asked: Option<AskedLesson>,
 }
 
 impl Preferences {
     /// Whether the first screen is being presented; the other pages never are.
     pub fn presents(&self) -> bool {
-        self.present && self.pages.page == Page::Spectrum
+        self.present && self.page == Page::Spectrum
     }
 }
 
@@ -63,7 +68,9 @@ impl Default for Preferences {
             pinned: false,
             greeted: false,
             larger_answered: false,
-            pages: PageMemory::default(),
+            page: Page::Spectrum,
+            lessons_finished: Vec::new(),
+            lesson_asked: None,
         }
     }
 }
@@ -87,7 +94,6 @@ impl Preferences {
             .window
             .filter(|size| size.iter().all(|s| (200.0..=20_000.0).contains(s)));
         self.recent.truncate(MOST_RECENT);
-        self.pages = self.pages.clamped();
         self
     }
 

@@ -2,6 +2,7 @@
 
 mod choice;
 mod chooser;
+pub mod knob;
 mod layout;
 mod seen;
 mod stops;

@@ -10,10 +10,7 @@ use egui::{Align, Label, Layout, RichText, Ui, vec2};
 
 use super::{PageContext, PageWish};
 use crate::{
-    app::{
-        lessons::{Fault, Lesson, shelf},
-        pages::{AskedLesson, PageMemory},
-    },
+    app::lessons::{Fault, Lesson, shelf},
     ui::{
         kit::{framed, headline, pressed, scrolled, tile_button, warning},
         theme::Theme,
@@ -76,7 +73,7 @@ impl LessonsView {
     /// The list, to begin one.
     pub fn list(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let all = self.all();
-        let done = &context.memory.lessons_finished;
+        let done = context.finished;
         let finished = all.iter().filter(|l| done.contains(&l.name)).count();
         let words = match finished {
             0 => format!(
@@ -104,7 +101,7 @@ impl LessonsView {
                 ui.horizontal_top(|ui| {
                     for (column, lesson) in lessons.iter().enumerate() {
                         let number = row * columns + column + 1;
-                        let tick = context.memory.lessons_finished.contains(&lesson.name);
+                        let tick = context.finished.contains(&lesson.name);
                         let height = lessons
                             .iter()
                             .map(|lesson| Card::of(ui, lesson, 0, false, width).height())
@@ -119,7 +116,7 @@ impl LessonsView {
             self.of_own_ones(ui, context.theme);
         });
         if let Some(name) = asked {
-            begin(ui, context.memory, &name);
+            context.wishes.push(PageWish::Begin(name));
         }
     }
 
@@ -176,13 +173,6 @@ impl LessonsView {
     }
 }
 
-/// Asks for a lesson from its beginning.
-pub(in crate::ui) fn begin(ui: &Ui, memory: &mut PageMemory, name: &str) {
-    let name = name.to_owned();
-    memory.lesson_asked = Some(AskedLesson { name, step: 0 });
-    ui.ctx().request_repaint();
-}
-
 /// One lesson, for who teaches it; what of it is to be saved.
 fn of_teachers(
     ui: &mut Ui,
@@ -217,7 +207,7 @@ fn of_teachers(
         said(ui, "Sources", &lesson.sources.join("; "));
         ui.horizontal_wrapped(|ui| {
             if pressed(ui, "Begin", "Begins this lesson.") {
-                begin(ui, context.memory, &lesson.name);
+                context.wishes.push(PageWish::Begin(lesson.name.clone()));
             }
             let save = ui.button("Save a handout").on_hover_text(
                 "A sheet for the class, one page of HTML: words, questions and pictures, the \

@@ -13,7 +13,7 @@ use crate::{
         chart::Chart,
         charts::many::{ManyRow, Wanted, chart, csv, rows, sentence},
         figures::three_digits,
-        pages::{FieldChoice, LIMITS, ManyMemory, SHARES_PERCENT},
+        pages::{FieldChoice, ManyMemory},
         studies::{ManyAsk, Stage},
     },
     study::{ManyLights, Measure},
@@ -51,7 +51,7 @@ struct Shown {
 impl ManyView {
     pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let document = context.app.document();
-        let memory = context.memory.many;
+        let memory = context.pages.many;
         let ask = ManyAsk::of(document, memory.field.field(document));
         let settings = document.settings;
         let nobody = memory.field == FieldChoice::Own && !has_own_lights(context);
@@ -149,17 +149,14 @@ fn row_of(row: &ManyRow<'_>, measure: Measure) -> Row {
 fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
     ui.horizontal_wrapped(|ui| {
         ui.label("Lights");
-        let mut field = context.memory.many.field;
+        let mut field = context.pages.many.field;
         let meaning = "Whose order is looked for: shipped lights, or your own: all lights of the \
                        files and folders that you opened.";
         field_choice(ui, context, (names::LIGHTS, meaning), &mut field);
-        let memory = &mut context.memory.many;
+        let memory = &mut context.pages.many;
         memory.field = field;
         ui.label("enough for");
-        let share = DragValue::new(&mut memory.share_percent)
-            .range(SHARES_PERCENT)
-            .speed(0.2)
-            .suffix(" %");
+        let share = knob::drag(&ManyMemory::SHARE, memory).speed(0.2);
         number(ui, share, names::SHARE)
             .on_hover_text("For how many of the lights the order must be enough.");
         ui.label("of them, with");
@@ -180,11 +177,10 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
             memory.limit = ManyMemory::usual_limit(memory.measure);
         }
         ui.label("at most");
-        let limit = DragValue::new(&mut memory.limit)
-            .range(LIMITS)
+        let tail = memory.measure.figure().unit.tail;
+        let limit = knob::drag(&ManyMemory::LIMIT, memory)
             .speed(0.02)
-            .max_decimals(2)
-            .suffix(memory.measure.figure().unit.tail);
+            .suffix(tail);
         number(ui, limit, names::LIMIT)
             .on_hover_text("What the figure may be at most, from the order found on.");
         let settings = context.app.document().settings;

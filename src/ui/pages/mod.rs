@@ -18,7 +18,6 @@ mod tradeoff_view;
 pub mod truth_view;
 
 pub use lessons_view::LessonFile;
-pub(super) use lessons_view::begin;
 
 use std::{path::PathBuf, sync::Arc};
 
@@ -35,7 +34,7 @@ use crate::app::{
     chart::Chart,
     dispersion::GemFile,
     lessons::Lesson,
-    pages::{Page, PageMemory},
+    pages::{Page, PageStates},
     relit::PictureWish,
     studies::{Job, Question, Stage, Studies},
 };
@@ -46,8 +45,12 @@ pub struct PageContext<'a> {
     pub app: &'a App,
     /// The long computations.
     pub studies: &'a mut Studies,
-    /// What the pages remember.
-    pub memory: &'a mut PageMemory,
+    /// What the pages keep: a copy, which becomes the document's after the frame.
+    pub pages: &'a mut PageStates,
+    /// The page shown.
+    pub page: &'a mut Page,
+    /// Names of the lessons that were gone through.
+    pub finished: &'a [String],
     /// The looks.
     pub theme: Theme,
     /// Wakes the window when a computation is done.
@@ -74,9 +77,17 @@ pub enum PageWish {
     OpenPicture,
     /// Shows how the image of this key was read.
     Reading(String),
+    /// Begins the lesson of this name.
+    Begin(String),
 }
 
 impl PageContext<'_> {
+    /// Goes to the page "From a colour" with a screen's colour.
+    pub fn ask_about_colour(&mut self, rgb: [u8; 3]) {
+        self.pages.from_colour = self.pages.from_colour.clone().about(rgb);
+        *self.page = Page::FromColour;
+    }
+
     /// Draws a chart with its menu; what the menu was asked for is passed on.
     pub fn chart(
         &mut self,
@@ -137,7 +148,7 @@ impl Pages {
     /// Draws the page in force; nothing for the spectrum, which the window draws itself.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let products = &mut self.products;
-        match context.memory.page {
+        match *context.page {
             Page::Spectrum => {}
             Page::Absorption => products.absorption.show(ui, context),
             Page::Chain => products.chain.show(ui, context),

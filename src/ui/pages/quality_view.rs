@@ -9,9 +9,9 @@ use crate::{
         App, ByOrder, Memo, QualityShown,
         chart::Chart,
         charts::quality::{
-            DiagramShows, OfBins, against_order, bin_bars, diagram, fidelity_bars, sample_bars,
-            vector_graphic,
+            OfBins, against_order, bin_bars, diagram, fidelity_bars, sample_bars, vector_graphic,
         },
+        pages::DiagramShows,
         quality_report::Row,
         settled_words,
     },
@@ -78,7 +78,7 @@ impl QualityView {
         let shown = self.shown(context.app);
         headline(ui, context.theme, &shown.place);
         let [measured, model] = shown.places();
-        let shows = &mut context.memory.diagram;
+        let shows = &mut context.pages.chromaticity;
         ui.horizontal_wrapped(|ui| {
             let mut switch = |on: &mut bool, title: &str, meaning: &str| {
                 ui.toggle_value(on, title).on_hover_text(meaning);

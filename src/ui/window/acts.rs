@@ -66,7 +66,7 @@ impl Window {
             Act::Present => {
                 self.preferences.present = !self.preferences.present;
                 if self.preferences.present {
-                    self.preferences.pages.page = Page::Spectrum;
+                    self.preferences.page = Page::Spectrum;
                 }
             }
             Act::Search => {
@@ -79,7 +79,7 @@ impl Window {
             }
             Act::Place(number) => {
                 if let Some(place) = Place::ALL.get(number) {
-                    self.preferences.pages.page = place.first();
+                    self.preferences.page = place.first();
                 }
             }
             Act::Reset => {
@@ -105,7 +105,7 @@ impl Window {
             }
             Act::CopyCommand => {
                 let size = context.content_rect().size();
-                let page = self.preferences.pages.page;
+                let page = self.preferences.page;
                 let size = [size.x as u32, size.y as u32];
                 match command_lines(&self.app, page, size, self.preferences.dark) {
                     Ok(words) => {

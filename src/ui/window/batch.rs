@@ -138,7 +138,7 @@ impl Window {
                     return false;
                 };
                 self.app.apply(Command::Show(entry));
-                let page = &mut self.preferences.pages.page;
+                let page = &mut self.preferences.page;
                 if *page == Page::Image {
                     *page = Page::Spectrum;
                 }
@@ -148,8 +148,8 @@ impl Window {
                 let images = &self.app.document().images;
                 let is_there = images.iter().any(|image| image.key == *key);
                 if is_there {
-                    self.preferences.pages.image.choose(key);
-                    self.preferences.pages.page = Page::Image;
+                    self.app.pages_follow(|pages| pages.image.choose(key));
+                    self.preferences.page = Page::Image;
                 }
                 is_there
             }

@@ -38,7 +38,7 @@ impl Window {
 
     /// Whether the column of the verdict is open.
     pub(super) fn side_is_open(&self, shape: Shape) -> bool {
-        let has_model = self.preferences.pages.page.has_model();
+        let has_model = self.preferences.page.has_model();
         !shape.present && self.tells_verdict() && self.side_open.unwrap_or(shape.wide && has_model)
     }
 
@@ -53,7 +53,7 @@ impl Window {
 
     /// The model's column, or the edge that it folds to.
     pub(super) fn side_panel(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) {
-        let has_model = self.preferences.pages.page.has_model();
+        let has_model = self.preferences.page.has_model();
         if shape.present || !self.tells_verdict() || !(has_model || self.side_open == Some(true)) {
             return;
         }
@@ -127,13 +127,18 @@ impl Window {
             rolled(ui, |ui| {
                 if self.side == Side::Settings {
                     said = model_view::controls(ui, &self.app, &mut commands);
-                    let words = &mut self.preferences.pages.words;
-                    ui.checkbox(&mut words.automatic, "Automatic: known lamps too")
+                    let mut automatic = self.app.document().pages.known_lamps.automatic;
+                    let asked = ui
+                        .checkbox(&mut automatic, "Automatic: known lamps too")
                         .on_hover_text(
                             "Automatic may make the light of lamps that the program knows: the \
                              numbers then need the program's list of lamps. Where they are better \
                              it leads to the page Known lamps.",
                         );
+                    if asked.changed() {
+                        self.app
+                            .edit_pages(|pages| pages.known_lamps.automatic = automatic);
+                    }
                     ui.add_space(8.0);
                     as_in_the_paper(ui, &self.app, &mut commands);
                 } else {

@@ -70,7 +70,7 @@ impl Window {
 
     /// On the page "From a colour" a picture is one whose pixels are taken as colours.
     fn without_photos(&mut self, paths: Vec<PathBuf>) -> Vec<PathBuf> {
-        if self.preferences.pages.page != Page::FromColour {
+        if self.preferences.page != Page::FromColour {
             return paths;
         }
         let is_photo = |path: &PathBuf| {

@@ -123,7 +123,7 @@ impl Window {
     /// A window over a program. `saver` keeps the workspace; without one nothing is written.
     pub fn new(app: App, preferences: Preferences, picker: Picker, saver: Option<Saver>) -> Self {
         Self {
-            kept: (app.revision(), preferences.clone()),
+            kept: (app.changes(), preferences.clone()),
             lessons_folder: saver.as_ref().map(|s| s.path().with_file_name("lessons")),
             lists_lessons: false,
             app,
@@ -274,14 +274,14 @@ impl Window {
     /// Hands the workspace to the saver, which keeps it on disk a moment after it changed.
     fn keep(&mut self) {
         let Some(saver) = &self.saver else { return };
-        let is_kept = self.kept.0 == self.app.revision() && self.kept.1 == self.preferences;
+        let is_kept = self.kept.0 == self.app.changes() && self.kept.1 == self.preferences;
         if !is_kept {
             saver.keep_soon(
                 self.app.document(),
                 &self.preferences,
                 &self.images.absent(),
             );
-            self.kept = (self.app.revision(), self.preferences.clone());
+            self.kept = (self.app.changes(), self.preferences.clone());
         }
     }
 
@@ -301,7 +301,7 @@ impl Window {
                 &self.preferences,
                 &self.images.absent(),
             );
-            self.kept = (self.app.revision(), self.preferences.clone());
+            self.kept = (self.app.changes(), self.preferences.clone());
         }
     }
 }

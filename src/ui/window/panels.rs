@@ -21,7 +21,12 @@ use super::{
     Window,
     filing::Saving,
 };
-use crate::app::{Command, import::Again, pages::Page, workspace::Preferences};
+use crate::app::{
+    Command,
+    import::Again,
+    pages::{Page, PageStates},
+    workspace::Preferences,
+};
 
 /// Widths from which the column of the verdict stands beside the page, and from which it is wider,
 /// points.
@@ -124,12 +129,12 @@ impl Window {
             .exact_size(height)
             .show(ui, |ui| {
                 in_its_size(ui, |ui| {
-                    let page = self.preferences.pages.page;
+                    let page = self.preferences.page;
                     // A lesson asks its own questions.
                     let words = match self.lesson {
                         Some(_) => Default::default(),
                         None => {
-                            let (app, key) = (&self.app, (self.app.revision(), page));
+                            let (app, key) = (&self.app, (self.app.changes(), page));
                             let make = |_: &_| foot_view::words(app, page);
                             self.foot_words.get(key, make).clone()
                         }
@@ -146,7 +151,7 @@ impl Window {
         let width = if shape.wide { words } else { none };
         let frame = plain(ui, Margin::ZERO);
         fixed(Panel::left("rail"), frame, width).show(ui, |ui| {
-            let page = &mut self.preferences.pages.page;
+            let page = &mut self.preferences.page;
             ScrollArea::vertical().show(ui, |ui| {
                 rail_view::show(ui, page, shape.wide, theme);
             });
@@ -202,7 +207,7 @@ impl Window {
         let room = ui.available_rect_before_wrap();
         let folded = !shape.wide && !self.side_is_open(shape);
         let beside = folded && self.tells_verdict() || self.pair().is_some();
-        let with_verdict = self.preferences.pages.page == Page::Spectrum && beside;
+        let with_verdict = self.preferences.page == Page::Spectrum && beside;
         let inner = room.width() - 2.0 * f32::from(PAGE_MARGIN.left);
         let above = look_view::stacked(vec2(inner, room.height()), with_verdict, theme.scale);
         // Large type at the axes and the knobs takes the plot's room.
@@ -230,7 +235,7 @@ impl Window {
             centre = ui.max_rect();
             let tells = self.tells_verdict();
             if !shape.present {
-                let page = &mut self.preferences.pages.page;
+                let page = &mut self.preferences.page;
                 let has_line = tells && !page.has_model() && self.side_open != Some(true);
                 let mut opens = false;
                 if page.place().tabs().count() > 1 || has_line {
@@ -249,7 +254,7 @@ impl Window {
                     self.side_open = Some(true);
                 }
             }
-            if self.preferences.pages.page == Page::Spectrum {
+            if self.preferences.page == Page::Spectrum {
                 self.look(ui, shape, theme);
             } else {
                 self.page(ui, theme);
@@ -270,10 +275,12 @@ impl Window {
         let pair = self.pair();
         let verdict_below = (folded || shape.present) && self.tells_verdict() || pair.is_some();
         let wake = theme::waker(&context);
+        let mut kept = self.app.document().pages.clone();
         let mut scene = Scene {
             app: &self.app,
             studies: &mut self.studies,
-            memory: &mut self.preferences.pages,
+            pages: &mut kept,
+            page: &mut self.preferences.page,
             theme,
             wake: &wake,
             verdict_below,
@@ -283,7 +290,7 @@ impl Window {
         let wishes = self.look.show(ui, &mut scene);
         let mut commands = wishes.commands;
         let before = self.app.revision();
-        self.apply(&mut commands);
+        self.keep_pages(kept, &mut commands, &context);
         for act in wishes.acts {
             self.app.act_on_spikes(act);
         }
@@ -314,12 +321,15 @@ impl Window {
         let context = ui.ctx().clone();
         let (mut commands, mut wishes) = (Vec::new(), Vec::new());
         // Every page keeps its own place in its scroll area.
-        let salt = self.preferences.pages.page.word();
+        let salt = self.preferences.page.word();
         let pages = &mut self.pages;
+        let mut kept = self.app.document().pages.clone();
         let mut shown = PageContext {
             app: &self.app,
             studies: &mut self.studies,
-            memory: &mut self.preferences.pages,
+            pages: &mut kept,
+            page: &mut self.preferences.page,
+            finished: &self.preferences.lessons_finished,
             theme,
             wake: &theme::waker(&context),
             commands: &mut commands,
@@ -348,7 +358,30 @@ impl Window {
             // The right panel was drawn before the page's click.
             context.request_repaint();
         }
-        self.apply(&mut commands);
+        self.keep_pages(kept, &mut commands, &context);
+    }
+
+    /// Carries out what a page asked for, and makes what it keeps now the document's: by a hand it
+    /// is a step of undo, by itself (a sum that is played) it belongs to the step before.
+    fn keep_pages(&mut self, kept: PageStates, commands: &mut Vec<Command>, context: &Context) {
+        let before = self.app.changes();
+        self.apply(commands);
+        if kept == self.app.document().pages {
+            return;
+        }
+        let moved = |event: &egui::Event| {
+            matches!(
+                event,
+                egui::Event::PointerMoved(_) | egui::Event::MouseMoved(_)
+            )
+        };
+        let by_hand = context.input(|i| i.pointer.any_down() || !i.events.iter().all(moved));
+        let change = |pages: &mut PageStates| *pages = kept;
+        if by_hand && self.app.changes() == before {
+            self.app.edit_pages(change);
+        } else {
+            self.app.pages_follow(change);
+        }
     }
 
     /// Does what a page asked for.
@@ -358,6 +391,7 @@ impl Window {
             PageWish::Gem(gem) => self.save(Saving::Gem(Box::new(gem)), context),
             PageWish::FewNumbers(picture) => self.save(Saving::Picture(picture), context),
             PageWish::Lesson(lesson, file) => self.save(Saving::Lesson(lesson, file), context),
+            PageWish::Begin(name) => self.begin_lesson(name, context),
             PageWish::OpenPicture => self.ask(Ask::Open, None, context),
             PageWish::Reading(key) => {
                 let image = self.app.document().images.iter().find(|i| i.key == key);
@@ -371,7 +405,10 @@ impl Window {
     /// The colour of a swatch, as its menu asked for.
     pub(super) fn take_colour(&mut self, context: &Context) {
         if let Some(rgb) = super::super::swatch::asked_for(context) {
-            self.preferences.pages.ask_about_colour(rgb);
+            self.app.edit_pages(|pages| {
+                pages.from_colour = pages.from_colour.clone().about(rgb);
+            });
+            self.preferences.page = Page::FromColour;
             context.request_repaint();
         }
     }
@@ -386,7 +423,7 @@ impl Window {
                 self.apply(&mut commands);
                 self.app.end_gesture();
             }
-            Some(Chosen::Page(page)) => self.preferences.pages.page = page,
+            Some(Chosen::Page(page)) => self.preferences.page = page,
             Some(Chosen::Act(act)) => self.act(act, context),
         }
     }
@@ -403,10 +440,10 @@ impl Window {
         }
         match chosen {
             None => {}
-            Some(Beginning::Page(page)) => self.preferences.pages.page = page,
+            Some(Beginning::Page(page)) => self.preferences.page = page,
             Some(Beginning::Own) => self.act(Act::Open, context),
             Some(Beginning::Live) => {
-                self.preferences.pages.page = Page::Spectrum;
+                self.preferences.page = Page::Spectrum;
                 if let Some(lamp) = self.app.entry(LIVE) {
                     self.app.apply(Command::Show(lamp));
                     self.app.end_gesture();

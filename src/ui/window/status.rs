@@ -120,7 +120,7 @@ impl Window {
             lesson.title, lesson.sentence, lesson.minutes
         );
         if button.on_hover_text(hover).clicked() {
-            begin(ui, &mut self.preferences.pages, &lesson.name);
+            self.begin_lesson(lesson.name.clone(), ui.ctx());
         }
     }
 

@@ -26,10 +26,10 @@ pub(super) fn asked(
     sheet: Option<&ColourSheet>,
     typed: &mut Option<(usize, String)>,
 ) {
-    let before = context.memory.colour.clone();
+    let before = context.pages.from_colour.clone();
     let mut given = before.given.clone();
     ui.horizontal_wrapped(|ui| {
-        let telling = &mut context.memory.colour.telling;
+        let telling = &mut context.pages.from_colour.telling;
         let choice = Choice {
             name: "How a colour is told",
             meaning: "As a screen's colour, or by three numbers.",
@@ -64,7 +64,7 @@ pub(super) fn asked(
             width: 130.0 * context.theme.scale,
         }
         .show(ui, context.app);
-        let asked = &mut context.memory.colour;
+        let asked = &mut context.pages.from_colour;
         if let Some(light) = light {
             asked.light.clone_from(&light.key);
         }
@@ -86,7 +86,7 @@ fn second(
     sheet: Option<&ColourSheet>,
     typed: &mut Option<(usize, String)>,
 ) {
-    let before = context.memory.colour.clone();
+    let before = context.pages.from_colour.clone();
     ui.horizontal_wrapped(|ui| {
         let mut is_on = before.second.is_some();
         let check = ui.checkbox(&mut is_on, "and under a second light");
@@ -107,21 +107,21 @@ fn second(
             chosen = light.map(|light| light.key.clone()).or(chosen);
         }
         let document = context.app.document();
-        let asked = &mut context.memory.colour;
+        let asked = &mut context.pages.from_colour;
         match (&chosen, is_on) {
             (Some(key), _) => *asked = before.clone().with_second(sheet, key, document),
             (None, false) => *asked = before.clone().with_one(),
             (None, true) => {}
         }
     });
-    let Some((mut given, key)) = context.memory.colour.second.clone() else {
+    let Some((mut given, key)) = context.pages.from_colour.second.clone() else {
         return;
     };
     ui.horizontal_wrapped(|ui| {
         ui.label("where it is");
         told(ui, context, (sheet, 1), &mut given, typed);
     });
-    context.memory.colour.second = Some((given, key));
+    context.pages.from_colour.second = Some((given, key));
 }
 
 /// The fields of one colour: the `index`-th of the sheet.
@@ -132,7 +132,7 @@ fn told(
     given: &mut Given,
     typed: &mut Option<(usize, String)>,
 ) {
-    let telling = context.memory.colour.telling;
+    let telling = context.pages.from_colour.telling;
     // Where nothing is seen, the numbers are those of black.
     let [xyz, white] = sheet
         .and_then(|sheet| sheet.seen.get(index))

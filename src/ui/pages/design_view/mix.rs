@@ -48,7 +48,7 @@ impl DesignView {
         };
         let lines = self.lines.held().cloned().unwrap_or_default();
         let document = context.app.document();
-        let key = (context.app.revision(), context.memory.desk_surfaces);
+        let key = (context.app.changes(), context.pages.mix.surfaces);
         let beside = self
             .beside
             .get(key, |(_, surfaces)| beside(&desk, *surfaces, document))
@@ -100,7 +100,7 @@ impl DesignView {
         lines: &[NamedLine],
         size: egui::Vec2,
     ) {
-        let key = context.app.revision();
+        let key = context.app.changes();
         let chart = &*self.spectrum.get(key, |_| mixed_spectrum(desk));
         let mut shown = ChartView::held(ui, chart, "mixed spectrum", size, context.theme);
         context.ask_for_chart(shown.wish.take());
@@ -280,7 +280,7 @@ fn below(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, beside: &[Besi
 
 /// Surfaces, at the left as under the mixture, at the right as under its reference.
 fn surfaces(ui: &mut Ui, context: &mut PageContext<'_>, surfaces: &[Beside]) {
-    let now = &mut context.memory.desk_surfaces;
+    let now = &mut context.pages.mix.surfaces;
     let scale = context.theme.scale;
     ui.horizontal(|ui| {
         let choice = Choice {
@@ -329,7 +329,7 @@ fn surfaces(ui: &mut Ui, context: &mut PageContext<'_>, surfaces: &[Beside]) {
 /// Desks to come back to.
 fn kept(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
     let mut back = None;
-    for (slot, name) in context.memory.kept.iter_mut().zip(["A", "B", "C"]) {
+    for (slot, name) in context.pages.mix.kept.iter_mut().zip(["A", "B", "C"]) {
         let is_here = slot.as_ref().is_some_and(|kept| kept.mix == desk.mix);
         let button = ui.selectable_label(is_here, name);
         let words = match slot {

@@ -10,7 +10,7 @@ use crate::{
         design::{
             Desk,
             front::{front_ask, on_desk, sentence},
-            wish::{DUV, KELVIN, MixWish, Solved},
+            wish::{MixWish, Solved},
         },
     },
     design::solve::{Against, Care, FREE_LINES, Objective},
@@ -69,7 +69,7 @@ impl DesignView {
             true => Care::Quick,
             false => Care::Full,
         };
-        let wish = &context.memory.wish;
+        let wish = &context.pages.solve;
         let solved = self.solved.get(context.app, wish, &desk, care).clone();
         let words = match &solved {
             Ok(solved) => &solved.sentence,
@@ -86,7 +86,7 @@ impl DesignView {
             words,
         );
         ui.add_space(4.0);
-        let before = context.memory.wish.clone();
+        let before = context.pages.solve.clone();
         let target = solved.as_ref().ok().map(|solved| solved.target_uv);
         let mut sets = false;
         let room = ui.available_size();
@@ -121,7 +121,7 @@ impl DesignView {
             set(context, mix);
         }
         self.follows &= care == Care::Quick;
-        if !before.asks_as(&context.memory.wish) {
+        if !before.asks_as(&context.pages.solve) {
             self.follows = true;
             ui.ctx().request_repaint();
         }
@@ -164,7 +164,7 @@ fn wish_and_faders(
 fn colour(ui: &mut Ui, context: &mut PageContext<'_>) {
     whose_colour(ui, context);
     let scale = context.theme.scale;
-    let wish = &mut context.memory.wish;
+    let wish = &mut context.pages.solve;
     if wish.light.is_some() {
         ui.checkbox(&mut wish.alike, "and its spectrum, as nearly as can be")
             .on_hover_text(
@@ -195,21 +195,21 @@ fn whose_colour(ui: &mut Ui, context: &mut PageContext<'_>) {
     let scale = context.theme.scale;
     ui.horizontal_wrapped(|ui| {
         ui.label("The colour of");
-        let light = &context.memory.wish.light;
-        let is_xy = light.is_none() && context.memory.wish.xy.is_some();
+        let light = &context.pages.solve.light;
+        let is_xy = light.is_none() && context.pages.solve.xy.is_some();
         let is_kelvin = light.is_none() && !is_xy;
         if ui.selectable_label(is_kelvin, "a temperature").clicked() {
-            context.memory.wish.light = None;
-            context.memory.wish.xy = None;
+            context.pages.solve.light = None;
+            context.pages.solve.xy = None;
         }
         let by_xy = ui
             .selectable_label(is_xy, "x, y")
             .on_hover_text("CIE 1931 chromaticity coordinates.");
         if by_xy.clicked() && !is_xy {
-            let wish = context.memory.wish.clone();
-            context.memory.wish = wish.by_xy(context.app.document());
+            let wish = context.pages.solve.clone();
+            context.pages.solve = wish.by_xy(context.app.document());
         }
-        let light = &context.memory.wish.light;
+        let light = &context.pages.solve.light;
         let says = light.as_deref().map_or("a light".to_owned(), |key| {
             context.app.document().name_of(key)
         });
@@ -222,8 +222,8 @@ fn whose_colour(ui: &mut Ui, context: &mut PageContext<'_>) {
         }
         .show(ui, context.app);
         if let Some(chosen) = chosen {
-            context.memory.wish.light = Some(chosen.key.clone());
-            context.memory.wish.xy = None;
+            context.pages.solve.light = Some(chosen.key.clone());
+            context.pages.solve.xy = None;
         }
     });
 }
@@ -238,7 +238,7 @@ fn temperature_and_tint(ui: &mut Ui, wish: &mut MixWish, scale: f32) {
     let temperature = Fader {
         name: "Target temperature",
         meaning: "Correlated colour temperature: 2700 K is a warm lamp, 6500 K daylight.",
-        range: KELVIN,
+        range: MixWish::KELVIN.reach.range(),
         digits: 0,
         suffix: " K",
         logarithmic: true,
@@ -247,7 +247,7 @@ fn temperature_and_tint(ui: &mut Ui, wish: &mut MixWish, scale: f32) {
     let tint = Fader {
         name: "Target Duv",
         meaning: "Distance from the blackbodies: above 0 greenish, below 0 pinkish.",
-        range: DUV,
+        range: MixWish::DUV.reach.range(),
         digits: 4,
         suffix: "",
         logarithmic: false,
@@ -256,7 +256,7 @@ fn temperature_and_tint(ui: &mut Ui, wish: &mut MixWish, scale: f32) {
 }
 
 fn favour(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let wish = &mut context.memory.wish;
+    let wish = &mut context.pages.solve;
     if wish.light.is_some() && wish.alike {
         return;
     }
@@ -273,7 +273,7 @@ fn favour(ui: &mut Ui, context: &mut PageContext<'_>) {
 
 /// What the mixture must not fall below.
 fn floors(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let floors = &mut context.memory.wish.floors;
+    let floors = &mut context.pages.solve.floors;
     ui.horizontal_wrapped(|ui| {
         ui.label("and not below");
         let mut floor = |value: &mut Option<f64>, title: &str, usual: f64, most: f64| {
@@ -335,7 +335,7 @@ fn faders(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, solved: &Solv
 /// The best that lines at free places were found to reach; a click takes the lines of a point.
 fn front(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, height: f32) {
     let top = ui.cursor().top();
-    let wish = &mut context.memory.wish;
+    let wish = &mut context.pages.solve;
     ui.horizontal_wrapped(|ui| {
         ui.label("The best found with");
         for lines in FREE_LINES {
@@ -350,7 +350,7 @@ fn front(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, height: f32) {
                 .on_hover_text("The figure that efficacy is traded for.");
         }
     });
-    let ask = front_ask(&context.memory.wish, context.app.document());
+    let ask = front_ask(&context.pages.solve, context.app.document());
     let job = context.studies.job();
     // While a slider is dragged the front would never be done.
     if let Some(ask) = ask.filter(|_| !ui.input(|input| input.pointer.any_down())) {

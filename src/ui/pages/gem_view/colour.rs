@@ -1,13 +1,13 @@
 //! What colours the gem.
 
 use eframe::egui;
-use egui::{Slider, Ui};
+use egui::Ui;
 
 use super::names;
 use crate::{
-    app::dispersion::{GREYS, GemColour, THICKNESSES},
+    app::pages::{GemColour, GemMemory},
     ui::{
-        kit::{Choice, Chooser, transmittances},
+        kit::{Choice, Chooser, knob, transmittances},
         pages::{PageContext, prism_view::slider},
     },
 };
@@ -15,7 +15,7 @@ use crate::{
 /// Draws the choice and what belongs to the kind chosen.
 pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>) {
     let app = context.app;
-    let memory = &mut context.memory.dispersion.gem;
+    let memory = &mut context.pages.gem;
     ui.horizontal(|ui| {
         ui.label(names::COLOUR);
         let choice = Choice {
@@ -29,7 +29,7 @@ pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>) {
     match memory.colour {
         GemColour::Clear => {}
         GemColour::Grey => {
-            let of = Slider::new(&mut memory.grey, GREYS).fixed_decimals(2);
+            let of = knob::slider(&GemMemory::GREY, memory);
             let meaning = "Absorption for each radius of the girdle: 1 leaves 37 % of the light.";
             slider(ui, (names::ABSORBS, meaning), of);
         }
@@ -50,10 +50,7 @@ pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>) {
                     memory.filter.clone_from(&entry.key);
                 }
             });
-            let of = Slider::new(&mut memory.thickness, THICKNESSES)
-                .logarithmic(true)
-                .fixed_decimals(1)
-                .suffix(" radii");
+            let of = knob::slider(&GemMemory::THICKNESS, memory).logarithmic(true);
             let meaning = "How large the gem is against the filter: the filter's transmittance is \
                            that of so many radii of the gem. Less makes it darker.";
             slider(ui, (names::THICKNESS, meaning), of);

@@ -3,20 +3,18 @@
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{CollapsingHeader, Slider, Ui};
+use egui::{CollapsingHeader, Ui};
 
 use super::{colour, names};
 use crate::{
     app::{
         ByAddress,
-        dispersion::{
-            CutSlider, GemFile, GemFilm, GemForm, GemLook, LightPart, RAYS_SHOWN, SIZES_SHOWN,
-            places,
-        },
+        dispersion::{GemFile, GemFilm, GemForm, GemLook, places},
+        pages::{GemMemory, LightPart, RAYS_SHOWN, SIZES_SHOWN, knob::Knob},
     },
     optics::{Brilliant, FilmSettings, Light, film_bytes},
     ui::{
-        kit::{Choice, Chooser, lights, pressed_if, pressed_small, seen_choice},
+        kit::{Choice, Chooser, knob, lights, pressed_if, pressed_small, seen_choice},
         pages::{
             PageContext, PageWish,
             prism_view::{exposure, model, substance},
@@ -42,52 +40,50 @@ pub(super) fn show(
             "Diamond bends light most and spreads its colours; zirconia spreads them further, \
              glass much less.",
         ),
-        &mut context.memory.dispersion.gem.made_of,
+        &mut context.pages.gem.made_of,
     );
     colour::show(ui, context);
-    cut(ui, &mut context.memory.dispersion.gem.cut);
+    cut(ui, &mut context.pages.gem);
     ui.separator();
     looks(ui, context, both);
     ui.separator();
     other_light(ui, context, both.get(1));
-    model::sent(ui, &mut context.memory.dispersion.gem.sent);
-    model::knobs(ui, context, context.memory.dispersion.gem.sent);
+    model::sent(ui, &mut context.pages.gem.sent);
+    model::knobs(ui, context, context.pages.gem.sent);
     ui.separator();
     save(ui, context, film, &both[0]);
 }
 
-fn cut(ui: &mut Ui, cut: &mut Brilliant) {
-    let sliders = |ui: &mut Ui, cut: &mut Brilliant, id: &str, some: &[CutSlider]| {
+fn cut(ui: &mut Ui, gem: &mut GemMemory) {
+    let sliders = |ui: &mut Ui, gem: &mut GemMemory, id: &str, [skip, take]: [usize; 2]| {
         egui::Grid::new(id).num_columns(2).show(ui, |ui| {
-            some.iter().for_each(|of| slider(ui, cut, of));
+            let knobs = GemMemory::cut_knobs().skip(skip).take(take);
+            knobs.for_each(|knob| slider(ui, gem, knob));
         });
     };
-    let (always, more) = CutSlider::ALL.split_at(ALWAYS);
-    sliders(ui, cut, "cut", always);
+    sliders(ui, gem, "cut", [0, ALWAYS]);
     CollapsingHeader::new("More of the cut").show(ui, |ui| {
-        sliders(ui, cut, "more of the cut", more);
+        sliders(ui, gem, "more of the cut", [ALWAYS, usize::MAX]);
         let usual = Brilliant::default();
         let button = egui::Button::new(names::USUAL_CUT).small();
         let meaning = "The round brilliant that most diamonds are cut to.";
-        if pressed_if(ui, *cut != usual, button, meaning) {
-            *cut = usual;
+        if pressed_if(ui, gem.cut != usual, button, meaning) {
+            gem.cut = usual;
         }
     });
 }
 
-fn slider(ui: &mut Ui, cut: &mut Brilliant, of: &CutSlider) {
+fn slider(ui: &mut Ui, gem: &mut GemMemory, of: &Knob<GemMemory>) {
     let label = ui.label(of.title).on_hover_text(of.meaning);
-    let [least, most] = of.range;
-    let slider = Slider::new((of.of)(cut), least..=most);
-    let slider = if of.is_angle {
-        slider.step_by(0.05).fixed_decimals(2).suffix("\u{b0}")
-    } else {
-        slider
+    let slider = knob::slider(of, gem);
+    let slider = match of.unit {
+        "" => slider
             .custom_formatter(|value, _| format!("{:.1} %", 100.0 * value))
             .custom_parser(|text| {
                 let percent: f64 = text.trim().trim_end_matches('%').trim().parse().ok()?;
                 Some(percent / 100.0)
-            })
+            }),
+        _ => slider.step_by(0.05),
     };
     ui.add(slider)
         .labelled_by(label.id)
@@ -98,7 +94,7 @@ fn slider(ui: &mut Ui, cut: &mut Brilliant, of: &CutSlider) {
 fn looks(ui: &mut Ui, context: &mut PageContext<'_>, both: &[Light]) {
     let (app, wide) = (context.app, 225.0 * context.theme.scale);
     seen_choice(ui, app, (names::SEEN, wide), context.commands);
-    let memory = &mut context.memory.dispersion.gem;
+    let memory = &mut context.pages.gem;
     ui.horizontal(|ui| {
         ui.label(names::PART);
         let choice = Choice {
@@ -145,7 +141,7 @@ fn looks(ui: &mut Ui, context: &mut PageContext<'_>, both: &[Light]) {
 
 /// How the pictures are looked at.
 pub(super) fn look(context: &PageContext<'_>) -> GemLook {
-    let (document, memory) = (context.app.document(), &context.memory.dispersion.gem);
+    let (document, memory) = (context.app.document(), &context.pages.gem);
     GemLook {
         observer: document.settings.observer,
         stops: memory.stops,
@@ -167,12 +163,12 @@ fn other_light(ui: &mut Ui, context: &mut PageContext<'_>, other: Option<&Light>
             width: 110.0,
         };
         if let Some(entry) = chooser.show(ui, context.app) {
-            context.memory.dispersion.gem.under = Some(entry.key.clone());
+            context.pages.gem.under = Some(entry.key.clone());
         }
         let button = egui::Button::new(names::NO_OTHER).small();
         let meaning = "One large picture under the document's light alone.";
         if pressed_if(ui, other.is_some(), button, meaning) {
-            context.memory.dispersion.gem.under = None;
+            context.pages.gem.under = None;
         }
     });
 }

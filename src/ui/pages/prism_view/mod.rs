@@ -20,7 +20,8 @@ use super::PageContext;
 use crate::{
     app::{
         Memo,
-        dispersion::{IMPACTS, PrismMemory, PrismShown, RainbowMemory, RainbowShown, STOPS, sky},
+        dispersion::{PrismShown, RainbowShown, sky},
+        pages::{PrismMemory, RainbowMemory, STOPS},
     },
     optics::Sky,
     ui::kit::{Choice, Column, Row, Table, copy_button, down, headline, scrolled},
@@ -29,13 +30,7 @@ use crate::{
 /// What people and tests call the controls.
 pub(super) mod names {
     pub(crate) const GLASS: &str = "Glass";
-    pub(crate) const APEX: &str = "Apex angle";
     pub(crate) const MINIMUM: &str = "least deviation";
-    pub(crate) const INCIDENCE: &str = "Light meets it at";
-    pub(crate) const GREEN: &str = "for";
-    pub(crate) const SLIT: &str = "Slit";
-    pub(crate) const SCREEN: &str = "Screen";
-    pub(crate) const IMPACT: &str = "Rays meet the drop at";
     pub(crate) const BOW: &str = "Drawn";
     pub(crate) const EXPOSURE: &str = "Exposure";
     pub(crate) const BESIDE: &str = "Beside it";
@@ -94,7 +89,7 @@ fn named_choice(ui: &mut Ui, choice: Choice<'_>, chosen: &str, list: impl FnOnce
 
 /// How bright the picture is.
 pub(super) fn exposure(ui: &mut Ui, stops: &mut f64) {
-    let of = Slider::new(stops, STOPS)
+    let of = Slider::new(stops, STOPS.range())
         .step_by(0.1)
         .fixed_decimals(1)
         .suffix(" stops");
@@ -143,7 +138,7 @@ fn lines(
 impl PrismView {
     /// Draws the prism's page.
     pub(super) fn prism(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let memory = context.memory.dispersion.prism.clone();
+        let memory = context.pages.prism.clone();
         let key = (context.app.revision(), memory);
         let app = context.app;
         let shown = &*self
@@ -182,7 +177,7 @@ impl PrismView {
 
     /// Draws the rainbow's page.
     pub(super) fn rainbow(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let key = (context.app.revision(), context.memory.dispersion.rainbow);
+        let key = (context.app.revision(), context.pages.rainbow);
         let app = context.app;
         let sky = &*self.sky.get((), |()| sky());
         let shown = &*self
@@ -191,7 +186,7 @@ impl PrismView {
         headline(ui, context.theme, &shown.sentence);
         ui.add_space(4.0);
         ui.horizontal_wrapped(|ui| {
-            let memory = &mut context.memory.dispersion.rainbow;
+            let memory = &mut context.pages.rainbow;
             ui.spacing_mut().slider_width = 90.0;
             ui.checkbox(&mut memory.disc, names::DISC).on_hover_text(
                 "The sun is half a degree wide and blurs every bow by as much; without it each \
@@ -229,9 +224,9 @@ impl PrismView {
                 if let Some(drawing) = &shown.drop {
                     let wide = high.max(240.0 * theme.scale).min(0.4 * width);
                     let moved = drop::show(ui, drawing, vec2(wide, high), theme);
-                    let impact = &mut context.memory.dispersion.rainbow.impact;
-                    *impact =
-                        moved.map_or(*impact, |to| to.clamp(*IMPACTS.start(), *IMPACTS.end()));
+                    if let Some(to) = moved {
+                        RainbowMemory::IMPACT.set(&mut context.pages.rainbow, to);
+                    }
                 }
                 if let Some(strip) = shown.strips.first() {
                     let size = vec2(ui.available_width(), high);
@@ -255,7 +250,7 @@ impl PrismView {
 /// The bench; a hand turns the prism and moves its handles.
 fn drawn(ui: &mut Ui, context: &mut PageContext<'_>, shown: &PrismShown, size: Vec2) {
     let moved = bench::show(ui, shown.drawing.as_ref(), size, context.theme);
-    let memory = &mut context.memory.dispersion.prism;
+    let memory = &mut context.pages.prism;
     match moved {
         None => {}
         Some(Moved::Turned(by)) => memory.turn(shown.incidence_deg, by),

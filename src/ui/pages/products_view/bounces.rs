@@ -12,14 +12,14 @@ use crate::{
             bounces::{Bounced, TOLD, errors},
             resampling::{way_meaning, way_name},
         },
-        products::{BouncesMemory, ModelledLight},
+        products::ModelledLight,
         studies::{Stage, paper::delta_e},
         verdicts::HARD_TO_SEE,
     },
     study::Progress,
     ui::{
         kit::{Column, Row, headline, scrolled, table, titled},
-        pages::{PageContext, progress},
+        pages::{BouncesMemory, PageContext, progress},
     },
 };
 
@@ -45,7 +45,7 @@ impl BouncesView {
         ui.horizontal_wrapped(|ui| {
             surface_chooser(ui, context, names::SURFACE);
             ui.separator();
-            let memory = &mut context.memory.products.bounces;
+            let memory = &mut context.pages.bounces;
             ui.label("ΔE₀₀");
             ui.selectable_value(&mut memory.added, false, names::TOTAL)
                 .on_hover_text(
@@ -82,7 +82,7 @@ impl BouncesView {
         let Some(bounced) = job.result().cloned() else {
             return;
         };
-        let memory = context.memory.products.bounces;
+        let memory = context.pages.bounces;
         let key = (ByAddress(bounced.clone()), memory);
         let chart = &*self
             .chart

@@ -65,7 +65,7 @@ impl WaysView {
                 ui,
                 "How far known lamps and lines of their own width are ahead",
             );
-            ui.checkbox(&mut context.memory.race_strict, "count strictly")
+            ui.checkbox(&mut context.pages.race.strict, "count strictly")
                 .on_hover_text(
                     "Counts which lamp it is, and how wide a line is, as numbers of their own: a \
                      line takes three numbers, a known lamp two.",

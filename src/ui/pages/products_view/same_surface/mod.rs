@@ -80,7 +80,7 @@ impl SameSurfaceView {
             let chart = |compared: &Compared, what| same_surface_chart(app, sheet, compared, what);
             sides.map(|(compared, what)| Some(chart(compared.as_ref()?, what)))
         });
-        let everywhere = context.memory.products.same_surface.everywhere;
+        let everywhere = context.pages.same_surface.everywhere;
         if let Some(ask) = &sheet.ranking(app.document(), everywhere) {
             context.put(ask);
         }
@@ -147,7 +147,7 @@ fn example_row(ui: &mut Ui, context: &mut PageContext<'_>, of: &mut Option<Arc<E
         if chosen.is_some() {
             *of = chosen;
         }
-        let twice = &mut context.memory.products.same_surface.twice;
+        let twice = &mut context.pages.same_surface.twice;
         ui.checkbox(twice, names::TWICE).on_hover_text(
             "The light meets the surface twice, as in a corner: a single reflection should \
              then not explain it.",

@@ -43,8 +43,8 @@ pub(super) fn show(
     ui.horizontal_wrapped(|ui| {
         ui.label("Among");
         let meaning = "Which surfaces are tried: the patch set, or everything shipped.";
-        let everywhere = context.memory.products.same_surface.everywhere;
-        context.memory.products.same_surface.everywhere =
+        let everywhere = context.pages.same_surface.everywhere;
+        context.pages.same_surface.everywhere =
             among(ui, context, names::AMONG, meaning, everywhere);
         let job = context.studies.of::<RankAsk>();
         if job.stage() != Stage::Done {

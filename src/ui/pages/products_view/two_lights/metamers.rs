@@ -39,7 +39,7 @@ pub(super) fn made(
          and different under other lights.",
         sheet.lights[0]
     ));
-    let memory = &mut context.memory.products.two_lights;
+    let memory = &mut context.pages.two_lights;
     ui.horizontal_wrapped(|ui| {
         let choice = Choice {
             name: names::PATCH,
@@ -52,7 +52,7 @@ pub(super) fn made(
                 ui.selectable_value(&mut memory.patch, i, name);
             }
         });
-        let slider = Slider::new(&mut memory.room_percent, ROOM_PERCENT).suffix(" %");
+        let slider = knob::slider(&TwoLightsMemory::ROOM, memory);
         let slider = ui.add_enabled(made.is_ok(), slider);
         named(&slider, egui::Role::Slider, names::ROOM);
         slider.on_hover_text(
@@ -126,9 +126,8 @@ pub(super) fn found(
     ui.horizontal_wrapped(|ui| {
         ui.label("Among");
         let meaning = "Which surfaces are compared, each with each.";
-        let everywhere = context.memory.products.two_lights.everywhere;
-        context.memory.products.two_lights.everywhere =
-            among(ui, context, names::AMONG, meaning, everywhere);
+        let everywhere = context.pages.two_lights.everywhere;
+        context.pages.two_lights.everywhere = among(ui, context, names::AMONG, meaning, everywhere);
         let job = context.studies.of::<PairsAsk>();
         if job.stage() != Stage::Done {
             progress(ui, job, "The pairs");
@@ -182,7 +181,7 @@ pub(super) fn found(
         },
     );
     if let Some(pair) = clicked {
-        context.memory.products.two_lights.pair = pair;
+        context.pages.two_lights.pair = pair;
     }
     if let Some(chart) = &found.chart {
         ui.add_space(4.0);

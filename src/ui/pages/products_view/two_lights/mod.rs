@@ -84,7 +84,7 @@ impl TwoLightsView {
                 chart: two_lights_chart(app, sheet),
             }
         });
-        let memory = context.memory.products.two_lights;
+        let memory = context.pages.two_lights;
         let patch = memory.patch.min(sheet.names.len().saturating_sub(1));
         let room_percent = memory.room_percent;
         let made = (revision, patch, room_percent);
@@ -141,7 +141,7 @@ fn spectra(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Shown, height: f3
 fn pairs_ask(context: &PageContext<'_>) -> Option<PairsAsk> {
     let document = context.app.document();
     let other = document.products.other_light.clone()?;
-    let everywhere = context.memory.products.two_lights.everywhere;
+    let everywhere = context.pages.two_lights.everywhere;
     Some(PairsAsk {
         lights: [ByAddress(document.light.clone()), ByAddress(other)],
         band: document.settings.band,

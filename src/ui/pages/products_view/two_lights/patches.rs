@@ -80,12 +80,7 @@ fn fields(
     // Half a row more tells that there are more.
     let half = if rows > ROWS { 0.5 } else { 0.0 };
     let worst = exact.worst();
-    let chosen = context
-        .memory
-        .products
-        .two_lights
-        .patch
-        .min(count.max(1) - 1);
+    let chosen = context.pages.two_lights.patch.min(count.max(1) - 1);
     let mut clicked = None;
     ScrollArea::vertical()
         .id_salt("fields under two lights")
@@ -111,7 +106,7 @@ fn fields(
             }
         });
     if let Some(patch) = clicked {
-        context.memory.products.two_lights.patch = patch;
+        context.pages.two_lights.patch = patch;
     }
 }
 

@@ -1,0 +1,40 @@
+//! What the page "Auction" keeps.
+
+use serde::{Deserialize, Serialize};
+
+use super::{knob::Knob, look::SPENT, states::PageState};
+use crate::study::Goal;
+
+/// What is bought, and with how many numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct AuctionState {
+    /// What is to be made small.
+    pub goal: Goal,
+    /// Most numbers.
+    pub numbers: usize,
+}
+
+impl Default for AuctionState {
+    fn default() -> Self {
+        Self {
+            goal: Goal::PATCHES,
+            numbers: 41,
+        }
+    }
+}
+
+impl PageState for AuctionState {
+    const KNOBS: &'static [Knob<Self>] = &[Knob::new(
+        ("numbers", "Most numbers"),
+        "The most numbers that are bought.",
+        SPENT,
+        |auction| &mut auction.numbers,
+    )];
+
+    const NAMES: &'static [(&'static str, &'static str)] = &[("goal", "what is made small")];
+
+    fn settle(&mut self) {
+        self.goal = self.goal.clamped();
+    }
+}

@@ -1,0 +1,17 @@
+//! What the page "Dark lines" keeps.
+
+use serde::{Deserialize, Serialize};
+
+use super::states::PageState;
+
+/// What the absorption part remembers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct AbsorptionMemory {
+    /// The example that is shown.
+    pub example: usize,
+}
+
+impl PageState for AbsorptionMemory {
+    const NAMES: &'static [(&'static str, &'static str)] = &[("example", "the example")];
+}

@@ -1,0 +1,49 @@
+//! What the page "Known lamps" keeps.
+
+use serde::{Deserialize, Serialize};
+
+use super::{
+    knob::{Knob, Reach},
+    states::PageState,
+};
+use crate::lamps::NUMBERS;
+
+/// How a light is put into few words.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct WordsMemory {
+    /// Most numbers.
+    pub numbers: usize,
+    /// Without known lamps: whoever has the formula can decode the words.
+    pub portable: bool,
+    /// Whether a shipped lamp may be said to be itself.
+    pub itself: bool,
+    /// Whether Automatic may use known lamps.
+    pub automatic: bool,
+}
+
+impl Default for WordsMemory {
+    fn default() -> Self {
+        Self {
+            numbers: 20,
+            portable: false,
+            itself: false,
+            automatic: false,
+        }
+    }
+}
+
+impl PageState for WordsMemory {
+    const KNOBS: &'static [Knob<Self>] = &[Knob::new(
+        ("numbers", "Numbers"),
+        "The most numbers that the light may take.",
+        Reach::Within(NUMBERS[0] as f64, NUMBERS[1] as f64),
+        |words| &mut words.numbers,
+    )];
+
+    const NAMES: &'static [(&'static str, &'static str)] = &[
+        ("portable", "known lamps"),
+        ("itself", "lamps that are the light itself"),
+        ("automatic", "known lamps for Automatic"),
+    ];
+}
