@@ -2,8 +2,17 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{knob::Knob, look::SPENT, states::PageState};
+use super::{Page, Place, Row, knob::Knob, look::SPENT, row, states::PageState};
 use crate::study::Goal;
+
+pub(super) const ROW: Row = row(
+    Page::Auction,
+    Place::Numbers,
+    ("Auction", "auction"),
+    "spend",
+    "What to buy with the next numbers: an order, a spike or the lines' widths.",
+)
+.under(Page::Tradeoff);
 
 /// What is bought, and with how many numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -2,7 +2,16 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::states::PageState;
+use super::{Page, Place, Row, row, states::PageState};
+
+pub(super) const ROW: Row = row(
+    Page::Bounces,
+    Place::Numbers,
+    ("Bounces", "bounces"),
+    "filters",
+    "What the ways of forming products cost as bounces add up.",
+)
+.under(Page::Resampling);
 
 /// What the bounces remember.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -2,7 +2,16 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::states::PageState;
+use super::{Page, Place, Row, row, states::PageState};
+
+pub(super) const ROW: Row = row(
+    Page::Chain,
+    Place::Through,
+    ("Chain", "chain"),
+    "filters",
+    "The light through filters and off surfaces, exact beside model.",
+)
+.once(&["products"]);
 
 /// What the chain remembers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

@@ -2,7 +2,15 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::states::PageState;
+use super::{Page, Place, Row, row, states::PageState};
+
+pub(super) const ROW: Row = row(
+    Page::Chromaticity,
+    Place::Quality,
+    ("Chromaticity", "chromaticity"),
+    "quality",
+    "Where the light is among colours, whites and screens.",
+);
 
 /// What the diagram shows beside the light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -2,7 +2,16 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::states::PageState;
+use super::{Page, Place, Row, row, states::PageState};
+
+pub(super) const ROW: Row = row(
+    Page::Absorption,
+    Place::Look,
+    ("Dark lines", "dark-lines"),
+    "missing",
+    "Absorption lines kept as negative spikes, and their names.",
+)
+.once(&["absorption"]);
 
 /// What the absorption part remembers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

@@ -3,14 +3,24 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
+    Page, Place, Row,
     knob::{Knob, Reach},
     prism::{EXPOSED, STOPS},
+    row,
     states::PageState,
 };
 use crate::{
     app::dispersion::{Sent, Substance},
     optics::{Brilliant, BuiltinMaterial},
 };
+
+pub(super) const ROW: Row = row(
+    Page::Gem,
+    Place::Picture,
+    ("Gem", "gem"),
+    "prism",
+    "A cut gem under the light, traced ray by ray; under another light at once.",
+);
 
 /// Sides of the gem's picture, pixels.
 pub const SIZES_SHOWN: [usize; 4] = [240, 360, 480, 720];

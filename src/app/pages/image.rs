@@ -3,11 +3,21 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
+    Page, Place, Row,
     knob::{Knob, Reach},
     prism::EXPOSED,
+    row,
     states::PageState,
 };
 use crate::spectrum::{Cube, Rect};
+
+pub(super) const ROW: Row = row(
+    Page::Image,
+    Place::Picture,
+    ("Spectral image", "image"),
+    "recover",
+    "A spectral image: a pixel or a region's mean becomes a spectrum.",
+);
 
 /// How the bands of an image become colours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]

@@ -3,10 +3,20 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
+    Page, Place, Row,
     knob::{Knob, Reach},
+    row,
     states::PageState,
 };
 use crate::lamps::NUMBERS;
+
+pub(super) const ROW: Row = row(
+    Page::KnownLamps,
+    Place::Numbers,
+    ("Known lamps", "known-lamps"),
+    "spend",
+    "What the light is made of: lamps that are known, a short series, a few lines.",
+);
 
 /// How a light is put into few words.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -3,8 +3,17 @@
 use serde::{Deserialize, Serialize};
 
 use super::knob::{Knob, Reach};
-use super::states::PageState;
+use super::{Page, Place, Row, row, states::PageState};
 use crate::study::Goal;
+
+pub(super) const ROW: Row = row(
+    Page::Spectrum,
+    Place::Look,
+    ("Spectrum", "look"),
+    "waves",
+    "The spectrum, its model and surfaces under both.",
+)
+.once(&["spectrum"]);
 
 /// "Spend ... numbers for me".
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -3,11 +3,22 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
+    Page, Place, Row,
     knob::{Knob, Reach},
     race::FieldChoice,
+    row,
     states::PageState,
 };
 use crate::{app::verdicts::HARD_TO_SEE, study::Measure};
+
+pub(super) const ROW: Row = row(
+    Page::Many,
+    Place::Numbers,
+    ("Many lights", "many-lights"),
+    "spend",
+    "How many numbers most of your lights need: a set, or your folders.",
+)
+.under(Page::Tradeoff);
 
 /// What is asked of many lights.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

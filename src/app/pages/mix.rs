@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::states::PageState;
+use super::{Page, Place, Row, row, states::PageState};
 use crate::app::{
     design::{
         DeskSurfaces,
@@ -10,6 +10,14 @@ use crate::app::{
     },
     recipe::NameOf,
 };
+
+pub(super) const ROW: Row = row(
+    Page::Mix,
+    Place::Design,
+    ("Mix", "mix"),
+    "white",
+    "Mix lines, LEDs and lamps with faders and rate the mix.",
+);
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]

@@ -6,10 +6,12 @@ mod bounces;
 mod chain;
 mod chromaticity;
 mod dark_lines;
+mod from_colour;
 mod gem;
 mod image;
 pub mod knob;
 mod known_lamps;
+mod learn;
 mod look;
 mod many;
 mod mix;
@@ -17,11 +19,13 @@ mod narrow;
 mod page;
 mod place;
 mod prism;
+mod quality;
 mod race;
 mod rainbow;
 mod relit;
 mod resampling;
 mod same_surface;
+mod solve;
 pub mod states;
 mod tradeoff;
 mod two_lights;
@@ -183,231 +187,36 @@ impl Row {
     }
 }
 
-/// The pages, place by place.
+/// The pages, place by place: a row each, in the page's own file.
 const ROWS: &[Row] = &[
-    row(
-        Page::Lessons,
-        Place::Learn,
-        ("Lessons", "lessons"),
-        "",
-        "Short walks through the program: predict, do, see why.",
-    ),
-    row(
-        Page::Glossary,
-        Place::Learn,
-        ("Glossary", "glossary"),
-        "",
-        "What the words of this window mean.",
-    ),
-    row(
-        Page::Truth,
-        Place::Learn,
-        ("The paper checked", "truth"),
-        "",
-        "The paper's claims, measured on this spectrum and range.",
-    ),
-    row(
-        Page::Teachers,
-        Place::Learn,
-        ("For teachers", "teachers"),
-        "",
-        "What each lesson teaches, what to prepare, handouts, and how to write one.",
-    ),
-    row(
-        Page::Spectrum,
-        Place::Look,
-        ("Spectrum", "look"),
-        "waves",
-        "The spectrum, its model and surfaces under both.",
-    )
-    .once(&["spectrum"]),
-    row(
-        Page::Absorption,
-        Place::Look,
-        ("Dark lines", "dark-lines"),
-        "missing",
-        "Absorption lines kept as negative spikes, and their names.",
-    )
-    .once(&["absorption"]),
-    row(
-        Page::Chain,
-        Place::Through,
-        ("Chain", "chain"),
-        "filters",
-        "The light through filters and off surfaces, exact beside model.",
-    )
-    .once(&["products"]),
-    row(
-        Page::Narrow,
-        Place::Through,
-        ("One filter", "filter"),
-        "samples",
-        "A narrow band-pass moved over the light, at equal numbers.",
-    )
-    .once(&["narrow"]),
-    row(
-        Page::TwoLights,
-        Place::Through,
-        ("Two lights", "two-lights"),
-        "metamers",
-        "The same surfaces under two lights; metamers found and made.",
-    )
-    .once(&["lights"]),
-    row(
-        Page::SameSurface,
-        Place::Through,
-        ("Same surface?", "same-surface"),
-        "filters",
-        "Whether a spectrum is the light off a surface: S3 = S1 S2.",
-    )
-    .once(&["check"]),
-    row(
-        Page::Quality,
-        Place::Quality,
-        ("Figures", "quality"),
-        "quality",
-        "Every figure of light quality, measured beside model, and what it means.",
-    ),
-    row(
-        Page::Chromaticity,
-        Place::Quality,
-        ("Chromaticity", "chromaticity"),
-        "quality",
-        "Where the light is among colours, whites and screens.",
-    ),
-    row(
-        Page::Rendition,
-        Place::Quality,
-        ("Colours under it", "rendition"),
-        "quality",
-        "What the light does to colours: TM-30 and CRI, hue by hue.",
-    ),
-    row(
-        Page::QualityOrder,
-        Place::Quality,
-        ("Against order", "quality-order"),
-        "quality",
-        "How many numbers a model needs to give the light's own figures.",
-    ),
-    row(
-        Page::Mix,
-        Place::Design,
-        ("Mix", "mix"),
-        "white",
-        "Mix lines, LEDs and lamps with faders and rate the mix.",
-    ),
-    row(
-        Page::Solve,
-        Place::Design,
-        ("Solve", "solve"),
-        "white",
-        "Find fader settings for a colour, and the best that several searches find with free lines.",
-    ),
-    row(
-        Page::FromColour,
-        Place::Design,
-        ("From a colour", "from-colour"),
-        "recover",
-        "Which spectra have this colour?",
-    ),
-    row(
-        Page::Coefficients,
-        Place::Numbers,
-        ("Why few suffice", "why"),
-        "colour",
-        "Why few numbers carry colour: the coefficients of the light beside those of the eye.",
-    )
-    .once(&["coefficients"]),
-    row(
-        Page::Tradeoff,
-        Place::Numbers,
-        ("Trade-off", "tradeoff"),
-        "spend",
-        "Error against numbers: every order, with and without spikes.",
-    )
-    .among_modes("Curve"),
-    row(
-        Page::Many,
-        Place::Numbers,
-        ("Many lights", "many-lights"),
-        "spend",
-        "How many numbers most of your lights need: a set, or your folders.",
-    )
-    .under(Page::Tradeoff),
-    row(
-        Page::Auction,
-        Place::Numbers,
-        ("Auction", "auction"),
-        "spend",
-        "What to buy with the next numbers: an order, a spike or the lines' widths.",
-    )
-    .under(Page::Tradeoff),
-    row(
-        Page::Race,
-        Place::Numbers,
-        ("Race", "race"),
-        "samples",
-        "The composite against other representations, at equal numbers.",
-    ),
-    row(
-        Page::KnownLamps,
-        Place::Numbers,
-        ("Known lamps", "known-lamps"),
-        "spend",
-        "What the light is made of: lamps that are known, a short series, a few lines.",
-    ),
-    row(
-        Page::Resampling,
-        Place::Numbers,
-        ("Products in few numbers", "resampling"),
-        "filters",
-        "One product formed on few points, by convolution and at every nm.",
-    )
-    .once(&["forming"])
-    .among_modes("Ways"),
-    row(
-        Page::Bounces,
-        Place::Numbers,
-        ("Bounces", "bounces"),
-        "filters",
-        "What the ways of forming products cost as bounces add up.",
-    )
-    .under(Page::Resampling),
-    row(
-        Page::Image,
-        Place::Picture,
-        ("Spectral image", "image"),
-        "recover",
-        "A spectral image: a pixel or a region's mean becomes a spectrum.",
-    ),
-    row(
-        Page::Prism,
-        Place::Picture,
-        ("Prism and rainbow", "prism"),
-        "prism",
-        "The light through a prism: every line one exact ray, the rest a smooth band.",
-    )
-    .among_modes("Prism"),
-    row(
-        Page::Rainbow,
-        Place::Picture,
-        ("Rainbow", "rainbow"),
-        "prism",
-        "The light in drops of water: both bows, every line a stripe of its own.",
-    )
-    .under(Page::Prism),
-    row(
-        Page::Gem,
-        Place::Picture,
-        ("Gem", "gem"),
-        "prism",
-        "A cut gem under the light, traced ray by ray; under another light at once.",
-    ),
-    row(
-        Page::Relit,
-        Place::Picture,
-        ("In few numbers, relit", "relit"),
-        "recover",
-        "A spectral image in few numbers a pixel, and how it looks under any light.",
-    ),
+    learn::LESSONS,
+    learn::GLOSSARY,
+    learn::TRUTH,
+    learn::TEACHERS,
+    look::ROW,
+    dark_lines::ROW,
+    chain::ROW,
+    narrow::ROW,
+    two_lights::ROW,
+    same_surface::ROW,
+    quality::QUALITY,
+    chromaticity::ROW,
+    quality::RENDITION,
+    quality::QUALITY_ORDER,
+    mix::ROW,
+    solve::ROW,
+    from_colour::ROW,
+    why::ROW,
+    tradeoff::ROW,
+    many::ROW,
+    auction::ROW,
+    race::ROW,
+    known_lamps::ROW,
+    resampling::ROW,
+    bounces::ROW,
+    image::ROW,
+    prism::ROW,
+    rainbow::ROW,
+    gem::ROW,
+    relit::ROW,
 ];

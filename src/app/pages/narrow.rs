@@ -3,9 +3,20 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
+    Page, Place, Row,
     knob::{Knob, Reach},
+    row,
     states::PageState,
 };
+
+pub(super) const ROW: Row = row(
+    Page::Narrow,
+    Place::Through,
+    ("One filter", "filter"),
+    "samples",
+    "A narrow band-pass moved over the light, at equal numbers.",
+)
+.once(&["narrow"]);
 
 /// What the narrow band-pass remembers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -3,13 +3,24 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
+    Page, Place, Row,
     knob::{Knob, Reach},
+    row,
     states::PageState,
 };
 use crate::{
     app::dispersion::{Sent, Substance},
     optics::{BuiltinMaterial, SEEN_NM},
 };
+
+pub(super) const ROW: Row = row(
+    Page::Prism,
+    Place::Picture,
+    ("Prism and rainbow", "prism"),
+    "prism",
+    "The light through a prism: every line one exact ray, the rest a smooth band.",
+)
+.among_modes("Prism");
 
 /// Exposures, stops.
 pub const STOPS: Reach = Reach::Within(-6.0, 6.0);

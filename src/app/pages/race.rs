@@ -3,10 +3,20 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
+    Page, Place, Row,
     knob::{Knob, Reach},
+    row,
     states::PageState,
 };
 use crate::study::Measure;
+
+pub(super) const ROW: Row = row(
+    Page::Race,
+    Place::Numbers,
+    ("Race", "race"),
+    "samples",
+    "The composite against other representations, at equal numbers.",
+);
 
 /// Who races, and what decides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -3,11 +3,22 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
+    Page, Place, Row,
     knob::{Knob, Reach},
     prism::{Beside, EXPOSED, STOPS},
+    row,
     states::PageState,
 };
 use crate::app::dispersion::Sent;
+
+pub(super) const ROW: Row = row(
+    Page::Rainbow,
+    Place::Picture,
+    ("Rainbow", "rainbow"),
+    "prism",
+    "The light in drops of water: both bows, every line a stripe of its own.",
+)
+.under(Page::Prism);
 
 /// The rainbow's page.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -3,10 +3,20 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
+    Page, Place, Row,
     knob::{Knob, Reach},
+    row,
     states::PageState,
 };
 use crate::pictures::{BOUND_P95, MOST_NUMBERS, Wish, WishedLines};
+
+pub(super) const ROW: Row = row(
+    Page::Relit,
+    Place::Picture,
+    ("In few numbers, relit", "relit"),
+    "recover",
+    "A spectral image in few numbers a pixel, and how it looks under any light.",
+);
 
 /// What stands large on the page.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

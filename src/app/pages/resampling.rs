@@ -2,8 +2,18 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::states::PageState;
+use super::{Page, Place, Row, row, states::PageState};
 use crate::spectrum::Sampling;
+
+pub(super) const ROW: Row = row(
+    Page::Resampling,
+    Place::Numbers,
+    ("Products in few numbers", "resampling"),
+    "filters",
+    "One product formed on few points, by convolution and at every nm.",
+)
+.once(&["forming"])
+.among_modes("Ways");
 
 /// What the resampling bench remembers.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

@@ -2,7 +2,16 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::states::PageState;
+use super::{Page, Place, Row, row, states::PageState};
+
+pub(super) const ROW: Row = row(
+    Page::SameSurface,
+    Place::Through,
+    ("Same surface?", "same-surface"),
+    "filters",
+    "Whether a spectrum is the light off a surface: S3 = S1 S2.",
+)
+.once(&["check"]);
 
 /// What the check remembers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -2,8 +2,17 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::states::PageState;
+use super::{Page, Place, Row, row, states::PageState};
 use crate::study::Measure;
+
+pub(super) const ROW: Row = row(
+    Page::Tradeoff,
+    Place::Numbers,
+    ("Trade-off", "tradeoff"),
+    "spend",
+    "Error against numbers: every order, with and without spikes.",
+)
+.among_modes("Curve");
 
 /// The curve's axis and its lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -3,9 +3,20 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
+    Page, Place, Row,
     knob::{Knob, Reach},
+    row,
     states::PageState,
 };
+
+pub(super) const ROW: Row = row(
+    Page::TwoLights,
+    Place::Through,
+    ("Two lights", "two-lights"),
+    "metamers",
+    "The same surfaces under two lights; metamers found and made.",
+)
+.once(&["lights"]);
 
 /// What the comparison of two lights remembers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

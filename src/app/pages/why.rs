@@ -3,7 +3,16 @@
 use serde::{Deserialize, Serialize};
 
 use super::knob::{Knob, Reach};
-use super::states::PageState;
+use super::{Page, Place, Row, row, states::PageState};
+
+pub(super) const ROW: Row = row(
+    Page::Coefficients,
+    Place::Numbers,
+    ("Why few suffice", "why"),
+    "colour",
+    "Why few numbers carry colour: the coefficients of the light beside those of the eye.",
+)
+.once(&["coefficients"]);
 
 /// The partial sum and the bars.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
