@@ -49,7 +49,10 @@ fn every_change() -> Vec<(String, PageStates)> {
                 (pages != PageStates::default()).then_some(pages)
             });
             let place = format!("{page}.{key}");
-            all.push((place.clone(), changed.unwrap_or_else(|| panic!("{place} is never another"))));
+            all.push((
+                place.clone(),
+                changed.unwrap_or_else(|| panic!("{place} is never another")),
+            ));
         }
     }
     all
@@ -64,7 +67,10 @@ fn whatever_is_set_on_a_page_is_undone_and_done_again_in_words_of_its_own() {
         app.edit_pages(|now| *now = pages.clone());
         assert_eq!(app.document().pages, pages, "{place}");
         let words = app.undo_words().expect("a step");
-        assert!(!words.is_empty() && !words.contains('_') && words != "a change", "{place}: {words}");
+        assert!(
+            !words.is_empty() && !words.contains('_') && words != "a change",
+            "{place}: {words}"
+        );
         app.apply(Command::Undo);
         assert_eq!(app.document().pages, PageStates::default(), "{place}");
         app.apply(Command::Redo);
@@ -125,11 +131,19 @@ fn a_damaged_field_of_a_page_costs_itself_alone() {
     };
     assert_eq!(restored.document.pages, expected);
     assert_eq!(restored.losses.len(), 1, "{:?}", restored.losses);
-    assert!(restored.losses[0].contains("pages.filter.width_nm"), "{:?}", restored.losses);
+    assert!(
+        restored.losses[0].contains("pages.filter.width_nm"),
+        "{:?}",
+        restored.losses
+    );
     // A number out of its range is the nearest that is allowed, and said.
     let restored = with_pages(|pages| pages["prism"]["apex_deg"] = json!(1e9));
     assert_eq!(restored.document.pages.prism.apex_deg, 90.0);
-    assert!(restored.losses[0].contains("pages.prism.apex_deg"), "{:?}", restored.losses);
+    assert!(
+        restored.losses[0].contains("pages.prism.apex_deg"),
+        "{:?}",
+        restored.losses
+    );
 }
 
 #[test]
@@ -144,7 +158,10 @@ fn pages_and_fields_of_another_version_go_back_as_they_came() {
     app.edit_pages(|pages| pages.gem.turn_deg = -30.0);
     let text = workspace::to_json(app.document(), None).expect("text");
     let whole: Value = serde_json::from_str(&text).expect("JSON");
-    assert_eq!(whole["pages"]["hologram"], json!({"depth": 3, "of": ["a", "b"]}));
+    assert_eq!(
+        whole["pages"]["hologram"],
+        json!({"depth": 3, "of": ["a", "b"]})
+    );
     assert_eq!(whole["pages"]["gem"]["facets"], json!([1, {"two": 2}]));
     assert_eq!(whole["pages"]["gem"]["turn_deg"], json!(-30.0));
 }
@@ -156,7 +173,10 @@ fn a_knob_that_is_held_is_one_step_and_what_follows_by_itself_is_none() {
         app.edit_pages(|pages| pages.prism.apex_deg = apex);
     }
     app.end_gesture();
-    assert_eq!(app.undo_words().as_deref(), Some("Apex angle 60 to 40\u{b0}"));
+    assert_eq!(
+        app.undo_words().as_deref(),
+        Some("Apex angle 60 to 40\u{b0}")
+    );
     app.pages_follow(|pages| pages.why.partial_order = 9);
     app.apply(Command::Undo);
     assert_eq!(app.document().pages, PageStates::default());

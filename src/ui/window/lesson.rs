@@ -8,6 +8,7 @@ use egui::{Context, Key, Margin, Modifiers, Panel, Rect, Ui};
 use super::{
     super::{
         lesson_view::Wish,
+        pages::LessonsView,
         pointing,
         theme::{Theme, Wake, waker},
     },
@@ -50,7 +51,7 @@ impl Window {
     pub(super) fn lesson_goes_on(&mut self, context: &Context) {
         self.read_own_lessons();
         if let Some(asked) = self.preferences.lesson_asked.take()
-            && let Some(lesson) = self.pages.lessons.find(&asked.name)
+            && let Some(lesson) = self.pages.of::<LessonsView>().find(&asked.name)
         {
             self.leave_lesson();
             let page = &mut self.preferences.page;
@@ -88,7 +89,7 @@ impl Window {
         let was = std::mem::replace(&mut self.lists_lessons, in_sight);
         let comes = in_sight && !was;
         if let Some(folder) = self.lessons_folder.as_ref().filter(|_| comes) {
-            self.pages.lessons.read_folder(folder);
+            self.pages.of::<LessonsView>().read_folder(folder);
         }
     }
 
@@ -244,7 +245,7 @@ impl Window {
                 {
                     self.app.say(Tone::Problem, why);
                 }
-                self.pages.lessons.take(lesson);
+                self.pages.of::<LessonsView>().take(lesson);
                 self.preferences.page = Page::Lessons;
             }
             Err(why) => self.app.say(Tone::Problem, why),

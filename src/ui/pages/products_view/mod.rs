@@ -17,18 +17,6 @@ use crate::{
     ui::kit::{Choice, Chooser, factors},
 };
 
-/// What the pages keep from frame to frame.
-#[derive(Default)]
-pub struct ProductsView {
-    pub chain: chain::ChainView,
-    pub resampling: resampling::ResamplingView,
-    pub bounces: bounces::BouncesView,
-    pub narrow: narrow::NarrowView,
-    pub two_lights: two_lights::TwoLightsView,
-    pub same_surface: same_surface::SameSurfaceView,
-    pub absorption: absorption::AbsorptionView,
-}
-
 /// Changes what the page has chosen from the library.
 fn change(context: &mut PageContext<'_>, change: impl FnOnce(&mut Products)) {
     let mut products = context.app.document().products.clone();
