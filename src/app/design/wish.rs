@@ -73,7 +73,7 @@ impl PageState for MixWish {
     const KNOBS: &'static [Knob<Self>] = &[
         Self::KELVIN,
         Self::DUV,
-        Knob::new(
+        Knob::<Self>::new(
             ("lines", "Lines of the front"),
             "Lines at free places.",
             Reach::Within(*FREE_LINES.start() as f64, *FREE_LINES.end() as f64),
@@ -108,14 +108,14 @@ impl PageState for MixWish {
 }
 
 impl MixWish {
-    pub const KELVIN: Knob<Self> = Knob::new(
+    pub const KELVIN: Knob<Self> = Knob::<Self>::new(
         ("kelvin", "Temperature"),
         "The correlated colour temperature.",
         Reach::Within(1000.0, 25_000.0),
         |wish| &mut wish.kelvin,
     )
     .shown(0, " K");
-    pub const DUV: Knob<Self> = Knob::new(
+    pub const DUV: Knob<Self> = Knob::<Self>::new(
         ("duv", "Duv"),
         "The distance from the blackbodies.",
         Reach::Within(-0.05, 0.05),

@@ -221,10 +221,10 @@ impl Run {
         let goes_on = step == self.step + 1
             && self.lesson.steps[step].stage.is_none()
             && self.is_told()
-            && self.step().holds(&Scene { app, page });
+            && self.step().holds(&Scene { app, page: *page });
         self.step = step;
         if goes_on {
-            self.begin(app, page);
+            self.begin(app, *page);
         } else {
             self.set_stage(app, page);
         }
@@ -247,7 +247,7 @@ impl Run {
             }
             self.trouble = set.err();
         }
-        self.begin(app, page);
+        self.begin(app, *page);
     }
 
     /// Says what the step says, with the figures of now.

@@ -34,7 +34,7 @@ impl Default for AuctionState {
 }
 
 impl PageState for AuctionState {
-    const KNOBS: &'static [Knob<Self>] = &[Knob::new(
+    const KNOBS: &'static [Knob<Self>] = &[Knob::<Self>::new(
         ("numbers", "Most numbers"),
         "The most numbers that are bought.",
         SPENT,

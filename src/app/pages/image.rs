@@ -111,19 +111,19 @@ const BAND_NM: Reach = Reach::Within(100.0, 100_000.0);
 
 impl PageState for ImageMemory {
     const KNOBS: &'static [Knob<Self>] = &[
-        Knob::new(("three_nm", "Red"), BANDS, BAND_NM, |image| {
+        Knob::<Self>::new(("three_nm", "Red"), BANDS, BAND_NM, |image| {
             &mut image.three_nm[0]
         })
         .shown(1, " nm"),
-        Knob::new(("three_nm", "Green"), BANDS, BAND_NM, |image| {
+        Knob::<Self>::new(("three_nm", "Green"), BANDS, BAND_NM, |image| {
             &mut image.three_nm[1]
         })
         .shown(1, " nm"),
-        Knob::new(("three_nm", "Blue"), BANDS, BAND_NM, |image| {
+        Knob::<Self>::new(("three_nm", "Blue"), BANDS, BAND_NM, |image| {
             &mut image.three_nm[2]
         })
         .shown(1, " nm"),
-        Knob::new(("one_nm", "Band"), BANDS, BAND_NM, |image| {
+        Knob::<Self>::new(("one_nm", "Band"), BANDS, BAND_NM, |image| {
             &mut image.one_nm
         })
         .shown(1, " nm"),
@@ -141,7 +141,7 @@ impl PageState for ImageMemory {
 const BANDS: &str = "The nearest band is shown.";
 
 impl ImageMemory {
-    pub const EXPOSURE: Knob<Self> = Knob::new(
+    pub const EXPOSURE: Knob<Self> = Knob::<Self>::new(
         ("stops", "Exposure"),
         EXPOSED,
         Reach::Within(-8.0, 8.0),

@@ -44,7 +44,7 @@ impl Default for WordsMemory {
 }
 
 impl PageState for WordsMemory {
-    const KNOBS: &'static [Knob<Self>] = &[Knob::new(
+    const KNOBS: &'static [Knob<Self>] = &[Knob::<Self>::new(
         ("numbers", "Numbers"),
         "The most numbers that the light may take.",
         Reach::Within(NUMBERS[0] as f64, NUMBERS[1] as f64),

@@ -40,7 +40,7 @@ pub const SPENDABLE: std::ops::RangeInclusive<usize> = 1..=101;
 pub(super) const SPENT: Reach = Reach::Within(*SPENDABLE.start() as f64, *SPENDABLE.end() as f64);
 
 impl PageState for LookState {
-    const KNOBS: &'static [Knob<Self>] = &[Knob::new(
+    const KNOBS: &'static [Knob<Self>] = &[Knob::<Self>::new(
         ("numbers", "Numbers to spend"),
         "The most numbers that Automatic may take.",
         SPENT,

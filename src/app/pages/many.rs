@@ -57,14 +57,14 @@ impl ManyMemory {
 }
 
 impl ManyMemory {
-    pub const SHARE: Knob<Self> = Knob::new(
+    pub const SHARE: Knob<Self> = Knob::<Self>::new(
         ("share_percent", "Share of the lights"),
         "The part of the lights that are to keep the limit.",
         Reach::Within(1.0, 100.0),
         |many| &mut many.share_percent,
     )
     .shown(0, " %");
-    pub const LIMIT: Knob<Self> = Knob::new(
+    pub const LIMIT: Knob<Self> = Knob::<Self>::new(
         ("limit", "Limit"),
         "The most that the error may be.",
         Reach::Within(0.01, 100.0),

@@ -44,7 +44,7 @@ pub use known_lamps::WordsMemory;
 pub use look::{LookState, SPENDABLE};
 pub use many::ManyMemory;
 pub use mix::MixState;
-pub use narrow::NarrowMemory;
+pub use narrow::{NarrowMemory, PASS_WIDTHS_NM};
 pub use place::Place;
 pub use prism::{Beside, Handle, PrismMemory, STOPS};
 pub use race::{FieldChoice, RACE_BUDGETS, RaceState};

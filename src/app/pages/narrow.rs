@@ -47,7 +47,7 @@ impl Default for NarrowMemory {
 pub const PASS_WIDTHS_NM: [f64; 2] = [2.0, 100.0];
 
 impl NarrowMemory {
-    pub const WIDTH: Knob<Self> = Knob::new(
+    pub const WIDTH: Knob<Self> = Knob::<Self>::new(
         ("width_nm", "Width"),
         "The full width of the band-pass at half its maximum.",
         Reach::Within(PASS_WIDTHS_NM[0], PASS_WIDTHS_NM[1]),
@@ -58,7 +58,7 @@ impl NarrowMemory {
 
 impl PageState for NarrowMemory {
     const KNOBS: &'static [Knob<Self>] = &[
-        Knob::new(
+        Knob::<Self>::new(
             ("centre_nm", "Centre"),
             "The wavelength in the middle of the band-pass.",
             Reach::Within(200.0, 20_000.0),

@@ -109,45 +109,46 @@ impl Handle {
 }
 
 impl PrismMemory {
-    pub const APEX: Knob<Self> = Knob::new(
+    pub const APEX: Knob<Self> = Knob::<Self>::new(
         ("apex_deg", "Apex angle"),
         "The angle between the two faces that the light goes through.",
         Reach::Within(5.0, 90.0),
         |prism| &mut prism.apex_deg,
     )
     .shown(1, "\u{b0}");
-    pub const MINIMUM: Knob<Self> = Knob::new(
+    pub const MINIMUM: Knob<Self> = Knob::<Self>::new(
         ("minimum_nm", "Least deviation for"),
         "The wavelength that is bent least.",
         Reach::Within(SEEN_NM[0], SEEN_NM[1]),
         |prism| &mut prism.minimum_nm,
     )
     .shown(1, " nm");
-    pub const INCIDENCE: Knob<Self> = Knob::new(
+    pub const INCIDENCE: Knob<Self> = Knob::<Self>::new(
         ("incidence_deg", "Light meets it at"),
         "Angle between the light and the normal of the first face.",
         Reach::Within(-20.0, 89.0),
         |prism| &mut prism.incidence_deg,
     )
     .shown(1, "\u{b0}");
-    pub const SLIT: Knob<Self> = Knob::new(
+    pub const SLIT: Knob<Self> = Knob::<Self>::new(
         ("slit_mm", "Slit"),
         "Width of the beam. Wide, lines run together and the middle turns white.",
         Reach::Within(0.02, 30.0),
         |prism| &mut prism.slit_mm,
     )
     .shown(2, " mm");
-    pub const SCREEN: Knob<Self> = Knob::new(
+    pub const SCREEN: Knob<Self> = Knob::<Self>::new(
         ("screen_mm", "Screen"),
         "From the prism to the screen.",
         Reach::Within(50.0, 2000.0),
         |prism| &mut prism.screen_mm,
     )
     .shown(0, " mm");
-    const EXPOSURE: Knob<Self> = Knob::new(("stops", "Exposure"), EXPOSED, STOPS, |prism| {
-        &mut prism.stops
-    })
-    .shown(1, " stops");
+    const EXPOSURE: Knob<Self> =
+        Knob::<Self>::new(("stops", "Exposure"), EXPOSED, STOPS, |prism| {
+            &mut prism.stops
+        })
+        .shown(1, " stops");
 
     /// A hand moved a handle: degrees of the apex, mm of the others, as far as the sliders reach.
     pub fn set(&mut self, handle: Handle, value: f64) {

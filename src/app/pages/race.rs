@@ -47,7 +47,7 @@ impl Default for RaceState {
 pub const RACE_BUDGETS: [usize; 7] = [8, 11, 15, 20, 25, 31, 41];
 
 impl PageState for RaceState {
-    const KNOBS: &'static [Knob<Self>] = &[Knob::new(
+    const KNOBS: &'static [Knob<Self>] = &[Knob::<Self>::new(
         ("numbers", "Numbers"),
         "The count of numbers that every representation may take.",
         Reach::OneOf(&[8.0, 11.0, 15.0, 20.0, 25.0, 31.0, 41.0]),

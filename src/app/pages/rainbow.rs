@@ -42,7 +42,7 @@ pub struct RainbowMemory {
 const BOW_IMPACTS: [f64; 2] = [0.86, 0.95];
 
 impl RainbowMemory {
-    pub const IMPACT: Knob<Self> = Knob::new(
+    pub const IMPACT: Knob<Self> = Knob::<Self>::new(
         ("impact", "Rays meet the drop at"),
         "How far off its middle the coloured rays meet the drop; where the thin rays crowd \
          together they make the bow.",
@@ -50,10 +50,11 @@ impl RainbowMemory {
         |rainbow| &mut rainbow.impact,
     )
     .shown(3, " radii");
-    const EXPOSURE: Knob<Self> = Knob::new(("stops", "Exposure"), EXPOSED, STOPS, |rainbow| {
-        &mut rainbow.stops
-    })
-    .shown(1, " stops");
+    const EXPOSURE: Knob<Self> =
+        Knob::<Self>::new(("stops", "Exposure"), EXPOSED, STOPS, |rainbow| {
+            &mut rainbow.stops
+        })
+        .shown(1, " stops");
 
     /// Draws the rays of one of the two bows, from where they meet the drop.
     pub fn look_at(&mut self, twice: bool) {

@@ -120,7 +120,7 @@ impl Default for RelitMemory {
 }
 
 impl RelitMemory {
-    pub const BOUND: Knob<Self> = Knob::new(
+    pub const BOUND: Knob<Self> = Knob::<Self>::new(
         ("bound", "Enough"),
         "95 % of the differences are within it.",
         Reach::Within(0.05, 5.0),
@@ -132,14 +132,14 @@ impl RelitMemory {
 impl PageState for RelitMemory {
     const KNOBS: &'static [Knob<Self>] = &[
         Self::BOUND,
-        Knob::new(
+        Knob::<Self>::new(
             ("second_percent", "Share of the second light"),
             "How much of the brightness is the second light's.",
             Reach::Within(0.0, 100.0),
             |relit| &mut relit.second_percent,
         )
         .shown(0, " %"),
-        Knob::new(
+        Knob::<Self>::new(
             ("split", "Line between the halves"),
             "Every band left of it, few numbers right of it.",
             Reach::Within(0.0, 1.0),

@@ -44,7 +44,7 @@ impl Default for TwoLightsMemory {
 }
 
 impl TwoLightsMemory {
-    pub const ROOM: Knob<Self> = Knob::new(
+    pub const ROOM: Knob<Self> = Knob::<Self>::new(
         ("room_percent", "Part of the room"),
         "The part of the room up to 0 and 1 that the metameric black takes.",
         Reach::Within(-100.0, 100.0),

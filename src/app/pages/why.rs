@@ -35,13 +35,13 @@ impl Default for WhyState {
 
 impl PageState for WhyState {
     const KNOBS: &'static [Knob<Self>] = &[
-        Knob::new(
+        Knob::<Self>::new(
             ("partial_order", "Sum up to N"),
             "The order up to which the terms are summed.",
             Reach::Within(0.0, 100.0),
             |why| &mut why.partial_order,
         ),
-        Knob::new(
+        Knob::<Self>::new(
             ("channel", "Bars of"),
             "The colour-matching function whose terms are drawn: 0 for X, 1 for Y, 2 for Z.",
             Reach::Within(0.0, 2.0),

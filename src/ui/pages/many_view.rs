@@ -1,7 +1,7 @@
 //! The page "Many lights": which order is enough for how many lights of a set or a folder.
 
 use eframe::egui;
-use egui::{DragValue, Ui, vec2};
+use egui::{Ui, vec2};
 
 use super::{
     PageContext, progress,
@@ -17,7 +17,7 @@ use crate::{
         studies::{ManyAsk, Stage},
     },
     study::{ManyLights, Measure},
-    ui::kit::{Choice, Column, Row, headline, number, scrolled, table, titled},
+    ui::kit::{Choice, Column, Row, headline, knob, number, scrolled, table, titled},
 };
 
 /// Names of controls, shared with the tests that move them.

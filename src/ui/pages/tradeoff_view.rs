@@ -146,7 +146,6 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, measure: Measure) {
         show(ui, &mut ways.plain, "plain", "Plain least squares.");
         let meaning = "Least squares under the condition that X, Y and Z are exact.";
         show(ui, &mut ways.colour_exact, "colour-exact", meaning);
-        *ways = ways.clamped();
     });
 }
 

@@ -7,7 +7,6 @@ use super::{
     super::{
         batch_view,
         kit::{named, pressed_small},
-        pages::begin,
         theme::Theme,
     },
     WATCH_EVERY, Window,

@@ -7,14 +7,13 @@ use super::{Shown, canvas::Canvas, names};
 use crate::{
     app::{
         Command, ImageEntry,
-        pages::Page,
-        pages::{ImageMemory, Show, Spread},
+        pages::{ImageMemory, Page, Show, Spread},
         ticks::short,
     },
     color::Srgb,
     io::budget,
     ui::{
-        kit::{Choice, adapt_box, pressed, pressed_if, pressed_small, sign_button},
+        kit::{Choice, adapt_box, knob, pressed, pressed_if, pressed_small, sign_button},
         pages::PageContext,
     },
 };

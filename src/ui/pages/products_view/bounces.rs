@@ -12,6 +12,7 @@ use crate::{
             bounces::{Bounced, TOLD, errors},
             resampling::{way_meaning, way_name},
         },
+        pages::BouncesMemory,
         products::ModelledLight,
         studies::{Stage, paper::delta_e},
         verdicts::HARD_TO_SEE,
@@ -19,7 +20,7 @@ use crate::{
     study::Progress,
     ui::{
         kit::{Column, Row, headline, scrolled, table, titled},
-        pages::{BouncesMemory, PageContext, progress},
+        pages::{PageContext, progress},
     },
 };
 

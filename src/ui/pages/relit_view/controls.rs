@@ -6,6 +6,7 @@ use egui::{Button, RichText, TextWrapMode, Ui, containers::menu::MenuButton};
 use crate::{
     app::{
         App, ByAddress, Command,
+        pages::{Look, RelitMemory},
         picture::shown,
         relit::{Fit, Form, LookAsk, Looked, PictureWish, RelitShown, fewer},
     },

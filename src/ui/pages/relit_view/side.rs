@@ -8,12 +8,13 @@ use super::{RelitView, kept, names};
 use crate::{
     app::{
         charts::relit::{difference_chart, error_chart, pixel_chart},
+        pages::Look,
         relit::{RelitShown, StoreAsk, byte_rows, negative_words},
         studies::Stage,
     },
     ui::{
         kit::{self, Column, Row, table},
-        pages::{Look, PageContext, progress},
+        pages::{PageContext, progress},
     },
 };
 

@@ -1,22 +1,20 @@
 //! Metamers: one made for the chosen patch, and those found in the library.
 
 use eframe::egui;
-use egui::{Button, RichText, Slider, Ui, vec2};
+use egui::{Button, RichText, Ui, vec2};
 
 use super::{super::among, names};
 use crate::{
     app::{
         Command, MadeFor, Recipe,
         charts::products::two_lights::{Found, MadeShown},
-        products::{
-            ROOM_PERCENT,
-            two_lights::{NoMetamer, TwoLightsSheet, pairs_csv},
-        },
+        pages::TwoLightsMemory,
+        products::two_lights::{NoMetamer, TwoLightsSheet, pairs_csv},
         studies::{Pairs, PairsAsk, Stage},
     },
     study::products::{MATCH_DELTA_E, MetamericPair},
     ui::{
-        kit::{Choice, Column, Row, Table, copy_button, named},
+        kit::{Choice, Column, Row, Table, copy_button, knob, named},
         pages::{PageContext, progress},
         swatch,
     },
