@@ -9,7 +9,7 @@ use super::{
     },
     opened::ImageEntry,
     product_report::Told,
-    products::{same_surface::SameSurfaceSheet, two_lights::TwoLightsSheet},
+    products::two_lights::TwoLightsSheet,
     state::App,
     studies::paper::{Row, Verdict, delta_e, percent},
     ticks::short,
@@ -18,7 +18,6 @@ use super::{
 use crate::{
     io::many::{many, numbers},
     spectrum::Sampling,
-    study::products::Sameness,
 };
 
 /// How many dark lines were found, and how many of them have a name.
@@ -116,24 +115,6 @@ pub fn two_lights(sheet: &TwoLightsSheet) -> String {
             exact.patches[worst].delta_e_2000
         ),
         _ => "There are no patches to compare.".to_owned(),
-    }
-}
-
-/// Whether a spectrum can be the light off a surface.
-pub fn same_surface(sheet: &SameSurfaceSheet) -> String {
-    let [light, surface, outgoing] = &sheet.names;
-    match sheet.verdict() {
-        Sameness::Holds => format!("{outgoing} can be {light} off {surface}."),
-        Sameness::DoesNotHold => format!("{outgoing} is not {light} off {surface}."),
-        Sameness::Unknown if sheet.model.is_none() => {
-            "One of the spectra is dark on this range.".to_owned()
-        }
-        Sameness::Unknown => format!(
-            "The models are too short to tell: behind 10 nm they leave out {:.1} % of S1 and \
-             {:.1} % of S3 themselves. More numbers may decide.",
-            100.0 * sheet.left_out[0],
-            100.0 * sheet.left_out[1]
-        ),
     }
 }
 

@@ -13,15 +13,14 @@ use spectral_explorer::{
     app::{
         App, ByAddress, Command, MadeFor, Settings,
         chart::Chart,
-        charts::products::{
-            same_surface::same_surface_chart,
-            two_lights::{made_chart, two_lights_chart},
-        },
+        charts::products::two_lights::{made_chart, two_lights_chart},
         open::resolve,
-        pages::Page,
+        pages::{
+            Page,
+            same_surface::{SameSurfaceSheet, example, same_surface_chart},
+        },
         products::{
             Products,
-            same_surface::{SameSurfaceSheet, example},
             two_lights::{Made, NoMetamer, TwoLightsSheet},
         },
         studies::{PairsAsk, Question},
@@ -35,7 +34,7 @@ use spectral_explorer::{
     },
     ui::{
         Window,
-        pages::products_view::{same_surface, two_lights},
+        pages::{products_view::two_lights, same_surface},
     },
 };
 

@@ -24,7 +24,7 @@ mod race;
 mod rainbow;
 mod relit;
 mod resampling;
-mod same_surface;
+pub mod same_surface;
 mod solve;
 pub mod states;
 mod tradeoff;

@@ -3,7 +3,6 @@
 mod known_lines;
 mod link_words;
 mod modelled_light;
-pub mod same_surface;
 pub mod two_lights;
 
 use std::sync::Arc;

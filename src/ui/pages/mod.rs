@@ -14,6 +14,7 @@ pub mod products_view;
 mod quality_view;
 mod race_view;
 pub mod relit_view;
+pub mod same_surface;
 mod tradeoff_view;
 pub mod truth_view;
 
@@ -30,11 +31,12 @@ use many_view::ManyView;
 use prism_view::PrismView;
 use products_view::{
     absorption::AbsorptionView, bounces::BouncesView, chain::ChainView, narrow::NarrowView,
-    resampling::ResamplingView, same_surface::SameSurfaceView, two_lights::TwoLightsView,
+    resampling::ResamplingView, two_lights::TwoLightsView,
 };
 use quality_view::QualityView;
 use race_view::RaceView;
 use relit_view::RelitView;
+use same_surface::SameSurfaceView;
 use tradeoff_view::TradeoffView;
 use truth_view::TruthView;
 

@@ -5,7 +5,6 @@ pub mod bounces;
 pub mod chain;
 pub mod narrow;
 pub mod resampling;
-pub mod same_surface;
 pub mod two_lights;
 
 use eframe::egui::Ui;
@@ -18,7 +17,7 @@ use crate::{
 };
 
 /// Changes what the page has chosen from the library.
-fn change(context: &mut PageContext<'_>, change: impl FnOnce(&mut Products)) {
+pub(super) fn change(context: &mut PageContext<'_>, change: impl FnOnce(&mut Products)) {
     let mut products = context.app.document().products.clone();
     change(&mut products);
     context.commands.push(Command::Products(products));
@@ -50,7 +49,7 @@ fn surface_chooser(ui: &mut Ui, context: &mut PageContext<'_>, name: &'static st
 }
 
 /// Where surfaces are looked for, the patch set or everything shipped; whether it is everything.
-fn among(
+pub(super) fn among(
     ui: &mut Ui,
     context: &PageContext<'_>,
     name: &str,

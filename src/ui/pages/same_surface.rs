@@ -1,28 +1,30 @@
-//! The part "Same surface?": is a spectrum the light off a surface?
-
-mod ranking;
+//! The page "Same surface?": is a spectrum the light off a surface?
 
 use std::sync::Arc;
 
 use eframe::egui;
 use egui::{Button, RichText, TextStyle, Ui, vec2};
 
-use super::change;
+use super::products_view::{among, change};
 use crate::{
     app::{
         ByAddress, Command, Entry, MadeFor, Memo,
         chart::Chart,
-        charts::products::same_surface::same_surface_chart,
-        headlines,
-        products::same_surface::{SameSurfaceSheet, example},
-        studies::Ranked,
+        pages::same_surface::{
+            RankAsk, Ranked, SameSurfaceSheet, example, ranking_csv, same_surface_chart,
+        },
+        studies::Stage,
         ticks::short,
     },
     io::many::numbers,
     study::products::{Compared, SAME_RESIDUAL, Sameness},
     ui::{
-        kit::{Chooser, Row, factors, framed, headline, lights, scrolled, two_columns},
-        pages::PageContext,
+        kit::{
+            Chooser, Column, Row, Table, copy_button, factors, framed, headline, lights, scrolled,
+            two_columns,
+        },
+        pages::{PageContext, progress},
+        swatch,
     },
 };
 
@@ -43,7 +45,7 @@ pub mod names {
     pub const COPY: &str = "Copy the ranking as CSV";
 }
 
-/// The part and what it keeps from frame to frame.
+/// What the page keeps from frame to frame.
 #[derive(Default)]
 pub struct SameSurfaceView {
     sheet: Memo<u64, Option<SameSurfaceSheet>>,
@@ -54,14 +56,13 @@ pub struct SameSurfaceView {
 }
 
 impl SameSurfaceView {
-    /// Draws the part.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let app = context.app;
         let revision = app.revision();
         let sheet = self.sheet.get(revision, |_| SameSurfaceSheet::of(app));
         let words = sheet.as_ref().map_or_else(
             || "Is a spectrum the light off a surface? Choose both, or make an example.".to_owned(),
-            headlines::same_surface,
+            SameSurfaceSheet::headline,
         );
         headline(ui, context.theme, words);
         choices(ui, context);
@@ -92,7 +93,7 @@ impl SameSurfaceView {
                 let words = |ui: &mut Ui, context: &mut PageContext<'_>| {
                     verdicts(ui, context, sheet);
                     ui.add_space(6.0);
-                    ranking::show(ui, context, sheet, rows, room.y - 270.0 * scale);
+                    ranking(ui, context, sheet, rows, room.y - 270.0 * scale);
                 };
                 let height = (0.5 * room.y - 12.0).max(240.0 * scale);
                 two_columns(ui, context, words, |ui, context| {
@@ -111,7 +112,7 @@ impl SameSurfaceView {
                 });
                 ui.add_space(6.0);
                 let row = ui.text_style_height(&TextStyle::Body) + 8.0;
-                ranking::show(ui, context, sheet, rows, ROWS * row);
+                ranking(ui, context, sheet, rows, ROWS * row);
             }
         });
     }
@@ -306,5 +307,124 @@ fn draw(ui: &mut Ui, context: &mut PageContext<'_>, chart: &Option<Chart>, id: &
     if let Some(chart) = chart {
         let size = vec2(ui.available_width(), height);
         context.chart(ui, chart, ("same surface", id), size);
+    }
+}
+
+/// The ranking, within a height.
+fn ranking(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    sheet: &SameSurfaceSheet,
+    rows: &mut Memo<ByAddress<Vec<Ranked>>, Vec<Row>>,
+    height: f32,
+) {
+    let answer = context.studies.of::<RankAsk>().answer();
+    let ranked = answer.map(|(_, ranked)| ranked.clone());
+    ui.horizontal_wrapped(|ui| {
+        ui.label(RichText::new("Which surface explains it best?").heading());
+        copy_button(ui, names::COPY, "", || {
+            let csv = |ranked: &Arc<Vec<Ranked>>| ranking_csv(&sheet.names, ranked);
+            ranked.as_ref().map_or_else(String::new, csv)
+        });
+    });
+    ui.horizontal_wrapped(|ui| {
+        ui.label("Among");
+        let meaning = "Which surfaces are tried: the patch set, or everything shipped.";
+        let everywhere = context.pages.same_surface.everywhere;
+        context.pages.same_surface.everywhere =
+            among(ui, context, names::AMONG, meaning, everywhere);
+        let job = context.studies.of::<RankAsk>();
+        if job.stage() != Stage::Done {
+            progress(ui, job, "The ranking");
+        }
+    });
+    let Some(ranked) =
+        ranked.filter(|_| context.studies.of::<RankAsk>().stage() != Stage::Impossible)
+    else {
+        return;
+    };
+    let count = |verdict: Sameness| ranked.iter().filter(|r| r.verdict == verdict).count();
+    let (holding, open) = (count(Sameness::Holds), count(Sameness::Unknown));
+    ui.label(format!(
+        "{holding} of {} surfaces fit the model's numbers{}{}",
+        ranked.len(),
+        if open > 0 {
+            format!("; {open} are undecided")
+        } else {
+            String::new()
+        },
+        if 3 * holding > ranked.len() {
+            ": this light tells surfaces badly apart."
+        } else {
+            "."
+        }
+    ));
+    let columns = columns();
+    let chosen = context.app.document().products.surface.as_ref();
+    let chosen = chosen.and_then(|entry| ranked.iter().position(|r| r.key == entry.key));
+    let table = Table {
+        chosen,
+        ..Table::new(&columns, context.theme)
+    };
+    let rows = rows.get(ByAddress(ranked.clone()), |_| {
+        ranked.iter().map(row).collect()
+    });
+    let clicked = table.scrolled(
+        ui,
+        "ranking",
+        height.max(4.0 * table.row_height(ui)),
+        rows,
+        &mut |ui, [row, column], cell| {
+            if column == 0 {
+                let fill = swatch::colour(ranked[row].swatch.rgb8);
+                let field = cell.shrink2(egui::vec2(0.0, 2.0));
+                ui.painter().rect_filled(field, 3.0, fill);
+            }
+        },
+    );
+    let clicked = clicked.and_then(|row| context.app.entry(&ranked[row].key));
+    if let Some(surface) = clicked {
+        change(context, |products| products.surface = Some(surface));
+    }
+}
+
+fn columns() -> [Column; 5] {
+    [
+        Column::words("", "Colour of the surface under the light.", 0.09),
+        Column::words("surface", "Click a row to take it as the surface S2.", 0.43),
+        Column::words(
+            "residual",
+            &format!("In the model's numbers. {RESIDUAL_MEANS}"),
+            0.14,
+        ),
+        Column::words(
+            "measured",
+            &format!("Of the measured curves. {RESIDUAL_MEANS}"),
+            0.15,
+        ),
+        Column::words("verdict", "The model's verdict.", 0.19),
+    ]
+}
+
+fn row(ranked: &Ranked) -> Row {
+    let verdict = ranked.verdict;
+    let residual = figure(ranked.model.map(|m| m.residual));
+    Row {
+        name: format!("{}: residual {residual}, {}", ranked.name, verdict.words()),
+        note: format!(
+            "{}\nFactor {} in the model's numbers, {} measured.\nClick to take it as the surface \
+             S2.",
+            ranked.key,
+            figure(ranked.model.map(|m| m.factor)),
+            figure(ranked.measured.map(|m| m.factor)),
+        ),
+        cells: vec![
+            String::new(),
+            ranked.name.clone(),
+            residual,
+            figure(ranked.measured.map(|m| m.residual)),
+            format!("{} {}", verdict.sign(), verdict.words()),
+        ],
+        ..Row::default()
     }
 }
