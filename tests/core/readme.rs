@@ -32,7 +32,7 @@ fn it_is_short_and_has_the_two_commands() {
     let readme = readme();
     let lines = readme.lines().count();
     assert!(lines <= MOST_LINES, "{lines} lines: the rest goes to docs/");
-    for words in ["cargo run --release", "cargo test"] {
+    for words in ["cargo run --release", "cargo test --release"] {
         let is_command = |line: &str| line.starts_with(words);
         assert!(readme.lines().any(is_command), "{words}");
     }

