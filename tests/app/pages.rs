@@ -7,7 +7,7 @@ use spectral_explorer::app::{
     workspace::{self, Preferences},
 };
 
-use crate::full::full_pages;
+use crate::full::{full_document, full_pages, full_preferences};
 
 fn tree(pages: &PageStates) -> Map<String, Value> {
     match serde_json::to_value(pages) {
@@ -191,4 +191,32 @@ fn what_pages_keep_derives_nothing_of_the_model_anew() {
     app.edit_pages(|pages| pages.gem.height_deg = 30.0);
     assert_eq!(app.revision(), revision);
     assert!(app.changes() > changes && std::sync::Arc::ptr_eq(app.derived(), &derived));
+}
+
+#[test]
+fn a_workspace_of_the_version_before_opens_as_it_was() {
+    // Written by that version, everything in it another than at first.
+    let text = include_str!("../data/workspaces/before_slices.json");
+    let restored = workspace::from_json(text).expect("a workspace");
+    assert!(restored.losses.is_empty(), "{:?}", restored.losses);
+    assert_eq!(restored.document.pages, full_document().pages);
+    let now = workspace::to_json(&restored.document, restored.preferences.as_ref());
+    let expected = workspace::to_json(&full_document(), Some(&full_preferences()));
+    assert_eq!(now, expected);
+}
+
+#[test]
+fn a_project_of_the_version_before_opens_as_it_was() {
+    // Of what pages keep a project had the desk alone.
+    let text = include_str!("../data/workspaces/project_before_slices.json");
+    let restored = workspace::from_json(text).expect("a project");
+    assert!(restored.losses.is_empty(), "{:?}", restored.losses);
+    let mut expected = full_document();
+    let desk = std::mem::take(&mut expected.pages.mix.desk);
+    expected.pages = PageStates::default();
+    expected.pages.mix.desk = desk;
+    assert_eq!(
+        workspace::to_json(&restored.document, None),
+        workspace::to_json(&expected, None)
+    );
 }

@@ -351,22 +351,23 @@ impl Window {
                     ui.advance_cursor_after_rect(whole);
                 });
         }
-        for wish in wishes {
-            self.grant(wish, &context);
-        }
         if !commands.is_empty() {
             // The right panel was drawn before the page's click.
             context.request_repaint();
         }
         self.keep_pages(kept, &mut commands, &context);
+        for wish in wishes {
+            self.grant(wish, &context);
+        }
     }
 
     /// Carries out what a page asked for, and makes what it keeps now the document's: by a hand it
     /// is a step of undo, by itself (a sum that is played) it belongs to the step before.
     fn keep_pages(&mut self, kept: PageStates, commands: &mut Vec<Command>, context: &Context) {
+        let is_touched = kept != self.app.document().pages;
         let before = self.app.changes();
         self.apply(commands);
-        if kept == self.app.document().pages {
+        if !is_touched {
             return;
         }
         let moved = |event: &egui::Event| {
