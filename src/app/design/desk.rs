@@ -216,8 +216,7 @@ pub(super) fn words(figures: &MixFigures, r9: Option<f64>) -> String {
 /// Puts a mixture on the desk and tells what it shows.
 #[cfg(test)]
 pub(super) fn put_on_desk(app: &mut crate::app::App, mix: Mix) -> Desk {
-    use crate::app::{Command, pages::PageSetting};
-    app.apply(Command::Page(PageSetting::Mix(mix)));
+    app.edit_pages(|pages| pages.mix.desk = mix);
     Desk::of(app.document())
 }
 

@@ -340,6 +340,7 @@ mod tests {
         app::{
             assert_says,
             design::{desk::put_on_desk, mix::MixChannel},
+            pages::states::in_reach,
         },
         design::mixture::Source,
     };

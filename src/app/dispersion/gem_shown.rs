@@ -2,7 +2,7 @@
 
 use super::gem::GemFilm;
 use crate::{
-    app::{pages::GemMemory, pages::LightPart},
+    app::pages::LightPart,
     color::{Adaptation, Observer},
     optics::Light,
 };
@@ -90,6 +90,7 @@ mod tests {
         app::{
             App, assert_says,
             dispersion::{GemScene, Sent, document_light, next_pass, places},
+            pages::GemMemory,
         },
         spectrum::{Band, Line},
         study::Progress,

@@ -428,10 +428,10 @@ mod tests {
 
     #[test]
     fn who_goes_back_finds_the_step_as_it_began() {
-        let (mut run, mut app, mut page) = start("filters");
+        let (mut run, mut app, _) = start("filters");
         let before = app.document().clone();
         app.apply(Command::Undo);
-        page = Page::Glossary;
+        let mut page = Page::Glossary;
         run.set_stage(&mut app, &mut page);
         assert!(*app.document() == before && page == Page::Chain);
         run.go(1, &mut app, &mut page);

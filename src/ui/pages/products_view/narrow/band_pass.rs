@@ -5,10 +5,7 @@ use egui::{CursorIcon, Ui, Vec2, pos2, vec2};
 
 use super::names;
 use crate::{
-    app::{
-        chart::Chart,
-        pages::{NarrowMemory, PASS_WIDTHS_NM},
-    },
+    app::{chart::Chart, pages::NarrowMemory},
     spectrum::Band,
     ui::{
         chart_view::{ChartResponse, ChartView},
