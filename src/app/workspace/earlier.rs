@@ -35,7 +35,9 @@ pub(super) fn translate(rest: &mut Map<String, Value>) {
     if let Some(present) = preferences.remove("projector") {
         preferences.entry("present").or_insert(present);
     }
-    if let Some(Value::Object(mut memory)) = preferences.remove("pages") {
+    if preferences.get("pages").is_some_and(Value::is_object)
+        && let Some(Value::Object(mut memory)) = preferences.remove("pages")
+    {
         page_of(&mut memory);
         for key in ["page", "lessons_finished"] {
             if let Some(value) = memory.remove(key) {
