@@ -36,6 +36,8 @@ pub(super) enum Act {
     Place(usize),
     /// Everything back to the start.
     Reset,
+    /// What the page in force keeps back to the start.
+    ResetPage,
     /// Finds lights, places and acts by a few letters.
     Palette,
     /// The ways to begin.
@@ -66,7 +68,7 @@ const fn on(modifiers: Modifiers, key: Key, act: Act, words: &'static str) -> Sh
 
 /// Every shortcut with what it does; those with more modifiers first, because a shortcut with
 /// fewer would swallow them.
-pub(super) const SHORTCUTS: [Shortcut; 32] = [
+pub(super) const SHORTCUTS: [Shortcut; 33] = [
     on(CTRL_SHIFT, Key::Z, Act::Redo, "Redo"),
     on(
         CTRL_SHIFT,
@@ -116,6 +118,12 @@ pub(super) const SHORTCUTS: [Shortcut; 32] = [
     on(CTRL, Key::Num6, Act::Place(5), "Numbers"),
     on(CTRL, Key::Num7, Act::Place(6), "Picture"),
     on(PLAIN, Key::F5, Act::Present, "Present"),
+    on(
+        Modifiers::SHIFT,
+        Key::R,
+        Act::ResetPage,
+        "This page back to the start",
+    ),
     on(PLAIN, Key::R, Act::Reset, "Everything back to the start"),
     on(
         PLAIN,

@@ -132,13 +132,12 @@ macro_rules! states {
                 None
             }
 
-            /// Sets a page back to what it is at first; whether it keeps anything.
-            pub fn set_back(&mut self, page: Page) -> bool {
+            /// Sets a page back to what it is at first.
+            pub fn set_back(&mut self, page: Page) {
                 match page {
                     $(Page::$page => self.$field = Default::default(),)*
-                    _ => return false,
+                    _ => {}
                 }
-                true
             }
 
             /// The pages that keep something.

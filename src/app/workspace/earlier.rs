@@ -108,7 +108,7 @@ const GROUPS: [&str; 2] = ["products", "dispersion"];
 
 /// Takes out of what was one memory of all pages what each page keeps now, under the page's word.
 /// Workspaces and lessons of earlier versions are written so.
-pub fn by_page(memory: &mut Map<String, Value>) -> Map<String, Value> {
+pub(in crate::app) fn by_page(memory: &mut Map<String, Value>) -> Map<String, Value> {
     let mut pages = Map::new();
     for (old, page, key) in PLACES {
         let found = match old.split_once('.') {

@@ -86,6 +86,11 @@ impl Window {
                 self.app.apply(Command::Reset);
                 self.app.end_gesture();
             }
+            Act::ResetPage => {
+                let page = self.preferences.page;
+                self.app.edit_pages(|pages| pages.set_back(page));
+                self.app.end_gesture();
+            }
             Act::Palette => self.palette.open(),
             Act::Greeting => self.greets = true,
             Act::ZoomIn => self.zoom(self.preferences.zoom + 0.1),
