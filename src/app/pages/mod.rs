@@ -31,13 +31,20 @@ mod tradeoff;
 mod two_lights;
 mod why;
 
-use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
+use serde_json::{Map, Value};
+
+use super::recipe::NameOf;
+use states::{PageState, in_reach, read, states, words_of, written};
 
 pub use auction::AuctionState;
 pub use bounces::BouncesMemory;
 pub use chain::ChainMemory;
 pub use chromaticity::DiagramShows;
 pub use dark_lines::AbsorptionMemory;
+pub use from_colour::{FromColour, MERCURY_NM, UNDER};
 pub use gem::{GemColour, GemMemory, LightPart, RAYS_SHOWN, SIZES_SHOWN};
 pub use image::{ImageMemory, Show, Spread};
 pub use known_lamps::WordsMemory;
@@ -52,7 +59,7 @@ pub use rainbow::RainbowMemory;
 pub use relit::{LINES_NM, Look, MOST_LINES, RelitMemory};
 pub use resampling::ResamplingMemory;
 pub use same_surface::SameSurfaceMemory;
-pub use states::PageStates;
+pub use solve::MixWish;
 pub use tradeoff::{TradeoffState, WaysShown};
 pub use two_lights::TwoLightsMemory;
 pub use why::WhyState;
@@ -220,3 +227,30 @@ const ROWS: &[Row] = &[
     gem::ROW,
     relit::ROW,
 ];
+
+states! {
+    look: LookState = Spectrum,
+    dark_lines: AbsorptionMemory = Absorption,
+    chain: ChainMemory = Chain,
+    narrow: NarrowMemory = Narrow,
+    two_lights: TwoLightsMemory = TwoLights,
+    same_surface: SameSurfaceMemory = SameSurface,
+    chromaticity: DiagramShows = Chromaticity,
+    // A wish takes the desk along.
+    solve: MixWish = Solve,
+    mix: MixState = Mix,
+    from_colour: FromColour = FromColour,
+    why: WhyState = Coefficients,
+    tradeoff: TradeoffState = Tradeoff,
+    many: ManyMemory = Many,
+    auction: AuctionState = Auction,
+    race: RaceState = Race,
+    known_lamps: WordsMemory = KnownLamps,
+    resampling: ResamplingMemory = Resampling,
+    bounces: BouncesMemory = Bounces,
+    image: ImageMemory = Image,
+    prism: PrismMemory = Prism,
+    rainbow: RainbowMemory = Rainbow,
+    gem: GemMemory = Gem,
+    relit: RelitMemory = Relit,
+}

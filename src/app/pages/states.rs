@@ -1,12 +1,10 @@
 //! What pages keep: a value a page, all of them in the document, so that every knob of a page is
 //! undone, kept in files, set back and moved to what is allowed by what is written here.
+//! `PageStates` is made of these in the `mod.rs` beside it, which lists the pages.
 
-use std::{any::Any, collections::BTreeMap};
+use std::collections::BTreeMap;
 
-use serde::{
-    Deserialize, Deserializer, Serialize, Serializer,
-    de::{DeserializeOwned, Error as _},
-};
+use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use serde_json::{Map, Value};
 
 use super::{
@@ -16,7 +14,7 @@ use super::{
 use crate::app::recipe::NameOf;
 
 /// What one page keeps: plain data, spectra by their keys, each field with its default.
-pub trait PageState: Clone + Default + PartialEq + Serialize + DeserializeOwned + Any {
+pub trait PageState: Clone + Default + PartialEq + Serialize + DeserializeOwned {
     /// Its numbers.
     const KNOBS: &'static [Knob<Self>] = &[];
 
@@ -43,7 +41,12 @@ pub fn in_reach<S: PageState>(mut state: S) -> S {
 }
 
 /// What changed of a page, in words; `None` for nothing.
-fn words_of<S: PageState>(page: Page, from: &S, to: &S, name_of: NameOf<'_>) -> Option<String> {
+pub(super) fn words_of<S: PageState>(
+    page: Page,
+    from: &S,
+    to: &S,
+    name_of: NameOf<'_>,
+) -> Option<String> {
     if from == to {
         return None;
     }
@@ -67,7 +70,7 @@ fn fields<S: Serialize>(state: &S) -> Map<String, Value> {
 }
 
 /// A page's part of a file, what this version does not know taken out to `unknown`.
-fn read<S: PageState>(
+pub(super) fn read<S: PageState>(
     page: Page,
     found: &mut Map<String, Value>,
     unknown: &mut BTreeMap<String, Value>,
@@ -87,7 +90,7 @@ fn read<S: PageState>(
 }
 
 /// A page's part of a file, with what other versions wrote into it.
-fn written<S: PageState>(page: Page, state: &S, all: &mut Map<String, Value>) {
+pub(super) fn written<S: PageState>(page: Page, state: &S, all: &mut Map<String, Value>) {
     let mut fields = fields(state);
     if let Some(Value::Object(rest)) = all.remove(page.word()) {
         fields.extend(rest);
@@ -167,29 +170,4 @@ macro_rules! states {
     };
 }
 
-states! {
-    look: super::LookState = Spectrum,
-    dark_lines: super::AbsorptionMemory = Absorption,
-    chain: super::ChainMemory = Chain,
-    narrow: super::NarrowMemory = Narrow,
-    two_lights: super::TwoLightsMemory = TwoLights,
-    same_surface: super::SameSurfaceMemory = SameSurface,
-    chromaticity: super::DiagramShows = Chromaticity,
-    // A wish takes the desk along.
-    solve: crate::app::design::wish::MixWish = Solve,
-    mix: super::MixState = Mix,
-    from_colour: crate::app::design::colour::FromColour = FromColour,
-    why: super::WhyState = Coefficients,
-    tradeoff: super::TradeoffState = Tradeoff,
-    many: super::ManyMemory = Many,
-    auction: super::AuctionState = Auction,
-    race: super::RaceState = Race,
-    known_lamps: super::WordsMemory = KnownLamps,
-    resampling: super::ResamplingMemory = Resampling,
-    bounces: super::BouncesMemory = Bounces,
-    image: super::ImageMemory = Image,
-    prism: super::PrismMemory = Prism,
-    rainbow: super::RainbowMemory = Rainbow,
-    gem: super::GemMemory = Gem,
-    relit: super::RelitMemory = Relit,
-}
+pub(super) use states;
