@@ -23,4 +23,4 @@ pub use prism::{PrismShown, StripShown};
 pub use rainbow::{RainbowShown, sky};
 pub use sent::Sent;
 pub use strip::Colours;
-pub use substance::{ABBES, INDICES, Substance, is_index, material_of, own_indices, stuff_title};
+pub use substance::{ABBES, INDICES, Substance, is_index, material_of, own_indices};

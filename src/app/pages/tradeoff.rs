@@ -1,9 +1,13 @@
 //! What the page "Trade-off" keeps.
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::Value;
 
 use super::{Page, Place, Row, row, states::PageState};
-use crate::study::Measure;
+use crate::{
+    spectrum::{Basis, PerBasis},
+    study::Measure,
+};
 
 pub(super) const ROW: Row = row(
     Page::Tradeoff,
@@ -39,21 +43,19 @@ impl PageState for TradeoffState {
         ("ways", "the lines drawn"),
     ];
 
-    /// Both of a pair where neither was chosen: there is always something drawn.
+    /// All of a choice where none was chosen: there is always something drawn.
     fn settle(&mut self) {
         let WaysShown {
-            fourier,
-            cosine,
+            bases,
             without_spikes,
             with_spikes,
             plain,
             colour_exact,
         } = &mut self.ways;
-        for (a, b) in [
-            (fourier, cosine),
-            (without_spikes, with_spikes),
-            (plain, colour_exact),
-        ] {
+        if Basis::ALL.iter().all(|basis| !bases[*basis]) {
+            *bases = PerBasis::of(|_| true);
+        }
+        for (a, b) in [(without_spikes, with_spikes), (plain, colour_exact)] {
             if !*a && !*b {
                 (*a, *b) = (true, true);
             }
@@ -61,14 +63,13 @@ impl PageState for TradeoffState {
     }
 }
 
-/// Which of the eight ways are drawn: a way is when all three of its choices are.
+/// Which ways are drawn: a way is when all three of its choices are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct WaysShown {
-    /// The periodic Fourier basis.
-    pub fourier: bool,
-    /// The half-range cosine basis.
-    pub cosine: bool,
+    /// The bases; in files each by its word.
+    #[serde(flatten, serialize_with = "by_word", deserialize_with = "of_words")]
+    pub bases: PerBasis<bool>,
     /// Models without spikes.
     pub without_spikes: bool,
     /// Models with spikes.
@@ -79,11 +80,21 @@ pub struct WaysShown {
     pub colour_exact: bool,
 }
 
+fn by_word<S: Serializer>(bases: &PerBasis<bool>, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(Basis::ALL.map(|basis| (basis.word(), bases[basis])))
+}
+
+/// One that is not said is shown.
+fn of_words<'de, D: Deserializer<'de>>(deserializer: D) -> Result<PerBasis<bool>, D::Error> {
+    let said = serde_json::Map::<String, Value>::deserialize(deserializer)?;
+    let is_shown = |basis: Basis| said.get(basis.word()).and_then(Value::as_bool);
+    Ok(PerBasis::of(|basis| is_shown(basis).unwrap_or(true)))
+}
+
 impl Default for WaysShown {
     fn default() -> Self {
         Self {
-            fourier: true,
-            cosine: true,
+            bases: PerBasis::of(|_| true),
             without_spikes: true,
             with_spikes: true,
             plain: true,

@@ -45,8 +45,10 @@ fn of(name: &str, figures: &Figures) -> Map<String, Value> {
     let xyz = why.of("xyz", &figures.xyz).map(|xyz| xyz.to_array());
     let xy = why.of("xy", &figures.xy[0]);
     let uv = why.of("uv", &figures.uv);
-    let ler = why.of("ler", &figures.luminous_efficacy);
-    let sp_ratio = why.of("sp_ratio", &figures.sp_ratio);
+    let singles: Vec<(&str, Option<f64>)> = figures
+        .singles()
+        .map(|(single, value)| (single.key, why.of(single.key, value).copied()))
+        .collect();
     let photons = why.of("ppfd_per_100lx", &figures.photons);
     let ssi = ssi(figures, &mut why);
     let bins = fidelity.map(|found| {
@@ -72,20 +74,21 @@ fn of(name: &str, figures: &Figures) -> Map<String, Value> {
         "rf": fidelity.map(|found| found.rf),
         "rg": fidelity.map(|found| found.rg),
         "hue_bins": bins,
-        "ler": ler,
         "dominant_nm": dominant_nm,
         "purity": dominant.map(|found| found.purity),
-        "sp_ratio": sp_ratio,
         "melanopic_der": alpha.map(|found| found.melanopic_der()),
         "alphaopic": alphaopic,
         "ppfd_per_100lx": photons.map(|found| found.ppfd),
         "ssi": ssi,
         "notes": notes,
     });
-    match object {
+    let mut object = match object {
         Value::Object(object) => object,
         _ => Map::new(),
-    }
+    };
+    let singles = singles.into_iter();
+    object.extend(singles.map(|(key, value)| (key.to_owned(), json!(value))));
+    object
 }
 
 /// Reasons for what is `null`, each once.

@@ -28,5 +28,5 @@ pub use orders::ModelsByOrder;
 pub use row::{Row, figure_words};
 pub use rows::{TLCI, rows};
 pub use sheet::{Modeller, Sheet};
-pub use table::{csv_head, csv_line};
+pub use table::{csv_head, csv_line, csv_line_of_none};
 pub use words::{table_of_two, text};

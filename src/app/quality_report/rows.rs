@@ -147,7 +147,6 @@ fn rendering_rows(figures: &Figures) -> Vec<Row> {
 }
 
 fn effect_rows(figures: &Figures) -> Vec<Row> {
-    const SP: &str = "1700.06 sum(P V') / 683.002 sum(P V)";
     const PPFD: &str = "photons of 400-700 nm (ePPFD 400-750), both ends in";
     const ALPHA: [[&str; 3]; 5] = [
         ["s_cone", "S-cone-opic DER", ""],
@@ -156,23 +155,12 @@ fn effect_rows(figures: &Figures) -> Vec<Row> {
         ["rhodopic", "Rhodopic DER", ""],
         ["melanopic_der", "Melanopic DER", ""],
     ];
-    let efficacy = figures.luminous_efficacy.clone();
-    let mut rows = vec![
-        row(
-            ["ler", "Luminous efficacy of radiation", "lm/W"],
-            1,
-            "683 sum(P V) / sum(P), 360-830 nm",
-            efficacy,
-            reading::of_efficacy,
-        ),
-        row(
-            ["sp_ratio", "S/P ratio", ""],
-            2,
-            SP,
-            figures.sp_ratio.clone(),
-            reading::of_sp,
-        ),
-    ];
+    let singles = figures.singles().map(|(single, value)| {
+        let words = [single.key, single.title, single.unit];
+        let reading = reading::of_single(single);
+        row(words, single.digits, single.method, value.clone(), reading)
+    });
+    let mut rows: Vec<Row> = singles.collect();
     debug_assert_eq!(ALPHA.len(), ALPHA_OPIC_WORDS.len());
     for (index, words) in ALPHA.into_iter().enumerate() {
         let value = figures.alpha_opic.clone().map(|found| found.der[index]);

@@ -40,6 +40,15 @@ pub fn csv_line(name: &str, measured: &Figures, model: Option<&Figures>) -> Stri
     cells::line(line)
 }
 
+/// The line of a reading that has no figures, with the reason.
+pub fn csv_line_of_none(name: &str, why: &str) -> String {
+    let mut line = vec![cells::words(name)];
+    line.extend(numbers(None));
+    line.extend(numbers(None));
+    line.push(cells::words(why));
+    cells::line(line)
+}
+
 /// The cells of a light's figures, empty ones where there is none.
 fn numbers(figures: Option<&Figures>) -> Vec<String> {
     let Some(figures) = figures else {
