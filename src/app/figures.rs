@@ -113,6 +113,11 @@ pub fn brief(shown: f64, unit: Unit) -> String {
     }
 }
 
+/// A number in two digits.
+pub fn two_digits(value: f64) -> String {
+    short(format!("{value:.1e}").parse().unwrap_or(value))
+}
+
 /// A number in three digits.
 pub fn three_digits(value: f64) -> String {
     short(format!("{value:.2e}").parse().unwrap_or(value))
@@ -169,13 +174,13 @@ impl Measure {
             ),
             Self::Patches => delta_e(
                 "delta_e_patches_mean",
-                ["patches' mean", "patches"],
-                "on the patches (mean)",
+                ["mean of the surfaces", "patches"],
+                "on the surfaces (mean)",
                 "Mean CIEDE2000 of the patches under the light, products at 1 nm.",
             ),
             Self::PatchesWorst => delta_e(
                 "delta_e_patches_max",
-                ["worst patch", "worst"],
+                ["worst surface", "worst"],
                 "on every patch",
                 "Largest CIEDE2000 of the patches under the light, products at 1 nm.",
             ),

@@ -6,6 +6,7 @@ use spectral_explorer::{
     app::{
         App, Command, Detector, Document, Entry, FIRST_LIGHT, Gel, Given, Height, Scale, Settings,
         SpikeAct, View,
+        charts::quality::OfColours,
         design::{
             DeskSurfaces, Telling,
             colour::FromColour,
@@ -144,6 +145,7 @@ pub(crate) fn full_document() -> Document {
     }));
     let red = preset(&app, RED);
     let own = app.document().own[1].clone();
+    app.apply(Command::Compare(Some(own.clone())));
     app.apply(Command::Products(Products {
         chain: vec![
             Link {
@@ -153,7 +155,6 @@ pub(crate) fn full_document() -> Document {
             },
             Link::once(red.clone()),
         ],
-        other_light: Some(own.clone()),
         surface: Some(red),
         outgoing: Some(own),
     }));
@@ -199,8 +200,10 @@ pub(crate) fn full_preferences() -> Preferences {
         folded: vec!["LED".to_owned()],
         pinned: true,
         greeted: true,
-        larger_answered: true,
+        grown: 1.0,
         page: Page::Race,
+        last_of_places: vec![Page::Rainbow, Page::Race],
+        photograph_asked: None,
         lessons_finished: vec!["prism".to_owned()],
         lesson_asked: None,
     }
@@ -257,6 +260,7 @@ pub(crate) fn full_pages() -> PageStates {
     pages.two_lights = TwoLightsMemory {
         patch: 3,
         pair: 2,
+        makes: true,
         everywhere: false,
         room_percent: -40,
     };
@@ -270,6 +274,7 @@ pub(crate) fn full_pages() -> PageStates {
         near: true,
         ..DiagramShows::default()
     };
+    pages.rendition.large = OfColours::Samples;
     pages.from_colour = FromColour {
         given: Given::Lab([50.5, 0.1 + 0.2, -20.0]),
         light: RED.to_owned(),

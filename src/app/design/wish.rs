@@ -5,9 +5,10 @@ use super::{
     mix::Mix,
 };
 use crate::{
-    app::{document::Document, make::table_of, state::App},
+    app::{document::Document, make::table_of, pages::states::in_reach, state::App},
     color::{
         Swatch, Xyz,
+        quality::diagram::xy_from_uv_1976,
         xyz::{FIRST_NM, LAST_NM},
     },
     design::{
@@ -49,6 +50,16 @@ impl MixWish {
             xy: Some(xy),
             ..self
         }
+    }
+
+    /// The same wish for the colour at a place of CIE 1976 u'v'.
+    #[must_use]
+    pub fn at_uv(self, uv: [f64; 2]) -> Self {
+        in_reach(Self {
+            light: None,
+            xy: Some(xy_from_uv_1976(uv)),
+            ..self
+        })
     }
 
     pub fn colour_words(&self, document: &Document) -> String {

@@ -13,9 +13,11 @@ mod strip;
 mod substance;
 mod words;
 
-pub use drawing::{BenchDrawing, DrawnRay, Grip};
+pub use drawing::{BenchDrawing, DrawnRay, Grip, Leaves, MostBent};
 pub use drop::{DropDrawing, DropRay};
-pub use gem::{GemFilm, GemPass, GemScene, NoiseAsk, facts_of, next_pass, places, sentence};
+pub use gem::{
+    GemFilm, GemPass, GemScene, NoiseAsk, facts_of, next_pass, noise_words, places, sentence,
+};
 pub use gem_file::{GemFile, GemForm, gem_exr};
 pub use gem_shown::{GemLook, GemShown};
 pub use lights::{another_light, document_light};

@@ -11,7 +11,7 @@ pub(super) const ROW: Row = row(
     "filters",
     "What the ways of forming products cost as bounces add up.",
 )
-.under(Page::Resampling);
+.under(Page::Coefficients);
 
 /// What the bounces remember.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -1,8 +1,7 @@
 //! What the page "Chromaticity" keeps.
 
-use serde::{Deserialize, Serialize};
-
 use super::{Page, Place, Row, row, states::PageState};
+use crate::app::charts::quality::DiagramShows;
 
 pub(super) const ROW: Row = row(
     Page::Chromaticity,
@@ -11,34 +10,6 @@ pub(super) const ROW: Row = row(
     "quality",
     "Where the light is among colours, whites and screens.",
 );
-
-/// What the diagram shows beside the light.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct DiagramShows {
-    /// CIE 1976 u'v', else CIE 1931 xy.
-    pub uniform: bool,
-    /// sRGB, P3 and Rec. 2020.
-    pub gamuts: bool,
-    /// The nominal whites of ANSI C78.377.
-    pub whites: bool,
-    /// MacAdam's ellipses, ten times enlarged.
-    pub ellipses: bool,
-    /// The neighbourhood of the light alone.
-    pub near: bool,
-}
-
-impl Default for DiagramShows {
-    fn default() -> Self {
-        Self {
-            uniform: true,
-            gamuts: false,
-            whites: true,
-            ellipses: false,
-            near: false,
-        }
-    }
-}
 
 impl PageState for DiagramShows {
     const NAMES: &'static [(&'static str, &'static str)] = &[

@@ -19,6 +19,14 @@ pub(super) const ROW: Row = row(
     "A spectral image: a pixel or a region's mean becomes a spectrum.",
 );
 
+pub(super) const PHOTOGRAPH: Row = row(
+    Page::Photograph,
+    Place::Picture,
+    ("Photograph", "photograph"),
+    "prism",
+    "A photograph of a spectrum: the lines of a lamp fix its wavelengths.",
+);
+
 /// How the bands of an image become colours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]

@@ -16,7 +16,8 @@ pub(super) const ROW: Row = row(
     ("Known lamps", "known-lamps"),
     "spend",
     "What the light is made of: lamps that are known, a short series, a few lines.",
-);
+)
+.under(Page::Coefficients);
 
 /// How a light is put into few words.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -20,11 +20,12 @@ pub(super) const GLOSSARY: Row = row(
 
 pub(super) const TRUTH: Row = row(
     Page::Truth,
-    Place::Learn,
+    Place::Numbers,
     ("The paper checked", "truth"),
-    "",
+    "colour",
     "The paper's claims, measured on this spectrum and range.",
-);
+)
+.under(Page::Coefficients);
 
 pub(super) const TEACHERS: Row = row(
     Page::Teachers,

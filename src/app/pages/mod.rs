@@ -39,10 +39,10 @@ use serde_json::{Map, Value};
 use super::recipe::NameOf;
 use states::{PageState, in_reach, read, states, words_of, written};
 
+pub use super::charts::quality::DiagramShows;
 pub use auction::AuctionState;
 pub use bounces::BouncesMemory;
 pub use chain::ChainMemory;
-pub use chromaticity::DiagramShows;
 pub use dark_lines::AbsorptionMemory;
 pub use from_colour::{FromColour, MERCURY_NM, UNDER};
 pub use gem::{GemColour, GemMemory, LightPart, RAYS_SHOWN, SIZES_SHOWN};
@@ -54,6 +54,7 @@ pub use mix::MixState;
 pub use narrow::{NarrowMemory, PASS_WIDTHS_NM};
 pub use place::Place;
 pub use prism::{Beside, Handle, PrismMemory, STOPS};
+pub use quality::RenditionState;
 pub use race::{FieldChoice, RACE_BUDGETS, RaceState};
 pub use rainbow::RainbowMemory;
 pub use relit::{LINES_NM, Look, MOST_LINES, RelitMemory};
@@ -87,6 +88,8 @@ pub enum Page {
     Narrow,
     /// The same surfaces under two lights.
     TwoLights,
+    /// Surfaces that are one colour under a light and two under another.
+    Metamers,
     /// Is this light that one off this surface?
     SameSurface,
     /// Figures of light quality, measured and by the model.
@@ -121,6 +124,8 @@ pub enum Page {
     Bounces,
     /// A spectral image: a pixel or a region becomes a spectrum.
     Image,
+    /// A photograph of a spectrum becomes a spectrum.
+    Photograph,
     /// Light through a prism.
     Prism,
     /// Light through drops of water.
@@ -154,6 +159,8 @@ struct Row {
     meaning: &'static str,
     /// What it is called among the modes of its tab.
     mode: &'static str,
+    /// What the tab is called that its modes share.
+    tab_title: &'static str,
 }
 
 /// A row of a tab of its own, under its only word.
@@ -174,6 +181,7 @@ const fn row(
         lesson,
         meaning,
         mode: title,
+        tab_title: title,
     }
 }
 
@@ -188,6 +196,11 @@ impl Row {
         Self { old, ..self }
     }
 
+    /// The first page of a tab that is called otherwise than the page.
+    const fn tab_called(self, tab_title: &'static str) -> Self {
+        Self { tab_title, ..self }
+    }
+
     /// A tab's own page, where it is called otherwise among the modes of its tab.
     const fn among_modes(self, mode: &'static str) -> Self {
         Self { mode, ..self }
@@ -198,13 +211,13 @@ impl Row {
 const ROWS: &[Row] = &[
     learn::LESSONS,
     learn::GLOSSARY,
-    learn::TRUTH,
     learn::TEACHERS,
     look::ROW,
     dark_lines::ROW,
     chain::ROW,
     narrow::ROW,
     two_lights::ROW,
+    two_lights::METAMERS,
     same_surface::ROW,
     quality::QUALITY,
     chromaticity::ROW,
@@ -213,15 +226,17 @@ const ROWS: &[Row] = &[
     mix::ROW,
     solve::ROW,
     from_colour::ROW,
-    why::ROW,
     tradeoff::ROW,
     many::ROW,
     auction::ROW,
+    why::ROW,
     race::ROW,
     known_lamps::ROW,
     resampling::ROW,
     bounces::ROW,
+    learn::TRUTH,
     image::ROW,
+    image::PHOTOGRAPH,
     prism::ROW,
     rainbow::ROW,
     gem::ROW,
@@ -236,6 +251,7 @@ states! {
     two_lights: TwoLightsMemory = TwoLights,
     same_surface: SameSurfaceMemory = SameSurface,
     chromaticity: DiagramShows = Chromaticity,
+    rendition: RenditionState = Rendition,
     // A wish takes the desk along.
     solve: MixWish = Solve,
     mix: MixState = Mix,
@@ -253,4 +269,23 @@ states! {
     rainbow: RainbowMemory = Rainbow,
     gem: GemMemory = Gem,
     relit: RelitMemory = Relit,
+}
+
+impl PageStates {
+    /// A second light that was chosen stands beside the light in prism and rainbow too; where it is
+    /// let go of, what stood there at first.
+    pub fn follow_second(&mut self, is_there: bool) {
+        let usual = Self::default();
+        let both = [
+            (&mut self.prism.beside, usual.prism.beside),
+            (&mut self.rainbow.beside, usual.rainbow.beside),
+        ];
+        for (beside, usual) in both {
+            match (is_there, *beside) {
+                (true, _) => *beside = Beside::Overlaid,
+                (false, Beside::Overlaid) => *beside = usual,
+                (false, _) => {}
+            }
+        }
+    }
 }

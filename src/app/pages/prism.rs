@@ -91,19 +91,17 @@ pub enum Handle {
     Apex,
     /// A jaw of the slit.
     Slit,
-    Screen,
 }
 
 impl Handle {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::Apex, Self::Slit, Self::Screen];
+    pub const ALL: [Self; 2] = [Self::Apex, Self::Slit];
 
     /// What it moves, in words for people.
     pub fn title(self) -> &'static str {
         match self {
             Self::Apex => "Apex angle",
             Self::Slit => "Slit",
-            Self::Screen => "Distance of the screen",
         }
     }
 }
@@ -150,12 +148,11 @@ impl PrismMemory {
         })
         .shown(1, " stops");
 
-    /// A hand moved a handle: degrees of the apex, mm of the others, as far as the sliders reach.
+    /// A hand moved a handle: degrees of the apex, mm of the slit, as far as the sliders reach.
     pub fn set(&mut self, handle: Handle, value: f64) {
         let knob = match handle {
             Handle::Apex => Self::APEX,
             Handle::Slit => Self::SLIT,
-            Handle::Screen => Self::SCREEN,
         };
         knob.set(self, value);
     }
@@ -216,10 +213,8 @@ mod tests {
         let mut prism = PrismMemory::default();
         prism.set(Handle::Apex, 45.0);
         prism.set(Handle::Slit, -1.0);
-        prism.set(Handle::Screen, 1e9);
-        prism.set(Handle::Screen, f64::NAN);
-        let found = (prism.apex_deg, prism.slit_mm, prism.screen_mm);
-        assert_eq!(found, (45.0, 0.02, 2000.0));
+        prism.set(Handle::Apex, f64::NAN);
+        assert_eq!((prism.apex_deg, prism.slit_mm), (45.0, 0.02));
         assert!(prism.at_minimum);
         prism.turn(Some(50.0), 3.0);
         assert_eq!((prism.at_minimum, prism.incidence_deg), (false, 53.0));

@@ -1,13 +1,16 @@
-//! The pages of the place "Quality" that keep nothing.
+//! The pages of the place "Quality" beside the chromaticity.
 
-use super::{Page, Place, Row, row};
+use serde::{Deserialize, Serialize};
+
+use super::{Page, Place, Row, row, states::PageState};
+use crate::app::charts::quality::OfColours;
 
 pub(super) const QUALITY: Row = row(
     Page::Quality,
     Place::Quality,
-    ("Figures", "quality"),
+    ("Verdict", "quality"),
     "quality",
-    "Every figure of light quality, measured beside model, and what it means.",
+    "Is it a good light? Surfaces under it, twelve figures in words, and all of them.",
 );
 
 pub(super) const RENDITION: Row = row(
@@ -25,3 +28,15 @@ pub(super) const QUALITY_ORDER: Row = row(
     "quality",
     "How many numbers a model needs to give the light's own figures.",
 );
+
+/// What the page "Colours under it" keeps.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct RenditionState {
+    /// The large chart.
+    pub large: OfColours,
+}
+
+impl PageState for RenditionState {
+    const NAMES: &'static [(&'static str, &'static str)] = &[("large", "the large chart")];
+}

@@ -16,7 +16,8 @@ pub(super) const ROW: Row = row(
     ("Race", "race"),
     "samples",
     "The composite against other representations, at equal numbers.",
-);
+)
+.under(Page::Coefficients);
 
 /// Who races, and what decides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

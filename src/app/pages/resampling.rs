@@ -13,7 +13,7 @@ pub(super) const ROW: Row = row(
     "One product formed on few points, by convolution and at every nm.",
 )
 .once(&["forming"])
-.among_modes("Ways");
+.under(Page::Coefficients);
 
 /// What the resampling bench remembers.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

@@ -10,12 +10,15 @@ use crate::{
     app::{
         cells::{line, number, words},
         chart::{Chart, Dash, Ink, Panel, Series},
-        charts::spectrum::{before_provenance, on_grid, over},
+        charts::{
+            products::chain::strip,
+            spectrum::{before_provenance, on_grid, over},
+        },
         derived::{Derived, less},
         document::Document,
         entry::Entry,
         memo::ByAddress,
-        products::{ModelledLight, two_lights::modelled},
+        products::ModelledLight,
         recipe::{Recipe, Times},
         report::settings_json,
         state::App,
@@ -99,7 +102,7 @@ impl SameSurfaceSheet {
     pub fn against(app: &App, surface: &[f64], outgoing: &Arc<Entry>) -> Self {
         let lit = ModelledLight::of(app);
         let band = lit.band();
-        let found = modelled(app, &lit, outgoing);
+        let found = lit.another(app, outgoing);
         let light = &lit.derived;
         let models = [&light.model, &found.model].map(Composite::idealised);
         let left_out = |of: &Derived| of.figures[Measure::RmsBlurred].unwrap_or(0.0);
@@ -119,8 +122,11 @@ impl SameSurfaceSheet {
     pub fn headline(&self) -> String {
         let [light, surface, outgoing] = &self.names;
         match self.verdict() {
-            Sameness::Holds => format!("{outgoing} can be {light} off {surface}."),
-            Sameness::DoesNotHold => format!("{outgoing} is not {light} off {surface}."),
+            Sameness::Holds => match *outgoing == format!("{light} off {surface}") {
+                true => format!("Yes: the spectrum is what {light} off {surface} would be."),
+                false => format!("Yes: {outgoing} can be {light} off {surface}."),
+            },
+            Sameness::DoesNotHold => format!("No: {outgoing} is not {light} off {surface}."),
             Sameness::Unknown if self.model.is_none() => {
                 "One of the spectra is dark on this range.".to_owned()
             }
@@ -245,6 +251,47 @@ pub fn example(app: &App, surface: &Entry, twice: bool) -> Recipe {
         light: app.document().light.key.clone(),
         chain: vec![(surface.key.clone(), times)],
     }
+}
+
+/// The check as a sum is written: the light, times the surface, is the spectrum that was found,
+/// with what was expected of it.
+pub fn as_product(app: &App, sheet: &SameSurfaceSheet) -> [Chart; 3] {
+    let band = sheet.band;
+    let [light, surface, outgoing] = &sheet.names;
+    let filled = |title: String, values: &[f64]| {
+        let area = Series::area("", Ink::Measured, on_grid(band, values, 1.0), Vec::new());
+        Chart {
+            title,
+            series: vec![area.coloured()],
+            colours: strip(band),
+            ..over(band)
+        }
+    };
+    let document = app.document();
+    let factor = document.products.surface.as_ref();
+    let reflected = factor.map_or(Vec::new(), |entry| entry.on_band(band));
+    let compared = sheet.measured.as_ref();
+    let found = compared.map_or(&[][..], |compared| &compared.found);
+    let mut last = filled(format!("The spectrum: {outgoing}"), found);
+    if let Some(compared) = compared {
+        let expected = on_grid(band, &compared.expected, 1.0);
+        let line = Series::line("the product", Ink::Spikes, expected);
+        last.series.push(line.dashed(Dash::Dashed));
+    }
+    last.y_label = "Relative power".to_owned();
+    let lit = ModelledLight::of(app);
+    [
+        Chart {
+            y_label: "Relative power".to_owned(),
+            ..filled(format!("The light: {light}"), &lit.derived.measured)
+        },
+        Chart {
+            y_label: "Reflectance".to_owned(),
+            y_range: Some([0.0, 1.0]),
+            ..filled(format!("The surface: {surface}"), &reflected)
+        },
+        last,
+    ]
 }
 
 /// One of the two checks; `what` says whose numbers were compared.

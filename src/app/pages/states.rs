@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use serde::{Deserialize, Serialize, de::DeserializeOwned};
+use serde::{Serialize, de::DeserializeOwned};
 use serde_json::{Map, Value};
 
 use super::{
@@ -14,7 +14,7 @@ use super::{
 use crate::app::recipe::NameOf;
 
 /// What one page keeps: plain data, spectra by their keys, each field with its default.
-pub trait PageState: Clone + Default + PartialEq + Serialize + DeserializeOwned {
+pub trait PageState: Clone + Default + PartialEq + Serialize + DeserializeOwned + 'static {
     /// Its numbers.
     const KNOBS: &'static [Knob<Self>] = &[];
 

@@ -14,9 +14,17 @@ pub(super) const ROW: Row = row(
     Place::Through,
     ("Two lights", "two-lights"),
     "metamers",
-    "The same surfaces under two lights; metamers found and made.",
+    "The same surfaces under two lights: which colours change.",
 )
 .once(&["lights"]);
+
+pub(super) const METAMERS: Row = row(
+    Page::Metamers,
+    Place::Through,
+    ("Metamers", "metamers"),
+    "metamers",
+    "Surfaces that look alike under one light and differ under another, found and made.",
+);
 
 /// What the comparison of two lights remembers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -26,6 +34,8 @@ pub struct TwoLightsMemory {
     pub patch: usize,
     /// The pair that is drawn.
     pub pair: usize,
+    /// A metamer is made for a patch; else pairs are looked for.
+    pub makes: bool,
     /// Pairs are looked for among all shipped reflectances, not the patches alone.
     pub everywhere: bool,
     /// Part of the room that the metameric black takes, percent; below 0 the other way.
@@ -37,6 +47,7 @@ impl Default for TwoLightsMemory {
         Self {
             patch: 0,
             pair: 0,
+            makes: false,
             everywhere: true,
             room_percent: 100,
         }
@@ -59,6 +70,7 @@ impl PageState for TwoLightsMemory {
     const NAMES: &'static [(&'static str, &'static str)] = &[
         ("patch", "the patch chosen"),
         ("pair", "the pair drawn"),
+        ("makes", "found or made"),
         ("everywhere", "where pairs are looked for"),
     ];
 }

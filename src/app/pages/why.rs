@@ -12,7 +12,8 @@ pub(super) const ROW: Row = row(
     "colour",
     "Why few numbers carry colour: the coefficients of the light beside those of the eye.",
 )
-.once(&["coefficients"]);
+.once(&["coefficients"])
+.tab_called("For authors");
 
 /// The partial sum and the bars.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -1,12 +1,14 @@
 //! Spectral images: from a cube to pixels of the screen, and from a pixel or a region to a
 //! spectrum with its model. Numbers only; the window draws them.
 
+mod at_hand;
 mod band_weights;
 mod exposure;
 mod raster;
 mod region_spectrum;
 pub mod reload;
 
+pub use at_hand::{WALL_KEY, at_hand};
 pub use band_weights::BandWeights;
 pub use exposure::{Exposed, NOT_MEASURED, exposed, seen_in};
 pub use raster::{MOST_SIDE, Raster, RasterAsk, Source, step_of};

@@ -125,7 +125,7 @@ fn rendering_rows(figures: &Figures) -> Vec<Row> {
     }));
     let rg = rg.map_err(Clone::clone);
     rows.push(row(["rg", "Rg", ""], 1, TM_30, rg, |rg| {
-        verdicts::of_rg(rg).to_owned()
+        verdicts::of_rg(rg)
     }));
     let own = figures.similarity.clone().and_then(|found| found.of_cct);
     let reference = own.clone().map(|(reference, _)| reference.to_string());

@@ -7,7 +7,7 @@ use serde::{Deserialize, Deserializer, Serialize, de::Error as _};
 use crate::{
     app::{
         derived::OF_CURVE,
-        pages::{AskedLesson, Page},
+        pages::{AskedLesson, Page, Place},
         stored_path,
     },
     study::Measure,
@@ -37,21 +37,27 @@ pub struct Preferences {
     pub pinned: bool,
     /// The ways to begin were seen.
     pub greeted: bool,
-    /// The offer of larger type in a large window was answered.
-    pub larger_answered: bool,
+    /// By how much type is larger in a large window: the window finds it anew.
+    #[serde(skip)]
+    pub grown: f32,
     /// The page shown.
     pub page: Page,
+    /// The pages that were shown last, one a place: the rail leads back to them.
+    pub last_of_places: Vec<Page>,
     /// Names of the lessons that were gone through.
     pub lessons_finished: Vec<String>,
+    /// A photograph of a spectrum that is to be read, once.
+    #[serde(skip)]
+    pub photograph_asked: Option<PathBuf>,
     /// A lesson that is to be begun, once.
     #[serde(skip)]
     pub lesson_asked: Option<AskedLesson>,
 }
 
 impl Preferences {
-    /// Whether the first screen is being presented; the other pages never are.
+    /// Whether a page is being presented: it has the window alone, in large type.
     pub fn presents(&self) -> bool {
-        self.present && self.page == Page::Spectrum
+        self.present
     }
 }
 
@@ -67,9 +73,11 @@ impl Default for Preferences {
             folded: FOLDED_AT_FIRST.map(str::to_owned).to_vec(),
             pinned: false,
             greeted: false,
-            larger_answered: false,
+            grown: 1.0,
             page: Page::Spectrum,
+            last_of_places: Vec::new(),
             lessons_finished: Vec::new(),
+            photograph_asked: None,
             lesson_asked: None,
         }
     }
@@ -94,7 +102,32 @@ impl Preferences {
             .window
             .filter(|size| size.iter().all(|s| (200.0..=20_000.0).contains(s)));
         self.recent.truncate(MOST_RECENT);
+        // One page a place, the last.
+        let (page, all) = (self.page, std::mem::take(&mut self.last_of_places));
+        for last in all {
+            self.page = last;
+            self.note_page();
+        }
+        self.page = page;
         self
+    }
+
+    /// Remembers the page that is shown as the last of its place.
+    pub fn note_page(&mut self) {
+        let page = self.page;
+        if !self.last_of_places.contains(&page) {
+            let is_elsewhere = |other: &Page| other.place() != page.place();
+            self.last_of_places.retain(is_elsewhere);
+            self.last_of_places.push(page);
+        }
+    }
+
+    /// Goes to the page of a place that was shown last.
+    pub fn go_to(&mut self, place: Place) {
+        self.note_page();
+        let mut last = self.last_of_places.iter();
+        let last = last.find(|page| page.place() == place).copied();
+        self.page = last.unwrap_or_else(|| place.first());
     }
 
     /// Puts a file on top of the recent ones.

@@ -9,6 +9,8 @@ pub mod image_view;
 mod known_lamps_view;
 mod lessons_view;
 mod many_view;
+pub mod photograph_view;
+pub(super) mod presented;
 mod prism_view;
 pub mod products_view;
 mod quality_view;
@@ -28,10 +30,11 @@ use glossary_view::GlossaryView;
 use image_view::ImageView;
 use known_lamps_view::KnownLampsView;
 use many_view::ManyView;
+use photograph_view::PhotographView;
 use prism_view::PrismView;
 use products_view::{
-    absorption::AbsorptionView, bounces::BouncesView, chain::ChainView, narrow::NarrowView,
-    resampling::ResamplingView, two_lights::TwoLightsView,
+    absorption::AbsorptionView, bounces::BouncesView, chain::ChainView, metamers::MetamersView,
+    narrow::NarrowView, resampling::ResamplingView, two_lights::TwoLightsView,
 };
 use quality_view::QualityView;
 use race_view::RaceView;
@@ -52,7 +55,7 @@ use egui::Ui;
 
 use super::{
     chart_view::{ChartResponse, ChartView, ChartWish},
-    kit::{named, pressed_small},
+    kit::{named, pressed_small, segments},
     theme::{Theme, Wake},
 };
 use crate::app::{
@@ -77,6 +80,8 @@ pub struct PageContext<'a> {
     pub page: &'a mut Page,
     /// Names of the lessons that were gone through.
     pub finished: &'a [String],
+    /// A photograph of a spectrum that is to be read, once.
+    pub photograph_asked: &'a mut Option<PathBuf>,
     /// The looks.
     pub theme: Theme,
     /// Wakes the window when a computation is done.
@@ -87,6 +92,8 @@ pub struct PageContext<'a> {
     pub wishes: &'a mut Vec<PageWish>,
     /// Whether what changes from run to run (times) is left out, for pictures.
     pub quiet: bool,
+    /// While a page is drawn unseen, to be presented: its largest chart so far, with its area.
+    pub taken: Option<Option<(f32, Box<Chart>)>>,
 }
 
 /// What a page asks of the window.
@@ -122,6 +129,13 @@ impl PageContext<'_> {
         id: impl std::hash::Hash + std::fmt::Debug,
         size: egui::Vec2,
     ) -> ChartResponse {
+        if let Some(taken) = &mut self.taken
+            && taken
+                .as_ref()
+                .is_none_or(|(area, _)| *area < size.x * size.y)
+        {
+            *taken = Some((size.x * size.y, Box::new(chart.clone())));
+        }
         let mut shown = ChartView::show(ui, chart, id, size, self.theme);
         self.ask_for_chart(shown.wish.take());
         shown
@@ -168,6 +182,9 @@ const DRAWN: &[(Page, Draw)] = &[
     (Page::TwoLights, |p, ui, c| {
         p.of::<TwoLightsView>().show(ui, c)
     }),
+    (Page::Metamers, |p, ui, c| {
+        p.of::<MetamersView>().show(ui, c)
+    }),
     (Page::SameSurface, |p, ui, c| {
         p.of::<SameSurfaceView>().show(ui, c)
     }),
@@ -205,6 +222,9 @@ const DRAWN: &[(Page, Draw)] = &[
     }),
     (Page::Bounces, |p, ui, c| p.of::<BouncesView>().show(ui, c)),
     (Page::Image, |p, ui, c| p.of::<ImageView>().show(ui, c)),
+    (Page::Photograph, |p, ui, c| {
+        p.of::<PhotographView>().show(ui, c)
+    }),
     (Page::Prism, |p, ui, c| p.of::<PrismView>().prism(ui, c)),
     (Page::Rainbow, |p, ui, c| p.of::<PrismView>().rainbow(ui, c)),
     (Page::Gem, |p, ui, c| p.of::<GemView>().show(ui, c)),
@@ -233,14 +253,10 @@ impl Pages {
     }
 }
 
-/// The tabs of the place, the modes of a tab behind them; at the right end what `at_end` draws.
+/// The tabs of the place, at the right end what `at_end` draws; below them the modes of a tab that
+/// has several.
 pub fn tabs(ui: &mut Ui, page: &mut Page, at_end: impl FnOnce(&mut Ui)) {
-    let needs = if page.modes().count() > 2 {
-        800.0
-    } else {
-        560.0
-    };
-    let wide = ui.available_width() >= needs;
+    let wide = ui.available_width() >= 560.0;
     let row = |ui: &mut Ui, add: &mut dyn FnMut(&mut Ui)| match wide {
         true => ui.horizontal(add).response,
         false => ui.horizontal_wrapped(add).response,
@@ -249,23 +265,20 @@ pub fn tabs(ui: &mut Ui, page: &mut Page, at_end: impl FnOnce(&mut Ui)) {
     row(ui, &mut |ui| {
         for tab in page.place().tabs() {
             let is_here = page.tab() == tab;
-            let response = ui.selectable_label(is_here, tab.title());
+            let response = ui.selectable_label(is_here, tab.tab_title());
             if response.on_hover_text(tab.meaning()).clicked() && !is_here {
                 *page = tab;
-            }
-        }
-        let modes: Vec<Page> = page.modes().collect();
-        if modes.len() > 1 {
-            ui.separator();
-            for mode in modes {
-                ui.selectable_value(page, mode, mode.mode())
-                    .on_hover_text(mode.meaning());
             }
         }
         if let Some(at_end) = at_end.take().filter(|_| wide) {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), at_end);
         }
     });
+    let modes: Vec<Page> = page.modes().collect();
+    if modes.len() > 1 {
+        ui.add_space(4.0);
+        segments(ui, page, modes, |mode| (mode.mode(), mode.meaning()));
+    }
 }
 
 /// How a computation stands, in a line with a bar and a button to stop it.

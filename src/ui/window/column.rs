@@ -131,9 +131,9 @@ impl Window {
                     let asked = ui
                         .checkbox(&mut automatic, "Automatic: known lamps too")
                         .on_hover_text(
-                            "Automatic may make the light of lamps that the program knows: the \
-                             numbers then need the program's list of lamps. Where they are better \
-                             it leads to the page Known lamps.",
+                            "Automatic may also describe the light by lamps that the program \
+                             knows. Decoding then needs this program's list of lamps. Where that is \
+                             better, the page Known lamps opens.",
                         );
                     if asked.changed() {
                         self.app

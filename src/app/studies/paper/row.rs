@@ -2,7 +2,10 @@
 //! figures are written.
 
 use crate::{
-    app::{figures::three_digits, ticks::short},
+    app::{
+        figures::three_digits,
+        ticks::{hundredths, short},
+    },
     spectrum::Band,
 };
 
@@ -87,11 +90,11 @@ pub fn percent(share: impl Into<Option<f64>>) -> String {
 /// Shares below this are the rounding of sums, not of a model.
 pub(super) const ROUNDING: f64 = 1e-10;
 
-/// A colour difference: what is below any meaning is told as a bound.
+/// A colour difference: two decimals, and a bound for what is below any meaning.
 pub fn delta_e(value: impl Into<Option<f64>>) -> String {
     match value.into().filter(|v| v.is_finite()) {
-        Some(small) if small < 0.0005 => "below 0.001".to_owned(),
-        other => figure(other),
+        Some(value) => hundredths(value),
+        None => "–".to_owned(),
     }
 }
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{CollapsingHeader, Ui};
+use egui::Ui;
 
 use super::{colour, names};
 use crate::{
@@ -14,7 +14,10 @@ use crate::{
     },
     optics::{Brilliant, FilmSettings, Light, film_bytes},
     ui::{
-        kit::{Choice, Chooser, knob, lights, pressed_if, pressed_small, seen_choice},
+        kit::{
+            Choice, Chooser, Form, GROUP, fold, form, knob, lights, pressed_if, pressed_small,
+            seen_choice,
+        },
         pages::{
             PageContext, PageWish,
             prism_view::{exposure, model, substance},
@@ -23,7 +26,7 @@ use crate::{
 };
 
 /// How many sliders of the cut are always there.
-const ALWAYS: usize = 3;
+const ALWAYS: usize = 2;
 
 pub(super) fn show(
     ui: &mut Ui,
@@ -31,112 +34,120 @@ pub(super) fn show(
     film: Option<&Arc<GemFilm>>,
     both: &[Light],
 ) {
-    ui.spacing_mut().slider_width = 84.0 * context.theme.scale;
-    substance(
-        ui,
-        context.app,
-        (
-            names::MATERIAL,
-            "Diamond bends light most and spreads its colours; zirconia spreads them further, \
-             glass much less.",
-        ),
-        &mut context.pages.gem.made_of,
-    );
-    colour::show(ui, context);
-    cut(ui, &mut context.pages.gem);
-    ui.separator();
-    looks(ui, context, both);
-    ui.separator();
-    other_light(ui, context, both.get(1));
-    model::sent(ui, &mut context.pages.gem.sent);
-    model::knobs(ui, context, context.pages.gem.sent);
-    ui.separator();
-    save(ui, context, film, &both[0]);
-}
-
-fn cut(ui: &mut Ui, gem: &mut GemMemory) {
-    let sliders = |ui: &mut Ui, gem: &mut GemMemory, id: &str, [skip, take]: [usize; 2]| {
-        egui::Grid::new(id).num_columns(2).show(ui, |ui| {
-            let knobs = GemMemory::cut_knobs().skip(skip).take(take);
-            knobs.for_each(|knob| slider(ui, gem, knob));
-        });
-    };
-    sliders(ui, gem, "cut", [0, ALWAYS]);
-    CollapsingHeader::new("More of the cut").show(ui, |ui| {
-        sliders(ui, gem, "more of the cut", [ALWAYS, usize::MAX]);
-        let usual = Brilliant::default();
-        let button = egui::Button::new(names::USUAL_CUT).small();
-        let meaning = "The round brilliant that most diamonds are cut to.";
-        if pressed_if(ui, gem.cut != usual, button, meaning) {
-            gem.cut = usual;
+    ui.spacing_mut().slider_width = 100.0 * context.theme.scale;
+    let app = context.app;
+    form(ui, "gem", |form| {
+        let meaning = "Diamond bends light most and spreads its colours; zirconia spreads them \
+                       further, glass much less.";
+        let made_of = &mut context.pages.gem.made_of;
+        substance(form, app, (names::MATERIAL, meaning), made_of);
+        other_light(form, context, both.get(1));
+        for of in GemMemory::cut_knobs().take(ALWAYS) {
+            slider(form, &mut context.pages.gem, of);
         }
+    });
+    ui.add_space(GROUP);
+    form(ui, "how the gem is seen", |form| looks(form, context));
+    let meaning = "Looks at the gem as at first: down on the crown.";
+    if pressed_small(ui, names::FRONT, meaning) {
+        context.pages.gem.look_from_front();
+    }
+    ui.add_space(GROUP);
+    form(ui, "gem's light", |form| {
+        model::sent(form, &mut context.pages.gem.sent);
+        model::knobs(form, context, context.pages.gem.sent);
+    });
+    ui.add_space(GROUP);
+    let memory = &mut context.pages.gem;
+    fold(ui, "more of the cut", "More of the cut", |ui| {
+        rest_of_cut(ui, memory);
+    });
+    fold(ui, "more of the gem", "Colour and picture", |ui| {
+        form(ui, "more of the gem", |form| {
+            colour::show(form, context);
+            picture(form, context, both);
+        });
+        save(ui, context, film, &both[0]);
     });
 }
 
-fn slider(ui: &mut Ui, gem: &mut GemMemory, of: &Knob<GemMemory>) {
-    let label = ui.label(of.title).on_hover_text(of.meaning);
+/// What of the cut changes the picture less.
+fn rest_of_cut(ui: &mut Ui, gem: &mut GemMemory) {
+    form(ui, "more of the cut", |form| {
+        for of in GemMemory::cut_knobs().skip(ALWAYS) {
+            slider(form, gem, of);
+        }
+    });
+    let usual = Brilliant::default();
+    let button = egui::Button::new(names::USUAL_CUT).small();
+    let meaning = "The round brilliant that most diamonds are cut to.";
+    if pressed_if(ui, gem.cut != usual, button, meaning) {
+        gem.cut = usual;
+    }
+}
+
+fn slider(form: &mut Form<'_>, gem: &mut GemMemory, of: &Knob<GemMemory>) {
     let slider = knob::slider(of, gem);
-    let slider = match of.unit {
-        "" => slider
-            .custom_formatter(|value, _| format!("{:.1} %", 100.0 * value))
+    let slider = if of.unit.is_empty() {
+        slider
+            .custom_formatter(|value, _| format!("{:.0} %", 100.0 * value))
             .custom_parser(|text| {
                 let percent: f64 = text.trim().trim_end_matches('%').trim().parse().ok()?;
                 Some(percent / 100.0)
-            }),
-        _ => slider.step_by(0.05),
+            })
+    } else {
+        slider.step_by(0.05).fixed_decimals(1)
     };
-    ui.add(slider)
-        .labelled_by(label.id)
-        .on_hover_text(of.meaning);
-    ui.end_row();
+    form.slider((of.title, of.meaning), slider);
 }
 
-fn looks(ui: &mut Ui, context: &mut PageContext<'_>, both: &[Light]) {
-    let (app, wide) = (context.app, 225.0 * context.theme.scale);
-    seen_choice(ui, app, (names::SEEN, wide), context.commands);
+/// To whom the gem is shown, how bright and under which part of the light.
+fn looks(form: &mut Form<'_>, context: &mut PageContext<'_>) {
+    let (app, wide) = (context.app, 190.0 * context.theme.scale);
+    form.row(("Seen", ""), |ui, _| {
+        seen_choice(ui, app, (names::SEEN, wide), context.commands);
+    });
     let memory = &mut context.pages.gem;
-    ui.horizontal(|ui| {
-        ui.label(names::PART);
-        let choice = Choice {
-            name: names::PART,
-            meaning: "The lines' picture and the smooth part's, each as bright as it is in the \
-                      whole: together they are the whole.",
-            width: 150.0,
-        };
-        choice.pick(ui, &mut memory.part, LightPart::ALL, |p| (p.title(), ""));
+    let choice = Choice {
+        name: names::PART,
+        meaning: "The lines' picture and the smooth part's, each as bright as it is in the \
+                  whole: together they are the whole.",
+        width: 150.0,
+    };
+    form.choice(choice, memory.part.title(), |ui| {
+        for part in LightPart::ALL {
+            ui.selectable_value(&mut memory.part, part, part.title());
+        }
     });
-    exposure(ui, &mut memory.stops);
-    ui.horizontal(|ui| {
-        ui.label(names::SIZE);
-        let choice = Choice {
-            name: names::SIZE,
-            meaning: "Columns and rows of the picture, and the memory that its film takes.",
-            width: 60.0,
-        };
-        let planes = FilmSettings::default().strata + both.iter().flat_map(places).count();
-        choice.show(ui, format!("{} px", memory.size), |ui| {
-            for size in SIZES_SHOWN {
-                let megabytes = film_bytes(size, planes).div_ceil(1 << 20);
-                let words = format!("{size} px, {megabytes} MB");
-                ui.selectable_value(&mut memory.size, size, words);
-            }
-        });
-        ui.label("rays");
-        let choice = Choice {
-            name: names::RAYS,
-            meaning: "Rays a pixel: twice as many take twice the time and leave 0.7 of the noise.",
-            width: 50.0,
-        };
-        choice.show(ui, memory.rays.to_string(), |ui| {
-            for rays in RAYS_SHOWN {
-                ui.selectable_value(&mut memory.rays, rays, rays.to_string());
-            }
-        });
+    exposure(form, &mut memory.stops);
+}
+
+/// How fine the picture is.
+fn picture(form: &mut Form<'_>, context: &mut PageContext<'_>, both: &[Light]) {
+    let memory = &mut context.pages.gem;
+    let choice = Choice {
+        name: names::SIZE,
+        meaning: "Columns and rows of the picture, and the memory that its film takes.",
+        width: 60.0,
+    };
+    let planes = FilmSettings::default().strata + both.iter().flat_map(places).count();
+    form.choice(choice, &format!("{} px", memory.size), |ui| {
+        for size in SIZES_SHOWN {
+            let megabytes = film_bytes(size, planes).div_ceil(1 << 20);
+            let words = format!("{size} px, {megabytes} MB");
+            ui.selectable_value(&mut memory.size, size, words);
+        }
     });
-    let meaning = "Looks at the gem as at first: down on the crown.";
-    if pressed_small(ui, names::FRONT, meaning) {
-        memory.look_from_front();
-    }
+    let choice = Choice {
+        name: names::RAYS,
+        meaning: "Rays a pixel: twice as many take twice the time and leave 0.7 of the noise.",
+        width: 50.0,
+    };
+    form.choice(choice, &memory.rays.to_string(), |ui| {
+        for rays in RAYS_SHOWN {
+            ui.selectable_value(&mut memory.rays, rays, rays.to_string());
+        }
+    });
 }
 
 /// How the pictures are looked at.
@@ -151,16 +162,16 @@ pub(super) fn look(context: &PageContext<'_>) -> GemLook {
 }
 
 /// The light of the second picture.
-fn other_light(ui: &mut Ui, context: &mut PageContext<'_>, other: Option<&Light>) {
-    ui.horizontal(|ui| {
-        ui.label(names::UNDER);
+fn other_light(form: &mut Form<'_>, context: &mut PageContext<'_>, other: Option<&Light>) {
+    let meaning = "A second light on the same gem: its picture is summed from the same rays, only \
+                   its lines are traced.";
+    form.row((names::UNDER, meaning), |ui, _| {
         let chooser = Chooser {
             name: names::UNDER,
-            meaning: "A second light on the same gem: its picture is summed from the same rays, \
-                      only its lines are traced.",
+            meaning,
             says: other.map_or("choose a light", |light| light.name.as_str()),
             offers: lights,
-            width: 110.0,
+            width: 100.0,
         };
         if let Some(entry) = chooser.show(ui, context.app) {
             context.pages.gem.under = Some(entry.key.clone());

@@ -13,8 +13,8 @@ use crate::{
     color::Srgb,
     io::budget,
     ui::{
-        kit::{Choice, adapt_box, knob, pressed, pressed_if, pressed_small, sign_button},
-        pages::PageContext,
+        kit::{Choice, adapt_box, pressed, pressed_if, pressed_small, sign_button},
+        pages::{PageContext, PageWish},
     },
 };
 
@@ -23,6 +23,15 @@ use crate::{
 pub(super) fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEntry) -> bool {
     let images = &context.app.document().images;
     let row = ui.horizontal(|ui| {
+        if images.is_empty() {
+            let meaning = "An ENVI cube (its header .hdr or its data beside it) or a spectral \
+                           OpenEXR (.exr). It can be dropped here too.";
+            if pressed(ui, names::OPEN, meaning) {
+                context.wishes.push(PageWish::OpenPicture);
+            }
+            about(ui, entry);
+            return false;
+        }
         let choice = Choice {
             name: names::IMAGE,
             meaning: &format!("The spectral images that are open: {}.", images.len()),
@@ -46,28 +55,33 @@ pub(super) fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEn
         let meaning = "What the values were taken for, their scale, the unit of the wavelengths, \
                        and the other choices; the picture is drawn anew with each.";
         let reading = pressed_if(ui, entry.path().is_some(), button, meaning);
-        let cube = &entry.image.cube;
-        let nm = cube.nm();
-        let words = format!(
-            "{} x {} pixels, {} bands {}–{} nm, {}, {}",
-            cube.width(),
-            cube.height(),
-            nm.len(),
-            short(nm[0]),
-            short(nm[nm.len() - 1]),
-            entry.image.kind.word(),
-            budget::in_words(cube.memory())
-        );
-        ui.add(egui::Label::new(egui::RichText::new(words).weak()).truncate())
-            .on_hover_ui(|ui| {
-                ui.label("Size, bands, what the values are, and the memory that they take.");
-                for note in &entry.image.notes {
-                    ui.label(note);
-                }
-            });
+        about(ui, entry);
         reading
     });
     row.inner
+}
+
+/// Its size, its bands and what its values are.
+fn about(ui: &mut Ui, entry: &ImageEntry) {
+    let cube = &entry.image.cube;
+    let nm = cube.nm();
+    let words = format!(
+        "{} x {} pixels, {} bands {}–{} nm, {}, {}",
+        cube.width(),
+        cube.height(),
+        nm.len(),
+        short(nm[0]),
+        short(nm[nm.len() - 1]),
+        entry.image.kind.word(),
+        budget::in_words(cube.memory())
+    );
+    ui.add(egui::Label::new(egui::RichText::new(words).weak()).truncate())
+        .on_hover_ui(|ui| {
+            ui.label("Size, bands, what the values are, and the memory that they take.");
+            for note in &entry.image.notes {
+                ui.label(note);
+            }
+        });
 }
 
 /// True colour or bands, and the exposure.
@@ -126,7 +140,13 @@ fn exposure(ui: &mut Ui, context: &mut PageContext<'_>) {
                    percentile of the pixels' strongest channel has the screen's full brightness.";
     ui.spacing_mut().slider_width = 64.0 * context.theme.scale;
     let label = ui.label(names::EXPOSURE).on_hover_text(meaning);
-    let slider = knob::slider(&ImageMemory::EXPOSURE, &mut context.pages.image).step_by(0.1);
+    let slider = egui::Slider::new(
+        &mut context.pages.image.stops,
+        ImageMemory::EXPOSURE.reach.range(),
+    )
+    .step_by(0.1)
+    .fixed_decimals(1)
+    .suffix(" stops");
     ui.add(slider).labelled_by(label.id).on_hover_text(meaning);
     ui.weak("over what fits the screen").on_hover_text(meaning);
 }

@@ -23,7 +23,9 @@ use crate::{
     spectrum::Sampling,
     study::products::{Formed, ProductTime, timing},
     ui::{
-        kit::{Column, Row, Table, headline, line, pressed_small, scrolled, titled, two_columns},
+        kit::{
+            Column, GROUP, Row, Table, headline, line, pressed_small, scrolled, titled, two_columns,
+        },
         pages::{PageContext, progress},
         theme::Theme,
     },
@@ -61,6 +63,7 @@ impl ResamplingView {
             None => "Choose what the light is multiplied by.".to_owned(),
         };
         headline(ui, context.theme, words);
+        ui.add_space(GROUP);
         ui.horizontal_wrapped(|ui| {
             surface_chooser(ui, context, names::FACTOR);
             if let Some(bench) = self.bench.held().filter(|_| chosen.is_some()) {

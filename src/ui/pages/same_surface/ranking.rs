@@ -1,0 +1,143 @@
+//! Which surface explains the outgoing spectrum best.
+
+use std::sync::Arc;
+
+use eframe::egui;
+use egui::Ui;
+
+use super::{
+    super::products_view::{among, change},
+    RESIDUAL_MEANS, figure, names,
+};
+use crate::{
+    app::{
+        ByAddress, Memo,
+        pages::same_surface::{RankAsk, Ranked, SameSurfaceSheet, ranking_csv},
+        studies::Stage,
+    },
+    study::products::Sameness,
+    ui::{
+        kit::{Column, Row, Table, copy_button},
+        pages::{PageContext, progress},
+        swatch,
+    },
+};
+
+/// The ranking, within a height.
+pub(super) fn show(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    sheet: &SameSurfaceSheet,
+    rows: &mut Memo<ByAddress<Vec<Ranked>>, Vec<Row>>,
+    height: f32,
+) {
+    let answer = context.studies.of::<RankAsk>().answer();
+    let ranked = answer.map(|(_, ranked)| ranked.clone());
+    ui.horizontal_wrapped(|ui| {
+        ui.strong("Which surface explains it best?");
+        copy_button(ui, names::COPY, "", || {
+            let csv = |ranked: &Arc<Vec<Ranked>>| ranking_csv(&sheet.names, ranked);
+            ranked.as_ref().map_or_else(String::new, csv)
+        });
+    });
+    ui.horizontal_wrapped(|ui| {
+        ui.label("Among");
+        let meaning = "Which surfaces are tried: the patch set, or everything shipped.";
+        let everywhere = context.pages.same_surface.everywhere;
+        context.pages.same_surface.everywhere =
+            among(ui, context, names::AMONG, meaning, everywhere);
+        let job = context.studies.of::<RankAsk>();
+        if job.stage() != Stage::Done {
+            progress(ui, job, "The ranking");
+        }
+    });
+    let Some(ranked) =
+        ranked.filter(|_| context.studies.of::<RankAsk>().stage() != Stage::Impossible)
+    else {
+        return;
+    };
+    let count = |verdict: Sameness| ranked.iter().filter(|r| r.verdict == verdict).count();
+    let (holding, open) = (count(Sameness::Holds), count(Sameness::Unknown));
+    ui.label(format!(
+        "{holding} of {} surfaces fit the model's numbers{}{}",
+        ranked.len(),
+        if open > 0 {
+            format!("; {open} are undecided")
+        } else {
+            String::new()
+        },
+        if 3 * holding > ranked.len() {
+            ": this light tells surfaces badly apart."
+        } else {
+            "."
+        }
+    ));
+    let columns = columns();
+    let chosen = context.app.document().products.surface.as_ref();
+    let chosen = chosen.and_then(|entry| ranked.iter().position(|r| r.key == entry.key));
+    let table = Table {
+        chosen,
+        ..Table::new(&columns, context.theme)
+    };
+    let rows = rows.get(ByAddress(ranked.clone()), |_| {
+        ranked.iter().map(row).collect()
+    });
+    let clicked = table.scrolled(
+        ui,
+        "ranking",
+        height.max(4.0 * table.row_height(ui)),
+        rows,
+        &mut |ui, [row, column], cell| {
+            if column == 0 {
+                let fill = swatch::colour(ranked[row].swatch.rgb8);
+                let field = cell.shrink2(egui::vec2(0.0, 2.0));
+                ui.painter().rect_filled(field, 3.0, fill);
+            }
+        },
+    );
+    let clicked = clicked.and_then(|row| context.app.entry(&ranked[row].key));
+    if let Some(surface) = clicked {
+        change(context, |products| products.surface = Some(surface));
+    }
+}
+
+fn columns() -> [Column; 5] {
+    [
+        Column::words("", "Colour of the surface under the light.", 0.09),
+        Column::words("surface", "Click a row to take it as the surface S2.", 0.43),
+        Column::numbers(
+            "residual",
+            &format!("In the model's numbers. {RESIDUAL_MEANS}"),
+            0.14,
+        ),
+        Column::numbers(
+            "measured",
+            &format!("Of the measured curves. {RESIDUAL_MEANS}"),
+            0.15,
+        ),
+        Column::words("verdict", "The model's verdict.", 0.19),
+    ]
+}
+
+fn row(ranked: &Ranked) -> Row {
+    let verdict = ranked.verdict;
+    let residual = figure(ranked.model.map(|m| m.residual));
+    Row {
+        name: format!("{}: residual {residual}, {}", ranked.name, verdict.words()),
+        note: format!(
+            "{}\nFactor {} in the model's numbers, {} measured.\nClick to take it as the surface \
+             S2.",
+            ranked.key,
+            figure(ranked.model.map(|m| m.factor)),
+            figure(ranked.measured.map(|m| m.factor)),
+        ),
+        cells: vec![
+            String::new(),
+            ranked.name.clone(),
+            residual,
+            figure(ranked.measured.map(|m| m.residual)),
+            format!("{} {}", verdict.sign(), verdict.words()),
+        ],
+        ..Row::default()
+    }
+}
