@@ -408,9 +408,9 @@ impl Rates {
 }
 
 fn kind_of(seed: u64) -> Kind {
-    let kinds = Kind::LAMPS.iter().chain(&Kind::OTHERS);
+    let mut kinds = Kind::LAMPS.iter().chain(&Kind::OTHERS);
     let number = seed as usize % (Kind::LAMPS.len() + Kind::OTHERS.len());
-    *kinds.skip(number).next().unwrap_or(&Kind::Cfl)
+    *kinds.nth(number).unwrap_or(&Kind::Cfl)
 }
 
 fn rates_of_profiles(seeds: std::ops::Range<u64>) -> Rates {

@@ -197,7 +197,7 @@ impl Row {
     }
 
     /// The first page of a tab that is called otherwise than the page.
-    const fn tab_called(self, tab_title: &'static str) -> Self {
+    const fn titled_tab(self, tab_title: &'static str) -> Self {
         Self { tab_title, ..self }
     }
 

@@ -13,7 +13,7 @@ pub(super) const ROW: Row = row(
     "Why few numbers carry colour: the coefficients of the light beside those of the eye.",
 )
 .once(&["coefficients"])
-.tab_called("For authors");
+.titled_tab("For authors");
 
 /// The partial sum and the bars.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use serde::Deserialize;
 
 use crate::core_tests::{
-    photographs::{Dice, Kind, Light, Setup, picture},
+    photographs::{Dice, Kind, Light as DrawnLight, Setup, picture},
     root::root,
 };
 
@@ -319,15 +319,15 @@ fn bands_of_drawn_instruments_hold_the_temperatures_of_their_lights() {
         let mut dice = Dice::new(9_000_000 + seed);
         let mut bench = Setup::of([640, 480], &mut dice);
         bench.slit_nm = 2.5;
-        let mut save = |name: &str, light: &Light, dice: &mut Dice| {
+        let save = |name: &str, light: &DrawnLight, dice: &mut Dice| {
             let drawn = picture(&bench, light, 0.8, 0.0, dice);
             let path = folder.path().join(format!("{seed}-{name}.png"));
             std::fs::write(&path, png_of(drawn.size, &drawn.codes)).expect("a picture");
             path
         };
-        let lamp = save("cfl", &Light::of(Kind::Cfl, &mut dice), &mut dice);
-        let bulb = save("bulb", &Light::bulb(2856.0), &mut dice);
-        let other = save("warm", &Light::bulb(4200.0), &mut dice);
+        let lamp = save("cfl", &DrawnLight::of(Kind::Cfl, &mut dice), &mut dice);
+        let bulb = save("bulb", &DrawnLight::bulb(2856.0), &mut dice);
+        let other = save("warm", &DrawnLight::bulb(4200.0), &mut dice);
         let said = Said {
             lamp: LampChoice::Is(Lamp::Fluorescent),
             ..Said::default()

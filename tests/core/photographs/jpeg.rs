@@ -102,7 +102,7 @@ pub(crate) fn through(codes: &[u8], size: [usize; 2], quality: u32) -> Vec<u8> {
             for x in 0..width {
                 // Three quarters of the nearest and a quarter of the next, both ways.
                 let near = |i: usize, most: usize| {
-                    let next = if i % 2 == 0 {
+                    let next = if i.is_multiple_of(2) {
                         (i / 2).saturating_sub(1)
                     } else {
                         i / 2 + 1

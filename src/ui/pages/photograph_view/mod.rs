@@ -212,7 +212,7 @@ impl PhotographView {
         let name = format!("Picture {}", seen.name);
         let (room, _) = ui.allocate_exact_size(vec2(width, scale * size[1]), Sense::hover());
         let rect = Rect::from_center_size(room.center(), vec2(size[0], size[1]) * scale);
-        let response = ui.interact(rect, ui.id().with("band"), Sense::drag());
+        let response = ui.interact(rect, ui.scope_id().with("band"), Sense::drag());
         kit::named(&response, egui::Role::Image, &name);
         let Some(drawn) = &self.drawn else { return };
         whole(ui, drawn.picture.id(), rect);

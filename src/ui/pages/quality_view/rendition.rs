@@ -183,7 +183,7 @@ impl RenditionView {
     fn thumbnails(&mut self, ui: &mut Ui, context: &mut PageContext<'_>, shown: &QualityShown) {
         let small = &*self.small.get(context.app.revision(), |_| {
             OfColours::ALL
-                .map(|of| in_small(of.chart(shown, None)))
+                .map(|of| in_small(chart_of(of, shown, None)))
                 .to_vec()
         });
         let theme = context.theme;
