@@ -21,8 +21,7 @@ fn of_tree(tree: &Map<String, Value>) -> Option<PageStates> {
 }
 
 /// Values that a field may have instead of its own.
-fn others(now: &Value, page: &str, key: &str) -> Vec<Value> {
-    let full = tree(&full_pages())[page][key].clone();
+fn others(now: &Value, full: &Value) -> Vec<Value> {
     let near = match now {
         Value::Bool(is) => vec![json!(!is)],
         Value::Number(number) => {
@@ -34,16 +33,17 @@ fn others(now: &Value, page: &str, key: &str) -> Vec<Value> {
         Value::Null => vec![json!(D65)],
         _ => Vec::new(),
     };
-    near.into_iter().chain([full]).collect()
+    near.into_iter().chain([full.clone()]).collect()
 }
 
 /// The pages with one field changed to something allowed, for every field of every page.
 fn every_change() -> Vec<(String, PageStates)> {
     let usual = tree(&PageStates::default());
+    let full = tree(&full_document().pages);
     let mut all = Vec::new();
     for (page, fields) in &usual {
         for (key, now) in fields.as_object().expect("a page's fields") {
-            let changed = others(now, page, key).into_iter().find_map(|other| {
+            let changed = others(now, &full[page][key]).into_iter().find_map(|other| {
                 let mut tree = usual.clone();
                 tree[page][key] = other;
                 let pages = of_tree(&tree)?.in_reach();

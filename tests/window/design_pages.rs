@@ -63,7 +63,8 @@ fn a_swatch_of_another_page_leads_to_the_spectra_of_its_colour() {
         "{offered}"
     );
     assert!(b > r && b > g, "it is blue");
-    assert!(!app(&ui).can_undo());
+    let words = app(&ui).undo_words();
+    assert_eq!(words.as_deref(), Some("From a colour: the colour"));
 }
 
 #[test]

@@ -330,7 +330,7 @@ impl Window {
     /// The colour of a swatch, as its menu asked for.
     pub(super) fn take_colour(&mut self, context: &Context) {
         if let Some(rgb) = super::super::swatch::asked_for(context) {
-            self.app.pages_follow(|pages| {
+            self.app.edit_pages(|pages| {
                 pages.from_colour = pages.from_colour.clone().about(rgb);
             });
             self.preferences.page = Page::FromColour;
