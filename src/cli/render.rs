@@ -78,7 +78,7 @@ pub(super) fn run(
         let files = images.filter_map(|image| image.path());
         files.for_each(|file| target.reads(file));
     }
-    let mut preferences = Preferences {
+    let preferences = Preferences {
         dark: *theme == Theme::Dark,
         present: *present,
         page: *page,

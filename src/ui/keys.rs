@@ -83,7 +83,8 @@ impl Act {
             | Self::OrderUp
             | Self::ThresholdDown
             | Self::ThresholdUp
-            | Self::Reset => 2,
+            | Self::Reset
+            | Self::ResetPage => 2,
             Self::ResetView
             | Self::Theme
             | Self::Present
