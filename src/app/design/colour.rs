@@ -265,7 +265,6 @@ mod tests {
     use super::*;
     use crate::{
         app::{App, Command, assert_says, command::MadeFor},
-        color::Observer,
         spectrum::Kind,
     };
 
