@@ -188,7 +188,6 @@ pub(crate) fn full_document() -> Document {
     app.document().clone()
 }
 
-#[expect(clippy::too_many_lines, reason = "a table: one row a preference")]
 pub(crate) fn full_preferences() -> Preferences {
     Preferences {
         dark: false,
