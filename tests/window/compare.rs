@@ -18,11 +18,11 @@ use spectral_explorer::{
 const SECOND: &str = "cie_led_1nm/LED-B1";
 
 fn on(page: Page, app: App) -> Ui {
-    let mut preferences = Preferences {
+    let preferences = Preferences {
+        page,
         greeted: true,
         ..Preferences::default()
     };
-    preferences.page = page;
     at_rest(Window::new(app, preferences, no_files(), None))
 }
 

@@ -16,11 +16,11 @@ use spectral_explorer::{
 };
 
 fn page(page: Page) -> Ui {
-    let mut preferences = Preferences {
+    let preferences = Preferences {
+        page,
         greeted: true,
         ..Preferences::default()
     };
-    preferences.page = page;
     let mut app = App::new();
     app.pages_follow(|pages| (pages.gem.size, pages.gem.rays) = (240, 8));
     let mut ui = at_rest(Window::new(app, preferences, no_files(), None));

@@ -286,8 +286,10 @@ fn the_widest_range_is_drawn_on_every_page() {
     assert_eq!(app.document().settings.band.points(), 20_001);
     let mut ui = over(app.clone(), Preferences::default());
     for page in Page::all() {
-        let mut preferences = Preferences::default();
-        preferences.page = page;
+        let preferences = Preferences {
+            page,
+            ..Preferences::default()
+        };
         start(&mut ui, app.clone(), preferences);
         assert_sound(&ui, page.title());
     }

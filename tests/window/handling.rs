@@ -26,8 +26,10 @@ fn fresh() -> Ui {
 }
 
 fn at(page: Page) -> Ui {
-    let mut preferences = Preferences::default();
-    preferences.page = page;
+    let preferences = Preferences {
+        page,
+        ..Preferences::default()
+    };
     let mut ui = at_rest(Window::new(App::new(), preferences, no_files(), None));
     for _ in 0..4 {
         ui.state_mut().studies.finish();

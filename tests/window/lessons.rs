@@ -21,8 +21,10 @@ use crate::driver::{
 };
 
 fn at(page: Page) -> Ui {
-    let mut preferences = Preferences::default();
-    preferences.page = page;
+    let preferences = Preferences {
+        page,
+        ..Preferences::default()
+    };
     at_rest(Window::new(App::new(), preferences, no_files(), None))
 }
 
@@ -443,8 +445,10 @@ fn a_lesson_is_begun_taken_and_finished_without_a_mouse() {
 
 /// A window whose workspace and lessons are kept in a folder.
 fn kept_in(folder: &std::path::Path, page: Page) -> Ui {
-    let mut preferences = Preferences::default();
-    preferences.page = page;
+    let preferences = Preferences {
+        page,
+        ..Preferences::default()
+    };
     let saver = Saver::new(folder.join("workspace.json"));
     at_rest(Window::new(
         App::new(),
@@ -490,8 +494,10 @@ fn a_shipped_lesson_is_written_out_as_a_start() {
     let path: PathBuf = folder.path().join("my.json");
     let picked = path.clone();
     let picker = Arc::new(move |_: &_| Picked::Paths(vec![picked.clone()]));
-    let mut preferences = Preferences::default();
-    preferences.page = Page::Teachers;
+    let preferences = Preferences {
+        page: Page::Teachers,
+        ..Preferences::default()
+    };
     let mut ui = at_rest(Window::new(App::new(), preferences, picker, None));
     click(&mut ui, "Copy as a start");
     wait_until(&mut ui, "the file", |ui| is_written(ui, "Saved "));

@@ -11,11 +11,11 @@ use spectral_explorer::{
 };
 
 fn page_of(field: FieldChoice) -> Ui {
-    let mut preferences = Preferences {
+    let preferences = Preferences {
+        page: Page::Many,
         greeted: true,
         ..Preferences::default()
     };
-    preferences.page = Page::Many;
     let mut app = App::new();
     app.edit_pages(|pages| pages.many.field = field);
     let window = Window::new(app, preferences, no_files(), None);

@@ -79,8 +79,10 @@ fn all_sorts() -> Vec<(&'static str, App)> {
 }
 
 fn open(app: App, page: Page, size: [f32; 2]) -> Ui {
-    let mut preferences = Preferences::default();
-    preferences.page = page;
+    let preferences = Preferences {
+        page,
+        ..Preferences::default()
+    };
     let window = Window::new(app, preferences, no_files(), None);
     let mut ui = harness(Shown(window), size, 0.05, 40);
     ui.run();

@@ -289,8 +289,10 @@ fn charts_hold_no_number_that_is_none() {
 }
 
 fn preferences(page: Page) -> Preferences {
-    let mut preferences = Preferences::default();
-    preferences.page = page;
+    let preferences = Preferences {
+        page,
+        ..Preferences::default()
+    };
     preferences
 }
 

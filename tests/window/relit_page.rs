@@ -16,11 +16,11 @@ use spectral_explorer::{
 
 /// The page on the wall of paints in few numbers, saving into `path`.
 fn page(path: Option<std::path::PathBuf>) -> Ui {
-    let mut preferences = Preferences {
+    let preferences = Preferences {
+        page: Page::Relit,
         greeted: true,
         ..Preferences::default()
     };
-    preferences.page = Page::Relit;
     let mut app = App::new();
     app.pages_follow(|pages| pages.relit.numbers = Some(8));
     let path = Mutex::new(path);
