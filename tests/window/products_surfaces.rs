@@ -289,11 +289,10 @@ fn charts_hold_no_number_that_is_none() {
 }
 
 fn preferences(page: Page) -> Preferences {
-    let preferences = Preferences {
+    Preferences {
         page,
         ..Preferences::default()
-    };
-    preferences
+    }
 }
 
 fn open(app: App, page: Page, size: [f32; 2]) -> Ui {
