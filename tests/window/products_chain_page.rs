@@ -51,33 +51,6 @@ fn own(app: &mut App, name: &str, kind: Kind, values: impl Fn(f64) -> f64) {
     }]));
 }
 
-fn all_sorts() -> Vec<(&'static str, App)> {
-    let mut dark = plain();
-    own(&mut dark, "dark", Kind::Light, |_| 0.0);
-    let mut infrared = about("CIE A");
-    infrared = with(infrared, |s| s.band = Band::new(800.0, 1000.0).unwrap());
-    vec![
-        ("spiky", about("FL11")),
-        ("smooth", about("CIE D65")),
-        ("reflectance", about("colorchecker_ohta/red")),
-        ("empty", chained(about("FL2"), &[])),
-        ("long", chained(about("FL2"), &[GLASS; 16])),
-        ("dark", dark),
-        ("infrared", infrared),
-        (
-            "sun",
-            with(
-                about("solar_astm_g173/ASTM G173-03 global tilt AM1.5G"),
-                |s| {
-                    s.dips = true;
-                    s.threshold_percent = 0.1;
-                    s.max_width_nm = 4.5;
-                },
-            ),
-        ),
-    ]
-}
-
 fn open(app: App, page: Page, size: [f32; 2]) -> Ui {
     let mut preferences = Preferences::default();
     preferences.pages.page = page;
@@ -113,17 +86,6 @@ fn drag(ui: &mut Ui, from: Pos2, to: Pos2) {
     }
     ui.drop_at(to);
     ui.run();
-}
-
-#[test]
-fn both_parts_open_on_whatever_there_is_in_small_and_large_windows() {
-    for (_, app) in all_sorts() {
-        for page in [Page::Chain, Page::Absorption] {
-            for size in [[1280.0, 800.0], [1920.0, 1080.0], [900.0, 500.0]] {
-                open(app.clone(), page, size);
-            }
-        }
-    }
 }
 
 #[test]

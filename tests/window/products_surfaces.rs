@@ -1,9 +1,10 @@
 //! Two lights and the reflection check: figures, searches, the parts in the window, the command
 //! line.
 
-use std::{ffi::OsString, sync::Arc, time::Instant};
+use std::{ffi::OsString, sync::Arc};
 
 use crate::driver::{Shown, Ui, about, harness, no_files, with};
+use crate::own_time::own_seconds;
 use crate::plain::plain;
 use eframe::egui;
 use egui::Role;
@@ -150,7 +151,6 @@ fn a_metamer_made_matches_under_the_first_light_and_parts_with_the_room_that_it_
 
 #[test]
 fn all_shipped_reflectances_have_pairs_that_one_light_joins_and_another_parts() {
-    let start = Instant::now();
     let ask = PairsAsk {
         lights: ["FL11", "CIE D65"]
             .map(|key| ByAddress(Arc::new(resolve(key, None, None).unwrap()))),
@@ -159,13 +159,6 @@ fn all_shipped_reflectances_have_pairs_that_one_light_joins_and_another_parts() 
         group: None,
     };
     let found = ask.answer(&Progress::default()).expect("pairs");
-    println!(
-        "{} surfaces, {} pairs, index {:?}, {:?}",
-        found.surfaces.len(),
-        found.metamers.pairs.len(),
-        found.metamers.index,
-        start.elapsed()
-    );
     assert!(found.metamers.pairs.len() > 10);
     let progress = Progress::default();
     progress.cancel();
@@ -229,15 +222,7 @@ fn the_surface_that_was_lit_is_found_again_among_all_shipped_ones() {
         let ask = sheet
             .ranking(app.document(), true)
             .expect("an outgoing spectrum");
-        let start = Instant::now();
         let ranked = ask.answer(&Progress::default()).expect("light");
-        println!(
-            "{light} off {key}: {} ranked in {:?}; first {} {:?}",
-            ranked.len(),
-            start.elapsed(),
-            ranked[0].key,
-            ranked[0].model
-        );
         let place = ranked.iter().position(|r| r.key == key).expect("ranked");
         // Of the few that explain it as well in so few numbers.
         assert!(place < 5, "{light}: place {place}");
@@ -263,20 +248,16 @@ fn a_change_of_the_document_costs_little() {
     let app = with_example(about("FL11"), "colorchecker_ohta/red", false);
     let (mut sheet, mut check) = (f64::INFINITY, f64::INFINITY);
     for _ in 0..9 {
-        let start = Instant::now();
-        let found = TwoLightsSheet::of(&app).expect("two lights");
-        let made = Made::of(&found, 3, 100).is_ok();
-        sheet = sheet.min(start.elapsed().as_secs_f64());
-        let start = Instant::now();
-        assert!(made && SameSurfaceSheet::of(&app).is_some());
-        check = check.min(start.elapsed().as_secs_f64());
+        let (made, took) = own_seconds(|| {
+            let found = TwoLightsSheet::of(&app).expect("two lights");
+            Made::of(&found, 3, 100).is_ok()
+        });
+        sheet = sheet.min(took);
+        let (found, took) = own_seconds(|| SameSurfaceSheet::of(&app).is_some());
+        assert!(made && found);
+        check = check.min(took);
     }
-    println!(
-        "two lights {:.2} ms, check {:.2} ms",
-        1e3 * sheet,
-        1e3 * check
-    );
-    // Far from the 5 ms that a change may take, on a machine that builds beside.
+    // Ten times the 5 ms that a change may take, for slow machines.
     assert!(sheet < 0.05 && check < 0.05);
 }
 
@@ -293,7 +274,7 @@ fn charts_hold_no_number_that_is_none() {
         };
         if let Some(sheet) = TwoLightsSheet::of(&app) {
             sound(&two_lights_chart(&app, &sheet));
-            assert!(!sheet.csv().contains("NaN"), "{what}");
+            assert!(!sheet.table().csv().contains("NaN"), "{what}");
             if let Ok(made) = Made::of(&sheet, 3, 100) {
                 sound(&made_chart(&app, &sheet, &made));
             }
@@ -331,21 +312,6 @@ fn settle(ui: &mut Ui) {
         std::thread::sleep(std::time::Duration::from_millis(20));
     }
     panic!("still computing");
-}
-
-#[test]
-fn both_parts_open_on_whatever_there_is_in_small_and_large_windows() {
-    for (_, app) in all_sorts() {
-        for size in [[1280.0, 800.0], [1920.0, 1080.0], [900.0, 500.0]] {
-            open(app.clone(), Page::TwoLights, size);
-            open(app.clone(), Page::SameSurface, size);
-        }
-        open(
-            with_example(app, "colorchecker_ohta/red", false),
-            Page::SameSurface,
-            [1280.0, 800.0],
-        );
-    }
 }
 
 #[test]
