@@ -18,7 +18,7 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command, Pair, SpikeAct, Tone,
+        App, Command, Memo, Pair, SpikeAct, Tone,
         answers::{best_of, knobs_of},
         lamps_asked, lamps_better,
         pages::{Page, PageMemory},
@@ -32,7 +32,9 @@ pub struct LookView {
     /// The plot and what is being dragged in it.
     pub spectrum: SpectrumView,
     sliders: SlidersView,
-    /// What Automatic was asked about, and for how many numbers, and has not answered yet.
+    /// Words about the overlays, which weigh every one of them.
+    overlays: Memo<u64, String>,
+    /// Open question of Automatic, with its count of numbers.
     waiting: Option<(About, usize)>,
 }
 
@@ -105,33 +107,31 @@ fn is_low(room: Vec2, scale: f32) -> bool {
 }
 
 impl LookView {
-    /// Draws the page into all the room there is.
-    pub fn show(&mut self, ui: &mut Ui, scene: &mut Scene<'_>) -> Wishes {
-        let mut wishes = Wishes::default();
+    /// Draws the knobs into their part of the page's room.
+    pub fn knobs(&mut self, ui: &mut Ui, scene: &mut Scene<'_>, wishes: &mut Wishes) {
+        let [_, card, _] = parts(ui.available_rect_before_wrap(), scene);
+        self.card(&mut child(ui, card), scene, wishes);
+    }
+
+    /// Draws what the knobs act on into the rest of the room.
+    pub fn show(&mut self, ui: &mut Ui, scene: &mut Scene<'_>, wishes: &mut Wishes) {
         let theme = scene.theme;
         let room = ui.available_rect_before_wrap();
-        let [plot, card, patches] = parts(room, scene);
-        let mut child = |rect: Rect| {
-            // A window may be lower than what stands in it.
-            let rect = Rect::from_min_max(rect.min, rect.max.max(rect.min));
-            let mut child = ui.new_child(UiBuilder::new().max_rect(rect));
-            child.shrink_clip_rect(rect.expand(3.0));
-            child
-        };
-        self.card(&mut child(card), scene, &mut wishes);
+        let [plot, _, patches] = parts(room, scene);
         below(
-            &mut child(patches),
+            &mut child(ui, patches),
             scene,
             room.size(),
             &mut wishes.commands,
         );
-        let ui = &mut child(plot);
+        let ui = &mut child(ui, plot);
         let app = scene.app;
         let read_out = title::show(ui, app, theme, scene.present.then_some(&mut wishes.leaves));
         let mut view = app.document().view;
         let before = view;
         if !scene.present {
-            title::layers(ui, app, theme, &mut view, &mut wishes.commands);
+            let overlays = self.overlays.get(app.revision(), |_| title::laid_over(app));
+            title::layers(ui, app, theme, (&mut view, overlays), &mut wishes.commands);
         }
         if view != before {
             wishes.commands.push(Command::View(view));
@@ -141,8 +141,7 @@ impl LookView {
         wishes.commands.extend(drawn.commands);
         wishes.acts.extend(drawn.acts);
         wishes.gesture_ended |= drawn.gesture_ended;
-        self.settle(scene, &mut wishes);
-        wishes
+        self.settle(scene, wishes);
     }
 
     fn card(&mut self, ui: &mut Ui, scene: &mut Scene<'_>, wishes: &mut Wishes) {
@@ -182,6 +181,14 @@ impl LookView {
             wishes.said = Some(said);
         }
     }
+}
+
+/// A part of the page; a window may be lower than what stands in it.
+fn child(ui: &mut Ui, rect: Rect) -> Ui {
+    let rect = Rect::from_min_max(rect.min, rect.max.max(rect.min));
+    let mut child = ui.new_child(UiBuilder::new().max_rect(rect));
+    child.shrink_clip_rect(rect.expand(3.0));
+    child
 }
 
 /// What Automatic takes of a sweep about a spectrum, with at most so many numbers, and what is to

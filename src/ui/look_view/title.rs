@@ -71,7 +71,7 @@ pub(super) fn layers(
     ui: &mut Ui,
     app: &App,
     theme: Theme,
-    view: &mut View,
+    (view, laid_over): (&mut View, &str),
     commands: &mut Vec<Command>,
 ) {
     let width = ui.available_width();
@@ -131,7 +131,7 @@ pub(super) fn layers(
                 heights(ui, app, view, wide);
                 if !app.document().overlays.is_empty() && ui.available_width() > 60.0 {
                     ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                        let words = RichText::new(laid_over(app)).small().color(theme.faint);
+                        let words = RichText::new(laid_over).small().color(theme.faint);
                         ui.add(Label::new(words).truncate());
                     });
                 }
@@ -169,8 +169,8 @@ fn others(ui: &mut Ui, theme: Theme, view: &mut View) {
     );
 }
 
-/// What lies over the spectrum, and on what scale.
-fn laid_over(app: &App) -> String {
+/// Overlays of the spectrum, and their scale.
+pub(super) fn laid_over(app: &App) -> String {
     let overlays = &app.document().overlays;
     let laid: Vec<Laid> = overlays.iter().map(|o| Laid::of(app, o)).collect();
     let names = match &overlays[..] {

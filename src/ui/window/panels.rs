@@ -10,7 +10,7 @@ use super::{
         greeting_view::{self, Beginning},
         keys::Act,
         kit::rolled,
-        look_view::{self, Scene},
+        look_view::{self, LookView, Scene, Wishes},
         pages::{self, PageContext, PageWish},
         palette_view::Chosen,
         rail_view,
@@ -267,29 +267,36 @@ impl Window {
     fn look(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) {
         let context = ui.ctx().clone();
         let folded = !shape.wide && !self.side_is_open(shape);
-        let pair = self.pair();
-        let verdict_below = (folded || shape.present) && self.tells_verdict() || pair.is_some();
+        let has_pair = self.pair().is_some();
+        let verdict_below = (folded || shape.present) && self.tells_verdict() || has_pair;
         let wake = theme::waker(&context);
-        let mut scene = Scene {
-            app: &self.app,
-            studies: &mut self.studies,
-            memory: &mut self.preferences.pages,
-            theme,
-            wake: &wake,
-            verdict_below,
-            pair,
-            present: shape.present,
+        let draw = |window: &mut Self, part: &mut dyn FnMut(&mut LookView, &mut Scene<'_>)| {
+            let pair = window.pair();
+            let mut scene = Scene {
+                app: &window.app,
+                studies: &mut window.studies,
+                memory: &mut window.preferences.pages,
+                theme,
+                wake: &wake,
+                verdict_below,
+                pair,
+                present: shape.present,
+            };
+            part(&mut window.look, &mut scene);
         };
-        let wishes = self.look.show(ui, &mut scene);
-        let mut commands = wishes.commands;
         let before = self.app.revision();
-        self.apply(&mut commands);
+        let mut wishes = Wishes::default();
+        // What stands below and beside the knobs is drawn of what they changed.
+        draw(self, &mut |look, scene| look.knobs(ui, scene, &mut wishes));
+        self.apply(&mut wishes.commands);
+        draw(self, &mut |look, scene| look.show(ui, scene, &mut wishes));
+        self.apply(&mut wishes.commands);
         for act in wishes.acts {
             self.app.act_on_spikes(act);
         }
         if self.app.revision() != before {
-            // Plot and verdict were drawn before.
-            context.request_discard("the model changed");
+            // The lines above and below the page, and what was dragged in the plot itself.
+            context.request_repaint();
         }
         if wishes.gesture_ended {
             self.app.end_gesture();
