@@ -59,7 +59,7 @@ impl QualityShown {
             .iter()
             .map(|first| {
                 let same = |column: &Vec<Row>| {
-                    let row = column.iter().find(|row| row.key == first.key);
+                    let row = column.iter().find(|row| row.figure.key == first.figure.key);
                     row.cloned().unwrap_or_else(|| Row {
                         value: Err("counted in another unit".to_owned()),
                         reading: String::new(),
@@ -281,7 +281,7 @@ mod tests {
         }
         let shown = QualityShown::of(&app);
         assert_eq!(shown.others, ["FL11"]);
-        let rf = shown.rows.iter().find(|row| row[0].key == "rf");
+        let rf = shown.rows.iter().find(|row| row[0].figure.key == "rf");
         let rf = rf.expect("every light has the row");
         assert_eq!(rf.len(), 3);
         assert!(rf[2].value.is_ok() && rf[2].value != rf[0].value);

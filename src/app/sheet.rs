@@ -170,11 +170,17 @@ impl Page {
         for (x, title) in COLUMNS.iter().zip(titles) {
             self.text([MARGIN + x, self.y], SIZES[1], palette.faint, title);
         }
-        let is_told = |row: &&Vec<Row>| row[0].value.is_ok() && !LEFT_OUT.contains(&row[0].key);
+        let is_told =
+            |row: &&Vec<Row>| row[0].value.is_ok() && !LEFT_OUT.contains(&row[0].figure.key);
         for row in shown.rows.iter().filter(is_told) {
             self.y += step;
             let [first, model] = [&row[0], &row[1]];
-            let told = [first.title, &first.shown(), &model.shown(), &first.reading];
+            let told = [
+                first.figure.title,
+                &first.shown(),
+                &model.shown(),
+                &first.reading,
+            ];
             for (x, words) in COLUMNS.iter().zip(told) {
                 // Letters are about half as wide as the font is high.
                 let room = (PAGE[0] - 2.0 * MARGIN - x) / (0.52 * SIZES[0]);
@@ -248,7 +254,11 @@ mod tests {
         let words: Vec<&str> = tree.descendants().filter_map(|node| node.text()).collect();
         let shown = QualityShown::of(&app);
         for key in ["cct", "ra", "r9", "rf", "melanopic_der"] {
-            let row = shown.rows.iter().find(|row| row[0].key == key).expect(key);
+            let row = shown
+                .rows
+                .iter()
+                .find(|row| row[0].figure.key == key)
+                .expect(key);
             for told in [&row[0], &row[1]] {
                 assert!(words.contains(&told.shown().as_str()), "{key}");
             }

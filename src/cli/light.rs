@@ -21,7 +21,7 @@ use super::{
     refusal::Refusal,
 };
 use crate::{
-    app::quality_report::{Modeller, Sheet, csv_head, csv_line, full_json, json, text},
+    app::quality_report::{Modeller, Sheet, full_json, json, light_row, lights_table, text},
     study::{Progress, in_parallel, processors},
 };
 
@@ -64,10 +64,7 @@ pub(super) fn run(
                 format!("{:#}\n", Value::Array(list))
             }
             [sheet] if is_one && !csv => text(sheet, &asked.lights[0].of.light().spectrum),
-            sheets => {
-                let line = |s: &Sheet| csv_line(&s.name, &s.measured, Some(&s.model));
-                csv_head() + &sheets.iter().map(line).collect::<String>()
-            }
+            sheets => lights_table(sheets.iter().map(light_row)).csv(),
         };
         print(out, &told)?;
     }

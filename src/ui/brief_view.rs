@@ -7,11 +7,12 @@ use super::{
     kit::down,
     swatch,
     theme::Theme,
-    verdict_view::{SWATCH, counts, figure, no_colour, split},
+    verdict_view::{SWATCH, counts, no_colour, split},
 };
 use crate::app::{
     App, Pair,
     answers::{Worst, of_how_many, verdict},
+    numbers::colour_error,
     verdicts::Seen,
 };
 
@@ -58,7 +59,7 @@ pub(super) fn brief(ui: &mut Ui, app: &App, theme: Theme) {
                     let words = RichText::new(said).size(size * theme.scale);
                     let words = Label::new(words.color(ui.visuals().strong_text_color()));
                     ui.add(words.wrap()).on_hover_text(verdict(app, seen));
-                    let (off, of) = (figure(worst.delta_e_2000), of_how_many(app));
+                    let (off, of) = (colour_error(worst.delta_e_2000), of_how_many(app));
                     let words = format!("ΔE₀₀ {off} at worst{of}");
                     ui.add(Label::new(words).truncate());
                     let (numbers, instead) = counts(app);
@@ -107,7 +108,7 @@ fn brief_line(ui: &mut Ui, app: &App, theme: Theme, height: f32) {
     let words = RichText::new(seen.word()).color(ui.visuals().strong_text_color());
     ui.label(words).on_hover_text(verdict(app, seen));
     let (numbers, instead) = counts(app);
-    let (off, of) = (figure(worst.delta_e_2000), of_how_many(app));
+    let (off, of) = (colour_error(worst.delta_e_2000), of_how_many(app));
     let words = format!("ΔE₀₀ {off} at worst{of}, {numbers} numbers, not {instead}");
     ui.add(Label::new(words).truncate());
 }

@@ -5,8 +5,8 @@ use crate::{
     app::{
         App, Detector, Settings,
         answers::{LINE_THRESHOLDS, hard_to_see_from, line_shares},
-        figures::three_digits,
         lessons::{Lesson, shelf},
+        numbers::figure,
         pages::Page,
         ticks::short,
     },
@@ -45,7 +45,7 @@ pub(super) fn words(app: &App, page: Page) -> (String, String) {
                 1 => "1 line is".to_owned(),
                 count => format!("{count} lines are"),
             },
-            three_digits(below[0]),
+            figure(below[0]),
         ),
         0 => no_lines(app),
         count => format!(

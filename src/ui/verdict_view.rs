@@ -16,6 +16,7 @@ use super::{
 use crate::app::{
     App, Command,
     answers::{Worst, judged_on, of_how_many, verdict, white_words},
+    numbers::{colour_error, significant},
     verdicts::Seen,
     workspace::Preferences,
 };
@@ -162,22 +163,6 @@ pub(super) fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32, says: boo
     });
 }
 
-/// An error in as many digits as it is good for.
-pub(super) fn figure(delta: f64) -> String {
-    match delta {
-        d if d < 0.0005 => "0.000".to_owned(),
-        d if d < 0.1 => format!("{d:.3}"),
-        d if d < 10.0 => format!("{d:.2}"),
-        d => format!("{d:.1}"),
-    }
-}
-
-/// Two digits are what such a figure is read for.
-fn two_digits(value: f64) -> String {
-    let rounded: f64 = format!("{value:.1e}").parse().unwrap_or(value);
-    crate::app::ticks::short(rounded)
-}
-
 fn headline(ui: &mut Ui, app: &App, theme: Theme) {
     let Some(worst) = Worst::of(app) else {
         return;
@@ -199,11 +184,11 @@ fn headline(ui: &mut Ui, app: &App, theme: Theme) {
     let row = vec2(ui.available_width(), ui.spacing().interact_size.y);
     ui.allocate_ui_with_layout(row, Layout::right_to_left(Align::Center), |ui| {
         if let Some(own) = own {
-            let words = format!("the light itself {}", figure(own));
+            let words = format!("the light itself {}", colour_error(own));
             ui.label(RichText::new(words).small().color(theme.faint));
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-            let words = format!("ΔE₀₀ {} {at}", figure(worst.delta_e_2000));
+            let words = format!("ΔE₀₀ {} {at}", colour_error(worst.delta_e_2000));
             ui.add(Label::new(RichText::new(words).small()).truncate())
                 .on_hover_text("CIEDE2000, the CIE's measure of how different two colours look.");
         });
@@ -286,7 +271,7 @@ fn answers(ui: &mut Ui, app: &App, theme: Theme) {
         if let Some((figure, value)) = figure(measure) {
             let words = format!(
                 "{}{}{off}",
-                two_digits(figure.shown(value)),
+                significant(figure.shown(value), 2),
                 figure.unit.tail
             );
             row(question, words, figure.meaning);
@@ -357,7 +342,7 @@ pub fn line(ui: &mut Ui, app: &App) -> bool {
         || "no colour".to_owned(),
         |worst| {
             let seen = Seen::of(worst.delta_e_2000).seen();
-            let (off, of) = (figure(worst.delta_e_2000), of_how_many(app));
+            let (off, of) = (colour_error(worst.delta_e_2000), of_how_many(app));
             format!("ΔE₀₀ {off} at worst{of}: {seen}")
         },
     );

@@ -10,7 +10,7 @@ use std::path::Path;
 pub use instrument::{Applied, Fit, Instrument};
 pub use response::{Kept, Known, Through};
 pub use spectrum::{Row, Rows, Stands};
-pub use words::{csv, json, sentence, warnings};
+pub use words::{json, sentence, table, warnings};
 
 use crate::{
     io::{ColourPixels, Exif, Photo, read_photo},

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::ModelledLight;
 use crate::{
     app::{
-        cells::{line, number, words},
+        cells::{Columns, Table, cell},
         derived::Derived,
         document::{Document, Subject},
         entry::Entry,
@@ -15,7 +15,9 @@ use crate::{
     },
     color::{Adaptation, Observer, Swatch, Weights, delta_e_2000},
     spectrum::{Band, Composite, Kind, NamedSpectrum, Sampled},
-    study::products::{Black, TwoLights, metameric_black, two_lights, two_modelled_lights},
+    study::products::{
+        Black, MetamericPair, TwoLights, metameric_black, two_lights, two_modelled_lights,
+    },
 };
 
 /// The document's patches under its light and another one.
@@ -118,19 +120,24 @@ impl TwoLightsSheet {
     }
 
     /// The patches as a table.
-    pub fn csv(&self) -> String {
-        let mut out = format!(
+    pub fn table(&self) -> Table {
+        let comments = format!(
             "# {} and {}: CIEDE2000 of the colour shift, each light its own white\n",
             self.lights[0], self.lights[1]
         );
-        out += &line(["patch", "shift measured", "shift by the models"]);
-        if let (Some(exact), Some(model)) = (&self.exact, &self.model) {
-            let rows = self.names.iter().zip(&exact.patches).zip(&model.patches);
-            for ((name, e), m) in rows {
-                out += &line([words(name), number(e.delta_e_2000), number(m.delta_e_2000)]);
-            }
-        }
-        out
+        let columns = Columns::<(&String, [f64; 2])>::default()
+            .with("patch", |(name, _)| cell(name.as_str()))
+            .with("shift measured", |(_, shifts)| cell(shifts[0]))
+            .with("shift by the models", |(_, shifts)| cell(shifts[1]));
+        let both = self.exact.as_ref().zip(self.model.as_ref());
+        let rows = both.into_iter().flat_map(|(exact, model)| {
+            let rows = self
+                .names
+                .iter()
+                .zip(exact.patches.iter().zip(&model.patches));
+            rows.map(|(name, (e, m))| (name, [e.delta_e_2000, m.delta_e_2000]))
+        });
+        Table::new(comments, columns, rows)
     }
 }
 
@@ -144,15 +151,16 @@ pub fn swatches(both: &TwoLights, adaptation: Adaptation) -> Vec<[Swatch; 2]> {
 }
 
 /// Pairs that were found as a table.
-pub fn pairs_csv(lights: &[String; 2], pairs: &Pairs) -> String {
-    let mut out = format!("# match under {}, part under {}\n", lights[0], lights[1]);
-    out += &line(["one", "other", "delta E first", "delta E second", "rms"]);
-    for pair in &pairs.metamers.pairs {
-        let [one, other] = pair.pair.map(|i| words(&pairs.surfaces[i].key));
-        let [first, second] = pair.delta_e_2000.map(number);
-        out += &line([one, other, first, second, number(pair.rms)]);
-    }
-    out
+pub fn pairs_table(lights: &[String; 2], pairs: &Pairs) -> Table {
+    let key = |pair: &&MetamericPair, at: usize| cell(pairs.surfaces[pair.pair[at]].key.as_str());
+    let columns = Columns::<&MetamericPair>::default()
+        .with("one", |pair| key(pair, 0))
+        .with("other", |pair| key(pair, 1))
+        .with("delta E first", |pair| cell(pair.delta_e_2000[0]))
+        .with("delta E second", |pair| cell(pair.delta_e_2000[1]))
+        .with("rms", |pair| cell(pair.rms));
+    let comments = format!("# match under {}, part under {}\n", lights[0], lights[1]);
+    Table::new(comments, columns, &pairs.metamers.pairs)
 }
 
 /// Why a metamer cannot be made.

@@ -4,7 +4,7 @@ use super::Draw;
 use crate::app::{
     chart::{Chart, Dash, Ink, Series, Shape, stroke},
     charts::spectrum::{on_grid, over, provenance, value_label},
-    studies::paper::figure,
+    numbers::figure,
     ticks::extent,
 };
 

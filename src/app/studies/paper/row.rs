@@ -2,7 +2,10 @@
 //! figures are written.
 
 use crate::{
-    app::{figures::three_digits, ticks::short},
+    app::{
+        numbers::{ROUNDING, percent},
+        ticks::short,
+    },
     spectrum::Band,
 };
 
@@ -66,32 +69,6 @@ impl Row {
             (Verdict::OnlyIf, false) => format!("holds only {}", self.condition),
             (verdict, false) => format!("{}: {}", verdict.words(), self.condition),
         }
-    }
-}
-
-/// A figure in three digits, or a dash.
-pub fn figure(value: impl Into<Option<f64>>) -> String {
-    let sound = value.into().filter(|v| v.is_finite());
-    sound.map_or_else(|| "–".to_owned(), three_digits)
-}
-
-/// A share in percent, or a dash; what is left of rounding is told as a bound.
-pub fn percent(share: impl Into<Option<f64>>) -> String {
-    match share.into().filter(|s| s.is_finite()) {
-        Some(share) if share.abs() < ROUNDING => "0".to_owned(),
-        Some(share) => figure(100.0 * share),
-        None => "–".to_owned(),
-    }
-}
-
-/// Shares below this are the rounding of sums, not of a model.
-pub(super) const ROUNDING: f64 = 1e-10;
-
-/// A colour difference: what is below any meaning is told as a bound.
-pub fn delta_e(value: impl Into<Option<f64>>) -> String {
-    match value.into().filter(|v| v.is_finite()) {
-        Some(small) if small < 0.0005 => "below 0.001".to_owned(),
-        other => figure(other),
     }
 }
 

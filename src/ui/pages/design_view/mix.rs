@@ -273,7 +273,7 @@ fn below(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, beside: &[Besi
             "Copy the channels as CSV",
             "Channels with their drive in per cent, their share of the power, and values for \
              lighting desks of 8 and 16 bits (DMX).",
-            || desk.to_csv(),
+            || desk.table().csv(),
         );
     });
 }

@@ -23,7 +23,7 @@ use crate::{
         dispersion::{IMPACTS, PrismMemory, PrismShown, RainbowMemory, RainbowShown, STOPS, sky},
     },
     optics::Sky,
-    ui::kit::{Choice, Column, Row, Table, copy_button, down, headline, scrolled},
+    ui::kit::{self, Choice, Column, Row, Table, copy_button, down, headline, scrolled},
 };
 
 /// What people and tests call the controls.
@@ -216,10 +216,10 @@ impl PrismView {
                 tells: &|angle| format!("{angle:.2}\u{b0} from the point opposite the sun"),
             };
             let width = ui.available_width();
-            let table = if shown.rows.is_empty() {
+            let table = if shown.table.is_empty() {
                 0.0
             } else {
-                (shown.rows.len() as f32 + 2.5) * 20.0 * theme.scale
+                (shown.table.len() as f32 + 2.5) * 20.0 * theme.scale
             };
             let words = 20.0 * theme.scale;
             let left = room.y - table - words - strips::height(&shown.strips, &axis, theme);
@@ -245,9 +245,9 @@ impl PrismView {
                           alone: no supernumerary bows, as in drops above 0.5 mm.";
             notes(ui, said.chain([always]));
             ui.add_space(4.0);
-            lines(ui, context, (&*RAINBOW_COLUMNS, &shown.rows, &[]), || {
-                shown.csv()
-            });
+            let columns = kit::columns(&shown.table, &[2.2, 1.0, 1.0, 1.0, 1.0, 1.0]);
+            let rows: Vec<Vec<String>> = shown.table.shown().collect();
+            lines(ui, context, (&columns, &rows, &[]), || shown.table.csv());
         });
     }
 }
@@ -323,24 +323,5 @@ static PRISM_COLUMNS: LazyLock<[Column; 8]> = LazyLock::new(|| {
              length of the glass.",
             1.4,
         ),
-    ]
-});
-
-static RAINBOW_COLUMNS: LazyLock<[Column; 6]> = LazyLock::new(|| {
-    [
-        Column::words(
-            "line",
-            "What it is named after, by all lines together.",
-            2.2,
-        ),
-        Column::numbers("wavelength", "In air.", 1.0),
-        Column::numbers("n", "Index of refraction of water there.", 1.0),
-        Column::numbers("first bow \u{b0}", "After one reflection in the drop.", 1.0),
-        Column::numbers(
-            "second bow \u{b0}",
-            "After two reflections in the drop.",
-            1.0,
-        ),
-        Column::numbers("polarised %", "Of the first bow's light.", 1.0),
     ]
 });

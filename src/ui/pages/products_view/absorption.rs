@@ -14,7 +14,7 @@ use crate::{
     },
     spectrum::{Band, SAME_PLACE_NM},
     ui::{
-        kit::{Chooser, Column, Row, copy_button, headline, named, scrolled, table, warning},
+        kit::{self, Chooser, Row, copy_button, headline, named, scrolled, warning},
         pages::PageContext,
     },
 };
@@ -88,10 +88,8 @@ impl AbsorptionView {
         let app = context.app;
         let (found, rows) = &*self.found.get(app.revision(), |_| {
             let found = AbsorptionSheet::of(app);
-            let dips = found
-                .dips
-                .iter()
-                .map(|dip| (dip.spike.at_nm, row(app, dip)));
+            let dips = found.dips.iter().zip(found.table.shown());
+            let dips = dips.map(|(dip, cells)| (dip.spike.at_nm, row(dip, cells)));
             let known = found
                 .known
                 .iter()
@@ -292,7 +290,7 @@ fn dip_table(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet, ro
                  the same family are in the measured curve too.",
             );
             let meaning = "Copies places, weights, depths and names as a table.";
-            copy_button(ui, names::COPY, meaning, || found.csv.clone());
+            copy_button(ui, names::COPY, meaning, || found.table.csv());
         }
     });
     if rows.is_empty() {
@@ -301,26 +299,8 @@ fn dip_table(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet, ro
         }
         return;
     }
-    let columns = [
-        Column::numbers("nm", "Centroid of the dark line, nm.", 0.8),
-        Column::numbers(
-            "weight",
-            "Power that is missing, in the plot's unit × nm.",
-            1.0,
-        ),
-        Column::numbers(
-            "depth",
-            "Share of the background that is missing at its deepest, percent.",
-            0.9,
-        ),
-        Column::words(
-            "line",
-            "Named only where it is safe. A known line without a weight is seen in the curve, but \
-             takes less than the least share: it is no number of the model.",
-            1.6,
-        ),
-    ];
-    table(ui, &columns, rows, None, false, context.theme);
+    let columns = kit::columns(&found.table, &[0.8, 1.0, 0.9, 1.6]);
+    kit::table(ui, &columns, rows, None, false, context.theme);
 }
 
 fn rule(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet) {
@@ -354,22 +334,12 @@ fn rule(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet) {
     }
 }
 
-fn row(app: &App, dip: &DipRow) -> Row {
-    let depth = dip
-        .depth
-        .map_or_else(|| "–".to_owned(), |depth| format!("{:.1} %", 100.0 * depth));
-    let mut name = dip.name.clone().unwrap_or_else(|| "–".to_owned());
-    if dip.below_zero {
-        name = format!("▲ {name}");
-    }
-    let cells = vec![
-        format!("{:.1}", dip.spike.at_nm),
-        short(app.scale_factor() * dip.spike.weight),
-        depth,
-        name.clone(),
-    ];
+fn row(dip: &DipRow, cells: Vec<String>) -> Row {
     Row {
-        name: format!("Dark line at {} nm, depth {}, {name}", cells[0], cells[2]),
+        name: format!(
+            "Dark line at {} nm, depth {}, {}",
+            cells[0], cells[2], cells[3]
+        ),
         note: if dip.below_zero {
             "The dark line takes the model's total below zero.".to_owned()
         } else {

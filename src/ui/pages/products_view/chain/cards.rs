@@ -6,12 +6,13 @@ use egui::{
     Stroke, Ui, UiBuilder, Vec2, vec2,
 };
 
-use super::{super::change, choose, chosen, delta, knobs, move_link, names, percent};
+use super::{super::change, choose, chosen, knobs, move_link, names};
 use crate::{
     app::{
         Command,
         chart::Ink,
         charts::products::chain::{ChainSheet, Place},
+        numbers::{short_delta_e, short_percent},
         product_report::scaled,
         ticks::short,
     },
@@ -355,7 +356,11 @@ fn figures(
         if let Some([exact, model]) = passes {
             pair(
                 "passes",
-                format!("{} | {}", percent(exact, false), percent(model, false)),
+                format!(
+                    "{} | {}",
+                    short_percent(exact, false),
+                    short_percent(model, false)
+                ),
                 "Transmission or reflection of this factor for this light: Y out over Y in, \
                  exact | model.",
             );
@@ -367,12 +372,12 @@ fn figures(
         );
         pair(
             "ΔE₀₀",
-            delta(colours.delta_e_2000),
+            short_delta_e(colours.delta_e_2000),
             "CIEDE2000 between exact and model; the white is the exact light.",
         );
         pair(
             "lum.",
-            percent(colours.luminance_error, true),
+            short_percent(colours.luminance_error, true),
             "Luminance error: Y model over Y exact, minus 1.",
         );
     });

@@ -13,7 +13,8 @@ use crate::{
         chart::Chart,
         charts::products::chain::{ChainSheet, Place},
         headlines,
-        product_report::{spikes_csv, stages_csv},
+        numbers::{short_delta_e, short_percent},
+        product_report::{spikes_table, stages_table},
         products::{KnownLines, Link, MOST_LINKS},
         ticks::short,
     },
@@ -184,7 +185,8 @@ fn head(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet) {
         let meaning = "Copies the light and every stage as a table.";
         if pressed(ui, names::COPY_STAGES, meaning) {
             let chain = &app.document().products.chain;
-            ui.ctx().copy_text(stages_csv(app, &sheet.told, chain));
+            ui.ctx()
+                .copy_text(stages_table(app, &sheet.told, chain).csv());
         }
         let meaning = "Takes all factors away; undo brings them back.";
         if count > 0 && pressed(ui, names::CLEAR, meaning) {
@@ -225,24 +227,24 @@ fn totals(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet) {
         };
         figure(
             "ΔE₀₀",
-            delta(total.colours.delta_e_2000),
+            short_delta_e(total.colours.delta_e_2000),
             "CIEDE2000 between the measured light times the measured factors and the model's \
              product; the white is the exact light.",
         );
         figure(
             "of it forming",
-            delta(total.added),
+            short_delta_e(total.added),
             "CIEDE2000 that forming the products adds, against the exact product of the same \
              model and series. Errors of colour do not simply add up.",
         );
         figure(
             "luminance",
-            percent(total.colours.luminance_error, true),
+            short_percent(total.colours.luminance_error, true),
             "Y of the model over Y exact, minus 1, percent.",
         );
         figure(
             "folded",
-            percent(Some(total.folded_share), false),
+            short_percent(Some(total.folded_share), false),
             "Share of the product's power in orders that the points fold back (a convolution: \
              cuts off), percent.",
         );
@@ -254,7 +256,7 @@ fn totals(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet) {
         );
         figure(
             "passes",
-            percent(total.transmission[0], false),
+            short_percent(total.transmission[0], false),
             "Y of what comes out over Y of the light, exact.",
         );
         if !derived.has_errors() || derived.colour.exact.is_none() {
@@ -266,29 +268,6 @@ fn totals(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet) {
             });
         }
     });
-}
-
-/// A colour difference, or a dash.
-fn delta(value: Option<f64>) -> String {
-    match value {
-        None => "–".to_owned(),
-        Some(value) if value != 0.0 && value < 0.0005 => "<.001".to_owned(),
-        Some(value) => format!("{value:.3}"),
-    }
-}
-
-/// A share in percent, or a dash; `signed` for what may go both ways.
-fn percent(share: Option<f64>, signed: bool) -> String {
-    let Some(share) = share else {
-        return "–".to_owned();
-    };
-    // Adding zero turns -0 into 0.
-    let value = (1e4 * share).round() / 1e2 + 0.0;
-    match (share != 0.0 && value == 0.0, signed) {
-        (true, _) => "<.01 %".to_owned(),
-        (false, true) => format!("{value:+.2} %"),
-        (false, false) => format!("{value:.2} %"),
-    }
 }
 
 /// The spikes behind the stage that is drawn.
@@ -306,7 +285,7 @@ fn spike_table(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet, place
                 Place::Stage(index) => &sheet.told.names[index],
             };
             ui.ctx()
-                .copy_text(spikes_csv(app, stage, spikes, &sheet.told.known));
+                .copy_text(spikes_table(app, stage, spikes, &sheet.told.known).csv());
         }
     });
     if spikes.is_empty() {
@@ -361,7 +340,7 @@ fn row(spike: &Line, own: &[Line], factor: f64, known: &KnownLines) -> Row {
     let cells = vec![
         format!("{:.1}", spike.at_nm),
         short(spike.weight * factor),
-        percent(share.filter(|s| s.is_finite()), false),
+        short_percent(share.filter(|s| s.is_finite()), false),
         name.clone(),
     ];
     Row {

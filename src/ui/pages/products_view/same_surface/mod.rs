@@ -14,14 +14,15 @@ use crate::{
         chart::Chart,
         charts::products::same_surface::same_surface_chart,
         headlines,
-        products::same_surface::{SameSurfaceSheet, example},
+        numbers::four_digits,
+        products::same_surface::{RESIDUAL_MEANS, SameSurfaceSheet, example},
         studies::Ranked,
         ticks::short,
     },
     io::many::numbers,
     study::products::{Compared, SAME_RESIDUAL, Sameness},
     ui::{
-        kit::{Chooser, Row, factors, framed, headline, lights, scrolled, two_columns},
+        kit::{Chooser, factors, framed, headline, lights, scrolled, two_columns},
         pages::PageContext,
     },
 };
@@ -48,7 +49,7 @@ pub mod names {
 pub struct SameSurfaceView {
     sheet: Memo<u64, Option<SameSurfaceSheet>>,
     charts: Memo<u64, [Option<Chart>; 2]>,
-    ranking: Memo<ByAddress<Vec<Ranked>>, Vec<Row>>,
+    ranking: Memo<ByAddress<Vec<Ranked>>, ranking::Drawn>,
     /// The surface of the example; `None` for S2.
     example: Option<Arc<Entry>>,
 }
@@ -273,8 +274,8 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
                 for (what, compared, verdict) in rows {
                     let found = compared.as_ref().map(|c| c.reflection);
                     ui.label(what);
-                    ui.label(figure(found.map(|f| f.residual)));
-                    ui.label(figure(found.map(|f| f.factor)));
+                    ui.label(four_digits(found.map(|f| f.residual)));
+                    ui.label(four_digits(found.map(|f| f.factor)));
                     ui.label(format!("{} {}", verdict.sign(), verdict.words()));
                     ui.end_row();
                 }
@@ -288,19 +289,8 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
     });
 }
 
-const RESIDUAL_MEANS: &str = "Root mean square of what the best factor leaves, over that of the outgoing spectrum, both \
-     behind a 10 nm blur; 0 is a perfect match.";
 const FACTOR_MEANS: &str =
     "What light times surface is multiplied by to come closest: geometry, not colour.";
-
-/// A figure with four digits; a dash for none.
-fn figure(value: Option<f64>) -> String {
-    match value {
-        Some(value) if value.abs() >= 1e4 || (value != 0.0 && value.abs() < 1e-3) => short(value),
-        Some(value) => format!("{value:.4}"),
-        None => "–".to_owned(),
-    }
-}
 
 fn draw(ui: &mut Ui, context: &mut PageContext<'_>, chart: &Option<Chart>, id: &str, height: f32) {
     if let Some(chart) = chart {

@@ -10,7 +10,7 @@ use crate::{
         charts::products::two_lights::{Found, MadeShown},
         products::{
             ROOM_PERCENT,
-            two_lights::{NoMetamer, TwoLightsSheet, pairs_csv},
+            two_lights::{NoMetamer, TwoLightsSheet, pairs_table},
         },
         studies::{Pairs, PairsAsk, Stage},
     },
@@ -119,7 +119,7 @@ pub(super) fn found(
         ui.label(RichText::new("Metamers found").heading());
         copy_button(ui, names::COPY_PAIRS, "", || {
             found.map_or_else(String::new, |(found, _)| {
-                pairs_csv(&found.lights, &found.pairs)
+                pairs_table(&found.lights, &found.pairs).csv()
             })
         });
     });

@@ -31,7 +31,7 @@ pub(super) fn show(
 ) {
     ui.horizontal(|ui| {
         ui.label(RichText::new("Patches under both lights").heading());
-        copy_button(ui, names::COPY_PATCHES, "", || sheet.csv());
+        copy_button(ui, names::COPY_PATCHES, "", || sheet.table().csv());
     });
     let (Some(exact), Some(model)) = (&sheet.exact, &sheet.model) else {
         return;
