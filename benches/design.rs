@@ -40,7 +40,9 @@ use spectral_explorer::{
             Colour, ColourPicture, Encoded, Method, NODES, Recovered, Seen, Viewing, metamers,
             predictions, spectral_rows, usual_bands,
         },
-        solve::{Against, Care, FrontWish, MixFigures, Mixer, Objective, Target, Wish, front},
+        solve::{
+            Against, Care, FrontProblem, MixFigures, Mixer, Objective, Problem, Target, front,
+        },
     },
     spectrum::Sampled,
     study::Progress,
@@ -195,17 +197,17 @@ fn to_within_a_tenth() {
         let channels: Vec<Channel> = words.map(channel).collect();
         let mixer = Mixer::new(&channels, SampleTables::shipped()).unwrap();
         let target = Target::of_kelvin(case["kelvin"].as_f64().unwrap(), 0.0).unwrap();
-        for favour in [Objective::Ra, Objective::Rf] {
-            let found = mixer.solve(&Wish {
+        for objective in [Objective::Ra, Objective::Rf] {
+            let found = mixer.solve(&Problem {
                 target: Some(target),
-                favour,
-                ..Wish::default()
+                objective,
+                ..Problem::default()
             });
-            let figure = match favour {
+            let figure = match objective {
                 Objective::Ra => found.figures.ra,
                 _ => found.figures.rf,
             };
-            assert!(figure.unwrap() > case[favour.word()].as_f64().unwrap() - 0.1);
+            assert!(figure.unwrap() > case[objective.word()].as_f64().unwrap() - 0.1);
         }
     }
 }
@@ -217,20 +219,20 @@ fn design(c: &mut Criterion) {
     let mixer = Mixer::new(&channels, tables).unwrap();
     let target = Some(Target::of_kelvin(4000.0, 0.0).unwrap());
     to_within_a_tenth();
-    for (favour, care) in [
+    for (objective, care) in [
         (Objective::Ler, Care::Full),
         (Objective::Rf, Care::Quick),
         (Objective::Rf, Care::Full),
         (Objective::Ra, Care::Full),
     ] {
-        let wish = Wish {
+        let wish = Problem {
             target,
-            favour,
+            objective,
             care,
-            ..Wish::default()
+            ..Problem::default()
         };
         c.bench_function(
-            &format!("a solve of 8 channels for {}, {care:?}", favour.word()),
+            &format!("a solve of 8 channels for {}, {care:?}", objective.word()),
             |b| {
                 b.iter(|| mixer.solve(black_box(&wish)));
             },
@@ -261,7 +263,7 @@ fn design(c: &mut Criterion) {
     let mut group = c.benchmark_group("front");
     group.sample_size(10);
     for (lines, points) in [(4, 20), (8, 12)] {
-        let wish = FrontWish {
+        let wish = FrontProblem {
             target: Target::of_kelvin(4000.0, 0.0).unwrap(),
             against: Against::Rf,
             lines,

@@ -31,7 +31,7 @@ use spectral_explorer::{
         patches::{difference, labs_into},
     },
     spectrum::{
-        Band, Basis, Line, SampleGrid, Series, SpikeSettings, Wishes, detect,
+        Band, Basis, Constraints, Line, SampleGrid, Series, SpikeSettings, detect,
         gradient::{self, DEFAULT_GRADIENT},
         numbers_of_order,
     },
@@ -218,8 +218,14 @@ fn spike_detection(criterion: &mut Criterion) {
         group.bench_function(format!("{name}, the paper's gradient"), |b| {
             b.iter(|| {
                 let widest = settings.max_width_nm;
-                let wishes = Wishes::default();
-                gradient::detect(BAND, black_box(&values), DEFAULT_GRADIENT, widest, wishes)
+                let constraints = Constraints::default();
+                gradient::detect(
+                    BAND,
+                    black_box(&values),
+                    DEFAULT_GRADIENT,
+                    widest,
+                    constraints,
+                )
             });
         });
     }

@@ -274,7 +274,7 @@ fn files(c: &mut Criterion) {
                 pixels.bands(),
                 &survey,
                 None,
-                (&base, &Wish::default()),
+                (&base, &FixedSettings::default()),
                 asked,
                 &quiet,
             )
@@ -287,7 +287,7 @@ fn files(c: &mut Criterion) {
 /// percentile of own colour. It is not their authors' program.
 fn beside_the_stand_in(_: &mut Criterion) {
     let bands = nm(380.0, 780.0, 81);
-    let light = Light::named("FL11").unwrap();
+    let light = Illuminant::named("FL11").unwrap();
     let wall = InMemory::of(&Scene::reflectance(128, 128, bands.clone()).unwrap()).unwrap();
     let lit = Scene::lit(128, 128, bands, std::slice::from_ref(&light)).unwrap();
     let lit = InMemory::of(&lit).unwrap();
@@ -328,7 +328,7 @@ fn beside_the_stand_in(_: &mut Criterion) {
 }
 
 fn tables(c: &mut Criterion) {
-    let light = Light::named("FL11").unwrap();
+    let light = Illuminant::named("FL11").unwrap();
     let pixels =
         InMemory::of(&Scene::lit(256, 256, nm(380.0, 780.0, 81), &[light]).unwrap()).unwrap();
     let names: Vec<String> = (0..65536).map(|i| i.to_string()).collect();

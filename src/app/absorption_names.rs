@@ -359,10 +359,7 @@ impl DarkFamily {
         let narrowest = widths.fold(f64::INFINITY, f64::min);
         // The highest function turns once within a band: cosines have half a period on the range
         // for each order, Fourier's a whole one.
-        let turns = match basis {
-            Basis::Cosine => 1.0,
-            Basis::Fourier => 2.0,
-        };
+        let turns = basis.half_turns() as f64;
         let order = (curve.band.length_nm() / (turns * narrowest)).ceil();
         let more = if order.is_finite() {
             format!(", from about N = {order:.0} on")

@@ -6,7 +6,7 @@ use super::{library::Library, origin::Origin};
 use crate::{
     io::MakersResult,
     preset::{self, Body, Preset, Shelf},
-    spectrum::{Band, Composite, Kind, Line, NamedSpectrum, Sampled, Series},
+    spectrum::{Band, Basis, Composite, Kind, Line, NamedSpectrum, Sampled, Series},
 };
 
 /// One spectrum of the library or of the user's own files.
@@ -139,7 +139,11 @@ pub fn composite_from_preset(printed: &preset::Composite) -> Option<Composite> {
     let [min_nm, max_nm] = printed.range_nm;
     let band = Band::new(min_nm, max_nm).ok()?;
     Some(Composite::of_lines_inside(
-        Series::fourier(band, &printed.a, &printed.b)?,
+        Series::from_lists(
+            band,
+            Basis::Fourier,
+            &[("a", &printed.a[..]), ("b", &printed.b[..])],
+        )?,
         printed
             .spikes_in_unit_nm()
             .map(|(at_nm, weight)| Line::ideal(at_nm, weight))

@@ -25,7 +25,7 @@ pub const WORDS: &[Word] = &[
     ),
     word(
         "Basis",
-        "The family of curves that a smooth part is added up from: the paper's periodic waves (Fourier), or half-range cosines, which do not have to end as they began.",
+        "The family of waves that a smooth part is added up from, such as the paper's periodic ones (Fourier) or half-range cosines, which do not have to end as they began.",
     ),
     word(
         "Blackbody",

@@ -193,7 +193,7 @@ impl<'a> Light<'a> {
             let (light, measured) = light_of(self.spectrum);
             Figures::of(&light, measured)
         });
-        let found = (row.of)(figures).map(|value| factor * value);
+        let found = row.value(figures).map(|value| factor * value);
         Some(found.map_err(|why| match why {
             NoFigure::Dark(_) | NoFigure::NotPositive { .. } => DARK,
             NoFigure::NoCct(_) => "too far from the blackbody locus",

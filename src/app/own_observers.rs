@@ -76,7 +76,7 @@ fn place_of(title: &str) -> Option<usize> {
 /// The observers that the window offers: the shipped ones, the one in force, and every opened file
 /// of three sensitivities.
 pub fn observers(app: &App) -> Vec<Observer> {
-    let mut all = Observer::CIE.to_vec();
+    let mut all: Vec<Observer> = Observer::shipped().collect();
     let entries = &app.document().own;
     for entry in entries {
         let Some(from) = entry.origin.file() else {

@@ -130,13 +130,8 @@ pub(super) fn settings_json(app: &App) -> Value {
 
 fn model_json(app: &App, derived: &Derived) -> Value {
     let model = &derived.model;
-    let coefficients = match model.smooth().basis {
-        Basis::Fourier => {
-            let (a, b) = model.smooth().a_b();
-            json!({ "a": a, "b": b })
-        }
-        Basis::Cosine => json!({ "c": model.smooth().coefficients }),
-    };
+    let lists = model.smooth().lists().into_iter();
+    let coefficients: Value = lists.map(|(name, list)| (name, json!(list))).collect();
     let spikes: Vec<Value> = model
         .lines()
         .iter()

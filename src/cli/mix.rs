@@ -13,8 +13,8 @@ use crate::{
         SampleTables,
         mixture::{Channel, MixError, Source, Spec, left_out},
         solve::{
-            Against, Care, Floors, FrontPoint, FrontWish, MixFigures, Mixer, Solution, Target,
-            Wish, faders, front, front_json, mix_json,
+            Against, Care, Floors, FrontPoint, FrontProblem, MixFigures, Mixer, Problem, Solution,
+            Target, faders, front, front_json, mix_json,
         },
     },
     spectrum::{Outside, Sampled},
@@ -57,9 +57,9 @@ pub(super) fn run(options: &Mix, out: &mut dyn Write, inputs: &mut Inputs) -> Re
     if target.is_none() {
         floors = Floors::default();
     }
-    let wish = Wish {
+    let wish = Problem {
         target: target.map(|target| target.colour),
-        favour: options.favour.unwrap_or(MixWish::default().favour),
+        objective: options.favour.unwrap_or(MixWish::default().favour),
         floors,
         alike: alike.as_deref(),
         care: Care::Full,
@@ -145,7 +145,7 @@ fn of_front(
         Some(target) => target.colour,
         None => Target::of_kelvin(USUAL_KELVIN, 0.0).map_err(Refusal::usage)?,
     };
-    let wish = FrontWish {
+    let wish = FrontProblem {
         target,
         against,
         lines,

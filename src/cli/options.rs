@@ -127,8 +127,7 @@ pub(super) struct ModelOptions {
     /// Widest line, full width at half maximum, 1 to 50 nm [default: 10].
     #[arg(long, value_name = "NM", allow_hyphen_values = true, value_parser = words::max_width)]
     pub max_width: Option<f64>,
-    /// Functions of the smooth part: fourier or cosine [default: cosine].
-    #[arg(long, value_name = "BASIS", value_parser = words::basis)]
+    #[arg(long, value_name = "BASIS", value_parser = words::basis, help = words::basis_help())]
     pub basis: Option<Basis>,
     /// Make X, Y and Z of the model exact: the default, and with --as-in-paper the exception.
     #[arg(long)]
@@ -151,9 +150,8 @@ pub(super) struct ModelOptions {
     /// Range of the model in whole nm, at least 20 nm [default: 380:780].
     #[arg(long, value_name = "MIN:MAX", allow_hyphen_values = true, value_parser = words::range)]
     pub range: Option<Band>,
-    /// Colour-matching functions: 1931, 1964, 2015-2, 2015-10, or a file of three functions of
-    /// wavelength: x, y, z or a camera's red, green, blue [default: 1931].
-    #[arg(long, value_name = "OBSERVER", value_parser = words::observer)]
+    #[arg(long, value_name = "OBSERVER", value_parser = words::observer,
+        help = words::observer_help())]
     pub observer: Option<Observer>,
     /// How products with reflectances are formed: paper, 3n, 4n, double, convolution or exact; 3n
     /// takes 3N+1 points, for an odd order N 3N+2 [default: exact].

@@ -16,10 +16,11 @@ use crate::{
     app::ticks::short,
     io::{Choices, envi, name_of, shown},
     pictures::{
-        About, Asked, BOUND_P95, BOUND_RMS, Bytes, CompactPlan, EnviFile, Errors, Exactly, Half,
-        InMemory, Light, OfImage, Operator, Peer, PictureError, Pixels, Plan, Precision,
-        ReferenceKind, Scene, Survey, Trust, Wish, WishedLines, choose, compact_plan, exact_bytes,
-        measure, peers, peers_json, picture_json, save_compact, save_full, white_y_of,
+        About, Asked, BOUND_P95, BOUND_RMS, Bytes, CompactPlan, EnviFile, Errors, Exactly,
+        FixedSettings, Half, Illuminant, InMemory, LineChoice, OfImage, Operator, Peer,
+        PictureError, Pixels, Plan, Precision, ReferenceKind, Scene, Survey, Trust, choose,
+        compact_plan, exact_bytes, measure, peers, peers_json, picture_json, save_compact,
+        save_full, white_y_of,
     },
     study::Progress,
 };
@@ -78,7 +79,7 @@ fn target<'a>(options: &'a Picture, path: &'a Path) -> Target<'a> {
 /// `work` is told whether the kind of the values is only guessed.
 fn with_pixels(
     options: &Picture,
-    light: Option<&Light>,
+    light: Option<&Illuminant>,
     inputs: &mut Inputs,
     work: impl FnOnce(&dyn Pixels, (About, bool), &mut Inputs) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
@@ -96,7 +97,7 @@ fn with_pixels(
     let source = name_of(path);
     if envi::pair_of(path).is_some() {
         let file = EnviFile::open(path, options.all_bands, options.kind).map_err(about(path))?;
-        file.said().iter().for_each(|said| inputs.note(said));
+        file.notes().iter().for_each(|said| inputs.note(said));
         let about = About {
             unit: file.unit().to_owned(),
             source,
@@ -124,7 +125,7 @@ fn with_pixels(
         .skip(1)
         .for_each(|said| inputs.note(said));
     let pixels = OfImage::new(image, options.all_bands).map_err(about(path))?;
-    pixels.said().iter().for_each(|said| inputs.note(said));
+    pixels.notes().iter().for_each(|said| inputs.note(said));
     let about = About {
         unit: image.unit.clone(),
         source,
@@ -138,7 +139,7 @@ fn of_pixels(
     options: &Picture,
     pixels: &dyn Pixels,
     (said, is_guess): (About, bool),
-    light: Option<&Light>,
+    light: Option<&Illuminant>,
     target: Option<&Target>,
     inputs: &mut Inputs,
     progress: &Progress,
@@ -185,7 +186,7 @@ fn plan(
     options: &Picture,
     pixels: &dyn Pixels,
     survey: &Survey,
-    light: Option<&Light>,
+    light: Option<&Illuminant>,
     (inputs, progress): (&mut Inputs, &Progress),
 ) -> Result<Plan, PictureError> {
     let bands = pixels.bands();
@@ -194,13 +195,13 @@ fn plan(
     if let Some(light) = light.filter(|_| is_factor) {
         base.own = Some(light.clone());
     }
-    let wish = Wish {
+    let wish = FixedSettings {
         reference: options.reference,
         lines: match &options.lines {
-            None => WishedLines::Best,
-            Some(Lines::None) => WishedLines::None,
-            Some(Lines::Auto) => WishedLines::Found,
-            Some(Lines::At(places)) => WishedLines::At(places.clone()),
+            None => LineChoice::Best,
+            Some(Lines::None) => LineChoice::None,
+            Some(Lines::Auto) => LineChoice::Found,
+            Some(Lines::At(places)) => LineChoice::At(places.clone()),
         },
     };
     let asked = match options.numbers {
@@ -212,7 +213,7 @@ fn plan(
     };
     let known = light.filter(|_| !is_factor);
     let choice = choose(bands, survey, known, (&base, &wish), asked, progress)?;
-    choice.said.iter().for_each(|said| inputs.note(said));
+    choice.notes.iter().for_each(|said| inputs.note(said));
     if !choice.is_reached && options.numbers.is_none() {
         let p95 = options.bound.unwrap_or(BOUND_P95);
         inputs.note(format!(
@@ -315,8 +316,8 @@ fn kept(
 }
 
 /// How far relighting to a bulb can be trusted; `None` where nobody knows what lit the picture.
-fn trust(operator: &Operator, survey: &Survey, light: Option<&Light>) -> Option<Trust> {
-    let new = Light::named(TRUSTED_UNDER)?;
+fn trust(operator: &Operator, survey: &Survey, light: Option<&Illuminant>) -> Option<Trust> {
+    let new = Illuminant::named(TRUSTED_UNDER)?;
     let is_factor = operator.bands().is_factor();
     let known = light.filter(|_| !is_factor);
     let relit = operator
@@ -394,7 +395,7 @@ fn peers_words(peers: &[Peer]) -> String {
             peer.bytes.map_or("-".to_owned(), |bytes| bytes.to_string()),
             number(peer.error.as_ref().map(|error| error.own.p95)),
             number(peer.lights().map(|spread| spread.p95)),
-            peer.said
+            peer.description
         );
     }
     text

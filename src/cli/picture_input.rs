@@ -5,7 +5,7 @@ use std::{ffi::OsStr, path::Path};
 use super::{inputs::Inputs, refusal::Refusal, subject};
 use crate::{
     io::shown,
-    pictures::{Light, PictureError},
+    pictures::{Illuminant, PictureError},
 };
 
 /// The word for the wall of paints, which needs no file.
@@ -20,9 +20,13 @@ pub(super) fn is_wall(path: &Path) -> bool {
 ///
 /// # Errors
 /// [`Refusal::File`] for what cannot be read or is no light.
-pub(super) fn light_of(what: &str, word: &OsStr, inputs: &mut Inputs) -> Result<Light, Refusal> {
+pub(super) fn light_of(
+    what: &str,
+    word: &OsStr,
+    inputs: &mut Inputs,
+) -> Result<Illuminant, Refusal> {
     let entry = subject::light(what, word, inputs)?;
-    Ok(Light::new(entry.name(), &entry.spectrum.samples))
+    Ok(Illuminant::new(entry.name(), &entry.spectrum.samples))
 }
 
 /// Words of an error about an input; what was not saved names its own file.

@@ -14,7 +14,7 @@ use super::{
 use crate::{
     color::{Adaptation, Srgb, Swatch, Xyz},
     io::{png, shown, stream::bytes_of_file},
-    pictures::{Between, CompactFile, Light, Operator, Picture, Relit, read_full, relit_into},
+    pictures::{Between, CompactFile, Illuminant, Operator, Picture, Relit, read_full, relit_into},
     study::Progress,
 };
 
@@ -102,8 +102,8 @@ fn say_trust(
     operator: &Operator,
     picture: &Picture,
     relit: &Relit,
-    new: &Light,
-    known: Option<&Light>,
+    new: &Illuminant,
+    known: Option<&Illuminant>,
     inputs: &mut Inputs,
 ) {
     let plan = operator.plan();

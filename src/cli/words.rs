@@ -19,6 +19,7 @@ use crate::{
     },
     color::Observer,
     io::{Delimiter, MOST_COLUMNS, WavelengthUnit, quoted},
+    optics::BuiltinMaterial,
     spectrum::{Band, BandError, Basis, Kind, LONGEST_NM, MOST_STEPS, Rect, SHORTEST_NM, Sampling},
     study::Goal,
 };
@@ -188,9 +189,36 @@ pub(super) fn range(word: &str) -> Result<Band, String> {
     })
 }
 
+/// Help of `--material`; `body` is what is made of it.
+pub(super) fn material_help(body: &str) -> String {
+    let words = BuiltinMaterial::ALL.map(BuiltinMaterial::word).join(", ");
+    format!("{body}: {words}, two numbers n_d,V_d or a file of refractiveindex.info (.yml)")
+}
+
+/// Help of `--basis`.
+pub(super) fn basis_help() -> String {
+    let words = listed(&Basis::ALL.map(Basis::word));
+    format!("Functions of the smooth part: {words} [default: cosine]")
+}
+
 /// `--basis`.
 pub(super) fn basis(word: &str) -> Result<Basis, String> {
     one_of(word, &Basis::ALL, Basis::word)
+}
+
+/// Words that `--observer` takes.
+fn observer_words() -> String {
+    let shipped: Vec<&str> = Observer::shipped().map(Observer::word).collect();
+    shipped.join(", ")
+}
+
+/// Help of `--observer`.
+pub(super) fn observer_help() -> String {
+    format!(
+        "Colour-matching functions: {}, or a file of three functions of wavelength: x, y, z or a \
+         camera's red, green, blue [default: 1931]",
+        observer_words()
+    )
 }
 
 /// `--observer`: the word of a shipped one, or a file of three functions.
@@ -202,7 +230,8 @@ pub(super) fn observer(word: &str) -> Result<Observer, String> {
     if path.is_file() {
         return observer_of_file(path);
     }
-    let expected = "1931, 1964, 2015-2, 2015-10 or a file of three functions of wavelength";
+    let shipped = observer_words();
+    let expected = format!("{shipped} or a file of three functions of wavelength");
     Err(refused(word, expected))
 }
 

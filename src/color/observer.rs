@@ -26,6 +26,9 @@ struct Known {
     table: ColourMatching,
 }
 
+/// The shipped group of their tables.
+const GROUP: &str = "observers";
+
 /// Observers of one's own, in the order in which they came. They live as long as the program: a
 /// handle must stay true wherever it was put.
 static OWN: RwLock<Vec<&'static Known>> = RwLock::new(Vec::new());
@@ -36,9 +39,10 @@ const MOST_OWN: usize = 1000;
 /// Most whole nm of one table.
 const MOST_NM: usize = 5000;
 
-/// Words and titles of the shipped observers, and what stands before and behind `xbar`, `ybar` and
-/// `zbar` in the names of their tables.
-const SHIPPED: [[&str; 4]; 4] = [
+/// Words and titles of the CIE's observers, and what stands before and behind `xbar`, `ybar` and
+/// `zbar` in the names of their tables. Of any other shipped observer the tables are called by its
+/// name and the axis, as in "Judd-Vos 1978 xbar".
+const CIE: [[&str; 4]; 4] = [
     ["1931", "CIE 1931, 2°", "CIE 1931 2deg", ""],
     ["1964", "CIE 1964, 10°", "CIE 1964 10deg", ""],
     ["2015-2", "CIE 2015, 2°", "CIE 2015 2deg", "_F"],
@@ -78,7 +82,7 @@ impl Observer {
     /// CIE 2015 cone-fundamental-based observer, 10 degree field (CIE 170-2).
     pub(crate) const CIE_2015_10DEG: Self = Self(3);
 
-    /// The shipped observers, in the order in which menus list them.
+    /// The CIE's observers, which are shipped first.
     pub const CIE: [Self; 4] = [
         Self::CIE_1931,
         Self::CIE_1964,
@@ -108,26 +112,44 @@ impl Observer {
                 own.len() - 1
             }
         };
-        Ok(Self((Self::CIE.len() + index) as u16))
+        Ok(Self((Self::tables().len() + index) as u16))
     }
 
     /// True if it ships with the program.
     pub(crate) fn is_shipped(self) -> bool {
-        usize::from(self.0) < Self::CIE.len()
+        usize::from(self.0) < Self::tables().len()
     }
 
-    fn known(self) -> &'static Known {
-        static TABLES: LazyLock<[Known; 4]> = LazyLock::new(|| {
-            SHIPPED.map(|[word, title, before, behind]| Known {
+    /// The shipped observers, in the order in which menus list them.
+    pub(crate) fn shipped() -> impl Iterator<Item = Self> {
+        (0..Self::tables().len()).map(|index| Self(index as u16))
+    }
+
+    fn tables() -> &'static [Known] {
+        static TABLES: LazyLock<Vec<Known>> = LazyLock::new(|| {
+            let of = |word: &str, [title, before, behind]: [&str; 3]| Known {
                 word: word.to_owned(),
                 title: title.to_owned(),
                 source: "presets/observers.json".to_owned(),
                 table: ColourMatching::from_weightings(before, behind),
-            })
+            };
+            let items = preset::group(GROUP)
+                .into_iter()
+                .flat_map(|group| &group.items);
+            let others = items
+                .filter_map(|item| item.name.strip_suffix(" xbar"))
+                .filter(|name| CIE.iter().all(|[_, _, before, _]| before != name))
+                .map(|name| of(&name.to_lowercase().replace(' ', "-"), [name, name, ""]));
+            let cie = CIE.map(|[word, rest @ ..]| of(word, rest));
+            cie.into_iter().chain(others).collect()
         });
-        let index = usize::from(self.0);
-        match index.checked_sub(Self::CIE.len()) {
-            None => &TABLES[index],
+        &TABLES
+    }
+
+    fn known(self) -> &'static Known {
+        let (index, shipped) = (usize::from(self.0), Self::tables());
+        match index.checked_sub(shipped.len()) {
+            None => &shipped[index],
             Some(own) => OWN.read().unwrap_or_else(PoisonError::into_inner)[own],
         }
     }
@@ -139,9 +161,7 @@ impl Observer {
 
     /// The shipped observer of a [`Observer::word`].
     pub(crate) fn from_word(word: &str) -> Option<Self> {
-        Self::CIE
-            .into_iter()
-            .find(|observer| observer.word() == word)
+        Self::shipped().find(|observer| observer.word() == word)
     }
 
     /// The name that people read.
@@ -200,8 +220,10 @@ impl<'de> Deserialize<'de> for Observer {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         match Stored::deserialize(deserializer)? {
             Stored::Shipped(word) => Self::from_word(&word).ok_or_else(|| {
+                let shipped: Vec<&str> = Self::shipped().map(Self::word).collect();
                 D::Error::custom(format!(
-                    "found observer {word:?}, expected 1931, 1964, 2015-2, 2015-10 or a table"
+                    "found observer {word:?}, expected {} or a table",
+                    shipped.join(", ")
                 ))
             }),
             Stored::Own {
@@ -340,7 +362,7 @@ impl ColourMatching {
 /// A weighting table by its name in `presets/observers.json`, such as `"V(lambda) photopic"`,
 /// `"V'(lambda) scotopic"` or `"S026 s_mel (melanopic)"`; zero outside its wavelengths.
 pub fn weighting(name: &str) -> Option<&'static Sampled> {
-    preset::table("observers", name)
+    preset::table(GROUP, name)
 }
 
 /// A table that ships with the program; its absence is a broken build, which a test would show.
@@ -354,7 +376,7 @@ mod tests {
 
     #[test]
     fn every_observer_has_a_table_of_one_value_per_nm() {
-        for observer in Observer::CIE {
+        for observer in Observer::shipped() {
             let table = observer.table();
             let count = (table.last_nm - table.first_nm + 1) as usize;
             assert!(
@@ -419,7 +441,7 @@ mod tests {
 
     #[test]
     fn words_are_distinct_and_lead_back_to_their_observer() {
-        for observer in Observer::CIE {
+        for observer in Observer::shipped() {
             assert_eq!(Observer::from_word(observer.word()), Some(observer));
         }
         assert_eq!(Observer::from_word("1932"), None);
@@ -427,7 +449,7 @@ mod tests {
 
     #[test]
     fn the_light_that_is_equal_everywhere_is_nearly_neutral() {
-        for observer in Observer::CIE {
+        for observer in Observer::shipped() {
             let [x, y, z] = observer.table().sums();
             // The functions were scaled to equal sums from finer tables; 4e-4 is what their
             // rounding to the published digits leaves (1931: 106.8655, 106.8569, 106.8923).

@@ -3,7 +3,7 @@
 //! ```text
 //! recover        spectra from colours
 //! mixture        channels that are mixed to a light
-//! solve          mixtures that are wished for
+//! solve          mixtures by an objective and constraints
 //! scales         what a light is scored by, from linear sums
 //! whole_nm       lights on whole nm
 //! programme      linear programmes of a few equations

@@ -67,8 +67,8 @@ pub(crate) fn as_wide_as_it_is(band: Band, shape: &LineShape, max_width_nm: f64)
         };
         let misses = (shape.first.min(line.first)..last).map(|i| {
             let taken = at(shape.first, &shape.residue, i);
-            let bell = shape.spike.weight * at(line.first, &line.values, i);
-            band.weight(i) * ((taken - bell) / top).powi(2)
+            let model = shape.spike.weight * at(line.first, &line.values, i);
+            band.weight(i) * ((taken - model) / top).powi(2)
         });
         misses.sum::<f64>()
     };
@@ -86,16 +86,20 @@ pub(crate) fn as_wide_as_it_is(band: Band, shape: &LineShape, max_width_nm: f64)
 }
 
 /// A found line as its own Gaussian; nothing where its width is none.
-pub(crate) fn bell(band: Band, shape: &LineShape, settings: SpikeSettings) -> Option<LineShape> {
+pub(crate) fn own_profile(
+    band: Band,
+    shape: &LineShape,
+    settings: SpikeSettings,
+) -> Option<LineShape> {
     let line = as_wide_as_it_is(band, shape, settings.max_width_nm);
     if line.is_ideal() {
         return None;
     }
-    let bell = line.profile(band);
+    let profile = line.profile(band);
     Some(LineShape {
         spike: shape.spike,
-        first: bell.first,
-        residue: bell.values.iter().map(|v| line.weight * v).collect(),
+        first: profile.first,
+        residue: profile.values.iter().map(|v| line.weight * v).collect(),
     })
 }
 

@@ -12,7 +12,7 @@ use super::{
 };
 use crate::{
     color::{Observer, PatchSet},
-    spectrum::{Band, Basis, SpikeSettings},
+    spectrum::{Band, PerBasis, SpikeSettings},
     study::FitBasis,
 };
 
@@ -37,8 +37,8 @@ pub(super) struct Counted {
     /// The patches as cosine series.
     pub(super) patches: PatchSet,
     pub(super) numbers: usize,
-    /// Both bases as today's ways have them.
-    pub(super) bases: [FitBasis; 2],
+    /// Each basis as today's ways have it.
+    pub(super) bases: PerBasis<FitBasis>,
 }
 
 impl Encoder {
@@ -85,7 +85,7 @@ impl Encoder {
         let new = || Counted {
             patches: self.panel.patches_as_cosines(numbers),
             numbers,
-            bases: Basis::ALL.map(|basis| FitBasis::new(band, basis, numbers, seen)),
+            bases: PerBasis::of(|basis| FitBasis::new(band, basis, numbers, seen)),
         };
         known
             .entry(numbers)

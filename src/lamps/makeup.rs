@@ -71,11 +71,10 @@ impl Ingredients {
         if !words.is_empty() {
             words.push_str(" + ");
         }
-        let basis = match self.basis {
-            Basis::Cosine => "cosine",
-            Basis::Fourier => "Fourier",
-        };
-        words.push_str(&counted(self.smooth, &format!("{basis} number")));
+        words.push_str(&counted(
+            self.smooth,
+            &format!("{} number", self.basis.name()),
+        ));
         if !self.lines.is_empty() {
             words.push_str(" + ");
             words.push_str(&counted(self.lines.len(), "line"));

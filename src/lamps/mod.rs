@@ -43,7 +43,7 @@ pub(crate) use ask::{Count, LeaveOut};
 pub use composite_fit::FitOptions;
 #[cfg(test)]
 pub(crate) use detector::decompose;
-pub(crate) use detector::{as_wide_as_it_is, bell};
+pub(crate) use detector::{as_wide_as_it_is, own_profile};
 pub use encoder::Encoder;
 pub(crate) use encoder::LONGEST_RANGE_NM;
 pub(crate) use encoding::AtomWeight;
@@ -61,5 +61,4 @@ pub use report::{Encoded, judged};
 pub(crate) use report::{decode_json, encode_json, encode_words, read_encoding};
 #[cfg(test)]
 pub(crate) use words::from_words;
-pub use words::rounded;
 pub(crate) use words::words_in_text;

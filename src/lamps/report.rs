@@ -13,10 +13,7 @@ use super::{
     makeup::Ingredients,
     words::{from_words, rounded, to_words, words_from_text, words_in_text},
 };
-use crate::{
-    spectrum::{Band, Basis},
-    study::Measure,
-};
+use crate::{spectrum::Band, study::Measure};
 
 /// Least height of a light in words: an f32 loses its digits below 1e-38, and a light is made of
 /// numbers much smaller than itself.
@@ -83,21 +80,17 @@ pub(crate) fn decode_json(encoding: &Encoding, words: &[u32]) -> Value {
     let title = |index: u8| Some(&known_lamps().get(usize::from(index))?.title);
     let atoms = encoding.atoms.iter();
     let atoms = atoms.map(|a| json!({"name": title(a.index), "weight": a.weight}));
-    let is_cosine = encoding.smooth.basis == Basis::Cosine;
-    let (smooth, none) = (&encoding.smooth.coefficients[..], &[][..]);
     let mut all = json!({
         "numbers": encoding.numbers(),
         "strict_numbers": encoding.strict_numbers(),
         "range_nm": encoding.band(),
         "words": words_in_text(words),
         "atoms": atoms.collect::<Value>(),
-        "cosine": if is_cosine { smooth } else { none },
+        "cosine": [],
         "lines": encoding.lines,
     });
-    // Only where one of today's Fourier ways was the best.
-    if !is_cosine {
-        all["fourier"] = json!(smooth);
-    }
+    // Another basis only where one of today's ways was the best.
+    all[encoding.smooth.basis.word()] = json!(encoding.smooth.coefficients);
     all
 }
 

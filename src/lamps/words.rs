@@ -63,6 +63,7 @@ pub(crate) fn to_words(encoding: &Encoding) -> Result<Vec<u32>, EncodingError> {
     };
     let mut words = Vec::with_capacity(encoding.numbers());
     let smooth = &encoding.smooth.coefficients;
+    let bit = bit_of(encoding)?;
     if encoding.has_label() {
         let index = |k: usize| match encoding.atoms.get(k) {
             None => Ok(NONE),
@@ -88,9 +89,8 @@ pub(crate) fn to_words(encoding: &Encoding) -> Result<Vec<u32>, EncodingError> {
     }
     for (i, c) in smooth.iter().enumerate() {
         let bits = number(*c)?;
-        let flag = u32::from(encoding.smooth.basis == Basis::Fourier);
         let is_flagged = i == 0 && !encoding.has_label();
-        words.push(if is_flagged { bits & !1 | flag } else { bits });
+        words.push(if is_flagged { bits & !1 | bit } else { bits });
     }
     for line in &encoding.lines {
         let place = u32::from(stored_place(band, line.at_nm));
@@ -99,6 +99,17 @@ pub(crate) fn to_words(encoding: &Encoding) -> Result<Vec<u32>, EncodingError> {
         words.push(number(line.weight)?);
     }
     Ok(words)
+}
+
+/// The bit by which the basis of an encoding is read again; beside a label it is cosines always.
+fn bit_of(encoding: &Encoding) -> Result<u32, EncodingError> {
+    let basis = encoding.smooth.basis;
+    let held = basis.bit_in_words();
+    let is_held = |bit: &u32| !encoding.has_label() || *bit == 0;
+    held.filter(is_held).ok_or_else(|| EncodingError::Words {
+        found: format!("a {} series", basis.name()),
+        expected: "cosines, or Fourier's functions without known lamps and wide lines",
+    })
 }
 
 /// The encoding of words on a band.
@@ -132,9 +143,9 @@ pub(crate) fn from_words(words: &[u32], band: Band) -> Result<Encoding, Encoding
         }
         (label >> 16 & 0x3f) as usize
     } else {
-        if words[0] & 1 == 1 {
-            basis = Basis::Fourier;
-        }
+        let bit = Some(words[0] & 1);
+        let of_bit = |of: &Basis| of.bit_in_words() == bit;
+        basis = Basis::ALL.into_iter().find(of_bit).unwrap_or(basis);
         words.iter().take_while(|word| !is_integer(**word)).count()
     };
     if count == 0 {
@@ -278,7 +289,7 @@ impl Number {
 ///
 /// # Errors
 /// As `to_words`, and as [`Decoder::decode`].
-pub fn rounded(
+pub(crate) fn rounded(
     encoding: &Encoding,
     decoder: &Decoder,
     observer: Observer,
@@ -307,14 +318,13 @@ pub fn rounded(
             .ok_or(EncodingError::Lamp { found: atom.index })?;
         add(atom.weight, values, None);
     }
-    let basis = rounded.smooth.basis;
+    let (basis, bit) = (rounded.smooth.basis, bit_of(&rounded)?);
     for (n, c) in rounded.smooth.coefficients.iter().enumerate() {
         let function: Vec<f64> = band.grid().map(|nm| basis.function(n, band, nm)).collect();
-        let flag = u32::from(basis == Basis::Fourier);
         add(
             *c,
             &function,
-            (n == 0 && !rounded.has_label()).then_some(flag),
+            (n == 0 && !rounded.has_label()).then_some(bit),
         );
     }
     for line in &rounded.lines {

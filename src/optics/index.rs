@@ -297,7 +297,7 @@ impl Material {
     }
 
     /// True if an index there rests on a formula outside the wavelengths it was published for.
-    pub fn is_extrapolated(&self, at_nm: f64) -> bool {
+    pub(crate) fn is_extrapolated(&self, at_nm: f64) -> bool {
         self.published_nm
             .is_none_or(|[from, to]| !(from..=to).contains(&at_nm))
     }

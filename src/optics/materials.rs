@@ -57,6 +57,20 @@ impl BuiltinMaterial {
         }
     }
 
+    /// The name that people read.
+    pub(crate) fn title(self) -> &'static str {
+        match self {
+            Self::Diamond => "diamond",
+            Self::Zirconia => "cubic zirconia",
+            Self::Sapphire => "sapphire",
+            Self::NBk7 => "N-BK7, crown glass",
+            Self::NSf11 => "N-SF11, heavy flint glass",
+            Self::NSf10 => "N-SF10, flint glass",
+            Self::Silica => "fused silica",
+            Self::Water => "water",
+        }
+    }
+
     /// The material of a [`BuiltinMaterial::word`].
     pub(crate) fn from_word(word: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|stuff| stuff.word() == word)
@@ -154,6 +168,17 @@ fn squared<const N: usize>(terms: [[f64; 2]; N]) -> [Term; N] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn no_material_is_left_out_of_the_list_of_all() {
+        // serde names every variant where a word is none.
+        let error = serde_json::from_str::<BuiltinMaterial>("\"\"").expect_err("no word");
+        for stuff in BuiltinMaterial::ALL {
+            assert!(error.to_string().contains(&format!("`{}`", stuff.word())));
+        }
+        let named = error.to_string().matches('`').count() / 2 - 1;
+        assert_eq!(named, BuiltinMaterial::ALL.len(), "{error}");
+    }
 
     #[test]
     fn words_lead_back_to_their_material() {

@@ -106,7 +106,7 @@ impl Studio {
     }
 
     /// True if the ray through a film point meets the body.
-    pub fn meets(&self, film: [f64; 2]) -> bool {
+    pub(crate) fn meets(&self, film: [f64; 2]) -> bool {
         self.fast.meets(self.camera.direction(film))
     }
 

@@ -204,7 +204,7 @@ pub(crate) struct KeptBands {
     /// The file's bands that each kept one is the mean of.
     pub of: Vec<Vec<usize>>,
     /// Notes on merged or dropped bands, one sentence each.
-    pub said: Vec<String>,
+    pub notes: Vec<String>,
 }
 
 impl KeptBands {
@@ -222,11 +222,11 @@ impl KeptBands {
     /// Decides about a file's bands (nm, rising). `missing` is each band's share of pixels without
     /// a value (1 for one flagged bad); `all` keeps what nobody sees.
     pub(crate) fn of_file(nm: &[f64], missing: &[f64], all: bool) -> Self {
-        let mut said = Vec::new();
+        let mut notes = Vec::new();
         let is_missing = |band: &usize| missing.get(*band).is_some_and(|m| *m > MOST_MISSING);
         let (gone, mut kept): (Vec<usize>, Vec<usize>) = (0..nm.len()).partition(is_missing);
         if !gone.is_empty() {
-            said.push(format!(
+            notes.push(format!(
                 "{} of {} bands left out: bad, or missing in more than half of the pixels",
                 gone.len(),
                 nm.len()
@@ -239,7 +239,7 @@ impl KeptBands {
             let seen = |band: &usize| (low..=high).contains(&nm[*band]);
             let count = kept.iter().filter(|band| seen(band)).count();
             if unseen > MOST_UNSEEN * (last - first) && count >= 3 {
-                said.push(format!(
+                notes.push(format!(
                     "only what is seen: {} bands outside 360-830 nm left out",
                     kept.len() - count
                 ));
@@ -255,7 +255,7 @@ impl KeptBands {
         }
         let merged = of.iter().filter(|group| group.len() > 1).count();
         if merged > 0 {
-            said.push(format!(
+            notes.push(format!(
                 "bands within {CLOSE_NM} nm of one another averaged, {merged} times"
             ));
         }
@@ -264,7 +264,7 @@ impl KeptBands {
         Self {
             nm: of.iter().map(mean).collect(),
             of,
-            said,
+            notes,
         }
     }
 }
@@ -366,10 +366,10 @@ mod tests {
     fn close_bad_and_unseen_bands_are_left_out_and_said() {
         let nm: Vec<f64> = (0..220).map(|i| 400.0 + 10.0 * f64::from(i)).collect();
         let seen = KeptBands::of_file(&nm, &[], false);
-        assert_eq!((seen.nm.len(), seen.said.len()), (44, 1));
+        assert_eq!((seen.nm.len(), seen.notes.len()), (44, 1));
         assert_eq!(KeptBands::of_file(&nm, &[], true).nm.len(), 220);
         let close = KeptBands::of_file(&[400.0, 400.4, 410.0, 420.0], &[0.0, 0.0, 0.6, 0.5], false);
         assert_eq!(close.nm, [400.2, 420.0]);
-        assert_eq!(close.said.len(), 2);
+        assert_eq!(close.notes.len(), 2);
     }
 }

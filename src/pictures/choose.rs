@@ -15,7 +15,7 @@ use super::operator::MOST_NOISE_GAIN;
 use super::plan::MARGIN;
 use super::strips::over_parts;
 use super::survey::Survey;
-use super::{Bands, Light, Operator, PictureError, Plan, Reference, ReferenceKind};
+use super::{Bands, Illuminant, Operator, PictureError, Plan, Reference, ReferenceKind};
 
 /// Most numbers a pixel that are tried.
 pub(crate) const MOST_NUMBERS: usize = 40;
@@ -39,17 +39,17 @@ pub enum Asked {
 /// Settings that may be fixed instead of chosen.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
-pub struct Wish {
+pub struct FixedSettings {
     /// Kind of the reference that multiplies the series; `None` for the best.
     pub reference: Option<ReferenceKind>,
     /// Lines with a coefficient of their own.
-    pub lines: WishedLines,
+    pub lines: LineChoice,
 }
 
 /// Selection of the lines with a coefficient of their own.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum WishedLines {
+pub enum LineChoice {
     /// Those that are found, where they pay.
     #[default]
     Best,
@@ -101,7 +101,7 @@ pub struct Choice {
     /// The bound on the rms in force: noise may raise it.
     pub bound_rms: f64,
     /// Notes on merged lines among those requested, one sentence each.
-    pub said: Vec<String>,
+    pub notes: Vec<String>,
 }
 
 impl Choice {
@@ -120,11 +120,11 @@ impl Choice {
 pub(crate) fn plan_of(
     bands: &Bands,
     survey: &Survey,
-    known: Option<&Light>,
-    (base, wish): (&Plan, &Wish),
+    known: Option<&Illuminant>,
+    (base, fixed): (&Plan, &FixedSettings),
     tried: &Candidate,
 ) -> Result<Plan, PictureError> {
-    Ok(Ways::new(bands, survey, known, (base, wish))?.plan(tried))
+    Ok(Ways::new(bands, survey, known, (base, fixed))?.plan(tried))
 }
 
 /// Ingredients of the candidates.
@@ -133,27 +133,27 @@ struct Ways<'a> {
     base: Plan,
     references: Vec<Reference>,
     lines: Vec<Line>,
-    wished: &'a WishedLines,
-    said: Vec<String>,
+    line_choice: &'a LineChoice,
+    notes: Vec<String>,
     survey: &'a Survey,
-    known: Option<&'a Light>,
+    known: Option<&'a Illuminant>,
     moments: DMatrix<f64>,
 }
 
 /// Chooses. `known` is the light on a picture that is light itself; `base` tells own light,
-/// observer and weighting, `wish` what is not left to the choice.
+/// observer and weighting, `fixed` what is not left to the choice.
 ///
 /// # Errors
-/// [`PictureError`] when no candidate can be formed at all, and for a wish that cannot be met.
+/// [`PictureError`] when no candidate can be formed at all, and for a fixed setting that cannot be met.
 pub fn choose(
     bands: &Bands,
     survey: &Survey,
-    known: Option<&Light>,
-    (base, wish): (&Plan, &Wish),
+    known: Option<&Illuminant>,
+    (base, fixed): (&Plan, &FixedSettings),
     asked: Asked,
     progress: &Progress,
 ) -> Result<Choice, PictureError> {
-    let ways = Ways::new(bands, survey, known, (base, wish))?;
+    let ways = Ways::new(bands, survey, known, (base, fixed))?;
     let bases = ways.bases();
     let most = (bands.len() - 1).min(MOST_NUMBERS);
     let jobs: Vec<(usize, usize)> = (3..=most)
@@ -207,7 +207,7 @@ pub fn choose(
         tried,
         bound_p95: p95,
         bound_rms: rms,
-        said: ways.said,
+        notes: ways.notes,
     })
 }
 
@@ -215,8 +215,8 @@ pub fn choose(
 fn references(
     bands: &Bands,
     survey: &Survey,
-    known: Option<&Light>,
-    wish: Option<ReferenceKind>,
+    known: Option<&Illuminant>,
+    fixed: Option<ReferenceKind>,
 ) -> Result<Vec<Reference>, PictureError> {
     let of = |kind: ReferenceKind| {
         match (kind, known) {
@@ -230,7 +230,7 @@ fn references(
         )),
     }
     };
-    if let Some(kind) = wish {
+    if let Some(kind) = fixed {
         return Ok(vec![of(kind)?]);
     }
     let usual = match known {
@@ -248,8 +248,8 @@ impl<'a> Ways<'a> {
     fn new(
         bands: &'a Bands,
         survey: &'a Survey,
-        known: Option<&'a Light>,
-        (base, wish): (&Plan, &'a Wish),
+        known: Option<&'a Illuminant>,
+        (base, fixed): (&Plan, &'a FixedSettings),
     ) -> Result<Self, PictureError> {
         let known = known.filter(|_| !bands.is_factor());
         let mut source = survey.mean.clone();
@@ -259,16 +259,16 @@ impl<'a> Ways<'a> {
             let noise = survey.usual_noise_under(&source);
             plan.noise = noise.max(super::plan::LEAST_NOISE);
         }
-        let references = references(bands, survey, known, wish.reference)?;
-        let mut said = Vec::new();
-        let lines = match &wish.lines {
-            WishedLines::None => Vec::new(),
+        let references = references(bands, survey, known, fixed.reference)?;
+        let mut notes = Vec::new();
+        let lines = match &fixed.lines {
+            LineChoice::None => Vec::new(),
             // No lamp is in a reflectance.
-            WishedLines::Best if bands.is_factor() => Vec::new(),
-            WishedLines::Best | WishedLines::Found => find_lines(bands, &source)?,
-            WishedLines::At(places) => {
+            LineChoice::Best if bands.is_factor() => Vec::new(),
+            LineChoice::Best | LineChoice::Found => find_lines(bands, &source)?,
+            LineChoice::At(places) => {
                 let found = lines_at(bands, &source, places)?;
-                said = found.said;
+                notes = found.notes;
                 found.lines
             }
         };
@@ -279,8 +279,8 @@ impl<'a> Ways<'a> {
             base: plan,
             references,
             lines,
-            wished: &wish.lines,
-            said,
+            line_choice: &fixed.lines,
+            notes,
             survey,
             known,
             moments: &all * all.transpose() / count,
@@ -288,7 +288,7 @@ impl<'a> Ways<'a> {
     }
 
     fn bases(&self) -> Vec<Base> {
-        let is_left_to_us = *self.wished == WishedLines::Best;
+        let is_left_to_us = *self.line_choice == LineChoice::Best;
         let mut bases = Vec::new();
         for margin in [MARGIN, 0.0] {
             for (at, reference) in self.references.iter().enumerate() {
@@ -314,8 +314,8 @@ impl<'a> Ways<'a> {
     /// Checks that lines set by hand leave three numbers to the series.
     fn check(&self, numbers: usize) -> Result<(), PictureError> {
         let lines = self.lines.len();
-        match self.wished {
-            WishedLines::At(_) if lines > Self::room(numbers) => {
+        match self.line_choice {
+            LineChoice::At(_) if lines > Self::room(numbers) => {
                 Err(PictureError::TooManyLines { lines, numbers })
             }
             _ => Ok(()),

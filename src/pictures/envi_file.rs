@@ -27,7 +27,7 @@ pub struct EnviFile {
     bands: Bands,
     /// The file's bands that each kept one is the mean of.
     of: Vec<Vec<usize>>,
-    said: Vec<String>,
+    notes: Vec<String>,
     is_kind_guessed: bool,
 }
 
@@ -66,7 +66,7 @@ impl EnviFile {
             unit: String::new(),
             bands: Bands::new(nm.clone(), Kind::Light)?,
             of: stored.iter().map(|band| vec![*band]).collect(),
-            said: channels.notes,
+            notes: channels.notes,
             is_kind_guessed: false,
         };
         let (sample, gone) = opened.looked_at()?;
@@ -76,16 +76,16 @@ impl EnviFile {
             ..OfOne::default()
         };
         let meant = Meant::of(known, chosen, || sample);
-        opened.said.extend(notes);
-        opened.said.extend(envi::left_over(&header, found));
+        opened.notes.extend(notes);
+        opened.notes.extend(envi::left_over(&header, found));
         let kept = KeptBands::of_file(&nm, &gone, all);
         let width = envi::bandwidth_nm(&header, &nm, &stored);
         opened.bands = kept.bands(meant.kind.value)?.with_bandwidth(width);
         let group = |of: &Vec<usize>| of.iter().map(|band| stored[*band]).collect();
         opened.of = kept.of.iter().map(group).collect();
-        opened.said.extend(meant.said());
+        opened.notes.extend(meant.notes());
         opened.is_kind_guessed = meant.is_kind_guessed();
-        opened.said.extend(kept.said);
+        opened.notes.extend(kept.notes);
         (opened.scale, opened.unit) = (meant.scale, meant.unit);
         Ok(opened)
     }
@@ -121,8 +121,8 @@ impl EnviFile {
     }
 
     /// Notes on guesses, merging and omissions, one sentence each.
-    pub fn said(&self) -> &[String] {
-        &self.said
+    pub fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     fn read(&self, at: usize, into: &mut [u8]) -> Result<(), PictureError> {

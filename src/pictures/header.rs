@@ -9,7 +9,7 @@ use crate::spectrum::{Kind, Sampled};
 
 use super::measure::Errors;
 use super::plan::Reference;
-use super::{Bands, Light, Line, Operator, PictureError, Plan};
+use super::{Bands, Illuminant, Line, Operator, PictureError, Plan};
 
 /// The word that says what a header is.
 pub(super) const FORMAT: &str = "composite-picture";
@@ -272,13 +272,13 @@ impl Header {
         Ok(())
     }
 
-    fn own_light(&self) -> Result<Light, PictureError> {
+    fn own_light(&self) -> Result<Illuminant, PictureError> {
         let [first, last, step] = self.own.values_nm_first_last_step;
         let rises = step > 0.0 && first > 0.0 && last > first && last < 1e6;
         let steps = ((last - first) / step).round();
         let fits = (steps + 1.0 - self.own.values.len() as f64).abs() < 0.5;
         match Sampled::even(first, step, self.own.values.clone()) {
-            Ok(table) if rises && fits => Ok(Light::new(&self.own.light, &table)),
+            Ok(table) if rises && fits => Ok(Illuminant::new(&self.own.light, &table)),
             _ => Err(PictureError::broken(
                 "an own light that is no table",
                 "values from first to last nm",
@@ -316,7 +316,7 @@ impl Header {
         });
         let names = self.weighting.iter().take(100);
         let names = names.filter(|_| bands.is_factor());
-        let weighting: Vec<Light> = names.filter_map(|name| Light::named(name)).collect();
+        let weighting: Vec<Illuminant> = names.filter_map(|name| Illuminant::named(name)).collect();
         let plan = Plan {
             series: self.series,
             margin: (self.bands_nm[0] - self.range_nm[0]) / bands.length_nm(),

@@ -15,7 +15,7 @@ use super::{Bands, PictureError};
 
 /// A light: a table and, where it has any, lines of no width.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Light {
+pub struct Illuminant {
     name: String,
     table: Sampled,
     spikes: Vec<Line>,
@@ -44,7 +44,7 @@ pub(super) fn times(rows: &Rows, matrix: &DMatrix<f64>) -> Rows {
 /// Lights that judge a choice: none of them is an own light by default.
 pub(crate) const JUDGES: [&str; 6] = ["A", "FL2", "FL11", "LED-B3", "HP1", "Mercury"];
 
-impl Light {
+impl Illuminant {
     /// A light from its table.
     pub fn new(name: &str, table: &Sampled) -> Self {
         Self::with_spikes(name, table, Vec::new())
@@ -84,14 +84,14 @@ impl Light {
 
     /// The CIE FL and LED lights of the library, 1 nm tables: what a fit is weighted with.
     pub fn weighting() -> &'static [Self] {
-        static LIGHTS: LazyLock<Vec<Light>> = LazyLock::new(|| {
+        static LIGHTS: LazyLock<Vec<Illuminant>> = LazyLock::new(|| {
             let groups = ["cie_fluorescent_1nm", "cie_led_1nm"];
             let groups = groups.into_iter().filter_map(preset::group);
             let lights = groups.flat_map(|group| {
                 let tables = group.items.iter();
                 let lights = tables.filter_map(|item| Some((item.name.as_str(), item.spectrum()?)));
                 lights
-                    .map(|(name, table)| Light::new(name, &table.samples))
+                    .map(|(name, table)| Illuminant::new(name, &table.samples))
                     .collect::<Vec<_>>()
             });
             lights.collect()
@@ -101,8 +101,8 @@ impl Light {
 
     /// The six lights that judge.
     pub fn judges() -> &'static [Self] {
-        static LIGHTS: LazyLock<Vec<Light>> =
-            LazyLock::new(|| JUDGES.into_iter().filter_map(Light::named).collect());
+        static LIGHTS: LazyLock<Vec<Illuminant>> =
+            LazyLock::new(|| JUDGES.into_iter().filter_map(Illuminant::named).collect());
         &LIGHTS
     }
 
@@ -210,24 +210,24 @@ pub(super) fn emissive_weights(
     observer: Observer,
     white: &[f64],
 ) -> Result<Rows, PictureError> {
-    let rows = bands.fold(&Light::equal_energy().seen(observer));
+    let rows = bands.fold(&Illuminant::equal_energy().seen(observer));
     let y = dot(&rows[1], white);
     over_y(rows, y).ok_or_else(|| PictureError::NoOwnLight {
         light: "what the eye sees".to_owned(),
     })
 }
 
-fn in_group(id: &str, name: &str, full: &str) -> Option<Light> {
-    Some(Light::new(name, preset::table(id, full)?))
+fn in_group(id: &str, name: &str, full: &str) -> Option<Illuminant> {
+    Some(Illuminant::new(name, preset::table(id, full)?))
 }
 
 /// A light by its name or `group/name` anywhere in the library.
-fn anywhere(name: &str) -> Option<Light> {
+fn anywhere(name: &str) -> Option<Illuminant> {
     let mut items = preset::groups().flat_map(|group| &group.items);
     let is_it =
         |item: &&Preset| item.kind == Kind::Light && (item.name == name || item.id() == name);
     let found = items.find(is_it)?;
-    Some(Light::new(name, &found.spectrum()?.samples))
+    Some(Illuminant::new(name, &found.spectrum()?.samples))
 }
 
 #[cfg(test)]
@@ -236,9 +236,12 @@ mod tests {
 
     #[test]
     fn a_mixture_lies_between_its_lights() {
-        let (a, b) = (Light::named("A").unwrap(), Light::named("D65").unwrap());
+        let (a, b) = (
+            Illuminant::named("A").unwrap(),
+            Illuminant::named("D65").unwrap(),
+        );
         let mixed = a.mixed_with(&b, 0.25, Observer::CIE_1931).unwrap();
-        let white = |light: &Light| light.white(Observer::CIE_1931).unwrap();
+        let white = |light: &Illuminant| light.white(Observer::CIE_1931).unwrap();
         let between = white(&a) * 0.25 + white(&b) * 0.75;
         // Linear, so only rounding differs.
         assert!((white(&mixed).x - between.x).abs() < 1e-12);

@@ -33,7 +33,7 @@ pub(crate) struct HandLines {
     /// The lines by rising wavelength.
     pub lines: Vec<Line>,
     /// Notes on merged lines, one sentence each.
-    pub said: Vec<String>,
+    pub notes: Vec<String>,
 }
 
 /// The widest line that is looked for, nm.
@@ -86,8 +86,8 @@ pub(crate) fn lines_at(
         match kept.last_mut() {
             Some(last) if place - *last < near => {
                 let middle = 0.5 * (*last + place);
-                let said = format!("lines at {last} and {place} nm are one at {middle} nm");
-                found.said.push(said);
+                let note = format!("lines at {last} and {place} nm are one at {middle} nm");
+                found.notes.push(note);
                 *last = middle;
             }
             _ => kept.push(place),
@@ -282,7 +282,7 @@ mod tests {
     fn lines_too_close_are_merged_and_said_and_outside_refused() {
         let (bands, values) = lamp();
         let found = lines_at(&bands, &values, &[600.0, 602.0]).unwrap();
-        assert_eq!((found.lines.len(), found.said.len()), (1, 1));
+        assert_eq!((found.lines.len(), found.notes.len()), (1, 1));
         let refused = lines_at(&bands, &values, &[350.0]).unwrap_err();
         assert!(
             refused

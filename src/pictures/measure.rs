@@ -13,7 +13,7 @@ use super::light::{Rows, times};
 use super::relight::Between;
 use super::strips::{Strip, over_strips};
 use super::survey::percentile;
-use super::{Light, Operator, PictureError, Pixels, Plan, ReferenceKind, Relit, STRIP_ROWS};
+use super::{Illuminant, Operator, PictureError, Pixels, Plan, ReferenceKind, Relit, STRIP_ROWS};
 
 /// Mean, 95th percentile and largest of a colour difference.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -164,7 +164,7 @@ impl Judge {
     pub(crate) fn all(
         operator: &Operator,
         white_y: f64,
-        known: Option<&Light>,
+        known: Option<&Illuminant>,
     ) -> Result<Vec<Self>, PictureError> {
         let own = operator.own_colour();
         let plan = operator.plan();
@@ -189,7 +189,7 @@ impl Judge {
             }
             None => return Ok(judges),
         };
-        for light in Light::judges() {
+        for light in Illuminant::judges() {
             let Ok(relit) = operator.relit(light, known, Between::Bands) else {
                 continue;
             };

@@ -47,7 +47,7 @@ mod trust;
 pub use crate::io::Precision;
 pub use bands::Bands;
 pub(crate) use bands::KeptBands;
-pub use choose::{Asked, BOUND_P95, BOUND_RMS, Wish, WishedLines, choose};
+pub use choose::{Asked, BOUND_P95, BOUND_RMS, FixedSettings, LineChoice, choose};
 pub(crate) use choose::{Candidate, Choice, MOST_NUMBERS, plan_of};
 pub use compact::{Coder, CompactFile, CompactPlan, Quantiser, compact_plan, write_compact};
 pub use envi_file::EnviFile;
@@ -57,7 +57,7 @@ pub use fit::{FitAsk, fit_line, fit_values};
 pub use full::{Half, read_full, write_full};
 pub use header::{About, Header};
 pub(crate) use kernel::Kernel;
-pub use light::Light;
+pub use light::Illuminant;
 pub use lines::Line;
 #[cfg(test)]
 pub(crate) use lines::{find_lines, line_in};

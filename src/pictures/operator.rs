@@ -195,7 +195,7 @@ impl Operator {
     }
 
     /// True if own colour is exact (it is not where the bands miss the visible).
-    pub fn is_exact(&self) -> bool {
+    pub(crate) fn is_exact(&self) -> bool {
         self.is_exact
     }
 

@@ -24,7 +24,7 @@ pub struct Peer {
     /// Its errors; `None` where it was not run.
     pub error: Option<Errors>,
     /// A remark.
-    pub said: String,
+    pub description: String,
 }
 
 impl Peer {
@@ -99,14 +99,14 @@ pub(crate) fn peers(
         rows.push(("the paper's form: series and lines", kept(0), paper, ""));
     }
     let mut peers = Vec::new();
-    for (name, bytes, way, said) in rows {
+    for (name, bytes, way, description) in rows {
         let white = white_y_of(&way, &survey.sample);
         peers.push(Peer {
             name,
             numbers,
             bytes,
             error: Some(measure(pixels, &way, &Exactly, white, progress)?),
-            said: said.to_owned(),
+            description: description.to_owned(),
         });
     }
     for (name, precision) in [
@@ -118,7 +118,7 @@ pub(crate) fn peers(
             numbers: bands.len(),
             bytes: Some(exact_bytes(pixels, precision, progress)?),
             error: None,
-            said: "every band".to_owned(),
+            description: "every band".to_owned(),
         });
     }
     Ok(peers)

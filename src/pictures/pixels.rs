@@ -145,8 +145,8 @@ impl<'a> OfImage<'a> {
     }
 
     /// Notes on merging and omissions, one sentence each.
-    pub(crate) fn said(&self) -> &[String] {
-        &self.kept.said
+    pub(crate) fn notes(&self) -> &[String] {
+        &self.kept.notes
     }
 }
 

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::color::Observer;
 
 use super::lines::Line;
-use super::{Bands, Light, PictureError};
+use super::{Bands, Illuminant, PictureError};
 
 /// The range reaches this share of the bands' length beyond both ends.
 pub(super) const MARGIN: f64 = 0.05;
@@ -69,7 +69,7 @@ impl Reference {
     ///
     /// # Errors
     /// [`PictureError::NoOverlap`] when nothing of it falls on the bands.
-    pub fn of_light(bands: &Bands, light: &Light) -> Result<Self, PictureError> {
+    pub fn of_light(bands: &Bands, light: &Illuminant) -> Result<Self, PictureError> {
         Ok(Self {
             kind: ReferenceKind::Light,
             name: light.name().to_owned(),
@@ -107,13 +107,13 @@ pub struct Weighting {
 impl Weighting {
     /// The weighting of a picture's kind; none of one that is light itself.
     pub fn usual(bands: &Bands, observer: Observer) -> Option<Arc<Self>> {
-        let weighting = || Arc::new(Self::of(Light::weighting(), bands, observer));
+        let weighting = || Arc::new(Self::of(Illuminant::weighting(), bands, observer));
         bands.is_factor().then(weighting)
     }
 
     /// The weighting by some lights on some bands; lights that do not shine are left out.
     pub fn of<'a>(
-        lights: impl IntoIterator<Item = &'a Light>,
+        lights: impl IntoIterator<Item = &'a Illuminant>,
         bands: &Bands,
         observer: Observer,
     ) -> Self {
@@ -146,7 +146,7 @@ pub struct Plan {
     /// Lines, one number each.
     pub lines: Vec<Line>,
     /// The own light of a reflectance.
-    pub own: Option<Light>,
+    pub own: Option<Illuminant>,
     /// The observer.
     pub observer: Observer,
     /// Colours that the fit of a reflectance is weighted with; none for the plain fit.
@@ -168,7 +168,7 @@ impl Plan {
             second: None,
             lines: Vec::new(),
             own: match bands.is_factor() {
-                true => Light::named("D65"),
+                true => Illuminant::named("D65"),
                 false => None,
             },
             observer,
@@ -185,7 +185,7 @@ impl Plan {
     pub fn lit(
         bands: &Bands,
         series: usize,
-        light: &Light,
+        light: &Illuminant,
         noise: f64,
     ) -> Result<Self, PictureError> {
         Ok(Self {

@@ -10,7 +10,7 @@ use super::fitting::{cosines, lit_fit};
 use super::light::{Rows, sums, times};
 use super::plan::LEAST_NOISE;
 use super::prior::prior;
-use super::{Bands, Light, Operator, PictureError, ReferenceKind};
+use super::{Bands, Illuminant, Operator, PictureError, ReferenceKind};
 
 /// Interpolation of the spectrum between bands.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -53,7 +53,9 @@ impl Operator {
         };
         let own = plan.own.as_ref().filter(|_| self.bands().is_factor());
         Relit {
-            light: own.map_or(&plan.reference.name[..], Light::name).to_owned(),
+            light: own
+                .map_or(&plan.reference.name[..], Illuminant::name)
+                .to_owned(),
             rows: self.of_numbers(self.own_weights()),
             white: white.unwrap_or_default(),
         }
@@ -67,8 +69,8 @@ impl Operator {
     /// [`PictureError::NoOwnLight`] for a light that does not shine on the bands.
     pub(crate) fn relit(
         &self,
-        light: &Light,
-        known: Option<&Light>,
+        light: &Illuminant,
+        known: Option<&Illuminant>,
         between: Between,
     ) -> Result<Relit, PictureError> {
         let plan = self.plan();
@@ -105,7 +107,7 @@ impl Operator {
     }
 
     /// Of a picture with its known light (or two) as reference: the series without it.
-    fn divided_rows(&self, light: &Light, weights: &Rows, between: Between) -> Rows {
+    fn divided_rows(&self, light: &Illuminant, weights: &Rows, between: Between) -> Rows {
         let plan = self.plan();
         let (one, two) = plan.shares();
         let of_series = if between == Between::Series {
@@ -123,7 +125,7 @@ impl Operator {
     }
 
     /// The series at every whole nm rather than at the bands, times its reference where asked.
-    fn series_rows(&self, light: &Light, observer: Observer, with_reference: bool) -> Rows {
+    fn series_rows(&self, light: &Illuminant, observer: Observer, with_reference: bool) -> Rows {
         let (plan, bands) = (self.plan(), self.bands());
         let count = plan.shares().0;
         let nm = bands.nm();
@@ -150,7 +152,7 @@ impl Operator {
     }
 
     /// Of a picture stored without its light: the regularised division, folded into the weights.
-    fn divided_later(&self, known: &Light, weights: &Rows) -> Result<Rows, PictureError> {
+    fn divided_later(&self, known: &Illuminant, weights: &Rows) -> Result<Rows, PictureError> {
         let bands = self.bands();
         let light = known.on_bands(bands)?;
         let (count, range) = (self.numbers(), self.range_nm());

@@ -54,7 +54,7 @@ pub(crate) fn peers_json(peers: &[Peer]) -> Value {
             "numbers": peer.numbers,
             "bytes": peer.bytes,
             "error": peer.error.as_ref().map(errors),
-            "said": peer.said,
+            "said": peer.description,
         })
     });
     json!({"peers": rows.collect::<Value>()})

@@ -34,11 +34,11 @@ pub fn save_full(
     pixels: &dyn Pixels,
     operator: &Operator,
     kept: (Precision, Half),
-    said: (&About, Errors),
+    about: (&About, Errors),
     progress: &Progress,
 ) -> Result<u64, PictureError> {
     whole(path, |out| {
-        write_full(out, pixels, operator, kept, said, progress)
+        write_full(out, pixels, operator, kept, about, progress)
     })
 }
 

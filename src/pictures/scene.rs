@@ -11,7 +11,7 @@ use crate::preset;
 use crate::spectrum::{Kind, Outside, Sampled};
 
 use super::pixels::Pixels;
-use super::{Bands, Light, PictureError};
+use super::{Bands, Illuminant, PictureError};
 
 /// The groups whose reflectances are the paints, in this order.
 const PAINTS: [&str; 2] = ["colorchecker_ohta", "aces_training_190"];
@@ -57,7 +57,7 @@ impl Scene {
     ///
     /// # Errors
     /// As [`Scene::lit`].
-    pub(crate) fn at_hand(light: Option<&Light>) -> Result<Self, PictureError> {
+    pub(crate) fn at_hand(light: Option<&Illuminant>) -> Result<Self, PictureError> {
         let nm = (0..81).map(|i| 380.0 + 5.0 * f64::from(i)).collect();
         let [width, height] = AT_HAND;
         match light {
@@ -83,11 +83,11 @@ impl Scene {
         width: usize,
         height: usize,
         nm: Vec<f64>,
-        lights: &[Light],
+        lights: &[Illuminant],
     ) -> Result<Self, PictureError> {
         let bands = Bands::new(nm, Kind::Light)?;
         let lights = lights.iter().take(2);
-        let names: Vec<&str> = lights.clone().map(Light::name).collect();
+        let names: Vec<&str> = lights.clone().map(Illuminant::name).collect();
         let name = format!("a wall of paints under {}", names.join(" and "));
         let on_bands: Result<Vec<_>, _> = lights.map(|light| light.on_bands(&bands)).collect();
         Self::new(width, height, bands, on_bands?, &name)

@@ -12,7 +12,7 @@ use super::light::Rows;
 use super::light::sums;
 #[cfg(test)]
 use super::plan::LEAST_NOISE;
-use super::{Bands, Light, Operator, Relit};
+use super::{Bands, Illuminant, Operator, Relit};
 
 /// Below this share of its mean the old light shows nothing of a surface.
 const DARK: f64 = 0.02;
@@ -116,7 +116,12 @@ impl Trust {
 }
 
 /// Share of the new light's X, Y, Z where the old one on the bands is below 2 % of its mean.
-pub(crate) fn blind_share(bands: &Bands, old: &[f64], new: &Light, observer: Observer) -> [f64; 3] {
+pub(crate) fn blind_share(
+    bands: &Bands,
+    old: &[f64],
+    new: &Illuminant,
+    observer: Observer,
+) -> [f64; 3] {
     let mean = old.iter().sum::<f64>() / old.len().max(1) as f64;
     let table = Sampled::new(bands.nm().to_vec(), old.to_vec()).ok();
     let (first, last) = (bands.nm()[0], bands.nm()[bands.len() - 1]);
@@ -175,7 +180,7 @@ impl Operator {
     pub(crate) fn trust(
         &self,
         relit: &Relit,
-        new: &Light,
+        new: &Illuminant,
         old: Option<&[f64]>,
         noise: &[f64],
     ) -> Trust {

@@ -22,16 +22,15 @@
 //!
 //! of its area: all of the depth if it is ideal (`l` = 0), hardly anything if it is much the wider.
 
-use std::f64::consts::PI;
-
 use super::{
     band::{Band, dot},
-    basis::{Basis, Series},
+    basis::Basis,
     composite::Composite,
     factor::{Dip, Factor},
     line::{GAUSSIAN_AREA, Line},
     product::{chain_points, convolve, folded_shares, weigh_lines},
     resampled::{SampleGrid, Sampling},
+    series::{BasisTable, Series},
 };
 
 /// A line of the light this close to a factor's dip meets it, nm.
@@ -77,8 +76,8 @@ pub(crate) struct ChainTables {
     sampling: Sampling,
     /// Points of the sample grid; zero for the ways without.
     points: usize,
-    /// Basis functions on the 1 nm grid, row by row.
-    functions: Vec<f64>,
+    /// Basis functions on the 1 nm grid.
+    table: BasisTable,
     /// `points` rows that take coefficients to the value at a point.
     to_points: Vec<f64>,
     /// `points` rows that take values at the points to a coefficient.
@@ -100,14 +99,14 @@ impl ChainTables {
             other => other.points(numbers).unwrap_or(0),
         };
         let grid = SampleGrid::new(band, basis, points);
-        let functions = functions_on_grid(band, basis, points.max(numbers));
+        let table = BasisTable::beyond_the_grid(band, basis, points.max(numbers));
         Self {
             band,
             basis,
             numbers,
             sampling,
             points,
-            functions,
+            table,
             to_points: grid.sampling_rows(numbers),
             to_numbers: grid.series_rows(),
         }
@@ -151,7 +150,7 @@ impl ChainTables {
     }
 
     fn pass_measured(&self, light: &Composite, factors: &[Factor]) -> Vec<Stage> {
-        let mut smooth = self.evaluate(&light.smooth().coefficients);
+        let mut smooth = self.table.evaluate(&light.smooth().coefficients);
         let mut spikes = light.lines().to_vec();
         let mut stages = Vec::with_capacity(factors.len());
         for factor in factors {
@@ -176,7 +175,7 @@ impl ChainTables {
             points => (points, points),
         };
         let folded = folded_shares(light.smooth(), &series, kept);
-        let mut unfolded = self.evaluate(&light.smooth().coefficients);
+        let mut unfolded = self.table.evaluate(&light.smooth().coefficients);
         let mut values = self.sample(&light.smooth().coefficients);
         let mut product = light.smooth().clone();
         let mut spikes = light.lines().to_vec();
@@ -192,9 +191,9 @@ impl ChainTables {
             } else {
                 product = convolve(&product, short).truncated(self.numbers);
             }
-            multiply_by(&mut unfolded, &self.evaluate(&short.coefficients));
+            multiply_by(&mut unfolded, &self.table.evaluate(&short.coefficients));
             stages.push(Stage {
-                smooth: self.evaluate(&product.coefficients),
+                smooth: self.table.evaluate(&product.coefficients),
                 unfolded: unfolded.clone(),
                 spikes: centres(&spikes),
                 met,
@@ -207,27 +206,8 @@ impl ChainTables {
 
     /// Series of a factor without its dips, by Eq. 5 with the trapezoid rule.
     fn series(&self, factor: &Factor) -> Series {
-        let (band, values) = (self.band, factor.background());
-        let rows = self
-            .functions
-            .chunks_exact(band.points())
-            .take(self.numbers);
-        let projected = rows
-            .enumerate()
-            .map(|(k, row)| band.inner(row, values) / self.basis.norm_squared(k, band));
-        Series::new(band, self.basis, projected.collect())
-    }
-
-    /// A series on the 1 nm grid.
-    fn evaluate(&self, coefficients: &[f64]) -> Vec<f64> {
-        let mut out = vec![0.0; self.band.points()];
-        let rows = self.functions.chunks_exact(out.len());
-        for (row, c) in rows.zip(coefficients) {
-            for (o, f) in out.iter_mut().zip(row) {
-                *o += c * f;
-            }
-        }
-        out
+        let coefficients = self.table.project(factor.background(), self.numbers);
+        Series::new(self.band, self.basis, coefficients)
     }
 
     /// A series on the sample grid.
@@ -314,44 +294,12 @@ fn multiply_by(values: &mut [f64], factor: &[f64]) {
     }
 }
 
-/// The first `count` functions of a basis on the band's grid, row by row.
-///
-/// Whole nm are whole fractions of the period, so one turn of the circle serves all orders.
-fn functions_on_grid(band: Band, basis: Basis, count: usize) -> Vec<f64> {
-    let steps = band.steps();
-    let turn = match basis {
-        Basis::Fourier => steps,
-        Basis::Cosine => 2 * steps,
-    };
-    let circle: Vec<(f64, f64)> = (0..turn)
-        .map(|i| (2.0 * PI * i as f64 / turn as f64).sin_cos())
-        .collect();
-    let mut functions = Vec::with_capacity(count * band.points());
-    for k in 0..count {
-        let (order, is_sine) = match basis {
-            Basis::Fourier => (k.div_ceil(2), k > 0 && k % 2 == 0),
-            Basis::Cosine => (k, false),
-        };
-        let whole = if basis == Basis::Fourier && k == 0 {
-            0.5
-        } else {
-            1.0
-        };
-        functions.extend((0..=steps).map(|i| {
-            let (sin, cos) = circle[order * i % turn];
-            whole * if is_sine { sin } else { cos }
-        }));
-    }
-    functions
-}
-
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::LN_2;
+    use std::f64::consts::{LN_2, PI};
 
     use super::*;
     use crate::spectrum::{
-        BasisTable,
         factor::{bounces, glass},
         spikes::SpikeSettings,
     };
@@ -366,28 +314,11 @@ mod tests {
     }
 
     fn flat_light(spikes: Vec<Line>, basis: Basis) -> Composite {
-        let one = match basis {
-            Basis::Fourier => 2.0,
-            Basis::Cosine => 1.0,
-        };
+        let one = 1.0 / basis.mean(1.0);
         Composite::of_lines_inside(
             Series::new(BAND, basis, vec![one, 0.0, 0.0, 0.0, 0.0]),
             spikes,
         )
-    }
-
-    #[test]
-    fn functions_read_off_the_circle_are_those_of_the_basis() {
-        for basis in Basis::ALL {
-            let table = BasisTable::new(BAND, basis, 61);
-            let quick = functions_on_grid(BAND, basis, 61);
-            for (k, row) in quick.chunks_exact(BAND.points()).enumerate() {
-                for (a, b) in row.iter().zip(table.row(k)) {
-                    // Angles of up to 60 half turns, rounded once more on the long way.
-                    assert!((a - b).abs() < 1e-13, "{basis:?} {k}: {a} {b}");
-                }
-            }
-        }
     }
 
     #[test]

@@ -8,8 +8,8 @@
 
 use super::{
     band::Band,
-    basis::Series,
     line::{Line, add_lines},
+    series::Series,
 };
 
 /// A spectrum as a smooth series and lines.

@@ -10,7 +10,7 @@ use super::{
     band::Band,
     composite::Composite,
     line::{GAUSSIAN_AREA, Line},
-    spikes::{self, Decomposition, SpikeSettings, Wishes},
+    spikes::{self, Constraints, Decomposition, SpikeSettings},
 };
 
 /// A spike that a person set or locked.
@@ -155,7 +155,7 @@ pub(crate) fn decompose(
         values,
         settings.max_width_nm,
         edits,
-        |values, wishes| spikes::detect_with(band, values, settings, wishes),
+        |values, constraints| spikes::detect_with(band, values, settings, constraints),
     )
 }
 
@@ -170,10 +170,10 @@ pub(crate) fn decompose_by(
     values: &[f64],
     max_width_nm: f64,
     edits: &SpikeEdits,
-    detect: impl Fn(&[f64], Wishes<'_>) -> Decomposition,
+    detect: impl Fn(&[f64], Constraints<'_>) -> Decomposition,
 ) -> Decomposed {
     let leave = &edits.deleted_nm[..];
-    let found = Decomposed::of(detect(values, Wishes { leave, power: None }));
+    let found = Decomposed::of(detect(values, Constraints { leave, power: None }));
     if edits.hand.is_empty() {
         return found;
     }
@@ -190,11 +190,11 @@ pub(crate) fn decompose_by(
                 .filter(|(_, hand)| band.contains(hand.at_nm))
                 .map(|(index, hand)| taken(band, &mut rest, max_width_nm, index, hand))
                 .collect();
-            let wishes = Wishes {
+            let constraints = Constraints {
                 leave,
                 power: Some(found.power),
             };
-            let mut parts = Decomposed::of(detect(&rest, wishes));
+            let mut parts = Decomposed::of(detect(&rest, constraints));
             parts.spikes.extend(hand);
             parts
         }

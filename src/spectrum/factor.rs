@@ -63,7 +63,7 @@ impl Factor {
     ///
     /// # Panics
     /// When `values` does not have [`Band::points`] entries.
-    pub fn keeping_dips(band: Band, values: Vec<f64>, settings: SpikeSettings) -> Self {
+    pub(crate) fn keeping_dips(band: Band, values: Vec<f64>, settings: SpikeSettings) -> Self {
         assert_eq!(values.len(), band.points(), "one value per grid point");
         let mut background = values.clone();
         let mut dips = Vec::new();

@@ -11,7 +11,7 @@
 //! whatever the order. It is solved by orthonormal rows, not by that 3 x 3 matrix, whose condition
 //! is the square of the map's ([`ThreeSums`]).
 
-use super::{band::Band, basis::BasisTable, condition::ThreeSums};
+use super::{band::Band, condition::ThreeSums, series::BasisTable};
 
 /// Three weights whose inner products with a series are known by its coefficients.
 #[derive(Clone, Debug)]
@@ -41,7 +41,7 @@ pub enum Exactness {
 
 impl Exactness {
     /// True if the inner products are exact.
-    pub fn is_exact(self) -> bool {
+    pub(crate) fn is_exact(self) -> bool {
         matches!(self, Self::Exact { .. })
     }
 }

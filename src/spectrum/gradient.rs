@@ -8,7 +8,7 @@
 use super::{
     band::Band,
     line::{GAUSSIAN_AREA, Line},
-    spikes::{Decomposition, FoundSpike, Wishes},
+    spikes::{Constraints, Decomposition, FoundSpike},
 };
 
 /// Steepest slope that still counts as smooth, as a share of the maximum per nm.
@@ -24,16 +24,16 @@ const REACH_WIDTHS: f64 = 3.0;
 /// `gradient` is the least slope as a share of the largest value per nm; `max_width_nm` bounds
 /// the search and the full width at half maximum of what is accepted.
 ///
-/// Lines at the places of `wishes.leave` stay in the smooth part.
+/// Lines at the places of `constraints.leave` stay in the smooth part.
 pub fn detect(
     band: Band,
     values: &[f64],
     gradient: f64,
     max_width_nm: f64,
-    wishes: Wishes<'_>,
+    constraints: Constraints<'_>,
 ) -> Decomposition {
     let mut parts = Decomposition::untouched(band, values);
-    if let Some(power) = wishes.power {
+    if let Some(power) = constraints.power {
         parts.power = power;
     }
     let top = values.iter().copied().fold(0.0_f64, |m, v| m.max(v.abs()));
@@ -77,7 +77,7 @@ pub fn detect(
             peaks: 1,
             window_nm: [band.nm(left), band.nm(right)],
         };
-        if wishes.leave.iter().any(|nm| found.covers(*nm)) {
+        if constraints.leave.iter().any(|nm| found.covers(*nm)) {
             continue;
         }
         for (v, r) in parts.smooth[left..].iter_mut().zip(&residue) {

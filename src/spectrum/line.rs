@@ -16,10 +16,7 @@
 
 use std::f64::consts::{LN_2, PI};
 
-use super::{
-    band::Band,
-    basis::{Basis, Series},
-};
+use super::{band::Band, basis::Basis, series::Series};
 
 /// A full width at half maximum times the peak height times this is a Gaussian's area:
 /// `sqrt(pi / (4 ln 2))`.
@@ -213,7 +210,7 @@ impl Line {
     }
 
     /// Integral of the line times values on the band's grid.
-    pub fn integrate(self, band: Band, values: &[f64]) -> f64 {
+    pub(crate) fn integrate(self, band: Band, values: &[f64]) -> f64 {
         if self.is_ideal() {
             return self.weight * band.interpolate(values, self.at_nm);
         }
@@ -251,11 +248,7 @@ impl Line {
 
 /// Share of a basis function's height that remains after convolution with a Gaussian.
 fn damping(basis: Basis, index: usize, band: Band, sigma_nm: f64) -> f64 {
-    let turns = match basis {
-        Basis::Fourier => 2.0 * index.div_ceil(2) as f64,
-        Basis::Cosine => index as f64,
-    };
-    let t = PI * turns * sigma_nm / band.length_nm();
+    let t = PI * basis.half_turns_of(index) as f64 * sigma_nm / band.length_nm();
     (-0.5 * t * t).exp()
 }
 

@@ -7,8 +7,8 @@
 #[cfg(test)]
 use super::line::add_lines;
 use super::{
-    band::Band, basis::Basis, basis::Series, composite::Composite, line::Line,
-    resampled::Resampled, resampled::SampleGrid, resampled::Sampling,
+    band::Band, basis::Basis, composite::Composite, line::Line, resampled::Resampled,
+    resampled::SampleGrid, resampled::Sampling, series::Series,
 };
 
 /// A light as the model has it, times a factor as measured, on the 1 nm grid: values, with the lines
@@ -161,10 +161,7 @@ pub(crate) fn chain_points(numbers: usize, factors: usize) -> usize {
 /// When the two differ in band or basis, or one has no coefficient.
 pub(crate) fn convolve(a: &Series, b: &Series) -> Series {
     assert_alike(a, b);
-    let coefficients = match a.basis {
-        Basis::Fourier => fourier_convolution(a, b),
-        Basis::Cosine => cosine_convolution(&a.coefficients, &b.coefficients),
-    };
+    let coefficients = a.basis.product(&a.coefficients, &b.coefficients);
     Series::new(a.band, a.basis, coefficients)
 }
 
@@ -175,62 +172,6 @@ fn assert_alike(a: &Series, b: &Series) {
     assert_eq!(a.basis, b.basis, "two series of one basis");
     let is_empty = a.coefficients.is_empty() || b.coefficients.is_empty();
     assert!(!is_empty, "a coefficient at least");
-}
-
-fn cosine_convolution(a: &[f64], b: &[f64]) -> Vec<f64> {
-    let mut c = vec![0.0; a.len() + b.len() - 1];
-    // cos m cos n = (cos(m+n) + cos|m-n|) / 2
-    for (m, a) in a.iter().enumerate() {
-        for (n, b) in b.iter().enumerate() {
-            c[m + n] += 0.5 * a * b;
-            c[m.abs_diff(n)] += 0.5 * a * b;
-        }
-    }
-    c
-}
-
-fn fourier_convolution(a: &Series, b: &Series) -> Vec<f64> {
-    let ((a1, b1), (a2, b2)) = (a.a_b(), b.a_b());
-    let (cos_1, cos_2) = (halved_first(&a1), halved_first(&a2));
-    let (sin_1, sin_2) = (with_zero(&b1), with_zero(&b2));
-    let order = a.order() + b.order();
-    let (mut cos, mut sin) = (vec![0.0; order + 1], vec![0.0; order + 1]);
-    for m in 0..cos_1.len() {
-        for n in 0..cos_2.len() {
-            let (sum, difference) = (m + n, m.abs_diff(n));
-            let cc = 0.5 * cos_1[m] * cos_2[n];
-            cos[sum] += cc;
-            cos[difference] += cc;
-            // sin m sin n = (cos(m-n) - cos(m+n)) / 2
-            let ss = 0.5 * sin_1[m] * sin_2[n];
-            cos[difference] += ss;
-            cos[sum] -= ss;
-            // sin m cos n = (sin(m+n) + sin(m-n)) / 2, the sine of a negative order is minus it
-            let sc = 0.5 * sin_1[m] * cos_2[n];
-            sin[sum] += sc;
-            sin[difference] += if m >= n { sc } else { -sc };
-            let cs = 0.5 * cos_1[m] * sin_2[n];
-            sin[sum] += cs;
-            sin[difference] += if n >= m { cs } else { -cs };
-        }
-    }
-    let mut coefficients = vec![2.0 * cos[0]];
-    for n in 1..=order {
-        coefficients.extend([cos[n], sin[n]]);
-    }
-    coefficients
-}
-
-/// `a0/2, a1, a2, ...`: what multiplies the cosines.
-fn halved_first(a: &[f64]) -> Vec<f64> {
-    let mut cos = a.to_vec();
-    cos[0] *= 0.5;
-    cos
-}
-
-/// `0, b1, b2, ...`: what multiplies the sines.
-fn with_zero(b: &[f64]) -> Vec<f64> {
-    std::iter::once(0.0).chain(b.iter().copied()).collect()
 }
 
 /// Two curves on the same grid, multiplied.
@@ -343,11 +284,7 @@ mod tests {
     #[test]
     fn times_one_is_the_light_itself() {
         for basis in Basis::ALL {
-            let one = Series::new(
-                BAND,
-                basis,
-                vec![if basis == Basis::Fourier { 2.0 } else { 1.0 }],
-            );
+            let one = Series::new(BAND, basis, vec![1.0 / basis.mean(1.0)]);
             let smooth = Series::new(BAND, basis, vec![1.5, -0.3, 0.2]);
             let lines = [(436.0, 0.0), (546.07, 3.0), (779.5, 8.0)]
                 .map(|(at_nm, fwhm_nm)| Line::new(at_nm, 2.0, fwhm_nm));

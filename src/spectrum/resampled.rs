@@ -4,11 +4,9 @@
 //! aliases; 3N+1 points (for an odd N 3N+2) keep orders up to N exact and 4N+1 keep all of them. The cosine basis
 //! samples on midpoints, `min + (j + 1/2) L / M`.
 
-use std::f64::consts::PI;
-
 #[cfg(test)]
 use super::composite::Composite;
-use super::{band::Band, basis::Basis, basis::Series, line::Line};
+use super::{band::Band, basis::Basis, line::Line, series::Series};
 
 /// Number of points on which a product is formed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
@@ -51,6 +49,16 @@ impl Sampling {
             Self::Convolution => "convolution",
             Self::Exact => "exact",
         }
+    }
+
+    /// The ways on few points that make sense in a basis: 3N+1 and 4N+1 are for periodic series.
+    pub(crate) fn on_points(basis: Basis) -> impl Iterator<Item = Self> {
+        let fits = move |way: &Self| match way {
+            Self::Paper | Self::Double => true,
+            Self::ThreeN | Self::FourN => basis.is_periodic(),
+            Self::Convolution | Self::Exact => false,
+        };
+        Self::ALL.into_iter().filter(fits)
     }
 
     /// Points for factors of `numbers` coefficients; `None` for the ways without: convolution and
@@ -97,10 +105,7 @@ impl SampleGrid {
     /// Wavelength of sample `i`, nm. For Fourier `i = points` is the period's other end, whose
     /// value equals the first one's (Eq. 15 written with i = 0 ..= 2N+1).
     pub fn nm(self, i: usize) -> f64 {
-        let offset = match self.basis {
-            Basis::Fourier => 0.0,
-            Basis::Cosine => 0.5,
-        };
+        let offset = 0.5 * self.basis.halves_before_samples() as f64;
         self.band.min_nm() + (i as f64 + offset) * self.step_nm()
     }
 
@@ -117,9 +122,9 @@ impl SampleGrid {
                 let sum: f64 = values
                     .iter()
                     .enumerate()
-                    .map(|(i, v)| v * self.basis_at_sample(k, i))
+                    .map(|(i, v)| v * self.basis.at_sample(k, i, self.points))
                     .sum();
-                sum * self.projection_scale(k)
+                sum * self.basis.sample_scale(k, self.points)
             })
             .collect();
         Series::new(self.band, self.basis, coefficients)
@@ -137,8 +142,8 @@ impl SampleGrid {
     pub(crate) fn series_rows(self) -> Vec<f64> {
         (0..self.points)
             .flat_map(|k| {
-                let scale = self.projection_scale(k);
-                (0..self.points).map(move |i| scale * self.basis_at_sample(k, i))
+                let scale = self.basis.sample_scale(k, self.points);
+                (0..self.points).map(move |i| scale * self.basis.at_sample(k, i, self.points))
             })
             .collect()
     }
@@ -151,8 +156,8 @@ impl SampleGrid {
                 (0..self.points)
                     .map(|k| {
                         self.basis.function(k, self.band, at_nm)
-                            * self.projection_scale(k)
-                            * self.basis_at_sample(k, i)
+                            * self.basis.sample_scale(k, self.points)
+                            * self.basis.at_sample(k, i, self.points)
                     })
                     .sum()
             })
@@ -172,7 +177,8 @@ impl SampleGrid {
             .map(|i| {
                 let mut row = [0.0; 3];
                 for (k, g) in per_number.iter().enumerate() {
-                    let share = self.basis_at_sample(k, i) * self.projection_scale(k);
+                    let share = self.basis.at_sample(k, i, self.points)
+                        * self.basis.sample_scale(k, self.points);
                     for (r, g) in row.iter_mut().zip(g) {
                         *r += share * g;
                     }
@@ -197,44 +203,13 @@ impl SampleGrid {
     /// The samples on both sides of a place and how far it is from the left one (0-1).
     fn around(self, at_nm: f64) -> (usize, usize, f64) {
         let x = (at_nm - self.nm(0)) / self.step_nm();
-        match self.basis {
-            Basis::Fourier => {
-                let left = (x.max(0.0) as usize).min(self.points - 1);
-                (left, (left + 1) % self.points, x - left as f64)
-            }
-            Basis::Cosine => {
-                let left = (x.max(0.0) as usize).min(self.points.saturating_sub(2));
-                let right = (left + 1).min(self.points - 1);
-                (left, right, (x - left as f64).clamp(0.0, 1.0))
-            }
-        }
-    }
-
-    /// Value of basis function `k` (`a0/2` counted whole) at sample `i`, without going through nm.
-    fn basis_at_sample(self, k: usize, i: usize) -> f64 {
-        let m = self.points as f64;
-        match self.basis {
-            Basis::Fourier => {
-                if k == 0 {
-                    return 1.0;
-                }
-                let (sin, cos) = (2.0 * PI * (k.div_ceil(2) * i) as f64 / m).sin_cos();
-                if k % 2 == 1 { cos } else { sin }
-            }
-            Basis::Cosine => (PI * k as f64 * (i as f64 + 0.5) / m).cos(),
-        }
-    }
-
-    /// Factor that turns a discrete sum into a coefficient.
-    fn projection_scale(self, k: usize) -> f64 {
-        let m = self.points as f64;
-        let nyquist =
-            self.basis == Basis::Fourier && self.points.is_multiple_of(2) && k + 1 == self.points;
-        match self.basis {
-            Basis::Cosine if k == 0 => 1.0 / m,
-            // The cosine of half the sampling frequency is its own alias.
-            Basis::Fourier if nyquist => 1.0 / m,
-            Basis::Fourier | Basis::Cosine => 2.0 / m,
+        if self.basis.is_periodic() {
+            let left = (x.max(0.0) as usize).min(self.points - 1);
+            (left, (left + 1) % self.points, x - left as f64)
+        } else {
+            let left = (x.max(0.0) as usize).min(self.points.saturating_sub(2));
+            let right = (left + 1).min(self.points - 1);
+            (left, right, (x - left as f64).clamp(0.0, 1.0))
         }
     }
 }

@@ -85,7 +85,7 @@ impl LineShape {
 
 /// Constraints that manual edits place on a detector.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Wishes<'a> {
+pub struct Constraints<'a> {
     /// Places (nm) whose line stays in the smooth part.
     pub leave: &'a [f64],
     /// The power that shares refer to, when lines were taken out beforehand; the values' own
@@ -140,7 +140,7 @@ const PASSES: usize = 2;
 /// Every spike found carries at least `threshold` of the power and measures at most 1.05 of the
 /// widest line. A spectrum without power has no spikes.
 pub fn detect(band: Band, values: &[f64], settings: SpikeSettings) -> Decomposition {
-    detect_with(band, values, settings, Wishes::default())
+    detect_with(band, values, settings, Constraints::default())
 }
 
 /// The default detector with places whose lines are left in whatever the thresholds say.
@@ -148,9 +148,9 @@ pub(super) fn detect_with(
     band: Band,
     values: &[f64],
     settings: SpikeSettings,
-    wishes: Wishes<'_>,
+    constraints: Constraints<'_>,
 ) -> Decomposition {
-    detect_telling(band, values, settings, wishes, &mut |_, _| {})
+    detect_telling(band, values, settings, constraints, &mut |_, _| {})
 }
 
 /// The default detector with what each line takes out of the spectrum, the heaviest line first,
@@ -162,7 +162,7 @@ pub fn detect_shapes(
 ) -> (Decomposition, Vec<LineShape>) {
     let mut shapes = Vec::new();
     let mut tell = |line: &Taken, sign: f64| shapes.push(line.shape(band, sign));
-    let parts = detect_telling(band, values, settings, Wishes::default(), &mut tell);
+    let parts = detect_telling(band, values, settings, Constraints::default(), &mut tell);
     shapes.sort_by(|a, b| b.spike.weight.abs().total_cmp(&a.spike.weight.abs()));
     (parts, shapes)
 }
@@ -174,7 +174,13 @@ pub(super) fn dip_shapes(band: Band, values: &[f64], settings: SpikeSettings) ->
     let mut shapes = Vec::new();
     if parts.power > 0.0 && parts.power.is_finite() {
         let mut tell = |line: &Taken, sign: f64| shapes.push(line.shape(band, sign));
-        take_dips(band, &mut parts, settings, Wishes::default(), &mut tell);
+        take_dips(
+            band,
+            &mut parts,
+            settings,
+            Constraints::default(),
+            &mut tell,
+        );
     }
     shapes
 }
@@ -184,11 +190,11 @@ fn detect_telling(
     band: Band,
     values: &[f64],
     settings: SpikeSettings,
-    wishes: Wishes<'_>,
+    constraints: Constraints<'_>,
     tell: &mut dyn FnMut(&Taken, f64),
 ) -> Decomposition {
     let mut parts = Decomposition::untouched(band, values);
-    if let Some(power) = wishes.power {
+    if let Some(power) = constraints.power {
         parts.power = power;
     }
     let power = parts.power;
@@ -197,9 +203,9 @@ fn detect_telling(
     }
     let noise = Noise::of(values);
     let above = (1.0, Some(&noise));
-    take_lines(band, &mut parts, settings, wishes, above, tell);
+    take_lines(band, &mut parts, settings, constraints, above, tell);
     if settings.dips {
-        take_dips(band, &mut parts, settings, wishes, tell);
+        take_dips(band, &mut parts, settings, constraints, tell);
     }
     parts
         .spikes
@@ -213,11 +219,11 @@ fn take_dips(
     band: Band,
     parts: &mut Decomposition,
     settings: SpikeSettings,
-    wishes: Wishes<'_>,
+    constraints: Constraints<'_>,
     tell: &mut dyn FnMut(&Taken, f64),
 ) {
     parts.smooth.iter_mut().for_each(|v| *v = -*v);
-    take_lines(band, parts, settings, wishes, (-1.0, None), tell);
+    take_lines(band, parts, settings, constraints, (-1.0, None), tell);
     parts.smooth.iter_mut().for_each(|v| *v = -*v);
 }
 
@@ -227,7 +233,7 @@ fn take_lines(
     band: Band,
     parts: &mut Decomposition,
     settings: SpikeSettings,
-    wishes: Wishes<'_>,
+    constraints: Constraints<'_>,
     (sign, noise): (f64, Option<&Noise>),
     tell: &mut dyn FnMut(&Taken, f64),
 ) {
@@ -258,7 +264,7 @@ fn take_lines(
             let strong_and_narrow =
                 line.energy >= least_energy && line.width_nm <= WIDTH_TOLERANCE * width;
             let found = line.found(band, members.len(), sign);
-            let unwanted = wishes.leave.iter().any(|nm| found.covers(*nm));
+            let unwanted = constraints.leave.iter().any(|nm| found.covers(*nm));
             if unwanted || !strong_and_narrow {
                 continue;
             }

@@ -208,31 +208,36 @@ impl Choice {
     }
 }
 
-/// Models for sale: the spectrum with its lines ideal, and with those that have a width as bells.
+/// Models for sale: the spectrum with its lines ideal, and with those that have a width as profiles.
 struct Stock<'a> {
     ideal: ProjectedSpectrum,
     wide: ProjectedSpectrum,
-    bells: &'a [Option<LineShape>],
+    profiles: &'a [Option<LineShape>],
 }
 
 impl<'a> Stock<'a> {
     fn new(examined: &'a Examined, basis: Basis) -> Self {
-        let projected =
-            |bells: &[Option<LineShape>]| examined.projected_with(basis, &examined.shapes, bells);
+        let projected = |profiles: &[Option<LineShape>]| {
+            examined.projected_with(basis, &examined.shapes, profiles)
+        };
         Self {
             ideal: projected(&[]),
-            wide: projected(&examined.bells),
-            bells: &examined.bells,
+            wide: projected(&examined.profiles),
+            profiles: &examined.profiles,
         }
     }
 
-    fn bell(&self, line: usize) -> Option<&LineShape> {
-        self.bells.get(line)?.as_ref()
+    fn profile(&self, line: usize) -> Option<&LineShape> {
+        self.profiles.get(line)?.as_ref()
     }
 
     /// True if a model is for sale: widths are sold with a line that has one.
     fn has(&self, choice: &Choice) -> bool {
-        !choice.wide || choice.lines.iter().any(|line| self.bell(*line).is_some())
+        !choice.wide
+            || choice
+                .lines
+                .iter()
+                .any(|line| self.profile(*line).is_some())
     }
 
     /// A model's values on the grid, its lines with a width among them, and the ideal ones.
@@ -246,8 +251,8 @@ impl<'a> Stock<'a> {
         }
         let mut ideal = Vec::new();
         for line in &choice.lines {
-            match self.bell(*line) {
-                Some(bell) => bell.give_back_to(&mut values),
+            match self.profile(*line) {
+                Some(profile) => profile.give_back_to(&mut values),
                 None => ideal.push(projected.spike(*line)),
             }
         }

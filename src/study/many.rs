@@ -75,7 +75,7 @@ impl ManyLights {
                 values: lamp.values.clone(),
                 under: None,
                 spikes,
-                bell: None,
+                profile: None,
             };
             let examined = Examined::of(&subject, numbers_of_order(highest_order))?;
             Some(SweptLight {
@@ -179,7 +179,7 @@ mod tests {
             values: lamps()[2].values.clone(),
             under: None,
             spikes,
-            bell: None,
+            profile: None,
         };
         let progress = Progress::default();
         let alone = Sweep::of(&alone, 30, Basis::Cosine, false, &progress).expect("a sweep");

@@ -32,7 +32,9 @@ pub(crate) use projected_spectrum::{FitBasis, ProjectedSpectrum};
 pub use race::Race;
 pub use reference::Reference;
 pub(crate) use reference::{Measures, bandpass, brightened, filter_centres, scaled_to_one};
-pub use sweep::{Examined, just_noticeable};
+pub use sweep::Examined;
+#[cfg(test)]
+pub(crate) use sweep::just_noticeable;
 pub(crate) use sweep::{Subject, Sweep, SweepPoint};
 pub(crate) use training::Training;
 pub use way::FitVariant;

@@ -65,17 +65,17 @@ impl ProjectedSpectrum {
         shapes: &[LineShape],
         seen: &Weights,
     ) -> Self {
-        Self::with_bells(fit_basis, values, shapes, &[], seen)
+        Self::with_profiles(fit_basis, values, shapes, &[], seen)
     }
 
-    /// The same where lines have bells: such a line takes its bell out of the spectrum, and its
-    /// colour is that of the bell. It is for who asked to add the bell where the model has its
+    /// The same where lines have profiles: such a line takes its profile out of the spectrum, and its
+    /// colour is that of the profile. It is for who asked to add the profile where the model has its
     /// spike.
-    pub(crate) fn with_bells(
+    pub(crate) fn with_profiles(
         fit_basis: &FitBasis,
         values: &[f64],
         shapes: &[LineShape],
-        bells: &[Option<LineShape>],
+        profiles: &[Option<LineShape>],
         seen: &Weights,
     ) -> Self {
         let (table, band) = (&fit_basis.table, fit_basis.table.band());
@@ -84,13 +84,13 @@ impl ProjectedSpectrum {
             .iter()
             .enumerate()
             .map(|(i, shape)| {
-                let bell = bells.get(i).and_then(Option::as_ref);
+                let profile = profiles.get(i).and_then(Option::as_ref);
                 let mut taken = vec![0.0; band.points()];
-                bell.unwrap_or(shape).give_back_to(&mut taken);
+                profile.unwrap_or(shape).give_back_to(&mut taken);
                 ProjectedLine {
                     spike: shape.spike,
                     coefficients: table.project(&taken, numbers),
-                    xyz: match bell {
+                    xyz: match profile {
                         Some(_) => seen.each_ref().map(|row| band.inner(&taken, row)),
                         None => seen.at(shape.spike.at_nm).map(|v| v * shape.spike.weight),
                     },
@@ -173,10 +173,12 @@ mod tests {
 
     /// A bulge with two lines.
     fn lamp() -> Vec<f64> {
-        let bell = |nm: f64, at: f64, w: f64| (-((nm - at) / w).powi(2)).exp();
+        let profile = |nm: f64, at: f64, w: f64| (-((nm - at) / w).powi(2)).exp();
         BAND.grid()
             .map(|nm| {
-                bell(nm, 560.0, 80.0) + 4.0 * bell(nm, 546.0, 2.0) + 3.0 * bell(nm, 436.0, 2.0)
+                profile(nm, 560.0, 80.0)
+                    + 4.0 * profile(nm, 546.0, 2.0)
+                    + 3.0 * profile(nm, 436.0, 2.0)
             })
             .collect()
     }

@@ -27,7 +27,7 @@ use crate::{
     color::patches::PatchSet,
     rivals::{Bounds, Family, FitTables, Rival},
     spectrum::{
-        Basis, Composite, Line, Series, detect_shapes,
+        Basis, Composite, Line, PerBasis, Series, detect_shapes,
         product::{chain, multiply},
     },
 };
@@ -48,14 +48,13 @@ struct Entrant {
     check: Reference,
     /// The light with 1 as its largest value.
     lamp: Lamp,
-    /// In the order of [`Basis::ALL`].
-    projected: [ProjectedSpectrum; 2],
+    projected: PerBasis<ProjectedSpectrum>,
 }
 
 /// State shared by all tasks.
 struct RaceContext<'a> {
     course: &'a RaceConfig,
-    bases: [FitBasis; 2],
+    bases: PerBasis<FitBasis>,
     fit_tables: FitTables,
     runners: Vec<Entrant>,
     names: Vec<String>,
@@ -133,7 +132,7 @@ impl<'a> RaceContext<'a> {
         let measures = &course.measures;
         let (band, observer) = (measures.band(), measures.patches.observer());
         let most = course.budgets.iter().copied().max()?.max(3);
-        let bases = Basis::ALL.map(|basis| FitBasis::new(band, basis, most, &measures.seen));
+        let bases = PerBasis::of(|basis| FitBasis::new(band, basis, most, &measures.seen));
         let names: Vec<String> = (0..course.check.len()).map(|i| i.to_string()).collect();
         let check = PatchSet::new(&course.check, names.clone(), band, observer);
         let check = Arc::new(Measures::judging(check));
@@ -155,8 +154,8 @@ impl<'a> RaceContext<'a> {
             let (_, shapes) = detect_shapes(band, values, course.spikes);
             runners.push(Entrant {
                 check: Reference::of_light(&check, values),
-                projected: std::array::from_fn(|i| {
-                    ProjectedSpectrum::new(&bases[i], values, &shapes, &measures.seen)
+                projected: PerBasis::of(|basis| {
+                    ProjectedSpectrum::new(&bases[basis], values, &shapes, &measures.seen)
                 }),
                 reference,
                 lamp,
@@ -230,7 +229,7 @@ impl<'a> RaceContext<'a> {
     fn light(&self, runner: &Entrant, racer: Racer, numbers: usize) -> Option<Reconstruction> {
         match racer {
             Racer::Composite(way) => {
-                let projected = &runner.projected[place(way.basis)];
+                let projected = &runner.projected[way.basis];
                 let model = composite(runner, way, numbers);
                 Some(Reconstruction {
                     smooth: projected.smooth(&model),
@@ -285,7 +284,7 @@ impl<'a> RaceContext<'a> {
 
     /// A reflectance as a series; colour-exact under the equal-energy light.
     fn reflectance_series(&self, way: FitVariant, values: &[f64], numbers: usize) -> Series {
-        let fit_basis = &self.bases[place(way.basis)];
+        let fit_basis = &self.bases[way.basis];
         let projected = ProjectedSpectrum::new(fit_basis, values, &[], &self.course.measures.seen);
         projected
             .model(numbers, &[], way.colour_exact)
@@ -298,7 +297,7 @@ impl<'a> RaceContext<'a> {
         match racer {
             Racer::Composite(way) => {
                 let series = self.reflectance_series(way, values, numbers);
-                let table = &self.bases[place(way.basis)].table;
+                let table = &self.bases[way.basis].table;
                 table.evaluate(&series.coefficients)
             }
             // The light's lines and lamps are no help with a reflectance.
@@ -312,7 +311,7 @@ impl<'a> RaceContext<'a> {
 
     /// The light with most lines.
     fn most_lines(&self) -> &Entrant {
-        let lines = |runner: &&Entrant| runner.projected[0].lines();
+        let lines = |runner: &&Entrant| runner.projected[COLOUR_EXACT.basis].lines();
         // The first of equals.
         self.runners
             .iter()
@@ -343,7 +342,7 @@ impl<'a> RaceContext<'a> {
             Racer::WideLines | Racer::KnownLamps => {
                 let light = self.encoded(runner, racer, numbers)?;
                 let factor = self.reflectance_series(COLOUR_EXACT, reflectance, numbers);
-                let table = &self.bases[place(COLOUR_EXACT.basis)].table;
+                let table = &self.bases[COLOUR_EXACT.basis].table;
                 let product = || {
                     let (a, b) = (black_box(&light).on_band(), black_box(&factor));
                     multiply(&a, &table.evaluate(&b.coefficients))
@@ -380,13 +379,9 @@ fn cost_of<T>(
     }
 }
 
-fn place(basis: Basis) -> usize {
-    Basis::ALL.iter().position(|b| *b == basis).unwrap_or(0)
-}
-
 /// A light's composite of so many numbers.
 fn composite(runner: &Entrant, way: FitVariant, numbers: usize) -> Composite {
-    let projected = &runner.projected[place(way.basis)];
+    let projected = &runner.projected[way.basis];
     runner.reference.with_best_lines(projected, way, numbers)
 }
 

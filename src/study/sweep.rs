@@ -11,7 +11,7 @@ use super::{
     way::FitVariant,
 };
 use crate::spectrum::{
-    Band, Basis, Line, LineShape, SpikeSettings, detect_shapes, numbers_of_order,
+    Band, Basis, Line, LineShape, PerBasis, SpikeSettings, detect_shapes, numbers_of_order,
 };
 
 /// The subject of a study on the band of its measures.
@@ -26,12 +26,12 @@ pub struct Subject {
     /// Settings of the line detector.
     pub spikes: SpikeSettings,
     /// Function that gives lines their widths; without it all are ideal.
-    pub bell: Option<BellOf>,
+    pub profile: Option<ProfileOf>,
 }
 
 /// A line's own Gaussian on the grid of a band, from what the detector took out, in the same unit;
 /// nothing for a line of no width. Made above this room.
-pub(super) type BellOf = fn(Band, &LineShape, SpikeSettings) -> Option<LineShape>;
+pub(super) type ProfileOf = fn(Band, &LineShape, SpikeSettings) -> Option<LineShape>;
 
 /// A subject scaled, judged and taken apart: what all studies of it begin with.
 #[derive(Clone, Debug)]
@@ -40,10 +40,10 @@ pub struct Examined {
     pub reference: Reference,
     /// Part of the spectrum that each line removes, heaviest first; the same scale.
     pub shapes: Vec<LineShape>,
-    /// The bells of those that have a width; empty where all lines are ideal.
-    pub bells: Vec<Option<LineShape>>,
-    /// Both bases with their colours, in the order of [`Basis::ALL`].
-    pub bases: [FitBasis; 2],
+    /// The profiles of those that have a width; empty where all lines are ideal.
+    pub profiles: Vec<Option<LineShape>>,
+    /// Each basis with its colours.
+    pub bases: PerBasis<FitBasis>,
 }
 
 impl Examined {
@@ -61,23 +61,20 @@ impl Examined {
             }
         };
         let (_, shapes) = detect_shapes(band, &values, subject.spikes);
-        let bases = Basis::ALL.map(|basis| FitBasis::new(band, basis, numbers, reference.seen()));
-        let bell = subject.bell.filter(|_| !shapes.is_empty());
-        let bells = bell.map_or_else(Vec::new, |bell| {
-            let bells = shapes.iter().map(|shape| bell(band, shape, subject.spikes));
-            bells.collect()
+        let bases = PerBasis::of(|basis| FitBasis::new(band, basis, numbers, reference.seen()));
+        let profile = subject.profile.filter(|_| !shapes.is_empty());
+        let profiles = profile.map_or_else(Vec::new, |profile| {
+            let profiles = shapes
+                .iter()
+                .map(|shape| profile(band, shape, subject.spikes));
+            profiles.collect()
         });
         Some(Self {
             reference,
             shapes,
-            bells,
+            profiles,
             bases,
         })
-    }
-
-    /// Functions of a basis and their colours.
-    pub(crate) fn fit_basis(&self, basis: Basis) -> &FitBasis {
-        &self.bases[Basis::ALL.iter().position(|b| *b == basis).unwrap_or(0)]
     }
 
     /// The spectrum in terms of a basis, with these lines.
@@ -85,30 +82,30 @@ impl Examined {
         self.projected_with(basis, shapes, &[])
     }
 
-    /// The same where lines have bells.
+    /// The same where lines have profiles.
     pub(crate) fn projected_with(
         &self,
         basis: Basis,
         shapes: &[LineShape],
-        bells: &[Option<LineShape>],
+        profiles: &[Option<LineShape>],
     ) -> ProjectedSpectrum {
-        let fit_basis = self.fit_basis(basis);
-        ProjectedSpectrum::with_bells(
+        let fit_basis = &self.bases[basis];
+        ProjectedSpectrum::with_profiles(
             fit_basis,
             self.reference.measured(),
             shapes,
-            bells,
+            profiles,
             self.reference.seen(),
         )
     }
 
-    /// Every order of every way: all orders of the first way, then of the next. `told` after each
-    /// way; `None` when it was cancelled.
+    /// Every order of every way: all orders of the first way, then of the next. `after_way` is called
+    /// after each way; `None` when it was cancelled.
     pub(crate) fn every_way(
         &self,
         highest_order: usize,
         progress: &Progress,
-        told: impl Fn(),
+        after_way: impl Fn(),
     ) -> Option<Vec<SweepPoint>> {
         let mut points = Vec::with_capacity(FitVariant::ALL.len() * (highest_order + 1));
         for way in FitVariant::ALL {
@@ -127,7 +124,7 @@ impl Examined {
                     verdict: self.verdict(&projected, order, &lines, way.colour_exact),
                 });
             }
-            told();
+            after_way();
         }
         Some(points)
     }
@@ -194,7 +191,7 @@ pub struct Sweep {
 
 /// An error below which nobody sees or measures a difference: CIEDE2000 of colours, a share of
 /// spectra.
-pub fn just_noticeable(measure: Measure) -> f64 {
+pub(crate) fn just_noticeable(measure: Measure) -> f64 {
     if measure.is_colour() { 1e-4 } else { 1e-6 }
 }
 

@@ -1,4 +1,6 @@
-//! The eight ways to make a composite: basis, with or without spikes, plain or colour-exact.
+//! The ways to make a composite: basis, with or without spikes, plain or colour-exact.
+
+use std::sync::LazyLock;
 
 use serde::{Deserialize, Serialize};
 
@@ -16,17 +18,16 @@ pub struct FitVariant {
 }
 
 impl FitVariant {
-    /// All eight, the paper's basis first, plain before colour-exact.
-    pub const ALL: [Self; 8] = [
-        Self::new(Basis::Fourier, false, false),
-        Self::new(Basis::Fourier, true, false),
-        Self::new(Basis::Fourier, false, true),
-        Self::new(Basis::Fourier, true, true),
-        Self::new(Basis::Cosine, false, false),
-        Self::new(Basis::Cosine, true, false),
-        Self::new(Basis::Cosine, false, true),
-        Self::new(Basis::Cosine, true, true),
-    ];
+    /// Basis by basis, plain before colour-exact, each without spikes and with them.
+    pub const ALL: [Self; 4 * Basis::ALL.len()] = {
+        let mut all = [Self::new(Basis::ALL[0], false, false); 4 * Basis::ALL.len()];
+        let mut place = 0;
+        while place < all.len() {
+            all[place] = Self::new(Basis::ALL[place / 4], place % 2 == 1, place % 4 > 1);
+            place += 1;
+        }
+        all
+    };
 
     /// From its three choices.
     pub const fn new(basis: Basis, spikes: bool, colour_exact: bool) -> Self {
@@ -39,31 +40,32 @@ impl FitVariant {
 
     /// The word used on the command line and in files: `cosine-exact+spikes`.
     pub fn word(self) -> &'static str {
-        match (self.basis, self.spikes, self.colour_exact) {
-            (Basis::Fourier, false, false) => "fourier",
-            (Basis::Fourier, true, false) => "fourier+spikes",
-            (Basis::Fourier, false, true) => "fourier-exact",
-            (Basis::Fourier, true, true) => "fourier-exact+spikes",
-            (Basis::Cosine, false, false) => "cosine",
-            (Basis::Cosine, true, false) => "cosine+spikes",
-            (Basis::Cosine, false, true) => "cosine-exact",
-            (Basis::Cosine, true, true) => "cosine-exact+spikes",
-        }
+        static WORDS: LazyLock<Vec<String>> =
+            LazyLock::new(|| spelled(|basis| basis.word().to_owned(), "-exact", "+spikes"));
+        &WORDS[self.place()]
     }
 
     /// In words for people.
     pub fn title(self) -> &'static str {
-        match (self.basis, self.spikes, self.colour_exact) {
-            (Basis::Fourier, false, false) => "Fourier",
-            (Basis::Fourier, true, false) => "Fourier + spikes",
-            (Basis::Fourier, false, true) => "Fourier, colour-exact",
-            (Basis::Fourier, true, true) => "Fourier, colour-exact + spikes",
-            (Basis::Cosine, false, false) => "Cosine",
-            (Basis::Cosine, true, false) => "Cosine + spikes",
-            (Basis::Cosine, false, true) => "Cosine, colour-exact",
-            (Basis::Cosine, true, true) => "Cosine, colour-exact + spikes",
-        }
+        static TITLES: LazyLock<Vec<String>> =
+            LazyLock::new(|| spelled(Basis::title, ", colour-exact", " + spikes"));
+        &TITLES[self.place()]
     }
+
+    /// Its place in [`FitVariant::ALL`].
+    fn place(self) -> usize {
+        4 * self.basis as usize + 2 * usize::from(self.colour_exact) + usize::from(self.spikes)
+    }
+}
+
+/// Every way in letters, in the order of [`FitVariant::ALL`].
+fn spelled(name: fn(Basis) -> String, exact: &str, spikes: &str) -> Vec<String> {
+    let part = |is_there: bool, part| if is_there { part } else { "" };
+    let way = |way: FitVariant| {
+        let exact = part(way.colour_exact, exact);
+        name(way.basis) + exact + part(way.spikes, spikes)
+    };
+    FitVariant::ALL.map(way).into()
 }
 
 #[cfg(test)]
@@ -76,8 +78,10 @@ mod tests {
     fn every_way_is_there_once_under_its_own_word() {
         let words: BTreeSet<&str> = FitVariant::ALL.iter().map(|w| w.word()).collect();
         let titles: BTreeSet<&str> = FitVariant::ALL.iter().map(|w| w.title()).collect();
-        assert_eq!((words.len(), titles.len()), (8, 8));
-        for way in FitVariant::ALL {
+        let all = FitVariant::ALL.len();
+        assert_eq!((words.len(), titles.len()), (all, all));
+        for (place, way) in FitVariant::ALL.into_iter().enumerate() {
+            assert_eq!(way.place(), place);
             assert_eq!(way.word().contains("exact"), way.colour_exact);
             assert_eq!(way.word().contains("spikes"), way.spikes);
             assert!(way.word().starts_with(way.basis.word()));

@@ -91,21 +91,9 @@ fn subject_switch(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
 
 fn basis_row(ui: &mut Ui, settings: &mut Settings) {
     ui.horizontal(|ui| {
-        for (basis, name, meaning) in [
-            (
-                Basis::Fourier,
-                "Fourier",
-                "The paper's periodic series: 2N + 1 numbers. It rings where the two ends of the \
-                 range differ.",
-            ),
-            (
-                Basis::Cosine,
-                "Cosine",
-                "Half-range cosines: the same 2N + 1 numbers, no jump at the ends.",
-            ),
-        ] {
-            ui.selectable_value(&mut settings.basis, basis, name)
-                .on_hover_text(meaning);
+        for basis in Basis::ALL {
+            ui.selectable_value(&mut settings.basis, basis, basis.title())
+                .on_hover_text(basis.meaning());
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             ui.checkbox(&mut settings.colour_exact, names::COLOUR_EXACT)

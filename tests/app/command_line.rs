@@ -15,8 +15,10 @@ use serde_json::Value;
 use spectral_explorer::{
     app::pages::Page,
     cli::{self, Outcome},
+    color::Observer,
     io::png,
-    spectrum::Sampling,
+    optics::BuiltinMaterial,
+    spectrum::{Basis, Sampling},
 };
 
 const DOCUMENT: &str = "docs/command_line.md";
@@ -175,6 +177,42 @@ fn every_page_can_be_named() {
         assert!(words.contains(word), "{word}");
         let told = help.iter().any(|w| w.trim_matches([',', ';']) == word);
         assert!(told, "the help does not tell {word}");
+    }
+}
+
+#[test]
+fn the_words_of_bases_observers_and_materials_are_told_in_the_document_and_the_help() {
+    let document = document(DOCUMENT);
+    let holds_all = |text: &str, words: &[&str]| {
+        let found: Vec<&str> = text.split([' ', ',', '(', ')', ';', '\n']).collect();
+        for word in words {
+            assert!(found.contains(word), "{word}: {text}");
+        }
+    };
+    let told = rows(section(&document, "### The model"));
+    let told = |name: &str| {
+        let row = told.iter().find(|row| option(row).as_deref() == Some(name));
+        row.expect("a row")[1]
+    };
+    let helped = |command: &str, name: &str| {
+        let help = help(command);
+        let (_, from) = help.split_once(&format!("{name} <")).expect("the option");
+        let (text, _) = from.split_once("--").unwrap_or((from, ""));
+        text.to_owned()
+    };
+    let bases = Basis::ALL.map(Basis::word);
+    holds_all(told("--basis"), &bases);
+    holds_all(&helped("report", "--basis"), &bases);
+    let observers = Observer::CIE.map(Observer::word);
+    holds_all(told("--observer"), &observers);
+    holds_all(&helped("report", "--observer"), &observers);
+    let materials = BuiltinMaterial::ALL.map(BuiltinMaterial::word);
+    let (_, told) = document
+        .split_once("A MATERIAL is a word")
+        .expect("it is told");
+    holds_all(told.lines().next().expect("a line"), &materials);
+    for command in ["prism", "gem"] {
+        holds_all(&helped(command, "--material"), &materials);
     }
 }
 

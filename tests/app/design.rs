@@ -22,7 +22,7 @@ use spectral_explorer::{
         SampleTables,
         mixture::Source,
         recover::Method,
-        solve::{Against, Care, FrontWish, Target, front},
+        solve::{Against, Care, FrontProblem, Target, front},
     },
     spectrum::Kind,
     study::Progress,
@@ -197,7 +197,7 @@ fn a_wish_and_a_point_of_the_front_are_one_step_each() {
     }
     app.end_gesture();
     let solved = app.document().pages.mix.clone();
-    let wish = FrontWish {
+    let wish = FrontProblem {
         target: Target::of_kelvin(4000.0, 0.0).expect("a white"),
         against: Against::Ra,
         lines: 2,

@@ -33,7 +33,7 @@ use spectral_explorer::{
         solve::{Against, Floors, Objective},
     },
     optics::Brilliant,
-    pictures::{ReferenceKind, Wish, WishedLines},
+    pictures::{FixedSettings, LineChoice, ReferenceKind},
     spectrum::{Band, Basis, Kind, NamedSpectrum, Rect, Sampled, Sampling},
     study::{Goal, Measure},
 };
@@ -363,9 +363,9 @@ pub(crate) fn full_preferences() -> Preferences {
                 own: Some("paper/Sodium".to_owned()),
                 numbers: Some(11),
                 bound: 1.25,
-                wish: Wish {
+                wish: FixedSettings {
                     reference: Some(ReferenceKind::Mean),
-                    lines: WishedLines::At(vec![435.8, 546.1]),
+                    lines: LineChoice::At(vec![435.8, 546.1]),
                 },
                 weighted: false,
                 between_series: true,

@@ -11,9 +11,9 @@ use spectral_explorer::{
         xyz_from_reflectance,
     },
     design::recover::{
-        Colour, ColourPicture, Encoded, LineLight, LitColour, Method, NODES, Nodes, PictureCount,
-        RecoverError, Recovered, Reflectance, Seen, Told, Viewing, can_be, json, line_light_json,
-        metamers, predictions, sampled_nodes, spectral_cube, told, usual_bands,
+        Colour, ColourPicture, Deviation, Encoded, LineLight, LitColour, Method, NODES, Nodes,
+        PictureCount, RecoverError, Recovered, Reflectance, Seen, Viewing, can_be, deviation, json,
+        line_light_json, metamers, predictions, sampled_nodes, spectral_cube, usual_bands,
     },
     spectrum::Sampled,
     study::Progress,
@@ -63,7 +63,7 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// What a chip's colours under D65, or under A and C, tell of it.
-fn told_of(group: &str, lights: &[&str], method: Method) -> Vec<(Recovered, Told)> {
+fn deviations_of(group: &str, lights: &[&str], method: Method) -> Vec<(Recovered, Deviation)> {
     let viewings: Vec<Viewing> = lights.iter().map(|light| viewing(light)).collect();
     let incandescent = viewing("CIE A");
     let one = |chip: &&'static Sampled| {
@@ -76,7 +76,7 @@ fn told_of(group: &str, lights: &[&str], method: Method) -> Vec<(Recovered, Told
             })
             .collect();
         let recovered = Recovered::new(method, &seen).unwrap();
-        let told = told(&recovered, chip, &[(table("CIE A"), &incandescent)]);
+        let told = deviation(&recovered, chip, &[(table("CIE A"), &incandescent)]);
         (recovered, told)
     };
     chips(group).iter().map(one).collect()
@@ -89,9 +89,9 @@ fn real_chips_are_recovered_as_well_as_the_study_says() {
         ("colorchecker_ohta", 0.065, 0.040, 0.84),
         ("tm30_ces99_5nm", 0.070, 0.032, 1.8),
     ] {
-        let one = told_of(group, &["CIE D65"], Method::Smoothest);
-        let two = told_of(group, &["CIE A", "CIE C"], Method::Smoothest);
-        let rms = |told: &[(Recovered, Told)]| median(told.iter().map(|(_, t)| t.rms));
+        let one = deviations_of(group, &["CIE D65"], Method::Smoothest);
+        let two = deviations_of(group, &["CIE A", "CIE C"], Method::Smoothest);
+        let rms = |told: &[(Recovered, Deviation)]| median(told.iter().map(|(_, t)| t.rms));
         // Half a unit of the last digit of the figures, and a little for another quadrature.
         assert!(
             (rms(&one) - one_light).abs() < 7e-4,
@@ -116,7 +116,7 @@ fn real_chips_are_recovered_as_well_as_the_study_says() {
 #[test]
 fn three_fourier_coefficients_leave_the_possible_as_often_as_the_study_says() {
     for (group, share) in [("colorchecker_ohta", 0.29), ("tm30_ces99_5nm", 0.21)] {
-        let told = told_of(group, &["CIE D65"], Method::Fourier3);
+        let told = deviations_of(group, &["CIE D65"], Method::Fourier3);
         let outside = told.iter().filter(|(r, _)| !r.is_inside_0_1()).count();
         let found = outside as f64 / told.len() as f64;
         // The figures are whole per cents.
@@ -130,7 +130,8 @@ fn three_fourier_coefficients_leave_the_possible_as_often_as_the_study_says() {
 
 #[test]
 fn six_coefficients_meet_both_colours_and_tell_how_badly_they_are_conditioned() {
-    for (recovered, _) in told_of("colorchecker_ohta", &["CIE A", "CIE C"], Method::Fourier6) {
+    for (recovered, _) in deviations_of("colorchecker_ohta", &["CIE A", "CIE C"], Method::Fourier6)
+    {
         // Rounding times a condition number of a thousand.
         assert!(recovered.round_trip_delta_e < 1e-7);
         let condition = recovered.condition_number.unwrap();

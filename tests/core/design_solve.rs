@@ -11,8 +11,8 @@ use spectral_explorer::{
         SampleTables,
         mixture::{Channel, MixError, Spec, composite, mixed},
         solve::{
-            Against, Floors, FrontPoint, FrontWish, MixFigures, Mixer, Objective, Solution, Target,
-            Wish, faders, front, front_json, mix_json,
+            Against, Floors, FrontPoint, FrontProblem, MixFigures, Mixer, Objective, Problem,
+            Solution, Target, faders, front, front_json, mix_json,
         },
     },
     spectrum::{Outside, Sampled},
@@ -86,7 +86,7 @@ fn study_tables() -> &'static SampleTables {
     &TABLES
 }
 
-fn solved(channels: &[Channel], wish: Wish<'_>) -> Solution {
+fn solved(channels: &[Channel], wish: Problem<'_>) -> Solution {
     Mixer::new(channels, SampleTables::shipped())
         .unwrap()
         .solve(&wish)
@@ -141,9 +141,9 @@ fn the_most_lumens_of_fixed_channels_are_those_of_the_linear_programme() {
         let target = Target::of_xy(pair(&case["target_xy"])).unwrap();
         let found = solved(
             &channels,
-            Wish {
+            Problem {
                 target: Some(target),
-                ..Wish::default()
+                ..Problem::default()
             },
         );
         let name = &case["case"];
@@ -196,10 +196,10 @@ fn a_light_is_matched_in_the_least_squares_with_exactly_its_colour() {
         let target = Some(Target::of_light(light).unwrap());
         let found = solved(
             &channels,
-            Wish {
+            Problem {
                 target,
                 alike: Some(&values),
-                ..Wish::default()
+                ..Problem::default()
             },
         );
         if case["feasible"].as_bool().unwrap() {
@@ -222,7 +222,7 @@ fn a_light_is_matched_in_the_least_squares_with_exactly_its_colour() {
 }
 
 fn front_at(target: &Value, against: Against, lines: usize, floors: Vec<f64>) -> Vec<FrontPoint> {
-    let wish = FrontWish {
+    let wish = FrontProblem {
         target: Target::of_xy(pair(target)).unwrap(),
         against,
         lines,
@@ -335,9 +335,9 @@ fn two_lines_of_a_colour_are_never_better_than_three_and_no_pair_is_better_than_
             let specs = [format!("line:{first}.3"), "line:577.9".to_owned()];
             let found = solved(
                 &channels(&specs),
-                Wish {
+                Problem {
                     target: Some(Target::of_xy(pair(&target)).unwrap()),
-                    ..Wish::default()
+                    ..Problem::default()
                 },
             );
             let figure = against.of(&found.figures);
@@ -351,7 +351,7 @@ fn each_line_more_is_no_worse_and_has_no_better_powers_than_those_it_found() {
     let target = golden()["targets"]["D65"]["target_xy"].clone();
     let floors = vec![250.0, 320.0, 380.0];
     let colour = Target::of_xy(pair(&target)).unwrap();
-    for (against, favour) in [(Against::Ra, Objective::Ra), (Against::Rf, Objective::Rf)] {
+    for (against, objective) in [(Against::Ra, Objective::Ra), (Against::Rf, Objective::Rf)] {
         let worth = |figures: &MixFigures| against.of(figures).unwrap();
         let mut before = vec![f64::NEG_INFINITY; floors.len()];
         for lines in [4, 5, 6, 8] {
@@ -372,14 +372,14 @@ fn each_line_more_is_no_worse_and_has_no_better_powers_than_those_it_found() {
                     .map(|line| format!("line:{}", line.at_nm));
                 let again = solved(
                     &channels(&places.collect::<Vec<_>>()),
-                    Wish {
+                    Problem {
                         target: Some(colour),
-                        favour,
+                        objective,
                         floors: Floors {
                             ler: Some(point.floor),
                             ..Floors::default()
                         },
-                        ..Wish::default()
+                        ..Problem::default()
                     },
                 );
                 let missing = worth(&again.figures) - worth(&point.figures);
@@ -395,7 +395,7 @@ fn each_line_more_is_no_worse_and_has_no_better_powers_than_those_it_found() {
 #[test]
 fn the_known_trade_of_three_lines_comes_out_by_itself() {
     // Thornton 1971: three lines near 450, 540 and 610 nm give Ra about 80 at high efficacy.
-    let wish = FrontWish {
+    let wish = FrontProblem {
         target: Target::of_kelvin(4000.0, 0.0).unwrap(),
         against: Against::Ra,
         lines: 3,
@@ -427,7 +427,7 @@ fn the_known_trade_of_three_lines_comes_out_by_itself() {
 
 #[test]
 fn the_same_front_is_the_same_bits_and_can_be_cancelled() {
-    let wish = FrontWish {
+    let wish = FrontProblem {
         target: Target::of_kelvin(3000.0, 0.0).unwrap(),
         against: Against::Ra,
         lines: 4,
@@ -440,7 +440,7 @@ fn the_same_front_is_the_same_bits_and_can_be_cancelled() {
     progress.cancel();
     assert_eq!(front(&wish, SampleTables::shipped(), &progress), Ok(None));
     for lines in [1, 9] {
-        let wish = FrontWish {
+        let wish = FrontProblem {
             lines,
             ..wish.clone()
         };
@@ -469,13 +469,13 @@ fn at_4000() -> Option<Target> {
 #[test]
 fn each_favour_is_best_at_what_it_favours() {
     let channels = named(&LEDS);
-    let value = |favour| {
+    let value = |objective| {
         let found = solved(
             &channels,
-            Wish {
+            Problem {
                 target: at_4000(),
-                favour,
-                ..Wish::default()
+                objective,
+                ..Problem::default()
             },
         );
         assert!(
@@ -504,12 +504,12 @@ fn no_random_mixture_of_the_colour_is_clearly_better_than_the_solved_one() {
     let channels = named(&LEDS);
     let mixer = Mixer::new(&channels, SampleTables::shipped()).unwrap();
     let target = at_4000();
-    let best = |favour| {
+    let best = |objective| {
         mixer
-            .solve(&Wish {
+            .solve(&Problem {
                 target,
-                favour,
-                ..Wish::default()
+                objective,
+                ..Problem::default()
             })
             .figures
     };
@@ -531,10 +531,10 @@ fn no_random_mixture_of_the_colour_is_clearly_better_than_the_solved_one() {
             let weights: Vec<f64> = channels.iter().map(|_| random().powi(2)).collect();
             mixed(&channels, &weights)
         };
-        let found = mixer.solve(&Wish {
+        let found = mixer.solve(&Problem {
             target,
             alike: Some(&goal),
-            ..Wish::default()
+            ..Problem::default()
         });
         assert!(found.reached);
         // Sizes of differences are rounded off by 3e-4 in the end: .002 of Ra, .003 of Rf.
@@ -553,11 +553,11 @@ fn no_random_mixture_of_the_colour_is_clearly_better_than_the_solved_one() {
 
 #[test]
 fn two_floors_of_one_number_are_each_their_own() {
-    let wish = |floors: Floors| Wish {
+    let wish = |floors: Floors| Problem {
         target: at_4000(),
-        favour: Objective::Ra,
+        objective: Objective::Ra,
         floors,
-        ..Wish::default()
+        ..Problem::default()
     };
     let channels = named(&LEDS);
     let melanopic = Floors::default().with("melanopic=0.75").unwrap();
@@ -580,10 +580,10 @@ fn floors_are_kept_or_what_is_missing_is_told() {
         .unwrap();
     let found = solved(
         &channels,
-        Wish {
+        Problem {
             target: at_4000(),
             floors,
-            ..Wish::default()
+            ..Problem::default()
         },
     );
     assert!(found.reached, "{found:?}");
@@ -591,20 +591,20 @@ fn floors_are_kept_or_what_is_missing_is_told() {
     assert!(found.figures.melanopic_der >= 0.6 - 1e-6);
     let best_rf = solved(
         &channels,
-        Wish {
+        Problem {
             target: at_4000(),
-            favour: Objective::Rf,
-            ..Wish::default()
+            objective: Objective::Rf,
+            ..Problem::default()
         },
     );
     assert!(found.figures.ler > best_rf.figures.ler);
     let too_much = Floors::default().with("ler=900").unwrap();
     let refused = solved(
         &channels,
-        Wish {
+        Problem {
             target: at_4000(),
             floors: too_much,
-            ..Wish::default()
+            ..Problem::default()
         },
     );
     assert!(
@@ -615,10 +615,10 @@ fn floors_are_kept_or_what_is_missing_is_told() {
     let too_good = Floors::default().with("rf=99.9").unwrap();
     let refused = solved(
         &channels,
-        Wish {
+        Problem {
             target: at_4000(),
             floors: too_good,
-            ..Wish::default()
+            ..Problem::default()
         },
     );
     assert!(
@@ -648,9 +648,9 @@ fn a_fixed_channel_stays_and_the_others_bring_the_colour() {
     ]);
     let found = solved(
         &channels,
-        Wish {
+        Problem {
             target: at_4000(),
-            ..Wish::default()
+            ..Problem::default()
         },
     );
     assert!(found.reached, "{found:?}");
@@ -661,7 +661,7 @@ fn a_fixed_channel_stays_and_the_others_bring_the_colour() {
 #[test]
 fn without_a_target_the_faders_are_what_they_are() {
     let channels = named(&["blackbody:2700=1", "line:546.1=0.5", "daylight:6500"]);
-    let found = solved(&channels, Wish::default());
+    let found = solved(&channels, Problem::default());
     assert_eq!(found.weights, [1.0, 0.5, 1.0]);
     assert!(found.reached && found.delta_uv_to_target.is_none());
     let model = composite(&channels, &found.weights);
@@ -701,9 +701,9 @@ fn the_json_has_the_promised_keys() {
     let channels = named(&LEDS);
     let found = solved(
         &channels,
-        Wish {
+        Problem {
             target: at_4000(),
-            ..Wish::default()
+            ..Problem::default()
         },
     );
     let value = mix_json(&channels, &found);
@@ -751,16 +751,16 @@ proptest! {
         let weights: Vec<f64> = channels.iter().zip(&seeds).map(|(_, s)| s + 0.01).collect();
         let xy = mixer.figures(&weights).xy.unwrap();
         let target = Some(Target::of_xy(xy).unwrap());
-        let found = mixer.solve(&Wish { target, ..Wish::default() });
+        let found = mixer.solve(&Problem { target, ..Problem::default() });
         prop_assert!(found.reached, "{found:?}");
         prop_assert!(found.delta_uv_to_target.unwrap() < 1e-6);
         prop_assert!(found.weights.iter().all(|w| *w >= 0.0));
         // No mixture of the colour has more lumens for its power.
         prop_assert!(found.figures.ler >= mixer.figures(&weights).ler * (1.0 - 1e-9));
-        prop_assert_eq!(&found, &mixer.solve(&Wish { target, ..Wish::default() }));
+        prop_assert_eq!(&found, &mixer.solve(&Problem { target, ..Problem::default() }));
         if asked.0 + asked.1 <= 1.0 {
             let target = Target::of_xy([asked.0, asked.1]).unwrap();
-            let found = mixer.solve(&Wish { target: Some(target), ..Wish::default() });
+            let found = mixer.solve(&Problem { target: Some(target), ..Problem::default() });
             let distance = found.delta_uv_to_target.unwrap();
             prop_assert_eq!(found.reached, distance < 1e-6);
             // No mixture is nearer.

@@ -17,8 +17,8 @@ use spectral_explorer::{
     color::blackbody,
     preset::Shelf,
     spectrum::{
-        Band, Decomposition, Factor, FoundSpike, GAUSSIAN_AREA, Kind, NamedSpectrum, Outside,
-        Sampled, SpikeSettings, Wishes, detect,
+        Band, Constraints, Decomposition, Factor, FoundSpike, GAUSSIAN_AREA, Kind, NamedSpectrum,
+        Outside, Sampled, SpikeSettings, detect,
         gradient::{self, DEFAULT_GRADIENT},
     },
 };
@@ -486,7 +486,7 @@ proptest! {
         steep in 0.001..0.5_f64,
     ) {
         let width = settings.max_width_nm;
-        let parts = gradient::detect(band, &values, steep, width, Wishes::default());
+        let parts = gradient::detect(band, &values, steep, width, Constraints::default());
         let top = values.iter().fold(0.0_f64, |top, v| top.max(v.abs()));
         // Beyond this the sums themselves overflow; there the only promise is not to panic.
         if top < 1e302 {
@@ -813,7 +813,7 @@ fn a_dip_weighs_what_is_missing() {
 #[test]
 fn the_papers_gradient_detector_finds_the_strong_lines_of_fl2() {
     let fl2 = on_band("cie_fluorescent_1nm/FL2", BAND);
-    let parts = gradient::detect(BAND, &fl2, DEFAULT_GRADIENT, 10.0, Wishes::default());
+    let parts = gradient::detect(BAND, &fl2, DEFAULT_GRADIENT, 10.0, Constraints::default());
     let places: Vec<f64> = parts.spikes.iter().map(|s| s.spike.at_nm).collect();
     println!("FL2 by the gradient: {places:.1?}");
     for line_nm in [404.7, 435.8, 546.1] {
@@ -822,7 +822,13 @@ fn the_papers_gradient_detector_finds_the_strong_lines_of_fl2() {
     }
     for name in ["CIE A", "CIE C", "CIE E"] {
         let smooth = on_band(name, BAND);
-        let parts = gradient::detect(BAND, &smooth, DEFAULT_GRADIENT, 10.0, Wishes::default());
+        let parts = gradient::detect(
+            BAND,
+            &smooth,
+            DEFAULT_GRADIENT,
+            10.0,
+            Constraints::default(),
+        );
         assert!(parts.spikes.is_empty(), "{name}");
     }
 }
@@ -850,7 +856,7 @@ fn the_detector_is_chosen_in_the_settings() {
         ..app.document().settings
     }));
     let fl2 = on_band("cie_fluorescent_1nm/FL2", BAND);
-    let parts = gradient::detect(BAND, &fl2, DEFAULT_GRADIENT, 10.0, Wishes::default());
+    let parts = gradient::detect(BAND, &fl2, DEFAULT_GRADIENT, 10.0, Constraints::default());
     assert_eq!(app.derived().parts.smooth, parts.smooth);
 }
 

@@ -25,10 +25,10 @@ fn nm_of(case: &Value) -> Vec<f64> {
         .collect()
 }
 
-fn lights_of(case: &Value) -> Option<Light> {
+fn lights_of(case: &Value) -> Option<Illuminant> {
     let name = case["name"].as_str().unwrap();
     let light = name.strip_prefix("lit by ")?.split(',').next().unwrap();
-    Some(Light::named(light).unwrap())
+    Some(Illuminant::named(light).unwrap())
 }
 
 fn place(i: usize, j: usize) -> (usize, usize) {
@@ -61,9 +61,9 @@ fn plan_of(golden: &Value, case: &Value, bands: &Bands) -> Plan {
         return Plan::lit(bands, series, &light, 0.004).unwrap();
     }
     let names = golden["weight_lights"].as_array().unwrap();
-    let lights: Vec<Light> = names
+    let lights: Vec<Illuminant> = names
         .iter()
-        .map(|n| Light::named(n.as_str().unwrap()).unwrap())
+        .map(|n| Illuminant::named(n.as_str().unwrap()).unwrap())
         .collect();
     Plan {
         weighting: Some(Arc::new(Weighting::of(&lights, bands, Observer::CIE_1931))),
@@ -338,7 +338,7 @@ fn relit_colours_are_the_studys() {
         };
         let surfaces = Bands::new(nm_of(case), Kind::Reflectance).unwrap();
         for (light, expected) in lights.as_object().unwrap() {
-            let light = Light::named(light).unwrap();
+            let light = Illuminant::named(light).unwrap();
             let relit = operator.relit(&light, None, Between::Bands).unwrap();
             let exact = light.weights(&surfaces, Observer::CIE_1931).unwrap();
             let found = spread_of(&pixels, &exact, &relit, &operator, &truth);
@@ -346,7 +346,7 @@ fn relit_colours_are_the_studys() {
         }
         if let Some(expected) = case.get("relight_matrix_A") {
             let relit = operator
-                .relit(&Light::named("A").unwrap(), None, Between::Bands)
+                .relit(&Illuminant::named("A").unwrap(), None, Between::Bands)
                 .unwrap();
             row_is(&relit.rows.concat(), &numbers(expected), name);
         }

@@ -23,8 +23,8 @@ fn reflectance(size: usize) -> InMemory {
     InMemory::of(&Scene::reflectance(size, size, nm(380.0, 780.0, 81)).unwrap()).unwrap()
 }
 
-fn lit(size: usize, light: &str) -> (InMemory, Light) {
-    let light = Light::named(light).unwrap();
+fn lit(size: usize, light: &str) -> (InMemory, Illuminant) {
+    let light = Illuminant::named(light).unwrap();
     let scene = Scene::lit(
         size,
         size,
@@ -48,7 +48,7 @@ fn the_choice_keeps_its_bound_and_is_never_worse_than_the_bare_series() {
         pixels.bands(),
         &survey,
         None,
-        (&base, &Wish::default()),
+        (&base, &FixedSettings::default()),
         asked,
         &quiet(),
     )
@@ -61,7 +61,7 @@ fn the_choice_keeps_its_bound_and_is_never_worse_than_the_bare_series() {
         pixels.bands(),
         &survey,
         None,
-        (&base, &Wish::default()),
+        (&base, &FixedSettings::default()),
         Asked::Budget(11),
         &quiet(),
     )
@@ -77,7 +77,7 @@ fn the_choice_keeps_its_bound_and_is_never_worse_than_the_bare_series() {
         pixels.bands(),
         &survey,
         None,
-        (&base, &Wish::default()),
+        (&base, &FixedSettings::default()),
         Asked::Budget(81),
         &quiet(),
     )
@@ -101,7 +101,7 @@ fn under_a_known_lamp_the_lamp_is_the_reference() {
             pixels.bands(),
             &survey,
             Some(&light),
-            (&base, &Wish::default()),
+            (&base, &FixedSettings::default()),
             Asked::Budget(11),
             &quiet(),
         )
@@ -114,9 +114,9 @@ fn under_a_known_lamp_the_lamp_is_the_reference() {
 #[test]
 fn trust_tells_what_the_old_light_left_dark() {
     let bands = Bands::new(nm(380.0, 780.0, 81), Kind::Light).unwrap();
-    let d65 = Light::named("D65").unwrap();
+    let d65 = Illuminant::named("D65").unwrap();
     let blind = |name: &str| {
-        let old = Light::named(name).unwrap().on_bands(&bands).unwrap();
+        let old = Illuminant::named(name).unwrap().on_bands(&bands).unwrap();
         blind_share(&bands, &old, &d65, Observer::CIE_1931)
     };
     // PICTURES.md, 4: zero to two decimals for these, Z .017 and .83/.88/1.00.
@@ -150,7 +150,7 @@ fn foretold_noise_is_near_the_studys() {
         )
         .unwrap();
         let operator = Operator::new(pixels.bands(), &plan).unwrap();
-        let d65 = Light::named("D65").unwrap();
+        let d65 = Illuminant::named("D65").unwrap();
         let relit = operator.relit(&d65, None, Between::Bands).unwrap();
         let trust = operator.trust(&relit, &d65, Some(&plan.reference.values), &noise);
         println!("{name}: {} for {foretold}, {}", trust.noise, trust.words());
@@ -166,7 +166,7 @@ fn foretold_noise_is_near_the_studys() {
 #[test]
 fn two_lights_that_can_be_told_apart_are_ranked_as_the_study_ranks_them() {
     let bands = Bands::new(nm(380.0, 780.0, 81), Kind::Light).unwrap();
-    let light = |name: &str| Light::named(name).unwrap();
+    let light = |name: &str| Illuminant::named(name).unwrap();
     // PICTURES.md, 2: two decimals are given of each, which the made bands move by less than 0.1.
     for (names, ranks, word) in [
         (["LED-RGB1", "Mercury"], [0.9, 0.3], "care"),
@@ -195,17 +195,21 @@ fn an_unknown_lamp_is_not_relit_and_says_why() {
     let (pixels, _) = lit(32, "FL11");
     let operator = Operator::new(pixels.bands(), &Plan::new(pixels.bands(), 11)).unwrap();
     let said = operator
-        .relit(&Light::named("A").unwrap(), None, Between::Bands)
+        .relit(&Illuminant::named("A").unwrap(), None, Between::Bands)
         .unwrap_err();
     assert!(
         said.to_string()
             .contains("choose the light, or a white place"),
         "{said}"
     );
-    let known = Light::named("FL11").unwrap();
+    let known = Illuminant::named("FL11").unwrap();
     assert!(
         operator
-            .relit(&Light::named("A").unwrap(), Some(&known), Between::Bands)
+            .relit(
+                &Illuminant::named("A").unwrap(),
+                Some(&known),
+                Between::Bands
+            )
             .is_ok()
     );
 }
@@ -387,7 +391,13 @@ fn lines_of_json_do_not_know_of_one_another() {
         reference: ReferenceKind::One,
         lines: true,
     };
-    let scene = Scene::lit(4, 4, nm(380.0, 780.0, 81), &[Light::named("FL11").unwrap()]).unwrap();
+    let scene = Scene::lit(
+        4,
+        4,
+        nm(380.0, 780.0, 81),
+        &[Illuminant::named("FL11").unwrap()],
+    )
+    .unwrap();
     let lines: Vec<String> = (0..6)
         .map(|i| serde_json::json!({"name": i, "nm": nm(380.0, 780.0, 81), "values": scene.pixel(i % 4, i / 4)}).to_string())
         .collect();
@@ -435,7 +445,7 @@ fn a_table_of_spectra_is_fitted_row_by_row() {
         50,
         1,
         nm(380.0, 780.0, 81),
-        &[Light::named("FL11").unwrap()],
+        &[Illuminant::named("FL11").unwrap()],
     )
     .unwrap();
     let pixels = InMemory::of(&scene).unwrap();
@@ -547,16 +557,16 @@ fn a_value_beyond_single_precision_is_refused_by_its_wavelength() {
 
 #[test]
 fn every_judge_and_thirty_six_weighting_lights_are_in_the_library() {
-    assert_eq!(Light::judges().len(), 6);
-    assert_eq!(Light::weighting().len(), 36);
-    assert!(Light::named("H38HT-100 (Mercury)").is_some());
-    assert!(Light::named("no such lamp").is_none());
+    assert_eq!(Illuminant::judges().len(), 6);
+    assert_eq!(Illuminant::weighting().len(), 36);
+    assert!(Illuminant::named("H38HT-100 (Mercury)").is_some());
+    assert!(Illuminant::named("no such lamp").is_none());
 }
 
 #[test]
 fn a_perfect_reflector_has_the_colour_of_the_light() {
     let bands = Bands::new(vec![400.0, 500.0, 620.0, 700.0], Kind::Reflectance).unwrap();
-    for light in Light::judges() {
+    for light in Illuminant::judges() {
         let rows = light.weights(&bands, Observer::CIE_1931).unwrap();
         let white = light.white(Observer::CIE_1931).unwrap().to_array();
         for (row, white) in rows.iter().zip(white) {
@@ -569,7 +579,7 @@ fn a_perfect_reflector_has_the_colour_of_the_light() {
 #[test]
 fn a_line_acts_at_its_own_wavelength() {
     let dark = Sampled::new(vec![300.0, 900.0], vec![0.0; 2]).unwrap();
-    let line = Light::with_spikes("line", &dark, vec![spectrum::Line::ideal(546.1, 2.0)]);
+    let line = Illuminant::with_spikes("line", &dark, vec![spectrum::Line::ideal(546.1, 2.0)]);
     let bands = Bands::new(vec![400.0, 540.0, 550.0, 700.0], Kind::Reflectance).unwrap();
     let [x, y, _] = line.weights(&bands, Observer::CIE_1931).unwrap();
     let seen = Observer::CIE_1931.table().at(546.1);
@@ -581,7 +591,9 @@ fn a_line_acts_at_its_own_wavelength() {
 fn a_light_beyond_the_bands_is_refused_in_words() {
     let far = Sampled::new(vec![1000.0, 1100.0], vec![1.0; 2]).unwrap();
     let bands = Bands::new(vec![400.0, 500.0, 600.0], Kind::Light).unwrap();
-    let said = Light::new("heater", &far).on_bands(&bands).unwrap_err();
+    let said = Illuminant::new("heater", &far)
+        .on_bands(&bands)
+        .unwrap_err();
     assert!(
         said.to_string()
             .contains("overlaps the bands, found heater")

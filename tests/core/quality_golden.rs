@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use serde_json::Value;
 use spectral_explorer::{
     color::Observer,
-    color::quality::{Figures, Light, NoFigure, POINTS},
+    color::quality::{EFFICACY, Figures, Light, NoFigure, POINTS, SP_RATIO},
     preset,
     spectrum::{Outside, Sampled},
 };
@@ -176,7 +176,7 @@ fn all_lamps_have_the_golden_light_quality() {
         let see = &mut |what, allowed, found: f64, key: &str| {
             worst.see(what, allowed, found, item[key].as_f64().unwrap(), name);
         };
-        see("S/P", 0.002, *figures.sp_ratio.as_ref().unwrap(), "SP");
+        see("S/P", 0.002, figures.single(&SP_RATIO).unwrap(), "SP");
         let photons = figures.photons.as_ref().unwrap();
         see("PPFD", 5e-5, photons.ppfd, "PPFD_100lx");
         see("ePPFD", 5e-5, photons.eppfd, "ePPFD_100lx");
@@ -355,7 +355,7 @@ fn all_lamps_have_the_golden_emission() {
         see(
             "LER",
             0.002,
-            *figures.luminous_efficacy.as_ref().unwrap(),
+            figures.single(&EFFICACY).unwrap(),
             &item["LER_lm_per_W"],
         );
         let rendering = figures.rendering.as_ref().unwrap();

@@ -12,7 +12,7 @@ use spectral_explorer::{
         studies::{AuctionAsk, Question, SweepAsk, paper::Claims, take},
     },
     color::{Observer, patches::PatchSet},
-    lamps::bell,
+    lamps::own_profile,
     spectrum::{Band, Basis, Kind, NamedSpectrum, SpikeSettings},
     study::{
         FitVariant, Goal, Measure, Measures, Progress, Subject, Sweep,
@@ -44,7 +44,7 @@ fn subject(values: Vec<f64>) -> Subject {
         values,
         under: None,
         spikes: SpikeSettings::default(),
-        bell: Some(bell),
+        profile: Some(own_profile),
     }
 }
 
@@ -281,7 +281,7 @@ fn lines_of_their_own_width_are_bought_where_the_spectrum_counts() {
     assert!(bought.contains(&Purchase::Widths));
     // The same without widths for sale.
     let ideal = Subject {
-        bell: None,
+        profile: None,
         ..subject(on_band("FL11", BAND))
     };
     let terms = terms(way, Goal::SPECTRUM, 31);
@@ -413,7 +413,7 @@ fn on_every_lamp_the_auction_is_never_worse_than_with_or_without_spikes() {
                         values: values(lamp, BAND),
                         under: None,
                         spikes: SpikeSettings::default(),
-                        bell: Some(bell),
+                        profile: Some(own_profile),
                     };
                     // One way and goal each: all sixteen take turns over the lamps.
                     let way = grounds().nth(i % 4).expect("four ways");

@@ -24,7 +24,7 @@ use spectral_explorer::{
         studies::{self, AuctionAsk, Question, SweepAsk},
         workspace::Preferences,
     },
-    spectrum::{Band, Kind, NamedSpectrum, Sampled, SpikeEdits},
+    spectrum::{Band, Basis, Kind, NamedSpectrum, Sampled, SpikeEdits},
     study::{
         Auction, Goal, Measure, Progress, Reference, Verdict,
         auction::{Ended, Purchase},
@@ -293,10 +293,8 @@ fn every_point_of_the_charts_stands_for_its_model() {
     let app = fl2();
     let ask = SweepAsk::of(app.document());
     let sweep = ask.answer(&Progress::default()).expect("it shines");
-    let shown = WaysShown {
-        fourier: false,
-        ..WaysShown::default()
-    };
+    let mut shown = WaysShown::default();
+    shown.bases[Basis::Fourier] = false;
     for measure in Measure::COMPARED {
         let mut tradeoff = Tradeoff::of(&ask, &sweep, measure, &shown);
         tradeoff.mark(&app, Some(&verdict_now(&app)), measure);
@@ -389,7 +387,7 @@ fn ways_and_figures_are_switched_and_remembered() {
     assert_written(&ui, "To stay under 10 % rms behind a 10 nm blur, FL2 needs");
     control(&ui, Role::CheckBox, "Fourier").click();
     ui.run();
-    assert!(!ui.state().0.preferences.pages.ways.fourier);
+    assert!(!ui.state().0.preferences.pages.ways.bases[Basis::Fourier]);
     // The last of a pair brings both back.
     control(&ui, Role::CheckBox, "cosine").click();
     ui.run();

@@ -6,7 +6,7 @@ use crate::driver::{Ui, app, at_rest, words};
 use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{App, pages::Page, relit::Look, workspace::Preferences},
-    pictures::{ReferenceKind, WishedLines},
+    pictures::{LineChoice, ReferenceKind},
     ui::{
         Window,
         files::{Ask, Picked},
@@ -93,18 +93,18 @@ fn what_stands_for_every_pixel_can_be_chosen_by_hand() {
     click(&mut ui, "Nothing");
     assert_eq!(wish(&ui).reference, Some(ReferenceKind::One));
     click(&mut ui, names::HAND);
-    let WishedLines::At(before) = wish(&ui).lines else {
+    let LineChoice::At(before) = wish(&ui).lines else {
         panic!("a list of lines: {:?}", wish(&ui).lines);
     };
     assert!(!before.contains(&546.1));
     click(&mut ui, names::ADD_LINE);
-    let WishedLines::At(after) = wish(&ui).lines else {
+    let LineChoice::At(after) = wish(&ui).lines else {
         panic!("a list of lines");
     };
     assert_eq!(after.len(), before.len() + 1);
     assert!(after.contains(&546.1), "{after:?}");
     click(&mut ui, "546.1 nm ×");
-    assert_eq!(wish(&ui).lines, WishedLines::At(before));
+    assert_eq!(wish(&ui).lines, LineChoice::At(before));
     let was = ui.state().0.preferences.pages.relit.between_series;
     click(&mut ui, names::BETWEEN);
     assert_ne!(ui.state().0.preferences.pages.relit.between_series, was);

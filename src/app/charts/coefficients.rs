@@ -148,18 +148,20 @@ impl<'a> Draw<'a> {
         (0..=steps).map(colour).collect()
     }
 
-    fn names(&self) -> [&'static str; 2] {
-        match self.harmonics.basis {
-            Basis::Fourier => ["a", "b"],
-            Basis::Cosine => ["c, odd", "c, even"],
+    /// Names of the two numbers that every order from 1 on has.
+    fn names(&self) -> [String; 2] {
+        let basis = self.harmonics.basis;
+        match basis.lists()[..] {
+            [first, second, ..] => [first.to_owned(), second.to_owned()],
+            [only, ..] => ["odd", "even"].map(|which| format!("{only}, {which}")),
+            [] => [String::new(), String::new()],
         }
     }
 
     /// Bars of the first number of each order and stems of the second, as multiples of the mean.
     fn pair(&self, of: impl Fn(&Order) -> [f64; 2]) -> Option<Vec<Series>> {
         let first = self.orders.first().map(&of)?;
-        let mean = Some(self.mean(first[0])).filter(|mean| *mean != 0.0)?;
-        let is_fourier = self.harmonics.basis == Basis::Fourier;
+        let mean = Some(self.harmonics.basis.mean(first[0])).filter(|mean| *mean != 0.0)?;
         let value = |order: &Order, which: usize| match (order.order, which) {
             (0, 0) => 1.0,
             // Order 0 is one number.
@@ -170,11 +172,25 @@ impl<'a> Draw<'a> {
             let point = |o: &Order| [o.order as f64, value(o, which)];
             self.orders.iter().map(point).collect()
         };
-        let word = |order: &Order, which: usize| match (order.order, is_fourier) {
-            (0, true) => format!("a0 = {}, twice the mean", figure(of(order)[0])),
-            (0, false) => format!("c0 = {}, the mean", figure(of(order)[0])),
-            (n, true) => format!("{}{n} = {}", ["a", "b"][which], figure(of(order)[which])),
-            (n, false) => format!("c{} = {}", 2 * n - 1 + which, figure(of(order)[which])),
+        let basis = self.harmonics.basis;
+        let word = |order: &Order, which: usize| match order.order {
+            0 => {
+                let is_mean = basis.mean(1.0) == 1.0;
+                let what = if is_mean {
+                    "the mean"
+                } else {
+                    "twice the mean"
+                };
+                format!(
+                    "{} = {}, {what}",
+                    basis.number_name(0),
+                    figure(of(order)[0])
+                )
+            }
+            n => {
+                let name = basis.number_name(2 * n - 1 + which);
+                format!("{name} = {}", figure(of(order)[which]))
+            }
         };
         let notes = |which: usize| self.orders.iter().map(|o| word(o, which)).collect();
         let [name, second] = self.names();
@@ -182,14 +198,6 @@ impl<'a> Draw<'a> {
             Series::bars(name, Ink::Smooth, 0.72, points(0)).with_notes(notes(0)),
             Series::stems(second, Ink::Spikes, points(1), Vec::new()).with_notes(notes(1)),
         ])
-    }
-
-    /// The mean of a series, from its first coefficient.
-    fn mean(&self, first: f64) -> f64 {
-        match self.harmonics.basis {
-            Basis::Fourier => first / 2.0,
-            Basis::Cosine => first,
-        }
     }
 
     /// The exact value of the channel, where shares of it mean something.
@@ -220,9 +228,10 @@ impl<'a> Draw<'a> {
 
     /// What the bars count, and what the two kinds of numbers are.
     fn unit_of_mean(&self) -> &'static str {
-        match self.harmonics.basis {
-            Basis::Fourier => "multiples of its mean (a cosine, b sine)",
-            Basis::Cosine => "multiples of its mean",
+        if self.harmonics.basis == Basis::Fourier {
+            "multiples of its mean (a cosine, b sine)"
+        } else {
+            "multiples of its mean"
         }
     }
 
@@ -240,9 +249,9 @@ impl<'a> Draw<'a> {
     /// Eq. 10 as open forms over the exact bars, as multiples of the exact mean.
     fn fitted(&self, k: usize) -> Option<[Series; 2]> {
         let first = self.orders.first()?;
-        let mean = self.mean(first.weights[k][0]);
+        let mean = self.harmonics.basis.mean(first.weights[k][0]);
         // Eq. 10 counts the whole bells: a range that cuts them is none of its business.
-        let bells = self.mean(first.gaussian?[k][0]) / mean;
+        let bells = self.harmonics.basis.mean(first.gaussian?[k][0]) / mean;
         if !WHOLE_BELLS.contains(&bells) {
             return None;
         }

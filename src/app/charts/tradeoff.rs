@@ -1,4 +1,4 @@
-//! Error against numbers as charts: all eight ways, their Pareto front, and what the threshold
+//! Error against numbers as charts: all ways, their Pareto front, and what the threshold
 //! changes.
 
 use super::spectrum::{by_program, source_of};
@@ -107,10 +107,7 @@ pub fn origin(about: &About) -> Vec<String> {
 impl WaysShown {
     /// Whether the lines of a way are drawn.
     pub fn shows(&self, way: FitVariant) -> bool {
-        let basis = match way.basis {
-            Basis::Fourier => self.fourier,
-            Basis::Cosine => self.cosine,
-        };
+        let basis = self.bases[way.basis];
         let spikes = if way.spikes {
             self.with_spikes
         } else {
@@ -130,14 +127,23 @@ pub fn way_name(way: FitVariant) -> String {
     way.title().replace("colour-exact", "exact")
 }
 
+/// Colours and points of each basis, in the order of [`Basis::ALL`]: plain and colour-exact.
+const MARKS: [[(Ink, Shape); 2]; Basis::ALL.len()] = [
+    [(Ink::Smooth, Shape::Dot), (Ink::Residual, Shape::Square)],
+    [
+        (Ink::Spikes, Shape::Triangle),
+        (Ink::Product, Shape::Diamond),
+    ],
+];
+
+/// Colour of a basis.
+pub(super) fn ink(basis: Basis) -> Ink {
+    MARKS[basis as usize][0].0
+}
+
 /// Colour and point of a way: hue and form tell basis and fit, the dash tells spikes.
 pub fn looks(way: FitVariant) -> (Ink, Shape, Dash) {
-    let (ink, shape) = match (way.basis, way.colour_exact) {
-        (Basis::Fourier, false) => (Ink::Smooth, Shape::Dot),
-        (Basis::Fourier, true) => (Ink::Residual, Shape::Square),
-        (Basis::Cosine, false) => (Ink::Spikes, Shape::Triangle),
-        (Basis::Cosine, true) => (Ink::Product, Shape::Diamond),
-    };
+    let (ink, shape) = MARKS[way.basis as usize][usize::from(way.colour_exact)];
     let dash = if way.spikes {
         Dash::Solid
     } else {
@@ -374,10 +380,7 @@ pub fn needs(
 
 /// A model within a sentence: "cosine, colour-exact, order 4, 3 spikes".
 fn way_words(point: &SweepPoint) -> String {
-    let basis = match point.way.basis {
-        Basis::Fourier => "Fourier",
-        Basis::Cosine => "cosine",
-    };
+    let basis = point.way.basis.name();
     let fit = if point.way.colour_exact {
         ", colour-exact"
     } else {

@@ -137,6 +137,7 @@ mod tests {
             open,
             tint::{Whiteness, whiteness},
         },
+        color::quality::EFFICACY,
         spectrum::{Kind, NamedSpectrum, Sampled},
     };
 
@@ -260,7 +261,7 @@ mod tests {
             made("short", 380.0, 1.0, flat(780)),
             made("long", 380.0, 1.0, flat(830)),
         ];
-        let efficacy = |side: &Side| *side.figures.luminous_efficacy.as_ref().unwrap();
+        let efficacy = |side: &Side| side.figures.single(&EFFICACY).unwrap();
         assert!(efficacy(&sides[0]) > 1.1 * efficacy(&sides[1]));
         let found = Compared::of(sides);
         for key in ["energy", "plants"] {

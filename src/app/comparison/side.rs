@@ -5,7 +5,9 @@ use crate::{
         quality_report::light_of,
         tint::{Whiteness, whiteness},
     },
-    color::quality::{Figures, Light, NoFigure, Rendering, luminous_efficacy, photons_per_100_lx},
+    color::quality::{
+        Figures, Light, NoFigure, Rendering, SP_RATIO, luminous_efficacy, photons_per_100_lx,
+    },
     spectrum::{Band, NamedSpectrum},
 };
 
@@ -98,8 +100,8 @@ impl Side {
 
     /// The ratio of scotopic to photopic light.
     pub(super) fn sp_ratio(&self) -> Result<f64, String> {
-        let found = self.figures.sp_ratio.as_ref();
-        self.known("S/P ratio", found.copied())
+        let found = self.figures.single(&SP_RATIO);
+        self.known("S/P ratio", found.as_ref().copied())
     }
 
     /// Luminous efficacy of the radiation in the range of both lights, lm/W.

@@ -18,7 +18,7 @@ use crate::{
     },
     color::{Adaptation, Srgb, Swatch, Xyz, delta_e_of_xyz, xyz_from_reflectance},
     design::recover::{
-        LineLight, MetamerBand, Method, Recovered, Seen, Told, Viewing, metamers, told,
+        Deviation, LineLight, MetamerBand, Method, Recovered, Seen, Viewing, deviation, metamers,
     },
     spectrum::Sampled,
 };
@@ -214,7 +214,7 @@ pub struct ColourSheet {
     /// Under other lights.
     pub under: Vec<Under>,
     /// How well the colour tells the surface that it started from.
-    pub told: Option<Told>,
+    pub told: Option<Deviation>,
 }
 
 impl ColourSheet {
@@ -242,7 +242,7 @@ impl ColourSheet {
         let lights = &*LIGHTS;
         let told = measured.map(|measured| {
             let pairs: Vec<_> = lights.iter().map(|(_, t, v)| (t, v)).collect();
-            told(&smoothest, measured, &pairs)
+            deviation(&smoothest, measured, &pairs)
         });
         let under = lights
             .iter()

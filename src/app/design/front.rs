@@ -10,7 +10,7 @@ use crate::{
     design::{
         SampleTables,
         mixture::Source,
-        solve::{Against, FrontPoint, FrontWish, front},
+        solve::{Against, FrontPoint, FrontProblem, front},
     },
     study::Progress,
 };
@@ -19,8 +19,8 @@ use crate::{
 const POINTS: usize = 12;
 
 /// The front that a wish asks for; `None` without a colour.
-pub fn front_ask(wish: &MixWish, document: &Document) -> Option<FrontWish> {
-    Some(FrontWish {
+pub fn front_ask(wish: &MixWish, document: &Document) -> Option<FrontProblem> {
+    Some(FrontProblem {
         target: wish.target(document).ok()?,
         against: wish.against,
         lines: wish.lines,
@@ -29,7 +29,7 @@ pub fn front_ask(wish: &MixWish, document: &Document) -> Option<FrontWish> {
     })
 }
 
-impl Question for FrontWish {
+impl Question for FrontProblem {
     type Answer = Result<Vec<FrontPoint>, String>;
 
     /// The front, or why there is none; `None` when it was cancelled.
@@ -71,7 +71,7 @@ pub fn lines_words(point: &FrontPoint) -> String {
 }
 
 /// The front in a sentence.
-pub fn sentence(points: &[FrontPoint], ask: &FrontWish) -> String {
+pub fn sentence(points: &[FrontPoint], ask: &FrontProblem) -> String {
     let name = figure_name(ask.against);
     let told = |point: &FrontPoint| {
         let value = ask.against.of(&point.figures);
@@ -99,7 +99,7 @@ mod tests {
     fn a_point_of_the_front_on_the_desk_has_the_figures_of_the_point() {
         let mut app = App::new();
         let ask = front_ask(&MixWish::default(), app.document()).expect("a colour");
-        let ask = FrontWish { points: 2, ..ask };
+        let ask = FrontProblem { points: 2, ..ask };
         let found = ask.answer(&Progress::default()).expect("not cancelled");
         let points = found.expect("a front");
         assert!(sentence(&points, &ask).contains("3 lines"));

@@ -15,7 +15,7 @@ use crate::{
     design::{
         SampleTables,
         mixture::{Channel, MixError},
-        solve::{Against, Care, FREE_LINES, Floors, Mixer, Objective, Solution, Target, Wish},
+        solve::{Against, Care, FREE_LINES, Floors, Mixer, Objective, Problem, Solution, Target},
     },
     spectrum::Outside,
 };
@@ -187,9 +187,9 @@ impl Solved {
         let alike = wish.light.as_ref().filter(|_| wish.alike);
         let alike = alike.and_then(|key| table_of(document, key));
         let alike = alike.map(|light| light.on_whole_nm(FIRST_NM, LAST_NM, Outside::Zero));
-        let solution = mixer.solve(&Wish {
+        let solution = mixer.solve(&Problem {
             target: Some(target),
-            favour: wish.favour,
+            objective: wish.favour,
             floors: wish.floors,
             alike: alike.as_deref(),
             care,

@@ -34,4 +34,4 @@ pub use rainbow::{RainbowShown, sky};
 pub use ranges::STOPS;
 pub use sent::Sent;
 pub use strip::Colours;
-pub use substance::{ABBES, INDICES, Substance, is_index, material_of, own_indices, stuff_title};
+pub use substance::{ABBES, INDICES, Substance, is_index, material_of, own_indices};

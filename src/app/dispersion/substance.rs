@@ -70,7 +70,7 @@ impl Substance {
     /// In words for people.
     pub fn title(&self, app: &App) -> String {
         match self {
-            Self::Shipped(stuff) => stuff_title(*stuff).to_owned(),
+            Self::Shipped(stuff) => stuff.title().to_owned(),
             Self::Own { index } => app.entry(index).map_or_else(
                 || "an index that is not open".to_owned(),
                 |entry| material_name(&entry.spectrum).to_owned(),
@@ -122,20 +122,6 @@ impl Substance {
             },
             other => other,
         }
-    }
-}
-
-/// A material in words for people.
-pub fn stuff_title(stuff: BuiltinMaterial) -> &'static str {
-    match stuff {
-        BuiltinMaterial::Diamond => "diamond",
-        BuiltinMaterial::Zirconia => "cubic zirconia",
-        BuiltinMaterial::Sapphire => "sapphire",
-        BuiltinMaterial::NBk7 => "N-BK7, crown glass",
-        BuiltinMaterial::NSf11 => "N-SF11, heavy flint glass",
-        BuiltinMaterial::NSf10 => "N-SF10, flint glass",
-        BuiltinMaterial::Silica => "fused silica",
-        BuiltinMaterial::Water => "water",
     }
 }
 

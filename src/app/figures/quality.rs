@@ -1,9 +1,11 @@
 //! Figures of light quality, of measured lights and of models, and where JSON has them.
 
+use std::sync::LazyLock;
+
 use super::{Figure, NUMBER, Unit, Words, reading, unit};
 use crate::{
     app::{tint, verdicts},
-    color::quality::{Figures, NoFigure, Radiometric},
+    color::quality::{Figures, NoFigure, Radiometric, SINGLES, Single},
     io::Quantity,
 };
 
@@ -19,7 +21,6 @@ const OF_SSI: Words = "SMPTE ST 2122, 375-675 nm";
 const OF_SHAPE: Words = "on whole nm, 360-830";
 const OHNO: Words = "Ohno 2013, CIE 1960 uv, c2 = 1.4388e-2 m K";
 const HUE: Words = "from E, CIE 1931 locus of 1 nm; complementary negative";
-const SP: Words = "1700.06 sum(P V') / 683.002 sum(P V)";
 const PPFD: Words = "photons of 400-700 nm (ePPFD 400-750), both ends in";
 const MEASURED: Words = "683.002 sum(P V) of the values in their own unit";
 const XYZ: Words = "CIE 1931, Y = 100";
@@ -28,6 +29,13 @@ const UV: Words = "CIE 1976 chromaticity u', v'";
 
 /// A figure of light quality, or why there is none.
 type OfLight = fn(&Figures) -> Result<f64, NoFigure>;
+
+/// The source of a value.
+#[derive(Clone, Copy, Debug)]
+enum Of {
+    Figures(OfLight),
+    Single(&'static Single),
+}
 
 /// A figure of light quality and how it is computed.
 #[derive(Clone, Copy, Debug)]
@@ -42,9 +50,8 @@ pub struct QualityFigure {
     pub measured_as: fn(&Quantity) -> Option<f64>,
     /// Lights that the figure is of.
     pub applies: fn(&Figures) -> bool,
-    pub of: OfLight,
-    /// Meaning of a value in plain words, empty where there is nothing to add.
-    pub reading: fn(&Figures, f64) -> String,
+    of: Of,
+    reading: fn(&Figures, f64) -> String,
 }
 
 /// A row: key, title and unit; decimals, method, value.
@@ -69,12 +76,28 @@ const fn row(
         is_detail: false,
         measured_as: |_| None,
         applies: |_| true,
-        of,
+        of: Of::Figures(of),
         reading: |_, _| String::new(),
     }
 }
 
 impl QualityFigure {
+    /// The value, or why there is none.
+    pub fn value(&self, figures: &Figures) -> Result<f64, NoFigure> {
+        match self.of {
+            Of::Figures(of) => of(figures),
+            Of::Single(single) => figures.single(single),
+        }
+    }
+
+    /// Meaning of a value in plain words, empty where there is nothing to add.
+    pub fn reading(&self, figures: &Figures, value: f64) -> String {
+        match self.of {
+            Of::Figures(_) => (self.reading)(figures, value),
+            Of::Single(single) => reading::of_single(single)(value),
+        }
+    }
+
     const fn json(self, json: &'static [Words]) -> Self {
         Self { json, ..self }
     }
@@ -164,7 +187,34 @@ const PHOTONS: Unit = of_unit("µmol/(m² s)", " µmol/(m² s)");
 const LUX: Unit = of_unit("lx", " lx");
 
 /// Every figure of light quality, in the order of a report.
-pub static OF_QUALITY: &[QualityFigure] = &[
+pub static OF_QUALITY: LazyLock<Vec<QualityFigure>> = LazyLock::new(|| {
+    let before = BEFORE_SINGLES.iter().copied();
+    let all: &'static [Single] = &SINGLES;
+    let singles = all.iter().map(single);
+    let behind = BEHIND_SINGLES.iter().copied();
+    before.chain(singles).chain(behind).collect()
+});
+
+/// The row of a figure of one number.
+fn single(single: &'static Single) -> QualityFigure {
+    let unit = match single.unit {
+        "" => Unit::NONE,
+        // Once a program and figure.
+        sign => of_unit(sign, Box::leak(format!(" {sign}").into_boxed_str())),
+    };
+    let names = [single.key, single.title];
+    let row = row(names, unit, single.digits, single.method, |_| {
+        Err(NoFigure::LeftOut(""))
+    });
+    QualityFigure {
+        of: Of::Single(single),
+        json: std::slice::from_ref(&single.key),
+        ..row
+    }
+}
+
+/// The figures before those of one number.
+static BEFORE_SINGLES: &[QualityFigure] = &[
     place("", 3, XYZ, |f| Ok(f.xyz.clone()?.x)).json(&["xyz"]),
     place("", 3, XYZ, |f| Ok(f.xyz.clone()?.y)).json(&["xyz"]),
     place("", 3, XYZ, |f| Ok(f.xyz.clone()?.z)).json(&["xyz"]),
@@ -272,20 +322,10 @@ pub static OF_QUALITY: &[QualityFigure] = &[
     row(["tlci", "TLCI"], Unit::NONE, 0, "EBU R 137", |_| {
         Err(NoFigure::LeftOut(TLCI))
     }),
-    row(
-        ["ler", "Luminous efficacy of radiation"],
-        of_unit("lm/W", " lm/W"),
-        1,
-        "683 sum(P V) / sum(P), 360-830 nm",
-        |f| f.luminous_efficacy.clone(),
-    )
-    .json(&["ler"])
-    .read(|_, lumens| reading::of_efficacy(lumens)),
-    row(["sp_ratio", "S/P ratio"], Unit::NONE, 2, SP, |f| {
-        f.sp_ratio.clone()
-    })
-    .json(&["sp_ratio"])
-    .read(|_, ratio| reading::of_sp(ratio)),
+];
+
+/// The figures behind those of one number.
+static BEHIND_SINGLES: &[QualityFigure] = &[
     ratio::<0>(["s_cone", "S-cone-opic DER"]).json(&["alphaopic.s_cone"]),
     ratio::<1>(["m_cone", "M-cone-opic DER"]).json(&["alphaopic.m_cone"]),
     ratio::<2>(["l_cone", "L-cone-opic DER"]).json(&["alphaopic.l_cone"]),

@@ -5,7 +5,10 @@ use crate::{
     app::{tint, verdicts},
     color::{
         Cct,
-        quality::{Figures, RENDERING_NAMES, Rendering, diagram::quadrangle_of, sample_names},
+        quality::{
+            EFFICACY, Figures, RENDERING_NAMES, Rendering, SP_RATIO, Single,
+            diagram::quadrangle_of, sample_names,
+        },
     },
 };
 
@@ -67,7 +70,16 @@ pub(super) fn of_rf(rf: f64, samples: &[f64]) -> String {
     }
 }
 
-pub(super) fn of_efficacy(lumens: f64) -> String {
+/// The words of a figure of one number; none where nobody has written any.
+pub(super) fn of_single(single: &Single) -> fn(f64) -> String {
+    match single.key {
+        key if key == EFFICACY.key => of_efficacy,
+        key if key == SP_RATIO.key => of_sp,
+        _ => |_| String::new(),
+    }
+}
+
+fn of_efficacy(lumens: f64) -> String {
     format!(
         "{:.0} % of the 683 lm/W that are possible",
         100.0 * lumens / 683.0
@@ -78,7 +90,7 @@ pub(super) fn of_melanopic(der: f64) -> String {
     format!("has {der:.2} times the melanopic light of D65 at the same lux")
 }
 
-pub(super) fn of_sp(ratio: f64) -> String {
+fn of_sp(ratio: f64) -> String {
     match ratio {
         r if r < 1.0 => "little for eyes adapted to the dark",
         r if r < 2.0 => "like most lamps for eyes adapted to the dark",

@@ -14,7 +14,7 @@ use crate::{
         SampleTables,
         mixture::{Channel, Source, Spec, mixed},
         recover::{Method, Recovered, Seen, Viewing},
-        solve::{Mixer, Objective, Target, Wish},
+        solve::{Mixer, Objective, Problem, Target},
     },
     spectrum::{Kind, NamedSpectrum, Sampled},
 };
@@ -129,10 +129,10 @@ fn mixture(
         known.ok_or_else(|| format!("found favour {word}, expected one of {}", all()))
     });
     let favour = favour.transpose()?.unwrap_or_default();
-    let wish = Wish {
+    let wish = Problem {
         target: Some(Target::of_light(&like.spectrum.samples).map_err(found)?),
-        favour,
-        ..Wish::default()
+        objective: favour,
+        ..Problem::default()
     };
     let mixer = Mixer::new(&channels, SampleTables::shipped()).map_err(found)?;
     let solution = mixer.solve(&wish);

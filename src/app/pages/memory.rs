@@ -1,6 +1,7 @@
 //! What each page remembers beside the document; not part of undo.
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::Value;
 
 use super::Page;
 use crate::{
@@ -14,6 +15,7 @@ use crate::{
         verdicts::HARD_TO_SEE,
     },
     lamps::NUMBERS,
+    spectrum::{Basis, PerBasis},
     study::{Goal, Measure},
 };
 
@@ -250,14 +252,13 @@ impl Default for WordsMemory {
     }
 }
 
-/// Which of the eight ways are drawn: a way is when all three of its choices are.
+/// Which ways are drawn: a way is when all three of its choices are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct WaysShown {
-    /// The periodic Fourier basis.
-    pub fourier: bool,
-    /// The half-range cosine basis.
-    pub cosine: bool,
+    /// The bases; in files each by its word.
+    #[serde(flatten, serialize_with = "by_word", deserialize_with = "of_words")]
+    pub bases: PerBasis<bool>,
     /// Models without spikes.
     pub without_spikes: bool,
     /// Models with spikes.
@@ -268,11 +269,21 @@ pub struct WaysShown {
     pub colour_exact: bool,
 }
 
+fn by_word<S: Serializer>(bases: &PerBasis<bool>, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(Basis::ALL.map(|basis| (basis.word(), bases[basis])))
+}
+
+/// One that is not said is shown.
+fn of_words<'de, D: Deserializer<'de>>(deserializer: D) -> Result<PerBasis<bool>, D::Error> {
+    let said = serde_json::Map::<String, Value>::deserialize(deserializer)?;
+    let is_shown = |basis: Basis| said.get(basis.word()).and_then(Value::as_bool);
+    Ok(PerBasis::of(|basis| is_shown(basis).unwrap_or(true)))
+}
+
 impl Default for WaysShown {
     fn default() -> Self {
         Self {
-            fourier: true,
-            cosine: true,
+            bases: PerBasis::of(|_| true),
             without_spikes: true,
             with_spikes: true,
             plain: true,
@@ -282,16 +293,16 @@ impl Default for WaysShown {
 }
 
 impl WaysShown {
-    /// The same with both of a pair where neither was chosen: there is always something drawn.
+    /// The same with all of a choice where none was chosen: there is always something drawn.
     #[must_use]
     pub fn clamped(self) -> Self {
         let both = |a: bool, b: bool| if a || b { (a, b) } else { (true, true) };
-        let (fourier, cosine) = both(self.fourier, self.cosine);
+        let none = Basis::ALL.iter().all(|basis| !self.bases[*basis]);
+        let bases = PerBasis::of(|basis| none || self.bases[basis]);
         let (without_spikes, with_spikes) = both(self.without_spikes, self.with_spikes);
         let (plain, colour_exact) = both(self.plain, self.colour_exact);
         Self {
-            fourier,
-            cosine,
+            bases,
             without_spikes,
             with_spikes,
             plain,

@@ -40,7 +40,7 @@ fn of(name: &str, figures: &Figures, all: bool) -> Value {
     let mut found = Found::default();
     for row in OF_QUALITY.iter().filter(|row| all || !row.is_detail) {
         let applies = (row.applies)(figures);
-        let value = applies.then(|| (row.of)(figures));
+        let value = applies.then(|| row.value(figures));
         for path in row.json {
             let others = OF_QUALITY.iter().filter(|row| row.json.contains(path));
             let is_list = others.filter(|row| (row.applies)(figures)).count() > 1;

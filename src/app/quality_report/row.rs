@@ -32,11 +32,11 @@ pub fn rows(figures: &Figures) -> Vec<Row> {
     let of_this = shown.filter(|row| (row.applies)(figures));
     of_this
         .map(|row| {
-            let value = (row.of)(figures);
+            let value = row.value(figures);
             Row {
                 figure: &row.figure,
                 reading: match &value {
-                    Ok(value) => (row.reading)(figures, *value),
+                    Ok(value) => row.reading(figures, *value),
                     Err(_) => String::new(),
                 },
                 value: value.map_err(|why| why.to_string()),

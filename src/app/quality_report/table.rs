@@ -33,7 +33,7 @@ pub fn light_row(sheet: &Sheet) -> LightRow<'_> {
 /// Lights with their figures, and behind them those of their models.
 pub fn lights_table<'a>(lights: impl IntoIterator<Item = LightRow<'a>>) -> Table {
     let number = |row: &QualityFigure, figures: &Figures| match (row.applies)(figures) {
-        true => (row.of)(figures).ok(),
+        true => row.value(figures).ok(),
         false => None,
     };
     let mut columns =

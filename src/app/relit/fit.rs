@@ -17,8 +17,8 @@ use crate::{
     color::{Xyz, adapted, delta_e_2000, lab_from_xyz, srgb::WHITE},
     io::many::many,
     pictures::{
-        Between, Kernel, Light, Operator, PictureError, Plan, ReferenceKind, Relit, Spread, Tally,
-        Trust, Verdict, plan_of, relit_into,
+        Between, Illuminant, Kernel, Operator, PictureError, Plan, ReferenceKind, Relit, Spread,
+        Tally, Trust, Verdict, plan_of, relit_into,
     },
     spectrum::quantile,
     study::Progress,
@@ -145,7 +145,7 @@ const FINEST: usize = 40;
 
 impl TurnAsk {
     /// The light, or the mixture of both.
-    fn light(&self) -> Light {
+    fn light(&self) -> Illuminant {
         let light = light_of(&self.light.0);
         let second = self.second.as_ref();
         let mixed = second.and_then(|(second, percent)| {

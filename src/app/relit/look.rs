@@ -9,8 +9,8 @@ use crate::{
     color::Observer,
     io::many::many,
     pictures::{
-        Asked, BOUND_RMS, Bands, Choice, InMemory, Light, OfImage, PictureError, Pixels, Plan,
-        ReferenceKind, Scene, Survey, Weighting, Wish, WishedLines, choose,
+        Asked, BOUND_RMS, Bands, Choice, FixedSettings, Illuminant, InMemory, LineChoice, OfImage,
+        PictureError, Pixels, Plan, ReferenceKind, Scene, Survey, Weighting, choose,
     },
     spectrum::SpectralImage,
     study::Progress,
@@ -44,7 +44,7 @@ pub struct LookAsk {
     /// What is enough: 95 % of the differences (ΔE₀₀) are within.
     pub bound: f64,
     /// What is not left to the choice of reference and lines.
-    pub wish: Wish,
+    pub wish: FixedSettings,
     /// Whether a reflectance's numbers are weighed by the colours under many lights.
     pub weighted: bool,
 }
@@ -70,14 +70,14 @@ pub struct Looked {
     /// Own light, observer and weighting.
     pub base: Plan,
     /// What was not left to the choice.
-    pub wish: Wish,
+    pub wish: FixedSettings,
     /// The light that fell on it.
-    pub known: Option<Light>,
+    pub known: Option<Illuminant>,
 }
 
 /// A light of the library as pictures take it.
-pub(super) fn light_of(entry: &Entry) -> Light {
-    Light::new(entry.name(), &entry.spectrum.samples)
+pub(super) fn light_of(entry: &Entry) -> Illuminant {
+    Illuminant::new(entry.name(), &entry.spectrum.samples)
 }
 
 impl LookAsk {
@@ -106,7 +106,7 @@ impl LookAsk {
         let own = memory.own.as_deref().and_then(|key| app.entry(key));
         Self {
             own: own.filter(|_| !ask.asks_for_light()).map(ByAddress),
-            wish: Wish {
+            wish: FixedSettings {
                 reference: reference.filter(can_be),
                 ..ask.wish
             },
@@ -136,7 +136,7 @@ impl LookAsk {
                 let image = &image.0;
                 let pixels = OfImage::new(image, false)?;
                 let named = (image.name.clone(), image.unit.clone());
-                self.found(&pixels, named, pixels.said().to_vec(), known, progress)
+                self.found(&pixels, named, pixels.notes().to_vec(), known, progress)
             }
         }
     }
@@ -146,7 +146,7 @@ impl LookAsk {
         pixels: &dyn Pixels,
         (name, unit): (String, String),
         mut said: Vec<String>,
-        known: Option<Light>,
+        known: Option<Illuminant>,
         progress: &Progress,
     ) -> Result<Looked, PictureError> {
         let bands = pixels.bands();
@@ -159,7 +159,7 @@ impl LookAsk {
         };
         let with = (&base, &wish);
         let choice = choose(bands, &survey, known.as_ref(), with, asked, progress)?;
-        said.extend(choice.said.iter().cloned());
+        said.extend(choice.notes.iter().cloned());
         let step = step(pixels);
         Ok(Looked {
             ask: self.clone(),
@@ -189,9 +189,9 @@ impl LookAsk {
     }
 
     /// The wish, without lines that this picture has no bands for: they may be another picture's.
-    fn wish_within(&self, bands: &Bands, said: &mut Vec<String>) -> Wish {
+    fn wish_within(&self, bands: &Bands, said: &mut Vec<String>) -> FixedSettings {
         let mut wish = self.wish.clone();
-        if let WishedLines::At(places) = &mut wish.lines {
+        if let LineChoice::At(places) = &mut wish.lines {
             let [first, last] = [bands.nm()[0], bands.nm()[bands.len() - 1]];
             places.retain(|nm| {
                 let is_within = (first..=last).contains(nm);

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::pictures::{BOUND_P95, MOST_NUMBERS, Wish, WishedLines};
+use crate::pictures::{BOUND_P95, FixedSettings, LineChoice, MOST_NUMBERS};
 
 /// What stands large on the page.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -71,7 +71,7 @@ pub struct RelitMemory {
     /// What is enough: 95 % of the differences (ΔE₀₀) are within.
     pub bound: f64,
     /// What multiplies the series, and which lines there are.
-    pub wish: Wish,
+    pub wish: FixedSettings,
     /// Whether a reflectance's numbers are weighed by the colours under many lights.
     pub weighted: bool,
     /// Whether the series itself stands between bands, not a straight line.
@@ -96,7 +96,7 @@ impl Default for RelitMemory {
             own: None,
             numbers: None,
             bound: BOUND_P95,
-            wish: Wish::default(),
+            wish: FixedSettings::default(),
             weighted: true,
             between_series: false,
             second: None,
@@ -112,7 +112,7 @@ impl RelitMemory {
     /// Every value moved to the nearest one that is allowed.
     #[must_use]
     pub fn clamped(mut self) -> Self {
-        if let WishedLines::At(places) = &mut self.wish.lines {
+        if let LineChoice::At(places) = &mut self.wish.lines {
             places.retain(|nm| LINES_NM.contains(nm));
             places.truncate(MOST_LINES);
         }
@@ -145,9 +145,9 @@ mod tests {
             second_percent: 400,
             split: f32::NAN,
             bound: f64::NAN,
-            wish: Wish {
-                lines: WishedLines::At(vec![f64::NAN, 546.1, -3.0]),
-                ..Wish::default()
+            wish: FixedSettings {
+                lines: LineChoice::At(vec![f64::NAN, 546.1, -3.0]),
+                ..FixedSettings::default()
             },
             ..RelitMemory::default()
         };
@@ -155,7 +155,7 @@ mod tests {
         assert_eq!(sound.numbers, Some(MOST_NUMBERS));
         assert_eq!((sound.second_percent, sound.split), (100, 0.5));
         assert_eq!(sound.bound, BOUND_P95);
-        assert_eq!(sound.wish.lines, WishedLines::At(vec![546.1]));
+        assert_eq!(sound.wish.lines, LineChoice::At(vec![546.1]));
         let usual = RelitMemory::default();
         assert_eq!(usual.clone().clamped(), usual);
     }

@@ -13,7 +13,8 @@ use crate::{
     },
     color::Observer,
     pictures::{
-        Between, InMemory, Light, Pixels, ReferenceKind, Scene, Verdict, Wish, WishedLines,
+        Between, FixedSettings, Illuminant, InMemory, LineChoice, Pixels, ReferenceKind, Scene,
+        Verdict,
     },
     spectrum::{
         Cube, Kind, SpectralImage,
@@ -28,7 +29,7 @@ const SIZE: [usize; 2] = [24, 16];
 fn image(lit: Option<&str>) -> Subject {
     let [width, height] = SIZE;
     let nm: Vec<f64> = (0..31).map(|i| 400.0 + 10.0 * f64::from(i)).collect();
-    let lights: Vec<Light> = lit.and_then(Light::named).into_iter().collect();
+    let lights: Vec<Illuminant> = lit.and_then(Illuminant::named).into_iter().collect();
     let scene = match lit {
         Some(_) => Scene::lit(width, height, nm.clone(), &lights),
         None => Scene::reflectance(width, height, nm.clone()),
@@ -68,20 +69,20 @@ where
 }
 
 fn fit(subject: Subject, taken_under: Option<&str>, numbers: Option<usize>) -> ByAddress<Fit> {
-    fit_with(subject, taken_under, numbers, Wish::default())
+    fit_with(subject, taken_under, numbers, FixedSettings::default())
 }
 
 fn fit_with(
     subject: Subject,
     taken_under: Option<&str>,
     numbers: Option<usize>,
-    wish: Wish,
+    wish: FixedSettings,
 ) -> ByAddress<Fit> {
     let looked = answered(&look(subject, taken_under, wish));
     answered(&FitAsk { looked, numbers })
 }
 
-fn look(subject: Subject, taken_under: Option<&str>, wish: Wish) -> LookAsk {
+fn look(subject: Subject, taken_under: Option<&str>, wish: FixedSettings) -> LookAsk {
     let entry = taken_under.map(|key| App::new().entry(key).expect("shipped"));
     LookAsk {
         subject,
@@ -252,9 +253,9 @@ fn what_was_in_the_dark_is_not_shown_in_another_light() {
 #[test]
 fn reference_and_lines_by_hand_are_what_is_kept() {
     let subject = image(Some("FL11"));
-    let by_hand = Wish {
+    let by_hand = FixedSettings {
         reference: Some(ReferenceKind::Mean),
-        lines: WishedLines::At(vec![545.0, 611.0, 900.0]),
+        lines: LineChoice::At(vec![545.0, 611.0, 900.0]),
     };
     let fit = fit_with(subject.clone(), Some(FL11), Some(9), by_hand);
     let plan = fit.0.operator.plan();
@@ -266,9 +267,9 @@ fn reference_and_lines_by_hand_are_what_is_kept() {
     let said = fit.0.looked.0.said.join(" ");
     assert!(said.contains("The line at 900 nm is left out"), "{said}");
     assert_eq!(fit.0.looked.0.numbers(), [5, 30]);
-    let none = Wish {
+    let none = FixedSettings {
         reference: Some(ReferenceKind::One),
-        lines: WishedLines::None,
+        lines: LineChoice::None,
     };
     let bare = fit_with(subject, Some(FL11), Some(9), none);
     let plan = bare.0.operator.plan();
@@ -281,9 +282,9 @@ fn reference_and_lines_by_hand_are_what_is_kept() {
 #[test]
 fn the_light_of_another_picture_is_not_asked_for() {
     let memory = RelitMemory {
-        wish: Wish {
+        wish: FixedSettings {
             reference: Some(ReferenceKind::Light),
-            ..Wish::default()
+            ..FixedSettings::default()
         },
         ..RelitMemory::default()
     };
@@ -325,7 +326,7 @@ fn own_colour_is_exact_under_the_light_that_is_chosen_for_it() {
         own: Some(ByAddress(entry)),
         bound: 2.0,
         weighted: false,
-        ..look(image(None), None, Wish::default())
+        ..look(image(None), None, FixedSettings::default())
     };
     let looked = answered(&ask);
     let words = fewer(&looked.0);

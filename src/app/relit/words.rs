@@ -147,7 +147,7 @@ pub fn peer_rows(peers: &[Peer]) -> (Rows, String) {
             number(lights.map(|s| s.mean)),
             number(lights.map(|s| s.p95)),
             number(error.map(|e| 100.0 * e.relative_rms)),
-            peer.said.clone(),
+            peer.description.clone(),
         ]
     });
     (rows.collect(), nearest(peers))

@@ -46,7 +46,7 @@ impl About {
             values: self.subject.0.on_band(self.band),
             under: self.under.as_ref().map(|light| light.0.on_band(self.band)),
             spikes: self.spikes,
-            bell: None,
+            profile: None,
         }
     }
 }

@@ -23,7 +23,7 @@ use std::{
 
 use super::{document::Document, memo::ByAddress, pages::FieldChoice, tables::CURVE_ORDER};
 use crate::{
-    lamps::bell,
+    lamps::own_profile,
     spectrum::{Basis, Kind},
     study::{
         Auction, Goal, ManyLights, Progress, Race, Subject, Sweep,
@@ -134,7 +134,7 @@ impl Question for AuctionAsk {
 
     fn answer(&self, progress: &Progress) -> Option<Auction> {
         let subject = Subject {
-            bell: Some(bell),
+            profile: Some(own_profile),
             ..self.about.subject()
         };
         auction::hold(&subject, self.terms, progress)

@@ -33,9 +33,8 @@ pub(crate) struct Encode {
     /// 380:780].
     #[arg(long, value_name = "MIN:MAX", allow_hyphen_values = true, value_parser = words::range)]
     pub range: Option<Band>,
-    /// Colour-matching functions: 1931, 1964, 2015-2, 2015-10, or a file of three functions of
-    /// wavelength: x, y, z or a camera's red, green, blue [default: 1931].
-    #[arg(long, value_name = "OBSERVER", value_parser = words::observer)]
+    #[arg(long, value_name = "OBSERVER", value_parser = words::observer,
+        help = words::observer_help())]
     pub observer: Option<Observer>,
     /// Print JSON; its keys are stable.
     #[arg(long)]

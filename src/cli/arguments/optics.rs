@@ -20,9 +20,8 @@ pub(crate) struct Prism {
     /// preset's name (FL2, "CIE D65") or group/name.
     #[arg(value_name = "INPUT")]
     pub input: OsString,
-    /// The glass: diamond, zirconia, sapphire, n-bk7, n-sf11, n-sf10, silica, water, two numbers
-    /// n_d,V_d or a file of refractiveindex.info (.yml).
-    #[arg(long, value_name = "MATERIAL", default_value = "n-sf11")]
+    #[arg(long, value_name = "MATERIAL", default_value = "n-sf11",
+        help = words::material_help("The glass"))]
     pub material: OsString,
     /// Angle between both faces, degrees, above 0 and below 180.
     #[arg(long, value_name = "DEGREES", default_value = "60",
@@ -120,9 +119,8 @@ pub(crate) struct Gem {
     #[arg(long, value_name = "NM", conflicts_with = "light",
         allow_hyphen_values = true, value_parser = room_words::finite)]
     pub wavelength: Option<f64>,
-    /// What it is made of: diamond, zirconia, sapphire, n-bk7, n-sf11, n-sf10, silica, water, two
-    /// numbers n_d,V_d or a file of refractiveindex.info (.yml).
-    #[arg(long, value_name = "MATERIAL", default_value = "diamond")]
+    #[arg(long, value_name = "MATERIAL", default_value = "diamond",
+        help = words::material_help("The stone"))]
     pub material: OsString,
     #[command(flatten)]
     pub cut: CutOptions,

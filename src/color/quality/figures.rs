@@ -5,13 +5,13 @@ use crate::color::{
 };
 
 use super::{
+    SINGLES, Single,
     absolute::{Absolute, Measured, absolute},
     alpha_opic::{AlphaOpic, alpha_opic},
     dominant::{Dominant, dominant},
     fidelity::{Fidelity, fidelity},
     light::{FIRST_NM, LAST_NM, Light, POINTS, positive},
     no_figure::NoFigure,
-    photometry::{luminous_efficacy, sp_ratio},
     photons::{PhotonsPer100Lx, photons_per_100_lx},
     reference::DAYLIGHT_TO_K,
     rendering::{Rendering, rendering},
@@ -34,12 +34,10 @@ pub struct Figures {
     pub rendering: Result<Rendering, NoFigure>,
     /// TM-30.
     pub fidelity: Result<Fidelity, NoFigure>,
-    /// Luminous efficacy of radiation, lm/W.
-    pub luminous_efficacy: Result<f64, NoFigure>,
     /// Dominant wavelength and purity.
     pub dominant: Result<Dominant, NoFigure>,
-    /// S/P ratio.
-    pub sp_ratio: Result<f64, NoFigure>,
+    /// Those of one number, as [`SINGLES`].
+    singles: [Result<f64, NoFigure>; SINGLES.len()],
     /// Alpha-opic ratios.
     pub alpha_opic: Result<AlphaOpic, NoFigure>,
     /// Photons that come with 100 lx.
@@ -81,8 +79,7 @@ impl Figures {
             dominant: xy[0].clone().and_then(dominant),
             rendering: cct.clone().and_then(|cct| rendering(light, cct)),
             fidelity: cct.clone().and_then(|cct| fidelity(light, cct)),
-            luminous_efficacy: luminous_efficacy(light),
-            sp_ratio: sp_ratio(light),
+            singles: SINGLES.map(|single| (single.of)(light)),
             alpha_opic: alpha_opic(light),
             photons: photons_per_100_lx(light),
             similarity: similarity(light, cct.clone().map(|cct| cct.kelvin)),
@@ -95,6 +92,22 @@ impl Figures {
         };
         figures.notes = figures.noted(light);
         figures
+    }
+
+    /// Every figure of one number.
+    pub(crate) fn singles(
+        &self,
+    ) -> impl Iterator<Item = (&'static Single, &Result<f64, NoFigure>)> {
+        let all: &'static [Single] = &SINGLES;
+        all.iter().zip(&self.singles)
+    }
+
+    /// A figure of one number.
+    pub(crate) fn single(&self, wanted: &Single) -> Result<f64, NoFigure> {
+        let is_it = |(single, _): &(&Single, _)| single.key == wanted.key;
+        let found = self.singles().find(is_it);
+        let (_, number) = found.unwrap_or_else(|| panic!("{} is not in SINGLES", wanted.key));
+        number.clone()
     }
 
     fn noted(&self, light: &Light) -> Vec<String> {
@@ -215,6 +228,7 @@ fn cct_of(xyz: &Result<Xyz, NoFigure>) -> Result<Cct, NoFigure> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::color::quality::SP_RATIO;
     use crate::spectrum::{Line, Sampled};
 
     #[test]
@@ -239,7 +253,10 @@ mod tests {
         let (a, b) = (exact.xy[0].clone().unwrap(), narrow.xy[0].clone().unwrap());
         // The triangle's mean distance from its middle is 3e-4 nm, and the locus moves 0.01 a nm.
         assert!((a[0] - b[0]).abs() < 1e-5 && (a[1] - b[1]).abs() < 1e-5);
-        let (a, b) = (exact.sp_ratio.unwrap(), narrow.sp_ratio.unwrap());
+        let (a, b) = (
+            exact.single(&SP_RATIO).unwrap(),
+            narrow.single(&SP_RATIO).unwrap(),
+        );
         assert!((a / b - 1.0).abs() < 1e-4);
     }
 }

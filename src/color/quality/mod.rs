@@ -15,6 +15,7 @@
 //! photons      PPFD and ePPFD per 100 lx
 //! dominant     dominant and complementary wavelength, purity
 //! similarity   SSI (SMPTE ST 2122)
+//! single       figures that are one number, each in the file of its quantity
 //! sprague      the interpolation of CRI's test colours
 //! test_colours test colours under a light
 //! shape        peak, centroid, width at half height
@@ -42,6 +43,7 @@ mod reference;
 mod rendering;
 mod shape;
 mod similarity;
+mod single;
 mod sprague;
 mod test_colours;
 mod weight;
@@ -59,7 +61,9 @@ pub use fidelity::fidelity;
 pub use figures::{FewFigures, Figures};
 pub use light::{Light, POINTS};
 pub use no_figure::{Dark, NoFigure};
-pub(crate) use photometry::{LUMENS_PER_WATT, LUMENS_PER_WATT_ROUNDED, luminous_efficacy};
+pub(crate) use photometry::{
+    EFFICACY, LUMENS_PER_WATT, LUMENS_PER_WATT_ROUNDED, SP_RATIO, luminous_efficacy,
+};
 pub(crate) use photons::{JOULE_NM_PER_MICROMOLE, photons_per_100_lx};
 #[cfg(test)]
 pub(crate) use reference::daylight_xy;
@@ -67,3 +71,7 @@ pub use reference::{Reference, fidelity_reference};
 pub(crate) use reference::{daylight, daylight_factors, planck, rendering_reference};
 pub use rendering::rendering;
 pub use shape::shape;
+pub(crate) use single::Single;
+
+/// Every figure that is one number, in the order of reports.
+pub(crate) const SINGLES: [Single; 2] = [EFFICACY, SP_RATIO];

@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 use super::{
     light::{Light, positive},
     no_figure::NoFigure,
+    single::Single,
     weight::Weight,
 };
 
@@ -17,6 +18,26 @@ pub(crate) const LUMENS_PER_WATT_ROUNDED: f64 = 683.0;
 
 /// The largest efficacy of scotopic vision, lm/W.
 const SCOTOPIC_LUMENS_PER_WATT: f64 = 1700.06;
+
+/// Luminous efficacy of radiation.
+pub(crate) const EFFICACY: Single = Single {
+    key: "ler",
+    title: "Luminous efficacy of radiation",
+    unit: "lm/W",
+    digits: 1,
+    method: "683 sum(P V) / sum(P), 360-830 nm",
+    of: luminous_efficacy,
+};
+
+/// Scotopic over photopic.
+pub(crate) const SP_RATIO: Single = Single {
+    key: "sp_ratio",
+    title: "S/P ratio",
+    unit: "",
+    digits: 2,
+    method: "1700.06 sum(P V') / 683.002 sum(P V)",
+    of: sp_ratio,
+};
 
 const SUM_WITH_V: &str = "sum with V(λ)";
 
@@ -33,7 +54,7 @@ pub(crate) fn luminous_efficacy(light: &Light) -> Result<f64, NoFigure> {
 ///
 /// # Errors
 /// [`NoFigure`] when there is no light or nothing of it is seen by day.
-pub(crate) fn sp_ratio(light: &Light) -> Result<f64, NoFigure> {
+fn sp_ratio(light: &Light) -> Result<f64, NoFigure> {
     let photopic = luminous_sum(light.lit()?)?;
     Ok(SCOTOPIC_LUMENS_PER_WATT * SCOTOPIC.sum(light) / (LUMENS_PER_WATT * photopic))
 }

@@ -40,8 +40,8 @@ pub(crate) use picture::PictureCount;
 #[cfg(test)]
 pub(crate) use picture::spectral_cube;
 pub use picture::{ColourPicture, Encoded, spectral_rows, usual_bands};
-pub(crate) use prediction::{Prediction, Told};
-pub use prediction::{predictions, told};
+pub(crate) use prediction::{Deviation, Prediction};
+pub use prediction::{deviation, predictions};
 pub(crate) use recovered::Nearest;
 pub use recovered::{Recovered, Seen, metamers};
 #[cfg(test)]

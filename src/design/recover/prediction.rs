@@ -37,7 +37,7 @@ pub fn predictions(
 
 /// Error of a recovered reflectance against the real one whose colour it was made from.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Told {
+pub struct Deviation {
     /// Root of the mean squared difference over the whole nm of 380-780.
     pub rms: f64,
     /// CIEDE2000 under each light of the list; `None` without light.
@@ -45,7 +45,11 @@ pub struct Told {
 }
 
 /// Compares a recovered reflectance with a measured one, as numbers and under other lights.
-pub fn told(recovered: &Recovered, measured: &Sampled, lights: &[(&Sampled, &Viewing)]) -> Told {
+pub fn deviation(
+    recovered: &Recovered,
+    measured: &Sampled,
+    lights: &[(&Sampled, &Viewing)],
+) -> Deviation {
     let table = recovered.reflectance.sampled();
     let made = table.on_band(BAND, Outside::Hold);
     let real = measured.on_band(BAND, Outside::Hold);
@@ -57,7 +61,7 @@ pub fn told(recovered: &Recovered, measured: &Sampled, lights: &[(&Sampled, &Vie
             delta_e_of_xyz(real, recovered.reflectance.xyz(viewing), viewing.white())
         })
         .collect();
-    Told {
+    Deviation {
         rms: (squares / BAND.points() as f64).sqrt(),
         delta_e,
     }

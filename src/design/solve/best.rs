@@ -4,8 +4,8 @@ use super::{
     interior::{Interior, Limit, Reached},
     part::Part,
     polytope::Polytope,
+    problem::{Care, Floors, Objective, Problem},
     solution::{Best, Mixer},
-    wish::{Care, Floors, Objective, Wish},
 };
 use crate::design::{
     programme::End,
@@ -40,18 +40,18 @@ fn limits(within: &Polytope, floors: Floors) -> Vec<Limit> {
         (floors.ra, Objective::Ra, &|floor| Against::Ra.mean(floor)),
         (floors.rf, Objective::Rf, &|floor| Against::Rf.mean(floor)),
     ];
-    let one = |(floor, favour, most): Floor| {
-        let (part, most) = (part_of(within, favour), most(eased(floor?)));
+    let one = |(floor, objective, most): Floor| {
+        let (part, most) = (part_of(within, objective), most(eased(floor?)));
         most.is_finite().then_some(Limit { part, most })
     };
     all.into_iter().filter_map(one).collect()
 }
 
-/// The number that a favour makes small.
-fn part_of(within: &Polytope, favour: Objective) -> Part {
+/// The number that a objective makes small.
+fn part_of(within: &Polytope, objective: Objective) -> Part {
     let sum =
         |of: &dyn Fn(&[f64; BASIC]) -> f64| Part::Sum(within.columns.iter().map(of).collect());
-    match favour {
+    match objective {
         Objective::Ler | Objective::Fewest => sum(&|sums| sums[4]),
         Objective::Melanopic => sum(&|sums| -sums[3] / *MELANOPIC_OF_D65),
         Objective::Ra => Part::Mean(Against::Ra),
@@ -60,11 +60,11 @@ fn part_of(within: &Polytope, favour: Objective) -> Part {
 }
 
 impl Mixer<'_> {
-    /// The mixtures of free channels of the wished colour and its linear floors.
-    pub(super) fn possible(&self, free: &[usize], wish: &Wish<'_>) -> Result<Polytope, End> {
-        let target = wish.target.ok_or(End::Impossible)?.xyz() * 0.01;
+    /// The mixtures of free channels of the colour asked for and its linear floors.
+    pub(super) fn possible(&self, free: &[usize], problem: &Problem<'_>) -> Result<Polytope, End> {
+        let target = problem.target.ok_or(End::Impossible)?.xyz() * 0.01;
         let sums: Vec<[f64; BASIC]> = free.iter().map(|i| self.sums[*i].basic).collect();
-        let Floors { ler, melanopic, .. } = wish.floors;
+        let Floors { ler, melanopic, .. } = problem.floors;
         let [ler, melanopic] = [ler, melanopic].map(|floor| floor.map(eased));
         let fixed = self.fixed_sums().basic;
         Polytope::new(&sums, fixed, target.to_array(), ler, melanopic)
@@ -75,7 +75,7 @@ impl Mixer<'_> {
         &self,
         within: &Polytope,
         free: &[usize],
-        wish: &Wish<'_>,
+        problem: &Problem<'_>,
         scales: &Scales,
     ) -> Option<Reached> {
         let mut fixed = Sums::default();
@@ -83,21 +83,26 @@ impl Mixer<'_> {
         fixed.add(&whole, 1.0 / whole.basic[4]);
         let mut sums: Vec<&Sums> = free.iter().map(|i| &self.sums[*i]).collect();
         sums.extend(within.least_fixed.is_some().then_some(&fixed));
-        let starts = match wish.care {
+        let starts = match problem.care {
             Care::Quick => 1,
             Care::Full => STARTS,
         };
-        let limits = limits(within, wish.floors);
-        let goal = part_of(within, wish.favour);
+        let limits = limits(within, problem.floors);
+        let goal = part_of(within, problem.objective);
         Interior::new(within, sums, scales, starts).best(&goal, &limits)
     }
 
     /// The best of a set of channels for what is favoured; `None` where none keeps the floors.
-    fn of_set(&self, set: &[usize], wish: &Wish<'_>, scales: Option<&Scales>) -> Option<Vec<f64>> {
-        let within = self.possible(set, wish).ok()?;
+    fn of_set(
+        &self,
+        set: &[usize],
+        problem: &Problem<'_>,
+        scales: Option<&Scales>,
+    ) -> Option<Vec<f64>> {
+        let within = self.possible(set, problem).ok()?;
         let unknowns = match scales {
-            Some(scales) if wish.floors.of_samples() => {
-                let found = self.by_samples(&within, set, wish, scales)?;
+            Some(scales) if problem.floors.of_samples() => {
+                let found = self.by_samples(&within, set, problem, scales)?;
                 (found.missing <= 0.0).then_some(found.unknowns)?
             }
             _ => within.most_lumens().ok()?,
@@ -105,15 +110,15 @@ impl Mixer<'_> {
         Some(self.spread(set, &within.weights(&unknowns)))
     }
 
-    /// The fewest channels that meet the wish, by efficacy among those.
+    /// The fewest channels that meet the problem, by efficacy among those.
     pub(super) fn fewest(
         &self,
-        wish: &Wish<'_>,
+        problem: &Problem<'_>,
         free: &[usize],
         scales: Option<&Scales>,
     ) -> Option<Best> {
         // More channels are never worse: what all cannot do is not looked for among fewer.
-        let all = self.of_set(free, wish, scales)?;
+        let all = self.of_set(free, problem, scales)?;
         let mut looked = 0;
         for count in 0..=free.len() {
             let mut best: Option<(f64, Vec<f64>)> = None;
@@ -122,10 +127,10 @@ impl Mixer<'_> {
                 looked += 1;
                 if looked > MOST_SETS {
                     let found = best.map_or(all, |(_, weights)| weights);
-                    return Some(self.fewer(found, free, wish, scales));
+                    return Some(self.fewer(found, free, problem, scales));
                 }
                 let chosen: Vec<usize> = set.iter().map(|i| free[*i]).collect();
-                if let Some(weights) = self.of_set(&chosen, wish, scales) {
+                if let Some(weights) = self.of_set(&chosen, problem, scales) {
                     let efficacy = self.summed(&weights).efficacy();
                     if best.as_ref().is_none_or(|(most, _)| efficacy > *most) {
                         best = Some((efficacy, weights));
@@ -148,7 +153,7 @@ impl Mixer<'_> {
         &self,
         mut weights: Vec<f64>,
         free: &[usize],
-        wish: &Wish<'_>,
+        problem: &Problem<'_>,
         scales: Option<&Scales>,
     ) -> Best {
         let lit = |weights: &[f64]| -> Vec<usize> {
@@ -161,7 +166,7 @@ impl Mixer<'_> {
             let without = |out: &usize| {
                 let mut rest: Vec<usize> = now.iter().copied().filter(|i| i != out).collect();
                 rest.sort_unstable();
-                self.of_set(&rest, wish, scales)
+                self.of_set(&rest, problem, scales)
             };
             match now.iter().find_map(without) {
                 Some(found) => weights = found,

@@ -29,7 +29,7 @@ const LEAST_WORTH: f64 = -1e5;
 
 /// Specification of a front.
 #[derive(Clone, Debug, PartialEq)]
-pub struct FrontWish {
+pub struct FrontProblem {
     /// The colour of every light.
     pub target: Target,
     /// The figure.
@@ -72,29 +72,31 @@ pub(crate) const FREE_LINES: std::ops::RangeInclusive<usize> = 2..=8;
 /// [`MixError::Channels`] for a number of lines that is not of `FREE_LINES`, [`MixError::Target`]
 /// for a colour without a temperature (no figure) or outside of what lines can show.
 pub fn front(
-    wish: &FrontWish,
+    problem: &FrontProblem,
     tables: &SampleTables,
     progress: &Progress,
 ) -> Result<Option<Vec<FrontPoint>>, MixError> {
-    if !FREE_LINES.contains(&wish.lines) {
-        return Err(MixError::Channels { found: wish.lines });
+    if !FREE_LINES.contains(&problem.lines) {
+        return Err(MixError::Channels {
+            found: problem.lines,
+        });
     }
     let refused = |expected: &str| MixError::Target {
-        found: wish.target.to_string(),
+        found: problem.target.to_string(),
         expected: expected.to_owned(),
     };
-    let xyz = wish.target.xyz();
+    let xyz = problem.target.xyz();
     let scales = Scales::new(xyz, tables).ok_or_else(|| {
         refused("a colour near the blackbody locus, where Ra and Rf have a meaning")
     })?;
     let target = (xyz * 0.01).to_array();
-    let search = LineSearch::new(RANGE_NM, target, wish.against, tables, &scales);
+    let search = LineSearch::new(RANGE_NM, target, problem.against, tables, &scales);
     let brightest = brightest(target).and_then(|lines| search.judged(&lines, 0.0, true));
     let course = Course {
         brightest: brightest
             .ok_or_else(|| refused("a colour that lines of 400-700 nm can show"))?,
         search,
-        wish,
+        problem,
         progress,
     };
     let Some(found) = course.lights() else {
@@ -104,13 +106,13 @@ pub fn front(
     let mut points: Vec<FrontPoint> = worthy
         .map(|(floor, light)| point(*floor, light, tables))
         .collect();
-    if wish.floors.is_none() {
+    if problem.floors.is_none() {
         points.sort_by(|a, b| a.figures.ler.total_cmp(&b.figures.ler));
         points.dedup_by(|a, b| a.lines == b.lines);
         let mut best = f64::NEG_INFINITY;
         let mut unbeaten: Vec<FrontPoint> = Vec::new();
         for point in points.into_iter().rev() {
-            let figure = wish.against.of(&point.figures).unwrap_or(LEAST_WORTH);
+            let figure = problem.against.of(&point.figures).unwrap_or(LEAST_WORTH);
             if figure > best {
                 best = figure;
                 unbeaten.push(point);
@@ -130,18 +132,18 @@ struct Course<'a> {
     search: LineSearch<'a>,
     /// The light of the greatest efficacy.
     brightest: Light,
-    wish: &'a FrontWish,
+    problem: &'a FrontProblem,
     progress: &'a Progress,
 }
 
 impl Course<'_> {
     fn points(&self) -> usize {
-        self.wish.points.clamp(2, 100)
+        self.problem.points.clamp(2, 100)
     }
 
     /// The floors asked for, or even ones from the efficacy of the best light to the greatest.
     fn floors(&self, lowest: f64, greatest: f64) -> Vec<f64> {
-        self.wish.floors.clone().unwrap_or_else(|| {
+        self.problem.floors.clone().unwrap_or_else(|| {
             let points = self.points();
             // The last floor leaves rounding room below what only two lines reach.
             let last = greatest - 1e-3;
@@ -152,11 +154,11 @@ impl Course<'_> {
 
     /// The best light that is found at each floor.
     fn lights(&self) -> AtFloors {
-        let floors = self.wish.floors.as_ref().map_or(self.points(), Vec::len);
+        let floors = self.problem.floors.as_ref().map_or(self.points(), Vec::len);
         self.progress
-            .expect(1 + 2 * (self.wish.lines - 1) * (1 + floors));
+            .expect(1 + 2 * (self.problem.lines - 1) * (1 + floors));
         let net = |count| net_of(&self.search, count, self.progress);
-        let nets: Vec<Net> = (2..=self.wish.lines.min(3))
+        let nets: Vec<Net> = (2..=self.problem.lines.min(3))
             .map(net)
             .collect::<Option<_>>()?;
         self.progress.step();
@@ -172,13 +174,13 @@ impl Course<'_> {
     /// then from what other floors found.
     fn at_floors(&self, nets: &[Net], floors: &[f64]) -> Option<Vec<Option<Light>>> {
         let indices: Vec<usize> = (0..floors.len()).collect();
-        let bright = Some(&self.brightest).filter(|light| light.lines.len() <= self.wish.lines);
+        let bright = Some(&self.brightest).filter(|light| light.lines.len() <= self.problem.lines);
         let allowed = |floor: &f64| bright.filter(|light| light.ler >= *floor);
         let begun = floors.iter().map(allowed);
         let mut all: Vec<Vec<Light>> = begun
             .map(|light| light.into_iter().cloned().collect())
             .collect();
-        for count in 2..=self.wish.lines {
+        for count in 2..=self.problem.lines {
             let grown = |index: &usize| {
                 let (floor, before) = (floors[*index], &all[*index]);
                 let mut starts: Vec<Light> = Vec::new();

@@ -1,9 +1,9 @@
-//! Weights of channels for a wish.
+//! Weights of channels for a problem.
 
 use super::{
     figures::MixFigures,
     polytope::Polytope,
-    wish::{Floors, Objective, Wish},
+    problem::{Floors, Objective, Problem},
 };
 use crate::{
     color::{uv_1976_from_xyz, xyz::POINTS},
@@ -17,7 +17,7 @@ use crate::{
     },
 };
 
-/// Channels weighed for a wish.
+/// Channels weighed for a problem.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
     /// Power of each channel; Y = 100 for the whole where nothing is fixed.
@@ -32,7 +32,7 @@ pub struct Solution {
     pub why: String,
 }
 
-/// Weights for a wish, and what is to be known of how they were found.
+/// Weights for a problem, and what is to be known of how they were found.
 #[derive(Debug)]
 pub(super) struct Best {
     pub(super) weights: Vec<f64>,
@@ -88,32 +88,32 @@ impl<'a> Mixer<'a> {
         self.sums.iter().map(colour).collect()
     }
 
-    /// Weights for a wish.
-    pub fn solve(&self, wish: &Wish<'_>) -> Solution {
-        let Some(target) = wish.target else {
-            return self.told(self.fixed_or(1.0), wish, None);
+    /// Weights for a problem.
+    pub fn solve(&self, problem: &Problem<'_>) -> Solution {
+        let Some(target) = problem.target else {
+            return self.described(self.fixed_or(1.0), problem, None);
         };
         let free = self.free();
-        let colour = Wish {
+        let colour = Problem {
             floors: Floors::default(),
-            ..*wish
+            ..*problem
         };
         let all = match self.possible(&free, &colour) {
             Ok(all) => all,
-            Err(end) => return self.nearest(wish, end),
+            Err(end) => return self.nearest(problem, end),
         };
-        if let Some(alike) = wish.alike {
-            return self.alike(wish, alike);
+        if let Some(alike) = problem.alike {
+            return self.alike(problem, alike);
         }
         let scales = Scales::new(target.xyz(), self.tables);
-        match self.favoured(&all, &free, wish, scales.as_ref()) {
+        match self.favoured(&all, &free, problem, scales.as_ref()) {
             Ok(best) => {
-                let mut solution = self.told(best.weights, wish, None);
+                let mut solution = self.described(best.weights, problem, None);
                 let note = best.note.iter();
                 note.for_each(|note| solution.why = format!("{}; {note}", solution.why));
                 solution
             }
-            Err(end) => self.nearest(wish, end),
+            Err(end) => self.nearest(problem, end),
         }
     }
 
@@ -122,33 +122,33 @@ impl<'a> Mixer<'a> {
         &self,
         all: &Polytope,
         free: &[usize],
-        wish: &Wish<'_>,
+        problem: &Problem<'_>,
         scales: Option<&Scales>,
     ) -> Result<Best, End> {
         let spread =
             |within: &Polytope, unknowns: &[f64]| self.spread(free, &within.weights(unknowns));
-        let within = match self.possible(free, wish) {
+        let within = match self.possible(free, problem) {
             Ok(within) => within,
-            Err(End::Impossible) if wish.floors.ler.is_some() => {
+            Err(End::Impossible) if problem.floors.ler.is_some() => {
                 return Ok(spread(all, &all.most_lumens()?).into());
             }
             Err(End::Impossible) => return Ok(spread(all, &all.most_melanopic()?).into()),
             Err(end) => return Err(end),
         };
-        if wish.favour == Objective::Fewest
-            && let Some(found) = self.fewest(wish, free, scales)
+        if problem.objective == Objective::Fewest
+            && let Some(found) = self.fewest(problem, free, scales)
         {
             return Ok(found);
         }
-        let by_samples =
-            matches!(wish.favour, Objective::Ra | Objective::Rf) || wish.floors.of_samples();
+        let by_samples = matches!(problem.objective, Objective::Ra | Objective::Rf)
+            || problem.floors.of_samples();
         if by_samples
             && let Some(scales) = scales
-            && let Some(found) = self.by_samples(&within, free, wish, scales)
+            && let Some(found) = self.by_samples(&within, free, problem, scales)
         {
             return Ok(spread(&within, &found.unknowns).into());
         }
-        let unknowns = match wish.favour {
+        let unknowns = match problem.objective {
             Objective::Melanopic => within.most_melanopic(),
             _ => within.most_lumens(),
         };
@@ -201,27 +201,27 @@ impl<'a> Mixer<'a> {
     }
 
     /// The mixture nearest to a light in the least squares, of exactly the target's colour.
-    fn alike(&self, wish: &Wish<'_>, alike: &[f64]) -> Solution {
+    fn alike(&self, problem: &Problem<'_>, alike: &[f64]) -> Solution {
         let free = self.free();
-        let found = match self.matched(&free, wish, alike) {
+        let found = match self.matched(&free, problem, alike) {
             Ok(found) => found,
-            Err(end) => return self.nearest(wish, end),
+            Err(end) => return self.nearest(problem, end),
         };
         let mut weights = self.fixed_or(0.0);
         free.iter().zip(&found).for_each(|(i, w)| weights[*i] = *w);
-        let nearest = self.told(weights, wish, None);
-        if nearest.reached || wish.floors == Floors::default() {
+        let nearest = self.described(weights, problem, None);
+        if nearest.reached || problem.floors == Floors::default() {
             return nearest;
         }
-        self.up_to_floors(wish, nearest)
+        self.up_to_floors(problem, nearest)
     }
 
     /// The mixture on the way from the nearest to a light to the best within the floors that meets
     /// them first: both have the colour, so all between them have.
-    fn up_to_floors(&self, wish: &Wish<'_>, nearest: Solution) -> Solution {
-        let best = self.solve(&Wish {
+    fn up_to_floors(&self, problem: &Problem<'_>, nearest: Solution) -> Solution {
+        let best = self.solve(&Problem {
             alike: None,
-            ..*wish
+            ..*problem
         });
         if !best.reached {
             return best;
@@ -233,7 +233,7 @@ impl<'a> Mixer<'a> {
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..12 {
             let middle = 0.5 * (low + high);
-            if self.told(between(middle), wish, None).reached {
+            if self.described(between(middle), problem, None).reached {
                 high = middle;
             } else {
                 low = middle;
@@ -243,7 +243,7 @@ impl<'a> Mixer<'a> {
             "colour and floors are met; the nearest spectrum alone is not enough: {}",
             nearest.why
         );
-        self.told(between(high), wish, Some(why))
+        self.described(between(high), problem, Some(why))
     }
 
     /// Weights of free channels nearest to a light (471 values) at the target's Y = 100.
@@ -251,8 +251,13 @@ impl<'a> Mixer<'a> {
     /// # Errors
     /// [`End::Impossible`] where the colour cannot be met or the light has none, [`End::Stuck`]
     /// where the search ended without an answer.
-    fn matched(&self, free: &[usize], wish: &Wish<'_>, alike: &[f64]) -> Result<Vec<f64>, End> {
-        let target = wish.target.ok_or(End::Impossible)?.xyz();
+    fn matched(
+        &self,
+        free: &[usize],
+        problem: &Problem<'_>,
+        alike: &[f64],
+    ) -> Result<Vec<f64>, End> {
+        let target = problem.target.ok_or(End::Impossible)?.xyz();
         let y = basic_sums(alike)[1];
         if alike.len() != POINTS || y.is_nan() || y <= 0.0 {
             return Err(End::Impossible);
@@ -273,9 +278,9 @@ impl<'a> Mixer<'a> {
     }
 
     /// The mixture nearest to a target that cannot be met, for the reason given.
-    fn nearest(&self, wish: &Wish<'_>, end: End) -> Solution {
+    fn nearest(&self, problem: &Problem<'_>, end: End) -> Solution {
         let free = self.free();
-        let uv = wish.target.map(|t| t.uv()).unwrap_or_default();
+        let uv = problem.target.map(|t| t.uv()).unwrap_or_default();
         let (fixed, colours) = (self.fixed_sums(), self.colours());
         let mut rows: Vec<[f64; 3]> = free.iter().map(|i| colours[*i]).collect();
         // What is fixed is a channel of its own, without which nothing may be.
@@ -286,12 +291,12 @@ impl<'a> Mixer<'a> {
         let found = nearest_mix(&rows, uv, 100.0);
         let Some(found) = found else {
             let why = "no channel has a colour".to_owned();
-            return self.told(vec![0.0; self.channels.len()], wish, Some(why));
+            return self.described(vec![0.0; self.channels.len()], problem, Some(why));
         };
         let mut weights = self.fixed_or(0.0);
         if is_fixed && found.weights[free.len()] <= 0.0 {
             let why = "the fixed channels keep it from the target".to_owned();
-            return self.told(weights, wish, Some(why));
+            return self.described(weights, problem, Some(why));
         }
         let scale = if is_fixed {
             1.0 / found.weights[free.len()]
@@ -312,16 +317,21 @@ impl<'a> Mixer<'a> {
             // Nothing is known of what these channels can do.
             _ => format!("not solved: {end}"),
         };
-        let mut solution = self.told(weights, wish, Some(why));
+        let mut solution = self.described(weights, problem, Some(why));
         solution.reached = false;
         solution
     }
 
     /// A solution with its figures; without a reason of its own it tells what is met.
-    pub(super) fn told(&self, weights: Vec<f64>, wish: &Wish<'_>, why: Option<String>) -> Solution {
+    pub(super) fn described(
+        &self,
+        weights: Vec<f64>,
+        problem: &Problem<'_>,
+        why: Option<String>,
+    ) -> Solution {
         let figures = self.figures(&weights);
         let found = figures.xyz.and_then(uv_1976_from_xyz);
-        let distance = wish.target.zip(found).map(|(target, [u, v])| {
+        let distance = problem.target.zip(found).map(|(target, [u, v])| {
             let [tu, tv] = target.uv();
             (u - tu).hypot(v - tv)
         });
@@ -337,17 +347,17 @@ impl<'a> Mixer<'a> {
                 }
             }
         };
-        check("Rf", wish.floors.rf, figures.rf);
-        check("Ra", wish.floors.ra, figures.ra);
-        check("LER", wish.floors.ler, Some(figures.ler));
+        check("Rf", problem.floors.rf, figures.rf);
+        check("Ra", problem.floors.ra, figures.ra);
+        check("LER", problem.floors.ler, Some(figures.ler));
         check(
             "melanopic DER",
-            wish.floors.melanopic,
+            problem.floors.melanopic,
             Some(figures.melanopic_der),
         );
-        let met = wish.target.is_none() || distance.is_some_and(|d| d < 1e-6);
-        let has_floors = wish.floors != Floors::default();
-        let plain = || match (wish.target.is_some(), has_floors) {
+        let met = problem.target.is_none() || distance.is_some_and(|d| d < 1e-6);
+        let has_floors = problem.floors != Floors::default();
+        let plain = || match (problem.target.is_some(), has_floors) {
             _ if !missing.is_empty() => format!("the best found has {}", missing.join(", ")),
             (true, true) => "colour and floors are met".to_owned(),
             (true, false) => "the colour is met".to_owned(),

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! {"format": "composite-spectrum", "version": 1 | 2, "range_nm": [min, max],
-//!  "basis": "fourier" | "cosine",
+//!  "basis": the word of a `Basis`,
 //!  "coefficients": {"a": [N+1], "b": [N]} | {"c": [2N+1]},
 //!  "spikes": [{"at_nm", "weight", "fwhm_nm"}], "unit", "source", "name", "kind", "scale_in_force",
 //!  "written_by"}
@@ -158,7 +158,7 @@ fn composite_of(file: File, stem: &str) -> Result<CompositeFile, CompositeTextEr
         CompositeTextError::new(format!("range_nm [{min}, {max}]"), error.to_string())
     };
     let band = Band::new(min, max).map_err(off)?;
-    let coefficients = prefix_order(file.basis, file.coefficients)?;
+    let smooth = smooth_of(band, file.basis, file.coefficients)?;
     let has_widths = file.version == last;
     let lines = file.spikes.into_iter().map(|line| Line {
         at_nm: line.at_nm,
@@ -166,7 +166,7 @@ fn composite_of(file: File, stem: &str) -> Result<CompositeFile, CompositeTextEr
         fwhm_nm: line.fwhm_nm.filter(|_| has_widths).unwrap_or(0.0),
     });
     Ok(CompositeFile {
-        composite: checked(band, file.basis, coefficients, lines.collect())?,
+        composite: checked(smooth, lines.collect())?,
         unit: file.unit,
         source: file.source,
         name: match file.name.is_empty() {
@@ -177,30 +177,43 @@ fn composite_of(file: File, stem: &str) -> Result<CompositeFile, CompositeTextEr
     })
 }
 
-fn prefix_order(basis: Basis, coefficients: Coefficients) -> Result<Vec<f64>, CompositeTextError> {
+fn smooth_of(
+    band: Band,
+    basis: Basis,
+    coefficients: Coefficients,
+) -> Result<Series, CompositeTextError> {
     let Coefficients { a, b, c } = coefficients;
-    let expected = match (basis, a, b, c) {
-        (Basis::Cosine, None, None, Some(c)) => return Ok(c),
-        (Basis::Fourier, Some(a), b, None) => {
-            let b = b.unwrap_or_default();
-            // One sine less is a series whose last sine was dropped.
-            if a.is_empty() || (a.len() != b.len() + 1 && a.len() != b.len() + 2) {
-                let found = format!("{} numbers in a and {} in b", a.len(), b.len());
-                return Err(CompositeTextError::new(found, "one more in a than in b"));
-            }
-            let mut all = vec![a[0]];
-            let mut sines = b.iter();
-            for cosine in &a[1..] {
-                all.push(*cosine);
-                all.extend(sines.next());
-            }
-            return Ok(all);
-        }
-        (Basis::Cosine, ..) => "{\"c\": [...]}",
-        (Basis::Fourier, ..) => "{\"a\": [...], \"b\": [...]}",
-    };
-    let found = format!("other coefficients with the {} basis", basis.word());
-    Err(CompositeTextError::new(found, expected))
+    let found = [("a", a), ("b", b), ("c", c)];
+    let found = found
+        .into_iter()
+        .filter_map(|(name, list)| Some((name, list?)));
+    let found: Vec<(&str, Vec<f64>)> = found.collect();
+    let own = basis.lists();
+    let has_first = found.iter().any(|(name, _)| *name == own[0]);
+    if !has_first || found.iter().any(|(name, _)| !own.contains(name)) {
+        let lists: Vec<String> = own
+            .iter()
+            .map(|name| format!("\"{name}\": [...]"))
+            .collect();
+        let found = format!("other coefficients with the {} basis", basis.word());
+        return Err(CompositeTextError::new(
+            found,
+            format!("{{{}}}", lists.join(", ")),
+        ));
+    }
+    let lists: Vec<(&str, &[f64])> = found.iter().map(|(name, l)| (*name, &l[..])).collect();
+    // One number less in the last list is a series whose last number was dropped.
+    Series::from_lists(band, basis, &lists).ok_or_else(|| {
+        let counts = lists
+            .iter()
+            .map(|(name, list)| format!("{} in {name}", list.len()));
+        let found = format!("numbers: {}", counts.collect::<Vec<_>>().join(" and "));
+        let expected = match &own[1..] {
+            [] => "one at least".to_owned(),
+            others => format!("one more in {} than in {}", own[0], others.join(" and in ")),
+        };
+        CompositeTextError::new(found, expected)
+    })
 }
 
 /// The widest line that is believed, nm.
@@ -208,12 +221,8 @@ const WIDEST_NM: f64 = 1000.0;
 
 /// A composite of numbers that make sense: at least one coefficient and no more than the band
 /// carries, everything below 1e30 (so that derived values stay finite), lines on its range.
-pub(super) fn checked(
-    band: Band,
-    basis: Basis,
-    coefficients: Vec<f64>,
-    lines: Vec<Line>,
-) -> Result<Composite, CompositeTextError> {
+pub(super) fn checked(smooth: Series, lines: Vec<Line>) -> Result<Composite, CompositeTextError> {
+    let (band, coefficients) = (smooth.band, &smooth.coefficients);
     let odd = |found: String, expected: String| Err(CompositeTextError::new(found, expected));
     let mut widths = lines.iter().map(|line| line.fwhm_nm);
     if let Some(width) = widths.find(|width| !(0.0..=WIDEST_NM).contains(width)) {
@@ -245,11 +254,6 @@ pub(super) fn checked(
             return odd(format!("a line at {at_nm} nm"), expected);
         }
     }
-    let smooth = Series {
-        band,
-        basis,
-        coefficients,
-    };
     Ok(Composite::of_lines_inside(smooth, lines))
 }
 
@@ -268,11 +272,12 @@ pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
         let why = "found a coefficient or spike that is not finite, expected numbers";
         return Err(WriteError::new(name, why));
     }
-    let (ab, c) = match smooth.basis {
-        Basis::Fourier => (Some(smooth.a_b()), None),
-        Basis::Cosine => (None, Some(smooth.coefficients.clone())),
+    let mut lists = smooth.lists();
+    let mut list = |name: &str| {
+        let place = lists.iter().position(|(own, _)| *own == name)?;
+        Some(lists.swap_remove(place).1)
     };
-    let (a, b) = ab.unzip();
+    let [a, b, c] = ["a", "b", "c"].map(&mut list);
     let line = |line: &Line| LineJson {
         at_nm: line.at_nm,
         weight: line.weight,

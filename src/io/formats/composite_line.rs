@@ -11,7 +11,7 @@
 //! maximum of a Gaussian line in nm; it is written where a line has a width. Numbers are the shortest decimals that read back to the same bits. Unit, source, name
 //! and kind are not in the line: it is taken as a light unless chosen otherwise.
 
-use crate::spectrum::{Band, Basis, Composite, Kind, Line};
+use crate::spectrum::{Band, Basis, Composite, Kind, Line, Series};
 
 use super::composite_json::{CompositeTextError, checked, in_words};
 use super::{Confidence, Format};
@@ -107,7 +107,10 @@ pub fn parse(text: &str) -> Result<Composite, CompositeTextError> {
             return Err(CompositeTextError::new(found, expected));
         }
     };
-    let basis = Basis::from_word(basis).ok_or_else(|| odd("basis", basis, "fourier or cosine"))?;
+    let basis = Basis::from_word(basis).ok_or_else(|| {
+        let words = Basis::ALL.map(Basis::word).join(" or ");
+        odd("basis", basis, &words)
+    })?;
     let band = parse_range(range)?;
     let coefficients = coefficients
         .split_whitespace()
@@ -117,7 +120,7 @@ pub fn parse(text: &str) -> Result<Composite, CompositeTextError> {
         .split_whitespace()
         .map(|word| parse_spike(word, has_widths))
         .collect::<Result<_, _>>()?;
-    checked(band, basis, coefficients, spikes)
+    checked(Series::new(band, basis, coefficients), spikes)
 }
 
 fn finite(word: &str, expected: &str) -> Result<f64, CompositeTextError> {

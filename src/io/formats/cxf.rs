@@ -104,7 +104,7 @@ fn read_spectrum(
     // Counted from the file's start, so only where there is trouble.
     let at = || xml::line(node);
     let range = xml::attribute(node, "ColorSpecification").and_then(|id| ranges.get(id));
-    let told = |name: &str| {
+    let number = |name: &str| {
         xml::attribute(node, name).or_else(|| range.and_then(|r| xml::attribute(*r, name)))
     };
     let positive = |name: &str, text: &str| {
@@ -112,14 +112,14 @@ fn read_spectrum(
         let found = || format!("{name}={}", quoted(text));
         number.ok_or_else(|| input.error(found(), "a wavelength in nm").at_line(at()))
     };
-    let start = told("StartWL").ok_or_else(|| {
+    let start = number("StartWL").ok_or_else(|| {
         let found = format!("<{}> without StartWL", node.tag_name().name());
         let expected = "StartWL=\"nm\" there or in its ColorSpecification";
         input.error(found, expected).at_line(at())
     })?;
     let start = positive("StartWL", start)?;
     let mut notes = Vec::new();
-    let step = match told("Increment") {
+    let step = match number("Increment") {
         Some(text) => positive("Increment", text)?,
         None => {
             notes.push("no increment in the file: taken as 10 nm".to_owned());

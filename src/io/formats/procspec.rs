@@ -101,9 +101,9 @@ fn read_spectrum(
     // SpectraSuite names the quantity in the class of its processing: "Transmission", "Reflection",
     // "Absorbance", "Irradiance".
     let mut words = "yUnits yAxisLabel units processingName dataType".split(' ');
-    let said = words.find_map(|word| xml::named(root, word).find_map(|n| n.text()));
-    let said = said.map(str::trim).filter(|said| !said.is_empty());
-    let title = said.unwrap_or(title);
+    let stated = words.find_map(|word| xml::named(root, word).find_map(|n| n.text()));
+    let stated = stated.map(str::trim).filter(|stated| !stated.is_empty());
+    let title = stated.unwrap_or(title);
     let (scale, heading) = (Scale::new(&axis), Heading::default());
     let raw = RawSpectrum {
         title: title.to_owned(),

@@ -90,7 +90,7 @@ impl Meant {
     }
 
     /// The guesses about the values, or contradictions to the file, a sentence each.
-    pub(crate) fn said(&self) -> Vec<String> {
+    pub(crate) fn notes(&self) -> Vec<String> {
         let decisions = Decisions {
             axis: None,
             kind: self.kind.clone(),
@@ -122,7 +122,7 @@ pub(crate) fn add(raw: RawImage, choices: &Choices, reading: &mut Reading) {
     let meant = Meant::of(raw.known, chosen, || sample(&cube));
     let mut notes = vec![line_of(&cube, meant.kind.value)];
     notes.extend(raw.notes);
-    notes.extend(meant.said());
+    notes.extend(meant.notes());
     reading.notes.extend(notes.iter().cloned());
     let image = SpectralImage {
         name: raw.name,

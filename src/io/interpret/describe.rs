@@ -62,12 +62,12 @@ fn tell(spectrum: &mut NamedSpectrum, facts: Facts) -> String {
     let line = provenance(spectrum, &words);
     let of_reader = std::mem::take(&mut spectrum.notes);
     for remark in remarks {
-        let said = match remark {
+        let note = match remark {
             Remark::Line => Some(line.clone()),
             Remark::Before(note) if line.starts_with(&note) => None,
             other => other.words(&decisions),
         };
-        spectrum.notes.extend(said);
+        spectrum.notes.extend(note);
     }
     spectrum.notes.extend(of_reader);
     line

@@ -203,11 +203,11 @@ fn place(
     // vacuum alone.
     let in_vacuum = !unit.is_length() || axis::names_vacuum(&title) || heading.in_vacuum;
     let is_turned = in_vacuum && scale.tells_air_from_vacuum(unit);
-    let said = match is_turned {
+    let note = match is_turned {
         true => remark::TO_AIR,
         false => remark::KEPT_IN_VACUUM,
     };
-    notes.extend(in_vacuum.then(|| said.to_owned()));
+    notes.extend(in_vacuum.then(|| note.to_owned()));
     let reversals = match names_wavelength(&title) {
         true => curve::TRACED_REVERSALS,
         false => curve::MOST_REVERSALS,

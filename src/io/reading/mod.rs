@@ -170,9 +170,9 @@ impl Reading {
     /// may say so already.
     pub fn tell_holes(&mut self) {
         for spectrum in &mut self.spectra {
-            let mut told = hole_notes(&spectrum.samples);
-            told.retain(|note| !spectrum.notes.contains(note));
-            spectrum.notes.append(&mut told);
+            let mut holes = hole_notes(&spectrum.samples);
+            holes.retain(|note| !spectrum.notes.contains(note));
+            spectrum.notes.append(&mut holes);
         }
     }
 
@@ -249,12 +249,12 @@ fn hole_notes(samples: &Sampled) -> Vec<String> {
             share(&holes)
         )];
     }
-    let told = |hole: &[f64; 2]| {
+    let note = |hole: &[f64; 2]| {
         let [from, to] = hole.map(round3);
         let share = share(&[*hole]);
         format!("nothing measured between {from} and {to} nm, {share} % of the range")
     };
-    holes.iter().map(told).collect()
+    holes.iter().map(note).collect()
 }
 
 /// One line about a spectrum: grid, points, unit, and counts of what is odd.

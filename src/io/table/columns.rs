@@ -65,8 +65,8 @@ pub(crate) fn read_groups(
                 if named.is_none() {
                     no_single_points(file, table, group.axis)?;
                     let block = &mut table.block;
-                    let said = row_order::put_right(file.input, block, group.axis, &group.values)?;
-                    reading.notes.extend(said);
+                    let notes = row_order::put_right(file.input, block, group.axis, &group.values)?;
+                    reading.notes.extend(notes);
                 }
                 (table.block.rows(), named)
             }

@@ -18,7 +18,7 @@ pub(super) const FEWEST_WHOLE: usize = 3;
 pub(crate) struct Plain {
     pub text: String,
     /// The changes made to get it, in words.
-    pub said: String,
+    pub note: String,
     /// True if another reading is possible.
     pub is_doubtful: bool,
 }
@@ -237,7 +237,7 @@ pub(super) fn beside_commas(
     }
     Ok(Some(Plain {
         text: out,
-        said: format!("commas between the cells {use_} as well"),
+        note: format!("commas between the cells {use_} as well"),
         is_doubtful,
     }))
 }

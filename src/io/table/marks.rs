@@ -231,7 +231,7 @@ fn written_anew(text: &str, dialect: Dialect, mut marks: Vec<Option<Marks>>) -> 
         }
     }
     let bare = marks.iter().position(|of| of.is_some_and(|of| of.is_bare));
-    let said = match bare {
+    let note = match bare {
         Some(column) => {
             let mark = marks[column]?.thousands?;
             format!("column {}: \"{mark}\" parts thousands", column + 1)
@@ -265,7 +265,7 @@ fn written_anew(text: &str, dialect: Dialect, mut marks: Vec<Option<Marks>>) -> 
     }
     Some(Plain {
         text: out,
-        said,
+        note,
         is_doubtful,
     })
 }

@@ -258,8 +258,8 @@ fn joined<'a>(
         let Some(last) = before.filter(|last| goes_on(last, &block, dialect)) else {
             let (mut block, left) = with_rows_above(block, text, dialect);
             block.lost.extend(above.filter(|_| left.is_empty()));
-            let said = left.iter().flat_map(|line| no_rows(&[*line], &[0]));
-            block.notes.extend(said);
+            let notes = left.iter().flat_map(|line| no_rows(&[*line], &[0]));
+            block.notes.extend(notes);
             out.push(block);
             continue;
         };
@@ -298,14 +298,14 @@ fn joined<'a>(
 /// The notes on the lines at these places, which are not rows: a sentence for each run of them.
 fn no_rows(lines: &[(usize, &str)], places: &[usize]) -> Vec<String> {
     let runs = places.chunk_by(|a, b| a + 1 == *b);
-    let said = runs.map(|run| {
+    let notes = runs.map(|run| {
         let (first, last) = (lines[run[0]].0, lines[run[run.len() - 1]].0);
         match first == last {
             true => format!("line {first} is no row of the table and was left out"),
             false => format!("lines {first} to {last} are no rows of the table and were left out"),
         }
     });
-    said.collect()
+    notes.collect()
 }
 
 /// True if `next` continues `block`: as wide, close behind, without other titles, and with a first

@@ -34,9 +34,9 @@ pub(crate) fn read_tables(
     let mut reading = read_plain(input, &plain.text, known)?;
     if plain.is_doubtful {
         let chosen = "marks by the other numbers".to_owned();
-        reading.guesses.push(doubt(0, chosen, plain.said.clone()));
+        reading.guesses.push(doubt(0, chosen, plain.note.clone()));
     }
-    reading.notes.push(plain.said);
+    reading.notes.push(plain.note);
     Ok(reading)
 }
 
@@ -129,8 +129,8 @@ fn read_table(
     let short = titles_short_of_cells(table, file.dialect);
     if let Layout::Column(mut wavelength) = table.layout {
         let (mut groups, mut left_out) = roles::groups(&table.block, &table.titles, wavelength);
-        if let Some((unfolded, said)) = folded::unfold(table, &groups, wavelength) {
-            reading.notes.push(said);
+        if let Some((unfolded, note)) = folded::unfold(table, &groups, wavelength) {
+            reading.notes.push(note);
             *table = unfolded;
             (wavelength, left_out) = (0, Vec::new());
             let (axis, values) = (0, vec![1]);
@@ -139,8 +139,8 @@ fn read_table(
         let values: Vec<usize> = groups.iter().flat_map(|g| g.values.clone()).collect();
         let is_axis = |column| groups.iter().any(|group| group.axis == column);
         let is_used = |column| column == wavelength || is_axis(column) || values.contains(&column);
-        let said = without_words(file.input, &table.block, is_used, !values.is_empty())?;
-        reading.notes.extend(said);
+        let notes = without_words(file.input, &table.block, is_used, !values.is_empty())?;
+        reading.notes.extend(notes);
         if let Some(found) = &mut reading.table
             && found.values.is_empty()
             && !table.is_short

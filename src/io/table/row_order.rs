@@ -26,10 +26,10 @@ pub(crate) fn put_right(
     values: &[usize],
 ) -> Result<Vec<String>, ReadError> {
     let beside = rows_beside(block.column(axis), &block.lines);
-    let mut said: Vec<String> = Vec::new();
+    let mut notes: Vec<String> = Vec::new();
     if !beside.is_empty() {
         let line = |row: &usize| block.lines[*row];
-        said.extend(beside.chunk_by(|a, b| a + 1 == *b).map(|run| {
+        notes.extend(beside.chunk_by(|a, b| a + 1 == *b).map(|run| {
             let (first, last) = (line(&run[0]), line(&run[run.len() - 1]));
             match run.len() {
                 1 => format!("line {first}: no wavelength of the table: the row was left out"),
@@ -48,7 +48,7 @@ pub(crate) fn put_right(
         return Err(input.error(found, expected).at_line(line));
     }
     if !stray.is_empty() {
-        said.extend(stray.iter().map(|row| {
+        notes.extend(stray.iter().map(|row| {
             let first = values.first().map(|column| block.column(*column)[*row]);
             let value = first.filter(|value| !value.is_nan());
             let value = value.map_or(String::new(), |v| format!(" (value {})", shortest(v)));
@@ -63,10 +63,10 @@ pub(crate) fn put_right(
         let mut order: Vec<usize> = (0..block.rows()).collect();
         order.sort_by(|a, b| numbers[*a].total_cmp(&numbers[*b]));
         block.arrange(&order);
-        said.push("rows in no order of wavelengths: put in rising order".to_owned());
+        notes.push("rows in no order of wavelengths: put in rising order".to_owned());
     }
     no_doubles(input, block, axis, values)?;
-    Ok(said)
+    Ok(notes)
 }
 
 fn without(block: &mut Block, rows: &[usize]) {

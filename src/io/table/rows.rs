@@ -45,8 +45,8 @@ pub(crate) fn read_rows(
         };
         if !has_values(values_of(row)) {
             let line = block.lines[row];
-            let said = format!("line {line} holds no values and was left out");
-            reading.notes.push(said);
+            let note = format!("line {line} holds no values and was left out");
+            reading.notes.push(note);
             continue;
         }
         let values = values_of(row).collect();

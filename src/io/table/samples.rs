@@ -52,8 +52,8 @@ pub(crate) fn together(
         let samples: Vec<Sample> = is_told.then(|| found.into_iter().map(sample).collect())?;
         Some((samples, order))
     };
-    let told = columns.iter().zip(&cells).enumerate();
-    let by_one = told.into_iter().find_map(|(at, (column, cells))| {
+    let own = columns.iter().zip(&cells).enumerate();
+    let by_one = own.into_iter().find_map(|(at, (column, cells))| {
         let fewest = if at < words { 2 } else { FEWEST_ROWS };
         Some((vec![*column], apart(cells, fewest)?))
     });

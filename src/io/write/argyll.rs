@@ -102,9 +102,9 @@ pub(crate) fn losses(spectrum: &NamedSpectrum) -> Vec<String> {
     let Ok(grid) = grid(spectrum) else {
         return Vec::new();
     };
-    let mut said = Vec::new();
+    let mut notes = Vec::new();
     match grid.moved_nm {
-        None => said.push(format!(
+        None => notes.push(format!(
             "Argyll .sp holds even steps of 1 nm and more: resampled to {} values, {} to {} nm \
              every {} nm; the area under the curve is kept.",
             grid.bands,
@@ -112,18 +112,18 @@ pub(crate) fn losses(spectrum: &NamedSpectrum) -> Vec<String> {
             grid.last_nm,
             grid.nm(1) - grid.first_nm
         )),
-        Some(moved) if moved > 1e-9 => said.push(format!(
+        Some(moved) if moved > 1e-9 => notes.push(format!(
             "Argyll .sp holds even steps: wavelengths moved by up to {moved:.1e} nm."
         )),
         Some(_) => {}
     }
     if grid.bands > ARGYLL_BANDS {
-        said.push(format!(
+        notes.push(format!(
             "It has {} values; Argyll's own tools read at most {ARGYLL_BANDS}.",
             grid.bands
         ));
     }
-    said
+    notes
 }
 
 /// Argyll's term for a measurement of that kind; `None` for kinds without one.

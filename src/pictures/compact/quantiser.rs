@@ -10,7 +10,7 @@ use super::super::measure::Storage;
 use super::super::relight::Between;
 use super::super::survey::percentile;
 use super::super::trust::{lab_by_xyz, matrix_of};
-use super::super::{Light, Operator, PictureError, Relit};
+use super::super::{Illuminant, Operator, PictureError, Relit};
 
 /// Lightness steps of the first plane, as a share of the others' step.
 const OF_LIGHTNESS: f64 = 0.3 / 116.0;
@@ -273,7 +273,10 @@ fn metric(operator: &Operator, sample: &[Vec<f64>]) -> Result<DMatrix<f64>, Pict
     }
     let mut lights: Vec<Relit> = vec![operator.own_colour()];
     if bands.is_factor() {
-        let others = [Some(Light::equal_energy()), Light::named("LED-RGB1")];
+        let others = [
+            Some(Illuminant::equal_energy()),
+            Illuminant::named("LED-RGB1"),
+        ];
         for light in others.into_iter().flatten() {
             lights.extend(operator.relit(&light, None, Between::Bands).ok());
         }

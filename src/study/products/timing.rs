@@ -69,7 +69,7 @@ pub(crate) fn product_times(sizes: Sizes, progress: &Progress) -> Option<Vec<Pro
         ways.iter_mut().for_each(Watched::run);
         progress.step();
     }
-    Some(ways.into_iter().map(Watched::told).collect())
+    Some(ways.into_iter().map(Watched::into_time).collect())
 }
 
 /// A way with its stop watch.
@@ -111,7 +111,7 @@ impl Watched {
         self.ns.push(1e9 * took.as_secs_f64() / self.runs as f64);
     }
 
-    fn told(mut self) -> ProductTime {
+    fn into_time(mut self) -> ProductTime {
         self.ns.sort_by(f64::total_cmp);
         let ns = |index: usize| self.ns.get(index).copied().unwrap_or(f64::NAN);
         ProductTime {

@@ -4,7 +4,7 @@ use super::eq_17::cut;
 use crate::{
     color::{Weights, Xyz, delta_e_of_xyz, xyz_of_parts},
     spectrum::{
-        Basis, BasisTable, Composite, Sampling,
+        BasisTable, Composite, Sampling,
         product::{folded_share, in_units, resampled},
     },
 };
@@ -56,30 +56,16 @@ pub(crate) fn resampling(
     let (light_unit, factor_unit) = (in_units(light.smooth()), in_units(&factor));
     Resampling {
         order: light.smooth().order(),
-        ways: ways(table.basis())
-            .iter()
+        ways: Sampling::on_points(table.basis())
             .filter_map(|sampling| {
                 let points = sampling.points(numbers)?;
                 Some(ResamplingWay {
-                    sampling: *sampling,
+                    sampling,
                     points,
                     folded_share: folded_share(&light_unit, &factor_unit, points),
-                    delta_e_2000: delta_e_of_xyz(exact, product(*sampling), white),
+                    delta_e_2000: delta_e_of_xyz(exact, product(sampling), white),
                 })
             })
             .collect(),
-    }
-}
-
-/// The ways that make sense in a basis: 3N+1 and 4N+1 points are for Fourier series.
-pub(super) fn ways(basis: Basis) -> &'static [Sampling] {
-    match basis {
-        Basis::Fourier => &[
-            Sampling::Paper,
-            Sampling::ThreeN,
-            Sampling::FourN,
-            Sampling::Double,
-        ],
-        Basis::Cosine => &[Sampling::Paper, Sampling::Double],
     }
 }

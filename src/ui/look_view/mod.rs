@@ -244,7 +244,7 @@ fn automatic(
         false => "",
     };
     told(format!(
-        "The best of all eight ways with at most {}: {}{fit}, order {}, {lines}.",
+        "The best of all ways with at most {}: {}{fit}, order {}, {lines}.",
         numbers(most),
         best.basis.word(),
         best.order,

@@ -308,7 +308,7 @@ fn lines(
 /// What decides in the place of the knobs, and the other knobs.
 fn acts(ui: &mut Ui, (budget, busy): (&mut usize, bool), asked: &mut Asked) {
     let button = egui::Button::new(names::AUTOMATIC).selected(true);
-    let meaning = "The best model with at most this many numbers, over both bases, with and \
+    let meaning = "The best model with at most this many numbers, over every basis, with and \
                    without lines, plain and colour-exact; one step of undo.";
     asked.automatic = pressed_if(ui, !busy, button, meaning);
     let count = DragValue::new(budget).range(SPENDABLE).speed(0.1);

@@ -226,10 +226,12 @@ fn sentences(context: &PageContext<'_>, harmonics: &Harmonics) -> [String; 2] {
 }
 
 fn about_the_bound(context: &PageContext<'_>, harmonics: &Harmonics) -> String {
-    if harmonics.basis == Basis::Cosine {
-        return "Eq. 10 and the bound of Eq. 12 are about the Fourier basis: for cosines there is \
-                no such bound."
-            .to_owned();
+    if harmonics.basis != Basis::Fourier {
+        return format!(
+            "Eq. 10 and the bound of Eq. 12 are about the Fourier basis: for {} series there is no \
+             such bound.",
+            harmonics.basis.name()
+        );
     }
     if harmonics.orders.iter().all(|o| o.bound.is_none()) {
         return if context.app.document().is_about_light() {
@@ -266,12 +268,8 @@ fn details(ui: &mut Ui, context: &PageContext<'_>, harmonics: &Harmonics, pointe
     let name = CHANNELS[k];
     let exact = Some(harmonics.exact[k]).filter(|exact| *exact > 0.0);
     let share = |part: f64| percent(exact.map(|exact| part / exact));
-    let is_fourier = harmonics.basis == Basis::Fourier;
-    let (first, second) = match (is_fourier, n) {
-        (true, _) => (format!("a{n}"), (n > 0).then(|| format!("b{n}"))),
-        (false, 0) => ("c0".to_owned(), None),
-        (false, _) => (format!("c{}", 2 * n - 1), Some(format!("c{}", 2 * n))),
-    };
+    let first = harmonics.basis.number_name((2 * n).saturating_sub(1));
+    let second = (n > 0).then(|| harmonics.basis.number_name(2 * n));
     let row = |ui: &mut Ui, what: &str, values: [f64; 2]| {
         ui.label(what);
         ui.label(figure(values[0]));

@@ -20,6 +20,7 @@ use crate::{
         studies::{About, Stage, SweepAsk},
     },
     io::many::numbers,
+    spectrum::Basis,
     study::{Measure, Reference, Sweep, SweepPoint, Verdict},
     ui::{
         chart_view::Hit,
@@ -130,9 +131,9 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, measure: Measure) {
         let show = |ui: &mut Ui, shown: &mut bool, name: &str, meaning: &str| {
             ui.checkbox(shown, name).on_hover_text(meaning);
         };
-        let meaning = "The paper's periodic series.";
-        show(ui, &mut ways.fourier, "Fourier", meaning);
-        show(ui, &mut ways.cosine, "cosine", "Half-range cosines.");
+        for basis in Basis::ALL {
+            show(ui, &mut ways.bases[basis], basis.name(), basis.meaning());
+        }
         ui.separator();
         let meaning = "Every line above the threshold as a spike, two numbers each: drawn through.";
         show(ui, &mut ways.with_spikes, "spikes", meaning);

@@ -14,7 +14,7 @@ use crate::{
         studies::paper::{Claims, Row, Verdict, copied_table, truth_table},
         ticks::short,
     },
-    spectrum::{Basis, Sampling},
+    spectrum::Sampling,
     ui::kit::{framed, headline, pressed, scrolled},
 };
 
@@ -99,14 +99,11 @@ fn head(ui: &mut Ui, context: &PageContext<'_>, claims: &Claims) {
             ui.ctx().copy_text(copied_table(context.app, claims).csv());
         }
         ui.weak(format!(
-            "Measured on {}, {}-{} nm, {}, N = {}.",
+            "Measured on {}, {}-{} nm, {} basis, N = {}.",
             claims.subject,
             short(claims.band.min_nm()),
             short(claims.band.max_nm()),
-            match claims.basis {
-                Basis::Fourier => "Fourier basis",
-                Basis::Cosine => "cosine basis",
-            },
+            claims.basis.name(),
             claims.order,
         ));
     });

@@ -19,38 +19,30 @@ use crate::{
         race_report::{field_words, race_notes, row_numbers, wins},
         studies::RaceAsk,
     },
-    spectrum::Basis,
     study::{Measure, Race, race::Racer},
 };
 
 /// A racer's name in a few letters: `ex` is colour-exact, `+s` with spikes.
-pub fn short_name(racer: Racer) -> &'static str {
-    match racer {
-        Racer::Composite(way) => match (way.basis, way.spikes, way.colour_exact) {
-            (Basis::Fourier, false, false) => "Fourier",
-            (Basis::Fourier, true, false) => "Fourier +s",
-            (Basis::Fourier, false, true) => "Fourier ex",
-            (Basis::Fourier, true, true) => "Fourier ex +s",
-            (Basis::Cosine, false, false) => "Cosine",
-            (Basis::Cosine, true, false) => "Cosine +s",
-            (Basis::Cosine, false, true) => "Cosine ex",
-            (Basis::Cosine, true, true) => "Cosine ex +s",
-        },
+pub fn short_name(racer: Racer) -> String {
+    let name = match racer {
+        Racer::Composite(way) => {
+            let part = |is_there, part| if is_there { part } else { "" };
+            let exact = part(way.colour_exact, " ex");
+            return way.basis.title() + exact + part(way.spikes, " +s");
+        }
         Racer::WideLines => "Wide lines",
         Racer::KnownLamps => "Known lamps",
         Racer::Rival(family) => family.about().short,
         Racer::Chosen => "Chosen",
-    }
+    };
+    name.to_owned()
 }
 
 /// How a racer is drawn: a hue a family, dashes for spikes, forms for the rest.
 pub fn looks(racer: Racer) -> (Ink, Dash, Shape) {
     match racer {
         Racer::Composite(way) => (
-            match way.basis {
-                Basis::Fourier => Ink::Smooth,
-                Basis::Cosine => Ink::Spikes,
-            },
+            super::tradeoff::ink(way.basis),
             if way.spikes {
                 Dash::Dashed
             } else {

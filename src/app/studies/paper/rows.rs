@@ -60,7 +60,7 @@ pub(super) fn five_percent_row(claims: &Claims) -> Row {
     } else if claims.basis == Basis::Fourier {
         measured.push_str(" Eq. 12 is about the CIE 1931 functions alone: no bound here.");
     } else {
-        measured.push_str(" Eq. 12 is about the Fourier basis; for cosines there is no bound.");
+        measured.push_str(" Eq. 12 is about the Fourier basis; for another there is no bound.");
     }
     let limit = STATED_SHARE.figure;
     let small = |l: &truth::Neglected| l.tail.abs() < limit && l.largest_term < limit;

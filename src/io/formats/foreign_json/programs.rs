@@ -15,7 +15,7 @@ use crate::spectrum::Kind;
 const MOST_CHANNELS: usize = 100;
 
 /// A program's description of a spectrum.
-struct Said<'a> {
+struct Stated<'a> {
     name: String,
     kind: Option<Kind>,
     unit: &'a str,
@@ -56,22 +56,22 @@ pub(super) fn read(input: &Input, value: &Value, reading: &mut Reading) -> Resul
 /// Adds a spectrum to a reading.
 fn add(
     input: &Input,
-    said: Said,
+    stated: Stated,
     nm: &[f64],
     values: Vec<f64>,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
     let unstated = || Decision::guessed(Kind::Light, false, "nothing states it");
-    let kind = said.kind.map_or_else(unstated, Decision::of_format);
+    let kind = stated.kind.map_or_else(unstated, Decision::of_format);
     let is_factor = kind.value.is_factor();
-    let mut raw = RawSpectrum::known(said.name, nm, values, kind, said.unit);
-    raw.known.scale = match said.percent {
+    let mut raw = RawSpectrum::known(stated.name, nm, values, kind, stated.unit);
+    raw.known.scale = match stated.percent {
         // What is no share of a whole has no per cent.
         Some(true) if is_factor => KnownScale::Stated(0.01),
         Some(false) => KnownScale::Stated(1.0),
         Some(true) | None => KnownScale::Open,
     };
-    raw.source = Some(said.source.unwrap_or(&input.name).to_owned());
+    raw.source = Some(stated.source.unwrap_or(&input.name).to_owned());
     interpret(raw, input, reading)?;
     reading.keep_scale_to_notes();
     Ok(())
@@ -95,7 +95,7 @@ fn read_colorimetry(input: &Input, value: &Value, reading: &mut Reading) -> Resu
     let stated = word(value, "/metadata/measurement_type").unwrap_or("");
     let scale = word(value, "/spectral_data/scale");
     let name = word(value, "/metadata/title").or_else(|| word(value, "/id"));
-    let said = Said {
+    let stated = Stated {
         name: name.unwrap_or(input.stem()).to_owned(),
         kind: match stated.to_lowercase().as_str() {
             "sensitivity" => Some(Kind::Weighting),
@@ -106,7 +106,7 @@ fn read_colorimetry(input: &Input, value: &Value, reading: &mut Reading) -> Resu
         percent: scale.map(|scale| scale.to_lowercase().starts_with("percent")),
         source: word(value, "/metadata/description"),
     };
-    add(input, said, &nm, values, reading)
+    add(input, stated, &nm, values, reading)
 }
 
 fn check_counts(input: &Input, wavelengths: usize, values: usize) -> Result<(), ReadError> {
@@ -178,7 +178,7 @@ fn read_rawtoaces(
     for column in 0..width {
         let cell = |row: &Vec<f64>| row.get(column).copied().unwrap_or(f64::NAN);
         let channel = names.get(column).copied().unwrap_or("");
-        let said = Said {
+        let stated = Stated {
             name: match width {
                 1 => title.to_owned(),
                 _ => format!("{title} {channel}"),
@@ -191,7 +191,7 @@ fn read_rawtoaces(
             percent: unit.to_lowercase().contains("percent").then_some(true),
             source: word(value, "/header/laboratory"),
         };
-        add(input, said, &nm, rows.iter().map(cell).collect(), reading)?;
+        add(input, stated, &nm, rows.iter().map(cell).collect(), reading)?;
     }
     Ok(())
 }
@@ -205,12 +205,12 @@ fn read_tobes(
 ) -> Result<(), ReadError> {
     let (nm, values) = keyed(input, spd, |item| number(input, item, "\"spd\""))?;
     let unit = word(value, "/y_axis").or_else(|| word(value, "/units"));
-    let said = Said {
+    let stated = Stated {
         name: word(value, "/name").unwrap_or(input.stem()).to_owned(),
         kind: Some(Kind::Light),
         unit: unit.unwrap_or(""),
         percent: None,
         source: None,
     };
-    add(input, said, &nm, values, reading)
+    add(input, stated, &nm, values, reading)
 }

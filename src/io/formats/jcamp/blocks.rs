@@ -204,10 +204,10 @@ impl Curve<'_, '_> {
         (share, rest): (f64, f64),
         notes: &mut Vec<String>,
     ) -> Result<(), ReadError> {
-        if let (Some(said), Some(found)) = (self.number(label)?, found)
-            && (said - found).abs() > share * said.abs().max(found.abs()) + rest
+        if let (Some(stated), Some(found)) = (self.number(label)?, found)
+            && (stated - found).abs() > share * stated.abs().max(found.abs()) + rest
         {
-            notes.push(format!("{label} says {said}, found {found}"));
+            notes.push(format!("{label} says {stated}, found {found}"));
         }
         Ok(())
     }

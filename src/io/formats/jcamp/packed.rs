@@ -276,10 +276,10 @@ impl Grid {
             if let (Some(last), Some(end)) = (last, axis.last_mut()) {
                 *end = last;
             }
-            if let (Some(said), Some(delta)) = (self.delta, by_ends)
-                && (said - delta).abs() > 0.01 * delta.abs()
+            if let (Some(stated), Some(delta)) = (self.delta, by_ends)
+                && (stated - delta).abs() > 0.01 * delta.abs()
             {
-                notes.push(format!("DELTAX says {said}, the ends say {delta}"));
+                notes.push(format!("DELTAX says {stated}, the ends say {delta}"));
             }
         }
         axis

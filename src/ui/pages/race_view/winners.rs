@@ -158,7 +158,7 @@ fn lights(count: usize) -> String {
 }
 
 fn short(won: &Won) -> String {
-    won.racer.map_or("–", short_name).to_owned()
+    won.racer.map_or_else(|| "–".to_owned(), short_name)
 }
 
 fn tip(won: &Won) -> String {

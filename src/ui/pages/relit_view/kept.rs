@@ -9,7 +9,7 @@ use egui::{
 use super::names;
 use crate::{
     app::relit::{Fit, LINES_NM, MOST_LINES},
-    pictures::{ReferenceKind, WishedLines},
+    pictures::{LineChoice, ReferenceKind},
     ui::{
         kit::{named, number},
         pages::PageContext,
@@ -89,13 +89,13 @@ fn lines(ui: &mut Ui, context: &mut PageContext<'_>, fit: &Fit) {
     ui.horizontal(|ui| {
         for (choice, title, meaning) in [
             (
-                WishedLines::Best,
+                LineChoice::Best,
                 "Best",
                 "Lines that were found, where they pay.",
             ),
-            (WishedLines::None, "None", "The series alone."),
+            (LineChoice::None, "None", "The series alone."),
             (
-                WishedLines::Found,
+                LineChoice::Found,
                 "Found",
                 "Lines that rise above the light or the mean, the strongest first.",
             ),
@@ -103,15 +103,15 @@ fn lines(ui: &mut Ui, context: &mut PageContext<'_>, fit: &Fit) {
             ui.selectable_value(lines, choice, title)
                 .on_hover_text(meaning);
         }
-        let is_by_hand = matches!(lines, WishedLines::At(_));
+        let is_by_hand = matches!(lines, LineChoice::At(_));
         let by_hand = ui.selectable_label(is_by_hand, names::HAND);
         let by_hand = by_hand.on_hover_text("Add and remove them, beginning with those there are.");
         if by_hand.clicked() && !is_by_hand {
-            *lines = WishedLines::At(now.iter().copied().take(MOST_LINES).collect());
+            *lines = LineChoice::At(now.iter().copied().take(MOST_LINES).collect());
         }
     });
     match lines {
-        WishedLines::At(places) => hand(ui, places, fit),
+        LineChoice::At(places) => hand(ui, places, fit),
         _ if now.is_empty() => drop(ui.weak("None now.")),
         _ => {
             let now: Vec<String> = now.iter().map(|nm| format!("{nm:.1}")).collect();

@@ -20,7 +20,7 @@ use crate::{
         },
         studies::Stage,
     },
-    pictures::{Verdict, Wish},
+    pictures::{FixedSettings, Verdict},
     ui::{kit, swatch},
 };
 
@@ -55,9 +55,11 @@ impl RelitView {
             controls::light(ui, context);
         });
         let wish = &mut context.memory.relit.wish;
-        if shown.trouble.is_some() && *wish != Wish::default() && ui.button(names::LEAVE).clicked()
+        if shown.trouble.is_some()
+            && *wish != FixedSettings::default()
+            && ui.button(names::LEAVE).clicked()
         {
-            *wish = Wish::default();
+            *wish = FixedSettings::default();
         }
         let Some(looked) = shown.looked.clone() else {
             return waiting(ui, context);

@@ -54,8 +54,8 @@ pub(super) fn read(input: &Input, value: &Tree, reading: &mut Reading) -> Result
     };
     finder.look(value, DEPTH)?;
     let left_out = finder.left_out.iter();
-    let said = left_out.map(|(title, why)| format!("{} {why}", quoted(title)));
-    finder.reading.notes.extend(said);
+    let notes = left_out.map(|(title, why)| format!("{} {why}", quoted(title)));
+    finder.reading.notes.extend(notes);
     Ok(())
 }
 

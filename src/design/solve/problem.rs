@@ -23,7 +23,7 @@ pub enum Objective {
 }
 
 impl Objective {
-    /// Every favour, the default first.
+    /// Every objective, the default first.
     pub const ALL: [Self; 5] = [Self::Ler, Self::Rf, Self::Ra, Self::Melanopic, Self::Fewest];
 
     /// The word used on the command line.
@@ -101,14 +101,14 @@ impl Floors {
 
 /// Requirements on a mixture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Wish<'a> {
+pub struct Problem<'a> {
     /// Its colour; without one the weights are what is fixed, or one each.
     pub target: Option<Target>,
     /// Its objective.
-    pub favour: Objective,
+    pub objective: Objective,
     /// Its lower bounds.
     pub floors: Floors,
-    /// A light on whole nm 360-830 to come near to in the least squares, instead of a favour; the
+    /// A light on whole nm 360-830 to come near to in the least squares, instead of an objective; the
     /// colour is met all the same.
     pub alike: Option<&'a [f64]>,
     /// Effort of the search.
