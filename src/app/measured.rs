@@ -202,7 +202,7 @@ pub fn own_measurement(text: &str) -> Option<Measurement> {
 
 /// Whether figures of light are told of it.
 pub fn is_light(of: &Measurement) -> bool {
-    of.quantity == Quantity::Light && of.mask.is_empty()
+    of.quantity == Quantity::Light
 }
 
 #[cfg(test)]

@@ -22,6 +22,7 @@ pub mod glossary;
 pub mod headlines;
 mod history;
 pub mod import;
+pub mod instruments;
 mod known_lamps;
 pub mod lessons;
 mod library;
@@ -51,6 +52,7 @@ mod quality;
 pub mod quality_report;
 pub mod race_report;
 pub mod read_report;
+pub mod readings;
 mod recipe;
 pub mod relit;
 pub mod report;
@@ -69,6 +71,7 @@ mod surfaces;
 mod tables;
 pub mod ticks;
 pub mod tint;
+mod today;
 mod undo_words;
 pub mod verdicts;
 pub mod workspace;
@@ -100,6 +103,7 @@ pub use spike_hand::SpikeAct;
 pub use state::{App, Message, Tone, derive};
 pub use surfaces::Surfaces;
 pub use tables::{CURVE_ORDER, Tables};
+pub use today::today;
 
 /// The program as it shows a shipped spectrum.
 #[cfg(test)]

@@ -7,7 +7,7 @@ use std::{borrow::Cow, fmt::Write as _, path::Path};
 
 use serde_json::{Value, json};
 
-use super::ticks::short;
+use super::{readings, ticks::short};
 use crate::{
     io::{
         CompositeFile, MakersResult, ReadError, Reading,
@@ -94,7 +94,10 @@ fn spectrum_json(spectrum: &NamedSpectrum) -> Value {
         .iter()
         .enumerate()
         .max_by(|a, b| a.1.total_cmp(b.1).then(b.0.cmp(&a.0)));
+    let [counts, clipped] = readings::Reading::of(spectrum, false).keys();
     json!({
+        "counts": counts.1,
+        "clipped": clipped.1,
         "name": name,
         "kind": kind.word(),
         "unit": unit,
@@ -207,6 +210,9 @@ pub fn text(path: &Path, read: &Result<Reading, ReadError>) -> String {
         line(format!("{}: {how}", spectrum.name));
         for note in spectrum.notes.iter().skip(1) {
             line(format!("  {note}"));
+        }
+        for said in readings::Reading::of(spectrum, false).sentences() {
+            line(format!("  {said}"));
         }
     }
     let left = reading.spectra.len().saturating_sub(MOST_TOLD);

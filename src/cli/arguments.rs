@@ -25,7 +25,7 @@ use crate::{
 pub(super) use design::{Mix, Recover};
 pub(super) use encoding::{Decode, Encode};
 pub(super) use lessons::{LessonAct, Lessons};
-pub(super) use measurements::Combine;
+pub(super) use measurements::{Combine, Stated};
 pub(super) use optics::{CutOptions, Gem, Prism, Rainbow, ViewOptions};
 pub(super) use photo::Photo;
 pub(super) use pictures::{Fit, Picture};
@@ -183,6 +183,14 @@ pub(super) struct Report {
     /// (paper/Mercury).
     #[arg(value_name = "INPUT")]
     pub input: OsString,
+    /// More scans of the same light, with --repeats.
+    #[arg(value_name = "SCAN", requires = "repeats")]
+    pub scans: Vec<OsString>,
+    /// All inputs are scans of one light: their mean is reported, each figure with its doubt.
+    #[arg(long)]
+    pub repeats: bool,
+    #[command(flatten)]
+    pub stated: Stated,
     #[command(flatten)]
     pub pick: PickOptions,
     #[command(flatten)]
@@ -202,6 +210,11 @@ pub(super) struct Light {
     /// licensed.
     #[arg(value_name = "INPUT", required = true)]
     pub lights: Vec<OsString>,
+    /// All inputs are scans of one light: their mean is told, each figure with its doubt.
+    #[arg(long, conflicts_with_all = ["csv", "against"])]
+    pub repeats: bool,
+    #[command(flatten)]
+    pub stated: Stated,
     #[command(flatten)]
     pub files: FileOptions,
     #[command(flatten)]

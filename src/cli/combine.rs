@@ -8,8 +8,10 @@ use std::{
 
 use super::{
     arguments::Combine,
-    combine_inputs::{doubt_from, has_lines, read, stated, with_noise},
-    combine_result::{Found, ScanRow, json, text},
+    combine_inputs::{Part, doubt_from, has_lines, measurements, read, with_noise},
+    combine_instrument, combine_json,
+    combine_result::{Found, LineRow},
+    combine_scans, combine_slit, combine_words,
     inputs::Inputs,
     print, print_json,
     refusal::Refusal,
@@ -18,12 +20,17 @@ use super::{
     words,
 };
 use crate::{
-    app::measured::{measurement_csv, spectrum},
-    io::{Columns, Provenance, write_as},
-    measurements::{
-        Formula, Kernel, Measurement, Options, Repeats, Slit, changed, combine, drift, letter,
-        misfits, resampled, smoothed, splice,
+    app::{
+        instruments,
+        measured::{measurement_csv, spectrum},
+        readings::Reading,
     },
+    io::{Columns, CompositeFile, Provenance, composite_json, write_as},
+    measurements::{
+        Formula, Kernel, Measurement, Options, Slit, combine, letter, resampled, splice,
+        sum_of_composites,
+    },
+    spectrum::Composite,
 };
 
 /// Most that a quotient over a reference with lines may be off by.
@@ -38,7 +45,12 @@ enum Act {
     Mean,
     Splice,
     Slit(Slit),
+    /// A slit taken off: of this width, or as the light's own lines tell it.
+    Unslit(Option<f64>, Kernel),
     Changed,
+    Learn,
+    /// The instrument's file is the first input.
+    Use,
 }
 
 /// Carries the command out.
@@ -51,32 +63,39 @@ pub(super) fn run(
     out: &mut dyn Write,
     inputs: &mut Inputs,
 ) -> Result<(), Refusal> {
-    let (act, files) = understood(options)?;
+    let (act, mut files) = understood(options)?;
     let target = target(options, &files)?;
     let is_of_scans = matches!(act, Act::Mean | Act::Changed);
+    let instrument = match act {
+        Act::Use => Some(combine_instrument::read(&files.remove(0), inputs)?),
+        _ => None,
+    };
     let mut parts = Vec::new();
     for file in &files {
-        let found = read(file, is_of_scans, inputs)?;
-        parts.extend(found.into_iter().map(|part| stated(part, options)));
+        parts.extend(read(file, is_of_scans, options.stated, inputs)?);
     }
-    let found = match act {
-        Act::Formula(formula, text) => of_formula(&formula, &text, parts, options)?,
-        Act::Mean => of_scans(&parts)?,
-        Act::Splice => of_ranges(&parts, options)?,
-        Act::Slit(slit) => through(parts, slit)?,
+    let mut found = match act {
+        Act::Formula(formula, text) => of_formula(&formula, &text, &parts, options)?,
+        Act::Mean => combine_scans::of_scans(&measurements(&parts), options.keep_all)?,
+        Act::Splice => of_ranges(&measurements(&parts), options)?,
+        Act::Slit(slit) => combine_slit::through(measurements(&parts), slit)?,
+        Act::Unslit(fwhm, shape) => combine_slit::taken_off(measurements(&parts), fwhm, shape)?,
+        Act::Learn => combine_instrument::learnt(&measurements(&parts), options, inputs)?,
+        Act::Use => combine_instrument::used(instrument, &measurements(&parts))?,
         Act::Changed => {
             let mut others = Vec::new();
             for file in &options.others {
-                others.extend(read(file, true, inputs)?);
+                others.extend(read(file, true, options.stated, inputs)?);
             }
             if options.out.is_some() || options.csv {
                 inputs.note("--out and --csv are not used: changed makes no spectrum");
             }
-            let changed = changed(&parts, &others).map_err(Refusal::file)?;
-            let found = Found::of_change(changed);
-            return told(options, &found, out);
+            let [first, second] = [measurements(&parts), measurements(&others)];
+            return told(options, &combine_scans::of_change(&first, &second)?, out);
         }
     };
+    let readings: Vec<Reading> = parts.iter().map(|part| part.reading.clone()).collect();
+    found.reading = Reading::of_parts(&readings, found.result().quantity);
     let found = on_grid(found, options.grid)?;
     if let Some(target) = target {
         save(&target, &found, inputs)?;
@@ -90,8 +109,8 @@ pub(super) fn run(
 /// Prints what was found; notes stand in JSON and in the words.
 fn told(options: &Combine, found: &Found, out: &mut dyn Write) -> Result<(), Refusal> {
     match options.json {
-        true => print_json(out, &json(found)),
-        false => print(out, &text(found)),
+        true => print_json(out, &combine_json::json(found)),
+        false => print(out, &combine_words::text(found)),
     }
 }
 
@@ -105,23 +124,35 @@ fn understood(options: &Combine) -> Result<(Act, Vec<OsString>), Refusal> {
         "splice" => Act::Splice,
         "changed" => Act::Changed,
         "slit" => {
-            let fwhm = files
-                .first()
-                .and_then(|w| w.to_str()?.trim_end_matches("nm").parse::<f64>().ok());
-            let Some(fwhm_nm) = fwhm.filter(|nm| (1e-3..=1000.0).contains(nm)) else {
+            let Some(fwhm_nm) = width(files.first()) else {
                 return Err(usage(
                     "found slit without a width, expected one in nm behind it".to_owned(),
                 ));
             };
             files.remove(0);
-            let shape = files.first().and_then(|w| Kernel::from_word(w.to_str()?));
-            if shape.is_some() {
+            let shape = shape(&mut files).unwrap_or(Kernel::Triangle);
+            Act::Slit(Slit { shape, fwhm_nm })
+        }
+        "unslit" => {
+            let fwhm = width(files.first());
+            let is_auto = files.first().is_some_and(|word| word == "auto");
+            if fwhm.is_some() || is_auto {
                 files.remove(0);
             }
-            Act::Slit(Slit {
-                shape: shape.unwrap_or(Kernel::Triangle),
-                fwhm_nm,
-            })
+            Act::Unslit(fwhm, shape(&mut files).unwrap_or(Kernel::Gauss))
+        }
+        "instrument" => {
+            let act = match files.first().and_then(|word| word.to_str()) {
+                Some("learn") => Act::Learn,
+                Some("use") => Act::Use,
+                _ => {
+                    return Err(usage(
+                        "found instrument alone, expected learn or use behind it".to_owned(),
+                    ));
+                }
+            };
+            files.remove(0);
+            act
         }
         _ => {
             let mut text = word.to_owned();
@@ -137,36 +168,58 @@ fn understood(options: &Combine) -> Result<(Act, Vec<OsString>), Refusal> {
             Act::Formula(formula, text)
         }
     };
+    expected(&act, &files, options).map(|()| (act, files))
+}
+
+/// A width in nm, with or without the unit.
+fn width(word: Option<&OsString>) -> Option<f64> {
+    let nm = word?.to_str()?.trim_end_matches("nm").parse::<f64>().ok();
+    nm.filter(|nm| (1e-3..=1000.0).contains(nm))
+}
+
+/// Takes the shape of a slit off the words, if one stands first.
+fn shape(files: &mut Vec<OsString>) -> Option<Kernel> {
+    let shape = Kernel::from_word(files.first()?.to_str()?)?;
+    files.remove(0);
+    Some(shape)
+}
+
+/// Refuses too few or too many inputs.
+fn expected(act: &Act, files: &[OsString], options: &Combine) -> Result<(), Refusal> {
     if !matches!(act, Act::Changed) && !options.others.is_empty() {
         return Err(Refusal::Usage(
             "--: found inputs behind it, expected them behind changed only".to_owned(),
         ));
     }
-    let least = match &act {
-        Act::Formula(formula, _) => formula.inputs(),
-        Act::Splice => 2,
-        Act::Mean | Act::Slit(_) | Act::Changed => 1,
-    };
-    let is_right = match &act {
-        Act::Splice | Act::Slit(_) => files.len() == least,
-        Act::Changed => !files.is_empty() && !options.others.is_empty(),
-        Act::Formula(..) | Act::Mean => {
-            (least.max(1)..=MOST_INPUTS).contains(&files.len())
-                || matches!(act, Act::Mean) && !files.is_empty()
-        }
-    };
-    match is_right {
-        true => Ok((act, files)),
-        false => Err(Refusal::Usage(format!(
-            "INPUT: found {} of them, expected {}",
-            files.len(),
-            match &act {
-                Act::Changed => "a set, -- and another set".to_owned(),
-                Act::Splice | Act::Slit(_) => least.to_string(),
-                _ => format!("one for each letter up to {}", letter(least.max(1) - 1)),
-            }
-        ))),
+    if options.known.is_some() != matches!(act, Act::Learn) {
+        return Err(Refusal::Usage(match options.known {
+            Some(_) => "--known: expected instrument learn with it".to_owned(),
+            None => "instrument learn: expected --known with the light that was read".to_owned(),
+        }));
     }
+    let (least, most) = match act {
+        Act::Formula(formula, _) => (formula.inputs().max(1), MOST_INPUTS),
+        Act::Splice => (2, 2),
+        Act::Slit(_) | Act::Unslit(..) => (1, 1),
+        Act::Learn => (1, 2),
+        Act::Use => (2, 3),
+        Act::Changed if options.others.is_empty() => (usize::MAX, usize::MAX),
+        Act::Mean | Act::Changed => (1, usize::MAX),
+    };
+    if (least..=most).contains(&files.len()) {
+        return Ok(());
+    }
+    Err(Refusal::Usage(format!(
+        "INPUT: found {} of them, expected {}",
+        files.len(),
+        match act {
+            Act::Changed => "a set, -- and another set".to_owned(),
+            Act::Learn => "a reading, and its dark where one was taken".to_owned(),
+            Act::Use => "an instrument, a reading, and its dark where one was taken".to_owned(),
+            Act::Splice | Act::Slit(_) | Act::Unslit(..) => least.to_string(),
+            _ => format!("one for each letter up to {}", letter(least - 1)),
+        }
+    )))
 }
 
 fn target<'o>(options: &'o Combine, files: &[OsString]) -> Result<Option<Target<'o>>, Refusal> {
@@ -182,96 +235,82 @@ fn target<'o>(options: &'o Combine, files: &[OsString]) -> Result<Option<Target<
 fn of_formula(
     formula: &Formula,
     text: &str,
-    parts: Vec<Measurement>,
+    parts: &[Part],
     options: &Combine,
 ) -> Result<Found, Refusal> {
-    let from = doubt_from(&parts);
-    let parts = with_noise(parts);
+    let from = doubt_from(&measurements(parts));
+    let inputs = with_noise(measurements(parts));
     let divisors = formula.divisors();
     let has_lines = divisors
         .iter()
-        .filter_map(|index| parts.get(*index))
+        .filter_map(|index| inputs.get(*index))
         .any(has_lines);
+    // Between lines a quotient is as good as the axes are known; of the noise alone the mask tells.
+    let has_axis = inputs.iter().any(|input| input.axis_nm > 0.0);
     let settings = Options {
         keep_all: options.keep_all,
-        most_doubt: has_lines.then_some(MOST_DOUBT),
+        most_doubt: (has_lines && has_axis).then_some(MOST_DOUBT),
+        tells_lines: has_lines,
     };
-    let mut found = combine(formula, &parts, settings).map_err(Refusal::file)?;
+    let mut found = combine(formula, &inputs, settings).map_err(Refusal::file)?;
     if has_lines && found.kept < 0.25 {
         found.notes.push(format!(
-            "The reference is almost dark between its lines: only {:.0} % of the range is told.",
-            100.0 * found.kept
+            "The reference is almost dark between its lines: T is told at {} lines only.",
+            found.points.len()
         ));
     }
-    let names: Vec<String> = parts
+    let names: Vec<String> = inputs
         .iter()
         .enumerate()
         .map(|(index, part)| format!("{} = {}", letter(index), part.name))
         .collect();
     let made_by = format!("{text}; {}", names.join("; "));
-    Ok(Found {
-        scans: Vec::new(),
+    let mut made = Found {
         notes: found.notes,
         step_nm: found.step_nm,
-        first_nm: parts
+        first_nm: inputs
             .iter()
             .map(|part| part.samples.nm().to_vec())
             .collect(),
+        lines: found.points.into_iter().map(LineRow::of_quotient).collect(),
+        intervals: found.intervals,
         ..Found::of(found.result, made_by, from)
-    })
+    };
+    if let Some((composite, is_brought)) = sum_of(formula, parts) {
+        if is_brought {
+            let why = "Cosine and Fourier series are added through the 1 nm grid.";
+            made.notes.push(why.to_owned());
+        }
+        made = of_composite(made, composite)?;
+    }
+    made.tell_lines();
+    Ok(made)
 }
 
-fn of_scans(parts: &[Measurement]) -> Result<Found, Refusal> {
-    let made_by = match parts.len() {
-        1 => parts[0].name.clone(),
-        n => format!("mean of {n} scans"),
-    };
-    if let [one] = parts {
-        let mut found = Found::of(one.clone(), made_by, doubt_from(parts));
-        let why = "One scan has no spread. Add two more, or state the instrument's noise.";
-        found.notes.push(why.to_owned());
-        return Ok(found);
-    }
-    let repeats = Repeats::of(parts).map_err(Refusal::file)?;
-    let (odd, is_open) = misfits(parts).map_err(Refusal::file)?;
-    let mut notes = Vec::new();
-    if is_open {
-        notes.push(
-            "So many scans differ from the others and each other: which is wrong cannot be said."
-                .to_owned(),
-        );
-    }
-    let why = |scan: usize| odd.iter().find(|m| m.scan == scan).map(|m| m.why.clone());
-    let drift = drift(&repeats.levels);
-    let rows = (0..parts.len()).map(|scan| ScanRow {
-        name: parts[scan].name.clone(),
-        level: repeats.levels[scan],
-        shift_nm: repeats.shifts_nm[scan],
-        residual: repeats.residuals[scan],
-        why: why(scan),
-    });
-    let rows: Vec<ScanRow> = rows.collect();
-    notes.extend(rows.iter().filter_map(|row| {
-        let why = row.why.as_ref()?;
-        Some(format!(
-            "{} does not seem to belong: {why}. It is kept; leave it out to drop it.",
-            row.name
-        ))
-    }));
-    if let Some(drift) = drift.filter(|drift| drift.is_there()) {
-        let percent = 100.0 * drift.per_scan;
-        notes.push(format!(
-            "The level changes by {percent:+.2} % from scan to scan."
-        ));
-    }
-    let first_nm = vec![parts[0].samples.nm().to_vec()];
-    Ok(Found {
-        scans: rows,
-        drift,
-        notes,
-        first_nm,
-        ..Found::of(repeats.mean, made_by, "repeats")
-    })
+/// The sum of composites on their own numbers, where the formula is one and all inputs are.
+fn sum_of(formula: &Formula, parts: &[Part]) -> Option<(Composite, bool)> {
+    let factors = formula.factors()?;
+    let used = factors.iter().zip(parts).filter(|(by, _)| **by != 0.0);
+    let used = used.map(|(by, part)| Some((*by, part.composite.as_deref()?)));
+    sum_of_composites(&used.collect::<Option<Vec<_>>>()?)
+}
+
+/// A result that is a composite: its table and its lines are that one's.
+fn of_composite(mut made: Found, composite: Composite) -> Result<Found, Refusal> {
+    let band = composite.band();
+    let samples = crate::spectrum::Sampled::new(band.grid().collect(), composite.on_band());
+    let mut result = made.result().clone();
+    result.samples = samples.map_err(Refusal::file)?;
+    (result.sigma, result.mask) = (None, Vec::new());
+    made.lines = composite
+        .lines()
+        .iter()
+        .map(|line| LineRow::of_composite(line, composite.power()))
+        .collect();
+    made.step_nm = 1.0;
+    made.result = Some(result);
+    made.composite = Some(composite);
+    Ok(made)
 }
 
 fn of_ranges(parts: &[Measurement], options: &Combine) -> Result<Found, Refusal> {
@@ -280,7 +319,8 @@ fn of_ranges(parts: &[Measurement], options: &Combine) -> Result<Found, Refusal>
             "INPUT: expected 2 ranges of one light".to_owned(),
         ));
     };
-    let spliced = splice(first, second, options.axis == Some(0.0)).map_err(Refusal::file)?;
+    let is_sound = options.stated.axis == Some(0.0);
+    let spliced = splice(first, second, is_sound).map_err(Refusal::file)?;
     let made_by = format!("splice of {} and {}", first.name, second.name);
     let note = format!(
         "From {} to {} nm both are there: the second is multiplied by {} ± {:.2} %.",
@@ -296,24 +336,7 @@ fn of_ranges(parts: &[Measurement], options: &Combine) -> Result<Found, Refusal>
         .collect();
     found.notes.push(note);
     found.splice = Some(spliced);
-    Ok(found)
-}
-
-fn through(parts: Vec<Measurement>, slit: Slit) -> Result<Found, Refusal> {
-    let from = doubt_from(&parts);
-    let parts = with_noise(parts);
-    let Some(part) = parts.first() else {
-        return Err(Refusal::Usage("INPUT: expected a light".to_owned()));
-    };
-    let seen = smoothed(part, slit).map_err(Refusal::file)?;
-    let made_by = format!(
-        "{} through {} nm ({})",
-        part.name,
-        slit.fwhm_nm,
-        slit.shape.word()
-    );
-    let mut found = Found::of(seen, made_by, from);
-    found.first_nm = vec![part.samples.nm().to_vec()];
+    found.tell_lines();
     Ok(found)
 }
 
@@ -351,6 +374,25 @@ fn on_grid(mut found: Found, grid: Grid) -> Result<Found, Refusal> {
 fn save(target: &Target, found: &Found, inputs: &mut Inputs) -> Result<(), Refusal> {
     let result = found.result();
     let extension = words::extension(target.path);
+    if let Some(instrument) = found.instrument.as_ref().filter(|_| found.is_learnt) {
+        if extension != "json" {
+            return Err(Refusal::Usage(format!(
+                "--out: found .{extension}, expected .json for an instrument"
+            )));
+        }
+        return target.save(instruments::text(instrument).as_bytes());
+    }
+    if let Some(composite) = found.composite.clone().filter(|_| extension == "json") {
+        let file = CompositeFile {
+            composite,
+            unit: result.unit.clone(),
+            source: found.made_by.clone(),
+            name: result.name.clone(),
+            kind: result.quantity.kind(),
+        };
+        let text = composite_json(&file).map_err(Refusal::file)?;
+        return target.save(text.as_bytes());
+    }
     if extension == "csv" {
         let text = measurement_csv(result, &found.made_by);
         return target.save(text.as_bytes());

@@ -1,35 +1,55 @@
 //! The measurements that the inputs of `combine` mean.
 
-use std::{ffi::OsStr, path::Path};
+use std::{ffi::OsStr, path::Path, sync::Arc};
 
 use super::{
-    arguments::Combine,
+    arguments::Stated,
     inputs::{Inputs, named_spectrum},
     refusal::Refusal,
 };
 use crate::{
     app::{
-        measured::{is_sigma, measurement, own_measurement},
+        measured::{is_sigma, own_measurement, spectrum},
         open::{Loaded, Wanted},
+        readings::{Reading, measured},
     },
     io::{Choices, shown, stream::is_stream},
     measurements::{Measurement, Quantity, noise_of},
-    spectrum::{Band, NamedSpectrum, Outside, SpikeSettings, detect},
+    spectrum::{Band, Composite, NamedSpectrum, Outside, SpikeSettings, detect},
 };
 
-/// What the options state of each input.
-pub(super) fn stated(mut part: Measurement, options: &Combine) -> Measurement {
-    part.level = options.level.unwrap_or(part.level);
-    part.axis_nm = options.axis.unwrap_or(part.axis_nm);
-    part
+/// One input.
+#[derive(Clone)]
+pub(super) struct Part {
+    pub of: Measurement,
+    /// What it tells of itself: counts, a cut top.
+    pub reading: Reading,
+    /// The composite that it is by its own source.
+    pub composite: Option<Arc<Composite>>,
+}
+
+impl Part {
+    fn new(
+        of: &NamedSpectrum,
+        sigma: Option<&NamedSpectrum>,
+        stated: Stated,
+    ) -> Result<Self, String> {
+        let found = measured(of, sigma, stated.as_light).map_err(|why| why.to_string())?;
+        Ok(Self {
+            of: stated.of(found.0),
+            reading: found.1,
+            composite: None,
+        })
+    }
 }
 
 /// The measurements that a word means: one, or for scans all of a file.
 pub(super) fn read(
     word: &OsStr,
     all: bool,
+    stated: Stated,
     inputs: &mut Inputs,
-) -> Result<Vec<Measurement>, Refusal> {
+) -> Result<Vec<Part>, Refusal> {
     let path = Path::new(word);
     let refused = |why: String| Refusal::File(format!("INPUT: {why}"));
     let named = |why: &dyn std::fmt::Display| refused(format!("{}: {why}", shown(path)));
@@ -40,7 +60,23 @@ pub(super) fn read(
             .ok()
             .and_then(|text| own_measurement(&text))
     {
-        return Ok(vec![own]);
+        let mut of = own;
+        let mut reading = Reading::of(&spectrum(&of, ""), stated.as_light);
+        match (of.quantity, reading.has_no_figures()) {
+            (Quantity::Light, true) => of.quantity = Quantity::Counts,
+            (Quantity::Counts, false) if stated.as_light => of.quantity = Quantity::Light,
+            _ => {}
+        }
+        if of.scans.is_some() {
+            // A mean of scans is cut where they were; it has no scale of its own.
+            reading.clipped.clear();
+        }
+        let of = stated.of(of);
+        return Ok(vec![Part {
+            of,
+            reading,
+            composite: None,
+        }]);
     }
     let (file, pick) = named_spectrum(word);
     let beside = match is_file || Path::new(file).is_file() {
@@ -55,12 +91,12 @@ pub(super) fn read(
     if all && pick.is_none() && beside.len() > 1 {
         let each = beside.iter().filter(is_value);
         return each
-            .map(|s| measurement(s, sigma_of(s)).map_err(|why| named(&why)))
+            .map(|s| Part::new(s, sigma_of(s), stated).map_err(|why| named(&why)))
             .collect();
     }
-    let one = match &beside[..] {
+    let (one, composite) = match &beside[..] {
         // Its sigma stands beside the only one.
-        [one, sigma] if pick.is_none() && is_sigma(&sigma.name) => one.clone(),
+        [one, sigma] if pick.is_none() && is_sigma(&sigma.name) => (one.clone(), None),
         _ => {
             let wanted = Wanted {
                 choices: Choices {
@@ -69,7 +105,8 @@ pub(super) fn read(
                 },
                 ..Wanted::default()
             };
-            inputs.find(word, &wanted).map_err(refused)?.entry.spectrum
+            let entry = inputs.find(word, &wanted).map_err(refused)?.entry;
+            (entry.spectrum, entry.composite)
         }
     };
     let sigma = sigma_of(&one);
@@ -81,7 +118,8 @@ pub(super) fn read(
             one.name
         ));
     }
-    Ok(vec![measurement(&one, sigma).map_err(|why| named(&why))?])
+    let part = Part::new(&one, sigma, stated).map_err(|why| named(&why))?;
+    Ok(vec![Part { composite, ..part }])
 }
 
 /// Every spectrum of a file.
@@ -104,6 +142,11 @@ pub(super) fn doubt_from(parts: &[Measurement]) -> &'static str {
         true => "stated",
         false => "residuals",
     }
+}
+
+/// The measurements of some inputs.
+pub(super) fn measurements(parts: &[Part]) -> Vec<Measurement> {
+    parts.iter().map(|part| part.of.clone()).collect()
 }
 
 /// Inputs with the noise that their own second differences tell, where none is stated.

@@ -5,7 +5,10 @@
 
 use std::{
     io::Write,
-    sync::mpsc::{RecvTimeoutError, channel},
+    sync::{
+        Arc,
+        mpsc::{RecvTimeoutError, channel},
+    },
     thread,
 };
 
@@ -19,9 +22,13 @@ use super::{
     options::ModelOptions,
     print,
     refusal::Refusal,
+    repeats::{Scans, without_figures},
 };
 use crate::{
-    app::quality_report::{Modeller, Sheet, full_json, json, light_row, lights_table, text},
+    app::{
+        quality_report::{Modeller, Sheet, full_json, json, light_row, lights_table, text},
+        readings::Reading,
+    },
     study::{Progress, in_parallel, processors},
 };
 
@@ -42,7 +49,12 @@ pub(super) fn run(
         csv,
         full,
         against,
+        repeats,
+        stated,
     } = options;
+    if *repeats {
+        return of_scans(options, out, inputs);
+    }
     if let Some(other) = against {
         return against::run(options, other, out, inputs);
     }
@@ -53,18 +65,38 @@ pub(super) fn run(
             asked.note_coarse(inputs);
         }
         let sheets = sheets(&asked.lights, *model, is_one, inputs);
-        let of_json = |sheet: &Sheet| {
-            let of = if *full { full_json } else { json };
-            of(&sheet.name, &sheet.measured, Some(&sheet.model))
+        let readings: Vec<Reading> = asked
+            .lights
+            .iter()
+            .map(|asked| Reading::of(&asked.of.light().spectrum, stated.as_light))
+            .collect();
+        let told_of: Vec<(&Sheet, &Reading)> = sheets.iter().zip(&readings).collect();
+        let of_json = |(sheet, reading): &(&Sheet, &Reading)| {
+            without_figures(sheet_json(sheet, *full), reading)
         };
-        let told = match &sheets[..] {
-            [sheet] if is_one && *as_json => format!("{:#}\n", of_json(sheet)),
-            sheets if *as_json => {
-                let list: Vec<Value> = sheets.iter().map(of_json).collect();
+        let told = match &told_of[..] {
+            [one] if is_one && *as_json => format!("{:#}\n", of_json(one)),
+            all if *as_json => {
+                let list: Vec<Value> = all.iter().map(of_json).collect();
                 format!("{:#}\n", Value::Array(list))
             }
-            [sheet] if is_one && !csv => text(sheet, &asked.lights[0].of.light().spectrum),
-            sheets => lights_table(sheets.iter().map(light_row)).csv(),
+            [(sheet, reading)] if is_one && !csv => {
+                let said = reading.sentences().into_iter();
+                let said: String = said.map(|line| format!("Note      {line}\n")).collect();
+                match reading.has_no_figures() {
+                    true => format!("{}\n{said}", sheet.name),
+                    false => said + &text(sheet, &asked.lights[0].of.light().spectrum),
+                }
+            }
+            all => {
+                let rows = all
+                    .iter()
+                    .map(|(s, reading)| match reading.has_no_figures() {
+                        true => (s.name.as_str(), Err(reading.sentences().join(" "))),
+                        false => light_row(s),
+                    });
+                lights_table(rows).csv()
+            }
         };
         print(out, &told)?;
     }
@@ -72,6 +104,28 @@ pub(super) fn run(
         inputs.tell_notes();
     }
     inputs.tell_refused(asked.refused)
+}
+
+fn sheet_json(sheet: &Sheet, full: bool) -> Value {
+    let of = if full { full_json } else { json };
+    of(&sheet.name, &sheet.measured, Some(&sheet.model))
+}
+
+/// The figures of the mean of scans, each with its doubt.
+fn of_scans(options: &Light, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+    let scans = Scans::of(options.lights.iter(), options.stated, inputs)?;
+    let light = Arc::new(scans.entry.clone());
+    let modeller = Modeller::new(light.clone(), options.model.settings());
+    let sheet = modeller.sheet(light.name().to_owned(), &modeller.document(light.clone()));
+    if options.json {
+        let told = scans.json(sheet_json(&sheet, options.full));
+        return print(out, &format!("{told:#}\n"));
+    }
+    let own = match scans.found.reading.has_no_figures() {
+        true => format!("{}\n", sheet.name),
+        false => text(&sheet, &light.spectrum),
+    };
+    print(out, &(own + &scans.words()))
 }
 
 /// The figures of all, those of several on all processors.

@@ -2,9 +2,17 @@
 
 use std::io::Write;
 
-use super::{arguments::Report, inputs::Inputs, print, print_json, refusal::Refusal, subject};
+use super::{
+    arguments::Report,
+    inputs::Inputs,
+    print, print_json,
+    refusal::Refusal,
+    repeats::{Scans, without_figures},
+    subject,
+};
 use crate::app::{
     open::{Wanted, named::Several},
+    readings::Reading,
     report,
 };
 
@@ -19,10 +27,22 @@ pub(super) fn run(
 ) -> Result<(), Refusal> {
     let Report {
         input,
+        scans,
+        repeats,
+        stated,
         pick,
         model,
         json,
     } = options;
+    if *repeats {
+        let words = std::iter::once(input).chain(scans);
+        let scans = Scans::of(words, *stated, inputs)?;
+        let app = subject::about_light(scans.entry.clone(), *model);
+        return match json {
+            true => print_json(out, &scans.json(report::json(&app))),
+            false => print(out, &(report::text(&app) + &scans.words())),
+        };
+    }
     let wanted = Wanted {
         several: Several::FirstAsNoted,
         ..pick.wanted()
@@ -32,9 +52,17 @@ pub(super) fn run(
     if !app.document().is_about_light() {
         inputs.note_sampling(*model);
     }
+    let reading = Reading::of(&app.document().subject_entry().spectrum, stated.as_light);
     if *json {
-        print_json(out, &report::json(&app))
-    } else {
-        print(out, &report::text(&app))
+        return print_json(out, &without_figures(report::json(&app), &reading));
+    }
+    let said = reading.sentences().into_iter();
+    let said: String = said.map(|line| format!("Note      {line}\n")).collect();
+    match reading.has_no_figures() {
+        true => print(
+            out,
+            &format!("{}\n{said}", app.document().subject_entry().name()),
+        ),
+        false => print(out, &(report::text(&app) + &said)),
     }
 }

@@ -69,6 +69,15 @@ pub(super) fn axis(word: &str) -> Result<f64, String> {
         .ok_or_else(|| refused(word, "nm from 0 to 100, such as 0.1nm"))
 }
 
+/// `--known-doubt`: K.
+pub(super) fn known_doubt(word: &str) -> Result<f64, String> {
+    let number = word.trim().trim_end_matches('K').trim();
+    let kelvin = number.parse::<f64>().ok();
+    kelvin
+        .filter(|kelvin| (0.0..=1e4).contains(kelvin))
+        .ok_or_else(|| refused(word, "K from 0 to 10000, such as 50"))
+}
+
 /// `--size` of a traced picture.
 pub(super) fn side(word: &str) -> Result<usize, String> {
     whole(word.trim(), &optics::SIZES)

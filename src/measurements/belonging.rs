@@ -209,7 +209,7 @@ pub fn drift(levels: &[f64]) -> Option<Drift> {
 mod tests {
     use super::*;
     use crate::{
-        measurements::{Quantity, noise::tests::normal},
+        measurements::{Quantity, draws::normal},
         spectrum::Sampled,
     };
 

@@ -6,18 +6,21 @@
 use std::fmt;
 
 use super::{
+    doubt::doubts,
     error::MeasurementError,
+    features::{Feature, Sum, features, widths},
+    figures::{Figure, dot},
     measurement::Measurement,
     repeats::{Repeats, RepeatsError, Scans, slope},
     statistics::{holm, quantile_of_p, two_sided_p},
 };
-use crate::spectrum::{Band, Outside, Sampled, SpikeSettings, detect};
+use crate::spectrum::{Outside, Sampled};
 
 /// Probability of calling the same light different.
 const LEVEL_OF_TEST: f64 = 0.05;
 
-/// Cosines of the glow that are compared.
-const COSINES: usize = 7;
+/// Degrees of freedom of what is stated.
+const STATED: f64 = 1e6;
 
 /// Degrees of freedom of the white noise for each of the scans'.
 const TELLING: f64 = 40.0;
@@ -29,6 +32,8 @@ pub enum Verdict {
     Same,
     /// At least one part differs.
     Different,
+    /// Nothing tells the noise: fewer than three scans without sigma.
+    CannotSay,
 }
 
 impl Verdict {
@@ -37,31 +42,7 @@ impl Verdict {
         match self {
             Self::Same => "same",
             Self::Different => "different",
-        }
-    }
-}
-
-/// Feature that is compared.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Feature {
-    /// The whole power.
-    Level,
-    /// A line's share of the power, at its place, nm.
-    Line(f64),
-    /// The share of what is no line.
-    Glow,
-    /// A cosine of the glow, from 1: the first is its tilt.
-    Shape(usize),
-}
-
-impl fmt::Display for Feature {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Level => f.write_str("level"),
-            Self::Line(_) => f.write_str("line"),
-            Self::Glow => f.write_str("glow"),
-            Self::Shape(1) => f.write_str("tilt of the glow"),
-            Self::Shape(_) => f.write_str("shape of the glow"),
+            Self::CannotSay => "cannot say",
         }
     }
 }
@@ -71,7 +52,7 @@ impl fmt::Display for Feature {
 pub struct Part {
     pub feature: Feature,
     /// From the first set to the second: a share of itself for level, lines and glow; a share of
-    /// the glow for its shape.
+    /// the glow for its shape; K for the CCT.
     pub change: f64,
     /// Its standard uncertainty.
     pub u: f64,
@@ -92,6 +73,18 @@ pub struct Changed {
     pub compared: Vec<Part>,
     /// By how much a line, or the glow where there is none, would have to change to be seen, %.
     pub least_seen_percent: f64,
+}
+
+impl Changed {
+    /// Nothing can be said: too little is known of the noise.
+    pub fn unsaid() -> Self {
+        Self {
+            verdict: Verdict::CannotSay,
+            parts: Vec::new(),
+            compared: Vec::new(),
+            least_seen_percent: f64::NAN,
+        }
+    }
 }
 
 /// Most parts that are named.
@@ -129,13 +122,6 @@ impl From<MeasurementError> for ChangeError {
     }
 }
 
-/// A linear sum of samples, or a quotient of two.
-struct Sum {
-    feature: Feature,
-    weights: Vec<f64>,
-    over: Vec<f64>,
-}
-
 /// Tests two sets of scans for differences.
 ///
 /// # Errors
@@ -153,9 +139,12 @@ pub fn changed(first: &[Measurement], second: &[Measurement]) -> Result<Changed,
             samples,
         ))
     };
-    let all: Vec<Measurement> = grid.values.iter().map(on_grid).collect::<Result<_, _>>()?;
+    let mut all: Vec<Measurement> = grid.values.iter().map(on_grid).collect::<Result<_, _>>()?;
+    all.iter_mut()
+        .zip(&both)
+        .for_each(|(on, own)| stated(on, own));
     let (a, b) = all.split_at(first.len());
-    let sets = [Repeats::of(a)?, Repeats::of(b)?];
+    let sets = [set_of(a)?, set_of(b)?];
     let means = sets.each_ref().map(|set| set.mean.samples.values());
     // Of equal level, so that a brighter set does not count for more.
     let totals = means.map(|m| dot(&widths(&grid.nm), m));
@@ -186,6 +175,9 @@ pub fn changed(first: &[Measurement], second: &[Measurement]) -> Result<Changed,
     parts.sort_by(|a, b| (b.change / b.u).abs().total_cmp(&(a.change / a.u).abs()));
     let is_different = compared[1..].iter().any(|part| part.is_different);
     parts.truncate(MOST_PARTS);
+    if is_different && parts.len() < MOST_PARTS {
+        parts.extend(change_of_cct(&sets));
+    }
     let seen = compared[1..]
         .iter()
         .filter(|part| matches!(part.feature, Feature::Line(_)));
@@ -208,126 +200,48 @@ pub fn changed(first: &[Measurement], second: &[Measurement]) -> Result<Changed,
     })
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// The stretch that each sample stands for, nm.
-fn widths(nm: &[f64]) -> Vec<f64> {
-    let last = nm.len() - 1;
-    (0..=last)
-        .map(|i| 0.5 * (nm[(i + 1).min(last)] - nm[i.saturating_sub(1)]))
-        .collect()
-}
-
-/// The windows of the lines of a light, with their places, none overlapping another.
-fn lines(nm: &[f64], middle: &[f64]) -> Result<Vec<(f64, [f64; 2])>, MeasurementError> {
-    let samples = Sampled::new(nm.to_vec(), middle.to_vec())?;
-    let Ok(band) = Band::new(samples.first_nm().ceil(), samples.last_nm().floor()) else {
-        return Ok(Vec::new());
+/// What a scan's own file states of its noise, on the common grid.
+fn stated(on: &mut Measurement, own: &Measurement) {
+    let sigma = own.sigma.clone();
+    let sigma = sigma.and_then(|sigma| own.samples.sharing(sigma).ok());
+    let at = |sigma: Sampled| -> Vec<f64> {
+        let nm = on.samples.nm().iter();
+        nm.map(|nm| sigma.at(*nm, Outside::Hold)).collect()
     };
-    let values = samples.on_band(band, Outside::Zero);
-    let found = detect(band, &values, SpikeSettings::default());
-    let mut all: Vec<(f64, [f64; 2], f64)> = found
-        .spikes
-        .iter()
-        .map(|s| (s.spike.at_nm, s.window_nm, s.spike.weight))
-        .collect();
-    all.sort_by(|a, b| a.1[0].total_cmp(&b.1[0]));
-    let mut apart: Vec<(f64, [f64; 2], f64)> = Vec::new();
-    for line in all {
-        match apart.last_mut() {
-            Some(last) if line.1[0] < last.1[1] => {
-                // One window, called by the heavier line.
-                last.1[1] = last.1[1].max(line.1[1]);
-                if line.2 > last.2 {
-                    (last.0, last.2) = (line.0, line.2);
-                }
-            }
-            _ => apart.push(line),
-        }
+    on.sigma = sigma.map(at);
+    (on.level, on.axis_nm) = (own.level, own.axis_nm);
+    if own.samples.nm() == on.samples.nm() {
+        on.memory.clone_from(&own.memory);
     }
-    Ok(apart
-        .into_iter()
-        .map(|(at, window, _)| (at, window))
-        .collect())
 }
 
-/// All that is compared: level first.
-fn features(nm: &[f64], middle: &[f64]) -> Result<Vec<Sum>, MeasurementError> {
-    let total = widths(nm);
-    let mut rest = total.clone();
-    let mut found = vec![Sum {
-        feature: Feature::Level,
-        weights: total.clone(),
-        over: Vec::new(),
-    }];
-    let mut of_lines = Vec::new();
-    for (at, window) in lines(nm, middle)? {
-        let from = nm.partition_point(|nm| *nm < window[0]);
-        let to = nm.partition_point(|nm| *nm <= window[1]);
-        if to < from + 3 {
-            continue;
-        }
-        // What stands above the chord from one end of the window to the other.
-        let last = to - 1;
-        let mut weights = vec![0.0; nm.len()];
-        for i in from + 1..last {
-            let share = (nm[i] - nm[from]) / (nm[last] - nm[from]);
-            weights[i] += total[i];
-            weights[from] -= total[i] * (1.0 - share);
-            weights[last] -= total[i] * share;
-        }
-        rest.iter_mut().zip(&weights).for_each(|(r, w)| *r -= w);
-        of_lines.push((at, from, last, weights));
+/// A set of scans, or one scan that states its noise.
+fn set_of(scans: &[Measurement]) -> Result<Repeats, RepeatsError> {
+    match scans {
+        [one] if one.sigma.is_some() => Ok(Repeats::stated(one)),
+        _ => Repeats::of(scans),
     }
-    found.push(Sum {
-        feature: Feature::Glow,
-        weights: rest.clone(),
-        over: total.clone(),
-    });
-    for k in 1..=COSINES {
-        found.push(Sum {
-            feature: Feature::Shape(k),
-            weights: cosine(k, nm, &total, &of_lines),
-            over: rest.clone(),
-        });
-    }
-    found.extend(of_lines.into_iter().map(|(at, _, _, weights)| Sum {
-        feature: Feature::Line(at),
-        weights,
-        over: total.clone(),
-    }));
-    if found.len() == 2 + COSINES {
-        // Without lines all is glow, and its share says nothing.
-        found.retain(|sum| sum.feature != Feature::Glow);
-    }
-    Ok(found)
 }
 
-/// A cosine of what is left once each line's window is replaced by its chord.
-fn cosine(
-    k: usize,
-    nm: &[f64],
-    total: &[f64],
-    of_lines: &[(f64, usize, usize, Vec<f64>)],
-) -> Vec<f64> {
-    let length = nm[nm.len() - 1] - nm[0];
-    let at = |i: usize| {
-        let x = (nm[i] - nm[0]) / length;
-        total[i] * (std::f64::consts::PI * k as f64 * x).cos()
+/// Change of the CCT from one mean to the other, K; `None` where it is within its doubt.
+fn change_of_cct(sets: &[Repeats; 2]) -> Option<Part> {
+    let of = |set: &Repeats| {
+        let all = doubts(&set.mean);
+        all.iter().find(|d| d.figure == Figure::Cct)?.doubt
     };
-    let mut weights: Vec<f64> = (0..nm.len()).map(at).collect();
-    for (_, from, last, _) in of_lines {
-        for i in from + 1..*last {
-            let share = (nm[i] - nm[*from]) / (nm[*last] - nm[*from]);
-            let weight = at(i);
-            weights[i] -= weight;
-            weights[*from] += weight * (1.0 - share);
-            weights[*last] += weight * share;
-        }
-    }
-    weights
+    let (a, b) = (of(&sets[0])?, of(&sets[1])?);
+    let (change, u) = (b.value - a.value, a.u.hypot(b.u));
+    let p = match u > 0.0 {
+        true => two_sided_p(change / u, a.dof.min(b.dof).min(1e6)),
+        false => f64::from(u8::from(change == 0.0)),
+    };
+    (p < LEVEL_OF_TEST).then_some(Part {
+        feature: Feature::Cct,
+        change,
+        u,
+        p,
+        is_different: true,
+    })
 }
 
 /// The doubt of the difference of two sets, pooled.
@@ -344,21 +258,37 @@ struct Pooled {
 impl Pooled {
     fn new(nm: &[f64], sets: &[Repeats; 2], totals: [f64; 2]) -> Self {
         let counts = sets.each_ref().map(|set| set.levels.len() as f64);
-        let dof = counts[0] + counts[1] - 2.0;
-        let pooled = |of: [f64; 2]| ((counts[0] - 1.0) * of[0] + (counts[1] - 1.0) * of[1]) / dof;
-        let both = 1.0 / counts[0] + 1.0 / counts[1];
-        let white =
-            |i: usize| pooled([0, 1].map(|k| (sets[k].sigma[i] / totals[k]).powi(2))) * both;
+        let are_repeats = counts.iter().all(|n| *n > 1.0);
+        // One scan that states its noise is no sample of it: nothing is pooled then.
+        let dof = match are_repeats {
+            true => counts[0] + counts[1] - 2.0,
+            false => counts
+                .iter()
+                .filter(|n| **n > 1.0)
+                .map(|n| n - 1.0)
+                .fold(STATED, f64::min),
+        };
+        let of_both = |of: [f64; 2]| match are_repeats {
+            true => {
+                let pooled = (counts[0] - 1.0) * of[0] + (counts[1] - 1.0) * of[1];
+                pooled / dof * (1.0 / counts[0] + 1.0 / counts[1])
+            }
+            false => of[0] / counts[0] + of[1] / counts[1],
+        };
+        let white = |i: usize| of_both([0, 1].map(|k| (sets[k].sigma[i] / totals[k]).powi(2)));
         let memory = sets.each_ref().map(|set| &set.mean.memory);
         let lags = memory[0].len().max(memory[1].len());
-        let rho = |lag: usize| pooled(memory.map(|m| m.get(lag).copied().unwrap_or(0.0)));
+        let rho = |lag: usize| {
+            let own = memory.map(|m| m.get(lag).copied().unwrap_or(0.0));
+            of_both(own) / of_both([1.0, 1.0])
+        };
         let slopes = [0, 1].map(|k| slope(nm, sets[k].mean.samples.values()));
         let mean_slope = |i: usize| 0.5 * (slopes[0][i] / totals[0] + slopes[1][i] / totals[1]);
         Self {
             variance: (0..nm.len()).map(white).collect(),
             memory: (0..lags).map(rho).collect(),
-            level: (pooled(sets.each_ref().map(|set| set.level_sd.powi(2))) * both).sqrt(),
-            axis_nm: (pooled(sets.each_ref().map(|set| set.axis_sd_nm.powi(2))) * both).sqrt(),
+            level: of_both(sets.each_ref().map(|set| set.level_sd.powi(2))).sqrt(),
+            axis_nm: of_both(sets.each_ref().map(|set| set.axis_sd_nm.powi(2))).sqrt(),
             slope: (0..nm.len()).map(mean_slope).collect(),
             dof,
         }

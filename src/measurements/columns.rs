@@ -67,6 +67,19 @@ pub(super) struct Column {
 }
 
 impl Column {
+    /// Covariance of every value with those of another column by the white noise of the inputs.
+    pub(super) fn covariance(&self, other: &Self, grid: &Grid) -> Vec<f64> {
+        let mut found = vec![0.0; self.values.len()];
+        for (index, input) in grid.used() {
+            if let (Some(a), Some(b)) = (&self.slopes[index], &other.slopes[index]) {
+                for (i, sum) in found.iter_mut().enumerate() {
+                    *sum += a[i] * b[i] * input.sigma[i].powi(2);
+                }
+            }
+        }
+        found
+    }
+
     /// Standard deviation of every value by the white noise of the inputs.
     pub(super) fn sigma(&self, grid: &Grid) -> Vec<f64> {
         let mut variance = vec![0.0; self.values.len()];

@@ -5,15 +5,16 @@
 //! nothing, that of `(A - C) / (B - C)` is the shared dark's.
 
 use super::{
-    columns::{Column, Grid, OnGrid},
+    columns::{Column, Grid},
     error::MeasurementError,
+    finish::finished,
     formula::{Formula, Tree},
     mask::{Mask, doubtful, in_the_dark},
-    measurement::{Measurement, letter},
+    measurement::{Masked, Measurement, letter},
     quantity::{Meaning, Operation, Quantity, absorbance_of},
+    quotient::{LinePoint, fieller, line_points},
     union::Union,
 };
-use crate::spectrum::Sampled;
 
 /// Least transmittance for an absorbance, in its sigmas.
 const LEAST_FOR_ABSORBANCE: f64 = 7.0;
@@ -25,6 +26,8 @@ pub struct Options {
     pub keep_all: bool,
     /// Most that a quotient may be off by, from noise and axis; for references with lines.
     pub most_doubt: Option<f64>,
+    /// True if quotients are told at the lines that sample and reference share.
+    pub tells_lines: bool,
 }
 
 /// A combination, and what is to be known of it.
@@ -35,6 +38,11 @@ pub struct Combined {
     pub step_nm: f64,
     /// Share of the points that hold a value.
     pub kept: f64,
+    /// Quotients at lines that sample and reference share.
+    pub points: Vec<LinePoint>,
+    /// Of a quotient of which nothing is masked the intervals that hold it 95 times of 100, one a
+    /// sample; `None` where it has no end.
+    pub intervals: Option<Vec<Option<[f64; 2]>>>,
     /// A sentence each.
     pub notes: Vec<String>,
 }
@@ -49,19 +57,7 @@ pub fn combine(
     inputs: &[Measurement],
     options: Options,
 ) -> Result<Combined, MeasurementError> {
-    let letters = formula.letters();
-    if let Some(missing) = letters.iter().find(|index| **index >= inputs.len()) {
-        return Err(MeasurementError::Meaningless(format!(
-            "found {} in the formula and {} inputs, expected an input for each letter",
-            letter(*missing),
-            inputs.len()
-        )));
-    }
-    if letters.is_empty() {
-        return Err(MeasurementError::Meaningless(
-            "found a formula without a letter, expected one of an input".to_owned(),
-        ));
-    }
+    let letters = letters_of(formula, inputs.len())?;
     let mut notes = Vec::new();
     let (step, meaning) = understood(&formula.0, inputs, &mut notes)?;
     for index in (0..inputs.len()).filter(|index| !letters.contains(index)) {
@@ -94,20 +90,91 @@ pub fn combine(
             why => format!("{why} everywhere: nothing is left."),
         }));
     }
-    notes.extend(
-        result
-            .masked()
-            .iter()
-            .take(MOST_MASKED)
-            .map(|m| format!("{} from {} to {} nm.", m.why, m.from_nm, m.to_nm)),
-    );
+    notes.extend(masked_words(&step, &grid, &result));
+    let points = match options
+        .tells_lines
+        .then(|| step.divided(&bare_grid))
+        .flatten()
+    {
+        Some([a, b]) => {
+            let part = |column| finished(&bare_grid, column, &meaning, &[], "");
+            line_points(&part(a)?, &part(b)?)
+        }
+        None => Vec::new(),
+    };
+    let intervals = match options.keep_all && result.sigma.is_some() {
+        true => step.divided(&grid).map(|[a, b]| intervals(&grid, &a, &b)),
+        false => None,
+    };
     let steps = parts.iter().map(|m| m.samples.step_nm());
     Ok(Combined {
         step_nm: steps.fold(f64::INFINITY, f64::min),
         result,
         kept,
+        points,
+        intervals,
         notes,
     })
+}
+
+/// The inputs that a formula names, each once.
+fn letters_of(formula: &Formula, inputs: usize) -> Result<Vec<usize>, MeasurementError> {
+    let letters = formula.letters();
+    if let Some(missing) = letters.iter().find(|index| **index >= inputs) {
+        return Err(MeasurementError::Meaningless(format!(
+            "found {} in the formula and {} inputs, expected an input for each letter",
+            letter(*missing),
+            inputs
+        )));
+    }
+    if letters.is_empty() {
+        return Err(MeasurementError::Meaningless(
+            "found a formula without a letter, expected one of an input".to_owned(),
+        ));
+    }
+    Ok(letters)
+}
+
+/// What is masked and what is known there all the same, a sentence a stretch.
+fn masked_words(step: &Step, grid: &Grid, result: &Measurement) -> Vec<String> {
+    let bound = step.bound(grid);
+    let told = |m: &Masked| match &bound {
+        // At least so much of it is known even there.
+        Some(bound) => {
+            let inside = grid.nm.iter().zip(bound);
+            let inside = inside.filter(|(nm, _)| (m.from_nm..=m.to_nm).contains(*nm));
+            let least = inside
+                .map(|(_, bound)| *bound)
+                .fold(f64::INFINITY, f64::min);
+            match least > 0.0 {
+                true => format!("the absorbance is more than {least:.2} there"),
+                false => "no absorbance is told there".to_owned(),
+            }
+        }
+        None => format!("no {} is told there", result.quantity.word()),
+    };
+    let words = |m: &Masked| {
+        let (from, to) = (m.from_nm, m.to_nm);
+        format!("{} from {from} to {to} nm: {}.", m.why, told(m))
+    };
+    result
+        .masked()
+        .iter()
+        .take(MOST_MASKED)
+        .map(words)
+        .collect()
+}
+
+/// Fieller's interval of every quotient.
+fn intervals(grid: &Grid, s: &Column, r: &Column) -> Vec<Option<[f64; 2]>> {
+    let (of_s, of_both, of_r) = (
+        s.covariance(s, grid),
+        s.covariance(r, grid),
+        r.covariance(r, grid),
+    );
+    (0..grid.nm.len())
+        .map(|i| fieller([s.values[i], r.values[i]], [of_s[i], of_both[i], of_r[i]]))
+        .collect()
 }
 
 /// Most stretches without values that are named.
@@ -226,6 +293,32 @@ impl Step {
         }
     }
 
+    /// Of an absorbance the least that it is, as far as noise tells: of the transmittance and two of
+    /// its doubts.
+    fn bound(&self, grid: &Grid) -> Option<Vec<f64>> {
+        let Self::Absorbance(a) = self else {
+            return None;
+        };
+        let t = a.column(grid);
+        let pairs = t.values.iter().zip(t.sigma(grid));
+        let bound = pairs.map(|(t, u)| match t + 2.0 * u {
+            most if most > 0.0 && most.is_finite() => -most.log10(),
+            _ => f64::NEG_INFINITY,
+        });
+        Some(bound.collect())
+    }
+
+    /// What a quotient divides and by what, the divisor in the unit of the other.
+    fn divided(&self, grid: &Grid) -> Option<[Column; 2]> {
+        match self {
+            Self::Of(Operation::Divide, a, b, by) if !b.is_number() => {
+                let by = *by;
+                Some([a.column(grid), b.column(grid).through(|r| [r * by, by])])
+            }
+            _ => None,
+        }
+    }
+
     /// Leaves out what the noise leaves nothing of: divisors in the dark, absorbances of nothing.
     fn mask(&self, grid: &Grid, options: Options, mask: &mut Mask) {
         match self {
@@ -237,8 +330,7 @@ impl Step {
                 let pairs = t.values.iter().zip(&sigma);
                 let is_dark =
                     pairs.map(|(t, s)| t.is_nan() || *t <= 0.0 || *t < LEAST_FOR_ABSORBANCE * s);
-                let why = "The transmittance is below 7 of its noise: only \"more than\" could be \
-                           told of the absorbance";
+                let why = "The transmittance is below 7 of its noise";
                 mask.add(is_dark.collect(), why);
             }
             Self::Of(operation, a, b, _) => {
@@ -246,7 +338,7 @@ impl Step {
                 b.mask(grid, options, mask);
                 if *operation == Operation::Divide && !b.is_number() {
                     let r = b.column(grid);
-                    let why = "The reference is below 10 of its noise: nothing is told there,";
+                    let why = "The reference is below 10 of its noise";
                     mask.add(in_the_dark(&r, grid), why);
                     if let Some(most) = options.most_doubt {
                         let why = "The quotient is known to no better than the reference between \
@@ -257,120 +349,4 @@ impl Step {
             }
         }
     }
-}
-
-/// The measurement that a column is.
-fn finished(
-    grid: &Grid,
-    found: Column,
-    meaning: &Meaning,
-    mask: &[bool],
-    why: &str,
-) -> Result<Measurement, MeasurementError> {
-    let has_sigma = grid.used().any(|(_, input)| input.of.sigma.is_some());
-    let sigma = found.sigma(grid);
-    let is_no_number = |i: usize| !found.values[i].is_finite() || !sigma[i].is_finite();
-    let mask: Vec<bool> = (0..mask.len())
-        .map(|i| mask[i] || is_no_number(i))
-        .collect();
-    let or_zero = |values: &[f64]| -> Vec<f64> {
-        let pairs = values.iter().zip(&mask);
-        pairs
-            .map(|(v, masked)| if *masked { 0.0 } else { *v })
-            .collect()
-    };
-    let samples = Sampled::new(grid.nm.to_vec(), or_zero(&found.values))?;
-    let mut result = Measurement::new(&meaning.text, meaning.quantity, &meaning.unit, samples);
-    result.level = level(grid, &found, &mask);
-    result.axis_nm = grid
-        .used()
-        .map(|(_, input)| input.of.axis_nm)
-        .fold(0.0, f64::max);
-    result.exposure_ms = meaning.exposure_ms;
-    if has_sigma {
-        result.memory = memory(grid, &found, &mask);
-        result.sigma = Some(or_zero(&sigma));
-    }
-    let slits: Vec<_> = grid.used().map(|(_, input)| input.of.slit).collect();
-    result.slit = slits[0].filter(|_| slits.iter().all(|slit| *slit == slits[0]));
-    if mask.contains(&true) {
-        result.mask = mask;
-        result.why_masked = match why {
-            "" => "No finite number".to_owned(),
-            why => why.to_owned(),
-        };
-    }
-    Ok(result)
-}
-
-/// Relative error of the result's total by the common factors of the inputs.
-fn level(grid: &Grid, found: &Column, mask: &[bool]) -> f64 {
-    let total = |of: &dyn Fn(usize) -> f64| -> f64 {
-        (0..grid.nm.len())
-            .filter(|i| !mask[*i])
-            .map(|i| width(grid.nm, i) * of(i))
-            .sum()
-    };
-    let whole = total(&|i| found.values[i].abs());
-    let part = |(index, input): (usize, &OnGrid)| {
-        let slopes = found.slopes[index]
-            .as_ref()
-            .map(|slopes| total(&|i| slopes[i] * input.values[i]));
-        (input.of.level * slopes.unwrap_or(0.0)).powi(2)
-    };
-    let squares: f64 = grid.used().map(part).sum();
-    if whole > 0.0 {
-        squares.sqrt() / whole
-    } else {
-        0.0
-    }
-}
-
-/// The stretch that a point stands for, nm.
-fn width(nm: &[f64], i: usize) -> f64 {
-    0.5 * (nm[(i + 1).min(nm.len() - 1)] - nm[i.saturating_sub(1)])
-}
-
-/// Least correlation that is kept.
-const LEAST_MEMORY: f64 = 0.01;
-
-/// Correlation of the noise of neighbouring points of the result: points between samples share
-/// the noise of both, samples have the memory that they had.
-fn memory(grid: &Grid, found: &Column, mask: &[bool]) -> Vec<f64> {
-    let weight = |(index, input): (usize, &OnGrid)| -> f64 {
-        let slopes = found.slopes[index].as_ref();
-        let squares = slopes.map(|slopes| {
-            let kept = (0..mask.len()).filter(|i| !mask[*i]);
-            kept.map(|i| (slopes[i] * input.sigma[i]).powi(2)).sum()
-        });
-        squares.unwrap_or(0.0)
-    };
-    let weights: Vec<(f64, &OnGrid)> = grid
-        .used()
-        .map(|(i, input)| (weight((i, input)), input))
-        .collect();
-    let all: f64 = weights.iter().map(|(weight, _)| weight).sum();
-    if all <= 0.0 {
-        return Vec::new();
-    }
-    let of_input = |input: &OnGrid, lag: usize| {
-        let lag = lag as f64 / input.points_a_sample;
-        let rho = |k: usize| match k {
-            0 => 1.0,
-            k => input.of.memory.get(k - 1).copied().unwrap_or(0.0),
-        };
-        let (below, share) = (lag as usize, lag.fract());
-        rho(below) * (1.0 - share) + rho(below + 1) * share
-    };
-    let at = |lag: usize| -> f64 {
-        weights
-            .iter()
-            .map(|(weight, input)| weight * of_input(input, lag))
-            .sum::<f64>()
-            / all
-    };
-    (1..grid.nm.len())
-        .map(at)
-        .take_while(|rho| *rho > LEAST_MEMORY)
-        .collect()
 }

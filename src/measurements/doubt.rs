@@ -10,11 +10,15 @@ use nalgebra::DMatrix;
 use super::{
     figures::{FIGURES, Figure, SUMS, dot, figures_of_sums, rows, sums_of},
     measurement::Measurement,
+    on_nm::OnWholeNm,
     repeats::slope,
     statistics::student_95,
 };
 use crate::{
-    color::xyz::{FIRST_NM, LAST_NM, POINTS},
+    color::{
+        quality::fidelity_reference,
+        xyz::{FIRST_NM, LAST_NM},
+    },
     spectrum::Outside,
 };
 
@@ -57,78 +61,10 @@ pub struct Doubted {
     pub doubt: Option<Doubt>,
 }
 
-/// A light on whole nm with the deviation and memory of its noise.
-struct OnWholeNm {
-    values: Vec<f64>,
-    sigma: Vec<f64>,
-    memory: Vec<f64>,
-}
-
-impl OnWholeNm {
-    fn of(light: &Measurement) -> Self {
-        let samples = &light.samples;
-        let step = samples.step_nm();
-        let lags = |own: &dyn Fn(f64) -> f64| -> Vec<f64> {
-            (1..POINTS)
-                .map(|k| own(k as f64))
-                .take_while(|rho| *rho > 0.01)
-                .collect()
-        };
-        let rho = |samples_apart: f64| {
-            let at = |k: usize| match k {
-                0 => 1.0,
-                k => light.memory.get(k - 1).copied().unwrap_or(0.0),
-            };
-            let (below, share) = (samples_apart as usize, samples_apart.fract());
-            at(below) * (1.0 - share) + at(below + 1) * share
-        };
-        let in_a_nm = (1.0 / step).max(1.0);
-        // The mean of all samples of a nm has less noise than one of them, and what noise of theirs
-        // is alike stays; at steps of a nm and more a point is one sample or lies between two.
-        let inside = in_a_nm.round() as usize;
-        let pairs = (1..inside).map(|k| 2.0 * (inside - k) as f64 * rho(k as f64));
-        let mean_of_nm = ((inside as f64 + pairs.sum::<f64>()).max(0.0)).sqrt() / inside as f64;
-        let own = light.sigma.as_deref().unwrap_or_default();
-        let nm = samples.nm();
-        let sigma = (FIRST_NM..=LAST_NM).map(|at| {
-            let at = f64::from(at);
-            if own.is_empty() || at < nm[0] || at > nm[nm.len() - 1] {
-                return 0.0;
-            }
-            let right = nm.partition_point(|nm| *nm < at).clamp(1, nm.len() - 1);
-            let share = (at - nm[right - 1]) / (nm[right] - nm[right - 1]);
-            if inside > 1 {
-                return mean_of_nm * (own[right - 1] * (1.0 - share) + own[right] * share);
-            }
-            light.sigma_at(right - 1, share)
-        });
-        Self {
-            values: samples.on_whole_nm(FIRST_NM, LAST_NM, Outside::Zero),
-            sigma: sigma.collect(),
-            memory: if inside > 1 {
-                lags(&|k| shared(&rho, inside, k as usize))
-            } else if (step - 1.0).abs() < 1e-9 {
-                light.memory.clone()
-            } else {
-                lags(&|k| rho(k / step))
-            },
-        }
-    }
-}
-
-/// Correlation of the means of all samples of two nm that lie so many nm apart.
-fn shared(rho: &dyn Fn(f64) -> f64, inside: usize, apart: usize) -> f64 {
-    let sum = |between: usize| -> f64 {
-        let pairs = (0..inside).flat_map(|i| (0..inside).map(move |j| (i, j + between)));
-        pairs.map(|(i, j)| rho(i.abs_diff(j) as f64)).sum()
-    };
-    sum(apart * inside) / sum(0)
-}
-
 /// Every figure of a light with its doubt: by its own sigma, level, axis and memory. `scans` is how
 /// many told them; where an instrument states them, none.
 pub fn doubts(light: &Measurement) -> Vec<Doubted> {
-    let on_nm = OnWholeNm::of(light);
+    let on_nm = OnWholeNm::of(light, FIRST_NM, LAST_NM);
     let sums = sums_of(&on_nm.values);
     let own = figures_of_sums(&sums);
     let scale: Vec<f64> = sums
@@ -150,6 +86,10 @@ pub fn doubts(light: &Measurement) -> Vec<Doubted> {
     let along_axis = sums_of(&shifted(&nm, &on_nm.values, light));
     let level = moved(&|i| light.level * sums[i]);
     let axis = moved(&|i| light.axis_nm * along_axis[i]);
+    let shared: Vec<[[Option<f64>; 8]; 2]> = shared_sums(light, &on_nm.values)
+        .iter()
+        .map(|along| moved(&|i| along[i]))
+        .collect();
     let told_by = light.scans.filter(|n| *n > 1);
     let one = |k: usize| -> Option<Doubt> {
         let f0 = own[k]?;
@@ -166,9 +106,15 @@ pub fn doubts(light: &Measurement) -> Vec<Doubted> {
             by_white += square;
             bias += more;
         }
-        let variance = by_level + by_axis + by_white;
+        let mut by_shared = 0.0;
+        for pair in &shared {
+            let [square, more] = part(pair)?;
+            by_shared += square;
+            bias += more;
+        }
+        let variance = by_level + by_axis + by_white + by_shared;
         let u = variance.sqrt();
-        let dof = degrees([by_level, by_axis, by_white], told_by);
+        let dof = degrees([by_level, by_axis, by_white, by_shared], told_by);
         let t = if u > 0.0 { student_95(dof) } else { 0.0 };
         let is_biased = FIGURES[k].is_biased();
         Some(Doubt {
@@ -188,9 +134,40 @@ pub fn doubts(light: &Measurement) -> Vec<Doubted> {
     .collect()
 }
 
-/// Degrees of freedom of a variance that is the sum of level, axis and white noise.
-fn degrees([level, axis, white]: [f64; 3], scans: Option<usize>) -> f64 {
-    let all = level + axis + white;
+/// Largest share of the light's Y that may be masked before its figures have no doubt worth the name.
+const MOST_MISSING: f64 = 0.01;
+
+/// The masked stretches of a light (nm), where they hold more of Y than counts for nothing: by the
+/// reference light of its CCT, since what is missing is not known.
+pub fn missing_light(light: &Measurement) -> Vec<[f64; 2]> {
+    let masked = light.masked();
+    if masked.is_empty() {
+        return Vec::new();
+    }
+    let on_nm = OnWholeNm::of(light, FIRST_NM, LAST_NM);
+    let kelvin = figures_of_sums(&sums_of(&on_nm.values))[3].unwrap_or(5000.0);
+    let reference = fidelity_reference(kelvin).on_nm();
+    let y = |nm: usize| rows()[1][nm] * reference[nm];
+    let whole: f64 = (0..reference.len()).map(y).sum();
+    let inside = |[from, to]: [f64; 2]| -> f64 {
+        let nm = (0..reference.len()).filter(|i| {
+            let at = f64::from(FIRST_NM) + *i as f64;
+            (from..=to).contains(&at)
+        });
+        nm.map(y).sum()
+    };
+    let stretches: Vec<[f64; 2]> = masked.iter().map(|m| [m.from_nm, m.to_nm]).collect();
+    let missing: f64 = stretches.iter().map(|s| inside(*s)).sum();
+    match missing > MOST_MISSING * whole {
+        true => stretches,
+        false => Vec::new(),
+    }
+}
+
+/// Degrees of freedom of a variance that is the sum of level, axis and white noise, and of what all
+/// samples share, which is stated.
+fn degrees([level, axis, white, shared]: [f64; 4], scans: Option<usize>) -> f64 {
+    let all = level + axis + white + shared;
     match scans {
         Some(n) => {
             let n = (n - 1) as f64;
@@ -207,9 +184,22 @@ fn degrees([level, axis, white]: [f64; 3], scans: Option<usize>) -> f64 {
     }
 }
 
+/// The colour sums of each error that all samples share.
+fn shared_sums(light: &Measurement, values: &[f64]) -> Vec<Vec<f64>> {
+    let light = light.bridged();
+    let of = |shared: &Vec<f64>| -> Option<Vec<f64>> {
+        let table = light.samples.sharing(shared.clone()).ok()?;
+        let on_nm = table.on_whole_nm(FIRST_NM, LAST_NM, Outside::Hold);
+        let moved: Vec<f64> = on_nm.iter().zip(values).map(|(s, v)| s * v).collect();
+        Some(sums_of(&moved))
+    };
+    light.shared.iter().filter_map(of).collect()
+}
+
 /// Slope of a light within its table; none across its ends.
 fn shifted(nm: &[f64], values: &[f64], light: &Measurement) -> Vec<f64> {
-    let (first, last) = (light.samples.first_nm(), light.samples.last_nm());
+    let inside = light.bridged();
+    let (first, last) = (inside.samples.first_nm(), inside.samples.last_nm());
     let from = nm.partition_point(|nm| *nm < first);
     let to = nm.partition_point(|nm| *nm <= last);
     let mut slopes = vec![0.0; nm.len()];

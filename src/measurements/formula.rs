@@ -119,6 +119,44 @@ impl Formula {
         found
     }
 
+    /// The factors of the inputs where the formula is a weighted sum of them; `None` for any other.
+    pub fn factors(&self) -> Option<Vec<f64>> {
+        /// A number, or factors of the inputs.
+        enum Part {
+            Number(f64),
+            Sum(Vec<f64>),
+        }
+        fn of(tree: &Tree, inputs: usize) -> Option<Part> {
+            let scaled = |sum: Vec<f64>, by: f64| Part::Sum(sum.iter().map(|v| v * by).collect());
+            Some(match tree {
+                Tree::Number(value) => Part::Number(*value),
+                Tree::Input(index) => {
+                    let own = (0..inputs).map(|i| f64::from(u8::from(i == *index)));
+                    Part::Sum(own.collect())
+                }
+                Tree::Absorbance(_) => return None,
+                Tree::Of(operation, a, b) => match (operation, of(a, inputs)?, of(b, inputs)?) {
+                    (Operation::Add, Part::Sum(a), Part::Sum(b)) => {
+                        Part::Sum(a.iter().zip(b).map(|(a, b)| a + b).collect())
+                    }
+                    (Operation::Subtract, Part::Sum(a), Part::Sum(b)) => {
+                        Part::Sum(a.iter().zip(b).map(|(a, b)| a - b).collect())
+                    }
+                    (Operation::Multiply, Part::Sum(sum), Part::Number(by))
+                    | (Operation::Multiply, Part::Number(by), Part::Sum(sum)) => scaled(sum, by),
+                    (Operation::Divide, Part::Sum(sum), Part::Number(by)) => {
+                        scaled(sum, by.recip())
+                    }
+                    _ => return None,
+                },
+            })
+        }
+        match of(&self.0, self.inputs())? {
+            Part::Sum(factors) => factors.iter().all(|f| f.is_finite()).then_some(factors),
+            Part::Number(_) => None,
+        }
+    }
+
     /// True if a word continues the text of a formula: the text is not at its end yet, or the word
     /// begins with a sign. `A`, `-` and `B` are three words of one formula; `/lamp.csv` is not one.
     pub fn goes_on(text: &str, word: &str) -> bool {

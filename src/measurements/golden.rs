@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use super::{
     Figure, Formula, Kernel, Measurement, Options, Quantity, Repeats, Slit, Verdict, changed,
-    combine, doubts, noise::tests::normal, repeats::mean_of, resampled, splice, student_95,
+    combine, doubts, draws::normal, repeats::mean_of, resampled, splice, student_95,
 };
 use crate::{
     color::{Observer, delta_e_of_xyz, xyz::xyz_from_nm_values, xyz_from_xy},
@@ -20,22 +20,22 @@ static GOLDEN: LazyLock<Value> = LazyLock::new(|| {
     serde_json::from_str(text).expect("JSON")
 });
 
-fn cases(of: &str) -> &'static [Value] {
+pub(super) fn cases(of: &str) -> &'static [Value] {
     GOLDEN[of]["cases"].as_array().expect("cases")
 }
 
-fn numbers(value: &Value) -> Vec<f64> {
+pub(super) fn numbers(value: &Value) -> Vec<f64> {
     let all = value.as_array().expect("a list").iter();
     all.map(|v| v.as_f64().unwrap_or(f64::NAN)).collect()
 }
 
-fn light(nm: Vec<f64>, values: Vec<f64>) -> Measurement {
+pub(super) fn light(nm: Vec<f64>, values: Vec<f64>) -> Measurement {
     let samples = Sampled::new(nm, values).expect("a table");
     Measurement::new("light", Quantity::Light, "", samples)
 }
 
 /// `[first, last, step]` as wavelengths.
-fn grid(value: &Value) -> Vec<f64> {
+pub(super) fn grid(value: &Value) -> Vec<f64> {
     let [first, last, step] = numbers(value)[..] else {
         panic!("three numbers");
     };

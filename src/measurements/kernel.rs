@@ -40,10 +40,25 @@ impl Kernel {
 
 impl Slit {
     /// Reach to either side, nm.
-    fn reach_nm(self) -> f64 {
+    pub(super) fn reach_nm(self) -> f64 {
         match self.shape {
             Kernel::Triangle => self.fwhm_nm,
             Kernel::Gauss => GAUSS_REACH * self.fwhm_nm,
+        }
+    }
+
+    /// Height of the kernel `u` nm from its middle; its area is 1.
+    pub(super) fn height(self, u: f64) -> f64 {
+        if u.abs() >= self.reach_nm() {
+            return 0.0;
+        }
+        match self.shape {
+            Kernel::Triangle => (self.fwhm_nm - u.abs()) / (self.fwhm_nm * self.fwhm_nm),
+            Kernel::Gauss => {
+                let sigma = self.fwhm_nm / FWHM_OVER_SIGMA;
+                let z = u / sigma;
+                (-0.5 * z * z).exp() / (sigma * (2.0 * std::f64::consts::PI).sqrt())
+            }
         }
     }
 

@@ -8,11 +8,14 @@ const AROUND: usize = 5;
 /// Least value of that mean, in its sigmas.
 const LEAST_SIGMAS: f64 = 10.0;
 
-/// True where the mean of 11 samples of a divisor is below 10 of its sigmas. The mean, not the
-/// sample: masking by the noisy sample itself keeps the lucky ones.
+/// True where the mean of 11 samples of a divisor is below 10 of its sigmas.
 pub(super) fn in_the_dark(r: &Column, grid: &Grid) -> Vec<bool> {
-    let sigma = r.sigma(grid);
-    let values = &r.values;
+    is_dark(&r.values, &r.sigma(grid))
+}
+
+/// True where the mean of 11 values is below 10 of their sigmas. The mean, not the value: masking by
+/// the noisy sample itself keeps the lucky ones.
+pub(super) fn is_dark(values: &[f64], sigma: &[f64]) -> Vec<bool> {
     let is_dark = |i: usize| {
         let near = &values[i.saturating_sub(AROUND)..(i + AROUND + 1).min(values.len())];
         let mean = near.iter().sum::<f64>() / near.len() as f64;

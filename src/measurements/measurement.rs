@@ -1,5 +1,7 @@
 //! A measured table with what is known of its doubt.
 
+use std::borrow::Cow;
+
 use super::{kernel::Slit, quantity::Quantity};
 use crate::spectrum::Sampled;
 
@@ -22,6 +24,9 @@ pub struct Measurement {
     pub axis_nm: f64,
     /// Correlation of the noise at 1, 2, ... samples apart; empty where it is white.
     pub memory: Vec<f64>,
+    /// Errors that all samples share, one standard deviation long: shares of the value, one a
+    /// sample. What a known light was wrong by moves all that is corrected with it.
+    pub shared: Vec<Vec<f64>>,
     /// Scans that it is the mean of.
     pub scans: Option<usize>,
     /// The slit that it was seen through.
@@ -62,6 +67,7 @@ impl Measurement {
             level: 0.0,
             axis_nm: 0.0,
             memory: Vec::new(),
+            shared: Vec::new(),
             scans: None,
             slit: None,
             exposure_ms: None,
@@ -73,6 +79,29 @@ impl Measurement {
     /// True if a sample holds a value.
     pub fn is_kept(&self, index: usize) -> bool {
         !self.mask.get(index).copied().unwrap_or(false)
+    }
+
+    /// The same without the samples that hold no value: straight lines over gaps, nothing at ends
+    /// that are masked.
+    pub(super) fn bridged(&self) -> Cow<'_, Self> {
+        let kept: Vec<usize> = (0..self.samples.len())
+            .filter(|i| self.is_kept(*i))
+            .collect();
+        if kept.len() == self.samples.len() {
+            return Cow::Borrowed(self);
+        }
+        let of = |values: &[f64]| -> Vec<f64> { kept.iter().map(|i| values[*i]).collect() };
+        match Sampled::new(of(self.samples.nm()), of(self.samples.values())) {
+            Ok(samples) => Cow::Owned(Self {
+                samples,
+                sigma: self.sigma.as_deref().map(of),
+                shared: self.shared.iter().map(|s| of(s)).collect(),
+                mask: Vec::new(),
+                ..self.clone()
+            }),
+            // Fewer than two are kept: the mask's zeros are all there is.
+            Err(_) => Cow::Borrowed(self),
+        }
     }
 
     /// The values, `None` where masked.

@@ -24,37 +24,21 @@ const COARSE_NM: f64 = 1.3;
 /// Largest share of a coarse table's differences that may lie far above its noise; beyond it they
 /// are its lines and give no noise.
 const LINES_SHARE: f64 = 0.1;
+/// Least ratio of the noise told by samples two apart to that told by neighbours, for a memory.
+const MEMORY: f64 = 1.5;
 /// Threshold for far above the noise, in its standard deviations.
 const FAR_ABOVE: f64 = 3.0;
 
 /// Standard deviation of the noise of every sample; `None` where it cannot be told.
 pub fn noise_of(samples: &Sampled) -> Option<Vec<f64>> {
-    let (nm, values) = (samples.nm(), samples.values());
-    let highest = values.iter().fold(0.0_f64, |top, v| top.max(v.abs()));
     // What was averaged onto a fine grid shares its noise with its neighbours.
     let apart = if samples.step_nm() < COARSE_NM {
         APART
     } else {
         1
     };
-    if nm.len() <= 2 * apart {
-        return None;
-    }
-    // Each in units of one sample's deviation.
-    let differences: Vec<f64> = (apart..nm.len() - apart)
-        .map(|i| {
-            let (left, right) = (i - apart, i + apart);
-            let share = (nm[i] - nm[left]) / (nm[right] - nm[left]);
-            let line = values[left] * (1.0 - share) + values[right] * share;
-            let away = (values[i] - line).abs();
-            let of_one = 1.0_f64.hypot(share).hypot(1.0 - share);
-            if away > ROUNDING * highest {
-                away / of_one
-            } else {
-                0.0
-            }
-        })
-        .collect();
+    let nm = samples.nm();
+    let differences = differences(samples, apart);
     let all = deviation(&differences)?;
     if samples.step_nm() >= COARSE_NM {
         let known = differences.iter().filter(|d| **d > 0.0).count();
@@ -71,6 +55,40 @@ pub fn noise_of(samples: &Sampled) -> Option<Vec<f64>> {
     Some((0..nm.len()).map(local).collect())
 }
 
+/// True if neighbours of a table share their noise: what samples two apart tell of it exceeds what
+/// neighbours tell by so much that white noise cannot. One scan does not tell how much is shared.
+pub fn has_memory(samples: &Sampled) -> bool {
+    let told = |apart: usize| deviation(&differences(samples, apart));
+    match (told(1), told(2)) {
+        (Some(one), Some(two)) => two > MEMORY * one,
+        _ => false,
+    }
+}
+
+/// Distances of the samples from the straight line between those so many samples away, each in units
+/// of one sample's deviation; 0 for rounding.
+fn differences(samples: &Sampled, apart: usize) -> Vec<f64> {
+    let (nm, values) = (samples.nm(), samples.values());
+    let highest = values.iter().fold(0.0_f64, |top, v| top.max(v.abs()));
+    if nm.len() <= 2 * apart {
+        return Vec::new();
+    }
+    (apart..nm.len() - apart)
+        .map(|i| {
+            let (left, right) = (i - apart, i + apart);
+            let share = (nm[i] - nm[left]) / (nm[right] - nm[left]);
+            let line = values[left] * (1.0 - share) + values[right] * share;
+            let away = (values[i] - line).abs();
+            let of_one = 1.0_f64.hypot(share).hypot(1.0 - share);
+            if away > ROUNDING * highest {
+                away / of_one
+            } else {
+                0.0
+            }
+        })
+        .collect()
+}
+
 /// The deviation that some differences tell; `None` where they are too few.
 fn deviation(differences: &[f64]) -> Option<f64> {
     let mut known: Vec<f64> = differences.iter().copied().filter(|d| *d > 0.0).collect();
@@ -81,23 +99,9 @@ fn deviation(differences: &[f64]) -> Option<f64> {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+mod tests {
     use super::*;
-
-    /// Normal numbers by Box and Muller from a linear congruence (Knuth's MMIX).
-    pub(in crate::measurements) fn normal(seed: u64) -> impl Iterator<Item = f64> {
-        let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15);
-        let mut even = move || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
-            ((state >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
-        };
-        std::iter::from_fn(move || {
-            let (a, b) = (even(), even());
-            Some((-2.0 * a.ln()).sqrt() * (2.0 * std::f64::consts::PI * b).cos())
-        })
-    }
+    use crate::measurements::draws::normal;
 
     #[test]
     fn the_noise_of_a_smooth_light_is_told_to_a_tenth_on_even_and_uneven_grids() {

@@ -76,30 +76,34 @@ impl fmt::Display for Quantity {
 /// Words of a unit that say that an instrument counted.
 const COUNT_WORDS: [&str; 6] = ["count", "adu", "dn", "digital", "scope", "raw"];
 
+/// True if a unit or title says that an instrument counted.
+pub(super) fn says_counts(text: &str) -> bool {
+    let text = text.to_lowercase();
+    let mut words = text.split(|c: char| !c.is_alphanumeric());
+    words.any(|word| {
+        COUNT_WORDS
+            .iter()
+            .any(|known| word == *known || *known == "count" && word.starts_with("count"))
+    })
+}
+
 /// Quantity of the values of a spectrum of this kind and unit.
 ///
 /// # Errors
 /// A sentence for what is no measurement: weightings, n and k, lists of lines.
 pub fn quantity_of(name: &str, kind: Kind, unit: &str) -> Result<Quantity, MeasurementError> {
-    let unit = unit.to_lowercase();
-    let mut words = unit.split(|c: char| !c.is_alphanumeric());
-    let says_counts = words.any(|word| {
-        COUNT_WORDS
-            .iter()
-            .any(|known| word == *known || *known == "count" && word.starts_with("count"))
-    });
     let none = |what: &str| {
         Err(MeasurementError::Meaningless(format!(
             "{name} is {what}, not a measurement."
         )))
     };
     match kind {
-        Kind::Light | Kind::Other if says_counts => Ok(Quantity::Counts),
+        Kind::Light | Kind::Other if says_counts(unit) => Ok(Quantity::Counts),
         Kind::Light => Ok(Quantity::Light),
         Kind::Transmittance => Ok(Quantity::Transmittance),
         Kind::Reflectance => Ok(Quantity::Reflectance),
         Kind::Absorbance => Ok(Quantity::Absorbance),
-        Kind::Other if unit.trim() == "factor" => Ok(Quantity::Factor),
+        Kind::Other if unit.trim().eq_ignore_ascii_case("factor") => Ok(Quantity::Factor),
         Kind::Weighting => none("a weighting"),
         Kind::Lines => none("a list of lines"),
         Kind::Other => none("a curve of another kind (n, k)"),

@@ -135,7 +135,7 @@ impl Scans {
 ///
 /// # Errors
 /// [`RepeatsError`] where they cannot be taken together.
-pub(super) fn mean_of(scans: &[Measurement]) -> Result<Measurement, RepeatsError> {
+pub fn mean_of(scans: &[Measurement]) -> Result<Measurement, RepeatsError> {
     let on_grid = Scans::of(scans)?;
     let mean = on_grid.mean();
     if let [one] = scans {
@@ -235,6 +235,20 @@ impl Regression {
 }
 
 impl Repeats {
+    /// One scan whose level, axis and noise are stated.
+    pub(super) fn stated(one: &Measurement) -> Self {
+        let sigma = one.sigma.clone();
+        Self {
+            mean: one.clone(),
+            level_sd: one.level,
+            axis_sd_nm: one.axis_nm,
+            sigma: sigma.unwrap_or_else(|| vec![0.0; one.samples.len()]),
+            levels: vec![0.0],
+            shifts_nm: vec![0.0],
+            residuals: vec![0.0],
+        }
+    }
+
     /// Estimates for the light and for the instrument from scans of one light.
     ///
     /// # Errors

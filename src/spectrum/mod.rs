@@ -53,8 +53,8 @@ pub use image::SpectralImage;
 pub use kind::Kind;
 pub use line::Line;
 #[cfg(test)]
-pub(crate) use line::{GAUSSIAN_AREA, LineProfile};
-pub(crate) use line::{NARROWEST_NM, add_lines, gaussian};
+pub(crate) use line::LineProfile;
+pub(crate) use line::{GAUSSIAN_AREA, NARROWEST_NM, add_lines, gaussian};
 pub use named::NamedSpectrum;
 pub(crate) use quantile::{quantile, rank};
 pub use rect::Rect;
@@ -64,5 +64,5 @@ pub(crate) use resampled::Resampled;
 pub use resampled::{SampleGrid, Sampling};
 pub use sampled::{Outside, Sampled, SampledError};
 pub use series::{BasisTable, Series};
-pub use spikes::{Constraints, SpikeSettings, detect, detect_shapes};
+pub use spikes::{Constraints, SpikeSettings, detect, detect_shapes, narrow_dips};
 pub(crate) use spikes::{Decomposition, FoundSpike, LineShape, absolute_power, window_near};

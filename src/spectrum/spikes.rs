@@ -167,6 +167,19 @@ pub fn detect_shapes(
     (parts, shapes)
 }
 
+/// The narrow dips of values on a band's grid: places (nm) and depths below the lower of the two
+/// shoulders, no wider than `max_width_nm`. Where lines were taken out, noise makes as many of them
+/// as it made lines.
+pub fn narrow_dips(band: Band, values: &[f64], max_width_nm: f64) -> Vec<(f64, f64)> {
+    let upright: Vec<f64> = values.iter().map(|v| -v).collect();
+    let inside = 1..values.len().saturating_sub(1);
+    candidates(&upright, f64::MIN_POSITIVE, max_width_nm)
+        .into_iter()
+        .filter(|peak| inside.contains(&peak.at))
+        .map(|peak| (band.nm(peak.at), peak.prominence))
+        .collect()
+}
+
 /// The parts that a factor's dips remove from it, in the order found: a factor has no emission
 /// lines, and a peak between two dips is not one.
 pub(super) fn dip_shapes(band: Band, values: &[f64], settings: SpikeSettings) -> Vec<LineShape> {

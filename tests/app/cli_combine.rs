@@ -175,8 +175,9 @@ fn scans_tell_every_figure_with_its_doubt() {
             .as_str()
             .is_some_and(|n| n.starts_with("One scan has no spread"))
     );
-    let two = refused(1, &["mean", &files[0], &files[1]]);
-    assert!(two.contains("Add one more"), "{two}");
+    let two = json(&["mean", &files[0], &files[1]]);
+    let why = two["notes"][0].as_str().expect("a note");
+    assert!(why.contains("Add one more"), "{why}");
 }
 
 #[test]
@@ -237,7 +238,10 @@ fn what_changed_is_named_and_equal_sets_are_the_same() {
             .is_some_and(|w| w.ends_with("of the glow"))
     }));
     assert_eq!(both(&a, &a)["verdict"], "same");
-    let few = refused(1, &["changed", &a[0], "--", &b[0]]);
+    let few = both(&a[..1], &b[..1]);
+    assert_eq!(few["verdict"], "cannot say");
+    assert_eq!(few["least_seen_percent"], Value::Null);
+    let few = said(&["changed", &a[0], "--", &b[0]]);
     assert!(few.contains("Cannot say: One scan has no spread"), "{few}");
 }
 
@@ -286,4 +290,109 @@ fn what_means_nothing_is_refused_with_what_does() {
     assert!(why.contains("INPUT: found 2 of them"), "{why}");
     let why = refused(2, &["A", "FL2", "--grid", "sideways"]);
     assert!(why.contains("--grid"), "{why}");
+}
+
+#[test]
+fn repeats_of_light_and_report_have_the_keys_of_a_mean_besides_their_own() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let files = scans(folder.path(), 5);
+    let told = |command: &str| -> Value {
+        let words = [cli::PROGRAM, command, "--repeats", "--json"];
+        let words = words
+            .iter()
+            .copied()
+            .chain(files.iter().map(String::as_str));
+        let (mut out, mut err) = (Vec::new(), Vec::new());
+        let outcome = cli::run(words.map(OsString::from), None, &mut out, &mut err);
+        assert_eq!(
+            outcome,
+            Outcome::Done(0),
+            "{}",
+            String::from_utf8_lossy(&err)
+        );
+        serde_json::from_slice(&out).expect("JSON")
+    };
+    let words: Vec<&str> = ["mean"]
+        .into_iter()
+        .chain(files.iter().map(String::as_str))
+        .collect();
+    let mean = json(&words);
+    for command in ["light", "report"] {
+        let found = told(command);
+        for key in [
+            "figures", "lines", "scans", "drift", "doubt", "sigma", "clipped",
+        ] {
+            assert_eq!(found[key], mean[key], "{command} {key}");
+        }
+    }
+    let light = told("light");
+    let (plain, doubted) = (&light["cct"], &light["figures"]["cct"]["value"]);
+    let off = plain.as_f64().expect("a CCT") - doubted.as_f64().expect("a CCT");
+    assert!(off.abs() < 0.1, "{off}");
+}
+
+#[test]
+fn an_instrument_learnt_from_a_bulb_makes_lights_of_counts_and_says_what_they_share() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let response = |nm: f64| 0.2 + (-((nm - 560.0) / 120.0).powi(2)).exp();
+    let counts = |lamp: &str, name: &str| {
+        let table = match preset::table("cie_illuminants", lamp) {
+            Some(table) => table,
+            None => preset::table("cie_led_1nm", lamp).expect("a shipped lamp"),
+        };
+        let top = table.values().iter().fold(0.0_f64, |top, v| top.max(*v));
+        let rows = table.nm().iter().zip(table.values());
+        let rows = rows.filter(|(nm, _)| (380.0..=780.0).contains(*nm));
+        let rows = rows.map(|(nm, v)| (*nm, 40_000.0 * v / top * response(*nm)));
+        put(folder.path(), name, "counts", rows)
+    };
+    let (bulb, lamp) = (counts("CIE A", "bulb.csv"), counts("LED-B3", "lamp.csv"));
+    let out = folder.path().join("meter.json");
+    let out = out.to_str().expect("UTF-8");
+    let learn = [
+        "instrument",
+        "learn",
+        &bulb,
+        "--known",
+        "black body 2855.5 K",
+        "--known-doubt",
+        "50",
+    ];
+    let learnt = json(&[&learn[..], &["--out", out]].concat());
+    assert_eq!(learnt["result"]["quantity"], "factor");
+    assert_eq!(learnt["instrument"]["first_nm"], 380.0);
+    let used = json(&["instrument", "use", out, &lamp]);
+    assert_eq!(used["result"]["quantity"], "radiant");
+    let plain = json(&["1*A", "LED-B3"]);
+    let cct = |of: &Value| of["figures"]["cct"]["value"].as_f64().expect("a CCT");
+    // The bulb's tables are of 5 nm, and A is 2848 K by another c2.
+    assert!(
+        (cct(&used) / cct(&plain) - 1.0).abs() < 0.01,
+        "{} {}",
+        cct(&used),
+        cct(&plain)
+    );
+    // 50 K of the bulb are some 90 K of a light of 5000 K.
+    let u = used["figures"]["cct"]["u"].as_f64().expect("a doubt");
+    assert!((30.0..200.0).contains(&u), "{u}");
+    let raw = json(&["1*A", &lamp]);
+    assert_eq!(
+        (&raw["figures"], &raw["counts"]["is"]),
+        (&Value::Null, &Value::Bool(true))
+    );
+    let taken = json(&["1*A", &lamp, "--as-light"]);
+    assert!(taken["figures"]["cct"]["value"].is_number(), "{taken}");
+    let why = refused(1, &["instrument", "use", &lamp, &lamp]);
+    assert!(why.contains("expected an instrument"), "{why}");
+}
+
+#[test]
+fn composites_are_added_on_their_own_numbers() {
+    let found = json(&["A - B", "paper/Mercury", "paper/Mercury"]);
+    let lines = found["lines"].as_array().expect("lines");
+    assert!(
+        !lines.is_empty() && lines.iter().all(|line| line["weight"] == 0.0),
+        "{lines:?}"
+    );
+    assert!(numbers(&found["values"]).iter().all(|v| *v == 0.0));
 }

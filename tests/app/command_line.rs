@@ -437,10 +437,29 @@ fn the_keys_of_a_combination_are_told() {
     let slit = ["combine", "slit", "10", "FL2", "--json"];
     let [lower, upper] = cli_combine::ranges(folder.path());
     let splice = ["combine", "splice", &lower, &upper, "--json"];
-    holds(
-        "combine --json",
-        &[&mean, &changed, &quotient, &over_lines, &slit, &splice],
-    );
+    let all = ["combine", "A / B", "FL2", "CIE A", "--keep-all", "--json"];
+    let unslit = ["combine", "unslit", "5", "FL2", "--json"];
+    let learn = [
+        "combine",
+        "instrument",
+        "learn",
+        "CIE A",
+        "--known",
+        "black body 2856 K",
+        "--json",
+    ];
+    let told = [
+        &mean[..],
+        &changed,
+        &quotient,
+        &over_lines,
+        &slit,
+        &splice,
+        &all,
+        &unslit,
+        &learn,
+    ];
+    holds("combine --json", &told);
 }
 
 #[test]

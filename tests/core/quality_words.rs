@@ -382,7 +382,7 @@ fn the_number_of_threads_changes_no_bit() {
     let one = figures_of_many(&lights, 1, &Progress::default()).unwrap();
     let three = figures_of_many(&lights, 3, &Progress::default()).unwrap();
     assert_eq!(one, three);
-    let csv = lights_table(names.into_iter().zip(&one).map(|(n, f)| (n, f, None))).csv();
+    let csv = lights_table(names.into_iter().zip(&one).map(|(n, f)| (n, Ok((f, None))))).csv();
     let (head, rows) = csv.split_once('\n').expect("a head");
     assert!(head.starts_with("name,x,y,"));
     assert!(

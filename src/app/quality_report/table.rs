@@ -22,34 +22,43 @@ static COLUMNS: LazyLock<Vec<&QualityFigure>> = LazyLock::new(|| {
     filed.filter(|row| (row.applies)(&dark)).collect()
 });
 
-/// A light by its name, with its figures and those of its model, if there is one.
-pub type LightRow<'a> = (&'a str, &'a Figures, Option<&'a Figures>);
+/// A light by its name, with its figures and those of its model, if there is one; or the reason
+/// for no figures at all.
+pub type LightRow<'a> = (&'a str, Result<(&'a Figures, Option<&'a Figures>), String>);
 
 /// A row of a sheet.
 pub fn light_row(sheet: &Sheet) -> LightRow<'_> {
-    (&sheet.name, &sheet.measured, Some(&sheet.model))
+    (&sheet.name, Ok((&sheet.measured, Some(&sheet.model))))
 }
 
 /// Lights with their figures, and behind them those of their models.
 pub fn lights_table<'a>(lights: impl IntoIterator<Item = LightRow<'a>>) -> Table {
-    let number = |row: &QualityFigure, figures: &Figures| match (row.applies)(figures) {
-        true => row.value(figures).ok(),
-        false => None,
+    let number = |row: &QualityFigure, figures: Option<&Figures>| {
+        let figures = figures.filter(|figures| (row.applies)(figures))?;
+        row.value(figures).ok()
     };
     let mut columns =
-        Columns::<LightRow<'_>>::default().with("name", |(name, ..): &LightRow<'_>| cell(*name));
+        Columns::<LightRow<'_>>::default().with("name", |(name, _): &LightRow<'_>| cell(*name));
     for row in &*COLUMNS {
-        columns.push(row.figure.key, move |(_, measured, _)| {
+        columns.push(row.figure.key, move |(_, found): &LightRow<'_>| {
+            let measured = found.as_ref().ok().map(|(measured, _)| *measured);
             cell(number(row, measured))
         });
     }
     for row in &*COLUMNS {
         let key = format!("model_{}", row.figure.key);
-        columns.push(key, move |(.., model)| {
-            cell(model.and_then(|model| number(row, model)))
+        columns.push(key, move |(_, found): &LightRow<'_>| {
+            let model = found.as_ref().ok().and_then(|(_, model)| *model);
+            cell(number(row, model))
         });
     }
-    columns.push("notes", |(_, measured, _)| cell(notes(measured)));
+    columns.push("notes", |(_, found)| {
+        cell(
+            found
+                .as_ref()
+                .map_or_else(Clone::clone, |(measured, _)| notes(measured)),
+        )
+    });
     Table::new("", columns, lights)
 }
 
@@ -69,8 +78,9 @@ mod tests {
         let figures = Figures::of(&Light::of_nm_values(&[1.0; POINTS]), None);
         let dark = Figures::of(&Light::of_nm_values(&[0.0; POINTS]), None);
         let rows = [
-            ("=1+1", &figures, None),
-            ("a, \"b\"", &dark, Some(&figures)),
+            ("=1+1", Ok((&figures, None))),
+            ("a, \"b\"", Ok((&dark, Some(&figures)))),
+            ("scans", Err("no figures".to_owned())),
         ];
         let csv = lights_table(rows).csv();
         let lines: Vec<&str> = csv.lines().collect();
@@ -78,6 +88,7 @@ mod tests {
         assert!(lines[1].starts_with("'=1+1,"), "{csv}");
         assert!(lines[2].starts_with("\"a, \"\"b\"\"\",,,"), "{csv}");
         assert!(lines[2].contains("every value is zero"));
+        assert!(lines[3].starts_with("scans,,,") && lines[3].ends_with(",no figures"));
     }
 
     #[test]

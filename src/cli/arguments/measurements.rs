@@ -4,7 +4,33 @@ use std::{ffi::OsString, path::PathBuf};
 
 use clap::Args;
 
-use crate::cli::{options::FileOptions, room_words, words};
+use crate::{
+    cli::{options::FileOptions, room_words, words},
+    measurements::Measurement,
+};
+
+/// What is stated of a reading.
+#[derive(Args, Clone, Copy, Debug, Default)]
+pub(crate) struct Stated {
+    /// What one reading's level is known to, such as 1%.
+    #[arg(long, value_name = "PERCENT", value_parser = room_words::level)]
+    pub level: Option<f64>,
+    /// What the wavelengths are known to, such as 0.1nm.
+    #[arg(long, value_name = "NM", value_parser = room_words::axis)]
+    pub axis: Option<f64>,
+    /// Take counts of an instrument as a light; they stay marked.
+    #[arg(long)]
+    pub as_light: bool,
+}
+
+impl Stated {
+    /// A measurement with what is stated of it.
+    pub(crate) fn of(self, mut part: Measurement) -> Measurement {
+        part.level = self.level.unwrap_or(part.level);
+        part.axis_nm = self.axis.unwrap_or(part.axis_nm);
+        part
+    }
+}
 
 /// Options of `combine`.
 #[derive(Args, Debug)]
@@ -12,8 +38,9 @@ pub(crate) struct Combine {
     /// What becomes of the inputs, whose letters are A, B, C, ... in their order: a formula with
     /// the signs + - * / ( ), numbers and -log10, such as "A - B", "A / B", "(A - C) / (B - C)",
     /// "-log10(A / B)"; or mean (scans of one light), splice (two ranges), slit NM
-    /// [triangle|gauss] (as such an instrument sees it), changed (what differs: the second set
-    /// stands behind --).
+    /// [triangle|gauss] (as such an instrument sees it), unslit auto|NM [triangle|gauss] (its slit
+    /// taken off), changed (what differs: the second set stands behind --), instrument learn
+    /// READING [DARK] (its response, by --known), instrument use INSTRUMENT.json READING [DARK].
     #[arg(value_name = "FORMULA", allow_hyphen_values = true)]
     pub formula: OsString,
     /// Spectra: files (lamps.csv#2 is the second of several, - is standard input), presets' names
@@ -27,15 +54,19 @@ pub(crate) struct Combine {
     /// nm such as 1; a coarser grid takes areas, never single samples.
     #[arg(long, value_name = "GRID", default_value = "union", value_parser = room_words::grid)]
     pub grid: room_words::Grid,
-    /// What one reading's level is known to, such as 1%.
-    #[arg(long, value_name = "PERCENT", value_parser = room_words::level)]
-    pub level: Option<f64>,
-    /// What the wavelengths are known to, such as 0.1nm.
-    #[arg(long, value_name = "NM", value_parser = room_words::axis)]
-    pub axis: Option<f64>,
-    /// Leave out nothing of a quotient, however dark the reference is.
+    #[command(flatten)]
+    pub stated: Stated,
+    /// Leave out nothing: of a quotient however dark the reference is, of scans those that do not
+    /// belong to the others.
     #[arg(long)]
     pub keep_all: bool,
+    /// For instrument learn the light that was read: "black body 2856 K", "daylight 6500 K", or a
+    /// file or preset whose values are known.
+    #[arg(long, value_name = "LIGHT")]
+    pub known: Option<OsString>,
+    /// Standard uncertainty of its temperature, K.
+    #[arg(long, value_name = "KELVIN", requires = "known", value_parser = room_words::known_doubt)]
+    pub known_doubt: Option<f64>,
     /// The spectrum to write: .csv with a column of sigma, or .json, .sp (Argyll), .spd, .spdx.
     #[arg(long, value_name = "FILE",
         value_parser = words::path_in(&["csv", "json", "sp", "spd", "spdx"]))]

@@ -382,7 +382,11 @@ fn beside_processed(titles: &Titles, wavelength: usize) -> Vec<usize> {
             && !title.contains("subtracted")
     };
     let (raws, others): (Vec<usize>, Vec<usize>) = others.into_iter().partition(raw);
-    let is_result = |title: String| kind_of_title(&title).is_some() || is_processed(&title);
+    // The sigma of a raw reading is no result of it.
+    let is_sigma = |title: &str| title.to_lowercase().starts_with("sigma of ");
+    let is_result = |title: String| {
+        kind_of_title(&title).is_some() && !is_sigma(&title) || is_processed(&title)
+    };
     if others.iter().any(|c| is_result(titles.whole(*c))) {
         return raws;
     }
