@@ -19,7 +19,7 @@ use egui_kittest::{Harness, TestRenderer, kittest::Queryable as _};
 use serde_json::{Value, json};
 use spectral_explorer::{
     app::{
-        App, Command, Detector, Document, Message, Scale, Settings, Subject,
+        App, Command, Detector, Document, Message, Scale, Subject,
         pages::{FieldChoice, Page},
         picture::{Show, Spread},
         products::{Link, Products},
