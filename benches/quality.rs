@@ -160,10 +160,7 @@ fn slider_move(c: &mut Criterion) {
     };
     group.bench_function("figures", |b| b.iter(&mut step));
     group.bench_function("chromaticity", |b| {
-        b.iter(|| {
-            let [measured, model] = step().places();
-            diagram(measured, model, DiagramShows::default())
-        });
+        b.iter(|| diagram(&step().placed(), DiagramShows::default()));
     });
     group.finish();
 }

@@ -41,15 +41,18 @@ impl Worst {
     }
 }
 
-/// The verdict on the model, with its subject and what it was judged on: "Model and light are hard
-/// to tell apart by eye, judged on 24 shipped surfaces".
-pub fn verdict(app: &App, seen: Seen) -> String {
-    let said = seen.verdict(match app.document().subject_entry().kind() {
+/// The verdict on the model, with its subject: "Model and light look alike".
+pub fn verdict_alone(app: &App, seen: Seen) -> String {
+    seen.verdict(match app.document().subject_entry().kind() {
         Kind::Reflectance => "surface",
         Kind::Transmittance => "filter",
         _ => "light",
-    });
-    format!("{said}, judged {}", judged_on(app))
+    })
+}
+
+/// The same with what it was judged on: "Model and light look alike, judged on 24 shipped surfaces".
+pub fn verdict(app: &App, seen: Seen) -> String {
+    format!("{}, judged {}", verdict_alone(app, seen), judged_on(app))
 }
 
 /// What the verdict was judged on: "on 24 shipped surfaces", "on 26 surfaces, 2 of them your own".
@@ -138,7 +141,7 @@ pub fn spike_words(app: &App, spike: Line, name: &LineName) -> String {
         "" => "nm".to_owned(),
         unit => format!("{unit} x nm"),
     };
-    let mut words = format!("spike {:.1} nm{name}   {weight} {unit}", spike.at_nm);
+    let mut words = format!("line {:.1} nm{name}   {weight} {unit}", spike.at_nm);
     if let Some(share) = derived.parts.share(spike.weight) {
         words += &format!("   {:.1} % of the power", 100.0 * share);
     }
@@ -150,7 +153,7 @@ pub fn spike_words(app: &App, spike: Line, name: &LineName) -> String {
     };
     let adds = 100.0 * xyz_of_lines(&[spike], weights).y / white;
     if adds.is_finite() {
-        words += &format!("   adds {adds:+.1} Y");
+        words += &format!("   adds {adds:+.1} % of the brightness");
     }
     words
 }
@@ -313,7 +316,7 @@ mod tests {
         let said = verdict(&app, Seen::Hardly);
         assert_eq!(
             said,
-            "Model and light are hard to tell apart by eye, judged on 24 shipped surfaces"
+            "Model and light look alike, judged on 24 shipped surfaces"
         );
         assert_eq!(of_how_many(&app), " of 24");
         app.apply(Command::PatchSet("cri_tcs".to_owned()));

@@ -45,6 +45,8 @@ pub enum Command {
         /// The knobs; they are clamped when applied.
         settings: Settings,
     },
+    /// The light that the light is compared with; `None` for none.
+    Compare(Option<Arc<Entry>>),
     /// Adds a spectrum to the overlays, or takes it away.
     ToggleOverlay(Arc<Entry>),
     /// No overlays.

@@ -53,10 +53,26 @@ pub fn command_lines(app: &App, page: Page, size: [u32; 2], dark: bool) -> Resul
         }
         None => options(settings),
     };
+    let against = match document
+        .second
+        .as_ref()
+        .filter(|_| document.is_about_light())
+    {
+        Some(second) => {
+            let words = words_of(second)?;
+            if words.contains(" --spectrum ") {
+                return Err(
+                    "The command line takes a light from a file of its own only.".to_owned(),
+                );
+            }
+            format!(" --against {words}")
+        }
+        None => String::new(),
+    };
     let theme = if dark { "dark" } else { "light" };
     let [width, height] = size;
     Ok(format!(
-        "spectral-explorer report {about}{options}\nspectral-explorer render {about}{options} \
+        "spectral-explorer report {about}{options}\nspectral-explorer render {about}{options}{against} \
          --page {} --size {width}x{height} --theme {theme} --out view.png",
         page.word()
     ))

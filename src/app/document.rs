@@ -5,8 +5,14 @@ use std::{collections::BTreeMap, sync::Arc};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    entry::Entry, library::Library, opened::ImageEntry, origin::Before, pages::PageSettings,
-    products::Products, scale::Scale, settings::Settings,
+    entry::{Entry, bundled_entries},
+    library::Library,
+    opened::ImageEntry,
+    origin::Before,
+    pages::PageSettings,
+    products::Products,
+    scale::Scale,
+    settings::Settings,
 };
 use crate::{
     color::Adaptation,
@@ -29,6 +35,9 @@ pub const FIRST_PATCH_SET: &str = "colorchecker_ohta";
 
 /// The light shown at first: a fluorescent tube, four lines on a glow.
 pub const FIRST_LIGHT: &str = "cie_fluorescent_1nm/FL2";
+
+/// What a light is seen beside where no other was chosen, and what that is seen beside.
+pub(super) const USUAL_SECOND: [&str; 2] = ["cie_illuminants/CIE A", "cie_illuminants/CIE D65"];
 
 /// The light of a fresh document among the shipped spectra.
 ///
@@ -109,6 +118,8 @@ impl Default for View {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Document {
     pub light: Arc<Entry>,
+    /// The light that it is compared with.
+    pub second: Option<Arc<Entry>>,
     /// The selected reflectance or transmittance.
     pub factor: Option<Arc<Entry>>,
     /// What the model is of.
@@ -204,6 +215,7 @@ impl Document {
     pub fn about(light: Arc<Entry>) -> Self {
         Self {
             light,
+            second: None,
             factor: None,
             subject: Subject::Light,
             overlays: Vec::new(),
@@ -232,6 +244,22 @@ impl Document {
         }
     }
 
+    /// The second light, or one to begin with where two are needed and none was chosen: a bulb, and
+    /// daylight beside a bulb.
+    pub fn light_beside(&self) -> Arc<Entry> {
+        self.second.clone().unwrap_or_else(|| {
+            let key = USUAL_SECOND[usize::from(self.light.key == USUAL_SECOND[0])];
+            let found = bundled_entries().iter().find(|entry| entry.key == key);
+            found.unwrap_or(&self.light).clone()
+        })
+    }
+
+    /// Everything that is drawn over the subject: the second light over a light, then the overlays.
+    pub fn laid_over(&self) -> impl Iterator<Item = &Arc<Entry>> {
+        let second = self.second.iter().filter(|_| self.is_about_light());
+        second.chain(&self.overlays)
+    }
+
     /// Whether the subject is the light.
     pub fn is_about_light(&self) -> bool {
         self.subject == Subject::Light || self.factor.is_none()
@@ -240,7 +268,8 @@ impl Document {
     /// Gives the paper's lamps in the document the weight factor in force.
     pub fn weigh_the_papers_lamps(&mut self) {
         let factor = self.weight_factor;
-        let all = self.overlays.iter_mut().chain([&mut self.light]);
+        let lights = [&mut self.light].into_iter().chain(&mut self.second);
+        let all = lights.chain(&mut self.overlays);
         for entry in all.filter(|e| e.is_of_the_paper()) {
             let weighed = Library::bundled()
                 .find(&entry.key)

@@ -75,11 +75,11 @@ pub const WORDS: &[Word] = &[
     ),
     word(
         "Emission line",
-        "Light at one wavelength, or nearly, as atoms of a gas give it off. In the model: a spike.",
+        "Light at one wavelength, or nearly, as atoms of a gas give it off. The model keeps it as a place and a weight.",
     ),
     word(
-        "Error against order",
-        "How far the model is off for every order of its smooth part: where the curve falls below 1, the difference is hard to see on those patches.",
+        "Error against waves",
+        "How far the model is off with every number of waves: where the curve falls below 1, the difference is hard to see on those surfaces.",
     ),
     word(
         "Filter",
@@ -128,19 +128,15 @@ pub const WORDS: &[Word] = &[
     ),
     word(
         "Numbers",
-        "What a model takes: 2N + 1 for an order N, and two for each line. A table from 380 to 780 nm takes 401.",
+        "What a model takes: 2N + 1 for N waves, and two for each line. A table from 380 to 780 nm takes 401.",
     ),
     word(
         "Observer",
         "The CIE's standard eye: of 1931 for small fields of 2 degrees, of 1964 for fields of 10 degrees, of 2015 from the cones themselves.",
     ),
     word(
-        "Order N",
-        "How many waves draw the smooth part. Order 0 is a level line.",
-    ),
-    word(
         "Overlay",
-        "A second spectrum drawn over the first: lights of relative units equally bright (of equal luminance), surfaces as they are.",
+        "A spectrum that is compared: drawn over the first: lights of relative units equally bright (of equal luminance), surfaces as they are.",
     ),
     word(
         "Patch",
@@ -181,7 +177,7 @@ pub const WORDS: &[Word] = &[
     ),
     word(
         "Threshold",
-        "The least share of the power that a line must hold to become a spike.",
+        "The least share of the power that a line must hold to be kept as a line.",
     ),
     word("Tint", "See Duv."),
     word(
@@ -197,8 +193,12 @@ pub const WORDS: &[Word] = &[
         "What tells one pure colour of light from another, in nanometres: 450 blue, 550 green, 650 red.",
     ),
     word(
+        "Waves",
+        "How many waves draw the smooth part: the order N of its series. None is a level line.",
+    ),
+    word(
         "Weight",
-        "The power of a spike, in the spectrum's unit times nanometres; on screen its share of the power is told.",
+        "The power of a line, in the spectrum's unit times nanometres; on screen its share of the power is told.",
     ),
     word(
         "XYZ",

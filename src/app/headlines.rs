@@ -2,6 +2,7 @@
 //! found, with its figures.
 
 use super::{
+    Lit,
     charts::products::{
         absorption::{DipRow, looks},
         narrow::{Behind, Figures, Filter},
@@ -10,10 +11,10 @@ use super::{
     numbers::{delta_e, percent},
     opened::ImageEntry,
     product_report::Told,
-    products::{same_surface::SameSurfaceSheet, two_lights::TwoLightsSheet},
+    products::same_surface::SameSurfaceSheet,
     state::App,
     studies::paper::{Row, Verdict},
-    ticks::short,
+    ticks::{hundredths, short},
     verdicts::Seen,
 };
 use crate::{
@@ -69,7 +70,7 @@ pub fn chain(light: &str, told: &Told) -> String {
     match total.colours.delta_e_2000 {
         Some(off) => format!(
             "{passes}. The model's colour is off by ΔE₀₀ {}: {}.",
-            delta_e(off),
+            hundredths(off),
             Seen::of(off).seen()
         ),
         None => format!("{passes}."),
@@ -101,31 +102,53 @@ pub fn narrow(behind: &Behind, figures: &Figures, filter: &Filter) -> String {
     )
 }
 
-/// How far the surfaces move from one light to the other.
-pub fn two_lights(sheet: &TwoLightsSheet) -> String {
-    let [first, second] = &sheet.lights;
-    let Some(exact) = &sheet.exact else {
+/// How many surfaces change from one light to the other, and which one most.
+pub fn two_lights([first, second]: [&str; 2], lit: Option<&[Lit]>) -> String {
+    let Some(lit) = lit else {
         return "One of the lights is not seen on this range, so there is no colour to compare."
             .to_owned();
     };
-    match (exact.mean(), exact.worst()) {
-        (Some(mean), Some(worst)) => format!(
-            "From {first} to {second} the {} move by ΔE₀₀ {mean:.2} on average, the patch \"{}\" \
-             most, by {:.2}.",
-            many(sheet.names.len(), "patch", "patches"),
-            sheet.names[worst],
-            exact.patches[worst].delta_e_2000
-        ),
-        _ => "There are no patches to compare.".to_owned(),
-    }
+    let most = lit
+        .iter()
+        .max_by(|a, b| a.delta_e_2000.total_cmp(&b.delta_e_2000));
+    let Some(most) = most else {
+        return "There are no surfaces to compare.".to_owned();
+    };
+    let seen = |lit: &&Lit| Seen::of(lit.delta_e_2000) >= Seen::Visible;
+    let changed = lit.iter().filter(seen).count();
+    let how_many = match changed {
+        0 => format!("none of {} surfaces changes", lit.len()),
+        all if all == lit.len() => format!("all {all} surfaces change"),
+        1 => format!("1 of {} surfaces changes", lit.len()),
+        some => format!("{some} of {} surfaces change", lit.len()),
+    };
+    format!(
+        "From {first} to {second} {how_many} visibly, \"{}\" most (ΔE₀₀ {:.1}).",
+        most.name, most.delta_e_2000
+    )
+}
+
+/// A pair that is one colour under a light, and how it parts under another.
+pub fn metamers([first, second]: [&str; 2], names: &[String; 2], delta_e_2000: [f64; 2]) -> String {
+    let [one, other] = names;
+    let [alike, apart] = delta_e_2000;
+    let how = |delta| Seen::of(delta).of_two();
+    format!(
+        "Under {first} {one} and {other} {} (ΔE₀₀ {alike:.1}); under {second} they {} ({apart:.1}).",
+        how(alike),
+        how(apart)
+    )
 }
 
 /// Whether a spectrum can be the light off a surface.
 pub fn same_surface(sheet: &SameSurfaceSheet) -> String {
     let [light, surface, outgoing] = &sheet.names;
     match sheet.verdict() {
-        Sameness::Holds => format!("{outgoing} can be {light} off {surface}."),
-        Sameness::DoesNotHold => format!("{outgoing} is not {light} off {surface}."),
+        Sameness::Holds => match *outgoing == format!("{light} off {surface}") {
+            true => format!("Yes: the spectrum is what {light} off {surface} would be."),
+            false => format!("Yes: {outgoing} can be {light} off {surface}."),
+        },
+        Sameness::DoesNotHold => format!("No: {outgoing} is not {light} off {surface}."),
         Sameness::Unknown if sheet.model.is_none() => {
             "One of the spectra is dark on this range.".to_owned()
         }
@@ -189,19 +212,18 @@ pub fn paper(subject: &str, rows: &[Row]) -> String {
 
 /// What the pixels chosen of an image are.
 pub fn image(entry: &ImageEntry, pixels: usize) -> String {
-    let nm = entry.image.cube.nm();
-    format!(
-        "{}: a spectrum of {} from {} to {} nm in each of {} pixels, {} of them chosen.",
-        entry.image.name,
-        many(nm.len(), "band", "bands"),
-        short(nm[0]),
-        short(nm[nm.len() - 1]),
-        entry.image.cube.width() * entry.image.cube.height(),
-        if pixels == 1 {
-            "one".to_owned()
-        } else {
-            pixels.to_string()
+    let cube = &entry.image.cube;
+    let chosen = match pixels {
+        1 => "That of one pixel is shown.".to_owned(),
+        all if all == cube.width() * cube.height() => {
+            "Click one, or drag over some, to see theirs.".to_owned()
         }
+        some => format!("The mean of {some} pixels is shown."),
+    };
+    format!(
+        "{}: each of its pixels is a spectrum of {}. {chosen}",
+        entry.image.name,
+        many(cube.nm().len(), "band", "bands"),
     )
 }
 

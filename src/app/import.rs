@@ -284,6 +284,7 @@ impl Import {
         document.images.retain(|image| !is_gone(&image.key));
         document.own.retain(|e| !is_gone(&e.key));
         document.overlays.retain(|e| !is_gone(&e.key));
+        document.second.take_if(|second| is_gone(&second.key));
         for key in gone.iter().copied() {
             document.edits.remove(key);
             document.products.forget(key);

@@ -229,7 +229,9 @@ pub(super) fn entry_of(document: &Document, key: &str) -> Option<Arc<Entry>> {
 }
 
 fn image_of<'a>(document: &'a Document, key: &str) -> Option<&'a Arc<ImageEntry>> {
-    document.images.iter().find(|image| image.key == key)
+    let mut opened = document.images.iter();
+    let made = || picture::at_hand().filter(|image| image.key == key);
+    opened.find(|image| image.key == key).or_else(made)
 }
 
 /// What a recipe's result depends on, as a document has it: equal for two documents, the result is

@@ -4,6 +4,8 @@ pub mod about;
 mod absorption_names;
 mod already_open;
 pub mod answers;
+pub mod behind_slit;
+mod beside;
 pub mod cells;
 pub mod chart;
 pub mod charts;
@@ -28,6 +30,7 @@ pub mod lessons;
 mod library;
 pub mod licences;
 mod line_names;
+mod lit;
 mod made;
 mod make;
 pub mod makers;
@@ -89,11 +92,15 @@ pub use families::Families;
 pub use known_lamps::{WordsShown, lamps_asked, lamps_better};
 pub use library::{FindError, Library};
 pub use line_names::{LineName, spike_under};
+pub use lit::Lit;
 pub use made::is_made;
 pub use memo::{ByAddress, Memo};
 pub use opened::{ImageEntry, Opened};
-pub use pair::Pair;
-pub use quality::{ByOrder, QualityShown, coarse_words, settled_words};
+pub use pair::{Pair, under_favourites};
+pub use quality::{
+    Board, ByOrder, CLIENTS_TABLES, GROUPS, IN_GROUP, QualityShown, Tile, Told, coarse_words,
+    settled_words,
+};
 pub use recipe::{Gel, Given, Recipe, Times};
 pub use scale::Scale;
 pub use settings::{

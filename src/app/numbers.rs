@@ -2,7 +2,7 @@
 //!
 //! Files have numbers in full, by `cells`.
 
-use super::ticks::short;
+use super::ticks::{hundredths as two_decimals, short};
 
 /// Stands where there is no number.
 pub const DASH: &str = "–";
@@ -42,40 +42,14 @@ pub fn significant(value: f64, digits: usize) -> String {
     short(format!("{value:.decimals$e}").parse().unwrap_or(value))
 }
 
+/// Two significant digits.
+pub fn two_digits(value: f64) -> String {
+    significant(value, 2)
+}
+
 /// Three significant digits, as errors are good for; a dash for none.
 pub fn figure(value: impl Into<Option<f64>>) -> String {
     or_dash(value, |v| significant(v, 3))
-}
-
-/// A colour difference in few letters, or a dash.
-pub fn short_delta_e(value: Option<f64>) -> String {
-    or_dash(value, |value| match value {
-        v if v != 0.0 && v < 0.0005 => "<.001".to_owned(),
-        v => format!("{v:.3}"),
-    })
-}
-
-/// A share in percent in few letters, or a dash; with a sign for what goes both ways.
-pub fn short_percent(share: Option<f64>, has_sign: bool) -> String {
-    or_dash(share, |share| {
-        // Adding zero turns -0 into 0.
-        let value = (1e4 * share).round() / 1e2 + 0.0;
-        match (share != 0.0 && value == 0.0, has_sign) {
-            (true, _) => "<.01 %".to_owned(),
-            (false, true) => format!("{value:+.2} %"),
-            (false, false) => format!("{value:.2} %"),
-        }
-    })
-}
-
-/// An error of colour in as many digits as it is good for.
-pub fn colour_error(delta_e: f64) -> String {
-    match delta_e {
-        d if d < 0.0005 => "0.000".to_owned(),
-        d if d < 0.1 => format!("{d:.3}"),
-        d if d < 10.0 => format!("{d:.2}"),
-        d => format!("{d:.1}"),
-    }
 }
 
 /// An error in few letters: less than a ten-thousandth is told as that.
@@ -106,19 +80,16 @@ pub fn percent(share: impl Into<Option<f64>>) -> String {
 }
 
 /// A share with its sign of percent and two decimals, or a dash.
-pub fn hundredths(share: impl Into<Option<f64>>) -> String {
+pub fn share_words(share: impl Into<Option<f64>>) -> String {
     // Rounded first, so that halves go away from zero.
     or_dash(share, |share| {
         format!("{} %", fixed((1e4 * share).round() / 1e2, 2))
     })
 }
 
-/// A colour difference in three digits, a dash for none; what is below any meaning is a bound.
+/// A colour difference: two decimals, a bound for what is below any meaning, a dash for none.
 pub fn delta_e(value: impl Into<Option<f64>>) -> String {
-    or_dash(value, |value| match value {
-        small if small < 0.0005 => "below 0.001".to_owned(),
-        value => figure(value),
-    })
+    or_dash(value, two_decimals)
 }
 
 /// Four decimals where they tell it, four digits elsewhere; a dash for none.
@@ -146,8 +117,8 @@ mod tests {
         assert_eq!(fixed(583.46, 1), "583.5");
         assert_eq!(signed(-0.000_01, 3), "0.000");
         assert_eq!(signed(0.012, 2), "+0.01");
-        assert_eq!(hundredths(-0.123_45), "-12.35 %");
-        assert_eq!(hundredths(-1e-9), "0.00 %");
+        assert_eq!(share_words(-0.123_45), "-12.35 %");
+        assert_eq!(share_words(-1e-9), "0.00 %");
     }
 
     #[test]
@@ -156,7 +127,7 @@ mod tests {
         assert_eq!(figure(f64::NAN), DASH);
         assert_eq!(figure(0.012_345), "0.0123");
         assert_eq!([percent(1e-12), percent(0.25)], ["0", "25"]);
-        assert_eq!([delta_e(1e-9), delta_e(1.234_5)], ["below 0.001", "1.23"]);
+        assert_eq!([delta_e(1e-9), delta_e(1.234_5)], ["< 0.01", "1.23"]);
         assert_eq!(error(1e-9), "<.0001");
         assert_eq!(error(0.012_34), "0.012");
         assert_eq!(nanoseconds(99.96), "100.0");

@@ -1,6 +1,7 @@
-//! Two surfaces under the light: the one that is looked at and the first that is laid over it.
+//! Surfaces under lights: the one that is looked at beside the first that is compared with it, and
+//! under the favourite lights.
 
-use super::document::Document;
+use super::{document::Document, search::favourites, state::App};
 use crate::{
     color::{Adaptation, Swatch, Xyz, xyz_from_light, xyz_from_reflectance},
     spectrum::Kind,
@@ -44,10 +45,46 @@ impl Pair {
     }
 }
 
+/// Lights that a surface is shown under.
+const LIGHTS: usize = 6;
+
+/// The surface that is looked at under the favourite lights, each as the document sees patches:
+/// what the light is called, and the colour. Empty where a light is looked at.
+pub fn under_favourites(app: &App) -> Vec<(&'static str, Swatch)> {
+    let document = app.document();
+    let surface = document.factor.as_ref();
+    let Some(surface) = surface.filter(|_| !document.is_about_light()) else {
+        return Vec::new();
+    };
+    let (observer, adaptation) = (document.settings.observer, document.view.adaptation());
+    let of = favourites(app.bundled()).into_iter();
+    let lights = of.filter(|light| light.entry.kind() == Kind::Light);
+    lights
+        .filter_map(|light| {
+            let samples = &light.entry.spectrum.samples;
+            let white = xyz_from_light(samples, Kind::Light.outside(), observer)?;
+            let xyz = xyz_from_reflectance(&surface.spectrum.samples, samples, observer)?;
+            Some((light.label, Swatch::of_patch(xyz, white, adaptation)))
+        })
+        .take(LIGHTS)
+        .collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{app::App, app::Command, app::Subject, color::Srgb};
+    use crate::{app::Command, app::Subject, color::Srgb};
+
+    #[test]
+    fn a_surface_is_shown_under_six_lights_and_is_not_the_same_under_all() {
+        let mut app = App::new();
+        assert!(under_favourites(&app).is_empty());
+        let red = app.entry("colorchecker_ohta/red").expect("shipped");
+        app.apply(Command::Show(red));
+        let shown = under_favourites(&app);
+        assert_eq!(shown.len(), LIGHTS);
+        assert!(shown.iter().any(|(_, swatch)| *swatch != shown[0].1));
+    }
 
     #[test]
     fn a_surface_and_one_laid_over_it_are_a_pair_under_the_light() {

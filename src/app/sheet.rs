@@ -4,17 +4,23 @@
 use std::{fmt::Write as _, sync::Arc};
 
 use super::{
+    Lit,
     about::About,
     chart::{Chart, Palette, Rgb, SVG_HEAD, Theme, elided, escaped, px, text_width, wrap},
     charts::{
         quality::{DiagramShows, diagram, vector_graphic},
         spectrum::spectrum_chart,
     },
+    comparison::Compared,
     quality::QualityShown,
     quality_report::Row,
     state::App,
 };
-use crate::{color::Srgb, io::composite_line};
+use crate::{
+    color::{Srgb, Swatch},
+    io::composite_line,
+    spectrum::NamedSpectrum,
+};
 
 /// A4 in px of 1/96 inch.
 const PAGE: [f64; 2] = [794.0, 1123.0];
@@ -29,6 +35,18 @@ const SHRUNK: f64 = 0.64;
 const LEFT_OUT: [&str; 18] = [
     "r1", "r2", "r3", "r4", "r5", "r6", "r7", "r8", "r10", "r11", "r12", "r13", "r14", "r15",
     "s_cone", "m_cone", "l_cone", "tlci",
+];
+/// Rows that say little where two lights stand beside each other.
+const OF_ONE: [&str; 9] = [
+    "dominant_nm",
+    "purity",
+    "rhodopic",
+    "ppfd_per_100lx",
+    "eppfd_per_100lx",
+    "peak_nm",
+    "centroid_nm",
+    "fwhm_nm",
+    "lux",
 ];
 /// The font of the window, so that the page looks the same everywhere.
 const FONT: &[u8] = include_bytes!("../ui/fonts/DejaVuSans.ttf");
@@ -50,17 +68,17 @@ pub fn to_svg(app: &App) -> String {
     page.chart(&spectrum, [MARGIN, page.y], [whole, 236.0]);
     page.y += 244.0;
     let half = (whole - 16.0) / 2.0;
-    let [measured, model] = shown.places();
-    let places = diagram(measured, model, DiagramShows::default());
+    let places = diagram(&shown.placed(), DiagramShows::default());
     page.chart(&places, [MARGIN, page.y], [half, 280.0]);
-    if let Ok(fidelity) = &shown.sheet.measured.fidelity {
-        let vectors = vector_graphic(fidelity);
+    let fidelities = shown.fidelities();
+    if !fidelities.is_empty() {
+        let vectors = vector_graphic(&fidelities, None);
         let square = [half.min(290.0), 280.0];
         page.chart(&vectors, [MARGIN + half + 16.0, page.y], square);
     }
     page.y += 292.0;
-    page.table(&shown);
-    page.patches(app);
+    page.table(&shown, app.compared());
+    page.patches(app, &shown);
     page.foot(app);
     page.finish()
 }
@@ -140,17 +158,26 @@ impl Page {
 
     fn head(&mut self, app: &App, shown: &QualityShown) {
         let palette = Palette::of(Theme::Light);
-        let about = About::of(&app.document().light);
-        self.words(19.0, palette.text, &about.title());
-        let rest = [about.about, about.table].join(" ");
-        self.words(SIZES[0], palette.faint, rest.trim());
-        let source = &app.document().light.spectrum.source;
-        let scale = format!("Scale of the curves: {}.", app.document().scale.words());
+        let document = app.document();
+        let lights = [Some(&document.light), document.second.as_ref()];
+        let abouts = lights.map(|light| light.map(|light| About::of(light)));
+        let titles = abouts.iter().flatten().map(About::title);
+        let title = titles.collect::<Vec<_>>().join(" | ");
         self.words(
-            SIZES[1],
-            palette.faint,
-            &format!("{scale} Source: {source}"),
+            if shown.sides.len() > 1 { 15.0 } else { 19.0 },
+            palette.text,
+            &title,
         );
+        for about in abouts.into_iter().flatten() {
+            let rest = [about.about, about.table].join(" ");
+            self.words(SIZES[0], palette.faint, rest.trim());
+        }
+        if document.second.is_none() {
+            let scale = format!("Scale of the curves: {}.", document.scale.words());
+            let source = &document.light.spectrum.source;
+            let words = format!("{scale} Source: {source}");
+            self.words(SIZES[1], palette.faint, &words);
+        }
         self.y += 4.0;
         for sentence in [&shown.sentence, &shown.place, &shown.rendition] {
             self.words(SIZES[0], palette.text, sentence);
@@ -158,29 +185,38 @@ impl Page {
         self.y += 12.0;
     }
 
-    fn table(&mut self, shown: &QualityShown) {
+    /// The figures; of two lights which is better for what beside them.
+    fn table(&mut self, shown: &QualityShown, compared: Option<&Compared>) {
         let palette = Palette::of(Theme::Light);
         let step = 1.32 * SIZES[0];
-        let titles = [
-            "",
-            "measured",
-            "model",
-            "what it says of the light as measured",
-        ];
-        for (x, title) in COLUMNS.iter().zip(titles) {
-            self.text([MARGIN + x, self.y], SIZES[1], palette.faint, title);
+        let (titles, left_out): (_, &[&str]) = match &shown.sides[..] {
+            [first, second, ..] => (
+                [&first.name, &second.name, "which is better for what"],
+                &OF_ONE,
+            ),
+            _ => (
+                ["measured", "model", "what it says of the light as measured"],
+                &[],
+            ),
+        };
+        for ((x, title), room) in COLUMNS[1..].iter().zip(titles).zip([17, 17, 60]) {
+            let title = elided(title, room);
+            self.text([MARGIN + x, self.y], SIZES[1], palette.faint, &title);
         }
-        let is_told =
-            |row: &&Vec<Row>| row[0].value.is_ok() && !LEFT_OUT.contains(&row[0].figure.key);
+        let top = self.y;
+        let is_told = |row: &&[Row; 2]| {
+            let key = row[0].figure.key;
+            row[0].value.is_ok() && !LEFT_OUT.contains(&key) && !left_out.contains(&key)
+        };
         for row in shown.rows.iter().filter(is_told) {
             self.y += step;
-            let [first, model] = [&row[0], &row[1]];
-            let told = [
-                first.figure.title,
-                &first.shown(),
-                &model.shown(),
-                &first.reading,
-            ];
+            let [first, other] = row;
+            let reading = if left_out.is_empty() {
+                &first.reading
+            } else {
+                ""
+            };
+            let told = [first.figure.title, &first.shown(), &other.shown(), reading];
             for (x, words) in COLUMNS.iter().zip(told) {
                 // Letters are about half as wide as the font is high.
                 let room = (PAGE[0] - 2.0 * MARGIN - x) / (0.52 * SIZES[0]);
@@ -188,18 +224,43 @@ impl Page {
                 self.text([MARGIN + x, self.y], SIZES[0], palette.text, &words);
             }
         }
+        if let Some(compared) = compared {
+            let bottom = self.purposes(compared, top);
+            self.y = self.y.max(bottom);
+        }
         self.y += 16.0;
     }
 
-    /// Surfaces under the light, each split into measured and model.
-    fn patches(&mut self, app: &App) {
-        let Some(patches) = &app.derived().patches else {
-            return;
-        };
+    /// Which light is better for what, beside the figures; where it ends.
+    fn purposes(&mut self, compared: &Compared, top: f64) -> f64 {
+        let palette = Palette::of(Theme::Light);
+        let (left, size) = (COLUMNS[3], SIZES[1] + 0.5);
+        let mut y = top + 3.0;
+        for better in &compared.better {
+            for line in wrap(&better.words, PAGE[0] - 2.0 * MARGIN - left, size) {
+                y += 1.28 * size;
+                self.text([MARGIN + left, y], size, palette.text, &line);
+            }
+            y += 2.0;
+        }
+        y
+    }
+
+    /// Surfaces under the light, each split into measured and model, or into the two lights.
+    fn patches(&mut self, app: &App, shown: &QualityShown) {
+        let document = app.document();
+        let second = document.second.as_ref();
+        let of_model = app.derived().patches.as_ref().filter(|_| second.is_none());
+        let of_model = of_model.iter().flat_map(|patches| &patches.items);
+        let beside = second.and_then(|second| Lit::beside(document, second));
+        let halves: Vec<[Swatch; 2]> = of_model
+            .map(|patch| [patch.exact_swatch, patch.model_swatch])
+            .chain(beside.iter().flatten().map(|lit| lit.swatches))
+            .collect();
         let side = (PAGE[0] - 2.0 * MARGIN) / 24.0;
-        for (i, patch) in patches.items.iter().take(24).enumerate() {
+        for (i, halves) in halves.iter().take(24).enumerate() {
             let x = MARGIN + side * i as f64;
-            for (part, swatch) in [(0.0, patch.exact_swatch), (0.5, patch.model_swatch)] {
+            for (part, swatch) in [0.0, 0.5].into_iter().zip(halves) {
                 let _ = writeln!(
                     self.body,
                     r#"<rect x="{}" y="{}" width="{}" height="22" fill="{}"/>"#,
@@ -212,26 +273,41 @@ impl Page {
         }
         self.y += 34.0;
         let ink = Palette::of(Theme::Light).faint;
-        let words = "Surfaces under the light, left as measured, right by the model.";
-        self.text([MARGIN, self.y], SIZES[1], ink, words);
+        let words = match &shown.sides[..] {
+            [first, second, ..] => format!(
+                "Surfaces, left under {}, right under {}, as eyes used to each see them.",
+                first.name, second.name
+            ),
+            _ => "Surfaces under the light, left as measured, right by the model.".to_owned(),
+        };
+        self.text([MARGIN, self.y], SIZES[1], ink, &words);
         self.y += 6.0;
     }
 
     /// The numbers of the model, how the file was read, and by what.
     fn foot(&mut self, app: &App) {
         let palette = Palette::of(Theme::Light);
-        let model = &app.derived().model;
-        let numbers = composite_line(model);
-        self.words(
-            SIZES[1],
-            palette.text,
-            &format!("Model, {} numbers: {numbers}", model.numbers()),
-        );
+        let document = app.document();
+        let light = &document.light.spectrum;
+        let mut notes = light.notes.clone();
+        match &document.second {
+            Some(second) => {
+                let sources = [light, &second.spectrum];
+                let of = |s: &NamedSpectrum| format!("Source of {}: {}", s.name, s.source);
+                notes.splice(0..0, sources.map(of));
+            }
+            None => {
+                let model = &app.derived().model;
+                let numbers = composite_line(model);
+                let words = format!("Model, {} numbers: {numbers}", model.numbers());
+                self.words(SIZES[1], palette.text, &words);
+            }
+        }
         let lowest = PAGE[1] - MARGIN - 12.0;
-        let spectrum = &app.document().light.spectrum;
-        for note in &spectrum.notes {
-            if self.y + 2.8 * SIZES[1] < lowest {
-                self.words(SIZES[1], palette.faint, note);
+        for note in notes {
+            let lines = wrap(&note, PAGE[0] - 2.0 * MARGIN, SIZES[1]).len() as f64;
+            if self.y + 1.35 * lines * SIZES[1] < lowest {
+                self.words(SIZES[1], palette.faint, &note);
             }
         }
         let by = concat!("Spectral Explorer ", env!("CARGO_PKG_VERSION"));
@@ -244,7 +320,7 @@ impl Page {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::showing;
+    use crate::app::{Command, showing};
 
     #[test]
     fn the_page_tells_the_figures_of_the_light_and_its_model() {
@@ -262,6 +338,35 @@ mod tests {
             for told in [&row[0], &row[1]] {
                 assert!(words.contains(&told.shown().as_str()), "{key}");
             }
+        }
+        assert!(!svg.contains("NaN"));
+    }
+
+    #[test]
+    fn a_page_of_two_lights_has_both_columns_and_says_which_is_better_for_what() {
+        let mut app = App::new();
+        let second = app.entry("cie_led_1nm/LED-B1").expect("shipped");
+        app.apply(Command::Compare(Some(second)));
+        let svg = to_svg(&app);
+        let tree = roxmltree::Document::parse(&svg).expect("well-formed");
+        let texts = tree.descendants().filter(|node| node.has_tag_name("text"));
+        let words: Vec<&str> = texts.clone().filter_map(|node| node.text()).collect();
+        let whole = words.join(" ");
+        let compared = app.compared().expect("two lights");
+        for words in compared.better.iter().map(|better| &better.words) {
+            assert!(whole.contains(words.as_str()), "{words}");
+        }
+        assert!(whole.contains(&compared.summary));
+        let shown = QualityShown::of(&app);
+        for key in ["cct", "ra", "r9", "rf", "melanopic_der"] {
+            let row = shown.rows.iter().find(|row| row[0].figure.key == key).expect(key);
+            for told in row {
+                assert!(words.contains(&told.shown().as_str()), "{key}");
+            }
+        }
+        for text in texts {
+            let y: Option<f64> = text.attribute("y").and_then(|y| y.parse().ok());
+            assert!(y.is_none_or(|y| y < PAGE[1]), "{:?}", text.text());
         }
         assert!(!svg.contains("NaN"));
     }

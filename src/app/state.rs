@@ -3,14 +3,13 @@
 mod deriving;
 mod messages;
 mod own;
+mod second;
 mod steps;
 
-use std::{
-    sync::{Arc, OnceLock},
-    time::{Duration, Instant},
-};
+use std::sync::{Arc, OnceLock};
 
 use super::{
+    beside::Beside,
     command::{Command, Gesture},
     derived::Derived,
     document::{Document, Subject, WEIGHT_FACTORS, first_light},
@@ -46,9 +45,9 @@ pub struct App {
     told: Option<Arc<Told>>,
     product: Option<ProductView>,
     surfaces: OnceLock<Option<Surfaces>>,
+    beside: Option<Beside>,
     scale_factor: f64,
     unit: String,
-    took: Duration,
     messages: Vec<Message>,
     /// Steps taken that can be undone, ever.
     steps: u64,
@@ -74,7 +73,10 @@ impl App {
     pub fn with_document(mut document: Document) -> Self {
         // What is shown is the very one in the library: to show it again is no step.
         let factor = document.factor.iter_mut();
-        let shown = std::iter::once(&mut document.light).chain(factor);
+        let lights = [&mut document.light]
+            .into_iter()
+            .chain(&mut document.second);
+        let shown = lights.chain(factor);
         for entry in shown.chain(&mut document.overlays) {
             let same = bundled_entries().iter().find(|b| **b == *entry);
             if let Some(same) = same {
@@ -100,9 +102,9 @@ impl App {
             told: None,
             product: None,
             surfaces: OnceLock::new(),
+            beside: None,
             scale_factor: 1.0,
             unit: String::new(),
-            took: Duration::ZERO,
             messages: Vec::new(),
             steps: 0,
             revision: 0,
@@ -175,11 +177,6 @@ impl App {
         Library::bundled().lines()
     }
 
-    /// How long the last recomputation took.
-    pub fn took(&self) -> Duration {
-        self.took
-    }
-
     /// Grows with every change of the document.
     pub fn revision(&self) -> u64 {
         self.revision
@@ -222,6 +219,7 @@ impl App {
                 self.document.settings = settings.clamped();
                 self.document.weigh_the_papers_lamps();
             }
+            Command::Compare(second) => self.compare(second),
             Command::ToggleOverlay(entry) => {
                 let overlays = &mut self.document.overlays;
                 match overlays.iter().position(|o| o.key == entry.key) {
@@ -386,7 +384,6 @@ impl App {
 
     /// Derives what cannot be the same any more.
     fn recompute(&mut self, has_same_model: bool) {
-        let start = Instant::now();
         if !has_same_model {
             let wanted = tables_for(&self.document);
             if wanted != self.tables_for {
@@ -397,6 +394,7 @@ impl App {
             self.surfaces = OnceLock::new();
             self.name_spikes();
         }
+        self.beside = Beside::of(&self.document, self.beside.take());
         let spectrum = &self.document.subject_entry().spectrum;
         self.product = self.document.patch.and_then(|index| {
             let patches = self.tables.patches.as_ref()?;
@@ -406,7 +404,6 @@ impl App {
         // Integrals over the whole table: once a change, not once a frame.
         self.scale_factor = self.document.scale.factor(spectrum).unwrap_or(1.0);
         self.unit = self.document.scale.unit(spectrum);
-        self.took = start.elapsed();
         self.revision += 1;
     }
 

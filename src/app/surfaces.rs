@@ -49,6 +49,14 @@ impl Surfaces {
         })
     }
 
+    /// The same without the surface that differs most.
+    pub fn brief(&self) -> String {
+        let sentence = self.sentence();
+        let end = format!(" ({}).", self.worst);
+        let brief = sentence.strip_suffix(&end).unwrap_or(&sentence);
+        format!("{}.", brief.trim_end_matches('.'))
+    }
+
     /// A sentence: "Of 401 measured surfaces 12 differ by 1 or more, at most 2.19 (CES81)."
     pub fn sentence(&self) -> String {
         let Self {

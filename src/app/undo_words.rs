@@ -1,15 +1,21 @@
 //! What a step of undo changes, in words.
 
+use std::sync::Arc;
+
 use super::{
     document::{Document, View},
     entry::Entry,
+    origin::SourceFile,
     settings::Settings,
     ticks::short,
 };
 
-/// From one document to the next: "order 7 to 24", "light FL2 to CIE D65".
+/// From one document to the next: "waves 7 to 24", "light FL2 to CIE D65".
 pub(super) fn difference(before: &Document, after: &Document) -> String {
     let mut words = Vec::new();
+    if let Some(opened) = opened(before, after) {
+        return opened;
+    }
     if before.light.key != after.light.key {
         words.push(format!(
             "light {} to {}",
@@ -17,12 +23,18 @@ pub(super) fn difference(before: &Document, after: &Document) -> String {
             after.light.name()
         ));
     }
+    if before.second.as_ref().map(|e| &e.key) != after.second.as_ref().map(|e| &e.key) {
+        words.push(match &after.second {
+            Some(second) => format!("compared with {}", second.name()),
+            None => "no second light".to_owned(),
+        });
+    }
     if before.light.key == after.light.key && before.given.is_some() && after.given.is_none() {
         words.push("analysed anew".to_owned());
     }
     words.extend(of_settings(before.settings, after.settings));
     words.extend(of_spectra(before, after));
-    let name = |entry: &Option<std::sync::Arc<Entry>>| {
+    let name = |entry: &Option<Arc<Entry>>| {
         let entry = entry.as_ref();
         entry.map_or_else(|| "none".to_owned(), |entry| entry.name().to_owned())
     };
@@ -40,7 +52,7 @@ pub(super) fn difference(before: &Document, after: &Document) -> String {
     if before.patch_set != after.patch_set {
         words.push("another set of surfaces".to_owned());
     } else if before.own_patches != after.own_patches {
-        words.push("own surfaces among the patches".to_owned());
+        words.push("own surfaces added or removed".to_owned());
     } else if before.patch != after.patch {
         words.push("a surface chosen".to_owned());
     }
@@ -65,14 +77,53 @@ pub(super) fn difference(before: &Document, after: &Document) -> String {
     }
 }
 
+/// What was opened, where files or numbers came in: the light that it brought is no news then.
+fn opened(before: &Document, after: &Document) -> Option<String> {
+    let is_new = |entry: &&Arc<Entry>| !before.own.iter().any(|b| b.key == entry.key);
+    let is_whole = before
+        .own
+        .iter()
+        .all(|b| after.own.iter().any(|a| a.key == b.key));
+    let new: Vec<&Arc<Entry>> = after.own.iter().filter(is_new).collect();
+    let files: Vec<&Arc<SourceFile>> = new
+        .iter()
+        .filter_map(|entry| entry.origin.file())
+        .map(|from| &from.reading.file)
+        .collect();
+    if new.is_empty() || !is_whole || files.len() < new.len() {
+        return None;
+    }
+    let mut different: Vec<&Arc<SourceFile>> = Vec::new();
+    for file in files {
+        if !different.iter().any(|other| Arc::ptr_eq(other, file)) {
+            different.push(file);
+        }
+    }
+    Some(match (&new[..], &different[..]) {
+        ([one], _) => format!("opened \"{}\"", one.name()),
+        (all, [file]) => format!("opened {} spectra of {}", all.len(), file.name),
+        (_, files) => {
+            let folder = |file: &Arc<SourceFile>| Some(file.path.as_ref()?.parent()?.to_owned());
+            let first = folder(files[0]);
+            let is_one = first.is_some() && files.iter().all(|file| folder(file) == first);
+            let name = first
+                .as_deref()
+                .and_then(|f| f.file_name())
+                .filter(|_| is_one);
+            let from = name.map_or_else(String::new, |n| format!(" from {}", n.to_string_lossy()));
+            format!("opened {} files{from}", files.len())
+        }
+    })
+}
+
 fn of_settings(before: Settings, after: Settings) -> Vec<String> {
     let mut words = Vec::new();
     if before.order != after.order {
-        words.push(format!("order {} to {}", before.order, after.order));
+        words.push(format!("waves {} to {}", before.order, after.order));
     }
     if before.threshold_percent != after.threshold_percent {
         let [from, to] = [before, after].map(|s| short(s.threshold_percent));
-        words.push(format!("threshold {from} to {to} %"));
+        words.push(format!("lines above {from} to above {to} %"));
     }
     if before.basis != after.basis {
         words.push(format!("{} series", after.basis.word()));
@@ -108,7 +159,13 @@ fn of_spectra(before: &Document, after: &Document) -> Option<String> {
     let new = is.iter().find(|e| !was.iter().any(|b| b.key == e.key));
     let gone = was.iter().find(|e| !is.iter().any(|b| b.key == e.key));
     match (new, gone) {
-        (Some(entry), _) => Some(format!("{} joined", entry.name())),
+        (Some(entry), _) => {
+            let did = match entry.origin.recipe() {
+                Some(_) => "made",
+                None => "added",
+            };
+            Some(format!("{did} \"{}\"", entry.name()))
+        }
         (None, Some(entry)) => Some(format!("{} taken out", entry.name())),
         (None, None) if before.images.len() < after.images.len() => {
             Some("an image joined".to_owned())
@@ -117,10 +174,7 @@ fn of_spectra(before: &Document, after: &Document) -> Option<String> {
             Some("an image taken out".to_owned())
         }
         (None, None) => {
-            let changed = is
-                .iter()
-                .zip(was)
-                .find(|(a, b)| !std::sync::Arc::ptr_eq(a, b));
+            let changed = is.iter().zip(was).find(|(a, b)| !Arc::ptr_eq(a, b));
             changed.map(|(entry, _)| format!("{} changed", entry.name()))
         }
     }
@@ -146,10 +200,10 @@ mod tests {
         let before = Document::about(first_light(bundled_entries()));
         let mut after = before.clone();
         after.settings.order = 24;
-        assert_eq!(difference(&before, &after), "order 7 to 24");
+        assert_eq!(difference(&before, &after), "waves 7 to 24");
         after.settings.threshold_percent = 1.0;
         after.patch = Some(2);
-        let words = "order 7 to 24, threshold 0.5 to 1 % and 1 more";
+        let words = "waves 7 to 24, lines above 0.5 to above 1 % and 1 more";
         assert_eq!(difference(&before, &after), words);
     }
 }

@@ -3,6 +3,7 @@
 //! | figure | borders | source |
 //! |---|---|---|
 //! | ΔE₀₀ | 1, 2, 5 | this program's, beside published ones: half of the observers see 0.8 and take 1.8 for no match any more (Paravina et al. 2015, ISO/TR 28642:2016, for teeth); CIEDE2000 is meant for differences up to 5 (ISO/CIE 11664-6) |
+//! | rms behind a slit of 10 nm | 2, 5, 10 % | this program's: the doubt of good array spectroradiometers is some 2 %, of simple ones some 5 % |
 //! | Rf | 95, 85, 70, 50 | this program's: mean differences of 0.7, 2.2, 4.5 and 7.4 in CAM02-UCS by the formula of TM-30 |
 //! | Ra | 80; 95, 90, 60, 20 | EN 12464-1 for work indoors; the others this program's |
 //! | Rg, Rcs,h | 98 and 102; 1 % | this program's: no change of vividness is told within them |
@@ -16,67 +17,73 @@
 
 use crate::study::products::MATCH_DELTA_E;
 
-/// How a difference of colour is seen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// How large a difference is: of colours to the eye, of spectra to an instrument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Seen {
-    /// CIEDE2000 below [`HARD_TO_SEE`].
+    /// CIEDE2000 below [`HARD_TO_SEE`]; rms behind the slit below 2 %.
     Hardly,
     /// From there: where the two colours touch.
     SideBySide,
-    /// From 2.
+    /// From 2; from 5 %.
     Visible,
-    /// From 5: beyond what CIEDE2000 was made for.
+    /// From 5, beyond what CIEDE2000 was made for; from 10 %.
     Large,
 }
 
 /// CIEDE2000 below which a difference is hard to see: what two surfaces match within, too.
 pub const HARD_TO_SEE: f64 = MATCH_DELTA_E;
 
-/// What is said of a difference: on a badge, of a model ("Model and light ..."), behind a figure,
-/// and what it means.
+/// What is said of a difference: on a badge, of a model ("Model and light ..."), behind a figure of
+/// colour, and what it means to the eye and to an instrument.
 struct SeenWords {
     word: &'static str,
     verdict: &'static str,
     seen: &'static str,
     meaning: &'static str,
+    behind_slit: &'static str,
 }
 
-const fn seen_words([word, verdict, seen, meaning]: [&'static str; 4]) -> SeenWords {
+const fn seen_words([word, verdict, seen, meaning, behind_slit]: [&'static str; 5]) -> SeenWords {
     SeenWords {
         word,
         verdict,
         seen,
         meaning,
+        behind_slit,
     }
 }
 
 /// In the order of [`Seen::ALL`].
 const SEEN: [SeenWords; 4] = [
     seen_words([
-        "Hard to see",
-        "are hard to tell apart by eye",
+        "Hard to tell",
+        "look alike",
         "hard to see",
         "CIEDE2000 below 1: hard to see, not invisible. Half of the observers see 0.8, practised \
          ones less (Paravina et al. 2015, ISO/TR 28642).",
+        "Below 2 %: within the doubt of good spectroradiometers.",
     ]),
     seen_words([
-        "Side by side",
-        "differ side by side",
+        "Slight",
+        "differ only side by side",
         "seen side by side",
         "CIEDE2000 from 1 to 2: seen where both colours touch. To half of the observers 1.8 is no \
          match any more (ISO/TR 28642).",
+        "From 2 to 5 %: a good spectroradiometer can tell, a simple one hardly.",
     ]),
     seen_words([
-        "Visible",
+        "Clear",
         "visibly differ",
         "visible",
         "CIEDE2000 from 2 to 5: seen if you look for it.",
+        "From 5 to 10 %: a simple spectroradiometer can tell.",
     ]),
     seen_words([
         "Large",
-        "look different",
+        "give different colours",
         "large",
         "CIEDE2000 above 5: a large difference, more than the formula is meant for.",
+        "Above 10 %: to an instrument it is another spectrum.",
     ]),
 ];
 
@@ -90,6 +97,16 @@ impl Seen {
             d if d < HARD_TO_SEE => Self::Hardly,
             d if d < 2.0 => Self::SideBySide,
             d if d <= 5.0 => Self::Visible,
+            _ => Self::Large,
+        }
+    }
+
+    /// How large a difference behind a slit of 10 nm is, as a share of the spectrum (rms).
+    pub fn of_slit(share: f64) -> Self {
+        match share {
+            s if s < 0.02 => Self::Hardly,
+            s if s < 0.05 => Self::SideBySide,
+            s if s <= 0.1 => Self::Visible,
             _ => Self::Large,
         }
     }
@@ -108,14 +125,24 @@ impl Seen {
         self.words().seen
     }
 
-    /// As a verdict on the model of a light, a surface or a filter.
-    pub fn verdict(self, subject: &str) -> String {
-        format!("Model and {subject} {}", self.words().verdict)
+    /// Behind two things that are seen.
+    pub fn of_two(self) -> &'static str {
+        self.words().verdict
     }
 
-    /// What it means, a sentence or two.
+    /// As a verdict on the model of a light, a surface or a filter.
+    pub fn verdict(self, subject: &str) -> String {
+        format!("Model and {subject} {}", self.of_two())
+    }
+
+    /// What it means to the eye, a sentence or two.
     pub fn meaning(self) -> &'static str {
         self.words().meaning
+    }
+
+    /// What it means to an instrument, a sentence.
+    pub fn meaning_behind_slit(self) -> &'static str {
+        self.words().behind_slit
     }
 }
 
@@ -159,21 +186,21 @@ pub fn of_ra(ra: f64) -> &'static str {
 }
 
 const OF_RG: Borders = &[
-    (
-        102.0,
-        "colours more vivid than under the reference on average",
-    ),
-    (98.0, "colours as vivid as under the reference on average"),
-    (80.0, "colours duller than under the reference on average"),
-    (
-        f64::NEG_INFINITY,
-        "colours much duller than under the reference on average",
-    ),
+    (102.0, "more vivid than"),
+    (98.0, "as vivid as"),
+    (80.0, "duller than"),
+    (f64::NEG_INFINITY, "much duller than"),
 ];
 
 /// How vivid colours are, by Rg.
-pub fn of_rg(rg: f64) -> &'static str {
-    reached(OF_RG, rg)
+pub fn of_rg(rg: f64) -> String {
+    let than = reached(OF_RG, rg);
+    format!("colours {than} under the reference on average")
+}
+
+/// The same beside a figure.
+pub fn vividness(rg: f64) -> String {
+    format!("{} the reference", reached(OF_RG, rg))
 }
 
 const OF_SAMPLE: Borders = &[
@@ -220,12 +247,19 @@ const OF_SSI: Borders = &[
 
 /// How like a reference a spectrum is, and what that tells of cameras.
 pub fn of_ssi(index: f64, reference: &str) -> String {
-    let cameras = match index {
-        i if i >= 90.0 => "cameras should match",
-        i if i >= 70.0 => "cameras should nearly match",
-        _ => "cameras may or may not match",
-    };
-    format!("{} {reference}: {cameras}", reached(OF_SSI, index))
+    let cameras = of_cameras(index);
+    format!("{} {reference}: cameras {cameras}", reached(OF_SSI, index))
+}
+
+const OF_CAMERAS: Borders = &[
+    (90.0, "should match"),
+    (70.0, "should nearly match"),
+    (f64::NEG_INFINITY, "may or may not match"),
+];
+
+/// What an SSI tells of cameras, behind their name.
+pub fn of_cameras(index: f64) -> &'static str {
+    reached(OF_CAMERAS, index)
 }
 
 const HUES: Borders = &[
@@ -281,12 +315,23 @@ mod tests {
         ] {
             assert_eq!(Seen::of(delta), seen, "{delta}");
         }
+        for (share, step) in [
+            (0.0199, Seen::Hardly),
+            (0.02, Seen::SideBySide),
+            (0.05, Seen::Visible),
+            (0.1, Seen::Visible),
+            (0.101, Seen::Large),
+            (f64::NAN, Seen::Large),
+        ] {
+            assert_eq!(Seen::of_slit(share), step, "{share}");
+        }
         let said = Seen::Hardly.verdict("light");
-        assert_eq!(said, "Model and light are hard to tell apart by eye");
+        assert_eq!(said, "Model and light look alike");
         assert!(Seen::Hardly.meaning().contains("ISO/TR 28642"));
         for seen in Seen::ALL {
-            assert!(seen.meaning().ends_with('.'));
-            let all = [seen.word(), seen.seen(), seen.meaning()].join(" ");
+            assert!(seen.meaning().ends_with('.') && seen.meaning_behind_slit().ends_with('.'));
+            let both = [seen.meaning(), seen.meaning_behind_slit()].join(" ");
+            let all = [seen.word(), seen.seen(), &both].join(" ");
             for word in ["nobody", "cannot", "wrong"] {
                 assert!(!all.to_lowercase().contains(word), "{all}");
             }

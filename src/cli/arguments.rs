@@ -62,9 +62,9 @@ pub(super) enum Command {
     Report(Report),
     /// Print every figure of lights and of their models: CCT, Ra, Rf, melanopic ratio, ...
     Light(Light),
-    /// Print error against numbers: every order, both bases, with and without spikes.
+    /// Print error against numbers: every count of waves, both bases, with and without lines.
     Sweep(Sweep),
-    /// Print what to buy with the next numbers: an order, a spike or the lines' widths.
+    /// Print what the next numbers buy best: a wave, a line or the lines' widths.
     Auction(Auction),
     /// Print the composite beside other representations at equal counts of numbers.
     Race(Race),
@@ -80,9 +80,9 @@ pub(super) enum Command {
     Encode(Encode),
     /// Write the spectrum that such words stand for.
     Decode(Decode),
-    /// Print where a light's spikes land behind a prism.
+    /// Print where a light's lines land behind a prism.
     Prism(Prism),
-    /// Print where the bows of a light's spikes stand.
+    /// Print where the bows of a light's lines appear.
     Rainbow(Rainbow),
     /// Trace a brilliant under a light, and say how noisy the picture is.
     Gem(Gem),
@@ -262,7 +262,7 @@ pub(super) struct Auction {
     /// (paper/Mercury).
     #[arg(value_name = "INPUT")]
     pub input: OsString,
-    /// What is to be made small: own, patches, spectrum, filters or a mix such as
+    /// The error to make small: own, patches, spectrum, filters or a mix such as
     /// patches=2,filters=1 (each error over its value at order 0).
     #[arg(long, value_name = "GOAL", value_parser = words::goal)]
     pub goal: Goal,
@@ -315,10 +315,10 @@ pub(super) struct Product {
     #[arg(value_name = "LIGHT")]
     pub light: OsString,
     /// What it passes or falls on, in order: reflectances and transmittances, each a file, a
-    /// preset's name or group/name (colorchecker_ohta/red). One given twice is met twice. What
+    /// preset's name or group/name (colorchecker_ohta/red). One given twice counts twice. What
     /// may follow the name: #SPECTRUM which one of a file, by name or number from 1; @4mm or @x2
     /// how thick a glass is, in mm where its name tells them or as a multiple; *3 how many times
-    /// in a row it is met ("isuzu IVG550 (Green filter) 2 mm@4mm", "red*3", glasses.csv#2@x1.5).
+    /// in a row the light meets it ("isuzu IVG550 (Green filter) 2 mm@4mm", "red*3", glasses.csv#2@x1.5).
     #[arg(value_name = "FACTOR")]
     pub factors: Vec<OsString>,
     /// Instead of factors a group of presets (tm30_ces99_5nm): each alone, and their spread.
@@ -349,7 +349,7 @@ pub(super) struct List {
     /// [default: the first three, which the other commands take].
     #[arg(long, value_name = "KIND", value_parser = words::any_kind)]
     pub kind: Option<Kind>,
-    /// Only what is called this, the best first: a name, a family, an element, a use ("street
+    /// Only matches of these words, the best first: a name, a family, an element, a use ("street
     /// lamp", neon, skin), a colour temperature ("2700 K"), a figure ("led Ra 90"), a German,
     /// French or Spanish word (Kerze); twins of one lamp are one line.
     #[arg(long, value_name = "WORDS")]
@@ -370,10 +370,13 @@ pub(super) struct Render {
     pub pick: PickOptions,
     #[command(flatten)]
     pub model: ModelOptions,
+    /// A second light beside the INPUT, a file or a name: it is compared with this one.
+    #[arg(long, value_name = "LIGHT")]
+    pub against: Option<OsString>,
     /// The picture to write; it may replace one that this program drew.
     #[arg(long, value_name = "FILE.png", value_parser = words::path_in(&["png"]))]
     pub out: PathBuf,
-    /// Let it replace any other file too, but for what is read.
+    /// Let it replace any other file, except the inputs.
     #[arg(long)]
     pub force: bool,
     /// Width and height in px.
@@ -390,6 +393,9 @@ pub(super) struct Render {
     /// page.
     #[arg(long, value_name = "NAME[:STEP]")]
     pub lesson: Option<String>,
+    /// As the page is presented to a class (F5): its main picture and its main controls, large.
+    #[arg(long)]
+    pub present: bool,
 }
 
 /// Options of `plot`.
@@ -402,6 +408,9 @@ pub(super) struct Plot {
     pub pick: PickOptions,
     #[command(flatten)]
     pub model: ModelOptions,
+    /// A second light beside the INPUT, a file or a name: it is compared with this one.
+    #[arg(long, value_name = "LIGHT")]
+    pub against: Option<OsString>,
     /// The picture to write, .svg or .png, with --sheet .svg or .pdf; it may replace one that
     /// this program drew.
     #[arg(long, value_name = "FILE", value_parser = words::plot_path())]
@@ -410,7 +419,7 @@ pub(super) struct Plot {
     /// numbers of its model. A4; --size and --theme are not used.
     #[arg(long)]
     pub sheet: bool,
-    /// Let it replace any other file too, but for what is read.
+    /// Let it replace any other file, except the inputs.
     #[arg(long)]
     pub force: bool,
     /// Width and height in px.

@@ -264,9 +264,7 @@ fn screen_file(picture: &Picture, options: &Gem, inputs: &mut Inputs) -> Result<
     let by_eye = options.seen != Some(Adaptation::None);
     let adapted = by_eye.then(|| picture.adapted());
     if adapted == Some(None) {
-        inputs.note(
-            "no eye adapts to so narrow a light: the picture is as a daylight camera sees it",
-        );
+        inputs.note("no eye adapts to so narrow a light: the picture is as seen beside daylight");
     }
     let adapted = adapted.flatten();
     let picture = adapted.as_ref().unwrap_or(picture);

@@ -121,7 +121,7 @@ pub(super) struct ModelOptions {
     /// Order of the smooth part, 0 to 100: it takes 2N + 1 numbers [default: 7].
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = words::order)]
     pub order: Option<usize>,
-    /// Least share of the power that makes a line a spike, 0.01 to 50 % [default: 0.5].
+    /// Least share of the power that a line must hold to be kept, 0.01 to 50 % [default: 0.5].
     #[arg(long, value_name = "PERCENT", allow_hyphen_values = true, value_parser = words::threshold)]
     pub threshold: Option<f64>,
     /// Widest line, full width at half maximum, 1 to 50 nm [default: 10].
@@ -129,16 +129,16 @@ pub(super) struct ModelOptions {
     pub max_width: Option<f64>,
     #[arg(long, value_name = "BASIS", value_parser = words::basis, help = words::basis_help())]
     pub basis: Option<Basis>,
-    /// Make X, Y and Z of the model exact: the default, and with --as-in-paper the exception.
+    /// Keep X, Y and Z of the model exact: the default, except with --as-in-paper.
     #[arg(long)]
     pub colour_exact: bool,
     /// Fit by plain least squares.
     #[arg(long, conflicts_with = "colour_exact")]
     pub plain: bool,
-    /// The paper's series: fourier and plain, where nothing else is said of them.
+    /// The paper's series: Fourier and plain, unless --basis or --colour-exact says otherwise.
     #[arg(long)]
     pub as_in_paper: bool,
-    /// Take no lines out as spikes.
+    /// Keep no lines: the waves draw everything.
     #[arg(long)]
     pub no_spikes: bool,
     /// Keep each line as wide as it is; without it lines are ideal spikes.

@@ -50,8 +50,8 @@ pub(super) fn run(
         let mut photograph = photograph::read(file, &said).map_err(Refusal::Usage)?;
         let own = code_of(&photograph);
         code = code.max(own);
-        let response = response(options, known.as_ref(), &said, &photograph)?;
-        photograph.through = response.as_ref().and_then(|r| r.through(&photograph));
+        let response = response(options, known.as_ref(), &said, &mut photograph, file)?;
+        photograph.read_through(response.as_ref());
         let mut written = Vec::new();
         if let (Some(target), Some(rows)) = (&table, photograph::table(&photograph)) {
             target.save(rows.csv().as_bytes())?;
@@ -133,11 +133,12 @@ fn response(
     options: &Photo,
     known: Option<&Known>,
     said: &Said,
-    photograph: &Photograph,
+    photograph: &mut Photograph,
+    file: &Path,
 ) -> Result<Option<Kept>, Refusal> {
     match (&options.response_from, known) {
         (Some(path), Some(known)) if photograph.used_curve().is_some() => {
-            Kept::learn(path, known, photograph)
+            Kept::learn(path, known, photograph, Some(file))
                 .map(Some)
                 .map_err(Refusal::Usage)
         }
@@ -212,6 +213,9 @@ fn words(photograph: &Photograph, at: &[[f64; 2]]) -> String {
             _ => "no wavelength is known there".to_owned(),
         };
         let _ = writeln!(text, "at {},{}: {nm}", place["x"], place["y"]);
+    }
+    if let Some(figures) = photograph::colour_words(photograph) {
+        let _ = writeln!(text, "{figures}");
     }
     for warning in photograph::warnings(photograph) {
         let _ = writeln!(text, "{warning}");

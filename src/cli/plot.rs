@@ -31,6 +31,7 @@ pub(super) fn run(
         input,
         pick,
         model,
+        against,
         out: path,
         sheet,
         force,
@@ -50,10 +51,15 @@ pub(super) fn run(
         }
         _ => Some(painter(pictures, "a plot as PNG")?),
     };
-    let read = [Some(input.as_os_str()), pick.light.as_deref()];
+    let read = [
+        Some(input.as_os_str()),
+        pick.light.as_deref(),
+        against.as_deref(),
+    ];
     let target = Target::out(path, Replaces::Pictures, *force, &read);
     target.path()?;
-    let app = subject::app(input, pick, *model, inputs)?;
+    let mut app = subject::app(input, pick, *model, inputs)?;
+    subject::compare(&mut app, against.as_deref(), inputs)?;
     let [width, height] = *size;
     if is_page {
         if !app.document().is_about_light() {

@@ -1,6 +1,11 @@
 //! `render`: a picture of the window, with no display needed.
 
-use std::{ffi::OsStr, io::Write, path::Path, sync::Arc};
+use std::{
+    ffi::OsStr,
+    io::Write,
+    path::{Path, PathBuf},
+    sync::Arc,
+};
 
 use super::{
     Pictures,
@@ -39,12 +44,14 @@ pub(super) fn run(
         input,
         pick,
         model,
+        against,
         out: path,
         force,
         size,
         theme,
         page,
         lesson,
+        present,
     } = options;
     let pictures = painter(pictures, "render")?;
     // A lesson brings its own light.
@@ -53,13 +60,17 @@ pub(super) fn run(
         Some(_) => (&None, &nothing),
         None => (input, pick),
     };
-    let read = [input.as_deref(), pick.light.as_deref()];
+    let read = [input.as_deref(), pick.light.as_deref(), against.as_deref()];
     let mut target = Target::out(path, Replaces::Pictures, *force, &read);
     target.path()?;
-    let mut app = match input {
+    let photograph = input.as_ref().filter(|_| *page == Page::Photograph);
+    let mut app = match input.as_ref().filter(|_| photograph.is_none()) {
         Some(input) => subject::app(input, pick, *model, inputs)?,
         None => subject::first_app(pick, *model)?,
     };
+    if lesson.is_none() {
+        subject::compare(&mut app, against.as_deref(), inputs)?;
+    }
     let memory = ImageMemory {
         selection: pick.pixels(),
         ..ImageMemory::default()
@@ -70,16 +81,21 @@ pub(super) fn run(
         let files = images.filter_map(|image| image.path());
         files.for_each(|file| target.reads(file));
     }
-    let preferences = Preferences {
+    let mut preferences = Preferences {
         dark: *theme == Theme::Dark,
+        present: *present,
         pages: PageMemory {
             page: *page,
             image: memory,
+            photograph_asked: photograph.map(PathBuf::from),
             lesson_asked: lesson.as_deref().map(asked_lesson).transpose()?,
             ..PageMemory::default()
         },
         ..Preferences::default()
     };
+    if app.document().second.is_some() {
+        preferences.pages.dispersion.follow_second(true);
+    }
     let picture = pictures.window(&app, &preferences, *size);
     target.save(&picture)?;
     let is_learnt = page.place() == Place::Learn && lesson.is_none();

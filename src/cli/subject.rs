@@ -135,6 +135,22 @@ pub(super) fn first_app(pick: &PickOptions, model: ModelOptions) -> Result<App, 
     Ok(app)
 }
 
+/// Compares the light with another one, where one is asked for.
+///
+/// # Errors
+/// [`Refusal::File`] for what cannot be read or is no light.
+pub(super) fn compare(
+    app: &mut App,
+    against: Option<&OsStr>,
+    inputs: &mut Inputs,
+) -> Result<(), Refusal> {
+    if let Some(against) = against {
+        let second = light("--against", against, inputs)?;
+        app.apply(Command::Compare(Some(second.into())));
+    }
+    Ok(())
+}
+
 /// Shows an entry; one from a file becomes one of the user's own, as in the window.
 fn show(app: &mut App, entry: Entry) {
     app.apply(match entry.shelf() {

@@ -207,7 +207,7 @@ const RULES: &[Rule] = &[
     Rule {
         of: &["render"],
         with: &["--lesson"],
-        options: &[&["INPUT", "--page"], PICK, FIT, LINES, OTHERS],
+        options: &[&["INPUT", "--page", "--against"], PICK, FIT, LINES, OTHERS],
         why: "a lesson brings its own light and page",
         ..ALWAYS
     },

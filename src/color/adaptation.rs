@@ -36,7 +36,7 @@ impl Adaptation {
     /// In words for people.
     pub fn words(self) -> &'static str {
         match self {
-            Self::None => "as a daylight camera sees it",
+            Self::None => "as seen beside daylight",
             Self::ToLight => "as the eye sees it after a minute",
         }
     }

@@ -164,6 +164,23 @@ fn why_dark(limits: &Limits) -> String {
     }
 }
 
+impl BenchError {
+    /// The limits that total reflection sets, where it is what keeps all light in.
+    pub(crate) fn reflected_beyond(&self) -> Option<Limits> {
+        match self {
+            Self::NoLight(limits) => Some(*limits),
+            Self::Prism(PrismError::NoMinimum {
+                largest_apex_deg, ..
+            }) => Some(Limits {
+                critical_deg: 0.5 * largest_apex_deg,
+                largest_apex_deg: *largest_apex_deg,
+                smallest_incidence_deg: None,
+            }),
+            Self::Prism(_) | Self::Length { .. } => None,
+        }
+    }
+}
+
 impl From<IndexError> for BenchError {
     fn from(error: IndexError) -> Self {
         Self::Prism(error.into())

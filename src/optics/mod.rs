@@ -64,7 +64,7 @@ pub use picture::Picture;
 pub use plane::FilmSettings;
 #[cfg(test)]
 pub(crate) use plane::Plane;
-pub(crate) use prism::Incidence;
+pub(crate) use prism::{Incidence, Limits};
 #[cfg(test)]
 pub(crate) use prism::{Passage, Prism, limits, minimum_deviation};
 #[cfg(test)]

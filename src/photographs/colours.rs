@@ -63,6 +63,11 @@ impl Hue {
         self.first
     }
 
+    /// Red before green: yellow to red.
+    pub fn is_yellow(self) -> bool {
+        self.first == R && self.second == Some(G)
+    }
+
     /// Ranges in nm in which cameras show this colour.
     fn ranges(self) -> &'static [(f64, f64)] {
         match (self.first, self.second) {

@@ -74,10 +74,16 @@ impl Lamp {
     /// By how much an answer must be better than the next one to be used at once.
     pub(super) fn least_margin(self) -> f64 {
         match self {
-            // Their lines crowd at the blue end: a group of red ones can slip by one.
-            Self::Argon | Self::Krypton | Self::Xenon => 6.0,
+            // Dark lines are many and alike.
+            Self::Daylight => 7.0,
+            _ if self.crowds() => 6.0,
             _ => 4.0,
         }
+    }
+
+    /// Its lines crowd at the blue end: a group of others can slip by one.
+    pub(super) fn crowds(self) -> bool {
+        matches!(self, Self::Argon | Self::Krypton | Self::Xenon)
     }
 
     /// Its lines are dark.

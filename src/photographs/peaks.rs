@@ -38,6 +38,15 @@ pub struct Peaks {
     pub hairlines: usize,
 }
 
+impl Peaks {
+    /// The three strongest hold most of the light.
+    pub fn stand_out(&self) -> bool {
+        let mut heights: Vec<f64> = self.peaks.iter().map(|p| p.height).collect();
+        heights.sort_by(|a, b| b.total_cmp(a));
+        heights.iter().take(3).sum::<f64>() >= BRIGHT
+    }
+}
+
 /// Search parameters.
 struct Search {
     /// Least prominence.
@@ -94,9 +103,7 @@ pub fn bright(profile: &Profile) -> Peaks {
 
 /// The dark lines of a profile: none where lines of light stand out.
 pub fn dark(profile: &Profile, bright: &Peaks) -> Option<Peaks> {
-    let mut heights: Vec<f64> = bright.peaks.iter().map(|p| p.height).collect();
-    heights.sort_by(|a, b| b.total_cmp(a));
-    if heights.iter().take(3).sum::<f64>() >= BRIGHT {
+    if bright.stand_out() {
         return None;
     }
     let light = gaussian(&profile.sum(), SMOOTHING.0);

@@ -115,6 +115,11 @@ fn smoothed(values: &[Option<f64>], weights: &[f64]) -> Vec<f64> {
 }
 
 impl Response {
+    /// Disagreement of the channels about a picture that is read through it.
+    pub fn disagreement_of(&self, profile: &Profile, curve: &Curve) -> f64 {
+        self.disagreement(&grid(profile, curve, (self.first_nm, self.last_nm())))
+    }
+
     /// Learns the response from a picture of a known light; `None` where they have too few nm in
     /// common.
     pub fn learn(

@@ -36,15 +36,19 @@ fn mirrored(at: usize, back: usize, count: usize) -> usize {
 
 /// The value below which a share of a list lies, linear between neighbours; 0 of an empty list.
 pub(super) fn percentile(values: &[f64], share: f64) -> f64 {
-    let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
-    if sorted.is_empty() {
+    let mut known: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
+    if known.is_empty() {
         return 0.0;
     }
-    sorted.sort_by(f64::total_cmp);
-    let place = share.clamp(0.0, 1.0) * (sorted.len() - 1) as f64;
-    let low = place as usize;
-    let high = (low + 1).min(sorted.len() - 1);
-    sorted[low] + (sorted[high] - sorted[low]) * (place - low as f64)
+    let place = share.clamp(0.0, 1.0) * (known.len() - 1) as f64;
+    let (_, low, above) = known.select_nth_unstable_by(place as usize, f64::total_cmp);
+    let high = above.iter().copied().fold(f64::INFINITY, f64::min);
+    let part = place.fract();
+    if part > 0.0 {
+        *low + (high - *low) * part
+    } else {
+        *low
+    }
 }
 
 /// The middle of a list; 0 of an empty one.

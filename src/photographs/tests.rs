@@ -4,8 +4,13 @@ use serde::Deserialize;
 
 use super::{
     Lamp, Profile,
-    axis::{Answer, Curve, Pin, State, Wanted, find},
+    axis::{Answer, Curve, Pin, Solution, State, Wanted, find},
     peaks::{Peaks, bright, dark},
+    picture::{Codes, Picture},
+    strip::{self, ByHand},
+};
+use crate::core_tests::photographs::{
+    Dice, Kind, Light, NOTHINGS, Setup, drawn_profile, jpeg_of, no_spectrum, picture,
 };
 
 const SYNTHETIC: &str = include_str!("../../tests/golden/photographs/profiles.json");
@@ -256,9 +261,9 @@ fn a_mirrored_profile_has_the_mirrored_axis() {
 }
 
 /// Numbers from 0 to 1 that look random: the same for the same seed.
-struct Dice(u64);
+struct Rolls(u64);
 
-impl Dice {
+impl Rolls {
     fn roll(&mut self) -> f64 {
         self.0 = self
             .0
@@ -270,14 +275,14 @@ impl Dice {
 
 /// A lamp that is none: lines anywhere, before a camera.
 fn strange(seed: u64) -> Profile {
-    let mut dice = Dice(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+    let mut rolls = Rolls(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
     for _ in 0..20 {
-        dice.roll();
+        rolls.roll();
     }
-    let lines: Vec<(f64, f64)> = (0..5 + (dice.roll() * 10.0) as usize)
-        .map(|_| (390.0 + 320.0 * dice.roll(), (-4.0 * dice.roll()).exp()))
+    let lines: Vec<(f64, f64)> = (0..5 + (rolls.roll() * 10.0) as usize)
+        .map(|_| (390.0 + 320.0 * rolls.roll(), (-4.0 * rolls.roll()).exp()))
         .collect();
-    let width = 2.0 + 3.0 * dice.roll();
+    let width = 2.0 + 3.0 * rolls.roll();
     let light = |nm: f64| -> f64 {
         let of_line =
             |(at, height): &(f64, f64)| height * (-2.77 * ((nm - at) / width).powi(2)).exp();
@@ -288,7 +293,7 @@ fn strange(seed: u64) -> Profile {
     let mut channel = |(centre, wide): (f64, f64)| -> Vec<f64> {
         (0..500)
             .map(|c| light(nm(c)) * (-0.5 * ((nm(c) - centre) / wide).powi(2)).exp())
-            .map(|v| v + 0.002 * (dice.roll() + dice.roll() - 1.0))
+            .map(|v| v + 0.002 * (rolls.roll() + rolls.roll() - 1.0))
             .collect()
     };
     let channels = camera.map(&mut channel);
@@ -327,4 +332,244 @@ fn lamps_of_lines_that_nobody_knows_are_never_found() {
         wrong.is_empty() && suggested <= 50,
         "{wrong:?}, {suggested} suggested"
     );
+}
+
+/// What an axis is off by at places whose wavelengths are known: root mean square within 15 nm of
+/// its lines in 400-700 nm, and the worst among them.
+fn off_at(best: &Solution, truth: &[[f64; 2]]) -> (f64, f64) {
+    let (low, high) = best.span_nm();
+    let inside = |from: f64, to: f64| {
+        let counts = move |at: &&[f64; 2]| (from.max(400.0)..=to.min(700.0)).contains(&at[0]);
+        let places = truth.iter().filter(counts);
+        places
+            .map(|[nm, px]| (best.curve.nm(*px) - nm).abs())
+            .collect::<Vec<f64>>()
+    };
+    let near = inside(low - 15.0, high + 15.0);
+    let rms = (near.iter().map(|o| o * o).sum::<f64>() / near.len().max(1) as f64).sqrt();
+    (rms, inside(low, high).into_iter().fold(0.0, f64::max))
+}
+
+/// How many answers were of which kind.
+#[derive(Debug, Default)]
+struct Rates {
+    lamps: usize,
+    found: usize,
+    right: usize,
+    fluorescent: [usize; 2],
+    others: usize,
+    others_suggested: usize,
+    wrong: Vec<String>,
+}
+
+impl Rates {
+    fn count(&mut self, name: String, kind: Kind, answer: &Answer, truth: &[[f64; 2]]) {
+        let is_found = answer.state == State::Found;
+        let best = answer.best.as_ref();
+        let Some(lamp) = kind.lamp() else {
+            self.others += 1;
+            self.others_suggested += usize::from(answer.state == State::Suggested);
+            if is_found {
+                self.wrong.push(format!("{name}: {kind:?} is found"));
+            }
+            return;
+        };
+        self.lamps += 1;
+        if kind == Kind::Cfl {
+            self.fluorescent[0] += usize::from(is_found);
+            self.fluorescent[1] += 1;
+        }
+        if let Some(best) = best.filter(|_| is_found) {
+            self.found += 1;
+            let (rms, worst) = off_at(best, truth);
+            self.right += usize::from(rms < 1.0);
+            if best.lamp.name() != lamp || worst > 5.0 {
+                let found = best.lamp.name();
+                self.wrong
+                    .push(format!("{name}: {kind:?} is {found}, off by {worst:.1} nm"));
+            }
+        }
+    }
+
+    /// The shares that were found, of all lamps and of fluorescent ones, are these at least; none
+    /// is wrong, and of those found 97 of 100 are right within 1 nm.
+    fn reach(&self, all: f64, fluorescent: f64) {
+        println!("{self:?}");
+        assert!(self.wrong.is_empty(), "{:?}", self.wrong);
+        assert!(self.found as f64 >= all * self.lamps as f64, "{self:?}");
+        let [found, of] = self.fluorescent.map(|n| n as f64);
+        assert!(found >= fluorescent * of, "{self:?}");
+        assert!(self.right as f64 >= 0.97 * self.found as f64, "{self:?}");
+        assert!(
+            self.others_suggested as f64 <= 0.03 * self.others as f64,
+            "{self:?}"
+        );
+    }
+}
+
+fn kind_of(seed: u64) -> Kind {
+    let mut kinds = Kind::LAMPS.iter().chain(&Kind::OTHERS);
+    let number = seed as usize % (Kind::LAMPS.len() + Kind::OTHERS.len());
+    *kinds.nth(number).unwrap_or(&Kind::Cfl)
+}
+
+fn rates_of_profiles(seeds: std::ops::Range<u64>) -> Rates {
+    let mut rates = Rates::default();
+    for seed in seeds {
+        let mut dice = Dice::new(seed);
+        let kind = kind_of(seed);
+        let (profile, nm) = drawn_profile(&Light::of(kind, &mut dice), &mut dice);
+        let truth: Vec<[f64; 2]> = nm
+            .iter()
+            .zip(0..)
+            .map(|(nm, i)| [*nm, f64::from(i)])
+            .collect();
+        let (answer, _) = axis_of(&profile, &Wanted::default());
+        rates.count(format!("profile {seed}"), kind, &answer, &truth);
+    }
+    rates
+}
+
+fn strip_of(size: [usize; 2], codes: Vec<u8>) -> Option<strip::Found> {
+    let picture = Picture::new(size, Codes::Eight(codes), false).expect("a picture");
+    strip::find(&picture, &ByHand::default()).ok()
+}
+
+fn rates_of_pictures(seeds: std::ops::Range<u64>) -> Rates {
+    let mut rates = Rates::default();
+    for seed in seeds {
+        let mut dice = Dice::new(1_000_000 + seed);
+        let kind = kind_of(seed);
+        let light = Light::of(kind, &mut dice);
+        let setup = Setup::any(&mut dice);
+        let exposure = 0.25 * 8_f64.powf(dice.roll());
+        let drawn = picture(&setup, &light, exposure, 0.0, &mut dice);
+        let nothing = Answer {
+            state: State::Nothing,
+            best: None,
+            runner_up: None,
+            margin: 0.0,
+            why: None,
+        };
+        let found = strip_of(drawn.size, drawn.codes);
+        let place = |[nm, x, y]: &[f64; 3]| {
+            let column = found.as_ref().map_or(0.0, |f| f.strip.column_of(*x, *y).0);
+            [*nm, column]
+        };
+        let truth: Vec<[f64; 2]> = drawn.points.iter().map(place).collect();
+        let answer = found.as_ref().map_or(nothing, |found| {
+            axis_of(&found.profile, &Wanted::default()).0
+        });
+        rates.count(format!("picture {seed}"), kind, &answer, &truth);
+    }
+    rates
+}
+
+// Gratings are steeper and lenses bend more here than in the set that the bars of the definition
+// were measured on; of 40 fluorescent lamps a standard deviation is 5 %.
+#[test]
+fn most_lamps_of_drawn_profiles_are_found_and_none_is_wrong() {
+    rates_of_profiles(7001..7201).reach(0.65, 0.75);
+}
+
+#[test]
+fn half_of_the_lamps_in_drawn_pictures_are_found_and_none_is_wrong() {
+    rates_of_pictures(7001..7061).reach(0.4, 0.65);
+}
+
+#[test]
+#[ignore = "takes minutes: the large sets of drawn profiles and pictures"]
+fn large_sets_are_found_as_often_as_was_asked_for() {
+    rates_of_profiles(20_000..21_000).reach(0.65, 0.8);
+    rates_of_pictures(20_000..20_600).reach(0.45, 0.75);
+}
+
+#[test]
+fn pictures_of_no_spectrum_are_never_found() {
+    for (seed, kind) in (0..).zip(NOTHINGS.iter().cycle().take(30)) {
+        let (size, codes) = no_spectrum(kind, &mut Dice::new(2_000_000 + seed));
+        let Some(found) = strip_of(size, codes) else {
+            continue;
+        };
+        let (answer, _) = axis_of(&found.profile, &Wanted::default());
+        assert_eq!(
+            answer.state,
+            State::Nothing,
+            "{kind}, seed {seed}: {:?}",
+            answer.best
+        );
+    }
+}
+
+/// A picture of a fluorescent lamp, without loss.
+fn plain_picture(seed: u64) -> ([usize; 2], Vec<u8>, Vec<[f64; 3]>) {
+    let mut dice = Dice::new(seed);
+    let light = Light::of(Kind::Cfl, &mut dice);
+    let mut setup = Setup::of([640, 360], &mut dice);
+    setup.quality = None;
+    setup.slit_nm = 2.0;
+    let drawn = picture(&setup, &light, 0.9, 0.0, &mut dice);
+    (drawn.size, drawn.codes, drawn.points)
+}
+
+/// The wavelengths of the axis of a picture at some of its pixels, and how many lines made it.
+fn nm_at(size: [usize; 2], codes: Vec<u8>, pixels: &[[f64; 2]]) -> (Vec<f64>, usize) {
+    let found = strip_of(size, codes).expect("a strip");
+    let (answer, _) = axis_of(&found.profile, &Wanted::default());
+    assert_eq!(answer.state, State::Found, "{:?}", answer.why);
+    let best = answer.best.expect("an axis");
+    let nm = |[x, y]: &[f64; 2]| best.curve.nm(found.strip.column_of(*x, *y).0);
+    (pixels.iter().map(nm).collect(), best.matches.len())
+}
+
+#[test]
+fn a_doubled_picture_and_a_jpeg_of_quality_100_have_the_same_axis() {
+    let mut compared = 0;
+    for seed in 5..=9 {
+        let ([width, height], codes, points) = plain_picture(seed);
+        let inside = |p: &&[f64; 3]| (440.0..=620.0).contains(&p[0]);
+        let points = points.iter().filter(inside);
+        let pixels: Vec<[f64; 2]> = points.map(|[_, x, y]| [*x, *y]).collect();
+        let (plain, lines) = nm_at([width, height], codes.clone(), &pixels);
+        let most = |other: &[f64]| {
+            let off = plain.iter().zip(other).map(|(a, b)| (a - b).abs());
+            off.fold(0.0, f64::max)
+        };
+        // A faint line that the loss hides is no other place of those that stay.
+        let jpeg = jpeg_of(&codes, [width, height], 100);
+        let (jpeg, same) = nm_at([width, height], jpeg, &pixels);
+        if lines == same {
+            compared += 1;
+            assert!(most(&jpeg) < 0.1, "{seed}: {} nm as JPEG", most(&jpeg));
+        }
+        if seed > 6 {
+            continue;
+        }
+        let pixel = |x: usize, y: usize| {
+            let at = 3 * (y * width + x);
+            [codes[at], codes[at + 1], codes[at + 2]]
+        };
+        let places = 0..4 * width * height;
+        let doubled = places.flat_map(|i| pixel(i % (2 * width) / 2, i / (4 * width)));
+        let large: Vec<[f64; 2]> = pixels.iter().map(|p| p.map(|v| 2.0 * v + 0.5)).collect();
+        let (large, _) = nm_at([2 * width, 2 * height], doubled.collect(), &large);
+        assert!(most(&large) < 0.3, "{seed}: {} nm doubled", most(&large));
+    }
+    assert!(compared >= 3, "{compared}");
+}
+
+#[test]
+fn three_lines_without_colours_are_never_found() {
+    for seed in 0..40 {
+        let mut dice = Dice::new(8_000_000 + seed);
+        let lines = (0..3)
+            .map(|_| [dice.between(400.0, 690.0), 1.0, 0.1])
+            .collect();
+        let (mut profile, _) = drawn_profile(&Light::made(lines, Vec::new()), &mut dice);
+        let grey = profile.sum();
+        profile.channels = [grey.clone(), grey.clone(), grey];
+        profile.is_grey = true;
+        let (answer, _) = axis_of(&profile, &Wanted::default());
+        assert_ne!(answer.state, State::Found, "{seed}: {:?}", answer.best);
+    }
 }

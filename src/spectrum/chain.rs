@@ -34,7 +34,7 @@ use super::{
 };
 
 /// A line of the light this close to a factor's dip meets it, nm.
-pub(crate) const SAME_PLACE_NM: f64 = 0.5;
+const SAME_PLACE_NM: f64 = 0.5;
 
 /// A line of the light that stood on a dip of a factor.
 #[derive(Clone, Copy, Debug, PartialEq)]

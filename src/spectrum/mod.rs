@@ -36,7 +36,7 @@ pub use band::{Band, BandError};
 pub(crate) use band::{LONGEST_NM, MOST_STEPS, SHORTEST_NM, dot};
 pub use basis::{Basis, PerBasis, numbers_of_order};
 pub use chain::Stage;
-pub(crate) use chain::{ChainTables, LineInDip, SAME_PLACE_NM, below_zero};
+pub(crate) use chain::{ChainTables, LineInDip, below_zero};
 pub use composite::{Composite, CompositeError};
 pub use condition::ThreeSums;
 pub(crate) use condition::{WORST_CONDITION, condition_number};

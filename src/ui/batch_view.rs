@@ -86,6 +86,44 @@ pub(super) enum Wish {
     Look(Brought),
     /// A sentence for the status line.
     Say(String),
+    /// How many numbers the lights of one's own need.
+    Numbers,
+    /// How good the lights are that these rows of the summary brought.
+    Quality,
+}
+
+/// What one does with many spectra.
+const NEXT: [(&str, &str, Wish); 2] = [
+    (
+        "How many numbers do they need?",
+        "Goes to Many lights, with your own lights.",
+        Wish::Numbers,
+    ),
+    (
+        "Compare their quality",
+        "White, colour rendering and efficacy of each light, the best first.",
+        Wish::Quality,
+    ),
+];
+
+/// The questions; the one that was clicked.
+fn next(ui: &mut Ui) -> Option<Wish> {
+    let mut wish = None;
+    ui.horizontal_wrapped(|ui| {
+        for (words, meaning, asked) in NEXT {
+            if pressed(ui, words, meaning) {
+                wish = Some(asked);
+            }
+        }
+    });
+    ui.add_space(4.0);
+    wish
+}
+
+impl Brought {
+    fn is_spectrum(&self) -> bool {
+        matches!(self, Self::Spectrum { .. })
+    }
 }
 
 /// The last summary, and its window.
@@ -194,6 +232,9 @@ impl BatchView {
             summary.count(|row| !row.is_read()),
         );
         let (mut chosen, mut wish, mut closed) = (None, None, false);
+        if self.brought.iter().filter(|b| b.is_spectrum()).count() > 1 {
+            wish = next(ui);
+        }
         ui.horizontal(|ui| {
             for (shown, words, count, meaning) in [
                 (Shown::All, "All", all, "Every file that was opened."),
@@ -253,8 +294,18 @@ impl BatchView {
         if let Some(shown) = chosen {
             self.choose(shown);
         }
+        closed |= matches!(wish, Some(Wish::Numbers | Wish::Quality));
         self.is_open &= !closed;
         wish
+    }
+
+    /// Keys of the spectra that its rows brought first.
+    pub(super) fn keys(&self) -> Vec<String> {
+        let key = |brought: &Brought| match brought {
+            Brought::Spectrum { key, .. } => Some(key.clone()),
+            Brought::Nothing | Brought::Image(_) => None,
+        };
+        self.brought.iter().filter_map(key).collect()
     }
 
     fn brought(&self, row: usize) -> Brought {
@@ -262,7 +313,7 @@ impl BatchView {
     }
 
     fn has_spectrum(&self, row: usize) -> bool {
-        matches!(self.brought.get(row), Some(Brought::Spectrum { .. }))
+        self.brought.get(row).is_some_and(Brought::is_spectrum)
     }
 }
 

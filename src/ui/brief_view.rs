@@ -5,14 +5,15 @@ use egui::{Label, RichText, Ui, vec2};
 
 use super::{
     kit::down,
+    steps_view::through_a_prism,
     swatch,
     theme::Theme,
-    verdict_view::{SWATCH, counts, no_colour, split},
+    verdict_view::{SWATCH, counts, figure, no_colour, split},
 };
 use crate::app::{
     App, Pair,
-    answers::{Worst, of_how_many, verdict},
-    numbers::colour_error,
+    answers::{Worst, of_how_many, verdict, verdict_alone},
+    behind_slit::BehindSlit,
     verdicts::Seen,
 };
 
@@ -55,19 +56,56 @@ pub(super) fn brief(ui: &mut Ui, app: &App, theme: Theme) {
                     };
                     let seen = Seen::of(worst.delta_e_2000);
                     let size = if theme.scale > 1.0 { 14.0 } else { 18.0 };
-                    let said = format!("Difference {}", seen.seen());
-                    let words = RichText::new(said).size(size * theme.scale);
+                    let words = RichText::new(verdict_alone(app, seen)).size(size * theme.scale);
                     let words = Label::new(words.color(ui.visuals().strong_text_color()));
                     ui.add(words.wrap()).on_hover_text(verdict(app, seen));
-                    let (off, of) = (colour_error(worst.delta_e_2000), of_how_many(app));
+                    let (off, of) = (figure(worst.delta_e_2000), of_how_many(app));
                     let words = format!("ΔE₀₀ {off} at worst{of}");
                     ui.add(Label::new(words).truncate());
+                    // Without room for it, the words above and the numbers are enough.
+                    let has_room = height >= 92.0 && theme.scale <= 1.0;
+                    if let Some(behind) = BehindSlit::of(app).filter(|_| has_room) {
+                        let words = format!("Instrument: {} % off", behind.percent());
+                        ui.add(Label::new(words).truncate())
+                            .on_hover_text(behind.step.meaning_behind_slit());
+                    }
                     let (numbers, instead) = counts(app);
                     let words = format!("{numbers} numbers, not {instead}");
                     ui.add(Label::new(words).wrap());
                 });
             });
         });
+}
+
+/// Swatch, strip, verdict and numbers before a class, over each other.
+pub(super) fn presented(ui: &mut Ui, app: &App, theme: Theme) {
+    let strong = ui.visuals().strong_text_color();
+    ui.spacing_mut().item_spacing.y = 4.0;
+    split(ui, app, theme, 72.0, false);
+    through_a_prism(ui, app, theme);
+    ui.add_space(6.0);
+    if let Some(worst) = Worst::of(app) {
+        let seen = Seen::of(worst.delta_e_2000);
+        let words = RichText::new(verdict_alone(app, seen)).size(20.0 * theme.scale);
+        ui.add(Label::new(words.color(strong)).wrap())
+            .on_hover_text(verdict(app, seen));
+        ui.add_space(6.0);
+        let words = format!("To the eye: {}", seen.word().to_lowercase());
+        ui.add(Label::new(words).wrap())
+            .on_hover_text(seen.meaning());
+    }
+    if let Some(behind) = BehindSlit::of(app) {
+        let words = format!("To an instrument: {}", behind.step.word().to_lowercase());
+        ui.add(Label::new(words).wrap())
+            .on_hover_text(behind.step.meaning_behind_slit());
+    }
+    ui.add_space(6.0);
+    let (numbers, instead) = counts(app);
+    ui.horizontal(|ui| {
+        let size = 32.0 * theme.scale;
+        ui.label(RichText::new(numbers.to_string()).size(size).color(strong));
+        ui.label(format!("numbers,\nnot {instead}"));
+    });
 }
 
 /// Two surfaces in the same place, one beside the other under the light.
@@ -105,10 +143,10 @@ fn brief_line(ui: &mut Ui, app: &App, theme: Theme, height: f32) {
         split(ui, app, theme, height - 16.0, false);
     });
     let seen = Seen::of(worst.delta_e_2000);
-    let words = RichText::new(seen.word()).color(ui.visuals().strong_text_color());
+    let words = RichText::new(verdict_alone(app, seen)).color(ui.visuals().strong_text_color());
     ui.label(words).on_hover_text(verdict(app, seen));
     let (numbers, instead) = counts(app);
-    let (off, of) = (colour_error(worst.delta_e_2000), of_how_many(app));
+    let (off, of) = (figure(worst.delta_e_2000), of_how_many(app));
     let words = format!("ΔE₀₀ {off} at worst{of}, {numbers} numbers, not {instead}");
     ui.add(Label::new(words).truncate());
 }

@@ -1,4 +1,4 @@
-//! The whole error-against-order curve.
+//! The error against the number of waves.
 
 use std::sync::Arc;
 
@@ -61,7 +61,7 @@ fn shown(app: &App, chosen: Measure) -> Measure {
 fn quantity_row(ui: &mut Ui, app: &App, preferences: &mut Preferences) {
     let now = shown(app, preferences.curve);
     ui.horizontal(|ui| {
-        ui.label("Error against order");
+        ui.label("Error against waves");
         let choice = Choice {
             name: "What the curve shows",
             meaning: now.figure().meaning,
@@ -86,7 +86,7 @@ fn kept_chart(ui: &Ui, app: &App, measure: Measure) -> Option<Arc<Chart>> {
     let key = (app.revision(), measure);
     let make = |_: &_| {
         let mut chart = order_chart(app, measure)?;
-        chart.title = "Error against order; click to go to an order".to_owned();
+        chart.title = "Error against waves; click to go there".to_owned();
         Some(Arc::new(chart))
     };
     let chart = kept.get(key, make).clone();
@@ -145,7 +145,7 @@ fn plot(
     ) {
         let error = ticks::short(point[1]);
         drawn.response.on_hover_text_at_pointer(format!(
-            "N = {read}: {error}{} ({}). Click to go there.",
+            "Waves {read}: {error}{} ({}). Click to go there.",
             chart.y_unit,
             numbers(count)
         ));

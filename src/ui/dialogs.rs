@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use eframe::egui;
 use egui::{Context, Ui};
 
-use super::keys::SHORTCUTS;
+use super::keys::{GROUPS, SHORTCUTS};
 use crate::app::{
     Library,
     licences::{self, Licence},
@@ -47,7 +47,11 @@ pub(super) fn show(context: &Context, dialog: &mut Dialog) -> Outcome {
     let mut outcome = Outcome::Open;
     let modal = egui::Modal::new(egui::Id::unique("dialog")).show(context, |ui| {
         let room = context.content_rect().size() - AROUND;
-        ui.set_max_width(room.x.min(620.0));
+        let most = match dialog {
+            Dialog::Shortcuts => 760.0,
+            _ => 620.0,
+        };
+        ui.set_max_width(room.x.min(most));
         ui.heading(title);
         ui.add_space(4.0);
         match dialog {
@@ -123,28 +127,70 @@ fn path_field(
     });
 }
 
+/// What the pointer does, behind the keys.
+const POINTER: [(&str, &str); 7] = [
+    ("Wheel", "Zoom the wavelengths around the pointer"),
+    ("Drag, right drag", "Move the view, zoom into a box"),
+    ("Double click", "Fit the view"),
+    ("Right click", "Save, copy or print a plot"),
+    ("Drag a line", "Move it, change its height"),
+    ("Shift + double click", "Add a line"),
+    (
+        "Ctrl or Shift + click",
+        "Compare with a spectrum of the library",
+    ),
+];
+
+/// Width of a window from which the groups stand in two columns, points.
+const TWO_COLUMNS: f32 = 640.0;
+
 fn shortcuts(ui: &mut Ui) {
-    egui::Grid::new("shortcuts").striped(true).show(ui, |ui| {
-        for (shortcut, _, words) in SHORTCUTS {
-            ui.monospace(ui.ctx().format_shortcut(&shortcut));
-            ui.label(words);
-            ui.end_row();
-        }
-        for (keys, words) in [
-            ("Tab", "From control to control"),
-            (
-                "Ctrl or Shift + click",
-                "Lay a spectrum of the library over",
-            ),
-            ("Drag a spike", "Move it, change its weight"),
-            ("Double click in the plot", "Add a spike"),
-            ("Ctrl + wheel, right drag", "Zoom the plot"),
-        ] {
-            ui.monospace(keys);
-            ui.label(words);
-            ui.end_row();
-        }
-    });
+    let (left, right) = GROUPS.split_at(3);
+    if ui.available_width() >= TWO_COLUMNS {
+        ui.horizontal_top(|ui| {
+            ui.vertical(|ui| keys(ui, left));
+            ui.add_space(24.0);
+            ui.vertical(|ui| {
+                keys(ui, right);
+                pointer(ui);
+            });
+        });
+    } else {
+        keys(ui, &GROUPS);
+        pointer(ui);
+    }
+}
+
+fn group(ui: &mut Ui, title: &str, rows: impl Iterator<Item = (String, &'static str)>) {
+    ui.label(egui::RichText::new(title).strong());
+    egui::Grid::new(("shortcuts", title))
+        .striped(true)
+        .min_col_width(112.0)
+        .show(ui, |ui| {
+            for (keys, words) in rows {
+                ui.monospace(keys);
+                ui.label(words);
+                ui.end_row();
+            }
+        });
+    ui.add_space(8.0);
+}
+
+fn keys(ui: &mut Ui, groups: &[&str]) {
+    for title in groups {
+        let of_it = SHORTCUTS.iter().filter(|(_, act, _)| act.group() == *title);
+        let context = ui.ctx().clone();
+        let rows = of_it.map(|(keys, _, words)| (context.format_shortcut(keys), *words));
+        group(ui, title, rows);
+    }
+}
+
+fn pointer(ui: &mut Ui) {
+    let rows = POINTER
+        .iter()
+        .map(|(keys, words)| ((*keys).to_owned(), *words));
+    let rows = std::iter::once(("Tab".to_owned(), "From control to control")).chain(rows);
+    group(ui, "Pointer and Tab", rows);
 }
 
 fn about(ui: &mut Ui, reading: &mut Option<usize>) {

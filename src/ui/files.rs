@@ -5,7 +5,8 @@
 //! always a second way in: a path that is typed, a file that is dropped, a command-line argument.
 
 use std::{
-    path::PathBuf,
+    path::{Path, PathBuf},
+    process::Command,
     sync::{
         Arc,
         atomic::{AtomicBool, Ordering},
@@ -103,4 +104,27 @@ pub fn watch_dialogs() {
     if log::set_logger(&DialogWatch).is_ok() {
         log::set_max_level(log::LevelFilter::Error);
     }
+}
+
+/// Opens a page in the browser; why it did not.
+pub type Printer = Arc<dyn Fn(&Path) -> Result<(), String> + Send + Sync>;
+
+/// The system's way to open a page.
+pub(super) fn system_printer() -> Printer {
+    Arc::new(|path| {
+        let mut command = if cfg!(target_os = "windows") {
+            let mut command = Command::new("cmd");
+            command.args(["/C", "start", ""]);
+            command
+        } else if cfg!(target_os = "macos") {
+            Command::new("open")
+        } else {
+            Command::new("xdg-open")
+        };
+        let ended = command.arg(path).status().map_err(|why| why.to_string())?;
+        match ended.success() {
+            true => Ok(()),
+            false => Err("the system knows none".to_owned()),
+        }
+    })
 }

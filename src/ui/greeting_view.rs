@@ -15,12 +15,12 @@ const TILES: [(&str, &str, Page); 3] = [
     ),
     (
         "Design a light",
-        "Mix lines, LEDs and lights with faders, and see what the mixture does to colours.",
+        "Mix lines, LEDs and lamps with faders, and see what the mixture does to colours.",
         Page::Mix,
     ),
     (
         "How many numbers?",
-        "Find out how few numbers a spectrum is worth, and what each of them buys.",
+        "See how few numbers a spectrum needs, and what each of them buys.",
         Page::Tradeoff,
     ),
 ];
@@ -36,7 +36,17 @@ pub(super) enum Beginning {
 }
 
 /// The ways below the tiles.
-const BUTTONS: [(&str, &str, Beginning); 2] = [
+const BUTTONS: [(&str, &str, Beginning); 4] = [
+    (
+        "Is this a good light?",
+        "Shows how the light on the screen treats skin, colours and white.",
+        Beginning::Page(Page::Quality),
+    ),
+    (
+        "Light through a prism",
+        "Shows the light fanned out into its colours; F5 shows it to a class.",
+        Beginning::Page(Page::Prism),
+    ),
     (
         "Play with the waves",
         "Shows FL11, a lamp of many lines: pull Waves and Lines, and everything follows.",

@@ -51,6 +51,47 @@ pub(super) enum Act {
     CopyPicture,
     /// Copy the command line that gives the same.
     CopyCommand,
+    /// Print the page.
+    Print,
+}
+
+/// What a person does with a key, in the order of the list.
+pub(super) const GROUPS: [&str; 6] = [
+    "Go to",
+    "Files",
+    "The model",
+    "The view",
+    "Undo and find",
+    "Help",
+];
+
+impl Act {
+    /// Its group, one of [`GROUPS`].
+    pub(super) fn group(self) -> &'static str {
+        GROUPS[match self {
+            Self::Place(_) | Self::Library => 0,
+            Self::Open
+            | Self::OpenFolder
+            | Self::TypePath
+            | Self::SaveProject
+            | Self::CopyPicture
+            | Self::CopyCommand
+            | Self::Print => 1,
+            Self::OrderDown
+            | Self::OrderUp
+            | Self::ThresholdDown
+            | Self::ThresholdUp
+            | Self::Reset => 2,
+            Self::ResetView
+            | Self::Theme
+            | Self::Present
+            | Self::ZoomIn
+            | Self::ZoomOut
+            | Self::ZoomReset => 3,
+            Self::Undo | Self::Redo | Self::Search | Self::Palette => 4,
+            Self::Greeting | Self::Shortcuts => 5,
+        }]
+    }
 }
 
 const PLAIN: Modifiers = Modifiers::NONE;
@@ -66,7 +107,7 @@ const fn on(modifiers: Modifiers, key: Key, act: Act, words: &'static str) -> Sh
 
 /// Every shortcut with what it does; those with more modifiers first, because a shortcut with
 /// fewer would swallow them.
-pub(super) const SHORTCUTS: [Shortcut; 32] = [
+pub(super) const SHORTCUTS: [Shortcut; 33] = [
     on(CTRL_SHIFT, Key::Z, Act::Redo, "Redo"),
     on(
         CTRL_SHIFT,
@@ -96,11 +137,12 @@ pub(super) const SHORTCUTS: [Shortcut; 32] = [
     on(CTRL, Key::Y, Act::Redo, "Redo"),
     on(CTRL, Key::O, Act::Open, "Open files"),
     on(CTRL, Key::S, Act::SaveProject, "Save the project"),
+    on(CTRL, Key::P, Act::Print, "Print this page"),
     on(CTRL, Key::F, Act::Search, "Search the library"),
-    on(CTRL, Key::Plus, Act::ZoomIn, "Larger"),
-    on(CTRL, Key::Minus, Act::ZoomOut, "Smaller"),
-    on(CTRL, Key::Num0, Act::ZoomReset, "Zoom 100 %"),
-    on(CTRL, Key::D, Act::Theme, "Dark or light"),
+    on(CTRL, Key::Plus, Act::ZoomIn, "Larger type"),
+    on(CTRL, Key::Minus, Act::ZoomOut, "Smaller type"),
+    on(CTRL, Key::Num0, Act::ZoomReset, "Type at 100 %"),
+    on(CTRL, Key::D, Act::Theme, "Dark or light surroundings"),
     on(CTRL, Key::L, Act::Library, "Open or close the library"),
     on(
         CTRL,
@@ -115,29 +157,29 @@ pub(super) const SHORTCUTS: [Shortcut; 32] = [
     on(CTRL, Key::Num5, Act::Place(4), "Design"),
     on(CTRL, Key::Num6, Act::Place(5), "Numbers"),
     on(CTRL, Key::Num7, Act::Place(6), "Picture"),
-    on(PLAIN, Key::F5, Act::Present, "Present"),
-    on(PLAIN, Key::R, Act::Reset, "Everything back to the start"),
+    on(PLAIN, Key::F5, Act::Present, "Present this page"),
     on(
         PLAIN,
-        Key::Home,
-        Act::ResetView,
-        "The whole range into view",
+        Key::R,
+        Act::Reset,
+        "Model and layers back to the start",
     ),
-    on(Modifiers::SHIFT, Key::F1, Act::Shortcuts, "This list"),
+    on(PLAIN, Key::Home, Act::ResetView, "Fit the view of the plot"),
+    on(Modifiers::SHIFT, Key::F1, Act::Shortcuts, "Shortcuts"),
     on(PLAIN, Key::F1, Act::Greeting, "The ways to begin"),
-    on(PLAIN, Key::ArrowLeft, Act::OrderDown, "Order N less one"),
-    on(PLAIN, Key::ArrowRight, Act::OrderUp, "Order N plus one"),
+    on(PLAIN, Key::ArrowLeft, Act::OrderDown, "One wave less"),
+    on(PLAIN, Key::ArrowRight, Act::OrderUp, "One wave more"),
     on(
         PLAIN,
         Key::PageDown,
         Act::ThresholdDown,
-        "Lower spike threshold",
+        "Keep fainter lines",
     ),
     on(
         PLAIN,
         Key::PageUp,
         Act::ThresholdUp,
-        "Higher spike threshold",
+        "Keep only stronger lines",
     ),
 ];
 

@@ -27,7 +27,7 @@ const SLIDER_ORDERS: std::ops::RangeInclusive<usize> = 0..=40;
 /// Names of controls, shared with the tests that move them.
 pub mod names {
     /// The order slider.
-    pub const ORDER: &str = "Order N";
+    pub const ORDER: &str = "Waves (order N)";
     /// The spike threshold slider.
     pub const THRESHOLD: &str = "Threshold";
     /// The widest line.
@@ -35,7 +35,7 @@ pub mod names {
     /// The colour-exact switch.
     pub const COLOUR_EXACT: &str = "Colour-exact";
     /// The spikes switch.
-    pub const SPIKES: &str = "Spikes";
+    pub const SPIKES: &str = "Keep lines";
     /// The absorption switch.
     pub const DIPS: &str = "Dark lines too";
 }
@@ -81,7 +81,7 @@ fn subject_switch(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
             let button = egui::Button::selectable(chosen, name)
                 .truncate()
                 .min_size(size);
-            let meaning = "What the model is of: the light, or the selected reflectance.";
+            let meaning = "Models the light, or the surface that is chosen.";
             if ui.add(button).on_hover_text(meaning).clicked() {
                 commands.push(Command::About(subject));
             }
@@ -98,8 +98,8 @@ fn basis_row(ui: &mut Ui, settings: &mut Settings) {
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             ui.checkbox(&mut settings.colour_exact, names::COLOUR_EXACT)
                 .on_hover_text(
-                    "Least squares under the condition that X, Y and Z of the spectrum itself are \
-                     exact. It costs no numbers and needs N of 1 or more.",
+                    "The model keeps X, Y and Z of the spectrum exactly. It costs no numbers and \
+                     needs one wave or more.",
                 );
         });
     });
@@ -114,8 +114,8 @@ fn order_row(ui: &mut Ui, settings: &mut Settings) {
     )
     .labelled_by(label.id)
     .on_hover_text(format!(
-        "Order of the series, {} to {} (the slider ends at 40; type more). Left and right arrow \
-         keys change it too.",
+        "Waves of the smooth part: the order N of its series, {} to {} (the slider ends at 40; \
+         type more). The left and right arrow keys change it too.",
         ORDERS.start(),
         ORDERS.end()
     ));

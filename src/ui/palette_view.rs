@@ -3,13 +3,16 @@
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{Context, Key, RichText, ScrollArea};
+use egui::{Align2, Context, Key, RichText, ScrollArea, vec2};
 
 use super::{
     keys::{Act, SHORTCUTS},
     kit::text_field,
 };
-use crate::app::{App, Entry, pages::Page};
+use crate::app::{
+    App, Entry,
+    pages::{Page, Place},
+};
 
 #[derive(Clone, Debug)]
 pub(super) enum Chosen {
@@ -30,6 +33,23 @@ pub(super) struct PaletteView {
 
 /// Most that are shown.
 const MOST: usize = 12;
+
+/// Width of the list, points.
+const WIDTH: f32 = 480.0;
+
+/// The key that does the same.
+fn key_of(ui: &egui::Ui, choice: &Chosen) -> Option<String> {
+    let act = match choice {
+        Chosen::Act(act) => *act,
+        Chosen::Page(page) if *page == page.place().first() => {
+            let number = Place::ALL.iter().position(|place| *place == page.place());
+            Act::Place(number?)
+        }
+        _ => return None,
+    };
+    let shortcut = SHORTCUTS.iter().find(|(_, of, _)| *of == act);
+    shortcut.map(|(keys, ..)| ui.ctx().format_shortcut(keys))
+}
 
 impl PaletteView {
     /// Opens it, empty.
@@ -67,8 +87,12 @@ impl PaletteView {
         if up {
             self.at = self.at.saturating_sub(1);
         }
-        let modal = egui::Modal::new(egui::Id::unique("palette")).show(context, |ui| {
-            ui.set_width(420.0_f32.min(ui.ctx().content_rect().width() - 64.0));
+        let id = egui::Id::unique("palette");
+        // Its top stays where it is, however many rows there are.
+        let down = vec2(0.0, context.content_rect().height() / 8.0);
+        let area = egui::Modal::default_area(id).anchor(Align2::CENTER_TOP, down);
+        let modal = egui::Modal::new(id).area(area).show(context, |ui| {
+            ui.set_width(WIDTH.min(ui.ctx().content_rect().width() - 64.0));
             let words = ["Find anything", "Search lights, pages and commands"];
             let field = text_field(ui, &mut self.text, words, f32::INFINITY);
             field.request_focus();
@@ -77,15 +101,19 @@ impl PaletteView {
             }
             let most = (ui.ctx().content_rect().height() - 96.0).clamp(80.0, 360.0);
             ScrollArea::vertical().max_height(most).show(ui, |ui| {
+                ui.set_width(ui.available_width());
                 for (row, (name, what, choice)) in found.iter().enumerate() {
-                    let words = (RichText::new(name), RichText::new(*what).small().weak());
-                    let button = egui::Button::selectable(row == self.at, words);
+                    let key = key_of(ui, choice).unwrap_or_else(|| (*what).to_owned());
+                    let button = egui::Button::selectable(row == self.at, name)
+                        .right_text(RichText::new(key).small().weak())
+                        .truncate()
+                        .min_size(vec2(ui.available_width(), 0.0));
                     if ui.add(button).clicked() {
                         chosen = Some(choice.clone());
                     }
                 }
                 if found.is_empty() {
-                    ui.weak("Nothing found.");
+                    ui.weak("Nothing found. Try: LED, candle, quality, print.");
                 }
             });
         });
@@ -108,8 +136,12 @@ fn found(app: &App, text: &str) -> Vec<(String, &'static str, Chosen)> {
     });
     let acts = SHORTCUTS
         .iter()
-        .filter(|(_, act, _)| !matches!(act, Act::Place(_) | Act::Palette))
-        .map(|(_, act, words)| ((*words).to_owned(), "act", Chosen::Act(*act)));
+        .filter(|(keys, act, _)| {
+            // Redo has two keys.
+            let first = SHORTCUTS.iter().find(|(_, of, _)| of == act);
+            !matches!(act, Act::Place(_) | Act::Palette) && first.is_some_and(|f| f.0 == *keys)
+        })
+        .map(|(_, act, words)| ((*words).to_owned(), "command", Chosen::Act(*act)));
     let own = app.document().own.iter();
     let entries = own.chain(app.bundled()).map(|entry| {
         let name = entry.name().to_owned();

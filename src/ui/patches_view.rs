@@ -6,10 +6,14 @@ use egui::{Ui, vec2};
 use super::{
     kit::{Choice, rolled, seen_choice},
     swatch,
-    theme::Theme,
+    theme::{self, Theme},
 };
-use crate::app::{
-    App, Command, Library, answers::set_title, derived::PatchComparison, verdicts::Seen,
+use crate::{
+    app::{
+        App, Command, Library, Lit, answers::set_title, chart::elided, derived::PatchPair,
+        under_favourites, verdicts::Seen,
+    },
+    color::Swatch,
 };
 
 /// Most patches in one row: the ColorChecker makes two rows.
@@ -31,8 +35,16 @@ pub(super) fn set_choice(ui: &mut Ui, choice: Choice<'_>, app: &App, commands: &
 
 /// The row above the patches: the set, what lies outside the screen's colours, how they are seen.
 pub(super) fn head(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
+    if !app.document().is_about_light() {
+        let words = format!("{} under six lights", app.document().subject_entry().name());
+        ui.add(egui::Label::new(words).truncate());
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            seen_choice(ui, app, ("How surfaces are seen", 220.0), commands);
+        });
+        return;
+    }
     let choice = Choice {
-        name: "Patch set",
+        name: "Set of surfaces",
         meaning: "Whose reflectances the light falls on.",
         width: 140.0,
     };
@@ -42,51 +54,127 @@ pub(super) fn head(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Comm
             .small()
             .color(theme.faint)
     };
+    let halves = match &app.document().second {
+        Some(second) => format!("{} | {}", app.document().light.name(), second.name()),
+        None => "measured | model".to_owned(),
+    };
     if ui.available_width() > 420.0 {
-        ui.label(small("measured | model"));
+        let rest = ui.available_width() - 240.0;
+        let halves = elided(&halves, (rest / 6.5) as usize);
+        ui.label(small(&halves));
     }
-    if let Some(patches) = &app.derived().patches {
-        let off = |p: &&crate::app::derived::PatchPair| {
-            !(p.exact_swatch.in_gamut && p.model_swatch.in_gamut)
-        };
-        let count = patches.items.iter().filter(off).count();
+    if let Some(fields) = Fields::of(app) {
+        let off = |field: &&Field<'_>| !field.halves.iter().all(|half| half.in_gamut);
+        let count = fields.items.iter().filter(off).count();
         if count > 0 && ui.available_width() > 330.0 {
             ui.label(small(&format!("◥ {count} outside the screen's colours")));
         }
     }
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-        seen_choice(ui, app, ("How patches are seen", 220.0), commands);
+        seen_choice(ui, app, ("How surfaces are seen", 220.0), commands);
     });
 }
 
 /// The patches themselves, on a ground that is equal to none of them.
 pub(super) fn patches(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
-    let Some(comparison) = &app.derived().patches else {
-        ui.add_space(6.0);
-        ui.weak(if app.document().is_about_light() {
-            "There is no visible light in this range: surfaces would be black."
+    let Some(fields) = Fields::of(app) else {
+        if app.document().is_about_light() {
+            ui.add_space(6.0);
+            ui.weak("There is no visible light in this range: surfaces would be black.");
         } else {
-            "This is a surface: choose the light in Settings to see surfaces under it."
-        });
+            under_lights(ui, app, theme);
+        }
         return;
     };
     let room = ui.available_rect_before_wrap();
     ui.painter().rect_filled(room, 4.0, theme.swatch_ground);
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(room.shrink(8.0)));
-    rolled(&mut inside, |ui| grid(ui, app, comparison, theme, commands));
+    rolled(&mut inside, |ui| grid(ui, app, &fields, theme, commands));
 }
 
-fn grid(
-    ui: &mut Ui,
-    app: &App,
-    comparison: &PatchComparison,
-    theme: Theme,
-    commands: &mut Vec<Command>,
-) {
+/// The surface that is looked at, under six lights.
+fn under_lights(ui: &mut Ui, app: &App, theme: Theme) {
+    let shown = under_favourites(app);
+    let room = ui.available_rect_before_wrap();
+    ui.painter().rect_filled(room, 4.0, theme.swatch_ground);
+    let inside = room.shrink(8.0);
+    let row = ui.text_style_height(&egui::TextStyle::Small);
+    let count = shown.len().max(1) as f32;
+    let width = (inside.width() - 8.0 * (count - 1.0)) / count;
+    let ink = theme::grey(if theme.dark { 240 } else { 16 });
+    for (k, (light, colour)) in shown.iter().enumerate() {
+        let left = inside.left() + k as f32 * (width + 8.0);
+        let size = vec2(width, (inside.height() - row - 2.0).max(1.0));
+        let field = egui::Rect::from_min_size(egui::pos2(left, inside.top()), size);
+        let mut child = ui.new_child(egui::UiBuilder::new().max_rect(field));
+        let name = format!("Under {light}: {}", colour.hex());
+        swatch::split(&mut child, size, colour, colour, &name).on_hover_text(name.as_str());
+        let font = egui::TextStyle::Small.resolve(ui.style());
+        let at = egui::pos2(field.center().x, inside.bottom());
+        let words = ui.painter().layout_no_wrap((*light).to_owned(), font, ink);
+        let corner = at - vec2(words.size().x / 2.0, words.size().y);
+        let painter = ui.painter().with_clip_rect(field.with_max_y(room.bottom()));
+        painter.galley(corner, words, ink);
+    }
+}
+
+/// A surface of which two halves are seen: measured and by the model, or under two lights.
+struct Field<'a> {
+    name: &'a str,
+    delta_e_2000: f64,
+    halves: [&'a Swatch; 2],
+}
+
+struct Fields<'a> {
+    items: Vec<Field<'a>>,
+    /// What the halves are under.
+    under: [String; 2],
+}
+
+impl<'a> Fields<'a> {
+    /// `None` where no light falls on surfaces.
+    fn of(app: &'a App) -> Option<Self> {
+        let patches = app.derived().patches.as_ref()?;
+        if let Some((second, lit)) = app.document().second.as_ref().zip(app.surfaces_beside()) {
+            let field = |lit: &'a Lit| Field {
+                name: &lit.name,
+                delta_e_2000: lit.delta_e_2000,
+                halves: lit.swatches.each_ref(),
+            };
+            return Some(Self {
+                items: lit.iter().map(field).collect(),
+                under: [&app.document().light, second].map(|light| light.name().to_owned()),
+            });
+        }
+        let field = |patch: &'a PatchPair| Field {
+            name: &patch.name,
+            delta_e_2000: patch.delta_e_2000,
+            halves: [&patch.exact_swatch, &patch.model_swatch],
+        };
+        Some(Self {
+            items: patches.items.iter().map(field).collect(),
+            under: ["the measured light", "the model"].map(str::to_owned),
+        })
+    }
+
+    /// The place of the surface whose halves differ most.
+    fn worst(&self) -> Option<usize> {
+        let all = self
+            .items
+            .iter()
+            .map(|field| field.delta_e_2000)
+            .enumerate();
+        all.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
+    }
+}
+
+fn grid(ui: &mut Ui, app: &App, fields: &Fields<'_>, theme: Theme, commands: &mut Vec<Command>) {
     let gap = 8.0;
     ui.spacing_mut().item_spacing = vec2(gap, gap);
     let room = ui.available_size();
-    let count = comparison.items.len();
+    let count = fields.items.len();
+    let worst = fields.worst();
+    let [left, right] = &fields.under;
     // A low field has one row of all 24, a usual one two; more patches scroll.
     let in_row = if room.y < 70.0 { 2 * PER_ROW } else { PER_ROW };
     let rows = count.div_ceil(in_row).max(1);
@@ -94,38 +182,35 @@ fn grid(
     let shown = rows.min(2) as f32;
     let height = ((room.y - gap * (shown - 1.0)) / shown).clamp(18.0, 90.0 * theme.scale);
     let selected = app.document().patch;
-    for (row, chunk) in comparison.items.chunks(in_row).enumerate() {
+    for (row, chunk) in fields.items.chunks(in_row).enumerate() {
         ui.horizontal(|ui| {
             for (column, patch) in chunk.iter().enumerate() {
                 let index = row * in_row + column;
                 let name = format!("{}: ΔE₀₀ {:.3}", patch.name, patch.delta_e_2000);
-                let response = swatch::split(
-                    ui,
-                    vec2(width, height),
-                    &patch.exact_swatch,
-                    &patch.model_swatch,
-                    &name,
-                );
+                let [first, second] = patch.halves;
+                let response = swatch::split(ui, vec2(width, height), first, second, &name);
                 swatch::ticks(ui, response.rect, 5.0 * theme.scale);
                 // The worst is marked only where it can be seen.
-                let is_worst =
-                    index == comparison.worst && Seen::of(patch.delta_e_2000) != Seen::Hardly;
-                if selected == Some(index) || is_worst {
-                    let stroke = egui::Stroke::new(1.5, ui.visuals().strong_text_color());
-                    swatch::outline(ui, response.rect.expand(2.0), stroke);
+                let is_worst = Some(index) == worst && Seen::of(patch.delta_e_2000) != Seen::Hardly;
+                if is_worst {
+                    swatch::dot(ui, response.rect, theme.scale);
+                }
+                if selected == Some(index) {
+                    swatch::ring(ui, response.rect, theme.scale);
                 }
                 if response.clicked() {
                     let patch = (selected != Some(index)).then_some(index);
                     commands.push(Command::Patch(patch));
                 }
+                let mark = if is_worst { " (the worst)" } else { "" };
                 response.on_hover_text(format!(
-                    "{}: ΔE₀₀ {:.4}, {}\nLeft under the measured light {}, right under the \
-                     model {}.\nClick to see its product in the plot.",
+                    "{}{mark}: ΔE₀₀ {:.4}, {}\nLeft under {left} {}, right under {right} {}.\n\
+                     Click to see the light off it in the plot.",
                     patch.name,
                     patch.delta_e_2000,
                     Seen::of(patch.delta_e_2000).seen(),
-                    patch.exact_swatch.hex(),
-                    patch.model_swatch.hex(),
+                    first.hex(),
+                    second.hex(),
                 ));
             }
         });

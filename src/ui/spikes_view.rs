@@ -17,9 +17,9 @@ pub(super) fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAc
     if spikes.is_empty() {
         ui.add_space(6.0);
         ui.weak(if app.document().settings.spikes {
-            "No spikes. Lower the threshold, or double-click in the plot to set one."
+            "No lines. Push Lines to the right, or set one: + Line above the plot."
         } else {
-            "Spikes are switched off."
+            "Lines are switched off."
         });
         return;
     }
@@ -37,12 +37,12 @@ pub(super) fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAc
                         .speed(0.1)
                         .range(band.min_nm()..=band.max_nm())
                         .fixed_decimals(2);
-                    let place = number(ui, place, &format!("Spike {} place", index + 1));
+                    let place = number(ui, place, &format!("Line {} place", index + 1));
                     let size = weight.abs().max(f64::MIN_POSITIVE);
                     let power = DragValue::new(&mut weight)
                         .speed(0.01 * size)
                         .custom_formatter(|v, _| ticks::short(v));
-                    let power = number(ui, power, &format!("Spike {} weight", index + 1));
+                    let power = number(ui, power, &format!("Line {} weight", index + 1));
                     if place.changed() || power.changed() {
                         acts.push(SpikeAct::Set {
                             index,
@@ -66,8 +66,8 @@ pub(super) fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAc
                     }
                     if spike.peaks > 1 {
                         line.on_hover_text(format!(
-                            "{} peaks that no valley parts make one spike. Moving the threshold \
-                             can part or join them, and so add one.",
+                            "{} peaks without a valley between them make one line. Another \
+                             threshold can part or join them.",
                             spike.peaks
                         ));
                     }
@@ -91,10 +91,10 @@ fn titles(ui: &mut Ui, app: &App) {
     ));
     ui.weak("%")
         .on_hover_text("Of the total power in the range, percent.");
-    ui.weak("wide")
-        .on_hover_text("Full width at half maximum of the line it stands for, nm.");
+    ui.weak("width, nm")
+        .on_hover_text("Full width at half maximum of the measured line, nm.");
     ui.weak("line")
-        .on_hover_text("Named only where it is safe; otherwise the nearest line.");
+        .on_hover_text("Named only where the name is safe.");
     ui.weak("lock");
     ui.end_row();
 }
@@ -103,9 +103,9 @@ fn titles(ui: &mut Ui, app: &App) {
 fn hand(ui: &mut Ui, index: usize, mut locked: bool, acts: &mut Vec<SpikeAct>) {
     let lock = ui
         .checkbox(&mut locked, "")
-        .on_hover_text("Keeps the spike whatever the threshold says.");
+        .on_hover_text("Keeps this line whatever the threshold is.");
     let number = index + 1;
-    let name = format!("Lock spike {number}");
+    let name = format!("Lock line {number}");
     named_choice(&lock, egui::Role::CheckBox, locked, &name);
     if lock.changed() {
         acts.push(if locked {
@@ -114,7 +114,7 @@ fn hand(ui: &mut Ui, index: usize, mut locked: bool, acts: &mut Vec<SpikeAct>) {
             SpikeAct::Unlock { index }
         });
     }
-    let name = format!("Delete spike {number}");
+    let name = format!("Delete line {number}");
     let meaning = "Removes this line; its light goes back to the waves.";
     if sign_button(ui, "✕", &name, meaning) {
         acts.push(SpikeAct::Delete { index });
@@ -124,8 +124,8 @@ fn hand(ui: &mut Ui, index: usize, mut locked: bool, acts: &mut Vec<SpikeAct>) {
 /// The row above the table.
 pub(super) fn head(ui: &mut Ui, app: &App, acts: &mut Vec<SpikeAct>) {
     let edits = app.document().subject_edits();
-    ui.weak("Drag in the plot or edit here; double-click adds one.");
-    let meaning = "Back to what the detector finds.";
+    ui.weak("Drag lines in the plot or edit them here.");
+    let meaning = "Back to the lines that are found.";
     if !edits.is_empty() && pressed(ui, "Forget hand edits", meaning) {
         acts.push(SpikeAct::Reset);
     }

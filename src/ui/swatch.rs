@@ -42,7 +42,8 @@ pub(super) fn split(
         // A white field must not melt into a light window.
         outline(ui, rect, ui.visuals().widgets.noninteractive.bg_stroke);
     }
-    if !(left.in_gamut && right.in_gamut) {
+    // On every field of a row it would be louder than the colours.
+    if !(left.in_gamut && right.in_gamut) && (response.hovered() || response.has_focus()) {
         out_of_gamut_mark(ui, rect);
     }
     menu(&response, [left.rgb8, right.rgb8]);
@@ -103,6 +104,24 @@ pub(super) fn ticks(ui: &Ui, rect: Rect, length: f32) {
         for (at, ink) in [x, x + 1.0].into_iter().zip(inks) {
             ui.painter().vline(at, top..=top + length, (1.0, ink));
         }
+    }
+}
+
+/// The mark of the worst of several fields: a dot in its corner, seen on any colour.
+pub(super) fn dot(ui: &Ui, rect: Rect, scale: f32) {
+    let at = rect.left_bottom() + Vec2::new(8.0, -8.0) * scale;
+    let edge = Stroke::new(1.5 * scale, Color32::BLACK);
+    ui.painter().circle(at, 4.0 * scale, Color32::WHITE, edge);
+}
+
+/// The mark of the chosen one of several fields: a ring inside it, seen on any colour.
+pub(super) fn ring(ui: &Ui, rect: Rect, scale: f32) {
+    for (inset, ink) in [(0.0, Color32::BLACK), (1.5, Color32::WHITE)] {
+        let stroke = Stroke::new(1.5 * scale, ink);
+        let corners = CornerRadius::same(3);
+        let field = rect.shrink(inset * scale);
+        ui.painter()
+            .rect_stroke(field, corners, stroke, StrokeKind::Inside);
     }
 }
 

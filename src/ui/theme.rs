@@ -16,6 +16,15 @@ use crate::app::{
     workspace::Preferences,
 };
 
+/// From this width of the window on type grows with it, points, and how much at most.
+const LARGE: f32 = 1920.0;
+const MOST_GROWN: f32 = 1.4;
+
+/// By how much type is larger in a window of a width.
+pub fn grown(width: f32) -> f32 {
+    (width / LARGE).clamp(1.0, MOST_GROWN)
+}
+
 /// How much larger type and how much thicker lines are while presenting.
 const PRESENT_TYPE: f32 = 2.0;
 const PRESENT_LINES: f32 = 2.0;
@@ -75,13 +84,13 @@ impl Theme {
             dark,
             line: 1.6 * presented(PRESENT_LINES),
             ground: grey(if dark { 18 } else { 255 }),
-            faint: grey(if dark { 162 } else { 95 }),
+            faint: faint(dark),
             swatch_ground: swatch_ground(dark),
             accent: either([78, 161, 224], [27, 111, 174]),
             track: grey(if dark { 88 } else { 178 }),
             zone: if dark { [23, 48, 41] } else { [220, 239, 232] },
             warning: either([240, 190, 90], [140, 80, 0]),
-            scale: presented(PRESENT_TYPE),
+            scale: presented(PRESENT_TYPE).max(preferences.grown),
         }
     }
 
@@ -99,9 +108,23 @@ impl Theme {
     }
 }
 
+/// Text that explains, not shouts.
+const fn faint(dark: bool) -> Color32 {
+    grey(if dark { 162 } else { 90 })
+}
+
 /// Around every swatch; never equal to a grey patch.
 pub const fn swatch_ground(dark: bool) -> Color32 {
     grey(if dark { 68 } else { 180 })
+}
+
+/// Fill and words of a card's main button.
+pub fn main_colours(dark: bool) -> (Color32, Color32) {
+    let either = either(dark);
+    (
+        either([78, 161, 224], [27, 111, 174]),
+        either([16; 3], [255; 3]),
+    )
 }
 
 /// A neutral grey.
@@ -190,6 +213,7 @@ fn colours(visuals: &mut egui::Visuals, dark: bool) {
     visuals.window_stroke = Stroke::new(1.0, grey(outline));
     visuals.selection.bg_fill = either([31, 71, 99], [195, 222, 242]);
     visuals.selection.stroke = Stroke::new(1.0, either([255; 3], [11, 43, 68]));
+    visuals.weak_text_color = Some(self::faint(dark));
     visuals.slider_trailing_fill = true;
     visuals.hyperlink_color = either([120, 190, 235], [0, 90, 150]);
     let radius = CornerRadius::same(4);
@@ -224,4 +248,70 @@ pub fn section(ui: &mut egui::Ui, title: &str) {
 pub fn waker(context: &Context) -> Wake {
     let context = context.clone();
     Arc::new(move || context.request_repaint())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::color::{Srgb, srgb::xyz_from_linear};
+
+    /// Contrast of two colours as WCAG 2 defines it.
+    fn contrast(a: Color32, b: Color32) -> f64 {
+        let luminance = |colour: Color32| {
+            let [r, g, b, _] = colour.to_array();
+            xyz_from_linear(Srgb([r, g, b]).to_linear()).y + 0.05
+        };
+        let (a, b) = (luminance(a), luminance(b));
+        a.max(b) / a.min(b)
+    }
+
+    #[test]
+    fn all_text_stands_out_from_what_it_stands_on() {
+        // WCAG 2, level AA, for text of usual size.
+        const LEAST: f64 = 4.5;
+        assert!((contrast(grey(0), grey(255)) - 21.0).abs() < 1e-9);
+        for dark in [true, false] {
+            let preferences = Preferences {
+                dark,
+                ..Preferences::default()
+            };
+            let theme = Theme::of(&preferences);
+            let mut visuals = egui::Visuals::dark();
+            colours(&mut visuals, dark);
+            let widgets = &visuals.widgets;
+            let grounds = [
+                visuals.panel_fill,
+                visuals.extreme_bg_color,
+                visuals.faint_bg_color,
+            ];
+            let words = [
+                visuals.text_color(),
+                visuals.strong_text_color(),
+                visuals.weak_text_color(),
+                visuals.hyperlink_color,
+                theme.faint,
+                theme.warning,
+            ];
+            let mut pairs: Vec<(Color32, Color32)> = Vec::new();
+            pairs.extend(grounds.iter().flat_map(|g| words.iter().map(|w| (*w, *g))));
+            for state in [
+                &widgets.noninteractive,
+                &widgets.inactive,
+                &widgets.hovered,
+                &widgets.active,
+                &widgets.open,
+            ] {
+                pairs.push((state.fg_stroke.color, state.bg_fill));
+            }
+            pairs.push((visuals.selection.stroke.color, visuals.selection.bg_fill));
+            pairs.push(main_colours(dark));
+            // The word of a step on its fill.
+            let ink = grey(if dark { 18 } else { 255 });
+            pairs.extend(Seen::ALL.map(|seen| (ink, of_seen(seen, dark))));
+            for (a, b) in pairs {
+                let found = contrast(a, b);
+                assert!(found >= LEAST, "dark {dark}: {a:?} on {b:?} has {found:.2}");
+            }
+        }
+    }
 }

@@ -7,8 +7,8 @@ use egui::{Align, Button, Color32, Layout, RichText, Sense, Ui, vec2};
 
 use super::{
     keys::Act,
-    kit::{named, named_choice},
-    swatch,
+    kit::{cut_words, named, named_choice},
+    second_chip, swatch,
     theme::{Theme, grey},
 };
 use crate::app::{App, export::Export, workspace::Preferences};
@@ -18,6 +18,8 @@ use crate::app::{App, export::Export, workspace::Preferences};
 pub(super) enum Wish {
     /// As a shortcut would.
     Act(Act),
+    /// No second light.
+    CompareNoMore,
     /// Open a recent file, by its place in the list.
     Recent(usize),
     /// What came of the files opened last.
@@ -85,10 +87,28 @@ pub(super) fn show(
             }
             steps(ui, app, wishes);
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                let compare = if room == Room::Much { COMPARE } else { 30.0 };
-                let most = ui.available_width() - compare - ui.spacing().item_spacing.x;
-                light(ui, app, drawer, most.min(MOST_NAME), theme);
-                compare_button(ui, drawer, room);
+                let gap = ui.spacing().item_spacing.x;
+                let room_for_both = ui.available_width() - gap;
+                match &app.document().second {
+                    Some(second) => {
+                        let most = (0.5 * room_for_both).min(MOST_NAME);
+                        light(ui, app, drawer, most, theme);
+                        let rest = ui.available_width();
+                        let is_choosing = drawer.open && drawer.compares;
+                        let most = rest.min(MOST_NAME);
+                        match second_chip::show(ui, app, second, is_choosing, most, theme) {
+                            Some(second_chip::Wish::Choose) => drawer.choose_second(),
+                            Some(second_chip::Wish::NoMore) => wishes.push(Wish::CompareNoMore),
+                            None => {}
+                        }
+                    }
+                    None => {
+                        let compare = if room == Room::Much { COMPARE } else { 30.0 };
+                        let most = room_for_both - compare;
+                        light(ui, app, drawer, most.min(MOST_NAME), theme);
+                        compare_button(ui, drawer, room);
+                    }
+                }
             });
         });
     });
@@ -121,12 +141,21 @@ fn compare_button(ui: &mut Ui, drawer: &mut Drawer, room: Room) {
     let button = Button::selectable(drawer.open && drawer.compares, words);
     let compare = ui.add(button.frame_when_inactive(true));
     named(&compare, egui::Role::Button, "+ Compare");
-    let compare =
-        compare.on_hover_text("Lays another spectrum over this one: choose it in the library.");
+    let compare = compare.on_hover_text(
+        "A second light beside this one, on every page: choose it in the library. A surface \
+         is compared with surfaces.",
+    );
     if compare.clicked() {
-        let compares = !(drawer.open && drawer.compares);
-        *drawer = Drawer {
-            open: compares || drawer.open && !drawer.compares,
+        drawer.choose_second();
+    }
+}
+
+impl Drawer {
+    /// Opens the library for a second light; closes it where it is open for one.
+    fn choose_second(&mut self) {
+        let compares = !(self.open && self.compares);
+        *self = Self {
+            open: compares || self.open && !self.compares,
             compares,
         };
     }
@@ -140,10 +169,7 @@ fn light(ui: &mut Ui, app: &App, drawer: &mut Drawer, width: f32, theme: Theme) 
     let colour = colour.map_or(grey(128), |colour| swatch::colour(colour.swatch.rgb8));
     let font = egui::TextStyle::Button.resolve(ui.style());
     let ink = ui.visuals().strong_text_color();
-    let most = (width - 76.0).max(8.0);
-    let mut job = egui::text::LayoutJob::simple_singleline(name.to_owned(), font, ink);
-    job.wrap = egui::text::TextWrapping::truncate_at_width(most);
-    let galley = ui.painter().layout_job(job);
+    let galley = cut_words(ui, name, font, ink, width - 76.0);
     let height = 32.0 * theme.scale;
     let size = vec2((galley.size().x + 76.0).min(width.max(60.0)), height);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
@@ -166,7 +192,8 @@ fn light(ui: &mut Ui, app: &App, drawer: &mut Drawer, width: f32, theme: Theme) 
         egui::pos2(rect.left() + 43.0, y),
         vec2(14.0, 14.0) * theme.scale.min(1.5),
     );
-    painter.rect_filled(field, 2.0, colour);
+    let edge = egui::Stroke::new(1.0, grey(128));
+    painter.rect(field, 2.0, colour, edge, egui::StrokeKind::Outside);
     let at = egui::pos2(rect.left() + 58.0, y - galley.size().y / 2.0);
     painter.galley(at, galley, Color32::WHITE);
     if response.clicked() {
@@ -202,6 +229,10 @@ fn files(ui: &mut Ui, preferences: &Preferences, menus: Menus<'_>, wishes: &mut 
     ui.menu_button("Open", |ui| {
         let mut item = |ui: &mut Ui, is_on: bool, [words, meaning]: [&str; 2], wish: Wish| {
             let button = ui.add_enabled(is_on, Button::new(words));
+            let button = button.on_disabled_hover_text(match wish {
+                Wish::Summary => "There is something here once several files were opened.",
+                _ => "A file dialog is open already; answer that one first.",
+            });
             if button.on_hover_text(meaning).clicked() {
                 wishes.push(wish);
                 ui.close();
@@ -252,16 +283,10 @@ fn files(ui: &mut Ui, preferences: &Preferences, menus: Menus<'_>, wishes: &mut 
 }
 
 /// What can be saved, by what it is of.
-const GROUPS: [(&str, &[Export]); 4] = [
-    ("Project", &[Export::Project]),
+const GROUPS: [(&str, &[Export]); 3] = [
     (
         "Spectrum",
-        &[
-            Export::Csv,
-            Export::Spdx,
-            Export::ArgyllSp,
-            Export::SpectrumJson,
-        ],
+        &[Export::Spdx, Export::ArgyllSp, Export::SpectrumJson],
     ),
     (
         "Model",
@@ -280,44 +305,57 @@ const GROUPS: [(&str, &[Export]); 4] = [
     ),
 ];
 
-/// Height of a window in which the whole menu is seen, points: in a lower one it scrolls.
-const WHOLE_MENU: f32 = 780.0;
+/// What is saved most.
+const FIRST: [(&str, &str, Wish); 4] = [
+    (
+        "Spectrum and model (CSV)",
+        "Its numbers as a table.",
+        Wish::Save(Export::Csv),
+    ),
+    (
+        "Plot (PNG)",
+        "The picture of the spectrum.",
+        Wish::SavePlotPng,
+    ),
+    (
+        "Sheet about the light (PDF)",
+        "One page: what it is, how good it is, its colours, its numbers.",
+        Wish::SaveSheetPdf,
+    ),
+    (
+        "Project",
+        "Everything that is open, to go on later (Ctrl+S).",
+        Wish::Save(Export::Project),
+    ),
+];
 
 fn save_menu(ui: &mut Ui, dialog_open: bool, wishes: &mut Vec<Wish>) {
-    let height = ui.ctx().content_rect().height();
-    if height >= WHOLE_MENU {
-        return save_items(ui, dialog_open, wishes);
-    }
-    let most = (height - 72.0).max(120.0);
-    egui::ScrollArea::vertical()
-        .max_height(most)
-        .min_scrolled_height(most)
-        .show(ui, |ui| save_items(ui, dialog_open, wishes));
-}
-
-fn save_items(ui: &mut Ui, dialog_open: bool, wishes: &mut Vec<Wish>) {
     ui.add_enabled_ui(!dialog_open, |ui| {
-        let mut wish = |ui: &mut Ui, words: &str, wish: Wish| {
-            if ui.button(words).clicked() {
-                wishes.push(wish);
+        for (words, meaning, asked) in FIRST {
+            if ui.button(words).on_hover_text(meaning).clicked() {
+                wishes.push(asked);
                 ui.close();
             }
-        };
-        for (title, exports) in GROUPS {
-            ui.weak(title);
-            for export in exports {
-                wish(ui, export.title(), Wish::Save(*export));
-                // A picture stands beside the same picture in another form.
-                match export {
-                    Export::PlotSvg => wish(ui, "Plot (PNG)", Wish::SavePlotPng),
-                    Export::CurveSvg => wish(ui, "Error against order (PNG)", Wish::SaveCurvePng),
-                    Export::SheetSvg => wish(ui, "Sheet about the light (PDF)", Wish::SaveSheetPdf),
-                    _ => {}
-                }
-            }
         }
-        wish(ui, "Window (PNG)", Wish::SaveWindowPng);
-        ui.weak("Copy");
+        ui.menu_button("More formats", |ui| {
+            let most = (ui.ctx().content_rect().height() - 120.0).max(120.0);
+            egui::ScrollArea::vertical()
+                .max_height(most)
+                .min_scrolled_height(most.min(480.0))
+                .show(ui, |ui| more_formats(ui, wishes));
+        });
+    });
+    ui.separator();
+    let mut item = |ui: &mut Ui, words: &str, act: Act| {
+        if ui.button(words).clicked() {
+            wishes.push(Wish::Act(act));
+            ui.close();
+        }
+    };
+    item(ui, "Print this page (Ctrl+P)", Act::Print);
+    item(ui, "Copy a picture of the window", Act::CopyPicture);
+    item(ui, "Copy the command line for this view", Act::CopyCommand);
+    ui.menu_button("Copy as text", |ui| {
         for export in [
             Export::CompositeLine,
             Export::Csv,
@@ -325,20 +363,32 @@ fn save_items(ui: &mut Ui, dialog_open: bool, wishes: &mut Vec<Wish>) {
             Export::SpikesCsv,
             Export::CurveCsv,
         ] {
-            let words = format!("Copy: {}", export.title());
-            wish(ui, &words, Wish::Copy(export));
+            if ui.button(format!("Copy: {}", export.title())).clicked() {
+                wishes.push(Wish::Copy(export));
+                ui.close();
+            }
         }
-        wish(
-            ui,
-            "Copy a picture of the window",
-            Wish::Act(Act::CopyPicture),
-        );
-        wish(
-            ui,
-            "Copy the command line for this view",
-            Wish::Act(Act::CopyCommand),
-        );
     });
+}
+
+fn more_formats(ui: &mut Ui, wishes: &mut Vec<Wish>) {
+    let mut wish = |ui: &mut Ui, words: &str, wish: Wish| {
+        if ui.button(words).clicked() {
+            wishes.push(wish);
+            ui.close();
+        }
+    };
+    for (title, exports) in GROUPS {
+        ui.weak(title);
+        for export in exports {
+            wish(ui, export.title(), Wish::Save(*export));
+            // A picture stands beside the same picture in another form.
+            if *export == Export::CurveSvg {
+                wish(ui, "Error against waves (PNG)", Wish::SaveCurvePng);
+            }
+        }
+    }
+    wish(ui, "Window (PNG)", Wish::SaveWindowPng);
 }
 
 fn looks(ui: &mut Ui, preferences: &Preferences, room: Room, wishes: &mut Vec<Wish>) {
@@ -369,7 +419,7 @@ fn looks(ui: &mut Ui, preferences: &Preferences, room: Room, wishes: &mut Vec<Wi
     let present = ui.add(Button::selectable(preferences.present, words).frame_when_inactive(true));
     named(&present, egui::Role::Button, "Present");
     let present = present
-        .on_hover_text("Plot, swatch, patches and the two sliders, large, for a class (F5).");
+        .on_hover_text("This page for a class: its picture and its main controls, large (F5).");
     if present.clicked() {
         wishes.push(Wish::Act(Act::Present));
     }

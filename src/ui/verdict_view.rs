@@ -2,21 +2,20 @@
 //! against the order.
 
 use eframe::egui;
-use egui::{
-    Align, Align2, Button, CornerRadius, Label, Layout, Rect, RichText, Sense, Stroke, StrokeKind,
-    Ui, vec2,
-};
+use egui::{Align, Align2, Button, Label, Layout, Rect, RichText, Sense, Ui, vec2};
 
 use super::{
     curve_view,
     kit::{named, named_choice, pressed_small, small_warnings},
+    steps_view::{TO_AN_INSTRUMENT, TO_THE_EYE, scale, through_a_prism},
     swatch,
-    theme::{Theme, of_seen},
+    theme::Theme,
 };
 use crate::app::{
     App, Command,
-    answers::{Worst, judged_on, of_how_many, verdict, white_words},
-    numbers::{colour_error, significant},
+    answers::{Worst, judged_on, of_how_many, verdict, verdict_alone, white_words},
+    behind_slit::BehindSlit,
+    numbers::two_digits,
     verdicts::Seen,
     workspace::Preferences,
 };
@@ -48,6 +47,7 @@ pub fn show(
     commands: &mut Vec<Command>,
 ) {
     split(ui, app, theme, SWATCH * theme.scale, true);
+    through_a_prism(ui, app, theme);
     ui.add_space(4.0);
     headline(ui, app, theme);
     rule(ui);
@@ -148,7 +148,7 @@ pub(super) fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32, says: boo
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.label(small("model"));
             let middle = if app.document().is_about_light() {
-                "as a daylight camera sees it".to_owned()
+                "as seen beside daylight".to_owned()
             } else {
                 format!("under {}", app.document().light.name())
             };
@@ -163,20 +163,50 @@ pub(super) fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32, says: boo
     });
 }
 
+/// An error in the two digits that it is good for.
+pub(super) fn figure(delta: f64) -> String {
+    match delta {
+        d if d < 0.001 => "< 0.001".to_owned(),
+        d => two_digits(d),
+    }
+}
+
 fn headline(ui: &mut Ui, app: &App, theme: Theme) {
-    let Some(worst) = Worst::of(app) else {
-        return;
-    };
-    let seen = Seen::of(worst.delta_e_2000);
-    let size = if theme.scale > 1.0 { 18.0 } else { 20.0 };
-    let words = RichText::new(verdict(app, seen))
-        .size(size * theme.scale)
-        .color(ui.visuals().strong_text_color());
-    ui.add(Label::new(words).wrap());
-    scale(ui, seen, theme);
+    let worst = Worst::of(app);
+    if let Some(worst) = &worst {
+        let seen = Seen::of(worst.delta_e_2000);
+        let size = if theme.scale > 1.0 { 18.0 } else { 20.0 };
+        let words = RichText::new(verdict_alone(app, seen))
+            .size(size * theme.scale)
+            .color(ui.visuals().strong_text_color());
+        ui.add(Label::new(words).wrap())
+            .on_hover_text(verdict(app, seen));
+        scale(ui, TO_THE_EYE, seen, Seen::meaning, theme);
+        eye_caption(ui, app, worst, theme);
+    }
+    if let Some(behind) = BehindSlit::of(app) {
+        ui.add_space(2.0);
+        let meaning = Seen::meaning_behind_slit;
+        scale(ui, TO_AN_INSTRUMENT, behind.step, meaning, theme);
+        let words = format!("{} % off behind a slit of 10 nm", behind.percent());
+        ui.label(RichText::new(words).small())
+            .on_hover_text(Measure::RmsBlurred.figure().meaning);
+    }
+    if let Some(surfaces) = app.surfaces().filter(|_| worst.is_some()) {
+        let words = RichText::new(surfaces.brief()).small();
+        ui.add(Label::new(words.color(theme.faint)).wrap())
+            .on_hover_text(format!(
+                "{} All tables of surfaces that ship and were measured, under the light and \
+                 under the model.",
+                surfaces.sentence()
+            ));
+    }
+}
+
+fn eye_caption(ui: &mut Ui, app: &App, worst: &Worst, theme: Theme) {
     let at = match &worst.patch {
         None => "of its own colour".to_owned(),
-        Some(patch) => format!("at worst ({patch})"),
+        Some(patch) => format!("at worst{} ({patch})", of_how_many(app)),
     };
     // Where there are no patches it is said already.
     let own = app.derived().colour.delta_e_2000;
@@ -184,70 +214,18 @@ fn headline(ui: &mut Ui, app: &App, theme: Theme) {
     let row = vec2(ui.available_width(), ui.spacing().interact_size.y);
     ui.allocate_ui_with_layout(row, Layout::right_to_left(Align::Center), |ui| {
         if let Some(own) = own {
-            let words = format!("the light itself {}", colour_error(own));
+            let words = format!("the light itself {}", figure(own));
             ui.label(RichText::new(words).small().color(theme.faint));
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-            let words = format!("ΔE₀₀ {} {at}", colour_error(worst.delta_e_2000));
+            let words = format!("ΔE₀₀ {} {at}", figure(worst.delta_e_2000));
             ui.add(Label::new(RichText::new(words).small()).truncate())
                 .on_hover_text("CIEDE2000, the CIE's measure of how different two colours look.");
         });
     });
-    if let Some(surfaces) = app.surfaces() {
-        let words = RichText::new(surfaces.sentence()).small();
-        ui.add(Label::new(words.color(theme.faint)).wrap())
-            .on_hover_text(
-                "All tables of surfaces that ship and were measured, under the light and under \
-                 the model.",
-            );
-    }
 }
 
-/// The four words, the one that holds filled.
-fn scale(ui: &mut Ui, now: Seen, theme: Theme) {
-    let gap = 4.0;
-    let font = egui::TextStyle::Small.resolve(ui.style());
-    let widths = Seen::ALL.map(|seen| {
-        let galley = ui.painter().layout_no_wrap(
-            seen.word().to_owned(),
-            font.clone(),
-            ui.visuals().text_color(),
-        );
-        galley.size().x
-    });
-    let (total, room) = (widths.iter().sum::<f32>(), ui.available_width() - 3.0 * gap);
-    let air = ((room - total) / 4.0).max(4.0);
-    let height = 24.0 * theme.scale;
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = gap;
-        for (seen, width) in Seen::ALL.into_iter().zip(widths) {
-            let (rect, response) =
-                ui.allocate_exact_size(vec2(width + air, height), Sense::hover());
-            let is_now = seen == now;
-            let painter = ui.painter();
-            let (ink, stroke) = if is_now {
-                painter.rect_filled(rect, 3.0, of_seen(seen, theme.dark));
-                let ink = if theme.dark { 18 } else { 255 };
-                (super::theme::grey(ink), Stroke::NONE)
-            } else {
-                let outline = ui.visuals().widgets.noninteractive.bg_stroke;
-                (theme.faint, outline)
-            };
-            painter.rect_stroke(rect, CornerRadius::same(3), stroke, StrokeKind::Inside);
-            painter.text(
-                rect.center(),
-                Align2::CENTER_CENTER,
-                seen.word(),
-                font.clone(),
-                ink,
-            );
-            named_choice(&response, egui::Role::Label, is_now, seen.word());
-            response.on_hover_text(seen.meaning());
-        }
-    });
-}
-
-/// The two other questions, and what white it is.
+/// How far light is moved, and what white it is.
 fn answers(ui: &mut Ui, app: &App, theme: Theme) {
     let derived = app.derived();
     let mut row = |question: &str, answer: String, meaning: &str| {
@@ -264,18 +242,9 @@ fn answers(ui: &mut Ui, app: &App, theme: Theme) {
         true => "Light moved along the spectrum",
         false => "Moved along the spectrum",
     };
-    for (question, measure, off) in [
-        (moved, Measure::Displacement, ""),
-        ("To an instrument (10 nm slit)", Measure::RmsBlurred, " off"),
-    ] {
-        if let Some((figure, value)) = figure(measure) {
-            let words = format!(
-                "{}{}{off}",
-                significant(figure.shown(value), 2),
-                figure.unit.tail
-            );
-            row(question, words, figure.meaning);
-        }
+    if let Some((figure, value)) = figure(Measure::Displacement) {
+        let words = format!("{}{}", two_digits(figure.shown(value)), figure.unit.tail);
+        row(moved, words, figure.meaning);
     }
     if !derived.has_errors() {
         let nothing = "nothing to compare".to_owned();
@@ -283,7 +252,7 @@ fn answers(ui: &mut Ui, app: &App, theme: Theme) {
     }
     if let Some(white) = white_words(app) {
         row(
-            "What white is it?",
+            "White",
             white,
             "Correlated colour temperature of the light from 360 to 830 nm, after Ohno, and which \
              way it leaves the line of blackbodies (Duv).",
@@ -320,7 +289,7 @@ fn numbers(ui: &mut Ui, app: &App, theme: Theme) {
             };
             let words = format!("{smooth} for the smooth part, {lines}{label}");
             ui.label(RichText::new(words).small().color(theme.faint))
-                .on_hover_text("An order N takes 2N + 1 numbers; a line two, place and weight.");
+                .on_hover_text("N waves take 2N + 1 numbers; a line takes two, place and weight.");
         });
     });
 }
@@ -328,8 +297,7 @@ fn numbers(ui: &mut Ui, app: &App, theme: Theme) {
 /// What must be said about the model, and the way to another one for a composite as it is.
 fn warnings(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
     small_warnings(ui, theme, &app.derived().warnings);
-    let meaning = "Takes the composite apart like any measured spectrum, with the knobs that were \
-                   in force before it was shown.";
+    let meaning = "Takes the composite apart like a measured spectrum, with the knobs of before.";
     if app.document().as_given().is_some() && pressed_small(ui, ANALYSE, meaning) {
         commands.push(Command::Analyse);
     }
@@ -342,7 +310,7 @@ pub fn line(ui: &mut Ui, app: &App) -> bool {
         || "no colour".to_owned(),
         |worst| {
             let seen = Seen::of(worst.delta_e_2000).seen();
-            let (off, of) = (colour_error(worst.delta_e_2000), of_how_many(app));
+            let (off, of) = (figure(worst.delta_e_2000), of_how_many(app));
             format!("ΔE₀₀ {off} at worst{of}: {seen}")
         },
     );

@@ -195,3 +195,62 @@ fn what_is_no_picture_or_no_strip_is_refused_in_one_line() {
             .contains("fluorescent")
     );
 }
+
+#[test]
+fn colour_figures_need_a_response_and_come_with_their_bands() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lamp = put(folder.path(), "lamp.png", &Drawn::LAMP.png());
+    let flat = put(folder.path(), "flat.png", &Drawn::BULB.png());
+    let kept = folder.path().join("bench.json");
+    let kept = kept.to_str().expect("UTF-8");
+    // Equal energy as daylight of 5500 K: what is asked is that figures follow, not which.
+    let told = json(&[
+        "photo",
+        &lamp,
+        "--response-from",
+        &flat,
+        "--as",
+        "daylight:5500",
+        "--save-instrument",
+        kept,
+        "--json",
+    ]);
+    let (figures, response) = (&told["figures"], &told["response"]);
+    let [low, best, high] = [0, 1, 2].map(|k| figures["cct"][k].as_f64().unwrap_or(f64::NAN));
+    assert!(
+        low < best && best < high && low > 1500.0,
+        "{figures}, {response}"
+    );
+    assert_eq!(response["tone_p"], 1.0);
+    // The flat light itself, read with the instrument that it taught.
+    let again = json(&["photo", &flat, "--instrument", kept, "--yes", "--json"]);
+    let [low, best, high] =
+        [0, 1, 2].map(|k| again["figures"]["cct"][k].as_f64().unwrap_or(f64::NAN));
+    assert!(
+        low <= 5500.0 && high >= 5500.0 && (best - 5500.0).abs() < 300.0,
+        "{again}"
+    );
+    // Without a response nothing is said of colours.
+    let plain = json(&["photo", &lamp, "--json"]);
+    assert_eq!(plain["figures"], serde_json::Value::Null);
+}
+
+#[test]
+fn sizes_beyond_the_limits_and_other_formats_are_refused_in_words() {
+    let folder = tempfile::tempdir().expect("a folder");
+    // A header that lies: 12,000 x 12,000 px in a few bytes.
+    let mut lying = Drawn::LAMP.png();
+    lying[16..24].copy_from_slice(&[0, 0, 0x2e, 0xe0, 0, 0, 0x2e, 0xe0]);
+    let lying = put(folder.path(), "lying.png", &lying);
+    assert_eq!(refusal(&["photo", &lying]).1, 2);
+    for (name, bytes, word) in [
+        ("a.heic", &b"\0\0\0\x18ftypheic\0\0\0\0mif1heic"[..], "HEIC"),
+        ("a.avif", &b"\0\0\0\x18ftypavif\0\0\0\0mif1avif"[..], "AVIF"),
+        ("a.gif", &b"GIF89a\x01\0\x01\0"[..], "GIF"),
+        ("a.dng", &b"II*\0\x08\0\0\0"[..], "raw"),
+    ] {
+        let path = put(folder.path(), name, bytes);
+        let (words, code) = refusal(&["photo", &path]);
+        assert!(words.contains(word) && code == 2, "{name}: {words}");
+    }
+}

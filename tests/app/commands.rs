@@ -304,6 +304,7 @@ fn variant(command: &Command) -> &'static str {
         Command::Edit(_) => "edit",
         Command::Show(_) => "show",
         Command::ShowWith { .. } => "show with",
+        Command::Compare(_) => "compare",
         Command::ToggleOverlay(_) => "toggle overlay",
         Command::ClearOverlays => "clear overlays",
         Command::About(_) => "about",
@@ -365,6 +366,7 @@ fn session(app: &App) -> Vec<Command> {
         },
         Command::About(Subject::Factor),
         Command::About(Subject::Light),
+        Command::Compare(Some(preset(app, D65))),
         Command::ToggleOverlay(preset(app, FIRST_LIGHT)),
         Command::ClearOverlays,
         Command::EditSpikes(SpikeEdits {
@@ -498,6 +500,7 @@ fn every_command_is_undone_and_done_again_exactly() {
 #[test]
 fn what_cannot_change_the_model_derives_nothing_and_what_can_derives_it_anew() {
     let beside = [
+        "compare",
         "toggle overlay",
         "clear overlays",
         "patch",

@@ -6,7 +6,7 @@ use spectral_explorer::{
     app::{
         App, Command, Detector, Document, Entry, FIRST_LIGHT, Gel, Given, Height, Scale, Settings,
         SpikeAct, View,
-        charts::quality::DiagramShows,
+        charts::quality::{DiagramShows, OfColours},
         design::{
             DeskSurfaces, Telling,
             colour::FromColour,
@@ -148,6 +148,7 @@ pub(crate) fn full_document() -> Document {
     }));
     let red = preset(&app, RED);
     let own = app.document().own[1].clone();
+    app.apply(Command::Compare(Some(own.clone())));
     app.apply(Command::Products(Products {
         chain: vec![
             Link {
@@ -157,7 +158,6 @@ pub(crate) fn full_document() -> Document {
             },
             Link::once(red.clone()),
         ],
-        other_light: Some(own.clone()),
         surface: Some(red),
         outgoing: Some(own),
     }));
@@ -199,9 +199,10 @@ pub(crate) fn full_preferences() -> Preferences {
         folded: vec!["LED".to_owned()],
         pinned: true,
         greeted: true,
-        larger_answered: true,
+        grown: 1.0,
         pages: PageMemory {
             page: Page::Race,
+            last_of_places: vec![Page::Rainbow, Page::Race],
             partial_order: 5,
             channel: 2,
             measure: Measure::Filters,
@@ -247,6 +248,7 @@ pub(crate) fn full_preferences() -> Preferences {
                 two_lights: TwoLightsMemory {
                     patch: 3,
                     pair: 2,
+                    makes: true,
                     everywhere: false,
                     room_percent: -40,
                 },
@@ -256,6 +258,7 @@ pub(crate) fn full_preferences() -> Preferences {
                 },
                 absorption: AbsorptionMemory { example: 1 },
             },
+            of_colours: OfColours::Samples,
             diagram: DiagramShows {
                 gamuts: true,
                 near: true,
@@ -376,6 +379,7 @@ pub(crate) fn full_preferences() -> Preferences {
                 pixel: Some([4, 7]),
             },
             lessons_finished: vec!["prism".to_owned()],
+            photograph_asked: None,
             lesson_asked: None,
         },
     }

@@ -30,6 +30,7 @@ mod optics_any_settings;
 mod optics_dispersion;
 mod optics_gem;
 mod optics_laws;
+pub(crate) mod photographs;
 mod pictures_files;
 mod pictures_golden;
 mod pictures_ways;

@@ -5,7 +5,7 @@ use std::{fs, path::Path};
 use super::root::root;
 
 /// What a reader stumbles over, and what is said instead.
-const AVOIDED: [(&str, &str); 18] = [
+const AVOIDED: [(&str, &str); 32] = [
     ("smoothness", "waves"),
     ("wished for", "target"),
     ("lay over", "compare with"),
@@ -24,6 +24,20 @@ const AVOIDED: [(&str, &str); 18] = [
     ("its inside only", "internal transmittance"),
     ("end values are held", "end values are used"),
     ("nothing is called", "nothing found"),
+    ("cannot be told apart", "look alike, hard to tell"),
+    ("what white", "white"),
+    ("daylight camera", "beside daylight"),
+    ("recomputed in", "nothing"),
+    ("lay a spectrum", "compare with"),
+    ("is among the lessons", "was added to the lessons"),
+    ("patches' mean", "mean of the surfaces"),
+    ("worst patch", "worst surface"),
+    ("how patches", "how surfaces"),
+    ("whatever happens to", "what stays"),
+    ("is to be made small", "the error to make small"),
+    ("spike threshold", "lines above"),
+    ("spikes are switched off", "lines are switched off"),
+    ("not read so", "that way it cannot be read"),
 ];
 
 /// Files below a folder with one of some endings.

@@ -110,7 +110,7 @@ fn a_folder_is_opened_in_one_step_with_a_summary_and_undone_in_one() {
     assert!(!app(&ui).can_undo());
     // What was told of the files is no news of what is shown now: that is what was undone.
     let said = app(&ui).current_message().expect("a word");
-    assert!(said.text.starts_with("Undone: light FL11 to a"), "{said:?}");
+    assert!(said.text.starts_with("Undone: opened 4 files"), "{said:?}");
     click(&mut ui, "Redo");
     assert_eq!(app(&ui).document().own.len(), 4);
     // It is still to be had from the menu when the message is gone.
@@ -161,7 +161,7 @@ fn a_row_of_the_summary_shows_its_spectrum_and_a_doubtful_one_how_it_was_read() 
     click_row(&mut ui, "lamps/a.csv: ");
     let message = app(&ui).message().unwrap();
     assert!(
-        message.text.contains("not among your files any more"),
+        message.text.contains("are not open any more"),
         "{message:?}"
     );
 }
@@ -201,7 +201,7 @@ fn a_file_that_is_open_is_shown_again_and_not_opened_twice() {
     assert_eq!(app(&ui).document().own.len(), 4);
     let message = app(&ui).message().unwrap();
     assert!(
-        message.text.contains("open already with other values"),
+        message.text.contains("with other values is open"),
         "{message:?}"
     );
 }

@@ -134,8 +134,9 @@ fn a_group_has_a_fader_and_its_move_is_one_step_of_undo() {
         ui.query_by_role_and_label(Role::Slider, "Fader of group 1")
             .is_none()
     );
-    click(&mut ui, "Group 1");
-    click(&mut ui, "Group 2");
+    click(&mut ui, "Group of channel 1");
+    click(&mut ui, "Channel 2: LED 530 nm");
+    click(&mut ui, "Group of channel 2");
     let levels = |ui: &Ui| -> Vec<f64> {
         let mix = &app(ui).document().pages.mix;
         mix.channels.iter().map(|channel| channel.level).collect()

@@ -402,19 +402,19 @@ fn nothing_of_the_page_stands_over_the_windows_edge() {
 }
 
 #[test]
-fn without_an_image_the_page_says_what_opens_one() {
+fn without_an_image_the_page_shows_the_made_one_and_what_opens_another() {
     let mut ui = fresh([1280.0, 800.0]);
     click(&mut ui, "Picture");
     assert_eq!(ui.state().0.preferences.pages.page, Page::Image);
     let words = text(&ui);
-    for word in [
-        "No spectral image is open",
-        "ENVI",
-        "OpenEXR",
-        "Drop a file",
-    ] {
+    for word in ["A wall of paints", "81 bands", "Open an image"] {
         assert!(words.contains(word), "{word}: {words}");
     }
+    // Its pixels can be taken although it is no image of the document.
+    click(&mut ui, "Take as spectrum");
+    let document = ui.state().0.app.document();
+    assert!(document.images.is_empty());
+    assert_eq!(document.own.len(), 1);
 }
 
 #[test]

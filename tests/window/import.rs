@@ -176,7 +176,7 @@ fn a_choice_that_makes_no_spectrum_is_refused_and_the_last_good_one_stays() {
     let before = app(&ui).document().clone();
     click(&mut ui, "Cells between semicolon ;");
     assert!(
-        is_written(&ui, "Not read so: swatch.dat"),
+        is_written(&ui, "That way it cannot be read: swatch.dat"),
         "{:?}",
         words(&ui)
     );

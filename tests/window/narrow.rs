@@ -89,7 +89,7 @@ const LOOK: [(Role, &str); 10] = [
     (Role::SpinButton, knobs::BUDGET),
     (Role::Button, knobs::MORE),
     (Role::Button, knobs::RESET),
-    (Role::ComboBox, "How patches are seen"),
+    (Role::ComboBox, "How surfaces are seen"),
 ];
 
 /// Every knob, in the column.
@@ -97,7 +97,7 @@ const SETTINGS: [(Role, &str); 12] = [
     (Role::Button, "Fourier"),
     (Role::CheckBox, names::COLOUR_EXACT),
     (Role::Slider, names::ORDER),
-    (Role::ComboBox, "Spike detector"),
+    (Role::ComboBox, "How lines are found"),
     (Role::Slider, names::THRESHOLD),
     (Role::SpinButton, names::THRESHOLD),
     (Role::SpinButton, names::WIDTH),
@@ -253,7 +253,7 @@ fn the_column_and_the_library_cover_nothing_at_any_width() {
                     // The order can be typed in both.
                     let once = all
                         .iter()
-                        .filter(|c| side != Side::Settings || c.1 != "Order N");
+                        .filter(|c| side != Side::Settings || c.1 != "Waves (order N)");
                     controls.extend(rects(&ui, &once.copied().collect::<Vec<_>>()));
                 }
             }

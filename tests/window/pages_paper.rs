@@ -224,7 +224,12 @@ fn playing_adds_two_orders_a_second_and_ends_at_the_model() {
 
 #[test]
 fn pointing_at_a_bar_tells_its_order_and_a_click_takes_the_sum_there() {
-    let mut ui = open(plain("FL11"), Page::Coefficients, [1920.0, 1080.0]);
+    let mut ui = open(plain("FL11"), Page::Coefficients, [1920.0, 1600.0]);
+    ui.get_by_label(names::ORDERS).click();
+    // It opens in a moment.
+    for _ in 0..8 {
+        ui.run();
+    }
     let rect = ui
         .get_by_role_and_label(Role::Image, "Coefficients of the light")
         .rect();

@@ -339,7 +339,7 @@ fn the_sentence_tells_the_cheapest_model_or_that_there_is_none() {
     let words = needs(&ask, &sweep, &found, Measure::Patches, 1.0);
     assert_eq!(
         words,
-        "To stay under ΔE₀₀ 1 on the patches (mean), FL11 needs 9 numbers (cosine, colour-exact, \
+        "To stay under ΔE₀₀ 1 on the surfaces (mean), FL11 needs 9 numbers (cosine, colour-exact, \
          order 4, no spikes)."
     );
     let words = needs(&ask, &sweep, &found, Measure::Patches, 1e-9);
@@ -368,7 +368,7 @@ fn a_row_of_the_front_takes_its_model() {
     let mut ui = on(plain(), Page::Tradeoff);
     assert_written(
         &ui,
-        "To stay under ΔE₀₀ 1 on the patches (mean), FL11 needs 9 numbers",
+        "To stay under ΔE₀₀ 1 on the surfaces (mean), FL11 needs 9 numbers",
     );
     click(&mut ui, "9 numbers: Cosine, colour-exact, order 4");
     let now = settings(app(&ui));
@@ -513,7 +513,7 @@ fn automatic_takes_the_best_says_so_and_is_one_step_of_undo() {
         now.basis.word()
     );
     assert!(words.starts_with(&begins), "{words}");
-    assert!(words.contains(&format!("order {}", now.order)), "{words}");
+    assert!(words.contains(&format!("{} waves", now.order)), "{words}");
     assert_eq!(words.contains("with its lines"), now.spikes, "{words}");
     assert_eq!(words.contains("colour-exact"), now.colour_exact, "{words}");
     ui.state_mut().0.app.apply(Command::Undo);

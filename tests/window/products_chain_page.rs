@@ -51,6 +51,33 @@ fn own(app: &mut App, name: &str, kind: Kind, values: impl Fn(f64) -> f64) {
     }]));
 }
 
+fn all_sorts() -> Vec<(&'static str, App)> {
+    let mut dark = plain();
+    own(&mut dark, "dark", Kind::Light, |_| 0.0);
+    let mut infrared = about("CIE A");
+    infrared = with(infrared, |s| s.band = Band::new(800.0, 1000.0).unwrap());
+    vec![
+        ("spiky", about("FL11")),
+        ("smooth", about("CIE D65")),
+        ("reflectance", about("colorchecker_ohta/red")),
+        ("empty", chained(about("FL2"), &[])),
+        ("long", chained(about("FL2"), &[GLASS; 16])),
+        ("dark", dark),
+        ("infrared", infrared),
+        (
+            "sun",
+            with(
+                about("solar_astm_g173/ASTM G173-03 global tilt AM1.5G"),
+                |s| {
+                    s.dips = true;
+                    s.threshold_percent = 0.1;
+                    s.max_width_nm = 4.5;
+                },
+            ),
+        ),
+    ]
+}
+
 fn open(app: App, page: Page, size: [f32; 2]) -> Ui {
     let mut preferences = Preferences::default();
     preferences.pages.page = page;
@@ -58,6 +85,14 @@ fn open(app: App, page: Page, size: [f32; 2]) -> Ui {
     let mut ui = harness(Shown(window), size, 0.05, 40);
     ui.run();
     ui
+}
+
+fn unfold(ui: &mut Ui, fold: &str) {
+    ui.get_by_label(fold).click();
+    // It opens in a moment.
+    for _ in 0..8 {
+        ui.run();
+    }
 }
 
 fn order(ui: &Ui) -> Vec<String> {
@@ -89,13 +124,24 @@ fn drag(ui: &mut Ui, from: Pos2, to: Pos2) {
 }
 
 #[test]
-fn a_card_is_dragged_below_another_and_undo_brings_it_back() {
+fn both_parts_open_on_whatever_there_is_in_small_and_large_windows() {
+    for (_, app) in all_sorts() {
+        for page in [Page::Chain, Page::Absorption] {
+            for size in [[1280.0, 800.0], [1920.0, 1080.0], [900.0, 500.0]] {
+                open(app.clone(), page, size);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_card_is_dragged_behind_another_and_undo_brings_it_back() {
     let keys = [GLASS, "colorchecker_ohta/red", "colorchecker_ohta/cyan"];
     let mut ui = open(chained(about("FL2"), &keys), Page::Chain, [1280.0, 900.0]);
     let before = order(&ui);
     let (first, last) = (card(&ui, "Stage 1:"), card(&ui, "Stage 3:"));
     let from = pos2(first.left() + 12.0, first.top() + 14.0);
-    drag(&mut ui, from, pos2(from.x, last.bottom() - 4.0));
+    drag(&mut ui, from, pos2(last.right() - 4.0, from.y));
     assert_eq!(
         order(&ui),
         [&before[1], &before[2], &before[0]].map(Clone::clone)
@@ -104,7 +150,7 @@ fn a_card_is_dragged_below_another_and_undo_brings_it_back() {
     ui.run();
     assert_eq!(order(&ui), before);
     // Let go where it was, it stays.
-    drag(&mut ui, from, from + Vec2::new(0.0, 20.0));
+    drag(&mut ui, from, from + Vec2::new(20.0, 0.0));
     assert_eq!(order(&ui), before);
 }
 
@@ -151,7 +197,8 @@ fn a_glass_of_2_mm_is_typed_in_mm_and_bounces_in_times() {
 
 #[test]
 fn the_ways_of_forming_are_those_of_the_settings() {
-    let mut ui = open(about("FL2"), Page::Chain, [1280.0, 800.0]);
+    let mut ui = open(about("FL2"), Page::Chain, [1280.0, 1400.0]);
+    unfold(&mut ui, chain::names::MODEL);
     ui.get_by_role_and_label(Role::ComboBox, chain::names::WAY)
         .click();
     ui.run();
@@ -163,7 +210,8 @@ fn the_ways_of_forming_are_those_of_the_settings() {
 
 #[test]
 fn stages_and_spikes_are_copied_as_tables() {
-    let mut ui = open(about("FL2"), Page::Chain, [1280.0, 800.0]);
+    let mut ui = open(about("FL2"), Page::Chain, [1280.0, 1400.0]);
+    unfold(&mut ui, chain::names::MODEL);
     let stages = copied(&mut ui, chain::names::COPY_STAGES).expect("a table");
     let rows: Vec<&str> = stages.lines().filter(|l| !l.starts_with('#')).collect();
     assert_eq!(rows.len(), 1 + 1 + 2, "{stages}");
@@ -193,7 +241,10 @@ fn what_goes_wrong_at_a_stage_is_told_on_its_card() {
 #[test]
 fn an_example_of_the_sun_is_one_click_and_its_lines_have_their_names() {
     let mut ui = open(about("FL11"), Page::Absorption, [1280.0, 800.0]);
-    ui.get_by_label_contains("Switch on \"Look for dark lines\", or choose an example.");
+    // What is not searched itself shows the first example, and the light stays.
+    ui.get_by_label_contains("An example. In FL11:");
+    ui.get_by_label_contains("named");
+    assert_eq!(app(&ui).document().light.name(), "FL11");
     ui.get_by_label("Sun on the ground").click();
     ui.run();
     assert!(app(&ui).document().settings.dips);
@@ -214,6 +265,7 @@ fn an_example_of_the_sun_is_one_click_and_its_lines_have_their_names() {
         let depth = row.depth.expect("a depth");
         assert!((0.0..=1.0).contains(&depth) && row.spike.weight < 0.0);
     }
+    unfold(&mut ui, absorption::names::ALL);
     let table = copied(&mut ui, absorption::names::COPY).expect("a table");
     assert!(
         table.contains("place nm,weight,depth,name,below zero"),
@@ -235,6 +287,7 @@ fn known_lines_of_the_sun_are_named_at_their_places_and_no_other_dip_is() {
         let mut ui = open(about("FL11"), Page::Absorption, [1280.0, 800.0]);
         ui.get_by_label(example).click();
         ui.run();
+        unfold(&mut ui, absorption::names::ALL);
         let sheet = AbsorptionSheet::of(app(&ui));
         let dips = sheet.dips.iter();
         let dips = dips.filter_map(|dip| Some((dip.name.clone()?, dip.spike.at_nm)));

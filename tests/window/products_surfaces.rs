@@ -1,23 +1,19 @@
-//! Two lights and the reflection check: figures, searches, the parts in the window, the command
-//! line.
+//! Two lights, metamers and the reflection check: figures, searches, the parts in the window, the
+//! command line.
 
-use std::{ffi::OsString, sync::Arc};
+use std::{ffi::OsString, sync::Arc, time::Instant};
 
 use crate::driver::{Shown, Ui, about, harness, no_files, with};
-use crate::own_time::own_seconds;
 use crate::plain::plain;
 use eframe::egui;
 use egui::Role;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use serde_json::Value;
 use spectral_explorer::{
     app::{
-        App, ByAddress, Command, MadeFor, Settings,
+        App, ByAddress, Command, Lit, MadeFor, Settings,
         chart::Chart,
-        charts::products::{
-            same_surface::same_surface_chart,
-            two_lights::{made_chart, two_lights_chart},
-        },
+        charts::products::{same_surface::same_surface_chart, two_lights::made_chart},
         open::resolve,
         pages::Page,
         products::{
@@ -36,7 +32,7 @@ use spectral_explorer::{
     },
     ui::{
         Window,
-        pages::products_view::{same_surface, two_lights},
+        pages::products_view::{metamers, same_surface},
     },
 };
 
@@ -59,6 +55,13 @@ fn with_example(mut app: App, surface: &str, twice: bool) -> App {
     app
 }
 
+/// A light beside another.
+fn beside(light: &str, second: &str) -> App {
+    let mut app = about(light);
+    app.apply(Command::Compare(Some(entry(second))));
+    app
+}
+
 /// Everything that the parts may be opened on.
 fn all_sorts() -> Vec<(&'static str, App)> {
     let band = |min, max| Band::new(min, max).unwrap();
@@ -77,54 +80,28 @@ fn all_sorts() -> Vec<(&'static str, App)> {
         ),
         ("reflectance", reflectance),
         (
-            "no second light",
-            choosing(about("FL2"), |p| p.other_light = None),
+            "a second light",
+            beside("FL2", "lamps_nist_traditional/LPS"),
         ),
         ("no surface", choosing(about("FL2"), |p| p.surface = None)),
     ]
 }
 
 #[test]
-fn models_of_two_lights_tell_the_shift_of_colour_and_more_numbers_tell_it_better() {
-    let mut before = f64::INFINITY;
-    for order in [4, 7, 15] {
-        let app = with(about("FL2"), |s| s.order = order);
-        let sheet = TwoLightsSheet::of(&app).expect("two lights");
-        let (mean, _, most) = sheet.shift_error().expect("colours");
-        let exact = sheet
-            .exact
-            .as_ref()
-            .and_then(|e| e.mean())
-            .expect("patches");
-        println!("FL2 to D65, N = {order}: shift {exact:.3}, off by {mean:.4}, at most {most:.4}");
-        assert!(mean < before, "N = {order}");
-        before = mean;
+fn without_a_second_light_a_bulb_stands_in_and_daylight_beside_a_bulb() {
+    for (light, other) in [("FL2", "CIE A"), ("CIE A", "CIE D65")] {
+        let app = about(light);
+        assert_eq!(TwoLightsSheet::of(&app).lights, [light, other]);
+        assert!(app.document().second.is_none());
     }
-    // The series of order 15 has the colour of both lights to a hundredth or two.
-    assert!(before < 0.05, "{before}");
-}
-
-#[test]
-fn a_model_of_a_light_like_itself_shows_the_patches_as_the_light_does() {
-    // A constant light is its own model.
-    let app = choosing(about("CIE E"), |p| {
-        p.other_light = Some(entry("cie_illuminants/CIE E"));
-    });
-    let sheet = TwoLightsSheet::of(&app).expect("two lights");
-    let (exact, model) = (sheet.exact.expect("colour"), sheet.model.expect("colour"));
-    for (e, m) in exact.patches.iter().zip(&model.patches) {
-        for (e, m) in e.xyz[0].to_array().into_iter().zip(m.xyz[0].to_array()) {
-            assert!((e - m).abs() < 1e-9, "{e} {m}");
-        }
-    }
-    // Nothing moves, but for the cube roots.
-    assert!(exact.mean().expect("patches") < 1e-9);
+    let chosen = beside("FL2", "cie_fluorescent_1nm/FL11");
+    assert_eq!(TwoLightsSheet::of(&chosen).lights, ["FL2", "FL11"]);
 }
 
 #[test]
 fn a_metamer_made_matches_under_the_first_light_and_parts_with_the_room_that_it_takes() {
     let app = about("FL2");
-    let sheet = TwoLightsSheet::of(&app).expect("two lights");
+    let sheet = TwoLightsSheet::of(&app);
     let parted = |percent: i32| {
         let made = Made::of(&sheet, 12, percent).expect("room");
         // Orthogonal to rounding; CIEDE2000 takes cube roots of that.
@@ -145,12 +122,13 @@ fn a_metamer_made_matches_under_the_first_light_and_parts_with_the_room_that_it_
     );
     assert_eq!(Made::of(&sheet, 99, 60), Err(NoMetamer::NoPatch));
     let infrared = with(app, |s| s.band = Band::new(900.0, 1000.0).unwrap());
-    let sheet = TwoLightsSheet::of(&infrared).expect("two lights");
+    let sheet = TwoLightsSheet::of(&infrared);
     assert_eq!(Made::of(&sheet, 0, 60), Err(NoMetamer::Unseen));
 }
 
 #[test]
 fn all_shipped_reflectances_have_pairs_that_one_light_joins_and_another_parts() {
+    let start = Instant::now();
     let ask = PairsAsk {
         lights: ["FL11", "CIE D65"]
             .map(|key| ByAddress(Arc::new(resolve(key, None, None).unwrap()))),
@@ -159,6 +137,13 @@ fn all_shipped_reflectances_have_pairs_that_one_light_joins_and_another_parts() 
         group: None,
     };
     let found = ask.answer(&Progress::default()).expect("pairs");
+    println!(
+        "{} surfaces, {} pairs, index {:?}, {:?}",
+        found.surfaces.len(),
+        found.metamers.pairs.len(),
+        found.metamers.index,
+        start.elapsed()
+    );
     assert!(found.metamers.pairs.len() > 10);
     let progress = Progress::default();
     progress.cancel();
@@ -222,7 +207,15 @@ fn the_surface_that_was_lit_is_found_again_among_all_shipped_ones() {
         let ask = sheet
             .ranking(app.document(), true)
             .expect("an outgoing spectrum");
+        let start = Instant::now();
         let ranked = ask.answer(&Progress::default()).expect("light");
+        println!(
+            "{light} off {key}: {} ranked in {:?}; first {} {:?}",
+            ranked.len(),
+            start.elapsed(),
+            ranked[0].key,
+            ranked[0].model
+        );
         let place = ranked.iter().position(|r| r.key == key).expect("ranked");
         // Of the few that explain it as well in so few numbers.
         assert!(place < 5, "{light}: place {place}");
@@ -248,16 +241,20 @@ fn a_change_of_the_document_costs_little() {
     let app = with_example(about("FL11"), "colorchecker_ohta/red", false);
     let (mut sheet, mut check) = (f64::INFINITY, f64::INFINITY);
     for _ in 0..9 {
-        let (made, took) = own_seconds(|| {
-            let found = TwoLightsSheet::of(&app).expect("two lights");
-            Made::of(&found, 3, 100).is_ok()
-        });
-        sheet = sheet.min(took);
-        let (found, took) = own_seconds(|| SameSurfaceSheet::of(&app).is_some());
-        assert!(made && found);
-        check = check.min(took);
+        let start = Instant::now();
+        let found = TwoLightsSheet::of(&app);
+        let made = Made::of(&found, 3, 100).is_ok();
+        sheet = sheet.min(start.elapsed().as_secs_f64());
+        let start = Instant::now();
+        assert!(made && SameSurfaceSheet::of(&app).is_some());
+        check = check.min(start.elapsed().as_secs_f64());
     }
-    // Ten times the 5 ms that a change may take, for slow machines.
+    println!(
+        "two lights {:.2} ms, check {:.2} ms",
+        1e3 * sheet,
+        1e3 * check
+    );
+    // Far from the 5 ms that a change may take, on a machine that builds beside.
     assert!(sheet < 0.05 && check < 0.05);
 }
 
@@ -272,13 +269,13 @@ fn charts_hold_no_number_that_is_none() {
                 assert!(!text.contains("NaN"), "{what}: {}", chart.title);
             }
         };
-        if let Some(sheet) = TwoLightsSheet::of(&app) {
-            sound(&two_lights_chart(&app, &sheet));
-            assert!(!sheet.table().csv().contains("NaN"), "{what}");
-            if let Ok(made) = Made::of(&sheet, 3, 100) {
-                sound(&made_chart(&app, &sheet, &made));
-            }
+        let sheet = TwoLightsSheet::of(&app);
+        if let Ok(made) = Made::of(&sheet, 3, 100) {
+            sound(&made_chart(&app, &sheet, &made));
         }
+        let lit = Lit::beside(app.document(), &app.document().light_beside());
+        let csv = Lit::csv(["a", "b"], &lit.unwrap_or_default());
+        assert!(!csv.contains("NaN"), "{what}");
         let app = with_example(app, "colorchecker_ohta/red", false);
         let Some(sheet) = SameSurfaceSheet::of(&app) else {
             continue;
@@ -315,18 +312,76 @@ fn settle(ui: &mut Ui) {
 }
 
 #[test]
-fn a_click_on_a_patch_makes_its_metamer_which_can_be_kept() {
-    let mut ui = open(about("FL2"), Page::TwoLights, [1920.0, 1080.0]);
-    let fields = ui.query_all_by_label_contains(": shift ").count();
-    assert_eq!(fields, 24);
-    ui.query_all_by_label_contains("moderate red: shift ")
-        .next()
-        .expect("a field")
-        .click();
+fn all_parts_open_on_whatever_there_is_in_small_and_large_windows() {
+    for (_, app) in all_sorts() {
+        for size in [[1280.0, 800.0], [1920.0, 1080.0], [900.0, 500.0]] {
+            open(app.clone(), Page::TwoLights, size);
+            open(app.clone(), Page::Metamers, size);
+            open(app.clone(), Page::SameSurface, size);
+        }
+        open(
+            with_example(app, "colorchecker_ohta/red", false),
+            Page::SameSurface,
+            [1280.0, 800.0],
+        );
+    }
+}
+
+#[test]
+fn two_lights_show_every_surface_the_one_that_changes_most_first() {
+    let ui = open(
+        beside("FL2", "cie_fluorescent_1nm/FL11"),
+        Page::TwoLights,
+        [1920.0, 1080.0],
+    );
+    let fields: Vec<String> = ui
+        .query_all_by_label_contains(": from FL2 to FL11 ")
+        .filter_map(|node| node.accesskit_node().label())
+        .collect();
+    assert_eq!(fields.len(), 24);
+    let shift = |field: &String| -> f64 {
+        let number = field
+            .split("ΔE₀₀ ")
+            .nth(1)
+            .and_then(|rest| rest.split(',').next());
+        number
+            .and_then(|number| number.parse().ok())
+            .expect("a number")
+    };
+    assert!(
+        fields
+            .windows(2)
+            .all(|pair| shift(&pair[0]) >= shift(&pair[1]))
+    );
+    // The sentence names the first.
+    let (most, _) = fields[0].split_once(':').expect("a name");
+    ui.get_by_label_contains(&format!("visibly, \"{most}\" most"));
+}
+
+#[test]
+fn a_list_on_the_page_chooses_the_second_light_for_all_pages() {
+    let mut ui = open(about("FL2"), Page::TwoLights, [1280.0, 800.0]);
+    ui.get_by_label_contains("No second light is chosen");
+    let second = entry("cie_fluorescent_1nm/FL11");
+    ui.state_mut().0.app.apply(Command::Compare(Some(second)));
     ui.run_steps(4);
-    assert_eq!(ui.state().0.preferences.pages.products.two_lights.patch, 8);
-    ui.get_by_role_and_label(Role::Slider, two_lights::names::ROOM);
-    ui.get_by_label(two_lights::names::KEEP).click();
+    assert!(
+        ui.query_by_label_contains("No second light is chosen")
+            .is_none()
+    );
+    ui.get_by_label_contains("From FL2 to FL11 ");
+}
+
+#[test]
+fn a_metamer_is_made_for_a_surface_and_can_be_kept() {
+    let mut ui = open(about("FL2"), Page::Metamers, [1920.0, 1080.0]);
+    ui.get_by_label(metamers::names::MADE).click();
+    ui.run_steps(4);
+    ui.state_mut().0.preferences.pages.products.two_lights.patch = 8;
+    ui.run_steps(4);
+    ui.get_by_label_contains("Under FL2 moderate red and its twin are hard to tell apart");
+    ui.get_by_role_and_label(Role::Slider, metamers::names::ROOM);
+    ui.get_by_label(metamers::names::KEEP).click();
     ui.run_steps(4);
     let document = ui.state().0.app.document();
     let kept = document.own.last().expect("kept");
@@ -334,30 +389,41 @@ fn a_click_on_a_patch_makes_its_metamer_which_can_be_kept() {
     assert!(kept.kind().is_factor());
     // The part is still about the light.
     settle(&mut ui);
-    ui.get_by_label(two_lights::names::KEEP);
+    ui.get_by_label(metamers::names::KEEP);
 }
 
 #[test]
-fn found_pairs_are_listed_and_a_click_draws_one() {
-    let mut ui = open(about("FL11"), Page::TwoLights, [1920.0, 1080.0]);
+fn found_pairs_are_listed_and_a_click_shows_one_large() {
+    let mut ui = open(about("FL11"), Page::Metamers, [1920.0, 1080.0]);
     ui.get_by_label_contains("metamerism index");
-    let rows: Vec<_> = ui
-        .query_all_by_label_contains("Pair: ")
-        .map(|row| row.rect())
-        .collect();
-    assert!(rows.len() >= 6, "{}", rows.len());
+    let rows = ui.query_all_by_label_contains("Pair: ").count();
+    assert!(rows >= 6, "{rows}");
+    let pairs = |ui: &Ui| -> Vec<String> {
+        let all = ui.query_all_by_label_contains("Under ");
+        let labels = all.filter_map(|node| node.accesskit_node().label());
+        labels.filter(|label| label.contains(": left ")).collect()
+    };
+    let first = pairs(&ui);
+    assert_eq!(first.len(), 2, "under each light: {first:?}");
     ui.query_all_by_label_contains("Pair: ")
         .nth(2)
         .expect("a row")
         .click();
     ui.run_steps(4);
     assert_eq!(ui.state().0.preferences.pages.products.two_lights.pair, 2);
+    assert_ne!(pairs(&ui), first);
 }
 
 #[test]
 fn a_teacher_makes_an_example_and_reads_the_verdict() {
     let mut ui = open(about("FL2"), Page::SameSurface, [1920.0, 1080.0]);
-    ui.get_by_label_contains("There is no outgoing spectrum S3 yet");
+    // An example stands there from the start, and nothing was made for it.
+    ui.get_by_label_contains("Yes: the spectrum is what FL2 off red would be.");
+    assert!(ui.state().0.app.document().own.is_empty());
+    ui.get_by_label(same_surface::names::HOW).click();
+    for _ in 0..8 {
+        ui.run_steps(1);
+    }
     ui.get_by_label(same_surface::names::MAKE).click();
     ui.run_steps(4);
     settle(&mut ui);

@@ -12,6 +12,7 @@ use egui::{Rect, Role, Shape, Vec2, epaint::ClippedShape, vec2};
 use egui_kittest::{Harness, kittest::Queryable as _};
 use spectral_explorer::{
     app::{
+        Command,
         pages::{Page, Place},
         workspace::Preferences,
     },
@@ -42,7 +43,7 @@ pub(crate) struct Words {
     /// How it is turned, radians, and where it would stand were everything turned back.
     turned: (f32, Rect),
     /// Size of its first letter.
-    size: f32,
+    pub size: f32,
 }
 
 impl fmt::Debug for Words {
@@ -227,6 +228,39 @@ fn nothing_collides_or_is_cut_in_numbers() {
 #[test]
 fn nothing_collides_or_is_cut_in_picture() {
     assert_sound(Place::Picture);
+}
+
+#[test]
+fn every_page_knows_the_second_light_and_nothing_collides_or_is_cut() {
+    let mut wrong = Vec::new();
+    for page in Page::all() {
+        let mut preferences = Preferences {
+            greeted: true,
+            ..Preferences::default()
+        };
+        preferences.pages.page = page;
+        let mut ui = over(preferences, [1000.0, 700.0]);
+        let app = &mut ui.state_mut().0.app;
+        let second = app.entry("cie_led_1nm/LED-B1").expect("shipped");
+        app.apply(Command::Compare(Some(second)));
+        for _ in 0..4 {
+            rest(&mut ui);
+            ui.state_mut().0.studies.finish();
+        }
+        for [width, height] in [[1000.0, 700.0], [1280.0, 800.0], [667.0, 467.0]] {
+            let size = vec2(width, height);
+            ui.set_size(size);
+            rest(&mut ui);
+            let case = format!("{} at {width} x {height}", page.title());
+            let found = faults(&ui, page, size).into_iter();
+            wrong.extend(found.map(|fault| format!("{case}: {fault}")));
+            let chip = ui.query_by_role_and_label(Role::Button, "Compared with LED-B1");
+            if chip.is_none() {
+                wrong.push(format!("{case}: no chip"));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 #[test]

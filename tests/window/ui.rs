@@ -96,6 +96,16 @@ fn beside(side: Side) -> Ui {
     ui
 }
 
+/// Chooses what is to be saved, in the menu or in its second level.
+fn save_as(ui: &mut Ui, title: &str) {
+    click(ui, "Save");
+    if ui.query_by_role_and_label(Role::Button, title).is_none() {
+        control(ui, Role::Button, "More formats").click();
+        ui.run();
+    }
+    control(ui, Role::Button, title).click();
+}
+
 /// The window with the library open.
 fn with_library() -> Ui {
     let mut ui = fresh();
@@ -219,13 +229,12 @@ fn a_slider_moves_everything_in_the_same_frame() {
         if side == Side::Verdict {
             assert_written(&ui, &now);
             let worst = &patches.items[patches.worst];
-            assert_written(&ui, &format!("at worst ({})", worst.name));
-            let digits = match worst.delta_e_2000 {
-                d if d < 0.1 => 3,
-                d if d < 10.0 => 2,
-                _ => 1,
-            };
-            assert_written(&ui, &format!("ΔE₀₀ {:.digits$} at", worst.delta_e_2000));
+            assert_written(&ui, &format!("at worst of 24 ({})", worst.name));
+            // Two digits, without zeros at the end.
+            let two: f64 = format!("{:.1e}", worst.delta_e_2000)
+                .parse()
+                .expect("a number");
+            assert_written(&ui, &format!("ΔE₀₀ {two} at"));
             assert_written(&ui, &Seen::of(worst.delta_e_2000).verdict("light"));
         } else {
             let own = app(&ui).derived().colour.delta_e_2000.expect("a colour");
@@ -446,7 +455,7 @@ fn switches_and_choices_do_what_they_say() {
 #[test]
 fn a_click_in_the_error_curve_goes_to_that_order() {
     let mut ui = fresh();
-    let name = "Error against order; click to go to an order";
+    let name = "Error against waves; click to go there";
     let rect = control(&ui, Role::Image, name).rect();
     let inside = rect.left_top() + vec2(0.7 * rect.width(), 0.4 * rect.height());
     ui.hover_at(inside);
@@ -485,7 +494,7 @@ fn a_search_finds_a_spectrum_and_a_click_shows_it() {
     search(&mut ui, "ohta red");
     click(&mut ui, "moderate red");
     assert_eq!(app(&ui).document().subject, Subject::Factor);
-    assert_written(&ui, "This is a surface");
+    assert_written(&ui, "moderate red under six lights");
     // Back to the light by the switch over the knobs.
     click(&mut ui, "Settings");
     click(&mut ui, "FL2");
@@ -543,13 +552,19 @@ fn a_click_with_ctrl_or_shift_lays_a_spectrum_over() {
         assert_eq!(app(&ui).document().light.name(), "FL11");
         assert_eq!(app(&ui).document().overlays.len(), before + 1);
     }
-    // A plain click lays over as well, when that is what the library was opened for.
+    // A plain click chooses the second light, when that is what the library was opened for.
     click(&mut ui, "+ Compare");
     click(&mut ui, "CIE A");
     assert_eq!(app(&ui).document().light.name(), "FL11");
+    let second = app(&ui)
+        .document()
+        .second
+        .as_ref()
+        .map(|second| second.name());
+    assert_eq!(second, Some("CIE A"));
     let overlays = &app(&ui).document().overlays;
     let names: Vec<&str> = overlays.iter().map(|o| o.name()).collect();
-    assert_eq!(names, ["CIE D65"]);
+    assert_eq!(names, ["CIE D65", "CIE A"], "overlays stay overlays");
     click(&mut ui, "Layers");
     control(&ui, Role::CheckBox, "Show overlays");
     click(&mut ui, "Clear");
@@ -603,13 +618,11 @@ fn lights_of_relative_units_are_laid_over_equally_bright_and_a_surface_over_no_l
             click(&mut ui, "+ Compare");
             search(&mut ui, &name);
             click(&mut ui, &name);
-            // The first clears the search, the second closes the library.
-            press(&mut ui, Key::Escape);
-            press(&mut ui, Key::Escape);
         } else {
             apply(&mut ui, Command::ToggleOverlay(entry.clone()));
         }
-        assert_eq!(app(&ui).document().overlays, [entry], "{over}");
+        let laid: Vec<_> = app(&ui).document().laid_over().collect();
+        assert_eq!(laid, [&entry], "{over}");
         let bright = |name: &str| luminance(&drawn(&ui, name).expect(name));
         let ratio = bright(&name) / bright("measured");
         // The eye has 4e-6 of its sensitivity outside 380 to 780 nm.
@@ -667,7 +680,7 @@ fn a_click_on_a_patch_shows_its_product_and_a_second_hides_it() {
         app(&ui).product().map(|p| p.name.clone()),
         Some(patch.name.clone())
     );
-    assert_written(&ui, &format!("through {}", patch.name));
+    assert_written(&ui, &format!("off {}", patch.name));
     click(&mut ui, &name);
     assert_eq!(app(&ui).product(), None);
 }
@@ -858,7 +871,7 @@ fn a_spike_is_dragged_to_the_same_place_under_another_scale_and_a_log_axis() {
 }
 
 #[test]
-fn a_double_click_beside_the_spikes_adds_one() {
+fn shift_and_a_double_click_beside_the_lines_add_one() {
     let mut ui = fresh();
     let before = app(&ui).derived().model.lines().len();
     let frame = *transform(&ui).frame();
@@ -870,13 +883,15 @@ fn a_double_click_beside_the_spikes_adds_one() {
     ui.run();
     let height = transform(&ui).value_from_position(at).y;
     for _ in 0..2 {
-        ui.drag_at(at);
-        ui.event(egui::Event::PointerButton {
-            pos: at,
-            button: egui::PointerButton::Primary,
-            pressed: false,
-            modifiers: Modifiers::NONE,
-        });
+        for pressed in [true, false] {
+            let event = egui::Event::PointerButton {
+                pos: at,
+                button: egui::PointerButton::Primary,
+                pressed,
+                modifiers: Modifiers::SHIFT,
+            };
+            ui.event_modifiers(event, Modifiers::SHIFT);
+        }
         ui.step();
     }
     ui.run();
@@ -917,17 +932,17 @@ fn the_spike_table_edits_locks_and_deletes() {
     let mut ui = fresh();
     let count = app(&ui).derived().model.lines().len();
     click(&mut ui, "All figures");
-    type_into(&mut ui, Role::SpinButton, "Spike 1 place", "410");
+    type_into(&mut ui, Role::SpinButton, "Line 1 place", "410");
     press(&mut ui, Key::Enter);
     assert_eq!(hand_spike(&ui).map(|s| s.at_nm), Some(410.0));
-    type_into(&mut ui, Role::SpinButton, "Spike 1 weight", "12.5");
+    type_into(&mut ui, Role::SpinButton, "Line 1 weight", "12.5");
     press(&mut ui, Key::Enter);
     assert_eq!(hand_spike(&ui).map(|s| s.weight), Some(12.5));
     click(&mut ui, "Forget hand edits");
     assert_eq!(hand_spike(&ui), None);
-    click(&mut ui, "Delete spike 1");
+    click(&mut ui, "Delete line 1");
     assert_eq!(app(&ui).derived().model.lines().len(), count - 1);
-    control(&ui, Role::CheckBox, "Lock spike 1").click();
+    control(&ui, Role::CheckBox, "Lock line 1").click();
     ui.run();
     assert!(hand_spike(&ui).is_some());
 }
@@ -966,7 +981,7 @@ fn the_plot_in_a_file_shows_what_the_window_shows() {
         ] {
             assert!(names.contains(&name), "{name} in {names:?}");
         }
-        assert!(names.iter().any(|name| name.starts_with("through ")));
+        assert!(names.iter().any(|name| name.starts_with("off ")));
     }
 }
 
@@ -1191,8 +1206,7 @@ fn everything_in_the_save_menu_is_written_where_the_picker_says() {
     let (picker, asked) = picker(Picked::Paths(vec![path.clone()]));
     let mut ui = at_rest(window(plain(), picker));
     for export in Export::ALL {
-        click(&mut ui, "Save");
-        control(&ui, Role::Button, export.title()).click();
+        save_as(&mut ui, export.title());
         ui.step();
         wait_until(&mut ui, export.title(), |ui| {
             !ui.state().is_busy() && path.is_file() && app(ui).message().is_some()
@@ -1224,8 +1238,7 @@ fn the_error_curve_is_saved_as_a_picture_of_pixels_too() {
     let path = folder.path().join("curve.png");
     let (picker, asked) = picker(Picked::Paths(vec![path.clone()]));
     let mut ui = at_rest(window(plain(), picker));
-    click(&mut ui, "Save");
-    control(&ui, Role::Button, "Error against order (PNG)").click();
+    save_as(&mut ui, "Error against waves (PNG)");
     ui.step();
     wait_until(&mut ui, "the word that it is saved", |ui| {
         app(ui)
@@ -1247,8 +1260,7 @@ fn a_saved_composite_can_be_opened_again() {
     let path = folder.path().join("fl11.json");
     let (picker, _) = picker(Picked::NoDialog);
     let mut ui = at_rest(window(plain(), picker));
-    click(&mut ui, "Save");
-    control(&ui, Role::Button, Export::CompositeJson.title()).click();
+    save_as(&mut ui, Export::CompositeJson.title());
     wait_until(&mut ui, "the path field", |ui| {
         ui.query_by_role_and_label(Role::TextInput, "Path of the file")
             .is_some()
@@ -1270,8 +1282,7 @@ fn a_typed_path_replaces_a_file_only_by_the_button_that_says_so() {
     fs::write(&path, "kept").expect("written");
     let (picker, _) = picker(Picked::NoDialog);
     let mut ui = at_rest(window(plain(), picker));
-    click(&mut ui, "Save");
-    control(&ui, Role::Button, Export::CompositeJson.title()).click();
+    save_as(&mut ui, Export::CompositeJson.title());
     wait_until(&mut ui, "the path field", |ui| {
         ui.query_by_role_and_label(Role::TextInput, "Path of the file")
             .is_some()
@@ -1359,7 +1370,7 @@ fn the_ways_to_begin_and_the_list_of_shortcuts_open_by_key_and_keeps_keys_to_its
     control(&ui, Role::Button, "Show a class");
     press(&mut ui, Key::Escape);
     shortcut(&mut ui, Modifiers::SHIFT, Key::F1);
-    assert_written(&ui, "Order N plus one");
+    assert_written(&ui, "One wave more");
     control(&ui, Role::Button, "Close");
     press(&mut ui, Key::ArrowRight);
     assert_eq!(settings(&ui).order, 7, "an open dialog has the keyboard");
@@ -1544,11 +1555,11 @@ fn every_small_window_and_menu_is_drawn_with_names() {
         }
         for combo in [
             "What the curve shows",
-            "Patch set",
-            "How patches are seen",
+            "Set of surfaces",
+            "How surfaces are seen",
             "Scale",
             "Observer",
-            "Spike detector",
+            "How lines are found",
             "Products by",
         ] {
             if combo == "Scale" {
@@ -1599,7 +1610,7 @@ fn small_and_large_windows_are_drawn() {
         (Role::SpinButton, knobs::LINES_TYPED),
         (Role::Button, knobs::AUTOMATIC),
         (Role::Button, knobs::RESET),
-        (Role::ComboBox, "How patches are seen"),
+        (Role::ComboBox, "How surfaces are seen"),
         (Role::ComboBox, "What the curve shows"),
         (Role::Button, "All figures"),
         (Role::Button, "Help"),

@@ -2,6 +2,7 @@
 
 use crate::driver::{Shown, Ui, assert_written, click, harness, no_files, words};
 use crate::plain::plain;
+use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{
         pages::{FieldChoice, Page, PageMemory},
@@ -47,6 +48,16 @@ fn the_light_at_hand_races_and_another_count_shows_at_once() {
 #[test]
 fn a_whole_set_shows_both_halves_and_a_click_on_a_light_shows_it() {
     let mut ui = race_of(FieldChoice::Fluorescent);
+    for fold in [
+        "Every figure at this count",
+        "Errors against numbers, and who wins",
+    ] {
+        ui.get_by_label(fold).click();
+        // It opens in a moment.
+        for _ in 0..8 {
+            ui.run_steps(1);
+        }
+    }
     assert_written(&ui, "77 lights, 20 numbers each");
     assert_written(&ui, "Fluorescent: the composite wins");
     assert_written(

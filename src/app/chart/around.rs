@@ -61,7 +61,7 @@ impl Drawing<'_> {
                 out.push(form(middle, radius, *shape, colour));
             }
             // The colour bar tells what its colours mean.
-            Marks::Cells { .. } | Marks::Fields { .. } | Marks::Words { .. } => {}
+            Marks::Cells { .. } | Marks::Ground { .. } | Marks::Words { .. } => {}
         }
         let at = [field.left + (SAMPLE + GAP) * looks.scale, y];
         let room = self.size[0] - 2.0 * self.legend[0].left;
@@ -80,7 +80,35 @@ impl Drawing<'_> {
         let (palette, field) = (self.palette(), plot.field);
         let [left, top] = [field.left, field.top];
         let (right, bottom) = (field.right(), field.bottom());
-        out.push(Primitive::Fields(vec![(field, palette.ground)]));
+        if !self.chart.is_bare {
+            out.push(Primitive::Fields(vec![(field, palette.ground)]));
+            self.scales(out, plot, series);
+            self.y_label(out, field, y_label);
+        }
+        let mut pen = Pen::new(plot, self.looks, &self.colours, self.chart.x_range);
+        for series in series {
+            let inner = pen.series(series);
+            if series.name.is_empty() {
+                out.extend(inner);
+            } else {
+                let title = series.name.clone();
+                out.push(Primitive::Group { title, inner });
+            }
+        }
+        out.extend(pen.labels);
+        if self.chart.is_bare {
+            return;
+        }
+        let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
+        let sides = (0..4).map(|i| vec![corners[i], corners[(i + 1) % 4]]);
+        out.push(lines(sides.collect(), palette.frame));
+    }
+
+    /// Lines that help to read values, and the vertical axis with its numbers.
+    fn scales(&self, out: &mut Vec<Primitive>, plot: &Plot, series: &[Series]) {
+        let (palette, field) = (self.palette(), plot.field);
+        let [left, top] = [field.left, field.top];
+        let (right, bottom) = (field.right(), field.bottom());
         let (ticks, labels) = plot.y.ticks(self.down(field.height));
         let height = |value: f64| bottom - plot.y.px(value);
         let mut grid: Vec<Vec<Place>> = Vec::new();
@@ -113,21 +141,6 @@ impl Drawing<'_> {
             let words = label + &self.chart.y_unit;
             out.push(self.text(at, Anchor::End, palette.faint, &words));
         }
-        self.y_label(out, field, y_label);
-        let mut pen = Pen::new(plot, self.looks, &self.colours, self.chart.x_range);
-        for series in series {
-            let inner = pen.series(series);
-            if series.name.is_empty() {
-                out.extend(inner);
-            } else {
-                let title = series.name.clone();
-                out.push(Primitive::Group { title, inner });
-            }
-        }
-        out.extend(pen.labels);
-        let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
-        let sides = (0..4).map(|i| vec![corners[i], corners[(i + 1) % 4]]);
-        out.push(lines(sides.collect(), palette.frame));
     }
 
     /// What a vertical axis counts, over its upper end: a name never covers data.
@@ -208,6 +221,9 @@ impl Drawing<'_> {
 
     /// Numbers or names along the horizontal axis, and what it counts.
     pub(super) fn horizontal(&self, out: &mut Vec<Primitive>, main: &Plot) {
+        if self.chart.is_bare {
+            return;
+        }
         let (palette, line) = (self.palette(), self.looks.line_height());
         for (x, words) in self.names(main.x) {
             let x = main.across(x);

@@ -162,8 +162,14 @@ impl<'a> Drawing<'a> {
         let span = |[from, to]: [f64; 2]| (to - from).abs();
         let [across, up] = [self.chart.x_limits(), self.chart.y_limits()].map(span);
         let step = (panel.width / across).min(panel.height / up);
+        let width = step * across;
         Field {
-            width: step * across,
+            // Without an axis at its left it stands in the middle.
+            left: match self.chart.is_bare {
+                true => panel.left + (panel.width - width) / 2.0,
+                false => panel.left,
+            },
+            width,
             height: step * up,
             ..panel
         }
@@ -172,6 +178,9 @@ impl<'a> Drawing<'a> {
     /// Where panels begin and end from left to right; sets how labels stand below them.
     fn sides(&mut self, margin: f64) -> [f64; 2] {
         let (chart, looks, width) = (self.chart, self.looks, self.size[0]);
+        if chart.is_bare {
+            return [margin, width - margin];
+        }
         let rough = Axis::new(
             chart.x_limits(),
             chart.x_scale,

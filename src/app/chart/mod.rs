@@ -68,6 +68,8 @@ pub struct Chart {
     pub y_scale: Scale,
     /// Whether a step is as long on both linear axes: a circle stays one.
     pub even: bool,
+    /// Whether it stands without axes: nothing is read off them.
+    pub is_bare: bool,
     /// Written after each number of the vertical axis.
     pub y_unit: String,
     /// Drawn in this order, the last on top.
@@ -97,6 +99,7 @@ impl Default for Chart {
             y_range: None,
             y_scale: Scale::Linear,
             even: false,
+            is_bare: false,
             y_unit: String::new(),
             series: Vec::new(),
             colours: Vec::new(),
@@ -157,6 +160,15 @@ pub struct Series {
     pub is_tagged: bool,
 }
 
+/// A four-sided piece of a ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Piece {
+    /// Its corners, one after the other around it.
+    pub corners: [[f64; 2]; 4],
+    /// The colour at each.
+    pub colours: [Rgb; 4],
+}
+
 /// The marks of a series; each point is `[x, y]` in the units of the axes.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Marks {
@@ -212,10 +224,10 @@ pub enum Marks {
         /// Where the middle of each stands, and what it says.
         words: Vec<([f64; 2], String)>,
     },
-    /// Boxes with colours of their own, as a ground for other series; no data.
-    Fields {
-        /// First and last x, first and last y, and colour of each box.
-        fields: Vec<([[f64; 2]; 2], Rgb)>,
+    /// Four-sided pieces whose colours run into one another, as a ground for other series; no data.
+    Ground {
+        /// The pieces, each convex.
+        pieces: Vec<Piece>,
     },
 }
 
@@ -228,7 +240,7 @@ impl Marks {
             | Self::Area { points, .. }
             | Self::Bars { points, .. }
             | Self::Points { points, .. } => points,
-            Self::Cells { .. } | Self::Fields { .. } | Self::Words { .. } => &[],
+            Self::Cells { .. } | Self::Ground { .. } | Self::Words { .. } => &[],
         }
     }
 
@@ -236,7 +248,7 @@ impl Marks {
     pub(super) fn is_no_series(&self) -> bool {
         matches!(
             self,
-            Self::Cells { .. } | Self::Fields { .. } | Self::Words { .. }
+            Self::Cells { .. } | Self::Ground { .. } | Self::Words { .. }
         )
     }
 
@@ -259,7 +271,7 @@ impl Marks {
             }
             Self::Bars { .. } => tops.chain([0.0]).collect(),
             Self::Cells { cells } => cells.y_edges.clone(),
-            Self::Fields { .. } | Self::Words { .. } => Vec::new(),
+            Self::Ground { .. } | Self::Words { .. } => Vec::new(),
         }
     }
 }

@@ -84,6 +84,8 @@ pub enum Ink {
     Residual,
     /// The product with a patch: reddish purple.
     Product,
+    /// The second light: a magenta, which no wavelength has.
+    Second,
     /// Overlays, one after the other.
     Overlay(usize),
     /// As numbers of the axes.
@@ -128,6 +130,7 @@ impl Ink {
             Self::Spikes => [[240, 165, 30], [200, 90, 0]],
             Self::Residual => [[64, 190, 150], [0, 128, 96]],
             Self::Product => [[214, 140, 185], [165, 70, 130]],
+            Self::Second => [[255, 96, 208], [178, 20, 134]],
             Self::Beyond => [[54; 3], [214; 3]],
             Self::Overlay(index) => match index % OVERLAY_INKS {
                 0 => [[240, 228, 66], [150, 130, 0]],

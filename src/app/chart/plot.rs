@@ -2,7 +2,7 @@
 
 use super::{
     super::ticks::short,
-    Cells, Marks, Rgb, Series,
+    Cells, Marks, Piece, Rgb, Series,
     axis::Axis,
     base_at,
     cut::{cut_band, cut_segment},
@@ -140,17 +140,26 @@ impl<'a> Pen<'a> {
             }
             Marks::Cells { cells } => self.cells(cells),
             Marks::Words { words } => self.words(words, colour),
-            Marks::Fields { fields } => {
-                let inside = |([[left, right], [low, high]], colour): &([[f64; 2]; 2], [u8; 3])| {
-                    let foot = self.plot.place([*left, *low])?;
-                    let field = Field::between(foot, self.plot.place([*right, *high])?);
-                    Some((field.cut_to(self.plot.field)?, *colour))
-                };
-                vec![Primitive::Fields(
-                    fields.iter().filter_map(inside).collect(),
-                )]
+            Marks::Ground { pieces } => {
+                let pieces = pieces.iter().filter_map(|piece| self.piece(piece));
+                vec![Primitive::Pieces(pieces.collect())]
             }
         }
+    }
+
+    /// A piece of a ground moved into the panel, where it is partly outside.
+    fn piece(&self, piece: &Piece) -> Option<([Place; 4], [Rgb; 4])> {
+        let [low, high] = self.plot.field.corners();
+        let mut places = [[0.0; 2]; 4];
+        for (place, corner) in places.iter_mut().zip(piece.corners) {
+            *place = self.plot.place(corner)?;
+        }
+        // One that is wholly beside an edge is not seen.
+        let is_beside = (0..2).any(|k| {
+            places.iter().all(|at| at[k] <= low[k]) || places.iter().all(|at| at[k] >= high[k])
+        });
+        let into = |at: Place| [0, 1].map(|k| at[k].clamp(low[k], high[k]));
+        (!is_beside).then(|| (places.map(into), piece.colours))
     }
 
     /// Words at their places; those that would lie over others are left out, from the last one on.

@@ -117,6 +117,8 @@ pub enum Primitive {
     },
     /// Fields of colour with sharp edges.
     Fields(Vec<(Field, Rgb)>),
+    /// Four-sided convex pieces, a colour at each corner, running into one another.
+    Pieces(Vec<([Place; 4], [Rgb; 4])>),
     /// A convex polygon.
     Polygon {
         /// Its corners, in order.

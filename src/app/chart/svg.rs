@@ -80,6 +80,7 @@ fn write(out: &mut String, primitive: &Primitive) -> fmt::Result {
             )
         }
         Primitive::Fields(fields) => write_fields(out, fields),
+        Primitive::Pieces(pieces) => write_pieces(out, pieces),
         Primitive::Polygon { corners, colour } => {
             let (path, colour) = (path(corners), hex(*colour));
             writeln!(out, r#"<path d="{path}Z" fill="{colour}"/>"#)
@@ -157,6 +158,20 @@ fn write_fields(out: &mut String, fields: &[(Field, Rgb)]) -> fmt::Result {
         )?;
     }
     writeln!(out, "</g>")
+}
+
+/// Pieces of one colour each. A line in that colour hides the seam between neighbours.
+fn write_pieces(out: &mut String, pieces: &[([Place; 4], [Rgb; 4])]) -> fmt::Result {
+    for (corners, colours) in pieces {
+        let mean = |k: usize| colours.iter().map(|c| u32::from(c[k])).sum::<u32>() / 4;
+        let colour = hex([0, 1, 2].map(|k| mean(k) as u8));
+        let path = path(corners);
+        writeln!(
+            out,
+            r#"<path d="{path}Z" fill="{colour}" stroke="{colour}" stroke-width=".4"/>"#
+        )?;
+    }
+    Ok(())
 }
 
 fn write_text(out: &mut String, text: &Text) -> fmt::Result {

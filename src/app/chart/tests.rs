@@ -475,3 +475,42 @@ fn a_heat_map_has_one_line_a_box() {
     assert_eq!(both[0], "series,Order,Spikes,Error");
     assert_eq!(both.last().map(String::as_str), Some("path,1,0.5,"));
 }
+
+#[test]
+fn a_bare_chart_has_no_axes_and_stands_in_the_middle() {
+    let chart = Chart {
+        even: true,
+        is_bare: true,
+        x_label: "x".to_owned(),
+        y_label: "y".to_owned(),
+        ..line(&[[0.0, 0.0], [1.0, 1.0]])
+    };
+    let drawing = Drawing::new(&chart, [640.0, 400.0], Looks::of_file(Theme::Light));
+    let main = drawing.main;
+    assert!(
+        (main.width - main.height).abs() < 1e-9,
+        "as long on both axes"
+    );
+    assert!((main.left + main.right() - 640.0).abs() < 1e-9);
+    // The name of the series is all that is written.
+    assert_eq!(texts(&checked(&chart)), ["data"]);
+}
+
+#[test]
+fn pieces_of_a_ground_stay_in_the_panel_and_those_beside_it_are_left_out() {
+    let piece = |left: f64| Piece {
+        corners: [
+            [left, 0.0],
+            [left + 1.0, 0.0],
+            [left + 1.0, 1.0],
+            [left, 1.0],
+        ],
+        colours: [RED; 4],
+    };
+    let pieces = vec![piece(-0.5), piece(0.25), piece(3.0)];
+    let chart = of(Series::new("", RED, Marks::Ground { pieces }));
+    let svg = checked(&chart);
+    let colour = hex(RED);
+    assert_eq!(svg.matches(&format!("stroke=\"{colour}\"")).count(), 2);
+    assert_eq!(chart.to_csv().lines().count(), 1, "a ground is no data");
+}

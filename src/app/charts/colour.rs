@@ -2,7 +2,7 @@
 
 use crate::{
     app::{
-        chart::{Chart, Dash, Ink, Panel, Series, curve},
+        chart::{Chart, Dash, Ink, Panel, Series, curve, stroke},
         charts::{
             products::chain::strip,
             spectrum::{on_grid, over},
@@ -17,19 +17,26 @@ use crate::{
 /// A slit of this width sees a line as high as it is drawn, nm.
 pub(super) const SLIT_NM: f64 = 5.0;
 
+/// What the surfaces are called that only show how different those of one colour can be.
+const EXAMPLES: &str = "other surfaces that match";
+
 /// The surfaces of a colour over the reach of all that match it, and below a light of lines.
 pub fn colour_chart(sheet: &ColourSheet) -> Chart {
     let mut series = Vec::new();
     if let Some(band) = &sheet.band {
-        let points = band.greatest.iter().enumerate();
-        let greatest = points.map(|(i, value)| [node_nm(i), *value]).collect();
-        let name = "reach of all surfaces that match";
-        series.push(Series::area(
-            name,
-            Ink::Residual,
-            greatest,
-            band.least.to_vec(),
-        ));
+        let edge = |values: &[f64]| {
+            let points = values.iter().enumerate();
+            points.map(|(i, value)| [node_nm(i), *value]).collect()
+        };
+        for values in [&band.greatest, &band.least] {
+            let name = "reach of all surfaces that match";
+            let line = Series::line(name, Ink::Residual, edge(&values[..]));
+            series.push(line.dashed(Dash::Dotted));
+        }
+        for example in &sheet.examples {
+            let points = edge(example);
+            series.push(stroke(EXAMPLES, Ink::Faint, points, 1.0, Dash::Solid));
+        }
     }
     let of = |found: &Recovered| {
         let table = found.reflectance.sampled();
@@ -83,7 +90,7 @@ fn lines_panel(light: &LineLight) -> Panel {
         series.push(Series::stems("", colour, top, Vec::new()));
     }
     Panel {
-        y_label: "Light of lines, power a nm".to_owned(),
+        y_label: "Light of lines, power per nm".to_owned(),
         y_range: None,
         series,
     }
@@ -111,5 +118,7 @@ mod tests {
             assert!(names.contains(&name), "{names:?}");
         }
         assert!(chart.residual.is_some());
+        let examples = chart.series.iter().filter(|s| s.name == EXAMPLES);
+        assert_eq!(examples.count(), 8);
     }
 }

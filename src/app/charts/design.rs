@@ -29,7 +29,7 @@ pub fn ground() -> Chart {
         whites: false,
         ..DiagramShows::default()
     };
-    diagram(None, None, shows)
+    diagram(&[], shows)
 }
 
 /// The diagram with the channels of a desk, what they reach, the mixture and a target.
@@ -118,7 +118,7 @@ pub fn mixed_spectrum(desk: &Desk) -> Chart {
         series.push(stem.labelled(vec![label]));
     }
     Chart {
-        title: "The mixture: drag a line or an LED along the wavelengths".to_owned(),
+        title: "The mixture: drag its lines".to_owned(),
         y_label: "Power per nm (lines drawn 5 nm wide)".to_owned(),
         colours: strip(band),
         series,

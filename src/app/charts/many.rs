@@ -135,7 +135,7 @@ pub fn chart(many: &ManyLights, wanted: Wanted) -> Chart {
     }
     Chart {
         title: "Lights that an order is enough for".to_owned(),
-        x_label: "Order N, 2N + 1 numbers".to_owned(),
+        x_label: "Waves (N waves take 2N + 1 numbers)".to_owned(),
         y_label: "Of the lights, %".to_owned(),
         x_range: [0.0, last],
         y_range: Some([0.0, 100.0]),

@@ -17,3 +17,4 @@ pub mod spectrum;
 pub mod threshold;
 pub mod tradeoff;
 pub mod truth;
+mod units;

@@ -3,7 +3,7 @@
 use super::spectrum::provenance;
 use crate::{
     app::{
-        chart::{Chart, Dash, Ink, Scale, Series, Shape, stroke},
+        chart::{Chart, Dash, Ink, Marks, Scale, Series, Shape, stroke},
         derived::{OF_CURVE, OrderPoint},
         figures::SMALLEST,
         state::App,
@@ -42,7 +42,7 @@ pub fn curve_chart(app: &App) -> Chart {
             derived.model.smooth().basis.word(),
             many(derived.model.lines().len(), "spike", "spikes")
         ),
-        x_label: "Order N".to_owned(),
+        x_label: "Waves".to_owned(),
         y_label: "Error (CIEDE2000, or percent)".to_owned(),
         x_range: [
             0.0,
@@ -75,16 +75,27 @@ pub fn order_chart(app: &App, measure: Measure) -> Option<Chart> {
     if measure.is_colour() {
         let below = x_range.map(|x| [x, HARD_TO_SEE.min(y_range[1])]).to_vec();
         let floor = vec![y_range[0]; 2];
-        let mut zone = Series::area(Seen::Hardly.seen(), Ink::Residual, below, floor);
-        // A chart that begins above the limit has no room for its name.
-        zone.is_tagged = y_range[0] < HARD_TO_SEE;
-        series.push(zone);
+        series.push(Series::area(
+            Seen::Hardly.seen(),
+            Ink::Residual,
+            below,
+            floor,
+        ));
+        // A chart that begins above the limit has no room for its name. At the right end the curve
+        // is farthest below.
+        if y_range[0] < HARD_TO_SEE {
+            let decades = (y_range[1] / y_range[0]).log10();
+            let at = [0.82 * last, HARD_TO_SEE * 10_f64.powf(-0.09 * decades)];
+            let words = vec![(at, Seen::Hardly.seen().to_owned())];
+            series.push(Series::new("", Ink::Residual, Marks::Words { words }));
+        }
         series.push(thin(x_range.map(|x| [x, HARD_TO_SEE])));
     }
     series.push(Series::line("", Ink::Smooth, points.clone()));
     series.push(dots(Ink::Smooth, 1.8, points));
     series.push(dots(Ink::Spikes, 4.5, now));
     Some(Chart {
+        x_label: "Waves".to_owned(),
         x_range,
         y_range: Some(y_range),
         y_scale: Scale::Log10,

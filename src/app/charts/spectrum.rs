@@ -1,5 +1,6 @@
 //! The spectrum plot: the window draws it and files hold it.
 
+use super::units::subject_label;
 use crate::{
     app::{
         chart::{self, Chart, Dash, Ink, OVERLAY_INKS, Panel, Scale, Series, stroke},
@@ -25,25 +26,11 @@ const LOG_FLOOR: f64 = 1e-5;
 /// The name of the series of the model's spikes: a point of it is a spike of the model.
 pub const SPIKES: &str = "spikes";
 
-/// What values in a unit are called on an axis.
-pub fn value_label(unit: &str) -> String {
-    match unit {
-        "relative" => "Relative power per nm".to_owned(),
-        unit => unit_or_value(unit),
-    }
-}
-
-/// A unit, or what stands for one where there is none.
-pub(super) fn unit_or_value(unit: &str) -> String {
-    if unit.is_empty() { "value" } else { unit }.to_owned()
-}
-
 /// The spectrum plot of the present document.
 pub fn spectrum_chart(app: &App) -> Chart {
     let (document, derived) = (app.document(), app.derived());
     let (view, band) = (document.view, derived.band);
     let subject = document.subject_entry();
-    let unit = app.unit();
     let has_subject = app.is_measured_in_range();
     let mut chart = Chart {
         title: format!(
@@ -54,7 +41,7 @@ pub fn spectrum_chart(app: &App) -> Chart {
             derived.model.smooth().order(),
             many(derived.model.lines().len(), "spike", "spikes"),
         ),
-        y_label: value_label(unit),
+        y_label: subject_label(app),
         y_scale: scale(app),
         series: spectrum_series(app),
         colours: colours(app),
@@ -88,7 +75,14 @@ pub fn scale(app: &App) -> Scale {
             let derived = app.derived();
             let most = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
             let glow = most(&derived.smooth);
-            match most(&derived.measured) > TOWERS * glow && glow > 0.0 {
+            let second = app.document().second.as_ref();
+            let second = second.and_then(|second| laid_points(app, second));
+            let second = second
+                .into_iter()
+                .flatten()
+                .map(|at| at[1] / app.scale_factor());
+            let top = second.fold(most(&derived.measured), f64::max);
+            match top > TOWERS * glow && glow > 0.0 {
                 true => Scale::Root,
                 false => Scale::Linear,
             }
@@ -133,17 +127,20 @@ fn spectrum_series(app: &App) -> Vec<Series> {
     if view.measured {
         let points = app.measured_points();
         let points: Vec<[f64; 2]> = points.map(|(nm, v)| [nm, v * app.scale_factor()]).collect();
-        if view.strip && document.is_about_light() {
+        if view.strip {
             let area = Series::area("measured", Ink::Measured, points, Vec::new());
             series.push(area.coloured());
-            series.extend(line_bars(app));
+            if document.is_about_light() {
+                series.extend(line_bars(app));
+            }
         } else {
             series.push(Series::line("measured", Ink::Measured, points));
         }
     }
+    series.extend(second(app).into_iter().flatten());
     if let Some(product) = app.product() {
         let (exact, model) = (curve(app, &product.exact), curve(app, &product.smooth));
-        let name = format!("through {}", product.name);
+        let name = format!("off {}", product.name);
         series.push(Series::line(&name, Ink::Product, exact));
         let name = format!("{name}, by the model");
         series.push(stroke(&name, Ink::Product, model, 1.8, Dash::Dashed));
@@ -168,6 +165,18 @@ fn spectrum_series(app: &App) -> Vec<Series> {
         series.push(stems.labelled(labels(app, spikes)));
     }
     series
+}
+
+/// The second light over the first, with an edge that keeps it apart from what it runs over.
+fn second(app: &App) -> Option<[Series; 2]> {
+    let document = app.document();
+    let entry = document.second.as_ref();
+    let entry = entry.filter(|_| document.is_about_light())?;
+    let points = laid_points(app, entry)?;
+    let edge = stroke("", Ink::Ground, points.clone(), 5.0, Dash::Solid);
+    let mut line = stroke(entry.name(), Ink::Second, points, 2.4, Dash::Solid);
+    line.is_tagged = true;
+    Some([edge, line])
 }
 
 /// A line is never drawn narrower than this share of the range: thinner ones could not be seen.
@@ -283,8 +292,8 @@ pub(super) fn broken_at_holes(mut points: Vec<[f64; 2]>, samples: &Sampled) -> V
     points
 }
 
-/// A spectrum laid over the subject, on its axis.
-fn overlay(app: &App, entry: &Entry, index: usize) -> Option<Series> {
+/// The curve of a spectrum that is laid over the subject, on its axis.
+fn laid_points(app: &App, entry: &Entry) -> Option<Vec<[f64; 2]>> {
     let samples = &entry.spectrum.samples;
     let factor = match Laid::of(app, entry) {
         Laid::Alike(factor) | Laid::EquallyBright(factor) | Laid::AsHigh(factor) => factor,
@@ -292,7 +301,12 @@ fn overlay(app: &App, entry: &Entry, index: usize) -> Option<Series> {
     };
     let values = samples.values().iter().map(|v| v * factor);
     let points = chart::curve(samples.nm().iter().copied(), values);
-    let points = broken_at_holes(points, samples);
+    Some(broken_at_holes(points, samples))
+}
+
+/// A spectrum laid over the subject.
+fn overlay(app: &App, entry: &Entry, index: usize) -> Option<Series> {
+    let points = laid_points(app, entry)?;
     // The second round of inks is thinner: dashes of many curves cost a third of a frame.
     let width = (1.8 / (1 + index / OVERLAY_INKS) as f64).max(0.7);
     let mut series = stroke(

@@ -50,8 +50,8 @@ pub fn threshold_chart(ask: &SweepAsk, sweep: &Sweep, measure: Measure) -> Chart
             measure.figure().title,
             way.title()
         ),
-        x_label: "Order N".to_owned(),
-        y_label: "Spike threshold, % of the power".to_owned(),
+        x_label: "Waves".to_owned(),
+        y_label: "Lines above, % of the power".to_owned(),
         x_range: [-0.5, columns as f64 - 0.5],
         y_range: Some([
             cells.y_edges.first().copied().unwrap_or(0.1),

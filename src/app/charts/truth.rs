@@ -54,7 +54,7 @@ pub fn neglected_chart(app: &App, claims: &Claims) -> Option<Chart> {
     ));
     Some(Chart {
         title: "Left out beyond N".to_owned(),
-        x_label: "Order N".to_owned(),
+        x_label: "Waves".to_owned(),
         y_label: "% of the exact total".to_owned(),
         x_range: [0.0, (orders.len() - 1) as f64],
         y_range: Some(NEGLECTED_PERCENT),

@@ -24,12 +24,7 @@ pub struct Better {
 impl Better {
     /// Compares two lights for a purpose.
     pub(super) fn of(purpose: &'static Purpose, sides: &[Side; 2]) -> Self {
-        let found = sides.each_ref().map(|side| {
-            (purpose.of)(side).and_then(|value| match value.is_finite() {
-                true => Ok(value),
-                false => Err(format!("{} has no finite figure", side.name)),
-            })
-        });
+        let found = sides.each_ref().map(|side| purpose.figure_of(side));
         let values = found.each_ref().map(|value| value.as_ref().ok().copied());
         let known = match &found {
             [Ok(a), Ok(b)] => Ok([*a, *b]),

@@ -41,6 +41,25 @@ pub struct Purpose {
     pub(super) both: &'static str,
 }
 
+impl Purpose {
+    /// The purpose of a key.
+    pub fn of_key(key: &str) -> Option<&'static Self> {
+        PURPOSES.iter().find(|purpose| purpose.key == key)
+    }
+
+    /// The figure of a light.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn figure_of(&self, side: &Side) -> Result<f64, String> {
+        let value = (self.of)(side)?;
+        let is_finite = value.is_finite();
+        is_finite
+            .then_some(value)
+            .ok_or_else(|| format!("{} has no finite figure", side.name))
+    }
+}
+
 /// Points of a single test colour's index.
 const OF_SAMPLE: Rule = Rule::Points {
     same: 5.0,

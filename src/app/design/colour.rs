@@ -18,7 +18,8 @@ use crate::{
     },
     color::{Adaptation, Srgb, Swatch, Xyz, delta_e_of_xyz, xyz_from_reflectance},
     design::recover::{
-        Deviation, LineLight, MetamerBand, Method, Recovered, Seen, Viewing, deviation, metamers,
+        Deviation, LineLight, MetamerBand, Method, NODES, Recovered, Reflectance, Seen, Viewing,
+        deviation, examples, metamers,
     },
     spectrum::Sampled,
 };
@@ -211,6 +212,8 @@ pub struct ColourSheet {
     pub lines: Result<LineLight, String>,
     /// Least and greatest reflectance of all surfaces of the colour.
     pub band: Option<MetamerBand>,
+    /// Other surfaces of the colour, values at the nodes: how different they can be.
+    pub examples: Vec<[f64; NODES]>,
     /// Under other lights.
     pub under: Vec<Under>,
     /// How well the colour tells the surface that it started from.
@@ -249,6 +252,10 @@ impl ColourSheet {
             .map(|light| under(light, &smoothest, fourier.as_ref().ok(), measured))
             .collect();
         let band = metamers(&seen);
+        let examples = match (&smoothest.reflectance, &smoothest.nearest) {
+            (Reflectance::Nodes(nodes), None) => examples(&seen, nodes),
+            _ => Vec::new(),
+        };
         let seen = asked.into_iter().map(|(light, asked)| SeenColour {
             swatch: Swatch::of_patch(asked.xyz, asked.viewing.white(), Adaptation::ToLight),
             xyz: asked.xyz,
@@ -258,6 +265,7 @@ impl ColourSheet {
         Ok(Self {
             seen: seen.collect(),
             band,
+            examples,
             surface,
             smoothest,
             fourier,
@@ -328,6 +336,7 @@ mod tests {
     use super::*;
     use crate::{
         app::{App, Command, assert_says, command::MadeFor},
+        color::Observer,
         spectrum::Kind,
     };
 
@@ -361,11 +370,25 @@ mod tests {
         assert_eq!(found.swatch().hex(), "#c08040");
         assert_eq!((found.under.len(), found.facts().len()), (UNDER.len(), 3));
         assert_says(&found.sentence(), "#c08040");
+        // The examples are surfaces, and have the colour that was asked for.
+        assert_eq!(found.examples.len(), 8);
+        let seen = &found.seen[0];
+        let viewing = Viewing::new(
+            &table_of(App::new().document(), "cie_illuminants/CIE D65").expect("a light"),
+            Observer::CIE_1931,
+        );
+        for example in &found.examples {
+            assert!(example.iter().all(|v| (0.0..=1.0).contains(v)));
+            let xyz = viewing.as_ref().expect("it shines").xyz(example);
+            let off = [xyz.x - seen.xyz.x, xyz.y - seen.xyz.y, xyz.z - seen.xyz.z];
+            // The smoothest has it to 1e-7 of the white, the rest is rounding.
+            assert!(off.iter().all(|off| off.abs() < 1e-6), "{off:?}");
+        }
         // The band is of single wavelengths, and of what is straight between its points.
         assert_says(&found.sentence(), "At a single wavelength");
         assert_says(&found.sentence(), "between points 5 nm apart");
         assert_says(&found.sentence(), "standard observer");
-        assert_says(&found.sentence(), "artanh");
+        assert_says(&found.sentence(), "smoothest");
     }
 
     #[test]

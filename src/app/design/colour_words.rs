@@ -48,8 +48,7 @@ impl ColourSheet {
                 });
                 let each: Vec<String> = each.collect();
                 format!(
-                    "The smoothest surface of {} (least slope of artanh(2r - 1)) reflects {low:.0} \
-                     to {high:.0} %.",
+                    "The smoothest surface of {} reflects {low:.0} to {high:.0} %.",
                     each.join(" and ")
                 )
             }
@@ -57,9 +56,8 @@ impl ColourSheet {
         let spread = self.spread().map_or_else(String::new, |spread| {
             let per_cent = 100.0 * spread;
             format!(
-                " At a single wavelength, surfaces that match it under {light} to the standard \
-                 observer can be anywhere within {per_cent:.0} % of reflectance, on average over \
-                 the wavelengths (of all that are straight between points 5 nm apart)."
+                " Surfaces that match it under {light} range over {per_cent:.0} % of reflectance at a \
+                 wavelength, on average."
             )
         });
         format!("{first}{spread}")

@@ -15,7 +15,7 @@ use crate::{
     },
     color::{
         Observer, Srgb, Swatch, Xyz,
-        quality::{Light, Rendering, rendering},
+        quality::{Light, RENDERING_NAMES, Rendering, rendering},
         uv_1976_from_xyz,
         xyz::xyz_from_nm_values,
     },
@@ -25,6 +25,24 @@ use crate::{
         solve::{MixFigures, Mixer},
     },
 };
+
+/// From which value on a figure is good, and from which it is fair: what standards and
+/// specifications of lamps commonly ask for.
+const GOOD_RA: [f64; 2] = [90.0, 80.0];
+const GOOD_R9: [f64; 2] = [50.0, 20.0];
+const GOOD_RF: [f64; 2] = [85.0, 75.0];
+
+/// A figure that a light is chosen by.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MainFigure {
+    pub name: &'static str,
+    /// With its unit.
+    pub value: String,
+    /// How good it is; may be empty.
+    pub word: &'static str,
+    /// A sentence.
+    pub meaning: &'static str,
+}
 
 /// A channel as a light, behind the gels.
 #[derive(Clone, Debug)]
@@ -144,6 +162,96 @@ impl Desk {
         }
     }
 
+    /// What the light is and what it does to colours, a sentence.
+    pub fn headline(&self) -> String {
+        let figures = self.figures.as_ref();
+        let Some((figures, cct)) = figures.and_then(|figures| Some((figures, figures.cct?))) else {
+            return self.sentence();
+        };
+        let what = tint::light_words(cct);
+        let light = format!("{what} of {}", tint::kelvin_words(cct.kelvin));
+        let colours = match figures.ra {
+            None => return format!("{light}."),
+            Some(ra) if ra >= GOOD_RA[0] => "colours look right",
+            Some(ra) if ra >= GOOD_RA[1] => "colours look almost right",
+            Some(ra) if ra >= 60.0 => "colours look visibly wrong",
+            Some(_) => "colours look wrong",
+        };
+        let samples = self.rendering.iter().flat_map(|found| &found.samples);
+        let indices = samples.map(|sample| sample.index).enumerate();
+        let worst = indices.min_by(|a, b| a.1.total_cmp(&b.1));
+        let worst = worst.filter(|(_, index)| *index < GOOD_R9[1]);
+        let worst = worst.map_or_else(String::new, |(at, index)| {
+            format!(
+                ", {} most of all (R{} {index:.0})",
+                RENDERING_NAMES[at],
+                at + 1
+            )
+        });
+        format!("{light}: {colours}{worst}.")
+    }
+
+    /// The figures that a light is chosen by, with a word where one is good or low.
+    pub fn main_figures(&self) -> Vec<MainFigure> {
+        let Some(figures) = self.figures.as_ref().filter(|f| f.xyz.is_some()) else {
+            return Vec::new();
+        };
+        let whole = |value: Option<f64>| value.map_or("–".to_owned(), |v| format!("{v:.0}"));
+        let word = |value: Option<f64>, [good, fair]: [f64; 2]| match value {
+            None => "",
+            Some(value) if value >= good => "good",
+            Some(value) if value >= fair => "fair",
+            Some(_) => "low",
+        };
+        let (cct, r9) = (figures.cct, self.r9());
+        let rf_rg = format!("{}, {}", whole(figures.rf), whole(figures.rg));
+        let figure = |name, value, word, meaning| MainFigure {
+            name,
+            value,
+            word,
+            meaning,
+        };
+        vec![
+            figure(
+                "White",
+                cct.map_or("–".to_owned(), |cct| tint::kelvin_words(cct.kelvin)),
+                cct.map_or("coloured", tint::tint),
+                "Correlated colour temperature.",
+            ),
+            figure(
+                "Duv",
+                cct.map_or("–".to_owned(), |cct| format!("{:+.4}", cct.duv)),
+                "",
+                "Distance from the line of blackbodies: above 0 greenish, below 0 pinkish.",
+            ),
+            figure(
+                "Light",
+                format!("{:.0} lm/W", figures.ler),
+                "",
+                "Luminous efficacy: lumens for each watt of radiation, not of electric power.",
+            ),
+            figure(
+                "CRI Ra",
+                whole(figures.ra),
+                word(figures.ra, GOOD_RA),
+                "Colour rendering index, a mean over 8 pale test colours: good from 90 on.",
+            ),
+            figure(
+                "CRI R9",
+                whole(r9),
+                word(r9, GOOD_R9),
+                "Rendering of a strong red: good from 50 on.",
+            ),
+            figure(
+                "TM-30 Rf, Rg",
+                rf_rg,
+                word(figures.rf, GOOD_RF),
+                "Fidelity over 99 surfaces, good from 85 on, and gamut: above 100 colours are more \
+                 vivid than under the reference.",
+            ),
+        ]
+    }
+
     /// The channels as a table: specification, fader, share of the power, DMX values.
     pub fn table(&self) -> Table {
         // A gel leaves every channel another share of its power.
@@ -243,6 +351,29 @@ mod tests {
         for part in [&tint::kelvin_words(cct.kelvin), "R9 ", "Rg "] {
             assert_says(&sentence, part);
         }
+    }
+
+    #[test]
+    fn the_headline_names_what_suffers_most_and_the_figures_say_the_same() {
+        let desk = Desk::of(App::new().document());
+        let found = desk.rendering.as_ref().expect("a white");
+        let worst = found.samples.iter().map(|s| s.index).fold(100.0, f64::min);
+        let at = found.samples.iter().position(|s| s.index == worst);
+        let at = at.expect("one of 15");
+        assert!(worst < 20.0, "{worst}");
+        let words = desk.headline();
+        assert_says(&words, &format!("R{} {worst:.0}", at + 1));
+        assert_says(&words, RENDERING_NAMES[at]);
+        let shown = desk.main_figures();
+        assert_eq!(shown.len(), 6);
+        let r9 = &shown[4];
+        let figures = desk.r9().expect("a white");
+        assert_eq!(r9.value, format!("{figures:.0}"));
+        assert_eq!(r9.word, if figures < 20.0 { "low" } else { "fair" });
+        // Of what does not shine there is nothing to say.
+        let dark = put_on_desk(&mut App::new(), Mix::default());
+        assert!(dark.main_figures().is_empty());
+        assert_eq!(dark.headline(), dark.sentence());
     }
 
     #[test]

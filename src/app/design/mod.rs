@@ -29,6 +29,6 @@ mod telling;
 pub mod wish;
 
 pub use colour_words::method_name;
-pub use desk::{Desk, Strip};
+pub use desk::{Desk, MainFigure, Strip};
 pub use surfaces::{Beside, DeskSurfaces, beside};
 pub use telling::Telling;

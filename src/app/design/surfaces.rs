@@ -18,11 +18,11 @@ use crate::{
 #[serde(rename_all = "lowercase")]
 pub enum DeskSurfaces {
     /// The fifteen test colours of Ra.
-    #[default]
     Test,
     /// Skin, leaves, bread and the like.
     Everyday,
     /// The patches of the document.
+    #[default]
     Patches,
 }
 
@@ -35,7 +35,7 @@ impl DeskSurfaces {
         match self {
             Self::Test => "Test colours",
             Self::Everyday => "Everyday surfaces",
-            Self::Patches => "Patches",
+            Self::Patches => "Surfaces of Look",
         }
     }
 
@@ -44,7 +44,9 @@ impl DeskSurfaces {
         match self {
             Self::Test => "The fifteen test colours of the colour rendering index.",
             Self::Everyday => "Surfaces from every day, by the names that people use.",
-            Self::Patches => "The set of surfaces that is chosen on the page Spectrum.",
+            Self::Patches => {
+                "The set of surfaces that is chosen on the page Spectrum: at first 24."
+            }
         }
     }
 }

@@ -10,6 +10,7 @@ use crate::{
     app::{document::Document, make::table_of, state::App},
     color::{
         Swatch, Xyz,
+        quality::diagram::xy_from_uv_1976,
         xyz::{FIRST_NM, LAST_NM},
     },
     design::{
@@ -122,6 +123,17 @@ impl MixWish {
             xy: Some(xy),
             ..self
         }
+    }
+
+    /// The same wish for the colour at a place of CIE 1976 u'v'.
+    #[must_use]
+    pub fn at_uv(self, uv: [f64; 2]) -> Self {
+        Self {
+            light: None,
+            xy: Some(xy_from_uv_1976(uv)),
+            ..self
+        }
+        .clamped()
     }
 
     /// Whether two wishes ask for the same faders: the front's own settings do not matter.

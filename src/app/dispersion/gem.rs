@@ -5,7 +5,10 @@
 
 use std::{sync::Arc, time::Instant};
 
-use super::gem_memory::{GemColour, GemMemory};
+use super::{
+    gem_memory::{GemColour, GemMemory},
+    words::listed,
+};
 use crate::{
     app::{memo::ByAddress, state::App, studies::Question, verdicts::Seen},
     color::Observer,
@@ -303,25 +306,62 @@ impl Question for NoiseAsk {
 }
 
 /// The noise of a picture in words.
-fn noise_words(noise: &Noise) -> String {
+pub fn noise_words(noise: &Noise) -> String {
     let delta = noise.delta_e_on_gem.unwrap_or(noise.delta_e_median);
     let seen = Seen::of(delta).seen();
     format!("the noise, \u{394}E\u{2080}\u{2080} {delta:.1} in blocks of 8 x 8 pixels, is {seen}")
 }
 
 /// What the page shows, a sentence.
-pub fn sentence(app: &App, memory: &GemMemory, light: &str, noise: Option<&Noise>) -> String {
-    let gem = memory.made_of.in_words(app);
-    let facets = memory.cut.facets();
+pub fn sentence(app: &App, memory: &GemMemory, lights: &[Light]) -> String {
+    let gem = capitalised(&memory.made_of.in_words(app));
     let figures = memory.made_of.material(app).ok().and_then(|m| m.abbe());
-    let fire = figures.map_or_else(String::new, |figures| {
+    let bends = figures.map_or_else(String::new, |figures| {
         format!(
-            ", fire {:.3} (how far apart it bends red and violet)",
+            " bends violet more than red (n differs by {:.3})",
             figures.fire
         )
     });
-    let noise = noise.map_or_else(String::new, |noise| format!("; {}", noise_words(noise)));
-    format!("A brilliant of {gem} under {light}: {facets} facets{fire}{noise}.")
+    let one_colour = |light: &&Light| is_of_one_colour(light);
+    let (flat, colourful): (Vec<&Light>, Vec<&Light>) = lights.iter().partition(one_colour);
+    let name = |light: &Light| light.name.clone();
+    let names = |lights: &[&Light]| {
+        let names: Vec<String> = lights.iter().map(|light| name(light)).collect();
+        listed(&names)
+    };
+    match (&colourful[..], &flat[..]) {
+        ([], flat) => format!("{gem}{bends}, but {} has one colour: no fire.", names(flat)),
+        (colourful, []) => format!("{gem}{bends}: it splits {} into fire.", names(colourful)),
+        (colourful, flat) => format!(
+            "{gem}{bends}: it splits {} into fire, but not {}, which has one colour.",
+            names(colourful),
+            names(flat)
+        ),
+    }
+}
+
+/// Most light of a light of one colour that is elsewhere than near its brightest line, and how near,
+/// nm.
+const ONE_COLOUR: f64 = 0.02;
+const NEAR_NM: f64 = 2.0;
+
+/// Whether nearly all that is seen of a light is of one place, as of a sodium lamp.
+fn is_of_one_colour(light: &Light) -> bool {
+    let y = |light: Option<Light>| light.map_or(0.0, |light| light.white(Observer::default()).y);
+    let table = Observer::default().table();
+    let lines = || {
+        light
+            .seen_spikes()
+            .map(|line| (line.at_nm, line.weight * table.at(line.at_nm)[1]))
+    };
+    let brightest = lines().max_by(|a, b| a.1.total_cmp(&b.1));
+    let Some((at_nm, _)) = brightest else {
+        return false;
+    };
+    let near = lines().filter(|(nm, _)| (nm - at_nm).abs() < NEAR_NM);
+    let [near, all] = [near.map(|l| l.1).sum::<f64>(), lines().map(|l| l.1).sum()];
+    let in_lines = y(light.lines_alone()) / y(Some(light.clone()));
+    near * in_lines >= (1.0 - ONE_COLOUR) * all
 }
 
 /// What of a light is not in the picture as it is, sentences.
@@ -396,6 +436,23 @@ mod tests {
 
     fn scene() -> GemScene {
         GemScene::of(&App::new(), &small()).expect("a gem")
+    }
+
+    #[test]
+    fn a_sodium_lamp_has_one_colour_and_no_fire() {
+        let app = App::new();
+        let sodium = app.entry("line_tubes/Sodium tube").expect("shipped");
+        let mercury = app.entry("line_tubes/Mercury tube").expect("shipped");
+        let light = |entry| {
+            super::super::another_light(&app, entry, super::super::Sent::Measured)
+                .expect("it shines")
+        };
+        let memory = GemMemory::default();
+        let lights = [light(&mercury), light(&sodium)];
+        assert!(is_of_one_colour(&lights[1]) && !is_of_one_colour(&lights[0]));
+        let words = sentence(&app, &memory, &lights);
+        assert_says(&words, "splits Mercury tube into fire, but not Sodium tube");
+        assert_says(&sentence(&app, &memory, &lights[1..]), "no fire");
     }
 
     #[test]

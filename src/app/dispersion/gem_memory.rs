@@ -117,11 +117,12 @@ impl Default for GemMemory {
             cut: Brilliant::default(),
             turn_deg: USUAL_TURN_DEG,
             height_deg: USUAL_HEIGHT_DEG,
-            size: 360,
-            rays: 32,
+            size: 480,
+            rays: 16,
             stops: 0.0,
             part: LightPart::Whole,
-            under: Some("cie_illuminants/CIE D65".to_owned()),
+            // One colour: what it leaves of a gem's fire is the plainest difference.
+            under: Some("line_tubes/Sodium tube".to_owned()),
             sent: Sent::Measured,
         }
     }

@@ -86,30 +86,27 @@ pub enum Handle {
     Apex,
     /// A jaw of the slit.
     Slit,
-    Screen,
 }
 
 impl Handle {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::Apex, Self::Slit, Self::Screen];
+    pub const ALL: [Self; 2] = [Self::Apex, Self::Slit];
 
     /// What it moves, in words for people.
     pub fn title(self) -> &'static str {
         match self {
             Self::Apex => "Apex angle",
             Self::Slit => "Slit",
-            Self::Screen => "Distance of the screen",
         }
     }
 }
 
 impl PrismMemory {
-    /// A hand moved a handle: degrees of the apex, mm of the others, as far as the sliders reach.
+    /// A hand moved a handle: degrees of the apex, mm of the slit, as far as the sliders reach.
     pub fn set(&mut self, handle: Handle, value: f64) {
         let (to, range) = match handle {
             Handle::Apex => (&mut self.apex_deg, APEXES_DEG),
             Handle::Slit => (&mut self.slit_mm, SLITS_MM),
-            Handle::Screen => (&mut self.screen_mm, SCREENS_MM),
         };
         *to = moved(value, ends(range), *to);
     }
@@ -197,6 +194,23 @@ pub struct DispersionMemory {
 }
 
 impl DispersionMemory {
+    /// A second light that was chosen stands beside the light in prism and rainbow too; where it is
+    /// let go of, what stood there at first.
+    pub fn follow_second(&mut self, is_there: bool) {
+        let usual = Self::default();
+        let both = [
+            (&mut self.prism.beside, usual.prism.beside),
+            (&mut self.rainbow.beside, usual.rainbow.beside),
+        ];
+        for (beside, usual) in both {
+            match (is_there, *beside) {
+                (true, _) => *beside = Beside::Overlaid,
+                (false, Beside::Overlaid) => *beside = usual,
+                (false, _) => {}
+            }
+        }
+    }
+
     /// Every value moved to the nearest one that is allowed.
     #[must_use]
     pub fn clamped(self) -> Self {
@@ -241,10 +255,9 @@ mod tests {
         let mut prism = PrismMemory::default();
         prism.set(Handle::Apex, 45.0);
         prism.set(Handle::Slit, -1.0);
-        prism.set(Handle::Screen, 1e9);
-        prism.set(Handle::Screen, f64::NAN);
-        let found = (prism.apex_deg, prism.slit_mm, prism.screen_mm);
-        assert_eq!(found, (45.0, *SLITS_MM.start(), *SCREENS_MM.end()));
+        prism.set(Handle::Apex, f64::NAN);
+        let found = (prism.apex_deg, prism.slit_mm);
+        assert_eq!(found, (45.0, *SLITS_MM.start()));
         assert!(prism.at_minimum);
         prism.turn(Some(50.0), 3.0);
         assert_eq!((prism.at_minimum, prism.incidence_deg), (false, 53.0));

@@ -16,9 +16,11 @@ mod strip;
 mod substance;
 mod words;
 
-pub use drawing::{BenchDrawing, DrawnRay, Grip};
+pub use drawing::{BenchDrawing, DrawnRay, Grip, Leaves, MostBent};
 pub use drop::{DropDrawing, DropRay};
-pub use gem::{GemFilm, GemPass, GemScene, NoiseAsk, facts_of, next_pass, places, sentence};
+pub use gem::{
+    GemFilm, GemPass, GemScene, NoiseAsk, facts_of, next_pass, noise_words, places, sentence,
+};
 pub use gem_file::{GemFile, GemForm, gem_exr};
 pub use gem_memory::{
     CutSlider, GREYS, GemColour, GemMemory, LightPart, RAYS_SHOWN, SIZES_SHOWN, THICKNESSES,

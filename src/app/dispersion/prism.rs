@@ -10,7 +10,10 @@ use super::{
 use crate::{
     app::state::App,
     io::many::{capitalised, many},
-    optics::{Bench, BenchSettings, Incidence, Landing, Light, Screen, Strip, prism_csv},
+    optics::{
+        Bench, BenchError, BenchSettings, Incidence, Landing, Light, Limits, Material, Screen,
+        Strip, prism_csv,
+    },
 };
 
 /// Columns of the screen.
@@ -27,7 +30,7 @@ pub struct PrismShown {
     pub drawing: Option<BenchDrawing>,
     /// How the light meets the prism, degrees.
     pub incidence_deg: Option<f64>,
-    /// Ends of the screen, mm.
+    /// Ends of the screen, mm: the left one, where light is bent more, first.
     pub ends_mm: [f64; 2],
     /// Wavelengths with their places on it, nm and mm, by rising wavelength.
     pub scale: Vec<[f64; 2]>,
@@ -86,24 +89,65 @@ fn settings(memory: &PrismMemory) -> BenchSettings {
 impl PrismShown {
     /// Of the state.
     pub fn of(app: &App, memory: &PrismMemory) -> Self {
-        let made = document_light(app, memory.sent).and_then(|light| {
-            let material = memory.made_of.material(app)?;
-            if let Some(why) = material.not_transparent_for(&light) {
-                return Err(capitalised(&format!("{why}.")));
-            }
-            let bench = Bench::new(settings(memory), material)
-                .map_err(|why| capitalised(&format!("{why}.")))?;
-            let screen = bench.whole_screen(&light, COLUMNS);
-            let screen = screen.ok_or_else(|| "No light reaches the screen.".to_owned())?;
-            Ok((light, bench, screen))
-        });
-        match made {
-            Ok((light, bench, screen)) => Self::found(app, memory, &light, bench, screen),
-            Err(sentence) => Self {
-                sentence,
-                ends_mm: [0.0, 1.0],
-                ..Self::default()
-            },
+        let nothing = |sentence| Self {
+            sentence,
+            ends_mm: [1.0, 0.0],
+            ..Self::default()
+        };
+        let light = match document_light(app, memory.sent) {
+            Ok(light) => light,
+            Err(why) => return nothing(why),
+        };
+        let material = match memory.made_of.material(app) {
+            Ok(material) => material,
+            Err(why) => return nothing(why),
+        };
+        if let Some(why) = material.not_transparent_for(&light) {
+            return nothing(capitalised(&format!("{why}.")));
+        }
+        let settings = settings(memory);
+        let bench = match Bench::new(settings.clone(), material.clone()) {
+            Ok(bench) => bench,
+            Err(why) => return Self::dark(app, &settings, &material, (&light, &why)),
+        };
+        match bench.whole_screen(&light, COLUMNS) {
+            Some(screen) => Self::found(app, memory, &light, bench, screen),
+            None => nothing("No light reaches the screen.".to_owned()),
+        }
+    }
+
+    /// Where no light leaves the second face: where it goes instead.
+    fn dark(
+        app: &App,
+        settings: &BenchSettings,
+        material: &Material,
+        (light, why): (&Light, &BenchError),
+    ) -> Self {
+        let lines = lines_of(app, light);
+        let observer = app.document().settings.observer;
+        let sentence = match why.reflected_beyond() {
+            None => capitalised(&format!("{why}.")),
+            Some(Limits {
+                smallest_incidence_deg: Some(smallest),
+                ..
+            }) => format!(
+                "Total reflection: no light leaves the second face. Let it meet the prism at more \
+                 than {smallest:.1}\u{b0}."
+            ),
+            Some(Limits {
+                largest_apex_deg, ..
+            }) => format!(
+                "Total reflection: no light leaves the second face. Make the apex smaller than \
+                 {largest_apex_deg:.1}\u{b0}."
+            ),
+        };
+        let is_reflected = why.reflected_beyond().is_some();
+        Self {
+            sentence,
+            drawing: BenchDrawing::dark(settings, material, (light, &lines, observer))
+                .filter(|_| is_reflected),
+            ends_mm: [1.0, 0.0],
+            ..Self::default()
         }
     }
 
@@ -121,11 +165,16 @@ impl PrismShown {
         let doubtful = doubtful(&bench);
         let on_screen = |light: &Light, marks: Vec<(f64, String)>| {
             let strip = bench.strip(light, screen, observer);
+            // What is bent more, violet, stands at the left as on every other axis.
+            let mut colours = Colours::of(&strip.xyz, memory.stops);
+            colours.rgb.reverse();
+            let mut heights = heights(&strip);
+            heights.reverse();
             StripShown {
                 name: light.name.clone(),
-                colours: Colours::of(&strip.xyz, memory.stops),
+                colours,
                 marks,
-                heights: heights(&strip),
+                heights,
                 doubtful: doubtful.clone(),
             }
         };
@@ -134,14 +183,17 @@ impl PrismShown {
         match memory.beside.light(app, memory.sent) {
             None => {}
             Some(Err(why)) => notes.push(why),
-            Some(Ok(other)) => strips.push(on_screen(&other, Vec::new())),
+            Some(Ok(other)) => strips.push(StripShown {
+                heights: Vec::new(),
+                ..on_screen(&other, Vec::new())
+            }),
         }
         Self {
-            sentence: sentence(app, memory, light, &bench, screen, &landings),
+            sentence: sentence(app, memory, light, &bench, &landings),
             notes,
             drawing: BenchDrawing::of(&bench, light, &lines, observer),
             incidence_deg: Some(bench.prism().incidence_deg()),
-            ends_mm: screen.ends_mm,
+            ends_mm: [screen.ends_mm[1], screen.ends_mm[0]],
             scale,
             strips,
             rows: landings
@@ -270,56 +322,39 @@ fn sentence(
     memory: &PrismMemory,
     light: &Light,
     bench: &Bench,
-    screen: Screen,
     landings: &[(&Line, Option<Landing>)],
 ) -> String {
     let glass = memory.made_of.in_words(app);
-    let through = format!(
-        "{} through {:.0}\u{b0} of {glass}",
+    let bends = |nm: f64| Some(bench.landing(nm).ok()??.deviation_deg);
+    let bent: Vec<f64> = (380..=780).filter_map(|nm| bends(f64::from(nm))).collect();
+    let least = bent.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = bent.iter().copied().fold(0.0, f64::max);
+    let spreads = format!(
+        "A {:.0}\u{b0} prism of {glass} spreads {} over {:.1}\u{b0}",
+        bench.prism().apex_deg(),
         light.name,
-        bench.prism().apex_deg()
+        most - least,
     );
     let seen: Vec<Landing> = landings
         .iter()
         .filter_map(|(_, landing)| *landing)
         .collect();
-    let wide = screen.ends_mm[1] - screen.ends_mm[0];
-    let (Some(first), Some(last)) = (seen.first(), seen.last()) else {
-        return format!("{through}: no line, one smooth band {wide:.0} mm wide.");
+    let count = match seen.len() {
+        0 => return format!("{spreads}: no line, one smooth band."),
+        1 => return format!("{spreads}; its line of {} is one ray.", nm(seen[0].at_nm)),
+        count => many(count, "line", "lines"),
     };
-    if seen.len() == 1 {
-        return format!(
-            "{through}: its line of {} is turned by {:.2}\u{b0} and {:.2} mm wide.",
-            nm(first.at_nm),
-            first.deviation_deg,
-            first.width_mm
-        );
-    }
-    let widths = || seen.iter().map(|landing| landing.width_mm);
-    let least = widths().fold(f64::INFINITY, f64::min);
-    let most = widths().fold(0.0, f64::max);
     let images: Vec<[f64; 2]> = seen.iter().map(|l| [l.x_mm, l.width_mm]).collect();
     let pair = |i: usize| format!("{:.1} with {}", seen[i].at_nm, nm(seen[i + 1].at_nm));
     let together: Vec<String> = touching(&images).into_iter().map(pair).collect();
-    let apart = match together.len() {
-        0 => "all stand apart".to_owned(),
-        n if n + 1 == seen.len() => "all run together".to_owned(),
+    match together.len() {
+        0 => format!("{spreads}; its {count} all stand apart."),
+        n if n + 1 == seen.len() => format!("{spreads}; its {count} all run together."),
         _ => format!(
-            "{} runs together, the others stand apart",
+            "{spreads}; of its {count} {} runs together, the others stand apart.",
             listed(&together)
         ),
-    };
-    format!(
-        "{through}: {} turned by {:.2}\u{b0} ({}) to {:.2}\u{b0} ({}), {:.2} to {:.2} mm wide; \
-         {apart}.",
-        many(seen.len(), "line", "lines"),
-        last.deviation_deg,
-        nm(last.at_nm),
-        first.deviation_deg,
-        nm(first.at_nm),
-        least,
-        most,
-    )
+    }
 }
 
 /// A line's figures in the order of the table.
@@ -407,7 +442,7 @@ mod tests {
     }
 
     #[test]
-    fn a_bench_without_light_says_why() {
+    fn a_bench_without_light_says_why_and_shows_where_it_goes() {
         for memory in [
             PrismMemory {
                 made_of: Substance::Shipped(BuiltinMaterial::Diamond),
@@ -420,9 +455,11 @@ mod tests {
             },
         ] {
             let shown = shown(&memory);
-            assert!(shown.drawing.is_none() && shown.strips.is_empty());
-            assert!(shown.sentence.ends_with('.'), "{}", shown.sentence);
-            assert!(shown.sentence.len() > 20, "{}", shown.sentence);
+            assert_says(&shown.sentence, "Total reflection");
+            // The light goes somewhere, and the handles stay.
+            let drawing = shown.drawing.expect("total reflection is drawn");
+            assert!(drawing.most_bent.is_none() && shown.strips.is_empty());
+            assert!(drawing.lines.iter().all(|ray| ray.way.len() > 2));
         }
         let grazing = PrismMemory {
             at_minimum: false,
@@ -461,7 +498,7 @@ mod tests {
         let most = |k: usize| tube.heights.iter().map(|h| h[k]).fold(0.0, f64::max);
         let (all, smooth) = (most(0), most(1));
         assert!((all - 1.0).abs() < 1e-12 && smooth < 0.8, "{smooth}");
-        assert!(bulb.heights.iter().all(|[all, smooth]| all == smooth));
+        assert!(bulb.heights.is_empty(), "the light alone is plotted");
         assert_eq!(tube.heights.len(), COLUMNS);
     }
 

@@ -20,6 +20,9 @@ use crate::{
 /// Columns of the strip of sky.
 const COLUMNS: usize = 1000;
 
+/// Yellow light, in the middle of the bow, nm.
+const YELLOW_NM: f64 = 580.0;
+
 /// The sky over drops of water: made once, then every light is a sum.
 pub fn sky() -> Sky {
     Sky::new(BuiltinMaterial::Water.material(), COLUMNS)
@@ -34,6 +37,8 @@ pub struct RainbowShown {
     pub notes: Vec<String>,
     /// Ends of the strips, degrees from the point opposite the sun.
     pub ends_deg: [f64; 2],
+    /// Where the first bow of yellow light stands, degrees.
+    pub first_deg: Option<f64>,
     /// A drop in section, with rays of the light.
     pub drop: Option<DropDrawing>,
     /// The sky under the light and under another one.
@@ -79,6 +84,8 @@ impl RainbowShown {
         }
         let lines: Vec<Line> = bows.iter().map(|(line, _)| line.clone()).collect();
         shown.drop = Some(DropDrawing::of(sky.material(), &light, &lines, memory));
+        let yellow = Bows::new(sky.material(), YELLOW_NM).ok();
+        shown.first_deg = yellow.and_then(|bows| angle(&bows, false));
         shown.sentence = sentence(&light, &bows, sky, memory.disc);
         shown.strips.push(strip(&light, marks));
         match memory.beside.light(app, memory.sent) {
@@ -129,13 +136,10 @@ fn sentence(light: &Light, bows: &[(Line, Bows)], sky: &Sky, disc: bool) -> Stri
     if bows.is_empty() {
         // Violet and red where the eye still sees them well.
         return format!(
-            "{name} makes a smooth rainbow: from violet at {:.1}\u{b0} (420 nm) to red at \
-             {:.1}\u{b0} (680 nm), and the second bow the other way round, {:.1}\u{b0} to \
-             {:.1}\u{b0}.",
+            "{name} makes a smooth rainbow from violet at {:.1}\u{b0} to red at {:.1}\u{b0}, and \
+             the second bow the other way round.",
             at(420.0, false),
             at(680.0, false),
-            at(680.0, true),
-            at(420.0, true),
         );
     }
     let width = if disc { SUN_DEG } else { 0.0 };
@@ -146,16 +150,9 @@ fn sentence(light: &Light, bows: &[(Line, Bows)], sky: &Sky, disc: bool) -> Stri
             .collect();
         places.len() - touching(&places).len()
     };
-    let range = |secondary: bool| {
-        let places = bows.iter().filter_map(|(_, bows)| angle(bows, secondary));
-        places.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
-            [a.min(v), b.max(v)]
-        })
-    };
-    let ([a, b], [c, d]) = (range(false), range(true));
     format!(
-        "{name}: each of its {} makes a bow of its own, seen as {} in the first rainbow \
-         ({a:.1}\u{b0} to {b:.1}\u{b0}) and {} in the second ({c:.1}\u{b0} to {d:.1}\u{b0}).",
+        "If {name} were the sun: each of its {} makes a bow of its own, {} in the first rainbow and \
+         {} in the second.",
         many(bows.len(), "line", "lines"),
         many(stripes(false), "stripe", "stripes"),
         stripes(true),

@@ -1,5 +1,6 @@
 //! From the light in columns to the colours of a screen.
 
+use super::sent::Sent;
 use crate::{
     app::chart::Rgb,
     color::{Observer, Srgb, Xyz},
@@ -38,6 +39,10 @@ pub(super) fn smooth_is_seen(light: &Light, observer: Observer) -> bool {
 /// How bright that column is shown, of the screen's largest channel.
 const LEVEL: f64 = 0.45;
 
+/// The power of its brightness that a column is shown by: what is dim is seen beside what is bright,
+/// violet beside green.
+const DIM: f64 = 0.6;
+
 /// A column below this share of the brightest is dark.
 const DARK: f64 = 1e-6;
 
@@ -62,7 +67,9 @@ impl Colours {
         let gain = usual.map_or(0.0, |level| LEVEL / level) * stops.exp2();
         let share = |count: usize| count as f64 / levels.len().max(1) as f64;
         let colour = |(linear, _): &([f64; 3], bool)| {
-            let scale = gain / (gain * peak(linear)).max(1.0);
+            let level = peak(linear);
+            let shown = (gain * level).max(0.0).powf(DIM).min(1.0);
+            let scale = if level > 0.0 { shown / level } else { 0.0 };
             Srgb::from_linear(linear.map(|v| v * scale)).0
         };
         Self {
@@ -73,26 +80,25 @@ impl Colours {
         }
     }
 
-    /// What is not shown as it is, in words; empty where all is.
-    pub fn words(&self) -> String {
-        let percent = |share: f64| format!("{:.0} %", 100.0 * share);
+    /// What is not shown as it is, sentences; empty where all is.
+    pub fn words(&self, sent: Sent) -> String {
         let mut said = Vec::new();
         if self.mixed > 0.0 {
-            said.push(format!(
-                "{} of it is purer than any screen: mixed with white of the same brightness",
-                percent(self.mixed)
-            ));
+            said.push(
+                "These colours are purer than a screen can show, so white is mixed in.".to_owned(),
+            );
         }
         if self.too_bright > 0.0 {
             said.push(format!(
-                "{} is brighter than the screen at this exposure",
-                percent(self.too_bright)
+                "{:.0} % of it is brighter than the screen at this exposure.",
+                100.0 * self.too_bright
             ));
         }
-        if self.below_zero {
-            said.push("the light is below zero in places, drawn black".to_owned());
+        // Beside a measured line so little may be left that it is below zero: that is no dark place.
+        if self.below_zero && sent == Sent::Model {
+            said.push("The model is below zero in places: they are drawn black.".to_owned());
         }
-        said.join("; ")
+        said.join(" ")
     }
 }
 
@@ -128,8 +134,9 @@ mod tests {
             Colours::of(&columns, 0.0)
         };
         let (tube, phosphor) = (strip(0.01), strip(0.5));
-        // A column of the glow is 1e-5 of all light, a line .2 of it: .45 x 5e-5 of full scale.
-        assert_eq!((tube.rgb[100], tube.rgb[200]), ([0; 3], tube.rgb[0]));
+        // A column of the glow is 1e-5 of all light, a line .2 of it: (.45 x 5e-5)^.6 of full scale
+        // is 5 of 255, darker than a dark room.
+        assert_eq!((tube.rgb[100], tube.rgb[200]), ([5; 3], tube.rgb[0]));
         assert!(tube.rgb[0][1] > 150, "{:?}", tube.rgb[0]);
         assert!(phosphor.rgb[100][1] > 150, "{:?}", phosphor.rgb[100]);
     }
@@ -138,7 +145,8 @@ mod tests {
     fn no_light_is_black_without_a_word_missing() {
         let shown = Colours::of(&[Xyz::ZERO, Xyz::new(-1.0, -1.0, -1.0)], 3.0);
         assert_eq!(shown.rgb, [[0; 3]; 2]);
-        assert!(shown.words().contains("below zero"));
+        assert!(shown.words(Sent::Model).contains("below zero"));
+        assert!(!shown.words(Sent::Measured).contains("below zero"));
         assert!(Colours::of(&[], 0.0).rgb.is_empty());
     }
 }

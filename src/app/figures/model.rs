@@ -40,13 +40,13 @@ impl Measure {
             ),
             Self::Patches => delta_e(
                 "delta_e_patches_mean",
-                ["patches' mean", "patches"],
-                "on the patches (mean)",
+                ["mean of the surfaces", "patches"],
+                "on the surfaces (mean)",
                 "Mean CIEDE2000 of the patches under the light, products at 1 nm.",
             ),
             Self::PatchesWorst => delta_e(
                 "delta_e_patches_max",
-                ["worst patch", "worst"],
+                ["worst surface", "worst"],
                 "on every patch",
                 "Largest CIEDE2000 of the patches under the light, products at 1 nm.",
             ),

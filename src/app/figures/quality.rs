@@ -302,7 +302,7 @@ static BEFORE_SINGLES: &[QualityFigure] = &[
     })
     .json(&["rg"])
     .measured_as(|q| same(q, &Quantity::Rg))
-    .read(|_, rg| verdicts::of_rg(rg).to_owned()),
+    .read(|_, rg| verdicts::of_rg(rg)),
     row(["ssi", "SSI"], Unit::NONE, 0, OF_SSI, |f| {
         Ok(f.similarity.clone()?.of_cct?.1)
     })

@@ -57,7 +57,7 @@ impl Condition {
             return !document.is_about_light() && is(document.subject_entry(), name);
         }
         if let Some(name) = &self.overlay {
-            return document.overlays.iter().any(|overlay| is(overlay, name));
+            return document.laid_over().any(|overlay| is(overlay, name));
         }
         if let Some(names) = &self.chain {
             let chain = &document.products.chain;

@@ -135,7 +135,7 @@ const OF_DOCUMENT: [OfDocument; 20] = [
         "overlay_count",
         "spectra compared with it",
         Unit::NONE,
-        |s| Some(s.app.document().overlays.len() as f64),
+        |s| Some(s.app.document().laid_over().count() as f64),
     ),
     row(
         "delta_e_overlay",
@@ -233,7 +233,7 @@ fn lines_bought(scene: &Scene<'_>, goal: Goal) -> Option<f64> {
 
 /// Lights equally bright, or surfaces under the light.
 fn beside_overlay(document: &Document) -> Option<f64> {
-    let overlay = document.overlays.first()?;
+    let overlay = document.laid_over().next()?;
     let own = match overlay.kind() {
         Kind::Light => &document.light,
         _ => document.factor.as_ref()?,

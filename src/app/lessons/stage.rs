@@ -290,10 +290,11 @@ impl Stage {
                 within(&wished, &nearest)?;
             }
         }
-        if let Some(name) = &self.other_light {
-            products.other_light = Some(light(app, name)?);
-        }
         app.apply(Command::Products(products));
+        if let Some(name) = &self.other_light {
+            let second = light(app, name)?;
+            app.apply(Command::Compare(Some(second)));
+        }
         Ok(())
     }
 }

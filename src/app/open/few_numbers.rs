@@ -39,6 +39,11 @@ fn is_picture(bytes: &[u8]) -> bool {
     bytes.starts_with(PNG) && holds(bytes, CHUNK)
 }
 
+/// Whether a file is a picture in few numbers, by what it holds.
+pub(crate) fn is_few_numbers(path: &Path) -> bool {
+    bytes_at(path).is_some_and(|bytes| is_picture(&bytes))
+}
+
 /// The bytes of a file that may be such a picture.
 fn bytes_at(path: &Path) -> Option<Vec<u8>> {
     // Looking into a pipe would eat its beginning.

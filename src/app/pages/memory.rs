@@ -1,12 +1,14 @@
 //! What each page remembers beside the document; not part of undo.
 
+use std::path::PathBuf;
+
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::Value;
 
-use super::Page;
+use super::{Page, Place};
 use crate::{
     app::{
-        charts::quality::DiagramShows,
+        charts::quality::{DiagramShows, OfColours},
         design::{DeskSurfaces, colour::FromColour, mix::Snapshot, wish::MixWish},
         dispersion::DispersionMemory,
         picture::ImageMemory,
@@ -25,6 +27,8 @@ use crate::{
 pub struct PageMemory {
     /// The page shown.
     pub page: Page,
+    /// The pages that were shown last, one a place: the rail leads back to them.
+    pub last_of_places: Vec<Page>,
     /// Coefficients: the partial sum's order.
     pub partial_order: usize,
     /// Coefficients: which of X, Y, Z the bars are of.
@@ -57,6 +61,8 @@ pub struct PageMemory {
     pub products: ProductsMemory,
     /// Chromaticity: what the diagram shows.
     pub diagram: DiagramShows,
+    /// Colours under it: the large chart.
+    pub of_colours: OfColours,
     /// Design: desks that were kept, A, B and C.
     pub kept: [Option<Snapshot>; 3],
     /// Design: which surfaces stand under the mixture.
@@ -73,6 +79,9 @@ pub struct PageMemory {
     pub relit: RelitMemory,
     /// Lessons: names of those that were gone through.
     pub lessons_finished: Vec<String>,
+    /// A photograph of a spectrum that is to be read, once.
+    #[serde(skip)]
+    pub photograph_asked: Option<PathBuf>,
     /// A lesson that is to be begun, once.
     #[serde(skip)]
     pub lesson_asked: Option<AskedLesson>,
@@ -90,6 +99,7 @@ impl Default for PageMemory {
     fn default() -> Self {
         Self {
             page: Page::Spectrum,
+            last_of_places: Vec::new(),
             partial_order: 3,
             channel: 1,
             measure: Measure::Patches,
@@ -106,6 +116,7 @@ impl Default for PageMemory {
             words: WordsMemory::default(),
             products: ProductsMemory::default(),
             diagram: DiagramShows::default(),
+            of_colours: OfColours::default(),
             kept: [None, None, None],
             desk_surfaces: DeskSurfaces::default(),
             wish: MixWish::default(),
@@ -114,6 +125,7 @@ impl Default for PageMemory {
             dispersion: DispersionMemory::default(),
             relit: RelitMemory::default(),
             lessons_finished: Vec::new(),
+            photograph_asked: None,
             lesson_asked: None,
         }
     }
@@ -126,6 +138,24 @@ pub const SPENDABLE: std::ops::RangeInclusive<usize> = 1..=101;
 pub const RACE_BUDGETS: [usize; 7] = [8, 11, 15, 20, 25, 31, 41];
 
 impl PageMemory {
+    /// Remembers the page that is shown as the last of its place.
+    pub fn note_page(&mut self) {
+        let page = self.page;
+        if !self.last_of_places.contains(&page) {
+            self.last_of_places
+                .retain(|other| other.place() != page.place());
+            self.last_of_places.push(page);
+        }
+    }
+
+    /// Goes to the page of a place that was shown last.
+    pub fn go_to(&mut self, place: Place) {
+        self.note_page();
+        let mut last = self.last_of_places.iter();
+        let last = last.find(|page| page.place() == place).copied();
+        self.page = last.unwrap_or_else(|| place.first());
+    }
+
     /// Goes to the page "From a colour" with a screen's colour.
     pub fn ask_about_colour(&mut self, rgb: [u8; 3]) {
         self.colour = self.colour.clone().about(rgb);
@@ -140,6 +170,7 @@ impl PageMemory {
             .into_iter()
             .min_by_key(|budget| budget.abs_diff(self.race_numbers));
         Self {
+            last_of_places: one_a_place(self.last_of_places),
             partial_order: self.partial_order.min(100),
             channel: self.channel.min(2),
             ways: self.ways.clamped(),
@@ -168,6 +199,16 @@ impl PageMemory {
             ..self
         }
     }
+}
+
+/// The last page of each place.
+fn one_a_place(pages: Vec<Page>) -> Vec<Page> {
+    let mut all = PageMemory::default();
+    for page in pages {
+        all.page = page;
+        all.note_page();
+    }
+    all.last_of_places
 }
 
 /// What is asked of many lights.

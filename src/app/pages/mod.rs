@@ -30,6 +30,8 @@ pub enum Page {
     Narrow,
     /// The same surfaces under two lights.
     TwoLights,
+    /// Surfaces that are one colour under a light and two under another.
+    Metamers,
     /// Is this light that one off this surface?
     SameSurface,
     /// Figures of light quality, measured and by the model.
@@ -64,6 +66,8 @@ pub enum Page {
     Bounces,
     /// A spectral image: a pixel or a region becomes a spectrum.
     Image,
+    /// A photograph of a spectrum becomes a spectrum.
+    Photograph,
     /// Light through a prism.
     Prism,
     /// Light through drops of water.
@@ -97,6 +101,8 @@ struct Row {
     meaning: &'static str,
     /// What it is called among the modes of its tab.
     mode: &'static str,
+    /// What the tab is called that its modes share.
+    tab_title: &'static str,
 }
 
 /// A row of a tab of its own, under its only word.
@@ -117,6 +123,7 @@ const fn row(
         lesson,
         meaning,
         mode: title,
+        tab_title: title,
     }
 }
 
@@ -129,6 +136,11 @@ impl Row {
     /// With words of earlier versions.
     const fn once(self, old: &'static [&'static str]) -> Self {
         Self { old, ..self }
+    }
+
+    /// The first page of a tab that is called otherwise than the page.
+    const fn tab_called(self, tab_title: &'static str) -> Self {
+        Self { tab_title, ..self }
     }
 
     /// A tab's own page, where it is called otherwise among the modes of its tab.
@@ -152,13 +164,6 @@ const ROWS: &[Row] = &[
         ("Glossary", "glossary"),
         "",
         "What the words of this window mean.",
-    ),
-    row(
-        Page::Truth,
-        Place::Learn,
-        ("The paper checked", "truth"),
-        "",
-        "The paper's claims, measured on this spectrum and range.",
     ),
     row(
         Page::Teachers,
@@ -204,9 +209,16 @@ const ROWS: &[Row] = &[
         Place::Through,
         ("Two lights", "two-lights"),
         "metamers",
-        "The same surfaces under two lights; metamers found and made.",
+        "The same surfaces under two lights: which colours change.",
     )
     .once(&["lights"]),
+    row(
+        Page::Metamers,
+        Place::Through,
+        ("Metamers", "metamers"),
+        "metamers",
+        "Surfaces that look alike under one light and differ under another, found and made.",
+    ),
     row(
         Page::SameSurface,
         Place::Through,
@@ -218,9 +230,9 @@ const ROWS: &[Row] = &[
     row(
         Page::Quality,
         Place::Quality,
-        ("Figures", "quality"),
+        ("Verdict", "quality"),
         "quality",
-        "Every figure of light quality, measured beside model, and what it means.",
+        "Is it a good light? Surfaces under it, twelve figures in words, and all of them.",
     ),
     row(
         Page::Chromaticity,
@@ -265,14 +277,6 @@ const ROWS: &[Row] = &[
         "Which spectra have this colour?",
     ),
     row(
-        Page::Coefficients,
-        Place::Numbers,
-        ("Why few suffice", "why"),
-        "colour",
-        "Why few numbers carry colour: the coefficients of the light beside those of the eye.",
-    )
-    .once(&["coefficients"]),
-    row(
         Page::Tradeoff,
         Place::Numbers,
         ("Trade-off", "tradeoff"),
@@ -297,19 +301,30 @@ const ROWS: &[Row] = &[
     )
     .under(Page::Tradeoff),
     row(
+        Page::Coefficients,
+        Place::Numbers,
+        ("Why few suffice", "why"),
+        "colour",
+        "Why few numbers carry colour: the coefficients of the light beside those of the eye.",
+    )
+    .once(&["coefficients"])
+    .tab_called("For authors"),
+    row(
         Page::Race,
         Place::Numbers,
         ("Race", "race"),
         "samples",
         "The composite against other representations, at equal numbers.",
-    ),
+    )
+    .under(Page::Coefficients),
     row(
         Page::KnownLamps,
         Place::Numbers,
         ("Known lamps", "known-lamps"),
         "spend",
         "What the light is made of: lamps that are known, a short series, a few lines.",
-    ),
+    )
+    .under(Page::Coefficients),
     row(
         Page::Resampling,
         Place::Numbers,
@@ -318,7 +333,7 @@ const ROWS: &[Row] = &[
         "One product formed on few points, by convolution and at every nm.",
     )
     .once(&["forming"])
-    .among_modes("Ways"),
+    .under(Page::Coefficients),
     row(
         Page::Bounces,
         Place::Numbers,
@@ -326,13 +341,28 @@ const ROWS: &[Row] = &[
         "filters",
         "What the ways of forming products cost as bounces add up.",
     )
-    .under(Page::Resampling),
+    .under(Page::Coefficients),
+    row(
+        Page::Truth,
+        Place::Numbers,
+        ("The paper checked", "truth"),
+        "colour",
+        "The paper's claims, measured on this spectrum and range.",
+    )
+    .under(Page::Coefficients),
     row(
         Page::Image,
         Place::Picture,
         ("Spectral image", "image"),
         "recover",
         "A spectral image: a pixel or a region's mean becomes a spectrum.",
+    ),
+    row(
+        Page::Photograph,
+        Place::Picture,
+        ("Photograph", "photograph"),
+        "prism",
+        "A photograph of a spectrum: the lines of a lamp fix its wavelengths.",
     ),
     row(
         Page::Prism,

@@ -44,6 +44,11 @@ impl Page {
         self.row().mode
     }
 
+    /// What the tab is called whose first page it is.
+    pub fn tab_title(self) -> &'static str {
+        self.row().tab_title
+    }
+
     /// The name of the lesson that answers what it asks; none in Learn, where all of them are.
     pub fn lesson(self) -> Option<&'static str> {
         Some(self.row().lesson).filter(|name| !name.is_empty())
@@ -61,9 +66,15 @@ impl Page {
         ROWS.iter().find(is_it).map(|row| row.page)
     }
 
-    /// Whether the model's knobs act on what it shows.
+    /// Whether it asks about the model: then its verdict and its knobs stand beside it.
     pub fn has_model(self) -> bool {
-        matches!(self.place(), Place::Look | Place::Quality | Place::Numbers)
+        matches!(self.place(), Place::Look | Place::Numbers)
+    }
+
+    /// Whether the model acts on what it shows, though it asks something else: then one line tells of
+    /// it and leads to its knobs.
+    pub fn has_model_line(self) -> bool {
+        matches!(self.place(), Place::Quality | Place::Through)
     }
 }
 

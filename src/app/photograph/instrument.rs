@@ -136,6 +136,8 @@ pub struct Applied {
     pub fit: Fit,
 }
 
+/// Sides of one shape differ by no more than this share.
+const MOST_SHAPE: f64 = 0.005;
 /// What tells that an instrument is another one: columns, nm between tests.
 const MOST_SHIFT_PX: f64 = 25.0;
 const MOST_APART_NM: f64 = 1.0;
@@ -170,6 +172,8 @@ impl Instrument {
             && axis.scale_px >= 1.0
             && axis.is_monotone()
             && instrument.axis.valid_nm[0] < instrument.axis.valid_nm[1]
+            && (1..=100_000).contains(&instrument.picture.width)
+            && (1..=100_000).contains(&instrument.picture.height)
             && (1..=100_000).contains(&instrument.strip.columns)
             && (1.0..=100_000.0).contains(&instrument.strip.half);
         if is_whole {
@@ -274,43 +278,71 @@ impl Instrument {
         }
     }
 
-    /// Its strip in a picture of some size.
+    /// By how much a picture is larger than those that it was made with.
+    fn scale(&self, [width, height]: [usize; 2]) -> f64 {
+        let area = (width * height) as f64 / (self.picture.width * self.picture.height) as f64;
+        area.sqrt()
+    }
+
+    /// Its strip in a picture of some size; of another one only if `yes` says that it is the whole
+    /// picture at another scale.
     ///
     /// # Errors
-    /// What was found and what was expected, for a picture of another size.
-    pub fn strip(&self, size: [usize; 2]) -> Result<Strip, String> {
+    /// What was found and what was expected, for a picture of another size or shape.
+    pub fn strip(&self, size: [usize; 2], yes: bool) -> Result<Strip, String> {
         let [width, height] = size;
-        if [self.picture.width, self.picture.height] != size {
+        let own = [self.picture.width, self.picture.height];
+        let shape = |[w, h]: [usize; 2]| w as f64 / h as f64;
+        let is_alike = (shape(size) / shape(own) - 1.0).abs() <= MOST_SHAPE;
+        if own != size && !(is_alike && yes) {
+            let asked = if is_alike {
+                "is it the whole picture at another scale? (--yes)"
+            } else if shape([height, width]) == shape(own) {
+                "it is turned: turn it back"
+            } else {
+                "another shape is another picture"
+            };
             return Err(format!(
                 "found {width} x {height} px, expected {} x {}: this instrument was made with \
-                 pictures of that size",
-                self.picture.width, self.picture.height
+                 pictures of that size, {asked}",
+                own[0], own[1]
             ));
         }
         let along = if self.strip.vertical { height } else { width };
+        let scale = self.scale(size);
+        // The edges of a picture are half a pixel beyond its outermost centres.
+        let place = |at: f64| (at + 0.5) * scale - 0.5;
         Ok(Strip {
             is_vertical: self.strip.vertical,
             turn_deg: self.strip.turn_deg,
             shear: self.strip.shear,
-            smile: self.strip.smile,
+            smile: self.strip.smile / scale,
             xm: 0.5 * (along as f64 - 1.0),
-            centre_y: self.strip.centre_y,
-            half: self.strip.half,
-            x0: self.strip.x0,
-            columns: self.strip.columns,
+            centre_y: place(self.strip.centre_y),
+            half: self.strip.half * scale,
+            x0: place(self.strip.x0),
+            columns: (self.strip.columns as f64 * scale).round() as usize,
         })
     }
 
     /// Its axis for a picture, by the hues of its columns and by what its own lines say.
     pub(super) fn applied(
         &self,
+        size: [usize; 2],
         hues: Option<&Hues>,
         answer: Option<&Answer>,
         peaks: &Peaks,
     ) -> Applied {
-        let curve = self.curve();
+        let mut curve = self.curve();
+        let scale = self.scale(size);
+        if scale != 1.0 {
+            curve.centre_px = (curve.centre_px + 0.5) * scale - 0.5;
+            curve.scale_px *= scale;
+        }
         let step = curve.slope(curve.centre_px).abs();
-        let by_hue = self.hue.as_ref().zip(hues).and_then(|(kept, hues)| {
+        // Hues are kept by column: those of another scale are others.
+        let hue = self.hue.as_ref().filter(|_| scale == 1.0);
+        let by_hue = hue.zip(hues).and_then(|(kept, hues)| {
             let kept = Hues {
                 step_px: kept.step_px.max(1),
                 ln_g_b: kept.ln_g_b.clone(),

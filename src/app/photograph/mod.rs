@@ -1,21 +1,25 @@
 //! A photograph of a spectrum: read, its strip found, its axis by the lines of a lamp or by pins.
 
+mod figures;
 mod instrument;
 mod response;
 mod spectrum;
+mod view;
 mod words;
 
 use std::path::Path;
 
+pub use figures::{ColourFigures, Estimate};
 pub use instrument::{Applied, Fit, Instrument};
 pub use response::{Kept, Known, Through};
 pub use spectrum::{Row, Rows, Stands};
-pub use words::{json, sentence, table, warnings};
+pub use view::{PhotographAsk, Pixels, ResponseAsk, SeenPhotograph, is_photograph};
+pub use words::{colour_words, json, sentence, table, warnings};
 
 use crate::{
     io::{ColourPixels, Exif, Photo, read_photo},
     photographs::{
-        Lamp,
+        Lamp, Profile,
         axis::{Answer, Curve, Pin, State, Wanted, find, snapped, through_pins},
         hue::Hues,
         peaks::{Peak, Peaks, bright, dark},
@@ -109,6 +113,8 @@ pub struct Photograph {
     pub instrument: Option<Applied>,
     /// What it is through a response.
     pub through: Option<Through>,
+    /// Its colour figures, or why there are none; not asked for without a response or an instrument.
+    pub figures: Option<Result<ColourFigures, String>>,
 }
 
 /// Reads a photograph and finds its strip and its axis.
@@ -131,8 +137,13 @@ fn picture_of(photo: Photo) -> Result<Picture, String> {
     picture.ok_or_else(|| "found too few pixels, expected those of the whole picture".to_owned())
 }
 
-/// The light along a strip of another picture of the same size.
-fn of_strip(path: &Path, size: [usize; 2], strip: &Strip) -> Result<Found, String> {
+/// The light along a strip of another picture of the same size, with each of some tones.
+fn of_strip(
+    path: &Path,
+    size: [usize; 2],
+    strip: &Strip,
+    tones: &[f64],
+) -> Result<(Found, Vec<Profile>), String> {
     let photo = read_photo(path)
         .map_err(|why| format!("found {}, expected {}", why.found, why.expected))?;
     if photo.size != size {
@@ -141,7 +152,15 @@ fn of_strip(path: &Path, size: [usize; 2], strip: &Strip) -> Result<Found, Strin
             photo.size[0], photo.size[1], size[0], size[1]
         ));
     }
-    Ok(strip::read_at(&picture_of(photo)?, strip))
+    let mut picture = picture_of(photo)?;
+    let found = strip::read_at(&picture, strip);
+    let profiles = (tones.iter())
+        .map(|power| {
+            picture.straighten_tones(*power);
+            strip::again(&picture, &found)
+        })
+        .collect();
+    Ok((found, profiles))
 }
 
 /// The same of a photograph that was read.
@@ -149,18 +168,30 @@ fn of_strip(path: &Path, size: [usize; 2], strip: &Strip) -> Result<Found, Strin
 /// # Errors
 /// What was found and what was expected.
 pub fn of_photo(name: &str, photo: Photo, said: &Said) -> Result<Photograph, String> {
-    let (size, exif, notes) = (photo.size, photo.exif.clone(), photo.notes.clone());
+    let about = (photo.exif.clone(), photo.notes.clone());
+    of_picture(name, &mut picture_of(photo)?, about, said)
+}
+
+fn of_picture(
+    name: &str,
+    picture: &mut Picture,
+    (exif, notes): (Exif, Vec<&'static str>),
+    said: &Said,
+) -> Result<Photograph, String> {
+    let size = picture.size();
     let kept = said
         .instrument
         .as_ref()
-        .map(|i| i.strip(size))
+        .map(|i| i.strip(size, said.yes))
         .transpose()?;
-    let picture = picture_of(photo)?;
+    let response = said.instrument.as_ref().and_then(|i| i.response.as_ref());
+    if let Some(response) = response {
+        picture.straighten_tones(response.tone_p);
+    }
     let found = match kept {
-        Some(strip) => strip::read_at(&picture, &strip),
-        None => strip::find(&picture, &said.strip).map_err(|why| why.to_string())?,
+        Some(strip) => strip::read_at(picture, &strip),
+        None => strip::find(picture, &said.strip).map_err(|why| why.to_string())?,
     };
-    drop(picture);
     let bright = bright(&found.profile);
     let dark = dark(&found.profile, &bright);
     let columns = found.profile.columns();
@@ -176,7 +207,7 @@ pub fn of_photo(name: &str, photo: Photo, said: &Said) -> Result<Photograph, Str
     let answer = wanted.map(|wanted| find(columns, &bright, dark.as_ref(), &wanted));
     let instrument = said.instrument.as_ref().map(|instrument| {
         let hues = Hues::of(&found.profile, 1);
-        instrument.applied(hues.as_ref(), answer.as_ref(), &bright)
+        instrument.applied(size, hues.as_ref(), answer.as_ref(), &bright)
     });
     Ok(Photograph {
         file: name.to_owned(),
@@ -193,6 +224,7 @@ pub fn of_photo(name: &str, photo: Photo, said: &Said) -> Result<Photograph, Str
         yes: said.yes,
         instrument,
         through: None,
+        figures: None,
     })
 }
 
@@ -273,6 +305,19 @@ impl Photograph {
         }
     }
 
+    /// Reads it through a response, and estimates its colour figures.
+    pub fn read_through(&mut self, response: Option<&Kept>) {
+        self.through = response.and_then(|response| response.through(self));
+        let is_asked = self.through.is_some() || self.instrument.is_some();
+        let is_asked = is_asked && self.used_curve().is_some();
+        self.figures = is_asked.then(|| ColourFigures::of(self));
+    }
+
+    /// Its light is lines: the channels of one column see different parts of one.
+    pub fn is_of_lines(&self) -> bool {
+        self.bright.stand_out()
+    }
+
     /// The axis is that of the picture's own lines.
     pub fn is_by_lines(&self) -> bool {
         matches!(self.source(), Source::Found | Source::Suggested)
@@ -280,9 +325,23 @@ impl Photograph {
 
     /// The wavelengths in which the axis holds: near its lines, and where its doubt is small.
     pub fn valid_nm(&self) -> Option<(f64, f64)> {
+        self.sure_nm(BEYOND_NM)
+    }
+
+    /// The wavelengths that colour figures are made of: also farther from the lines, where the doubt
+    /// is small.
+    pub fn reach_nm(&self) -> Option<(f64, f64)> {
+        self.sure_nm(FARTHEST_NM)
+    }
+
+    /// From where to where the doubt is small, so far beyond the outermost lines.
+    fn sure_nm(&self, beyond: f64) -> Option<(f64, f64)> {
         let curve = self.curve()?;
         let (low, high) = match self.source() {
-            Source::Instrument => return self.instrument.as_ref().map(|i| i.valid_nm),
+            Source::Instrument => {
+                let (low, high) = self.instrument.as_ref()?.valid_nm;
+                (low + BEYOND_NM, high - BEYOND_NM)
+            }
             Source::Pins => {
                 let nm = self.pins.iter().map(|pin| pin.nm);
                 let high = nm.clone().fold(f64::MIN, f64::max);
@@ -294,7 +353,7 @@ impl Photograph {
         let last = self.found.profile.columns() as f64 - 1.0;
         let ends = [curve.nm(0.0), curve.nm(last)];
         let (least, most) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        let (mut from, mut to) = ((low - BEYOND_NM).max(least), (high + BEYOND_NM).min(most));
+        let (mut from, mut to) = ((low - beyond).max(least), (high + beyond).min(most));
         let sure = |nm: f64| {
             let px = curve.px(nm, 0.0, last);
             px.is_some_and(|px| curve.sigma(px) <= MOST_SIGMA_NM)
@@ -322,6 +381,8 @@ impl Photograph {
 /// An axis holds so far beyond its outermost lines, where its doubt is not larger than this.
 const BEYOND_NM: f64 = 15.0;
 const MOST_SIGMA_NM: f64 = 1.5;
+/// Figures may reach so far beyond them.
+const FARTHEST_NM: f64 = 60.0;
 
 #[cfg(test)]
 mod tests;

@@ -8,6 +8,7 @@ use super::{Photograph, of_strip};
 use crate::{
     color::{blackbody::relative, quality::daylight},
     photographs::{
+        Profile,
         hue::Hues,
         response::{Corrected, Response, STEP_NM},
     },
@@ -68,7 +69,7 @@ pub struct Kept {
     /// How far a bulb's temperature is doubted, K.
     doubt_k: Option<f64>,
     /// The power by which tones were straightened: 1 for none.
-    tone_p: f64,
+    pub(super) tone_p: f64,
     disagreement: f64,
     /// The hues of that picture's columns, until they are kept with the instrument.
     #[serde(skip)]
@@ -80,6 +81,12 @@ pub struct Kept {
 pub struct Through {
     /// The light that the response was learnt from.
     pub known_as: String,
+    /// The temperature of the bulb that this was, and its doubt, K.
+    pub bulb: Option<(f64, f64)>,
+    /// The power by which tones were straightened: 1 for none.
+    pub tone_p: f64,
+    /// How far the channels of a straight camera disagree at most.
+    pub most_disagreement: f64,
     /// The light.
     pub corrected: Corrected,
     /// How far the channels disagree, of both pictures the more.
@@ -91,15 +98,39 @@ pub(super) const HUE_STEP: usize = 2;
 /// A bulb is no surer than this, K.
 const DOUBT_K: f64 = 100.0;
 /// The wavelengths that must not be over-exposed, nm.
-const NEEDED_NM: (f64, f64) = (420.0, 680.0);
+pub(super) const NEEDED_NM: (f64, f64) = (420.0, 680.0);
+/// Channels of a straight camera disagree by less: about smooth light, and about lines.
+const MOST_DISAGREEMENT: (f64, f64) = (0.02, 0.05);
+/// Tones are looked at from this share of that on, and are bent if straight ones disagree by no more
+/// than this share of what they did.
+const TRIED: f64 = 0.75;
+const FALLS_TO: f64 = 0.7;
+/// Powers of tones that are tried.
+const TONES: [f64; 11] = [0.8, 0.9, 1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8];
+
+/// How far the channels of a straight camera disagree about a picture.
+fn most_disagreement(of: &Photograph) -> f64 {
+    if of.is_of_lines() {
+        MOST_DISAGREEMENT.1
+    } else {
+        MOST_DISAGREEMENT.0
+    }
+}
 
 impl Kept {
+    /// The temperature of the bulb that it was learnt from, and its doubt, K.
+    fn bulb(&self) -> Option<(f64, f64)> {
+        let kelvin = self.known_as.strip_prefix("blackbody:")?.parse().ok()?;
+        Some((kelvin, self.doubt_k?))
+    }
+
     fn response(&self) -> Option<Response> {
         let count = self.r.len();
         let is_whole = count > 3
             && [&self.g, &self.b].iter().all(|c| c.len() == count)
             && self.step_nm == STEP_NM
             && self.first_nm.is_finite()
+            && (TONES[0]..=TONES[TONES.len() - 1]).contains(&self.tone_p)
             && [&self.r, &self.g, &self.b]
                 .into_iter()
                 .flatten()
@@ -111,42 +142,67 @@ impl Kept {
         })
     }
 
-    /// Learns it from a picture of the instrument that another picture was taken with.
+    /// Learns it from a picture of the instrument that another picture was taken with; where the
+    /// camera bends its tones, the other picture is read again from `own` with straight ones.
     ///
     /// # Errors
     /// What was found and what was expected.
-    pub fn learn(path: &Path, known: &Known, of: &Photograph) -> Result<Self, String> {
+    pub fn learn(
+        path: &Path,
+        known: &Known,
+        of: &mut Photograph,
+        own: Option<&Path>,
+    ) -> Result<Self, String> {
         let name = crate::io::shown(path);
-        Self::learnt(path, known, of).map_err(|why| format!("{name}: {why}"))
+        Self::learnt(path, known, of, own).map_err(|why| format!("{name}: {why}"))
     }
 
-    fn learnt(path: &Path, known: &Known, of: &Photograph) -> Result<Self, String> {
-        let curve = of
-            .used_curve()
-            .ok_or("found no axis, expected one to learn a response on")?;
-        let valid = of
-            .valid_nm()
-            .ok_or("found no axis, expected one to learn a response on")?;
-        let found = of_strip(path, of.size, &of.found.strip)?;
-        let profile = &found.profile;
-        let hues = Hues::of(profile, HUE_STEP);
+    fn learnt(
+        path: &Path,
+        known: &Known,
+        of: &mut Photograph,
+        own: Option<&Path>,
+    ) -> Result<Self, String> {
+        let no_axis = "found no axis, expected one to learn a response on";
+        let curve = of.used_curve().ok_or(no_axis)?;
+        let reach = of.reach_nm().ok_or(no_axis)?;
+        let (found, _) = of_strip(path, of.size, &of.found.strip, &[])?;
+        let hues = Hues::of(&found.profile, HUE_STEP);
         let moved = Hues::of(&of.found.profile, HUE_STEP)
             .zip(hues.clone())
             .and_then(|(mine, theirs)| mine.shift(&theirs));
         let step = curve.slope(curve.centre_px).abs();
-        let curve = match moved {
+        let seen = match moved {
             Some(shift) if shift.px.abs() * step >= 0.5 => curve.moved(shift.px),
             _ => curve,
         };
-        let inside = |column: usize| (NEEDED_NM.0..=NEEDED_NM.1).contains(&curve.nm(column as f64));
-        if (0..profile.columns()).any(|c| profile.clipped[c] && inside(c)) {
-            return Err(
-                "found over-exposed columns, expected none: take it again, darker".to_owned(),
-            );
+        let inside = |column: usize| (NEEDED_NM.0..=NEEDED_NM.1).contains(&seen.nm(column as f64));
+        if (0..found.profile.columns()).any(|c| found.profile.clipped[c] && inside(c)) {
+            return Err("over-exposed: take it again, darker".to_owned());
         }
-        let range = (valid.0.max(380.0), valid.1.min(780.0));
-        let response = Response::learn(profile, &curve, range, known.power());
-        let response = response.ok_or("the known light and this picture have no nm in common")?;
+        let range = (reach.0.max(380.0), reach.1.min(780.0));
+        let learn = |profile: &Profile| Response::learn(profile, &seen, range, known.power());
+        let mut response =
+            learn(&found.profile).ok_or("the known light and this picture have no nm in common")?;
+        let mut tone_p = 1.0;
+        let plain = response.disagreement_of(&of.found.profile, &curve);
+        let limit = most_disagreement(of);
+        if let Some(own) = own.filter(|_| plain > TRIED * limit) {
+            let (_, theirs) = of_strip(path, of.size, &of.found.strip, &TONES)?;
+            let (_, mine) = of_strip(own, of.size, &of.found.strip, &TONES)?;
+            let tried = (TONES.iter().zip(theirs).zip(mine)).filter_map(|((power, known), own)| {
+                let response = learn(&known)?;
+                let off = response.disagreement_of(&own, &curve);
+                Some((off.hypot(response.disagreement), *power, response, own))
+            });
+            let best = tried.min_by(|a, b| a.0.total_cmp(&b.0));
+            if let Some((off, power, straight, own)) = best
+                && off < limit
+                && off < FALLS_TO * plain
+            {
+                (tone_p, response, of.found.profile) = (power, straight, own);
+            }
+        }
         let [r, g, b] = response.channels;
         Ok(Self {
             first_nm: response.first_nm,
@@ -156,7 +212,7 @@ impl Kept {
             b,
             known_as: known.words(),
             doubt_k: matches!(known, Known::Blackbody(_)).then_some(DOUBT_K),
-            tone_p: 1.0,
+            tone_p,
             disagreement: response.disagreement,
             hues: if moved.is_none_or(|shift| shift.px == 0.0) {
                 hues
@@ -167,12 +223,15 @@ impl Kept {
     }
 
     /// A picture read through it; `None` without an axis that is used.
-    pub fn through(&self, photograph: &Photograph) -> Option<Through> {
+    pub(super) fn through(&self, photograph: &Photograph) -> Option<Through> {
         let corrected = self
             .response()?
             .apply(&photograph.found.profile, &photograph.used_curve()?);
         Some(Through {
             known_as: self.known_as.clone(),
+            bulb: self.bulb(),
+            tone_p: self.tone_p,
+            most_disagreement: most_disagreement(photograph),
             disagreement: corrected.disagreement.max(self.disagreement),
             corrected,
         })

@@ -2,15 +2,12 @@
 
 use serde_json::{Value, json};
 
-use super::{Fit, Photograph, Row, Source, Stands};
+use super::{ColourFigures, Estimate, Fit, Photograph, Row, Source, Stands};
 use crate::{
     app::cells::{Columns, Table, cell, column, rounded},
     io::{many::many, one_line},
     photographs::axis::{Match, Solution},
 };
-
-/// Channels of a straight camera disagree by less.
-const MOST_DISAGREEMENT: f64 = 0.02;
 
 /// A figure for JSON: rounded to what it is worth, never a number that is none.
 fn figure(value: f64, digits: i32) -> Value {
@@ -102,10 +99,10 @@ pub fn warnings(photograph: &Photograph) -> Vec<String> {
     let found = &photograph.found;
     let mut warnings: Vec<String> = photograph.notes.iter().map(|n| (*n).to_owned()).collect();
     if found.strips > 1 && !photograph.by_hand {
-        warnings.push(format!(
-            "{} strips were found, the strongest is read",
-            found.strips
-        ));
+        warnings.push(match found.strips {
+            2 => "two strips were found, the stronger is read".to_owned(),
+            count => format!("{count} strips were found, the strongest is read"),
+        });
     }
     if found.profile.is_grey {
         warnings.push(
@@ -135,7 +132,7 @@ pub fn warnings(photograph: &Photograph) -> Vec<String> {
     }
     if photograph.bright.hairlines > 0 {
         let count = photograph.bright.hairlines;
-        let lines = many(count, "thin drawn line", "thin drawn lines");
+        let lines = many(count, "thin drawn line was", "thin drawn lines were");
         warnings.push(format!("{lines} ignored"));
     }
     if let Some(why) = photograph
@@ -148,13 +145,23 @@ pub fn warnings(photograph: &Photograph) -> Vec<String> {
     if let Some(Fit::No(why)) = photograph.instrument.as_ref().map(|i| &i.fit) {
         warnings.push(why.clone());
     }
-    let disagreement = photograph.through.as_ref().map(|t| t.disagreement);
-    if disagreement.is_some_and(|d| d > MOST_DISAGREEMENT) {
-        warnings.push(
-            "the camera's values are not proportional to light: colour figures would be wrong by \
-             10 % and more"
-                .to_owned(),
-        );
+    let tone_p = photograph.through.as_ref().map_or(1.0, |t| t.tone_p);
+    if tone_p != 1.0 {
+        warnings.push(format!(
+            "this camera bends its tones; undone (p = {tone_p:.1})"
+        ));
+    }
+    let reach = photograph.valid_nm().zip(photograph.reach_nm());
+    if let (Some(Ok(_)), Some((valid, reach))) = (&photograph.figures, reach)
+        && (reach.0 < valid.0 || reach.1 > valid.1)
+    {
+        warnings.push(format!(
+            "the figures use the axis from {:.0} to {:.0} nm, its lines fix it from {:.0} to {:.0}",
+            reach.0, reach.1, valid.0, valid.1
+        ));
+    }
+    if let Some(Err(why)) = &photograph.figures {
+        warnings.push(why.clone());
     }
     if photograph.source() == Source::Pins && photograph.pins.len() == 2 {
         warnings.push("two points: 1-8 nm wrong between grating and line".to_owned());
@@ -212,13 +219,43 @@ pub fn json(photograph: &Photograph, at: &[[f64; 2]]) -> Value {
         })),
         "response": photograph.through.as_ref().map(|t| json!({
             "known_as": t.known_as,
-            "tone_p": 1.0,
+            "tone_p": t.tone_p,
             "disagreement": figure(t.disagreement, 4),
             "undefined_nm": t.undefined_nm(),
         })),
-        "figures": null,
+        "figures": photograph.figures.as_ref().and_then(|f| f.as_ref().ok()).map(figures_json),
         "warnings": warnings(photograph),
     })
+}
+
+/// Low, best and high of each colour figure.
+fn figures_json(figures: &ColourFigures) -> Value {
+    let estimate = |of: Option<Estimate>, digits: i32| of.map(|e| e.map(|v| figure(v, digits)));
+    json!({
+        "cct": estimate(figures.cct, 0),
+        "duv": estimate(figures.duv, 4),
+        "x": estimate(figures.x, 4),
+        "y": estimate(figures.y, 4),
+        "ra": estimate(figures.ra, 1),
+        "rf": estimate(figures.rf, 1),
+    })
+}
+
+/// The colour figures in words, each with its band; none without them.
+pub fn colour_words(photograph: &Photograph) -> Option<String> {
+    let figures = photograph.figures.as_ref()?.as_ref().ok()?;
+    let told = |name: &str, of: Option<Estimate>, digits: usize, unit: &str| {
+        of.map(|[low, best, high]| {
+            format!("{name} {best:.digits$}{unit} ({low:.digits$}-{high:.digits$})")
+        })
+    };
+    let all = [
+        told("CCT", figures.cct, 0, " K"),
+        told("Ra", figures.ra, 0, ""),
+        told("Rf", figures.rf, 0, ""),
+    ];
+    let all: Vec<String> = all.into_iter().flatten().collect();
+    (!all.is_empty()).then(|| format!("Estimates, with their bands: {}.", all.join(", ")))
 }
 
 /// The wavelength at a pixel, none where the axis has none.

@@ -1,6 +1,7 @@
 //! Spectral images: from a cube to pixels of the screen, and from a pixel or a region to a
 //! spectrum with its model. Numbers only; the window draws them.
 
+mod at_hand;
 mod band_weights;
 mod exposure;
 mod memory;
@@ -8,6 +9,7 @@ mod raster;
 mod region_spectrum;
 pub mod reload;
 
+pub use at_hand::{WALL_KEY, at_hand};
 pub use band_weights::BandWeights;
 pub use exposure::{Exposed, NOT_MEASURED, exposed, seen_in};
 pub use memory::{BAND_NM, ImageMemory, STOPS, Show, Spread};

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::{Told, notes, scaled};
 use crate::{
     app::{
-        numbers::{decimals, hundredths},
+        numbers::{decimals, share_words},
         state::App,
         ticks::short,
     },
@@ -46,7 +46,7 @@ pub fn chain_text(app: &App, told: &Told) -> String {
         format!(
             "CIEDE2000 {}, luminance {}",
             decimals(colours.delta_e_2000, 3),
-            hundredths(colours.luminance_error)
+            share_words(colours.luminance_error)
         )
     };
     line(format!("Itself    {}", colours(&passage.light)));
@@ -54,8 +54,8 @@ pub fn chain_text(app: &App, told: &Told) -> String {
         line(format!("{:<9} {name}", format!("Stage {}", i + 1)));
         line(format!(
             "  passes  {} (model {})",
-            hundredths(step.transmission[0]),
-            hundredths(step.transmission[1])
+            share_words(step.transmission[0]),
+            share_words(step.transmission[1])
         ));
         line(format!(
             "  error   {}; {} of it added by forming the product",
@@ -83,12 +83,12 @@ pub fn chain_text(app: &App, told: &Told) -> String {
     line(format!(
         "Total     {}; passes {}",
         colours(&total.colours),
-        hundredths(total.transmission[0])
+        share_words(total.transmission[0])
     ));
     line(format!(
         "Forming   adds CIEDE2000 {}, {} of the power folded or cut, {} multiplications",
         decimals(total.added, 4),
-        hundredths(Some(total.folded_share)),
+        share_words(Some(total.folded_share)),
         total.multiplications
     ));
     for (what, xyz) in [

@@ -141,6 +141,8 @@ pub struct TwoLightsMemory {
     pub patch: usize,
     /// The pair that is drawn.
     pub pair: usize,
+    /// A metamer is made for a patch; else pairs are looked for.
+    pub makes: bool,
     /// Pairs are looked for among all shipped reflectances, not the patches alone.
     pub everywhere: bool,
     /// Part of the room that the metameric black takes, percent; below 0 the other way.
@@ -152,6 +154,7 @@ impl Default for TwoLightsMemory {
         Self {
             patch: 0,
             pair: 0,
+            makes: false,
             everywhere: true,
             room_percent: *ROOM_PERCENT.end(),
         }

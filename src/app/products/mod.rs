@@ -102,8 +102,6 @@ impl Link {
 pub struct Products {
     /// What the light passes or falls on, in its order.
     pub chain: Vec<Link>,
-    /// The light that the document's own is compared with.
-    pub other_light: Option<Arc<Entry>>,
     /// The surface of the reflection check, and of the bounces.
     pub surface: Option<Arc<Entry>>,
     /// The spectrum that may have come from it.
@@ -115,8 +113,6 @@ const FIRST_CHAIN: [&str; 2] = [
     "filters_glass_cc0/isuzu IVG550 (Green filter) 2 mm",
     "colorchecker_ohta/light skin",
 ];
-/// The light compared with at first.
-const FIRST_OTHER_LIGHT: &str = "cie_illuminants/CIE A";
 /// The surface looked at first.
 const FIRST_SURFACE: &str = "colorchecker_ohta/red";
 
@@ -132,7 +128,6 @@ impl Products {
                 .iter()
                 .filter_map(|key| find(key).map(Link::once))
                 .collect(),
-            other_light: find(FIRST_OTHER_LIGHT),
             surface: find(FIRST_SURFACE),
             outgoing: None,
         }
@@ -153,7 +148,6 @@ impl Products {
         };
         Self {
             chain: links.take(MOST_LINKS).map(within).collect(),
-            other_light: self.other_light.filter(is_light),
             surface: self.surface.filter(is_factor),
             outgoing: self.outgoing.filter(is_light),
         }
@@ -163,24 +157,22 @@ impl Products {
     pub fn entries_mut(&mut self) -> impl Iterator<Item = &mut Arc<Entry>> {
         let Self {
             chain,
-            other_light,
             surface,
             outgoing,
         } = self;
         let links = chain.iter_mut().map(|link| &mut link.entry);
-        links.chain(other_light).chain(surface).chain(outgoing)
+        links.chain(surface).chain(outgoing)
     }
 
     /// Lets go of an entry that left the library.
     pub fn forget(&mut self, key: &str) {
         let Self {
             chain,
-            other_light,
             surface,
             outgoing,
         } = self;
         chain.retain(|link| link.entry.key != key);
-        for held in [other_light, surface, outgoing] {
+        for held in [surface, outgoing] {
             held.take_if(|entry| entry.key == key);
         }
     }
@@ -194,7 +186,7 @@ mod tests {
     fn a_fresh_document_has_something_to_multiply() {
         let first = Products::first();
         assert_eq!(first.chain.len(), FIRST_CHAIN.len());
-        assert!(first.other_light.is_some() && first.surface.is_some());
+        assert!(first.surface.is_some());
         assert_eq!(first, first.clone().clamped());
     }
 
@@ -219,9 +211,9 @@ mod tests {
         let mut products = Products::first();
         products.chain[0].thickness = f64::NAN;
         products.chain[1].bounces = 0;
-        products.other_light = products.surface.clone();
+        products.outgoing = products.surface.clone();
         let sound = products.clamped();
         assert_eq!((sound.chain[0].thickness, sound.chain[1].bounces), (1.0, 1));
-        assert!(sound.other_light.is_none());
+        assert!(sound.outgoing.is_none());
     }
 }

@@ -5,9 +5,10 @@ use std::sync::Arc;
 use super::super::{
     derived::Derived,
     document::{Document, Subject},
+    entry::Entry,
     line_names::LineName,
     spike_names::names_of,
-    state::{App, derived_of},
+    state::{App, derive, derived_of},
     tables::Tables,
 };
 use crate::{
@@ -52,6 +53,16 @@ impl ModelledLight {
             tables,
             settings,
         }
+    }
+
+    /// A light that is not the document's own, as its settings model it.
+    pub fn another(&self, app: &App, light: &Arc<Entry>) -> Derived {
+        let document = Document {
+            light: light.clone(),
+            subject: Subject::Light,
+            ..app.document().clone()
+        };
+        derive(&document, &self.tables)
     }
 
     /// The grid.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde_json::{Value, json};
 
-use super::{ModelledLight, two_lights::modelled};
+use super::ModelledLight;
 use crate::{
     app::{
         cells::{Columns, Table, cell, column},
@@ -60,7 +60,7 @@ impl SameSurfaceSheet {
     pub fn against(app: &App, surface: &[f64], outgoing: &Arc<Entry>) -> Self {
         let lit = ModelledLight::of(app);
         let band = lit.band();
-        let found = modelled(app, &lit, outgoing);
+        let found = lit.another(app, outgoing);
         let light = &lit.derived;
         let models = [&light.model, &found.model].map(Composite::idealised);
         let left_out = |of: &Derived| of.figures[Measure::RmsBlurred].unwrap_or(0.0);

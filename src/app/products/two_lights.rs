@@ -1,23 +1,18 @@
-//! The part `Two lights` as figures: patches under two lights, and a metamer made for one of them.
+//! Surfaces under two lights as measured, and a metamer made for one of them.
 
 use std::sync::Arc;
 
-use super::ModelledLight;
 use crate::{
     app::{
         cells::{Columns, Table, cell},
-        derived::Derived,
-        document::{Document, Subject},
         entry::Entry,
-        state::{App, derive},
+        state::App,
         studies::{Pairs, reflectances},
         ticks::short,
     },
-    color::{Adaptation, Observer, Swatch, Weights, delta_e_2000},
-    spectrum::{Band, Composite, Kind, NamedSpectrum, Sampled},
-    study::products::{
-        Black, MetamericPair, TwoLights, metameric_black, two_lights, two_modelled_lights,
-    },
+    color::{Observer, Weights, delta_e_2000},
+    spectrum::{Band, Kind, NamedSpectrum, Sampled},
+    study::products::{Black, MetamericPair, TwoLights, metameric_black, two_lights},
 };
 
 /// The document's patches under its light and another one.
@@ -35,45 +30,25 @@ pub struct TwoLightsSheet {
     pub surfaces: Vec<Vec<f64>>,
     /// Their colours under the measured lights; `None` when one of them is not seen.
     pub exact: Option<TwoLights>,
-    /// Their colours under the lights' models, against the same whites.
-    pub model: Option<TwoLights>,
     /// Colour-matching functions on the grid.
     pub seen: Weights,
 }
 
-/// A light that is not the document's own, as its settings model it.
-pub fn modelled(app: &App, lit: &ModelledLight, light: &Arc<Entry>) -> Derived {
-    let document = Document {
-        light: light.clone(),
-        subject: Subject::Light,
-        ..app.document().clone()
-    };
-    derive(&document, &lit.tables)
-}
-
 impl TwoLightsSheet {
-    /// The sheet of a state; `None` without a second light.
-    pub fn of(app: &App) -> Option<Self> {
+    /// The sheet of a state: under its light and the second one, or what stands in for that.
+    pub fn of(app: &App) -> Self {
         let document = app.document();
-        let other = document.products.other_light.as_ref()?;
-        let lit = ModelledLight::of(app);
-        let both = [document.light.clone(), other.clone()];
-        let observer = document.settings.observer;
-        let sheet = Self::measured(lit.band(), observer, both, &document.patch_set);
-        let second = modelled(app, &lit, other);
-        let models = [&lit.derived.model, &second.model].map(Composite::idealised);
-        let values = sheet.values.each_ref().map(Vec::as_slice);
-        let model = two_modelled_lights(
-            sheet.band,
-            &sheet.surfaces,
-            models.each_ref(),
-            values,
-            &sheet.seen,
-        );
-        Some(Self { model, ..sheet })
+        let lights = [document.light.clone(), document.light_beside()];
+        let settings = document.settings;
+        Self::measured(
+            settings.band,
+            settings.observer,
+            lights,
+            &document.patch_set,
+        )
     }
 
-    /// Patches under two lights as measured, without models.
+    /// Patches under two lights as measured.
     pub fn measured(
         band: Band,
         observer: Observer,
@@ -88,66 +63,12 @@ impl TwoLightsSheet {
             band,
             lights: lights.map(|light| light.name().to_owned()),
             exact: two_lights(band, &surfaces, on_grid, &seen),
-            model: None,
             values,
             names,
             surfaces,
             seen,
         }
     }
-
-    /// Both lights in the scale in which Y is 100; `None` for one that is not seen.
-    pub fn scaled(&self) -> [Option<Vec<f64>>; 2] {
-        [0, 1].map(|i| {
-            let y = self.band.inner(&self.values[i], &self.seen[1]);
-            let factor = 100.0 / y;
-            (y > 0.0 && factor.is_finite())
-                .then(|| self.values[i].iter().map(|v| v * factor).collect())
-        })
-    }
-
-    /// Mean difference, in size, between the shift by the models and by the measured lights, and
-    /// the patch where it is largest with that difference.
-    pub fn shift_error(&self) -> Option<(f64, usize, f64)> {
-        let (exact, model) = (self.exact.as_ref()?, self.model.as_ref()?);
-        let both = exact.patches.iter().zip(&model.patches);
-        let off: Vec<f64> = both
-            .map(|(e, m)| (m.delta_e_2000 - e.delta_e_2000).abs())
-            .collect();
-        let most = off.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1))?;
-        let mean = off.iter().sum::<f64>() / off.len() as f64;
-        Some((mean, most.0, *most.1))
-    }
-
-    /// The patches as a table.
-    pub fn table(&self) -> Table {
-        let comments = format!(
-            "# {} and {}: CIEDE2000 of the colour shift, each light its own white\n",
-            self.lights[0], self.lights[1]
-        );
-        let columns = Columns::<(&String, [f64; 2])>::default()
-            .with("patch", |(name, _)| cell(name.as_str()))
-            .with("shift measured", |(_, shifts)| cell(shifts[0]))
-            .with("shift by the models", |(_, shifts)| cell(shifts[1]));
-        let both = self.exact.as_ref().zip(self.model.as_ref());
-        let rows = both.into_iter().flat_map(|(exact, model)| {
-            let rows = self
-                .names
-                .iter()
-                .zip(exact.patches.iter().zip(&model.patches));
-            rows.map(|(name, (e, m))| (name, [e.delta_e_2000, m.delta_e_2000]))
-        });
-        Table::new(comments, columns, rows)
-    }
-}
-
-/// Swatches of every patch of a set under both lights.
-pub fn swatches(both: &TwoLights, adaptation: Adaptation) -> Vec<[Swatch; 2]> {
-    let of = |i: usize, xyz| Swatch::of_patch(xyz, both.whites[i], adaptation);
-    let patches = both.patches.iter();
-    patches
-        .map(|p| [of(0, p.xyz[0]), of(1, p.xyz[1])])
-        .collect()
 }
 
 /// Pairs that were found as a table.

@@ -56,6 +56,7 @@ pub(super) fn same_model(a: &Document, b: &Document) -> bool {
         own: _,
         // Their factor stands in the light already.
         weight_factor: _,
+        second: _,
         overlays: _,
         images: _,
         next_own: _,

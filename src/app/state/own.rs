@@ -189,6 +189,7 @@ impl App {
             .iter_mut()
             .chain(&mut document.overlays)
             .chain(&mut document.factor)
+            .chain(&mut document.second)
             .chain(std::iter::once(&mut document.light))
             .chain(document.products.entries_mut());
         for held in everywhere.filter(|e| e.key == key) {
@@ -197,6 +198,8 @@ impl App {
         // What is no factor any more leaves the chain.
         let products = std::mem::take(&mut self.document.products);
         self.document.products = products.clamped();
+        let second = &mut self.document.second;
+        second.take_if(|second| second.kind() != Kind::Light);
         // A light that turned into a reflectance changes its place.
         let is_light = self.document.light.key == key;
         let is_factor = self.document.factor.as_ref().is_some_and(|f| f.key == key);
@@ -212,6 +215,7 @@ impl App {
     pub(super) fn remove(&mut self, key: &str) {
         self.document.own.retain(|e| e.key != key);
         self.document.overlays.retain(|e| e.key != key);
+        self.document.second.take_if(|second| second.key == key);
         self.document.edits.remove(key);
         self.document.products.forget(key);
         self.document.pages.forget(key);

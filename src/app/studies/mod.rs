@@ -5,6 +5,7 @@ mod about;
 mod field;
 mod job;
 mod lamps;
+pub mod lights_quality;
 pub mod paper;
 mod surfaces;
 pub mod take;
@@ -13,6 +14,7 @@ pub use about::{About, Patches, reflectances};
 pub use field::{CHECK_SET, Class, Field, RaceAsk};
 pub use job::{Job, Question, Stage, Wake, Work};
 pub use lamps::{EncodeAsk, EncodedLight, most_numbers};
+pub use lights_quality::LightsQualityAsk;
 pub use surfaces::{Pairs, PairsAsk, RankAsk, Ranked, Surface, shipped_reflectances};
 pub use take::take;
 

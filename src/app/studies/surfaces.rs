@@ -28,6 +28,18 @@ pub struct Surface {
     pub values: Vec<f64>,
 }
 
+impl Surface {
+    /// What people call it: a numbered sample of a set by its number.
+    pub fn words(&self) -> String {
+        let number = self.name.strip_prefix("rawtoaces ");
+        let number = number.and_then(|rest| rest.split_once("patch"));
+        number.map_or_else(
+            || self.name.clone(),
+            |(_, number)| format!("ACES sample {number}"),
+        )
+    }
+}
+
 /// The factors of a group, or every shipped reflectance, on a band's grid.
 pub(super) fn surfaces(group: Option<&str>, band: Band) -> Vec<Surface> {
     let library = Library::bundled();

@@ -5,11 +5,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Deserializer, Serialize, de::Error as _};
 
 use crate::{
-    app::{
-        derived::OF_CURVE,
-        pages::{Page, PageMemory},
-        stored_path,
-    },
+    app::{derived::OF_CURVE, pages::PageMemory, stored_path},
     study::Measure,
 };
 
@@ -37,16 +33,17 @@ pub struct Preferences {
     pub pinned: bool,
     /// The ways to begin were seen.
     pub greeted: bool,
-    /// The offer of larger type in a large window was answered.
-    pub larger_answered: bool,
+    /// By how much type is larger in a large window: the window finds it anew.
+    #[serde(skip)]
+    pub grown: f32,
     /// What the pages remember.
     pub pages: PageMemory,
 }
 
 impl Preferences {
-    /// Whether the first screen is being presented; the other pages never are.
+    /// Whether a page is being presented: it has the window alone, in large type.
     pub fn presents(&self) -> bool {
-        self.present && self.pages.page == Page::Spectrum
+        self.present
     }
 }
 
@@ -62,7 +59,7 @@ impl Default for Preferences {
             folded: FOLDED_AT_FIRST.map(str::to_owned).to_vec(),
             pinned: false,
             greeted: false,
-            larger_answered: false,
+            grown: 1.0,
             pages: PageMemory::default(),
         }
     }

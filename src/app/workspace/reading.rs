@@ -152,7 +152,8 @@ fn restored(
         found
     };
     let light = find(&stored.light);
-    let factor = stored.factor.as_deref().and_then(&mut find);
+    let keys = [stored.second, stored.factor];
+    let [second, factor] = keys.map(|key| find(key.as_deref()?));
     let mut overlays = stored.overlays;
     let too_many = overlays.len().saturating_sub(MOST_OVERLAYS);
     overlays.truncate(MOST_OVERLAYS);
@@ -168,9 +169,7 @@ fn restored(
         }
     }
     losses.extend(products.1);
-    if too_many > 0 {
-        losses.push(Document::overlays_left_out(too_many));
-    }
+    losses.extend((too_many > 0).then(|| Document::overlays_left_out(too_many)));
     let patches = [stored.patch_set.as_str(), FIRST_PATCH_SET];
     let patch_set = if is_patch_set(patches[0]) { 0 } else { 1 };
     moved("patch_set", &patches[0], &patches[patch_set], &mut losses);
@@ -195,6 +194,7 @@ fn restored(
     let mut document = Document {
         light: of_kind(light, |kind| kind == Kind::Light, &mut losses)
             .unwrap_or_else(|| first.clone()),
+        second: of_kind(second, |kind| kind == Kind::Light, &mut losses),
         factor: of_kind(factor, Kind::is_factor, &mut losses),
         subject: stored.subject,
         overlays,

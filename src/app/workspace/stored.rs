@@ -155,6 +155,8 @@ pub(super) struct Stored {
     program: String,
     pub light: String,
     #[serde(default)]
+    pub second: Option<String>,
+    #[serde(default)]
     pub factor: Option<String>,
     #[serde(default)]
     pub subject: Subject,
@@ -196,7 +198,6 @@ pub(super) struct Stored {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct StoredProducts {
     pub chain: Vec<(String, Times)>,
-    other_light: Option<String>,
     surface: Option<String>,
     outgoing: Option<String>,
 }
@@ -210,6 +211,7 @@ impl Stored {
     ) -> Self {
         let Document {
             light,
+            second,
             factor,
             subject,
             overlays,
@@ -233,6 +235,7 @@ impl Stored {
             version: VERSION,
             program: env!("CARGO_PKG_VERSION").to_owned(),
             light: light.key.clone(),
+            second: second.as_ref().map(|second| second.key.clone()),
             factor: factor.as_ref().map(|f| f.key.clone()),
             subject: *subject,
             overlays: overlays.iter().map(|o| o.key.clone()).collect(),
@@ -265,7 +268,6 @@ impl StoredProducts {
     pub(super) fn of(products: &Products) -> Self {
         let Products {
             chain,
-            other_light,
             surface,
             outgoing,
         } = products;
@@ -273,7 +275,6 @@ impl StoredProducts {
         let link = |link: &Link| (link.entry.key.clone(), link.times());
         Self {
             chain: chain.iter().map(link).collect(),
-            other_light: key(other_light),
             surface: key(surface),
             outgoing: key(outgoing),
         }
@@ -287,7 +288,6 @@ impl StoredProducts {
             .filter_map(|(key, times)| Some(Link::new(find(&key)?, times)));
         Products {
             chain: links.collect(),
-            other_light: self.other_light.as_deref().and_then(&mut find),
             surface: self.surface.as_deref().and_then(&mut find),
             outgoing: self.outgoing.as_deref().and_then(&mut find),
         }

@@ -92,11 +92,11 @@ pub(crate) struct Mix {
     #[arg(long, value_name = "DUV", requires = "target", allow_hyphen_values = true,
         value_parser = room_words::finite)]
     pub duv: Option<f64>,
-    /// What to be best at: ler, rf, ra, melanopic or fewest; by rf and ra the best of several searches
+    /// The goal: ler, rf, ra, melanopic or fewest; by rf and ra the best of several searches
     /// [default: rf].
     #[arg(long, value_name = "FIGURE", value_parser = room_words::favour, conflicts_with = "front")]
     pub favour: Option<Objective>,
-    /// What not to fall below, such as rf=80, ra=90, ler=300 or melanopic=0.5; repeated.
+    /// Floors that hold, such as rf=80, ra=90, ler=300 or melanopic=0.5; repeated.
     #[arg(long = "floor", value_name = "FIGURE=VALUE", conflicts_with = "front")]
     pub floors: Vec<String>,
     /// Instead of channels: the best trade of rf or ra for ler that is found with lines free to move:

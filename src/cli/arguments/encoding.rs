@@ -20,7 +20,7 @@ pub(crate) struct Encode {
     #[arg(long, value_name = "N", default_value = "20",
         allow_negative_numbers = true, value_parser = room_words::whole_number)]
     pub numbers: usize,
-    /// Without known lamps, so that whoever has the formula can decode the words.
+    /// Without known lamps: the formula alone then decodes the words.
     #[arg(long)]
     pub portable: bool,
     /// Count a known lamp's index and a line's width as numbers of their own; the words are then

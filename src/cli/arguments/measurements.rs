@@ -35,7 +35,7 @@ impl Stated {
 /// Options of `combine`.
 #[derive(Args, Debug)]
 pub(crate) struct Combine {
-    /// What becomes of the inputs, whose letters are A, B, C, ... in their order: a formula with
+    /// What to do with the inputs, whose letters are A, B, C, ... in their order: a formula with
     /// the signs + - * / ( ), numbers and -log10, such as "A - B", "A / B", "(A - C) / (B - C)",
     /// "-log10(A / B)"; or mean (scans of one light), splice (two ranges), slit NM
     /// [triangle|gauss] (as such an instrument sees it), unslit auto|NM [triangle|gauss] (its slit
@@ -56,7 +56,7 @@ pub(crate) struct Combine {
     pub grid: room_words::Grid,
     #[command(flatten)]
     pub stated: Stated,
-    /// Leave out nothing: of a quotient however dark the reference is, of scans those that do not
+    /// Keep everything: of a quotient however dark the reference is, of scans those that do not
     /// belong to the others.
     #[arg(long)]
     pub keep_all: bool,

@@ -176,7 +176,7 @@ pub(crate) struct Gem {
     /// The picture to write: .png, which may replace one that this program drew, or .exr with every wavelength.
     #[arg(long, value_name = "FILE", value_parser = words::path_in(&["png", "exr"]))]
     pub out: Option<PathBuf>,
-    /// Let it replace any other file too, but for what is read.
+    /// Let it replace any other file, except the inputs.
     #[arg(long, requires = "out")]
     pub force: bool,
     #[command(flatten)]

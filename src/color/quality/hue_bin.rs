@@ -1,5 +1,6 @@
 //! One of the 16 hue bins of TM-30.
 
+use super::appearance::ViewingConditions;
 use crate::color::Xyz;
 
 /// Number of hue bins.
@@ -39,6 +40,16 @@ pub(crate) fn bin_of([a, b]: [f64; 2]) -> usize {
     let degrees = b.atan2(a).to_degrees().rem_euclid(360.0);
     // A hue a rounding below 360 may come out as 360 itself.
     ((degrees / WIDTH_DEG) as usize).min(BINS - 1)
+}
+
+/// Colourfulness in CAM02-UCS below which a surface is called grey: this program's border.
+const LEAST_COLOURFULNESS: f64 = 4.0;
+
+/// The bin of a surface's hue under a light whose white is given, both with Y = 100 for the light;
+/// `None` for a grey, and where no eye adapts to the light.
+pub(crate) fn hue_of(xyz: Xyz, white: Xyz) -> Option<usize> {
+    let [_, a, b] = ViewingConditions::adapted_to(white)?.uniform(xyz);
+    (a.hypot(b) >= LEAST_COLOURFULNESS).then(|| bin_of([a, b]))
 }
 
 /// Names of the bins from hue 0 on, by the hues that look unmixed in CIECAM02: red at 20.1 degrees,

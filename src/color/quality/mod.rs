@@ -49,7 +49,7 @@ mod test_colours;
 mod weight;
 
 pub(crate) use fidelity::{Fidelity, FidelityScale, fidelity_factors, sample_names};
-pub(crate) use hue_bin::{HUE_NAMES, HueBin, difference_of, index_of};
+pub(crate) use hue_bin::{HUE_NAMES, HueBin, difference_of, hue_of, index_of};
 pub(crate) use rendering::{
     GENERAL, RENDERING_NAMES, Rendering, RenderingScale, rendering_difference, rendering_factors,
     rendering_index,

@@ -42,3 +42,63 @@ pub(super) fn metamer_band<const M: usize>(
     }
     Some(band)
 }
+
+/// Orders of the waves that examples differ by from the reflectance that they are made of.
+const WAVES: std::ops::RangeInclusive<usize> = 3..=6;
+
+/// Part of the way to 0 or 1 that an example goes.
+const WAY: f64 = 0.9;
+
+/// Reflectances of 0-1 with the same colours as one that is within 0 and 1, as different from it as
+/// smooth waves can be: each wave added and taken away. What a wave adds to the colours is taken
+/// out of it, weighted so that it vanishes where the reflectance reaches 0 or 1.
+pub(super) fn metamer_examples<const M: usize>(
+    columns: &[[f64; M]; NODES],
+    of: &Nodes,
+) -> Vec<Nodes> {
+    let room = of.map(|value| (value * (1.0 - value)).max(0.0));
+    // What adds to the colours, as orthonormal directions: Gram and Schmidt, twice.
+    let mut seen: Vec<Nodes> = Vec::new();
+    let all: [Nodes; M] =
+        std::array::from_fn(|k| std::array::from_fn(|node| room[node] * columns[node][k]));
+    for column in all {
+        let rest = without(&seen, without(&seen, column));
+        let length = inner(&rest, &rest).sqrt();
+        if length > 0.0 {
+            seen.push(rest.map(|value| value / length));
+        }
+    }
+    let examples = WAVES.flat_map(|order| {
+        let turn = |node: usize| (node as f64 + 0.5) * order as f64 / NODES as f64;
+        let wave = std::array::from_fn(|node| (std::f64::consts::PI * turn(node)).cos());
+        let hidden = without(&seen, without(&seen, wave));
+        [1.0, -1.0].map(|sign| {
+            let step: Nodes = std::array::from_fn(|node| sign * room[node] * hidden[node]);
+            let limit = of.iter().zip(&step).map(|(value, step)| match *step {
+                step if step > 0.0 => (1.0 - value) / step,
+                step if step < 0.0 => -value / step,
+                _ => f64::INFINITY,
+            });
+            let most = WAY * limit.fold(f64::INFINITY, f64::min);
+            let most = if most.is_finite() { most } else { 0.0 };
+            std::array::from_fn(|node| (of[node] + most * step[node]).clamp(0.0, 1.0))
+        })
+    });
+    examples.collect()
+}
+
+fn inner(a: &Nodes, b: &Nodes) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// A vector without its parts along others of length 1.
+fn without(others: &[Nodes], mut vector: Nodes) -> Nodes {
+    for other in others {
+        let part = inner(&vector, other);
+        vector
+            .iter_mut()
+            .zip(other)
+            .for_each(|(v, o)| *v -= part * o);
+    }
+    vector
+}

@@ -9,7 +9,7 @@
 //! fourier     the paper's Eq. 18
 //! possible    colours that no surface has, and the nearest that one has
 //! lines       a light of lines over a background
-//! metamers    least and greatest reflectance of a colour
+//! metamers    least and greatest reflectance of a colour, and examples of it
 //! recovered   the reflectance with what must be known to trust it
 //! prediction  the same surface under other lights, and beside the real one
 //! picture     a picture of colours as a spectral one
@@ -43,9 +43,10 @@ pub use picture::{ColourPicture, Encoded, spectral_rows, usual_bands};
 pub(crate) use prediction::{Deviation, Prediction};
 pub use prediction::{deviation, predictions};
 pub(crate) use recovered::Nearest;
-pub use recovered::{Recovered, Seen, metamers};
 #[cfg(test)]
-pub(crate) use recovered::{Reflectance, can_be};
+pub(crate) use recovered::can_be;
+pub use recovered::{Recovered, Seen, metamers};
+pub(crate) use recovered::{Reflectance, examples};
 pub use report::json;
 pub(crate) use report::line_light_json;
 pub(crate) use viewing::{BAND, node_nm};

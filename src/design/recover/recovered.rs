@@ -3,7 +3,7 @@
 use super::{
     error::RecoverError,
     fourier,
-    metamers::{MetamerBand, metamer_band},
+    metamers::{MetamerBand, metamer_band, metamer_examples},
     method::Method,
     possible,
     smoothest::smoothest,
@@ -235,6 +235,16 @@ pub fn metamers(seen: &[Seen<'_>]) -> Option<MetamerBand> {
         [_] => metamer_band::<3>(&columns_of(seen), target_of(seen)),
         [_, _] => metamer_band::<6>(&columns_of(seen), target_of(seen)),
         _ => None,
+    }
+}
+
+/// Smooth surfaces with the same colours as one, which is within 0 and 1: eight, or none for another
+/// number of colours than one or two.
+pub(crate) fn examples(seen: &[Seen<'_>], of: &Nodes) -> Vec<Nodes> {
+    match seen {
+        [_] => metamer_examples::<3>(&columns_of(seen), of),
+        [_, _] => metamer_examples::<6>(&columns_of(seen), of),
+        _ => Vec::new(),
     }
 }
 

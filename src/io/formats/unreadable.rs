@@ -58,9 +58,12 @@ fn known(input: &Input) -> Option<(&'static str, &'static str)> {
 fn known_by_magic(input: &Input) -> Option<(&'static str, &'static str)> {
     let bytes = input.bytes;
     if bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06") {
-        return Some(match names(bytes, "opendocument.spreadsheet") {
-            true => ("an OpenDocument table (.ods)", AS_CSV),
-            false => ("a zip archive", "the file inside it"),
+        return Some(if names(bytes, "opendocument.spreadsheet") {
+            ("an OpenDocument table (.ods)", AS_CSV)
+        } else if names(bytes, "word/document.xml") {
+            ("a Word document", AS_CSV)
+        } else {
+            ("a zip archive", "the file inside it")
         });
     }
     let magic = MAGIC.iter().find(|(magic, ..)| bytes.starts_with(magic));

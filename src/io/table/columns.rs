@@ -254,14 +254,13 @@ fn are_rgb(titles: &Titles, values: &[usize]) -> bool {
     })
 }
 
-/// Title of a value column where it says more than what kind of value it is, else its number in
-/// the file: the same by which its other columns are called.
+/// Title of one of several value columns, else its number in the file; empty for the only one, which
+/// is called after the file: of a folder of files with a column each all have the same title.
 fn column_name(titles: &Titles, column: usize, columns: usize) -> String {
     let title = titles.names[column].trim();
     match (title.is_empty(), columns) {
-        (true, 1) => String::new(),
+        (_, 1) => String::new(),
         (true, _) => format!("column {}", column + 1),
-        (false, 1) if is_generic(title) => String::new(),
         (false, _) => title.to_owned(),
     }
 }

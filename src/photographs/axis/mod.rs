@@ -1,17 +1,18 @@
 //! The axis of a photograph: which lamp's lines its peaks are, and how sure that is.
 //!
 //! Axes are suggested by pairs of peaks and landmarks (`search`), refined and scored (`refine`),
-//! and judged (`verdict`): found, suggested, or nothing can be said. A wrong axis shown as right is
+//! and judged (`odds`, `verdict`): found, suggested, or nothing can be said. A wrong axis shown as right is
 //! the one fault that is not allowed.
 
 mod curve;
+mod odds;
 mod pins;
 mod refine;
 mod search;
 mod verdict;
 
 pub use curve::Curve;
-pub use pins::{Pin, PinError, snapped, through_pins};
+pub use pins::{Pin, PinError, snapped, through_pins, with_line_at};
 pub use refine::{Match, Solution};
 pub use verdict::{Answer, State, Wanted, find};
 

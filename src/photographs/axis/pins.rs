@@ -3,6 +3,7 @@
 use super::{
     super::peaks::Peaks,
     curve::{Curve, Degree, Point},
+    refine::Solution,
 };
 
 /// A column with a wavelength that a person has given.
@@ -107,6 +108,26 @@ pub fn through_pins(pins: &[Pin], columns: usize, peaks: &Peaks) -> Result<Curve
         Some(nm) => Err(PinError::Turns(nm)),
         None => Ok(fitted.0),
     }
+}
+
+/// The axis of a solution with one of its lines at another column, as a hand moves it: only the
+/// fit, no search. `None` where it would turn round.
+pub fn with_line_at(best: &Solution, peaks: &Peaks, line: usize, px: f64) -> Option<Curve> {
+    let curve = &best.curve;
+    let columns = curve.scale_px.round() as usize;
+    let points: Vec<Point> = (best.matches.iter().enumerate())
+        .map(|(i, found)| {
+            let peak = peaks.peaks[found.peak];
+            let by_hand = BY_HAND_PX * curve.slope(peak.px).abs();
+            Point {
+                px: if i == line { px } else { peak.px },
+                nm: found.landmark.nm,
+                sigma_nm: if i == line { by_hand } else { found.sigma_nm },
+            }
+        })
+        .collect();
+    let fitted = Curve::fit(&points, columns, curve.c[1], Degree::Quadratic)?;
+    Some(fitted.0).filter(Curve::is_monotone)
 }
 
 #[cfg(test)]

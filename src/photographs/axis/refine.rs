@@ -44,8 +44,9 @@ const COST: f64 = 5.4;
 const CURVATURE2: f64 = 0.09;
 /// Landmarks closer than this share of a line's width are one peak.
 const UNPARTED: f64 = 0.4;
-/// Range in which peaks that are no landmark count against an axis, nm.
-const STRANGERS_NM: (f64, f64) = (400.0, 700.0);
+/// Range in which peaks that are no landmark count against an axis, nm: beyond the violet, where
+/// cameras are all but blind, a peak is one in the wrong place.
+const STRANGERS_NM: (f64, f64) = (300.0, 700.0);
 
 impl Solution {
     /// The nm of the lines, in the order of their columns.
@@ -80,7 +81,7 @@ impl Solution {
 }
 
 /// A lamp's table for lines of a width.
-fn table_for(lamp: Lamp, width_nm: f64) -> &'static Table {
+pub(super) fn table_for(lamp: Lamp, width_nm: f64) -> &'static Table {
     let off = |t: &&Table| (t.slit_nm / width_nm.max(0.1)).ln().abs();
     let tables = lamp.tables().iter();
     tables

@@ -5,7 +5,7 @@ use super::{
         landmarks::Lamp,
         peaks::{Peak, Peaks},
     },
-    Scene,
+    Scene, odds,
     pins::Pin,
     refine::{Solution, refine},
     search,
@@ -49,12 +49,21 @@ pub struct Answer {
 const NO_OTHER: f64 = -5.0;
 /// Least lead of a suggested axis over the next.
 const LEAST_LEAD: f64 = 1.0;
+/// Least log-odds of a suggested axis of more than three lines.
+const SUGGESTED_ODDS: f64 = -3.0;
 /// Axes that are nowhere farther apart than this are one, nm.
 const SAME_NM: f64 = 4.0;
 /// Lines nearer to one another count as one place, nm.
 const PLACE_NM: f64 = 10.0;
 /// Least span of the lines, nm.
 const LEAST_SPAN_NM: f64 = 90.0;
+/// A peak of this height must be a line of the lamp, so far beyond the shortest also, nm.
+const STRONG: f64 = 0.3;
+const BEYOND_NM: f64 = 25.0;
+/// A wider gap parts groups of lines, nm.
+const GAP_NM: f64 = 90.0;
+/// A single peak of this height is a line and no bump of smooth light.
+const ALONE: f64 = 0.5;
 /// Fewer columns have no axis by themselves.
 const LEAST_COLUMNS: usize = 60;
 
@@ -129,6 +138,11 @@ fn no_axis(columns: usize, bright: &Peaks) -> String {
         _ if columns < LEAST_COLUMNS => format!(
             "found a strip of {columns} columns, expected {LEAST_COLUMNS} and more for an axis"
         ),
+        1 if bright.peaks[0].height > ALONE => match bright.peaks[0].hue {
+            // Low-pressure sodium: the one lamp of one line that is common.
+            Some(hue) if hue.is_yellow() => "one sodium line is no axis".to_owned(),
+            _ => "one line is no axis".to_owned(),
+        },
         0 | 1 => {
             "this is smooth light without lines: take a picture of an energy-saving lamp with \
                   the same set-up, then this one with it"
@@ -160,13 +174,13 @@ impl Judged<'_> {
         let lines = solution.matches.len();
         let (low, high) = solution.span_nm();
         let spans = high - low >= LEAST_SPAN_NM;
-        let least = match () {
-            () if self.is_named && !solution.lamp.is_dark() => 0.5,
-            () if solution.lamp.is_dark() || self.is_grey() => 7.0,
-            () => 6.0,
+        let fits = match () {
+            () if self.is_named && !solution.lamp.is_dark() => solution.score >= 0.5,
+            () if solution.lamp.is_dark() || self.is_grey() => solution.score >= 7.0,
+            () => solution.score >= 6.0 || lines > 3 && self.log_odds() >= SUGGESTED_ODDS,
         };
         let is_first = self.is_named || self.margin >= LEAST_LEAD;
-        let is_suggested = spans && lines >= 3 && solution.score >= least && is_first;
+        let is_suggested = spans && lines >= 3 && fits && is_first;
         match self.against(runner_up) {
             None => (State::Found, None),
             Some(why) if is_suggested => (State::Suggested, Some(why)),
@@ -185,10 +199,14 @@ impl Judged<'_> {
             ));
         }
         if lines < 4 || places < 4 {
-            let nm: Vec<String> = solution.lines_nm().map(|nm| format!("{nm:.0}")).collect();
+            let nm: Vec<String> = self
+                .sorted_nm()
+                .iter()
+                .map(|nm| format!("{nm:.0}"))
+                .collect();
+            let few = if lines == 3 { "three lines" } else { "so few" };
             return Some(format!(
-                "{lines} lines at {places} places only ({}): this fits {name}, but so few prove \
-                 nothing. Right?",
+                "{lines} lines only ({}): this fits {name}, but {few} prove nothing. Right?",
                 nm.join(", ")
             ));
         }
@@ -201,6 +219,11 @@ impl Judged<'_> {
                 solution.score
             ));
         }
+        if !self.is_named && !solution.lamp.is_dark() && self.log_odds() < self.least_odds() {
+            return Some(format!(
+                "the {lines} lines may fit {name} by chance: set one pin, or name the lamp"
+            ));
+        }
         if self.margin < least_margin {
             let other = runner_up.map_or("nothing", |other| other.lamp.name());
             return Some(if other == name {
@@ -208,6 +231,14 @@ impl Judged<'_> {
             } else {
                 format!("fits {name} and {other} about equally: set one pin")
             });
+        }
+        if let Some(nm) = self.strong_stranger() {
+            return Some(format!("the strong line at {nm:.0} nm is none of {name}'s"));
+        }
+        if !self.is_named && self.solution.lamp.crowds() && self.has_lonely_group() {
+            return Some(format!(
+                "a gap of more than {GAP_NM} nm is left open, and few lines stand beyond it"
+            ));
         }
         if is_grey && self.widest_gap() > 120.0 {
             return Some("without colours a gap of more than 120 nm is left open".to_owned());
@@ -223,16 +254,28 @@ impl Judged<'_> {
         match () {
             // Dark lines are many and alike: a name does not tell them apart.
             () if self.is_named && !self.solution.lamp.is_dark() => 0.5,
+            () if self.is_named => 2.5,
             () if is_grey || self.solution.lamp.is_dark() => 9.0,
-            // Few lines of an unknown lamp fit something by chance.
-            () if self.solution.matches.len() < 7 => 10.5,
-            () => 7.5,
+            () => 3.0,
+        }
+    }
+
+    fn log_odds(&self) -> f64 {
+        odds::log_odds(self.solution, self.peaks)
+    }
+
+    fn least_odds(&self) -> f64 {
+        match self.solution.lamp {
+            // The commonest by far.
+            Lamp::Fluorescent => 0.5,
+            _ => 1.0,
         }
     }
 
     fn least_margin(&self, is_grey: bool) -> f64 {
         match () {
             () if self.is_pinned => 0.0,
+            () if self.is_named && self.solution.lamp.is_dark() => 8.0,
             () if self.is_named => 5.0,
             () if is_grey => 9.0,
             () => self.solution.lamp.least_margin(),
@@ -281,6 +324,26 @@ impl Judged<'_> {
             }
         }
         places
+    }
+
+    /// The wavelength of a strong peak among the lines that is none of them.
+    fn strong_stranger(&self) -> Option<f64> {
+        let (low, high) = self.solution.span_nm();
+        let mut peaks = self.peaks.peaks.iter().enumerate();
+        peaks.find_map(|(i, peak)| {
+            let nm = self.solution.curve.nm(peak.px);
+            let counts = peak.height >= STRONG && (low - BEYOND_NM..=high).contains(&nm);
+            let is_matched = self.solution.matches.iter().any(|m| m.peak == i);
+            (counts && !is_matched).then_some(nm)
+        })
+    }
+
+    /// A group of fewer than three lines stands apart at an end: it may be slipped by one.
+    fn has_lonely_group(&self) -> bool {
+        let nm = self.sorted_nm();
+        let gaps = nm.windows(2).enumerate();
+        let mut wide = gaps.filter(|(_, pair)| pair[1] - pair[0] > GAP_NM);
+        wide.any(|(i, _)| (i + 1).min(nm.len() - i - 1) < 3)
     }
 
     fn widest_gap(&self) -> f64 {

@@ -125,18 +125,17 @@ impl Strip {
 /// # Errors
 /// [`StripError`] where there is none, or not the one that was meant.
 pub fn find(picture: &Picture, by_hand: &ByHand) -> Result<Found, StripError> {
-    let small = picture.small(SMALL);
+    let light = Light::of(&picture.small(SMALL));
     let ways = match by_hand.is_vertical {
         Some(is_vertical) => vec![is_vertical],
-        None => small::ways(&small),
+        None => light.ways(),
     };
     let tried = ways.into_iter().map(|is_vertical| {
-        let light = if is_vertical {
-            Light::of(&small.transposed())
+        if is_vertical {
+            one_way(picture, &light.transposed(), true, by_hand)
         } else {
-            Light::of(&small)
-        };
-        one_way(picture, &light, is_vertical, by_hand)
+            one_way(picture, &light, false, by_hand)
+        }
     });
     let mut best: Result<(Found, f64), StripError> = Err(StripError::None);
     for one in tried {
@@ -151,12 +150,10 @@ pub fn find(picture: &Picture, by_hand: &ByHand) -> Result<Found, StripError> {
 
 /// Reads the light along a strip whose place is known.
 pub fn read_at(picture: &Picture, strip: &Strip) -> Found {
-    let small = picture.small(SMALL);
-    let light = if strip.is_vertical {
-        Light::of(&small.transposed())
-    } else {
-        Light::of(&small)
-    };
+    let mut light = Light::of(&picture.small(SMALL));
+    if strip.is_vertical {
+        light = light.transposed();
+    }
     let view = View {
         picture,
         is_vertical: strip.is_vertical,
@@ -164,9 +161,18 @@ pub fn read_at(picture: &Picture, strip: &Strip) -> Found {
     Found {
         strip: *strip,
         strips: 1,
-        blue_is_right: light.blue_is_right,
+        blue_is_right: light.blue_is_right(),
         profile: extract::profile(view, strip, light.is_grey),
     }
+}
+
+/// The light along a strip that was read before, of the same picture with other tones.
+pub fn again(picture: &Picture, found: &Found) -> Profile {
+    let view = View {
+        picture,
+        is_vertical: found.strip.is_vertical,
+    };
+    extract::profile(view, &found.strip, found.profile.is_grey)
 }
 
 /// The strip where colours run from left to right, and how good it is.
@@ -221,7 +227,7 @@ fn one_way(
     let found = Found {
         strip,
         strips,
-        blue_is_right: light.blue_is_right,
+        blue_is_right: light.blue_is_right(),
         profile,
     };
     Ok((found, sharpness * place.strength))

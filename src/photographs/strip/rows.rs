@@ -30,7 +30,15 @@ const LIT: f64 = 0.15;
 struct Run {
     first: usize,
     last: usize,
-    strength: f64,
+    /// Of the chroma of all rows.
+    share: f64,
+}
+
+impl Run {
+    /// How alike its rows are, times the root of its share.
+    fn strength(&self, light: &Light, slope: f64) -> f64 {
+        alike(light, slope, self.first, self.last) * self.share.sqrt()
+    }
 }
 
 /// The strips of a picture, the strongest first.
@@ -41,22 +49,21 @@ pub(super) fn strips(light: &Light, turn_deg: Option<f64>) -> Vec<Rows> {
             let mut middle = 0.5 * (run.first + run.last) as f64;
             let mut reach = 0.5 * (run.last - run.first + 1) as f64;
             let mut turn = turn_deg.unwrap_or(0.0).to_radians().tan();
-            let mut strength = run.strength;
+            let mut last = *run;
             for _ in 0..3 {
                 if turn_deg.is_none() {
                     (turn, middle) = turned(light, turn, middle, 1.3 * reach)?;
                 }
-                let again = runs_near(light, turn, middle)?;
-                middle = again.0;
-                reach = again.1;
-                strength = again.2;
+                last = run_near(light, turn, middle)?;
+                middle = 0.5 * (last.first + last.last) as f64;
+                reach = 0.5 * (last.last - last.first + 1) as f64;
             }
             let scale = light.block as f64;
             Some(Rows {
                 turn_deg: turn.atan().to_degrees(),
                 middle: (middle + 0.5) * scale - 0.5,
                 half: reach * scale * turn.atan().cos(),
-                strength,
+                strength: last.strength(light, turn),
             })
         })
         .collect();
@@ -88,17 +95,15 @@ fn turned_chroma(light: &Light, slope: f64, x: usize, row: f64, most: f64) -> f6
 /// The sums of rows of the turned picture.
 fn sums(light: &Light, slope: f64) -> Vec<f64> {
     let [width, height] = light.size;
-    let lit: Vec<f64> = light.chroma.iter().copied().filter(|c| *c > 0.0).collect();
-    let most = percentile(&lit, 0.995).max(f64::MIN_POSITIVE);
     let sum = |y: usize| {
         (0..width)
-            .map(|x| turned_chroma(light, slope, x, y as f64, most))
+            .map(|x| turned_chroma(light, slope, x, y as f64, light.most))
             .sum::<f64>()
     };
     gaussian(&(0..height).map(sum).collect::<Vec<f64>>(), 1.0)
 }
 
-/// Runs of strong rows, each with how alike they are.
+/// Runs of strong rows.
 fn runs(light: &Light, slope: f64) -> Vec<Run> {
     let sums = sums(light, slope);
     let least = RUN * percentile(&sums, 0.99);
@@ -116,7 +121,7 @@ fn runs(light: &Light, slope: f64) -> Vec<Run> {
                     runs.push(Run {
                         first,
                         last: y - 1,
-                        strength: alike(light, slope, first, y - 1) * share.sqrt(),
+                        share,
                     });
                 }
             }
@@ -126,20 +131,14 @@ fn runs(light: &Light, slope: f64) -> Vec<Run> {
     runs
 }
 
-/// The run of the turned picture that a row lies in or next to: middle, half, strength.
-fn runs_near(light: &Light, slope: f64, row: f64) -> Option<(f64, f64, f64)> {
+/// The run of the turned picture that a row lies in or next to.
+fn run_near(light: &Light, slope: f64, row: f64) -> Option<Run> {
     let away = |run: &Run| {
         let (first, last) = (run.first as f64, run.last as f64);
         (first - row).max(row - last).max(0.0)
     };
-    let runs = runs(light, slope);
-    let run = runs.iter().min_by(|a, b| away(a).total_cmp(&away(b)))?;
-    let middle = 0.5 * (run.first + run.last) as f64;
-    Some((
-        middle,
-        0.5 * (run.last - run.first + 1) as f64,
-        run.strength,
-    ))
+    let runs = runs(light, slope).into_iter();
+    runs.min_by(|a, b| away(a).total_cmp(&away(b)))
 }
 
 /// The mean correlation of rows with their mean.

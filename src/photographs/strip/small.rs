@@ -7,8 +7,11 @@ pub(super) struct Light {
     pub size: [usize; 2],
     /// Chroma above its floor; of a grey picture the light above its own.
     pub chroma: Vec<f64>,
+    /// What all but the brightest places have at most.
+    pub most: f64,
     pub is_grey: bool,
-    pub blue_is_right: Option<bool>,
+    /// From the blue to the red middle, as far as there are colours.
+    vector: Option<[f64; 2]>,
     /// Pixels of the photograph in one of this, along a side.
     pub block: usize,
 }
@@ -17,6 +20,8 @@ pub(super) struct Light {
 const LEAST_CHROMA: f64 = 0.025;
 /// A channel whose places hold less of the chroma has no middle.
 const LEAST_SHARE: f64 = 0.01;
+/// Share of the lit places that are not the brightest.
+const MOST: f64 = 0.995;
 
 impl Light {
     pub(super) fn of(small: &Small) -> Self {
@@ -36,43 +41,50 @@ impl Light {
         let is_grey = chroma.iter().sum::<f64>() < LEAST_CHROMA * total;
         let middles = middles(&above, &chroma, width);
         let vector = (!is_grey).then(|| vector(&middles)).flatten();
-        let chroma = if is_grey {
+        let chroma: Vec<f64> = if is_grey {
             let floor = 3.0 * percentile(&sparse(&bright), 0.5);
             bright.iter().map(|v| (v - floor).max(0.0)).collect()
         } else {
             chroma
         };
+        let lit: Vec<f64> = chroma.iter().copied().filter(|c| *c > 0.0).collect();
         Self {
             size: small.size,
+            most: percentile(&lit, MOST).max(f64::MIN_POSITIVE),
             chroma,
             is_grey,
-            blue_is_right: vector.map(|[x, _]| x < 0.0),
+            vector,
             block: small.block,
         }
     }
-}
 
-/// Ways in which colours may run, true where from top to bottom.
-pub(super) fn ways(small: &Small) -> Vec<bool> {
-    let [width, height] = small.size;
-    let above: [Vec<f64>; 3] = small.channels.each_ref().map(|channel| {
-        let values: Vec<f64> = channel.iter().map(|v| f64::from(*v)).collect();
-        let black = percentile(&sparse(&values), 0.15);
-        let light: Vec<f64> = values.iter().map(|v| (v - black).max(0.0)).collect();
-        blurred(&light, width, height)
-    });
-    let light = Light::of(small);
-    if light.is_grey {
-        return vec![false, true];
+    /// The same with columns and rows changed for each other.
+    pub(super) fn transposed(&self) -> Self {
+        let [columns, rows] = self.size;
+        let places = (0..columns).flat_map(|x| (0..rows).map(move |y| y * columns + x));
+        Self {
+            size: [rows, columns],
+            chroma: places.map(|at| self.chroma[at]).collect(),
+            vector: self.vector.map(|[x, y]| [y, x]),
+            ..*self
+        }
     }
-    let Some([x, y]) = vector(&middles(&above, &light.chroma, width)) else {
-        return vec![false, true];
-    };
-    let from_level = y.abs().atan2(x.abs()).to_degrees();
-    match from_level {
-        ..40.0 => vec![false],
-        50.0.. => vec![true],
-        _ => vec![false, true],
+
+    /// Blue lies to the right, as far as colours tell.
+    pub(super) fn blue_is_right(&self) -> Option<bool> {
+        self.vector.map(|[x, _]| x < 0.0)
+    }
+
+    /// Ways in which colours may run, true where from top to bottom.
+    pub(super) fn ways(&self) -> Vec<bool> {
+        let Some([x, y]) = self.vector else {
+            return vec![false, true];
+        };
+        match y.abs().atan2(x.abs()).to_degrees() {
+            ..40.0 => vec![false],
+            50.0.. => vec![true],
+            _ => vec![false, true],
+        }
     }
 }
 

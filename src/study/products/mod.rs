@@ -35,7 +35,7 @@ pub use same_surface::{SAME_RESIDUAL, Sameness};
 pub(crate) use timing::{ProductTime, Sizes, product_times};
 pub(crate) use two_lights::{
     Black, MATCH_DELTA_E, MetamericPair, Metamers, TwoLights, metameric_black, metameric_pairs,
-    two_lights, two_modelled_lights,
+    two_lights,
 };
 
 use super::error::ratio;

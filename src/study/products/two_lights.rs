@@ -2,10 +2,7 @@
 
 use crate::{
     color::{Lab, Weights, Xyz, delta_e_2000, lab_from_xyz, xyz_of_parts},
-    spectrum::{
-        Band, Basis, Composite, Line,
-        product::{multiply, weigh_lines},
-    },
+    spectrum::{Band, Basis, product::multiply},
     study::Progress,
 };
 
@@ -67,40 +64,11 @@ pub(crate) fn two_lights(
     lights: [&[f64]; 2],
     seen: &Weights,
 ) -> Option<TwoLights> {
-    let lamps = lights.map(|light| (light, &[][..]));
-    under(band, surfaces, lamps, lights, seen)
-}
-
-/// The same surfaces under the lights' models; the whites are still those of the measured lights.
-///
-/// The spikes are carried exactly: weight times the surface where the line stands.
-pub(crate) fn two_modelled_lights(
-    band: Band,
-    surfaces: &[Vec<f64>],
-    models: [&Composite; 2],
-    lights: [&[f64]; 2],
-    seen: &Weights,
-) -> Option<TwoLights> {
-    let smooth = models.map(|model| model.smooth().on_band());
-    let lamps = [0, 1].map(|i| (&smooth[i][..], models[i].lines()));
-    under(band, surfaces, lamps, lights, seen)
-}
-
-/// Surfaces under two lamps, each a curve on the grid and spikes, against the whites of `lights`.
-fn under(
-    band: Band,
-    surfaces: &[Vec<f64>],
-    lamps: [(&[f64], &[Line]); 2],
-    lights: [&[f64]; 2],
-    seen: &Weights,
-) -> Option<TwoLights> {
     let whites = lights.map(|light| xyz_of_parts(band, light, &[], seen));
     let scaled = [whites[0].with_y(100.0)?, whites[1].with_y(100.0)?];
     let patches = surfaces.iter().map(|surface| {
         let colours = [0, 1].map(|i| {
-            let (curve, spikes) = lamps[i];
-            let lines = weigh_lines(spikes, |nm| band.interpolate(surface, nm));
-            let raw = xyz_of_parts(band, &multiply(curve, surface), &lines, seen);
+            let raw = xyz_of_parts(band, &multiply(lights[i], surface), &[], seen);
             raw * (100.0 / whites[i].y)
         });
         let labs = [0, 1].map(|i| lab_from_xyz(colours[i], scaled[i]));
@@ -121,12 +89,6 @@ impl TwoLights {
     pub fn mean(&self) -> Option<f64> {
         let sum: f64 = self.patches.iter().map(|p| p.delta_e_2000).sum();
         (!self.patches.is_empty()).then(|| sum / self.patches.len() as f64)
-    }
-
-    /// Index of the surface that moves most; `None` without any.
-    pub(crate) fn worst(&self) -> Option<usize> {
-        let moves = self.patches.iter().map(|p| p.delta_e_2000).enumerate();
-        moves.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
     }
 }
 

@@ -17,15 +17,18 @@ pub enum ChartForm {
     Png,
     /// A picture of lines.
     Svg,
+    /// A picture of lines that the browser opens, to print it.
+    Print,
 }
 
 impl ChartForm {
     /// All forms with what the menu calls them, in its order.
-    pub const ALL: [(Self, &'static str); 4] = [
+    pub const ALL: [(Self, &'static str); 5] = [
         (Self::CopyCsv, "Copy as CSV"),
         (Self::Csv, "Save CSV…"),
         (Self::Png, "Save PNG…"),
         (Self::Svg, "Save SVG…"),
+        (Self::Print, "Print…"),
     ];
 
     /// The extension of its file.
@@ -33,7 +36,7 @@ impl ChartForm {
         match self {
             Self::CopyCsv | Self::Csv => "csv",
             Self::Png => "png",
-            Self::Svg => "svg",
+            Self::Svg | Self::Print => "svg",
         }
     }
 }
@@ -65,18 +68,30 @@ impl ChartWish {
     }
 }
 
+/// The same menu where the right button clicks the chart.
+pub(super) fn on_right_click(response: &egui::Response, chart: &Chart) -> Option<ChartWish> {
+    let mut wish = None;
+    response.context_menu(|ui| wish = items(ui, chart));
+    wish
+}
+
+fn items(ui: &mut Ui, chart: &Chart) -> Option<ChartWish> {
+    let mut wish = None;
+    for (form, words) in ChartForm::ALL {
+        if ui.button(words).clicked() {
+            wish = Some(ChartWish::new(chart, form));
+            ui.close();
+        }
+    }
+    wish
+}
+
 /// Draws the menu's button.
 pub(super) fn menu(ui: &mut Ui, chart: &Chart) -> Option<ChartWish> {
     let mut wish = None;
     let button = Button::new(RichText::new("⋯").strong()).frame_when_inactive(false);
-    let (response, _) = egui::containers::menu::MenuButton::from_button(button).ui(ui, |ui| {
-        for (form, words) in ChartForm::ALL {
-            if ui.button(words).clicked() {
-                wish = Some(ChartWish::new(chart, form));
-                ui.close();
-            }
-        }
-    });
+    let (response, _) = egui::containers::menu::MenuButton::from_button(button)
+        .ui(ui, |ui| wish = items(ui, chart));
     let name = format!("Save chart: {}", chart.title);
     let name = name.trim_end_matches([':', ' ']);
     named(&response, egui::Role::Button, name);

@@ -1,8 +1,9 @@
 //! A [`Chart`] in the window: the drawing that its files have, with read-outs, clicks and a menu
 //! to save it.
 //!
-//! egui_plot has the hands on it: a drag pans, Ctrl and the wheel zoom, the right button zooms
-//! into a box, a double click shows everything again. In a chart whose page has something to drag
+//! A drag pans, the wheel zooms around the pointer (with Ctrl where the page scrolls), a drag with
+//! the right button zooms into a box, a click of it opens the menu, a double click or the button
+//! "fit" shows everything again. In a chart whose page has something to drag
 //! ([`ChartView::held`]) a drag is the page's and pans nothing.
 
 mod hands;
@@ -62,6 +63,8 @@ pub(super) struct How {
     pub pans: bool,
     /// Whether points are read out where they are pointed at.
     pub tells: bool,
+    /// Whether a double click shows everything again.
+    pub fits: bool,
     /// What the vertical axis is of: another one forgets its zoom, the horizontal one stays.
     pub y_of: Option<Id>,
 }
@@ -74,6 +77,7 @@ impl How {
         moves: true,
         pans: true,
         tells: true,
+        fits: true,
         y_of: None,
     };
 
@@ -191,6 +195,7 @@ pub(super) fn draw(
     }
     let main = screen(main);
     let response = hands.main;
+    wish = wish.or_else(|| menu::on_right_click(&response, chart));
     let dragged = response.dragged_by(egui::PointerButton::Primary);
     let dragged = response.interact_pointer_pos().filter(|_| dragged);
     let clicked = pointed.as_ref().filter(|(_, _, over)| over.clicked());

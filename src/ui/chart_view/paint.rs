@@ -80,6 +80,18 @@ fn add(out: &mut Vec<Shape>, painter: &Painter, origin: Vec2, primitive: &Primit
             }
             out.push(mesh.into());
         }
+        Primitive::Pieces(pieces) => {
+            let mut mesh = Mesh::default();
+            for (corners, colours) in pieces {
+                let first = mesh.vertices.len() as u32;
+                for (at, colour) in corners.iter().zip(colours) {
+                    mesh.colored_vertex(pos(origin, *at), ink(*colour));
+                }
+                mesh.add_triangle(first, first + 1, first + 2);
+                mesh.add_triangle(first, first + 2, first + 3);
+            }
+            out.push(mesh.into());
+        }
         Primitive::Polygon { corners, colour } => {
             let corners = corners.iter().map(|at| pos(origin, *at)).collect();
             out.push(Shape::convex_polygon(corners, ink(*colour), Stroke::NONE));

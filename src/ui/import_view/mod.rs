@@ -289,7 +289,8 @@ fn message(ui: &mut Ui, import: &Import, theme: Theme) {
         match import.refusal() {
             Some(why) => {
                 ui.colored_label(theme.warning, "▲");
-                let words = format!("Not read so: {why}. The last good reading stays.");
+                let words =
+                    format!("That way it cannot be read: {why}. The last good reading stays.");
                 two_lines(ui, &words, ui.visuals().text_color(), width);
             }
             None => two_lines(ui, "Every answer is one step of Undo.", theme.faint, width),

@@ -3,6 +3,8 @@
 use eframe::egui;
 use egui::{Align, Grid, Layout, ScrollArea, Ui, Vec2, vec2};
 
+use super::form::GROUP;
+
 /// Room of a scroll area's bar, which stands over the right edge, points.
 const BAR: f32 = 8.0;
 
@@ -49,6 +51,49 @@ pub fn cell(ui: &mut Ui, width: f32, add: impl FnOnce(&mut Ui)) {
     ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
         ui.set_min_size(size);
         add(ui);
+    });
+}
+
+/// Width of a panel of controls, points, and from which width of the page on it stands beside the
+/// picture.
+const PANEL: f32 = 300.0;
+const BESIDE: f32 = 760.0;
+
+/// A picture that gets the room there is, with its controls at the right; in a narrow page below
+/// it. Each scrolls where it is higher than its room.
+pub fn with_panel<C>(
+    ui: &mut Ui,
+    context: &mut C,
+    (id, scale): (&str, f32),
+    picture: impl FnOnce(&mut Ui, &mut C, Vec2),
+    panel: impl FnOnce(&mut Ui, &mut C),
+) {
+    let room = ui.available_size();
+    if room.x < BESIDE * scale {
+        scrolled(ui, id, |ui| {
+            let size = vec2(ui.available_width(), 0.8 * room.y);
+            picture(ui, context, size);
+            ui.add_space(GROUP);
+            panel(ui, context);
+        });
+        return;
+    }
+    let width = PANEL * scale;
+    ui.horizontal_top(|ui| {
+        ui.spacing_mut().item_spacing.x = GROUP;
+        let left = vec2(room.x - width - GROUP, room.y);
+        column(ui, left, |ui| {
+            ui.spacing_mut().item_spacing.x = 6.0;
+            scrolled(ui, id, |ui| {
+                let size = vec2(ui.available_width(), room.y);
+                picture(ui, context, size);
+            });
+        });
+        column(ui, vec2(width, room.y), |ui| {
+            ui.spacing_mut().item_spacing.x = 6.0;
+            ui.spacing_mut().slider_width = 100.0 * scale;
+            scrolled(ui, &format!("controls of {id}"), |ui| panel(ui, context));
+        });
     });
 }
 

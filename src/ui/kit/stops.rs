@@ -19,8 +19,8 @@ pub struct Stops<'a> {
     pub ticks: &'a [f64],
     /// From where on all is well.
     pub well_from: Option<f64>,
-    /// How far an arrow key moves.
-    pub step: f64,
+    /// Where arrow keys lead from a place, by so many of them.
+    pub stepped: fn(f64, f64) -> f64,
     /// The value, for screen readers.
     pub value: f64,
     /// The values at both ends.
@@ -63,7 +63,7 @@ impl Stops<'_> {
             let steps = ui.input(|i| {
                 i.num_presses(Key::ArrowRight) as f64 - i.num_presses(Key::ArrowLeft) as f64
             });
-            *place = (*place + steps * self.step).clamp(0.0, 1.0);
+            *place = (self.stepped)(*place, steps).clamp(0.0, 1.0);
         }
         self.obey_reader(ui, response.id, place);
         if *place != before {
@@ -134,6 +134,6 @@ impl Stops<'_> {
         if let Some(value) = value {
             *place = (self.place_of)(value).clamp(0.0, 1.0);
         }
-        *place = (*place + steps * self.step).clamp(0.0, 1.0);
+        *place = (self.stepped)(*place, steps).clamp(0.0, 1.0);
     }
 }

@@ -2,19 +2,34 @@
 
 use eframe::egui;
 use egui::{
-    Align, Button, DragValue, Frame, Label, Layout, Margin, Rect, Response, RichText, Sense,
-    TextEdit, Ui, Vec2, WidgetText,
+    Align, Button, CollapsingHeader, DragValue, Frame, Label, Layout, Margin, Rect, Response,
+    RichText, Sense, TextEdit, Ui, Vec2, WidgetText,
 };
 
-use crate::ui::theme::Theme;
+use crate::ui::theme::{Theme, main_colours};
 
 /// Size of the sentence that a page begins with, points.
-pub const HEADLINE: f32 = 16.0;
+pub const HEADLINE: f32 = 20.0;
 
 /// The sentence that a page begins with: its result.
 pub fn headline(ui: &mut Ui, theme: Theme, words: impl Into<String>) -> Response {
+    let words = words.into();
+    if !ui.is_visible() {
+        ui.data_mut(|data| data.insert_temp(hidden(), words.clone()));
+    }
     let text = RichText::new(words).size(HEADLINE * theme.scale);
     ui.add(Label::new(text).wrap())
+}
+
+/// Where the sentence of a page that is drawn unseen is kept.
+fn hidden() -> egui::Id {
+    egui::Id::unique("sentence of a page that is presented")
+}
+
+/// The sentence of the page that was drawn unseen just now.
+pub fn hidden_headline(ui: &Ui) -> String {
+    ui.data_mut(|data| data.remove_temp(hidden()))
+        .unwrap_or_default()
 }
 
 /// Gives a widget the name that screen readers and tests call it.
@@ -44,6 +59,19 @@ pub fn text_field(ui: &mut Ui, text: &mut String, [name, hint]: [&str; 2], width
     response
 }
 
+/// Words in one line, cut where they are wider than a width, to be painted.
+pub fn cut_words(
+    ui: &Ui,
+    words: &str,
+    font: egui::FontId,
+    ink: egui::Color32,
+    width: f32,
+) -> std::sync::Arc<egui::Galley> {
+    let mut job = egui::text::LayoutJob::simple_singleline(words.to_owned(), font, ink);
+    job.wrap = egui::text::TextWrapping::truncate_at_width(width.max(8.0));
+    ui.painter().layout_job(job)
+}
+
 /// Room for what is painted, under its name.
 pub fn drawing(ui: &mut Ui, size: Vec2, sense: Sense, name: &str) -> (Rect, Response) {
     let (rect, response) = ui.allocate_exact_size(size, sense);
@@ -59,6 +87,12 @@ pub fn pressed(ui: &mut Ui, words: &str, meaning: &str) -> bool {
 /// The same in small.
 pub fn pressed_small(ui: &mut Ui, words: &str, meaning: &str) -> bool {
     pressed_if(ui, true, Button::new(words).small(), meaning)
+}
+
+/// The one button of a card that does its work: it looks like nothing that is switched on.
+pub fn main_button(ui: &Ui, words: &str) -> Button<'static> {
+    let (fill, ink) = main_colours(ui.visuals().dark_mode);
+    Button::new(RichText::new(words.to_owned()).color(ink)).fill(fill)
 }
 
 /// A button that can be clicked under a condition, with what it does.
@@ -108,6 +142,11 @@ pub fn titled(ui: &mut Ui, title: &str, copy: &str, meaning: &str, csv: impl FnO
             copy_button(ui, copy, meaning, csv);
         });
     });
+}
+
+/// What is seen on demand, below its title; `id` tells it apart from others of the page.
+pub fn fold(ui: &mut Ui, id: &str, title: &str, add: impl FnOnce(&mut Ui)) {
+    CollapsingHeader::new(title).id_salt(id).show(ui, add);
 }
 
 /// A card: what belongs together, on a ground of its own.

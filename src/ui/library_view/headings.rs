@@ -27,7 +27,7 @@ pub(super) fn favourites_row(
                 let button = egui::Button::new(favourite.label).truncate();
                 let response = ui.add_sized(size, button);
                 if response.clicked() {
-                    commands.push(taken(&favourite.entry, compares));
+                    commands.push(taken(app, &favourite.entry, compares));
                 }
                 response.on_hover_text(favourite.entry.name());
             }
@@ -107,5 +107,5 @@ pub(super) fn describe(ui: &mut Ui, entry: &Entry) {
     if !entry.licence.is_empty() {
         ui.weak(format!("Licence: {}", entry.licence));
     }
-    ui.weak("Click to show it. Ctrl or Shift and click to lay it over.");
+    ui.weak("Click to show it. Ctrl or Shift and click to compare.");
 }

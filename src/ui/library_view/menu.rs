@@ -33,9 +33,19 @@ impl LibraryView {
         };
         let key = || entry.key.clone();
         item(ui, ["Show", ""], Command::Show(entry.clone()));
+        if entry.kind() == Kind::Light {
+            let now = app.document().second.as_ref();
+            let is_second = now.is_some_and(|second| second.key == entry.key);
+            let [words, second] = match is_second {
+                true => ["Compare no more", ""],
+                false => ["Compare with it", "The second light of every page."],
+            };
+            let compared = Command::Compare((!is_second).then(|| entry.clone()));
+            item(ui, [words, second], compared);
+        }
         let words = match overlaid {
-            true => "Take from the overlays",
-            false => "Add to the overlays",
+            true => "Stop comparing",
+            false => "Compare with this",
         };
         item(ui, [words, ""], Command::ToggleOverlay(entry.clone()));
         if entry.shelf().is_some() {
@@ -54,8 +64,8 @@ impl LibraryView {
         if entry.kind().is_factor() {
             let is_patch = app.document().own_patches.contains(&entry.key);
             let words = match is_patch {
-                true => "Take from the patches",
-                false => "Add to the patches",
+                true => "Remove from the surfaces",
+                false => "Add to the surfaces",
             };
             item(ui, [words, ""], Command::ToggleOwnPatch { key: key() });
         }
@@ -92,6 +102,6 @@ fn made_menu(
         let asked = Command::MakeOtherwise { key: key(), recipe };
         item(ui, [&words, meaning], asked);
     }
-    let meaning = "Its numbers stay as they are, whatever happens to what it is made of.";
+    let meaning = "Keeps its numbers as they are now.";
     item(ui, ["Freeze", meaning], Command::Freeze { key: key() });
 }

@@ -15,10 +15,13 @@ use self::{
 };
 use super::{
     entry_row::{Painted, row_name},
-    kit::{named, named_choice, text_field},
+    kit::{named, named_choice, sign_button, text_field},
     theme::Theme,
 };
-use crate::app::{App, Command, Entry, workspace::Preferences};
+use crate::{
+    app::{App, Command, Entry, chart::Ink, workspace::Preferences},
+    spectrum::Kind,
+};
 
 /// What the library remembers between frames.
 #[derive(Default)]
@@ -35,6 +38,8 @@ pub(super) struct LibraryView {
     listed: Listed,
     /// The row that Enter takes, of those that a search found.
     at: usize,
+    /// The button that closes it was clicked.
+    pub closes: bool,
 }
 
 /// Indent of a file's spectra, points.
@@ -60,6 +65,8 @@ impl LibraryView {
             let words = if compares { "Compare with" } else { "Library" };
             ui.label(egui::RichText::new(words).heading());
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                let meaning = "Closes the library (Esc, Ctrl+L).";
+                self.closes = sign_button(ui, "✕", "Close the library", meaning);
                 ui.toggle_value(&mut preferences.pinned, "Pin")
                     .on_hover_text("The library stays open beside the page.");
             });
@@ -81,7 +88,7 @@ impl LibraryView {
         let typing = search.has_focus() || search.lost_focus();
         let chosen = searches && self.keys(ui, typing, rows.len());
         if chosen && let Some(Row::Item { entry, .. }) = rows.get(self.at) {
-            commands.push(taken(entry, self.compares));
+            commands.push(taken(app, entry, self.compares));
         }
         let height = (ROW * theme.scale).round() - ui.spacing().item_spacing.y;
         let mut wish = None;
@@ -214,7 +221,10 @@ impl LibraryView {
         } else {
             visuals.text_color()
         };
-        let marked = overlay.map(|overlay| theme.ink(crate::app::chart::Ink::Overlay(overlay)));
+        let is_second = document.second.as_ref().is_some_and(|s| s.key == entry.key);
+        let mark = overlay.map(Ink::Overlay);
+        let mark = is_second.then_some(Ink::Second).or(mark);
+        let marked = mark.map(|mark| theme.ink(mark));
         let painted = Painted {
             indent: in_file.map_or(0.0, |_| INDENT * theme.scale),
             common: in_file.unwrap_or_default(),
@@ -224,10 +234,13 @@ impl LibraryView {
             scale: theme.scale,
         };
         painted.show(ui, rect, entry);
-        let add = self.compares || ui.input(|i| i.modifiers.command || i.modifiers.shift);
+        let over = ui.input(|i| i.modifiers.command || i.modifiers.shift);
         let mut command = None;
         if response.clicked() {
-            command = Some(taken(entry, add));
+            command = Some(match over && !self.compares {
+                true => Command::ToggleOverlay(entry.clone()),
+                false => taken(app, entry, self.compares),
+            });
         }
         response.context_menu(|ui| {
             if let Some(chosen) = self.menu(ui, app, entry, overlaid) {
@@ -239,9 +252,17 @@ impl LibraryView {
     }
 }
 
-/// What a spectrum that was clicked does: it is laid over, or shown.
-fn taken(entry: &Arc<Entry>, lay_over: bool) -> Command {
-    match lay_over {
+/// What a spectrum that was chosen does: it is shown, or compared with what is shown. A light that
+/// is compared already is let go of.
+fn taken(app: &App, entry: &Arc<Entry>, compares: bool) -> Command {
+    let document = app.document();
+    let is_light = entry.kind() == Kind::Light && document.is_about_light();
+    match compares {
+        true if is_light => {
+            let now = document.second.as_ref();
+            let is_second = now.is_some_and(|second| second.key == entry.key);
+            Command::Compare((!is_second).then(|| entry.clone()))
+        }
         true => Command::ToggleOverlay(entry.clone()),
         false => Command::Show(entry.clone()),
     }

@@ -8,9 +8,11 @@ use egui::{Rect, Ui, UiBuilder, Vec2, vec2};
 
 pub use sliders::names;
 use sliders::{Asked, SlidersView};
+pub use title::ADD_LINE;
 
 use super::{
     brief_view,
+    chart_view::ChartWish,
     kit::bounded,
     patches_view,
     spectrum_view::SpectrumView,
@@ -18,7 +20,7 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command, Memo, Pair, SpikeAct, Tone,
+        App, Command, Pair, SpikeAct, Tone,
         answers::{best_of, knobs_of},
         lamps_asked, lamps_better,
         pages::{Page, PageMemory},
@@ -32,9 +34,7 @@ pub struct LookView {
     /// The plot and what is being dragged in it.
     pub spectrum: SpectrumView,
     sliders: SlidersView,
-    /// Words about the overlays, which weigh every one of them.
-    overlays: Memo<u64, String>,
-    /// Open question of Automatic, with its count of numbers.
+    /// What Automatic was asked about, and for how many numbers, and has not answered yet.
     waiting: Option<(About, usize)>,
 }
 
@@ -73,6 +73,8 @@ pub struct Wishes {
     pub leaves: bool,
     /// Every knob is to be shown.
     pub opens_settings: bool,
+    /// A chart to save, copy or print.
+    pub chart: Option<ChartWish>,
 }
 
 /// Height of the patches, points: least and largest.
@@ -106,42 +108,73 @@ fn is_low(room: Vec2, scale: f32) -> bool {
     scale < USUAL_TYPE && room.y < LOW && room.x >= WHOLE_LINE
 }
 
+/// Height of the two knobs alone in a width, points.
+pub fn knobs_height(width: f32, theme: Theme) -> f32 {
+    sliders::height(width - 2.0 * CARD_MARGIN.x, theme.scale) + 2.0 * CARD_MARGIN.y
+}
+
 impl LookView {
-    /// Draws the knobs into their part of the page's room.
-    pub fn knobs(&mut self, ui: &mut Ui, scene: &mut Scene<'_>, wishes: &mut Wishes) {
-        let [_, card, _] = parts(ui.available_rect_before_wrap(), scene);
-        self.card(&mut child(ui, card), scene, wishes);
+    /// Draws the two knobs alone, where another page is presented.
+    pub fn knobs(&mut self, ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
+        let size = vec2(
+            ui.available_width(),
+            knobs_height(ui.available_width(), theme),
+        );
+        let room = Rect::from_min_size(ui.cursor().min, size);
+        let mut inside = ui.new_child(UiBuilder::new().max_rect(room.shrink2(CARD_MARGIN)));
+        let mut unused = 0;
+        let budget = (&mut unused, false);
+        self.sliders.show(&mut inside, app, budget, theme, commands);
+        ui.advance_cursor_after_rect(room);
     }
 
-    /// Draws what the knobs act on into the rest of the room.
-    pub fn show(&mut self, ui: &mut Ui, scene: &mut Scene<'_>, wishes: &mut Wishes) {
-        let theme = scene.theme;
+    /// Draws the page into all the room there is.
+    pub fn show(&mut self, ui: &mut Ui, scene: &mut Scene<'_>) -> Wishes {
+        let mut wishes = Wishes::default();
+        let (app, theme) = (scene.app, scene.theme);
         let room = ui.available_rect_before_wrap();
-        let [plot, _, patches] = parts(room, scene);
+        let [mut plot, card, patches] = parts(room, scene);
+        let beside = verdict_beside(plot, scene);
+        if let Some(verdict) = beside {
+            plot.max.x = verdict.left() - 2.0 * GAP;
+        }
+        let mut child = |rect: Rect| {
+            // A window may be lower than what stands in it.
+            let rect = Rect::from_min_max(rect.min, rect.max.max(rect.min));
+            let mut child = ui.new_child(UiBuilder::new().max_rect(rect));
+            child.shrink_clip_rect(rect.expand(3.0));
+            child
+        };
+        self.card(&mut child(card), scene, &mut wishes);
+        if let Some(verdict) = beside {
+            brief_view::presented(&mut child(verdict), app, theme);
+        }
+        let told = beside.is_none() && scene.verdict_below;
         below(
-            &mut child(ui, patches),
+            &mut child(patches),
             scene,
-            room.size(),
+            (room.size(), told),
             &mut wishes.commands,
         );
-        let ui = &mut child(ui, plot);
-        let app = scene.app;
-        let read_out = title::show(ui, app, theme, scene.present.then_some(&mut wishes.leaves));
+        let ui = &mut child(plot);
+        title::show(ui, app, theme, scene.present.then_some(&mut wishes.leaves));
         let mut view = app.document().view;
         let before = view;
         if !scene.present {
-            let overlays = self.overlays.get(app.revision(), |_| title::laid_over(app));
-            title::layers(ui, app, theme, (&mut view, overlays), &mut wishes.commands);
+            let adds_line = &mut self.spectrum.adds_line;
+            title::layers(ui, app, theme, (&mut view, adds_line), &mut wishes.commands);
         }
         if view != before {
             wishes.commands.push(Command::View(view));
         }
         ui.add_space(4.0);
-        let drawn = self.spectrum.show(ui, app, theme, read_out);
+        let drawn = self.spectrum.show(ui, app, theme);
+        wishes.chart = drawn.chart;
         wishes.commands.extend(drawn.commands);
         wishes.acts.extend(drawn.acts);
         wishes.gesture_ended |= drawn.gesture_ended;
-        self.settle(scene, wishes);
+        self.settle(scene, &mut wishes);
+        wishes
     }
 
     fn card(&mut self, ui: &mut Ui, scene: &mut Scene<'_>, wishes: &mut Wishes) {
@@ -181,14 +214,6 @@ impl LookView {
             wishes.said = Some(said);
         }
     }
-}
-
-/// A part of the page; a window may be lower than what stands in it.
-fn child(ui: &mut Ui, rect: Rect) -> Ui {
-    let rect = Rect::from_min_max(rect.min, rect.max.max(rect.min));
-    let mut child = ui.new_child(UiBuilder::new().max_rect(rect));
-    child.shrink_clip_rect(rect.expand(3.0));
-    child
 }
 
 /// What Automatic takes of a sweep about a spectrum, with at most so many numbers, and what is to
@@ -244,7 +269,7 @@ fn automatic(
         false => "",
     };
     told(format!(
-        "The best of all ways with at most {}: {}{fit}, order {}, {lines}.",
+        "The best of all ways with at most {}: {}{fit}, {} waves, {lines}.",
         numbers(most),
         best.basis.word(),
         best.order,
@@ -275,11 +300,26 @@ fn parts(room: Rect, scene: &Scene<'_>) -> [Rect; 3] {
     ]
 }
 
+/// Least size of a plot that is presented with the verdict beside it, and the verdict's width.
+const PRESENTED: Vec2 = vec2(900.0, 390.0);
+const VERDICT_PRESENTED: f32 = 376.0;
+
+/// Where the verdict stands beside the plot, while presenting.
+fn verdict_beside(plot: Rect, scene: &Scene<'_>) -> Option<Rect> {
+    let tells = scene.present && scene.verdict_below && scene.pair.is_none();
+    let has_room = plot.width() >= PRESENTED.x && plot.height() >= PRESENTED.y;
+    (tells && has_room).then(|| plot.with_min_x(plot.right() - VERDICT_PRESENTED))
+}
+
 /// The patches, and where the column is folded the verdict beside them.
-fn below(ui: &mut Ui, scene: &Scene<'_>, room: Vec2, commands: &mut Vec<Command>) {
+fn below(
+    ui: &mut Ui,
+    scene: &Scene<'_>,
+    (room, beside): (Vec2, bool),
+    commands: &mut Vec<Command>,
+) {
     let (app, theme) = (scene.app, scene.theme);
     let rect = ui.max_rect();
-    let beside = scene.verdict_below;
     let (mut field, mut brief) = (rect, rect);
     let above = stacked(room, beside, theme.scale);
     if above > 0.0 {

@@ -11,7 +11,7 @@ use crate::{
         verdicts::HARD_TO_SEE,
     },
     ui::{
-        kit::{Stops, named, number, pressed, pressed_if},
+        kit::{Stops, main_button, named, number, pressed, pressed_if},
         theme::Theme,
     },
 };
@@ -21,9 +21,9 @@ pub mod names {
     /// The order slider.
     pub const ORDER: &str = "Waves";
     /// The threshold slider.
-    pub const LINES: &str = "Lines: spike threshold";
+    pub const LINES: &str = "Lines";
     /// The order as a number.
-    pub const ORDER_TYPED: &str = "Order N";
+    pub const ORDER_TYPED: &str = "Number of waves";
     /// The count of lines as a number.
     pub const LINES_TYPED: &str = "Number of lines";
     /// The best way for a count of numbers.
@@ -40,6 +40,27 @@ pub mod names {
 
 /// Orders that the slider reaches; more can be typed.
 const MOST: usize = 40;
+/// Orders that most lights need: they have this share of the slider.
+const USEFUL: f64 = 12.0;
+const USEFUL_SHARE: f64 = 0.75;
+
+/// Where an order stands on the slider.
+fn place_of_order(order: f64) -> f64 {
+    let rest = (order - USEFUL) / (MOST as f64 - USEFUL);
+    match order <= USEFUL {
+        true => USEFUL_SHARE * order / USEFUL,
+        false => (USEFUL_SHARE + (1.0 - USEFUL_SHARE) * rest).min(1.0),
+    }
+}
+
+/// The order at a place of the slider.
+fn order_at(place: f64) -> f64 {
+    let rest = (place - USEFUL_SHARE) / (1.0 - USEFUL_SHARE);
+    match place <= USEFUL_SHARE {
+        true => (USEFUL * place / USEFUL_SHARE).round(),
+        false => (USEFUL + (MOST as f64 - USEFUL) * rest).round(),
+    }
+}
 
 /// What the card keeps from frame to frame.
 #[derive(Default)]
@@ -123,7 +144,7 @@ impl SlidersView {
 const KNOB: f32 = 56.0;
 const ACTS: f32 = 28.0;
 /// Width of the buttons, and between what stands side by side.
-const BUTTONS: f32 = 296.0;
+const BUTTONS: f32 = 312.0;
 const GAP: f32 = 24.0;
 
 /// Where the buttons stand.
@@ -172,11 +193,7 @@ fn caption(ui: &mut Ui, width: f32, name: &str, meaning: &str, does: &str, theme
     ui.allocate_ui(vec2(width, 0.0), |ui| {
         ui.set_width(width);
         ui.horizontal(|ui| {
-            // The short name where the long one and what it does have no room.
-            let short = name.split(':').next().unwrap_or(name);
-            let has_room = width >= 330.0 * theme.scale;
-            ui.label(if has_room { name } else { short })
-                .on_hover_text(meaning);
+            ui.label(name).on_hover_text(meaning);
             if width < 190.0 * theme.scale {
                 return;
             }
@@ -193,8 +210,8 @@ fn waves(ui: &mut Ui, app: &App, settings: &mut Settings, width: f32, theme: The
     ui.spacing_mut().item_spacing.x = 8.0;
     let from = answers::hard_to_see_from(app);
     let does = from.map_or_else(String::new, |order| match order {
-        0 => "hard to see at any order".to_owned(),
-        order => format!("hard to see from {order} on"),
+        0 => "no difference is seen".to_owned(),
+        order => format!("looks alike from {order} on"),
     });
     let judged = match from {
         Some(_) => format!(
@@ -209,20 +226,20 @@ fn waves(ui: &mut Ui, app: &App, settings: &mut Settings, width: f32, theme: The
     );
     caption(ui, width, names::ORDER, &meaning, &does, theme);
     ui.horizontal(|ui| {
-        let most = MOST as f64;
-        let mut place = (settings.order as f64 / most).min(1.0);
+        let order = settings.order as f64;
+        let mut place = place_of_order(order);
         let stops = Stops {
             name: names::ORDER,
             ticks: &[],
-            well_from: from.map(|order| order as f64 / most),
-            step: 1.0 / most,
-            value: settings.order as f64,
-            ends: [0.0, most],
-            place_of: |order| order / MOST as f64,
+            well_from: from.map(|order| place_of_order(order as f64)),
+            stepped: |place, steps| place_of_order((order_at(place) + steps).max(0.0)),
+            value: order,
+            ends: [0.0, MOST as f64],
+            place_of: place_of_order,
         };
         let slider = stops.show(ui, &mut place, width - (BOX + 10.0) * theme.scale, theme);
         if slider.changed() {
-            settings.order = (place * most).round() as usize;
+            settings.order = order_at(place) as usize;
         }
         let typed = ui.add_sized(
             vec2(BOX, 24.0) * theme.scale,
@@ -268,7 +285,7 @@ fn lines(
             name: names::LINES,
             ticks: &ticks,
             well_from: None,
-            step: 0.02,
+            stepped: |place, steps| place + 0.02 * steps,
             value: settings.threshold_percent,
             ends: LINE_THRESHOLDS,
             place_of,
@@ -307,15 +324,19 @@ fn lines(
 
 /// What decides in the place of the knobs, and the other knobs.
 fn acts(ui: &mut Ui, (budget, busy): (&mut usize, bool), asked: &mut Asked) {
-    let button = egui::Button::new(names::AUTOMATIC).selected(true);
+    let button = main_button(ui, names::AUTOMATIC);
     let meaning = "The best model with at most this many numbers, over every basis, with and \
                    without lines, plain and colour-exact; one step of undo.";
     asked.automatic = pressed_if(ui, !busy, button, meaning);
     let count = DragValue::new(budget).range(SPENDABLE).speed(0.1);
     number(ui, count, names::BUDGET)
         .on_hover_text("Most numbers that Automatic may spend, 1 to 101.");
+    // In a narrow window the buttons need the room.
+    if ui.available_width() >= 190.0 {
+        ui.label("numbers");
+    }
     let meaning = "Basis, colour-exact, widest line, dark lines, range, observer, products.";
     asked.more = pressed(ui, names::MORE, meaning);
-    let meaning = "Everything back to the start (R): model, layers and patches.";
+    let meaning = "Model, layers and surfaces back to the start (R).";
     asked.reset = pressed(ui, names::RESET, meaning);
 }

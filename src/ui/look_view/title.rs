@@ -1,7 +1,7 @@
 //! What light it is, in a line and a sentence, and the layers of the plot.
 
 use eframe::egui;
-use egui::{Align, Button, Color32, Label, Layout, Rect, RichText, Ui};
+use egui::{Align, Button, Color32, Label, Layout, RichText, Ui};
 
 use crate::{
     app::{App, Command, Height, View, chart::Ink, charts::spectrum::Laid},
@@ -11,9 +11,8 @@ use crate::{
     },
 };
 
-/// Draws title and sentence; returns where the read-out may be written. Where nothing else of the
-/// window is shown, a button leads back to it.
-pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut bool>) -> Rect {
+/// Draws title and sentence. Where nothing else of the window is shown, a button leads back to it.
+pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut bool>) {
     let (subject, told) = (app.document().subject_entry(), app.told());
     let bare = leaves.is_some();
     let size = if bare && theme.scale > 1.0 {
@@ -21,18 +20,16 @@ pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut boo
     } else {
         20.0
     };
-    let mut room = Rect::NOTHING;
-    let mut title = |ui: &mut Ui| {
+    let title = |ui: &mut Ui| {
         let title = told.map_or_else(|| subject.name().to_owned(), |told| told.about.title());
         let title = RichText::new(title)
             .size(size * theme.scale)
             .color(ui.visuals().strong_text_color());
         ui.add(Label::new(title).truncate());
         if let Some(product) = app.product() {
-            let words = format!("through {}", product.name);
+            let words = format!("off {}", product.name);
             ui.add(Label::new(words).truncate());
         }
-        room = ui.available_rect_before_wrap();
     };
     ui.horizontal(|ui| {
         let Some(leaves) = leaves else {
@@ -62,8 +59,11 @@ pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut boo
             let words = words.join(" · ").replace(". · ", ". ");
             ui.add(Label::new(RichText::new(words).color(theme.faint)).truncate());
         });
+        let compared = app.compared().filter(|_| app.document().is_about_light());
+        if let Some(compared) = compared {
+            ui.add(Label::new(&compared.summary).wrap());
+        }
     }
-    room
 }
 
 /// Draws the switches of the layers, each its own legend, and the choice of heights.
@@ -71,11 +71,11 @@ pub(super) fn layers(
     ui: &mut Ui,
     app: &App,
     theme: Theme,
-    (view, laid_over): (&mut View, &str),
+    (view, adds_line): (&mut View, &mut bool),
     commands: &mut Vec<Command>,
 ) {
     let width = ui.available_width();
-    let (wide, tight) = (width >= 712.0, width < 440.0);
+    let (wide, tight) = (width >= 780.0, width < 500.0);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = if tight { 4.0 } else { 8.0 };
         chip(
@@ -92,15 +92,17 @@ pub(super) fn layers(
             Some(theme.ink(Ink::Model)),
             "The model's smooth part as an outline; its lines stand on it.",
         );
-        let with_widths = width >= 800.0;
+        let with_widths = width >= 920.0;
         if !tight {
             lines(ui, theme, view);
+            add_line(ui, adds_line);
         }
         if with_widths {
-            widths(ui, app, width >= 880.0, commands);
+            widths(ui, app, width >= 1000.0, commands);
         }
         // What is laid over, and on what scale, takes their place.
-        let with_others = wide && app.document().overlays.is_empty();
+        let has_over = app.document().laid_over().next().is_some();
+        let with_others = wide && !has_over;
         if with_others {
             others(ui, theme, view);
         }
@@ -108,6 +110,7 @@ pub(super) fn layers(
             if tight {
                 ui.horizontal(|ui| heights(ui, app, view, true));
                 lines(ui, theme, view);
+                add_line(ui, adds_line);
             }
             if !with_others {
                 others(ui, theme, view);
@@ -129,9 +132,9 @@ pub(super) fn layers(
         if !tight {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 heights(ui, app, view, wide);
-                if !app.document().overlays.is_empty() && ui.available_width() > 60.0 {
+                if has_over && ui.available_width() > 60.0 {
                     ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                        let words = RichText::new(laid_over).small().color(theme.faint);
+                        let words = RichText::new(laid_over(app)).small().color(theme.faint);
                         ui.add(Label::new(words).truncate());
                     });
                 }
@@ -149,6 +152,19 @@ fn lines(ui: &mut Ui, theme: Theme, view: &mut View) {
         "The model's lines, each as high as the line that it stands for: weight / (1.0645 x its \
          width).",
     );
+}
+
+/// The name of the button that sets a line.
+pub const ADD_LINE: &str = "+ Line";
+
+/// Has the next click in the plot set a line.
+fn add_line(ui: &mut Ui, adds_line: &mut bool) {
+    let button = Button::selectable(*adds_line, ADD_LINE).frame_when_inactive(true);
+    let meaning = "Then click in the plot where the line stands. Shift and double click does the \
+                   same.";
+    if ui.add(button).on_hover_text(meaning).clicked() {
+        *adds_line = !*adds_line;
+    }
 }
 
 /// The layers that are put away where there is little room.
@@ -169,13 +185,13 @@ fn others(ui: &mut Ui, theme: Theme, view: &mut View) {
     );
 }
 
-/// Overlays of the spectrum, and their scale.
-pub(super) fn laid_over(app: &App) -> String {
-    let overlays = &app.document().overlays;
+/// What lies over the spectrum, and on what scale.
+fn laid_over(app: &App) -> String {
+    let overlays: Vec<_> = app.document().laid_over().collect();
     let laid: Vec<Laid> = overlays.iter().map(|o| Laid::of(app, o)).collect();
     let names = match &overlays[..] {
         [one] => one.name().to_owned(),
-        _ => format!("{} overlays", overlays.len()),
+        _ => format!("{} others", overlays.len()),
     };
     let of = |words: &str, is: fn(&Laid) -> bool| match laid.iter().filter(|l| is(l)).count() {
         0 => String::new(),

@@ -59,12 +59,12 @@ fn detector_words(detector: Detector) -> (&'static str, &'static str) {
 /// Draws what is taken for a line.
 pub(super) fn spike_rows(ui: &mut Ui, settings: &mut Settings) {
     ui.checkbox(&mut settings.spikes, names::SPIKES)
-        .on_hover_text("Take lines out of the spectrum and keep each as a place and a weight.");
+        .on_hover_text("Takes lines out of the spectrum and keeps each as a place and a weight.");
     ui.horizontal(|ui| {
         ui.add_enabled_ui(settings.spikes, |ui| {
             let choice = Choice {
-                name: "Spike detector",
-                meaning: "How lines are told from the smooth part.",
+                name: "How lines are found",
+                meaning: "What counts as a line beside the smooth part.",
                 width: ui.spacing().combo_width,
             };
             let both = [Detector::Energy, Detector::Gradient];
@@ -73,10 +73,8 @@ pub(super) fn spike_rows(ui: &mut Ui, settings: &mut Settings) {
                 settings.detector == Detector::Energy,
                 egui::Checkbox::new(&mut settings.dips, names::DIPS),
             )
-            .on_disabled_hover_text("The gradient detector only looks for lines that stand up.")
-            .on_hover_text(
-                "Look for absorption lines as well; they become spikes of negative weight.",
-            );
+            .on_disabled_hover_text("The gradient detector finds bright lines only.")
+            .on_hover_text("Looks for absorption lines too; they become lines of negative weight.");
         });
     });
     ui.end_row();

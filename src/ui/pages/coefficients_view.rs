@@ -19,7 +19,7 @@ use crate::{
     study::harmonics::Harmonics,
     ui::{
         chart_view::ChartResponse,
-        kit::{down, headline, pressed, rolled},
+        kit::{GROUP, down, fold, headline, pressed, scrolled},
         swatch,
     },
 };
@@ -27,8 +27,15 @@ use crate::{
 /// Time between two orders while playing, s.
 const STEP_SECONDS: f64 = 0.5;
 
-/// Narrowest chart of bars, points.
-const LEAST_CHART: f32 = 270.0;
+/// From this width on charts stand side by side, points.
+const BESIDE: f32 = 640.0;
+
+/// Part of the width for the sum.
+const PARTIAL: f32 = 0.58;
+
+/// Least height of the sum, and height of a fold that is shut, points.
+const LEAST_TOP: f32 = 260.0;
+const FOLDED: f32 = 34.0;
 
 /// Room of the colours side by side, points.
 const SWATCH: Vec2 = vec2(120.0, 44.0);
@@ -41,6 +48,7 @@ pub mod names {
     pub const PARTIAL: &str = "Sum up to N";
     pub const PLAY: &str = "▶ Play";
     pub const STOP: &str = "■ Stop";
+    pub const ORDERS: &str = "Order by order";
 }
 
 #[derive(Default)]
@@ -72,7 +80,6 @@ impl CoefficientsView {
             return;
         }
         play(ui, context, &mut self.next_step, highest);
-        controls(ui, context, &mut self.next_step, highest);
         ui.horizontal_top(|ui| {
             let order = context.memory.partial_order;
             if let Some([whole, summed]) = colours_summed(context.app, harmonics, order) {
@@ -90,6 +97,9 @@ impl CoefficientsView {
                 }
             });
         });
+        ui.add_space(GROUP);
+        controls(ui, context, &mut self.next_step, highest);
+        ui.add_space(GROUP);
 
         let sight = Sight {
             channel: context.memory.channel,
@@ -328,62 +338,74 @@ fn draw(
 ) -> Option<usize> {
     let highest = harmonics.orders.len().saturating_sub(1);
     let scale = context.theme.scale;
-    let room = ui.available_size();
-    let columns = ((room.x / (LEAST_CHART * scale)) as usize).clamp(1, 3);
-    let rows = 5_usize.div_ceil(columns);
-    let gap = ui.spacing().item_spacing;
-    let shared = room.y - rows as f32 * gap.y;
-    // Bars get what the spectrum leaves; where that is too little they scroll under it.
-    let top = (0.4 * shared).clamp(170.0 * scale, 420.0 * scale);
-    let row = ((shared - top) / rows as f32).max(LEAST_ROW * scale);
-    context.chart(ui, &charts.partial, "partial sum", vec2(room.x, top));
-
-    let bars = [
-        (&charts.light, "light"),
-        (&charts.weight, "weight"),
-        (&charts.product, "product"),
-        (&charts.running, "running"),
-        (&charts.neglected, "neglected"),
-    ];
+    let order = |at: [f64; 2]| (at[0].round().max(0.0) as usize).min(highest);
     let mut pointed = None;
-    let mut are_told = false;
-    rolled(ui, |ui| {
-        let width = ui.available_width() - (columns - 1) as f32 * gap.x;
-        let size = vec2((width / columns as f32).floor(), row - 2.0);
-        for (number, line) in bars.chunks(columns).enumerate() {
+    scrolled(ui, "why few", |ui| {
+        let width = ui.available_width();
+        let room = ui.clip_rect().bottom() - ui.cursor().top();
+        let top = (room - FOLDED * scale).max(LEAST_TOP * scale);
+        let product = ("product", charts.product.as_ref());
+        if width >= BESIDE * scale {
             ui.horizontal_top(|ui| {
-                for (chart, id) in line {
-                    // A chart lays out downwards what stands over it.
-                    let shown = down(ui, size, |ui| one(ui, context, chart.as_ref(), id, size));
-                    let Some(response) = shown else {
-                        continue;
-                    };
-                    let order = |at: [f64; 2]| (at[0].round().max(0.0) as usize).min(highest);
-                    if let Some(hit) = response.clicked {
-                        context.memory.partial_order = order(hit.at);
-                    }
-                    pointed = pointed.or(response.pointed.map(|hit| order(hit.at)));
-                }
-                if number + 1 == rows && ui.available_width() >= LEAST_CHART * scale {
-                    ui.add_space(4.0);
-                    ui.vertical(|ui| details(ui, context, harmonics, before));
-                    are_told = true;
-                }
+                ui.spacing_mut().item_spacing.x = GROUP;
+                let left = vec2((PARTIAL * (width - GROUP)).floor(), top);
+                down(ui, left, |ui| {
+                    context.chart(ui, &charts.partial, "partial sum", left);
+                });
+                let right = vec2(width - left.x - GROUP, top);
+                let shown = down(ui, right, |ui| one(ui, context, product, right));
+                pointed = taken(context, shown, order);
             });
+        } else {
+            let size = vec2(width, 0.5 * top);
+            context.chart(ui, &charts.partial, "partial sum", size);
+            let shown = one(ui, context, product, size);
+            pointed = taken(context, shown, order);
         }
-        if !are_told {
+        fold(ui, "orders", names::ORDERS, |ui| {
+            let bars = [
+                ("light", charts.light.as_ref()),
+                ("weight", charts.weight.as_ref()),
+                ("running", charts.running.as_ref()),
+                ("neglected", charts.neglected.as_ref()),
+            ];
+            let columns = if width >= BESIDE * scale { 2 } else { 1 };
+            let gap = ui.spacing().item_spacing.x;
+            let wide = (ui.available_width() - (columns - 1) as f32 * gap) / columns as f32;
+            let size = vec2(wide.floor(), LEAST_ROW * scale);
+            for line in bars.chunks(columns) {
+                ui.horizontal_top(|ui| {
+                    for bar in line {
+                        // A chart lays out downwards what stands over it.
+                        let shown = down(ui, size, |ui| one(ui, context, *bar, size));
+                        pointed = pointed.or(taken(context, shown, order));
+                    }
+                });
+            }
             details(ui, context, harmonics, before);
-        }
+        });
     });
     pointed
+}
+
+/// The order under the pointer in a chart; a click takes the sum there.
+fn taken(
+    context: &mut PageContext<'_>,
+    shown: Option<ChartResponse>,
+    order: impl Fn([f64; 2]) -> usize,
+) -> Option<usize> {
+    let shown = shown?;
+    if let Some(hit) = shown.clicked {
+        context.memory.partial_order = order(hit.at);
+    }
+    shown.pointed.map(|hit| order(hit.at))
 }
 
 /// A chart, or what stands in its place.
 fn one(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
-    chart: Option<&Chart>,
-    id: &str,
+    (id, chart): (&str, Option<&Chart>),
     size: Vec2,
 ) -> Option<ChartResponse> {
     let Some(chart) = chart else {

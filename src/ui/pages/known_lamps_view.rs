@@ -13,7 +13,9 @@ use crate::{
         studies::{EncodeAsk, EncodedLight, most_numbers},
     },
     lamps::NUMBERS,
-    ui::kit::{Column, Row, Table, headline, named, pressed_small, scrolled, two_columns},
+    ui::kit::{
+        Column, GROUP, Row, Table, fold, headline, named, pressed_small, scrolled, two_columns,
+    },
 };
 
 /// Room below the chart, points.
@@ -60,9 +62,9 @@ impl KnownLampsView {
                     (shown, words_chart(name, encoded))
                 });
                 headline(ui, context.theme, &words.sentence);
-                ui.add_space(4.0);
+                ui.add_space(GROUP);
                 controls(ui, context);
-                ui.add_space(4.0);
+                ui.add_space(GROUP);
                 let room = ui.available_size();
                 let below = BELOW * context.theme.scale;
                 let size = vec2(room.x, (room.y - below).max(160.0));
@@ -134,12 +136,14 @@ fn below_chart(ui: &mut Ui, context: &mut PageContext<'_>, words: &WordsShown) {
                     ui.ctx().copy_text(words.words.clone());
                 }
             });
-            let text = RichText::new(&words.words).monospace().small();
-            ui.add(Label::new(text).wrap());
             ui.weak(words.needs);
             if !words.lines.is_empty() {
                 ui.add(Label::new(RichText::new(&words.lines).small()).wrap());
             }
+            fold(ui, "words", "In hexadecimal", |ui| {
+                let text = RichText::new(&words.words).monospace().small();
+                ui.add(Label::new(text).wrap());
+            });
         },
     );
 }

@@ -9,6 +9,8 @@ pub mod image_view;
 mod known_lamps_view;
 mod lessons_view;
 mod many_view;
+pub mod photograph_view;
+pub(super) mod presented;
 mod prism_view;
 pub mod products_view;
 mod quality_view;
@@ -27,7 +29,7 @@ use egui::Ui;
 
 use super::{
     chart_view::{ChartResponse, ChartView, ChartWish},
-    kit::{named, pressed_small},
+    kit::{named, pressed_small, segments},
     theme::{Theme, Wake},
 };
 use crate::app::{
@@ -58,6 +60,8 @@ pub struct PageContext<'a> {
     pub wishes: &'a mut Vec<PageWish>,
     /// Whether what changes from run to run (times) is left out, for pictures.
     pub quiet: bool,
+    /// While a page is drawn unseen, to be presented: its largest chart so far, with its area.
+    pub taken: Option<Option<(f32, Box<Chart>)>>,
 }
 
 /// What a page asks of the window.
@@ -85,6 +89,13 @@ impl PageContext<'_> {
         id: impl std::hash::Hash + std::fmt::Debug,
         size: egui::Vec2,
     ) -> ChartResponse {
+        if let Some(taken) = &mut self.taken
+            && taken
+                .as_ref()
+                .is_none_or(|(area, _)| *area < size.x * size.y)
+        {
+            *taken = Some((size.x * size.y, Box::new(chart.clone())));
+        }
         let mut shown = ChartView::show(ui, chart, id, size, self.theme);
         self.ask_for_chart(shown.wish.take());
         shown
@@ -119,6 +130,7 @@ pub struct Pages {
     quality: quality_view::QualityView,
     design: design_view::DesignView,
     image: image_view::ImageView,
+    photograph: photograph_view::PhotographView,
     prism: prism_view::PrismView,
     gem: gem_view::GemView,
     relit: relit_view::RelitView,
@@ -143,6 +155,7 @@ impl Pages {
             Page::Chain => products.chain.show(ui, context),
             Page::Narrow => products.narrow.show(ui, context),
             Page::TwoLights => products.two_lights.show(ui, context),
+            Page::Metamers => products.metamers.show(ui, context),
             Page::SameSurface => products.same_surface.show(ui, context),
             Page::Quality => self.quality.figures(ui, context),
             Page::Chromaticity => self.quality.diagram(ui, context),
@@ -160,6 +173,7 @@ impl Pages {
             Page::Resampling => products.resampling.show(ui, context),
             Page::Bounces => products.bounces.show(ui, context),
             Page::Image => self.image.show(ui, context),
+            Page::Photograph => self.photograph.show(ui, context),
             Page::Prism => self.prism.prism(ui, context),
             Page::Rainbow => self.prism.rainbow(ui, context),
             Page::Gem => self.gem.show(ui, context),
@@ -172,14 +186,10 @@ impl Pages {
     }
 }
 
-/// The tabs of the place, the modes of a tab behind them; at the right end what `at_end` draws.
+/// The tabs of the place, at the right end what `at_end` draws; below them the modes of a tab that
+/// has several.
 pub fn tabs(ui: &mut Ui, page: &mut Page, at_end: impl FnOnce(&mut Ui)) {
-    let needs = if page.modes().count() > 2 {
-        800.0
-    } else {
-        560.0
-    };
-    let wide = ui.available_width() >= needs;
+    let wide = ui.available_width() >= 560.0;
     let row = |ui: &mut Ui, add: &mut dyn FnMut(&mut Ui)| match wide {
         true => ui.horizontal(add).response,
         false => ui.horizontal_wrapped(add).response,
@@ -188,23 +198,20 @@ pub fn tabs(ui: &mut Ui, page: &mut Page, at_end: impl FnOnce(&mut Ui)) {
     row(ui, &mut |ui| {
         for tab in page.place().tabs() {
             let is_here = page.tab() == tab;
-            let response = ui.selectable_label(is_here, tab.title());
+            let response = ui.selectable_label(is_here, tab.tab_title());
             if response.on_hover_text(tab.meaning()).clicked() && !is_here {
                 *page = tab;
-            }
-        }
-        let modes: Vec<Page> = page.modes().collect();
-        if modes.len() > 1 {
-            ui.separator();
-            for mode in modes {
-                ui.selectable_value(page, mode, mode.mode())
-                    .on_hover_text(mode.meaning());
             }
         }
         if let Some(at_end) = at_end.take().filter(|_| wide) {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), at_end);
         }
     });
+    let modes: Vec<Page> = page.modes().collect();
+    if modes.len() > 1 {
+        ui.add_space(4.0);
+        segments(ui, page, modes, |mode| (mode.mode(), mode.meaning()));
+    }
 }
 
 /// How a computation stands, in a line with a bar and a button to stop it.

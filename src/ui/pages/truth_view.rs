@@ -1,7 +1,7 @@
 //! The page "Truth": the paper's claims, each with what is measured here and what becomes of it.
 
 use eframe::egui;
-use egui::{Grid, RichText, Ui, vec2};
+use egui::{Align, Grid, Layout, RichText, Ui, vec2};
 
 use super::PageContext;
 use crate::{
@@ -15,21 +15,14 @@ use crate::{
         ticks::short,
     },
     spectrum::Sampling,
-    ui::kit::{framed, headline, pressed, scrolled},
+    ui::kit::{GROUP, framed, headline, pressed, scrolled, sign_button},
 };
 
-/// From this width on cards stand in two columns, points.
-const TWO_COLUMNS: f32 = 940.0;
+/// Widest row of words, points: longer lines are hard to read.
+const WIDEST: f32 = 860.0;
 
-/// From this width on a card has its chart beside its words, points.
-const BESIDE: f32 = 480.0;
-
-/// Height of a card's chart, points, and that in a window with room to spare.
-const CHART: f32 = 210.0;
-const TALL_CHART: f32 = 280.0;
-
-/// From this height on there is room to spare, points.
-const TALL: f32 = 850.0;
+/// Height of a claim's chart, points.
+const CHART: f32 = 300.0;
 
 /// Spikes that the table of Eq. 17 shows.
 const MOST_SPIKES: usize = 8;
@@ -37,13 +30,27 @@ const MOST_SPIKES: usize = 8;
 /// The button that copies everything.
 pub const COPY: &str = "Copy as CSV";
 
-#[derive(Default)]
 pub struct TruthView {
     measured: Memo<u64, (Claims, Vec<Row>)>,
     charts: Memo<u64, Charts>,
+    /// The claim that is unfolded.
+    open: Option<usize>,
 }
 
-/// The charts of the cards.
+impl Default for TruthView {
+    fn default() -> Self {
+        Self {
+            measured: Memo::default(),
+            charts: Memo::default(),
+            open: Some(FIRST_OPEN),
+        }
+    }
+}
+
+/// The claim that is unfolded at first: "Eleven numbers are enough".
+const FIRST_OPEN: usize = 1;
+
+/// The charts of the claims.
 struct Charts {
     neglected: Option<Chart>,
     table_2: Option<Chart>,
@@ -65,29 +72,15 @@ impl TruthView {
             table_2: table_2_chart(app, claims),
             samples: samples_chart(app, claims),
         });
-        let tall = ui.available_height() >= TALL * context.theme.scale;
-        let chart_height = context.theme.scale * if tall { TALL_CHART } else { CHART };
         headline(ui, context.theme, headlines::paper(&claims.subject, rows));
-        head(ui, context, claims);
+        ui.add_space(GROUP);
+        let open = &mut self.open;
         scrolled(ui, "truth", |ui| {
-            if ui.available_width() < TWO_COLUMNS * context.theme.scale {
-                for (index, row) in rows.iter().enumerate() {
-                    card(ui, context, claims, charts, (index, row), chart_height);
-                }
-                return;
+            ui.set_max_width(ui.available_width().min(WIDEST * context.theme.scale));
+            for (index, row) in rows.iter().enumerate() {
+                claim(ui, context, (claims, charts), (index, row), open);
             }
-            ui.columns(2, |columns| {
-                for (index, row) in rows.iter().enumerate() {
-                    card(
-                        &mut columns[index % 2],
-                        context,
-                        claims,
-                        charts,
-                        (index, row),
-                        chart_height,
-                    );
-                }
-            });
+            head(ui, context, claims);
         });
     }
 }
@@ -109,63 +102,56 @@ fn head(ui: &mut Ui, context: &PageContext<'_>, claims: &Claims) {
     });
 }
 
-fn card(
+/// A claim in a row with its verdict; unfolded with what the paper says, what is measured here, and
+/// its picture.
+fn claim(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
-    claims: &Claims,
-    charts: &Charts,
+    (claims, charts): (&Claims, &Charts),
     (index, row): (usize, &Row),
-    height: f32,
+    open: &mut Option<usize>,
 ) {
-    let picture = Picture::of(claims, charts, index);
+    let is_open = *open == Some(index);
     framed(ui, |ui| {
-        let width = ui.available_width();
-        let beside = width >= BESIDE * context.theme.scale;
-        if picture.is_none() || !beside {
-            words(ui, context, row);
-            if let Some(picture) = picture {
-                ui.add_space(4.0);
-                picture.draw(ui, context, claims, [width, height]);
-            }
-            return;
-        }
-        ui.horizontal_top(|ui| {
-            let left = (0.46 * width).floor();
-            ui.vertical(|ui| {
-                ui.set_width(left);
-                words(ui, context, row);
-            });
-            ui.add_space(8.0);
-            let gaps = 8.0 + 3.0 * ui.spacing().item_spacing.x;
-            let right = ui.available_width().min(width - left - gaps);
-            ui.vertical(|ui| {
-                ui.set_width(right);
-                if let Some(picture) = picture {
-                    picture.draw(ui, context, claims, [right, height]);
+        ui.horizontal(|ui| {
+            let colour = match row.verdict {
+                Verdict::Holds | Verdict::Open => ui.visuals().strong_text_color(),
+                Verdict::OnlyIf | Verdict::Fails => context.theme.warning,
+            };
+            let sign = RichText::new(row.verdict.sign()).size(16.0 * context.theme.scale);
+            ui.label(sign.color(colour));
+            ui.label(RichText::new(row.claim).strong());
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let says = if is_open { "Hide" } else { "Show" };
+                let name = format!("{says} {}", row.claim);
+                let meaning = "What the paper says, and what is measured here.";
+                if sign_button(ui, says, &name, meaning) {
+                    *open = (!is_open).then_some(index);
                 }
+                let words = RichText::new(row.verdict_words()).color(colour);
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    ui.add(egui::Label::new(words).truncate());
+                });
             });
         });
+        if is_open {
+            ui.add_space(4.0);
+            let paper = format!("Paper ({}): {}", row.place, row.paper);
+            ui.add(egui::Label::new(RichText::new(paper).weak()).wrap());
+            if !row.measured.is_empty() {
+                ui.add(egui::Label::new(format!("Here: {}", row.measured)).wrap());
+            }
+            if let Some(picture) = Picture::of(claims, charts, index) {
+                ui.add_space(8.0);
+                let size = [ui.available_width(), CHART * context.theme.scale];
+                picture.draw(ui, context, claims, size);
+            }
+        }
     });
     ui.add_space(4.0);
 }
 
-fn words(ui: &mut Ui, context: &PageContext<'_>, row: &Row) {
-    ui.add(egui::Label::new(RichText::new(row.claim).heading()).wrap());
-    let verdict = format!("{} {}", row.verdict.sign(), row.verdict_words());
-    let colour = match row.verdict {
-        Verdict::Holds | Verdict::Open => ui.visuals().strong_text_color(),
-        Verdict::OnlyIf | Verdict::Fails => context.theme.warning,
-    };
-    ui.add(egui::Label::new(RichText::new(verdict).color(colour)).wrap());
-    ui.add_space(2.0);
-    ui.add(egui::Label::new(RichText::new(format!("Paper: {}", row.paper)).italics()).wrap())
-        .on_hover_text(format!("In the paper: {}.", row.place));
-    if !row.measured.is_empty() {
-        ui.add(egui::Label::new(format!("Here: {}", row.measured)).wrap());
-    }
-}
-
-/// What stands beside a card's words.
+/// What stands below a claim's words.
 enum Picture<'a> {
     Chart(&'a Chart, &'static str),
     Spikes,

@@ -41,15 +41,12 @@ struct Drag {
     start: Pos2,
     /// From the pointer to the tip.
     to_tip: Vec2,
-    /// What the vertical axis showed then.
-    range: [f64; 2],
 }
 
 impl Dragging {
-    /// The range of the vertical axis while a spike is held: the one of the press, or the axis
-    /// would run away under the pointer.
-    pub(super) fn range(&self) -> Option<[f64; 2]> {
-        self.held.map(|drag| drag.range)
+    /// Whether the pointer holds a line.
+    pub(super) fn holds(&self) -> bool {
+        self.held.is_some()
     }
 
     /// The spike whose tip, or else whose stem, is under the pointer.
@@ -77,14 +74,15 @@ impl Dragging {
         nearest.map(|(_, i)| i)
     }
 
-    /// Takes hold, moves, lets go; a double click beside all tips adds a spike.
+    /// Takes hold, moves, lets go; beside all tips a double click with Shift sets a line, and a click
+    /// where that was asked for.
     pub(super) fn interact(
         &mut self,
         ui: &Ui,
         app: &App,
         plot: &ChartResponse,
-        (range, tips): ([f64; 2], &[[f64; 2]]),
-        near: Option<usize>,
+        tips: &[[f64; 2]],
+        (adds_line, near): (&mut bool, Option<usize>),
         wishes: &mut Wishes,
     ) {
         let response = &plot.response;
@@ -113,7 +111,6 @@ impl Dragging {
                 hand,
                 start,
                 to_tip: tip.map_or(Vec2::ZERO, |tip| tip - start),
-                range,
             });
         }
         if let (Some(drag), Some(pointer)) = (self.held, pointer)
@@ -146,10 +143,16 @@ impl Dragging {
         if released && self.held.take().is_some() {
             wishes.gesture_ended = true;
         }
-        if response.double_clicked()
+        if *adds_line && inside {
+            ui.ctx().set_cursor_icon(egui::CursorIcon::Crosshair);
+        }
+        let asked = *adds_line && response.clicked();
+        let with_shift = response.double_clicked() && ui.input(|i| i.modifiers.shift);
+        if (asked || with_shift)
             && near.is_none()
             && let Some(pointer) = pointer
         {
+            *adds_line = false;
             let (at_nm, height) = at(pointer);
             if derived.band.contains(at_nm) {
                 let height = height - base_at(at_nm);

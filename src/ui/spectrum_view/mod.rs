@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{Id, Rect, Ui};
+use egui::{Id, Ui};
 use egui_plot::PlotTransform;
 
 use super::{
-    chart_view::{How, Screen, draw, reset},
+    chart_view::{ChartWish, How, Screen, draw, reset},
     theme::Theme,
 };
 use crate::{
@@ -33,8 +33,10 @@ pub struct SpectrumView {
     main: Option<Screen>,
     dragging: Dragging,
     reset: bool,
-    /// Kept until what it shows changes: the state of the program, a dragged range.
-    chart: Memo<(u64, Option<[f64; 2]>), Arc<Chart>>,
+    /// Kept until what it shows changes.
+    chart: Memo<u64, Arc<Chart>>,
+    /// The next click in the plot sets a line.
+    pub(super) adds_line: bool,
 }
 
 /// What one frame asked for.
@@ -46,6 +48,8 @@ pub struct Wishes {
     pub acts: Vec<SpikeAct>,
     /// The pointer was let go after a drag.
     pub gesture_ended: bool,
+    /// A chart to save, copy or print.
+    pub chart: Option<ChartWish>,
 }
 
 impl SpectrumView {
@@ -54,17 +58,15 @@ impl SpectrumView {
         self.reset = true;
     }
 
-    /// Draws the chart into all the room there is, and what the pointer reads into `read_out`.
-    pub fn show(&mut self, ui: &mut Ui, app: &App, theme: Theme, read_out: Rect) -> Wishes {
+    /// Draws the chart into all the room there is.
+    pub fn show(&mut self, ui: &mut Ui, app: &App, theme: Theme) -> Wishes {
         let mut wishes = Wishes::default();
-        let key = (app.revision(), self.dragging.range());
-        let make = |&(_, dragged): &(u64, Option<[f64; 2]>)| {
+        let make = |_: &u64| {
             let mut chart = spectrum_chart(app);
             chart.title = spoken(app);
-            chart.y_range = dragged.or(chart.y_range);
             Arc::new(chart)
         };
-        let chart = self.chart.get(key, make).clone();
+        let chart = self.chart.get(app.revision(), make).clone();
         let pointer = ui.input(|i| i.pointer.interact_pos());
         let near = self
             .main
@@ -78,7 +80,9 @@ impl SpectrumView {
             app.derived().band.points(),
         );
         let how = How {
-            pans: near.is_none() && self.dragging.range().is_none(),
+            pans: near.is_none() && !self.dragging.holds() && !self.adds_line,
+            // With Shift it sets a line.
+            fits: near.is_none() && !ui.input(|i| i.modifiers.shift),
             y_of: Some(Id::unique(of)),
             ..How::PART
         };
@@ -88,18 +92,16 @@ impl SpectrumView {
         }
         let size = ui.available_size();
         let shown = draw(ui, &chart, id, size, theme, how);
-        hover(ui, app, theme, &shown.main, read_out);
+        // Files have the title of files.
+        let asked = shown.wish.as_ref();
+        wishes.chart = asked.map(|wish| ChartWish::new(&spectrum_chart(app), wish.form));
+        hover(ui, app, theme, &shown.main);
         self.transform = Some(shown.transform);
         self.main = Some(shown.main);
-        let range = chart.y_limits();
-        self.dragging.interact(
-            ui,
-            app,
-            &shown,
-            (range, stems(&chart).tips),
-            near,
-            &mut wishes,
-        );
+        let tips = stems(&chart).tips;
+        let adds = (&mut self.adds_line, near);
+        self.dragging
+            .interact(ui, app, &shown, tips, adds, &mut wishes);
         if let Some(tip) = near.and_then(|near| shown.main.pos(*stems(&chart).tips.get(near)?)) {
             // What a press would take hold of.
             let stroke = egui::Stroke::new(2.0, ui.visuals().strong_text_color());
@@ -136,6 +138,6 @@ fn spoken(app: &App) -> String {
         "Spectrum of {}{nothing}: {}, {}{unit}",
         app.document().subject_entry().name(),
         numbers(derived.numbers()),
-        many(derived.model.lines().len(), "spike", "spikes"),
+        many(derived.model.lines().len(), "line", "lines"),
     )
 }

@@ -1,7 +1,7 @@
 //! The values under the pointer.
 
 use eframe::egui;
-use egui::{Color32, Rect, Ui, pos2, vec2};
+use egui::{Color32, Rect, Ui, vec2};
 
 use super::super::{
     chart_view::Screen,
@@ -15,8 +15,9 @@ use crate::{
 /// How near to a spike's place the pointer must be to be on it, points.
 const SPIKE_REACH: f32 = 6.0;
 
-/// The values under the pointer, written into the header's free room.
-pub(super) fn hover(ui: &Ui, app: &App, theme: Theme, plot: &Screen, room: Rect) {
+/// The values under the pointer, in the plot's top right corner; in the left one where the pointer is
+/// there.
+pub(super) fn hover(ui: &Ui, app: &App, theme: Theme, plot: &Screen) {
     let Some(pointer) = ui.input(|i| i.pointer.hover_pos()) else {
         return;
     };
@@ -55,13 +56,19 @@ pub(super) fn hover(ui: &Ui, app: &App, theme: Theme, plot: &Screen, room: Rect)
     let galley = ui
         .painter()
         .layout_no_wrap(text, font, ui.visuals().strong_text_color());
-    let corner = pos2(room.right() - galley.size().x - 4.0, room.top());
-    let field = Rect::from_min_size(corner - vec2(20.0, -1.0), vec2(14.0, galley.size().y - 2.0));
-    let painter = ui.painter();
-    let ground = Rect::from_min_max(
-        field.min - vec2(8.0, 2.0),
-        room.right_top() + vec2(0.0, galley.size().y + 2.0),
+    let size = galley.size() + vec2(38.0, 10.0);
+    let frame = plot.frame().shrink(6.0);
+    let right = Rect::from_min_size(frame.right_top() - vec2(size.x, 0.0), size);
+    let ground = match right.expand(12.0).contains(pointer) {
+        true => Rect::from_min_size(frame.min, size),
+        false => right,
+    };
+    let corner = ground.min + vec2(30.0, 5.0);
+    let field = Rect::from_min_size(
+        ground.min + vec2(8.0, 6.0),
+        vec2(14.0, galley.size().y - 2.0),
     );
+    let painter = ui.painter().with_clip_rect(plot.frame());
     painter.rect_filled(ground, 3.0, ui.visuals().panel_fill);
     painter.rect_filled(field, 2.0, Color32::from_rgb(r, g, b));
     painter.rect_stroke(

@@ -17,12 +17,8 @@ use super::{
     filing::Saving,
 };
 use crate::app::{
-    Command, Settings, Tone, chart,
-    charts::order::curve_chart,
-    command_lines,
-    export::Export,
-    pages::{Page, Place},
-    workspace::ZOOMS,
+    Command, Settings, Tone, chart, charts::order::curve_chart, command_lines, export::Export,
+    pages::Place, workspace::ZOOMS,
 };
 
 impl Window {
@@ -63,12 +59,7 @@ impl Window {
             Act::ThresholdUp => self.edit(|s| s.threshold_percent *= FINER),
             Act::ResetView => self.look.spectrum.reset(),
             Act::Theme => self.preferences.dark = !self.preferences.dark,
-            Act::Present => {
-                self.preferences.present = !self.preferences.present;
-                if self.preferences.present {
-                    self.preferences.pages.page = Page::Spectrum;
-                }
-            }
+            Act::Present => self.preferences.present = !self.preferences.present,
             Act::Search => {
                 self.drawer.open = true;
                 self.library.wants_search = true;
@@ -76,10 +67,11 @@ impl Window {
             Act::Library => {
                 self.drawer.open = !self.drawer.open;
                 self.drawer.compares = false;
+                self.library.wants_search = self.drawer.open;
             }
             Act::Place(number) => {
                 if let Some(place) = Place::ALL.get(number) {
-                    self.preferences.pages.page = place.first();
+                    self.preferences.pages.go_to(*place);
                 }
             }
             Act::Reset => {
@@ -91,6 +83,7 @@ impl Window {
             Act::ZoomIn => self.zoom(self.preferences.zoom + 0.1),
             Act::ZoomOut => self.zoom(self.preferences.zoom - 0.1),
             Act::ZoomReset => self.zoom(1.0),
+            Act::Print => self.print_page(context),
             Act::Shortcuts => self.dialog = Some(Dialog::Shortcuts),
             Act::CopyPicture => {
                 let size = context.content_rect().size();
@@ -167,6 +160,10 @@ impl Window {
                     self.app.say(Tone::Info, format!("Copied: {path}."));
                     context.copy_text(path);
                 }
+            }
+            Wish::CompareNoMore => {
+                self.app.apply(Command::Compare(None));
+                self.app.end_gesture();
             }
             Wish::About => self.dialog = Some(Dialog::About(None)),
         }

@@ -3,13 +3,17 @@
 use eframe::egui::Context;
 
 use super::{
-    super::batch_view::{self, Brought},
+    super::{
+        batch_view::{self, Brought},
+        lights_quality_view,
+        theme::{Theme, waker},
+    },
     Window,
 };
 use crate::app::{
     Command, Known, Opened, Tone, known,
     open::{Came, FileRow, Finished, OpenBefore, Summary},
-    pages::Page,
+    pages::{FieldChoice, Page},
 };
 
 impl Window {
@@ -109,10 +113,16 @@ impl Window {
     pub(super) fn fulfil_of_batch(&mut self, wish: batch_view::Wish, context: &Context) {
         match wish {
             batch_view::Wish::Say(words) => self.app.say(Tone::Info, words),
+            batch_view::Wish::Numbers => {
+                let pages = &mut self.preferences.pages;
+                pages.page = Page::Many;
+                pages.many.field = FieldChoice::Own;
+            }
+            batch_view::Wish::Quality => self.lights_quality.open(self.batch.keys()),
             batch_view::Wish::Show(brought) => {
                 self.app.end_gesture();
                 if !self.show_brought(&brought) {
-                    let words = "What that file brought is not among your files any more.";
+                    let words = "The spectra of that file are not open any more.";
                     self.app.say(Tone::Info, words);
                 }
             }
@@ -121,6 +131,31 @@ impl Window {
                     && let Brought::Spectrum { key, .. } = brought
                 {
                     self.library.wants_reading = Some(key);
+                }
+            }
+        }
+        // Plot and library were drawn before.
+        context.request_repaint();
+    }
+
+    /// The window that compares the quality of lights.
+    pub(super) fn quality_of_lights(
+        &mut self,
+        context: &Context,
+        theme: Theme,
+        keys_are_free: bool,
+    ) {
+        let scene = (&self.app, &mut self.studies, &waker(context));
+        let wish = self
+            .lights_quality
+            .window(context, scene, theme, keys_are_free);
+        match wish {
+            None => return,
+            Some(lights_quality_view::Wish::Say(words)) => self.app.say(Tone::Info, words),
+            Some(lights_quality_view::Wish::Show(key)) => {
+                if let Some(entry) = self.app.entry(&key) {
+                    self.app.apply(Command::Show(entry));
+                    self.app.end_gesture();
                 }
             }
         }

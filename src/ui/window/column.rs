@@ -139,9 +139,9 @@ impl Window {
                     let words = &mut self.preferences.pages.words;
                     ui.checkbox(&mut words.automatic, "Automatic: known lamps too")
                         .on_hover_text(
-                            "Automatic may make the light of lamps that the program knows: the \
-                             numbers then need the program's list of lamps. Where they are better \
-                             it leads to the page Known lamps.",
+                            "Automatic may also describe the light by lamps that the program \
+                             knows. Decoding then needs this program's list of lamps. Where that is \
+                             better, the page Known lamps opens.",
                         );
                     ui.add_space(8.0);
                     as_in_the_paper(ui, &self.app, &mut commands);

@@ -16,6 +16,7 @@ use super::{
         theme::{Wake, waker},
     },
     Window,
+    printing::PrintedAs,
 };
 use crate::{
     app::{
@@ -31,6 +32,7 @@ use crate::{
         },
         open::{Finished, Loaded, load_bytes},
         pages::Page,
+        photograph::is_photograph,
         relit::PictureWish,
         sheet,
     },
@@ -62,7 +64,10 @@ impl Window {
     pub fn open_files(&mut self, paths: Vec<PathBuf>, wake: Wake) {
         let paths = self.without_lessons(paths, &wake);
         let paths = self.without_photos(paths);
+        let paths = self.without_photographs(paths);
         if !paths.is_empty() {
+            // What is opened is to be seen.
+            self.greets = false;
             self.images.tell_needs(&paths, wake.clone());
             self.loader.open(paths, wake);
         }
@@ -84,9 +89,21 @@ impl Window {
         others
     }
 
+    /// A picture that is no spectral image is a photograph of a spectrum: the last is shown.
+    fn without_photographs(&mut self, paths: Vec<PathBuf>) -> Vec<PathBuf> {
+        let (pictures, others): (Vec<PathBuf>, _) =
+            paths.into_iter().partition(|path| is_photograph(path));
+        if let Some(path) = pictures.into_iter().next_back() {
+            self.preferences.pages.photograph_asked = Some(path);
+            self.preferences.pages.page = Page::Photograph;
+        }
+        others
+    }
+
     /// What threads have read.
     pub(super) fn take_files(&mut self, context: &Context) {
         if let Some(finished) = self.loader.finished() {
+            self.tell_refusals(&finished, context);
             self.take_batch(finished);
         }
         for checked in self.lesson_checks.take_in(&waker(context)) {
@@ -98,6 +115,7 @@ impl Window {
     /// What came from outside: files read, dialogs answered, files dropped, words of threads.
     pub(super) fn take_in(&mut self, ui: &Ui) {
         self.take_files(ui.ctx());
+        self.note_drop(ui.ctx());
         let dropped = ui.input(|i| i.raw.dropped_files.clone());
         let (mut paths, mut read) = (Vec::new(), Vec::new());
         for file in dropped {
@@ -117,7 +135,9 @@ impl Window {
             read.push((name, loaded));
         }
         if !read.is_empty() {
-            self.take_batch(Finished::of_dropped(read));
+            let finished = Finished::of_dropped(read);
+            self.tell_refusals(&finished, ui.ctx());
+            self.take_batch(finished);
         }
         self.open_files(paths, waker(ui.ctx()));
         let answers: Vec<(u64, Picked)> = self.answers.1.try_iter().collect();
@@ -161,10 +181,10 @@ impl Window {
                 let odd = first.len().saturating_sub(1);
                 let odd = match odd {
                     0 => String::new(),
-                    _ => " More in its tooltip.".to_owned(),
+                    _ => " Its tooltip says more.".to_owned(),
                 };
                 let beside = if is_beside {
-                    " It is open already with other values: opened beside them."
+                    " A file of this name with other values is open: both are there now."
                 } else {
                     ""
                 };
@@ -239,6 +259,10 @@ impl Window {
             context.copy_text(wish.chart.to_csv().trim_end().to_owned());
             let words = format!("Copied as CSV: {}.", wish.chart.title);
             self.app.say(Tone::Info, words);
+        } else if wish.form == ChartForm::Print {
+            let [width, height] = CHART_SIZE;
+            let svg = wish.chart.to_svg(width, height, Theme::Light);
+            self.print(&wish.chart.title, PrintedAs::Svg(svg), context);
         } else if self.waiting.is_some() {
             let words = "A file dialog is open already; answer that one first.";
             self.app.say(Tone::Problem, words);
@@ -363,13 +387,13 @@ impl Window {
 }
 
 /// Size of a chart's picture, px.
-const CHART_SIZE: [u32; 2] = [1200, 760];
+pub(super) const CHART_SIZE: [u32; 2] = [1200, 760];
 
 fn chart_bytes(wish: &ChartWish, theme: Theme) -> Vec<u8> {
     let [width, height] = CHART_SIZE;
     match wish.form {
         ChartForm::CopyCsv | ChartForm::Csv => wish.chart.to_csv().into_bytes(),
-        ChartForm::Svg => wish.chart.to_svg(width, height, theme).into_bytes(),
+        ChartForm::Svg | ChartForm::Print => wish.chart.to_svg(width, height, theme).into_bytes(),
         ChartForm::Png => picture::chart_png(&wish.chart, CHART_SIZE, theme),
     }
 }

@@ -229,7 +229,7 @@ impl Window {
     pub(super) fn take_lesson(&mut self, checked: Checked) {
         match checked {
             Ok(lesson) => {
-                let words = format!("{} is among the lessons now.", lesson.title);
+                let words = format!("{} was added to the lessons.", lesson.title);
                 self.app.say(Tone::Info, words);
                 if let Some(folder) = &self.lessons_folder
                     && let Err(why) = shelf::keep(folder, &lesson)

@@ -8,7 +8,10 @@ mod filing;
 mod images;
 mod importing;
 mod lesson;
+mod notices;
+mod page;
 mod panels;
+mod printing;
 mod status;
 
 use std::{
@@ -22,10 +25,11 @@ use egui::{Context, Ui};
 use super::{
     batch_view::BatchView,
     dialogs::Dialog,
-    files::{Picked, Picker},
+    files::{Picked, Picker, Printer, system_printer},
     import_view::ImportView,
     lesson_view::LessonView,
     library_view::LibraryView,
+    lights_quality_view::LightsQualityView,
     look_view::LookView,
     makers_view::MakersView,
     pages::Pages,
@@ -75,6 +79,8 @@ pub struct Window {
     palette: PaletteView,
     loader: Loader,
     batch: BatchView,
+    /// How good the lights of a batch are.
+    lights_quality: LightsQualityView,
     images: ReloadJob,
     /// Images of a workspace or project that are to be read again.
     stored_images: Vec<StoredImage>,
@@ -115,15 +121,29 @@ pub struct Window {
     lesson_checks: LessonChecks,
     /// What is to be noticed on a page, and a question to try.
     foot_words: Memo<(u64, Page), (String, String)>,
+    /// Whether there was a second light in the last frame.
+    had_second: bool,
     /// Two surfaces side by side.
     pair_shown: Memo<u64, Option<Pair>>,
+    /// Where files were dropped that are being read, and what of them was refused.
+    dropped_at: Option<egui::Pos2>,
+    refusal: Option<notices::Refusal>,
+    /// Opens a page that prints itself; tests put their own here.
+    pub printer: Printer,
 }
 
 impl Window {
     /// A window over a program. `saver` keeps the workspace; without one nothing is written.
-    pub fn new(app: App, preferences: Preferences, picker: Picker, saver: Option<Saver>) -> Self {
+    pub fn new(
+        app: App,
+        mut preferences: Preferences,
+        picker: Picker,
+        saver: Option<Saver>,
+    ) -> Self {
+        preferences.pages.note_page();
         Self {
             kept: (app.revision(), preferences.clone()),
+            had_second: app.document().second.is_some(),
             lessons_folder: saver.as_ref().map(|s| s.path().with_file_name("lessons")),
             lists_lessons: false,
             app,
@@ -141,6 +161,7 @@ impl Window {
             palette: PaletteView::default(),
             loader: Loader::default(),
             batch: BatchView::default(),
+            lights_quality: LightsQualityView::default(),
             images: ReloadJob::default(),
             stored_images: Vec::new(),
             answers: channel(),
@@ -166,6 +187,9 @@ impl Window {
             lesson_checks: LessonChecks::default(),
             foot_words: Memo::default(),
             pair_shown: Memo::default(),
+            dropped_at: None,
+            refusal: None,
+            printer: system_printer(),
         }
     }
 
@@ -196,12 +220,14 @@ impl Window {
     /// One frame.
     pub fn show(&mut self, ui: &mut Ui) {
         let context = ui.ctx().clone();
+        self.preferences.grown = theme::grown(ui.max_rect().width());
         self.dress(&context);
         let theme = Theme::of(&self.preferences);
         self.menu_open = egui::Popup::is_any_open(&context);
         self.take_in(ui);
         self.lesson_goes_on(&context);
         self.keys(&context);
+        self.follow_second();
 
         let shape = self.shape(ui, theme);
         let mut centre = ui.available_rect_before_wrap();
@@ -227,19 +253,32 @@ impl Window {
         self.take_colour(&context);
         self.palette(&context);
         self.greeting(&context, theme);
+        self.show_refusal(&context, theme);
         // What lies above the summary has the keys first.
         let keys_are_free =
             self.dialog.is_none() && self.import.now.is_none() && !self.palette.is_open();
         if let Some(wish) = self.batch.window(&context, theme, keys_are_free) {
             self.fulfil_of_batch(wish, &context);
         }
+        self.quality_of_lights(&context, theme, keys_are_free);
         self.importing(&context, theme, centre);
         self.dialog(&context);
         // A number typed key by key is one gesture, as a drag is.
         if !context.input(|i| i.pointer.any_down()) && !context.text_edit_focused() {
             self.app.end_gesture();
         }
+        self.preferences.pages.note_page();
         self.keep();
+    }
+
+    /// Pages that remember what stands beside the light take a second light that was chosen.
+    fn follow_second(&mut self) {
+        let is_there = self.app.document().second.is_some();
+        if is_there != self.had_second {
+            self.had_second = is_there;
+            let pages = &mut self.preferences.pages;
+            pages.dispersion.follow_second(is_there);
+        }
     }
 
     /// What goes on where no frame is drawn, since the window is wholly covered or minimised: what

@@ -5,23 +5,21 @@ use egui::{Context, Frame, Key, Margin, Panel, Rect, ScrollArea, Ui, UiBuilder, 
 
 use super::{
     super::{
-        files::Ask,
         foot_view,
         greeting_view::{self, Beginning},
         keys::Act,
         kit::rolled,
-        look_view::{self, LookView, Scene, Wishes},
-        pages::{self, PageContext, PageWish},
+        look_view::{self, Scene},
+        pages,
         palette_view::Chosen,
         rail_view,
         theme::{self, Theme},
-        top_view,
+        top_view::{self, Drawer},
         verdict_view::{self, Side},
     },
     Window,
-    filing::Saving,
 };
-use crate::app::{Command, import::Again, pages::Page, workspace::Preferences};
+use crate::app::{Command, pages::Page, workspace::Preferences};
 
 /// Widths from which the column of the verdict stands beside the page, and from which it is wider,
 /// points.
@@ -40,8 +38,6 @@ const DRAWER: f32 = 384.0;
 const PAGE_MARGIN: Margin = Margin::symmetric(16, 12);
 /// Width of a page from which the model's line stands beside its tabs.
 const LINE_BESIDE: f32 = 820.0;
-/// Least width of what is on a page beside the spectrum: a narrower window scrolls it.
-const LEAST_WIDTH: f32 = 400.0;
 /// The lamp to play with at a first start: three bands, many lines.
 const LIVE: &str = "cie_fluorescent_1nm/FL11";
 /// Least height of a page: a lower window scrolls it.
@@ -94,6 +90,7 @@ impl Window {
     /// The top bar.
     pub(super) fn bar(&mut self, ui: &mut Ui, shape: Shape, context: &Context) {
         let mut wishes = Vec::new();
+        let before = self.drawer;
         let frame = plain(ui, Margin::symmetric(16, 0));
         let height = if shape.low { 44.0 } else { 48.0 };
         Panel::top("top")
@@ -110,6 +107,8 @@ impl Window {
                     top_view::show(ui, &self.app, &self.preferences, drawer, menus, &mut wishes);
                 });
             });
+        // What is typed next is meant for it.
+        self.library.wants_search |= self.drawer.open && self.drawer != before;
         for wish in wishes {
             self.fulfil(wish, context);
         }
@@ -146,9 +145,9 @@ impl Window {
         let width = if shape.wide { words } else { none };
         let frame = plain(ui, Margin::ZERO);
         fixed(Panel::left("rail"), frame, width).show(ui, |ui| {
-            let page = &mut self.preferences.pages.page;
+            let pages = &mut self.preferences.pages;
             ScrollArea::vertical().show(ui, |ui| {
-                rail_view::show(ui, page, shape.wide, theme);
+                rail_view::show(ui, pages, shape.wide, theme);
             });
         });
     }
@@ -190,8 +189,15 @@ impl Window {
             // What was chosen is to be seen.
             closes |= !commands.is_empty() && !compares;
         }
-        if closes {
-            self.drawer.open = false;
+        // A second light is chosen once; of surfaces many may be compared.
+        let is_second = |command: &Command| matches!(command, Command::Compare(_));
+        closes |= compares && commands.iter().any(is_second);
+        if closes || std::mem::take(&mut self.library.closes) {
+            self.drawer = Drawer {
+                open: false,
+                compares: false,
+            };
+            self.preferences.pinned &= closes;
         }
         self.keep_surface(&mut commands);
         self.apply(&mut commands);
@@ -200,6 +206,9 @@ impl Window {
     /// The page in force, scrolled where the window is too low for it. Gives where it is seen.
     pub(super) fn page_panel(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) -> Rect {
         let room = ui.available_rect_before_wrap();
+        if shape.present && self.preferences.pages.page != Page::Spectrum {
+            return self.whole_page(ui, shape, theme);
+        }
         let folded = !shape.wide && !self.side_is_open(shape);
         let beside = folded && self.tells_verdict() || self.pair().is_some();
         let with_verdict = self.preferences.pages.page == Page::Spectrum && beside;
@@ -231,7 +240,7 @@ impl Window {
             let tells = self.tells_verdict();
             if !shape.present {
                 let page = &mut self.preferences.pages.page;
-                let has_line = tells && !page.has_model() && self.side_open != Some(true);
+                let has_line = tells && page.has_model_line() && self.side_open != Some(true);
                 let mut opens = false;
                 if page.place().tabs().count() > 1 || has_line {
                     let beside = has_line && ui.available_width() >= LINE_BESIDE;
@@ -249,10 +258,10 @@ impl Window {
                     self.side_open = Some(true);
                 }
             }
-            if self.preferences.pages.page == Page::Spectrum {
-                self.look(ui, shape, theme);
-            } else {
-                self.page(ui, theme);
+            match (self.preferences.pages.page, shape.present) {
+                (Page::Spectrum, _) => self.look(ui, shape, theme),
+                (_, false) => self.page(ui, theme, |pages, ui, shown| pages.show(ui, shown)),
+                (_, true) => self.presented(ui, theme),
             }
         });
         centre
@@ -267,36 +276,29 @@ impl Window {
     fn look(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) {
         let context = ui.ctx().clone();
         let folded = !shape.wide && !self.side_is_open(shape);
-        let has_pair = self.pair().is_some();
-        let verdict_below = (folded || shape.present) && self.tells_verdict() || has_pair;
+        let pair = self.pair();
+        let verdict_below = (folded || shape.present) && self.tells_verdict() || pair.is_some();
         let wake = theme::waker(&context);
-        let draw = |window: &mut Self, part: &mut dyn FnMut(&mut LookView, &mut Scene<'_>)| {
-            let pair = window.pair();
-            let mut scene = Scene {
-                app: &window.app,
-                studies: &mut window.studies,
-                memory: &mut window.preferences.pages,
-                theme,
-                wake: &wake,
-                verdict_below,
-                pair,
-                present: shape.present,
-            };
-            part(&mut window.look, &mut scene);
+        let mut scene = Scene {
+            app: &self.app,
+            studies: &mut self.studies,
+            memory: &mut self.preferences.pages,
+            theme,
+            wake: &wake,
+            verdict_below,
+            pair,
+            present: shape.present,
         };
+        let wishes = self.look.show(ui, &mut scene);
+        let mut commands = wishes.commands;
         let before = self.app.revision();
-        let mut wishes = Wishes::default();
-        // What stands below and beside the knobs is drawn of what they changed.
-        draw(self, &mut |look, scene| look.knobs(ui, scene, &mut wishes));
-        self.apply(&mut wishes.commands);
-        draw(self, &mut |look, scene| look.show(ui, scene, &mut wishes));
-        self.apply(&mut wishes.commands);
+        self.apply(&mut commands);
         for act in wishes.acts {
             self.app.act_on_spikes(act);
         }
         if self.app.revision() != before {
-            // The lines above and below the page, and what was dragged in the plot itself.
-            context.request_repaint();
+            // Plot and verdict were drawn before.
+            context.request_discard("the model changed");
         }
         if wishes.gesture_ended {
             self.app.end_gesture();
@@ -305,73 +307,21 @@ impl Window {
             self.app.say(tone, words);
         }
         if wishes.opens_settings {
-            self.side = Side::Settings;
-            if !self.side_is_open(shape) {
+            let is_open = self.side_is_open(shape);
+            self.side = match is_open && self.side == Side::Settings {
+                true => Side::Verdict,
+                false => Side::Settings,
+            };
+            if !is_open {
                 self.side_open = Some(true);
             }
             context.request_repaint();
         }
+        if let Some(chart) = wishes.chart {
+            self.save_chart(chart, &context);
+        }
         if wishes.leaves {
             self.leave();
-        }
-    }
-
-    /// A page beside the spectrum.
-    fn page(&mut self, ui: &mut Ui, theme: Theme) {
-        let context = ui.ctx().clone();
-        let (mut commands, mut wishes) = (Vec::new(), Vec::new());
-        // Every page keeps its own place in its scroll area.
-        let salt = self.preferences.pages.page.word();
-        let pages = &mut self.pages;
-        let mut shown = PageContext {
-            app: &self.app,
-            studies: &mut self.studies,
-            memory: &mut self.preferences.pages,
-            theme,
-            wake: &theme::waker(&context),
-            commands: &mut commands,
-            wishes: &mut wishes,
-            quiet: self.quiet,
-        };
-        let page_ui = &mut ui.new_child(egui::UiBuilder::new().id_salt(salt));
-        let size = page_ui.available_size();
-        if size.x >= LEAST_WIDTH {
-            pages.show(page_ui, &mut shown);
-        } else {
-            ScrollArea::horizontal()
-                .auto_shrink(false)
-                .show(page_ui, |ui| {
-                    let whole =
-                        Rect::from_min_size(ui.cursor().min, vec2(LEAST_WIDTH, size.y - 10.0));
-                    let mut child = ui.new_child(UiBuilder::new().max_rect(whole));
-                    pages.show(&mut child, &mut shown);
-                    ui.advance_cursor_after_rect(whole);
-                });
-        }
-        for wish in wishes {
-            self.grant(wish, &context);
-        }
-        if !commands.is_empty() {
-            // The right panel was drawn before the page's click.
-            context.request_repaint();
-        }
-        self.apply(&mut commands);
-    }
-
-    /// Does what a page asked for.
-    fn grant(&mut self, wish: PageWish, context: &Context) {
-        match wish {
-            PageWish::Chart(chart) => self.save_chart(chart, context),
-            PageWish::Gem(gem) => self.save(Saving::Gem(Box::new(gem)), context),
-            PageWish::FewNumbers(picture) => self.save(Saving::Picture(picture), context),
-            PageWish::Lesson(lesson, file) => self.save(Saving::Lesson(lesson, file), context),
-            PageWish::OpenPicture => self.ask(Ask::Open, None, context),
-            PageWish::Reading(key) => {
-                let image = self.app.document().images.iter().find(|i| i.key == key);
-                let wake = theme::waker(context);
-                self.import.again = image.map(|image| Again::of(&image.from, &wake));
-                context.request_repaint();
-            }
         }
     }
 

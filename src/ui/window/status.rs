@@ -17,9 +17,6 @@ use crate::{
     io::many::many,
 };
 
-/// Width from which on a window is large, points.
-const LARGE: f32 = 1800.0;
-
 /// Messages that the status line's tooltip tells.
 const MESSAGES_SHOWN: usize = 12;
 /// Width from which the button to a lesson has room for its title, points.
@@ -38,13 +35,6 @@ impl Window {
         let mut wants_summary = false;
         ui.horizontal_centered(|ui| {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                // Where there is little room, what is said has it.
-                if !self.quiet && ui.available_width() >= 900.0 {
-                    let ms = 1e3 * self.app.took().as_secs_f64();
-                    ui.weak(format!("recomputed in {ms:.2} ms")).on_hover_text(
-                        "Time for fit, errors, colours, patches and the order curve.",
-                    );
-                }
                 if let Some(lesson) = lesson {
                     self.offer_lesson(ui, lesson);
                 }
@@ -65,9 +55,8 @@ impl Window {
                     ui.label(format!("reading {} again", many(images, "image", "images")));
                 }
                 self.offer_to_forget(ui);
-                self.offer_larger(ui);
                 if self.waiting.is_some() {
-                    let meaning = "Gives up on the file dialog; a late answer is ignored.";
+                    let meaning = "Stops waiting for the file dialog.";
                     if pressed_small(ui, "stop waiting", meaning) {
                         self.waiting = None;
                     }
@@ -124,24 +113,6 @@ impl Window {
         }
     }
 
-    /// In a large window: larger type, until somebody answers.
-    fn offer_larger(&mut self, ui: &mut Ui) {
-        let preferences = &mut self.preferences;
-        let is_large = ui.ctx().content_rect().width() >= LARGE && preferences.zoom == 1.0;
-        if self.quiet || !is_large || preferences.larger_answered {
-            return;
-        }
-        let no = ui.small_button("No").on_hover_text("Leaves type as it is.");
-        let yes = ui
-            .small_button("125 %")
-            .on_hover_text("Ctrl+0 brings 100 % back.");
-        ui.weak("Larger type?");
-        if yes.clicked() {
-            preferences.zoom = 1.25;
-        }
-        preferences.larger_answered = yes.clicked() || no.clicked();
-    }
-
     /// A button that gives up the images of the last time that were not found.
     fn offer_to_forget(&mut self, ui: &mut Ui) {
         let lost = self.images.lost();
@@ -154,8 +125,7 @@ impl Window {
         };
         let names: Vec<String> = lost.iter().map(|l| l.path.display().to_string()).collect();
         let forgets = ui.small_button(words).on_hover_text(format!(
-            "Not found this time: {}. They are looked for again at every start until you forget \
-             them.",
+            "Not found: {}. The program looks for them at every start until you forget them.",
             names.join(", ")
         ));
         if forgets.clicked() {

@@ -3,7 +3,10 @@
 use super::Draw;
 use crate::app::{
     chart::{Chart, Dash, Ink, Series, Shape, stroke},
-    charts::spectrum::{on_grid, over, provenance, value_label},
+    charts::{
+        spectrum::{on_grid, over, provenance},
+        units::value_label,
+    },
     numbers::figure,
     ticks::extent,
 };

@@ -5,7 +5,10 @@ use crate::{
         absorption_names::{Curve, dark_lines},
         cells::{Columns, Table, cell},
         chart::{Chart, Dash, Ink, Series, stroke},
-        charts::spectrum::{of_subject, on_grid, over, spike_stems, unit_or_value},
+        charts::{
+            spectrum::{of_subject, on_grid, over},
+            units::subject_label,
+        },
         export,
         numbers::{DASH, fixed, or_dash},
         product_report::Told,
@@ -183,77 +186,62 @@ fn table(app: &App, dips: &[DipRow]) -> Table {
     Table::new(export::table_head(app), columns, dips)
 }
 
-/// Measured curve, what is left when dips are filled, the series, and what hangs from it: dips and
-/// known lines. What has a name has it written beside it.
+/// The measured curve filled with its colours, what it would be without dips, and the gaps between
+/// both: those that the model keeps and known lines. What has a name has it written above.
 pub fn absorption_chart(app: &App, (dips, known): (&[DipRow], &[DarkLine])) -> Chart {
     let (document, derived) = (app.document(), app.derived());
     let (band, factor) = (derived.band, app.scale_factor());
     let curve = |values: &[f64]| on_grid(band, values, factor);
-    let mut series = vec![
-        stroke(
-            "background",
-            Ink::Residual,
-            curve(&derived.parts.smooth),
-            1.3,
-            Dash::Dashed,
-        ),
-        Series::line("measured", Ink::Measured, curve(&derived.measured)),
-        Series::line("smooth part", Ink::Smooth, curve(&derived.smooth)),
-    ];
-    let stems = |name: &str, ink: Ink, spikes: &[Line]| {
-        let width_nm = |i: usize| derived.stem_width_at(spikes[i].at_nm);
-        let smooth = (band, &derived.smooth[..], factor);
-        spike_stems((name, ink), spikes, smooth, width_nm)
-    };
-    let lines = derived.model.lines().iter().filter(|s| s.weight >= 0.0);
-    let lines: Vec<Line> = lines.copied().collect();
-    if !lines.is_empty() {
-        let none = vec![String::new(); lines.len()];
-        let lines = stems("spikes", Ink::Spikes, &lines);
-        series.push(lines.labelled(none.clone()).with_notes(none));
-    }
-    let told = |dip: &DipRow| {
-        let label = dip.name.clone().unwrap_or_default();
-        let at = match label.is_empty() {
-            true => format!("{:.1} nm", dip.spike.at_nm),
-            false => label.clone(),
+    let [measured, filled] = [&derived.measured, &derived.parts.smooth];
+    let area = Series::area("measured", Ink::Measured, curve(measured), Vec::new());
+    let filled_up = stroke(
+        "without dark lines",
+        Ink::Residual,
+        curve(filled),
+        1.3,
+        Dash::Dashed,
+    );
+    let mut series = vec![area.coloured(), filled_up];
+    // From the curve up to what it would be: a name stands above, where nothing else is.
+    let gaps = |name: &str, ink: Ink, gaps: Vec<(f64, String, Option<f64>)>| {
+        let height = |values: &[f64], nm: f64| factor * band.interpolate(values, nm);
+        let ends = gaps
+            .iter()
+            .map(|(nm, ..)| ([*nm, height(filled, *nm)], height(measured, *nm)));
+        let (tops, base) = ends.unzip();
+        let note = |(nm, label, depth): &(f64, String, Option<f64>)| {
+            let at = match label.is_empty() {
+                true => format!("{nm:.1} nm"),
+                false => label.clone(),
+            };
+            match depth {
+                Some(depth) => format!("{at}: {:.0} % deep", 100.0 * depth),
+                None => at,
+            }
         };
-        let note = match dip.depth {
-            Some(depth) => format!("{at}: {:.1} % deep", 100.0 * depth),
-            None => at,
-        };
-        (label, note)
+        let notes = gaps.iter().map(note).collect();
+        let labels = gaps.into_iter().map(|(_, label, _)| label).collect();
+        let stems = Series::stems(name, ink, tops, base);
+        stems.labelled(labels).with_notes(notes)
     };
     if !known.is_empty() {
-        let ends = known.iter().map(|line| {
-            let nm = line.at_nm();
-            let [tip, base] = [&derived.measured, &derived.parts.smooth];
-            let height = |values: &[f64]| factor * band.interpolate(values, nm);
-            ([nm, height(tip)], height(base))
-        });
-        let (tips, base) = ends.unzip();
-        let (labels, notes) = known
-            .iter()
-            .map(|line| {
-                let note = format!("{}: {:.1} % deep", line.name, 100.0 * line.depth);
-                (line.name.to_owned(), note)
-            })
-            .unzip();
-        let stems = Series::stems("known, no number of its own", Ink::Residual, tips, base);
-        series.push(stems.labelled(labels).with_notes(notes));
+        let known = known.iter();
+        let known = known.map(|line| (line.at_nm(), line.name.to_owned(), Some(line.depth)));
+        let name = "known, no number of its own";
+        series.push(gaps(name, Ink::Residual, known.collect()));
     }
     if !dips.is_empty() {
-        let spikes: Vec<Line> = dips.iter().map(|dip| dip.spike).collect();
-        let (labels, notes) = dips.iter().map(told).unzip();
-        let stems = stems("dark lines", Ink::Product, &spikes);
-        series.push(stems.labelled(labels).with_notes(notes));
+        let name = |dip: &DipRow| dip.name.clone().unwrap_or_default();
+        let dips = dips
+            .iter()
+            .map(|dip| (dip.spike.at_nm, name(dip), dip.depth));
+        series.push(gaps("dark lines", Ink::Product, dips.collect()));
     }
     Chart {
-        title: format!("Absorption: {}", document.subject_entry().name()),
-        y_label: unit_or_value(app.unit()),
+        title: format!("What is missing in {}", document.subject_entry().name()),
+        y_label: subject_label(app),
         series,
         colours: strip(band),
-        strip: true,
         notes: of_subject(app),
         ..over(band)
     }

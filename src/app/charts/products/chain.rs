@@ -3,7 +3,10 @@
 use crate::{
     app::{
         chart::{Chart, Ink, Series},
-        charts::spectrum::{before_provenance, on_grid, over, spike_stems, unit_or_value},
+        charts::{
+            spectrum::{before_provenance, on_grid, over, spike_stems},
+            units::value_label,
+        },
         product_report::Told,
         products::ModelledLight,
         state::App,
@@ -114,7 +117,7 @@ impl ChainSheet {
         }
         Chart {
             title,
-            y_label: unit_or_value(&document.scale.unit(&light.spectrum)),
+            y_label: value_label(&document.scale.unit(&light.spectrum)),
             series,
             colours: strip(band),
             strip: true,

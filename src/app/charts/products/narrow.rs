@@ -9,8 +9,9 @@ use crate::{
         App, Entry,
         cells::{Columns, Table, cell},
         chart::{Chart, Dash, Ink, Scale, Series, Shape},
-        charts::spectrum::{
-            before_provenance, on_grid, over, spike_stems, table_head, unit_or_value,
+        charts::{
+            spectrum::{before_provenance, on_grid, over, spike_stems, table_head},
+            units::value_label,
         },
         made::is_made,
         numbers::{delta_e, or_dash, percent},
@@ -254,7 +255,7 @@ impl Behind {
         }
         Chart {
             title: "The light and the filter over it".to_owned(),
-            y_label: unit_or_value(&app.document().light.spectrum.unit),
+            y_label: value_label(&app.document().light.spectrum.unit),
             series,
             colours: strip(band),
             strip: true,

@@ -1,4 +1,4 @@
-//! Two lights as charts: their spectra, and pairs of reflectances.
+//! Metamers as charts: two reflectances that are one colour under a light.
 
 use std::sync::Arc;
 
@@ -6,7 +6,8 @@ use crate::{
     app::{
         chart::{Chart, Dash, Ink, Series},
         charts::spectrum::{before_provenance, on_grid, over},
-        products::two_lights::{Made, NoMetamer, TwoLightsSheet, swatches},
+        lit::swatches,
+        products::two_lights::{Made, NoMetamer, TwoLightsSheet},
         state::App,
         studies::{Pairs, PairsAsk, Surface},
         ticks::short,
@@ -82,29 +83,10 @@ impl Found {
     }
 }
 
-/// Both lights, each scaled to Y = 100; what is not seen is left out.
-pub fn two_lights_chart(app: &App, sheet: &TwoLightsSheet) -> Chart {
-    let [first, second] = sheet.scaled();
-    let mut series = Vec::new();
-    if let Some(values) = first {
-        let points = on_grid(sheet.band, &values, 1.0);
-        series.push(Series::line(&sheet.lights[0], Ink::Measured, points));
-    }
-    if let Some(values) = second {
-        let points = on_grid(sheet.band, &values, 1.0);
-        let line = Series::line(&sheet.lights[1], Ink::Spikes, points);
-        series.push(line.dashed(Dash::Dashed));
-    }
-    Chart {
-        title: "The two lights".to_owned(),
-        y_label: "value, scaled to Y = 100".to_owned(),
-        ..over_wavelength(app, sheet.band, series)
-    }
-}
-
 /// The two reflectances of a pair that was found.
 fn pair_chart(app: &App, band: Band, pair: [&Surface; 2]) -> Chart {
-    let curves = pair.map(|surface| (&surface.key[..], &surface.values[..]));
+    let names = pair.map(Surface::words);
+    let curves = [0, 1].map(|i| (&names[i][..], &pair[i].values[..]));
     two_curves(app, "The chosen pair", band, curves)
 }
 
@@ -114,7 +96,7 @@ pub fn made_chart(app: &App, sheet: &TwoLightsSheet, made: &Made) -> Chart {
     let curves = [patch, ("made", &made.values[..])];
     Chart {
         y_range: Some([0.0, 1.0]),
-        ..two_curves(app, "A patch and its metamer", sheet.band, curves)
+        ..two_curves(app, "A surface and its metamer", sheet.band, curves)
     }
 }
 
@@ -138,15 +120,15 @@ fn two_curves(
 
 fn over_wavelength(app: &App, band: Band, series: Vec<Series>) -> Chart {
     let document = app.document();
-    let mut notes = vec![format!("Light: {}", document.light.name())];
-    if let Some(other) = &document.products.other_light {
-        notes.push(format!("Second light: {}", other.name()));
-    }
-    notes.push(format!(
-        "Range {}-{} nm.",
-        short(band.min_nm()),
-        short(band.max_nm())
-    ));
+    let notes = vec![
+        format!("Light: {}", document.light.name()),
+        format!("Second light: {}", document.light_beside().name()),
+        format!(
+            "Range {}-{} nm.",
+            short(band.min_nm()),
+            short(band.max_nm())
+        ),
+    ];
     Chart {
         series,
         notes: before_provenance(notes, app),

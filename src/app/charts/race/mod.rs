@@ -161,6 +161,96 @@ pub fn error_chart(ask: &RaceAsk, race: &Race, class: Option<&str>, measure: Mea
     }
 }
 
+/// The errors at one count as a strip: a dot for each way, the least first, the composite's and its
+/// kin's in colour.
+pub fn strip_chart(
+    ask: &RaceAsk,
+    race: &Race,
+    (class, budget): (Option<&str>, usize),
+    measure: Measure,
+) -> Chart {
+    let of_measure = measure.figure();
+    let errors = by_error(race, (class, budget), measure);
+    let is_own = |racer: &Racer| !matches!(racer, Racer::Rival(_));
+    let points = |own: bool| -> (Vec<[f64; 2]>, Vec<String>) {
+        let placed = errors.iter().enumerate();
+        let some = placed.filter(|(_, (racer, _))| is_own(racer) == own);
+        some.map(|(place, (racer, error))| {
+            let words = error_words(measure, Some(*error));
+            let at = [place as f64, of_measure.drawn(*error)];
+            (at, format!("{}: {words}", racer.title()))
+        })
+        .unzip()
+    };
+    let dots = |name: &str, ink: Ink, shape: Shape, own: bool| {
+        let (points, notes) = points(own);
+        Series::points(name, ink, shape, points)
+            .sized(6.0)
+            .with_notes(notes)
+    };
+    let numbers = race.budgets.get(budget).copied().unwrap_or_default();
+    let names = errors.iter().enumerate();
+    Chart {
+        title: format!("{}, {numbers} numbers each", of_whom(ask, race, class)),
+        y_label: of_measure.with_unit(),
+        x_range: [-0.6, errors.len() as f64 - 0.4],
+        x_names: names
+            .map(|(place, (racer, _))| (place as f64, short_name(*racer).to_owned()))
+            .collect(),
+        y_scale: Scale::Log10,
+        series: vec![
+            dots("other ways", Ink::Measured, Shape::Ring, false),
+            dots("composites and known lamps", Ink::Spikes, Shape::Dot, true),
+        ],
+        notes: race_notes(ask),
+        ..Chart::default()
+    }
+}
+
+/// The ways with their median errors at a count, the least first; those without one are left out.
+fn by_error(
+    race: &Race,
+    (class, budget): (Option<&str>, usize),
+    measure: Measure,
+) -> Vec<(Racer, f64)> {
+    let racers = race.racers.iter().enumerate();
+    let mut errors: Vec<(Racer, f64)> = racers
+        .filter(|(_, racer)| **racer != Racer::Chosen)
+        .filter_map(|(place, racer)| {
+            let spread = race.spread(class, budget, place, measure)?;
+            Some((*racer, spread.median))
+        })
+        .collect();
+    errors.sort_by(|a, b| a.1.total_cmp(&b.1));
+    errors
+}
+
+/// Who is ahead at a count, a sentence.
+pub fn ahead(
+    ask: &RaceAsk,
+    race: &Race,
+    (class, budget): (Option<&str>, usize),
+    measure: Measure,
+) -> String {
+    let errors = by_error(race, (class, budget), measure);
+    let is_rival = |racer: &Racer| matches!(racer, Racer::Rival(_));
+    let best = |rival: bool| errors.iter().find(|(racer, _)| is_rival(racer) == rival);
+    let words = |(racer, error): &(Racer, f64)| {
+        format!("{} {}", racer.title(), error_words(measure, Some(*error)))
+    };
+    let numbers = race.budgets.get(budget).copied().unwrap_or_default();
+    match (best(false), best(true)) {
+        (Some(ours), Some(other)) => format!(
+            "{} in {numbers} numbers, {}: {}, best other {}.",
+            of_whom(ask, race, class),
+            measure.figure().title,
+            words(ours),
+            words(other),
+        ),
+        _ => String::new(),
+    }
+}
+
 /// The table of one count as a chart of columns: its CSV is the table.
 pub fn table_chart(ask: &RaceAsk, race: &Race, class: Option<&str>, budget: usize) -> Chart {
     let wins = wins(race, class, budget, Measure::Patches);

@@ -161,7 +161,7 @@ pub fn about(racer: Racer) -> String {
                               lamps. Neither the light at hand nor its likes are among them."
             .to_owned(),
         Racer::Rival(family) => family.about().meaning.to_owned(),
-        Racer::Chosen => "For each light the composite that is best on the patches: one of the \
+        Racer::Chosen => "For each light the composite that is best on the surfaces: one of the \
                           eight above again, so it wins nothing of its own."
             .to_owned(),
     };

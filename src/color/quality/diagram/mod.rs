@@ -22,6 +22,6 @@ pub(crate) use gamut::GAMUTS;
 pub(crate) use locus::uv_1960_of_cct;
 pub(crate) use locus::{TICKS_K, daylight_locus, planckian_locus, spectral_locus, tick};
 pub(crate) use macadam::ELLIPSES;
-pub(crate) use plane::Plane;
 #[cfg(test)]
 pub(crate) use plane::xy_from_uv_1960;
+pub(crate) use plane::{Plane, xy_from_uv_1976};

@@ -14,7 +14,7 @@ use crate::{
     },
     color::Xyz,
     ui::{
-        kit::{Choice, Chooser, lights, named, number, reflectances},
+        kit::{Choice, Chooser, form, lights, named, number, reflectances},
         pages::PageContext,
     },
 };
@@ -28,42 +28,44 @@ pub(super) fn asked(
 ) {
     let before = context.memory.colour.clone();
     let mut given = before.given.clone();
-    ui.horizontal_wrapped(|ui| {
-        let telling = &mut context.memory.colour.telling;
-        let choice = Choice {
-            name: "How a colour is told",
-            meaning: "As a screen's colour, or by three numbers.",
-            width: 76.0 * context.theme.scale,
-        };
-        choice.pick(ui, telling, Telling::ALL, |way| {
-            (way.title(), way.meaning())
+    let scale = context.theme.scale;
+    form(ui, "colour asked for", |form| {
+        let meaning = "As a screen's colour, or by three numbers.";
+        form.row(("Colour", meaning), |ui, _| {
+            let choice = Choice {
+                name: "How a colour is told",
+                meaning,
+                width: 60.0 * scale,
+            };
+            let telling = &mut context.memory.colour.telling;
+            choice.pick(ui, telling, Telling::ALL, |way| {
+                (way.title(), way.meaning())
+            });
+            told(ui, context, (sheet, 0), &mut given, typed);
         });
-        told(ui, context, (sheet, 0), &mut given, typed);
-    });
-    ui.horizontal_wrapped(|ui| {
-        ui.label("or that of");
         let says = match given.surface() {
             Some(key) => &context.app.document().name_of(key),
             None => "a surface",
         };
-        let surface = Chooser {
+        let chooser = Chooser {
             name: "Surface to start from",
             meaning: "A measured surface: how well would its colour alone have told it?",
             says,
             offers: reflectances,
-            width: 130.0 * context.theme.scale,
-        }
-        .show(ui, context.app);
-        ui.label("under");
+            width: 150.0 * scale,
+        };
+        let named = ("or that of", chooser.meaning);
+        let surface = form.row(named, |ui, _| chooser.show(ui, context.app));
         let says = &context.app.document().name_of(&before.light);
-        let light = Chooser {
+        let chooser = Chooser {
             name: "Light that the colour is seen under",
             meaning: "Another light makes other surfaces of the same colour.",
             says,
             offers: lights,
-            width: 130.0 * context.theme.scale,
-        }
-        .show(ui, context.app);
+            width: 150.0 * scale,
+        };
+        let named = ("seen under", chooser.meaning);
+        let light = form.row(named, |ui, _| chooser.show(ui, context.app));
         let asked = &mut context.memory.colour;
         if let Some(light) = light {
             asked.light.clone_from(&light.key);

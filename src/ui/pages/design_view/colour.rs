@@ -5,7 +5,7 @@ use std::sync::Arc;
 use eframe::egui;
 use egui::{DragValue, RichText, Ui, vec2};
 
-use super::{DesignView, asked::asked, headline};
+use super::{DesignView, asked::asked, large_swatch};
 use crate::{
     app::{
         Command, MadeFor,
@@ -20,8 +20,8 @@ use crate::{
     design::recover::Method,
     ui::{
         kit::{
-            Chooser, Column, Row, column, down, drawing, lights, number, pressed_small, scrolled,
-            table,
+            Chooser, Column, GROUP, Row, column, down, drawing, headline, lights, number,
+            pressed_small, scrolled, table,
         },
         pages::PageContext,
         swatch,
@@ -53,30 +53,39 @@ impl DesignView {
             Ok(shown) => (shown.sheet.sentence(), shown.sheet.swatch().rgb8),
             Err(why) => (why.clone(), Swatch::of_light(crate::color::Xyz::ZERO).rgb8),
         };
-        let meaning = "Its colour as bright as the screen can show it.";
-        headline(ui, context, [swatch::colour(colour); 2], meaning, &words);
-        ui.add_space(4.0);
+        headline(ui, context.theme, words);
+        ui.add_space(GROUP);
+        let field = |ui: &mut Ui, context: &PageContext<'_>| {
+            let meaning = "Its colour as bright as the screen can show it.";
+            let named = ("The colour", meaning);
+            large_swatch(ui, context, [swatch::colour(colour); 2], named, ["", ""]);
+        };
         let sheet = shown.as_ref().ok().map(|shown| &shown.sheet);
         let room = ui.available_size();
         let scale = context.theme.scale;
         if room.x >= WIDE * scale {
             let left = vec2((0.40 * room.x).clamp(330.0 * scale, 520.0 * scale), room.y);
             ui.horizontal_top(|ui| {
+                ui.spacing_mut().item_spacing.x = GROUP;
                 column(ui, left, |ui| {
+                    ui.spacing_mut().item_spacing.x = 6.0;
                     scrolled(ui, "colour", |ui| {
+                        field(ui, context);
                         asked(ui, context, sheet, &mut self.typed);
                         self.photo(ui, context);
                         trust(ui, context, shown);
                     });
                 });
                 ui.vertical(|ui| {
-                    let rest = 170.0 * scale;
+                    ui.spacing_mut().item_spacing.x = 6.0;
+                    let rest = 150.0 * scale;
                     let size = vec2(ui.available_width(), (room.y - rest).max(220.0));
                     drawn(ui, context, shown, size);
                 });
             });
         } else {
             scrolled(ui, "colour", |ui| {
+                field(ui, context);
                 asked(ui, context, sheet, &mut self.typed);
                 self.photo(ui, context);
                 let size = vec2(ui.available_width(), 0.6 * room.y);
@@ -91,7 +100,8 @@ impl DesignView {
 fn trust(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Result<Arc<Shown>, String>) {
     let Ok(shown) = shown else { return };
     let sheet = &shown.sheet;
-    ui.add_space(8.0);
+    ui.add_space(GROUP);
+    ui.strong("Spectra that have it");
     let columns = [
         Column::words(
             "way",

@@ -1,43 +1,69 @@
-//! The page "Mix": faders, the diagram, the spectrum of the mixture.
+//! The page "Mix": faders, the diagram in which the colour is dragged, what the mixture is worth, and
+//! surfaces under it.
 
 use eframe::egui;
-use egui::{Ui, vec2};
+use egui::{Ui, Vec2, vec2};
 
-use super::{DesignView, Fader, change, headline, set, strips};
+use super::{
+    DesignView, change, set, strips,
+    worth::{self, kept_row, main_figures, surfaces},
+};
 use crate::{
     app::{
-        Command, Gel, MadeFor,
+        Gel,
         charts::design::{held_at, mixed_spectrum},
         design::{
-            Beside, Desk, DeskSurfaces, beside,
-            mix::{FULL, GROUPS, MOST_CHANNELS, MOST_GELS, MixChannel, Snapshot},
+            Desk, beside,
+            mix::{MOST_CHANNELS, MOST_GELS, MixChannel},
             named_lines::{NamedLine, snapped},
+            wish::MixWish,
         },
     },
-    design::mixture::Source,
+    design::{mixture::Source, solve::Care},
     ui::{
-        chart_view::ChartView,
-        kit::{Choice, Chooser, column, copy_button, lights, scrolled, transmittances},
+        chart_view::{ChartResponse, ChartView},
+        kit::{
+            Choice, Chooser, GROUP, column, drawing, framed, headline, lights, scrolled,
+            transmittances,
+        },
         pages::PageContext,
         swatch,
     },
 };
 
-/// From this width on the diagram stands beside the faders, points.
+/// From this width on faders, diagram and figures stand side by side, points.
 const WIDE: f32 = 840.0;
+
+/// Parts of the width for the faders and for the figures.
+const PARTS: [f32; 2] = [0.36, 0.27];
+
+/// Height of the desk in a page that is too narrow for all of it side by side, points.
+const DESK: f32 = 400.0;
 
 /// How near to a line or an LED a drag takes hold of it, nm.
 const REACH_NM: f64 = 12.0;
 
-/// Most surfaces in a row, and rows: more would leave no room for faders.
-const IN_ROW: usize = 24;
-const MOST_ROWS: usize = 2;
+/// How near to the ring or the dot in the diagram a drag takes hold of it, points.
+const REACH: f32 = 18.0;
 
-/// Height of a row of surfaces, points.
-const SWATCH: f32 = 28.0;
+/// Surfaces in a row, in a page that is high enough for two rows and in a lower one.
+const IN_ROW: [usize; 2] = [12, 24];
+const HIGH: f32 = 560.0;
 
 /// How near to a named line a dragged one snaps to it, nm.
 const SNAP_NM: f64 = 0.8;
+
+/// What the pointer holds in the diagram.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Held {
+    /// The ring: the colour that is aimed at.
+    Target,
+    /// The mixture, which the faders follow.
+    Mixture,
+}
+
+/// Temperatures to aim at, K.
+const AIMS: [f64; 7] = [2200.0, 2700.0, 3000.0, 3500.0, 4000.0, 5000.0, 6500.0];
 
 impl DesignView {
     /// Channels mixed by hand.
@@ -53,42 +79,203 @@ impl DesignView {
             .beside
             .get(key, |(_, surfaces)| beside(&desk, *surfaces, document))
             .clone();
-        headline(
-            ui,
-            context,
-            [swatch::colour(desk.swatch().rgb8); 2],
-            "Its colour as bright as the screen can show it.",
-            &desk.sentence(),
-        );
-        ui.add_space(4.0);
+        headline(ui, context.theme, desk.headline());
+        ui.add_space(GROUP);
         let room = ui.available_size();
         let scale = context.theme.scale;
-        if room.x >= WIDE * scale {
-            let left = (0.5 * room.x).min(620.0 * scale);
-            ui.horizontal_top(|ui| {
-                let faders = vec2(left, room.y);
-                column(ui, faders, |ui| {
-                    faders_of(ui, context, &desk, (&lines, &beside));
-                });
-                ui.vertical(|ui| {
-                    let width = ui.available_width();
-                    let gap = ui.spacing().item_spacing.y;
-                    let high = (0.58 * room.y).floor();
-                    self.diagram(ui, context, None, vec2(width, high));
-                    self.spectrum(ui, context, &desk, &lines, vec2(width, room.y - high - gap));
-                });
-            });
-        } else {
+        if room.x < WIDE * scale {
             scrolled(ui, "mix", |ui| {
                 let width = ui.available_width();
-                self.diagram(ui, context, None, vec2(width, 0.5 * room.y));
-                add_row(ui, context, &desk, &lines);
-                strips::show(ui, context, &desk, &lines);
-                strips::gels(ui, context, &desk);
-                below(ui, context, &desk, &beside);
-                self.spectrum(ui, context, &desk, &lines, vec2(width, 0.4 * room.y));
+                self.channels(ui, context, (&desk, &lines), vec2(width, DESK * scale));
+                self.among_colours(ui, context, &desk, vec2(width, DESK * scale));
+                self.worth(ui, context, (&desk, &lines), vec2(width, DESK * scale));
+                surfaces(ui, context, &beside, IN_ROW[0]);
             });
+        } else {
+            let in_row = IN_ROW[usize::from(room.y < HIGH * scale)];
+            let rows = beside.len().div_ceil(in_row).clamp(1, 2);
+            let foot = worth::height(rows) * scale;
+            let high = room.y - foot - GROUP;
+            ui.horizontal_top(|ui| {
+                ui.spacing_mut().item_spacing.x = GROUP;
+                let width = room.x - 2.0 * GROUP;
+                let [left, right] = PARTS.map(|part| (part * width).floor());
+                let middle = width - left - right;
+                self.channels(ui, context, (&desk, &lines), vec2(left, high));
+                self.among_colours(ui, context, &desk, vec2(middle, high));
+                self.worth(ui, context, (&desk, &lines), vec2(right, high));
+            });
+            ui.add_space(GROUP - ui.spacing().item_spacing.y);
+            surfaces(ui, context, &beside, in_row);
         }
+        self.faders_follow(ui, context, &desk);
+    }
+
+    /// The channels with their faders, and what they are aimed at.
+    fn channels(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut PageContext<'_>,
+        (desk, lines): (&Desk, &[NamedLine]),
+        size: Vec2,
+    ) {
+        card(ui, size, |ui| {
+            ui.strong("Channels");
+            add_row(ui, context, desk, lines);
+            ui.add_space(6.0);
+            let row = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
+            let gels = desk.mix.gels.len() as f32;
+            let rest = (3.0 + gels) * row + 22.0 * context.theme.scale;
+            let high = (ui.available_height() - rest).max(120.0 * context.theme.scale);
+            strips::faders(ui, context, desk, &mut self.chosen, high);
+            strips::gels(ui, context, desk);
+            strips::chosen(ui, context, (desk, lines), &mut self.chosen);
+            ui.add_space(4.0);
+            ui.separator();
+            self.aim(ui, context, desk);
+        });
+    }
+
+    /// What is aimed at, and the button that sets the faders for it.
+    fn aim(&mut self, ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
+        ui.horizontal(|ui| {
+            ui.label("Aim at");
+            let words = context.memory.wish.colour_words(context.app.document());
+            let choice = Choice {
+                name: "What is aimed at",
+                meaning: "The ring in the diagram, which can be dragged too. The page Solve has \
+                          lights and x, y.",
+                width: 110.0 * context.theme.scale,
+            };
+            choice.cut(ui, words, |ui| {
+                for kelvin in AIMS {
+                    if ui.button(format!("{kelvin:.0} K")).clicked() {
+                        context.memory.wish = MixWish {
+                            light: None,
+                            xy: None,
+                            kelvin,
+                            duv: 0.0,
+                            ..context.memory.wish.clone()
+                        };
+                    }
+                }
+            });
+            let button = egui::Button::new("Solve").fill(ui.visuals().selection.bg_fill);
+            let meaning = "Sets the faders so that the mixture has this colour, and among such \
+                           mixtures the best: the page Solve says at what. One step of undo.";
+            if ui.add(button).on_hover_text(meaning).clicked() {
+                let wish = context.memory.wish.clone();
+                let solved = self.solved.get(context.app, &wish, desk, Care::Full);
+                if let Ok(solved) = solved {
+                    set(context, solved.mix.clone());
+                }
+            }
+        });
+    }
+
+    /// Where channels, mixture and target are among colours; ring and dot can be dragged.
+    fn among_colours(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut PageContext<'_>,
+        desk: &Desk,
+        size: Vec2,
+    ) {
+        let document = context.app.document();
+        let target = context.memory.wish.target(document).ok();
+        let target = target.map(|target| target.uv());
+        column(ui, size, |ui| {
+            let mut shown = self.diagram(ui, context, target, size);
+            context.ask_for_chart(shown.wish.take());
+            self.drag(ui, context, (desk, target), &shown);
+        });
+    }
+
+    /// Takes ring or dot along with the pointer.
+    fn drag(
+        &mut self,
+        ui: &Ui,
+        context: &mut PageContext<'_>,
+        (desk, target): (&Desk, Option<[f64; 2]>),
+        shown: &ChartResponse,
+    ) {
+        let mixture = desk.figures.as_ref().and_then(|figures| figures.uv);
+        let near = |uv: Option<[f64; 2]>, at: egui::Pos2| {
+            let place = shown.main.pos(uv?)?;
+            (place.distance(at) < REACH).then_some(())
+        };
+        let held_at = |at: egui::Pos2| match (near(mixture, at), near(target, at)) {
+            (Some(()), _) => Some(Held::Mixture),
+            (None, Some(())) => Some(Held::Target),
+            (None, None) => None,
+        };
+        if let Some(at) = shown.response.hover_pos()
+            && (held_at(at).is_some() || self.dragged.is_some())
+        {
+            ui.set_cursor_icon(egui::CursorIcon::Grab);
+        }
+        let Some(uv) = shown.dragged else {
+            self.dragged = None;
+            return;
+        };
+        if shown.response.drag_started() {
+            let pressed = ui.input(|input| input.pointer.press_origin());
+            self.dragged = pressed.and_then(held_at);
+        }
+        if let Some(held) = self.dragged {
+            context.memory.wish = context.memory.wish.clone().at_uv(uv);
+            self.follows |= held == Held::Mixture;
+            ui.request_repaint();
+        }
+    }
+
+    /// Sets the faders for a mixture that is dragged.
+    fn faders_follow(&mut self, ui: &Ui, context: &mut PageContext<'_>, desk: &Desk) {
+        if !self.follows {
+            return;
+        }
+        let care = match ui.input(|input| input.pointer.any_down()) {
+            true => Care::Quick,
+            false => Care::Full,
+        };
+        let wish = context.memory.wish.clone();
+        if self.solved.get(context.app, &wish, desk, care).is_ok()
+            && let Some(mix) = self.solved.follow(&desk.mix)
+        {
+            set(context, mix);
+        }
+        self.follows = care == Care::Quick;
+    }
+
+    /// The mixture's colour, its figures and its spectrum, and where it goes.
+    fn worth(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut PageContext<'_>,
+        (desk, lines): (&Desk, &[NamedLine]),
+        size: Vec2,
+    ) {
+        column(ui, size, |ui| {
+            let scale = context.theme.scale;
+            let wide = vec2(size.x, 56.0 * scale);
+            let name = "Colour of the mixture";
+            let (rect, response) = drawing(ui, wide, egui::Sense::hover(), name);
+            ui.painter()
+                .rect_filled(rect, 4.0, context.theme.swatch_ground);
+            let inner = rect.shrink(8.0);
+            ui.painter()
+                .rect_filled(inner, 3.0, swatch::colour(desk.swatch().rgb8));
+            response.on_hover_text(
+                "As a daylight camera sees it, as bright as the screen can show it.",
+            );
+            ui.add_space(8.0);
+            main_figures(ui, context.theme, &desk.main_figures());
+            ui.add_space(8.0);
+            let foot = ui.spacing().interact_size.y + 10.0;
+            let high = (ui.available_height() - foot).max(100.0 * scale);
+            self.spectrum(ui, context, desk, lines, vec2(size.x, high));
+            kept_row(ui, context, desk);
+        });
     }
 
     /// The mixture over the wavelengths; lines and LEDs can be dragged.
@@ -98,7 +285,7 @@ impl DesignView {
         context: &mut PageContext<'_>,
         desk: &Desk,
         lines: &[NamedLine],
-        size: egui::Vec2,
+        size: Vec2,
     ) {
         let key = context.app.revision();
         let chart = &*self.spectrum.get(key, |_| mixed_spectrum(desk));
@@ -130,32 +317,16 @@ impl DesignView {
     }
 }
 
-fn faders_of(
-    ui: &mut Ui,
-    context: &mut PageContext<'_>,
-    desk: &Desk,
-    (lines, beside): (&[NamedLine], &[Beside]),
-) {
-    add_row(ui, context, desk, lines);
-    ui.add_space(4.0);
-    let groups = groups(desk).count() as f32;
-    let row = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
-    let rows = beside.len().div_ceil(IN_ROW).clamp(1, MOST_ROWS) as f32;
-    let rest = (98.0 + rows * SWATCH) * context.theme.scale + groups * row;
-    let height = (ui.available_height() - rest).max(80.0);
-    let size = vec2(ui.available_width(), height);
+/// A card of a size.
+fn card(ui: &mut Ui, size: Vec2, add: impl FnOnce(&mut Ui)) {
     column(ui, size, |ui| {
-        scrolled(ui, "faders", |ui| {
-            strips::show(ui, context, desk, lines);
-            strips::gels(ui, context, desk);
+        framed(ui, |ui| {
+            ui.spacing_mut().item_spacing.x = 6.0;
+            ui.set_min_height(size.y - 18.0);
+            ui.set_max_height(size.y - 18.0);
+            add(ui);
         });
     });
-    below(ui, context, desk, beside);
-}
-
-/// Groups with channels in them, and their highest fader.
-fn groups(desk: &Desk) -> impl Iterator<Item = (u8, f64)> {
-    (1..=GROUPS).filter_map(|group| Some((group, desk.mix.group_highest(group)?)))
 }
 
 /// What joins the desk.
@@ -164,7 +335,7 @@ fn add_row(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, lines: &[Nam
     let is_full = desk.mix.channels.len() >= MOST_CHANNELS;
     ui.add_enabled_ui(!is_full, |ui| {
         ui.horizontal_wrapped(|ui| {
-            ui.label("Add");
+            ui.weak("Add");
             let line = ui.menu_button("Line", |ui| {
                 if let Some(line) = strips::line_menu(ui, lines) {
                     new = Some(Source::Line { at_nm: line });
@@ -200,7 +371,7 @@ fn add_row(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, lines: &[Nam
                 meaning: "Any light of the library, shipped or your own, as a channel.",
                 says: "Any light",
                 offers: lights,
-                width: 120.0 * context.theme.scale,
+                width: 70.0 * context.theme.scale,
             }
             .show(ui, context.app);
             if let Some(light) = chosen {
@@ -225,7 +396,7 @@ fn add_gel(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
                   channels.",
         says: "Gel",
         offers: transmittances,
-        width: 60.0 * context.theme.scale,
+        width: 40.0 * context.theme.scale,
     }
     .show(ui, context.app);
     if let Some(gel) = gel {
@@ -233,154 +404,4 @@ fn add_gel(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
         let thickness = 1.0;
         change(context, |mix| mix.gels.push(Gel { key, thickness }));
     }
-}
-
-/// All faders together, and where the mixture goes.
-fn below(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, beside: &[Beside]) {
-    surfaces(ui, context, beside);
-    let scale = context.theme.scale;
-    for (group, highest) in groups(desk) {
-        let name = format!("Group {group}");
-        let fader = format!("Fader of group {group}");
-        let meaning = "Moves all faders of the group together.";
-        if let Some(way) = together(ui, [&name, &fader, meaning], highest, scale) {
-            change(context, |mix| *mix = mix.clone().group_dimmed(group, way));
-        }
-    }
-    let all = [
-        "All",
-        "All faders",
-        "Moves all faders together: brighter or darker at constant colour.",
-    ];
-    if let Some(way) = together(ui, all, desk.mix.highest(), scale) {
-        change(context, |mix| *mix = mix.clone().dimmed(way));
-    }
-    ui.horizontal(|ui| {
-        let recipe = desk.recipe();
-        let button = ui
-            .add_enabled(recipe.is_some(), egui::Button::new("To the library"))
-            .on_hover_text(
-                "Keeps the mixture as a light of your own and shows it everywhere. It follows \
-                 the lights that it is made of.",
-            );
-        if let Some(recipe) = recipe.filter(|_| button.clicked()) {
-            let place = MadeFor::Shown;
-            context.commands.push(Command::Make { recipe, place });
-        }
-        kept(ui, context, desk);
-        copy_button(
-            ui,
-            "Copy the channels as CSV",
-            "Channels with their drive in per cent, their share of the power, and values for \
-             lighting desks of 8 and 16 bits (DMX).",
-            || desk.table().csv(),
-        );
-    });
-}
-
-/// Surfaces, at the left as under the mixture, at the right as under its reference.
-fn surfaces(ui: &mut Ui, context: &mut PageContext<'_>, surfaces: &[Beside]) {
-    let now = &mut context.memory.desk_surfaces;
-    let scale = context.theme.scale;
-    ui.horizontal(|ui| {
-        let choice = Choice {
-            name: "Surfaces under the mixture",
-            meaning: "Which surfaces stand below.",
-            width: 130.0 * scale,
-        };
-        choice.pick(ui, now, DeskSurfaces::ALL, |one| {
-            (one.title(), one.meaning())
-        });
-        let words = match surfaces.len() {
-            0 => "this light has no reference to stand beside".to_owned(),
-            count if count > MOST_ROWS * IN_ROW => format!(
-                "under the mixture | under its reference; the first {} of {count}",
-                MOST_ROWS * IN_ROW
-            ),
-            _ => "under the mixture | under its reference".to_owned(),
-        };
-        let label = egui::Label::new(egui::RichText::new(words).small()).truncate();
-        ui.add(label).on_hover_text(
-            "The reference is a blackbody, from 5000 K on daylight, of the same temperature. Each \
-             half as an eye adapted to its light sees it.",
-        );
-    });
-    let gap = 2.0;
-    let in_row = surfaces.len().clamp(1, IN_ROW);
-    let room = ui.available_width() - gap * (in_row - 1) as f32;
-    let size = vec2(
-        (room / in_row as f32).floor().max(8.0),
-        (SWATCH - gap) * scale,
-    );
-    let rows = surfaces.chunks(in_row).take(MOST_ROWS);
-    ui.scope(|ui| {
-        ui.spacing_mut().item_spacing = vec2(gap, gap);
-        for row in rows {
-            ui.horizontal(|ui| {
-                for one in row {
-                    let words = &one.words;
-                    swatch::split(ui, size, &one.test, &one.reference, words).on_hover_text(words);
-                }
-            });
-        }
-    });
-}
-
-/// Desks to come back to.
-fn kept(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
-    let mut back = None;
-    for (slot, name) in context.memory.kept.iter_mut().zip(["A", "B", "C"]) {
-        let is_here = slot.as_ref().is_some_and(|kept| kept.mix == desk.mix);
-        let button = ui.selectable_label(is_here, name);
-        let words = match slot {
-            Some(kept) => format!(
-                "{}\nClick to restore this mix; right click to forget it.",
-                kept.words
-            ),
-            None => format!("Saves this mix as {name}, to restore and to compare."),
-        };
-        if button.secondary_clicked() {
-            *slot = None;
-        } else if button.clicked() {
-            match slot {
-                Some(kept) => back = Some(kept.mix.clone()),
-                None => {
-                    *slot = Some(Snapshot {
-                        mix: desk.mix.clone(),
-                        words: desk.sentence(),
-                    });
-                }
-            }
-        }
-        button.on_hover_text(words);
-    }
-    if let Some(mix) = back {
-        set(context, mix);
-    }
-}
-
-/// One fader that moves several, under its name: where it was drawn to.
-fn together(
-    ui: &mut Ui,
-    [says, name, meaning]: [&str; 3],
-    highest: f64,
-    scale: f32,
-) -> Option<f64> {
-    let mut now = highest;
-    ui.horizontal(|ui| {
-        ui.label(says);
-        // From nothing there is no way up: the shares would be lost.
-        ui.add_enabled_ui(highest > 0.0, |ui| {
-            Fader {
-                name,
-                meaning,
-                range: 0.0..=FULL,
-                digits: 0,
-                suffix: " %",
-                logarithmic: false,
-            }
-            .show(ui, &mut now, 0.0, scale);
-        });
-    });
-    (now != highest).then_some(now.max(0.1))
 }

@@ -6,6 +6,7 @@ mod mix;
 mod photo;
 mod solve;
 mod strips;
+mod worth;
 
 use std::{path::PathBuf, sync::Arc};
 
@@ -28,7 +29,8 @@ use crate::{
         pages::PageSetting,
     },
     ui::{
-        kit::{self, drawing, named},
+        chart_view::{ChartResponse, ChartView},
+        kit::{drawing, named},
         swatch,
     },
 };
@@ -50,6 +52,10 @@ pub(super) struct DesignView {
     typed: Option<(usize, String)>,
     /// The channel that is dragged in the spectrum.
     held: Option<usize>,
+    /// What is dragged in the diagram.
+    dragged: Option<mix::Held>,
+    /// The channel whose switches are shown.
+    chosen: usize,
     /// A picture whose pixels are taken as colours.
     pub(super) photo: Option<PathBuf>,
     drawn_photo: Option<photo::DrawnPhoto>,
@@ -62,38 +68,46 @@ impl DesignView {
         self.lines.get((), |_| named_lines(app.element_lines()));
     }
 
-    /// The channels and the mixture among colours.
+    /// The channels and the mixture among colours; drags are the page's.
     fn diagram(
         &mut self,
         ui: &mut Ui,
         context: &mut PageContext<'_>,
         target: Option<[f64; 2]>,
         size: egui::Vec2,
-    ) {
+    ) -> ChartResponse {
         let ground = &*self.ground.get((), |()| ground());
-        let Some(desk) = self.desk.held() else { return };
         let key = (context.app.revision(), target);
-        let chart = &*self.diagram.get(key, |_| on_diagram(ground, desk, target));
-        context.chart(ui, chart, "colours of channels", size);
+        let desk = self.desk.held();
+        let make =
+            |_: &_| desk.map_or_else(Chart::default, |desk| on_diagram(ground, desk, target));
+        let chart = &*self.diagram.get(key, make);
+        ChartView::held(ui, chart, "colours of channels", size, context.theme)
     }
 }
 
-/// The colour of the mixture and the sentence about it.
-fn headline(
+/// Two colours side by side in one large field, with words below each.
+fn large_swatch(
     ui: &mut Ui,
     context: &PageContext<'_>,
     [left, right]: [egui::Color32; 2],
-    meaning: &str,
-    words: &str,
+    (name, meaning): (&str, &str),
+    words: [&str; 2],
 ) {
     let scale = context.theme.scale;
+    let size = vec2(ui.available_width(), 88.0 * scale);
+    let (rect, response) = drawing(ui, size, egui::Sense::hover(), name);
+    ui.painter()
+        .rect_filled(rect, 4.0, context.theme.swatch_ground);
+    let inner = rect.shrink(8.0);
+    swatch::paint_split(ui, inner, left, right);
+    response.on_hover_text(meaning);
     ui.horizontal(|ui| {
-        let size = vec2(44.0, 24.0) * scale;
-        let (rect, response) = drawing(ui, size, egui::Sense::hover(), "Colour of the mixture");
-        swatch::paint_split(ui, rect, left, right);
-        swatch::outline(ui, rect, ui.visuals().widgets.noninteractive.bg_stroke);
-        response.on_hover_text(meaning);
-        kit::headline(ui, context.theme, words);
+        let small = |words: &str| egui::RichText::new(words).small().weak();
+        ui.label(small(words[0]));
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            ui.label(small(words[1]));
+        });
     });
 }
 

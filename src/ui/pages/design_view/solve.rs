@@ -1,22 +1,23 @@
 //! The page "Solve": the faders for a colour that is wished for, and the front of free lines.
 
 use eframe::egui;
-use egui::{DragValue, Ui, vec2};
+use egui::{DragValue, Slider, Ui, vec2};
 
-use super::{DesignView, Fader, headline, set};
+use super::{DesignView, large_swatch, set};
 use crate::{
     app::{
         charts::design::front_chart,
         design::{
             Desk,
             front::{front_ask, on_desk, sentence},
-            wish::{DUV, KELVIN, MixWish, Solved},
+            wish::{DUV, KELVIN, Solved},
         },
     },
     design::solve::{Against, Care, FREE_LINES, Objective},
     ui::{
         kit::{
-            Choice, Chooser, Column, Row, cell, column, lights, number, scrolled, table, warning,
+            Choice, Chooser, Column, Form, GROUP, Row, column, form, headline, lights, number,
+            scrolled, table, warning,
         },
         pages::{PageContext, progress},
         swatch,
@@ -77,15 +78,18 @@ impl DesignView {
         };
         let now = desk.swatch().rgb8;
         let then = solved.as_ref().map_or(now, |solved| solved.swatch.rgb8);
+        // The figures of the mixture are small type; its verdict is what was asked.
+        let (verdict, figures) = words.split_once(". ").unwrap_or((words, ""));
         headline(
             ui,
-            context,
-            [now, then].map(swatch::colour),
-            "Left the faders as they stand, right as they are solved for: each as bright as the \
-             screen can show it.",
-            words,
+            context.theme,
+            format!("{}.", verdict.trim_end_matches('.')),
         );
-        ui.add_space(4.0);
+        ui.add_space(GROUP);
+        let both = [now, then].map(swatch::colour);
+        let pair = |ui: &mut Ui, context: &PageContext<'_>| {
+            now_and_solved(ui, context, both, figures);
+        };
         let before = context.memory.wish.clone();
         let target = solved.as_ref().ok().map(|solved| solved.target_uv);
         let mut sets = false;
@@ -94,14 +98,20 @@ impl DesignView {
         if room.x >= WIDE * scale {
             let left = vec2((0.40 * room.x).clamp(330.0 * scale, 520.0 * scale), room.y);
             ui.horizontal_top(|ui| {
+                ui.spacing_mut().item_spacing.x = GROUP;
                 column(ui, left, |ui| {
+                    ui.spacing_mut().item_spacing.x = 6.0;
                     scrolled(ui, "wish", |ui| {
+                        pair(ui, context);
                         sets = wish_and_faders(ui, context, &desk, &solved);
                     });
                 });
                 ui.vertical(|ui| {
+                    ui.spacing_mut().item_spacing.x = 6.0;
                     let width = ui.available_width();
-                    self.diagram(ui, context, target, vec2(width, (0.52 * room.y).floor()));
+                    let size = vec2(width, (0.52 * room.y).floor());
+                    let mut shown = self.diagram(ui, context, target, size);
+                    context.ask_for_chart(shown.wish.take());
                     let rest = ui.available_height();
                     front(ui, context, &desk, rest);
                 });
@@ -109,8 +119,10 @@ impl DesignView {
         } else {
             scrolled(ui, "solve", |ui| {
                 let width = ui.available_width();
+                pair(ui, context);
                 sets = wish_and_faders(ui, context, &desk, &solved);
-                self.diagram(ui, context, target, vec2(width, 0.5 * room.y));
+                let mut shown = self.diagram(ui, context, target, vec2(width, 0.5 * room.y));
+                context.ask_for_chart(shown.wish.take());
                 front(ui, context, &desk, 0.5 * room.y);
             });
         }
@@ -128,6 +140,15 @@ impl DesignView {
     }
 }
 
+/// The faders' colour now and as solved for, with the figures of the latter.
+fn now_and_solved(ui: &mut Ui, context: &PageContext<'_>, both: [egui::Color32; 2], figures: &str) {
+    let meaning = "Each as bright as the screen can show it.";
+    let words = ["the faders now", "as solved for"];
+    large_swatch(ui, context, both, ("Now and solved", meaning), words);
+    ui.add(egui::Label::new(egui::RichText::new(figures).small()).wrap());
+    ui.add_space(GROUP);
+}
+
 /// The wish, and the faders as they are solved for; whether they are to be set so.
 fn wish_and_faders(
     ui: &mut Ui,
@@ -135,12 +156,12 @@ fn wish_and_faders(
     desk: &Desk,
     solved: &Result<Solved, String>,
 ) -> bool {
-    colour(ui, context);
-    ui.add_space(4.0);
-    favour(ui, context);
-    ui.add_space(4.0);
-    floors(ui, context);
-    ui.add_space(6.0);
+    form(ui, "wish", |form| {
+        colour(form, context);
+        favour(form, context);
+        floors(form, context);
+    });
+    ui.add_space(GROUP);
     let mut sets = false;
     if let Ok(solved) = solved {
         let is_there = solved.mix == desk.mix;
@@ -161,122 +182,98 @@ fn wish_and_faders(
 }
 
 /// The colour: a temperature, or that of a light.
-fn colour(ui: &mut Ui, context: &mut PageContext<'_>) {
-    whose_colour(ui, context);
-    let scale = context.theme.scale;
+fn colour(form: &mut Form<'_>, context: &mut PageContext<'_>) {
+    form.row(("Colour of", ""), |ui, _| whose_colour(ui, context));
     let wish = &mut context.memory.wish;
     if wish.light.is_some() {
-        ui.checkbox(&mut wish.alike, "and its spectrum, as nearly as can be")
-            .on_hover_text(
-                "Comes near to that light at every wavelength, in the least squares; its colour \
-                 is met exactly all the same.",
-            );
+        form.rest(|ui| {
+            ui.checkbox(&mut wish.alike, "and its spectrum, as nearly as can be")
+                .on_hover_text(
+                    "Comes near to that light at every wavelength, in the least squares; its \
+                     colour is met exactly all the same.",
+                )
+        });
         return;
     }
     if let Some(xy) = &mut wish.xy {
-        ui.horizontal(|ui| {
-            for (value, title) in xy.iter_mut().zip(["x", "y"]) {
-                ui.label(title);
+        for (value, title) in xy.iter_mut().zip(["x", "y"]) {
+            form.row((title, ""), |ui, _| {
                 let field = DragValue::new(value)
                     .range(0.0..=1.0)
                     .speed(0.0005)
                     .fixed_decimals(4);
                 number(ui, field, title)
-                    .on_hover_text("CIE 1931 chromaticity: drag, or click to type.");
-            }
-        });
+                    .on_hover_text("CIE 1931 chromaticity: drag, or click to type.")
+            });
+        }
         return;
     }
-    temperature_and_tint(ui, wish, scale);
+    let of = Slider::new(&mut wish.kelvin, KELVIN)
+        .logarithmic(true)
+        .fixed_decimals(0)
+        .suffix(" K");
+    let meaning = "Correlated colour temperature: 2700 K is a warm lamp, 6500 K daylight.";
+    form.slider(("Temperature", meaning), of);
+    let of = Slider::new(&mut wish.duv, DUV).fixed_decimals(4);
+    let meaning = "Distance from the blackbodies (Duv): above 0 greenish, below 0 pinkish.";
+    form.slider(("Tint", meaning), of);
 }
 
 /// Whether the colour is that of a temperature, of coordinates or of a light.
 fn whose_colour(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let scale = context.theme.scale;
-    ui.horizontal_wrapped(|ui| {
-        ui.label("The colour of");
-        let light = &context.memory.wish.light;
-        let is_xy = light.is_none() && context.memory.wish.xy.is_some();
-        let is_kelvin = light.is_none() && !is_xy;
-        if ui.selectable_label(is_kelvin, "a temperature").clicked() {
-            context.memory.wish.light = None;
-            context.memory.wish.xy = None;
-        }
-        let by_xy = ui
-            .selectable_label(is_xy, "x, y")
-            .on_hover_text("CIE 1931 chromaticity coordinates.");
-        if by_xy.clicked() && !is_xy {
-            let wish = context.memory.wish.clone();
-            context.memory.wish = wish.by_xy(context.app.document());
-        }
-        let light = &context.memory.wish.light;
-        let says = light.as_deref().map_or("a light".to_owned(), |key| {
-            context.app.document().name_of(key)
-        });
-        let chosen = Chooser {
-            name: "Light whose colour is the target",
-            meaning: "The mixture is to have the colour of this light.",
-            says: &says,
-            offers: lights,
-            width: 150.0 * scale,
-        }
-        .show(ui, context.app);
-        if let Some(chosen) = chosen {
-            context.memory.wish.light = Some(chosen.key.clone());
-            context.memory.wish.xy = None;
-        }
+    let light = &context.memory.wish.light;
+    let is_xy = light.is_none() && context.memory.wish.xy.is_some();
+    let is_kelvin = light.is_none() && !is_xy;
+    if ui.selectable_label(is_kelvin, "a temperature").clicked() {
+        context.memory.wish.light = None;
+        context.memory.wish.xy = None;
+    }
+    let by_xy = ui
+        .selectable_label(is_xy, "x, y")
+        .on_hover_text("CIE 1931 chromaticity coordinates.");
+    if by_xy.clicked() && !is_xy {
+        let wish = context.memory.wish.clone();
+        context.memory.wish = wish.by_xy(context.app.document());
+    }
+    let light = &context.memory.wish.light;
+    let says = light.as_deref().map_or("a light".to_owned(), |key| {
+        context.app.document().name_of(key)
     });
+    let chosen = Chooser {
+        name: "Light whose colour is the target",
+        meaning: "The mixture is to have the colour of this light.",
+        says: &says,
+        offers: lights,
+        width: 90.0 * context.theme.scale,
+    }
+    .show(ui, context.app);
+    if let Some(chosen) = chosen {
+        context.memory.wish.light = Some(chosen.key.clone());
+        context.memory.wish.xy = None;
+    }
 }
 
-fn temperature_and_tint(ui: &mut Ui, wish: &mut MixWish, scale: f32) {
-    let mut fader = |value: &mut f64, title: &str, fader: Fader<'_>| {
-        ui.horizontal(|ui| {
-            cell(ui, 76.0 * scale, |ui| drop(ui.label(title)));
-            fader.show(ui, value, 0.0, scale);
-        });
-    };
-    let temperature = Fader {
-        name: "Target temperature",
-        meaning: "Correlated colour temperature: 2700 K is a warm lamp, 6500 K daylight.",
-        range: KELVIN,
-        digits: 0,
-        suffix: " K",
-        logarithmic: true,
-    };
-    fader(&mut wish.kelvin, "Temperature", temperature);
-    let tint = Fader {
-        name: "Target Duv",
-        meaning: "Distance from the blackbodies: above 0 greenish, below 0 pinkish.",
-        range: DUV,
-        digits: 4,
-        suffix: "",
-        logarithmic: false,
-    };
-    fader(&mut wish.duv, "Tint (Duv)", tint);
-}
-
-fn favour(ui: &mut Ui, context: &mut PageContext<'_>) {
+fn favour(form: &mut Form<'_>, context: &mut PageContext<'_>) {
     let wish = &mut context.memory.wish;
     if wish.light.is_some() && wish.alike {
         return;
     }
-    ui.horizontal(|ui| {
-        ui.label("with");
+    let meaning = "What the mixture is to be best at among those of exactly that colour.";
+    form.row(("Best at", meaning), |ui, _| {
         let choice = Choice {
             name: "What to favour",
-            meaning: "What the mixture is to be best at among those of exactly that colour.",
-            width: 210.0 * context.theme.scale,
+            meaning,
+            width: 190.0 * context.theme.scale,
         };
         choice.pick(ui, &mut wish.favour, Objective::ALL, favour_words);
     });
 }
 
 /// What the mixture must not fall below.
-fn floors(ui: &mut Ui, context: &mut PageContext<'_>) {
+fn floors(form: &mut Form<'_>, context: &mut PageContext<'_>) {
     let floors = &mut context.memory.wish.floors;
-    ui.horizontal_wrapped(|ui| {
-        ui.label("and not below");
-        let mut floor = |value: &mut Option<f64>, title: &str, usual: f64, most: f64| {
+    let mut floor = |value: &mut Option<f64>, title: &str, usual: f64, most: f64| {
+        form.row(("Not below", ""), |ui, _| {
             let mut on = value.is_some();
             let digits = if most < 10.0 { 2 } else { 0 };
             if ui.checkbox(&mut on, title).changed() {
@@ -289,12 +286,12 @@ fn floors(ui: &mut Ui, context: &mut PageContext<'_>) {
                     .fixed_decimals(digits);
                 number(ui, field, &format!("Floor of {title}"));
             }
-        };
-        floor(&mut floors.rf, "Rf", 80.0, 100.0);
-        floor(&mut floors.ra, "Ra", 80.0, 100.0);
-        floor(&mut floors.ler, "lm/W", 300.0, 683.0);
-        floor(&mut floors.melanopic, "melanopic", 0.5, 2.0);
-    });
+        });
+    };
+    floor(&mut floors.rf, "Rf", 80.0, 100.0);
+    floor(&mut floors.ra, "Ra", 80.0, 100.0);
+    floor(&mut floors.ler, "lm/W", 300.0, 683.0);
+    floor(&mut floors.melanopic, "melanopic", 0.5, 2.0);
 }
 
 /// The faders that were solved for.

@@ -1,112 +1,296 @@
 //! The channels of the desk: what each is, its fader and its switches.
 
 use eframe::egui;
-use egui::{DragValue, Ui, vec2};
+use egui::{
+    Button, Color32, DragValue, RichText, ScrollArea, Slider, Ui, Vec2, style::HandleShape, vec2,
+};
 
 use super::{Fader, change};
 use crate::{
-    app::design::{
-        Desk, Strip,
-        mix::{FULL, GROUPS, MixChannel},
-        named_lines::NamedLine,
+    app::{
+        chart::elided,
+        design::{
+            Desk, Strip,
+            mix::{FULL, GROUPS, MixChannel},
+            named_lines::NamedLine,
+        },
+        ticks::short,
     },
     design::mixture::Source,
     ui::{
-        kit::{cell, named, number, sign_button},
+        kit::{cell, column, named, number, sign_button},
         pages::PageContext,
         swatch,
+        theme::Theme,
     },
 };
 
 /// Thickest gel of the fader.
 const THICKEST: f64 = 4.0;
 
-/// Width of what a channel is, points.
-const WHAT: f32 = 164.0;
+/// Width of what a gel is, points.
+const WHAT: f32 = 110.0;
 
-/// The channels, one below the other.
-pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, lines: &[NamedLine]) {
-    let mut gone = None;
-    for (index, (channel, strip)) in desk.mix.channels.iter().zip(&desk.strips).enumerate() {
-        let mut after = channel.clone();
-        let row = ui.push_id(index, |ui| {
-            ui.horizontal(|ui| one(ui, context, strip, &mut after, lines, index + 1))
-                .inner
+/// Least and largest distance of two faders, points.
+const APART: [f32; 2] = [48.0, 80.0];
+
+/// Letters of a light's name below its fader.
+const LETTERS: usize = 11;
+
+/// Height of what stands below a fader, points.
+const BELOW: f32 = 62.0;
+
+/// Thickness of an upright fader's handle and track, points.
+const HANDLE: f32 = 34.0;
+const TRACK: f32 = 6.0;
+
+/// The faders side by side, those of groups and of all together at the right; a click on a
+/// channel's name chooses it.
+pub(super) fn faders(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    desk: &Desk,
+    chosen: &mut usize,
+    high: f32,
+) {
+    let scale = context.theme.scale;
+    let groups: Vec<(u8, f64)> = (1..=GROUPS)
+        .filter_map(|group| Some((group, desk.mix.group_highest(group)?)))
+        .collect();
+    let count = desk.mix.channels.len() + groups.len() + 1;
+    let apart = (ui.available_width() / count as f32).clamp(APART[0] * scale, APART[1] * scale);
+    let size = vec2(apart, high);
+    ScrollArea::horizontal()
+        .id_salt("faders")
+        .auto_shrink([false, true])
+        .show(ui, |ui| {
+            ui.horizontal_top(|ui| {
+                ui.spacing_mut().item_spacing.x = 0.0;
+                for index in 0..desk.mix.channels.len() {
+                    channel(ui, context, (desk, index), chosen, size);
+                }
+                for (group, highest) in groups {
+                    let name = format!("Fader of group {group}");
+                    let says = format!("Group {group}");
+                    let meaning = "Moves all faders of the group together.";
+                    if let Some(to) = together(ui, context, [&says, &name, meaning], highest, size)
+                    {
+                        change(context, |mix| *mix = mix.clone().group_dimmed(group, to));
+                    }
+                }
+                let meaning = "Moves all faders together: brighter or darker at constant colour.";
+                let all = ["All", "All faders", meaning];
+                if let Some(to) = together(ui, context, all, desk.mix.highest(), size) {
+                    change(context, |mix| *mix = mix.clone().dimmed(to));
+                }
+            });
         });
-        if row.inner {
-            gone = Some(index);
-        } else if after != *channel {
-            change(context, |mix| mix.channels[index] = after);
-        }
-    }
-    if let Some(index) = gone {
-        change(context, |mix| drop(mix.channels.remove(index)));
+}
+
+/// A channel's fader over its value and name.
+fn channel(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    (desk, index): (&Desk, usize),
+    chosen: &mut usize,
+    size: Vec2,
+) {
+    let (channel, strip) = (&desk.mix.channels[index], &desk.strips[index]);
+    let mut level = channel.level;
+    let is_heard = desk.mix.is_heard(channel);
+    let colour = match is_heard {
+        true => swatch::colour(strip.colour),
+        false => context.theme.track,
+    };
+    let name = format!("Fader {}", index + 1);
+    let meaning = "Its power, per cent of the most it can give; the same for each channel.";
+    column(ui, size, |ui| {
+        upright(
+            ui,
+            (&name, meaning),
+            &mut level,
+            (colour, size.y, context.theme),
+        );
+        let [what, place] = short_words(channel, strip);
+        ui.vertical_centered(|ui| {
+            ui.spacing_mut().item_spacing.y = 0.0;
+            let words = RichText::new(format!("{what}\n{place}")).small();
+            let words = if is_heard { words } else { words.weak() };
+            let button = Button::selectable(*chosen == index, words);
+            let button = ui.add_sized([size.x - 4.0, 34.0 * context.theme.scale], button);
+            named(
+                &button,
+                egui::Role::Button,
+                &format!("Channel {}: {}", index + 1, strip.title),
+            );
+            if button.clicked() {
+                *chosen = index;
+            }
+            button.on_hover_text(format!(
+                "{}. Click for its place and its switches.",
+                strip.title
+            ));
+        });
+    });
+    if level != channel.level {
+        change(context, |mix| mix.channels[index].level = level);
     }
 }
 
-/// One channel; whether it goes.
-fn one(
+/// What a channel is, in two short lines.
+fn short_words(channel: &MixChannel, strip: &Strip) -> [String; 2] {
+    let nm = |nm: f64| format!("{} nm", short(nm));
+    match &channel.source {
+        Source::Line { at_nm } => ["Line".to_owned(), nm(*at_nm)],
+        Source::Gauss { centre_nm, .. } => ["LED".to_owned(), nm(*centre_nm)],
+        Source::Blackbody { kelvin } => ["Blackbody".to_owned(), format!("{kelvin:.0} K")],
+        Source::Daylight { kelvin } => ["Daylight".to_owned(), format!("{kelvin:.0} K")],
+        Source::Named(_) => [elided(&strip.title, LETTERS), String::new()],
+    }
+}
+
+/// One fader that moves several, under its name: where it was drawn to.
+fn together(
     ui: &mut Ui,
     context: &PageContext<'_>,
-    strip: &Strip,
-    channel: &mut MixChannel,
-    lines: &[NamedLine],
-    place: usize,
-) -> bool {
-    let scale = context.theme.scale;
-    let (rect, response) = ui.allocate_exact_size(vec2(14.0, 18.0) * scale, egui::Sense::hover());
-    ui.painter()
-        .rect_filled(rect, 2.0, swatch::colour(strip.colour));
-    swatch::outline(ui, rect, ui.visuals().widgets.noninteractive.bg_stroke);
-    response.on_hover_text(&strip.title);
-    cell(ui, WHAT * scale, |ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        what(ui, strip, channel, lines, place);
+    [says, name, meaning]: [&str; 3],
+    highest: f64,
+    size: Vec2,
+) -> Option<f64> {
+    let mut now = highest;
+    column(ui, size, |ui| {
+        // From nothing there is no way up: the shares would be lost.
+        ui.add_enabled_ui(highest > 0.0, |ui| {
+            let colour = ui.visuals().text_color();
+            upright(
+                ui,
+                (name, meaning),
+                &mut now,
+                (colour, size.y, context.theme),
+            );
+        });
+        ui.vertical_centered(|ui| ui.label(RichText::new(says).small()));
     });
-    ui.spacing_mut().item_spacing.x = 4.0;
-    let buttons = 5.0 * (ui.spacing().interact_size.y + 8.0);
-    Fader {
-        name: &format!("Fader {place}"),
-        meaning: "Its power, per cent of the most it can give; the same for each channel.",
-        range: 0.0..=FULL,
-        digits: 1,
-        suffix: " %",
-        logarithmic: false,
-    }
-    .show(ui, &mut channel.level, buttons, scale);
-    let mut switch = |on: &mut bool, sign: &str, name: &str, meaning: &str| {
-        let button = ui.toggle_value(on, sign);
-        named(&button, egui::Role::CheckBox, &format!("{name} {place}"));
-        button.on_hover_text(format!("{name}: {meaning}"));
+    (now != highest).then_some(now.max(0.1))
+}
+
+/// An upright fader with its number below.
+fn upright(
+    ui: &mut Ui,
+    (name, meaning): (&str, &str),
+    level: &mut f64,
+    (colour, high, theme): (Color32, f32, Theme),
+) {
+    let scale = theme.scale;
+    ui.vertical_centered(|ui| {
+        ui.scope(|ui| {
+            let spacing = ui.spacing_mut();
+            spacing.slider_width = (high - BELOW * scale).max(40.0);
+            spacing.slider_rail_height = TRACK * scale;
+            spacing.interact_size.y = HANDLE * scale;
+            let visuals = ui.visuals_mut();
+            visuals.selection.bg_fill = colour;
+            visuals.widgets.inactive.bg_fill = theme.track;
+            let handle = HandleShape::Rect { aspect_ratio: 0.5 };
+            let slider = Slider::new(level, 0.0..=FULL)
+                .vertical()
+                .trailing_fill(true)
+                .handle_shape(handle)
+                .show_value(false);
+            let slider = ui.add(slider);
+            named(&slider, egui::Role::Slider, name);
+            slider.on_hover_text(meaning);
+        });
+        let drag = DragValue::new(level)
+            .range(0.0..=FULL)
+            .speed(0.2)
+            .max_decimals(1)
+            .custom_formatter(|value, _| format!("{value:.0}"))
+            .suffix(" %");
+        number(ui, drag, name).on_hover_text(meaning);
+    });
+}
+
+/// What the chosen channel is, and its switches.
+pub(super) fn chosen(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    (desk, lines): (&Desk, &[NamedLine]),
+    chosen: &mut usize,
+) {
+    *chosen = (*chosen).min(desk.mix.channels.len().saturating_sub(1));
+    let index = *chosen;
+    let Some((channel, strip)) = desk.mix.channels.get(index).zip(desk.strips.get(index)) else {
+        ui.weak("Add a channel to begin.");
+        return;
     };
-    switch(&mut channel.mute, "M", "Mute", "switches this channel off.");
+    let mut after = channel.clone();
+    let place = index + 1;
+    ui.horizontal(|ui| {
+        let size = vec2(12.0, 16.0) * context.theme.scale;
+        let (rect, _) = ui.allocate_exact_size(size, egui::Sense::hover());
+        ui.painter()
+            .rect_filled(rect, 2.0, swatch::colour(strip.colour));
+        swatch::outline(ui, rect, ui.visuals().widgets.noninteractive.bg_stroke);
+        what(ui, strip, &mut after, lines, place);
+    });
+    let gone = ui
+        .horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
+            switches(ui, &mut after, place)
+        })
+        .inner;
+    if gone {
+        change(context, |mix| drop(mix.channels.remove(index)));
+    } else if after != *channel {
+        change(context, |mix| mix.channels[index] = after);
+    }
+}
+
+/// A channel's switches; whether it goes.
+fn switches(ui: &mut Ui, channel: &mut MixChannel, place: usize) -> bool {
+    let mut switch = |on: &mut bool, says: &str, name: &str, meaning: &str| {
+        let button = ui.toggle_value(on, says);
+        named(&button, egui::Role::CheckBox, &format!("{name} {place}"));
+        button.on_hover_text(meaning);
+    };
+    switch(
+        &mut channel.mute,
+        "Off",
+        "Mute",
+        "Switches this channel off.",
+    );
     switch(
         &mut channel.solo,
-        "S",
+        "Only this",
         "Solo",
-        "switches all other channels off.",
+        "Switches all other channels off.",
     );
     switch(
         &mut channel.lock,
-        "L",
+        "Locked",
         "Lock",
-        "solving leaves this fader where it is.",
+        "Solving leaves this fader where it is.",
     );
     let words = match channel.group {
-        0 => "–".to_owned(),
-        group => group.to_string(),
+        0 => "No group".to_owned(),
+        group => format!("Group {group}"),
     };
     let group = ui.selectable_label(channel.group > 0, words);
-    named(&group, egui::Role::Button, &format!("Group {place}"));
+    named(
+        &group,
+        egui::Role::Button,
+        &format!("Group of channel {place}"),
+    );
     if group.clicked() {
         channel.group = (channel.group + 1) % (GROUPS + 1);
     }
     group.on_hover_text(
-        "Group: click to put the channel into group 1, 2, 3 or none. Each group has a fader below, \
-         which moves all of it.",
+        "Click to put the channel into group 1, 2, 3 or none. Each group has a fader at the \
+         right, which moves all of it.",
     );
     let name = format!("Remove {place}");
-    sign_button(ui, "✖", &name, "Takes the channel off the desk.")
+    sign_button(ui, "Remove", &name, "Takes the channel off the desk.")
 }
 
 /// What stands before all channels, one below the other.

@@ -1,62 +1,62 @@
 //! What colours the gem.
 
-use eframe::egui;
-use egui::{Slider, Ui};
+use eframe::egui::Slider;
 
 use super::names;
 use crate::{
     app::dispersion::{GREYS, GemColour, THICKNESSES},
     ui::{
-        kit::{Choice, Chooser, transmittances},
-        pages::{PageContext, prism_view::slider},
+        kit::{Choice, Chooser, Form, transmittances},
+        pages::PageContext,
     },
 };
 
 /// Draws the choice and what belongs to the kind chosen.
-pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>) {
+pub(super) fn show(form: &mut Form<'_>, context: &mut PageContext<'_>) {
     let app = context.app;
     let memory = &mut context.memory.dispersion.gem;
-    ui.horizontal(|ui| {
-        ui.label(names::COLOUR);
-        let choice = Choice {
-            name: names::COLOUR,
-            meaning: "What the gem takes out of the light on its way, which goes to and fro in it \
-                      many times.",
-            width: 130.0,
-        };
-        choice.pick(ui, &mut memory.colour, GemColour::ALL, |c| (c.title(), ""));
+    let choice = Choice {
+        name: names::COLOUR,
+        meaning: "What the gem takes out of the light on its way, which goes to and fro in it \
+                  many times.",
+        width: 130.0,
+    };
+    form.choice(choice, memory.colour.title(), |ui| {
+        for colour in GemColour::ALL {
+            ui.selectable_value(&mut memory.colour, colour, colour.title());
+        }
     });
     match memory.colour {
         GemColour::Clear => {}
         GemColour::Grey => {
             let of = Slider::new(&mut memory.grey, GREYS).fixed_decimals(2);
             let meaning = "Absorption for each radius of the girdle: 1 leaves 37 % of the light.";
-            slider(ui, (names::ABSORBS, meaning), of);
+            form.slider((names::ABSORBS, meaning), of);
         }
         GemColour::Filter => {
-            ui.horizontal(|ui| {
-                ui.label(names::FILTER);
-                let entry = app.entry(&memory.filter);
-                let chooser = Chooser {
-                    name: names::FILTER,
-                    meaning: "The gem takes away what this glass takes away.",
-                    says: entry
-                        .as_ref()
-                        .map_or("choose a filter", |entry| entry.name()),
-                    offers: transmittances,
-                    width: 170.0,
-                };
-                if let Some(entry) = chooser.show(ui, app) {
-                    memory.filter.clone_from(&entry.key);
-                }
+            let entry = app.entry(&memory.filter);
+            let chooser = Chooser {
+                name: names::FILTER,
+                meaning: "The gem takes away what this glass takes away.",
+                says: entry
+                    .as_ref()
+                    .map_or("choose a filter", |entry| entry.name()),
+                offers: transmittances,
+                width: 150.0,
+            };
+            let chosen = form.row((names::FILTER, chooser.meaning), |ui, _| {
+                chooser.show(ui, app)
             });
+            if let Some(entry) = chosen {
+                memory.filter.clone_from(&entry.key);
+            }
             let of = Slider::new(&mut memory.thickness, THICKNESSES)
                 .logarithmic(true)
                 .fixed_decimals(1)
                 .suffix(" radii");
             let meaning = "How large the gem is against the filter: the filter's transmittance is \
                            that of so many radii of the gem. Less makes it darker.";
-            slider(ui, (names::THICKNESS, meaning), of);
+            form.slider((names::THICKNESS, meaning), of);
         }
     }
 }

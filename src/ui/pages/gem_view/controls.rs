@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{CollapsingHeader, Slider, Ui};
+use egui::{Slider, Ui};
 
 use super::{colour, names};
 use crate::{
@@ -16,7 +16,10 @@ use crate::{
     },
     optics::{Brilliant, FilmSettings, Light, film_bytes},
     ui::{
-        kit::{Choice, Chooser, lights, pressed_if, pressed_small, seen_choice},
+        kit::{
+            Choice, Chooser, Form, GROUP, fold, form, lights, pressed_if, pressed_small,
+            seen_choice,
+        },
         pages::{
             PageContext, PageWish,
             prism_view::{exposure, model, substance},
@@ -25,7 +28,7 @@ use crate::{
 };
 
 /// How many sliders of the cut are always there.
-const ALWAYS: usize = 3;
+const ALWAYS: usize = 2;
 
 pub(super) fn show(
     ui: &mut Ui,
@@ -33,114 +36,122 @@ pub(super) fn show(
     film: Option<&Arc<GemFilm>>,
     both: &[Light],
 ) {
-    ui.spacing_mut().slider_width = 84.0 * context.theme.scale;
-    substance(
-        ui,
-        context.app,
-        (
-            names::MATERIAL,
-            "Diamond bends light most and spreads its colours; zirconia spreads them further, \
-             glass much less.",
-        ),
-        &mut context.memory.dispersion.gem.made_of,
-    );
-    colour::show(ui, context);
-    cut(ui, &mut context.memory.dispersion.gem.cut);
-    ui.separator();
-    looks(ui, context, both);
-    ui.separator();
-    other_light(ui, context, both.get(1));
-    model::sent(ui, &mut context.memory.dispersion.gem.sent);
-    model::knobs(ui, context, context.memory.dispersion.gem.sent);
-    ui.separator();
-    save(ui, context, film, &both[0]);
-}
-
-fn cut(ui: &mut Ui, cut: &mut Brilliant) {
-    let sliders = |ui: &mut Ui, cut: &mut Brilliant, id: &str, some: &[CutSlider]| {
-        egui::Grid::new(id).num_columns(2).show(ui, |ui| {
-            some.iter().for_each(|of| slider(ui, cut, of));
-        });
-    };
-    let (always, more) = CutSlider::ALL.split_at(ALWAYS);
-    sliders(ui, cut, "cut", always);
-    CollapsingHeader::new("More of the cut").show(ui, |ui| {
-        sliders(ui, cut, "more of the cut", more);
-        let usual = Brilliant::default();
-        let button = egui::Button::new(names::USUAL_CUT).small();
-        let meaning = "The round brilliant that most diamonds are cut to.";
-        if pressed_if(ui, *cut != usual, button, meaning) {
-            *cut = usual;
+    ui.spacing_mut().slider_width = 100.0 * context.theme.scale;
+    let app = context.app;
+    form(ui, "gem", |form| {
+        let meaning = "Diamond bends light most and spreads its colours; zirconia spreads them \
+                       further, glass much less.";
+        let made_of = &mut context.memory.dispersion.gem.made_of;
+        substance(form, app, (names::MATERIAL, meaning), made_of);
+        other_light(form, context, both.get(1));
+        let cut = &mut context.memory.dispersion.gem.cut;
+        for of in &CutSlider::ALL[..ALWAYS] {
+            slider(form, cut, of);
         }
+    });
+    ui.add_space(GROUP);
+    form(ui, "how the gem is seen", |form| looks(form, context));
+    let meaning = "Looks at the gem as at first: down on the crown.";
+    if pressed_small(ui, names::FRONT, meaning) {
+        context.memory.dispersion.gem.look_from_front();
+    }
+    ui.add_space(GROUP);
+    form(ui, "gem's light", |form| {
+        model::sent(form, &mut context.memory.dispersion.gem.sent);
+        model::knobs(form, context, context.memory.dispersion.gem.sent);
+    });
+    ui.add_space(GROUP);
+    let memory = &mut context.memory.dispersion.gem;
+    fold(ui, "more of the cut", "More of the cut", |ui| {
+        rest_of_cut(ui, &mut memory.cut);
+    });
+    fold(ui, "more of the gem", "Colour and picture", |ui| {
+        form(ui, "more of the gem", |form| {
+            colour::show(form, context);
+            picture(form, context, both);
+        });
+        save(ui, context, film, &both[0]);
     });
 }
 
-fn slider(ui: &mut Ui, cut: &mut Brilliant, of: &CutSlider) {
-    let label = ui.label(of.title).on_hover_text(of.meaning);
+/// What of the cut changes the picture less.
+fn rest_of_cut(ui: &mut Ui, cut: &mut Brilliant) {
+    form(ui, "more of the cut", |form| {
+        for of in &CutSlider::ALL[ALWAYS..] {
+            slider(form, cut, of);
+        }
+    });
+    let usual = Brilliant::default();
+    let button = egui::Button::new(names::USUAL_CUT).small();
+    let meaning = "The round brilliant that most diamonds are cut to.";
+    if pressed_if(ui, *cut != usual, button, meaning) {
+        *cut = usual;
+    }
+}
+
+fn slider(form: &mut Form<'_>, cut: &mut Brilliant, of: &CutSlider) {
     let [least, most] = of.range;
     let slider = Slider::new((of.of)(cut), least..=most);
     let slider = if of.is_angle {
-        slider.step_by(0.05).fixed_decimals(2).suffix("\u{b0}")
+        slider.step_by(0.05).fixed_decimals(1).suffix("\u{b0}")
     } else {
         slider
-            .custom_formatter(|value, _| format!("{:.1} %", 100.0 * value))
+            .custom_formatter(|value, _| format!("{:.0} %", 100.0 * value))
             .custom_parser(|text| {
                 let percent: f64 = text.trim().trim_end_matches('%').trim().parse().ok()?;
                 Some(percent / 100.0)
             })
     };
-    ui.add(slider)
-        .labelled_by(label.id)
-        .on_hover_text(of.meaning);
-    ui.end_row();
+    form.slider((of.title, of.meaning), slider);
 }
 
-fn looks(ui: &mut Ui, context: &mut PageContext<'_>, both: &[Light]) {
-    let (app, wide) = (context.app, 225.0 * context.theme.scale);
-    seen_choice(ui, app, (names::SEEN, wide), context.commands);
+/// To whom the gem is shown, how bright and under which part of the light.
+fn looks(form: &mut Form<'_>, context: &mut PageContext<'_>) {
+    let (app, wide) = (context.app, 190.0 * context.theme.scale);
+    form.row(("Seen", ""), |ui, _| {
+        seen_choice(ui, app, (names::SEEN, wide), context.commands);
+    });
     let memory = &mut context.memory.dispersion.gem;
-    ui.horizontal(|ui| {
-        ui.label(names::PART);
-        let choice = Choice {
-            name: names::PART,
-            meaning: "The lines' picture and the smooth part's, each as bright as it is in the \
-                      whole: together they are the whole.",
-            width: 150.0,
-        };
-        choice.pick(ui, &mut memory.part, LightPart::ALL, |p| (p.title(), ""));
+    let choice = Choice {
+        name: names::PART,
+        meaning: "The lines' picture and the smooth part's, each as bright as it is in the \
+                  whole: together they are the whole.",
+        width: 150.0,
+    };
+    form.choice(choice, memory.part.title(), |ui| {
+        for part in LightPart::ALL {
+            ui.selectable_value(&mut memory.part, part, part.title());
+        }
     });
-    exposure(ui, &mut memory.stops);
-    ui.horizontal(|ui| {
-        ui.label(names::SIZE);
-        let choice = Choice {
-            name: names::SIZE,
-            meaning: "Columns and rows of the picture, and the memory that its film takes.",
-            width: 60.0,
-        };
-        let planes = FilmSettings::default().strata + both.iter().flat_map(places).count();
-        choice.show(ui, format!("{} px", memory.size), |ui| {
-            for size in SIZES_SHOWN {
-                let megabytes = film_bytes(size, planes).div_ceil(1 << 20);
-                let words = format!("{size} px, {megabytes} MB");
-                ui.selectable_value(&mut memory.size, size, words);
-            }
-        });
-        ui.label("rays");
-        let choice = Choice {
-            name: names::RAYS,
-            meaning: "Rays a pixel: twice as many take twice the time and leave 0.7 of the noise.",
-            width: 50.0,
-        };
-        choice.show(ui, memory.rays.to_string(), |ui| {
-            for rays in RAYS_SHOWN {
-                ui.selectable_value(&mut memory.rays, rays, rays.to_string());
-            }
-        });
+    exposure(form, &mut memory.stops);
+}
+
+/// How fine the picture is.
+fn picture(form: &mut Form<'_>, context: &mut PageContext<'_>, both: &[Light]) {
+    let memory = &mut context.memory.dispersion.gem;
+    let choice = Choice {
+        name: names::SIZE,
+        meaning: "Columns and rows of the picture, and the memory that its film takes.",
+        width: 60.0,
+    };
+    let planes = FilmSettings::default().strata + both.iter().flat_map(places).count();
+    form.choice(choice, &format!("{} px", memory.size), |ui| {
+        for size in SIZES_SHOWN {
+            let megabytes = film_bytes(size, planes).div_ceil(1 << 20);
+            let words = format!("{size} px, {megabytes} MB");
+            ui.selectable_value(&mut memory.size, size, words);
+        }
     });
-    let meaning = "Looks at the gem as at first: down on the crown.";
-    if pressed_small(ui, names::FRONT, meaning) {
-        memory.look_from_front();
-    }
+    let choice = Choice {
+        name: names::RAYS,
+        meaning: "Rays a pixel: twice as many take twice the time and leave 0.7 of the noise.",
+        width: 50.0,
+    };
+    form.choice(choice, &memory.rays.to_string(), |ui| {
+        for rays in RAYS_SHOWN {
+            ui.selectable_value(&mut memory.rays, rays, rays.to_string());
+        }
+    });
 }
 
 /// How the pictures are looked at.
@@ -155,16 +166,16 @@ pub(super) fn look(context: &PageContext<'_>) -> GemLook {
 }
 
 /// The light of the second picture.
-fn other_light(ui: &mut Ui, context: &mut PageContext<'_>, other: Option<&Light>) {
-    ui.horizontal(|ui| {
-        ui.label(names::UNDER);
+fn other_light(form: &mut Form<'_>, context: &mut PageContext<'_>, other: Option<&Light>) {
+    let meaning = "A second light on the same gem: its picture is summed from the same rays, only \
+                   its lines are traced.";
+    form.row((names::UNDER, meaning), |ui, _| {
         let chooser = Chooser {
             name: names::UNDER,
-            meaning: "A second light on the same gem: its picture is summed from the same rays, \
-                      only its lines are traced.",
+            meaning,
             says: other.map_or("choose a light", |light| light.name.as_str()),
             offers: lights,
-            width: 110.0,
+            width: 100.0,
         };
         if let Some(entry) = chooser.show(ui, context.app) {
             context.memory.dispersion.gem.under = Some(entry.key.clone());

@@ -11,27 +11,30 @@ use egui::{
     Color32, ColorImage, Rect, RichText, Sense, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2,
 };
 
-use super::{PageContext, prism_view::notes, progress};
+use super::{
+    PageContext,
+    presented::head,
+    prism_view::{exposure, notes},
+    progress,
+};
 use crate::{
     app::{
         ByAddress, Memo,
         dispersion::{
             GemFilm, GemLook, GemMemory, GemPass, GemScene, GemShown, NoiseAsk, Sent,
-            another_light, document_light, facts_of, next_pass, places, sentence,
+            another_light, document_light, facts_of, next_pass, noise_words, places, sentence,
         },
         studies::Stage,
     },
+    io::many::capitalised,
     optics::{Light, Noise},
     study::Progress,
     ui::{
-        kit::{down, drawing, headline, scrolled, warning},
+        kit::{GROUP, down, drawing, form, headline, warning, with_panel},
         swatch,
         theme::grey,
     },
 };
-
-/// Width of the controls, points.
-const CONTROLS: f32 = 250.0;
 
 /// How dark the wall behind the pictures is.
 const WALL: u8 = 16;
@@ -62,6 +65,15 @@ pub struct GemView {
 impl GemView {
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        self.page(ui, context, false);
+    }
+
+    /// The pictures alone with their exposure; whether a hand wants the whole window back.
+    pub(super) fn present(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) -> bool {
+        self.page(ui, context, true)
+    }
+
+    fn page(&mut self, ui: &mut Ui, context: &mut PageContext<'_>, presented: bool) -> bool {
         let (app, revision) = (context.app, context.app.revision());
         let sent = context.memory.dispersion.gem.sent;
         let light = match &*self
@@ -71,7 +83,7 @@ impl GemView {
             Ok(light) => light.clone(),
             Err(why) => {
                 headline(ui, context.theme, why);
-                return;
+                return presented && head(ui, "");
             }
         };
         let under = context.memory.dispersion.gem.under.clone();
@@ -96,27 +108,36 @@ impl GemView {
             .and_then(|film| noise(context, film, &lights[0]));
 
         let memory = &context.memory.dispersion.gem;
-        headline(
-            ui,
-            context.theme,
-            sentence(app, memory, &lights[0].name, noise.as_ref()),
-        );
+        let words = sentence(app, memory, &lights);
+        let scale = context.theme.scale;
+        let (shown, both) = (film.clone(), &lights);
+        let noise = noise.as_ref().map(noise_words);
+        if presented {
+            let leaves = head(ui, &words);
+            let row = ui.spacing().interact_size.y + 2.0 * ui.spacing().item_spacing.y;
+            let size = vec2(ui.available_width(), ui.available_height() - row);
+            down(ui, size, |ui| {
+                self.pictures(ui, context, (film.as_ref(), both, noise), size);
+            });
+            let stops = &mut context.memory.dispersion.gem.stops;
+            form(ui, "gem presented", |form| exposure(form, stops));
+            return leaves;
+        }
+        headline(ui, context.theme, words);
         for words in scene.as_ref().err().into_iter().chain(&trouble) {
             warning(ui, context.theme, words.as_str());
         }
-        ui.add_space(4.0);
-        let room = ui.available_size();
-        let wide = CONTROLS * context.theme.scale;
-        ui.horizontal_top(|ui| {
-            down(ui, vec2(wide, room.y), |ui| {
-                scrolled(ui, "gem controls", |ui| {
-                    controls::show(ui, context, film.as_ref(), &lights);
-                });
-            });
-            down(ui, ui.available_size(), |ui| {
-                self.pictures(ui, context, film.as_ref(), &lights);
-            });
-        });
+        ui.add_space(GROUP);
+        with_panel(
+            ui,
+            context,
+            ("gem", scale),
+            |ui, context, room| {
+                self.pictures(ui, context, (film.as_ref(), both, noise), room);
+            },
+            |ui, context| controls::show(ui, context, shown.as_ref(), both),
+        );
+        false
     }
 
     /// The finest film that there is, whatever it shows; what is missing of it is asked for.
@@ -160,10 +181,9 @@ impl GemView {
         &mut self,
         ui: &mut Ui,
         context: &mut PageContext<'_>,
-        film: Option<&Arc<GemFilm>>,
-        lights: &[Light],
+        (film, lights, noise): (Option<&Arc<GemFilm>>, &[Light], Option<String>),
+        room: Vec2,
     ) {
-        let room = ui.available_size();
         let text = ui.text_style_height(&egui::TextStyle::Small);
         // Below the pictures: three lines of words each, progress, and notes.
         let below = 5.0 * text + ui.spacing().interact_size.y + 30.0;
@@ -186,6 +206,7 @@ impl GemView {
         if let Some(film) = film {
             said.extend(lights.iter().flat_map(|light| facts_of(film, light)));
             said.dedup();
+            said.extend(noise.map(|words| format!("{}.", capitalised(&words))));
             let traced = film.film.traced();
             said.push(format!(
                 "{} x {} pixels, {} rays a pixel, {:.1} faces a ray, {} MB. Light at each face \

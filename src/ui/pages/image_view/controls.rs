@@ -15,7 +15,7 @@ use crate::{
     io::budget,
     ui::{
         kit::{Choice, adapt_box, pressed, pressed_if, pressed_small, sign_button},
-        pages::PageContext,
+        pages::{PageContext, PageWish},
     },
 };
 
@@ -24,6 +24,15 @@ use crate::{
 pub(super) fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEntry) -> bool {
     let images = &context.app.document().images;
     let row = ui.horizontal(|ui| {
+        if images.is_empty() {
+            let meaning = "An ENVI cube (its header .hdr or its data beside it) or a spectral \
+                           OpenEXR (.exr). It can be dropped here too.";
+            if pressed(ui, names::OPEN, meaning) {
+                context.wishes.push(PageWish::OpenPicture);
+            }
+            about(ui, entry);
+            return false;
+        }
         let choice = Choice {
             name: names::IMAGE,
             meaning: &format!("The spectral images that are open: {}.", images.len()),
@@ -47,28 +56,33 @@ pub(super) fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEn
         let meaning = "What the values were taken for, their scale, the unit of the wavelengths, \
                        and the other choices; the picture is drawn anew with each.";
         let reading = pressed_if(ui, entry.path().is_some(), button, meaning);
-        let cube = &entry.image.cube;
-        let nm = cube.nm();
-        let words = format!(
-            "{} x {} pixels, {} bands {}–{} nm, {}, {}",
-            cube.width(),
-            cube.height(),
-            nm.len(),
-            short(nm[0]),
-            short(nm[nm.len() - 1]),
-            entry.image.kind.word(),
-            budget::in_words(cube.memory())
-        );
-        ui.add(egui::Label::new(egui::RichText::new(words).weak()).truncate())
-            .on_hover_ui(|ui| {
-                ui.label("Size, bands, what the values are, and the memory that they take.");
-                for note in &entry.image.notes {
-                    ui.label(note);
-                }
-            });
+        about(ui, entry);
         reading
     });
     row.inner
+}
+
+/// Its size, its bands and what its values are.
+fn about(ui: &mut Ui, entry: &ImageEntry) {
+    let cube = &entry.image.cube;
+    let nm = cube.nm();
+    let words = format!(
+        "{} x {} pixels, {} bands {}–{} nm, {}, {}",
+        cube.width(),
+        cube.height(),
+        nm.len(),
+        short(nm[0]),
+        short(nm[nm.len() - 1]),
+        entry.image.kind.word(),
+        budget::in_words(cube.memory())
+    );
+    ui.add(egui::Label::new(egui::RichText::new(words).weak()).truncate())
+        .on_hover_ui(|ui| {
+            ui.label("Size, bands, what the values are, and the memory that they take.");
+            for note in &entry.image.notes {
+                ui.label(note);
+            }
+        });
 }
 
 /// True colour or bands, and the exposure.

@@ -19,8 +19,8 @@ use crate::{
         charts::image::region_chart,
         headlines,
         picture::{
-            BandWeights, Exposed, Raster, RasterAsk, RegionAsk, RegionSpectrum, Spread, exposed,
-            named, shown,
+            BandWeights, Exposed, Raster, RasterAsk, RegionAsk, RegionSpectrum, Spread, at_hand,
+            exposed, named, shown,
         },
         studies::Stage,
     },
@@ -28,9 +28,8 @@ use crate::{
     io::many::capitalised,
     spectrum::{Rect, SpectralImage},
     ui::{
-        kit::{self, headline},
+        kit::{self, GROUP, headline},
         swatch,
-        theme::Theme,
     },
 };
 use canvas::{Canvas, Picture, Touched};
@@ -97,15 +96,14 @@ struct Shown {
 impl ImageView {
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let Some(entry) = shown(context.app.document(), &context.memory.image).cloned() else {
-            if nothing_open(ui, context.theme) {
-                context.wishes.push(PageWish::OpenPicture);
-            }
+        let opened = shown(context.app.document(), &context.memory.image);
+        let Some(entry) = opened.or_else(at_hand).cloned() else {
             return;
         };
         let pixels = context.memory.image.rect(&entry.image.cube);
         let words = headlines::image(&entry, pixels.width * pixels.height);
         headline(ui, context.theme, words);
+        ui.add_space(GROUP);
         if controls::images(ui, context, &entry) {
             context.wishes.push(PageWish::Reading(entry.key.clone()));
         }
@@ -392,27 +390,6 @@ fn how_drawn(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Shown, drawn: O
             "Exposure 0 takes the 99th percentile of the strongest of red, green and blue, or of \
              each band, to the screen's full brightness. Pixels outside sRGB are cut to it; shares are of the drawn pixels.",
         );
-}
-
-/// Says what opens here; whether a file is to be chosen.
-fn nothing_open(ui: &mut Ui, theme: Theme) -> bool {
-    headline(ui, theme, "No spectral image is open: drop one here.");
-    ui.add_space(24.0);
-    let shown = ui.vertical_centered(|ui| {
-        ui.set_max_width(460.0);
-        ui.label(
-            "Drop a file here, or open one: an ENVI cube (its header .hdr or its data beside it: \
-             .img, .bsq, .bil, .bip, .raw) or a spectral OpenEXR (.exr). It opens as a picture; a \
-             pixel or the mean of a region becomes a spectrum with its model.",
-        );
-        ui.add_space(12.0);
-        kit::pressed(
-            ui,
-            names::OPEN,
-            "Chooses a file of yours; spectra open too.",
-        )
-    });
-    shown.inner
 }
 
 /// Height of a row of text with its space, points.

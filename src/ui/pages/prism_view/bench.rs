@@ -1,4 +1,4 @@
-//! The bench drawn: a dark room, a prism, the light on its way.
+//! The bench drawn: a dark room, a prism, the light on its way to the strip below.
 
 use eframe::egui;
 use egui::{Color32, Mesh, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
@@ -6,7 +6,7 @@ use egui::{Color32, Mesh, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2, p
 use crate::{
     app::{
         chart::Rgb,
-        dispersion::{BenchDrawing, DrawnRay, Grip, Handle},
+        dispersion::{BenchDrawing, DrawnRay, Grip, Handle, Leaves},
     },
     ui::{
         kit::{self, named},
@@ -17,11 +17,14 @@ use crate::{
 /// Degrees that the prism turns by for each point that a hand moves.
 const DEGREES_A_POINT: f32 = 0.08;
 
-/// Free space around the drawing, points.
-const MARGIN: f32 = 14.0;
+/// Free space around prism and slit, points.
+const MARGIN: f32 = 26.0;
+
+/// Where in the room the ray leaves that is bent most, as shares of its width and height.
+const LEAVES_AT: Vec2 = vec2(0.45, 0.56);
 
 /// Width of a handle, points.
-const HANDLE: f32 = 10.0;
+const HANDLE: f32 = 12.0;
 
 /// Least width of a beam whose edges are drawn, points.
 const WIDE_BEAM: f32 = 3.0;
@@ -29,46 +32,104 @@ const WIDE_BEAM: f32 = 3.0;
 /// How dark the room is: colours of light are seen against it in both themes.
 pub(super) const ROOM: u8 = 16;
 
-/// From millimetres to the screen.
-struct Mapping {
-    corner: Pos2,
-    low: [f64; 2],
+/// From millimetres to the window. The ray that is bent most is drawn as it leaves; the angles of
+/// the others to it are larger than they are, so that each ends at its place of the strip below.
+struct Mapping<'a> {
+    area: Rect,
+    /// Where that ray leaves the glass, in the window and in the drawing, mm.
+    middle: Pos2,
+    origin: [f64; 2],
     scale: f64,
+    /// Sine and cosine of how far the drawing is turned, with the clock.
+    turn: [f64; 2],
+    /// How far from the left end of the strip a place on the screen is, 0-1.
+    share: &'a dyn Fn(f64) -> f32,
 }
 
-impl Mapping {
-    fn new(drawing: &BenchDrawing, area: Rect) -> Self {
-        // Rays that graze the screen far out are cut.
-        let mut places = drawing.prism.to_vec();
-        places.extend(drawing.incoming);
-        places.extend(drawing.screen);
-        let range = |k: usize| {
-            let values = places.iter().map(|place| place[k]);
-            values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
-                [a.min(v), b.max(v)]
-            })
+impl<'a> Mapping<'a> {
+    fn new(drawing: &BenchDrawing, area: Rect, share: &'a dyn Fn(f64) -> f32) -> Self {
+        let mut mapping = Self {
+            area,
+            middle: area.center(),
+            origin: drawing.prism[0],
+            scale: 1.0,
+            turn: [0.0, 1.0],
+            share,
         };
-        let ranges = [range(0), range(1)];
-        let size = ranges.map(|[a, b]| (b - a).max(1e-9));
-        let room = area.size() - Vec2::splat(2.0 * MARGIN);
-        let scale = (f64::from(room.x) / size[0]).min(f64::from(room.y) / size[1]);
-        let drawn = vec2((size[0] * scale) as f32, (size[1] * scale) as f32);
-        Self {
-            corner: area.center() - 0.5 * drawn + vec2(0.0, drawn.y),
-            low: [ranges[0][0], ranges[1][0]],
-            scale,
+        if let Some(ray) = drawing.most_bent {
+            mapping.middle = area.lerp_inside(LEAVES_AT);
+            mapping.origin = ray.exit;
+            let way = (mapping.on_screen(ray.x_mm) - mapping.middle).normalized();
+            mapping.turn = [f64::from(-way.x), f64::from(way.y)];
         }
+        // As large as there is room for on each side of where it stands.
+        let places = drawing.prism.iter().chain(drawing.jaws.iter().flatten());
+        let room = area.shrink(MARGIN);
+        let middle = mapping.middle;
+        let fits = places.flat_map(|place| {
+            let off = mapping.at(*place) - middle;
+            let side = |off: f32, low: f32, high: f32| {
+                let room = if off < 0.0 { low } else { high };
+                f64::from(room.max(1.0) / off.abs().max(0.1))
+            };
+            [
+                side(off.x, middle.x - room.left(), room.right() - middle.x),
+                side(off.y, middle.y - room.top(), room.bottom() - middle.y),
+            ]
+        });
+        let most = f64::from(0.42 * area.height()) / drawing.side_mm();
+        mapping.scale = fits.fold(most, f64::min);
+        mapping
+    }
+
+    fn at(&self, [x, y]: [f64; 2]) -> Pos2 {
+        let [across, down] = [x - self.origin[0], self.origin[1] - y].map(|v| v * self.scale);
+        self.middle + self.turned([across, down])
+    }
+
+    /// A vector of the drawing, downwards, in the window.
+    fn turned(&self, [x, y]: [f64; 2]) -> Vec2 {
+        let [sin, cos] = self.turn;
+        vec2((x * cos - y * sin) as f32, (x * sin + y * cos) as f32)
     }
 
     /// What lies so many points to the right of and below a place.
     fn moved(&self, [x, y]: [f64; 2], by: Vec2) -> [f64; 2] {
+        let [sin, cos] = self.turn;
         let [right, down] = [by.x, by.y].map(|v| f64::from(v) / self.scale);
-        [x + right, y - down]
+        [x + right * cos + down * sin, y + right * sin - down * cos]
     }
 
-    fn at(&self, [x, y]: [f64; 2]) -> Pos2 {
-        let [across, up] = [x - self.low[0], y - self.low[1]].map(|v| (v * self.scale) as f32);
-        pos2(self.corner.x + across, self.corner.y - up)
+    fn on_screen(&self, x_mm: f64) -> Pos2 {
+        let x = self.area.left() + (self.share)(x_mm) * self.area.width();
+        pos2(x, self.area.bottom())
+    }
+
+    /// Where a ray ends that goes on from its last place.
+    fn end(&self, from: [f64; 2], leaves: Leaves) -> Pos2 {
+        match leaves {
+            Leaves::To(x_mm) => self.on_screen(x_mm),
+            Leaves::Away([x, y]) => {
+                let far = self.area.width() + self.area.height();
+                self.at(from) + far * self.turned([x, -y])
+            }
+        }
+    }
+
+    /// The ray over its places in the window.
+    fn ray(&self, way: &[[f64; 2]], leaves: Leaves) -> Vec<Pos2> {
+        let mut places: Vec<Pos2> = way.iter().map(|place| self.at(*place)).collect();
+        places.extend(way.last().map(|last| self.end(*last, leaves)));
+        places
+    }
+
+    /// How many times the spread behind the prism is drawn; `None` without light there.
+    fn stretch(&self, drawing: &BenchDrawing) -> Option<f64> {
+        let ray = drawing.most_bent?;
+        let angle = |to: Pos2| f64::from((to - self.middle).angle());
+        let drawn = angle(self.on_screen(ray.x_mm)) - angle(self.area.right_bottom());
+        let stretch = drawn.to_degrees() / ray.spread_deg;
+        stretch.is_finite().then_some(stretch)
     }
 }
 
@@ -80,21 +141,21 @@ pub(super) enum Moved {
     Set(Handle, f64),
 }
 
-/// Draws the bench; what a hand did to it in this frame.
+/// Draws the bench above its strip, on which `share` tells how far from the left end a place is;
+/// what a hand did to it in this frame.
 pub(super) fn show(
     ui: &mut Ui,
     drawing: Option<&BenchDrawing>,
     size: Vec2,
-    theme: Theme,
+    (share, theme): (&dyn Fn(f64) -> f32, Theme),
 ) -> Option<Moved> {
     let name = "Drawing of the prism and the light";
     let (area, response) = kit::drawing(ui, size, Sense::drag(), name);
-    let painter = ui.painter().with_clip_rect(area);
-    painter.rect_filled(area, 3.0, grey(ROOM));
+    let painter = ui.painter().with_clip_rect(area.intersect(ui.clip_rect()));
+    painter.rect_filled(area, 0.0, grey(ROOM));
     let drawing = drawing?;
-    let mapping = Mapping::new(drawing, area);
+    let mapping = Mapping::new(drawing, area, share);
     light(&painter, drawing, &mapping, theme);
-    let hint = "Angles are exact; the screen is drawn nearer than it is.";
     let turned = response.drag_delta().x * DEGREES_A_POINT;
     if response.hovered() {
         ui.set_cursor_icon(egui::CursorIcon::ResizeHorizontal);
@@ -109,13 +170,17 @@ pub(super) fn show(
             moved = Some(Moved::Set(grip.handle, to));
         }
     }
-    let at = area.left_bottom() + vec2(8.0, -6.0);
-    write(
-        ui,
-        &painter,
-        (at, egui::Align2::LEFT_BOTTOM, hint, grey(140)),
-        &mut taken,
-    );
+    if let Some(stretch) = mapping.stretch(drawing) {
+        let hint =
+            format!("Behind the prism the spread is drawn {stretch:.0} times as wide as it is.");
+        let at = area.right_top() + vec2(-8.0, 6.0);
+        write(
+            ui,
+            &painter,
+            (at, egui::Align2::RIGHT_TOP, &hint, grey(140)),
+            &mut taken,
+        );
+    }
     moved
 }
 
@@ -149,13 +214,9 @@ fn handle(
     named(&response, egui::Role::Slider, &format!("{title}, drawn"));
     let is_held = response.hovered() || response.dragged();
     knob(painter, at, is_held, theme);
-    let beside = 0.7 * HANDLE * theme.scale;
-    // Light comes from below the screen's handle.
-    let (at, align) = match grip.handle {
-        Handle::Screen => (at + vec2(beside, 0.0), egui::Align2::LEFT_CENTER),
-        Handle::Apex | Handle::Slit => (at + vec2(0.0, beside), egui::Align2::CENTER_TOP),
-    };
-    write(ui, painter, (at, align, &grip.words, grey(190)), taken);
+    let beside = at + vec2(0.0, 0.7 * HANDLE * theme.scale);
+    let words = (beside, egui::Align2::CENTER_TOP, &*grip.words, grey(190));
+    write(ui, painter, words, taken);
     let by = response.drag_delta();
     if is_held {
         ui.set_cursor_icon(egui::CursorIcon::Grab);
@@ -171,23 +232,11 @@ pub(super) fn knob(painter: &Painter, at: Pos2, is_held: bool, theme: Theme) {
     painter.circle(at, 0.5 * HANDLE * theme.scale, fill, stroke);
 }
 
-fn light(painter: &Painter, drawing: &BenchDrawing, mapping: &Mapping, theme: Theme) {
+fn light(painter: &Painter, drawing: &BenchDrawing, mapping: &Mapping<'_>, theme: Theme) {
     let corners = drawing.prism.map(|corner| mapping.at(corner)).to_vec();
     let glass = Color32::from_rgb(38, 42, 46);
     painter.add(Shape::convex_polygon(corners.clone(), glass, Stroke::NONE));
-    let [from, to] = drawing.incoming.map(|place| mapping.at(place));
-    let wide = (drawing.slit_mm * mapping.scale) as f32;
-    let beam = wide.max(2.5 * theme.scale);
-    let strength = if wide > WIDE_BEAM { 0.45 } else { 1.0 };
-    let jaws = drawing.jaws.map(|jaw| jaw.map(|place| mapping.at(place)));
-    let slit_at = jaws[0][0] + 0.5 * (jaws[1][0] - jaws[0][0]);
-    // As wide as the lamp before the slit, as wide as the slit behind it.
-    let lamp = Stroke::new(beam + 8.0 * theme.scale, colour(drawing.rgb, 0.25));
-    painter.line_segment([from, slit_at], lamp);
-    painter.line_segment([slit_at, to], (beam, colour(drawing.rgb, strength)));
-    for jaw in jaws {
-        painter.line_segment(jaw, (3.0 * theme.scale, grey(170)));
-    }
+    incoming(painter, drawing, mapping, theme);
     let mut mesh = Mesh::default();
     for pair in drawing.smooth.windows(2) {
         for part in 0..2 {
@@ -195,42 +244,80 @@ fn light(painter: &Painter, drawing: &BenchDrawing, mapping: &Mapping, theme: Th
         }
     }
     painter.add(mesh);
+    let reflected = |ray: &&DrawnRay| matches!(ray.leaves, Leaves::Away(_));
+    for ray in drawing.smooth.iter().filter(reflected) {
+        let stroke = Stroke::new(theme.scale, colour(ray.rgb, 0.25 * ray.strength));
+        painter.add(Shape::line(mapping.ray(&ray.way, ray.leaves), stroke));
+    }
+    let wide = (drawing.slit_mm * mapping.scale) as f32;
     for ray in &drawing.lines {
         let stroke = Stroke::new(1.6 * theme.scale, colour(ray.rgb, ray.strength));
         if let Some(edges) = ray.edges.filter(|_| wide > WIDE_BEAM) {
             edge_rays(painter, mapping, edges, colour(ray.rgb, 0.5 * ray.strength));
         }
-        let points = ray.at.map(|place| mapping.at(place)).to_vec();
-        painter.add(Shape::line(points, stroke));
+        painter.add(Shape::line(mapping.ray(&ray.way, ray.leaves), stroke));
     }
     let edge = Stroke::new(1.2 * theme.scale, grey(150));
     painter.add(Shape::closed_line(corners, edge));
-    let screen = drawing.screen.map(|place| mapping.at(place));
-    painter.line_segment(screen, (2.0 * theme.scale, grey(190)));
+}
+
+/// The light before the prism: as wide as the lamp before the slit, as wide as the slit behind it.
+fn incoming(painter: &Painter, drawing: &BenchDrawing, mapping: &Mapping<'_>, theme: Theme) {
+    let [enters, along] = drawing.enters;
+    let to = mapping.at(enters);
+    let far = mapping.area.width() + mapping.area.height();
+    let from = to - far * mapping.turned([along[0], -along[1]]);
+    let wide = (drawing.slit_mm * mapping.scale) as f32;
+    let beam = wide.max(2.5 * theme.scale);
+    let strength = if wide > WIDE_BEAM { 0.45 } else { 1.0 };
+    let jaws = drawing.jaws.map(|jaw| jaw.map(|place| mapping.at(place)));
+    let slit_at = jaws[0][0] + 0.5 * (jaws[1][0] - jaws[0][0]);
+    let lamp = Stroke::new(beam + 8.0 * theme.scale, colour(drawing.rgb, 0.25));
+    painter.line_segment([from, slit_at], lamp);
+    painter.line_segment([slit_at, to], (beam, colour(drawing.rgb, strength)));
+    for jaw in jaws {
+        painter.line_segment(jaw, (3.0 * theme.scale, grey(170)));
+    }
 }
 
 /// The rays through both edges of the slit, and what they enclose.
-fn edge_rays(painter: &Painter, mapping: &Mapping, edges: [[[f64; 2]; 3]; 2], ink: Color32) {
-    let [a, b] = edges.map(|way| way.map(|place| mapping.at(place)));
+fn edge_rays(
+    painter: &Painter,
+    mapping: &Mapping<'_>,
+    edges: [([[f64; 2]; 2], f64); 2],
+    ink: Color32,
+) {
+    let [a, b] = edges.map(|(way, x_mm)| mapping.ray(&way, Leaves::To(x_mm)));
     for part in 0..2 {
         let between = vec![a[part], a[part + 1], b[part + 1], b[part]];
         let fill = ink.gamma_multiply(0.35);
         painter.add(Shape::convex_polygon(between, fill, Stroke::NONE));
     }
     for way in [a, b] {
-        painter.add(Shape::line(way.to_vec(), Stroke::new(0.8, ink)));
+        painter.add(Shape::line(way, Stroke::new(0.8, ink)));
     }
 }
 
 /// What lies between two neighbouring rays of the smooth part, in the glass (0) or behind it (1).
-fn band(mesh: &mut Mesh, mapping: &Mapping, a: &DrawnRay, b: &DrawnRay, part: usize) {
+fn band(mesh: &mut Mesh, mapping: &Mapping<'_>, a: &DrawnRay, b: &DrawnRay, part: usize) {
+    let [one, other] = [a, b].map(|ray| match ray.leaves {
+        Leaves::To(_) => mapping.ray(&ray.way, ray.leaves),
+        Leaves::Away(_) => Vec::new(),
+    });
+    let corners = [
+        (a, one.get(part)),
+        (a, one.get(part + 1)),
+        (b, other.get(part + 1)),
+        (b, other.get(part)),
+    ];
+    if corners.iter().any(|(_, place)| place.is_none()) {
+        return;
+    }
     let first = mesh.vertices.len() as u32;
-    for (ray, end) in [(a, part), (a, part + 1), (b, part + 1), (b, part)] {
+    for (ray, place) in corners {
         // A glow behind the lines, not beside them.
-        mesh.colored_vertex(
-            mapping.at(ray.at[end]),
-            colour(ray.rgb, 0.55 * ray.strength),
-        );
+        let ink = colour(ray.rgb, 0.55 * ray.strength);
+        mesh.colored_vertex(place.copied().unwrap_or_default(), ink);
     }
     mesh.add_triangle(first, first + 1, first + 2);
     mesh.add_triangle(first, first + 2, first + 3);

@@ -4,6 +4,7 @@ mod bench;
 mod controls;
 mod drop;
 pub(super) mod model;
+mod presented;
 mod sky;
 mod strips;
 mod substance;
@@ -14,16 +15,18 @@ use std::sync::LazyLock;
 
 use bench::Moved;
 use eframe::egui;
-use egui::{Color32, RichText, Slider, Ui, Vec2, vec2};
+use egui::{RichText, Slider, Ui, Vec2, vec2};
 
 use super::PageContext;
 use crate::{
     app::{
         Memo,
-        dispersion::{IMPACTS, PrismMemory, PrismShown, RainbowMemory, RainbowShown, STOPS, sky},
+        dispersion::{
+            IMPACTS, PrismMemory, PrismShown, RainbowMemory, RainbowShown, STOPS, Sent, sky,
+        },
     },
     optics::Sky,
-    ui::kit::{self, Choice, Column, Row, Table, copy_button, down, headline, scrolled},
+    ui::kit::{self, Column, Form, GROUP, Row, Table, copy_button, fold, form, headline, with_panel},
 };
 
 /// What people and tests call the controls.
@@ -35,7 +38,7 @@ pub(super) mod names {
     pub(crate) const GREEN: &str = "for";
     pub(crate) const SLIT: &str = "Slit";
     pub(crate) const SCREEN: &str = "Screen";
-    pub(crate) const IMPACT: &str = "Rays meet the drop at";
+    pub(crate) const IMPACT: &str = "Rays meet it at";
     pub(crate) const BOW: &str = "Drawn";
     pub(crate) const EXPOSURE: &str = "Exposure";
     pub(crate) const BESIDE: &str = "Beside it";
@@ -43,8 +46,8 @@ pub(super) mod names {
     pub(crate) const COPY: &str = "Copy lines as CSV";
 }
 
-/// From this width on the table stands beside the drawing, points.
-const WIDE: f32 = 1000.0;
+/// Height of a fold that is shut, with the notes above it, points.
+const FOLDED: f32 = 44.0;
 
 /// Least height of a drawing, points.
 const LEAST: f32 = 190.0;
@@ -58,49 +61,15 @@ pub(super) struct PrismView {
     picture: sky::Painted,
 }
 
-/// Begins a new row of a wrapped one where there is no room for a name and what is `wide` beside
-/// it: they are not to be parted.
-fn together(ui: &mut Ui, name: &str, wide: f32) {
-    let font = egui::TextStyle::Body.resolve(ui.style());
-    let words = ui
-        .painter()
-        .layout_no_wrap(name.to_owned(), font, Color32::WHITE);
-    let wide = words.size().x + wide + 3.0 * ui.spacing().item_spacing.x;
-    if ui.layout().main_wrap() && ui.available_size_before_wrap().x < wide {
-        ui.end_row();
-    }
-}
-
-/// A slider with its name before it.
-pub(super) fn slider(ui: &mut Ui, (name, meaning): (&str, &str), slider: Slider<'_>) {
-    together(ui, name, ui.spacing().slider_width + 80.0);
-    let add = |ui: &mut Ui| {
-        let label = ui.label(name).on_hover_text(meaning);
-        ui.add(slider).labelled_by(label.id).on_hover_text(meaning);
-    };
-    if ui.layout().main_wrap() {
-        add(ui);
-    } else {
-        ui.horizontal(add);
-    }
-}
-
-/// A choice with its name before it, in a wrapped row.
-fn named_choice(ui: &mut Ui, choice: Choice<'_>, chosen: &str, list: impl FnOnce(&mut Ui)) {
-    together(ui, choice.name, choice.width + 40.0);
-    ui.label(choice.name).on_hover_text(choice.meaning);
-    choice.show(ui, chosen, list);
-}
-
 /// How bright the picture is.
-pub(super) fn exposure(ui: &mut Ui, stops: &mut f64) {
+pub(super) fn exposure(form: &mut Form<'_>, stops: &mut f64) {
     let of = Slider::new(stops, STOPS)
         .step_by(0.1)
         .fixed_decimals(1)
         .suffix(" stops");
     let meaning = "How bright the picture is shown; each stop doubles it. A double click in the \
                    number's box lets you type it.";
-    slider(ui, (names::EXPOSURE, meaning), of);
+    form.slider((names::EXPOSURE, meaning), of);
 }
 
 /// What must be said beside a picture, in small type.
@@ -150,34 +119,27 @@ impl PrismView {
             .prism
             .get(key, |(_, memory)| PrismShown::of(app, memory));
         headline(ui, context.theme, &shown.sentence);
-        ui.add_space(4.0);
-        controls::prism(ui, context);
-        ui.add_space(4.0);
-        let room = ui.available_size();
-        scrolled(ui, "prism", |ui| {
-            let width = ui.available_width();
-            // What the strips leave, and no less than a drawing needs.
+        ui.add_space(GROUP);
+        let scale = context.theme.scale;
+        let picture = |ui: &mut Ui, context: &mut PageContext<'_>, room: Vec2| {
             let tells = |x_mm: f64| told(shown, x_mm);
             let axis = axis_of(shown, &tells);
-            let left = room.y - strips::height(&shown.strips, &axis, context.theme);
-            let height = left.min(0.7 * width).max(LEAST);
-            if width < WIDE * context.theme.scale {
-                drawn(ui, context, shown, vec2(width, height));
-                screen(ui, context, shown);
-                lines(ui, context, table_of(shown), || shown.csv.clone());
-                return;
-            }
-            ui.horizontal_top(|ui| {
-                drawn(ui, context, shown, vec2(0.5 * width, height));
-                let beside = vec2(ui.available_width(), height);
-                down(ui, beside, |ui| {
-                    scrolled(ui, "lines of the prism", |ui| {
-                        lines(ui, context, table_of(shown), || shown.csv.clone());
-                    });
-                });
+            // What the strips leave, and no less than a drawing needs.
+            let below = strips::height(&shown.strips, &axis, context.theme) + FOLDED * scale;
+            let height = (room.y - below).min(0.7 * room.x).max(LEAST);
+            ui.scope(|ui| {
+                ui.spacing_mut().item_spacing.y = 0.0;
+                drawn(ui, context, (shown, &axis), vec2(room.x, height));
+                strips::show(ui, &shown.strips, &axis, context.theme);
             });
-            screen(ui, context, shown);
-        });
+            said_of(ui, shown, context.memory.dispersion.prism.sent);
+            if !shown.rows.is_empty() {
+                fold(ui, "lines", "Every line in figures", |ui| {
+                    lines(ui, context, table_of(shown), || shown.csv.clone());
+                });
+            }
+        };
+        with_panel(ui, context, ("prism", scale), picture, controls::prism);
     }
 
     /// Draws the rainbow's page.
@@ -189,72 +151,84 @@ impl PrismView {
             .rainbow
             .get(key, |(_, memory)| RainbowShown::of(app, memory, sky));
         headline(ui, context.theme, &shown.sentence);
-        ui.add_space(4.0);
-        ui.horizontal_wrapped(|ui| {
-            let memory = &mut context.memory.dispersion.rainbow;
-            ui.spacing_mut().slider_width = 90.0;
-            ui.checkbox(&mut memory.disc, names::DISC).on_hover_text(
-                "The sun is half a degree wide and blurs every bow by as much; without it each \
-                 line is as sharp as a drop makes it.",
-            );
-            exposure(ui, &mut memory.stops);
-            controls::beside(ui, &mut memory.beside);
-            controls::drop(ui, memory);
-            model::sent(ui, &mut memory.sent);
-            let sent = memory.sent;
-            model::knobs(ui, context, sent);
-        });
-        ui.add_space(4.0);
-        let room = ui.available_size();
-        let theme = context.theme;
-        let picture = &mut self.picture;
-        scrolled(ui, "rainbow", |ui| {
+        ui.add_space(GROUP);
+        let (theme, painted) = (context.theme, &mut self.picture);
+        let picture = |ui: &mut Ui, context: &mut PageContext<'_>, room: Vec2| {
             let axis = strips::Axis {
                 ends: shown.ends_deg,
                 label: "\u{b0} from the point opposite the sun",
                 nm: &[],
                 tells: &|angle| format!("{angle:.2}\u{b0} from the point opposite the sun"),
             };
-            let width = ui.available_width();
-            let table = if shown.table.is_empty() {
-                0.0
-            } else {
-                (shown.table.len() as f32 + 2.5) * 20.0 * theme.scale
-            };
-            let words = 20.0 * theme.scale;
-            let left = room.y - table - words - strips::height(&shown.strips, &axis, theme);
-            let high = left.min(0.45 * width).max(LEAST);
-            ui.horizontal_top(|ui| {
-                ui.spacing_mut().item_spacing.x = 6.0;
-                if let Some(drawing) = &shown.drop {
-                    let wide = high.max(240.0 * theme.scale).min(0.4 * width);
-                    let moved = drop::show(ui, drawing, vec2(wide, high), theme);
-                    let impact = &mut context.memory.dispersion.rainbow.impact;
-                    *impact =
-                        moved.map_or(*impact, |to| to.clamp(*IMPACTS.start(), *IMPACTS.end()));
-                }
-                if let Some(strip) = shown.strips.first() {
-                    let size = vec2(ui.available_width(), high);
-                    picture.show(ui, (&strip.colours.rgb, shown.ends_deg), size);
-                }
-            });
-            notes(ui, shown.drop.iter().map(|drawing| drawing.words.as_str()));
+            let below = strips::height(&shown.strips, &axis, theme) + FOLDED * theme.scale;
+            let high = (room.y - below).min(0.6 * room.x).max(LEAST);
+            if let Some(strip) = shown.strips.first() {
+                let size = vec2(room.x, high);
+                let colours = (&*strip.colours.rgb, shown.ends_deg);
+                painted.show(ui, colours, (size, shown.first_deg), theme);
+            }
             strips::show(ui, &shown.strips, &axis, theme);
             let said = shown.notes.iter().map(String::as_str);
-            let always = "The sky from 35\u{b0} to 60\u{b0} from the point opposite the sun, by rays \
-                          alone: no supernumerary bows, as in drops above 0.5 mm.";
+            let always = "By rays alone: no supernumerary bows, as in drops above 0.5 mm. The \
+                          ground, the sky behind and the person are drawn, not computed.";
             notes(ui, said.chain([always]));
-            ui.add_space(4.0);
-            let columns = kit::columns(&shown.table, &[2.2, 1.0, 1.0, 1.0, 1.0, 1.0]);
-            let rows: Vec<Vec<String>> = shown.table.shown().collect();
-            lines(ui, context, (&columns, &rows, &[]), || shown.table.csv());
-        });
+            if !shown.table.is_empty() {
+                fold(ui, "lines", "Every line in figures", |ui| {
+                    let columns = kit::columns(&shown.table, &[2.2, 1.0, 1.0, 1.0, 1.0, 1.0]);
+                    let rows: Vec<Vec<String>> = shown.table.shown().collect();
+                    lines(ui, context, (&columns, &rows, &[]), || shown.table.csv());
+                });
+            }
+        };
+        let panel = |ui: &mut Ui, context: &mut PageContext<'_>| {
+            rainbow_controls(ui, context, shown);
+        };
+        with_panel(ui, context, ("rainbow", theme.scale), picture, panel);
     }
 }
 
+/// A drop with its rays, the sun and the light.
+fn rainbow_controls(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RainbowShown) {
+    let theme = context.theme;
+    if let Some(drawing) = &shown.drop {
+        ui.strong("One of the drops");
+        let wide = ui.available_width();
+        let moved = drop::show(ui, drawing, vec2(wide, 0.72 * wide), theme);
+        let impact = &mut context.memory.dispersion.rainbow.impact;
+        *impact = moved.map_or(*impact, |to| to.clamp(*IMPACTS.start(), *IMPACTS.end()));
+        notes(ui, [drawing.words.as_str()].into_iter());
+        ui.add_space(GROUP);
+    }
+    form(ui, "rainbow", |form| {
+        let memory = &mut context.memory.dispersion.rainbow;
+        controls::drop(form, memory);
+        form.rest(|ui| {
+            ui.checkbox(&mut memory.disc, names::DISC).on_hover_text(
+                "The sun is half a degree wide and blurs every bow by as much; without it each \
+                 line is as sharp as a drop makes it.",
+            )
+        });
+        controls::beside(form, &mut memory.beside);
+        exposure(form, &mut memory.stops);
+    });
+    ui.add_space(GROUP);
+    form(ui, "rainbow's light", |form| {
+        model::sent(form, &mut context.memory.dispersion.rainbow.sent);
+        let sent = context.memory.dispersion.rainbow.sent;
+        model::knobs(form, context, sent);
+    });
+}
+
 /// The bench; a hand turns the prism and moves its handles.
-fn drawn(ui: &mut Ui, context: &mut PageContext<'_>, shown: &PrismShown, size: Vec2) {
-    let moved = bench::show(ui, shown.drawing.as_ref(), size, context.theme);
+fn drawn(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    (shown, axis): (&PrismShown, &strips::Axis<'_>),
+    size: Vec2,
+) {
+    let share = |x_mm: f64| axis.share(x_mm);
+    let looks: (&dyn Fn(f64) -> f32, _) = (&share, context.theme);
+    let moved = bench::show(ui, shown.drawing.as_ref(), size, looks);
     let memory = &mut context.memory.dispersion.prism;
     match moved {
         None => {}
@@ -273,22 +247,18 @@ fn told(shown: &PrismShown, x_mm: f64) -> String {
 fn axis_of<'a>(shown: &'a PrismShown, tells: &'a dyn Fn(f64) -> String) -> strips::Axis<'a> {
     strips::Axis {
         ends: shown.ends_mm,
-        label: "mm on the screen, bent more \u{2192}",
+        label: "mm on the screen",
         nm: &shown.scale,
         tells,
     }
 }
 
-/// What lands on the screen, and what must be said of it.
-fn screen(ui: &mut Ui, context: &PageContext<'_>, shown: &PrismShown) {
-    let tells = |x_mm: f64| told(shown, x_mm);
-    strips::show(ui, &shown.strips, &axis_of(shown, &tells), context.theme);
-    let words = shown.strips.first().map(|strip| strip.colours.words());
-    let words = words.filter(|words| !words.is_empty());
-    let words = words.map(|words| format!("Strip: {words}."));
+/// What must be said of what lands on the screen.
+fn said_of(ui: &mut Ui, shown: &PrismShown, sent: Sent) {
+    let words = shown.strips.first();
+    let words = words.map(|strip| strip.colours.words(sent));
     let said = shown.notes.iter().map(String::as_str);
     notes(ui, said.chain(words.as_deref()));
-    ui.add_space(4.0);
 }
 
 /// The table of the lines: its columns, its rows, and what is told of each.

@@ -2,12 +2,11 @@
 //! knobs, of which one moves its smooth part, the other what is a line of its own.
 
 use eframe::egui;
-use egui::{Slider, SliderClamping, Ui};
+use egui::{Slider, SliderClamping};
 
-use super::{slider, together};
 use crate::{
     app::{Command, Detector, answers::LINE_THRESHOLDS, dispersion::Sent, ticks},
-    ui::pages::PageContext,
+    ui::{kit::Form, pages::PageContext},
 };
 
 /// What people and tests call them.
@@ -21,12 +20,11 @@ pub(crate) mod names {
 const MOST: usize = 40;
 
 /// The switch between what was measured and the model.
-pub(crate) fn sent(ui: &mut Ui, sent: &mut Sent) {
-    together(ui, names::MODEL, 30.0);
+pub(crate) fn sent(form: &mut Form<'_>, sent: &mut Sent) {
     let mut of_model = *sent == Sent::Model;
     let meaning = "Each line is one wavelength either way. The rest goes through as it was \
                    measured, or as the model's waves draw it: what the model loses is seen.";
-    let switch = ui.checkbox(&mut of_model, names::MODEL);
+    let switch = form.rest(|ui| ui.checkbox(&mut of_model, names::MODEL));
     if switch.on_hover_text(meaning).changed() {
         *sent = if of_model {
             Sent::Model
@@ -37,13 +35,13 @@ pub(crate) fn sent(ui: &mut Ui, sent: &mut Sent) {
 }
 
 /// Draws the knobs that decide something and asks for what a hand changed.
-pub(crate) fn knobs(ui: &mut Ui, context: &mut PageContext<'_>, sent: Sent) {
+pub(crate) fn knobs(form: &mut Form<'_>, context: &mut PageContext<'_>, sent: Sent) {
     let before = context.app.document().settings;
     let mut settings = before;
     if sent == Sent::Model {
         let of = Slider::new(&mut settings.order, 0..=MOST).clamping(SliderClamping::Never);
         let meaning = "How many waves draw the smooth part: order N, which takes 2N + 1 numbers.";
-        slider(ui, (names::ORDER, meaning), of);
+        form.slider((names::ORDER, meaning), of);
     }
     // Otherwise it decides nothing.
     if settings.spikes && settings.detector == Detector::Energy {
@@ -55,7 +53,7 @@ pub(crate) fn knobs(ui: &mut Ui, context: &mut PageContext<'_>, sent: Sent) {
             .suffix(" %");
         let meaning = "Share of the power above which a peak is a line of its own, one exact ray; \
                        below it melts into the smooth part and is smeared.";
-        slider(ui, (names::LINES, meaning), of);
+        form.slider((names::LINES, meaning), of);
     }
     if settings != before {
         context.commands.push(Command::Edit(settings));

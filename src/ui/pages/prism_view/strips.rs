@@ -11,11 +11,11 @@ use crate::{
     },
 };
 
-/// Height of a strip, points.
-const STRIP: f32 = 60.0;
+/// Height of the first strip and of those beside it, points.
+const STRIPS: [f32; 2] = [48.0, 32.0];
 
 /// Height of the plot of what falls on a strip, points.
-const PLOT: f32 = 44.0;
+const PLOT: f32 = 36.0;
 
 /// How far apart hatching lines are, points.
 const HATCH: f32 = 7.0;
@@ -23,6 +23,9 @@ const HATCH: f32 = 7.0;
 /// Height of a row of names, points, and how many there are.
 const NAME_ROW: f32 = 15.0;
 const NAME_ROWS: usize = 2;
+
+/// Free space below a strip, points.
+const GAP: f32 = 4.0;
 
 /// Height of a row of numbers below them, points.
 const SCALE: f32 = 17.0;
@@ -41,26 +44,33 @@ pub(super) struct Axis<'a> {
 
 impl Axis<'_> {
     /// How far a value is from the left end, 0-1 inside.
-    fn share(&self, value: f64) -> f32 {
+    pub(super) fn share(&self, value: f64) -> f32 {
         let [from, to] = self.ends;
         ((value - from) / (to - from)) as f32
     }
 }
 
-/// Height of all that [`show`] draws, with two lines of words below it, points.
+/// Height of all that [`show`] draws, with a line of words below it, points.
 pub(super) fn height(strips: &[StripShown], axis: &Axis<'_>, theme: Theme) -> f32 {
-    let one = |strip: &StripShown| NAME_ROW * name_rows(strip) + STRIP + plot_height(strip) + 12.0;
+    let one = |(index, strip): (usize, &StripShown)| {
+        NAME_ROW * name_rows(strip) + strip_height(index) + plot_height(strip) + GAP
+    };
     let scales = if axis.nm.is_empty() { 1.0 } else { 2.0 };
-    let words = 40.0;
-    (strips.iter().map(one).sum::<f32>() + scales * SCALE + words) * theme.scale
+    let words = 22.0;
+    let all: f32 = strips.iter().enumerate().map(one).sum();
+    (all + scales * SCALE + words) * theme.scale
 }
 
-/// Rows of names above a strip.
+/// Rows of names below a strip.
 fn name_rows(strip: &StripShown) -> f32 {
     match strip.marks.is_empty() {
         true => 1.0,
         false => NAME_ROWS as f32,
     }
+}
+
+fn strip_height(index: usize) -> f32 {
+    STRIPS[index.min(1)]
 }
 
 /// Height of the plot below a strip, points.
@@ -72,42 +82,32 @@ pub(super) fn show(ui: &mut Ui, strips: &[StripShown], axis: &Axis<'_>, theme: T
     let scale = theme.scale;
     let font = TextStyle::Small.resolve(ui.style());
     let ink = ui.visuals().text_color();
-    for strip in strips {
-        ui.add_space(4.0);
-        let above = name_rows(strip) * NAME_ROW * scale;
-        let below = plot_height(strip) * scale;
-        let size = vec2(ui.available_width(), above + STRIP * scale + below);
+    for (index, strip) in strips.iter().enumerate() {
+        let names = name_rows(strip) * NAME_ROW * scale;
+        let plotted = plot_height(strip) * scale;
+        let high = strip_height(index) * scale;
+        let size = vec2(ui.available_width(), high + plotted + names);
         let name = format!("Strip of {}", strip.name);
         let (area, response) = drawing(ui, size, Sense::hover(), &name);
-        let whole = area.with_min_y(area.top() + above);
-        let field = whole.with_max_y(whole.bottom() - below);
+        let whole = area.with_max_y(area.bottom() - names);
+        let field = whole.with_max_y(area.top() + high);
         let painter = ui.painter();
         painter.rect_filled(whole, 0.0, grey(super::bench::ROOM));
         columns(painter, field, &strip.colours.rgb);
         plot(ui, whole.with_min_y(field.bottom()), strip);
         hatch(painter, whole, strip, axis);
-        let taken = painter.text(
-            area.left_top(),
-            Align2::LEFT_TOP,
-            &strip.name,
-            font.clone(),
-            ink,
-        );
+        let at = whole.left_bottom() + vec2(0.0, 1.0);
+        let taken = painter.text(at, Align2::LEFT_TOP, &strip.name, font.clone(), ink);
         let ground = ui.visuals().panel_fill;
-        marks(
-            painter,
-            field,
-            strip,
-            axis,
-            (&font, theme.faint, ground),
-            taken,
-        );
+        let looks = (&font, theme.faint, ground);
+        marks(painter, whole, strip, axis, looks, taken);
         let pointed = response.hover_pos().filter(|at| whole.contains(*at));
         if let Some(at) = pointed {
             let share = f64::from((at.x - field.left()) / field.width());
             let [from, to] = axis.ends;
             response.on_hover_text_at_pointer((axis.tells)(from + share * (to - from)));
         }
+        ui.add_space(GAP * scale);
     }
     if !strips.is_empty() {
         ui.scope(|ui| ticks(ui, axis, &font, theme));
@@ -137,13 +137,13 @@ fn plot(ui: &Ui, field: Rect, strip: &StripShown) {
     painter.add(mesh);
     painter.add(Shape::line(smooth, (1.0, grey(225))));
     painter.line_segment([field.left_top(), field.right_top()], (1.0, grey(60)));
-    let at = field.right_top() + vec2(-6.0, 3.0);
-    let words = "irradiance E(x), heights by roots; the line is the smooth part";
+    let at = field.left_top() + vec2(6.0, 3.0);
+    let words = "irradiance, heights by roots; the line is the smooth part";
     let painter = painter.with_clip_rect(field.intersect(painter.clip_rect()));
     super::bench::write(
         ui,
         &painter,
-        (at, Align2::RIGHT_TOP, words, grey(150)),
+        (at, Align2::LEFT_TOP, words, grey(150)),
         &mut Vec::new(),
     );
 }
@@ -178,7 +178,7 @@ fn columns(painter: &Painter, field: Rect, rgb: &[[u8; 3]]) {
     painter.add(mesh);
 }
 
-/// Names of lines above the strip, each with a stroke to its place; those without room are left
+/// Names of lines below the strip, each with a stroke to its place; those without room are left
 /// out, for the table has them.
 fn marks(
     painter: &Painter,
@@ -199,8 +199,8 @@ fn marks(
         let size = galley.size();
         let left =
             (x - 0.5 * size.x).clamp(field.left(), (field.right() - size.x).max(field.left()));
-        let place = (0..NAME_ROWS).rev().map(|row| {
-            let top = field.top() - (NAME_ROWS - row) as f32 * size.y - 1.0;
+        let place = (0..NAME_ROWS).map(|row| {
+            let top = field.bottom() + row as f32 * size.y + 1.0;
             Rect::from_min_size(pos2(left, top), size)
         });
         let free = |place: &Rect| {
@@ -209,7 +209,7 @@ fn marks(
                 .all(|other| !other.intersects(place.expand2(vec2(4.0, -1.0))))
         };
         if let Some(place) = place.into_iter().find(free) {
-            painter.vline(x, place.bottom() - 2.0..=field.top(), (1.0, ink));
+            painter.vline(x, field.bottom()..=place.top() + 2.0, (1.0, ink));
             taken.push(place);
             named.push((place, galley));
         }
@@ -260,11 +260,12 @@ fn ticks(ui: &mut Ui, axis: &Axis<'_>, font: &FontId, theme: Theme) {
         scale(ui, "nm", inside, (font, theme));
     }
     let [from, to] = axis.ends;
-    let step = step_of((to - from) / 10.0);
-    let first = (from / step).ceil() as i64;
+    let step = step_of((to - from).abs() / 10.0);
+    let (least, most) = (from.min(to), from.max(to));
+    let first = (least / step).ceil() as i64;
     let values = (0..=10).map(|i| (first + i) as f64 * step);
     let marks = values
-        .filter(|value| *value <= to)
+        .filter(|value| *value <= most)
         .map(|value| (axis.share(value), short(value)));
     scale(ui, axis.label, marks, (font, theme));
 }

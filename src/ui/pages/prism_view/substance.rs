@@ -3,14 +3,13 @@
 use eframe::egui;
 use egui::{Slider, Ui};
 
-use super::{named_choice, slider};
 use crate::{
     app::{
         App,
         dispersion::{ABBES, INDICES, Substance, own_indices},
     },
     optics::BuiltinMaterial,
-    ui::kit::Choice,
+    ui::kit::{Choice, Form},
 };
 
 /// What people and tests call the two numbers.
@@ -21,7 +20,7 @@ pub(super) mod names {
 
 /// Draws the choice by its name and what it is for, and two numbers where they are chosen.
 pub(crate) fn substance(
-    ui: &mut Ui,
+    form: &mut Form<'_>,
     app: &App,
     (name, meaning): (&str, &str),
     made_of: &mut Substance,
@@ -48,17 +47,13 @@ pub(crate) fn substance(
         }
         ui.weak("Files of refractiveindex.info that you open join the list.");
     };
-    if ui.layout().main_wrap() {
-        named_choice(ui, choice, &now, list);
-    } else {
-        ui.horizontal(|ui| named_choice(ui, choice, &now, list));
-    }
+    form.choice(choice, &now, list);
     if let Substance::Numbers { n_d, v_d } = made_of {
         let of = Slider::new(n_d, INDICES).fixed_decimals(4);
         let meaning = "Index of refraction at the yellow line d, 587.6 nm.";
-        slider(ui, (names::INDEX, meaning), of);
+        form.slider((names::INDEX, meaning), of);
         let of = Slider::new(v_d, ABBES).fixed_decimals(1);
         let meaning = "Abbe number: the smaller, the further the colours are spread.";
-        slider(ui, (names::ABBE, meaning), of);
+        form.slider((names::ABBE, meaning), of);
     }
 }

@@ -1,9 +1,9 @@
-//! The part "absorption" of the page "Products": dips as negative spikes, and their names.
+//! The page "Dark lines": dips as negative spikes, and their names.
 
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{DragValue, Label, RichText, Ui, vec2};
+use egui::{DragValue, Ui, vec2};
 
 use crate::{
     app::{
@@ -12,9 +12,12 @@ use crate::{
         headlines,
         ticks::short,
     },
-    spectrum::{Band, SAME_PLACE_NM},
+    spectrum::Band,
     ui::{
-        kit::{self, Chooser, Row, copy_button, headline, named, scrolled, warning},
+        kit::{
+            Chooser, Column, GROUP, Row, copy_button, fold, headline, named, scrolled, table,
+            warning,
+        },
         pages::PageContext,
     },
 };
@@ -26,10 +29,12 @@ pub mod names {
     pub const THRESHOLD: &str = "Least share of a dark line";
     pub const WIDTH: &str = "Widest dark line";
     pub const COPY: &str = "Copy as CSV";
+    pub const ALL: &str = "Every dark line in figures";
 }
 
-/// From this width on the table stands beside the chart, points.
-const WIDE: f32 = 900.0;
+/// Least height of the chart, and height of a fold that is shut, points.
+const CHART: f32 = 240.0;
+const FOLDED: f32 = 30.0;
 
 /// Something worth looking at, with knobs that suit it.
 struct Example {
@@ -76,69 +81,96 @@ const EXAMPLES: [Example; 4] = [
     },
 ];
 
-/// The part and what it keeps from frame to frame.
+/// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct AbsorptionView {
-    found: Memo<u64, (AbsorptionSheet, Vec<Row>)>,
+    found: Memo<u64, Found>,
 }
 
-impl AbsorptionView {
-    /// Draws the part.
-    pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let app = context.app;
-        let (found, rows) = &*self.found.get(app.revision(), |_| {
-            let found = AbsorptionSheet::of(app);
-            let dips = found.dips.iter().zip(found.table.shown());
-            let dips = dips.map(|(dip, cells)| (dip.spike.at_nm, row(dip, cells)));
-            let known = found
-                .known
-                .iter()
-                .map(|line| (line.at_nm(), known_row(line)));
-            let mut rows: Vec<(f64, Row)> = dips.chain(known).collect();
-            rows.sort_by(|a, b| a.0.total_cmp(&b.0));
-            (found, rows.into_iter().map(|(_, row)| row).collect())
-        });
-        headline(ui, context.theme, headlines::dark_lines(app, &found.dips));
-        examples(ui, context);
-        knobs(ui, context);
-        warnings(ui, context, found);
-        ui.add_space(2.0);
-        let size = ui.available_size();
-        let wide = size.x >= WIDE * context.theme.scale;
-        if wide {
-            ui.horizontal_top(|ui| {
-                let chart = vec2((0.62 * size.x).floor(), size.y - 4.0);
-                // A chart's names of series stand below its title only in a column.
-                ui.vertical(|ui| {
-                    ui.set_width(chart.x);
-                    context.chart(ui, &found.chart, "absorption", chart);
-                });
-                ui.add_space(6.0);
-                ui.vertical(|ui| beside(ui, context, found, rows));
-            });
-        } else {
-            let chart = vec2(size.x, (0.54 * size.y).floor());
-            context.chart(ui, &found.chart, "absorption", chart);
-            beside(ui, context, found, rows);
+/// What is shown: dark lines of the document, or of the first example where it is not searched.
+struct Found {
+    sheet: AbsorptionSheet,
+    rows: Vec<Row>,
+    words: String,
+    is_example: bool,
+}
+
+impl Found {
+    fn of(app: &App) -> Self {
+        let example = instead(app);
+        let is_example = example.is_some();
+        let app = example.as_ref().unwrap_or(app);
+        let sheet = AbsorptionSheet::of(app);
+        let dips = sheet.dips.iter();
+        let dips = dips.map(|dip| (dip.spike.at_nm, row(app, dip)));
+        let known = sheet.known.iter();
+        let known = known.map(|line| (line.at_nm(), known_row(line)));
+        let mut rows: Vec<(f64, Row)> = dips.chain(known).collect();
+        rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let words = headlines::dark_lines(app, &sheet.dips);
+        let subject = app.document().subject_entry();
+        let example = EXAMPLES.iter().find(|example| example.key == subject.key);
+        Self {
+            // An example is called as on its button.
+            words: example.map_or(words.clone(), |example| {
+                words.replace(subject.name(), example.title)
+            }),
+            rows: rows.into_iter().map(|(_, row)| row).collect(),
+            sheet,
+            is_example,
         }
     }
 }
 
-/// Table and rule.
-fn beside(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet, rows: &[Row]) {
-    scrolled(ui, "dips", |ui| {
-        dip_table(ui, context, found, rows);
-        ui.add_space(8.0);
-        rule(ui, context, found);
-    });
+/// The program with the first example, where the document is none and is not searched itself.
+fn instead(app: &App) -> Option<App> {
+    let document = app.document();
+    let subject = &document.subject_entry().key;
+    if looks(document.settings) || EXAMPLES.iter().any(|example| example.key == *subject) {
+        return None;
+    }
+    let first = &EXAMPLES[0];
+    let entry = app.entry(first.key)?;
+    let settings = first.over(document.settings);
+    let mut other = app.clone();
+    other.apply(Command::ShowWith { entry, settings });
+    Some(other)
 }
 
-fn examples(ui: &mut Ui, context: &mut PageContext<'_>) {
+impl AbsorptionView {
+    /// Draws the page.
+    pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        let app = context.app;
+        let found = &*self.found.get(app.revision(), |_| Found::of(app));
+        headline(ui, context.theme, &*found.words);
+        ui.add_space(GROUP);
+        let scale = context.theme.scale;
+        scrolled(ui, "dark lines", |ui| {
+            let top = ui.cursor().top();
+            let room = ui.clip_rect().bottom() - top;
+            examples(ui, context, found.is_example);
+            knobs(ui, context, found.is_example);
+            warnings(ui, context, &found.sheet);
+            ui.add_space(GROUP);
+            for sentence in &found.sheet.met {
+                warning(ui, context.theme, sentence.as_str());
+            }
+            let left = room - (ui.cursor().top() - top) - FOLDED * scale;
+            let size = vec2(ui.available_width(), left.max(CHART * scale));
+            context.chart(ui, &found.sheet.chart, "absorption", size);
+            fold(ui, "dips", names::ALL, |ui| {
+                dip_table(ui, context, &found.sheet, &found.rows);
+            });
+        });
+    }
+}
+
+fn examples(ui: &mut Ui, context: &mut PageContext<'_>, is_example: bool) {
     let app = context.app;
     let subject = app.document().subject_entry();
     ui.horizontal_wrapped(|ui| {
         for (index, example) in EXAMPLES.iter().enumerate() {
-            let is_shown = subject.key == example.key;
+            let is_shown = subject.key == example.key || is_example && index == 0;
             let response = ui.selectable_label(is_shown, example.title);
             if response
                 .on_hover_text(format!(
@@ -200,10 +232,17 @@ fn looking(settings: Settings) -> Settings {
     }
 }
 
-fn knobs(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let before = context.app.document().settings;
+fn knobs(ui: &mut Ui, context: &mut PageContext<'_>, is_example: bool) {
+    let document = context.app.document();
+    let before = document.settings;
     let mut settings = before;
     ui.horizontal_wrapped(|ui| {
+        if is_example {
+            ui.weak(format!(
+                "An example. In {}:",
+                document.subject_entry().name()
+            ));
+        }
         let mut on = looks(before);
         if ui
             .checkbox(&mut on, names::DIPS)
@@ -221,6 +260,9 @@ fn knobs(ui: &mut Ui, context: &mut PageContext<'_>) {
                     ..settings
                 }
             };
+        }
+        if is_example {
+            return;
         }
         let mut knob =
             |before: &str, value: &mut f64, (range, speed, unit), meaning: &str, name| {
@@ -299,47 +341,44 @@ fn dip_table(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet, ro
         }
         return;
     }
-    let columns = kit::columns(&found.table, &[0.8, 1.0, 0.9, 1.6]);
-    kit::table(ui, &columns, rows, None, false, context.theme);
-}
-
-fn rule(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet) {
-    ui.strong("A line on a line");
-    let sentence = format!(
-        "A spike times a spike at the same place has no finite product. A line of the light \
-         within {SAME_PLACE_NM} nm of a dark line of a factor is therefore multiplied by what that \
-         lets through: w (1 − depth), times the factor's series there."
-    );
-    ui.add(Label::new(sentence).wrap());
-    if found.met.is_empty() {
-        let document = context.app.document();
-        let light = document.light.name();
-        let text = if !looks(document.settings) {
-            "With dark lines switched on, the present light and chain are tried here.".to_owned()
-        } else {
-            format!(
-                "{light} through the present chain ({} factor{}): no line stands on a dark line.",
-                document.products.chain.len(),
-                if document.products.chain.len() == 1 {
-                    ""
-                } else {
-                    "s"
-                }
-            )
-        };
-        ui.add(Label::new(RichText::new(text).weak()).wrap());
-    }
-    for sentence in &found.met {
-        warning(ui, context.theme, sentence.as_str());
-    }
-}
-
-fn row(dip: &DipRow, cells: Vec<String>) -> Row {
-    Row {
-        name: format!(
-            "Dark line at {} nm, depth {}, {}",
-            cells[0], cells[2], cells[3]
+    let columns = [
+        Column::numbers("nm", "Centroid of the dark line, nm.", 0.8),
+        Column::numbers(
+            "weight",
+            "Power that is missing, in the plot's unit × nm.",
+            1.0,
         ),
+        Column::numbers(
+            "depth",
+            "Share of the background that is missing at its deepest, percent.",
+            0.9,
+        ),
+        Column::words(
+            "line",
+            "Named only where it is safe. A known line without a weight is seen in the curve, but \
+             takes less than the least share: it is no number of the model.",
+            1.6,
+        ),
+    ];
+    table(ui, &columns, rows, None, false, context.theme);
+}
+
+fn row(app: &App, dip: &DipRow) -> Row {
+    let depth = dip
+        .depth
+        .map_or_else(|| "–".to_owned(), |depth| format!("{:.1} %", 100.0 * depth));
+    let mut name = dip.name.clone().unwrap_or_else(|| "–".to_owned());
+    if dip.below_zero {
+        name = format!("▲ {name}");
+    }
+    let cells = vec![
+        format!("{:.1}", dip.spike.at_nm),
+        short(app.scale_factor() * dip.spike.weight),
+        depth,
+        name.clone(),
+    ];
+    Row {
+        name: format!("Dark line at {} nm, depth {}, {name}", cells[0], cells[2]),
         note: if dip.below_zero {
             "The dark line takes the model's total below zero.".to_owned()
         } else {

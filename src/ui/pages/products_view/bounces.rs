@@ -19,7 +19,7 @@ use crate::{
     },
     study::Progress,
     ui::{
-        kit::{Column, Row, headline, scrolled, table, titled},
+        kit::{Column, GROUP, Row, headline, scrolled, table, titled},
         pages::{PageContext, progress},
     },
 };
@@ -43,27 +43,13 @@ impl BouncesView {
     /// Draws the part.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let (app, revision) = (context.app, context.app.revision());
-        ui.horizontal_wrapped(|ui| {
-            surface_chooser(ui, context, names::SURFACE);
-            ui.separator();
-            let memory = &mut context.memory.products.bounces;
-            ui.label("ΔE₀₀");
-            ui.selectable_value(&mut memory.added, false, names::TOTAL)
-                .on_hover_text(
-                    "CIEDE2000 of the model against measured light times the measured surface.",
-                );
-            ui.selectable_value(&mut memory.added, true, names::ADDED)
-                .on_hover_text(
-                    "CIEDE2000 against the exact product of the very same series: what forming \
-                     the products adds. At 1 nm nothing is added.",
-                );
-            ui.separator();
-            ui.checkbox(&mut memory.log, names::LOG).on_hover_text(
-                "A logarithmic vertical axis; errors below 0.001 stand at its foot.",
-            );
-        });
         let Some(surface) = app.document().products.surface.clone() else {
-            ui.weak("Choose the surface that the light bounces off.");
+            headline(
+                ui,
+                context.theme,
+                "Choose the surface that the light bounces off.",
+            );
+            controls(ui, context);
             return;
         };
         let job = context.studies.job();
@@ -81,8 +67,17 @@ impl BouncesView {
             progress(ui, job, "Error against bounces");
         }
         let Some(bounced) = job.result().cloned() else {
+            controls(ui, context);
             return;
         };
+        let words = bounced.sentence(context.memory.products.bounces.added);
+        headline(ui, context.theme, words).on_hover_text(
+            "Measured on this light and surface. Both sides are brightened so that the exact \
+             product has half the light's Y.",
+        );
+        ui.add_space(GROUP);
+        controls(ui, context);
+        ui.add_space(GROUP);
         let memory = context.memory.products.bounces;
         let key = (ByAddress(bounced.clone()), memory);
         let chart = &*self
@@ -92,10 +87,6 @@ impl BouncesView {
         let scale = context.theme.scale;
         scrolled(ui, "bounces", |ui| {
             let width = ui.available_width();
-            headline(ui, context.theme, bounced.sentence(memory.added)).on_hover_text(
-                "Measured on this light and surface. Both sides are brightened so that the \
-                     exact product has half the light's Y.",
-            );
             let below = 9.0 * (ui.spacing().interact_size.y + 3.0) + 40.0 * scale;
             let height = (room.y - below).max(300.0 * scale);
             context.chart(ui, chart, "bounces", vec2(width, height));
@@ -103,6 +94,28 @@ impl BouncesView {
             figures(ui, context, &bounced, memory.added);
         });
     }
+}
+
+/// The surface, and what is drawn.
+fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
+    ui.horizontal_wrapped(|ui| {
+        surface_chooser(ui, context, names::SURFACE);
+        ui.separator();
+        let memory = &mut context.memory.products.bounces;
+        ui.label("ΔE₀₀");
+        ui.selectable_value(&mut memory.added, false, names::TOTAL)
+            .on_hover_text(
+                "CIEDE2000 of the model against measured light times the measured surface.",
+            );
+        ui.selectable_value(&mut memory.added, true, names::ADDED)
+            .on_hover_text(
+                "CIEDE2000 against the exact product of the very same series: what forming \
+                 the products adds. At 1 nm nothing is added.",
+            );
+        ui.separator();
+        ui.checkbox(&mut memory.log, names::LOG)
+            .on_hover_text("A logarithmic vertical axis; errors below 0.001 stand at its foot.");
+    });
 }
 
 /// Errors behind a few counts of bounces.

@@ -3,6 +3,7 @@
 pub mod absorption;
 pub mod bounces;
 pub mod chain;
+pub mod metamers;
 pub mod narrow;
 pub mod resampling;
 pub mod same_surface;
@@ -14,7 +15,7 @@ use super::PageContext;
 use crate::{
     app::{Command, answers::set_title, products::Products, studies::shipped_reflectances},
     spectrum::Sampling,
-    ui::kit::{Choice, Chooser, factors},
+    ui::kit::{Choice, Chooser, factors, lights},
 };
 
 /// What the pages keep from frame to frame.
@@ -25,6 +26,7 @@ pub struct ProductsView {
     pub bounces: bounces::BouncesView,
     pub narrow: narrow::NarrowView,
     pub two_lights: two_lights::TwoLightsView,
+    pub metamers: metamers::MetamersView,
     pub same_surface: same_surface::SameSurfaceView,
     pub absorption: absorption::AbsorptionView,
 }
@@ -60,6 +62,32 @@ fn surface_chooser(ui: &mut Ui, context: &mut PageContext<'_>, name: &'static st
         change(context, |products| products.surface = chosen);
     }
 }
+
+/// Where no second light was chosen: what stands in for it, and a list to choose from.
+fn second_light(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let document = context.app.document();
+    if document.second.is_some() {
+        return;
+    }
+    ui.horizontal_wrapped(|ui| {
+        ui.label("No second light is chosen:");
+        let chosen = Chooser {
+            name: SECOND,
+            meaning: "The light that surfaces are compared under, on every page.",
+            says: document.light_beside().name(),
+            offers: lights,
+            width: 150.0 * context.theme.scale,
+        }
+        .show(ui, context.app);
+        ui.label("stands in for it.");
+        if chosen.is_some() {
+            context.commands.push(Command::Compare(chosen));
+        }
+    });
+}
+
+/// What the list of second lights is called.
+pub const SECOND: &str = "Second light";
 
 /// Where surfaces are looked for, the patch set or everything shipped; whether it is everything.
 fn among(

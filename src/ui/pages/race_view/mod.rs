@@ -16,7 +16,8 @@ use crate::{
         ByAddress, Memo,
         chart::{Chart, Marks},
         charts::race::{
-            Half, RaceCell, RaceTable, Winners, error_chart, halves, looks, table_chart,
+            Half, RaceCell, RaceTable, Winners, ahead, error_chart, halves, looks, strip_chart,
+            table_chart,
         },
         pages::{FieldChoice, RACE_BUDGETS},
         studies::{RaceAsk, Stage},
@@ -25,10 +26,20 @@ use crate::{
     study::{Measure, Race, race::Racer},
     ui::{
         chart_view::{ChartForm, ChartView, ChartWish},
-        kit::{Choice, Column, Look, Table, bar, named, rolled},
+        kit::{Choice, Column, GROUP, Look, Table, bar, fold, headline, named, rolled},
         theme::{Theme, section},
     },
 };
+
+/// What people and tests call the folds.
+pub(crate) mod names {
+    pub(crate) const TABLE: &str = "Every figure at this count";
+    pub(crate) const WAYS: &str = "How far known lamps and lines of their own width are ahead";
+    pub(crate) const NUMBERS: &str = "Errors against numbers, and who wins";
+}
+
+/// Height of the folds while they are shut, points.
+const FOLDS: f32 = 84.0;
 
 /// The page is laid out in two columns from this width on, points.
 const WIDE: f32 = 1150.0;
@@ -51,6 +62,8 @@ type Key = (ByAddress<Race>, Option<String>, usize, Measure);
 
 /// What is made once for a result and a choice.
 struct Shown {
+    words: String,
+    strip: Chart,
     chart: Chart,
     table: table::TableRows,
     winners: winners::WinnerRows,
@@ -62,7 +75,10 @@ impl Shown {
         let (race, class) = (&race.0, class.as_deref());
         let table = RaceTable::new(race, class, *budget, *measure);
         let winners = Winners::new(ask, race, *budget, *measure);
+        let at = (class, *budget);
         Self {
+            words: ahead(ask, race, at, *measure),
+            strip: strip_chart(ask, race, at, *measure),
             chart: error_chart(ask, race, class, *measure),
             table: table::TableRows::of(&table),
             winners: winners::WinnerRows::of(winners),
@@ -73,11 +89,11 @@ impl Shown {
 
 impl RaceView {
     pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        self.controls(ui, context);
         let document = context.app.document();
         let field = context.memory.field;
         let nobody = field == FieldChoice::Own && !has_own_lights(context);
         if nobody {
+            self.controls(ui, context);
             ui.weak(
                 "There are no lights of your own: open or drop a file, or choose other lights.",
             );
@@ -88,6 +104,7 @@ impl RaceView {
             ..RaceAsk::of(document, field.field(document), RACE_BUDGETS.to_vec())
         };
         if let Some(why) = ask.why_not() {
+            self.controls(ui, context);
             ui.weak(format!("The race is not run: {why}."));
             return;
         }
@@ -188,47 +205,61 @@ impl RaceView {
         let Some(budget) = race.budgets.iter().position(|n| *n == numbers) else {
             return;
         };
-        let class = self.class.as_deref();
         let key = (
             ByAddress(race.clone()),
             self.class.clone(),
             budget,
             context.memory.race_measure,
         );
-        let drawn = &*self.shown.get(key, |key| Shown::of(ask, key));
-        let theme = context.theme;
-        let ways = &mut self.ways;
-        ways.headline(ui, context, (ask, race));
+        self.shown.get(key, |key| Shown::of(ask, key));
+        let words = self.shown.held().map_or("", |shown| shown.words.as_str());
+        headline(ui, context.theme, words);
+        ui.add_space(GROUP);
+        self.controls(ui, context);
+        ui.add_space(GROUP);
+        let Some(drawn) = self.shown.held() else {
+            return;
+        };
+        let class = self.class.as_deref();
+        let (theme, ways, costs) = (context.theme, &mut self.ways, &mut self.costs);
         rolled(ui, |ui| {
-            table_head(ui, context, ask, race, class, budget);
-            drawn.table.show(ui, theme, &mut self.costs);
-            ui.add_space(8.0);
-            ways.show(ui, context, (ask, race), (class, budget));
-            let wide = ui.available_width() >= WIDE;
-            let height = (360.0 * theme.scale).max(240.0);
-            if wide {
-                ui.horizontal_top(|ui| {
-                    let width = ui.available_width();
-                    let left = width - WINNERS.min(0.5 * width);
-                    ui.vertical(|ui| {
-                        chart(ui, context, &drawn.chart, vec2(left, height));
-                    });
-                    ui.add_space(8.0);
-                    ui.vertical(|ui| {
-                        drawn.winners.show(ui, context, height);
-                    });
-                });
-            } else {
+            let folds = FOLDS * theme.scale;
+            let room = ui.clip_rect().bottom() - ui.cursor().top() - folds;
+            let size = vec2(ui.available_width(), room.max(240.0 * theme.scale));
+            context.chart(ui, &drawn.strip, "race strip", size);
+            fold(ui, "race table", names::TABLE, |ui| {
+                table_head(ui, context, ask, race, class, budget);
+                drawn.table.show(ui, theme, costs);
+            });
+            fold(ui, "race ways", names::WAYS, |ui| {
+                ways.show(ui, context, (ask, race), (class, budget));
+            });
+            fold(ui, "race numbers", names::NUMBERS, |ui| {
+                let height = (360.0 * theme.scale).max(240.0);
+                let wide = ui.available_width() >= WIDE;
                 let width = ui.available_width();
-                chart(ui, context, &drawn.chart, vec2(width, height));
-                ui.add_space(8.0);
-                drawn.winners.show(ui, context, 230.0 * theme.scale);
-            }
-            if let Some(halves) = &drawn.halves {
-                ui.add_space(8.0);
-                ui.separator();
-                halves::show(ui, halves);
-            }
+                if wide {
+                    ui.horizontal_top(|ui| {
+                        let left = width - WINNERS.min(0.5 * width);
+                        ui.vertical(|ui| {
+                            chart(ui, context, &drawn.chart, vec2(left, height));
+                        });
+                        ui.add_space(8.0);
+                        ui.vertical(|ui| {
+                            drawn.winners.show(ui, context, height);
+                        });
+                    });
+                } else {
+                    chart(ui, context, &drawn.chart, vec2(width, height));
+                    ui.add_space(8.0);
+                    drawn.winners.show(ui, context, 230.0 * theme.scale);
+                }
+                if let Some(halves) = &drawn.halves {
+                    ui.add_space(8.0);
+                    ui.separator();
+                    halves::show(ui, halves);
+                }
+            });
             ui.add_space(6.0);
         });
     }

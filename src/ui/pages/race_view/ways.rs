@@ -14,9 +14,8 @@ use crate::{
     },
     study::Race,
     ui::{
-        kit::{self, Column, Look, Row, Table},
+        kit::{Column, Look, Row, Table},
         pages::PageContext,
-        theme::section,
     },
 };
 
@@ -34,20 +33,6 @@ pub(super) struct WaysView {
 }
 
 impl WaysView {
-    /// The result in a sentence.
-    pub(super) fn headline(
-        &mut self,
-        ui: &mut Ui,
-        context: &PageContext<'_>,
-        (ask, race): (&RaceAsk, &Arc<Race>),
-    ) {
-        let said = |race: &ByAddress<Race>| Ways::of(ask, &race.0, &CELLS_AT);
-        if let Some(ways) = self.said.get(ByAddress(race.clone()), said) {
-            kit::headline(ui, context.theme, &ways.sentence);
-            ui.add_space(4.0);
-        }
-    }
-
     /// The table of a count, by its place.
     pub(super) fn show(
         &mut self,
@@ -60,11 +45,8 @@ impl WaysView {
         let Some(ways) = self.said.get(ByAddress(race.clone()), said) else {
             return;
         };
+        ui.add(egui::Label::new(&ways.sentence).wrap());
         ui.horizontal_wrapped(|ui| {
-            section(
-                ui,
-                "How far known lamps and lines of their own width are ahead",
-            );
             ui.checkbox(&mut context.memory.race_strict, "count strictly")
                 .on_hover_text(
                     "Counts which lamp it is, and how wide a line is, as numbers of their own: a \

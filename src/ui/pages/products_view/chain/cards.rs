@@ -1,4 +1,5 @@
-//! The chain as cards: the light and every factor, with what they do in small.
+//! The chain as a row of large swatches: the light and every step, with the share that each lets
+//! through between them.
 
 use eframe::egui;
 use egui::{
@@ -10,65 +11,85 @@ use super::{super::change, choose, chosen, knobs, move_link, names};
 use crate::{
     app::{
         Command,
-        chart::Ink,
         charts::products::chain::{ChainSheet, Place},
-        numbers::{short_delta_e, short_percent},
         product_report::scaled,
         ticks::short,
     },
-    io::many::capitalised,
     study::products::Colours,
     ui::{
-        entry_row::draw_curve,
-        kit::{Chooser, lights, named_choice, warning},
+        kit::{Chooser, down, lights, named_choice},
         pages::PageContext,
         swatch,
-        theme::Theme,
     },
 };
 
-/// Height of the small spectrum on a card, points.
-const SPARK: f32 = 34.0;
-
-/// Width of the split swatch on a card, points.
-const SWATCH: f32 = 54.0;
+/// Width of a card and of the arrow between two, height of its swatch and of all of it, points.
+const CARD: f32 = 172.0;
+const ARROW: f32 = 58.0;
+const SWATCH: f32 = 96.0;
+pub(super) const HEIGHT: f32 = 202.0;
 
 /// All cards, the light's first; `held` is the stage that the pointer holds.
 pub(super) fn show(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
     sheet: &ChainSheet,
-    width: f32,
     held: &mut Option<usize>,
 ) {
-    ScrollArea::vertical()
+    ScrollArea::horizontal()
         .id_salt("cards of the chain")
-        .auto_shrink(false)
+        .auto_shrink([false, true])
         .show(ui, |ui| {
-            // The bar of the scroll area stands over the right edge.
-            ui.set_width(width - 10.0);
-            ui.spacing_mut().item_spacing.y = 5.0;
-            card(ui, context, sheet, Place::Light);
-            let count = sheet.stages();
-            let mut rects = Vec::with_capacity(count);
-            for index in 0..count {
-                let response = card(ui, context, sheet, Place::Stage(index));
-                if response.drag_started() {
-                    *held = Some(index);
+            ui.horizontal_top(|ui| {
+                ui.spacing_mut().item_spacing.x = 0.0;
+                card(ui, context, sheet, Place::Light);
+                let count = sheet.stages();
+                let mut rects = Vec::with_capacity(count);
+                for index in 0..count {
+                    arrow(ui, context, sheet, index);
+                    let response = card(ui, context, sheet, Place::Stage(index));
+                    if response.drag_started() {
+                        *held = Some(index);
+                    }
+                    rects.push(response.rect);
                 }
-                rects.push(response.rect);
-            }
-            carry(ui, context, sheet, &rects, held);
-            if count == 0 {
-                ui.add_space(8.0);
-                ui.label(
-                    "The chain is empty: nothing stands in the light's way. Add a filter, a \
-                     glass or a surface above; files that you open join the list.",
-                );
-            } else if count > 1 {
-                ui.weak("Drag cards into another order, or use their arrows.");
-            }
+                carry(ui, context, sheet, &rects, held);
+            });
         });
+}
+
+/// From one swatch to the next, with the share of the light that the step lets through.
+fn arrow(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet, index: usize) {
+    let scale = context.theme.scale;
+    let (rect, response) = ui.allocate_exact_size(vec2(ARROW, HEIGHT) * scale, Sense::hover());
+    let step = &sheet.told.passage.steps[index];
+    let y = rect.top() + (32.0 + 0.5 * SWATCH) * scale;
+    let ink = context.theme.faint;
+    let ends = [rect.left() + 7.0, rect.right() - 7.0];
+    let tip = egui::pos2(ends[1], y);
+    ui.painter().hline(ends[0]..=ends[1], y, (1.5, ink));
+    for up in [-4.0, 4.0] {
+        ui.painter()
+            .line_segment([tip, tip + vec2(-5.0, up)], (1.5, ink));
+    }
+    let words = step.transmission[0].map_or("–".to_owned(), percent);
+    let font = egui::TextStyle::Body.resolve(ui.style());
+    let at = egui::pos2(rect.center().x, y - 4.0);
+    let colour = ui.visuals().strong_text_color();
+    ui.painter()
+        .text(at, egui::Align2::CENTER_BOTTOM, words, font, colour);
+    response.on_hover_text("Share of the brightness that this step lets through, exact.");
+}
+
+/// A share in two digits.
+fn percent(share: f64) -> String {
+    let value = 100.0 * share;
+    match value {
+        v if v >= 9.95 => format!("{v:.0} %"),
+        v if v >= 0.095 => format!("{v:.1} %"),
+        v if v > 0.0 => "< 0.1 %".to_owned(),
+        _ => "0 %".to_owned(),
+    }
 }
 
 /// A card in the hand: where it would land, and landing.
@@ -86,14 +107,14 @@ fn carry(
     let Some(pointer) = ui.input(|i| i.pointer.latest_pos()) else {
         return;
     };
-    let slot = rects.iter().filter(|r| r.center().y < pointer.y).count();
+    let slot = rects.iter().filter(|r| r.center().x < pointer.x).count();
     ui.set_cursor_icon(CursorIcon::Grabbing);
-    let y = match slot.checked_sub(1) {
-        Some(above) => rects[above].bottom() + 2.5,
-        None => rects[0].top() - 2.5,
+    let x = match slot.checked_sub(1) {
+        Some(before) => rects[before].right() + 4.0,
+        None => rects[0].left() - 4.0,
     };
     let colour = ui.visuals().widgets.active.bg_stroke.color;
-    ui.painter().hline(rects[0].x_range(), y, (3.0, colour));
+    ui.painter().vline(x, rects[0].y_range(), (3.0, colour));
     let layer = egui::LayerId::new(egui::Order::Tooltip, ui.scope_id().with("held card"));
     let painter = ui.ctx().layer_painter(layer);
     let font = egui::TextStyle::Body.resolve(ui.style());
@@ -112,7 +133,7 @@ fn carry(
         *held = None;
     } else if !ui.input(|i| i.pointer.any_down()) {
         *held = None;
-        // Taking it out moves what is below it up by one.
+        // Taking it out moves what is behind it by one.
         let to = if slot > from { slot - 1 } else { slot };
         move_link(context, from, to);
     }
@@ -155,12 +176,14 @@ fn card(
                 .corner_radius(4)
                 .inner_margin(Margin::symmetric(8, 6))
                 .show(ui, |ui| {
-                    ui.set_width(ui.available_width());
-                    ui.spacing_mut().item_spacing.y = 3.0;
-                    match place {
+                    let size = vec2(CARD, HEIGHT) * context.theme.scale - vec2(18.0, 14.0);
+                    ui.set_min_size(size);
+                    ui.set_max_size(size);
+                    ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
+                    ui.vertical(|ui| match place {
                         Place::Light => light_card(ui, context, sheet),
                         Place::Stage(index) => stage_card(ui, context, sheet, index),
-                    }
+                    });
                 });
         })
         .response;
@@ -177,23 +200,20 @@ fn card(
 
 fn light_card(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet) {
     let app = context.app;
-    ui.horizontal(|ui| {
-        ui.weak("Light");
-        let chosen = Chooser {
-            name: names::LIGHT,
-            meaning: "Another light, shipped or your own; it becomes the window's light.",
-            says: app.document().light.name(),
-            offers: lights,
-            width: ui.available_width() - 4.0,
-        }
-        .show(ui, app);
-        if let Some(entry) = chosen {
-            context.commands.push(Command::Show(entry));
-        }
-    });
+    let chosen = Chooser {
+        name: names::LIGHT,
+        meaning: "Another light, shipped or your own; it becomes the window's light.",
+        says: app.document().light.name(),
+        offers: lights,
+        width: ui.available_width() - 24.0,
+    }
+    .show(ui, app);
+    if let Some(entry) = chosen {
+        context.commands.push(Command::Show(entry));
+    }
     let light = sheet.told.passage.light;
-    picture(ui, context, sheet, Place::Light, &light);
-    figures(ui, context, sheet, &light, None);
+    swatch_of(ui, context, sheet, Place::Light, &light);
+    ui.weak("the light");
 }
 
 fn stage_card(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet, index: usize) {
@@ -202,122 +222,81 @@ fn stage_card(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet, in
     let (Some(link), Some(step)) = (chain.get(index), sheet.told.passage.steps.get(index)) else {
         return;
     };
-    let number = index + 1;
-    ui.horizontal(|ui| {
-        grip(ui, context.theme);
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            ui.spacing_mut().item_spacing.x = 2.0;
-            let mut button = |sign: &str, what: &str, meaning: &str, on: bool| {
-                let button = egui::Button::new(sign).small();
-                let response = ui.add_enabled(on, button);
-                let name = format!("{what} stage {number}");
-                response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, on, &name));
-                response.on_hover_text(meaning).clicked()
-            };
-            if button("×", "Remove", "Takes this factor out of the chain.", true) {
-                change(context, |products| drop(products.chain.remove(index)));
-            }
-            let last = index + 1 == chain.len();
-            if button("↓", "Move down", "Later in the chain.", !last) {
-                move_link(context, index, index + 1);
-            }
-            if button("↑", "Move up", "Earlier in the chain.", index > 0) {
-                move_link(context, index, index - 1);
-            }
-            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                let name = RichText::new(format!("{number}  {}", link.entry.name())).strong();
-                ui.add(Label::new(name).truncate()).on_hover_text(format!(
-                    "{}\n{}",
-                    link.entry.key, link.entry.spectrum.source
-                ));
-            });
-        });
+    let name = RichText::new(link.entry.name()).strong();
+    let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    down(ui, size, |ui| {
+        ui.set_min_height(size.y);
+        ui.add(Label::new(name).truncate()).on_hover_text(format!(
+            "{}\n{}",
+            link.entry.key, link.entry.spectrum.source
+        ));
     });
-    picture(ui, context, sheet, Place::Stage(index), &step.colours);
-    figures(ui, context, sheet, &step.colours, Some(step.transmission));
+    swatch_of(ui, context, sheet, Place::Stage(index), &step.colours);
+    let left = match (scaled(&sheet.told.passage, step.colours.exact), index) {
+        (Some((xyz, _)), _) => format!("{} of the light left", percent(xyz.y / 100.0)),
+        (None, _) => "no visible light".to_owned(),
+    };
+    ui.add(Label::new(RichText::new(left).weak()).truncate());
     ui.horizontal(|ui| {
         knobs::thickness(ui, context, link, index);
         knobs::times(ui, context, link, index);
     });
-    for note in &sheet.notes[index] {
-        let words = RichText::new(capitalised(note)).small();
-        warning(ui, context.theme, words);
-    }
+    order(ui, context, (chain.len(), index));
 }
 
-/// Six dots: this can be taken in the hand.
-fn grip(ui: &mut Ui, theme: Theme) {
-    let (rect, _) = ui.allocate_exact_size(vec2(8.0, 14.0) * theme.scale, Sense::hover());
-    for row in 0..3 {
-        for column in 0..2 {
-            let at = rect.center()
-                + vec2(column as f32 * 4.0 - 2.0, row as f32 * 4.0 - 4.0) * theme.scale;
-            ui.painter()
-                .circle_filled(at, 1.2 * theme.scale, theme.faint);
+/// The buttons that move a step or take it out.
+fn order(ui: &mut Ui, context: &mut PageContext<'_>, (count, index): (usize, usize)) {
+    let number = index + 1;
+    ui.horizontal(|ui| {
+        let mut button = |sign: &str, what: &str, meaning: &str, on: bool| {
+            let button = egui::Button::new(sign).small();
+            let response = ui.add_enabled(on, button);
+            let name = format!("{what} stage {number}");
+            response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, on, &name));
+            response.on_hover_text(meaning).clicked()
+        };
+        if button("←", "Move up", "Earlier in the chain.", index > 0) {
+            move_link(context, index, index - 1);
         }
-    }
+        if button("→", "Move down", "Later in the chain.", number < count) {
+            move_link(context, index, index + 1);
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let remove = ui.small_button("Remove");
+            let name = format!("Remove stage {number}");
+            remove.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &name));
+            let meaning = "Takes this factor out of the chain.";
+            if remove.on_hover_text(meaning).clicked() {
+                change(context, |products| drop(products.chain.remove(index)));
+            }
+        });
+    });
 }
 
-/// The small spectrum and the split swatch of a card.
-fn picture(
+/// The swatch of a place, exact and by the model; a click chooses it.
+fn swatch_of(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
     sheet: &ChainSheet,
     place: Place,
     colours: &Colours,
 ) {
-    let theme = context.theme;
-    ui.horizontal(|ui| {
-        let swatch_width = SWATCH * theme.scale;
-        let size = vec2(
-            (ui.available_width() - swatch_width - 6.0).max(40.0),
-            SPARK * theme.scale,
-        );
-        let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
-        let index = place.index();
-        ui.painter().rect_filled(rect, 2.0, theme.ground);
-        let [exact, smooth] = &sheet.small_curves[index];
-        let within = rect.shrink2(vec2(2.0, 2.0));
-        for (heights, colour) in [(smooth, Ink::Smooth), (exact, Ink::Measured)] {
-            draw_curve(ui, within, heights, Stroke::new(1.2, theme.ink(colour)));
-        }
-        response.on_hover_text(
-            "The exact light behind this stage and the model's smooth part, over the exact peak.",
-        );
-        swatch_of(ui, sheet, colours, index, swatch_width).map_or_else(
-            || {
-                ui.weak("no colour")
-                    .on_hover_text("No visible light in this range.");
-            },
-            |clicked| {
-                if clicked {
-                    choose(context, place);
-                }
-            },
-        );
-    });
-}
-
-/// The split swatch; whether it was clicked, `None` without a colour.
-fn swatch_of(
-    ui: &mut Ui,
-    sheet: &ChainSheet,
-    colours: &Colours,
-    index: usize,
-    width: f32,
-) -> Option<bool> {
     let passage = &sheet.told.passage;
-    let (exact, model) = (
-        scaled(passage, colours.exact)?,
-        scaled(passage, colours.model)?,
-    );
-    let name = match index {
-        0 => "Light, exact and model".to_owned(),
-        stage => format!("Stage {stage}, exact and model"),
+    let both = [colours.exact, colours.model].map(|xyz| scaled(passage, xyz));
+    let size = Vec2::new(ui.available_width(), SWATCH * context.theme.scale);
+    let [Some(exact), Some(model)] = both else {
+        let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+        ui.painter().rect_filled(rect, 3.0, Color32::BLACK);
+        return;
     };
-    let size = Vec2::new(width, ui.available_height());
+    let name = match place {
+        Place::Light => "Light, exact and model".to_owned(),
+        Place::Stage(index) => format!("Stage {}, exact and model", index + 1),
+    };
     let response = swatch::split(ui, size, &exact.1, &model.1, &name);
-    let clicked = response.clicked();
+    if response.clicked() {
+        choose(context, place);
+    }
     response.on_hover_text(format!(
         "Left exact {}, right the model {}, the light's Y as the screen's white.\nY {} and {} of \
          the light's 100.",
@@ -326,66 +305,4 @@ fn swatch_of(
         short(exact.0.y),
         short(model.0.y),
     ));
-    Some(clicked)
-}
-
-/// Transmission, luminance and error of a card.
-fn figures(
-    ui: &mut Ui,
-    context: &PageContext<'_>,
-    sheet: &ChainSheet,
-    colours: &Colours,
-    passes: Option<[Option<f64>; 2]>,
-) {
-    let y = |xyz| scaled(&sheet.told.passage, xyz).map(|(xyz, _)| xyz.y);
-    let [exact, model] = [colours.exact, colours.model].map(y);
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 3.0;
-        let font = egui::TextStyle::Small.resolve(ui.style());
-        let inks = [context.theme.faint, ui.visuals().text_color()];
-        let mut pair = |what: &str, text: String, meaning: &str| {
-            // One text, so that a figure is never parted from its name.
-            let mut job = egui::text::LayoutJob::default();
-            for (text, colour) in [what, &text].into_iter().zip(inks) {
-                let format = egui::TextFormat::simple(font.clone(), colour);
-                job.append(text, if job.text.is_empty() { 0.0 } else { 4.0 }, format);
-            }
-            ui.add(Label::new(job).extend()).on_hover_text(meaning);
-            ui.add_space(4.0);
-        };
-        if let Some([exact, model]) = passes {
-            pair(
-                "passes",
-                format!(
-                    "{} | {}",
-                    short_percent(exact, false),
-                    short_percent(model, false)
-                ),
-                "Transmission or reflection of this factor for this light: Y out over Y in, \
-                 exact | model.",
-            );
-        }
-        pair(
-            "Y",
-            format!("{} | {}", plain(exact), plain(model)),
-            "Luminance, the light's at 100: exact | model.",
-        );
-        pair(
-            "ΔE₀₀",
-            short_delta_e(colours.delta_e_2000),
-            "CIEDE2000 between exact and model; the white is the exact light.",
-        );
-        pair(
-            "lum.",
-            short_percent(colours.luminance_error, true),
-            "Luminance error: Y model over Y exact, minus 1.",
-        );
-    });
-}
-
-fn plain(value: Option<f64>) -> String {
-    value.map_or_else(
-        || "–".to_owned(),
-        |value| short((1e3 * value).round() / 1e3 + 0.0),
-    )
 }

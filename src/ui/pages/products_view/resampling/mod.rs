@@ -12,16 +12,18 @@ use crate::{
     app::{
         Memo,
         chart::{Chart, Ink},
-        charts::products::resampling::{Bench, LEAST_SHARE, time_of, way_meaning, way_name},
+        charts::products::resampling::{Bench, time_of, way_meaning, way_name},
         headlines,
-        numbers::nanoseconds,
+        numbers::{delta_e, figure},
         studies::{Stage, TimingAsk},
     },
     io::many::numbers,
     spectrum::Sampling,
     study::products::{Formed, ProductTime, timing},
     ui::{
-        kit::{self, Table, headline, line, pressed_small, scrolled, titled, two_columns},
+        kit::{
+            Column, GROUP, Row, Table, headline, line, pressed_small, scrolled, titled, two_columns,
+        },
         pages::{PageContext, progress},
         theme::Theme,
     },
@@ -59,6 +61,7 @@ impl ResamplingView {
             None => "Choose what the light is multiplied by.".to_owned(),
         };
         headline(ui, context.theme, words);
+        ui.add_space(GROUP);
         ui.horizontal_wrapped(|ui| {
             surface_chooser(ui, context, names::FACTOR);
             if let Some(bench) = self.bench.held().filter(|_| chosen.is_some()) {
@@ -156,17 +159,16 @@ fn figures(
     times: Option<&[ProductTime]>,
 ) -> bool {
     let (app, theme) = (context.app, context.theme);
-    let table = bench.table(app, times);
     ui.add_space(4.0);
     titled(
         ui,
         "The same product by every way",
         names::COPY,
         "Copies the ways and their figures as a table.",
-        || table.csv(),
+        || bench.table(app, times).csv(),
     );
     let ways = &bench.resampled.ways;
-    let rows = kit::rows(&table, |i, cells| names_of(&ways[i], times, cells));
+    let rows: Vec<Row> = ways.iter().map(|way| row(way, times)).collect();
     let settings = app.document().settings;
     let chosen = ways
         .iter()
@@ -177,12 +179,12 @@ fn figures(
             alias_meter(ui, cell, shares[row], theme);
         }
     };
-    let columns = kit::columns(&table, &[2.3, 0.8, 1.25, 1.3, 1.95, 0.8, 0.85]);
-    let shown = Table {
+    let columns = columns();
+    let table = Table {
         chosen,
         ..Table::new(&columns, theme)
     };
-    let clicked = shown.show(ui, &rows, &mut meter);
+    let clicked = table.show(ui, &rows, &mut meter);
     if let Some(way) = clicked.and_then(|row| ways.get(row)) {
         take_way(context, way.sampling);
     }
@@ -196,22 +198,112 @@ fn figures(
 /// The column of the alias meter.
 const FOLDED: usize = 4;
 
-/// The way as it is read out, and what it does.
-fn names_of(way: &Formed, times: Option<&[ProductTime]>, cells: &[String]) -> [String; 2] {
-    let range = time_of(times, way.sampling).map_or_else(String::new, |time| {
-        let [median, least, most] = [time.ns, time.range_ns[0], time.range_ns[1]].map(nanoseconds);
-        format!("\nMedian {median} ns, batches from {least} to {most} ns.")
-    });
-    [
-        format!(
-            "{}: ΔE₀₀ {}, added {}, folded {}",
-            cells[0], cells[2], cells[3], cells[4]
+fn columns() -> Vec<Column> {
+    vec![
+        Column::words(
+            "way",
+            "How the product is formed. Click a row to form all products so.",
+            2.3,
         ),
+        Column::numbers(
+            "points",
+            "Independent points, one multiplication each.",
+            0.8,
+        ),
+        Column::numbers(
+            "ΔE₀₀ total",
+            "CIEDE2000 of the model's product against measured light times measured factor; the \
+             white is the light.",
+            1.25,
+        ),
+        Column::numbers(
+            "added",
+            "CIEDE2000 against the exact product of the very same series: what forming it adds.",
+            1.3,
+        ),
+        Column::numbers(
+            "folded",
+            "Alias meter: share of the product's power in orders that the points fold back, or \
+             that the convolution cuts off. The bar is logarithmic, from 0.0001 % to 100 %.",
+            1.95,
+        ),
+        Column::numbers(
+            "mult.",
+            "Multiplications of one product: one a point, or one a pair of numbers, and one a \
+             spike.",
+            0.8,
+        ),
+        Column::numbers(
+            "ns",
+            "Nanoseconds of one product, measured here and now: the median batch.",
+            0.85,
+        ),
+    ]
+}
+
+fn row(way: &Formed, times: Option<&[ProductTime]>) -> Row {
+    let step = &way.step;
+    let time = time_of(times, way.sampling);
+    let cells = vec![
+        way_name(way.sampling).to_owned(),
+        way.points.map_or_else(|| "–".to_owned(), |p| p.to_string()),
+        delta_e(step.colours.delta_e_2000),
+        match step.added {
+            Some(0.0) => "0".to_owned(),
+            added => delta_e(added),
+        },
+        share_words(step.folded_share),
+        step.multiplications.to_string(),
+        time.map_or_else(|| "–".to_owned(), |time| whole(time.ns)),
+    ];
+    let range = time.map_or_else(String::new, |time| {
         format!(
+            "\nMedian {} ns, batches from {} to {} ns.",
+            whole(time.ns),
+            whole(time.range_ns[0]),
+            whole(time.range_ns[1])
+        )
+    });
+    Row {
+        name: format!(
+            "{}: ΔE₀₀ {}, added {}, folded {}",
+            way_name(way.sampling),
+            cells[2],
+            cells[3],
+            cells[4]
+        ),
+        note: format!(
             "{}{range}\nClick to form all products so.",
             way_meaning(way.sampling)
         ),
-    ]
+        cells,
+        ..Row::default()
+    }
+}
+
+/// Nanoseconds in few digits.
+fn whole(ns: f64) -> String {
+    if ns < 10.0 {
+        format!("{ns:.1}")
+    } else {
+        format!("{ns:.0}")
+    }
+}
+
+/// Shares below this are rounding, or nothing to speak of.
+const LEAST_SHARE: f64 = 1e-6;
+
+fn share_words(share: f64) -> String {
+    if !share.is_finite() {
+        return "–".to_owned();
+    }
+    if share <= 0.0 {
+        return "0 %".to_owned();
+    }
+    if share < LEAST_SHARE {
+        return "<0.0001 %".to_owned();
+    }
+    format!("{} %", figure(100.0 * share))
 }
 
 /// Part of its cell that the meter's bar takes.

@@ -1,37 +1,45 @@
-//! The part "Same surface?": is a spectrum the light off a surface?
+//! The page "Same surface?": is a spectrum the light off a surface?
 
 mod ranking;
 
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{Button, RichText, TextStyle, Ui, vec2};
+use egui::{Button, RichText, Ui, vec2};
 
 use super::change;
 use crate::{
     app::{
-        ByAddress, Command, Entry, MadeFor, Memo,
+        App, ByAddress, Command, Entry, MadeFor, Memo,
         chart::Chart,
-        charts::products::same_surface::same_surface_chart,
+        charts::products::same_surface::{as_product, same_surface_chart},
         headlines,
-        numbers::four_digits,
-        products::same_surface::{RESIDUAL_MEANS, SameSurfaceSheet, example},
+        products::same_surface::{SameSurfaceSheet, example},
         studies::Ranked,
-        ticks::short,
+        ticks::{hundredths, short},
     },
     io::many::numbers,
-    study::products::{Compared, SAME_RESIDUAL, Sameness},
+    study::products::{SAME_RESIDUAL, Sameness},
     ui::{
-        kit::{Chooser, factors, framed, headline, lights, scrolled, two_columns},
+        kit::{
+            Chooser, Form, GROUP, Row, factors, fold, form, headline, lights, scrolled, two_columns,
+        },
         pages::PageContext,
     },
 };
 
-/// From this width on words and ranking stand beside the charts, points.
-const WIDE: f32 = 940.0;
+/// From this width on the three spectra stand in a row, and the ranking beside what is chosen,
+/// points.
+const WIDE: f32 = 760.0;
 
-/// Surfaces of the ranking that are seen at a time in a narrow window.
-const ROWS: f32 = 8.0;
+/// Part of the page's height for the three spectra, and their least height, points.
+const SUM: (f32, f32) = (0.46, 190.0);
+
+/// Width of the signs between them, points.
+const SIGN: f32 = 28.0;
+
+/// Least height of the ranking, points.
+const RANKING: f32 = 190.0;
 
 /// What buttons and lists are called.
 pub mod names {
@@ -42,80 +50,193 @@ pub mod names {
     pub const MAKE: &str = "Make an example";
     pub const AMONG: &str = "Best surface among";
     pub const COPY: &str = "Copy the ranking as CSV";
+    pub const HOW: &str = "How it is checked";
 }
 
-/// The part and what it keeps from frame to frame.
+/// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct SameSurfaceView {
-    sheet: Memo<u64, Option<SameSurfaceSheet>>,
-    charts: Memo<u64, [Option<Chart>; 2]>,
-    ranking: Memo<ByAddress<Vec<Ranked>>, ranking::Drawn>,
+    shown: Memo<u64, Option<Arc<Shown>>>,
+    ranking: Memo<ByAddress<Vec<Ranked>>, Vec<Row>>,
     /// The surface of the example; `None` for S2.
     example: Option<Arc<Entry>>,
 }
 
+/// The check of the document, or of an example where it has no spectrum to check.
+struct Shown {
+    /// The program with the example.
+    example: Option<App>,
+    sheet: SameSurfaceSheet,
+    sum: [Chart; 3],
+    model: Option<Chart>,
+}
+
+impl Shown {
+    fn of(app: &App) -> Option<Self> {
+        let products = &app.document().products;
+        let surface = products.surface.as_ref()?;
+        let example = products.outgoing.is_none().then(|| {
+            let mut other = app.clone();
+            let recipe = example(app, surface, false);
+            let place = MadeFor::Outgoing;
+            other.apply(Command::Make { recipe, place });
+            other
+        });
+        let app = example.as_ref().unwrap_or(app);
+        let sheet = SameSurfaceSheet::of(app)?;
+        let compared = sheet.model.as_ref();
+        let what = "In the model's numbers, behind 10 nm";
+        Some(Self {
+            sum: as_product(app, &sheet),
+            model: compared.map(|compared| same_surface_chart(app, &sheet, compared, what)),
+            sheet,
+            example,
+        })
+    }
+}
+
 impl SameSurfaceView {
-    /// Draws the part.
+    /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let app = context.app;
-        let revision = app.revision();
-        let sheet = self.sheet.get(revision, |_| SameSurfaceSheet::of(app));
-        let words = sheet.as_ref().map_or_else(
-            || "Is a spectrum the light off a surface? Choose both, or make an example.".to_owned(),
-            headlines::same_surface,
-        );
-        headline(ui, context.theme, words);
-        choices(ui, context);
-        example_row(ui, context, &mut self.example);
-        ui.separator();
-        let Some(sheet) = &*sheet else {
-            explain(ui, context);
+        let shown = self
+            .shown
+            .get(app.revision(), |_| Shown::of(app).map(Arc::new));
+        let Some(shown) = shown.clone() else {
+            let words = "Is a spectrum the light off a surface? Choose both below.";
+            headline(ui, context.theme, words);
+            ui.add_space(GROUP);
+            choices(ui, context, &mut self.example);
             return;
         };
-        let drawn = revision;
-        let charts = &*self.charts.get(drawn, |_| {
-            let sides = [
-                (&sheet.model, "In the model's numbers"),
-                (&sheet.measured, "Measured curves"),
-            ];
-            let chart = |compared: &Compared, what| same_surface_chart(app, sheet, compared, what);
-            sides.map(|(compared, what)| Some(chart(compared.as_ref()?, what)))
-        });
+        headline(ui, context.theme, headlines::same_surface(&shown.sheet));
+        ui.add_space(GROUP);
+        let document = shown.example.as_ref().unwrap_or(app).document();
         let everywhere = context.memory.products.same_surface.everywhere;
-        if let Some(ask) = &sheet.ranking(app.document(), everywhere) {
+        if let Some(ask) = &shown.sheet.ranking(document, everywhere) {
             context.put(ask);
         }
-        let rows = &mut self.ranking;
         let room = ui.available_size();
         let scale = context.theme.scale;
+        let (rows, made) = (&mut self.ranking, &mut self.example);
         scrolled(ui, "same surface", |ui| {
-            if ui.available_width() >= WIDE * scale {
-                let words = |ui: &mut Ui, context: &mut PageContext<'_>| {
-                    verdicts(ui, context, sheet);
+            let high = (SUM.0 * room.y).max(SUM.1 * scale);
+            let is_wide = ui.available_width() >= WIDE * scale;
+            sum(ui, context, &shown.sum, (high, is_wide));
+            ui.add_space(GROUP);
+            let left = (room.y - high - 150.0 * scale).max(RANKING * scale);
+            let mut asked = |ui: &mut Ui, context: &mut PageContext<'_>| {
+                if shown.example.is_some() {
+                    ui.weak("An example. Choose a spectrum of your own to check it.");
                     ui.add_space(6.0);
-                    ranking::show(ui, context, sheet, rows, room.y - 270.0 * scale);
-                };
-                let height = (0.5 * room.y - 12.0).max(240.0 * scale);
-                two_columns(ui, context, words, |ui, context| {
-                    draw(ui, context, &charts[0], "model", height);
-                    draw(ui, context, &charts[1], "measured", height);
+                }
+                choices(ui, context, made);
+                ui.add_space(GROUP);
+                fold(ui, "how", names::HOW, |ui| {
+                    verdicts(ui, context, &shown.sheet);
+                    if let Some(chart) = &shown.model {
+                        let size = vec2(ui.available_width(), 240.0 * scale);
+                        context.chart(ui, chart, "same surface", size);
+                    }
                 });
+            };
+            let mut best = |ui: &mut Ui, context: &mut PageContext<'_>| {
+                ranking::show(ui, context, &shown.sheet, rows, left);
+            };
+            if is_wide {
+                two_columns(ui, context, asked, best);
             } else {
-                verdicts(ui, context, sheet);
-                ui.add_space(4.0);
-                let height = (0.40 * room.y).clamp(230.0 * scale, 320.0 * scale);
-                let model = |ui: &mut Ui, context: &mut PageContext<'_>| {
-                    draw(ui, context, &charts[0], "model", height);
-                };
-                two_columns(ui, context, model, |ui, context| {
-                    draw(ui, context, &charts[1], "measured", height);
-                });
-                ui.add_space(6.0);
-                let row = ui.text_style_height(&TextStyle::Body) + 8.0;
-                ranking::show(ui, context, sheet, rows, ROWS * row);
+                asked(ui, context);
+                ui.add_space(GROUP);
+                best(ui, context);
             }
         });
     }
+}
+
+/// Light times surface is spectrum, as three pictures with their signs.
+fn sum(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    charts: &[Chart; 3],
+    (high, is_wide): (f32, bool),
+) {
+    let signs = ["×", "=", ""];
+    let ids = ["light", "surface", "spectrum"];
+    if !is_wide {
+        for (chart, id) in charts.iter().zip(ids) {
+            let size = vec2(ui.available_width(), 0.6 * high);
+            context.chart(ui, chart, ("same surface", id), size);
+        }
+        return;
+    }
+    let scale = context.theme.scale;
+    let width = ((ui.available_width() - 2.0 * SIGN * scale) / 3.0).floor();
+    ui.horizontal_top(|ui| {
+        ui.spacing_mut().item_spacing.x = 0.0;
+        for ((chart, id), sign) in charts.iter().zip(ids).zip(signs) {
+            ui.vertical(|ui| {
+                ui.set_width(width);
+                context.chart(ui, chart, ("same surface", id), vec2(width, high));
+            });
+            if !sign.is_empty() {
+                let size = vec2(SIGN * scale, high);
+                let (rect, _) = ui.allocate_exact_size(size, egui::Sense::hover());
+                let font = egui::FontId::proportional(24.0 * scale);
+                let colour = ui.visuals().strong_text_color();
+                let middle = egui::Align2::CENTER_CENTER;
+                ui.painter().text(rect.center(), middle, sign, font, colour);
+            }
+        }
+    });
+}
+
+/// Light, surface and outgoing spectrum, and the maker of an example.
+fn choices(ui: &mut Ui, context: &mut PageContext<'_>, of: &mut Option<Arc<Entry>>) {
+    let products = context.app.document().products.clone();
+    let width = 170.0 * context.theme.scale;
+    form(ui, "same surface", |form| {
+        let outgoing = Chooser {
+            name: names::OUTGOING,
+            meaning: "The spectrum that may have come from the surface; files that you open as \
+                      lights are in the list.",
+            says: name(&products.outgoing, "choose a spectrum"),
+            offers: lights,
+            width,
+        };
+        let outgoing = chosen(form, context, "Is the spectrum", outgoing);
+        if outgoing.is_some() {
+            change(context, |products| products.outgoing = outgoing);
+        }
+        let light = context.app.document().light.name();
+        let meaning = "The window's light: choose another in the library.";
+        form.row(("the light", meaning), |ui, _| {
+            ui.add(egui::Label::new(RichText::new(light).strong()).truncate())
+        });
+        let surface = Chooser {
+            name: names::SURFACE,
+            meaning: "The reflectance that may have turned the light into the spectrum.",
+            says: name(&products.surface, "choose a surface"),
+            offers: factors,
+            width,
+        };
+        let surface = chosen(form, context, "off the surface", surface);
+        if surface.is_some() {
+            change(context, |products| products.surface = surface);
+        }
+    });
+    ui.add_space(6.0);
+    example_row(ui, context, of);
+}
+
+fn chosen(
+    form: &mut Form<'_>,
+    context: &PageContext<'_>,
+    words: &str,
+    chooser: Chooser<'_>,
+) -> Option<Arc<Entry>> {
+    let meaning = chooser.meaning;
+    form.row((words, meaning), |ui, _| chooser.show(ui, context.app))
 }
 
 /// Makes an outgoing spectrum from the light and a surface.
@@ -123,9 +244,8 @@ fn example_row(ui: &mut Ui, context: &mut PageContext<'_>, of: &mut Option<Arc<E
     let products = &context.app.document().products;
     ui.horizontal_wrapped(|ui| {
         let surface = of.as_ref().or(products.surface.as_ref()).cloned();
-        let can = surface.is_some();
         let make = ui
-            .add_enabled(can, Button::new(names::MAKE))
+            .add_enabled(surface.is_some(), Button::new(names::MAKE))
             .on_hover_text(
                 "Computes the present light off the surface, keeps it as a spectrum of your \
                  own and takes it as S3: something to check when there is no file at hand.",
@@ -133,8 +253,7 @@ fn example_row(ui: &mut Ui, context: &mut PageContext<'_>, of: &mut Option<Arc<E
             .on_disabled_hover_text("Choose a surface first.");
         ui.label("of this light off");
         let says = match (&*of, &surface) {
-            (Some(entry), _) => entry.name().to_owned(),
-            (None, Some(entry)) => format!("S2 ({})", entry.name()),
+            (Some(entry), _) | (None, Some(entry)) => entry.name().to_owned(),
             (None, None) => "choose a surface".to_owned(),
         };
         let chosen = Chooser {
@@ -142,7 +261,7 @@ fn example_row(ui: &mut Ui, context: &mut PageContext<'_>, of: &mut Option<Arc<E
             meaning: "The surface that the example's light really comes from.",
             says: &says,
             offers: factors,
-            width: 150.0 * context.theme.scale,
+            width: 110.0 * context.theme.scale,
         }
         .show(ui, context.app);
         if chosen.is_some() {
@@ -153,9 +272,7 @@ fn example_row(ui: &mut Ui, context: &mut PageContext<'_>, of: &mut Option<Arc<E
             "The light meets the surface twice, as in a corner: a single reflection should \
              then not explain it.",
         );
-        if make.clicked()
-            && let Some(surface) = surface
-        {
+        if let Some(surface) = surface.filter(|_| make.clicked()) {
             let recipe = example(context.app, &surface, *twice);
             let place = MadeFor::Outgoing;
             context.commands.push(Command::Make { recipe, place });
@@ -163,73 +280,9 @@ fn example_row(ui: &mut Ui, context: &mut PageContext<'_>, of: &mut Option<Arc<E
     });
 }
 
-/// Light, surface and outgoing spectrum.
-fn choices(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let document = context.app.document();
-    let products = &document.products;
-    let width = 150.0 * context.theme.scale;
-    ui.horizontal_wrapped(|ui| {
-        ui.label("Is S3");
-        let outgoing = Chooser {
-            name: names::OUTGOING,
-            meaning: "The spectrum that may have come from the surface; files that you open as \
-                      lights are in the list.",
-            says: name(&products.outgoing, "choose a spectrum"),
-            offers: lights,
-            width,
-        }
-        .show(ui, context.app);
-        if outgoing.is_some() {
-            change(context, |products| products.outgoing = outgoing);
-        }
-        ui.label("the light S1");
-        ui.add(egui::Label::new(RichText::new(document.light.name()).strong()).truncate())
-            .on_hover_text("The document's light: choose another in the library.");
-        ui.label("off the surface S2");
-        let surface = Chooser {
-            name: names::SURFACE,
-            meaning: "The reflectance that may have turned the light into the spectrum.",
-            says: name(&products.surface, "choose a surface"),
-            offers: factors,
-            width,
-        }
-        .show(ui, context.app);
-        if surface.is_some() {
-            change(context, |products| products.surface = surface);
-        }
-        ui.label("?");
-    });
-}
-
 /// What a spectrum is called, or what is said where there is none.
 fn name<'a>(entry: &'a Option<Arc<Entry>>, otherwise: &'a str) -> &'a str {
     entry.as_ref().map_or(otherwise, |entry| entry.name())
-}
-
-/// What to do when something is missing.
-fn explain(ui: &mut Ui, context: &PageContext<'_>) {
-    let products = &context.app.document().products;
-    ui.add_space(10.0);
-    let mut say = |words: &str| {
-        ui.add(egui::Label::new(words).wrap());
-        ui.add_space(4.0);
-    };
-    if products.outgoing.is_none() {
-        say(
-            "There is no outgoing spectrum S3 yet. Open a file with the spectrum seen at a place \
-             that another surface may light, and choose it in the first list above; or press \
-             \"Make an example\".",
-        );
-    }
-    if products.surface.is_none() {
-        say("There is no surface S2 yet: choose one in the last list above.");
-    }
-    say(&format!(
-        "The check is the paper's S3 = S1 S2: the light times the reflectance, both in the \
-         model's numbers, against the spectrum found, up to a factor and behind a 10 nm blur. It \
-         holds up to a residual of {} of the spectrum found.",
-        short(SAME_RESIDUAL)
-    ));
 }
 
 /// Both verdicts, with sign and words.
@@ -239,62 +292,60 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
         Sameness::Holds => ui.visuals().strong_text_color(),
         Sameness::DoesNotHold | Sameness::Unknown => context.theme.warning,
     };
-    framed(ui, |ui| {
-        let words = format!("{} S3 = S1 S2 {}", verdict.sign(), verdict.words());
-        ui.label(RichText::new(words).heading().color(colour));
-        ui.add_space(2.0);
-        egui::Grid::new("verdicts")
-            .spacing([16.0, 3.0])
-            .show(ui, |ui| {
-                for (head, meaning) in [
-                    ("", ""),
-                    ("residual", RESIDUAL_MEANS),
-                    ("factor", FACTOR_MEANS),
-                    ("verdict", "Up to the threshold it holds; see below."),
-                ] {
-                    let label = ui.label(RichText::new(head).small());
-                    if !meaning.is_empty() {
-                        label.on_hover_text(meaning);
-                    }
+    let words = format!("{} S3 = S1 S2 {}", verdict.sign(), verdict.words());
+    ui.label(RichText::new(words).strong().color(colour));
+    ui.add_space(2.0);
+    egui::Grid::new("verdicts")
+        .spacing([16.0, 3.0])
+        .show(ui, |ui| {
+            for (head, meaning) in [
+                ("", ""),
+                ("residual", RESIDUAL_MEANS),
+                ("factor", FACTOR_MEANS),
+                ("verdict", "Up to the threshold it holds; see below."),
+            ] {
+                let label = ui.label(RichText::new(head).small());
+                if !meaning.is_empty() {
+                    label.on_hover_text(meaning);
                 }
+            }
+            ui.end_row();
+            let model = format!(
+                "in the model's {} and {}",
+                sheet.numbers[0],
+                numbers(sheet.numbers[1])
+            );
+            let rows = [
+                (model, &sheet.model, verdict),
+                (
+                    "measured curves".to_owned(),
+                    &sheet.measured,
+                    sheet.measured_verdict(),
+                ),
+            ];
+            for (what, compared, verdict) in rows {
+                let found = compared.as_ref().map(|c| c.reflection);
+                ui.label(what);
+                ui.label(figure(found.map(|f| f.residual)));
+                ui.label(figure(found.map(|f| f.factor)));
+                ui.label(format!("{} {}", verdict.sign(), verdict.words()));
                 ui.end_row();
-                let model = format!(
-                    "in the model's {} and {}",
-                    sheet.numbers[0],
-                    numbers(sheet.numbers[1])
-                );
-                let rows = [
-                    (model, &sheet.model, verdict),
-                    (
-                        "measured curves".to_owned(),
-                        &sheet.measured,
-                        sheet.measured_verdict(),
-                    ),
-                ];
-                for (what, compared, verdict) in rows {
-                    let found = compared.as_ref().map(|c| c.reflection);
-                    ui.label(what);
-                    ui.label(four_digits(found.map(|f| f.residual)));
-                    ui.label(four_digits(found.map(|f| f.factor)));
-                    ui.label(format!("{} {}", verdict.sign(), verdict.words()));
-                    ui.end_row();
-                }
-            });
-        ui.weak(format!(
-            "It holds up to a residual of {}, and does not hold beyond that plus what the models \
+            }
+        });
+    ui.weak(format!(
+        "It holds up to a residual of {}, and does not hold beyond that plus what the models \
                  leave out themselves. In tests with shipped lights off shipped surfaces 95 of 100 \
                  right surfaces stayed below it, and 2 of 100 wrong ones.",
-            short(SAME_RESIDUAL)
-        ));
-    });
+        short(SAME_RESIDUAL)
+    ));
 }
 
+const RESIDUAL_MEANS: &str = "Root mean square of what the best factor leaves, over that of the outgoing spectrum, both \
+     behind a 10 nm blur; 0 is a perfect match.";
 const FACTOR_MEANS: &str =
     "What light times surface is multiplied by to come closest: geometry, not colour.";
 
-fn draw(ui: &mut Ui, context: &mut PageContext<'_>, chart: &Option<Chart>, id: &str, height: f32) {
-    if let Some(chart) = chart {
-        let size = vec2(ui.available_width(), height);
-        context.chart(ui, chart, ("same surface", id), size);
-    }
+/// A figure, or a dash for none.
+fn figure(value: Option<f64>) -> String {
+    value.map_or_else(|| "–".to_owned(), hundredths)
 }

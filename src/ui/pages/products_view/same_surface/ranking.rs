@@ -3,57 +3,38 @@
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{RichText, Ui};
+use egui::Ui;
 
 use super::{
     super::{among, change},
-    names,
+    RESIDUAL_MEANS, figure, names,
 };
 use crate::{
     app::{
         ByAddress, Memo,
-        numbers::four_digits,
         products::same_surface::{SameSurfaceSheet, ranking},
         studies::{RankAsk, Ranked, Stage},
     },
     study::products::Sameness,
     ui::{
-        kit::{self, Column, Row, Table, copy_button},
+        kit::{Column, Row, Table, copy_button},
         pages::{PageContext, progress},
         swatch,
     },
 };
-
-/// Columns and rows of the ranking.
-pub(super) type Drawn = (Vec<Column>, Vec<Row>);
-
-/// The ranking, behind a column of colours.
-fn drawn(names: &[String; 3], ranked: &[Ranked]) -> Drawn {
-    let table = ranking(names, ranked);
-    let mut columns = kit::columns(&table, &[0.43, 0.14, 0.15, 0.19]);
-    let mut rows = kit::rows(&table, |i, cells| names_of(&ranked[i], cells));
-    columns.insert(
-        0,
-        Column::words("", "Colour of the surface under the light.", 0.09),
-    );
-    for row in &mut rows {
-        row.cells.insert(0, String::new());
-    }
-    (columns, rows)
-}
 
 /// The ranking, within a height.
 pub(super) fn show(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
     sheet: &SameSurfaceSheet,
-    rows: &mut Memo<ByAddress<Vec<Ranked>>, Drawn>,
+    rows: &mut Memo<ByAddress<Vec<Ranked>>, Vec<Row>>,
     height: f32,
 ) {
     let answer = context.studies.of::<RankAsk>().answer();
     let ranked = answer.map(|(_, ranked)| ranked.clone());
     ui.horizontal_wrapped(|ui| {
-        ui.label(RichText::new("Which surface explains it best?").heading());
+        ui.strong("Which surface explains it best?");
         copy_button(ui, names::COPY, "", || {
             let csv = |ranked: &Arc<Vec<Ranked>>| ranking(&sheet.names, ranked).csv();
             ranked.as_ref().map_or_else(String::new, csv)
@@ -91,13 +72,16 @@ pub(super) fn show(
             "."
         }
     ));
-    let (columns, rows) = rows.get(ByAddress(ranked.clone()), |_| drawn(&sheet.names, &ranked));
+    let columns = columns();
     let chosen = context.app.document().products.surface.as_ref();
     let chosen = chosen.and_then(|entry| ranked.iter().position(|r| r.key == entry.key));
     let table = Table {
         chosen,
-        ..Table::new(columns, context.theme)
+        ..Table::new(&columns, context.theme)
     };
+    let rows = rows.get(ByAddress(ranked.clone()), |_| {
+        ranked.iter().map(row).collect()
+    });
     let clicked = table.scrolled(
         ui,
         "ranking",
@@ -117,21 +101,43 @@ pub(super) fn show(
     }
 }
 
-/// The surface as it is read out, and its factors.
-fn names_of(ranked: &Ranked, cells: &[String]) -> [String; 2] {
+fn columns() -> [Column; 5] {
     [
-        format!(
-            "{}: residual {}, {}",
-            ranked.name,
-            cells[1],
-            ranked.verdict.words()
+        Column::words("", "Colour of the surface under the light.", 0.09),
+        Column::words("surface", "Click a row to take it as the surface S2.", 0.43),
+        Column::numbers(
+            "residual",
+            &format!("In the model's numbers. {RESIDUAL_MEANS}"),
+            0.14,
         ),
-        format!(
+        Column::numbers(
+            "measured",
+            &format!("Of the measured curves. {RESIDUAL_MEANS}"),
+            0.15,
+        ),
+        Column::words("verdict", "The model's verdict.", 0.19),
+    ]
+}
+
+fn row(ranked: &Ranked) -> Row {
+    let verdict = ranked.verdict;
+    let residual = figure(ranked.model.map(|m| m.residual));
+    Row {
+        name: format!("{}: residual {residual}, {}", ranked.name, verdict.words()),
+        note: format!(
             "{}\nFactor {} in the model's numbers, {} measured.\nClick to take it as the surface \
              S2.",
             ranked.key,
-            four_digits(ranked.model.map(|m| m.factor)),
-            four_digits(ranked.measured.map(|m| m.factor)),
+            figure(ranked.model.map(|m| m.factor)),
+            figure(ranked.measured.map(|m| m.factor)),
         ),
-    ]
+        cells: vec![
+            String::new(),
+            ranked.name.clone(),
+            residual,
+            figure(ranked.measured.map(|m| m.residual)),
+            format!("{} {}", verdict.sign(), verdict.words()),
+        ],
+        ..Row::default()
+    }
 }

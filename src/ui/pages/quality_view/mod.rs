@@ -1,4 +1,7 @@
-//! The place "Quality": whether it is a good light, measured beside model.
+//! The place "Quality": whether it is a good light, and which of two is better.
+
+mod figures;
+mod rendition;
 
 use eframe::egui;
 use egui::{Ui, vec2};
@@ -8,15 +11,11 @@ use crate::{
     app::{
         App, ByOrder, Memo, QualityShown,
         chart::Chart,
-        charts::quality::{
-            DiagramShows, OfBins, against_order, bin_bars, diagram, fidelity_bars, sample_bars,
-            vector_graphic,
-        },
-        quality_report::Row,
+        charts::quality::{DiagramShows, against_order, diagram},
         settled_words,
     },
     study::{Progress, quality::Chosen},
-    ui::kit::{Column, Row as TableRow, down, headline, scrolled, table},
+    ui::kit::{down, headline, scrolled},
 };
 
 /// From this width on three charts stand side by side, points.
@@ -30,8 +29,9 @@ const BAR: f32 = 14.0;
 #[derive(Default)]
 pub(super) struct QualityView {
     shown: Memo<u64, QualityShown>,
-    charts: Memo<u64, Vec<Chart>>,
-    diagram: Memo<(u64, DiagramShows), Chart>,
+    rendition: rendition::RenditionView,
+    /// The diagram, and the neighbourhood of the lights.
+    diagram: Memo<(u64, DiagramShows), [Chart; 2]>,
 }
 
 impl QualityView {
@@ -39,37 +39,9 @@ impl QualityView {
         &*self.shown.get(app.revision(), |_| QualityShown::of(app))
     }
 
-    /// Every figure with its reading, measured and by the model.
+    /// The light's verdict, surfaces under it, and its figures.
     pub(super) fn figures(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let shown = self.shown(context.app);
-        headline(ui, context.theme, &shown.sentence);
-        ui.add_space(6.0);
-        let mut columns = vec![
-            Column::words(
-                "figure",
-                "Point at a row for the standard that it follows.",
-                2.2,
-            ),
-            Column::numbers("measured", "Of the whole table as it was measured.", 1.2),
-            Column::numbers("model", "Of the smooth part and the lines together.", 1.2),
-        ];
-        let beside = "A light compared with this one (+ Compare), as it was measured.";
-        let others = shown.others.iter();
-        columns.extend(others.map(|name| Column::numbers(name, beside, 1.2)));
-        let reading = 4.0 - 0.6 * shown.others.len() as f32;
-        columns.push(Column::words(
-            "what it says",
-            "Of the light as measured.",
-            reading,
-        ));
-        let rows: Vec<TableRow> = shown.rows.iter().map(|row| figure_row(row)).collect();
-        scrolled(ui, "figures of quality", |ui| {
-            table(ui, &columns, &rows, None, false, context.theme);
-            ui.add_space(6.0);
-            for note in &shown.sheet.measured.notes {
-                ui.small(note);
-            }
-        });
+        figures::show(ui, context, self.shown(context.app));
     }
 
     /// Where the light is among colours.
@@ -77,7 +49,9 @@ impl QualityView {
         let revision = context.app.revision();
         let shown = self.shown(context.app);
         headline(ui, context.theme, &shown.place);
-        let [measured, model] = shown.places();
+        let placed = shown.placed();
+        // In a wide room the neighbourhood stands beside the whole.
+        let has_both = ui.available_width() >= 1.5 * ui.available_height();
         let shows = &mut context.memory.diagram;
         ui.horizontal_wrapped(|ui| {
             let mut switch = |on: &mut bool, title: &str, meaning: &str| {
@@ -105,42 +79,48 @@ impl QualityView {
                  enlarged.",
             );
             switch(
-                &mut shows.near,
-                "Near the light",
-                "The neighbourhood of the light: the step from measured to model.",
+                &mut shows.surfaces,
+                "Surfaces",
+                "The eight test colours of Ra under the light: how far its colours reach.",
             );
+            if !has_both {
+                switch(
+                    &mut shows.near,
+                    "Near the light",
+                    "The neighbourhood of the light; of two lights that of both.",
+                );
+            }
         });
         let shows = *shows;
-        let make = |_: &_| diagram(measured, model, shows);
-        let chart = &*self.diagram.get((revision, shows), make);
+        let make = |(_, shows): &(u64, DiagramShows)| {
+            [shows.near, true].map(|near| diagram(&placed, DiagramShows { near, ..*shows }))
+        };
+        let mut key = (revision, shows);
+        key.1.near &= !has_both;
+        let [chart, near] = &*self.diagram.get(key, make);
         let room = ui.available_size();
-        let side = room.x.min(1.1 * room.y);
-        context.chart(ui, chart, "chromaticity", vec2(side, room.y));
+        if has_both {
+            let half = vec2((0.5 * (room.x - 16.0)).floor(), room.y);
+            ui.horizontal_top(|ui| {
+                down(ui, half, |ui| {
+                    context.chart(ui, chart, "chromaticity", half)
+                });
+                ui.add_space(10.0);
+                down(ui, half, |ui| {
+                    context.chart(ui, near, "near the light", half)
+                });
+            });
+            return;
+        }
+        context.chart(ui, chart, "chromaticity", room);
     }
 
     /// What it does to colours: TM-30 and CRI.
     pub(super) fn rendition(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let revision = context.app.revision();
-        let shown = self.shown(context.app);
-        headline(ui, context.theme, &shown.rendition);
-        let of = shown.sheet.measured.clone();
-        let charts = &*self.charts.get(revision, |_| {
-            let mut charts = Vec::new();
-            if let Ok(fidelity) = &of.fidelity {
-                charts.push(vector_graphic(fidelity));
-                charts.push(bin_bars(fidelity, OfBins::Fidelity));
-            }
-            if let Ok(rendering) = &of.rendering {
-                charts.push(sample_bars(rendering));
-            }
-            if let Ok(fidelity) = &of.fidelity {
-                charts.push(bin_bars(fidelity, OfBins::Chroma));
-                charts.push(bin_bars(fidelity, OfBins::Hue));
-                charts.push(fidelity_bars(fidelity));
-            }
-            charts
-        });
-        grid(ui, context, charts, "rendition");
+        let shown = &*self
+            .shown
+            .get(context.app.revision(), |_| QualityShown::of(context.app));
+        self.rendition.show(ui, context, shown);
     }
 
     /// What a few numbers do to the figures.
@@ -188,28 +168,4 @@ fn grid(ui: &mut Ui, context: &mut PageContext<'_>, charts: &[Chart], id: &str) 
             });
         }
     });
-}
-
-/// A row of the table of figures: of the light as measured, by its model, of other lights.
-fn figure_row(of: &[Row]) -> TableRow {
-    let first = &of[0];
-    let why = |row: &Row| row.value.clone().err().unwrap_or_default();
-    let reading = match &first.value {
-        Ok(_) => first.reading.clone(),
-        Err(why) => why.clone(),
-    };
-    let title = std::iter::once(first.figure.title.to_owned());
-    TableRow {
-        name: format!("{}: {}", first.figure.title, first.shown()),
-        cells: title
-            .chain(of.iter().map(Row::shown))
-            .chain([reading.clone()])
-            .collect(),
-        note: first.figure.meaning.to_owned(),
-        tips: std::iter::once(String::new())
-            .chain(of.iter().map(why))
-            .chain([reading])
-            .collect(),
-        ..TableRow::default()
-    }
 }

@@ -1,0 +1,184 @@
+//! What a mixture is worth: its figures in large type, surfaces under it, and where it goes.
+
+use eframe::egui;
+use egui::{RichText, Ui, vec2};
+
+use super::set;
+use crate::{
+    app::{
+        Command, MadeFor,
+        design::{Beside, Desk, DeskSurfaces, MainFigure, mix::Snapshot},
+    },
+    ui::{
+        kit::{Choice, column, copy_button},
+        pages::PageContext,
+        swatch,
+        theme::Theme,
+    },
+};
+
+/// Height of a surface, points.
+const SURFACE: f32 = 48.0;
+
+/// Height of so many rows of surfaces with their title, points.
+pub(super) fn height(rows: usize) -> f32 {
+    rows as f32 * (SURFACE + 8.0) + 46.0
+}
+
+/// Figures in large type with their names above and a word beside them, three in a row.
+pub(super) fn main_figures(ui: &mut Ui, theme: Theme, figures: &[MainFigure]) {
+    let in_row = if ui.available_width() < 290.0 * theme.scale {
+        2
+    } else {
+        3
+    };
+    let width = ui.available_width() / in_row as f32;
+    for row in figures.chunks(in_row) {
+        ui.horizontal_top(|ui| {
+            ui.spacing_mut().item_spacing.x = 0.0;
+            for figure in row {
+                let size = vec2(width, 44.0 * theme.scale);
+                let shown = column(ui, size, |ui| {
+                    ui.spacing_mut().item_spacing = vec2(5.0, 1.0);
+                    ui.label(RichText::new(figure.name).small().color(theme.faint));
+                    let value = RichText::new(&figure.value)
+                        .size(20.0 * theme.scale)
+                        .strong();
+                    ui.horizontal(|ui| {
+                        ui.label(value);
+                        let colour = match figure.word {
+                            "low" | "coloured" => theme.warning,
+                            _ => theme.faint,
+                        };
+                        let word = RichText::new(figure.word).small().color(colour);
+                        ui.add(egui::Label::new(word).truncate());
+                    })
+                    .response
+                });
+                shown.on_hover_text(figure.meaning);
+            }
+        });
+    }
+}
+
+/// Where the mixture goes, and desks to come back to.
+pub(super) fn kept_row(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
+    ui.horizontal(|ui| {
+        let recipe = desk.recipe();
+        let button = ui
+            .add_enabled(recipe.is_some(), egui::Button::new("To the library"))
+            .on_hover_text(
+                "Keeps the mixture as a light of your own and shows it everywhere. It follows \
+                 the lights that it is made of.",
+            );
+        if let Some(recipe) = recipe.filter(|_| button.clicked()) {
+            let place = MadeFor::Shown;
+            context.commands.push(Command::Make { recipe, place });
+        }
+        kept(ui, context, desk);
+        copy_button(
+            ui,
+            "Copy the channels as CSV",
+            "Channels with their drive in per cent, their share of the power, and values for \
+             lighting desks of 8 and 16 bits (DMX).",
+            || desk.table().csv(),
+        );
+    });
+}
+
+/// Surfaces, at the left as under the mixture, at the right as under its reference.
+pub(super) fn surfaces(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    surfaces: &[Beside],
+    in_row: usize,
+) {
+    let scale = context.theme.scale;
+    let seen = surfaces.len().min(2 * in_row);
+    ui.horizontal(|ui| {
+        ui.strong(format!("{seen} surfaces"));
+        let words = match surfaces.len() {
+            0 => "this light has no reference to stand beside".to_owned(),
+            count if count > seen => {
+                format!("this mixture | its reference; the first {seen} of {count}")
+            }
+            _ => "this mixture | its reference".to_owned(),
+        };
+        let label = egui::Label::new(RichText::new(words).small()).truncate();
+        ui.add(label).on_hover_text(
+            "The reference is a blackbody, from 5000 K on daylight, of the same temperature. Each \
+             half as an eye adapted to its light sees it.",
+        );
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            let choice = Choice {
+                name: "Surfaces under the mixture",
+                meaning: "Which surfaces stand below.",
+                width: 130.0 * scale,
+            };
+            let now = &mut context.memory.desk_surfaces;
+            choice.pick(ui, now, DeskSurfaces::ALL, |one| {
+                (one.title(), one.meaning())
+            });
+        });
+    });
+    let gap = 8.0;
+    let rows = surfaces.len().div_ceil(in_row).clamp(1, 2);
+    let whole = vec2(
+        ui.available_width(),
+        rows as f32 * (SURFACE * scale + gap) + gap,
+    );
+    column(ui, whole, |ui| {
+        let ground = ui.max_rect();
+        ui.painter()
+            .rect_filled(ground, 4.0, context.theme.swatch_ground);
+        let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(ground.shrink(gap)));
+        let ui = &mut inside;
+        ui.spacing_mut().item_spacing = vec2(gap, gap);
+        let count = in_row.min(surfaces.len()).max(1) as f32;
+        let width = (ui.available_width() - gap * (count - 1.0)) / count;
+        let size = vec2(width.max(8.0), SURFACE * scale);
+        for row in surfaces.chunks(in_row).take(2) {
+            ui.horizontal(|ui| {
+                for one in row {
+                    let words = &one.words;
+                    let shown = swatch::split(ui, size, &one.test, &one.reference, words);
+                    swatch::ticks(ui, shown.rect, 5.0 * scale);
+                    shown.on_hover_text(words);
+                }
+            });
+        }
+    });
+}
+
+/// Desks to come back to.
+fn kept(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
+    let mut back = None;
+    for (slot, name) in context.memory.kept.iter_mut().zip(["A", "B", "C"]) {
+        let is_here = slot.as_ref().is_some_and(|kept| kept.mix == desk.mix);
+        let button = ui.selectable_label(is_here, name);
+        let words = match slot {
+            Some(kept) => format!(
+                "{}\nClick to restore this mix; right click to forget it.",
+                kept.words
+            ),
+            None => format!("Saves this mix as {name}, to restore and to compare."),
+        };
+        if button.secondary_clicked() {
+            *slot = None;
+        } else if button.clicked() {
+            match slot {
+                Some(kept) => back = Some(kept.mix.clone()),
+                None => {
+                    *slot = Some(Snapshot {
+                        mix: desk.mix.clone(),
+                        words: desk.sentence(),
+                    });
+                }
+            }
+        }
+        button.on_hover_text(words);
+    }
+    if let Some(mix) = back {
+        set(context, mix);
+    }
+}

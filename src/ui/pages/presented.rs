@@ -1,0 +1,148 @@
+//! A page before a class: its main picture with its two or three main controls, large, and nothing
+//! else of the window.
+
+use eframe::egui;
+use egui::{Align, Button, Label, Layout, Rect, RichText, Ui, UiBuilder, pos2, vec2};
+
+use super::{PageContext, Pages};
+use crate::{
+    app::{
+        chart::Chart,
+        pages::{Page, Place},
+    },
+    ui::{
+        chart_view::ChartView,
+        kit::{column, hidden_headline, named, rolled},
+        theme::Theme,
+    },
+};
+
+/// The knobs of the model: their height in a width, and how they are drawn.
+pub(in crate::ui) struct Knobs<'a> {
+    /// Their height in points, in a width at a scale.
+    pub height: f32,
+    pub show: &'a mut dyn FnMut(&mut Ui, &mut PageContext<'_>),
+}
+
+/// Between what stands over each other, points.
+const GAP: f32 = 8.0;
+
+/// Size that a page has while its chart is taken out of it, points; it lies far off the window.
+const HIDDEN: egui::Vec2 = vec2(1280.0, 900.0);
+const FAR: f32 = 1e5;
+
+/// Draws the page in force; whether a hand wants the whole window back. `in_lesson`: what a step
+/// points at may be any control of the page, so the whole page is shown, large.
+pub(in crate::ui) fn show(
+    pages: &mut Pages,
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    in_lesson: bool,
+    knobs: Knobs<'_>,
+) -> bool {
+    let page = context.memory.page;
+    match page {
+        Page::Prism => pages.prism.present_prism(ui, context, in_lesson),
+        Page::Rainbow => pages.prism.present_rainbow(ui, context),
+        Page::Gem => pages.gem.present(ui, context),
+        _ if in_lesson || !has_chart(page) => {
+            let leaves = head(ui, page.title());
+            rolled(ui, |ui| pages.show(ui, context));
+            leaves
+        }
+        _ => chart(pages, ui, context, knobs),
+    }
+}
+
+/// Whether the page's main picture is a chart.
+fn has_chart(page: Page) -> bool {
+    let has_none = matches!(
+        page,
+        Page::Mix | Page::Image | Page::Relit | Page::Lessons | Page::Teachers | Page::Glossary
+    );
+    !has_none
+}
+
+/// Whether the model's knobs move what the page's chart shows.
+fn follows_knobs(page: Page) -> bool {
+    match page {
+        Page::Many | Page::Race | Page::KnownLamps | Page::Truth => false,
+        page => {
+            matches!(page.place(), Place::Look | Place::Through | Place::Quality)
+                || page.place() == Place::Numbers
+        }
+    }
+}
+
+/// A sentence at the size of titles, and at its right what leads back to the whole window.
+pub(super) fn head(ui: &mut Ui, words: &str) -> bool {
+    let mut leaves = false;
+    ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
+        let back = ui.add(Button::new("✕").frame(false));
+        named(&back, egui::Role::Button, "Whole window");
+        leaves = back
+            .on_hover_text("Back to the whole window (Esc).")
+            .clicked();
+        let size = vec2(ui.available_width(), 0.0);
+        ui.allocate_ui_with_layout(size, Layout::top_down(Align::Min), |ui| {
+            let ink = ui.visuals().strong_text_color();
+            ui.add(Label::new(RichText::new(words).color(ink)).wrap());
+        });
+    });
+    ui.add_space(GAP);
+    leaves
+}
+
+/// The largest chart of the page, its sentence above, the model's knobs below.
+fn chart(pages: &mut Pages, ui: &mut Ui, context: &mut PageContext<'_>, knobs: Knobs<'_>) -> bool {
+    let page = context.memory.page;
+    let (words, found) = taken_out(pages, ui, context);
+    let leaves = head(ui, &words);
+    let Some(found) = found else {
+        // It is not computed yet, or there is nothing to draw: the page says which.
+        rolled(ui, |ui| pages.show(ui, context));
+        return leaves;
+    };
+    let below = match follows_knobs(page) {
+        true => knobs.height + GAP,
+        false => 0.0,
+    };
+    let room = ui.available_size();
+    let size = vec2(room.x, (room.y - below).max(1.0));
+    column(ui, size, |ui| {
+        let id = ("presented", page);
+        let size = ui.available_size();
+        let mut shown = ChartView::show(ui, &found, id, size, context.theme);
+        context.ask_for_chart(shown.wish.take());
+    });
+    if below > 0.0 {
+        ui.add_space(GAP);
+        (knobs.show)(ui, context);
+    }
+    leaves
+}
+
+/// The page drawn where nobody sees it: its sentence and its largest chart.
+fn taken_out(
+    pages: &mut Pages,
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+) -> (String, Option<Box<Chart>>) {
+    let far = Rect::from_min_size(pos2(0.0, FAR), HIDDEN);
+    let mut hidden = ui.new_child(
+        UiBuilder::new()
+            .id_salt(("hidden", context.memory.page))
+            .max_rect(far)
+            .invisible(),
+    );
+    let theme = Theme {
+        scale: 1.0,
+        ..context.theme
+    };
+    let large = std::mem::replace(&mut context.theme, theme);
+    context.taken = Some(None);
+    pages.show(&mut hidden, context);
+    context.theme = large;
+    let taken = context.taken.take().flatten();
+    (hidden_headline(&hidden), taken.map(|(_, chart)| chart))
+}
