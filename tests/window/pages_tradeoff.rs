@@ -509,7 +509,7 @@ fn automatic_takes_the_best_says_so_and_is_one_step_of_undo() {
     assert_best(app(&ui), 21, Measure::Patches);
     let words = said(&ui);
     let begins = format!(
-        "The best of all eight ways with at most 21 numbers: {}",
+        "The best of all ways with at most 21 numbers: {}",
         now.basis.word()
     );
     assert!(words.starts_with(&begins), "{words}");

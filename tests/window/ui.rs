@@ -297,7 +297,7 @@ fn automatic_reset_and_the_papers_settings_are_one_step_each() {
         match button {
             knobs::AUTOMATIC => {
                 assert!(derived.numbers() <= ui.state().preferences.pages.spend_numbers);
-                assert_written(&ui, "The best of all eight ways with at most 21 numbers: ");
+                assert_written(&ui, "The best of all ways with at most 21 numbers: ");
             }
             knobs::RESET => assert_eq!(settings(&ui), Settings::default()),
             _ => {

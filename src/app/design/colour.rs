@@ -336,7 +336,6 @@ mod tests {
     use super::*;
     use crate::{
         app::{App, Command, assert_says, command::MadeFor},
-        color::Observer,
         spectrum::Kind,
     };
 
@@ -375,7 +374,7 @@ mod tests {
         let seen = &found.seen[0];
         let viewing = Viewing::new(
             &table_of(App::new().document(), "cie_illuminants/CIE D65").expect("a light"),
-            Observer::CIE_1931,
+            crate::color::Observer::CIE_1931,
         );
         for example in &found.examples {
             assert!(example.iter().all(|v| (0.0..=1.0).contains(v)));

@@ -139,7 +139,7 @@ impl Row {
     }
 
     /// The first page of a tab that is called otherwise than the page.
-    const fn tab_called(self, tab_title: &'static str) -> Self {
+    const fn titled_tab(self, tab_title: &'static str) -> Self {
         Self { tab_title, ..self }
     }
 
@@ -308,7 +308,7 @@ const ROWS: &[Row] = &[
         "Why few numbers carry colour: the coefficients of the light beside those of the eye.",
     )
     .once(&["coefficients"])
-    .tab_called("For authors"),
+    .titled_tab("For authors"),
     row(
         Page::Race,
         Place::Numbers,

@@ -12,10 +12,10 @@ use crate::{
 /// What is stated of a reading.
 #[derive(Args, Clone, Copy, Debug, Default)]
 pub(crate) struct Stated {
-    /// What one reading's level is known to, such as 1%.
+    /// Uncertainty of a reading's level, such as 1%.
     #[arg(long, value_name = "PERCENT", value_parser = room_words::level)]
     pub level: Option<f64>,
-    /// What the wavelengths are known to, such as 0.1nm.
+    /// Uncertainty of the wavelengths, such as 0.1nm.
     #[arg(long, value_name = "NM", value_parser = room_words::axis)]
     pub axis: Option<f64>,
     /// Take counts of an instrument as a light; they stay marked.
@@ -56,8 +56,8 @@ pub(crate) struct Combine {
     pub grid: room_words::Grid,
     #[command(flatten)]
     pub stated: Stated,
-    /// Keep everything: of a quotient however dark the reference is, of scans those that do not
-    /// belong to the others.
+    /// Keep everything: all of a quotient, even where the reference is dark, and all scans, even
+    /// those that do not belong to the others.
     #[arg(long)]
     pub keep_all: bool,
     /// For instrument learn the light that was read: "black body 2856 K", "daylight 6500 K", or a

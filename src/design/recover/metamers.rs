@@ -59,9 +59,8 @@ pub(super) fn metamer_examples<const M: usize>(
     let room = of.map(|value| (value * (1.0 - value)).max(0.0));
     // What adds to the colours, as orthonormal directions: Gram and Schmidt, twice.
     let mut seen: Vec<Nodes> = Vec::new();
-    let all: [Nodes; M] =
-        std::array::from_fn(|k| std::array::from_fn(|node| room[node] * columns[node][k]));
-    for column in all {
+    for column in (0..M).map(|k| columns.map(|node| node[k])) {
+        let column = std::array::from_fn(|node| room[node] * column[node]);
         let rest = without(&seen, without(&seen, column));
         let length = inner(&rest, &rest).sqrt();
         if length > 0.0 {

@@ -97,7 +97,7 @@ impl ImageView {
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let opened = shown(context.app.document(), &context.memory.image);
-        let Some(entry) = opened.or_else(at_hand).cloned() else {
+        let Some(entry) = opened.cloned().or_else(|| at_hand().cloned()) else {
             return;
         };
         let pixels = context.memory.image.rect(&entry.image.cube);

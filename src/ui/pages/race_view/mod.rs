@@ -32,10 +32,10 @@ use crate::{
 };
 
 /// What people and tests call the folds.
-pub(crate) mod names {
-    pub(crate) const TABLE: &str = "Every figure at this count";
-    pub(crate) const WAYS: &str = "How far known lamps and lines of their own width are ahead";
-    pub(crate) const NUMBERS: &str = "Errors against numbers, and who wins";
+mod names {
+    pub(super) const TABLE: &str = "Every figure at this count";
+    pub(super) const WAYS: &str = "How far known lamps and lines of their own width are ahead";
+    pub(super) const NUMBERS: &str = "Errors against numbers, and who wins";
 }
 
 /// Height of the folds while they are shut, points.
@@ -110,11 +110,12 @@ impl RaceView {
         }
         let race = context.put(&ask);
         progress(ui, race, "The race");
-        if race.stage() == Stage::Impossible {
-            // What is still there answers another question.
-            return;
-        }
-        let Some((ask, race)) = race.answer().map(|(ask, race)| (ask.clone(), race.clone())) else {
+        let is_impossible = race.stage() == Stage::Impossible;
+        let answer = race.answer();
+        let answer = answer.map(|(ask, race)| (ask.clone(), race.clone()));
+        // What is still there of an impossible one answers another question.
+        let Some((ask, race)) = answer.filter(|_| !is_impossible) else {
+            self.controls(ui, context);
             return;
         };
         self.result(ui, context, (&ask, &race));
