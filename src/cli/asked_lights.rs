@@ -17,6 +17,7 @@ use super::{inputs::Inputs, options::ModelOptions, refusal::Refusal, subject::li
 use crate::{
     app::{
         Document, Entry, Opened, coarse_words,
+        measured::is_sigma,
         open::{Came, Found, Loaded, Loader, named},
         quality_report::{Modeller, Sheet},
         workspace::Restored,
@@ -198,7 +199,11 @@ impl Asked {
     /// others.
     fn lights_of(&mut self, file: &str, spectra: Vec<(String, Entry)>) -> (usize, Option<String>) {
         let (mut lights, mut others) = (0, Vec::new());
-        for (at, entry) in spectra {
+        for (index, (at, entry)) in spectra.into_iter().enumerate() {
+            // What stands beside a light and tells its noise is none itself.
+            if index > 0 && is_sigma(entry.name()) {
+                continue;
+            }
             let name = format!("{file}{at}");
             if entry.kind() == Kind::Light {
                 self.add(name, entry);

@@ -11,7 +11,7 @@ use crate::{
     app::{
         measured::{is_sigma, own_measurement, spectrum},
         open::{Loaded, Wanted},
-        readings::{Reading, measured},
+        readings::{Reading, exposure_ms, measured},
     },
     io::{Choices, shown, stream::is_stream},
     measurements::{Measurement, Quantity, noise_of},
@@ -118,8 +118,15 @@ pub(super) fn read(
             one.name
         ));
     }
-    let part = Part::new(&one, sigma, stated).map_err(|why| named(&why))?;
+    let mut part = Part::new(&one, sigma, stated).map_err(|why| named(&why))?;
+    part.of.exposure_ms = exposure(Path::new(file), inputs);
     Ok(vec![Part { composite, ..part }])
+}
+
+/// The exposure that a file of text states.
+fn exposure(path: &Path, inputs: &mut Inputs) -> Option<f64> {
+    let is_file = path.is_file() || is_stream(path);
+    exposure_ms(&is_file.then(|| inputs.text(path).ok()).flatten()?)
 }
 
 /// Every spectrum of a file.

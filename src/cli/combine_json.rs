@@ -179,7 +179,7 @@ fn slit(found: &Found, result: &Measurement) -> Value {
     if let Some(found) = &found.slit {
         let lines = found.lines.iter().map(|line| {
             json!({
-                "name": format!("{} {:.0}", line.symbol, line.nm),
+                "name": format!("{} {:.1}", line.symbol, line.nm),
                 "at_nm": line.nm,
                 "fwhm_nm": line.fwhm_nm,
                 "shift_nm": line.shift_nm,

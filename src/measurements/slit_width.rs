@@ -178,6 +178,10 @@ fn agreed(
         });
         let away: Vec<f64> = away.collect();
         let worst = (0..away.len()).max_by(|a, b| away[*a].total_cmp(&away[*b]))?;
+        // A shift at the end of what was tried is no place where the lines fit.
+        if fit.shift_nm.abs() > SHIFT_NM[0] - SHIFT_NM[1] {
+            return None;
+        }
         if away[worst] <= 1.0 {
             let lines = alone.iter().zip(&all).map(|(own, window)| SlitLine {
                 symbol: window.symbol,

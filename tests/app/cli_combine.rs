@@ -98,6 +98,29 @@ pub(crate) fn tilted(folder: &Path, count: usize) -> Vec<String> {
     scans_of(folder, "tilted", count, 0.1)
 }
 
+/// A light with mercury's lines as a slit of 5 nm shows them.
+pub(crate) fn seen(folder: &Path) -> String {
+    let line = |at: f64, nm: f64| 5.0 * (-4.0 * 2.0_f64.ln() * ((nm - at) / 5.0).powi(2)).exp();
+    let mut noise = noise(11);
+    let rows = (380..=780).map(|nm| {
+        let nm = f64::from(nm);
+        let lines: f64 = [404.656, 435.833, 546.074]
+            .map(|at| line(at, nm))
+            .iter()
+            .sum();
+        (
+            nm,
+            1.0 + 0.002 * (nm - 380.0) + lines + 2e-3 * noise.next().expect("endless"),
+        )
+    });
+    put(
+        folder,
+        "seen.csv",
+        "irradiance (W m-2 nm-1)",
+        rows.collect::<Vec<_>>().into_iter(),
+    )
+}
+
 /// Two ranges of FL2, the upper read 1.25 times as high.
 pub(crate) fn ranges(folder: &Path) -> [String; 2] {
     let lamp = preset::table("cie_fluorescent_1nm", "FL2").expect("a shipped lamp");
@@ -395,4 +418,26 @@ fn composites_are_added_on_their_own_numbers() {
         "{lines:?}"
     );
     assert!(numbers(&found["values"]).iter().all(|v| *v == 0.0));
+}
+
+#[test]
+fn a_slit_is_told_by_the_lights_own_lines_and_taken_off() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let seen = seen(folder.path());
+    let found = json(&["unslit", "auto", &seen]);
+    let fwhm = found["slit"]["fwhm_nm"].as_f64().expect("a width");
+    assert!((fwhm - 5.0).abs() < 0.3, "{fwhm}");
+    let lines = found["lines"].as_array().expect("lines");
+    // The area of a Gaussian of height 5 and width 5: 26.6.
+    for at in [404.656, 435.833, 546.074] {
+        let near = |line: &&Value| (line["at_nm"].as_f64().expect("nm") - at).abs() < 0.3;
+        let line = lines.iter().find(near).expect("the line");
+        let weight = line["weight"].as_f64().expect("a weight");
+        assert!((weight - 26.6).abs() < 1.5, "{at}: {weight}");
+    }
+    let why = refused(1, &["unslit", "auto", "CIE A"]);
+    assert!(
+        why.contains("No line without width was found: the slit cannot be told. Give its width."),
+        "{why}"
+    );
 }

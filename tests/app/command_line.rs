@@ -303,10 +303,24 @@ fn meter(folder: &Path) -> String {
     put(folder, "meter.txt", text)
 }
 
+/// A light whose top is cut.
+fn cut_lamp(folder: &Path) -> String {
+    let value = |nm: f64| (0.5 + 0.5 * (-((nm - 550.0) / 30.0).powi(2)).exp()).min(0.8);
+    let rows: String = (380..=780)
+        .map(|nm| format!("{nm},{}\n", value(f64::from(nm))))
+        .collect();
+    put(
+        folder,
+        "cut.csv",
+        format!("nm,irradiance (W/m2/nm)\n{rows}"),
+    )
+}
+
 #[test]
 fn the_keys_of_a_report_are_told() {
     let folder = tempfile::tempdir().expect("a folder");
     let meter = meter(folder.path());
+    let cut = cut_lamp(folder.path());
     holds(
         "report --json",
         &[
@@ -318,6 +332,7 @@ fn the_keys_of_a_report_are_told() {
                 "--json",
             ],
             &["report", &meter, "--json"],
+            &["report", &cut, "--json"],
         ],
     );
 }
@@ -325,12 +340,15 @@ fn the_keys_of_a_report_are_told() {
 #[test]
 fn the_keys_of_a_light_are_told() {
     let folder = tempfile::tempdir().expect("a folder");
-    holds("light --json", &[&["light", "FL2", "--json"]]);
+    let cut = cut_lamp(folder.path());
+    let told = [&["light", "FL2", "--json"][..], &["light", &cut, "--json"]];
+    holds("light --json", &told);
     let rows: String = (380..=780).map(|nm| format!("{nm},0.5\n")).collect();
     let rows = format!("nm,irradiance (W/m2/nm)\n{rows}");
     let lamp = put(folder.path(), "lamp.csv", rows);
     let args = ["light", &lamp, "--json", "--full"];
-    holds("light --json --full", &[&args]);
+    let of_cut = ["light", &cut, "--json", "--full"];
+    holds("light --json --full", &[&args, &of_cut]);
     holds(
         "light --against --json",
         &[&["light", "FL2", "--against", "LED-B1", "--json"]],
@@ -439,6 +457,10 @@ fn the_keys_of_a_combination_are_told() {
     let splice = ["combine", "splice", &lower, &upper, "--json"];
     let all = ["combine", "A / B", "FL2", "CIE A", "--keep-all", "--json"];
     let unslit = ["combine", "unslit", "5", "FL2", "--json"];
+    let seen = cli_combine::seen(folder.path());
+    let auto = ["combine", "unslit", "auto", &seen, "--json"];
+    let cut = cut_lamp(folder.path());
+    let cut = ["combine", "1*A", &cut, "--json"];
     let learn = [
         "combine",
         "instrument",
@@ -457,6 +479,8 @@ fn the_keys_of_a_combination_are_told() {
         &splice,
         &all,
         &unslit,
+        &auto,
+        &cut,
         &learn,
     ];
     holds("combine --json", &told);
@@ -640,7 +664,11 @@ fn the_keys_of_what_files_hold_are_told() {
     let model = folder.join("model.composite.json");
     let model = model.to_str().expect("UTF-8");
     printed(&["convert", "FL2", model]);
-    holds("read --json", &[&["read", &meter, &cube, model, "--json"]]);
+    let cut = cut_lamp(folder);
+    holds(
+        "read --json",
+        &[&["read", &meter, &cube, model, &cut, "--json"]],
+    );
 }
 
 #[test]
