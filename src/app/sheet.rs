@@ -359,7 +359,11 @@ mod tests {
         assert!(whole.contains(&compared.summary));
         let shown = QualityShown::of(&app);
         for key in ["cct", "ra", "r9", "rf", "melanopic_der"] {
-            let row = shown.rows.iter().find(|row| row[0].figure.key == key).expect(key);
+            let row = shown
+                .rows
+                .iter()
+                .find(|row| row[0].figure.key == key)
+                .expect(key);
             for told in row {
                 assert!(words.contains(&told.shown().as_str()), "{key}");
             }

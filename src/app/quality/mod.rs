@@ -131,7 +131,9 @@ impl QualityShown {
 fn pairs(first: &Figures, second: &Figures) -> Vec<[Row; 2]> {
     let second = rows(second);
     let pair = |row: Row| {
-        let same = second.iter().find(|other| other.figure.key == row.figure.key);
+        let same = second
+            .iter()
+            .find(|other| other.figure.key == row.figure.key);
         let same = same.cloned().unwrap_or_else(|| Row {
             value: Err("counted in another unit".to_owned()),
             reading: String::new(),

@@ -26,7 +26,9 @@ use crate::{
         },
     },
     optics::Sky,
-    ui::kit::{self, Column, Form, GROUP, Row, Table, copy_button, fold, form, headline, with_panel},
+    ui::kit::{
+        self, Column, Form, GROUP, Row, Table, copy_button, fold, form, headline, with_panel,
+    },
 };
 
 /// What people and tests call the controls.
