@@ -74,7 +74,11 @@ impl Page {
     /// Whether the model acts on what it shows, though it asks something else: then one line tells of
     /// it and leads to its knobs.
     pub fn has_model_line(self) -> bool {
-        matches!(self.place(), Place::Quality | Place::Through)
+        match self.place() {
+            // What light does to surfaces is told of lights as measured.
+            Place::Through => !matches!(self, Self::TwoLights | Self::Metamers),
+            _ => self == Self::QualityOrder,
+        }
     }
 }
 
