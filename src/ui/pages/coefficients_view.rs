@@ -341,9 +341,10 @@ fn draw(
     let scale = context.theme.scale;
     let order = |at: [f64; 2]| (at[0].round().max(0.0) as usize).min(highest);
     let mut pointed = None;
+    // Measured outside: what is scrolled must not grow by what it was scrolled.
+    let room = ui.available_height();
     scrolled(ui, "why few", |ui| {
         let width = ui.available_width();
-        let room = ui.clip_rect().bottom() - ui.cursor().top();
         let top = (room - FOLDED * scale).max(LEAST_TOP * scale);
         let product = ("product", charts.product.as_ref());
         if width >= BESIDE * scale {

@@ -145,9 +145,10 @@ impl AbsorptionView {
         headline(ui, context.theme, &*found.words);
         ui.add_space(GROUP);
         let scale = context.theme.scale;
+        // Measured outside: what is scrolled must not grow by what it was scrolled.
+        let room = ui.available_height();
         scrolled(ui, "dark lines", |ui| {
             let top = ui.cursor().top();
-            let room = ui.clip_rect().bottom() - top;
             examples(ui, context, found.is_example);
             knobs(ui, context, found.is_example);
             warnings(ui, context, &found.sheet);

@@ -223,9 +223,9 @@ impl RaceView {
         };
         let class = self.class.as_deref();
         let (theme, ways, costs) = (context.theme, &mut self.ways, &mut self.costs);
+        // Measured outside: what is scrolled must not grow by what it was scrolled.
+        let room = ui.available_height() - FOLDS * theme.scale;
         rolled(ui, |ui| {
-            let folds = FOLDS * theme.scale;
-            let room = ui.clip_rect().bottom() - ui.cursor().top() - folds;
             let size = vec2(ui.available_width(), room.max(240.0 * theme.scale));
             context.chart(ui, &drawn.strip, "race strip", size);
             fold(ui, "race table", names::TABLE, |ui| {

@@ -56,9 +56,10 @@ impl ChainView {
         ui.add_space(GROUP);
         let (held, chart) = (&mut self.held, &mut self.chart);
         let scale = context.theme.scale;
+        // Measured outside: what is scrolled must not grow by what it was scrolled.
+        let room = ui.available_height();
         scrolled(ui, "chain", |ui| {
             let top = ui.cursor().top();
-            let room = ui.clip_rect().bottom() - top;
             head(ui, context, sheet);
             ui.add_space(6.0);
             self::cards::show(ui, context, sheet, held);
