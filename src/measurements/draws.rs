@@ -2,7 +2,7 @@
 
 /// Standard normal numbers by Box and Muller from a linear congruence (Knuth's MMIX); the same seed
 /// gives the same numbers.
-pub(super) fn normal(seed: u64) -> impl Iterator<Item = f64> {
+pub(crate) fn normal(seed: u64) -> impl Iterator<Item = f64> {
     let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15);
     let mut even = move || {
         state = state

@@ -93,6 +93,7 @@ pub use combine::{Combined, Options, combine};
 pub use composites::sum_of_composites;
 pub use counts::{CountsSign, counts_sign};
 pub use doubt::{Doubt, Doubted, doubts, missing_light, rounded};
+pub(crate) use draws::normal;
 pub use error::MeasurementError;
 pub use features::Feature;
 pub use figures::{FIGURES, Figure, figures_of};

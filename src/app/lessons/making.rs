@@ -18,7 +18,7 @@ use crate::{
         recover::{Method, Recovered, Seen, Viewing},
         solve::{Mixer, Objective, Problem, Target},
     },
-    measurements::{Kernel, Measurement, Quantity, Slit, smoothed},
+    measurements::{Kernel, Measurement, Quantity, Slit, normal, smoothed},
     spectrum::{Band, Kind, NamedSpectrum, Outside, Sampled},
 };
 
@@ -315,7 +315,8 @@ fn recorded(
         .samples;
     let largest = samples.values().iter().copied().fold(0.0, f64::max);
     let sigma = largest * noise_percent / 100.0;
-    let noisy = samples.values().iter().zip(normal());
+    // The same every time: every class sees the same noise.
+    let noisy = samples.values().iter().zip(normal(1));
     let values = noisy.map(|(value, noise)| value + sigma * noise).collect();
     let samples = Sampled::new(samples.nm().to_vec(), values).map_err(|why| why.to_string())?;
     let note = format!(
@@ -323,22 +324,6 @@ fn recorded(
         light.name()
     );
     Ok(named(name, Kind::Light, "relative", samples, note))
-}
-
-/// Normal numbers, the same every time: a lesson shows every class the same noise. Box and Muller
-/// over a linear congruence (Knuth's MMIX).
-fn normal() -> impl Iterator<Item = f64> {
-    let mut state = 1_u64;
-    let mut even = move || {
-        state = state
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        ((state >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
-    };
-    std::iter::from_fn(move || {
-        let (a, b) = (even(), even());
-        Some((-2.0 * a.ln()).sqrt() * (std::f64::consts::TAU * b).cos())
-    })
 }
 
 fn named(name: &str, kind: Kind, unit: &str, samples: Sampled, note: String) -> NamedSpectrum {

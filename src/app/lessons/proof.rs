@@ -76,7 +76,7 @@ pub(super) fn walk<T>(
 /// Nothing is played.
 ///
 /// # Errors
-/// [`Fault`]: the first of [`unsound`].
+/// [`Fault`]: the first one.
 pub fn is_sound(lesson: &Lesson, own: &[&str]) -> Result<(), Fault> {
     unsound(lesson, own).into_iter().next().map_or(Ok(()), Err)
 }

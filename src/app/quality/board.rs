@@ -47,7 +47,7 @@ static CLIENTS_SURFACES: LazyLock<Surfaces> = LazyLock::new(|| {
     found.unzip()
 });
 
-/// The tables of the surfaces of [`Board::for_clients`], in their order, for their sources.
+/// The tables of the surfaces of `Board::for_clients`, in their order, for their sources.
 pub const CLIENTS_TABLES: [&str; CLIENTS.len()] = {
     let mut keys = [""; CLIENTS.len()];
     let mut i = 0;

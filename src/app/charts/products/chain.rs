@@ -90,7 +90,7 @@ impl ChainSheet {
                 &derived.smooth,
             ),
             Place::Stage(index) => (
-                format!("Behind stage {}: {}", index + 1, self.told.names[index]),
+                format!("Behind step {}: {}", index + 1, self.told.names[index]),
                 &steps[index].exact,
                 &steps[index].smooth,
             ),
