@@ -6,7 +6,10 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::{Instrument, Kept, Known, Photograph, Said, of_picture, picture_of};
+use super::{
+    Instrument, Kept, Known, Photograph, Said,
+    reading::{About, of_picture, picture_of},
+};
 use crate::{
     app::{open::few_numbers::is_few_numbers, studies::Question},
     io::{ReadError, name_of, read_photo},
@@ -76,8 +79,8 @@ impl PhotographAsk {
     fn seen(&self) -> Result<SeenPhotograph, String> {
         let photo = read_photo(&self.path).map_err(|why: ReadError| why.to_string())?;
         let name = name_of(&self.path);
-        let about = (photo.exif.clone(), photo.notes.clone());
-        let mut picture = picture_of(photo)?;
+        let about = About::of(&photo, Some(&self.path));
+        let mut picture = picture_of(photo, self.said.is_linear)?;
         let size = picture.size();
         let small = made_small(&picture);
         let found = of_picture(&name, &mut picture, about, &self.said).map(|mut found| {

@@ -4,10 +4,10 @@ use std::fmt::Write as _;
 
 use serde_json::{Value, json};
 
-use super::{ColourFigures, Estimate, Fit, Photograph, Source, Stands};
+use super::{ColourFigures, Estimate, Exposed, Fit, Photograph, Source, Stands, line_words::told};
 use crate::{
     io::{many::many, one_line},
-    photographs::axis::{Match, Solution},
+    photographs::axis::{Match, Pin, Solution},
 };
 
 /// A figure for JSON: rounded to what it is worth, never a number that is none.
@@ -39,13 +39,17 @@ pub fn sentence(photograph: &Photograph) -> String {
         }
         (Source::Instrument, _) => of_instrument(photograph),
         (Source::Found, Some(best)) => {
-            format!("Looks like {}: {}. Right?", called(best), lines(best))
+            format!(
+                "Looks like {}: {}. Right?",
+                called(best),
+                lines(photograph, best)
+            )
         }
         (Source::Suggested, Some(best)) => {
             format!(
                 "Perhaps {}: {}. Right? (--yes takes it)",
                 called(best),
-                lines(best)
+                lines(photograph, best)
             )
         }
         _ => "Cannot be said: no axis is known.".to_owned(),
@@ -82,14 +86,11 @@ fn called(best: &Solution) -> String {
     }
 }
 
-fn lines(best: &Solution) -> String {
-    let mut nm: Vec<f64> = best.lines_nm().collect();
-    nm.sort_by(f64::total_cmp);
-    let nm: Vec<String> = nm.iter().map(|nm| format!("{nm:.1}")).collect();
+fn lines(photograph: &Photograph, best: &Solution) -> String {
     format!(
         "{}; {} lines, {:.1} nm (left out {:.1})",
-        nm.join(", "),
-        nm.len(),
+        told(photograph, best),
+        best.matches.len(),
         best.rms_nm(),
         best.left_out_rms_nm()
     )
@@ -146,6 +147,12 @@ pub fn warnings(photograph: &Photograph) -> Vec<String> {
     if let Some(Fit::No(why)) = photograph.instrument.as_ref().map(|i| &i.fit) {
         warnings.push(why.clone());
     }
+    if let Some(exposed) = &photograph.exposed {
+        warnings.extend(of_exposures(exposed));
+    }
+    if photograph.pins.iter().any(is_a_laser_diode) {
+        warnings.push("laser diodes are off by up to 10 nm".to_owned());
+    }
     let tone_p = photograph.through.as_ref().map_or(1.0, |t| t.tone_p);
     if tone_p != 1.0 {
         warnings.push(format!(
@@ -168,6 +175,34 @@ pub fn warnings(photograph: &Photograph) -> Vec<String> {
         warnings.push("two points: 1-8 nm wrong between grating and line".to_owned());
     }
     warnings
+}
+
+/// What several exposures told.
+fn of_exposures(exposed: &Exposed) -> Vec<String> {
+    let mut words = Vec::new();
+    if exposed.light_power != 1.0 {
+        words.push(format!(
+            "this camera's values go with the light to the power {:.2}; undone",
+            exposed.light_power
+        ));
+    }
+    if exposed.is_uneven {
+        words.push(
+            "bright columns change by another factor between the exposures than dark ones: the \
+             camera's tones are no power of the light"
+                .to_owned(),
+        );
+    }
+    if !exposed.joined.is_empty() {
+        let columns = many(exposed.joined.len(), "column is", "columns are");
+        words.push(format!("{columns} from a darker exposure"));
+    }
+    words
+}
+
+/// A pin at what a laser diode is called by; 532.0 and 632.8 are of other lasers, which keep to it.
+fn is_a_laser_diode(pin: &Pin) -> bool {
+    [405.0, 450.0, 520.0, 635.0, 650.0].contains(&pin.nm)
 }
 
 /// Everything about a photograph, with the wavelengths at some of its pixels.
@@ -218,9 +253,14 @@ pub fn json(photograph: &Photograph, at: &[[f64; 2]]) -> Value {
             "shift_nm": i.shift_nm.map(|nm| figure(nm, 3)),
             "hue_difference": i.hue_difference.map(|d| figure(d, 4)),
         })),
+        "exposures": photograph.exposed.as_ref().map(|e| json!({
+            "light_power": figure(e.light_power, 3),
+            "joined_columns": e.joined.len(),
+        })),
         "response": photograph.through.as_ref().map(|t| json!({
             "known_as": t.known_as,
             "tone_p": t.tone_p,
+            "light_power": figure(t.light_power, 3),
             "disagreement": figure(t.disagreement, 4),
             "undefined_nm": t.undefined_nm(),
         })),

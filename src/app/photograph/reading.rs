@@ -1,0 +1,235 @@
+//! A photograph read: its strip, its lines, its axis.
+
+use std::path::Path;
+
+use super::{Exposed, Exposure, LampChoice, Photograph, Said, Tones, exposures::joined};
+use crate::{
+    io::{ColourPixels, Exif, Photo, read_photo},
+    photographs::{
+        Lamp, Profile,
+        axis::{Wanted, find, snapped, through_pins},
+        hue::Hues,
+        peaks::{Peaks, bright, dark},
+        picture::{Codes, Picture},
+        strip::{self, ByHand, Found, Strip},
+    },
+};
+
+/// Reads a photograph and finds its strip and its axis.
+///
+/// # Errors
+/// What was found and what was expected, after the file's name.
+pub fn read(path: &Path, said: &Said) -> Result<Photograph, String> {
+    let photo = read_photo(path).map_err(|why| why.to_string())?;
+    let name = crate::io::shown(path);
+    let about = About::of(&photo, Some(path));
+    picture_of(photo, said.is_linear)
+        .and_then(|mut picture| of_picture(&name, &mut picture, about, said))
+        .map_err(|why| format!("{name}: {why}"))
+}
+
+/// The same of a photograph that was read.
+///
+/// # Errors
+/// What was found and what was expected.
+pub fn of_photo(name: &str, photo: Photo, said: &Said) -> Result<Photograph, String> {
+    let about = About::of(&photo, None);
+    of_picture(name, &mut picture_of(photo, said.is_linear)?, about, said)
+}
+
+/// What is known of a picture beside its pixels.
+pub(super) struct About<'p> {
+    exif: Exif,
+    notes: Vec<&'static str>,
+    path: Option<&'p Path>,
+}
+
+impl<'p> About<'p> {
+    pub(super) fn of(photo: &Photo, path: Option<&'p Path>) -> Self {
+        Self {
+            exif: photo.exif.clone(),
+            notes: photo.notes.clone(),
+            path,
+        }
+    }
+
+    /// The time that it was exposed for, of those that are told.
+    fn seconds(&self, exposures: &[Exposure]) -> Option<f64> {
+        let path = self.path?;
+        let whole = |path: &Path| path.canonicalize().ok();
+        let is_it = |e: &&Exposure| e.path == path || whole(&e.path) == whole(path);
+        exposures.iter().find(is_it).map(|e| e.seconds)
+    }
+}
+
+/// A photograph as the search for strips takes it.
+pub(super) fn picture_of(photo: Photo, is_linear: bool) -> Result<Picture, String> {
+    let codes = match photo.pixels {
+        ColourPixels::Eight(codes) => Codes::Eight(codes),
+        ColourPixels::Sixteen(codes) => Codes::Sixteen(codes),
+    };
+    let picture = Picture::new(photo.size, codes, photo.is_linear || is_linear);
+    picture.ok_or_else(|| "found too few pixels, expected those of the whole picture".to_owned())
+}
+
+/// Where the light of another picture of the same size is read, and how.
+#[derive(Clone, Copy)]
+pub(super) struct Along<'s> {
+    pub size: [usize; 2],
+    pub strip: &'s Strip,
+    pub is_linear: bool,
+    pub tones: Tones,
+}
+
+/// The light along a strip of another picture, and the same with each of some other tones.
+pub(super) fn of_strip(
+    path: &Path,
+    along: Along<'_>,
+    others: &[Tones],
+) -> Result<(Found, Vec<Profile>), String> {
+    let photo = read_photo(path)
+        .map_err(|why| format!("found {}, expected {}", why.found, why.expected))?;
+    let size = along.size;
+    if photo.size != size {
+        return Err(format!(
+            "found {} x {} px, expected {} x {}, as the other picture has",
+            photo.size[0], photo.size[1], size[0], size[1]
+        ));
+    }
+    let mut picture = picture_of(photo, along.is_linear)?;
+    picture.straighten_tones(along.tones);
+    let found = strip::read_at(&picture, along.strip);
+    let profiles = (others.iter())
+        .map(|tones| {
+            picture.straighten_tones(*tones);
+            strip::again(&picture, &found)
+        })
+        .collect();
+    Ok((found, profiles))
+}
+
+/// The tones of the camera, as an instrument or several exposures tell them; columns that are
+/// over-exposed are taken from a darker one.
+fn exposed(
+    picture: &mut Picture,
+    found: &mut Found,
+    about: &About<'_>,
+    said: &Said,
+    tones: Tones,
+) -> Result<Option<Exposed>, String> {
+    if said.exposures.is_empty() {
+        return Ok(None);
+    }
+    let mut along = Along {
+        size: picture.size(),
+        strip: &found.strip.clone(),
+        is_linear: said.is_linear,
+        tones,
+    };
+    let is_learnt = said
+        .instrument
+        .as_ref()
+        .is_some_and(|i| i.response.is_some());
+    let (light_power, is_uneven) = if is_learnt {
+        (tones.light_power, false)
+    } else {
+        Exposed::power(&said.exposures, along)?
+    };
+    along.tones.light_power = light_power;
+    picture.straighten_tones(along.tones);
+    found.profile = strip::again(picture, found);
+    let joined = match about.seconds(&said.exposures) {
+        Some(seconds) => joined(&mut found.profile, seconds, &said.exposures, along)?,
+        None => Vec::new(),
+    };
+    Ok(Some(Exposed {
+        light_power,
+        joined,
+        is_uneven,
+    }))
+}
+
+pub(super) fn of_picture(
+    name: &str,
+    picture: &mut Picture,
+    about: About<'_>,
+    said: &Said,
+) -> Result<Photograph, String> {
+    let size = picture.size();
+    let kept = said
+        .instrument
+        .as_ref()
+        .map(|i| i.strip(size, said.yes))
+        .transpose()?;
+    let response = said.instrument.as_ref().and_then(|i| i.response.as_ref());
+    let mut tones = response.map_or(Tones::STRAIGHT, |response| response.tones());
+    picture.straighten_tones(tones);
+    let mut found = match kept {
+        Some(strip) => strip::read_at(picture, &strip),
+        None => strip::find(picture, &said.strip).map_err(|why| why.to_string())?,
+    };
+    let exposed = exposed(picture, &mut found, &about, said, tones)?;
+    if let Some(exposed) = &exposed {
+        tones.light_power = exposed.light_power;
+    }
+    let bright = bright(&found.profile);
+    let dark = dark(&found.profile, &bright);
+    let columns = found.profile.columns();
+    let by_pins = !said.pins.is_empty() && !matches!(said.lamp, LampChoice::Is(_));
+    let pinned = by_pins
+        .then(|| through_pins(&said.pins, columns, &bright).map_err(|why| why.to_string()))
+        .transpose()?;
+    let wanted = if by_pins {
+        None
+    } else {
+        wanted(said, columns, &bright, dark.as_ref())?
+    };
+    let answer = wanted.map(|wanted| find(columns, &bright, dark.as_ref(), &wanted));
+    let instrument = said.instrument.as_ref().map(|instrument| {
+        let hues = Hues::of(&found.profile, 1);
+        instrument.applied(size, hues.as_ref(), answer.as_ref(), &bright)
+    });
+    Ok(Photograph {
+        file: name.to_owned(),
+        size,
+        exif: about.exif,
+        notes: about.notes,
+        by_hand: said.strip != ByHand::default() || said.falls.is_some(),
+        is_linear: said.is_linear,
+        found,
+        bright,
+        dark,
+        answer,
+        pinned,
+        pins: said.pins.clone(),
+        yes: said.yes,
+        instrument,
+        tones,
+        exposed,
+        through: None,
+        figures: None,
+    })
+}
+
+/// What is asked of the lines; `None` where nothing is.
+fn wanted(
+    said: &Said,
+    columns: usize,
+    bright: &Peaks,
+    dark: Option<&Peaks>,
+) -> Result<Option<Wanted>, String> {
+    let lamp = match said.lamp {
+        LampChoice::Nothing => return Ok(None),
+        LampChoice::Auto => None,
+        LampChoice::Is(lamp) => Some(lamp),
+    };
+    let peaks = dark
+        .filter(|_| lamp.is_some_and(Lamp::is_dark))
+        .unwrap_or(bright);
+    let pins = snapped(&said.pins, columns, peaks).map_err(|why| why.to_string())?;
+    Ok(Some(Wanted {
+        lamp,
+        pins,
+        falls: said.falls,
+    }))
+}
