@@ -101,7 +101,7 @@ pub(super) fn of_kelvin(word: &str) -> Option<Result<Known, String>> {
 pub(super) fn pin(word: &str) -> Result<Pin, String> {
     let parts = word.split_once(':').and_then(|(px, nm)| {
         let (px, nm): (f64, f64) = (px.trim().parse().ok()?, nm.trim().parse().ok()?);
-        Some(Pin { px, nm })
+        Some(Pin::near(px, nm))
     });
     let known = |pin: &Pin| (100.0..=5000.0).contains(&pin.nm) && pin.px.is_finite();
     parts
@@ -132,13 +132,7 @@ mod tests {
         assert_eq!(lamp("none"), Ok(LampChoice::Nothing));
         assert_eq!(lamp("neon"), Ok(LampChoice::Is(Lamp::Neon)));
         assert!(lamp("candle").unwrap_err().contains("helium"));
-        assert_eq!(
-            pin("118.8:435.8"),
-            Ok(Pin {
-                px: 118.8,
-                nm: 435.8
-            })
-        );
+        assert_eq!(pin("118.8:435.8"), Ok(Pin::near(118.8, 435.8)));
         let bulb = of_kelvin("blackbody:2856");
         assert_eq!(bulb, Some(Ok(Known::Blackbody(2856.0))));
         assert!(of_kelvin("daylight:1").is_some_and(|d| d.is_err()));

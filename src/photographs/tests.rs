@@ -198,10 +198,7 @@ fn lamps_that_are_named_and_pins_make_more_axes_right() {
         let [first, .., last] = &peaks.peaks[..] else {
             continue;
         };
-        let pin = |px: f64| Pin {
-            px,
-            nm: truth.nm(px),
-        };
+        let pin = |px: f64| Pin::near(px, truth.nm(px));
         wanted.pins = vec![pin(first.px), pin(last.px)];
         let (answer, _) = axis_of(&profile, &wanted);
         pinned += usize::from(answer.best.is_some() && off(&answer, &truth).0 < 1.0);

@@ -79,9 +79,9 @@ pub struct PageMemory {
     pub relit: RelitMemory,
     /// Lessons: names of those that were gone through.
     pub lessons_finished: Vec<String>,
-    /// A photograph of a spectrum that is to be read, once.
+    /// Photographs of spectra that are to be read, and files of instruments, once.
     #[serde(skip)]
-    pub photograph_asked: Option<PathBuf>,
+    pub photographs_asked: Vec<PathBuf>,
     /// A lesson that is to be begun, once.
     #[serde(skip)]
     pub lesson_asked: Option<AskedLesson>,
@@ -125,7 +125,7 @@ impl Default for PageMemory {
             dispersion: DispersionMemory::default(),
             relit: RelitMemory::default(),
             lessons_finished: Vec::new(),
-            photograph_asked: None,
+            photographs_asked: Vec::new(),
             lesson_asked: None,
         }
     }

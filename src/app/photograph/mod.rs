@@ -1,5 +1,6 @@
 //! A photograph of a spectrum: read, its strip found, its axis by the lines of a lamp or by pins.
 
+mod example;
 mod exposures;
 mod figures;
 mod instrument;
@@ -16,7 +17,10 @@ pub use instrument::{Applied, Fit, Instrument};
 pub use reading::{of_photo, read};
 pub use response::{Kept, Known, Through};
 pub use spectrum::{Row, Rows, Stands};
-pub use view::{PhotographAsk, Pixels, ResponseAsk, SeenPhotograph, is_photograph};
+pub use view::{
+    ManyAsk, OfMany, PhotographAsk, PictureOf, Pixels, ResponseAsk, SeenPhotograph, is_instrument,
+    is_photograph,
+};
 pub use words::{colour_words, csv, json, sentence, warnings};
 
 use crate::{
@@ -117,6 +121,8 @@ pub struct Photograph {
     /// The axis through pins alone.
     pub pinned: Option<Curve>,
     pub pins: Vec<Pin>,
+    /// Why the pins make no axis: it is then that of the lines.
+    pub pins_refused: Option<String>,
     /// A suggestion was taken.
     pub yes: bool,
     /// The instrument that it was read with.

@@ -25,6 +25,7 @@ pub fn read(path: &Path, said: &Said) -> Result<Photograph, String> {
     let about = About::of(&photo, Some(path));
     picture_of(photo, said.is_linear)
         .and_then(|mut picture| of_picture(&name, &mut picture, about, said))
+        .and_then(|found| found.pins_refused.clone().map_or(Ok(found), Err))
         .map_err(|why| format!("{name}: {why}"))
 }
 
@@ -176,13 +177,15 @@ pub(super) fn of_picture(
     let dark = dark(&found.profile, &bright);
     let columns = found.profile.columns();
     let by_pins = !said.pins.is_empty() && !matches!(said.lamp, LampChoice::Is(_));
-    let pinned = by_pins
-        .then(|| through_pins(&said.pins, columns, &bright).map_err(|why| why.to_string()))
-        .transpose()?;
-    let wanted = if by_pins {
-        None
-    } else {
-        wanted(said, columns, &bright, dark.as_ref())?
+    let pinned = by_pins.then(|| through_pins(&said.pins, columns, &bright));
+    let (pinned, mut pins_refused) = match pinned {
+        Some(Err(why)) => (None, Some(why.to_string())),
+        pinned => (pinned.and_then(Result::ok), None),
+    };
+    let wanted = match pinned {
+        Some(_) => None,
+        // Pins that make no axis leave it to the lines.
+        None => wanted(said, columns, (&bright, dark.as_ref()), &mut pins_refused),
     };
     let answer = wanted.map(|wanted| find(columns, &bright, dark.as_ref(), &wanted));
     let instrument = said.instrument.as_ref().map(|instrument| {
@@ -201,7 +204,12 @@ pub(super) fn of_picture(
         dark,
         answer,
         pinned,
-        pins: said.pins.clone(),
+        pins: if pins_refused.is_none() {
+            said.pins.clone()
+        } else {
+            Vec::new()
+        },
+        pins_refused,
         yes: said.yes,
         instrument,
         tones,
@@ -215,21 +223,27 @@ pub(super) fn of_picture(
 fn wanted(
     said: &Said,
     columns: usize,
-    bright: &Peaks,
-    dark: Option<&Peaks>,
-) -> Result<Option<Wanted>, String> {
+    (bright, dark): (&Peaks, Option<&Peaks>),
+    refused: &mut Option<String>,
+) -> Option<Wanted> {
     let lamp = match said.lamp {
-        LampChoice::Nothing => return Ok(None),
+        LampChoice::Nothing => return None,
         LampChoice::Auto => None,
         LampChoice::Is(lamp) => Some(lamp),
     };
     let peaks = dark
         .filter(|_| lamp.is_some_and(Lamp::is_dark))
         .unwrap_or(bright);
-    let pins = snapped(&said.pins, columns, peaks).map_err(|why| why.to_string())?;
-    Ok(Some(Wanted {
+    let mut pins = Vec::new();
+    if refused.is_none() {
+        match snapped(&said.pins, columns, peaks) {
+            Ok(snapped) => pins = snapped,
+            Err(why) => *refused = Some(why.to_string()),
+        }
+    }
+    Some(Wanted {
         lamp,
         pins,
         falls: said.falls,
-    }))
+    })
 }

@@ -147,6 +147,7 @@ pub fn warnings(photograph: &Photograph) -> Vec<String> {
     if let Some(Fit::No(why)) = photograph.instrument.as_ref().map(|i| &i.fit) {
         warnings.push(why.clone());
     }
+    warnings.extend(photograph.pins_refused.clone());
     if let Some(exposed) = &photograph.exposed {
         warnings.extend(of_exposures(exposed));
     }
