@@ -193,7 +193,11 @@ fn said(options: &Photo) -> Result<Said, Refusal> {
             is_one_row: options.one_row,
             strip: options.strip,
         },
-        falls: options.flip,
+        falls: match (options.flip, options.no_flip) {
+            (true, _) => Some(true),
+            (_, true) => Some(false),
+            _ => None,
+        },
         is_linear: options.linear,
         exposures: options.exposures.clone(),
         lamp: options.lamp,

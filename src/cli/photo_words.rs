@@ -42,15 +42,6 @@ pub(super) fn lean(word: &str) -> Result<f64, String> {
         .ok_or_else(|| refused(word, "columns from -5 to 5"))
 }
 
-/// `--flip`.
-pub(super) fn yes_or_no(word: &str) -> Result<bool, String> {
-    match word {
-        "yes" => Ok(true),
-        "no" => Ok(false),
-        _ => Err(refused(word, "yes or no")),
-    }
-}
-
 /// `--exposures`: a picture and its time, `1/30` or `0.033`.
 pub(super) fn exposure(word: &str) -> Result<Exposure, String> {
     let parts = word.rsplit_once(':').and_then(|(path, time)| {
@@ -121,8 +112,8 @@ mod tests {
         assert!(area("30,2,1,40").is_err());
         assert_eq!(turn("-3"), Ok(-3.0));
         assert!(turn("46").is_err() && turn("NaN").is_err());
-        assert_eq!((lean("-0.2"), yes_or_no("no")), (Ok(-0.2), Ok(false)));
-        assert!(lean("9").is_err() && yes_or_no("perhaps").is_err());
+        assert_eq!(lean("-0.2"), Ok(-0.2));
+        assert!(lean("9").is_err() && lean("NaN").is_err());
         let short = exposure("a:b.jpg:1/50").expect("a time");
         assert_eq!(
             (short.path.to_str(), short.seconds),

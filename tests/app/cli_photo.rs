@@ -72,7 +72,7 @@ impl Drawn {
     }
 
     /// The same exposed so much longer, by a camera whose values go with a power of the light.
-    fn exposed(&self, longer: f64, power: f64) -> Vec<u8> {
+    pub(crate) fn exposed(&self, longer: f64, power: f64) -> Vec<u8> {
         let mut state = 1_u32;
         let mut data = Vec::new();
         for y in 0..200 {
@@ -283,7 +283,7 @@ fn the_strip_is_set_by_hand_where_a_person_knows_better() {
         "0.03",
         "--smile",
         "-0.0001",
-        "--flip=no",
+        "--no-flip",
         "--json",
     ]);
     let strip = &by_hand["strip"];
@@ -357,7 +357,8 @@ fn two_exposures_tell_the_power_of_the_light_and_fill_what_is_over_exposed() {
         .as_u64()
         .expect("columns");
     assert!(joined > 0 && told["clipped_columns"] == 0, "{joined}");
-    let alone = json(&["photo", &long, "--json"]);
+    let (_, alone, _) = tell(&["photo", &long, "--json"]);
+    let alone: serde_json::Value = serde_json::from_str(&alone).expect("JSON");
     assert!(alone["clipped_columns"].as_u64() > Some(0) && alone["exposures"].is_null());
     // A straight camera is left alone.
     let plain = put(

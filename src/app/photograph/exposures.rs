@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use super::{
     Photograph,
-    reading::{Along, of_strip},
+    along::{Along, of_strip},
 };
 use crate::photographs::Profile;
 

@@ -1,5 +1,6 @@
 //! A photograph of a spectrum: read, its strip found, its axis by the lines of a lamp or by pins.
 
+mod along;
 mod example;
 mod exposures;
 mod figures;

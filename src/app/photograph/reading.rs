@@ -2,16 +2,20 @@
 
 use std::path::Path;
 
-use super::{Exposed, Exposure, LampChoice, Photograph, Said, Tones, exposures::joined};
+use super::{
+    Exposed, Exposure, LampChoice, Photograph, Said, Tones,
+    along::{Along, picture_of},
+    exposures::joined,
+};
 use crate::{
-    io::{ColourPixels, Exif, Photo, read_photo},
+    io::{Exif, Photo, read_photo},
     photographs::{
-        Lamp, Profile,
+        Lamp,
         axis::{Wanted, find, snapped, through_pins},
         hue::Hues,
         peaks::{Peaks, bright, dark},
-        picture::{Codes, Picture},
-        strip::{self, ByHand, Found, Strip},
+        picture::Picture,
+        strip::{self, ByHand, Found},
     },
 };
 
@@ -61,52 +65,6 @@ impl<'p> About<'p> {
         let is_it = |e: &&Exposure| e.path == path || whole(&e.path) == whole(path);
         exposures.iter().find(is_it).map(|e| e.seconds)
     }
-}
-
-/// A photograph as the search for strips takes it.
-pub(super) fn picture_of(photo: Photo, is_linear: bool) -> Result<Picture, String> {
-    let codes = match photo.pixels {
-        ColourPixels::Eight(codes) => Codes::Eight(codes),
-        ColourPixels::Sixteen(codes) => Codes::Sixteen(codes),
-    };
-    let picture = Picture::new(photo.size, codes, photo.is_linear || is_linear);
-    picture.ok_or_else(|| "found too few pixels, expected those of the whole picture".to_owned())
-}
-
-/// Where the light of another picture of the same size is read, and how.
-#[derive(Clone, Copy)]
-pub(super) struct Along<'s> {
-    pub size: [usize; 2],
-    pub strip: &'s Strip,
-    pub is_linear: bool,
-    pub tones: Tones,
-}
-
-/// The light along a strip of another picture, and the same with each of some other tones.
-pub(super) fn of_strip(
-    path: &Path,
-    along: Along<'_>,
-    others: &[Tones],
-) -> Result<(Found, Vec<Profile>), String> {
-    let photo = read_photo(path)
-        .map_err(|why| format!("found {}, expected {}", why.found, why.expected))?;
-    let size = along.size;
-    if photo.size != size {
-        return Err(format!(
-            "found {} x {} px, expected {} x {}, as the other picture has",
-            photo.size[0], photo.size[1], size[0], size[1]
-        ));
-    }
-    let mut picture = picture_of(photo, along.is_linear)?;
-    picture.straighten_tones(along.tones);
-    let found = strip::read_at(&picture, along.strip);
-    let profiles = (others.iter())
-        .map(|tones| {
-            picture.straighten_tones(*tones);
-            strip::again(&picture, &found)
-        })
-        .collect();
-    Ok((found, profiles))
 }
 
 /// The tones of the camera, as an instrument or several exposures tell them; columns that are

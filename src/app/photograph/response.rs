@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Photograph, Tones,
-    reading::{Along, of_strip},
+    along::{Along, of_strip},
 };
 use crate::{
     color::{blackbody::relative, quality::daylight},

@@ -7,9 +7,11 @@ use std::{
 };
 
 use super::{
-    Fit, Instrument, Kept, Known, Photograph, Said, example,
+    Fit, Instrument, Kept, Known, Photograph, Said,
+    along::picture_of,
+    example,
     instrument::FORMAT,
-    reading::{About, of_picture, picture_of},
+    reading::{About, of_picture},
     words::sentence,
 };
 use crate::{

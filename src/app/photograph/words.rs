@@ -137,12 +137,13 @@ pub fn warnings(photograph: &Photograph) -> Vec<String> {
         let lines = many(count, "thin drawn line was", "thin drawn lines were");
         warnings.push(format!("{lines} ignored"));
     }
-    if let Some(why) = photograph
-        .answer
-        .as_ref()
-        .and_then(|answer| answer.why.clone())
+    // Beside an instrument or pins it does not matter what the lines alone would say.
+    if matches!(
+        photograph.source(),
+        Source::Found | Source::Suggested | Source::Nothing
+    ) && photograph.instrument.is_none()
     {
-        warnings.push(why);
+        warnings.extend(photograph.answer.as_ref().and_then(|a| a.why.clone()));
     }
     if let Some(Fit::No(why)) = photograph.instrument.as_ref().map(|i| &i.fit) {
         warnings.push(why.clone());

@@ -40,10 +40,12 @@ pub(crate) struct Photo {
     /// By how many columns lines bend for a row, squared [default: as it is found].
     #[arg(long, value_name = "COLUMNS", allow_hyphen_values = true, value_parser = photo_words::lean)]
     pub smile: Option<f64>,
-    /// Wavelengths fall from left to right, or from top to bottom; --flip=no: they rise.
-    #[arg(long, value_name = "YES", num_args = 0..=1, require_equals = true,
-        default_missing_value = "yes", value_parser = photo_words::yes_or_no)]
-    pub flip: Option<bool>,
+    /// Wavelengths fall from left to right, or from top to bottom: only such axes are tried.
+    #[arg(long, conflicts_with = "no_flip")]
+    pub flip: bool,
+    /// They rise: only such axes are tried.
+    #[arg(long)]
+    pub no_flip: bool,
     /// Read the middle row of the strip alone.
     #[arg(long)]
     pub one_row: bool,
@@ -63,7 +65,7 @@ pub(crate) struct Photo {
     pub pin: Vec<Pin>,
     /// The strip and the axis of an instrument that was kept; it is checked whether it still fits.
     #[arg(long, value_name = "FILE.json", conflicts_with_all = ["area", "turn", "vertical",
-        "horizontal", "strip", "pin", "shear", "smile", "flip", "one_row"])]
+        "horizontal", "strip", "pin", "shear", "smile", "flip", "no_flip", "one_row"])]
     pub instrument: Option<PathBuf>,
     /// Keep strip, axis and response as an instrument for other pictures.
     #[arg(long, value_name = "FILE.json", value_parser = words::path_in(&["json"]))]

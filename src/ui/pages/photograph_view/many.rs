@@ -26,7 +26,7 @@ impl PhotographView {
                 fitting.len(),
                 all.len()
             ));
-            let meaning = "The spectra of those that fit join your own.";
+            let meaning = "The spectra of the fitting ones join your own.";
             if !fitting.is_empty() && pressed(ui, "All to the library", meaning) {
                 context.commands.push(Command::Adopt(fitting.clone()));
             }

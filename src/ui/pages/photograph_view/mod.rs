@@ -33,7 +33,7 @@ pub mod names {
     pub const YES: &str = "Yes";
     pub const NO: &str = "No";
     pub const LAMP: &str = "Lamp";
-    pub const UNDO: &str = "Undo";
+    pub const UNDO: &str = "Take back";
     pub const LIBRARY: &str = "To the library";
     pub const INSTRUMENT: &str = "Use as instrument";
     pub const SAVE_INSTRUMENT: &str = "Save the instrument…";

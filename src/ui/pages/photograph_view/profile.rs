@@ -3,7 +3,10 @@
 use eframe::egui;
 use egui::{Align2, Color32, Pos2, Rect, Sense, Shape, Stroke, TextStyle, Ui, Vec2, pos2, vec2};
 
-use super::{Hand, PhotographView, ticks::draw_ticks};
+use super::{
+    Hand, PhotographView,
+    ticks::{Across, draw_ticks},
+};
 use crate::{
     app::{chart::Ink, photograph::Photograph},
     photographs::axis::{Curve, with_line_at},
@@ -21,28 +24,6 @@ const INKS: [[[u8; 3]; 2]; 3] = [
     [[110, 210, 120], [20, 120, 40]],
     [[120, 160, 255], [30, 70, 200]],
 ];
-
-/// Columns over the width of a drawing.
-#[derive(Clone, Copy)]
-pub(super) struct Across {
-    pub(super) rect: Rect,
-    columns: f32,
-}
-
-impl Across {
-    pub(super) fn of(rect: Rect, found: &Photograph) -> Self {
-        let columns = found.found.profile.columns().max(2) as f32;
-        Self { rect, columns }
-    }
-
-    pub(super) fn x(self, column: f64) -> f32 {
-        self.rect.left() + (column as f32 + 0.5) / self.columns * self.rect.width()
-    }
-
-    pub(super) fn column(self, x: f32) -> f64 {
-        f64::from((x - self.rect.left()) / self.rect.width() * self.columns - 0.5)
-    }
-}
 
 /// Slanted lines over a part of a drawing.
 fn hatch(ui: &Ui, rect: Rect, ink: Color32) {

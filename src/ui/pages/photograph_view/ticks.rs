@@ -1,9 +1,9 @@
 //! The ticks of a lamp's lines, and what a hand does to them.
 
 use eframe::egui;
-use egui::{Shape, Stroke, TextStyle, Ui, pos2};
+use egui::{Rect, Shape, Stroke, TextStyle, Ui, pos2};
 
-use super::{Hand, PhotographView, profile::Across};
+use super::{Hand, PhotographView};
 use crate::{
     app::{
         chart::Ink,
@@ -20,6 +20,28 @@ const ENDS_NM: (f64, f64) = (390.0, 710.0);
 const MOST_TICKS: usize = 9;
 /// Columns that an arrow key moves a tick by.
 const STEP_PX: f64 = 0.1;
+
+/// Columns over the width of a drawing.
+#[derive(Clone, Copy)]
+pub(super) struct Across {
+    pub(super) rect: Rect,
+    columns: f32,
+}
+
+impl Across {
+    pub(super) fn of(rect: Rect, found: &Photograph) -> Self {
+        let columns = found.found.profile.columns().max(2) as f32;
+        Self { rect, columns }
+    }
+
+    pub(super) fn x(self, column: f64) -> f32 {
+        self.rect.left() + (column as f32 + 0.5) / self.columns * self.rect.width()
+    }
+
+    pub(super) fn column(self, x: f32) -> f64 {
+        f64::from((x - self.rect.left()) / self.rect.width() * self.columns - 0.5)
+    }
+}
 
 /// A line of the axis as it is drawn: its number among the matches, column, wavelength.
 pub(super) struct Tick {
