@@ -109,7 +109,7 @@ fn without_a_photograph_the_page_says_what_to_drop_and_shows_an_example() {
     for word in [
         "Drop the picture here",
         "An example",
-        "Looks like a fluorescent lamp: Hg",
+        "Looks like a fluorescent lamp. Right?",
     ] {
         assert_written(&ui, word);
     }

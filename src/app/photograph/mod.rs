@@ -22,7 +22,7 @@ pub use view::{
     ManyAsk, OfMany, PhotographAsk, PictureOf, Pixels, ResponseAsk, SeenPhotograph, is_instrument,
     is_photograph,
 };
-pub use words::{colour_words, csv, json, sentence, warnings};
+pub use words::{colour_words, csv, json, sentence, sentence_parts, warnings};
 
 use crate::{
     io::Exif,

@@ -21,13 +21,26 @@ fn figure(value: f64, digits: i32) -> Value {
     }
 }
 
-/// What the axis is, in one sentence.
+/// What the axis is, in one sentence with its evidence.
 pub fn sentence(photograph: &Photograph) -> String {
+    let [what, lines] = sentence_parts(photograph);
+    if lines.is_empty() {
+        return what;
+    }
+    let what = what.trim_end_matches(". Right?");
+    match photograph.source() {
+        Source::Suggested => format!("{what}: {lines}. Right? (--yes takes it)"),
+        _ => format!("{what}: {lines}. Right?"),
+    }
+}
+
+/// What the axis is, and apart from it the lines that say so; none where no lines do.
+pub fn sentence_parts(photograph: &Photograph) -> [String; 2] {
     let best = photograph
         .answer
         .as_ref()
         .and_then(|answer| answer.best.as_ref());
-    match (photograph.source(), best) {
+    let what = match (photograph.source(), best) {
         (Source::Pins, _) => {
             let count = photograph.pins.len();
             let doubt = if count == 2 {
@@ -39,21 +52,16 @@ pub fn sentence(photograph: &Photograph) -> String {
         }
         (Source::Instrument, _) => of_instrument(photograph),
         (Source::Found, Some(best)) => {
-            format!(
-                "Looks like {}: {}. Right?",
-                called(best),
-                lines(photograph, best)
-            )
+            let words = format!("Looks like {}. Right?", called(best));
+            return [words, lines(photograph, best)];
         }
         (Source::Suggested, Some(best)) => {
-            format!(
-                "Perhaps {}: {}. Right? (--yes takes it)",
-                called(best),
-                lines(photograph, best)
-            )
+            let words = format!("Perhaps {}. Right?", called(best));
+            return [words, lines(photograph, best)];
         }
         _ => "Cannot be said: no axis is known.".to_owned(),
-    }
+    };
+    [what, String::new()]
 }
 
 /// What an instrument says of a picture.

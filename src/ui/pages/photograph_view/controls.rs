@@ -9,7 +9,7 @@ use crate::{
         Command,
         photograph::{
             Instrument, Known, LampChoice, Photograph, Said, SeenPhotograph, Source, colour_words,
-            csv, sentence, warnings,
+            csv, sentence_parts, warnings,
         },
     },
     photographs::Lamp,
@@ -29,11 +29,11 @@ impl PhotographView {
         }
         match &seen.found {
             Ok(found) => {
-                kit::headline(
-                    ui,
-                    context.theme,
-                    sentence(found).replace(" (--yes takes it)", ""),
-                );
+                let [what, lines] = sentence_parts(found);
+                kit::headline(ui, context.theme, what.replace(" (--yes)", ""));
+                if !lines.is_empty() {
+                    ui.label(format!("{lines}."));
+                }
                 ui.horizontal_wrapped(|ui| self.answers(ui, found));
                 if let Some(words) = colour_words(found) {
                     ui.label(words);
@@ -80,7 +80,9 @@ impl PhotographView {
         }
         let answer = found.answer.as_ref().filter(|_| found.is_by_lines());
         let both = answer.and_then(|a| a.best.as_ref().zip(a.runner_up.as_ref()));
-        if let Some((best, other)) = both.filter(|(best, other)| best.lamp != other.lamp) {
+        if let Some((best, other)) =
+            both.filter(|(best, other)| best.lamp != other.lamp && other.score > 0.0)
+        {
             let (name, scores) = (other.lamp.name(), (other.score, best.score));
             let words = format!("{name}, {:.1} against {:.1}", scores.0, scores.1);
             if pressed(ui, &words, "Takes the next best lamp instead.") {

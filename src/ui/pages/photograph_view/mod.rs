@@ -292,7 +292,7 @@ impl PhotographView {
             whole(ui, strip, rect);
         }
         profile::marks(ui, theme, found, rect);
-        let rest = (height - share * height - STRIP * theme.scale - 3.0 * GAP).max(150.0);
+        let rest = (height - scale * size[1] - STRIP * theme.scale - 3.0 * GAP).max(150.0);
         let rest = rest.min(ui.available_height().max(150.0));
         self.profile(ui, theme, found, vec2(width, rest));
     }
