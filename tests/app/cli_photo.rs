@@ -303,6 +303,7 @@ fn the_strip_is_set_by_hand_where_a_person_knows_better() {
     // Read from the wrong end it is no lamp.
     let (code, out, _) = tell(&["photo", &lamp, "--flip", "--json"]);
     assert!(code == 4 || code == 3, "{out}");
+    assert!(out.contains("\"flip\": true"), "{out}");
     assert!(
         refusal(&["photo", &lamp, "--shear", "9"])
             .0

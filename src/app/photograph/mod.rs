@@ -22,7 +22,7 @@ pub use view::{
     ManyAsk, OfMany, PhotographAsk, PictureOf, Pixels, ResponseAsk, SeenPhotograph, is_instrument,
     is_photograph,
 };
-pub use words::{colour_words, csv, json, sentence, sentence_parts, warnings};
+pub use words::{colour_words, json, sentence, sentence_parts, table, warnings};
 
 use crate::{
     io::Exif,

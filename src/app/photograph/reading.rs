@@ -127,6 +127,7 @@ pub(super) fn of_picture(
         Some(strip) => strip::read_at(picture, &strip),
         None => strip::find(picture, &said.strip).map_err(|why| why.to_string())?,
     };
+    found.blue_is_right = said.falls.or(found.blue_is_right);
     let exposed = exposed(picture, &mut found, &about, said, tones)?;
     if let Some(exposed) = &exposed {
         tones.light_power = exposed.light_power;

@@ -9,7 +9,7 @@ use crate::{
         Command,
         photograph::{
             Instrument, Known, LampChoice, Photograph, Said, SeenPhotograph, Source, colour_words,
-            csv, sentence_parts, warnings,
+            sentence_parts, table, warnings,
         },
     },
     photographs::Lamp,
@@ -131,7 +131,7 @@ impl PhotographView {
                     self.keep(found, &seen.name);
                 }
                 copy_button(ui, "Copy the spectrum as CSV", "", || {
-                    csv(found).unwrap_or_default()
+                    table(found).map_or_else(String::new, |table| table.csv())
                 });
             }
             if self.path.is_some() && pressed(ui, names::OPEN, "Opens another picture.") {
