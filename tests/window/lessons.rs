@@ -289,6 +289,10 @@ fn a_ring_is_drawn_around_everything_that_a_step_points_at() {
             let Some(point) = &step.point else { continue };
             let what = format!("{}, step {}: {point:?}", lesson.name, index + 1);
             begun(&mut ui, lesson, index);
+            if step.veil {
+                // The page is seen once an answer is chosen.
+                press(&mut ui, Key::Num1);
+            }
             let aimed = |ui: &Ui| {
                 let memory = &ui.state().preferences.pages;
                 match point.aim(app(ui), memory).expect(&what) {
