@@ -19,6 +19,8 @@ const WIDTH: f32 = 300.0;
 #[derive(Default)]
 pub(super) struct Linked {
     open: Option<(&'static Word, Pos2)>,
+    /// It was opened by the click of this frame, which is elsewhere for it.
+    opens: bool,
     /// Words that have a link already.
     seen: Vec<&'static str>,
 }
@@ -66,7 +68,9 @@ impl Linked {
                 let rect = run.translate(corner.to_vec2());
                 let id = response.id.with((word.word, row));
                 let link = ui.interact(rect, id, Sense::click());
-                named(&link, egui::Role::Link, &format!("Glossary: {}", word.word));
+                if row == 0 {
+                    named(&link, egui::Role::Link, &format!("Glossary: {}", word.word));
+                }
                 if link.has_focus() {
                     let stroke = ui.visuals().selection.stroke;
                     let outside = egui::StrokeKind::Outside;
@@ -75,6 +79,7 @@ impl Linked {
                 let link = link.on_hover_cursor(CursorIcon::PointingHand);
                 if link.on_hover_text("What it means.").clicked() {
                     self.open = Some((word, rect.right_bottom()));
+                    self.opens = true;
                 }
             }
         }
@@ -102,7 +107,8 @@ impl Linked {
                     back = pressed(ui, "Back to the lesson", "Closes this (Esc).");
                 });
         });
-        if back || shown.response.clicked_elsewhere() {
+        let opens = std::mem::take(&mut self.opens);
+        if back || shown.response.clicked_elsewhere() && !opens {
             self.close();
         }
     }
