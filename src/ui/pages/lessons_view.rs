@@ -77,7 +77,8 @@ enum Act {
 fn removes(ui: &mut Ui, card: egui::Rect, title: &str) -> bool {
     let size = vec2(64.0, ui.spacing().interact_size.y);
     let place = egui::Rect::from_min_size(card.max - size - vec2(4.0, 4.0), size);
-    let button = ui.put(place, egui::Button::new("Remove").small());
+    let mut corner = ui.new_child(egui::UiBuilder::new().max_rect(place));
+    let button = corner.add(egui::Button::new("Remove").small());
     named(
         &button,
         egui::Role::Button,
