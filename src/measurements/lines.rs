@@ -69,7 +69,9 @@ pub fn lines_of_scans(
     }
     // The runs share all scans but one: their spread is n - 1 times too small.
     let by = (n - 1) as f64 / (n as f64).sqrt();
-    Ok(told(found(band, mean), &runs, |spread, _| by * spread))
+    let with: f64 = std::env::var("BIAS").ok().and_then(|v| v.parse().ok()).unwrap_or(0.0);
+    let t = super::student_95((n - 1) as f64);
+    Ok(told(found(band, mean), &runs, |spread, bias| by * spread + with * (n - 1) as f64 * bias.abs() / t))
 }
 
 /// The lines of one scan by its own sigma, level and axis; without sigma no doubt is told.

@@ -1,11 +1,8 @@
-//! The result of `combine` in words.
+//! The result of a combination in words.
 
 use std::fmt::Write as _;
 
-use super::{
-    combine_json::notes,
-    combine_result::{Found, LineRow},
-};
+use super::result::{Found, LineRow};
 use crate::{
     app::ticks::short,
     measurements::{Changed, Doubted, Feature, Figure, Measurement, Part, Verdict, rounded},
@@ -19,7 +16,7 @@ const NOISE_ONLY: &str = "\u{b1} is of the noise alone: what level and wavelengt
                           not stated (--level, --axis).";
 
 /// All that was found, in words.
-pub(super) fn text(found: &Found) -> String {
+pub fn text(found: &Found) -> String {
     let mut text = String::new();
     if let Some(result) = &found.result {
         words_of(found, result, &mut text);
@@ -35,7 +32,7 @@ pub(super) fn text(found: &Found) -> String {
             scan.shift_nm
         );
     }
-    let (own, rest) = notes(found);
+    let (own, rest) = found.notes();
     for note in own.iter().chain(&rest) {
         let _ = writeln!(text, "Note      {note}");
     }
@@ -74,7 +71,7 @@ fn words_of(found: &Found, result: &Measurement, text: &mut String) {
 }
 
 /// Figures and lines with their doubt.
-pub(super) fn doubt_words(found: &Found, result: &Measurement) -> String {
+pub fn doubt_words(found: &Found, result: &Measurement) -> String {
     let mut text = String::new();
     if let Some((all, _)) = found.figures() {
         for doubted in &all {
@@ -108,7 +105,8 @@ fn line_words(line: &LineRow) -> String {
     format!(
         "{} nm, {}{share}{uncertain}",
         with(line.at_nm, line.u[0]),
-        with(line.weight, line.u[1])
+        line.weight
+            .map_or("its top is cut".to_owned(), |w| with(w, line.u[1]))
     )
 }
 
