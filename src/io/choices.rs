@@ -43,6 +43,7 @@ pub struct Choices {
     pub keep_photons: bool,
     /// True if a column called sd, std, sigma, u or the like is the standard deviation of the one
     /// before it. Readers never ask.
+    #[serde(skip)]
     pub take_sigma: bool,
 }
 

@@ -104,7 +104,7 @@ pub use instrument::{Instrument, Known, learn};
 pub use kernel::{Kernel, Slit};
 pub use lines::{LineWithDoubt, lines_of, lines_of_scans};
 pub use measurement::{Masked, Measurement, letter};
-pub use noise::{has_memory, noise_of};
+pub use noise::{has_memory, noise_behind, noise_of};
 pub use normalise::{Normalise, normalised};
 pub use quantity::{Meaning, Quantity, quantity_of};
 pub use quotient::{LinePoint, fieller, line_points};

@@ -1,6 +1,7 @@
 //! What is made of measurements: formulas, means of scans, spliced ranges, slits, corrections by an
 //! instrument, and what changed between two sets. The command line and the window ask the same way.
 
+pub mod desk;
 mod formula;
 mod instrument;
 mod parts;

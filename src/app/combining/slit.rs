@@ -6,7 +6,7 @@ use super::{
     said,
 };
 use crate::{
-    measurements::{Kernel, Measurement, Slit, SlitFound, slit_of, smoothed, unslit},
+    measurements::{Kernel, Measurement, Slit, SlitFound, noise_behind, slit_of, smoothed, unslit},
     spectrum::Sampled,
 };
 
@@ -45,12 +45,16 @@ pub(super) fn taken_off(
     shape: Kernel,
 ) -> Result<Found, String> {
     let from = doubt_from(&parts);
-    let part = the_one(parts)?;
+    let is_stated = parts.first().is_some_and(|part| part.sigma.is_some());
+    let mut part = the_one(parts)?;
     let slit = match (fwhm_nm, part.slit) {
         (Some(fwhm_nm), _) => told(Slit { shape, fwhm_nm }),
         (None, Some(known)) => told(known),
         (None, None) => slit_of(&part, shape).map_err(said)?,
     };
+    if !is_stated {
+        part.sigma = noise_behind(&part.samples, slit.slit);
+    }
     let made = unslit(&part, slit.slit).map_err(said)?;
     let about = if slit.is_sure { "" } else { "about " };
     let width = format!(
