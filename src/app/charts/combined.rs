@@ -28,7 +28,7 @@ pub fn combined_chart(found: &Found) -> Option<Chart> {
         (Quantity::Transmittance, _) => "Transmittance".to_owned(),
         (Quantity::Factor | Quantity::Number, _) => "Factor".to_owned(),
     };
-    chart.series = doubted(of, "95 %");
+    chart.series = doubted(of, "95 %", 1.0);
     let curve = |points| Series::line("result", Ink::Measured, points);
     chart.series.extend(stretches(of, |i| of.samples.values()[i]).map(curve));
     if of.quantity != Quantity::Light {
@@ -46,14 +46,14 @@ pub fn combined_chart(found: &Found) -> Option<Chart> {
     Some(chart)
 }
 
-/// The band about a measurement, and its level as a bracket at the right edge; none where nothing is
-/// known of its noise.
-pub fn doubted(of: &Measurement, name: &str) -> Vec<Series> {
+/// The band about a measurement times a factor, and its level as a bracket at the right edge; none
+/// where nothing is known of its noise.
+pub fn doubted(of: &Measurement, name: &str, by: f64) -> Vec<Series> {
     let mut series = Vec::new();
     let values = of.samples.values();
     if let Some(sigma) = &of.sigma {
-        let upper = stretches(of, |i| values[i] + OF_95 * sigma[i]);
-        let lower = stretches(of, |i| values[i] - OF_95 * sigma[i]);
+        let upper = stretches(of, |i| by * (values[i] + OF_95 * sigma[i]));
+        let lower = stretches(of, |i| by * (values[i] - OF_95 * sigma[i]));
         series.extend(upper.zip(lower).map(|(upper, lower)| {
             let base = lower.iter().map(|point| point[1]).collect();
             Series::area(name, Ink::Measured, upper, base)
@@ -61,7 +61,7 @@ pub fn doubted(of: &Measurement, name: &str) -> Vec<Series> {
     }
     let last = (0..values.len()).rev().find(|i| of.is_kept(*i));
     if let Some(last) = last.filter(|_| of.level > 0.0) {
-        let (nm, value) = (of.samples.nm()[last], values[last]);
+        let (nm, value) = (of.samples.nm()[last], by * values[last]);
         let ends = [1.0, -1.0].map(|sign| [nm, value * (1.0 + sign * OF_95 * of.level)]);
         let name = format!("level \u{b1} {} %", short(100.0 * OF_95 * of.level));
         series.push(Series::line(name, Ink::Faint, ends.to_vec()));
@@ -99,11 +99,11 @@ mod tests {
         of.mask = vec![false, true, false, false];
         let parts: Vec<_> = stretches(&of, |i| of.samples.values()[i]).collect();
         assert_eq!(parts, [vec![[400.0, 1.0]], vec![[402.0, 3.0], [403.0, 4.0]]]);
-        let band = doubted(&of, "95 %");
+        let band = doubted(&of, "95 %", 1.0);
         assert_eq!(band.len(), 2);
         let upper = band[1].marks.points()[0][1];
         assert!((upper - (3.0 + 0.2 * 1.96)).abs() < 1e-12, "{upper}");
         of.sigma = None;
-        assert_eq!(doubted(&of, "95 %"), []);
+        assert_eq!(doubted(&of, "95 %", 1.0), []);
     }
 }
