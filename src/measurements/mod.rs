@@ -86,7 +86,7 @@ mod union;
 mod units;
 mod unslit;
 
-pub use axis::{AxisFound, axis_of};
+pub use axis::{AxisFound, axis_of, slit_of_daylight};
 pub use belonging::{Drift, Misfit, drift, misfits};
 pub use changed::{ChangeError, Changed, Part, Verdict, changed};
 pub use combine::{Combined, Options, combine};

@@ -6,7 +6,7 @@ use super::{
     said,
 };
 use crate::{
-    measurements::{Kernel, Measurement, Slit, SlitFound, noise_behind, slit_of, smoothed, unslit},
+    measurements::{Kernel, Measurement, Slit, SlitFound, noise_behind, slit_of, slit_of_daylight, smoothed, unslit},
     spectrum::Sampled,
 };
 
@@ -50,7 +50,9 @@ pub(super) fn taken_off(
     let slit = match (fwhm_nm, part.slit) {
         (Some(fwhm_nm), _) => told(Slit { shape, fwhm_nm }),
         (None, Some(known)) => told(known),
-        (None, None) => slit_of(&part, shape).map_err(said)?,
+        (None, None) => slit_of(&part, shape)
+            .or_else(|why| slit_of_daylight(&part).ok_or(why))
+            .map_err(said)?,
     };
     if !is_stated {
         part.sigma = noise_behind(&part.samples, slit.slit);
@@ -75,6 +77,10 @@ pub(super) fn taken_off(
             slit.lines.len(),
             slit.shift_nm
         ));
+    }
+    if !slit.is_sure && slit.lines.is_empty() {
+        let told = "told by oxygen's band of daylight at 763 nm";
+        found.notes.push(format!("The slit is {width}, {told}."));
     }
     if made.is_made && !made.lines.is_empty() {
         found.notes.push(format!(
