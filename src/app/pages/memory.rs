@@ -9,7 +9,6 @@ use super::{Page, Place};
 use crate::{
     app::{
         charts::quality::{DiagramShows, OfColours},
-        combining::desk::Desk,
         design::{DeskSurfaces, colour::FromColour, mix::Snapshot, wish::MixWish},
         dispersion::DispersionMemory,
         picture::ImageMemory,
@@ -76,8 +75,6 @@ pub struct PageMemory {
     pub image: ImageMemory,
     /// Prism, rainbow and gem.
     pub dispersion: DispersionMemory,
-    /// Combine: what is done with which spectra.
-    pub combine: Desk,
     /// In few numbers, relit: which picture, how many numbers, which lights.
     pub relit: RelitMemory,
     /// Lessons: names of those that were gone through.
@@ -129,7 +126,6 @@ impl Default for PageMemory {
             colour: FromColour::default(),
             image: ImageMemory::default(),
             dispersion: DispersionMemory::default(),
-            combine: Desk::default(),
             relit: RelitMemory::default(),
             lessons_finished: Vec::new(),
             photograph_asked: None,
@@ -202,7 +198,6 @@ impl PageMemory {
             colour: self.colour.clamped(),
             image: self.image.clamped(),
             dispersion: self.dispersion.clamped(),
-            combine: self.combine.clamped(),
             relit: self.relit.clamped(),
             ..self
         }

@@ -34,8 +34,6 @@ pub enum Page {
     Metamers,
     /// Is this light that one off this surface?
     SameSurface,
-    /// One's own measurements combined: means, differences, quotients.
-    Combine,
     /// Figures of light quality, measured and by the model.
     Quality,
     /// Where the light is among colours.
@@ -229,13 +227,6 @@ const ROWS: &[Row] = &[
         "Whether a spectrum is the light off a surface: S3 = S1 S2.",
     )
     .once(&["check"]),
-    row(
-        Page::Combine,
-        Place::Through,
-        ("Combine", "combine"),
-        "",
-        "Measurements combined with their doubt: means of scans, differences, quotients, slits.",
-    ),
     row(
         Page::Quality,
         Place::Quality,

@@ -2,7 +2,6 @@
 
 mod auction_view;
 pub mod coefficients_view;
-pub mod combine_view;
 mod design_view;
 pub mod gem_view;
 mod glossary_view;
@@ -122,7 +121,6 @@ impl PageContext<'_> {
 #[derive(Default)]
 pub struct Pages {
     coefficients: coefficients_view::CoefficientsView,
-    combine: combine_view::CombineView,
     tradeoff: tradeoff_view::TradeoffView,
     many: many_view::ManyView,
     auction: auction_view::AuctionView,
@@ -159,7 +157,6 @@ impl Pages {
             Page::TwoLights => products.two_lights.show(ui, context),
             Page::Metamers => products.metamers.show(ui, context),
             Page::SameSurface => products.same_surface.show(ui, context),
-            Page::Combine => self.combine.show(ui, context),
             Page::Quality => self.quality.figures(ui, context),
             Page::Chromaticity => self.quality.diagram(ui, context),
             Page::Rendition => self.quality.rendition(ui, context),
