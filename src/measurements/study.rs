@@ -380,12 +380,6 @@ fn no_whole_light_is_clipped_cut_ones_are_told_and_spliced_lamps_keep_their_colo
         let clipped = of(Sampled::new(pixels.clone(), values.collect()).expect("rising"));
         cut += 1;
         found += i32::from(!flat_tops(&clipped).is_empty());
-        if flat_tops(&clipped).is_empty() {
-            let v = clipped.samples.values();
-            let n = v.iter().filter(|v| **v >= 65535.0).count();
-            let first = v.iter().position(|v| *v >= 65535.0).unwrap_or(0);
-            println!("missed {name}: {n} at the top from {} {:?}", pixels[first], &v[first.saturating_sub(4)..(first + 12).min(v.len())]);
-        }
     }
     println!("clipped at .9, 16 bit: {found} of {cut}");
     let (mut off, mut held, mut told) = (Vec::new(), 0, 0);
@@ -422,32 +416,4 @@ fn no_whole_light_is_clipped_cut_ones_are_told_and_spliced_lamps_keep_their_colo
     );
     assert!(f64::from(found) >= 0.85 * f64::from(cut));
     assert!(off[off.len() / 2] <= 0.07 && f64::from(held) >= 0.92 * f64::from(told));
-}
-
-#[test]
-#[ignore = "diagnosis"]
-fn diagnosis_of_false_lines() {
-    let lights = smooth_lights();
-    let band = Band::VISIBLE;
-    for draw in 0..1000_u64 {
-        let light = &lights[draw as usize % lights.len()];
-        let high = top(light);
-        let sigma = |v: f64| high / 5.0 * (v / high).max(0.0).sqrt();
-        let pairs = light.values().iter().zip(normal(draw));
-        let values = pairs.map(|(v, e)| v + sigma(*v) * e).collect();
-        let mut scan = of(light.sharing(values).expect("finite"));
-        scan.sigma = super::noise_of(&scan.samples);
-        let on_nm = OnWholeNm::of(&scan, 380, 780);
-        let raw = detect(band, &on_nm.values, SpikeSettings::default());
-        let found = lines_above_noise(band, &on_nm, SpikeSettings::default());
-        for s in &found.spikes {
-            let i = (s.spike.at_nm - 380.0).round() as usize;
-            let dips = crate::spectrum::narrow_dips(band, &found.smooth, 10.0);
-            let deepest = dips.iter().filter(|d| (d.0 - s.spike.at_nm).abs() <= 100.0).map(|d| d.1).fold(0.0, f64::max);
-            let (w, u) = super::guards::weight_of(&on_nm, s.spike.at_nm, s.width_nm);
-            println!("{draw} light {} at {:.1} width {:.2} height {:.3} true sigma {:.3} told {:.3} deepest {:.3} w/u {:.2} of {} window {:?} light there {:.3} values {:.2?}",
-                draw % lights.len() as u64, s.spike.at_nm, s.width_nm, s.spike.weight / (1.0645 * s.width_nm) / high, sigma(light.values()[i]) / high, on_nm.sigma[i] / high, deepest / high, w / u, raw.spikes.len(), s.window_nm, light.values()[i] / high,
-                on_nm.values[i.saturating_sub(8)..(i + 9).min(401)].iter().map(|v| v / high).collect::<Vec<_>>());
-        }
-    }
 }

@@ -76,9 +76,9 @@ fn stretches(
 ) -> impl Iterator<Item = Vec<[f64; 2]>> {
     let nm = of.samples.nm();
     let mut all = vec![Vec::new()];
-    for i in 0..nm.len() {
+    for (i, nm) in nm.iter().enumerate() {
         match (of.is_kept(i), all.last_mut()) {
-            (true, Some(points)) => points.push([nm[i], value(i)]),
+            (true, Some(points)) => points.push([*nm, value(i)]),
             (false, Some(points)) if !points.is_empty() => all.push(Vec::new()),
             _ => {}
         }
