@@ -221,9 +221,7 @@ pub fn lost_of_measurement(extension: &str, of: &Measurement) -> Option<String> 
     let keeps_all = matches!(extension, "csv" | "json");
     let is_more = of.sigma.is_some() || !of.mask.is_empty();
     (is_more && !keeps_all).then(|| {
-        format!(
-            ".{extension} keeps neither sigma nor what is masked: .csv and .json keep both"
-        )
+        format!(".{extension} keeps neither sigma nor what is masked: .csv and .json keep both")
     })
 }
 
@@ -234,14 +232,10 @@ fn measurement_of_json(text: &str) -> Option<Measurement> {
         return None;
     }
     let doubt: StoredDoubt = serde_json::from_value(all[DOUBT].take()).ok()?;
-    let numbers = |list: &Value| -> Option<Vec<f64>> {
-        list.as_array()?.iter().map(Value::as_f64).collect()
-    };
+    let numbers =
+        |list: &Value| -> Option<Vec<f64>> { list.as_array()?.iter().map(Value::as_f64).collect() };
     let words = |key: &str| all[key].as_str().unwrap_or_default().to_owned();
-    let (nm, values) = (
-        numbers(&all["wavelengths_nm"])?,
-        numbers(&all["values"])?,
-    );
+    let (nm, values) = (numbers(&all["wavelengths_nm"])?, numbers(&all["values"])?);
     let named = NamedSpectrum {
         name: words("name"),
         kind: serde_json::from_value(all["kind"].clone()).ok()?,
@@ -368,7 +362,15 @@ mod tests {
     fn the_sigma_of_a_measurement_is_known_by_its_title() {
         assert!(is_sigma("sigma of x"));
         assert!(!is_sigma("sodium"));
-        let foreign = ["sd", "Std", "lamp sd", "u(lamp)", "STDEV of lamp", "\u{b1}", "lamp +-"];
+        let foreign = [
+            "sd",
+            "Std",
+            "lamp sd",
+            "u(lamp)",
+            "STDEV of lamp",
+            "\u{b1}",
+            "lamp +-",
+        ];
         for title in foreign {
             assert_eq!(is_sigma_of(title, "lamp"), Some(false), "{title}");
         }

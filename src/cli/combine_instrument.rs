@@ -62,5 +62,12 @@ pub(super) fn learnt(
     let doubt = options.known_doubt.unwrap_or(0.0);
     let stem = options.out.as_deref().and_then(Path::file_stem);
     let name = stem.map(|stem| stem.to_string_lossy().into_owned());
-    learnt_of(&measurements(parts), &known, &words.to_string_lossy(), doubt, name).map_err(Refusal::File)
+    learnt_of(
+        &measurements(parts),
+        &known,
+        &words.to_string_lossy(),
+        doubt,
+        name,
+    )
+    .map_err(Refusal::File)
 }

@@ -5,11 +5,7 @@ use std::ffi::OsString;
 use serde_json::{Map, Value};
 
 use super::{
-    arguments::Stated,
-    combine_inputs::read,
-    combine_json,
-    inputs::Inputs,
-    refusal::Refusal,
+    arguments::Stated, combine_inputs::read, combine_json, inputs::Inputs, refusal::Refusal,
 };
 use crate::{
     app::{

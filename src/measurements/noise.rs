@@ -70,7 +70,10 @@ const SAMPLES_A_WIDTH: f64 = 3.0;
 pub fn noise_behind(samples: &Sampled, slit: Slit) -> Option<Vec<f64>> {
     let plain = noise_of(samples)?;
     let step = samples.step_nm();
-    let is_even = samples.nm().windows(2).all(|w| (w[1] - w[0] - step).abs() < 1e-6);
+    let is_even = samples
+        .nm()
+        .windows(2)
+        .all(|w| (w[1] - w[0] - step).abs() < 1e-6);
     if !is_even || slit.fwhm_nm < SAMPLES_A_WIDTH * step {
         return Some(plain);
     }
@@ -84,7 +87,8 @@ pub fn noise_behind(samples: &Sampled, slit: Slit) -> Option<Vec<f64>> {
     let all: Vec<f64> = values.windows(SIXTH.len()).map(sixth).collect();
     let local = |i: usize| {
         let middle = i.saturating_sub(SIXTH.len() / 2);
-        let near = &all[middle.saturating_sub(REACH).min(all.len())..(middle + REACH).min(all.len())];
+        let near =
+            &all[middle.saturating_sub(REACH).min(all.len())..(middle + REACH).min(all.len())];
         deviation(near).map_or(plain[i], |found| found.min(plain[i]))
     };
     Some((0..values.len()).map(local).collect())
@@ -157,7 +161,8 @@ mod tests {
     }
 
     #[test]
-    fn the_noise_behind_a_slit_is_told_to_a_fifth_beside_lines_that_second_differences_take_for_it() {
+    fn the_noise_behind_a_slit_is_told_to_a_fifth_beside_lines_that_second_differences_take_for_it()
+    {
         let slit = Slit {
             shape: Kernel::Gauss,
             fwhm_nm: 5.0,

@@ -6,7 +6,12 @@
 
 use std::fmt;
 
-use super::{error::MeasurementError, measurement::Measurement, units::{conversion, is_relative}, union::Union};
+use super::{
+    error::MeasurementError,
+    measurement::Measurement,
+    union::Union,
+    units::{conversion, is_relative},
+};
 use crate::spectrum::Sampled;
 
 /// Samples to either side over which the noise is averaged.

@@ -273,8 +273,14 @@ fn json_and_convert_keep_sigma_and_what_is_masked_and_other_formats_say_that_the
 fn a_column_of_deviations_of_another_program_is_sigma_only_where_that_is_asked_for() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("foreign.csv");
-    let rows: String = (380..=780).map(|nm| format!("{nm},{},0.5\n", nm - 300)).collect();
-    fs::write(&path, format!("wavelength (nm),irradiance (W m-2 nm-1),sd\n{rows}")).expect("a file");
+    let rows: String = (380..=780)
+        .map(|nm| format!("{nm},{},0.5\n", nm - 300))
+        .collect();
+    fs::write(
+        &path,
+        format!("wavelength (nm),irradiance (W m-2 nm-1),sd\n{rows}"),
+    )
+    .expect("a file");
     let path = path.to_str().expect("UTF-8");
     let (_, told, said) = tell(&["--json", "mean", path]);
     let plain: Value = serde_json::from_str(&told).expect("JSON");
@@ -332,7 +338,12 @@ fn values_and_figures_are_the_same_to_the_bit_with_a_sigma_and_without() {
 fn lights_without_a_common_scale_are_added_at_equal_y_and_quotients_of_surfaces_are_reflectances() {
     let folder = tempfile::tempdir().expect("a folder");
     let even = |by: f64| (380..=780).map(move |nm| (f64::from(nm), by * f64::from(nm)));
-    let absolute = put(folder.path(), "watts.csv", "irradiance (W m-2 nm-1)", even(3.0));
+    let absolute = put(
+        folder.path(),
+        "watts.csv",
+        "irradiance (W m-2 nm-1)",
+        even(3.0),
+    );
     let why = refused(1, &["A + B", "CIE A", &absolute]);
     assert!(why.contains("Bring both to equal Y or area first"), "{why}");
     let sum = json(&["A - B", &absolute, &absolute, "--equal", "area"]);

@@ -79,7 +79,9 @@ fn what_is_combined_follows_its_parts_keeps_its_doubt_in_a_project_and_is_frozen
     let folder = tempfile::tempdir().expect("a folder");
     let put = |value: f64| {
         let path = folder.path().join("lamp.csv");
-        let rows: String = (380..=780).map(|nm| format!("{nm},{value},0.1\n")).collect();
+        let rows: String = (380..=780)
+            .map(|nm| format!("{nm},{value},0.1\n"))
+            .collect();
         let head = "# Spectral Explorer\n# name: lamp\n# kind: light\n# unit: W/nm\n";
         let head = format!("{head}wavelength_nm,lamp,sigma of lamp\n");
         std::fs::write(&path, format!("{head}{rows}")).expect("a file");
@@ -103,7 +105,10 @@ fn what_is_combined_follows_its_parts_keeps_its_doubt_in_a_project_and_is_frozen
     let made = |app: &App| {
         let entry = own(app, "own/2").clone();
         let sigma = entry.measured.as_ref().and_then(|of| of.sigma.clone());
-        (entry.spectrum.samples.values()[0], sigma.expect("a sigma")[0])
+        (
+            entry.spectrum.samples.values()[0],
+            sigma.expect("a sigma")[0],
+        )
     };
     assert_eq!(own(&app, "own/2").name(), "lamp - 0.5*lamp");
     // A - 0.5 A is half of A, its noise too.

@@ -30,7 +30,9 @@ pub fn combined_chart(found: &Found) -> Option<Chart> {
     };
     chart.series = doubted(of, "95 %", 1.0);
     let curve = |points| Series::line("result", Ink::Measured, points);
-    chart.series.extend(stretches(of, |i| of.samples.values()[i]).map(curve));
+    chart
+        .series
+        .extend(stretches(of, |i| of.samples.values()[i]).map(curve));
     if of.quantity != Quantity::Light {
         let at = |line: &LineRow| Some([line.at_nm, line.weight?]);
         let points: Vec<[f64; 2]> = found.lines.iter().filter_map(at).collect();
@@ -98,7 +100,10 @@ mod tests {
         of.sigma = Some(vec![0.1, 0.0, 0.2, 0.1]);
         of.mask = vec![false, true, false, false];
         let parts: Vec<_> = stretches(&of, |i| of.samples.values()[i]).collect();
-        assert_eq!(parts, [vec![[400.0, 1.0]], vec![[402.0, 3.0], [403.0, 4.0]]]);
+        assert_eq!(
+            parts,
+            [vec![[400.0, 1.0]], vec![[402.0, 3.0], [403.0, 4.0]]]
+        );
         let band = doubted(&of, "95 %", 1.0);
         assert_eq!(band.len(), 2);
         let upper = band[1].marks.points()[0][1];

@@ -75,12 +75,8 @@ impl Verb {
             Self::Mean => "Scans of one light: three or more tell how far every figure is known.",
             Self::Difference => "A light less its dark, or less a background.",
             Self::Sum => "Two lights at once.",
-            Self::Quotient => {
-                "A sample over its reference: how much is let through, or sent back."
-            }
-            Self::QuotientLessDark => {
-                "The same for counts, the instrument's dark taken off both."
-            }
+            Self::Quotient => "A sample over its reference: how much is let through, or sent back.",
+            Self::QuotientLessDark => "The same for counts, the instrument's dark taken off both.",
             Self::Absorbance => "The decadic absorbance of a sample over its reference.",
             Self::Splice => "Two ranges of one light that share 20 nm or more.",
             Self::Slit => "A light as an instrument of a wider slit sees it.",
@@ -96,24 +92,33 @@ impl Verb {
         const REFERENCE: Slot = slot("Reference B", "The same light without the sample.");
         match self {
             Self::Mean | Self::Changed => &[],
-            Self::Difference => &const {
-                [LIGHT, slot("Dark B", "The dark or the background that is taken off.")]
-            },
+            Self::Difference => {
+                &const {
+                    [
+                        LIGHT,
+                        slot("Dark B", "The dark or the background that is taken off."),
+                    ]
+                }
+            }
             Self::Sum => &const { [LIGHT, slot("Light B", "The light that is added.")] },
             Self::Quotient | Self::Absorbance => &const { [SAMPLE, REFERENCE] },
-            Self::QuotientLessDark => &const {
-                [
-                    SAMPLE,
-                    REFERENCE,
-                    slot("Dark C", "What the instrument counts without light."),
-                ]
-            },
-            Self::Splice => &const {
-                [
-                    slot("Range A", "The range that keeps its level."),
-                    slot("Range B", "The range that is brought to the level of A."),
-                ]
-            },
+            Self::QuotientLessDark => {
+                &const {
+                    [
+                        SAMPLE,
+                        REFERENCE,
+                        slot("Dark C", "What the instrument counts without light."),
+                    ]
+                }
+            }
+            Self::Splice => {
+                &const {
+                    [
+                        slot("Range A", "The range that keeps its level."),
+                        slot("Range B", "The range that is brought to the level of A."),
+                    ]
+                }
+            }
             Self::Slit | Self::Unslit => &const { [LIGHT] },
         }
     }

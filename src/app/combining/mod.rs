@@ -83,7 +83,9 @@ impl Act {
                 let mut found = formula::of_formula(&formula, text, &parts, *keep_all)?;
                 formula::name_quotient(&mut found, &formula, &parts, *of_surface);
                 if let Some(equal) = equal {
-                    found.notes.push(format!("Lights are brought to equal {equal} first."));
+                    found
+                        .notes
+                        .push(format!("Lights are brought to equal {equal} first."));
                 }
                 found
             }

@@ -6,7 +6,10 @@ use super::{
     said,
 };
 use crate::{
-    measurements::{Kernel, Measurement, Slit, SlitFound, noise_behind, slit_of, slit_of_daylight, smoothed, unslit},
+    measurements::{
+        Kernel, Measurement, Slit, SlitFound, noise_behind, slit_of, slit_of_daylight, smoothed,
+        unslit,
+    },
     spectrum::Sampled,
 };
 

@@ -60,7 +60,11 @@ fn text_of(opened: &Opened, most: u64) -> Option<String> {
         }
         // A pipe is empty by now.
         (None, Some(path)) if path.is_file() => {
-            File::open(path).ok()?.take(most).read_to_end(&mut found).ok()?;
+            File::open(path)
+                .ok()?
+                .take(most)
+                .read_to_end(&mut found)
+                .ok()?;
         }
         (None, _) => return None,
     }
