@@ -69,7 +69,8 @@ pub(super) fn difference(before: &Document, after: &Document) -> String {
         words.push("what light meets".to_owned());
     }
     let name_of = |key: &str| after.name_of(key);
-    words.extend(after.pages.changed_since(&before.pages, &name_of));
+    let pages = after.pages.change(&before.pages, &name_of);
+    words.extend(pages.map(|(_, words)| words));
     match words.len() {
         0 => "a change".to_owned(),
         1 | 2 => words.join(", "),

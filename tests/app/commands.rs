@@ -26,7 +26,6 @@ use spectral_explorer::{
         derived::OF_CURVE,
         export::{Export, composite_file},
         open::{Came, Loaded, Loader, load_bytes, load_path, resolve},
-        pages::PageSetting,
         products::{Link, Products},
         report,
         workspace::{self, Preferences, Restored, StoredImage},
@@ -403,9 +402,11 @@ fn session(app: &App) -> Vec<Command> {
             height: Height::Log,
             ..view
         }),
-        Command::Page(PageSetting::Mix(
-            app.document().pages.mix.clone().dimmed(50.0),
-        )),
+        Command::Page({
+            let mut pages = Box::new(app.document().pages.clone());
+            pages.mix.desk = pages.mix.desk.dimmed(50.0);
+            pages
+        }),
         Command::Products(Products {
             chain: vec![Link::once(preset(app, RED))],
             ..Products::first()

@@ -21,8 +21,10 @@ use crate::driver::{
 };
 
 fn at(page: Page) -> Ui {
-    let mut preferences = Preferences::default();
-    preferences.pages.page = page;
+    let preferences = Preferences {
+        page,
+        ..Preferences::default()
+    };
     at_rest(Window::new(App::new(), preferences, no_files(), None))
 }
 
@@ -62,7 +64,7 @@ fn a_lesson_is_taken_with_the_keyboard_alone_and_leaves_everything_as_it_was() {
     assert_eq!(app(&ui).document().settings.order, 1);
     click(&mut ui, "Leave the lesson");
     assert!(*app(&ui).document() == before);
-    assert_eq!(ui.state().preferences.pages.page, Page::Lessons);
+    assert_eq!(ui.state().preferences.page, Page::Lessons);
     press(&mut ui, Key::ArrowRight);
     assert_eq!(
         app(&ui).document().settings.order,
@@ -85,7 +87,7 @@ fn a_lesson_that_was_finished_has_a_tick() {
     }
     assert_written(&ui, &lesson.remember);
     click(&mut ui, "Finish");
-    assert_eq!(ui.state().preferences.pages.lessons_finished, ["light"]);
+    assert_eq!(ui.state().preferences.lessons_finished, ["light"]);
     assert_written(&ui, "1 of 19 lessons finished");
 }
 
@@ -114,7 +116,7 @@ fn a_file_of_a_lesson_joins_the_list_and_one_with_a_fault_says_where() {
     ui.state_mut()
         .open_files(vec![wrong, unknown, ring, mine], wake);
     wait_until(&mut ui, "the lessons", |ui| !ui.state().is_busy());
-    assert_eq!(ui.state().preferences.pages.page, Page::Lessons);
+    assert_eq!(ui.state().preferences.page, Page::Lessons);
     let said: Vec<String> = app(&ui).messages().iter().map(|m| m.text.clone()).collect();
     assert!(
         said.iter()
@@ -229,7 +231,7 @@ fn a_lamp_that_is_chosen_in_a_lesson_shines_on_the_surfaces_that_are_looked_at()
 
 /// The window at a step of a lesson.
 fn begun(ui: &mut Ui, lesson: &Lesson, step: usize) {
-    ui.state_mut().preferences.pages.lesson_asked = Some(AskedLesson {
+    ui.state_mut().preferences.lesson_asked = Some(AskedLesson {
         name: lesson.name.clone(),
         step,
     });
@@ -287,15 +289,15 @@ fn a_ring_is_drawn_around_everything_that_a_step_points_at() {
             let Some(point) = &step.point else { continue };
             let what = format!("{}, step {}: {point:?}", lesson.name, index + 1);
             begun(&mut ui, lesson, index);
-            let aimed = |ui: &Ui| {
-                let memory = &ui.state().preferences.pages;
-                match point.aim(app(ui), memory).expect(&what) {
-                    Aim::Named(name) => place(ui, &name).unwrap_or_else(|| panic!("{what}")),
-                    Aim::Nm(nm) => {
-                        let plot = ui.state().look.spectrum.transform.expect("a plot");
-                        let x = plot.position_from_point_x(nm);
-                        Rect::from_x_y_ranges(x - 2.0..=x + 2.0, plot.frame().y_range())
-                    }
+            let aimed = |ui: &Ui| match point
+                .aim(app(ui), ui.state().preferences.page)
+                .expect(&what)
+            {
+                Aim::Named(name) => place(ui, &name).unwrap_or_else(|| panic!("{what}")),
+                Aim::Nm(nm) => {
+                    let plot = ui.state().look.spectrum.transform.expect("a plot");
+                    let x = plot.position_from_point_x(nm);
+                    Rect::from_x_y_ranges(x - 2.0..=x + 2.0, plot.frame().y_range())
                 }
             };
             // A page that computes moves for a few frames, and the ring with it.
@@ -426,7 +428,7 @@ fn a_lesson_is_begun_taken_and_finished_without_a_mouse() {
     }
     assert!(ui.get_by_label(&card).is_focused());
     press(&mut ui, Key::Enter);
-    assert_eq!(ui.state().preferences.pages.page, Page::Spectrum);
+    assert_eq!(ui.state().preferences.page, Page::Spectrum);
     for (index, step) in lesson.steps.iter().enumerate() {
         assert_written(
             &ui,
@@ -457,8 +459,10 @@ fn a_lesson_is_begun_taken_and_finished_without_a_mouse() {
 
 /// A window whose workspace and lessons are kept in a folder.
 fn kept_in(folder: &std::path::Path, page: Page) -> Ui {
-    let mut preferences = Preferences::default();
-    preferences.pages.page = page;
+    let preferences = Preferences {
+        page,
+        ..Preferences::default()
+    };
     let saver = Saver::new(folder.join("workspace.json"));
     at_rest(Window::new(
         App::new(),
@@ -504,8 +508,10 @@ fn a_shipped_lesson_is_written_out_as_a_start() {
     let path: PathBuf = folder.path().join("my.json");
     let picked = path.clone();
     let picker = Arc::new(move |_: &_| Picked::Paths(vec![picked.clone()]));
-    let mut preferences = Preferences::default();
-    preferences.pages.page = Page::Teachers;
+    let preferences = Preferences {
+        page: Page::Teachers,
+        ..Preferences::default()
+    };
     let mut ui = at_rest(Window::new(App::new(), preferences, picker, None));
     click(&mut ui, "Copy as a start");
     wait_until(&mut ui, "the file", |ui| is_written(ui, "Saved "));
@@ -541,7 +547,7 @@ fn the_bottom_line_leads_to_the_lesson_about_a_page_and_back_to_the_page() {
     assert_written(&ui, "Step 1 of 3");
     assert!(ui.query_by_label("Lesson about this page").is_none());
     click(&mut ui, "Leave the lesson");
-    assert_eq!(ui.state().preferences.pages.page, Page::Prism);
+    assert_eq!(ui.state().preferences.page, Page::Prism);
     let mut ui = at(Page::Spectrum);
     click(&mut ui, "Lesson about this page");
     assert_written(&ui, "Draw a lamp with waves");

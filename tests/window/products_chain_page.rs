@@ -79,8 +79,10 @@ fn all_sorts() -> Vec<(&'static str, App)> {
 }
 
 fn open(app: App, page: Page, size: [f32; 2]) -> Ui {
-    let mut preferences = Preferences::default();
-    preferences.pages.page = page;
+    let preferences = Preferences {
+        page,
+        ..Preferences::default()
+    };
     let window = Window::new(app, preferences, no_files(), None);
     let mut ui = harness(Shown(window), size, 0.05, 40);
     ui.run();
@@ -172,7 +174,7 @@ fn arrows_move_a_stage_and_the_drawn_spectrum_goes_with_it() {
     ui.drag_at(click);
     ui.drop_at(click);
     ui.run();
-    let memory = |ui: &Ui| ui.state().0.preferences.pages.products.chain;
+    let memory = |ui: &Ui| ui.state().0.app.document().pages.chain;
     assert_eq!(memory(&ui).stage, Some(0));
     ui.get_by_label("Move down stage 1").click();
     ui.run();

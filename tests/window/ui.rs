@@ -296,7 +296,7 @@ fn automatic_reset_and_the_papers_settings_are_one_step_each() {
         let derived = app(&ui).derived();
         match button {
             knobs::AUTOMATIC => {
-                assert!(derived.numbers() <= ui.state().preferences.pages.spend_numbers);
+                assert!(derived.numbers() <= ui.state().app.document().pages.look.numbers);
                 assert_written(&ui, "The best of all ways with at most 21 numbers: ");
             }
             knobs::RESET => assert_eq!(settings(&ui), Settings::default()),

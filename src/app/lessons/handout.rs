@@ -12,7 +12,7 @@ use crate::app::{
     App,
     chart::Theme,
     charts::spectrum::spectrum_chart,
-    pages::{Page, PageMemory},
+    pages::Page,
 };
 
 /// Width and height of a drawn plot, px.
@@ -48,7 +48,7 @@ pub struct Handout {
 }
 
 /// The page of a step as PNG; `None` where there is no window that could draw it.
-pub type PagePicture<'a> = &'a dyn Fn(&App, &PageMemory) -> Option<Vec<u8>>;
+pub type PagePicture<'a> = &'a dyn Fn(&App, Page) -> Option<Vec<u8>>;
 
 /// Writes the sheets of a lesson for some readers, each from a page of its own; the lesson is played
 /// for it. `stem` is the sheet's name without its ending.
@@ -63,13 +63,13 @@ pub fn handout(
     page: PagePicture<'_>,
 ) -> Result<Handout, Fault> {
     let [width, height] = PLOT;
-    let played = play(lesson, |app, memory| match memory.page {
+    let played = play(lesson, |app, on| match on {
         Page::Spectrum => Some(Picture::Svg(spectrum_chart(app).to_svg(
             width,
             height,
             Theme::Light,
         ))),
-        _ => page(app, memory).map(Picture::Png),
+        _ => page(app, on).map(Picture::Png),
     })?;
     let mut blocks = Vec::new();
     for reader in readers {

@@ -2,9 +2,7 @@
 
 mod known_lines;
 mod link_words;
-mod memory;
 mod modelled_light;
-pub mod same_surface;
 pub mod two_lights;
 
 use std::sync::Arc;
@@ -13,10 +11,6 @@ use super::{entry::Entry, library::Library, recipe::Times, settings::within};
 use crate::spectrum::{Band, bounces, glass};
 
 pub use known_lines::KnownLines;
-pub use memory::{
-    AbsorptionMemory, BouncesMemory, ChainMemory, NarrowMemory, PASS_WIDTHS_NM, ProductsMemory,
-    ROOM_PERCENT, ResamplingMemory, SameSurfaceMemory, TwoLightsMemory,
-};
 pub use modelled_light::ModelledLight;
 
 /// Most factors in one chain.

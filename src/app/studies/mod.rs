@@ -15,7 +15,8 @@ pub use field::{CHECK_SET, Class, Field, RaceAsk};
 pub use job::{Job, Question, Stage, Wake, Work};
 pub use lamps::{EncodeAsk, EncodedLight, most_numbers};
 pub use lights_quality::LightsQualityAsk;
-pub use surfaces::{Pairs, PairsAsk, RankAsk, Ranked, Surface, shipped_reflectances};
+pub(super) use surfaces::surfaces;
+pub use surfaces::{Pairs, PairsAsk, Surface, shipped_reflectances};
 pub use take::take;
 
 use std::{

@@ -10,10 +10,7 @@ use egui::{Align, Label, Layout, RichText, Ui, vec2};
 
 use super::{PageContext, PageWish};
 use crate::{
-    app::{
-        lessons::{Fault, Lesson, shelf},
-        pages::{AskedLesson, PageMemory},
-    },
+    app::lessons::{Fault, Lesson, shelf},
     ui::{
         kit::{framed, headline, pressed, scrolled, tile_button, warning},
         theme::Theme,
@@ -78,7 +75,7 @@ impl LessonsView {
     /// The list, to begin one.
     pub fn list(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let all = self.all();
-        let done = &context.memory.lessons_finished;
+        let done = context.finished;
         let finished = all.iter().filter(|l| done.contains(&l.name)).count();
         let words = match finished {
             0 => format!(
@@ -117,7 +114,7 @@ impl LessonsView {
                     let height = heights.fold(0.0, f32::max);
                     ui.horizontal_top(|ui| {
                         for (index, lesson) in row {
-                            let tick = context.memory.lessons_finished.contains(&lesson.name);
+                            let tick = context.finished.contains(&lesson.name);
                             let card = Card::of(ui, lesson, index + 1, tick, width);
                             if card.show(ui, height) {
                                 asked = Some(lesson.name.clone());
@@ -131,7 +128,7 @@ impl LessonsView {
             self.of_own_ones(ui, context.theme);
         });
         if let Some(name) = asked {
-            begin(ui, context.memory, &name);
+            context.wishes.push(PageWish::Begin(name));
         }
     }
 
@@ -188,13 +185,6 @@ impl LessonsView {
     }
 }
 
-/// Asks for a lesson from its beginning.
-pub(in crate::ui) fn begin(ui: &Ui, memory: &mut PageMemory, name: &str) {
-    let name = name.to_owned();
-    memory.lesson_asked = Some(AskedLesson { name, step: 0 });
-    ui.ctx().request_repaint();
-}
-
 /// One lesson, for who teaches it; what of it is to be saved.
 fn of_teachers(
     ui: &mut Ui,
@@ -229,7 +219,7 @@ fn of_teachers(
         said(ui, "Sources", &lesson.sources.join("; "));
         ui.horizontal_wrapped(|ui| {
             if pressed(ui, "Begin", "Begins this lesson.") {
-                begin(ui, context.memory, &lesson.name);
+                context.wishes.push(PageWish::Begin(lesson.name.clone()));
             }
             let pupil = ui.button("Pupil's sheet").on_hover_text(
                 "Saves a PDF to print: words, questions with boxes, axes to sketch on, no answers.",

@@ -4,7 +4,7 @@
 use eframe::egui;
 use egui::{Align, Button, Label, Layout, Rect, RichText, Ui, UiBuilder, pos2, vec2};
 
-use super::{PageContext, Pages};
+use super::{GemView, PageContext, Pages, PrismView};
 use crate::{
     app::{
         chart::Chart,
@@ -40,11 +40,13 @@ pub(in crate::ui) fn show(
     in_lesson: bool,
     knobs: Knobs<'_>,
 ) -> bool {
-    let page = context.memory.page;
+    let page = *context.page;
     match page {
-        Page::Prism => pages.prism.present_prism(ui, context, in_lesson),
-        Page::Rainbow => pages.prism.present_rainbow(ui, context),
-        Page::Gem => pages.gem.present(ui, context),
+        Page::Prism => pages
+            .of::<PrismView>()
+            .present_prism(ui, context, in_lesson),
+        Page::Rainbow => pages.of::<PrismView>().present_rainbow(ui, context),
+        Page::Gem => pages.of::<GemView>().present(ui, context),
         _ if in_lesson || !has_chart(page) => {
             let leaves = head(ui, page.title());
             rolled(ui, |ui| pages.show(ui, context));
@@ -95,7 +97,7 @@ pub(super) fn head(ui: &mut Ui, words: &str) -> bool {
 
 /// The largest chart of the page, its sentence above, the model's knobs below.
 fn chart(pages: &mut Pages, ui: &mut Ui, context: &mut PageContext<'_>, knobs: Knobs<'_>) -> bool {
-    let page = context.memory.page;
+    let page = *context.page;
     let (words, found) = taken_out(pages, ui, context);
     let leaves = head(ui, &words);
     let Some(found) = found else {
@@ -131,7 +133,7 @@ fn taken_out(
     let far = Rect::from_min_size(pos2(0.0, FAR), HIDDEN);
     let mut hidden = ui.new_child(
         UiBuilder::new()
-            .id_salt(("hidden", context.memory.page))
+            .id_salt(("hidden", *context.page))
             .max_rect(far)
             .invisible(),
     );

@@ -31,7 +31,7 @@ use crate::{
             handout::{Form, Reader, handout},
         },
         open::{Finished, Loaded, load_bytes},
-        pages::{Page, PageMemory},
+        pages::Page,
         photograph::is_photograph,
         relit::PictureWish,
         sheet,
@@ -76,7 +76,7 @@ impl Window {
 
     /// On the page "From a colour" a picture is one whose pixels are taken as colours.
     fn without_photos(&mut self, paths: Vec<PathBuf>) -> Vec<PathBuf> {
-        if self.preferences.pages.page != Page::FromColour {
+        if self.preferences.page != Page::FromColour {
             return paths;
         }
         let is_photo = |path: &PathBuf| {
@@ -95,8 +95,8 @@ impl Window {
         let (pictures, others): (Vec<PathBuf>, _) =
             paths.into_iter().partition(|path| is_photograph(path));
         if let Some(path) = pictures.into_iter().next_back() {
-            self.preferences.pages.photograph_asked = Some(path);
-            self.preferences.pages.page = Page::Photograph;
+            self.preferences.photograph_asked = Some(path);
+            self.preferences.page = Page::Photograph;
         }
         others
     }
@@ -405,9 +405,9 @@ fn lesson_sheet(
     preferences: &Preferences,
 ) -> Result<Vec<u8>, String> {
     const SIZE: [u32; 2] = [1280, 640];
-    let page = |app: &App, memory: &PageMemory| {
+    let page = |app: &App, page: Page| {
         let preferences = Preferences {
-            pages: memory.clone(),
+            page,
             dark: false,
             ..preferences.clone()
         };

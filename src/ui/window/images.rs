@@ -39,10 +39,10 @@ impl Window {
         let Some(first) = first.filter(|_| count > 0).and_then(|i| images.get(i)) else {
             return;
         };
-        let pages = &mut self.preferences.pages;
-        pages.image.choose(&first.key);
+        let key = first.key.clone();
+        self.app.pages_follow(|pages| pages.image.choose(&key));
         if alone {
-            pages.page = Page::Image;
+            self.preferences.page = Page::Image;
         }
     }
 }

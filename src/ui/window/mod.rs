@@ -140,9 +140,9 @@ impl Window {
         picker: Picker,
         saver: Option<Saver>,
     ) -> Self {
-        preferences.pages.note_page();
+        preferences.note_page();
         Self {
-            kept: (app.revision(), preferences.clone()),
+            kept: (app.changes(), preferences.clone()),
             had_second: app.document().second.is_some(),
             lessons_folder: saver.as_ref().map(|s| s.path().with_file_name("lessons")),
             lists_lessons: false,
@@ -267,7 +267,7 @@ impl Window {
         if !context.input(|i| i.pointer.any_down()) && !context.text_edit_focused() {
             self.app.end_gesture();
         }
-        self.preferences.pages.note_page();
+        self.preferences.note_page();
         self.keep();
     }
 
@@ -276,8 +276,7 @@ impl Window {
         let is_there = self.app.document().second.is_some();
         if is_there != self.had_second {
             self.had_second = is_there;
-            let pages = &mut self.preferences.pages;
-            pages.dispersion.follow_second(is_there);
+            self.app.pages_follow(|pages| pages.follow_second(is_there));
         }
     }
 
@@ -316,14 +315,14 @@ impl Window {
     /// Hands the workspace to the saver, which keeps it on disk a moment after it changed.
     fn keep(&mut self) {
         let Some(saver) = &self.saver else { return };
-        let is_kept = self.kept.0 == self.app.revision() && self.kept.1 == self.preferences;
+        let is_kept = self.kept.0 == self.app.changes() && self.kept.1 == self.preferences;
         if !is_kept {
             saver.keep_soon(
                 self.app.document(),
                 &self.preferences,
                 &self.images.absent(),
             );
-            self.kept = (self.app.revision(), self.preferences.clone());
+            self.kept = (self.app.changes(), self.preferences.clone());
         }
     }
 
@@ -343,7 +342,7 @@ impl Window {
                 &self.preferences,
                 &self.images.absent(),
             );
-            self.kept = (self.app.revision(), self.preferences.clone());
+            self.kept = (self.app.changes(), self.preferences.clone());
         }
     }
 }

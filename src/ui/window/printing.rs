@@ -38,7 +38,7 @@ const PAGE_SIZE: [u32; 2] = [1280, 800];
 impl Window {
     /// Prints the spectrum, or another page as it is presented, on white.
     pub(super) fn print_page(&mut self, context: &Context) {
-        let page = self.preferences.pages.page;
+        let page = self.preferences.page;
         let title = format!("{}: {}", page.place().title(), page.title());
         let printed = match page {
             Page::Spectrum => {

@@ -99,7 +99,7 @@ impl PhotographView {
 
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        if let Some(path) = context.memory.photograph_asked.take() {
+        if let Some(path) = context.photograph_asked.take() {
             self.take(path);
         }
         let Some(path) = self.path.clone() else {

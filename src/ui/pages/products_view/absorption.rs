@@ -186,7 +186,7 @@ fn examples(ui: &mut Ui, context: &mut PageContext<'_>, is_example: bool) {
                 .clicked()
                 && let Some(entry) = app.entry(example.key)
             {
-                context.memory.products.absorption.example = index;
+                context.pages.dark_lines.example = index;
                 context.commands.push(Command::ShowWith {
                     entry,
                     settings: example.over(app.document().settings),
