@@ -103,9 +103,7 @@ pub use quality::{
 };
 pub use recipe::{Gel, Given, Recipe, Times};
 pub use scale::Scale;
-pub use settings::{
-    Detector, GRADIENTS_PERCENT, ORDERS, Settings, THRESHOLDS_PERCENT, WIDTHS_NM, range_words,
-};
+pub use settings::{Detector, Settings, range_words};
 pub use spike_hand::SpikeAct;
 pub use state::{App, Message, Tone, derive};
 pub use surfaces::Surfaces;

@@ -20,7 +20,7 @@ use serde_json::Value;
 use spectral_explorer::{
     app::{
         App, Command, Document, Entry, FIRST_LIGHT, FIRST_PATCH_SET, Height, Library, MadeFor,
-        ORDERS, Opened, Recipe, Scale, Settings, SpikeAct, Subject, Times, Tone, View,
+        Opened, Recipe, Scale, Settings, SpikeAct, Subject, Times, Tone, View,
         chart::Theme,
         charts::tradeoff,
         derived::OF_CURVE,
@@ -263,7 +263,10 @@ fn silly_settings_become_the_nearest_sensible_ones() {
         }
     }
     edit(&mut app, |s| s.order = usize::MAX);
-    assert_eq!(app.document().settings.order, *ORDERS.end());
+    assert_eq!(
+        app.document().settings.order as f64,
+        *Settings::ORDER.reach.range().end()
+    );
     assert_all_finite(&app);
     let clamped = app.document().settings;
     assert_eq!(

@@ -8,12 +8,7 @@ use super::{
     handout_pdf,
     proof::{Played, play},
 };
-use crate::app::{
-    App,
-    chart::Theme,
-    charts::spectrum::spectrum_chart,
-    pages::Page,
-};
+use crate::app::{App, chart::Theme, charts::spectrum::spectrum_chart, pages::Page};
 
 /// Width and height of a drawn plot, px.
 const PLOT: [u32; 2] = [900, 420];

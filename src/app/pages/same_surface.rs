@@ -222,9 +222,7 @@ pub fn check_text(sheet: &SameSurfaceSheet) -> String {
 pub fn ranking(names: &[String; 3], ranked: &[Ranked]) -> Table {
     type Row<'a> = &'a Ranked;
     let found = |key: &'static str, of: fn(&Ranked) -> Option<f64>| {
-        column(key, move |r: &Row<'_>| {
-            cell(of(r)).shown(figure(of(r)))
-        })
+        column(key, move |r: &Row<'_>| cell(of(r)).shown(figure(of(r))))
     };
     let columns = Columns::<Row<'_>>::default()
         .with("surface", |r: &Row<'_>| {

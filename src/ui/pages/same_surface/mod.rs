@@ -12,14 +12,18 @@ use crate::{
     app::{
         App, ByAddress, Command, Entry, MadeFor, Memo,
         chart::Chart,
-        pages::same_surface::{RESIDUAL_MEANS, Ranked, SameSurfaceSheet, as_product, example, figure, same_surface_chart},
+        pages::same_surface::{
+            RESIDUAL_MEANS, Ranked, SameSurfaceSheet, as_product, example, figure,
+            same_surface_chart,
+        },
         ticks::short,
     },
     io::many::numbers,
     study::products::{SAME_RESIDUAL, Sameness},
     ui::{
         kit::{
-            Chooser, Column, Form, GROUP, Row, factors, fold, form, headline, lights, scrolled, two_columns,
+            Chooser, Column, Form, GROUP, Row, factors, fold, form, headline, lights, scrolled,
+            two_columns,
         },
         pages::PageContext,
     },

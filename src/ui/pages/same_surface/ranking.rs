@@ -72,7 +72,9 @@ pub(super) fn show(
             "."
         }
     ));
-    let (columns, rows) = laid_out.get(ByAddress(ranked.clone()), |_| self::laid_out(sheet, &ranked));
+    let (columns, rows) = laid_out.get(ByAddress(ranked.clone()), |_| {
+        self::laid_out(sheet, &ranked)
+    });
     let chosen = context.app.document().products.surface.as_ref();
     let chosen = chosen.and_then(|entry| ranked.iter().position(|r| r.key == entry.key));
     let table = Table {
@@ -102,7 +104,10 @@ pub(super) fn show(
 pub(super) fn laid_out(sheet: &SameSurfaceSheet, ranked: &[Ranked]) -> (Vec<Column>, Vec<Row>) {
     let table = ranking(&sheet.names, ranked);
     let mut columns = kit::columns(&table, &[0.43, 0.14, 0.15, 0.19]);
-    columns.insert(0, Column::words("", "Colour of the surface under the light.", 0.09));
+    columns.insert(
+        0,
+        Column::words("", "Colour of the surface under the light.", 0.09),
+    );
     let mut rows = kit::rows(&table, |i, cells| {
         let ranked = &ranked[i];
         let [name, residual] = [&cells[0], &cells[1]];
