@@ -8,12 +8,12 @@ use super::{
         narrow::{Behind, Figures, Filter},
         resampling::Bench,
     },
-    numbers::{delta_e, percent},
+    numbers::{delta_e, hundredths, percent},
     opened::ImageEntry,
     product_report::Told,
     state::App,
     studies::paper::{Row, Verdict},
-    ticks::{hundredths, short},
+    ticks::short,
     verdicts::Seen,
 };
 use crate::{

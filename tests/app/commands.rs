@@ -166,7 +166,7 @@ fn the_first_start_shows_fl2_and_a_lamp_of_many_lines_has_them_as_spikes() {
     let patches = app.derived().patches.as_ref().expect("a light has patches");
     assert_eq!(app.document().patch_set, FIRST_PATCH_SET);
     assert_eq!(patches.items.len(), 24);
-    assert!(!app.can_undo() && !app.can_redo());
+    assert!(app.undo_words().is_none() && app.redo_words().is_none());
     assert_eq!(app.message(), None);
     assert_all_finite(&app);
 }
@@ -492,13 +492,13 @@ fn every_command_is_undone_and_done_again_exactly() {
         assert_eq!(app.document(), document);
         assert_eq!(app.derived(), derived, "what is shown follows");
     }
-    assert!(!app.can_undo());
+    assert!(app.undo_words().is_none());
     for (document, derived) in states.iter().skip(1) {
         app.apply(Command::Redo);
         assert_eq!(app.document(), document);
         assert_eq!(app.derived(), derived);
     }
-    assert!(!app.can_redo());
+    assert!(app.redo_words().is_none());
 }
 
 #[test]
@@ -559,7 +559,7 @@ fn a_drag_is_one_step_of_undo_and_the_next_drag_another() {
     assert_eq!(app.document(), &between);
     app.apply(Command::Undo);
     assert_eq!(app.document(), &first);
-    assert!(!app.can_undo());
+    assert!(app.undo_words().is_none());
 }
 
 #[test]
@@ -584,7 +584,7 @@ fn another_kind_of_change_ends_a_drag_too() {
     app.apply(Command::Undo);
     app.apply(Command::Undo);
     assert_eq!(app.document().settings.order, 7);
-    assert!(!app.can_undo());
+    assert!(app.undo_words().is_none());
 }
 
 #[test]
@@ -592,9 +592,9 @@ fn a_change_after_undo_forgets_what_was_undone() {
     let mut app = plain();
     edit(&mut app, |s| s.order = 9);
     app.apply(Command::Undo);
-    assert!(app.can_redo());
+    assert!(app.redo_words().is_some());
     edit(&mut app, |s| s.order = 3);
-    assert!(!app.can_redo());
+    assert!(app.redo_words().is_none());
     app.apply(Command::Redo);
     assert_eq!(app.document().settings.order, 3);
     assert_eq!(app.message().map(|m| m.tone), Some(Tone::Info));
@@ -611,7 +611,7 @@ fn a_command_that_changes_nothing_is_no_step_and_no_work() {
         key: "own/7".to_owned(),
     });
     app.apply(Command::Undo);
-    assert!(!app.can_undo());
+    assert!(app.undo_words().is_none());
     assert_eq!(app.revision(), revision);
     assert_eq!(
         app.message().map(|m| m.text.as_str()),
@@ -1091,7 +1091,7 @@ fn acts_on_spikes_that_are_not_there_or_are_no_numbers_do_nothing() {
         SpikeAct::Reset,
     ] {
         app.act_on_spikes(act);
-        assert!(!app.can_undo(), "{act:?} did something");
+        assert!(app.undo_words().is_none(), "{act:?} did something");
     }
 }
 
@@ -1223,7 +1223,11 @@ fn a_shipped_spectrum_cannot_be_renamed_or_turned_into_something_else() {
     ] {
         let mut app = plain();
         app.apply(command);
-        assert!(!app.can_undo(), "{:?}", app.document().light.name());
+        assert!(
+            app.undo_words().is_none(),
+            "{:?}",
+            app.document().light.name()
+        );
     }
 }
 

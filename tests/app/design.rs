@@ -212,7 +212,7 @@ fn a_wish_and_a_point_of_the_front_are_one_step_each() {
         app.apply(Command::Undo);
         assert_eq!(app.document().pages.mix.desk, expected);
     }
-    assert!(!app.can_undo());
+    assert!(app.undo_words().is_none());
 }
 
 fn patches(app: &App) -> &PatchComparison {

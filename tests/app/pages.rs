@@ -181,7 +181,7 @@ fn a_knob_that_is_held_is_one_step_and_what_follows_by_itself_is_none() {
     app.pages_follow(|pages| pages.why.partial_order = 9);
     app.apply(Command::Undo);
     assert_eq!(app.document().pages, PageStates::default());
-    assert!(!app.can_undo());
+    assert!(app.undo_words().is_none());
 }
 
 #[test]

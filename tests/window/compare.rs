@@ -145,7 +145,7 @@ fn a_surface_is_no_second_light_and_what_is_removed_is_none_any_more() {
     let mut app = App::new();
     let red = app.entry("colorchecker_ohta/red").expect("shipped");
     app.apply(Command::Compare(Some(red)));
-    assert!(app.document().second.is_none() && !app.can_undo());
+    assert!(app.document().second.is_none() && app.undo_words().is_none());
     let led = app.entry(SECOND).expect("shipped").spectrum.clone();
     app.apply(Command::Adopt(vec![led]));
     let own = app.document().own[0].clone();

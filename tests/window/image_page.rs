@@ -607,7 +607,7 @@ fn images_come_back_after_a_restart_and_what_is_gone_is_said() {
         problems.len() == 1 && problems[0].contains("gone"),
         "{problems:?}"
     );
-    assert!(!app(&ui).can_undo(), "nothing that a person did");
+    assert!(app(&ui).undo_words().is_none(), "nothing that a person did");
     ui.state_mut().0.keep_now();
     drop(ui.into_state());
     let kept = workspace::load(&path).expect("readable").expect("kept");

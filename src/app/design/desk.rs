@@ -403,7 +403,7 @@ mod tests {
         assert_eq!(words, "fader of LED 455 nm to 40 %");
         app.apply(Command::Undo);
         assert_eq!(app.document().pages.mix.desk, before);
-        assert!(!app.can_undo());
+        assert!(app.undo_words().is_none());
     }
 
     #[test]

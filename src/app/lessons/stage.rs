@@ -329,7 +329,7 @@ mod tests {
         let refused = stage.set(&mut app, &mut page, &mut Vec::new());
         let why = refused.expect_err("no light");
         assert!(why.contains("expected a light"), "{why}");
-        assert!(!app.can_undo(), "nothing was changed");
+        assert!(app.undo_words().is_none(), "nothing was changed");
     }
 
     #[test]

@@ -40,10 +40,12 @@ pub enum Reach {
 impl Reach {
     /// The nearest value that it allows; the usual one for what is no number.
     pub fn nearest(self, wanted: f64, usual: f64) -> f64 {
+        let range = self.range();
+        let wanted = wanted.clamp(*range.start(), *range.end());
         let distance = |value: &f64| (value - wanted).abs();
         match self {
-            _ if !wanted.is_finite() => usual,
-            Self::Within(least, most) => wanted.clamp(least, most),
+            _ if wanted.is_nan() => usual,
+            Self::Within(..) => wanted,
             Self::OneOf(values) => {
                 let nearest = values
                     .iter()
@@ -133,7 +135,7 @@ pub fn keep_in_reach<T: Default>(knobs: &[Knob<T>], value: &mut T) {
     for knob in knobs {
         let now = knob.get(value);
         let usual = || knob.get(&mut T::default());
-        knob.set(value, if now.is_finite() { now } else { usual() });
+        knob.set(value, if now.is_nan() { usual() } else { now });
     }
 }
 

@@ -18,13 +18,13 @@ use crate::{
         document::Document,
         entry::Entry,
         memo::ByAddress,
-        numbers::or_dash,
+        numbers::hundredths,
         products::ModelledLight,
         recipe::{Recipe, Times},
         report::settings_json,
         state::App,
         studies::{Question, surfaces},
-        ticks::{hundredths, short},
+        ticks::short,
     },
     color::{Adaptation, Observer, Swatch, xyz_of_parts},
     spectrum::{Band, Composite},
@@ -222,7 +222,7 @@ pub fn check_text(sheet: &SameSurfaceSheet) -> String {
 pub fn ranking(names: &[String; 3], ranked: &[Ranked]) -> Table {
     type Row<'a> = &'a Ranked;
     let found = |key: &'static str, of: fn(&Ranked) -> Option<f64>| {
-        column(key, move |r: &Row<'_>| cell(of(r)).shown(figure(of(r))))
+        column(key, move |r: &Row<'_>| cell(of(r)).shown(hundredths(of(r))))
     };
     let columns = Columns::<Row<'_>>::default()
         .with("surface", |r: &Row<'_>| {
@@ -248,11 +248,6 @@ pub fn ranking(names: &[String; 3], ranked: &[Ranked]) -> Table {
         .titled("verdict", "The model's verdict.");
     let comments = format!("# {} as {} off each surface\n", names[2], names[0]);
     Table::new(comments, columns, ranked)
-}
-
-/// A residual or a factor on screen.
-pub fn figure(value: Option<f64>) -> String {
-    or_dash(value, hundredths)
 }
 
 /// The meaning of a residual.

@@ -7,16 +7,6 @@ use crate::app::{
 };
 
 impl App {
-    /// Whether there is something to undo.
-    pub fn can_undo(&self) -> bool {
-        self.history.before().is_some()
-    }
-
-    /// Whether there is something to do again.
-    pub fn can_redo(&self) -> bool {
-        self.history.after().is_some()
-    }
-
     /// What undo would take back, in words.
     pub fn undo_words(&self) -> Option<String> {
         let before = self.history.before()?;

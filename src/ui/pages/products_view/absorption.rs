@@ -1,7 +1,5 @@
 //! The page "Dark lines": dips as negative spikes, and their names.
 
-use std::sync::Arc;
-
 use eframe::egui;
 use egui::{DragValue, Ui, vec2};
 
@@ -406,12 +404,4 @@ fn known_row(line: &DarkLine) -> Row {
         cells: vec![at, "–".to_owned(), depth, line.name.to_owned()],
         ..Row::default()
     }
-}
-
-/// The examples' spectra, for tests.
-pub fn example_entries(app: &App) -> Vec<(&'static str, Option<Arc<Entry>>)> {
-    EXAMPLES
-        .iter()
-        .map(|example| (example.title, app.entry(example.key)))
-        .collect()
 }

@@ -12,9 +12,9 @@ use crate::{
     app::{
         App, ByAddress, Command, Entry, MadeFor, Memo,
         chart::Chart,
+        numbers::hundredths,
         pages::same_surface::{
-            RESIDUAL_MEANS, Ranked, SameSurfaceSheet, as_product, example, figure,
-            same_surface_chart,
+            RESIDUAL_MEANS, Ranked, SameSurfaceSheet, as_product, example, same_surface_chart,
         },
         ticks::short,
     },
@@ -327,8 +327,8 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
             for (what, compared, verdict) in rows {
                 let found = compared.as_ref().map(|c| c.reflection);
                 ui.label(what);
-                ui.label(figure(found.map(|f| f.residual)));
-                ui.label(figure(found.map(|f| f.factor)));
+                ui.label(hundredths(found.map(|f| f.residual)));
+                ui.label(hundredths(found.map(|f| f.factor)));
                 ui.label(format!("{} {}", verdict.sign(), verdict.words()));
                 ui.end_row();
             }

@@ -12,7 +12,8 @@ use super::{
 use crate::{
     app::{
         ByAddress, Memo,
-        pages::same_surface::{RankAsk, Ranked, SameSurfaceSheet, figure, ranking},
+        numbers::hundredths,
+        pages::same_surface::{RankAsk, Ranked, SameSurfaceSheet, ranking},
         studies::Stage,
     },
     study::products::Sameness,
@@ -117,8 +118,8 @@ pub(super) fn laid_out(sheet: &SameSurfaceSheet, ranked: &[Ranked]) -> (Vec<Colu
                 "{}\nFactor {} in the model's numbers, {} measured.\nClick to take it as the \
                  surface S2.",
                 ranked.key,
-                figure(ranked.model.map(|m| m.factor)),
-                figure(ranked.measured.map(|m| m.factor)),
+                hundredths(ranked.model.map(|m| m.factor)),
+                hundredths(ranked.measured.map(|m| m.factor)),
             ),
         ]
     });
