@@ -16,7 +16,8 @@ impl PageState for DiagramShows {
         ("uniform", "the plane"),
         ("gamuts", "gamuts of screens"),
         ("whites", "nominal whites"),
-        ("ellipses", "ellipses"),
+        ("ellipses", "MacAdam's ellipses"),
+        ("surfaces", "the outline of surfaces"),
         ("near", "the neighbourhood of the light"),
     ];
 }
