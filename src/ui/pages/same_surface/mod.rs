@@ -21,10 +21,7 @@ use crate::{
     io::many::numbers,
     study::products::{SAME_RESIDUAL, Sameness},
     ui::{
-        kit::{
-            Chooser, Column, Form, GROUP, Row, factors, fold, form, headline, lights, scrolled,
-            two_columns,
-        },
+        kit::{Chooser, Form, GROUP, factors, fold, form, headline, lights, scrolled, two_columns},
         pages::PageContext,
     },
 };
@@ -58,7 +55,7 @@ pub mod names {
 #[derive(Default)]
 pub struct SameSurfaceView {
     shown: Memo<u64, Option<Arc<Shown>>>,
-    ranking: Memo<ByAddress<Vec<Ranked>>, (Vec<Column>, Vec<Row>)>,
+    ranking: Memo<ByAddress<Vec<Ranked>>, ranking::LaidOut>,
     /// The surface of the example; `None` for S2.
     example: Option<Arc<Entry>>,
 }

@@ -24,12 +24,15 @@ use crate::{
     },
 };
 
+/// Its columns and rows.
+pub(super) type LaidOut = (Vec<Column>, Vec<Row>);
+
 /// The ranking, within a height.
 pub(super) fn show(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
     sheet: &SameSurfaceSheet,
-    laid_out: &mut Memo<ByAddress<Vec<Ranked>>, (Vec<Column>, Vec<Row>)>,
+    laid_out: &mut Memo<ByAddress<Vec<Ranked>>, LaidOut>,
     height: f32,
 ) {
     let answer = context.studies.of::<RankAsk>().answer();
@@ -102,7 +105,7 @@ pub(super) fn show(
 }
 
 /// Its columns and rows, a field of colour before each.
-pub(super) fn laid_out(sheet: &SameSurfaceSheet, ranked: &[Ranked]) -> (Vec<Column>, Vec<Row>) {
+pub(super) fn laid_out(sheet: &SameSurfaceSheet, ranked: &[Ranked]) -> LaidOut {
     let table = ranking(&sheet.names, ranked);
     let mut columns = kit::columns(&table, &[0.43, 0.14, 0.15, 0.19]);
     columns.insert(
