@@ -24,6 +24,15 @@ const DEVIATIONS: [&str; 9] = [
     "sd", "std", "stdev", "sigma", "u", "error", "\u{b1}", "+-", "+/-",
 ];
 
+/// The same in several words.
+const PHRASES: [&str; 5] = [
+    "standard deviation",
+    "standard uncertainty",
+    "std. dev",
+    "std dev",
+    "uncertainty",
+];
+
 /// Whether a spectrum of this name is the sigma of the one before it.
 pub fn is_sigma(name: &str) -> bool {
     name.starts_with(SIGMA_OF)
@@ -36,9 +45,17 @@ pub fn is_sigma_of(title: &str, of: &str) -> Option<bool> {
     if is_sigma(title) {
         return Some(true);
     }
-    let title = title.to_lowercase().replace(&of.to_lowercase(), " ");
+    let mut title = title.to_lowercase();
+    if !of.is_empty() {
+        title = title.replace(&of.to_lowercase(), " ");
+    }
+    for phrase in PHRASES {
+        title = title.replace(phrase, " sd ");
+    }
     let words = title.split(|c: char| c.is_whitespace() || "_()[]:,;".contains(c));
-    let mut words = words.filter(|word| !matches!(*word, "" | "of")).peekable();
+    let mut words = words
+        .filter(|word| !matches!(word.trim_end_matches('.'), "" | "of"))
+        .peekable();
     words.peek()?;
     let is_deviation = |word: &str| DEVIATIONS.contains(&word.trim_end_matches('.'));
     words.all(is_deviation).then_some(false)
@@ -184,9 +201,10 @@ const DOUBT: &str = "doubt";
 fn measurement_json(of: &Measurement, made_by: &str) -> Result<String, String> {
     let named = spectrum(of, made_by);
     let text = encode("json", &named, &Columns::measured(&named), &provenance())?;
-    let mut all: Value = serde_json::from_str(&text).map_err(|why| why.to_string())?;
-    all[DOUBT] = serde_json::to_value(StoredDoubt::of(of)).map_err(|why| why.to_string())?;
-    Ok(format!("{all}\n"))
+    let doubt = serde_json::to_string(&StoredDoubt::of(of)).map_err(|why| why.to_string())?;
+    // Behind the rest: a file is known by its beginning.
+    let rest = text.trim_end().trim_end_matches('}');
+    Ok(format!("{rest},\"{DOUBT}\":{doubt}}}\n"))
 }
 
 /// A measurement in the format of an extension that keeps all that is known of it; `None` for an
@@ -364,6 +382,8 @@ mod tests {
         assert!(!is_sigma("sodium"));
         let foreign = [
             "sd",
+            "Standard deviation",
+            "Std. dev.",
             "Std",
             "lamp sd",
             "u(lamp)",

@@ -22,6 +22,11 @@ pub fn is_counts(entry: &Entry) -> bool {
     sign.is_some_and(|sign| sign.is_certain)
 }
 
+/// Whether a column that may be a spectrum's sigma was left out of it.
+pub fn lost_its_sigma(of: &NamedSpectrum) -> bool {
+    of.notes.iter().any(|note| note.contains("is a spread"))
+}
+
 /// What a reading tells of itself.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Reading {

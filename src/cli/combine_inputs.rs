@@ -13,6 +13,7 @@ use crate::{
         combining::Part,
         measured::is_sigma_of,
         open::{Loaded, Wanted, named},
+        readings::lost_its_sigma,
     },
     io::{Choices, shown, stream::is_stream},
 };
@@ -77,6 +78,10 @@ fn spectra_of(path: &Path, choices: &Choices, inputs: &mut Inputs) -> Result<Vec
         if let Some(said) = said {
             inputs.note(format!("{}: {said}", shown(path)));
         }
+    }
+    if opened.spectra.iter().any(lost_its_sigma) {
+        let lost = "a column of deviations was left out: --take-sigma takes it as sigma";
+        inputs.note(format!("{}: {lost}", shown(path)));
     }
     let all = named::every(*opened, choices).into_iter();
     let entries = all.map(|found| found.entry).enumerate();

@@ -2,7 +2,7 @@
 
 use super::{Flip, first_rows::MOST_COLUMNS};
 use crate::{
-    app::{measured::is_sigma_of, opened::Opened},
+    app::{measured::is_sigma_of, opened::Opened, readings::lost_its_sigma},
     io::{
         AxisDecision, Choices, Counted, Decision, Decisions, Delimiter, Guessed, MOST_UNDERSTOOD,
         OpenQuestion, Origin, TableFound, WavelengthUnit, envi,
@@ -179,11 +179,16 @@ fn sigma_question(opened: &Opened) -> Option<Question> {
         let [of, beside] = pair else { return false };
         is_sigma_of(&beside.name, &of.name) == Some(false)
     };
-    pairs.find(|pair| is_foreign(pair))?;
+    let is_asked = opened.choices.take_sigma
+        || opened.spectra.iter().any(lost_its_sigma)
+        || pairs.any(is_foreign);
+    if !is_asked {
+        return None;
+    }
     let words = |takes| {
         match takes {
             true => "the noise of the one before it",
-            false => "a spectrum",
+            false => "no noise",
         }
         .to_owned()
     };

@@ -36,6 +36,8 @@ pub(super) fn find(opened: &mut Opened) {
         let of = &opened.spectra[index];
         let sigma = opened.spectra.get(index + 1);
         let sigma = sigma.filter(|_| opened.is_sigma(index + 1));
+        let sigma = sigma.map(|sigma| on_scale_of(sigma, of));
+        let sigma = sigma.as_ref();
         let whole = whole.clone().filter(|whole| is_that(whole, of));
         let mut found = whole.or_else(|| measurement(of, sigma).ok())?;
         found.exposure_ms = exposure.or(found.exposure_ms);
@@ -43,6 +45,19 @@ pub(super) fn find(opened: &mut Opened) {
         is_more.then(|| (index, Arc::new(found)))
     });
     opened.measured = known.collect();
+}
+
+/// A sigma on the scale that the values were read on: per cent are per cent of both.
+fn on_scale_of(sigma: &NamedSpectrum, of: &NamedSpectrum) -> NamedSpectrum {
+    let by = of.scale / sigma.scale;
+    let is_other = by.is_finite() && by > 0.0 && by != 1.0;
+    NamedSpectrum {
+        samples: match is_other {
+            true => sigma.samples.scaled(by),
+            false => sigma.samples.clone(),
+        },
+        ..sigma.clone()
+    }
 }
 
 /// True if a measurement is what a spectrum was read from.

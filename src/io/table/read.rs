@@ -129,6 +129,9 @@ fn read_table(
     let short = titles_short_of_cells(table, file.dialect);
     if let Layout::Column(mut wavelength) = table.layout {
         let (mut groups, mut left_out) = roles::groups(&table.block, &table.titles, wavelength);
+        if file.input.choices.take_sigma {
+            roles::keep_spreads(&mut groups, &mut left_out);
+        }
         if let Some((unfolded, note)) = folded::unfold(table, &groups, wavelength) {
             reading.notes.push(note);
             *table = unfolded;

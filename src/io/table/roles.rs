@@ -17,6 +17,9 @@ pub(crate) struct LeftOut {
     pub why: &'static str,
 }
 
+/// The role and treatment of a column of standard deviations.
+pub(crate) const SPREAD: &str = "is a spread and was left out";
+
 /// The role and treatment of wavelengths without values.
 const SECOND_AXIS: &str = "is a second axis and was left out";
 
@@ -60,6 +63,21 @@ pub(crate) fn groups(
     let why = "holds the wavelengths of the columns behind it";
     left_out.extend(others.map(|column| LeftOut { column, why }));
     (groups, left_out)
+}
+
+/// Keeps the spreads that stand right behind what they are the spread of.
+pub(crate) fn keep_spreads(groups: &mut [Group], left_out: &mut Vec<LeftOut>) {
+    left_out.retain(|out| {
+        let before = |group: &&mut Group| {
+            out.why == SPREAD && group.values.iter().any(|column| column + 1 == out.column)
+        };
+        let Some(group) = groups.iter_mut().find(before) else {
+            return true;
+        };
+        let place = group.values.partition_point(|column| *column < out.column);
+        group.values.insert(place, out.column);
+        false
+    });
 }
 
 /// A column by its place and title, for notes.
@@ -153,7 +171,7 @@ pub(crate) fn by_titles(
         }
         kept.iter().map(|(_, title)| title.clone()).collect()
     };
-    let titles: Vec<String> = without(&is_spread, "is a spread and was left out");
+    let titles: Vec<String> = without(&is_spread, SPREAD);
     let why = "is no spectrum by its title and was left out";
     let titles: Vec<String> = without(&is_beside(&titles), why);
     // Where all are such functions they are what the file is for.
