@@ -9,6 +9,7 @@ mod beside;
 pub mod cells;
 pub mod chart;
 pub mod charts;
+pub mod combining;
 mod command;
 mod command_line_words;
 pub mod comparison;
@@ -67,6 +68,7 @@ pub mod spectral_unit;
 mod spike_hand;
 mod spike_names;
 mod state;
+mod stored_doubt;
 mod stored_path;
 pub mod studies;
 pub mod study_report;
@@ -77,6 +79,7 @@ pub mod tint;
 mod today;
 mod undo_words;
 pub mod verdicts;
+pub mod worker;
 pub mod workspace;
 
 pub use already_open::{Known, known};
@@ -103,9 +106,7 @@ pub use quality::{
 };
 pub use recipe::{Gel, Given, Recipe, Times};
 pub use scale::Scale;
-pub use settings::{
-    Detector, GRADIENTS_PERCENT, ORDERS, Settings, THRESHOLDS_PERCENT, WIDTHS_NM, range_words,
-};
+pub use settings::{Detector, Settings, range_words};
 pub use spike_hand::SpikeAct;
 pub use state::{App, Message, Tone, derive};
 pub use surfaces::Surfaces;

@@ -1,12 +1,13 @@
 //! The spectrum plot: the window draws it and files hold it.
 
-use super::units::subject_label;
+use super::{combined::doubted, units::subject_label};
 use crate::{
     app::{
         chart::{self, Chart, Dash, Ink, OVERLAY_INKS, Panel, Scale, Series, stroke},
         document::Height,
         entry::Entry,
         line_names::LineName,
+        readings::is_counts,
         scale::Scale as Switch,
         spectral_unit::SpectralUnit,
         state::App,
@@ -102,12 +103,12 @@ fn curve(app: &App, values: &[f64]) -> Vec<[f64; 2]> {
 }
 
 /// Values on a band's grid as points, each times a factor.
-pub(super) fn on_grid(band: Band, values: &[f64], factor: f64) -> Vec<[f64; 2]> {
+pub(in crate::app) fn on_grid(band: Band, values: &[f64], factor: f64) -> Vec<[f64; 2]> {
     chart::curve(band.grid(), values.iter().map(|value| value * factor))
 }
 
 /// An empty chart over the wavelengths of a band.
-pub(super) fn over(band: Band) -> Chart {
+pub(in crate::app) fn over(band: Band) -> Chart {
     Chart::over_nm([band.min_nm(), band.max_nm()])
 }
 
@@ -126,7 +127,7 @@ fn spectrum_series(app: &App) -> Vec<Series> {
     if view.measured {
         let points = app.measured_points();
         let points: Vec<[f64; 2]> = points.map(|(nm, v)| [nm, v * app.scale_factor()]).collect();
-        if view.strip {
+        if view.strip && !is_counts(document.subject_entry()) {
             let area = Series::area("measured", Ink::Measured, points, Vec::new());
             series.push(area.coloured());
             if document.is_about_light() {
@@ -134,6 +135,9 @@ fn spectrum_series(app: &App) -> Vec<Series> {
             }
         } else {
             series.push(Series::line("measured", Ink::Measured, points));
+        }
+        if let Some(of) = document.subject_entry().measured.as_deref() {
+            series.extend(doubted(of, "95 % of the measured", app.scale_factor()));
         }
     }
     // Over the fill, which would hide them where they are lower.
@@ -408,7 +412,7 @@ pub fn provenance(app: &App) -> Vec<String> {
 }
 
 /// The same under notes of a chart's own.
-pub(super) fn before_provenance(mut notes: Vec<String>, app: &App) -> Vec<String> {
+pub(in crate::app) fn before_provenance(mut notes: Vec<String>, app: &App) -> Vec<String> {
     notes.extend(provenance(app));
     notes
 }
