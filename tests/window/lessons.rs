@@ -615,6 +615,16 @@ fn presenting_enlarges_the_lessons_own_page_and_stays_through_its_steps() {
     assert_written(&ui, "Step 2 of 3");
 }
 
+/// The program shows a task until it is done.
+fn watch_until_done(ui: &mut Ui) {
+    for _ in 0..40 {
+        if is_written(ui, "✔") {
+            return;
+        }
+        (0..10).for_each(|_| ui.step());
+    }
+}
+
 #[test]
 fn six_lessons_are_taken_with_every_wrong_answer_too_far_and_back() {
     let set_back = "What is shown has changed since";
@@ -640,7 +650,7 @@ fn six_lessons_are_taken_with_every_wrong_answer_too_far_and_back() {
                 press(&mut ui, keys[place]);
                 if step.task.is_some() {
                     press(&mut ui, Key::Space);
-                    watch(&mut ui);
+                    watch_until_done(&mut ui);
                 }
                 assert!(is_written(&ui, "✘"), "{what}: a wrong answer is told");
                 if !answer.because.contains('{') {
@@ -656,7 +666,7 @@ fn six_lessons_are_taken_with_every_wrong_answer_too_far_and_back() {
             }
             if step.task.is_some() {
                 press(&mut ui, Key::Space);
-                watch(&mut ui);
+                watch_until_done(&mut ui);
                 assert!(is_written(&ui, "✔"), "{what}: Show me does it");
                 let control = step
                     .point

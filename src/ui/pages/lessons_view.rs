@@ -214,7 +214,7 @@ impl LessonsView {
         });
     }
 
-    /// The cards of a path in rows of even height; what was clicked.
+    /// The cards of a path in rows, all of one height; what was clicked.
     fn cards(
         &mut self,
         ui: &mut Ui,
@@ -238,12 +238,10 @@ impl LessonsView {
             (Card::of(ui, lesson, &marks, width, theme), lesson)
         });
         let cards: Vec<_> = cards.collect();
+        let heights = cards.iter().map(|(card, _)| card.height());
+        let height = heights.fold(0.0, f32::max);
         let mut act = None;
         for row in cards.chunks(columns as usize) {
-            let height = row
-                .iter()
-                .map(|(card, _)| card.height())
-                .fold(0.0, f32::max);
             ui.horizontal_top(|ui| {
                 for (card, lesson) in row {
                     let pictures = (&mut self.pictures, theme);
