@@ -64,7 +64,7 @@ pub(super) enum Command {
     Report(Report),
     /// Print every figure of lights and of their models: CCT, Ra, Rf, melanopic ratio, ...
     Light(Light),
-    /// Print error against numbers: every count of waves, both bases, with and without lines.
+    /// Print error against numbers: every count of waves in every basis, with and without lines.
     Sweep(Sweep),
     /// Print what the next numbers buy best: a wave, a line or the lines' widths.
     Auction(Auction),
