@@ -17,7 +17,8 @@ pub const WORDS: &[Word] = &[
     ),
     word(
         "Adaptation",
-        "The eye gets used to the colour of the light within a minute, so that white paper looks white under a bulb too. Patches can be shown as that eye sees them.",
+        "The eye gets used to the colour of the light within a minute, so that white paper looks \
+         white under a bulb too. Surfaces can be shown as that eye sees them.",
     ),
     word(
         "Band",
@@ -128,19 +129,17 @@ pub const WORDS: &[Word] = &[
     ),
     word(
         "Numbers",
-        "What a model takes: 2N + 1 for N waves, and two for each line. A table from 380 to 780 nm takes 401.",
+        "The size of a model: 2N + 1 for N waves, and two for each line. A table from 380 to 780 \
+         nm takes 401.",
     ),
     word(
         "Observer",
-        "The CIE's standard eye: of 1931 for small fields of 2 degrees, of 1964 for fields of 10 degrees, of 2015 from the cones themselves.",
+        "The CIE's standard eye: of 1931 for what is 2 degrees wide, of 1964 for what is 10 \
+         degrees wide, of 2015 from the cones themselves.",
     ),
     word(
         "Overlay",
         "A spectrum that is compared: drawn over the first: lights of relative units equally bright (of equal luminance), surfaces as they are.",
-    ),
-    word(
-        "Patch",
-        "A surface of known reflectance, shown as it looks under the measured light and under the model.",
     ),
     word(
         "Phosphor",
@@ -148,9 +147,9 @@ pub const WORDS: &[Word] = &[
     ),
     word(
         "Reflectance",
-        "Which share of each wavelength a surface sends back, 0 to 1.",
+        "The share of each wavelength that a surface sends back, 0 to 1.",
     ),
-    word("Residual", "What is left over: model minus measured."),
+    word("Residual", "The rest: model minus measured."),
     word(
         "Ringing",
         "Waves beside a jump: a short Fourier series overshoots where the two ends of the range differ.",
@@ -161,7 +160,7 @@ pub const WORDS: &[Word] = &[
     ),
     word(
         "Smooth part",
-        "What is left of a spectrum without its lines: few waves describe it.",
+        "A spectrum without its lines: few waves describe it.",
     ),
     word(
         "Spectral power distribution",
@@ -169,11 +168,15 @@ pub const WORDS: &[Word] = &[
     ),
     word(
         "Spike",
-        "A line in the model: a place in nanometres and a weight, the power in it. It has no width.",
+        "The paper's word for a line in the model: a place in nanometres and a weight, the power in it. It has no width.",
     ),
     word(
         "sRGB",
         "The colours of ordinary screens. Of a colour outside, what the screen cannot show is cut off: a corner marks it, and what is shown is not the nearest colour.",
+    ),
+    word(
+        "Surface",
+        "A known reflectance, shown as it looks under the measured light and under the model.",
     ),
     word(
         "Threshold",
@@ -182,7 +185,7 @@ pub const WORDS: &[Word] = &[
     word("Tint", "See Duv."),
     word(
         "Transmittance",
-        "Which share of each wavelength a filter lets through, 0 to 1.",
+        "The share of each wavelength that a filter lets through, 0 to 1.",
     ),
     word(
         "Triphosphor lamp",
@@ -190,11 +193,13 @@ pub const WORDS: &[Word] = &[
     ),
     word(
         "Wavelength",
-        "What tells one pure colour of light from another, in nanometres: 450 blue, 550 green, 650 red.",
+        "The length of a wave of light in nanometres, which tells one pure colour from another: \
+         450 blue, 550 green, 650 red.",
     ),
     word(
         "Waves",
-        "How many waves draw the smooth part: the order N of its series. None is a level line.",
+        "The count of waves that draw the smooth part: the order N of its series. None is a level \
+         line.",
     ),
     word(
         "Weight",

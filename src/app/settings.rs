@@ -85,7 +85,7 @@ impl Default for Settings {
 impl Settings {
     pub const ORDER: Knob<Self> = Knob::<Self>::new(
         ("order", "waves"),
-        "Order of the smooth part.",
+        "Waves of the smooth part.",
         Reach::Within(0.0, 100.0),
         |settings| &mut settings.order,
     );

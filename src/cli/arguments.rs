@@ -207,9 +207,8 @@ pub(super) struct Report {
 #[derive(Args, Debug)]
 pub(super) struct Light {
     /// Lights: files (lamps.csv#2 is the second of several spectra, - is standard input), folders
-    /// with such files, presets' names (FL2, "CIE D65") or group/name. A file means all its
-    /// lights. TLCI is left out: the camera and patch tables of EBU Tech 3355 are not openly
-    /// licensed.
+    /// with such files, presets' names (FL2, "CIE D65") or group/name. A file means all its lights.
+    /// TLCI is left out: the camera and sample tables of EBU Tech 3355 are not openly licensed.
     #[arg(value_name = "INPUT", required = true)]
     pub lights: Vec<OsString>,
     /// All inputs are scans of one light: their mean is told, each figure with its doubt.

@@ -37,7 +37,7 @@ pub(super) fn progress(ui: &mut Ui, progress: &Progress) -> bool {
         .text(RichText::new(&words).small());
     let response = ui.add(bar);
     named(&response, egui::Role::ProgressIndicator, &words);
-    response.on_hover_text("How many of the files opened together were read.");
+    response.on_hover_text("Files read, of those opened together.");
     ui.label(shortened(at_work)).on_hover_text(at_work);
     cancelled
 }

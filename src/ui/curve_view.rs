@@ -63,7 +63,7 @@ fn quantity_row(ui: &mut Ui, app: &App, preferences: &mut Preferences) {
     ui.horizontal(|ui| {
         ui.label("Error against waves");
         let choice = Choice {
-            name: "What the curve shows",
+            name: "Figure of the curve",
             meaning: now.figure().meaning,
             width: ui.available_width() - 8.0,
         };

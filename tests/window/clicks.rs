@@ -184,8 +184,8 @@ fn that_lines_matter_behind_a_filter_is_three_acts_away() {
     person.clicks("One filter");
     assert_eq!(person.acts, 3);
     let ui = &person.ui;
-    let composite = figure_behind(ui, "as a composite are off by ΔE₀₀");
-    let series = figure_behind(ui, "as a series by");
+    let composite = figure_behind(ui, "as waves and lines are off by ΔE₀₀");
+    let series = figure_behind(ui, "as waves alone by");
     assert!(series > 1.0, "without spikes one sees it: {series}");
     assert!(
         10.0 * composite < series,

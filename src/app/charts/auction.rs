@@ -1,6 +1,8 @@
 //! The auction as a chart, as a table and as a model for the document.
 
-use super::tradeoff::{all_figures, lack, mark_now, origin, spikes_words, stairs};
+use super::tradeoff::{
+    all_figures, lack, mark_now, origin, spikes_words, stairs, waves_words,
+};
 use crate::{
     app::{
         App,
@@ -18,7 +20,7 @@ use crate::{
 };
 
 /// Names of the plain goals for people, in the order of `Goal::PLAIN`.
-pub const NAMES: [&str; 4] = ["own colour", "patches", "spectrum", "narrow filters"];
+pub const NAMES: [&str; 4] = ["own colour", "surfaces", "spectrum", "narrow filters"];
 
 /// The goal without what does not exist for the document's subject; when nothing is left, the
 /// first figure that does exist.
@@ -66,11 +68,11 @@ pub fn names(ask: &AuctionAsk, auction: &Auction, lines: &[ElementLine]) -> Vec<
     light.names_at(&places)
 }
 
-/// A purchase in words: "order 3", "435.8 nm (Hg 435.8)".
+/// A purchase in words: "wave 3", "line 435.8 nm (Hg)".
 fn purchase_words(purchase: &Purchase, auction: &Auction, names: &[LineName]) -> String {
     match purchase {
         Purchase::Widths => "the lines' own widths".to_owned(),
-        Purchase::Order(order) => format!("order {order}"),
+        Purchase::Order(order) => format!("wave {order}"),
         Purchase::Line(spike) => {
             let index = auction.lines.iter().position(|line| line == spike);
             let name = index.and_then(|i| names.get(i)?.safe.as_deref());
@@ -82,7 +84,7 @@ fn purchase_words(purchase: &Purchase, auction: &Auction, names: &[LineName]) ->
     }
 }
 
-/// Purchases in words, runs of orders drawn together: "orders 3-5, line 435.8 nm (Hg)".
+/// Purchases in words, runs of waves drawn together: "waves 3-5, line 435.8 nm (Hg)".
 pub fn purchases_words(purchases: &[Purchase], auction: &Auction, names: &[LineName]) -> String {
     let orders: Vec<usize> = purchases
         .iter()
@@ -97,18 +99,18 @@ pub fn purchases_words(purchases: &[Purchase], auction: &Auction, names: &[LineN
         .map(|p| purchase_words(p, auction, names));
     let orders = match orders[..] {
         [] => None,
-        [order] => Some(format!("order {order}")),
+        [order] => Some(format!("wave {order}")),
         _ => {
             let first = orders.iter().min().copied().unwrap_or(0);
             let last = orders.iter().max().copied().unwrap_or(0);
-            Some(format!("orders {first}-{last}"))
+            Some(format!("waves {first}-{last}"))
         }
     };
     let words: Vec<String> = orders.into_iter().chain(lines).collect();
     words.join(", ")
 }
 
-/// The model of a step in words: "order 6 and the lines 404.9, 435.8 nm".
+/// The model of a step in words: "6 waves and the lines 404.9, 435.8 nm".
 pub fn model_words(auction: &Auction, step: &Step) -> String {
     let mut places: Vec<f64> = step
         .lines
@@ -123,14 +125,11 @@ pub fn model_words(auction: &Auction, step: &Step) -> String {
     } else {
         ""
     };
+    let waves = waves_words(step.order);
     match words.len() {
-        0 => format!("order {} and no lines", step.order),
-        1 => format!("order {} and the line {} nm{wide}", step.order, words[0]),
-        _ => format!(
-            "order {} and the lines {} nm{wide}",
-            step.order,
-            words.join(", ")
-        ),
+        0 => format!("{waves} and no lines"),
+        1 => format!("{waves} and the line {} nm{wide}", words[0]),
+        _ => format!("{waves} and the lines {} nm{wide}", words.join(", ")),
     }
 }
 
@@ -139,10 +138,9 @@ pub fn ended_words(ask: &AuctionAsk, auction: &Auction) -> String {
     let (last, most) = (auction.last(), numbers(ask.terms.numbers));
     let model = model_words(auction, last);
     match auction.ended {
-        Ended::Spent => format!("The budget is spent: {} of {most}, {model}.", last.numbers),
+        Ended::Spent => format!("{} of {most} buy {model}.", last.numbers),
         Ended::NothingHelps => format!(
-            "It stopped at {} of {most}, {model}: nothing that the rest would buy lowers \
-             the goal.",
+            "{} of {most} buy {model}. The rest would lower nothing.",
             last.numbers
         ),
     }
@@ -188,13 +186,13 @@ impl AuctionChart {
         };
         let with = match auction.lines.len() {
             0 => String::new(),
-            1 => "the line as a spike, then orders".to_owned(),
-            lines => format!("all {lines} lines as spikes, then orders"),
+            1 => "the line first, then waves".to_owned(),
+            lines => format!("all {lines} lines first, then waves"),
         };
         let series = vec![
             stroke(with, Ink::Spikes, bids(all_lines), 1.6, Dash::Dashed),
             Series::line(
-                "no spikes, orders only",
+                "waves only, no lines",
                 Ink::Smooth,
                 bids(&auction.without),
             )
@@ -258,7 +256,7 @@ impl AuctionChart {
 fn step_note(auction: &Auction, step: &Step, names: &[LineName]) -> String {
     let mut note = Vec::new();
     if step.bought.is_empty() {
-        note.push("order 0: the mean, which is where the auction begins".to_owned());
+        note.push("the mean, where the auction begins".to_owned());
     } else {
         let bought = purchases_words(&step.bought, auction, names);
         note.push(format!("bought {bought}"));
@@ -268,8 +266,8 @@ fn step_note(auction: &Auction, step: &Step, names: &[LineName]) -> String {
         note.push(format!("gave back {gave}"));
     }
     note.push(format!(
-        "N = {}, {}{}: {}",
-        step.order,
+        "{}, {}{}: {}",
+        waves_words(step.order),
         spikes_words(step.lines.len()),
         if step.wide {
             " as wide as they are"

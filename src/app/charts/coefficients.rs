@@ -111,7 +111,7 @@ impl<'a> Draw<'a> {
         let last = self.orders.len().saturating_sub(1) as f64;
         Chart {
             title: title.to_owned(),
-            x_label: "Order n".to_owned(),
+            x_label: "Wave n".to_owned(),
             y_label: y_label.to_owned(),
             x_range: [-0.6, last + 0.6],
             series,
@@ -283,7 +283,7 @@ impl<'a> Draw<'a> {
         let points = self.orders.iter().map(point).collect();
         let name = CHANNELS[k];
         let bars = Series::bars(format!("added to {name}"), Ink::Residual, 0.72, points);
-        let title = format!("Their product: what each order adds to {name}");
+        let title = format!("Their product: the part of {name} that each wave adds");
         Some(self.chart(&title, &format!("% of {name}"), vec![bars]))
     }
 

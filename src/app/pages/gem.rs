@@ -138,6 +138,16 @@ impl Default for GemMemory {
 const DEGREES_A_POINT: f64 = 0.4;
 
 impl GemMemory {
+    /// Key of the light of the second picture: of the light that all pages compare, where none was
+    /// chosen here.
+    pub fn light_beside(&self, compared: Option<&Entry>) -> Option<String> {
+        let compared = compared.filter(|entry| entry.kind() == Kind::Light);
+        match compared {
+            Some(light) if self.under == Self::default().under => Some(light.key.clone()),
+            _ => self.under.clone(),
+        }
+    }
+
     pub const GREY: Knob<Self> = Knob::<Self>::new(
         ("grey", "Takes away"),
         "The part of the light that it absorbs for each radius of the girdle.",

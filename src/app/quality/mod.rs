@@ -226,11 +226,11 @@ pub fn settled_words(found: &OrderFigures) -> String {
             _ => short(near),
         };
         match found.settled_from(chosen) {
-            Some(order) => format!("{title} within {within} from order {order} on"),
-            None => format!("{title} within {within} at no order up to {highest}"),
+            Some(order) => format!("{title} (within {within}) from {order}"),
+            None => format!("{title} (within {within}) with none up to {highest}"),
         }
     });
-    format!("As measured: {}.", said.join(", "))
+    format!("Waves that give the light's own figures: {}.", said.join(", "))
 }
 
 #[cfg(test)]

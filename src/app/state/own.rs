@@ -282,7 +282,7 @@ impl App {
             None if keys.len() < MOST_OWN_PATCHES => keys.push(key.to_owned()),
             None => {
                 let words =
-                    format!("{MOST_OWN_PATCHES} own surfaces among the patches are the most.");
+                    format!("{MOST_OWN_PATCHES} own surfaces are the most in a set.");
                 self.say(Tone::Problem, words);
             }
         }

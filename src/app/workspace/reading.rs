@@ -267,7 +267,7 @@ fn of_products(
     } else {
         let (found, kept) = (products.chain.len(), clamped.chain.len());
         moves.push(format!(
-            "The chain of products keeps {kept} of its {found} factors."
+            "The chain keeps {kept} of its {found} steps."
         ));
     }
     (clamped, moves.pop())

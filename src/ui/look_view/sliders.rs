@@ -217,14 +217,14 @@ fn waves(ui: &mut Ui, app: &App, settings: &mut Settings, width: f32, theme: The
     });
     let judged = match from {
         Some(_) => format!(
-            " Hard to see: ΔE₀₀ below {HARD_TO_SEE} from that order on, judged {}.",
+            " Hard to see: ΔE₀₀ below {HARD_TO_SEE} from so many waves on, judged {}.",
             answers::judged_on(app)
         ),
         None => String::new(),
     };
     let meaning = format!(
-        "How many waves draw the smooth part: order N, which takes 2N + 1 numbers. Arrow keys \
-         move it by one.{judged}"
+        "Waves that draw the smooth part: order N, which takes 2N + 1 numbers. Arrow keys move it \
+         by one.{judged}"
     );
     caption(ui, width, names::ORDER, &meaning, &does, theme);
     ui.horizontal(|ui| {

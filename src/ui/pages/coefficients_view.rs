@@ -86,7 +86,7 @@ impl CoefficientsView {
                 let size = SWATCH * context.theme.scale;
                 let name = format!("Colour: measured {}, summed {}", whole.hex(), summed.hex());
                 swatch::split(ui, size, &whole, &summed, &name).on_hover_text(format!(
-                    "Left the colour as measured, right the colour of the orders up to {order}."
+                    "Left the colour as measured, right the colour of the waves up to {order}."
                 ));
             }
             ui.vertical(|ui| {
@@ -176,13 +176,13 @@ fn controls(
         let slider = ui
             .add(Slider::new(&mut context.pages.why.partial_order, reach).integer())
             .labelled_by(label.id)
-            .on_hover_text("Order of the partial sum that is drawn; the model itself stays.");
+            .on_hover_text("Waves of the partial sum that is drawn; the model itself stays.");
         if slider.changed() {
             *next_step = None;
         }
         let playing = next_step.is_some();
         let words = if playing { names::STOP } else { names::PLAY };
-        let meaning = "Adds the orders N = 0, 1, 2, ... one after the other, two a second.";
+        let meaning = "Adds the waves N = 0, 1, 2, ... one after the other, two a second.";
         if pressed(ui, words, meaning) {
             *next_step = if playing {
                 None
@@ -205,10 +205,10 @@ fn use_button(ui: &mut Ui, context: &mut PageContext<'_>) {
     if ui
         .add_enabled(order != settings.order, button)
         .on_hover_text(format!(
-            "Gives the model this order: {} for the smooth part.",
+            "Gives the model so many waves: {} for the smooth part.",
             numbers(numbers_of_order(order))
         ))
-        .on_disabled_hover_text("The model has this order.")
+        .on_disabled_hover_text("The model has so many waves.")
         .clicked()
     {
         context
@@ -231,7 +231,7 @@ fn sentences(context: &PageContext<'_>, harmonics: &Harmonics) -> [String; 2] {
     );
     let of_spikes = harmonics.spikes[1] / harmonics.exact[1];
     if of_spikes != 0.0 {
-        let _ = write!(first, "; spikes bring {} % of Y", percent(of_spikes));
+        let _ = write!(first, "; lines bring {} % of Y", percent(of_spikes));
     }
     first.push('.');
     [first, about_the_bound(context, harmonics)]
@@ -291,8 +291,8 @@ fn details(ui: &mut Ui, context: &PageContext<'_>, harmonics: &Harmonics, pointe
         ui.end_row();
     };
     ui.strong(match pointed {
-        Some(_) => format!("Order {n}, under the pointer"),
-        None => format!("Order {n}, the last of the sum"),
+        Some(_) => format!("Wave {n}, under the pointer"),
+        None => format!("Wave {n}, the last of the sum"),
     });
     egui::Grid::new("order in figures")
         .striped(true)

@@ -8,7 +8,7 @@ use super::{GemView, PageContext, Pages, PrismView};
 use crate::{
     app::{
         chart::Chart,
-        pages::{Page, Place},
+        pages::Page,
     },
     ui::{
         chart_view::ChartView,
@@ -47,7 +47,7 @@ pub(in crate::ui) fn show(
             .present_prism(ui, context, in_lesson),
         Page::Rainbow => pages.of::<PrismView>().present_rainbow(ui, context),
         Page::Gem => pages.of::<GemView>().present(ui, context),
-        _ if in_lesson || !has_chart(page) => {
+        _ if in_lesson || is_whole(page) => {
             let leaves = head(ui, page.title());
             rolled(ui, |ui| pages.show(ui, context));
             leaves
@@ -56,24 +56,31 @@ pub(in crate::ui) fn show(
     }
 }
 
-/// Whether the page's main picture is a chart.
-fn has_chart(page: Page) -> bool {
-    let has_none = matches!(
+/// Whether the page's main picture is no chart, or more than one: it is shown as it is, large.
+fn is_whole(page: Page) -> bool {
+    matches!(
         page,
-        Page::Mix | Page::Image | Page::Relit | Page::Lessons | Page::Teachers | Page::Glossary
-    );
-    !has_none
+        Page::Lessons
+            | Page::Teachers
+            | Page::Glossary
+            | Page::Chain
+            | Page::Narrow
+            | Page::TwoLights
+            | Page::Metamers
+            | Page::SameSurface
+            | Page::Quality
+            | Page::Mix
+            | Page::Image
+            | Page::Relit
+    )
 }
 
 /// Whether the model's knobs move what the page's chart shows.
 fn follows_knobs(page: Page) -> bool {
-    match page {
-        Page::Many | Page::Race | Page::KnownLamps | Page::Truth => false,
-        page => {
-            matches!(page.place(), Place::Look | Place::Through | Place::Quality)
-                || page.place() == Place::Numbers
-        }
-    }
+    matches!(
+        page,
+        Page::Tradeoff | Page::Auction | Page::Resampling | Page::Bounces
+    )
 }
 
 /// A sentence at the size of titles, and at its right what leads back to the whole window.
@@ -99,12 +106,13 @@ pub(super) fn head(ui: &mut Ui, words: &str) -> bool {
 fn chart(pages: &mut Pages, ui: &mut Ui, context: &mut PageContext<'_>, knobs: Knobs<'_>) -> bool {
     let page = *context.page;
     let (words, found) = taken_out(pages, ui, context);
-    let leaves = head(ui, &words);
     let Some(found) = found else {
         // It is not computed yet, or there is nothing to draw: the page says which.
+        let leaves = head(ui, page.title());
         rolled(ui, |ui| pages.show(ui, context));
         return leaves;
     };
+    let leaves = head(ui, &words);
     let below = match follows_knobs(page) {
         true => knobs.height + GAP,
         false => 0.0,

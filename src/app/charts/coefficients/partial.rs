@@ -65,7 +65,7 @@ impl Draw<'_> {
         )];
         if !derived.model.lines().is_empty() {
             series.push(thin(
-                "without its spikes",
+                "without its lines",
                 Ink::Residual,
                 &derived.parts.smooth,
                 Dash::Dashed,

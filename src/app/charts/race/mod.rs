@@ -142,7 +142,7 @@ pub fn error_chart(ask: &RaceAsk, race: &Race, class: Option<&str>, measure: Mea
     let room = (0.03 * (last - first)).max(0.5);
     let mut notes = race_notes(ask);
     notes.push(format!(
-        "{}Below {SMALLEST} an error is drawn at it. ex: colour-exact, +s: with spikes.",
+        "{}Below {SMALLEST} an error is drawn at it. ex: colour-exact, +l: with lines.",
         if many {
             "Medians over the lights. "
         } else {

@@ -142,7 +142,7 @@ impl DesignView {
             ui.label("Aim at");
             let words = context.pages.solve.colour_words(context.app.document());
             let choice = Choice {
-                name: "What is aimed at",
+                name: "The colour that is aimed at",
                 meaning: "The ring in the diagram, which can be dragged too. The page Solve has \
                           lights and x, y.",
                 width: 110.0 * context.theme.scale,

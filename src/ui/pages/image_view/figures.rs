@@ -175,7 +175,7 @@ pub(super) fn model(
         "Model: {}, order {}, {}; ΔE₀₀ {delta_e}{}",
         numbers(derived.numbers()),
         model.smooth().order(),
-        many(model.lines().len(), "spike", "spikes"),
+        many(model.lines().len(), "line", "lines"),
         match derived.figures[Measure::Rms] {
             Some(rms) => format!(", rms {} %", short(100.0 * rms)),
             None => String::new(),
@@ -183,7 +183,7 @@ pub(super) fn model(
     );
     ui.add(egui::Label::new(RichText::new(words).strong()).truncate())
         .on_hover_text(
-            "At the order and threshold in force (right). CIEDE2000 and relative root mean square \
+            "With the waves and lines of the model. CIEDE2000 and relative root mean square \
              between the chosen spectrum and its model, on the model's range.",
         );
     let nm = (region.nm[0], region.nm[region.nm.len() - 1]);

@@ -68,8 +68,8 @@ pub(super) fn exposure(form: &mut Form<'_>, stops: &mut f64) {
         .step_by(0.1)
         .fixed_decimals(1)
         .suffix(" stops");
-    let meaning = "How bright the picture is shown; each stop doubles it. A double click in the \
-                   number's box lets you type it.";
+    let meaning = "Brightness of the picture; each stop doubles it. A double click in the number's \
+                   box lets you type it.";
     form.slider((names::EXPOSURE, meaning), of);
 }
 
@@ -276,7 +276,7 @@ static PRISM_COLUMNS: LazyLock<[Column; 8]> = LazyLock::new(|| {
     [
         Column::words(
             "line",
-            "What it is named after, by all lines together.",
+            "The element, by all lines together.",
             1.7,
         ),
         Column::numbers("nm", "Wavelength in air.", 1.0),

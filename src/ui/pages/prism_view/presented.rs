@@ -62,7 +62,7 @@ fn exposed(ui: &mut Ui, stops: &mut f64) {
     let of = Slider::new(stops, STOPS.range())
         .step_by(0.1)
         .fixed_decimals(1);
-    let meaning = "How bright the picture is shown, in stops; each doubles it.";
+    let meaning = "Brightness of the picture, in stops; each doubles it.";
     below(ui, (names::EXPOSURE, meaning), of);
 }
 

@@ -132,7 +132,7 @@ impl QualityView {
             let ask = ByOrder::of(app);
             move |progress: &Progress| ask.answer(progress)
         });
-        progress(ui, job, "Quality against order");
+        progress(ui, job, "Quality against waves");
         let Some(found) = job.result().cloned() else {
             return;
         };

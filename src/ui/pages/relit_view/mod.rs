@@ -284,7 +284,7 @@ fn others(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RelitShown) {
 
 fn peers_table(ui: &mut Ui, context: &PageContext<'_>, rows: Rows) {
     let columns = [
-        kit::Column::words("way", "How the picture is kept.", 3.0),
+        kit::Column::words("way", "The way of keeping the picture.", 3.0),
         kit::Column::numbers("numbers", "Numbers a pixel.", 1.0),
         kit::Column::numbers(
             "bytes",

@@ -302,7 +302,7 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
             for (head, meaning) in [
                 ("", ""),
                 ("residual", RESIDUAL_MEANS),
-                ("factor", FACTOR_MEANS),
+                ("times", FACTOR_MEANS),
                 ("verdict", "Up to the threshold it holds; see below."),
             ] {
                 let label = ui.label(RichText::new(head).small());
@@ -342,4 +342,4 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
 }
 
 const FACTOR_MEANS: &str =
-    "What light times surface is multiplied by to come closest: geometry, not colour.";
+    "The multiple of light times surface that comes closest: geometry, not colour.";

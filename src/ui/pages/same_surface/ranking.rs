@@ -35,7 +35,7 @@ pub(super) fn show(
     let answer = context.studies.of::<RankAsk>().answer();
     let ranked = answer.map(|(_, ranked)| ranked.clone());
     ui.horizontal_wrapped(|ui| {
-        ui.strong("Which surface explains it best?");
+        ui.strong("The surfaces that explain it best");
         copy_button(ui, names::COPY, "", || {
             let csv = |ranked: &Arc<Vec<Ranked>>| ranking(&sheet.names, ranked).csv();
             ranked.as_ref().map_or_else(String::new, csv)
@@ -43,7 +43,7 @@ pub(super) fn show(
     });
     ui.horizontal_wrapped(|ui| {
         ui.label("Among");
-        let meaning = "Which surfaces are tried: the patch set, or everything shipped.";
+        let meaning = "The surfaces that are tried: the chosen set, or everything shipped.";
         let everywhere = context.pages.same_surface.everywhere;
         context.pages.same_surface.everywhere =
             among(ui, context, names::AMONG, meaning, everywhere);

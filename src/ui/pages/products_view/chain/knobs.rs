@@ -32,7 +32,7 @@ pub(super) fn thickness(ui: &mut Ui, context: &mut PageContext<'_>, link: &Link,
         Some(_) => drag.suffix(" mm"),
         None => drag.suffix(" ×"),
     };
-    let response = number(ui, drag, &format!("Thickness of stage {}", index + 1));
+    let response = number(ui, drag, &format!("Thickness of step {}", index + 1));
     let meaning = match mm {
         Some(mm) => format!(
             "Thickness of the glass, mm; measured at {} mm. Internal transmittance to the power \
@@ -62,7 +62,7 @@ pub(super) fn times(ui: &mut Ui, context: &mut PageContext<'_>, link: &Link, ind
         .range(BOUNCES)
         .speed(0.05)
         .suffix(if link.bounces == 1 { " time" } else { " times" });
-    let response = number(ui, drag, &format!("Bounces of stage {}", index + 1));
+    let response = number(ui, drag, &format!("Bounces of step {}", index + 1));
     let changed = response.changed();
     response.on_hover_text(meaning);
     if changed {
