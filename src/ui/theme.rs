@@ -50,8 +50,10 @@ pub struct Theme {
     pub track: Color32,
     /// "Hard to see" in charts.
     pub zone: [u8; 3],
-    /// Multiplier of fixed sizes while presenting.
+    /// Multiplier of fixed sizes, in large windows and while presenting.
     pub scale: f32,
+    /// The page is presented to a class.
+    pub presents: bool,
 }
 
 /// How a difference is seen, as a colour: always beside its word.
@@ -91,6 +93,7 @@ impl Theme {
             zone: if dark { [23, 48, 41] } else { [220, 239, 232] },
             warning: either([240, 190, 90], [140, 80, 0]),
             scale: presented(PRESENT_TYPE).max(preferences.grown),
+            presents: preferences.presents(),
         }
     }
 

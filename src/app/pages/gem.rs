@@ -10,8 +10,12 @@ use super::{
     states::PageState,
 };
 use crate::{
-    app::dispersion::{Sent, Substance},
+    app::{
+        Entry,
+        dispersion::{Sent, Substance},
+    },
     optics::{Brilliant, BuiltinMaterial},
+    spectrum::Kind,
 };
 
 pub(super) const ROW: Row = row(

@@ -147,6 +147,7 @@ fn taken_out(
     );
     let theme = Theme {
         scale: 1.0,
+        presents: false,
         ..context.theme
     };
     let large = std::mem::replace(&mut context.theme, theme);

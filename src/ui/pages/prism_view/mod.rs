@@ -60,6 +60,8 @@ pub(super) struct PrismView {
     sky: Memo<(), Sky>,
     rainbow: Memo<(u64, RainbowMemory), RainbowShown>,
     picture: sky::Painted,
+    /// Heights of what stands below the drawings while they are presented, points.
+    below: [Option<f32>; 2],
 }
 
 /// How bright the picture is.
