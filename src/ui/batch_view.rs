@@ -370,11 +370,7 @@ fn table(
             2.4,
         ),
         Column::words("Format", "The format that read it.", 1.5),
-        Column::numbers(
-            "Spectra",
-            "How many spectra it holds; images beside them.",
-            0.8,
-        ),
+        Column::numbers("Spectra", "Spectra that it holds; images beside them.", 0.8),
         Column::words(
             "How it was read",
             "Grid, points, range, kind and unit; or why it was refused.",

@@ -88,7 +88,10 @@ fn a_lesson_that_was_finished_has_a_tick() {
     assert_written(&ui, &lesson.remember);
     click(&mut ui, "Finish");
     assert_eq!(ui.state().preferences.lessons_finished, ["light"]);
-    assert_written(&ui, &format!("1 of {} lessons finished", shelf::FILES.len()));
+    assert_written(
+        &ui,
+        &format!("1 of {} lessons finished", shelf::FILES.len()),
+    );
 }
 
 #[test]
@@ -454,7 +457,10 @@ fn a_lesson_is_begun_taken_and_finished_without_a_mouse() {
         // Arrows and a clicker's keys take turns.
         press(&mut ui, [Key::ArrowRight, Key::PageDown][index % 2]);
     }
-    assert_written(&ui, &format!("1 of {} lessons finished", shelf::FILES.len()));
+    assert_written(
+        &ui,
+        &format!("1 of {} lessons finished", shelf::FILES.len()),
+    );
 }
 
 /// A window whose workspace and lessons are kept in a folder.

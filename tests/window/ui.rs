@@ -979,7 +979,7 @@ fn the_plot_in_a_file_shows_what_the_window_shows() {
             "CIE A",
             "measured",
             "smooth part",
-            "spikes",
+            "lines",
             "residual",
         ] {
             assert!(names.contains(&name), "{name} in {names:?}");

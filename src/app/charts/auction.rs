@@ -1,8 +1,6 @@
 //! The auction as a chart, as a table and as a model for the document.
 
-use super::tradeoff::{
-    all_figures, lack, mark_now, origin, spikes_words, stairs, waves_words,
-};
+use super::tradeoff::{all_figures, lack, mark_now, origin, spikes_words, stairs, waves_words};
 use crate::{
     app::{
         App,
@@ -191,12 +189,8 @@ impl AuctionChart {
         };
         let series = vec![
             stroke(with, Ink::Spikes, bids(all_lines), 1.6, Dash::Dashed),
-            Series::line(
-                "waves only, no lines",
-                Ink::Smooth,
-                bids(&auction.without),
-            )
-            .dashed(Dash::Dotted),
+            Series::line("waves only, no lines", Ink::Smooth, bids(&auction.without))
+                .dashed(Dash::Dotted),
             stroke("the auction", Ink::Measured, corners, 2.2, Dash::Solid),
             Series::points("bought", Ink::Residual, Shape::Dot, points).with_notes(notes),
         ];

@@ -184,12 +184,7 @@ pub struct Tradeoff {
 impl Tradeoff {
     /// The chart of one figure: the lowest error of the ways shown, each of them a curve of its
     /// own; of all ways alone where none is.
-    pub fn of(
-        ask: &SweepAsk,
-        sweep: &Sweep,
-        measure: Measure,
-        shown: Option<&WaysShown>,
-    ) -> Self {
+    pub fn of(ask: &SweepAsk, sweep: &Sweep, measure: Measure, shown: Option<&WaysShown>) -> Self {
         let all = WaysShown::default();
         let front = front(sweep, measure, shown.unwrap_or(&all));
         let at = |index: &usize| place(&sweep.points[*index], measure);
@@ -198,9 +193,8 @@ impl Tradeoff {
         let twice = |shown: &WaysShown, way: FitVariant| {
             way.spikes && sweep.spikes.is_empty() && shown.without_spikes
         };
-        let is_drawn = |way: &FitVariant| {
-            shown.is_some_and(|shown| shown.shows(*way) && !twice(shown, *way))
-        };
+        let is_drawn =
+            |way: &FitVariant| shown.is_some_and(|shown| shown.shows(*way) && !twice(shown, *way));
         for way in FitVariant::ALL.into_iter().filter(is_drawn) {
             let (ink, shape, dash) = looks(way);
             let models: Vec<usize> = (0..sweep.points.len())
@@ -402,7 +396,9 @@ pub fn needs(
             "No model shown here, up to {}, stays under {large} {of}.",
             waves_words(sweep.map.highest_order)
         ),
-        [Some(first), None] => format!("{}; no model shown here stays under {small}.", needs(first)),
+        [Some(first), None] => {
+            format!("{}; no model shown here stays under {small}.", needs(first))
+        }
         [Some(first), Some(second)] if first.numbers == second.numbers => {
             format!("{}, and stays under {small} with them, too.", needs(first))
         }

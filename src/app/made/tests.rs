@@ -4,8 +4,7 @@ use super::*;
 use crate::{
     app::{entry::composite_from_preset, library::Library},
     color::{
-        Observer, cct_from_xyz,
-        lab::lab_from_xyz,
+        Observer, cct_from_xyz, lab_from_xyz,
         xyz::{xyz_from_light, xyz_from_reflectance},
     },
     spectrum::Outside,

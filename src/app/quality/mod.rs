@@ -230,7 +230,10 @@ pub fn settled_words(found: &OrderFigures) -> String {
             None => format!("{title} (within {within}) with none up to {highest}"),
         }
     });
-    format!("Waves that give the light's own figures: {}.", said.join(", "))
+    format!(
+        "Waves that give the light's own figures: {}.",
+        said.join(", ")
+    )
 }
 
 #[cfg(test)]

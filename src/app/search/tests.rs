@@ -21,7 +21,7 @@ fn wrong(asked: &[(&str, &str)]) -> Vec<String> {
 }
 
 /// Words that a teacher or a designer may type, and what must come first.
-const ASKED: [(&str, &str); 74] = [
+const ASKED: [(&str, &str); 77] = [
     ("bulb", "cie_illuminants/CIE A"),
     ("light bulb", "cie_illuminants/CIE A"),
     ("tungsten", "cie_illuminants/CIE A"),

@@ -41,7 +41,7 @@ pub(crate) struct Picture {
     /// [default: what is best].
     #[arg(long, value_name = "LINES", value_parser = room_words::lines)]
     pub lines: Option<Lines>,
-    /// What the values are, where the file leaves it open: light, reflectance or transmittance.
+    /// Kind of the values, where the file leaves it open: light, reflectance or transmittance.
     #[arg(long, value_name = "KIND", value_parser = words::usable_kind, conflicts_with = "relight")]
     pub kind: Option<Kind>,
     /// Keep bands that nobody sees too.

@@ -320,7 +320,7 @@ fn lines(
                 settings.threshold_percent = answers::threshold_for(app, shares, count);
             }
         }
-        typed.on_hover_text("How many lines are kept: drag or type.");
+        typed.on_hover_text("Lines that are kept: drag or type.");
     });
 }
 

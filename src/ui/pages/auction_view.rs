@@ -206,11 +206,7 @@ fn weights(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
 fn columns() -> Vec<Column> {
     vec![
         Column::numbers("numbers", "Spent so far.", 1.15),
-        Column::words(
-            "bought",
-            "The use of two more numbers, or four.",
-            3.6,
-        ),
+        Column::words("bought", "The use of two more numbers, or four.", 3.6),
         Column::words(
             "gave back",
             "Parts that the better model at this price does without.",

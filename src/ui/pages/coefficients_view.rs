@@ -420,7 +420,7 @@ fn one(
             "light" => {
                 "The mean is zero: there is nothing to compare the coefficients with.".to_owned()
             }
-            "weight" => format!("What weighs {name} is zero on this range."),
+            "weight" => format!("The functions of {name} are zero on this range."),
             _ => format!("{name} is not positive on this range: there are no shares of it."),
         });
         return None;

@@ -6,10 +6,7 @@ use egui::{Align, Button, Label, Layout, Rect, RichText, Ui, UiBuilder, pos2, ve
 
 use super::{GemView, PageContext, Pages, PrismView};
 use crate::{
-    app::{
-        chart::Chart,
-        pages::Page,
-    },
+    app::{chart::Chart, pages::Page},
     ui::{
         chart_view::ChartView,
         kit::{column, hidden_headline, named, rolled},

@@ -13,8 +13,8 @@ use crate::{
         charts::{
             threshold::{mark_threshold, take_cell, threshold_chart},
             tradeoff::{
-                self, Tradeoff, all_figures, lack, limits, measure_within, needs, take, waves_words,
-                way_name,
+                self, Tradeoff, all_figures, lack, limits, measure_within, needs, take,
+                waves_words, way_name,
             },
         },
         pages::WaysShown,
@@ -173,12 +173,7 @@ fn ways(ui: &mut Ui, ways: &mut WaysShown) {
 }
 
 impl Sheet {
-    fn of(
-        ask: &SweepAsk,
-        sweep: Arc<Sweep>,
-        measure: Measure,
-        shown: Option<&WaysShown>,
-    ) -> Self {
+    fn of(ask: &SweepAsk, sweep: Arc<Sweep>, measure: Measure, shown: Option<&WaysShown>) -> Self {
         let tradeoff = Tradeoff::of(ask, &sweep, measure, shown);
         let goals = (measure, limits(measure));
         let [sentence, models] = needs(ask, &sweep, &tradeoff.front, goals);
@@ -202,11 +197,7 @@ impl Sheet {
 
 fn columns(figures: &[Measure]) -> Vec<Column> {
     let mut columns = vec![
-        Column::numbers(
-            "numbers",
-            "2N + 1 for N waves, two for each line.",
-            1.2,
-        ),
+        Column::numbers("numbers", "2N + 1 for N waves, two for each line.", 1.2),
         Column::words(
             "way",
             "Basis, fit (exact: colour-exact), with or without lines.",

@@ -124,7 +124,7 @@ fn claim(
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let says = if is_open { "Hide" } else { "Show" };
                 let name = format!("{says} {}", row.claim);
-                let meaning = "What the paper says, and what is measured here.";
+                let meaning = "The paper's words, and the measurement here.";
                 if sign_button(ui, says, &name, meaning) {
                     *open = (!is_open).then_some(index);
                 }

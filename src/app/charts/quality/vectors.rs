@@ -162,14 +162,12 @@ fn names() -> Series {
         .map(|(i, name)| (TAU * (i as f64 + 0.5) / bins, *name))
         .collect();
     words.sort_by_key(|(_, name)| mixed(name));
-    let words = words
-        .into_iter()
-        .map(|(turn, name)| {
-            // Words stand about their middle: the longer, the further out at the sides.
-            let [x, y] = along(turn, NAMES);
-            let aside = HALF_A_LETTER * name.len() as f64 * turn.cos();
-            ([x + aside, y], name.to_owned())
-        });
+    let words = words.into_iter().map(|(turn, name)| {
+        // Words stand about their middle: the longer, the further out at the sides.
+        let [x, y] = along(turn, NAMES);
+        let aside = HALF_A_LETTER * name.len() as f64 * turn.cos();
+        ([x + aside, y], name.to_owned())
+    });
     Series::new(
         "",
         Ink::Text,

@@ -357,7 +357,7 @@ fn add_row(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, lines: &[Nam
             );
             button(
                 "Blackbody",
-                "What a glowing body of a temperature shines.",
+                "The light of a glowing body of a temperature.",
                 Source::Blackbody { kelvin: 2700.0 },
             );
             button(

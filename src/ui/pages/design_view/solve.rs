@@ -262,7 +262,7 @@ fn favour(form: &mut Form<'_>, context: &mut PageContext<'_>) {
     let meaning = "The figure that is best among the mixtures of exactly that colour.";
     form.row(("Best at", meaning), |ui, _| {
         let choice = Choice {
-            name: "What to favour",
+            name: "Figure to favour",
             meaning,
             width: 190.0 * context.theme.scale,
         };

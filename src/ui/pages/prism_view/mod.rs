@@ -276,11 +276,7 @@ fn table_of(shown: &PrismShown) -> (&'static [Column], &[Vec<String>], &[String]
 
 static PRISM_COLUMNS: LazyLock<[Column; 8]> = LazyLock::new(|| {
     [
-        Column::words(
-            "line",
-            "The element, by all lines together.",
-            1.7,
-        ),
+        Column::words("line", "The element, by all lines together.", 1.7),
         Column::numbers("nm", "Wavelength in air.", 1.0),
         Column::numbers("n", "Index of refraction of the glass there.", 1.0),
         Column::numbers(
@@ -289,7 +285,7 @@ static PRISM_COLUMNS: LazyLock<[Column; 8]> = LazyLock::new(|| {
             1.0,
         ),
         Column::numbers("place mm", "Where it lands on the screen.", 1.0),
-        Column::numbers("width mm", "How wide the image of the slit is.", 1.0),
+        Column::numbers("width mm", "Width of the slit's image.", 1.0),
         Column::numbers(
             "passed %",
             "Share of its light that both faces let through.",

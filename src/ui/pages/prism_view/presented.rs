@@ -100,8 +100,7 @@ impl PrismView {
         let tells = |x_mm: f64| told(shown, x_mm);
         let axis = axis_of(shown, &tells);
         let guess = || strip_height(&strip, &axis, theme) + row_height(ui);
-        let below = self.below[0].unwrap_or_else(guess);
-        let left = ui.available_height() - below;
+        let left = ui.available_height() - self.below[0].unwrap_or_else(guess);
         let size = vec2(ui.available_width(), left.max(super::LEAST));
         drawn(ui, context, (shown, &axis), size);
         let top = ui.cursor().top();
@@ -162,8 +161,7 @@ impl PrismView {
             tells: &|angle| format!("{angle:.2}\u{b0} from the point opposite the sun"),
         };
         let guess = || strip_height(&strip, &axis, theme) + row_height(ui);
-        let below = self.below[1].unwrap_or_else(guess);
-        let left = ui.available_height() - below;
+        let left = ui.available_height() - self.below[1].unwrap_or_else(guess);
         let high = left.max(super::LEAST);
         let picture = &mut self.picture;
         ui.horizontal_top(|ui| {

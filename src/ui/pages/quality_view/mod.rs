@@ -71,7 +71,7 @@ impl QualityView {
             switch(
                 &mut shows.gamuts,
                 "Screens",
-                "What screens of sRGB, P3 and Rec. 2020 can show.",
+                "The colours that screens of sRGB, P3 and Rec. 2020 show.",
             );
             switch(
                 &mut shows.ellipses,

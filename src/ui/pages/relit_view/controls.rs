@@ -189,10 +189,8 @@ pub(super) fn numbers(
     ui.label("Numbers a pixel");
     ui.spacing_mut().slider_width = 150.0 * context.theme.scale;
     let slider = ui.add(egui::Slider::new(&mut count, least..=most));
-    let slider = slider.on_hover_text(
-        "How many numbers stand for each pixel. Multiplier of the series, and which lines are \
-         kept, is chosen for each count.",
-    );
+    let slider = slider
+        .on_hover_text("Numbers for each pixel. Multiplier and lines are chosen for each count.");
     if slider.changed() {
         memory.numbers = Some(count);
     }

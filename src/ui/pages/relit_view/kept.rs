@@ -60,9 +60,9 @@ pub(super) fn menu(ui: &mut Ui, context: &mut PageContext<'_>, fit: &Fit) {
         }
         ui.checkbox(&mut memory.between_series, names::BETWEEN)
             .on_hover_text(
-                "What the picture in few numbers is between its bands: the series itself, not a \
-                 straight line. Where bands are 10 nm apart or more that is nearer to the truth, \
-                 and further from every band, which straight lines join.",
+                "Between its bands the picture in few numbers is the series itself, not a straight \
+                 line. Where bands are 10 nm apart or more that is nearer to the truth, and \
+                 further from every band, which straight lines join.",
             );
     });
     named(&response, egui::Role::Button, names::KEPT);

@@ -53,8 +53,7 @@ pub(super) fn thickness(ui: &mut Ui, context: &mut PageContext<'_>, link: &Link,
 }
 
 pub(super) fn times(ui: &mut Ui, context: &mut PageContext<'_>, link: &Link, index: usize) {
-    let meaning = "How many times in a row the light meets it: bounces off a surface, passes \
-                   through a filter.";
+    let meaning = "Bounces off the surface, or passes through the filter, one after the other.";
     let label = ui.label(RichText::new("met").small().color(context.theme.faint));
     label.on_hover_text(meaning);
     let mut bounces = link.bounces;
