@@ -311,6 +311,13 @@ mod tests {
             // The word of a step on its fill.
             let ink = grey(if dark { 18 } else { 255 });
             pairs.extend(Seen::ALL.map(|seen| (ink, of_seen(seen, dark))));
+            // The word alone, and the words of charts, in the window and on paper.
+            pairs.extend(Seen::ALL.map(|seen| (of_seen(seen, dark), visuals.panel_fill)));
+            let palette = chart::Palette::of(theme.of_charts());
+            let [paper, ground] = [palette.paper, palette.ground].map(super::ink);
+            for words in [palette.text, palette.faint].map(super::ink) {
+                pairs.extend([paper, ground, visuals.panel_fill].map(|on| (words, on)));
+            }
             for (a, b) in pairs {
                 let found = contrast(a, b);
                 assert!(found >= LEAST, "dark {dark}: {a:?} on {b:?} has {found:.2}");

@@ -177,7 +177,9 @@ fn whole_in(text: &str, words: impl Iterator<Item = &'static str>) -> Vec<&'stat
 /// The words of the code in a sentence that the window shows: not in keys, heads of tables that
 /// are copied, options and what is filled in.
 fn of_the_code_in(sentence: &str) -> Vec<&'static str> {
-    let is_sentence = sentence.trim().contains(' ') && !sentence.starts_with('#');
+    // Sentences that go on in the next line were drawn together; code has line ends.
+    let is_one = !sentence.contains('\n') && !sentence.starts_with('#');
+    let is_sentence = is_one && sentence.trim().contains(' ');
     if !is_sentence {
         return Vec::new();
     }

@@ -92,7 +92,7 @@ impl Gel {
 pub(super) fn group() -> Group {
     let mut group = empty(
         GELS,
-        "Stage gels, made: the colours by their names, and the two that convert whites",
+        "Gels of the theatre, made: the colours by their names, and the two that convert whites",
         Shelf::Filters,
         Kind::Transmittance,
         "made by this program",

@@ -243,7 +243,7 @@ pub fn ranking(names: &[String; 3], ranked: &[Ranked]) -> Table {
         )
         .and(found("factor measured", |r| Some(r.measured?.factor)))
         .with("", |r| {
-            cell(format!("{} {}", r.verdict.sign(), r.verdict.words()))
+            cell(format!("{} {}", r.verdict.sign(), r.verdict.told()))
         })
         .titled("verdict", "The model's verdict.");
     let comments = format!("# {} as {} off each surface\n", names[2], names[0]);

@@ -293,7 +293,7 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
         Sameness::Holds => ui.visuals().strong_text_color(),
         Sameness::DoesNotHold | Sameness::Unknown => context.theme.warning,
     };
-    let words = format!("{} S3 = S1 S2 {}", verdict.sign(), verdict.words());
+    let words = format!("{} S3 = S1 S2 {}", verdict.sign(), verdict.told());
     ui.label(RichText::new(words).strong().color(colour));
     ui.add_space(2.0);
     egui::Grid::new("verdicts")
@@ -329,7 +329,7 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
                 ui.label(what);
                 ui.label(hundredths(found.map(|f| f.residual)));
                 ui.label(hundredths(found.map(|f| f.factor)));
-                ui.label(format!("{} {}", verdict.sign(), verdict.words()));
+                ui.label(format!("{} {}", verdict.sign(), verdict.told()));
                 ui.end_row();
             }
         });

@@ -113,9 +113,9 @@ pub(super) fn laid_out(sheet: &SameSurfaceSheet, ranked: &[Ranked]) -> (Vec<Colu
         let ranked = &ranked[i];
         let [name, residual] = [&cells[0], &cells[1]];
         [
-            format!("{name}: residual {residual}, {}", ranked.verdict.words()),
+            format!("{name}: residual {residual}, {}", ranked.verdict.told()),
             format!(
-                "{}\nFactor {} in the model's numbers, {} measured.\nClick to take it as the \
+                "{}\nTimes {} in the model's numbers, {} measured.\nClick to take it as the \
                  surface S2.",
                 ranked.key,
                 hundredths(ranked.model.map(|m| m.factor)),

@@ -9,6 +9,7 @@ use crate::{
         products::{BOUNCES, Link, THICKNESSES},
         ticks::short,
     },
+    spectrum::Kind,
     ui::{kit::number, pages::PageContext},
 };
 
@@ -54,13 +55,14 @@ pub(super) fn thickness(ui: &mut Ui, context: &mut PageContext<'_>, link: &Link,
 
 pub(super) fn times(ui: &mut Ui, context: &mut PageContext<'_>, link: &Link, index: usize) {
     let meaning = "Bounces off the surface, or passes through the filter, one after the other.";
-    let label = ui.label(RichText::new("met").small().color(context.theme.faint));
+    let name = match link.entry.kind() {
+        Kind::Transmittance => "passes",
+        _ => "bounces",
+    };
+    let label = ui.label(RichText::new(name).small().color(context.theme.faint));
     label.on_hover_text(meaning);
     let mut bounces = link.bounces;
-    let drag = DragValue::new(&mut bounces)
-        .range(BOUNCES)
-        .speed(0.05)
-        .suffix(if link.bounces == 1 { " time" } else { " times" });
+    let drag = DragValue::new(&mut bounces).range(BOUNCES).speed(0.05);
     let response = number(ui, drag, &format!("Bounces of step {}", index + 1));
     let changed = response.changed();
     response.on_hover_text(meaning);
