@@ -166,7 +166,7 @@ pub(super) fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32, says: boo
 /// An error in the two digits that it is good for.
 pub(super) fn figure(delta: f64) -> String {
     match delta {
-        d if d < 0.001 => "< 0.001".to_owned(),
+        d if d < 0.01 => "< 0.01".to_owned(),
         d => two_digits(d),
     }
 }

@@ -22,13 +22,13 @@ use crate::{
     study::{Measure, Race, race::Racer},
 };
 
-/// A racer's name in a few letters: `ex` is colour-exact, `+s` with spikes.
+/// A racer's name in a few letters: `ex` is colour-exact, `+l` with lines.
 pub fn short_name(racer: Racer) -> String {
     let name = match racer {
         Racer::Composite(way) => {
             let part = |is_there, part| if is_there { part } else { "" };
             let exact = part(way.colour_exact, " ex");
-            return way.basis.title() + exact + part(way.spikes, " +s");
+            return way.basis.title() + exact + part(way.spikes, " +l");
         }
         Racer::WideLines => "Wide lines",
         Racer::KnownLamps => "Known lamps",

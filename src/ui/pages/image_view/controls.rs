@@ -220,7 +220,7 @@ pub(super) fn choice(
         if shown.rect.pixels() > 1 {
             ui.separator();
             let spread = &mut context.pages.image.spread;
-            ui.selectable_value(spread, Spread::Deviation, "± 1 standard deviation")
+            ui.selectable_value(spread, Spread::Deviation, "± 1 σ")
                 .on_hover_text("Around the mean: one standard deviation of the pixels.");
             ui.selectable_value(spread, Spread::Extremes, "min–max")
                 .on_hover_text("Around the mean: the smallest and the largest pixel of each band.");

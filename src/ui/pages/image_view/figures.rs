@@ -6,12 +6,14 @@ use egui::{RichText, Ui, vec2};
 use super::{Drawn, Shown};
 use crate::{
     app::{
+        charts::tradeoff::{spikes_words, waves_words},
         derived::Derived,
+        numbers::two_digits,
         picture::{RegionSpectrum, seen_in},
         ticks::short,
     },
     color::{Srgb, Swatch},
-    io::many::{capitalised, many, numbers},
+    io::many::{capitalised, numbers},
     spectrum::Sampled,
     study::Measure,
     ui::{pages::PageContext, swatch, theme::Theme},
@@ -172,12 +174,12 @@ pub(super) fn model(
     }
     let model = &derived.model;
     let words = format!(
-        "Model: {}, order {}, {}; ΔE₀₀ {delta_e}{}",
+        "Model: {}, {}, {}; ΔE₀₀ {delta_e}{}",
         numbers(derived.numbers()),
-        model.smooth().order(),
-        many(model.lines().len(), "line", "lines"),
+        waves_words(model.smooth().order()),
+        spikes_words(model.lines().len()),
         match derived.figures[Measure::Rms] {
-            Some(rms) => format!(", rms {} %", short(100.0 * rms)),
+            Some(rms) => format!(", rms {} %", two_digits(100.0 * rms)),
             None => String::new(),
         }
     );

@@ -14,7 +14,7 @@ use crate::{
         chart::{Chart, Ink},
         charts::products::resampling::{Bench, time_of, way_meaning, way_name},
         headlines,
-        numbers::{delta_e, figure},
+        numbers::{delta_e, figure, hundredths},
         studies::{Stage, TimingAsk},
     },
     io::many::numbers,
@@ -300,10 +300,7 @@ fn share_words(share: f64) -> String {
     if share <= 0.0 {
         return "0 %".to_owned();
     }
-    if share < LEAST_SHARE {
-        return "<0.0001 %".to_owned();
-    }
-    format!("{} %", figure(100.0 * share))
+    format!("{} %", hundredths(100.0 * share))
 }
 
 /// Part of its cell that the meter's bar takes.
