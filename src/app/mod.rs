@@ -77,6 +77,7 @@ pub mod tint;
 mod today;
 mod undo_words;
 pub mod verdicts;
+pub mod worker;
 pub mod workspace;
 
 pub use already_open::{Known, known};

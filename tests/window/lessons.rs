@@ -237,6 +237,7 @@ fn begun(ui: &mut Ui, lesson: &Lesson, step: usize) {
     ui.state_mut().preferences.lesson_asked = Some(AskedLesson {
         name: lesson.name.clone(),
         step,
+        done: false,
     });
     ui.run();
 }

@@ -387,7 +387,7 @@ static BEHIND_SINGLES: &[QualityFigure] = &[
     row(["peak_nm", "Peak"], Unit::NANOMETRE, 0, OF_SHAPE, |f| {
         Ok(f64::from(f.shape.clone()?.peak?.nm))
     })
-    .detail(&["peak_nm"])
+    .detail(&[])
     .read(|f, _| reading::of_peak(f)),
     row(
         ["centroid_nm", "Centroid"],

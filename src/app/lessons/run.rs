@@ -366,6 +366,14 @@ impl Run {
         more
     }
 
+    /// Does the task and tells the answer, at once.
+    pub fn finish(&mut self, app: &mut App, page: &mut Page) {
+        self.show_me();
+        while self.show_next(app, page) {}
+        self.look(app, *page);
+        self.tell(app, *page);
+    }
+
     /// Ends the lesson: everything is as it was before, in one step of undo. The lesson's name where
     /// it was gone through to its end.
     pub fn leave(self, app: &mut App, page: &mut Page) -> Option<String> {

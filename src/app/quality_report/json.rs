@@ -1,7 +1,7 @@
 //! A light's figures as JSON, with the keys of the command `light`.
 //!
-//! A figure that does not exist is `null`, and `notes` says why, behind the keys of all figures
-//! with the same reason.
+//! A figure that does not exist is `null`, and `notes` says why, behind its key and those of what
+//! is measured with it.
 
 use serde_json::{Map, Value, json};
 
@@ -12,6 +12,24 @@ use crate::{
 
 /// An object that stands even where none of its figures exists.
 const ALWAYS: &str = "ssi";
+
+/// Keys that share a note where they share its reason, in the order of notes; those in none of the
+/// lists have notes of their own at the place of the empty one.
+const TOGETHER: [&[&str]; 7] = [
+    &["cct", "duv"],
+    &["ra", "r"],
+    &["rf", "rg", "hue_bins"],
+    &["dominant_nm", "purity"],
+    &["melanopic_der", "alphaopic"],
+    &[],
+    &[
+        "ssi.reference",
+        "ssi.value",
+        "ssi.p3200",
+        "ssi.d55",
+        "ssi.d65",
+    ],
+];
 
 /// A light and its model, if there is one; every key is present, `null` where there is no figure.
 pub fn json(name: &str, measured: &Figures, model: Option<&Figures>) -> Value {
@@ -55,10 +73,8 @@ fn of(name: &str, figures: &Figures, all: bool) -> Value {
     for other in OTHER_VALUES.iter().filter(|other| all || !other.is_detail) {
         found.take(other.json, false, (other.of)(figures), other.is_detail);
     }
-    let Found {
-        mut object,
-        reasons,
-    } = found;
+    let reasons = found.notes();
+    let mut object = found.object;
     for (key, value) in &mut object {
         let is_empty = match value {
             Value::Object(parts) => key != ALWAYS && parts.values().all(Value::is_null),
@@ -69,8 +85,6 @@ fn of(name: &str, figures: &Figures, all: bool) -> Value {
             *value = Value::Null;
         }
     }
-    let reasons = reasons.into_iter();
-    let reasons = reasons.map(|(why, keys)| format!("{}: {why}", keys.join(", ")));
     let notes: Vec<String> = figures.notes.iter().cloned().chain(reasons).collect();
     object.insert("name".to_owned(), json!(name));
     object.insert("notes".to_owned(), json!(notes));
@@ -113,6 +127,7 @@ static OTHER_VALUES: &[OtherValue] = &[
     other("ssi.reference", false, |f| {
         Ok(json!(f.similarity.clone()?.of_cct?.0.to_string()))
     }),
+    other("peak_nm", true, |f| Ok(json!(f.shape.clone()?.peak?.nm))),
     other("xy_1964", true, |f| Ok(json!(f.xy[1].clone()?))),
     other("xy_2015_2", true, |f| Ok(json!(f.xy[2].clone()?))),
     other("xy_2015_10", true, |f| Ok(json!(f.xy[3].clone()?))),
@@ -156,11 +171,11 @@ fn bin_json(bin: &HueBin) -> Value {
     })
 }
 
-/// The values by their places, and the reasons for what is `null`, each once with its keys.
+/// The values by their places, and the reasons for what is `null` by their keys.
 #[derive(Default)]
 struct Found {
     object: Map<String, Value>,
-    reasons: Vec<(NoFigure, Vec<&'static str>)>,
+    reasons: Vec<(&'static str, NoFigure)>,
 }
 
 impl Found {
@@ -214,11 +229,36 @@ impl Found {
     fn explain(&mut self, path: &'static str, why: NoFigure) {
         let key = path.split('.').next().filter(|key| *key != ALWAYS);
         let key = key.unwrap_or(path);
-        let known = self.reasons.iter_mut().find(|(known, _)| *known == why);
-        match known {
-            Some((_, keys)) if keys.contains(&key) => {}
-            Some((_, keys)) => keys.push(key),
-            None => self.reasons.push((why, vec![key])),
+        if self.reasons.iter().all(|(known, _)| *known != key) {
+            self.reasons.push((key, why));
         }
+    }
+
+    /// A sentence for each reason.
+    fn notes(&self) -> Vec<String> {
+        let mut notes = Vec::new();
+        for group in TOGETHER {
+            if group.is_empty() {
+                let alone = self.reasons.iter();
+                let alone = alone.filter(|(key, _)| !TOGETHER.iter().any(|all| all.contains(key)));
+                notes.extend(alone.map(|(key, why)| format!("{key}: {why}")));
+            }
+            let why_of = |key| self.reasons.iter().find(|(known, _)| *known == key);
+            let mut left: Vec<_> = group.iter().filter_map(|key| why_of(*key)).collect();
+            while let Some((_, why)) = left.first().copied() {
+                let is_same = |(_, other): &&(&str, NoFigure)| other == why;
+                let (same, others): (Vec<_>, Vec<_>) = left.into_iter().partition(is_same);
+                let keys: Vec<&str> = same.iter().map(|(key, _)| *key).collect();
+                let is_whole = keys.len() == group.len() && group[0].starts_with(ALWAYS);
+                let keys = if is_whole {
+                    ALWAYS.to_owned()
+                } else {
+                    keys.join(", ")
+                };
+                notes.push(format!("{keys}: {why}"));
+                left = others;
+            }
+        }
+        notes
     }
 }

@@ -10,9 +10,10 @@ pub mod paper;
 mod surfaces;
 pub mod take;
 
+pub use super::worker::Wake;
 pub use about::{About, Patches, reflectances};
 pub use field::{CHECK_SET, Class, Field, RaceAsk};
-pub use job::{Job, Question, Stage, Wake, Work};
+pub use job::{Job, Question, Stage, Work};
 pub use lamps::{EncodeAsk, EncodedLight, most_numbers};
 pub use lights_quality::LightsQualityAsk;
 pub(super) use surfaces::surfaces;

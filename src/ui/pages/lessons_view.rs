@@ -52,10 +52,10 @@ impl LessonsView {
         all.cloned().collect()
     }
 
-    /// A lesson by its name; own ones go first.
+    /// A lesson by its name, or of a file; own ones go first.
     pub fn find(&self, name: &str) -> Option<Arc<Lesson>> {
-        let mut all = self.own.iter().rev().chain(shelf::shipped());
-        all.find(|lesson| lesson.name == name).cloned()
+        let own = self.own.iter().rev().find(|lesson| lesson.name == name);
+        own.cloned().or_else(|| shelf::named(name).ok())
     }
 
     /// Takes a lesson of a file in; one of the same name gives way.

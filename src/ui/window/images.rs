@@ -10,7 +10,7 @@ use crate::app::{Command, Tone, pages::Page, picture::reload::News, workspace::S
 impl Window {
     /// Images that are to be read again, as a workspace or project names them.
     pub fn bring_back(&mut self, images: Vec<StoredImage>, context: &Context) {
-        self.images.bring_back(images, waker(context));
+        self.images.bring_back(images, &waker(context));
     }
 
     /// What came from the thread that reads images again.

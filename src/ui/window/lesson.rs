@@ -59,6 +59,9 @@ impl Window {
             if asked.step > 0 {
                 run.go(asked.step, &mut self.app, page);
             }
+            if asked.done {
+                run.finish(&mut self.app, page);
+            }
             self.lesson = Some(run);
             self.drawer.open = false;
             context.request_repaint();
@@ -79,7 +82,11 @@ impl Window {
 
     /// Asks for a lesson from its beginning.
     pub(super) fn begin_lesson(&mut self, name: String, context: &Context) {
-        self.preferences.lesson_asked = Some(AskedLesson { name, step: 0 });
+        self.preferences.lesson_asked = Some(AskedLesson {
+            name,
+            step: 0,
+            done: false,
+        });
         context.request_repaint();
     }
 
