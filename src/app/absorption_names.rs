@@ -572,7 +572,7 @@ mod tests {
         let cosine = holmium.advice(curve, Basis::Cosine).expect("bands");
         assert!(fourier.contains("bands, not lines"), "{fourier}");
         let order = |words: &str| -> f64 {
-            let rest = words.split("N = ").nth(1).expect("an order");
+            let rest = words.split("from about ").nth(1).expect("an order");
             rest.split(' ').next().unwrap().parse().expect("a number")
         };
         println!("{fourier}");

@@ -203,7 +203,7 @@ fn the_partial_sum_moves_by_keys_and_becomes_the_model_only_when_asked() {
     ui.run();
     assert_eq!(partial_order(&ui), 4);
     assert_eq!(ui.state().0.app.document().settings.order, before);
-    ui.get_by_label("Use N = 4").click();
+    ui.get_by_label("Use 4 waves").click();
     ui.run();
     assert_eq!(ui.state().0.app.document().settings.order, 4);
 }

@@ -196,7 +196,7 @@ impl AuctionChart {
         ];
         let way = FitVariant::new(terms.basis, false, terms.colour_exact);
         let y_label = terms.goal.plain_measure().map_or_else(
-            || "Mix of errors, each in % of its value at N = 0".to_owned(),
+            || "Mix of errors, each in % of its value without waves".to_owned(),
             |measure| measure.figure().with_unit(),
         );
         let chart = Chart {

@@ -9,7 +9,7 @@ mod partial;
 use crate::{
     app::{
         chart::{Chart, Dash, Ink, Scale, Series, Shape, stroke},
-        charts::spectrum::of_subject,
+        charts::{spectrum::of_subject, tradeoff::waves_words},
         numbers::figure,
         state::App,
         studies::paper::CHANNELS,
@@ -348,7 +348,7 @@ impl<'a> Draw<'a> {
             [order.order as f64, value.unwrap_or(f64::NAN)]
         };
         let points = self.orders.iter().map(mark).collect();
-        let now = format!("N = {in_force}, in force");
+        let now = format!("{}, in force", waves_words(in_force));
         series.push(Series::points(now, Ink::Measured, Shape::Ring, points).sized(6.0));
         Some(Chart {
             y_scale: Scale::Log10,

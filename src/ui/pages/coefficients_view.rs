@@ -10,7 +10,10 @@ use crate::{
     app::{
         CURVE_ORDER, Command, Memo, Settings,
         chart::Chart,
-        charts::coefficients::{CoefficientCharts, Sight},
+        charts::{
+            coefficients::{CoefficientCharts, Sight},
+            tradeoff::waves_words,
+        },
         numbers::{figure, percent},
         studies::paper::{CHANNELS, colours_summed, harmonics_of, off_percent, three},
     },
@@ -182,7 +185,7 @@ fn controls(
         }
         let playing = next_step.is_some();
         let words = if playing { names::STOP } else { names::PLAY };
-        let meaning = "Adds the waves N = 0, 1, 2, ... one after the other, two a second.";
+        let meaning = "Adds the waves 0, 1, 2, ... one after the other, two a second.";
         if pressed(ui, words, meaning) {
             *next_step = if playing {
                 None
@@ -201,7 +204,7 @@ fn controls(
 fn use_button(ui: &mut Ui, context: &mut PageContext<'_>) {
     let settings = context.app.document().settings;
     let order = context.pages.why.partial_order;
-    let button = egui::Button::new(format!("Use N = {order}"));
+    let button = egui::Button::new(format!("Use {}", waves_words(order)));
     if ui
         .add_enabled(order != settings.order, button)
         .on_hover_text(format!(
@@ -226,7 +229,8 @@ fn sentences(context: &PageContext<'_>, harmonics: &Harmonics) -> [String; 2] {
         return [none.to_owned(), String::new()];
     };
     let mut first = format!(
-        "Summed to N = {order}, X, Y and Z are off by {} %",
+        "The sum of {} has X, Y and Z off by {} %",
+        waves_words(order),
         three([x, y, z].map(off_percent))
     );
     let of_spikes = harmonics.spikes[1] / harmonics.exact[1];
