@@ -42,7 +42,7 @@ const FOLDED: f32 = 34.0;
 const WIDE: f32 = 940.0;
 
 /// From this width on the table has all figures, points.
-const ALL_FIGURES: f32 = 600.0;
+const ALL_FIGURES: f32 = 720.0;
 
 /// Charts and table of one sweep and figure.
 struct Sheet {
