@@ -256,7 +256,7 @@ mod tests {
         };
         let words = narrow(&behind, &behind.figures(&filter), &filter);
         assert!(
-            words.starts_with("Behind 546 nm, 10 nm wide, 23 numbers as a composite"),
+            words.starts_with("Behind a filter at 546 nm, 10 nm wide, 23 numbers as waves and"),
             "{words}"
         );
     }

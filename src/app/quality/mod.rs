@@ -314,7 +314,7 @@ mod tests {
             assert!(words.contains(chosen.title()), "{words}");
         }
         // How near that is, is said with it: 21 K are half a per cent of 4224 K.
-        for bound in ["Ra within 0.5 ", "CCT within 21 K ", "DER within 0.005 "] {
+        for bound in ["Ra (within 0.5)", "CCT (within 21 K)", "DER (within 0.005)"] {
             assert!(words.contains(bound), "{words}");
         }
     }
