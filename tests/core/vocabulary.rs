@@ -5,7 +5,7 @@ use std::{fs, path::Path};
 use super::root::root;
 
 /// What a reader stumbles over, and what is said instead.
-const AVOIDED: [(&str, &str); 44] = [
+const AVOIDED: [(&str, &str); 42] = [
     ("smoothness", "waves"),
     ("wished for", "target"),
     ("lay over", "compare with"),
@@ -40,7 +40,6 @@ const AVOIDED: [(&str, &str); 44] = [
     ("not read so", "that way it cannot be read"),
     ("against the order", "against waves"),
     ("against order", "against waves"),
-    ("orders only", "waves only"),
     (
         "the factor as measured",
         "the filter or surface as measured",
@@ -49,7 +48,6 @@ const AVOIDED: [(&str, &str); 44] = [
     ("onto the patches", "to the surfaces"),
     ("as a composite are off", "as waves and lines are off"),
     ("both bases", "every basis"),
-    ("from order", "from so many waves"),
     ("what to favour", "figure to favour"),
     (
         "what it passes or falls on",
@@ -162,7 +160,7 @@ fn avoided_in(text: &str) -> Vec<&'static str> {
 /// The words that stand in a text as whole ones.
 fn whole_in(text: &str, words: impl Iterator<Item = &'static str>) -> Vec<&'static str> {
     let lower = text.to_lowercase();
-    let is_letter = |c: Option<char>| c.is_some_and(char::is_alphanumeric);
+    let is_letter = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || c == '_');
     let stands = |word: &str| {
         lower.match_indices(word).any(|(at, _)| {
             let before = lower[..at].chars().next_back();

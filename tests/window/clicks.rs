@@ -217,10 +217,7 @@ fn how_many_numbers_a_light_needs_is_one_act_away() {
     let mut person = Person::at_first_start();
     person.clicks("How many numbers?");
     assert_eq!(person.acts, 1);
-    assert_written(
-        &person.ui,
-        "To stay under ΔE₀₀ 1 on the surfaces (mean), FL2 needs",
-    );
+    assert_written(&person.ui, "to stay under ΔE₀₀ 1 on the surfaces (mean)");
     let needed = figure_behind(&person.ui, "FL2 needs");
     let measured = app(&person.ui).derived().band.points() as f64;
     assert!(

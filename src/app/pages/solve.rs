@@ -72,8 +72,8 @@ impl PageState for MixWish {
     ];
 
     const NAMES: &'static [(&'static str, &'static str)] = &[
-        ("light", "the colour wished for"),
-        ("xy", "the colour wished for"),
+        ("light", "the colour aimed at"),
+        ("xy", "the colour aimed at"),
         ("alike", "how near it comes to the light"),
         ("favour", "what it is best at"),
         ("floors", "the lower bounds"),

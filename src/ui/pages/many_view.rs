@@ -148,6 +148,12 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
                        opened.";
         form.row(("Lights", meaning), |ui, _| {
             field_choice(ui, context, (names::LIGHTS, meaning), &mut field);
+            let settings = context.app.document().settings;
+            let way = Wanted::of(settings, &context.pages.many).way;
+            ui.weak(format!("{}, as in the model.", way.title()))
+                .on_hover_text(
+                    "Basis, fit, lines and range are the document's; change them there.",
+                );
         });
         let memory = &mut context.pages.many;
         memory.field = field;
@@ -176,14 +182,6 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
             number(ui, share, names::SHARE)
                 .on_hover_text("Share of the lights for which the waves must be enough.");
             ui.label("of them");
-        });
-        let settings = context.app.document().settings;
-        let way = Wanted::of(settings, memory).way;
-        form.rest(|ui| {
-            ui.weak(format!("{}, as in the model.", way.title()))
-                .on_hover_text(
-                    "Basis, fit, lines and range are the document's; change them there.",
-                );
         });
     });
     ui.add_space(2.0);

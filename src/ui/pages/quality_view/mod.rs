@@ -138,7 +138,7 @@ impl QualityView {
         };
         headline(ui, context.theme, settled_words(&found));
         let charts = Chosen::ALL.map(|chosen| against_order(&found, chosen));
-        grid(ui, context, &charts, "quality against order");
+        grid(ui, context, &charts, "quality against waves");
     }
 }
 
