@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::pages::knob::{Knob, Reach, keep_in_reach};
+use super::pages::knob::{Knob, Reach, keep_in_reach, knob};
 use crate::{
     color::Observer,
     spectrum::{Band, Basis, Composite, Sampling, SpikeSettings, gradient::DEFAULT_GRADIENT},
@@ -83,33 +83,17 @@ impl Default for Settings {
 }
 
 impl Settings {
-    pub const ORDER: Knob<Self> = Knob::<Self>::new(
-        ("order", "waves"),
-        "Waves of the smooth part.",
-        Reach::Within(0.0, 100.0),
-        |settings| &mut settings.order,
-    );
-    pub const THRESHOLD: Knob<Self> = Knob::<Self>::new(
-        ("threshold_percent", "lines above"),
-        "Least share of the total power that a line must carry, percent.",
-        Reach::Within(0.01, 50.0),
-        |settings| &mut settings.threshold_percent,
-    )
-    .shown(2, " %");
-    pub const WIDTH: Knob<Self> = Knob::<Self>::new(
-        ("max_width_nm", "widest line"),
-        "Full width at half maximum of the widest line, nm.",
-        Reach::Within(1.0, 50.0),
-        |settings| &mut settings.max_width_nm,
-    )
-    .shown(2, " nm");
-    pub const GRADIENT: Knob<Self> = Knob::<Self>::new(
-        ("gradient_percent", "least slope of lines"),
-        "Least slope of a line's flanks, percent of the largest value per nm.",
-        Reach::Within(0.1, 50.0),
-        |settings| &mut settings.gradient_percent,
-    )
-    .shown(2, " %/nm");
+    pub const ORDER: Knob<Self> = knob!(order: "waves", Reach::Within(0.0, 100.0), 0 "",
+        "Waves of the smooth part.");
+    pub const THRESHOLD: Knob<Self> = knob!(threshold_percent: "lines above",
+        Reach::Within(0.01, 50.0), 2 " %",
+        "Least share of the total power that a line must carry, percent.");
+    pub const WIDTH: Knob<Self> = knob!(max_width_nm: "widest line",
+        Reach::Within(1.0, 50.0), 2 " nm",
+        "Full width at half maximum of the widest line, nm.");
+    pub const GRADIENT: Knob<Self> = knob!(gradient_percent: "least slope of lines",
+        Reach::Within(0.1, 50.0), 2 " %/nm",
+        "Least slope of a line's flanks, percent of the largest value per nm.");
 
     /// Its numbers, each with its option on the command line; "" where it has none.
     pub const KNOBS: [(&str, Knob<Self>); 4] = [

@@ -2,7 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Page, Place, Row, knob::Knob, look::SPENT, row, states::PageState};
+use super::{
+    Page, Place, Row,
+    knob::{Knob, knob},
+    look::SPENT,
+    row,
+    states::PageState,
+};
 use crate::study::Goal;
 
 pub(super) const ROW: Row = row(
@@ -34,12 +40,8 @@ impl Default for AuctionState {
 }
 
 impl PageState for AuctionState {
-    const KNOBS: &'static [Knob<Self>] = &[Knob::<Self>::new(
-        ("numbers", "Most numbers"),
-        "The most numbers that are bought.",
-        SPENT,
-        |auction| &mut auction.numbers,
-    )];
+    const KNOBS: &'static [Knob<Self>] = &[knob!(numbers: "Most numbers", SPENT, 0 "",
+        "The most numbers that are bought.")];
 
     const NAMES: &'static [(&'static str, &'static str)] = &[("goal", "what is made small")];
 

@@ -16,7 +16,7 @@ impl PageState for DiagramShows {
         ("uniform", "the plane"),
         ("gamuts", "gamuts of screens"),
         ("whites", "nominal whites"),
-        ("ellipses", "ellipses"),
+        ("ellipses", "MacAdam's ellipses"),
         ("near", "the neighbourhood of the light"),
     ];
 }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Page, Place, Row,
-    knob::{Knob, Reach},
+    knob::{Knob, Reach, knob},
     prism::{EXPOSED, STOPS},
     row,
     states::PageState,
@@ -152,27 +152,14 @@ impl GemMemory {
         }
     }
 
-    pub const GREY: Knob<Self> = Knob::<Self>::new(
-        ("grey", "Takes away"),
-        "The part of the light that it absorbs for each radius of the girdle.",
-        Reach::Within(0.0, 2.0),
-        |gem| &mut gem.grey,
-    )
-    .shown(2, "");
-    pub const THICKNESS: Knob<Self> = Knob::<Self>::new(
-        ("thickness", "as thick as"),
-        "How thick the filter is, radii of the girdle.",
-        Reach::Within(0.5, 50.0),
-        |gem| &mut gem.thickness,
-    )
-    .shown(1, " radii");
-    const HEIGHT: Knob<Self> = Knob::<Self>::new(
-        ("height_deg", "Height of the camera"),
-        "Below it looks past the crown, straight above it has no up.",
-        Reach::Within(15.0, 89.0),
-        |gem| &mut gem.height_deg,
-    )
-    .shown(1, "\u{b0}");
+    pub const GREY: Knob<Self> = knob!(grey: "Takes away", Reach::Within(0.0, 2.0), 2 "",
+        "The part of the light that it absorbs for each radius of the girdle.");
+    pub const THICKNESS: Knob<Self> = knob!(thickness: "as thick as",
+        Reach::Within(0.5, 50.0), 1 " radii",
+        "How thick the filter is, radii of the girdle.");
+    const HEIGHT: Knob<Self> = knob!(height_deg: "Height of the camera",
+        Reach::Within(15.0, 89.0), 1 "\u{b0}",
+        "Below it looks past the crown, straight above it has no up.");
 
     /// The parts of the cut: those that change the look most, then the others.
     pub fn cut_knobs() -> impl Iterator<Item = &'static Knob<Self>> {
@@ -198,80 +185,30 @@ const USUAL_HEIGHT_DEG: f64 = 64.0;
 
 impl PageState for GemMemory {
     const KNOBS: &'static [Knob<Self>] = &[
-        Knob::<Self>::new(
-            ("cut", "Pavilion"),
-            "Slope of the lower facets. Near 41\u{b0} a diamond sends most light back up.",
-            Reach::Within(30.0, 55.0),
-            |gem| &mut gem.cut.pavilion_deg,
-        )
-        .shown(2, "\u{b0}"),
-        Knob::<Self>::new(
-            ("cut", "Crown"),
-            "Slope of the upper facets, which spread white light into colours.",
-            Reach::Within(20.0, 50.0),
-            |gem| &mut gem.cut.crown_deg,
-        )
-        .shown(2, "\u{b0}"),
-        Knob::<Self>::new(
-            ("cut", "Table"),
-            "Width of the flat top, as a share of the gem's.",
-            Reach::Within(0.3, 0.85),
-            |gem| &mut gem.cut.table,
-        )
-        .shown(3, ""),
-        Knob::<Self>::new(
-            ("cut", "Stars"),
-            "How far the facets beside the table reach towards the edge.",
-            Reach::Within(0.2, 0.8),
-            |gem| &mut gem.cut.star,
-        )
-        .shown(3, ""),
-        Knob::<Self>::new(
-            ("cut", "Lower halves"),
-            "How far the narrow facets below reach from the edge to the tip.",
-            Reach::Within(0.4, 0.95),
-            |gem| &mut gem.cut.lower,
-        )
-        .shown(3, ""),
-        Knob::<Self>::new(
-            ("cut", "Girdle"),
-            "Height of the gem's edge, as a share of its width.",
-            Reach::Within(0.005, 0.1),
-            |gem| &mut gem.cut.girdle,
-        )
-        .shown(3, ""),
-        Knob::<Self>::new(
-            ("cut", "Culet"),
-            "Width of a facet in place of the tip, as a share of the gem's; 0 for a tip.",
-            Reach::Within(0.0, 0.2),
-            |gem| &mut gem.cut.culet,
-        )
-        .shown(3, ""),
+        knob!(cut.pavilion_deg: "Pavilion", Reach::Within(30.0, 55.0), 2 "\u{b0}",
+            "Slope of the lower facets. Near 41\u{b0} a diamond sends most light back up."),
+        knob!(cut.crown_deg: "Crown", Reach::Within(20.0, 50.0), 2 "\u{b0}",
+            "Slope of the upper facets, which spread white light into colours."),
+        knob!(cut.table: "Table", Reach::Within(0.3, 0.85), 3 "",
+            "Width of the flat top, as a share of the gem's."),
+        knob!(cut.star: "Stars", Reach::Within(0.2, 0.8), 3 "",
+            "How far the facets beside the table reach towards the edge."),
+        knob!(cut.lower: "Lower halves", Reach::Within(0.4, 0.95), 3 "",
+            "How far the narrow facets below reach from the edge to the tip."),
+        knob!(cut.girdle: "Girdle", Reach::Within(0.005, 0.1), 3 "",
+            "Height of the gem's edge, as a share of its width."),
+        knob!(cut.culet: "Culet", Reach::Within(0.0, 0.2), 3 "",
+            "Width of a facet in place of the tip, as a share of the gem's; 0 for a tip."),
         Self::GREY,
         Self::THICKNESS,
-        Knob::<Self>::new(
-            ("turn_deg", "Turn of the camera"),
-            "How far the camera went round the gem.",
-            Reach::Within(-180.0, 180.0),
-            |gem| &mut gem.turn_deg,
-        )
-        .shown(1, "\u{b0}"),
+        knob!(turn_deg: "Turn of the camera", Reach::Within(-180.0, 180.0), 1 "\u{b0}",
+            "How far the camera went round the gem."),
         Self::HEIGHT,
-        Knob::<Self>::new(
-            ("size", "Picture"),
-            "Columns and rows of the picture.",
-            Reach::OneOf(&[240.0, 360.0, 480.0, 720.0]),
-            |gem| &mut gem.size,
-        )
-        .shown(0, " px"),
-        Knob::<Self>::new(
-            ("rays", "Rays a pixel"),
-            "Twice as many take twice the time and leave 0.7 of the noise.",
-            Reach::OneOf(&[8.0, 16.0, 32.0, 64.0, 256.0]),
-            |gem| &mut gem.rays,
-        ),
-        Knob::<Self>::new(("stops", "Exposure"), EXPOSED, STOPS, |gem| &mut gem.stops)
-            .shown(1, " stops"),
+        knob!(size: "Picture", Reach::OneOf(&[240.0, 360.0, 480.0, 720.0]), 0 " px",
+            "Columns and rows of the picture."),
+        knob!(rays: "Rays a pixel", Reach::OneOf(&[8.0, 16.0, 32.0, 64.0, 256.0]), 0 "",
+            "Twice as many take twice the time and leave 0.7 of the noise."),
+        knob!(stops: "Exposure", STOPS, 1 " stops", EXPOSED),
     ];
 
     const NAMES: &'static [(&'static str, &'static str)] = &[

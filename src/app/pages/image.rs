@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Page, Place, Row,
-    knob::{Knob, Reach},
+    knob::{Knob, Reach, knob},
     prism::EXPOSED,
     row,
     states::PageState,
@@ -119,22 +119,10 @@ const BAND_NM: Reach = Reach::Within(100.0, 100_000.0);
 
 impl PageState for ImageMemory {
     const KNOBS: &'static [Knob<Self>] = &[
-        Knob::<Self>::new(("three_nm", "Red"), BANDS, BAND_NM, |image| {
-            &mut image.three_nm[0]
-        })
-        .shown(1, " nm"),
-        Knob::<Self>::new(("three_nm", "Green"), BANDS, BAND_NM, |image| {
-            &mut image.three_nm[1]
-        })
-        .shown(1, " nm"),
-        Knob::<Self>::new(("three_nm", "Blue"), BANDS, BAND_NM, |image| {
-            &mut image.three_nm[2]
-        })
-        .shown(1, " nm"),
-        Knob::<Self>::new(("one_nm", "Band"), BANDS, BAND_NM, |image| {
-            &mut image.one_nm
-        })
-        .shown(1, " nm"),
+        knob!(three_nm[0]: "Red", BAND_NM, 1 " nm", BANDS),
+        knob!(three_nm[1]: "Green", BAND_NM, 1 " nm", BANDS),
+        knob!(three_nm[2]: "Blue", BAND_NM, 1 " nm", BANDS),
+        knob!(one_nm: "Band", BAND_NM, 1 " nm", BANDS),
         Self::EXPOSURE,
     ];
 
@@ -149,13 +137,8 @@ impl PageState for ImageMemory {
 const BANDS: &str = "The nearest band is shown.";
 
 impl ImageMemory {
-    pub const EXPOSURE: Knob<Self> = Knob::<Self>::new(
-        ("stops", "Exposure"),
-        EXPOSED,
-        Reach::Within(-8.0, 8.0),
-        |image| &mut image.stops,
-    )
-    .shown(1, " stops");
+    pub const EXPOSURE: Knob<Self> =
+        knob!(stops: "Exposure", Reach::Within(-8.0, 8.0), 1 " stops", EXPOSED);
 
     /// Another image: a place of the last one is none in this.
     pub fn choose(&mut self, key: &str) {

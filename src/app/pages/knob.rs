@@ -81,11 +81,11 @@ pub struct Knob<T> {
 }
 
 impl<T> Knob<T> {
-    /// A count, or another whole number without a unit.
     pub const fn new(
         (key, title): (&'static str, &'static str),
         meaning: &'static str,
         reach: Reach,
+        (digits, unit): (i32, &'static str),
         of: fn(&mut T) -> &mut dyn Number,
     ) -> Self {
         Self {
@@ -93,18 +93,9 @@ impl<T> Knob<T> {
             title,
             meaning,
             reach,
-            digits: 0,
-            unit: "",
-            of,
-        }
-    }
-
-    /// With so many decimals and this unit on screen.
-    pub const fn shown(self, digits: i32, unit: &'static str) -> Self {
-        Self {
             digits,
             unit,
-            ..self
+            of,
         }
     }
 
@@ -128,6 +119,22 @@ impl<T> Knob<T> {
         short((value * ten).round() / ten)
     }
 }
+
+/// A row of a table of knobs: `field: title, reach, decimals unit, meaning`.
+macro_rules! knob {
+    ($key:ident $(.$part:ident)* $([$i:literal])?: $title:literal, $reach:expr,
+        $digits:literal $unit:literal, $meaning:expr) => {
+        $crate::app::pages::knob::Knob::<Self>::new(
+            (stringify!($key), $title),
+            $meaning,
+            $reach,
+            ($digits, $unit),
+            |state| &mut state.$key $(.$part)* $([$i])?,
+        )
+    };
+}
+
+pub(in crate::app) use knob;
 
 /// Moves every number of a table to the nearest that is allowed; what is no number becomes the
 /// usual one.

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Page, Place, Row,
-    knob::{Knob, Reach},
+    knob::{Knob, Reach, knob},
     row,
     states::PageState,
 };
@@ -45,12 +45,9 @@ impl Default for WordsMemory {
 }
 
 impl PageState for WordsMemory {
-    const KNOBS: &'static [Knob<Self>] = &[Knob::<Self>::new(
-        ("numbers", "Numbers"),
-        "The most numbers that the light may take.",
-        Reach::Within(NUMBERS[0] as f64, NUMBERS[1] as f64),
-        |words| &mut words.numbers,
-    )];
+    const KNOBS: &'static [Knob<Self>] = &[knob!(numbers: "Numbers",
+        Reach::Within(NUMBERS[0] as f64, NUMBERS[1] as f64), 0 "",
+        "The most numbers that the light may take.")];
 
     const NAMES: &'static [(&'static str, &'static str)] = &[
         ("portable", "known lamps"),

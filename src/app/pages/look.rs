@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::knob::{Knob, Reach};
+use super::knob::{Knob, Reach, knob};
 use super::{Page, Place, Row, row, states::PageState};
 use crate::study::Goal;
 
@@ -40,12 +40,8 @@ pub const SPENDABLE: std::ops::RangeInclusive<usize> = 1..=101;
 pub(super) const SPENT: Reach = Reach::Within(*SPENDABLE.start() as f64, *SPENDABLE.end() as f64);
 
 impl PageState for LookState {
-    const KNOBS: &'static [Knob<Self>] = &[Knob::<Self>::new(
-        ("numbers", "Numbers to spend"),
-        "The most numbers that Automatic may take.",
-        SPENT,
-        |look| &mut look.numbers,
-    )];
+    const KNOBS: &'static [Knob<Self>] = &[knob!(numbers: "Numbers to spend", SPENT, 0 "",
+        "The most numbers that Automatic may take.")];
 
     const NAMES: &'static [(&'static str, &'static str)] =
         &[("goal", "what Automatic makes small")];

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Page, Place, Row,
-    knob::{Knob, Reach},
+    knob::{Knob, Reach, knob},
     race::FieldChoice,
     row,
     states::PageState,
@@ -57,20 +57,11 @@ impl ManyMemory {
 }
 
 impl ManyMemory {
-    pub const SHARE: Knob<Self> = Knob::<Self>::new(
-        ("share_percent", "Share of the lights"),
-        "The part of the lights that are to keep the limit.",
-        Reach::Within(1.0, 100.0),
-        |many| &mut many.share_percent,
-    )
-    .shown(0, " %");
-    pub const LIMIT: Knob<Self> = Knob::<Self>::new(
-        ("limit", "Limit"),
-        "The most that the error may be.",
-        Reach::Within(0.01, 100.0),
-        |many| &mut many.limit,
-    )
-    .shown(2, "");
+    pub const SHARE: Knob<Self> = knob!(share_percent: "Share of the lights",
+        Reach::Within(1.0, 100.0), 0 " %",
+        "The part of the lights that are to keep the limit.");
+    pub const LIMIT: Knob<Self> = knob!(limit: "Limit", Reach::Within(0.01, 100.0), 2 "",
+        "The most that the error may be.");
 }
 
 impl PageState for ManyMemory {

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Page, Place, Row,
-    knob::{Knob, Reach},
+    knob::{Knob, Reach, knob},
     row,
     states::PageState,
 };
@@ -47,24 +47,15 @@ impl Default for NarrowMemory {
 pub const PASS_WIDTHS_NM: [f64; 2] = [2.0, 100.0];
 
 impl NarrowMemory {
-    pub const WIDTH: Knob<Self> = Knob::<Self>::new(
-        ("width_nm", "Width"),
-        "The full width of the band-pass at half its maximum.",
-        Reach::Within(PASS_WIDTHS_NM[0], PASS_WIDTHS_NM[1]),
-        |narrow| &mut narrow.width_nm,
-    )
-    .shown(1, " nm");
+    pub const WIDTH: Knob<Self> = knob!(width_nm: "Width",
+        Reach::Within(PASS_WIDTHS_NM[0], PASS_WIDTHS_NM[1]), 1 " nm",
+        "The full width of the band-pass at half its maximum.");
 }
 
 impl PageState for NarrowMemory {
     const KNOBS: &'static [Knob<Self>] = &[
-        Knob::<Self>::new(
-            ("centre_nm", "Centre"),
-            "The wavelength in the middle of the band-pass.",
-            Reach::Within(200.0, 20_000.0),
-            |narrow| &mut narrow.centre_nm,
-        )
-        .shown(1, " nm"),
+        knob!(centre_nm: "Centre", Reach::Within(200.0, 20_000.0), 1 " nm",
+            "The wavelength in the middle of the band-pass."),
         Self::WIDTH,
     ];
 

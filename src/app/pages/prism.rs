@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Page, Place, Row,
-    knob::{Knob, Reach},
+    knob::{Knob, Reach, knob},
     row,
     states::PageState,
 };
@@ -107,46 +107,19 @@ impl Handle {
 }
 
 impl PrismMemory {
-    pub const APEX: Knob<Self> = Knob::<Self>::new(
-        ("apex_deg", "Apex angle"),
-        "The angle between the two faces that the light goes through.",
-        Reach::Within(5.0, 90.0),
-        |prism| &mut prism.apex_deg,
-    )
-    .shown(1, "\u{b0}");
-    pub const MINIMUM: Knob<Self> = Knob::<Self>::new(
-        ("minimum_nm", "Least deviation for"),
-        "The wavelength that is bent least.",
-        Reach::Within(SEEN_NM[0], SEEN_NM[1]),
-        |prism| &mut prism.minimum_nm,
-    )
-    .shown(1, " nm");
-    pub const INCIDENCE: Knob<Self> = Knob::<Self>::new(
-        ("incidence_deg", "Light meets it at"),
-        "Angle between the light and the normal of the first face.",
-        Reach::Within(-20.0, 89.0),
-        |prism| &mut prism.incidence_deg,
-    )
-    .shown(1, "\u{b0}");
-    pub const SLIT: Knob<Self> = Knob::<Self>::new(
-        ("slit_mm", "Slit"),
-        "Width of the beam. Wide, lines run together and the middle turns white.",
-        Reach::Within(0.02, 30.0),
-        |prism| &mut prism.slit_mm,
-    )
-    .shown(2, " mm");
-    pub const SCREEN: Knob<Self> = Knob::<Self>::new(
-        ("screen_mm", "Screen"),
-        "From the prism to the screen.",
-        Reach::Within(50.0, 2000.0),
-        |prism| &mut prism.screen_mm,
-    )
-    .shown(0, " mm");
-    const EXPOSURE: Knob<Self> =
-        Knob::<Self>::new(("stops", "Exposure"), EXPOSED, STOPS, |prism| {
-            &mut prism.stops
-        })
-        .shown(1, " stops");
+    pub const APEX: Knob<Self> = knob!(apex_deg: "Apex angle", Reach::Within(5.0, 90.0), 1 "\u{b0}",
+        "The angle between the two faces that the light goes through.");
+    pub const MINIMUM: Knob<Self> = knob!(minimum_nm: "Least deviation for",
+        Reach::Within(SEEN_NM[0], SEEN_NM[1]), 1 " nm",
+        "The wavelength that is bent least.");
+    pub const INCIDENCE: Knob<Self> = knob!(incidence_deg: "Light meets it at",
+        Reach::Within(-20.0, 89.0), 1 "\u{b0}",
+        "Angle between the light and the normal of the first face.");
+    pub const SLIT: Knob<Self> = knob!(slit_mm: "Slit", Reach::Within(0.02, 30.0), 2 " mm",
+        "Width of the beam. Wide, lines run together and the middle turns white.");
+    pub const SCREEN: Knob<Self> = knob!(screen_mm: "Screen", Reach::Within(50.0, 2000.0), 0 " mm",
+        "From the prism to the screen.");
+    const EXPOSURE: Knob<Self> = knob!(stops: "Exposure", STOPS, 1 " stops", EXPOSED);
 
     /// A hand moved a handle: degrees of the apex, mm of the slit, as far as the sliders reach.
     pub fn set(&mut self, handle: Handle, value: f64) {

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Page, Place, Row,
-    knob::{Knob, Reach},
+    knob::{Knob, Reach, knob},
     row,
     states::PageState,
 };
@@ -48,12 +48,9 @@ impl Default for RaceState {
 pub const RACE_BUDGETS: [usize; 7] = [8, 11, 15, 20, 25, 31, 41];
 
 impl PageState for RaceState {
-    const KNOBS: &'static [Knob<Self>] = &[Knob::<Self>::new(
-        ("numbers", "Numbers"),
-        "The count of numbers that every representation may take.",
-        Reach::OneOf(&[8.0, 11.0, 15.0, 20.0, 25.0, 31.0, 41.0]),
-        |race| &mut race.numbers,
-    )];
+    const KNOBS: &'static [Knob<Self>] = &[knob!(numbers: "Numbers",
+        Reach::OneOf(&[8.0, 11.0, 15.0, 20.0, 25.0, 31.0, 41.0]), 0 "",
+        "The count of numbers that every representation may take.")];
 
     const NAMES: &'static [(&'static str, &'static str)] = &[
         ("field", "who races"),

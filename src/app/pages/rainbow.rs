@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Page, Place, Row,
-    knob::{Knob, Reach},
+    knob::{Knob, Reach, knob},
     prism::{Beside, EXPOSED, STOPS},
     row,
     states::PageState,
@@ -42,19 +42,11 @@ pub struct RainbowMemory {
 const BOW_IMPACTS: [f64; 2] = [0.86, 0.95];
 
 impl RainbowMemory {
-    pub const IMPACT: Knob<Self> = Knob::<Self>::new(
-        ("impact", "Rays meet the drop at"),
+    pub const IMPACT: Knob<Self> = knob!(impact: "Rays meet the drop at",
+        Reach::Within(0.0, 0.995), 3 " radii",
         "How far off its middle the coloured rays meet the drop; where the thin rays crowd \
-         together they make the bow.",
-        Reach::Within(0.0, 0.995),
-        |rainbow| &mut rainbow.impact,
-    )
-    .shown(3, " radii");
-    const EXPOSURE: Knob<Self> =
-        Knob::<Self>::new(("stops", "Exposure"), EXPOSED, STOPS, |rainbow| {
-            &mut rainbow.stops
-        })
-        .shown(1, " stops");
+        together they make the bow.");
+    const EXPOSURE: Knob<Self> = knob!(stops: "Exposure", STOPS, 1 " stops", EXPOSED);
 
     /// Draws the rays of one of the two bows, from where they meet the drop.
     pub fn look_at(&mut self, twice: bool) {

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Page, Place, Row,
-    knob::{Knob, Reach},
+    knob::{Knob, Reach, knob},
     row,
     states::PageState,
 };
@@ -123,32 +123,17 @@ impl Default for RelitMemory {
 }
 
 impl RelitMemory {
-    pub const BOUND: Knob<Self> = Knob::<Self>::new(
-        ("bound", "Enough"),
-        "95 % of the differences are within it.",
-        Reach::Within(0.05, 5.0),
-        |relit| &mut relit.bound,
-    )
-    .shown(2, " \u{394}E₀₀");
+    pub const BOUND: Knob<Self> = knob!(bound: "Enough", Reach::Within(0.05, 5.0), 2 " \u{394}E₀₀",
+        "95 % of the differences are within it.");
 }
 
 impl PageState for RelitMemory {
     const KNOBS: &'static [Knob<Self>] = &[
         Self::BOUND,
-        Knob::<Self>::new(
-            ("second_percent", "Share of the second light"),
-            "Share of the brightness that is the second light's.",
-            Reach::Within(0.0, 100.0),
-            |relit| &mut relit.second_percent,
-        )
-        .shown(0, " %"),
-        Knob::<Self>::new(
-            ("split", "Line between the halves"),
-            "Every band left of it, few numbers right of it.",
-            Reach::Within(0.0, 1.0),
-            |relit| &mut relit.split,
-        )
-        .shown(2, ""),
+        knob!(second_percent: "Share of the second light", Reach::Within(0.0, 100.0), 0 " %",
+            "Share of the brightness that is the second light's."),
+        knob!(split: "Line between the halves", Reach::Within(0.0, 1.0), 2 "",
+            "Every band left of it, few numbers right of it."),
     ];
 
     const NAMES: &'static [(&'static str, &'static str)] = &[

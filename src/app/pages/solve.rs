@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Page, Place, Row,
-    knob::{Knob, Reach},
+    knob::{Knob, Reach, knob},
     row,
     states::PageState,
 };
@@ -63,12 +63,9 @@ impl PageState for MixWish {
     const KNOBS: &'static [Knob<Self>] = &[
         Self::KELVIN,
         Self::DUV,
-        Knob::<Self>::new(
-            ("lines", "Lines of the front"),
-            "Lines at free places.",
-            Reach::Within(*FREE_LINES.start() as f64, *FREE_LINES.end() as f64),
-            |wish| &mut wish.lines,
-        ),
+        knob!(lines: "Lines of the front",
+            Reach::Within(*FREE_LINES.start() as f64, *FREE_LINES.end() as f64), 0 "",
+            "Lines at free places."),
     ];
 
     const NAMES: &'static [(&'static str, &'static str)] = &[
@@ -98,20 +95,11 @@ impl PageState for MixWish {
 }
 
 impl MixWish {
-    pub const KELVIN: Knob<Self> = Knob::<Self>::new(
-        ("kelvin", "Temperature"),
-        "The correlated colour temperature.",
-        Reach::Within(1000.0, 25_000.0),
-        |wish| &mut wish.kelvin,
-    )
-    .shown(0, " K");
-    pub const DUV: Knob<Self> = Knob::<Self>::new(
-        ("duv", "Duv"),
-        "The distance from the blackbodies.",
-        Reach::Within(-0.05, 0.05),
-        |wish| &mut wish.duv,
-    )
-    .shown(4, "");
+    pub const KELVIN: Knob<Self> = knob!(kelvin: "Temperature",
+        Reach::Within(1000.0, 25_000.0), 0 " K",
+        "The correlated colour temperature.");
+    pub const DUV: Knob<Self> = knob!(duv: "Duv", Reach::Within(-0.05, 0.05), 4 "",
+        "The distance from the blackbodies.");
 
     /// Whether two wishes ask for the same faders: the front's own settings do not matter.
     pub fn asks_as(&self, other: &Self) -> bool {

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Page, Place, Row,
-    knob::{Knob, Reach},
+    knob::{Knob, Reach, knob},
     row,
     states::PageState,
 };
@@ -55,13 +55,9 @@ impl Default for TwoLightsMemory {
 }
 
 impl TwoLightsMemory {
-    pub const ROOM: Knob<Self> = Knob::<Self>::new(
-        ("room_percent", "Part of the room"),
-        "The part of the room up to 0 and 1 that the metameric black takes.",
-        Reach::Within(-100.0, 100.0),
-        |two| &mut two.room_percent,
-    )
-    .shown(0, " %");
+    pub const ROOM: Knob<Self> = knob!(room_percent: "Part of the room",
+        Reach::Within(-100.0, 100.0), 0 " %",
+        "The part of the room up to 0 and 1 that the metameric black takes.");
 }
 
 impl PageState for TwoLightsMemory {

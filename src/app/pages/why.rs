@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::knob::{Knob, Reach};
+use super::knob::{Knob, Reach, knob};
 use super::{Page, Place, Row, row, states::PageState};
 
 pub(super) const ROW: Row = row(
@@ -36,17 +36,9 @@ impl Default for WhyState {
 
 impl PageState for WhyState {
     const KNOBS: &'static [Knob<Self>] = &[
-        Knob::<Self>::new(
-            ("partial_order", "Sum up to N"),
-            "The order up to which the terms are summed.",
-            Reach::Within(0.0, 100.0),
-            |why| &mut why.partial_order,
-        ),
-        Knob::<Self>::new(
-            ("channel", "Bars of"),
-            "The colour-matching function whose terms are drawn: 0 for X, 1 for Y, 2 for Z.",
-            Reach::Within(0.0, 2.0),
-            |why| &mut why.channel,
-        ),
+        knob!(partial_order: "Sum up to N", Reach::Within(0.0, 100.0), 0 "",
+            "The order up to which the terms are summed."),
+        knob!(channel: "Bars of", Reach::Within(0.0, 2.0), 0 "",
+            "The colour-matching function whose terms are drawn: 0 for X, 1 for Y, 2 for Z."),
     ];
 }
