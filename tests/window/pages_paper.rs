@@ -257,7 +257,7 @@ fn pointing_at_a_bar_tells_its_order_and_a_click_takes_the_sum_there() {
     ui.hover_at(egui::pos2(x, y - 9.0));
     ui.run_steps(3);
     // Its figures are told, and its curve is drawn with the sum.
-    ui.get_by_label("Order 20, under the pointer");
+    ui.get_by_label("Wave 20, under the pointer");
 }
 
 #[test]

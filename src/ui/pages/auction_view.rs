@@ -24,7 +24,7 @@ use crate::{
     },
     io::many::numbers,
     study::{Auction, FitVariant, Goal, Reference},
-    ui::kit::{Column, Row, form, headline, named, rolled, table},
+    ui::kit::{Column, Row, headline, named, rolled, table},
 };
 
 /// From this width on chart and table stand side by side, points.
@@ -137,38 +137,39 @@ impl Sheet {
 
 /// Goal and budget.
 fn controls(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
-    form(ui, "auction", |form| {
-        let meaning = "The error that each purchase lowers most.";
-        form.row(("Make small", meaning), |ui, _| {
-            for (i, (_, plain)) in Goal::PLAIN.into_iter().enumerate() {
-                let named = (Goal::MEASURES[i], NAMES[i]);
-                if choose(ui, context.app, named, goal == plain) {
-                    context.pages.auction.goal = plain;
-                }
+    ui.horizontal_wrapped(|ui| {
+        ui.label("Make small")
+            .on_hover_text("The error that each purchase lowers most.");
+        for (i, (_, plain)) in Goal::PLAIN.into_iter().enumerate() {
+            let named = (Goal::MEASURES[i], NAMES[i]);
+            if choose(ui, context.app, named, goal == plain) {
+                context.pages.auction.goal = plain;
             }
-        });
-        let meaning = "Weights of the four errors. In a mix each error is divided by its value \
-                       without waves, so that they can be added.";
-        form.row(("or a mix of", meaning), |ui, _| weights(ui, context, goal));
-        let meaning = "Most numbers that may be spent, 1 to 101; a wave and a line cost two.";
-        form.row(("Spend up to", meaning), |ui, label| {
-            ui.add(
-                DragValue::new(&mut context.pages.auction.numbers)
-                    .range(SPENDABLE)
-                    .speed(0.1),
-            )
+        }
+    });
+    ui.horizontal_wrapped(|ui| {
+        ui.label("or a mix of").on_hover_text(
+            "Weights of the four errors. In a mix each error is divided by its value without \
+             waves, so that they can be added.",
+        );
+        weights(ui, context, goal);
+    });
+    ui.horizontal_wrapped(|ui| {
+        let label = ui.label("Spend up to");
+        let numbers = DragValue::new(&mut context.pages.auction.numbers)
+            .range(SPENDABLE)
+            .speed(0.1);
+        ui.add(numbers)
             .labelled_by(label.id)
-            .on_hover_text(meaning);
-            let settings = context.app.document().settings;
-            let way = FitVariant::new(settings.basis, false, settings.colour_exact);
-            ui.label("numbers");
-            let mut words = format!("{}, as in the model.", way.title());
-            if goal.plain_measure().is_none() {
-                words.push_str(" Each error over its value without waves.");
-            }
-            ui.weak(words)
-                .on_hover_text("Basis, fit and threshold are the document's; change them there.");
-        });
+            .on_hover_text("Most numbers that may be spent, 1 to 101; a wave and a line cost two.");
+        let settings = context.app.document().settings;
+        let way = FitVariant::new(settings.basis, false, settings.colour_exact);
+        ui.label("numbers");
+        ui.weak(format!("{}, as in the model.", way.title()))
+            .on_hover_text("Basis, fit and threshold are the document's; change them there.");
+        if goal.plain_measure().is_none() {
+            ui.weak("Each error over its value without waves.");
+        }
     });
 }
 

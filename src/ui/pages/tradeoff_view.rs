@@ -25,7 +25,7 @@ use crate::{
     study::{Measure, Reference, Sweep, SweepPoint, Verdict},
     ui::{
         chart_view::Hit,
-        kit::{Column, Row, fold, form, headline, line, rolled, table},
+        kit::{Column, Row, fold, headline, line, rolled, table},
     },
 };
 
@@ -130,27 +130,23 @@ pub(in crate::ui) fn choose(
 
 /// Which figure, and which ways have a curve.
 fn controls(ui: &mut Ui, context: &mut PageContext<'_>, measure: Measure) {
-    form(ui, "trade-off", |form| {
-        form.row(("Error", ""), |ui, _| {
-            for one in Measure::COMPARED {
-                if choose(ui, context.app, (one, one.figure().title), measure == one) {
-                    context.pages.tradeoff.measure = one;
-                }
+    ui.horizontal_wrapped(|ui| {
+        ui.label("Error");
+        for one in Measure::COMPARED {
+            if choose(ui, context.app, (one, one.figure().title), measure == one) {
+                context.pages.tradeoff.measure = one;
             }
-        });
-        let state = &mut context.pages.tradeoff;
-        form.row(("Curves", ""), |ui, _| {
-            let meaning = "A curve for every basis and fit, with lines and without; else the \
-                           lowest error of all.";
-            ui.checkbox(&mut state.every_way, names::EVERY_WAY)
-                .on_hover_text(meaning);
-        });
-        if state.every_way {
-            form.row(("Ways", ""), |ui, _| {
-                ui.horizontal_wrapped(|ui| ways(ui, &mut state.ways));
-            });
         }
+        ui.separator();
+        let meaning = "A curve for every basis and fit, with lines and without; else the lowest \
+                       error of all.";
+        ui.checkbox(&mut context.pages.tradeoff.every_way, names::EVERY_WAY)
+            .on_hover_text(meaning);
     });
+    let state = &mut context.pages.tradeoff;
+    if state.every_way {
+        ui.horizontal_wrapped(|ui| ways(ui, &mut state.ways));
+    }
 }
 
 /// The choices of ways.
