@@ -237,6 +237,7 @@ fn files_from_before_the_second_light_open_as_they_were() {
     document.pages.chromaticity.surfaces = usual.chromaticity.surfaces;
     let preferences = Preferences {
         last_of_places: Vec::new(),
+        lesson_language: Preferences::default().lesson_language,
         ..full_preferences()
     };
     let text = include_str!("../data/workspaces/before_second_light.json");

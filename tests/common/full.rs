@@ -204,6 +204,7 @@ pub(crate) fn full_preferences() -> Preferences {
         last_of_places: vec![Page::Rainbow, Page::Race],
         photograph_asked: None,
         lessons_finished: vec!["prism".to_owned()],
+        lesson_language: "de".to_owned(),
         lesson_asked: None,
     }
 }

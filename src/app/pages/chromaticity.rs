@@ -17,6 +17,7 @@ impl PageState for DiagramShows {
         ("gamuts", "gamuts of screens"),
         ("whites", "nominal whites"),
         ("ellipses", "MacAdam's ellipses"),
+        ("surfaces", "the outline of surfaces"),
         ("near", "the neighbourhood of the light"),
     ];
 }

@@ -10,6 +10,14 @@ use crate::app::{
 /// Settings that stand for themselves no more: what they were is no part of the window now.
 const GONE: [&str; 3] = ["no_library", "spikes_below", "larger_answered"];
 
+/// Preferences that stood among what pages keep.
+const MOVED: [&str; 4] = [
+    "page",
+    "last_of_places",
+    "lessons_finished",
+    "lesson_language",
+];
+
 /// Puts the words of earlier versions into those of this one.
 pub(super) fn translate(rest: &mut Map<String, Value>) {
     if let Some(Value::Object(view)) = rest.get_mut("view")
@@ -43,7 +51,7 @@ pub(super) fn translate(rest: &mut Map<String, Value>) {
         && let Some(Value::Object(mut memory)) = preferences.remove("pages")
     {
         page_of(&mut memory);
-        for key in ["page", "last_of_places", "lessons_finished"] {
+        for key in MOVED {
             if let Some(value) = memory.remove(key) {
                 preferences.entry(key).or_insert(value);
             }

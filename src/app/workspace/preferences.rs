@@ -46,6 +46,8 @@ pub struct Preferences {
     pub last_of_places: Vec<Page>,
     /// Names of the lessons that were gone through.
     pub lessons_finished: Vec<String>,
+    /// The code of the language that lessons are shown in, where they have texts in it.
+    pub lesson_language: String,
     /// A photograph of a spectrum that is to be read, once.
     #[serde(skip)]
     pub photograph_asked: Option<PathBuf>,
@@ -77,6 +79,7 @@ impl Default for Preferences {
             page: Page::Spectrum,
             last_of_places: Vec::new(),
             lessons_finished: Vec::new(),
+            lesson_language: "en".to_owned(),
             photograph_asked: None,
             lesson_asked: None,
         }

@@ -7,6 +7,7 @@ pub mod gem_view;
 mod glossary_view;
 pub mod image_view;
 mod known_lamps_view;
+mod lesson_cards;
 mod lessons_view;
 mod many_view;
 pub mod photograph_view;
@@ -80,6 +81,8 @@ pub struct PageContext<'a> {
     pub page: &'a mut Page,
     /// Names of the lessons that were gone through.
     pub finished: &'a [String],
+    /// The code of the language that lessons are shown in.
+    pub language: &'a mut String,
     /// A photograph of a spectrum that is to be read, once.
     pub photograph_asked: &'a mut Option<PathBuf>,
     /// The looks.

@@ -1,6 +1,6 @@
 //! The lesson that is being taken: its column, its keys, its beginning and its end.
 
-use std::path::PathBuf;
+use std::{path::PathBuf, sync::Arc};
 
 use eframe::egui;
 use egui::{Context, Key, Margin, Modifiers, Panel, Rect, Ui};
@@ -18,7 +18,7 @@ use super::{
 };
 use crate::app::{
     Command, Subject, Tone,
-    lessons::{Aim, Run, shelf},
+    lessons::{Aim, Lesson, Run, shelf},
     pages::{AskedLesson, Page, Place},
 };
 
@@ -53,17 +53,9 @@ impl Window {
         if let Some(asked) = self.preferences.lesson_asked.take()
             && let Some(lesson) = self.pages.of::<LessonsView>().find(&asked.name)
         {
-            self.leave_lesson();
-            let page = &mut self.preferences.page;
-            let mut run = Run::start(lesson, &mut self.app, page);
-            if asked.step > 0 {
-                run.go(asked.step, &mut self.app, page);
-            }
-            if asked.done {
-                run.finish(&mut self.app, page);
-            }
-            self.lesson = Some(run);
-            self.drawer.open = false;
+            let language = &self.preferences.lesson_language;
+            let lesson = Arc::new(lesson.in_language(language));
+            self.begin(&lesson, asked.step, asked.done);
             context.request_repaint();
         }
         let Some(run) = &mut self.lesson else { return };
@@ -88,6 +80,21 @@ impl Window {
             done: false,
         });
         context.request_repaint();
+    }
+
+    /// Begins a lesson at a step, from 0, as it begins or as it ends.
+    pub(in crate::ui) fn begin(&mut self, lesson: &Arc<Lesson>, step: usize, done: bool) {
+        self.leave_lesson();
+        let page = &mut self.preferences.page;
+        let mut run = Run::start(lesson.clone(), &mut self.app, page);
+        if step > 0 {
+            run.go(step, &mut self.app, page);
+        }
+        if done {
+            run.finish(&mut self.app, page);
+        }
+        self.lesson = Some(run);
+        self.drawer.open = false;
     }
 
     /// Reads the folder of own lessons whenever their list comes into sight.
@@ -122,8 +129,9 @@ impl Window {
         }
     }
 
-    /// The ring around what the step points at.
-    pub(super) fn lesson_ring(&self, context: &Context, theme: Theme) {
+    /// The ring around what the step points at, and over all the word of the glossary that is open.
+    pub(super) fn lesson_ring(&mut self, context: &Context, theme: Theme) {
+        self.lesson_view.word(context, self.lesson_ends, theme);
         let aim = self.lesson.as_ref();
         let aim = aim.and_then(|run| run.aim(&self.app, self.preferences.page));
         let name = match &aim {
@@ -213,6 +221,9 @@ impl Window {
             }
             Wish::Again => run.set_stage(app, page),
             Wish::Leave => self.leave_lesson(),
+        }
+        if !matches!(wish, Wish::Choose(_) | Wish::ShowMe) {
+            self.lesson_view.close_word();
         }
         // What stands above and beside was drawn before.
         context.request_repaint();

@@ -58,7 +58,7 @@ pub mod names {
 #[derive(Default)]
 pub struct SameSurfaceView {
     shown: Memo<u64, Option<Arc<Shown>>>,
-    ranking: Memo<ByAddress<Vec<Ranked>>, (Vec<Column>, Vec<Row>)>,
+    ranking: ranking::LaidOut,
     /// The surface of the example; `None` for S2.
     example: Option<Arc<Entry>>,
 }

@@ -24,12 +24,15 @@ use crate::{
     },
 };
 
+/// The ranking as a table, kept until it is another.
+pub(super) type LaidOut = Memo<ByAddress<Vec<Ranked>>, (Vec<Column>, Vec<Row>)>;
+
 /// The ranking, within a height.
 pub(super) fn show(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
     sheet: &SameSurfaceSheet,
-    laid_out: &mut Memo<ByAddress<Vec<Ranked>>, (Vec<Column>, Vec<Row>)>,
+    laid_out: &mut LaidOut,
     height: f32,
 ) {
     let answer = context.studies.of::<RankAsk>().answer();

@@ -14,7 +14,7 @@ use crate::{
         chart::{Chart, Ink},
         charts::products::resampling::{Bench, time_of, way_meaning, way_name},
         headlines,
-        numbers::{delta_e, figure, hundredths},
+        numbers::{delta_e, hundredths},
         studies::{Stage, TimingAsk},
     },
     io::many::numbers,
