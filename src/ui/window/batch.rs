@@ -115,8 +115,9 @@ impl Window {
             batch_view::Wish::Say(words) => self.app.say(Tone::Info, words),
             batch_view::Wish::Numbers => {
                 self.preferences.page = Page::Many;
+                // What was asked of the files is no step of its own.
                 self.app
-                    .edit_pages(|pages| pages.many.field = FieldChoice::Own);
+                    .pages_follow(|pages| pages.many.field = FieldChoice::Own);
             }
             batch_view::Wish::Quality => self.lights_quality.open(self.batch.keys()),
             batch_view::Wish::Show(brought) => {
