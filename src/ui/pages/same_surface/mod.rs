@@ -10,21 +10,18 @@ use egui::{Button, RichText, Ui, vec2};
 use super::products_view::change;
 use crate::{
     app::{
-        App, ByAddress, Command, Entry, MadeFor, Memo,
+        App, Command, Entry, MadeFor, Memo,
         chart::Chart,
         numbers::hundredths,
         pages::same_surface::{
-            RESIDUAL_MEANS, Ranked, SameSurfaceSheet, as_product, example, same_surface_chart,
+            RESIDUAL_MEANS, SameSurfaceSheet, as_product, example, same_surface_chart,
         },
         ticks::short,
     },
     io::many::numbers,
     study::products::{SAME_RESIDUAL, Sameness},
     ui::{
-        kit::{
-            Chooser, Column, Form, GROUP, Row, factors, fold, form, headline, lights, scrolled,
-            two_columns,
-        },
+        kit::{Chooser, Form, GROUP, factors, fold, form, headline, lights, scrolled, two_columns},
         pages::PageContext,
     },
 };
