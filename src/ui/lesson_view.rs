@@ -259,7 +259,10 @@ fn foot_line(ui: &mut Ui, run: &Run, wishes: &mut Vec<Wish>) {
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if run.is_last() {
-                let meaning = "Ends the lesson; everything is as it was before.";
+                let meaning = match run.is_told() {
+                    true => "Ends the lesson; everything is as it was before.",
+                    false => "Ends the lesson. It has a tick once its last answer is told.",
+                };
                 if pressed(ui, "Finish", meaning) {
                     wishes.push(Wish::Leave);
                 }

@@ -58,7 +58,7 @@ pub(in crate::ui) fn show(
 }
 
 /// Type of a whole page beside a lesson, of that of a chart alone: more of it must be seen at once.
-const BESIDE_LESSON: f32 = 0.7;
+const BESIDE_LESSON: f32 = 0.66;
 
 /// A whole page beside a lesson's column.
 fn in_lessons(pages: &mut Pages, ui: &mut Ui, context: &mut PageContext<'_>) -> bool {
