@@ -600,7 +600,7 @@ fn presenting_enlarges_the_lessons_own_page_and_stays_through_its_steps() {
     begun(&mut ui, &lesson, 0);
     press(&mut ui, Key::F5);
     assert!(ui.state().preferences.presents());
-    assert_eq!(ui.state().preferences.pages.page, Page::Chain);
+    assert_eq!(ui.state().preferences.page, Page::Chain);
     assert!(
         place(&ui, "Move down stage 1").is_some(),
         "the cards to swap"
@@ -611,7 +611,7 @@ fn presenting_enlarges_the_lessons_own_page_and_stays_through_its_steps() {
     assert_written(&ui, "Step 2 of 3");
     press(&mut ui, Key::F5);
     assert!(!ui.state().preferences.presents());
-    assert_eq!(ui.state().preferences.pages.page, Page::Chain);
+    assert_eq!(ui.state().preferences.page, Page::Chain);
     assert_written(&ui, "Step 2 of 3");
 }
 
@@ -624,7 +624,7 @@ fn six_lessons_are_taken_with_every_wrong_answer_too_far_and_back() {
         for (index, step) in lesson.steps.iter().enumerate() {
             let what = format!("{name}, step {}", index + 1);
             begun(&mut ui, &lesson, index);
-            let page = ui.state().preferences.pages.page;
+            let page = ui.state().preferences.page;
             let set = |ui: &Ui| {
                 let document = app(ui).document();
                 let over = document.laid_over().count();
@@ -671,14 +671,14 @@ fn six_lessons_are_taken_with_every_wrong_answer_too_far_and_back() {
                     }
                     let scene = spectral_explorer::app::lessons::Scene {
                         app: app(&ui),
-                        memory: &ui.state().preferences.pages,
+                        page: ui.state().preferences.page,
                     };
                     let holds = step.holds(&scene);
                     assert_eq!(is_written(&ui, set_back), !holds, "{what}: too far");
                 }
             }
             press(&mut ui, Key::F5);
-            assert_eq!(ui.state().preferences.pages.page, page, "{what}: F5");
+            assert_eq!(ui.state().preferences.page, page, "{what}: F5");
             press(&mut ui, Key::F5);
             if index > 0 {
                 click(&mut ui, "Back");

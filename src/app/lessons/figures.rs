@@ -285,7 +285,13 @@ fn desk(scene: &Scene<'_>) -> Option<MixFigures> {
 /// How far the mixture's white is from the one that is aimed at, both of Y = 100, seen by an eye
 /// that has adapted to the aim.
 fn off_aim(scene: &Scene<'_>) -> Option<f64> {
-    let aim = scene.app.document().pages.solve.target(scene.app.document()).ok()?;
+    let aim = scene
+        .app
+        .document()
+        .pages
+        .solve
+        .target(scene.app.document())
+        .ok()?;
     let [x, y] = aim.xy();
     let white = Xyz::from_array([100.0 * x / y, 100.0, 100.0 * (1.0 - x - y) / y]);
     delta_e_of_xyz(desk(scene)?.xyz?, white, white)
