@@ -202,7 +202,7 @@ pub(crate) fn full_preferences() -> Preferences {
         grown: 1.0,
         page: Page::Race,
         last_of_places: vec![Page::Rainbow, Page::Race],
-        photograph_asked: None,
+        photographs_asked: Vec::new(),
         lessons_finished: vec!["prism".to_owned()],
         lesson_language: "de".to_owned(),
         lesson_asked: None,

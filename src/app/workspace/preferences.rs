@@ -48,9 +48,9 @@ pub struct Preferences {
     pub lessons_finished: Vec<String>,
     /// The code of the language that lessons are shown in, where they have texts in it.
     pub lesson_language: String,
-    /// A photograph of a spectrum that is to be read, once.
+    /// Photographs of spectra that are to be read, and files of instruments, once.
     #[serde(skip)]
-    pub photograph_asked: Option<PathBuf>,
+    pub photographs_asked: Vec<PathBuf>,
     /// A lesson that is to be begun, once.
     #[serde(skip)]
     pub lesson_asked: Option<AskedLesson>,
@@ -80,7 +80,7 @@ impl Default for Preferences {
             last_of_places: Vec::new(),
             lessons_finished: Vec::new(),
             lesson_language: "en".to_owned(),
-            photograph_asked: None,
+            photographs_asked: Vec::new(),
             lesson_asked: None,
         }
     }

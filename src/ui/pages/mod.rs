@@ -65,6 +65,7 @@ use crate::app::{
     dispersion::GemFile,
     lessons::Lesson,
     pages::{Page, PageStates},
+    photograph::Instrument,
     relit::PictureWish,
     studies::{Job, Question, Stage, Studies},
 };
@@ -83,8 +84,8 @@ pub struct PageContext<'a> {
     pub finished: &'a [String],
     /// The code of the language that lessons are shown in.
     pub language: &'a mut String,
-    /// A photograph of a spectrum that is to be read, once.
-    pub photograph_asked: &'a mut Option<PathBuf>,
+    /// Photographs of spectra that are to be read, and files of instruments, once.
+    pub photographs_asked: &'a mut Vec<PathBuf>,
     /// The looks.
     pub theme: Theme,
     /// Wakes the window when a computation is done.
@@ -109,6 +110,8 @@ pub enum PageWish {
     FewNumbers(PictureWish),
     /// Saves a lesson's sheet or file.
     Lesson(Arc<Lesson>, LessonFile),
+    /// Saves the instrument of photographs of spectra.
+    Instrument(Box<Instrument>),
     /// Opens a picture.
     OpenPicture,
     /// Shows how the image of this key was read.

@@ -56,7 +56,7 @@ impl Window {
             page: &mut self.preferences.page,
             finished: &self.preferences.lessons_finished,
             language: &mut self.preferences.lesson_language,
-            photograph_asked: &mut self.preferences.photograph_asked,
+            photographs_asked: &mut self.preferences.photographs_asked,
             theme,
             wake: &theme::waker(&context),
             commands: &mut commands,
@@ -125,6 +125,9 @@ impl Window {
             PageWish::Gem(gem) => self.save(Saving::Gem(Box::new(gem)), context),
             PageWish::FewNumbers(picture) => self.save(Saving::Picture(picture), context),
             PageWish::Lesson(lesson, file) => self.save(Saving::Lesson(lesson, file), context),
+            PageWish::Instrument(instrument) => {
+                self.save(Saving::Instrument(instrument), context);
+            }
             PageWish::Begin(name) => self.begin_lesson(name, context),
             PageWish::OpenPicture => self.ask(Ask::Open, None, context),
             PageWish::Reading(key) => {
