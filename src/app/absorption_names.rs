@@ -362,13 +362,13 @@ impl DarkFamily {
         let turns = basis.half_turns() as f64;
         let order = (curve.band.length_nm() / (turns * narrowest)).ceil();
         let more = if order.is_finite() {
-            format!(", from about N = {order:.0} on")
+            format!(", from about {order:.0} waves on")
         } else {
             String::new()
         };
         Some(format!(
-            "The dips of {} are bands, not lines: spikes are not meant for them. More orders \
-             follow them{more}.",
+            "The dips of {} are bands, not lines, and lines do not fit them. More waves follow \
+             them{more}.",
             self.title
         ))
     }
@@ -572,7 +572,7 @@ mod tests {
         let cosine = holmium.advice(curve, Basis::Cosine).expect("bands");
         assert!(fourier.contains("bands, not lines"), "{fourier}");
         let order = |words: &str| -> f64 {
-            let rest = words.split("N = ").nth(1).expect("an order");
+            let rest = words.split("from about ").nth(1).expect("an order");
             rest.split(' ').next().unwrap().parse().expect("a number")
         };
         println!("{fourier}");

@@ -132,7 +132,7 @@ pub fn bundled_entries() -> &'static [Arc<Entry>] {
 }
 
 const SAMPLED_NOTE: &str =
-    "A composite, sampled at 1 nm; each spike is split linearly over its two neighbouring nm.";
+    "A composite, sampled at 1 nm; each line is split linearly over its two neighbouring nm.";
 
 /// A composite as a 1 nm table over its own range; an ideal spike is split linearly over its two
 /// neighbouring nm. `None` for a composite with numbers that are not finite.

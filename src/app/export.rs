@@ -207,7 +207,7 @@ pub fn provenance(app: &App) -> Provenance {
             "{} order {}, {}{}{}{}, {}-{} nm, {}",
             settings.basis.word(),
             settings.effective_order(),
-            many(app.derived().model.lines().len(), "spike", "spikes"),
+            many(app.derived().model.lines().len(), "line", "lines"),
             match (settings.spikes, settings.detector) {
                 (false, _) => String::new(),
                 (true, Detector::Energy) => format!(

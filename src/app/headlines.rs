@@ -8,7 +8,7 @@ use super::{
         narrow::{Behind, Figures, Filter},
         resampling::Bench,
     },
-    numbers::{delta_e, hundredths, percent},
+    numbers::{delta_e, hundredths, or_dash, percent, two_digits},
     opened::ImageEntry,
     product_report::Told,
     state::App,
@@ -87,16 +87,20 @@ pub fn narrow(behind: &Behind, figures: &Figures, filter: &Filter) -> String {
             centre_nm,
             width_nm,
         } => format!(
-            "Behind {} nm, {} nm wide,",
+            "Behind a filter at {} nm, {} nm wide,",
             short(*centre_nm),
             short(*width_nm)
         ),
         Filter::Real(entry) => format!("Behind {},", entry.name()),
     };
-    let [composite, series, samples] = figures.ways.map(|way| delta_e(way.delta_e_2000));
+    let off = |error: f64| match error {
+        error if error < 0.01 => delta_e(error),
+        error => two_digits(error),
+    };
+    let [composite, series, samples] = figures.ways.map(|way| or_dash(way.delta_e_2000, off));
     format!(
-        "{over} {} as a composite are off by ΔE₀₀ {composite}, as a series by {series}, as plain \
-         samples by {samples}.",
+        "{over} {} as waves and lines are off by ΔE₀₀ {composite}, as waves alone by {series}, as \
+         plain samples by {samples}.",
         numbers(behind.numbers())
     )
 }
@@ -149,8 +153,8 @@ pub fn resampling(bench: &Bench) -> String {
     let (light, factor) = (&bench.light, &bench.factor);
     match (of(Sampling::Paper), of(Sampling::Double)) {
         (Some(paper), Some(double)) => format!(
-            "{light} times {factor}: forming the product on the paper's points adds ΔE₀₀ {}, on \
-             twice the numbers {}.",
+            "{light} times {factor}: the paper's points add ΔE₀₀ {}, points for twice the numbers \
+             {}.",
             delta_e(paper),
             delta_e(double)
         ),
@@ -253,7 +257,7 @@ mod tests {
         };
         let words = narrow(&behind, &behind.figures(&filter), &filter);
         assert!(
-            words.starts_with("Behind 546 nm, 10 nm wide, 23 numbers as a composite"),
+            words.starts_with("Behind a filter at 546 nm, 10 nm wide, 23 numbers as waves and"),
             "{words}"
         );
     }

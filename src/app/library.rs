@@ -99,7 +99,7 @@ impl fmt::Display for FindError {
             }
             Self::Lines { name } => write!(
                 f,
-                "\"{name}\" is a list of spectral lines that names spikes, not a spectrum"
+                "\"{name}\" is a list of spectral lines that names lines, not a spectrum"
             ),
             Self::Group { name, items } => write!(
                 f,

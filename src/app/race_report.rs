@@ -222,7 +222,7 @@ pub fn race_notes(ask: &RaceAsk) -> Vec<String> {
     vec![
         format!("field: {}", one_line(&field_words(&ask.field))),
         format!(
-            "settings: {}-{} nm, {}, patches {}, check {}, {}; wins are by delta_e_patches",
+            "settings: {}-{} nm, {}, surfaces {}, check {}, {}; wins are by delta_e_patches",
             ask.band.min_nm(),
             ask.band.max_nm(),
             ask.observer.title(),

@@ -267,7 +267,7 @@ fn model_lines(app: &App) -> Vec<String> {
         model.smooth().order(),
         derived.band.min_nm(),
         derived.band.max_nm(),
-        many(model.lines().len(), "spike", "spikes"),
+        many(model.lines().len(), "line", "lines"),
         numbers(derived.numbers()),
         match derived.exactness {
             Some(Exactness::Exact { .. }) => ", colour-exact",
@@ -276,7 +276,7 @@ fn model_lines(app: &App) -> Vec<String> {
     )];
     for (spike, name) in model.lines().iter().zip(app.spike_names()) {
         lines.push(format!(
-            "  spike   {:7.2} nm  {:>11}  {}  {}",
+            "  line    {:7.2} nm  {:>11}  {}  {}",
             spike.at_nm,
             short(spike.weight),
             share_words(derived.parts.share(spike.weight)),
@@ -330,7 +330,7 @@ fn seen_lines(app: &App) -> Vec<String> {
         && let Some(worst) = patches.items.get(patches.worst)
     {
         lines.push(format!(
-            "Patches   {} ({}): CIEDE2000 mean {:.3}, worst {:.3} ({})",
+            "Surfaces  {} ({}): CIEDE2000 mean {:.3}, worst {:.3} ({})",
             document.patch_set,
             patches.items.len(),
             patches.mean,

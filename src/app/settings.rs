@@ -84,7 +84,7 @@ impl Default for Settings {
 
 impl Settings {
     pub const ORDER: Knob<Self> = knob!(order: "waves", Reach::Within(0.0, 100.0), 0 "",
-        "Order of the smooth part.");
+        "Waves of the smooth part.");
     pub const THRESHOLD: Knob<Self> = knob!(threshold_percent: "lines above",
         Reach::Within(0.01, 50.0), 2 " %",
         "Least share of the total power that a line must carry, percent.");

@@ -92,7 +92,7 @@ fn head(app: &App, about: &About, title: &str, more: &str) -> String {
     let provenance = Provenance {
         scale_words: String::new(),
         settings: format!(
-            "{}-{} nm, {}, patches {}, {}{more}",
+            "{}-{} nm, {}, surfaces {}, {}{more}",
             about.band.min_nm(),
             about.band.max_nm(),
             about.observer.title(),

@@ -32,7 +32,7 @@ pub(super) use optics::{CutOptions, Gem, Prism, Rainbow, ViewOptions};
 pub(super) use photo::Photo;
 pub(super) use pictures::{Fit, Picture};
 
-/// Opens light spectra and shows what they are made of: a short series and a few spikes.
+/// Opens light spectra and shows their parts: a short series and a few lines.
 ///
 /// With no command it opens the window, with the given files, folders or presets in it.
 #[derive(Parser, Debug)]
@@ -52,7 +52,7 @@ pub(super) struct Arguments {
     /// Print the licences of program, data and fonts.
     #[arg(long)]
     pub licences: bool,
-    /// What to do instead of opening the window.
+    /// A command instead of the window.
     #[command(subcommand)]
     pub command: Option<Command>,
 }
@@ -64,7 +64,7 @@ pub(super) enum Command {
     Report(Report),
     /// Print every figure of lights and of their models: CCT, Ra, Rf, melanopic ratio, ...
     Light(Light),
-    /// Print error against numbers: every count of waves, both bases, with and without lines.
+    /// Print error against numbers: every count of waves in every basis, with and without lines.
     Sweep(Sweep),
     /// Print what the next numbers buy best: a wave, a line or the lines' widths.
     Auction(Auction),
@@ -207,9 +207,8 @@ pub(super) struct Report {
 #[derive(Args, Debug)]
 pub(super) struct Light {
     /// Lights: files (lamps.csv#2 is the second of several spectra, - is standard input), folders
-    /// with such files, presets' names (FL2, "CIE D65") or group/name. A file means all its
-    /// lights. TLCI is left out: the camera and patch tables of EBU Tech 3355 are not openly
-    /// licensed.
+    /// with such files, presets' names (FL2, "CIE D65") or group/name. A file means all its lights.
+    /// TLCI is left out: the camera and sample tables of EBU Tech 3355 are not openly licensed.
     #[arg(value_name = "INPUT", required = true)]
     pub lights: Vec<OsString>,
     /// All inputs are scans of one light: their mean is told, each figure with its doubt.
@@ -264,7 +263,7 @@ pub(super) struct Auction {
     /// (paper/Mercury).
     #[arg(value_name = "INPUT")]
     pub input: OsString,
-    /// The error to make small: own, patches, spectrum, filters or a mix such as
+    /// The error to make small: own, patches (the surfaces), spectrum, filters or a mix such as
     /// patches=2,filters=1 (each error over its value at order 0).
     #[arg(long, value_name = "GOAL", value_parser = words::goal)]
     pub goal: Goal,
@@ -316,11 +315,12 @@ pub(super) struct Product {
     /// preset's name (FL2, "CIE D65") or group/name. A file that states another kind is refused.
     #[arg(value_name = "LIGHT")]
     pub light: OsString,
-    /// What it passes or falls on, in order: reflectances and transmittances, each a file, a
-    /// preset's name or group/name (colorchecker_ohta/red). One given twice counts twice. What
+    /// Filters and surfaces that it meets, in order: reflectances and transmittances, each a file,
+    /// a preset's name or group/name (colorchecker_ohta/red). One given twice counts twice. What
     /// may follow the name: #SPECTRUM which one of a file, by name or number from 1; @4mm or @x2
-    /// how thick a glass is, in mm where its name tells them or as a multiple; *3 how many times
-    /// in a row the light meets it ("isuzu IVG550 (Green filter) 2 mm@4mm", "red*3", glasses.csv#2@x1.5).
+    /// how thick a glass is, in mm where its name tells them or as a multiple; *3 how many times in
+    /// a row the light meets it ("isuzu IVG550 (Green filter) 2 mm@4mm", "red*3",
+    /// glasses.csv#2@x1.5).
     #[arg(value_name = "FACTOR")]
     pub factors: Vec<OsString>,
     /// Instead of factors a group of presets (tm30_ces99_5nm): each alone, and their spread.
@@ -330,8 +330,8 @@ pub(super) struct Product {
     /// factor, in the model's numbers. A file, a preset's name or group/name.
     #[arg(long, value_name = "OUTGOING")]
     pub check: Option<OsString>,
-    /// What the files among the factors are: reflectance or transmittance
-    /// [default: as each file says].
+    /// Kind of the files among the factors: reflectance or transmittance [default: as each file
+    /// says].
     #[arg(long, value_name = "KIND", value_parser = words::factor_kind)]
     pub kind: Option<Kind>,
     #[command(flatten)]

@@ -72,7 +72,7 @@ fn for_lights_only(app: &App, goal: Goal) -> Result<(), Refusal> {
     }
     let subject = app.document().subject_entry();
     Err(Refusal::Usage(format!(
-        "--goal: found {asked} for the {} {}, expected own or spectrum (only a light has patches \
+        "--goal: found {asked} for the {} {}, expected own or spectrum (only a light has surfaces \
          and filters)",
         subject.kind(),
         subject.name(),

@@ -210,7 +210,7 @@ fn say_doubts(film: &Film, picture: &Picture, light: &Light, inputs: &mut Inputs
     if !picture.stand_ins_nm.is_empty() {
         let places: Vec<String> = picture.stand_ins_nm.iter().map(|nm| short(*nm)).collect();
         inputs.note(format!(
-            "the spikes at {} nm have no rays of their own: strata stand in for them",
+            "the lines at {} nm have no rays of their own: strata stand in for them",
             places.join(", ")
         ));
     }

@@ -18,15 +18,15 @@ use crate::{
 /// How the tables of a file are read, where that was guessed wrong.
 #[derive(Args, Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct FileOptions {
-    /// What the wavelength axis of a file counts: nm, um, A, 1/cm, eV, pm, meV, THz, GHz or m
-    /// [default: as the file says].
+    /// Unit of a file's wavelength axis: nm, um, A, 1/cm, eV, pm, meV, THz, GHz or m [default: as
+    /// the file says].
     #[arg(long, value_name = "UNIT", value_parser = words::wavelength_unit)]
     pub wavelength_unit: Option<WavelengthUnit>,
-    /// Which column of a table holds the wavelengths, from 1 [default: the one that looks like it].
+    /// Column of the wavelengths in a table, from 1 [default: the one that looks like it].
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, value_parser = words::column)]
     pub column: Option<usize>,
-    /// What stands between the cells of a table: tab, semicolon, comma or space
-    /// [default: what makes the most even table].
+    /// Sign between the cells of a table: tab, semicolon, comma or space [default: what makes the
+    /// most even table].
     #[arg(long, value_name = "DELIMITER", value_parser = words::delimiter)]
     pub delimiter: Option<Delimiter>,
 }
@@ -61,21 +61,21 @@ impl FileOptions {
 /// Which spectrum is meant, what it is and what shines on it.
 #[derive(Args, Clone, Debug, Default)]
 pub(super) struct PickOptions {
-    /// Which spectrum of a file with several, by name or number from 1 [default: the first; of
-    /// an image the mean of its pixels].
+    /// The spectrum of a file with several, by name or number from 1 [default: the first; of an
+    /// image the mean of its pixels].
     #[arg(long, value_name = "NAME|INDEX")]
     pub spectrum: Option<String>,
-    /// What the values are: light, reflectance or transmittance [default: as the file says].
+    /// Kind of the values: light, reflectance or transmittance [default: as the file says].
     #[arg(long, value_name = "KIND", value_parser = words::usable_kind)]
     pub kind: Option<Kind>,
     /// The light on a reflectance or transmittance, a file or a preset [default: CIE D65].
     #[arg(long, value_name = "NAME")]
     pub light: Option<OsString>,
-    /// Which pixel of a spectral image: its column and row, from 0 [default: the mean of
-    /// all pixels, unless --spectrum names one].
+    /// The pixel of a spectral image: its column and row, from 0 [default: the mean of all pixels,
+    /// unless --spectrum names one].
     #[arg(long, value_name = "X,Y", value_parser = words::pixel, conflicts_with = "region")]
     pub pixel: Option<Rect>,
-    /// Which part of a spectral image: first column and row, from 0, width and height; its mean.
+    /// The part of a spectral image: first column and row, from 0, width and height; its mean.
     #[arg(long, value_name = "X,Y,W,H", value_parser = words::region)]
     pub region: Option<Rect>,
     #[command(flatten)]
@@ -144,7 +144,7 @@ pub(super) struct ModelOptions {
     /// Keep no lines: the waves draw everything.
     #[arg(long)]
     pub no_spikes: bool,
-    /// Keep each line as wide as it is; without it lines are ideal spikes.
+    /// Keep each line as wide as it is; without it lines have no width.
     #[arg(long)]
     pub wide_lines: bool,
     /// Look for absorption lines too.
@@ -156,7 +156,7 @@ pub(super) struct ModelOptions {
     #[arg(long, value_name = "OBSERVER", value_parser = words::observer,
         help = words::observer_help())]
     pub observer: Option<Observer>,
-    /// How products with reflectances are formed: paper, 3n, 4n, double, convolution or exact; 3n
+    /// Way of forming products with reflectances: paper, 3n, 4n, double, convolution or exact; 3n
     /// takes 3N+1 points, for an odd order N 3N+2 [default: exact].
     #[arg(long, value_name = "POINTS", value_parser = words::sampling)]
     pub sampling: Option<Sampling>,

@@ -48,7 +48,7 @@ impl FitVariant {
     /// In words for people.
     pub fn title(self) -> &'static str {
         static TITLES: LazyLock<Vec<String>> =
-            LazyLock::new(|| spelled(Basis::title, ", colour-exact", " + spikes"));
+            LazyLock::new(|| spelled(Basis::title, ", colour-exact", " + lines"));
         &TITLES[self.place()]
     }
 

@@ -37,7 +37,7 @@ pub(super) fn progress(ui: &mut Ui, progress: &Progress) -> bool {
         .text(RichText::new(&words).small());
     let response = ui.add(bar);
     named(&response, egui::Role::ProgressIndicator, &words);
-    response.on_hover_text("How many of the files opened together were read.");
+    response.on_hover_text("Files read, of those opened together.");
     ui.label(shortened(at_work)).on_hover_text(at_work);
     cancelled
 }
@@ -370,11 +370,7 @@ fn table(
             2.4,
         ),
         Column::words("Format", "The format that read it.", 1.5),
-        Column::numbers(
-            "Spectra",
-            "How many spectra it holds; images beside them.",
-            0.8,
-        ),
+        Column::numbers("Spectra", "Spectra that it holds; images beside them.", 0.8),
         Column::words(
             "How it was read",
             "Grid, points, range, kind and unit; or why it was refused.",

@@ -63,7 +63,7 @@ fn quantity_row(ui: &mut Ui, app: &App, preferences: &mut Preferences) {
     ui.horizontal(|ui| {
         ui.label("Error against waves");
         let choice = Choice {
-            name: "What the curve shows",
+            name: "Figure of the curve",
             meaning: now.figure().meaning,
             width: ui.available_width() - 8.0,
         };
@@ -81,7 +81,7 @@ fn quantity_row(ui: &mut Ui, app: &App, preferences: &mut Preferences) {
 /// The chart, kept until what it shows changes.
 fn kept_chart(ui: &Ui, app: &App, measure: Measure) -> Option<Arc<Chart>> {
     type Kept = Memo<(u64, Measure), Option<Arc<Chart>>>;
-    let id = Id::unique("the chart of errors against order");
+    let id = Id::unique("the chart of errors against waves");
     let mut kept: Kept = ui.data(|data| data.get_temp(id)).unwrap_or_default();
     let key = (app.revision(), measure);
     let make = |_: &_| {
@@ -118,7 +118,7 @@ fn plot(
         moves: false,
         ..How::PART
     };
-    let id = Id::unique("error against order");
+    let id = Id::unique("error against waves");
     let drawn = draw(ui, &chart, id, size, theme, how);
     let highest = derived.curve.last().map_or(0, |point| point.order) as f64;
     let pointed = drawn.response.hover_pos().map(|at| {

@@ -195,14 +195,14 @@ fn pointer(ui: &mut Ui) {
 
 fn about(ui: &mut Ui, reading: &mut Option<usize>) {
     ui.label(format!(
-        "Version {}. It opens light spectra and shows what they are made of: a smooth part and a \
-         few spikes, the composite model of Sun, Fracchia and Drew (2000).",
+        "Version {}. It opens light spectra and shows their parts: a smooth part and a few lines, \
+         the composite model of Sun, Fracchia and Drew (2000).",
         env!("CARGO_PKG_VERSION")
     ));
     ui.add_space(4.0);
     let all: &[Licence] = licences::all();
     ui.horizontal_wrapped(|ui| {
-        ui.selectable_value(reading, None, "What is under which licence");
+        ui.selectable_value(reading, None, "Licences of all parts");
         for (index, licence) in all.iter().enumerate() {
             ui.selectable_value(reading, Some(index), licence.id)
                 .on_hover_text(licence.title);

@@ -95,7 +95,7 @@ impl LightsQualityView {
             Column::words("White", "Colour temperature and tint.", 2.4),
             Column::numbers("Rf", "Colour fidelity of TM-30, 100 at best.", 0.8),
             Column::numbers("Ra", "Colour rendering of CIE 13.3, 100 at best.", 0.8),
-            Column::numbers("R9", "How right a strong red looks, 100 at best.", 0.8),
+            Column::numbers("R9", "Rendering of a strong red, 100 at best.", 0.8),
             Column::numbers("lm/W", "Lumens per watt of radiation.", 0.8),
         ];
         let table = Table::new(&columns, theme);

@@ -40,9 +40,7 @@ impl MakersView {
             ui.selectable_value(&mut self.is_open, false, "Colour and error");
             let words = format!("By the instrument ({makers})");
             ui.selectable_value(&mut self.is_open, true, words)
-                .on_hover_text(
-                    "What the instrument computed and wrote into the file, beside ours.",
-                );
+                .on_hover_text("The figures that the instrument wrote into the file, beside ours.");
         });
         self.is_open
     }

@@ -114,8 +114,8 @@ fn order_row(ui: &mut Ui, settings: &mut Settings) {
     )
     .labelled_by(label.id)
     .on_hover_text(format!(
-        "Waves of the smooth part: the order N of its series, {} (the slider ends at 40; type \
-         more). The left and right arrow keys change it too.",
+        "Waves of the smooth part: order N of its series, {} (the slider ends at 40; type more). \
+         The left and right arrow keys change it too.",
         reach_words(&Settings::ORDER)
     ));
     *settings = settings.clamped();
@@ -301,16 +301,16 @@ pub(super) fn sampling_words(sampling: Sampling) -> (&'static str, &'static str)
     match sampling {
         Sampling::Paper => (
             "paper's points",
-            "Products on as many points as there are numbers: orders above N fold back.",
+            "Products on as many points as there are numbers: waves above N fold back.",
         ),
         Sampling::ThreeN => (
             "3N + 1 points",
-            "Orders up to N of the product are exact (Fourier); for an odd N it is one point more. The \
-             reflectance is modelled too.",
+            "Waves up to N of the product are exact (Fourier); for an odd N it is one point more. \
+             The reflectance is modelled too.",
         ),
         Sampling::FourN => (
             "4N + 1 points",
-            "Every order of one product is exact (Fourier). The reflectance is modelled too.",
+            "Every wave of one product is exact (Fourier). The reflectance is modelled too.",
         ),
         Sampling::Double => (
             "twice the numbers",
@@ -318,7 +318,7 @@ pub(super) fn sampling_words(sampling: Sampling) -> (&'static str, &'static str)
         ),
         Sampling::Convolution => (
             "convolution",
-            "The coefficients convolved and cut back to order N: all above is lost.",
+            "The coefficients convolved and cut back to N waves: all above is lost.",
         ),
         Sampling::Exact => (
             "exact, 1 nm",

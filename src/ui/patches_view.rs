@@ -45,7 +45,7 @@ pub(super) fn head(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Comm
     }
     let choice = Choice {
         name: "Set of surfaces",
-        meaning: "Whose reflectances the light falls on.",
+        meaning: "The surfaces that the light falls on.",
         width: 140.0,
     };
     set_choice(ui, choice, app, commands);

@@ -1,7 +1,7 @@
-//! The spikes as a table: place, weight, share, name; each can be changed, locked, deleted.
+//! The lines as a table: place, weight, share, name; each can be changed, locked, deleted.
 
 use eframe::egui;
-use egui::{DragValue, Ui};
+use egui::{Align, DragValue, Layout, Ui};
 
 use super::{
     kit::{named_choice, number, pressed, sign_button},
@@ -51,14 +51,8 @@ pub(super) fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAc
                         });
                     }
                     let share = derived.parts.share(spike.spike.weight);
-                    ui.monospace(
-                        share.map_or_else(|| "–".to_owned(), |s| format!("{:.2}", 100.0 * s)),
-                    );
-                    ui.monospace(
-                        spike
-                            .width_nm
-                            .map_or_else(|| "–".to_owned(), |w| format!("{w:.1}")),
-                    );
+                    figure(ui, share.map(|share| format!("{:.2}", 100.0 * share)));
+                    figure(ui, spike.width_nm.map(|width| format!("{width:.1}")));
                     let name = app.spike_names().get(index);
                     let line = ui.label(name.and_then(|n| n.label.as_deref()).unwrap_or("–"));
                     if let Some(whole) = name.and_then(|n| n.safe.as_deref()) {
@@ -78,6 +72,13 @@ pub(super) fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAc
     });
 }
 
+/// A number with its decimal point under the others', or a dash.
+fn figure(ui: &mut Ui, figure: Option<String>) {
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        ui.label(figure.as_deref().unwrap_or("–"))
+    });
+}
+
 fn titles(ui: &mut Ui, app: &App) {
     let unit = app.unit();
     ui.weak("nm");
@@ -89,10 +90,17 @@ fn titles(ui: &mut Ui, app: &App) {
             &unit
         }
     ));
-    ui.weak("%")
-        .on_hover_text("Of the total power in the range, percent.");
-    ui.weak("width, nm")
-        .on_hover_text("Full width at half maximum of the measured line, nm.");
+    for (title, meaning) in [
+        ("%", "Of the total power in the range, percent."),
+        (
+            "width, nm",
+            "Full width at half maximum of the measured line, nm.",
+        ),
+    ] {
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            ui.weak(title).on_hover_text(meaning)
+        });
+    }
     ui.weak("line")
         .on_hover_text("Named only where the name is safe.");
     ui.weak("lock");

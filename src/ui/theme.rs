@@ -50,8 +50,10 @@ pub struct Theme {
     pub track: Color32,
     /// "Hard to see" in charts.
     pub zone: [u8; 3],
-    /// Multiplier of fixed sizes while presenting.
+    /// Multiplier of fixed sizes, in large windows and while presenting.
     pub scale: f32,
+    /// The page is presented to a class.
+    pub presents: bool,
 }
 
 /// How a difference is seen, as a colour: always beside its word.
@@ -91,6 +93,7 @@ impl Theme {
             zone: if dark { [23, 48, 41] } else { [220, 239, 232] },
             warning: either([240, 190, 90], [140, 80, 0]),
             scale: presented(PRESENT_TYPE).max(preferences.grown),
+            presents: preferences.presents(),
         }
     }
 
@@ -308,6 +311,13 @@ mod tests {
             // The word of a step on its fill.
             let ink = grey(if dark { 18 } else { 255 });
             pairs.extend(Seen::ALL.map(|seen| (ink, of_seen(seen, dark))));
+            // The word alone, and the words of charts, in the window and on paper.
+            pairs.extend(Seen::ALL.map(|seen| (of_seen(seen, dark), visuals.panel_fill)));
+            let palette = chart::Palette::of(theme.of_charts());
+            let [paper, ground] = [palette.paper, palette.ground].map(super::ink);
+            for words in [palette.text, palette.faint].map(super::ink) {
+                pairs.extend([paper, ground, visuals.panel_fill].map(|on| (words, on)));
+            }
             for (a, b) in pairs {
                 let found = contrast(a, b);
                 assert!(found >= LEAST, "dark {dark}: {a:?} on {b:?} has {found:.2}");

@@ -257,7 +257,7 @@ fn files(ui: &mut Ui, preferences: &Preferences, menus: Menus<'_>, wishes: &mut 
         ui.separator();
         let words = [
             "Files opened together…",
-            "What came of each file of the last folder or choice of files.",
+            "The outcome for each file of the last folder or choice of files.",
         ];
         item(ui, has_summary, words, Wish::Summary);
         if let Some(folder) = lessons {

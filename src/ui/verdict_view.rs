@@ -38,14 +38,16 @@ pub const ANALYSE: &str = "Analyse it anew";
 /// Height of the swatch without the ground around it, points.
 pub(super) const SWATCH: f32 = 96.0;
 
-/// Draws the column.
+/// Draws the column, which has a height in sight, points.
 pub fn show(
     ui: &mut Ui,
     app: &App,
     preferences: &mut Preferences,
     theme: Theme,
+    height: f32,
     commands: &mut Vec<Command>,
 ) {
+    let top = ui.cursor().top();
     split(ui, app, theme, SWATCH * theme.scale, true);
     through_a_prism(ui, app, theme);
     ui.add_space(4.0);
@@ -56,12 +58,10 @@ pub fn show(
     numbers(ui, app, theme);
     warnings(ui, app, theme, commands);
     rule(ui);
-    curve_view::show(ui, app, preferences, theme, room(ui), commands);
-}
-
-/// Height that is left for the curve, points.
-fn room(ui: &Ui) -> f32 {
-    (ui.clip_rect().bottom() - ui.cursor().top() - 4.0).clamp(150.0, 300.0)
+    // By where it stands in the column: a curve must not grow by what was scrolled.
+    let left = height - (ui.cursor().top() - top) - 4.0;
+    let room = left.clamp(150.0, 300.0);
+    curve_view::show(ui, app, preferences, theme, room, commands);
 }
 
 /// Height of the buttons below the column, points.
@@ -166,7 +166,7 @@ pub(super) fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32, says: boo
 /// An error in the two digits that it is good for.
 pub(super) fn figure(delta: f64) -> String {
     match delta {
-        d if d < 0.001 => "< 0.001".to_owned(),
+        d if d < 0.01 => "< 0.01".to_owned(),
         d => two_digits(d),
     }
 }

@@ -312,11 +312,11 @@ fn the_report_begins_with_what_a_person_sees_and_ends_with_the_strict_figures() 
     let order = [
         "Seen ",
         "Colour ",
-        "Patches ",
+        "Surfaces ",
         "Measured ",
         "\nModel ",
         "Series ",
-        "  spike ",
+        "  line ",
         "Error ",
         "behind a 10 nm blur",
         "energy ",

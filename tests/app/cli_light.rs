@@ -162,7 +162,7 @@ fn words_tell_every_figure_beside_the_models_and_what_it_means() {
         "strong red looks wrong: R9 24, duller",
         "Melanopic DER",
         "PPFD of 100 lx",
-        "TLCI is left out: the camera and patch tables of EBU Tech 3355 are not openly licensed",
+        "TLCI is left out: the camera and sample tables of EBU Tech 3355 are not openly licensed",
     ] {
         assert!(told.contains(part), "{part}: {told}");
     }

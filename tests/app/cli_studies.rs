@@ -787,9 +787,9 @@ fn a_product_for_people_says_what_passes_and_what_it_costs() {
     assert_eq!(told.outcome, Outcome::Done(0), "{}", told.err);
     for word in [
         "Light     FL2",
-        "Stage 1",
-        "Stage 2",
-        "spike",
+        "Step 1",
+        "Step 2",
+        "line ",
         "Total",
         "Exact",
         "Model",

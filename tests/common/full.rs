@@ -219,6 +219,7 @@ pub(crate) fn full_pages() -> PageStates {
     pages.why.partial_order = 5;
     pages.why.channel = 2;
     pages.tradeoff.measure = Measure::Filters;
+    pages.tradeoff.every_way = true;
     pages.auction.goal = Goal {
         own: 0.5,
         ..Goal::FILTERS
@@ -381,6 +382,7 @@ pub(crate) fn full_pages() -> PageStates {
         },
         weighted: false,
         between_series: true,
+        under: Some(D65.to_owned()),
         second: Some("paper/Sodium".to_owned()),
         second_percent: 30,
         look: Look::Difference,

@@ -5,7 +5,7 @@ use std::{fs, path::Path};
 use super::root::root;
 
 /// What a reader stumbles over, and what is said instead.
-const AVOIDED: [(&str, &str); 32] = [
+const AVOIDED: [(&str, &str); 42] = [
     ("smoothness", "waves"),
     ("wished for", "target"),
     ("lay over", "compare with"),
@@ -38,7 +38,29 @@ const AVOIDED: [(&str, &str); 32] = [
     ("spike threshold", "lines above"),
     ("spikes are switched off", "lines are switched off"),
     ("not read so", "that way it cannot be read"),
+    ("against the order", "against waves"),
+    ("against order", "against waves"),
+    (
+        "the factor as measured",
+        "the filter or surface as measured",
+    ),
+    ("field of colours", "swatch"),
+    ("onto the patches", "to the surfaces"),
+    ("as a composite are off", "as waves and lines are off"),
+    ("both bases", "every basis"),
+    ("what to favour", "figure to favour"),
+    (
+        "what it passes or falls on",
+        "filters and surfaces that it meets",
+    ),
+    ("what the wavelength axis", "unit of the wavelength axis"),
 ];
+
+/// Words that the paper and the code have, and the window has others for: lines, surfaces, steps.
+const OF_THE_CODE: [&str; 6] = ["spike", "spikes", "patch", "patches", "stage", "stages"];
+
+/// Rooms that speak with the paper's words, or of keys in files.
+const SPEAK_OF_KEYS: [&str; 4] = ["app/lessons", "app/workspace", "studies/paper", "app/open"];
 
 /// Files below a folder with one of some endings.
 fn files(folder: &Path, endings: &[&str], into: &mut Vec<(String, String)>) {
@@ -131,8 +153,14 @@ fn texts() -> Vec<(String, String)> {
 
 /// The avoided words in a text: whole ones, in small letters or capitals.
 fn avoided_in(text: &str) -> Vec<&'static str> {
+    let words = AVOIDED.iter().map(|(word, _)| *word);
+    whole_in(text, words)
+}
+
+/// The words that stand in a text as whole ones.
+fn whole_in(text: &str, words: impl Iterator<Item = &'static str>) -> Vec<&'static str> {
     let lower = text.to_lowercase();
-    let is_letter = |c: Option<char>| c.is_some_and(char::is_alphanumeric);
+    let is_letter = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || c == '_');
     let stands = |word: &str| {
         lower.match_indices(word).any(|(at, _)| {
             let before = lower[..at].chars().next_back();
@@ -141,8 +169,48 @@ fn avoided_in(text: &str) -> Vec<&'static str> {
             !is_letter(before) && (ends_open || !is_letter(behind))
         })
     };
-    let words = AVOIDED.iter().map(|(word, _)| *word);
     words.filter(|word| stands(word)).collect()
+}
+
+/// The words of the code in a sentence that the window shows: not in keys, heads of tables that
+/// are copied, options and what is filled in.
+fn of_the_code_in(sentence: &str) -> Vec<&'static str> {
+    // Sentences that go on in the next line were drawn together; code has line ends.
+    let is_one = !sentence.contains('\n') && !sentence.starts_with('#');
+    let is_sentence = is_one && sentence.trim().contains(' ');
+    if !is_sentence {
+        return Vec::new();
+    }
+    let mut told = sentence
+        .replace("--no-spikes", "")
+        .replace("=2,filters=1", "");
+    while let Some((before, rest)) = told.split_once('{') {
+        let after = rest.split_once('}').map_or("", |(_, after)| after);
+        told = format!("{before}_{after}");
+    }
+    whole_in(&told, OF_THE_CODE.into_iter())
+}
+
+#[test]
+fn the_window_says_lines_surfaces_and_steps() {
+    let mut code = Vec::new();
+    for room in ["app", "ui"] {
+        files(&root().join("src").join(room), &["rs"], &mut code);
+    }
+    code.retain(|(file, _)| !SPEAK_OF_KEYS.iter().any(|room| file.contains(room)));
+    assert!(code.len() > 300, "only {} files", code.len());
+    let mut wrong = Vec::new();
+    for (file, code) in &code {
+        for sentence in quoted_in(code) {
+            for word in of_the_code_in(&sentence) {
+                wrong.push(format!("{file}: {word:?} in: {sentence}"));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    let found = of_the_code_in("Each {spike} is a spike, by --no-spikes");
+    assert_eq!(found, ["spike"]);
+    assert_eq!(of_the_code_in("stage,name,spikes"), [""; 0]);
 }
 
 #[test]

@@ -184,8 +184,8 @@ fn that_lines_matter_behind_a_filter_is_three_acts_away() {
     person.clicks("One filter");
     assert_eq!(person.acts, 3);
     let ui = &person.ui;
-    let composite = figure_behind(ui, "as a composite are off by ΔE₀₀");
-    let series = figure_behind(ui, "as a series by");
+    let composite = figure_behind(ui, "as waves and lines are off by ΔE₀₀");
+    let series = figure_behind(ui, "as waves alone by");
     assert!(series > 1.0, "without spikes one sees it: {series}");
     assert!(
         10.0 * composite < series,
@@ -217,10 +217,7 @@ fn how_many_numbers_a_light_needs_is_one_act_away() {
     let mut person = Person::at_first_start();
     person.clicks("How many numbers?");
     assert_eq!(person.acts, 1);
-    assert_written(
-        &person.ui,
-        "To stay under ΔE₀₀ 1 on the surfaces (mean), FL2 needs",
-    );
+    assert_written(&person.ui, "to stay under ΔE₀₀ 1 on the surfaces (mean)");
     let needed = figure_behind(&person.ui, "FL2 needs");
     let measured = app(&person.ui).derived().band.points() as f64;
     assert!(

@@ -96,7 +96,7 @@ fn a_colour_is_told_in_four_ways_and_under_two_lights() {
         chain.last().map(|link| link.entry.key.as_str()),
         Some("own/1")
     );
-    click(&mut ui, "Onto the patches");
+    click(&mut ui, "To the surfaces");
     assert_eq!(app(&ui).document().own_patches, ["own/2"]);
 }
 

@@ -29,16 +29,16 @@ fn page_of(field: FieldChoice) -> Ui {
 #[test]
 fn the_order_that_is_enough_for_a_set_of_lights_is_told_and_taken() {
     let mut ui = page_of(FieldChoice::Smooth);
-    assert_written(&ui, "enough for");
+    assert_written(&ui, "are enough for");
     let all = words(&ui).join("\n");
     let (before, _) = all.split_once(" waves (").expect("a count of waves");
     let digits = before.rsplit(|c: char| !c.is_ascii_digit()).next();
     let order: usize = digits
         .and_then(|digits| digits.parse().ok())
         .expect("a number");
-    click(&mut ui, &format!("Take order {order}"));
+    click(&mut ui, &format!("Take {order} waves"));
     assert_eq!(app(&ui).document().settings.order, order);
-    assert_written(&ui, &format!("at N = {order}"));
+    assert_written(&ui, &format!("with {order}"));
 }
 
 #[test]

@@ -203,7 +203,7 @@ fn the_partial_sum_moves_by_keys_and_becomes_the_model_only_when_asked() {
     ui.run();
     assert_eq!(partial_order(&ui), 4);
     assert_eq!(ui.state().0.app.document().settings.order, before);
-    ui.get_by_label("Use N = 4").click();
+    ui.get_by_label("Use 4 waves").click();
     ui.run();
     assert_eq!(ui.state().0.app.document().settings.order, 4);
 }
@@ -257,7 +257,7 @@ fn pointing_at_a_bar_tells_its_order_and_a_click_takes_the_sum_there() {
     ui.hover_at(egui::pos2(x, y - 9.0));
     ui.run_steps(3);
     // Its figures are told, and its curve is drawn with the sum.
-    ui.get_by_label("Order 20, under the pointer");
+    ui.get_by_label("Wave 20, under the pointer");
 }
 
 #[test]

@@ -288,7 +288,7 @@ fn every_point_of_the_charts_stands_for_its_model() {
     let mut shown = WaysShown::default();
     shown.bases[Basis::Fourier] = false;
     for measure in Measure::COMPARED {
-        let mut tradeoff = Tradeoff::of(&ask, &sweep, measure, &shown);
+        let mut tradeoff = Tradeoff::of(&ask, &sweep, measure, Some(&shown));
         tradeoff.mark(&app, Some(&verdict_now(&app)), measure);
         let series = &tradeoff.chart.series;
         assert_eq!(
@@ -328,17 +328,24 @@ fn the_sentence_tells_the_cheapest_model_or_that_there_is_none() {
     let ask = SweepAsk::of(app.document());
     let sweep = ask.answer(&Progress::default()).expect("it shines");
     let found = front(&sweep, Measure::Patches, &WaysShown::default());
-    let words = needs(&ask, &sweep, &found, Measure::Patches, 1.0);
+    let asked = |limits| needs(&ask, &sweep, &found, (Measure::Patches, limits));
+    let [words, models] = asked([1.0, 1e-9]);
     assert_eq!(
         words,
-        "To stay under ΔE₀₀ 1 on the surfaces (mean), FL11 needs 9 numbers (cosine, colour-exact, \
-         order 4, no spikes)."
+        "FL11 needs 9 numbers to stay under ΔE₀₀ 1 on the surfaces (mean); no model shown here \
+         stays under ΔE₀₀ 0.000000001."
     );
-    let words = needs(&ask, &sweep, &found, Measure::Patches, 1e-9);
+    assert_eq!(
+        models,
+        "9 numbers: cosine, colour-exact, 4 waves, no lines."
+    );
+    let [words, _] = asked([1e-9, 1e-10]);
     assert!(
-        words.starts_with("No model shown here, up to order 40"),
+        words.starts_with("No model shown here, up to 40 waves"),
         "{words}"
     );
+    let [words, models] = asked([1.0, 0.9]);
+    assert!(words.contains("and stays under") || models.matches(':').count() == 2);
 }
 
 #[test]
@@ -360,9 +367,9 @@ fn a_row_of_the_front_takes_its_model() {
     let mut ui = on(plain(), Page::Tradeoff);
     assert_written(
         &ui,
-        "To stay under ΔE₀₀ 1 on the surfaces (mean), FL11 needs 9 numbers",
+        "FL11 needs 9 numbers to stay under ΔE₀₀ 1 on the surfaces (mean)",
     );
-    click(&mut ui, "9 numbers: Cosine, colour-exact, order 4");
+    click(&mut ui, "9 numbers: Cosine, colour-exact, 4 waves");
     let now = settings(app(&ui));
     assert_eq!((now.order, now.spikes, now.colour_exact), (4, false, true));
     assert_eq!(app(&ui).derived().numbers(), 9);
@@ -379,7 +386,15 @@ fn ways_and_figures_are_switched_and_remembered() {
         ui.state().0.app.document().pages.tradeoff.measure,
         Measure::RmsBlurred
     );
-    assert_written(&ui, "To stay under 10 % rms behind a 10 nm blur, FL2 needs");
+    assert_written(&ui, "to stay under 10 % rms behind a 10 nm blur");
+    // At first the lowest error of all stands alone.
+    assert_eq!(
+        ui.state().0.app.document().pages.tradeoff.drawn(),
+        None,
+        "every way is drawn on demand"
+    );
+    control(&ui, Role::CheckBox, "Every way").click();
+    ui.run();
     control(&ui, Role::CheckBox, "Fourier").click();
     ui.run();
     assert!(!ui.state().0.app.document().pages.tradeoff.ways.bases[Basis::Fourier]);
@@ -424,7 +439,7 @@ fn the_auctions_last_model_is_taken_and_its_row_chosen() {
     let auction = auction(&mut ui);
     assert_eq!(app(&ui).derived().numbers(), auction.last().numbers);
     assert!(is_disabled(&ui, "Take this model"));
-    click(&mut ui, "Step 2: 3 numbers, order 1");
+    click(&mut ui, "Step 2: 3 numbers, wave 1");
     assert_eq!(app(&ui).derived().numbers(), 3);
     assert!(!is_disabled(&ui, "Take this model"));
     // Taking a model asks for no other auction.
@@ -460,7 +475,7 @@ fn a_mix_is_weighed_by_hand() {
     settle(&mut ui);
     let goal = ui.state().0.app.document().pages.auction.goal;
     assert_eq!((goal.patches, goal.filters), (1.0, 2.0));
-    assert_written(&ui, "Each error over its value at N = 0");
+    assert_written(&ui, "Each error over its value without waves");
     let auction = auction(&mut ui);
     // At order 0 every error is its own value there.
     assert_eq!(auction.steps[0].error, 1.0);

@@ -149,7 +149,7 @@ fn a_card_is_dragged_behind_another_and_undo_brings_it_back() {
     let keys = [GLASS, "colorchecker_ohta/red", "colorchecker_ohta/cyan"];
     let mut ui = open(chained(about("FL2"), &keys), Page::Chain, [1280.0, 900.0]);
     let before = order(&ui);
-    let (first, last) = (card(&ui, "Stage 1:"), card(&ui, "Stage 3:"));
+    let (first, last) = (card(&ui, "Step 1:"), card(&ui, "Step 3:"));
     let from = pos2(first.left() + 12.0, first.top() + 14.0);
     drag(&mut ui, from, pos2(last.right() - 4.0, from.y));
     assert_eq!(
@@ -168,7 +168,7 @@ fn a_card_is_dragged_behind_another_and_undo_brings_it_back() {
 fn arrows_move_a_stage_and_the_drawn_spectrum_goes_with_it() {
     let keys = [GLASS, "colorchecker_ohta/red"];
     let mut ui = open(chained(about("FL2"), &keys), Page::Chain, [1280.0, 800.0]);
-    let place = card(&ui, "Stage 1:");
+    let place = card(&ui, "Step 1:");
     let click = pos2(place.left() + 30.0, place.top() + 14.0);
     ui.hover_at(click);
     ui.drag_at(click);
@@ -176,11 +176,11 @@ fn arrows_move_a_stage_and_the_drawn_spectrum_goes_with_it() {
     ui.run();
     let memory = |ui: &Ui| ui.state().0.app.document().pages.chain;
     assert_eq!(memory(&ui).stage, Some(0));
-    ui.get_by_label("Move down stage 1").click();
+    ui.get_by_label("Move down step 1").click();
     ui.run();
     assert_eq!(order(&ui)[1], "isuzu IVG550 (Green filter) 2 mm");
     assert_eq!(memory(&ui).stage, Some(1));
-    ui.get_by_label("Remove stage 1").click();
+    ui.get_by_label("Remove step 1").click();
     ui.run();
     assert_eq!(order(&ui).len(), 1);
 }
@@ -192,7 +192,7 @@ fn a_glass_of_2_mm_is_typed_in_mm_and_bounces_in_times() {
         Page::Chain,
         [1280.0, 800.0],
     );
-    for (name, typed) in [("Thickness of stage 1", "5"), ("Bounces of stage 1", "3")] {
+    for (name, typed) in [("Thickness of step 1", "5"), ("Bounces of step 1", "3")] {
         ui.get_by_role_and_label(Role::SpinButton, name).click();
         ui.run();
         ui.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::A);

@@ -132,7 +132,7 @@ fn a_dip_of_the_surface_gives_no_line_of_the_light_another_width() {
     let bench = Bench::of(&app, &Entry::own(1, leaf));
     let spikes = &bench.resampled.ways[0].step.spikes;
     let chart = bench.chart(&app, &[]);
-    let named = |series: &&Series| series.name == "spikes × factor";
+    let named = |series: &&Series| series.name == "lines × surface";
     let stems = chart.series.iter().find(named).expect("stems");
     assert!(
         spikes.len() > app.derived().model.lines().len(),

@@ -424,7 +424,7 @@ fn found_pairs_are_listed_and_a_click_shows_one_large() {
 fn a_teacher_makes_an_example_and_reads_the_verdict() {
     let mut ui = open(about("FL2"), Page::SameSurface, [1920.0, 1080.0]);
     // An example stands there from the start, and nothing was made for it.
-    ui.get_by_label_contains("Yes: the spectrum is what FL2 off red would be.");
+    ui.get_by_label_contains("Yes: FL2 off red gives this spectrum.");
     assert!(ui.state().0.app.document().own.is_empty());
     ui.get_by_label(same_surface::names::HOW).click();
     for _ in 0..8 {

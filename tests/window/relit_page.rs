@@ -61,7 +61,10 @@ fn the_wall_is_relit_mapped_compared_and_saved() {
     );
     told(&ui, " compact, ");
     click(&mut ui, "Bulb");
-    assert_eq!(app(&ui).document().light.name(), "CIE A");
+    // Here alone: the window's light stays.
+    assert_eq!(app(&ui).document().light.name(), "FL2");
+    let under = app(&ui).document().pages.relit.under.as_deref();
+    assert_eq!(under, Some("cie_illuminants/CIE A"));
     told(&ui, "Under CIE A its colours are off by ΔE₀₀");
     click(&mut ui, "Difference");
     assert_eq!(

@@ -979,7 +979,7 @@ fn the_plot_in_a_file_shows_what_the_window_shows() {
             "CIE A",
             "measured",
             "smooth part",
-            "spikes",
+            "lines",
             "residual",
         ] {
             assert!(names.contains(&name), "{name} in {names:?}");
@@ -1557,7 +1557,7 @@ fn every_small_window_and_menu_is_drawn_with_names() {
             press(&mut ui, Key::Escape);
         }
         for combo in [
-            "What the curve shows",
+            "Figure of the curve",
             "Set of surfaces",
             "How surfaces are seen",
             "Scale",
@@ -1614,7 +1614,7 @@ fn small_and_large_windows_are_drawn() {
         (Role::Button, knobs::AUTOMATIC),
         (Role::Button, knobs::RESET),
         (Role::ComboBox, "How surfaces are seen"),
-        (Role::ComboBox, "What the curve shows"),
+        (Role::ComboBox, "Figure of the curve"),
         (Role::Button, "All figures"),
         (Role::Button, "Help"),
         (Role::Button, "Settings"),

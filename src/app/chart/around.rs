@@ -265,7 +265,8 @@ impl Drawing<'_> {
 
     /// As many numbers as fit side by side; how wide they are shows only when they are made.
     pub(super) fn numbers(&self, axis: Axis) -> Vec<(f64, String)> {
-        let mut target = (axis.length / (60.0 * self.looks.scale)).clamp(2.0, 14.0) as usize;
+        // At most so many that a spectrum has a tick every 50 nm in windows of every width.
+        let mut target = (axis.length / (60.0 * self.looks.scale)).clamp(2.0, 12.0) as usize;
         loop {
             let (ticks, labels) = axis.ticks(target);
             let widths = labels

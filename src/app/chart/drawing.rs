@@ -279,7 +279,9 @@ impl<'a> Drawing<'a> {
 
     /// About how many numbers a vertical axis has.
     pub(super) fn down(&self, height: f64) -> usize {
-        (height / (36.0 * self.looks.scale)).clamp(3.0, 10.0) as usize
+        let scaled = height / self.looks.scale;
+        // A low panel has no room for three that stand apart.
+        (scaled / 36.0).clamp((scaled / 16.0).clamp(1.0, 3.0), 10.0) as usize
     }
 
     pub(super) fn bar_target(&self, height: f64) -> usize {

@@ -162,7 +162,8 @@ impl<'a> Pen<'a> {
         (!is_beside).then(|| (places.map(into), piece.colours))
     }
 
-    /// Words at their places; those that would lie over others are left out, from the last one on.
+    /// Words at their places; those that would be cut or lie over others are left out, from the last
+    /// one on.
     fn words(&self, words: &[([f64; 2], String)], colour: [u8; 3]) -> Vec<Primitive> {
         let size = self.looks.small();
         let mut fields: Vec<Field> = Vec::new();
@@ -175,7 +176,10 @@ impl<'a> Pen<'a> {
                 height: 1.1 * size,
             };
             let apart = |other: &Field| field.cut_to(*other).is_none();
-            fields.iter().all(apart).then(|| {
+            // Half a word tells nothing.
+            let mut corners = field.corners().into_iter();
+            let is_whole = corners.all(|corner| self.plot.field.holds(corner, 1e-6));
+            (is_whole && fields.iter().all(apart)).then(|| {
                 fields.push(field);
                 Primitive::Text(Text {
                     at,

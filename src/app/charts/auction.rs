@@ -1,6 +1,6 @@
 //! The auction as a chart, as a table and as a model for the document.
 
-use super::tradeoff::{all_figures, lack, mark_now, origin, spikes_words, stairs};
+use super::tradeoff::{all_figures, lack, mark_now, origin, spikes_words, stairs, waves_words};
 use crate::{
     app::{
         App,
@@ -18,7 +18,7 @@ use crate::{
 };
 
 /// Names of the plain goals for people, in the order of `Goal::PLAIN`.
-pub const NAMES: [&str; 4] = ["own colour", "patches", "spectrum", "narrow filters"];
+pub const NAMES: [&str; 4] = ["own colour", "surfaces", "spectrum", "narrow filters"];
 
 /// The goal without what does not exist for the document's subject; when nothing is left, the
 /// first figure that does exist.
@@ -66,11 +66,11 @@ pub fn names(ask: &AuctionAsk, auction: &Auction, lines: &[ElementLine]) -> Vec<
     light.names_at(&places)
 }
 
-/// A purchase in words: "order 3", "435.8 nm (Hg 435.8)".
+/// A purchase in words: "wave 3", "line 435.8 nm (Hg)".
 fn purchase_words(purchase: &Purchase, auction: &Auction, names: &[LineName]) -> String {
     match purchase {
         Purchase::Widths => "the lines' own widths".to_owned(),
-        Purchase::Order(order) => format!("order {order}"),
+        Purchase::Order(order) => format!("wave {order}"),
         Purchase::Line(spike) => {
             let index = auction.lines.iter().position(|line| line == spike);
             let name = index.and_then(|i| names.get(i)?.safe.as_deref());
@@ -82,7 +82,7 @@ fn purchase_words(purchase: &Purchase, auction: &Auction, names: &[LineName]) ->
     }
 }
 
-/// Purchases in words, runs of orders drawn together: "orders 3-5, line 435.8 nm (Hg)".
+/// Purchases in words, runs of waves drawn together: "waves 3-5, line 435.8 nm (Hg)".
 pub fn purchases_words(purchases: &[Purchase], auction: &Auction, names: &[LineName]) -> String {
     let orders: Vec<usize> = purchases
         .iter()
@@ -97,18 +97,18 @@ pub fn purchases_words(purchases: &[Purchase], auction: &Auction, names: &[LineN
         .map(|p| purchase_words(p, auction, names));
     let orders = match orders[..] {
         [] => None,
-        [order] => Some(format!("order {order}")),
+        [order] => Some(format!("wave {order}")),
         _ => {
             let first = orders.iter().min().copied().unwrap_or(0);
             let last = orders.iter().max().copied().unwrap_or(0);
-            Some(format!("orders {first}-{last}"))
+            Some(format!("waves {first}-{last}"))
         }
     };
     let words: Vec<String> = orders.into_iter().chain(lines).collect();
     words.join(", ")
 }
 
-/// The model of a step in words: "order 6 and the lines 404.9, 435.8 nm".
+/// The model of a step in words: "6 waves and the lines 404.9, 435.8 nm".
 pub fn model_words(auction: &Auction, step: &Step) -> String {
     let mut places: Vec<f64> = step
         .lines
@@ -123,14 +123,11 @@ pub fn model_words(auction: &Auction, step: &Step) -> String {
     } else {
         ""
     };
+    let waves = waves_words(step.order);
     match words.len() {
-        0 => format!("order {} and no lines", step.order),
-        1 => format!("order {} and the line {} nm{wide}", step.order, words[0]),
-        _ => format!(
-            "order {} and the lines {} nm{wide}",
-            step.order,
-            words.join(", ")
-        ),
+        0 => format!("{waves} and no lines"),
+        1 => format!("{waves} and the line {} nm{wide}", words[0]),
+        _ => format!("{waves} and the lines {} nm{wide}", words.join(", ")),
     }
 }
 
@@ -139,10 +136,9 @@ pub fn ended_words(ask: &AuctionAsk, auction: &Auction) -> String {
     let (last, most) = (auction.last(), numbers(ask.terms.numbers));
     let model = model_words(auction, last);
     match auction.ended {
-        Ended::Spent => format!("The budget is spent: {} of {most}, {model}.", last.numbers),
+        Ended::Spent => format!("{} of {most} buy {model}.", last.numbers),
         Ended::NothingHelps => format!(
-            "It stopped at {} of {most}, {model}: nothing that the rest would buy lowers \
-             the goal.",
+            "{} of {most} buy {model}. The rest would lower nothing.",
             last.numbers
         ),
     }
@@ -188,23 +184,19 @@ impl AuctionChart {
         };
         let with = match auction.lines.len() {
             0 => String::new(),
-            1 => "the line as a spike, then orders".to_owned(),
-            lines => format!("all {lines} lines as spikes, then orders"),
+            1 => "the line first, then waves".to_owned(),
+            lines => format!("all {lines} lines first, then waves"),
         };
         let series = vec![
             stroke(with, Ink::Spikes, bids(all_lines), 1.6, Dash::Dashed),
-            Series::line(
-                "no spikes, orders only",
-                Ink::Smooth,
-                bids(&auction.without),
-            )
-            .dashed(Dash::Dotted),
+            Series::line("waves only, no lines", Ink::Smooth, bids(&auction.without))
+                .dashed(Dash::Dotted),
             stroke("the auction", Ink::Measured, corners, 2.2, Dash::Solid),
             Series::points("bought", Ink::Residual, Shape::Dot, points).with_notes(notes),
         ];
         let way = FitVariant::new(terms.basis, false, terms.colour_exact);
         let y_label = terms.goal.plain_measure().map_or_else(
-            || "Mix of errors, each in % of its value at N = 0".to_owned(),
+            || "Mix of errors, each in % of its value without waves".to_owned(),
             |measure| measure.figure().with_unit(),
         );
         let chart = Chart {
@@ -258,7 +250,7 @@ impl AuctionChart {
 fn step_note(auction: &Auction, step: &Step, names: &[LineName]) -> String {
     let mut note = Vec::new();
     if step.bought.is_empty() {
-        note.push("order 0: the mean, which is where the auction begins".to_owned());
+        note.push("the mean, where the auction begins".to_owned());
     } else {
         let bought = purchases_words(&step.bought, auction, names);
         note.push(format!("bought {bought}"));
@@ -268,8 +260,8 @@ fn step_note(auction: &Auction, step: &Step, names: &[LineName]) -> String {
         note.push(format!("gave back {gave}"));
     }
     note.push(format!(
-        "N = {}, {}{}: {}",
-        step.order,
+        "{}, {}{}: {}",
+        waves_words(step.order),
         spikes_words(step.lines.len()),
         if step.wide {
             " as wide as they are"

@@ -9,7 +9,7 @@ mod partial;
 use crate::{
     app::{
         chart::{Chart, Dash, Ink, Scale, Series, Shape, stroke},
-        charts::spectrum::of_subject,
+        charts::{spectrum::of_subject, tradeoff::waves_words},
         numbers::figure,
         state::App,
         studies::paper::CHANNELS,
@@ -111,7 +111,7 @@ impl<'a> Draw<'a> {
         let last = self.orders.len().saturating_sub(1) as f64;
         Chart {
             title: title.to_owned(),
-            x_label: "Order n".to_owned(),
+            x_label: "Wave n".to_owned(),
             y_label: y_label.to_owned(),
             x_range: [-0.6, last + 0.6],
             series,
@@ -283,7 +283,7 @@ impl<'a> Draw<'a> {
         let points = self.orders.iter().map(point).collect();
         let name = CHANNELS[k];
         let bars = Series::bars(format!("added to {name}"), Ink::Residual, 0.72, points);
-        let title = format!("Their product: what each order adds to {name}");
+        let title = format!("Their product: the part of {name} that each wave adds");
         Some(self.chart(&title, &format!("% of {name}"), vec![bars]))
     }
 
@@ -348,7 +348,7 @@ impl<'a> Draw<'a> {
             [order.order as f64, value.unwrap_or(f64::NAN)]
         };
         let points = self.orders.iter().map(mark).collect();
-        let now = format!("N = {in_force}, in force");
+        let now = format!("{}, in force", waves_words(in_force));
         series.push(Series::points(now, Ink::Measured, Shape::Ring, points).sized(6.0));
         Some(Chart {
             y_scale: Scale::Log10,

@@ -2,7 +2,10 @@
 
 use crate::app::{
     chart::{Chart, Dash, Ink, Series, curve},
-    charts::spectrum::{by_program, source_of},
+    charts::{
+        spectrum::{by_program, source_of},
+        units::kind_label,
+    },
     derived::Derived,
     pages::Spread,
     picture::RegionSpectrum,
@@ -32,11 +35,7 @@ pub fn region_chart(region: &RegionSpectrum, spread: Spread) -> Chart {
     notes.push(by_program("As measured."));
     Chart {
         title: spectrum.name.clone(),
-        y_label: if spectrum.unit.is_empty() {
-            spectrum.kind.word().to_owned()
-        } else {
-            spectrum.unit.clone()
-        },
+        y_label: kind_label(spectrum.kind, &spectrum.unit),
         series,
         notes,
         ..Chart::over_nm([spectrum.samples.first_nm(), spectrum.samples.last_nm()])

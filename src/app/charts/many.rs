@@ -53,7 +53,7 @@ impl Wanted {
         many.order_for(self.way, self.measure, self.limit, self.share)
     }
 
-    /// "the patches' ΔE₀₀ at most 1".
+    /// "mean of the surfaces at most ΔE₀₀ 1".
     fn limit_words(self) -> String {
         let figure = self.measure.figure();
         let limit = short(self.limit * figure.unit.factor);
@@ -111,10 +111,17 @@ pub fn sentence(many: &ManyLights, wanted: Wanted) -> String {
     }
 }
 
+/// At least twice so many waves are drawn.
+const LEAST_ENOUGH: usize = 6;
+
 /// For how many of the lights each order is enough, with and without lines.
 pub fn chart(many: &ManyLights, wanted: Wanted) -> Chart {
     let total = many.lights.len() as f64;
     let last = many.highest_order as f64;
+    // Nothing happens beyond twice what is enough.
+    let ways = [true, false].map(|spikes| wanted.with_spikes(spikes).order(many));
+    let enough = ways.iter().flatten().map(|(order, _)| *order).max();
+    let shown = enough.map_or(last, |order| (2 * order.max(LEAST_ENOUGH)) as f64);
     let wish = 100.0 * wanted.share;
     let mut series = vec![
         Series::line("target", Ink::Measured, vec![[0.0, wish], [last, wish]]).dashed(Dash::Dotted),
@@ -134,10 +141,10 @@ pub fn chart(many: &ManyLights, wanted: Wanted) -> Chart {
         }
     }
     Chart {
-        title: "Lights that an order is enough for".to_owned(),
+        title: "Lights for which so many waves are enough".to_owned(),
         x_label: "Waves (N waves take 2N + 1 numbers)".to_owned(),
         y_label: "Of the lights, %".to_owned(),
-        x_range: [0.0, last],
+        x_range: [0.0, shown.min(last)],
         y_range: Some([0.0, 100.0]),
         series,
         notes: vec![format!("{}; {}", wanted.limit_words(), wanted.way.title())],
@@ -196,15 +203,15 @@ pub fn table(app: &App, ask: &ManyAsk, many: &ManyLights, wanted: Wanted) -> Tab
         )
         .with("class", |row| cell(row.light.class.as_str()))
         .and(enough("order", 0))
-        .figures("order", "From it on every order is good enough.")
+        .figures("waves", "From it on every count of waves is good enough.")
         .and(enough("lines", 1))
-        .figures("lines", "Lines that became spikes, two numbers each.")
+        .figures("lines", "Lines that are kept, two numbers each.")
         .and(enough("numbers", 2))
         .figures("numbers", "2N + 1, and two for each line.")
         .with(format!("{}_at_order_{order}", measure.key), |row| {
             cell(row.now).shown(figure(row.now.map(|off| measure.shown(off))))
         })
-        .figures(format!("at N = {order}"), measure.meaning);
+        .figures(format!("with {order}"), measure.meaning);
     Table::new(comments, columns, rows(many, wanted, order))
 }
 

@@ -37,10 +37,10 @@ pub fn curve_chart(app: &App) -> Chart {
     });
     Chart {
         title: format!(
-            "{}: error against order ({}, {})",
+            "{}: error against waves ({}, {})",
             document.subject_entry().name(),
             derived.model.smooth().basis.word(),
-            many(derived.model.lines().len(), "spike", "spikes")
+            many(derived.model.lines().len(), "line", "lines")
         ),
         x_label: "Waves".to_owned(),
         y_label: "Error (CIEDE2000, or percent)".to_owned(),

@@ -3,6 +3,7 @@
 use crate::{
     app::{
         chart::{Chart, Dash, Ink, Scale, Series, Shape},
+        charts::units::kind_label,
         relit::{Fit, Looked, Turned},
     },
     pictures::{Candidate, ReferenceKind},
@@ -159,7 +160,7 @@ pub fn pixel_chart(fit: &Fit, [x, y]: [usize; 2]) -> Chart {
     }
     Chart {
         title: format!("Pixel in column {}, row {}", x * step, y * step),
-        y_label: bands.kind().word().to_owned(),
+        y_label: kind_label(bands.kind(), ""),
         blank: if series[0].marks.points().is_empty() {
             "not measured".to_owned()
         } else {

@@ -25,7 +25,7 @@ const MOST_TAGGED: usize = 6;
 const LOG_FLOOR: f64 = 1e-5;
 
 /// The name of the series of the model's spikes: a point of it is a spike of the model.
-pub const SPIKES: &str = "spikes";
+pub const SPIKES: &str = "lines";
 
 /// The spectrum plot of the present document.
 pub fn spectrum_chart(app: &App) -> Chart {
@@ -40,7 +40,7 @@ pub fn spectrum_chart(app: &App) -> Chart {
             numbers(derived.numbers()),
             derived.model.smooth().basis.word(),
             derived.model.smooth().order(),
-            many(derived.model.lines().len(), "spike", "spikes"),
+            many(derived.model.lines().len(), "line", "lines"),
         ),
         y_label: subject_label(app),
         y_scale: scale(app),

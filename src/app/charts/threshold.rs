@@ -45,7 +45,7 @@ pub fn threshold_chart(ask: &SweepAsk, sweep: &Sweep, measure: Measure) -> Chart
     let way = FitVariant::new(ask.basis, false, ask.colour_exact);
     Chart {
         title: format!(
-            "{}: {} by order and threshold ({})",
+            "{}: {} by waves and lines ({})",
             ask.about.subject.0.name(),
             measure.figure().title,
             way.title()

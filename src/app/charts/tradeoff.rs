@@ -47,7 +47,7 @@ pub fn lack(app: &App, measure: Measure) -> Option<&'static str> {
     }
     match measure {
         Measure::Patches | Measure::PatchesWorst if !is_light => {
-            Some("A reflectance has no patches: choose the light as the model's subject.")
+            Some("A reflectance lights no surfaces: choose the light as the model's subject.")
         }
         Measure::Filters if !is_light => {
             Some("Narrow filters are put before a light: choose the light as the model's subject.")
@@ -55,7 +55,7 @@ pub fn lack(app: &App, measure: Measure) -> Option<&'static str> {
         Measure::Patches | Measure::PatchesWorst
             if derived.patches.as_ref().is_none_or(|p| p.items.is_empty()) =>
         {
-            Some("There are no patches to see.")
+            Some("There are no surfaces to see.")
         }
         Measure::Filters if !filter_centres().any(|nm| derived.band.contains(nm)) => {
             Some("No filter's centre (420 to 670 nm) lies in this range.")
@@ -95,7 +95,7 @@ pub fn origin(about: &About) -> Vec<String> {
     let spectrum = &about.subject.0.spectrum;
     let mut notes = source_of(spectrum);
     notes.push(by_program(&format!(
-        "{}-{} nm, {}, patches {}.",
+        "{}-{} nm, {}, surfaces {}.",
         about.band.min_nm(),
         about.band.max_nm(),
         about.observer.title(),
@@ -182,15 +182,20 @@ pub struct Tradeoff {
 }
 
 impl Tradeoff {
-    /// The chart of one figure.
-    pub fn of(ask: &SweepAsk, sweep: &Sweep, measure: Measure, shown: &WaysShown) -> Self {
-        let front = front(sweep, measure, shown);
+    /// The chart of one figure: the lowest error of the ways shown, each of them a curve of its
+    /// own; of all ways alone where none is.
+    pub fn of(ask: &SweepAsk, sweep: &Sweep, measure: Measure, shown: Option<&WaysShown>) -> Self {
+        let all = WaysShown::default();
+        let front = front(sweep, measure, shown.unwrap_or(&all));
         let at = |index: &usize| place(&sweep.points[*index], measure);
         let (mut lines, mut marks) = (Vec::new(), Vec::new());
         // Where no line was found both kinds are the same models.
-        let twice = |way: FitVariant| way.spikes && sweep.spikes.is_empty() && shown.without_spikes;
-        let drawn = FitVariant::ALL.into_iter().filter(|way| shown.shows(*way));
-        for way in drawn.filter(|way| !twice(*way)) {
+        let twice = |shown: &WaysShown, way: FitVariant| {
+            way.spikes && sweep.spikes.is_empty() && shown.without_spikes
+        };
+        let is_drawn =
+            |way: &FitVariant| shown.is_some_and(|shown| shown.shows(*way) && !twice(shown, *way));
+        for way in FitVariant::ALL.into_iter().filter(is_drawn) {
             let (ink, shape, dash) = looks(way);
             let models: Vec<usize> = (0..sweep.points.len())
                 .filter(|i| sweep.points[*i].way == way && at(i).is_some())
@@ -218,7 +223,7 @@ impl Tradeoff {
                 ask.about.subject.0.name(),
                 measure.figure().title
             ),
-            x_label: "Numbers, 2N + 1 and two for each spike".to_owned(),
+            x_label: "Numbers: 2N + 1 for N waves, two for each line".to_owned(),
             y_label: measure.figure().with_unit(),
             x_range: [1.0, (most as f64 * 1.05).max(2.0)],
             x_scale: Scale::Log10,
@@ -266,9 +271,9 @@ pub fn words_now(app: &App) -> String {
     let spikes = derived.model.lines().len();
     let way = FitVariant::new(settings.basis, spikes > 0, settings.colour_exact);
     format!(
-        "{}\nN = {}, {}: {}",
+        "{}\n{}, {}: {}",
         way.title(),
-        derived.model.smooth().order(),
+        waves_words(derived.model.smooth().order()),
         spikes_words(spikes),
         numbers(derived.numbers())
     )
@@ -279,18 +284,23 @@ fn place(point: &SweepPoint, measure: Measure) -> Option<[f64; 2]> {
     Some([point.numbers as f64, error])
 }
 
-/// "1 spike", "4 spikes".
+/// "1 wave", "4 waves".
+pub fn waves_words(order: usize) -> String {
+    many(order, "wave", "waves")
+}
+
+/// "no lines", "1 line", "4 lines".
 pub fn spikes_words(count: usize) -> String {
     match count {
-        0 => "no spikes".to_owned(),
-        _ => many(count, "spike", "spikes"),
+        0 => "no lines".to_owned(),
+        _ => many(count, "line", "lines"),
     }
 }
 
 fn note(point: &SweepPoint) -> String {
     format!(
-        "N = {}, {}: {}\n{}\nClick to take this model.",
-        point.order,
+        "{}, {}: {}\n{}\nClick to take this model.",
+        waves_words(point.order),
         spikes_words(point.spikes),
         numbers(point.numbers),
         all_figures(&point.verdict)
@@ -346,39 +356,67 @@ pub fn limits(measure: Measure) -> [f64; 2] {
     }
 }
 
-/// How many numbers a spectrum needs to stay under an error, a sentence.
+/// The cheapest model under an error, in the figure's unit.
+fn enough<'a>(
+    sweep: &'a Sweep,
+    front: &[usize],
+    measure: Measure,
+    limit: f64,
+) -> Option<&'a SweepPoint> {
+    let figure = measure.figure();
+    let mut points = front.iter().map(|index| &sweep.points[*index]);
+    points.find(|point| {
+        let error = point.verdict[measure];
+        error.is_some_and(|error| figure.shown(error) < limit)
+    })
+}
+
+/// How many numbers a spectrum needs to stay under two errors, the larger first: a sentence, and
+/// the models that do.
 pub fn needs(
     ask: &SweepAsk,
     sweep: &Sweep,
     front: &[usize],
-    measure: Measure,
-    limit: f64,
-) -> String {
-    let figure = measure.figure();
-    let goal = if measure.is_colour() {
-        format!("ΔE₀₀ {limit} {}", figure.goal)
-    } else {
-        format!("{limit} % {}", figure.goal)
+    (measure, limits): (Measure, [f64; 2]),
+) -> [String; 2] {
+    let of = measure.figure().goal;
+    let goal = |limit: f64| match measure.is_colour() {
+        true => format!("ΔE₀₀ {limit}"),
+        false => format!("{limit} %"),
     };
     let name = ask.about.subject.0.name();
-    let enough = front.iter().map(|i| &sweep.points[*i]).find(|point| {
-        let error = point.verdict[measure];
-        error.is_some_and(|error| figure.shown(error) < limit)
-    });
-    match enough {
-        Some(point) => format!(
-            "To stay under {goal}, {name} needs {} ({}).",
-            numbers(point.numbers),
-            way_words(point)
+    let [large, small] = limits.map(goal);
+    let found = limits.map(|limit| enough(sweep, front, measure, limit));
+    let needs = |point: &SweepPoint| {
+        let numbers = numbers(point.numbers);
+        format!("{name} needs {numbers} to stay under {large} {of}")
+    };
+    let sentence = match found {
+        [None, _] => format!(
+            "No model shown here, up to {}, stays under {large} {of}.",
+            waves_words(sweep.map.highest_order)
         ),
-        None => format!(
-            "No model shown here, up to order {}, stays under {goal}.",
-            sweep.map.highest_order
+        [Some(first), None] => {
+            format!("{}; no model shown here stays under {small}.", needs(first))
+        }
+        [Some(first), Some(second)] if first.numbers == second.numbers => {
+            format!("{}, and stays under {small} with them, too.", needs(first))
+        }
+        [Some(first), Some(second)] => format!(
+            "{}, and {} to stay under {small}.",
+            needs(first),
+            second.numbers
         ),
-    }
+    };
+    let models = found.into_iter().flatten();
+    let mut models: Vec<String> = models
+        .map(|point| format!("{}: {}.", numbers(point.numbers), way_words(point)))
+        .collect();
+    models.dedup();
+    [sentence, models.join(" ")]
 }
 
-/// A model within a sentence: "cosine, colour-exact, order 4, 3 spikes".
+/// A model within a sentence: "cosine, colour-exact, 4 waves, 3 lines".
 fn way_words(point: &SweepPoint) -> String {
     let basis = point.way.basis.name();
     let fit = if point.way.colour_exact {
@@ -386,9 +424,9 @@ fn way_words(point: &SweepPoint) -> String {
     } else {
         ""
     };
-    let order = point.order;
     format!(
-        "{basis}{fit}, order {order}, {}",
+        "{basis}{fit}, {}, {}",
+        waves_words(point.order),
         spikes_words(point.spikes)
     )
 }

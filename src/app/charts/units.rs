@@ -41,10 +41,15 @@ fn as_fraction(unit: &str) -> String {
 
 /// What the values of the subject are called on an axis.
 pub(super) fn subject_label(app: &App) -> String {
-    match app.document().subject_entry().kind() {
+    kind_label(app.document().subject_entry().kind(), app.unit())
+}
+
+/// What values of a kind in a unit are called on an axis.
+pub(super) fn kind_label(kind: Kind, unit: &str) -> String {
+    match kind {
         Kind::Reflectance => "Reflectance".to_owned(),
         Kind::Transmittance => "Transmittance".to_owned(),
-        _ => value_label(app.unit()),
+        _ => value_label(unit),
     }
 }
 

@@ -314,7 +314,7 @@ mod tests {
         }
         // The band is of single wavelengths, and of what is straight between its points: the
         // sentence says the first, the handbook all of it.
-        assert_says(&found.sentence(), "at a wavelength, on average");
+        assert_says(&found.sentence(), "averaged over wavelength");
         assert_says(&found.sentence(), "smoothest");
         let handbook = include_str!("../../../docs/window.md");
         for words in [

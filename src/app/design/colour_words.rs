@@ -56,8 +56,8 @@ impl ColourSheet {
         let spread = self.spread().map_or_else(String::new, |spread| {
             let per_cent = 100.0 * spread;
             format!(
-                " Surfaces that match it under {light} range over {per_cent:.0} % of reflectance at a \
-                 wavelength, on average."
+                " Two surfaces that match it under {light} can differ by up to {per_cent:.0} \
+                 points of reflectance, averaged over wavelength."
             )
         });
         format!("{first}{spread}")

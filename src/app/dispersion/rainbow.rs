@@ -104,7 +104,7 @@ fn table(bows: &[(Line, Bows)]) -> Table {
         |secondary: bool| move |(_, bows): &&(Line, Bows)| rounded(angle(bows, secondary), 3, "-");
     let columns = Columns::<&(Line, Bows)>::default()
         .with("line", |(line, _)| cell(line.name.as_str()))
-        .titled("line", "What it is named after, by all lines together.")
+        .titled("line", "The element, by all lines together.")
         .with("wavelength", |(line, _)| cell(nm(line.at_nm)))
         .figures("wavelength", "In air.")
         .with("n", |(_, bows)| rounded(bows.n, 5, "-"))

@@ -119,7 +119,7 @@ impl Figure {
 pub fn brief(shown: f64, unit: Unit) -> String {
     let tail = unit.tail;
     if shown < SMALLEST {
-        format!("<{SMALLEST}{tail}")
+        format!("< {SMALLEST}{tail}")
     } else {
         format!("{}{tail}", significant(shown, 3))
     }
@@ -158,7 +158,7 @@ mod tests {
         assert_eq!(Measure::Rms.figure().written(0.1234), "12.34 %");
         assert_eq!(Measure::Energy.figure().written(-1e-9), "+0.000 %");
         assert_eq!(Measure::Own.figure().brief(Some(0.012_345)), "0.0123");
-        assert_eq!(Measure::Rms.figure().brief(Some(1e-9)), "<0.0001 %");
+        assert_eq!(Measure::Rms.figure().brief(Some(1e-9)), "< 0.0001 %");
         assert_eq!(Measure::Rms.figure().brief(None), "–");
         assert_eq!(OF_LIGHT[0].figure.written(6503.6), "6504 K");
     }

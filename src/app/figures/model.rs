@@ -40,15 +40,15 @@ impl Measure {
             ),
             Self::Patches => delta_e(
                 "delta_e_patches_mean",
-                ["mean of the surfaces", "patches"],
+                ["mean of the surfaces", "surfaces"],
                 "on the surfaces (mean)",
-                "Mean CIEDE2000 of the patches under the light, products at 1 nm.",
+                "Mean CIEDE2000 of the surfaces under the light, products at 1 nm.",
             ),
             Self::PatchesWorst => delta_e(
                 "delta_e_patches_max",
                 ["worst surface", "worst"],
-                "on every patch",
-                "Largest CIEDE2000 of the patches under the light, products at 1 nm.",
+                "on every surface",
+                "Largest CIEDE2000 of the surfaces under the light, products at 1 nm.",
             ),
             Self::Filters => delta_e(
                 "delta_e_filters",
@@ -63,9 +63,9 @@ impl Measure {
                     "relative_rms",
                     ["rms at 1 nm", "rms 1 nm"],
                     "; at 1 nm {} rms",
-                    "Root mean square of model minus measured over that of the spectrum, on the \
-                     1 nm grid. A spike has no width: there it stands against a line of several \
-                     nm, so lamps with broad lines show large numbers.",
+                    "Root mean square of model minus measured over that of the spectrum, on the 1 \
+                     nm grid. A line of the model has no width: against a line of several nm, \
+                     lamps with broad lines show large numbers.",
                 )
             },
             Self::RmsBlurred => Figure {

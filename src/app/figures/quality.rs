@@ -11,7 +11,7 @@ use crate::{
 
 /// The reason for no TLCI.
 pub const TLCI: Words =
-    "TLCI is left out: the camera and patch tables of EBU Tech 3355 are not openly licensed";
+    "TLCI is left out: the camera and sample tables of EBU Tech 3355 are not openly licensed";
 
 const CRI: Words = "CIE 13.3-1995, 1 nm, samples by Sprague, CCT not rounded";
 const R15: Words = "JIS Z 8726: the skin complexion of the CIE's data set of 2024, as CIE 13.3";

@@ -101,7 +101,7 @@ fn of_sp(ratio: f64) -> String {
 
 pub(super) fn of_purity(purity: f64) -> String {
     format!(
-        "{:.0} % of the way from the equal-energy white to the border of colours",
+        "{:.0} % of the way from white to the pure colour",
         100.0 * purity
     )
 }

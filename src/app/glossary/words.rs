@@ -12,7 +12,7 @@ pub const WORDS: &[Word] = &[
     word(
         "Adaptation",
         &["adapts", "adaptation", "adapted"],
-        "The eye gets used to the colour of the light within a minute, so that white paper looks white under a bulb too. Patches can be shown as that eye sees them.",
+        "The eye gets used to the colour of the light within a minute, so that white paper looks white under a bulb too. Surfaces can be shown as that eye sees them.",
     ),
     word(
         "Aliasing",
@@ -221,7 +221,7 @@ pub const WORDS: &[Word] = &[
     word(
         "Observer",
         &["standard observer"],
-        "The CIE's standard eye: of 1931 for small fields of 2 degrees, of 1964 for fields of 10 degrees, of 2015 from the cones themselves.",
+        "The CIE's standard eye: of 1931 for what is 2 degrees wide, of 1964 for what is 10 degrees wide, of 2015 from the cones themselves.",
     ),
     word(
         "Overlay",

@@ -127,7 +127,7 @@ pub(super) fn all(opened: &Opened, alike: Option<&Alike>, at: usize) -> Vec<Ques
         Some(axis @ AxisDecision::Unit(unit)) => {
             let question = Question::new(
                 "Wavelengths in",
-                "What the numbers of the wavelength axis count.",
+                "The unit of the wavelength axis.",
                 answers(WavelengthUnit::ALL, unit.value, Flip::Wavelengths, |unit| {
                     unit.word().to_owned()
                 }),
@@ -235,8 +235,8 @@ fn kind_question(
     }
     Question::new(
         "Values are",
-        "What the values stand for: a light is drawn as a light, a reflectance or transmittance \
-         is looked at under one.",
+        "The kind of the values: a light is drawn as a light, a reflectance or transmittance is \
+         looked at under one.",
         answers(kinds, one.kind, Flip::Kind, |kind| kind.word().to_owned()),
         because,
     )
@@ -262,8 +262,8 @@ fn counted_question(told: Option<&Decision<Counted>>, format: &str) -> Question 
     });
     Question {
         what: "Counted in",
-        meaning: "Whether a value of 100, of 1 or of 10 000 reflects (or transmits) all of the \
-                  light; fractions are taken as they are.",
+        meaning: "The value, 100, 1 or 10 000, that reflects (or transmits) all of the light; \
+                  fractions are taken as they are.",
         answers: offered
             .map(|counted| Answer {
                 words: counted.word().to_owned(),
@@ -340,7 +340,7 @@ fn table_questions(table: &TableFound, choices: &Choices) -> Vec<Question> {
         let columns = (0..table.width).filter(|c| *c < MOST_COLUMNS || *c == axis);
         questions.push(Question::new(
             "Wavelength column",
-            "Which column holds the wavelengths.",
+            "The column of the wavelengths.",
             answers(columns, axis, Flip::AxisColumn, |c| (c + 1).to_string()),
             by_hand_or(
                 choices.axis_column.is_some(),
@@ -370,7 +370,7 @@ fn table_questions(table: &TableFound, choices: &Choices) -> Vec<Question> {
     questions.extend([
         Question::new(
             "Cells between",
-            "What stands between two cells of a row.",
+            "The sign between two cells of a row.",
             answers(
                 Delimiter::ALL,
                 dialect.delimiter,
@@ -381,7 +381,7 @@ fn table_questions(table: &TableFound, choices: &Choices) -> Vec<Question> {
         ),
         Question::new(
             "Decimal mark",
-            "What stands before the decimals of a number.",
+            "The sign before the decimals of a number.",
             answers(
                 [false, true],
                 dialect.decimal_comma,

@@ -1,4 +1,4 @@
-//! What the library holds that nobody measured: line tubes, lasers, black bodies and ideal filters,
+//! What the library holds that nobody measured: line tubes, lasers, black bodies, gels and filters,
 //! made from tables and formulas and marked as made, and the set of everyday surfaces, which
 //! gathers shipped tables under names that people use.
 //!
@@ -7,6 +7,7 @@
 
 mod everyday;
 mod filters;
+mod gels;
 mod thermal;
 mod tubes;
 
@@ -16,10 +17,11 @@ use crate::preset::{Body, Group, Preset, Terms};
 use crate::spectrum::{Kind, NamedSpectrum, Sampled};
 
 /// Ids of the groups whose spectra are made.
-const MADE: [&str; 4] = [
+const MADE: [&str; 5] = [
     tubes::TUBES,
     tubes::LASERS,
     thermal::THERMAL,
+    gels::GELS,
     filters::FILTERS,
 ];
 
@@ -27,6 +29,7 @@ const MADE: [&str; 4] = [
 pub(super) fn groups() -> Vec<Group> {
     let mut groups = tubes::groups();
     groups.push(thermal::group());
+    groups.push(gels::group());
     groups.push(filters::group());
     groups.extend(everyday::group());
     groups

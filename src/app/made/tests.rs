@@ -3,7 +3,10 @@
 use super::*;
 use crate::{
     app::{entry::composite_from_preset, library::Library},
-    color::{Observer, cct_from_xyz, xyz::xyz_from_light},
+    color::{
+        Observer, cct_from_xyz, lab_from_xyz,
+        xyz::{xyz_from_light, xyz_from_reflectance},
+    },
     spectrum::Outside,
 };
 
@@ -128,6 +131,44 @@ fn ideal_filters_stand_at_any_place_and_keep_it() {
         ),
         (0.0, 1.0)
     );
+}
+
+#[test]
+fn gels_have_the_hue_of_their_name_and_turn_whites_into_each_other() {
+    // Hue angles of CIELAB under daylight: red from 25, yellow 90, green 150, cyan 200, blue 300,
+    // magenta 325, pink before red; bands as wide as the names are loose.
+    let hues = [
+        ("Straw", 85.0..110.0),
+        ("Amber", 70.0..90.0),
+        ("Orange", 45.0..70.0),
+        ("Red", 25.0..45.0),
+        ("Pink", 330.0..355.0),
+        ("Magenta", 318.0..335.0),
+        ("Lavender", 295.0..318.0),
+        ("Blue", 280.0..312.0),
+        ("Steel blue", 205.0..240.0),
+        ("Cyan", 190.0..215.0),
+        ("Green", 130.0..160.0),
+    ];
+    let daylight = table("cie_illuminants/CIE D65");
+    let white = xyz_from_light(&daylight, Outside::Zero, Observer::CIE_1931).expect("daylight");
+    for (name, hue) in hues {
+        let gel = table(&format!("stage_gels/{name} gel"));
+        let xyz = xyz_from_reflectance(&gel, &daylight, Observer::CIE_1931).expect(name);
+        let found = lab_from_xyz(xyz, white).hue_degrees().expect(name);
+        assert!(hue.contains(&found), "{name}: {found}");
+    }
+    // Blackbodies that pass, within what the ends of the observer's table beyond the gel change.
+    for (name, from, to) in [
+        ("Warming gel 5600 K to 3200 K", 5600.0, 3200.0),
+        ("Cooling gel 3200 K to 5600 K", 3200.0, 5600.0),
+    ] {
+        let gel = table(&format!("stage_gels/{name}"));
+        let light = table(&format!("black body {from} K"));
+        let xyz = xyz_from_reflectance(&gel, &light, Observer::CIE_1931).expect(name);
+        let kelvin = cct_from_xyz(xyz).expect(name).kelvin;
+        assert!((kelvin - to).abs() < 2.0, "{name}: {kelvin}");
+    }
 }
 
 #[test]

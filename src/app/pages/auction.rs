@@ -16,7 +16,7 @@ pub(super) const ROW: Row = row(
     Place::Numbers,
     ("Auction", "auction"),
     "spend",
-    "What to buy with the next numbers: an order, a spike or the lines' widths.",
+    "The best use of the next numbers: a wave, a line or the lines' widths.",
 )
 .under(Page::Tradeoff);
 

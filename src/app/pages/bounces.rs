@@ -9,7 +9,7 @@ pub(super) const ROW: Row = row(
     Place::Numbers,
     ("Bounces", "bounces"),
     "filters",
-    "What the ways of forming products cost as bounces add up.",
+    "Cost of each way of forming products, as bounces add up.",
 )
 .under(Page::Coefficients);
 

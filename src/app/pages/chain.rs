@@ -25,5 +25,5 @@ pub struct ChainMemory {
 
 impl PageState for ChainMemory {
     const NAMES: &'static [(&'static str, &'static str)] =
-        &[("stage", "the stage drawn"), ("light", "the stage drawn")];
+        &[("stage", "the step drawn"), ("light", "the step drawn")];
 }

@@ -8,7 +8,7 @@ pub(super) const ROW: Row = row(
     Place::Quality,
     ("Chromaticity", "chromaticity"),
     "quality",
-    "Where the light is among colours, whites and screens.",
+    "The light among colours, whites and screens.",
 );
 
 impl PageState for DiagramShows {

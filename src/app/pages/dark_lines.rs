@@ -9,7 +9,7 @@ pub(super) const ROW: Row = row(
     Place::Look,
     ("Dark lines", "dark-lines"),
     "missing",
-    "Absorption lines kept as negative spikes, and their names.",
+    "Absorption lines as lines of negative weight, with their names.",
 )
 .once(&["absorption"]);
 

@@ -10,8 +10,12 @@ use super::{
     states::PageState,
 };
 use crate::{
-    app::dispersion::{Sent, Substance},
+    app::{
+        Entry,
+        dispersion::{Sent, Substance},
+    },
     optics::{Brilliant, BuiltinMaterial},
+    spectrum::Kind,
 };
 
 pub(super) const ROW: Row = row(
@@ -138,6 +142,16 @@ impl Default for GemMemory {
 const DEGREES_A_POINT: f64 = 0.4;
 
 impl GemMemory {
+    /// Key of the light of the second picture: of the light that all pages compare, where none was
+    /// chosen here.
+    pub fn light_beside(&self, compared: Option<&Entry>) -> Option<String> {
+        let compared = compared.filter(|entry| entry.kind() == Kind::Light);
+        match compared {
+            Some(light) if self.under == Self::default().under => Some(light.key.clone()),
+            _ => self.under.clone(),
+        }
+    }
+
     pub const GREY: Knob<Self> = knob!(grey: "Takes away", Reach::Within(0.0, 2.0), 2 "",
         "The part of the light that it absorbs for each radius of the girdle.");
     pub const THICKNESS: Knob<Self> = knob!(thickness: "as thick as",

@@ -15,7 +15,7 @@ pub(super) const ROW: Row = row(
     Place::Numbers,
     ("Known lamps", "known-lamps"),
     "spend",
-    "What the light is made of: lamps that are known, a short series, a few lines.",
+    "The light as a sum of known lamps, a short series and a few lines.",
 )
 .under(Page::Coefficients);
 

@@ -15,7 +15,7 @@ pub(super) const GLOSSARY: Row = row(
     Place::Learn,
     ("Glossary", "glossary"),
     "",
-    "What the words of this window mean.",
+    "The words of this window in plain sentences.",
 );
 
 pub(super) const TRUTH: Row = row(
@@ -32,5 +32,5 @@ pub(super) const TEACHERS: Row = row(
     Place::Learn,
     ("For teachers", "teachers"),
     "",
-    "What each lesson teaches, what to prepare, handouts, and how to write one.",
+    "Aims, preparation and handouts of each lesson, and how to write one.",
 );

@@ -66,9 +66,13 @@ impl Page {
         ROWS.iter().find(is_it).map(|row| row.page)
     }
 
-    /// Whether it asks about the model: then its verdict and its knobs stand beside it.
+    /// Whether it asks about the model: then its verdict and its knobs stand beside it. Dark lines
+    /// are asked for of a light, often of another than the window's.
     pub fn has_model(self) -> bool {
-        matches!(self.place(), Place::Look | Place::Numbers)
+        match self.place() {
+            Place::Look => self != Self::Absorption,
+            place => place == Place::Numbers,
+        }
     }
 
     /// Whether the model acts on what it shows, though it asks something else: then one line tells of

@@ -18,13 +18,13 @@ pub(super) const RENDITION: Row = row(
     Place::Quality,
     ("Colours under it", "rendition"),
     "quality",
-    "What the light does to colours: TM-30 and CRI, hue by hue.",
+    "Colours under the light: TM-30 and CRI, hue by hue.",
 );
 
 pub(super) const QUALITY_ORDER: Row = row(
     Page::QualityOrder,
     Place::Quality,
-    ("Against order", "quality-order"),
+    ("Against waves", "quality-order"),
     "quality",
     "How many numbers a model needs to give the light's own figures.",
 );

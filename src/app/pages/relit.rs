@@ -87,7 +87,9 @@ pub struct RelitMemory {
     pub weighted: bool,
     /// Whether the series itself stands between bands, not a straight line.
     pub between_series: bool,
-    /// Key of a second light that shines beside the document's.
+    /// Key of the light that shines on it; `None` for the document's.
+    pub under: Option<String>,
+    /// Key of a second light that shines beside it.
     pub second: Option<String>,
     /// How much of the brightness is the second light's, percent.
     pub second_percent: u32,
@@ -110,6 +112,7 @@ impl Default for RelitMemory {
             wish: FixedSettings::default(),
             weighted: true,
             between_series: false,
+            under: None,
             second: None,
             second_percent: 50,
             look: Look::Picture,
@@ -128,7 +131,7 @@ impl PageState for RelitMemory {
     const KNOBS: &'static [Knob<Self>] = &[
         Self::BOUND,
         knob!(second_percent: "Share of the second light", Reach::Within(0.0, 100.0), 0 " %",
-            "How much of the brightness is the second light's."),
+            "Share of the brightness that is the second light's."),
         knob!(split: "Line between the halves", Reach::Within(0.0, 1.0), 2 "",
             "Every band left of it, few numbers right of it."),
     ];
@@ -141,6 +144,7 @@ impl PageState for RelitMemory {
         ("wish", "what is kept of it"),
         ("weighted", "what the numbers are weighed by"),
         ("between_series", "what stands between bands"),
+        ("under", "the light on the picture"),
         ("second", "the second light"),
         ("look", "what stands large"),
         ("pixel", "the pixel chosen"),

@@ -39,7 +39,7 @@ pub(super) const ROW: Row = row(
     Place::Through,
     ("Same surface?", "same-surface"),
     "filters",
-    "Whether a spectrum is the light off a surface: S3 = S1 S2.",
+    "Is a spectrum the light off a surface? S3 = S1 × S2.",
 )
 .once(&["check"]);
 
@@ -124,7 +124,7 @@ impl SameSurfaceSheet {
         let [light, surface, outgoing] = &self.names;
         match self.verdict() {
             Sameness::Holds => match *outgoing == format!("{light} off {surface}") {
-                true => format!("Yes: the spectrum is what {light} off {surface} would be."),
+                true => format!("Yes: {light} off {surface} gives this spectrum."),
                 false => format!("Yes: {outgoing} can be {light} off {surface}."),
             },
             Sameness::DoesNotHold => format!("No: {outgoing} is not {light} off {surface}."),
@@ -243,7 +243,7 @@ pub fn ranking(names: &[String; 3], ranked: &[Ranked]) -> Table {
         )
         .and(found("factor measured", |r| Some(r.measured?.factor)))
         .with("", |r| {
-            cell(format!("{} {}", r.verdict.sign(), r.verdict.words()))
+            cell(format!("{} {}", r.verdict.sign(), r.verdict.told()))
         })
         .titled("verdict", "The model's verdict.");
     let comments = format!("# {} as {} off each surface\n", names[2], names[0]);
@@ -251,9 +251,9 @@ pub fn ranking(names: &[String; 3], ranked: &[Ranked]) -> Table {
 }
 
 /// The meaning of a residual.
-pub const RESIDUAL_MEANS: &str = "Root mean square of what the best factor leaves, over that of \
-                                  the outgoing spectrum, both behind a 10 nm blur; 0 is a perfect \
-                                  match.";
+pub const RESIDUAL_MEANS: &str = "Root mean square of the rest beside the best multiple, over that \
+                                  of the outgoing spectrum, both behind a 10 nm blur; 0 is a \
+                                  perfect match.";
 
 /// The state's light off a surface, once or twice.
 pub fn example(app: &App, surface: &Entry, twice: bool) -> Recipe {

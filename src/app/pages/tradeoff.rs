@@ -14,7 +14,7 @@ pub(super) const ROW: Row = row(
     Place::Numbers,
     ("Trade-off", "tradeoff"),
     "spend",
-    "Error against numbers: every order, with and without spikes.",
+    "Error against numbers: how few a model needs.",
 )
 .among_modes("Curve");
 
@@ -24,14 +24,24 @@ pub(super) const ROW: Row = row(
 pub struct TradeoffState {
     /// The figure on the vertical axis.
     pub measure: Measure,
-    /// The lines that are drawn.
+    /// Every way has a curve of its own beside the lowest error of all.
+    pub every_way: bool,
+    /// The ways that are drawn then.
     pub ways: WaysShown,
+}
+
+impl TradeoffState {
+    /// The ways with a curve of their own; `None` where the lowest error of all stands alone.
+    pub fn drawn(self) -> Option<WaysShown> {
+        self.every_way.then_some(self.ways)
+    }
 }
 
 impl Default for TradeoffState {
     fn default() -> Self {
         Self {
             measure: Measure::Patches,
+            every_way: false,
             ways: WaysShown::default(),
         }
     }
@@ -40,7 +50,8 @@ impl Default for TradeoffState {
 impl PageState for TradeoffState {
     const NAMES: &'static [(&'static str, &'static str)] = &[
         ("measure", "the error on the axis"),
-        ("ways", "the lines drawn"),
+        ("every_way", "a curve for every way"),
+        ("ways", "the ways drawn"),
     ];
 
     /// All of a choice where none was chosen: there is always something drawn.

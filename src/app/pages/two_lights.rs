@@ -64,7 +64,7 @@ impl PageState for TwoLightsMemory {
     const KNOBS: &'static [Knob<Self>] = &[Self::ROOM];
 
     const NAMES: &'static [(&'static str, &'static str)] = &[
-        ("patch", "the patch chosen"),
+        ("patch", "the surface chosen"),
         ("pair", "the pair drawn"),
         ("makes", "found or made"),
         ("everywhere", "where pairs are looked for"),

@@ -23,7 +23,7 @@ fn head_text(app: &App) -> String {
         model.smooth().order(),
         short(model.band().min_nm()),
         short(model.band().max_nm()),
-        many(model.lines().len(), "spike", "spikes"),
+        many(model.lines().len(), "line", "lines"),
         numbers(model.numbers()),
         app.document().settings.sampling.word(),
     )
@@ -51,7 +51,7 @@ pub fn chain_text(app: &App, told: &Told) -> String {
     };
     line(format!("Itself    {}", colours(&passage.light)));
     for (i, (name, step)) in names.iter().zip(&passage.steps).enumerate() {
-        line(format!("{:<9} {name}", format!("Stage {}", i + 1)));
+        line(format!("{:<9} {name}", format!("Step {}", i + 1)));
         line(format!(
             "  passes  {} (model {})",
             share_words(step.transmission[0]),
@@ -69,7 +69,7 @@ pub fn chain_text(app: &App, told: &Told) -> String {
                 if spike.weight < 0.0 && !step.turned.contains(&spike.at_nm) {
                     "dip"
                 } else {
-                    "spike"
+                    "line"
                 },
                 spike.at_nm,
                 short(spike.weight),
@@ -117,7 +117,7 @@ pub fn set_text(app: &App, set: &str, errors: &SetErrors) -> String {
     let _ = writeln!(
         out,
         "Set       {set}, {}",
-        many(errors.count, "factor", "factors")
+        many(errors.count, "filter or surface", "filters or surfaces")
     );
     for (what, spread) in [("Added", errors.added), ("Total", errors.total)] {
         let _ = writeln!(

@@ -99,13 +99,13 @@ impl NoMetamer {
     /// A sentence for people.
     pub fn words(self) -> &'static str {
         match self {
-            Self::NoPatch => "The patch set has no patch to make a metamer of.",
+            Self::NoPatch => "The set has no surface to make a metamer of.",
             Self::Unseen => {
                 "One of the lights is not seen on this range, so every surface matches every other."
             }
             Self::NoRoom => {
-                "There is no room: the patch touches 0 or 1 where a black would take it beyond, or \
-                 the light has too little colour on this range to have a black."
+                "There is no room: the surface touches 0 or 1 where a black would take it beyond, \
+                 or the light has too little colour on this range to have a black."
             }
         }
     }

@@ -226,11 +226,14 @@ pub fn settled_words(found: &OrderFigures) -> String {
             _ => short(near),
         };
         match found.settled_from(chosen) {
-            Some(order) => format!("{title} within {within} from order {order} on"),
-            None => format!("{title} within {within} at no order up to {highest}"),
+            Some(order) => format!("{title} (within {within}) from {order}"),
+            None => format!("{title} (within {within}) with none up to {highest}"),
         }
     });
-    format!("As measured: {}.", said.join(", "))
+    format!(
+        "Waves that give the light's own figures: {}.",
+        said.join(", ")
+    )
 }
 
 #[cfg(test)]
@@ -311,7 +314,7 @@ mod tests {
             assert!(words.contains(chosen.title()), "{words}");
         }
         // How near that is, is said with it: 21 K are half a per cent of 4224 K.
-        for bound in ["Ra within 0.5 ", "CCT within 21 K ", "DER within 0.005 "] {
+        for bound in ["Ra (within 0.5)", "CCT (within 21 K)", "DER (within 0.005)"] {
             assert!(words.contains(bound), "{words}");
         }
     }

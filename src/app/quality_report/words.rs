@@ -45,7 +45,7 @@ pub fn text(sheet: &Sheet, spectrum: &NamedSpectrum) -> String {
         composite.smooth().order(),
         band.min_nm(),
         band.max_nm(),
-        many(composite.lines().len(), "spike", "spikes"),
+        many(composite.lines().len(), "line", "lines"),
         numbers(composite.numbers()),
     );
     out += &table(&lines(measured, model));

@@ -1,15 +1,19 @@
 //! A picture in few numbers under a light, as a chain of jobs: look, fit, turn, and beside it what
 //! it takes on disk and what others make of it.
 
+use std::sync::Arc;
+
 use super::{Fit, FitAsk, LookAsk, Looked, Outcome, PeersAsk, StoreAsk, Stored, TurnAsk, Turned};
 use crate::{
     app::{
+        Entry,
         memo::ByAddress,
         pages::{ImageMemory, Look, RelitMemory},
         state::App,
         studies::{Studies, Wake},
     },
     pictures::{Between, Peer},
+    spectrum::Kind,
 };
 
 /// What there is of it now; each part waits for the one before.
@@ -88,7 +92,15 @@ pub fn relit_shown(
     shown
 }
 
-/// Asks for a picture in few numbers under the document's light.
+/// The light that shines on the picture: the one that was chosen for it, while it is there, or the
+/// document's.
+fn light_on(app: &App, memory: &RelitMemory) -> Arc<Entry> {
+    let chosen = memory.under.as_deref().and_then(|key| app.entry(key));
+    let chosen = chosen.filter(|entry| entry.kind() == Kind::Light);
+    chosen.unwrap_or_else(|| app.document().light.clone())
+}
+
+/// Asks for a picture in few numbers under a light.
 fn turn_to(
     studies: &mut Studies,
     app: &App,
@@ -99,7 +111,7 @@ fn turn_to(
     let second = memory.second.as_deref().and_then(|key| app.entry(key));
     let ask = TurnAsk {
         fit: fit.clone(),
-        light: ByAddress(app.document().light.clone()),
+        light: ByAddress(light_on(app, memory)),
         second: second.map(|entry| (ByAddress(entry), memory.second_percent)),
         to_light: app.document().view.adapt_patches,
         between: match memory.between_series {

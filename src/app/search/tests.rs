@@ -21,7 +21,7 @@ fn wrong(asked: &[(&str, &str)]) -> Vec<String> {
 }
 
 /// Words that a teacher or a designer may type, and what must come first.
-const ASKED: [(&str, &str); 74] = [
+const ASKED: [(&str, &str); 77] = [
     ("bulb", "cie_illuminants/CIE A"),
     ("light bulb", "cie_illuminants/CIE A"),
     ("tungsten", "cie_illuminants/CIE A"),
@@ -85,7 +85,10 @@ const ASKED: [(&str, &str); 74] = [
     ("cadmium", "line_tubes/Cadmium tube"),
     ("laser", "laser_lines/Helium-neon laser"),
     ("green laser", "laser_lines/Green laser pointer"),
-    ("gel", "ideal_filters/Ideal long-pass 600 nm"),
+    ("gel", "stage_gels/Straw gel"),
+    ("amber", "stage_gels/Amber gel"),
+    ("theatre gel", "stage_gels/Red gel"),
+    ("cto", "stage_gels/Warming gel 5600 K to 3200 K"),
     ("red filter", "ideal_filters/Ideal long-pass 600 nm"),
     (
         "green filter",

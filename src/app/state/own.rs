@@ -294,8 +294,7 @@ impl App {
             Some(index) => drop(keys.remove(index)),
             None if keys.len() < MOST_OWN_PATCHES => keys.push(key.to_owned()),
             None => {
-                let words =
-                    format!("{MOST_OWN_PATCHES} own surfaces among the patches are the most.");
+                let words = format!("{MOST_OWN_PATCHES} own surfaces are the most in a set.");
                 self.say(Tone::Problem, words);
             }
         }

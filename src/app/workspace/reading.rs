@@ -266,9 +266,7 @@ fn of_products(
         moved("products.chain", &before, &after, &mut moves);
     } else {
         let (found, kept) = (products.chain.len(), clamped.chain.len());
-        moves.push(format!(
-            "The chain of products keeps {kept} of its {found} factors."
-        ));
+        moves.push(format!("The chain keeps {kept} of its {found} steps."));
     }
     (clamped, moves.pop())
 }

@@ -45,8 +45,8 @@ pub(crate) struct Recover {
     /// The second light, a file or a preset.
     #[arg(long, value_name = "LIGHT", conflicts_with = "image")]
     pub second_light: Option<OsString>,
-    /// How: smoothest, fourier3, fourier6 (two colours) or lines (a light of that colour)
-    /// [default: smoothest].
+    /// Way: smoothest, fourier3, fourier6 (two colours) or lines (a light of that colour) [default:
+    /// smoothest].
     #[arg(long, value_name = "METHOD", value_parser = room_words::method, conflicts_with = "image")]
     pub method: Option<Method>,
     /// Places of the lines for --method lines, nm, with commas [default: 405,436,546,578].

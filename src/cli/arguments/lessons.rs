@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 
 use crate::cli::words;
 
-/// What is done with a lesson.
+/// Work on a lesson.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum LessonAct {
     /// Reads it and plays it through.

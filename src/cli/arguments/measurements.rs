@@ -9,7 +9,7 @@ use crate::{
     measurements::{Measurement, Normalise},
 };
 
-/// What is stated of a reading.
+/// Statements about a reading.
 #[derive(Args, Clone, Copy, Debug, Default)]
 pub(crate) struct Stated {
     /// Uncertainty of a reading's level, such as 1%.

@@ -52,7 +52,7 @@ pub(crate) struct Prism {
     #[arg(long, value_name = "NM", default_value = "546.075",
         allow_hyphen_values = true, value_parser = room_words::finite)]
     pub reference: f64,
-    /// Wavelengths to tell of beside the light's spikes, nm, repeated or with commas.
+    /// Wavelengths to tell of beside the light's lines, nm, repeated or with commas.
     #[arg(long, value_name = "NM", value_delimiter = ',',
         allow_hyphen_values = true, value_parser = room_words::finite)]
     pub at: Vec<f64>,
@@ -63,7 +63,7 @@ pub(crate) struct Prism {
     #[arg(long, value_name = "MM", requires = "filter",
         allow_hyphen_values = true, value_parser = room_words::finite)]
     pub thickness: Option<f64>,
-    /// The model, whose spikes are told of.
+    /// The model, whose lines are told of.
     #[command(flatten)]
     pub model: ModelOptions,
     /// Send the light's model through instead of the light as measured; lines are exact rays
@@ -83,18 +83,17 @@ pub(crate) struct Prism {
 /// Options of `rainbow`.
 #[derive(Args, Debug)]
 pub(crate) struct Rainbow {
-    /// A light: a file (- is standard input), a preset's name or group/name; its spikes are told
-    /// of.
+    /// A light: a file (- is standard input), a preset's name or group/name; its lines are told of.
     #[arg(value_name = "INPUT")]
     pub input: Option<OsString>,
     /// Wavelengths to tell of beside them, nm, repeated or with commas.
     #[arg(long, value_name = "NM", value_delimiter = ',',
         allow_hyphen_values = true, value_parser = room_words::finite)]
     pub at: Vec<f64>,
-    /// What the drops are of, as in prism.
+    /// Material of the drops, as in prism.
     #[arg(long, value_name = "MATERIAL", default_value = "water")]
     pub material: OsString,
-    /// The model, whose spikes are told of.
+    /// The model, whose lines are told of.
     #[command(flatten)]
     pub model: ModelOptions,
     /// Send the light's model through instead of the light as measured; lines are exact rays
@@ -124,11 +123,11 @@ pub(crate) struct Gem {
     pub material: OsString,
     #[command(flatten)]
     pub cut: CutOptions,
-    /// Where it is looked at from.
+    /// Place of the camera.
     #[command(flatten)]
     pub view: ViewOptions,
-    /// What shines on it: four soft boxes and two small lamps before a dim dome (studio), or many
-    /// lamps before a dark room, as in the window (jeweller).
+    /// Lamps on it: four soft boxes and two small lamps before a dim dome (studio), or many lamps
+    /// before a dark room, as in the window (jeweller).
     #[arg(long, value_name = "LAMPS", default_value = "jeweller",
         value_parser = room_words::lamps)]
     pub lamps: room_words::Lamps,
@@ -159,14 +158,14 @@ pub(crate) struct Gem {
     #[arg(long, value_name = "COUNT", default_value = "16",
         allow_hyphen_values = true, value_parser = room_words::blocks)]
     pub blocks: usize,
-    /// How much brighter a PNG is than its own exposure, in stops from -20 to 20 [default: 0].
+    /// Brightness of a PNG above its own exposure, in stops from -20 to 20 [default: 0].
     #[arg(long, value_name = "STOPS", allow_hyphen_values = true, value_parser = room_words::stops)]
     pub stops: Option<f64>,
-    /// How a PNG is seen: by an eye that is used to the light after a minute, or by a daylight
-    /// camera [default: eye].
+    /// View of a PNG: by an eye that is used to the light after a minute, or by a daylight camera
+    /// [default: eye].
     #[arg(long, value_name = "BY", value_parser = room_words::seen)]
     pub seen: Option<Adaptation>,
-    /// The model, whose spikes are traced.
+    /// The model, whose lines are traced.
     #[command(flatten)]
     pub model: ModelOptions,
     /// Send the light's model through instead of the light as measured; lines are exact rays

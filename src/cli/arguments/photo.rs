@@ -52,7 +52,7 @@ pub(crate) struct Photo {
     /// The codes of the picture are proportional to light.
     #[arg(long)]
     pub linear: bool,
-    /// Which of several strips, the strongest is 1.
+    /// The strip, of several; the strongest is 1.
     #[arg(long, value_name = "N", conflicts_with = "area", value_parser = photo_words::strip)]
     pub strip: Option<usize>,
     /// The lamp: fluorescent, mercury, sodium, neon, argon, krypton, xenon, hydrogen, helium,
@@ -73,7 +73,7 @@ pub(crate) struct Photo {
     /// A picture of a light that is known, by the same instrument: its response is learnt from it.
     #[arg(long, value_name = "PHOTO", requires = "known")]
     pub response_from: Option<PathBuf>,
-    /// What that light is: blackbody:2856 or daylight:6500 in K, a file or a preset.
+    /// That light: blackbody:2856 or daylight:6500 in K, a file or a preset.
     #[arg(long = "as", value_name = "LIGHT", requires = "response_from")]
     pub known: Option<OsString>,
     /// Two or more exposures of one light by the same camera, each with its time in seconds: they

@@ -30,7 +30,7 @@ pub(crate) struct Picture {
     /// to 20 [default: 0.5].
     #[arg(long, value_name = "DE", allow_hyphen_values = true, value_parser = room_words::bound)]
     pub bound: Option<f64>,
-    /// What multiplies the series: one, light (--light) or mean [default: what is best].
+    /// Multiplier of the series: one, light (--light) or mean [default: what is best].
     #[arg(long, value_name = "REFERENCE", value_parser = room_words::reference)]
     pub reference: Option<ReferenceKind>,
     /// The light on a reflectance (then its own, CIE D65 without) or the one that lit a picture
@@ -41,7 +41,7 @@ pub(crate) struct Picture {
     /// [default: what is best].
     #[arg(long, value_name = "LINES", value_parser = room_words::lines)]
     pub lines: Option<Lines>,
-    /// What the values are, where the file leaves it open: light, reflectance or transmittance.
+    /// Kind of the values, where the file leaves it open: light, reflectance or transmittance.
     #[arg(long, value_name = "KIND", value_parser = words::usable_kind, conflicts_with = "relight")]
     pub kind: Option<Kind>,
     /// Keep bands that nobody sees too.
@@ -79,7 +79,7 @@ pub(crate) struct Fit {
     #[arg(long, value_name = "N", default_value = "20", allow_negative_numbers = true,
         value_parser = room_words::whole_number)]
     pub numbers: usize,
-    /// What multiplies the series: one or mean.
+    /// Multiplier of the series: one or mean.
     #[arg(long, value_name = "REFERENCE", default_value = "one",
         value_parser = room_words::fit_reference)]
     pub reference: ReferenceKind,

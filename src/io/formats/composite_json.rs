@@ -110,7 +110,7 @@ pub(crate) fn in_words(composite: &Composite) -> String {
         band.max_nm(),
         match composite.lines().len() {
             0 => "no spikes".to_owned(),
-            n if !composite.has_widths() => many(n, "spike", "spikes"),
+            n if !composite.has_widths() => many(n, "line", "lines"),
             n => many(n, "line with its width", "lines with their widths"),
         },
         numbers(composite.numbers())

@@ -76,6 +76,14 @@ impl Sameness {
         }
     }
 
+    /// In words for people.
+    pub fn told(self) -> &'static str {
+        match self {
+            Self::Unknown => "undecided",
+            Self::Holds | Self::DoesNotHold => self.words(),
+        }
+    }
+
     /// A sign that goes before the words.
     pub fn sign(self) -> &'static str {
         match self {

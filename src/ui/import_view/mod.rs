@@ -255,7 +255,7 @@ fn about(ui: &mut Ui, import: &Import, theme: Theme, wishes: &mut Vec<Wish>) {
         label(
             ui,
             what,
-            "Which spectra the answers about values go for.",
+            "The spectra that the answers about values are for.",
             true,
             theme,
         );

@@ -7,7 +7,7 @@ use egui::{Align2, ComboBox, Key, PopupCloseBehavior, ScrollArea, Sense, Ui, Vec
 
 use super::{named, text_field};
 use crate::{
-    app::{App, Entry, search::Index},
+    app::{App, Entry, Families, search::Index},
     preset::Shelf,
     spectrum::Kind,
     ui::entry_row::Painted,
@@ -122,23 +122,26 @@ enum Line {
 }
 
 /// All that is offered under the library's headings: the user's own first, then filters before
-/// surfaces, as they are fewer.
+/// surfaces, as they are fewer, by their families: gels, then glasses.
 fn shelves(app: &App, offers: fn(&Entry) -> bool) -> Vec<Line> {
     let own = app.document().own.iter().rev();
     let mut offered: Vec<&Arc<Entry>> = own
         .chain(app.bundled())
         .filter(|entry| offers(entry))
         .collect();
+    let families = Families::shipped();
     let place = |entry: &Arc<Entry>| {
         let shelf = entry.shelf()?;
         let place = Shelf::ALL.iter().position(|s| *s == shelf)?;
         Some(if shelf == Shelf::Filters {
-            0
+            let own = families.family_of(&entry.key).map(|family| &family.key);
+            let mut all = families.all().iter();
+            (0, all.position(|family| Some(&family.key) == own))
         } else {
-            place + 1
+            (place + 1, None)
         })
     };
-    offered.sort_by_key(|entry| place(entry));
+    offered.sort_by_cached_key(|entry| place(entry));
     let mut lines = Vec::new();
     let mut before = None;
     for entry in offered {

@@ -224,14 +224,14 @@ fn waves(
     });
     let judged = match from {
         Some(_) => format!(
-            " Hard to see: ΔE₀₀ below {HARD_TO_SEE} from that order on, judged {}.",
+            " Hard to see: ΔE₀₀ below {HARD_TO_SEE} from so many waves on, judged {}.",
             answers::judged_on(app)
         ),
         None => String::new(),
     };
     let meaning = format!(
-        "How many waves draw the smooth part: order N, which takes 2N + 1 numbers. Arrow keys \
-         move it by one.{judged}"
+        "Waves that draw the smooth part: order N, which takes 2N + 1 numbers. Arrow keys move it \
+         by one.{judged}"
     );
     caption(ui, width, names::ORDER, &meaning, &does, theme);
     ui.horizontal(|ui| {
@@ -327,7 +327,7 @@ fn lines(
                 settings.threshold_percent = answers::threshold_for(app, shares, count);
             }
         }
-        typed.on_hover_text("How many lines are kept: drag or type.");
+        typed.on_hover_text("Lines that are kept: drag or type.");
     });
 }
 

@@ -26,7 +26,7 @@ fn threshold_row(ui: &mut Ui, settings: &mut Settings) {
         .clamping(SliderClamping::Never)
         .suffix(" %");
     let meaning = format!(
-        "Least share of the total power that a spike must carry, percent. {} can be typed.",
+        "Least share of the total power that a line must carry, percent. {} can be typed.",
         reach_words(&Settings::THRESHOLD)
     );
     slider_row(ui, enabled, names::THRESHOLD, slider, &meaning);
@@ -60,7 +60,7 @@ pub(super) fn spike_rows(ui: &mut Ui, settings: &mut Settings) {
         ui.add_enabled_ui(settings.spikes, |ui| {
             let choice = Choice {
                 name: "How lines are found",
-                meaning: "What counts as a line beside the smooth part.",
+                meaning: "The rule that tells a line from the smooth part.",
                 width: ui.spacing().combo_width,
             };
             let both = [Detector::Energy, Detector::Gradient];
@@ -80,7 +80,7 @@ pub(super) fn spike_rows(ui: &mut Ui, settings: &mut Settings) {
         .clamping(SliderClamping::Never)
         .suffix(" nm");
     let meaning = format!(
-        "Full width at half maximum of the widest line that may become a spike, nm. {} can be typed.",
+        "Full width at half maximum of the widest line that is kept, nm. {} can be typed.",
         reach_words(&Settings::WIDTH)
     );
     slider_row(ui, settings.spikes, names::WIDTH, slider, &meaning);

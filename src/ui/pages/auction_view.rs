@@ -31,12 +31,12 @@ use crate::{
 const WIDE: f32 = 1080.0;
 
 /// How the auction goes.
-const RULES: &str = "An order and a spike cost two numbers each; one more buys that all \
-                     lines are as wide as they are. At every price all single \
-                     purchases after the eight best models are tried, all pairs after the best \
-                     one, and every order with none, one, two ... of the heaviest lines; sold is \
-                     the model of lowest error, or one within a twentieth of it that keeps what was \
-                     bought before. Otherwise something is given back.";
+const RULES: &str = "A wave and a line cost two numbers each; one more number gives all lines \
+                     their own widths. At every price all single purchases after the eight best \
+                     models are tried, all pairs after the best one, and every count of waves with \
+                     none, one, two ... of the heaviest lines; sold is the model of lowest error, \
+                     or one within a twentieth of it that keeps what was bought before. Otherwise \
+                     something is given back.";
 
 /// Largest weight of a goal.
 const MOST_WEIGHT: f64 = 100.0;
@@ -65,22 +65,16 @@ impl AuctionView {
     pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let app = context.app;
         let goal = goal_within(app, context.pages.auction.goal);
-        controls(ui, context, goal);
-        let goal = goal_within(app, context.pages.auction.goal);
         let ask = AuctionAsk::of(app.document(), goal, context.pages.auction.numbers);
         let job = context.put(&ask);
         let stage = job.stage();
-        if stage != Stage::Done {
+        let answer = job.answer().filter(|_| stage != Stage::Impossible);
+        let answer = answer.map(|(key, found)| (key.clone(), found.clone()));
+        if answer.is_none() || stage != Stage::Done {
             progress(ui, job, "The auction");
         }
-        if stage == Stage::Impossible {
-            return;
-        }
-        let answer = job
-            .answer()
-            .map(|(key, found)| (key.clone(), found.clone()));
         let Some((key, auction)) = answer else {
-            return;
+            return controls(ui, context, goal);
         };
         let of = ByAddress(auction.clone());
         let sheet = self
@@ -92,8 +86,13 @@ impl AuctionView {
             sheet.mark(app, reference.as_ref());
         }
         if stage == Stage::Done {
-            ending(ui, context, sheet, fresh);
+            headline(ui, context.theme, &sheet.ended);
         }
+        controls(ui, context, goal);
+        if stage == Stage::Done {
+            take_last(ui, context, sheet, fresh);
+        }
+        ui.add_space(6.0);
         lay_out(ui, context, sheet, fresh);
     }
 }
@@ -140,7 +139,7 @@ impl Sheet {
 fn controls(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
     ui.horizontal_wrapped(|ui| {
         ui.label("Make small")
-            .on_hover_text("The goal: what each purchase is to lower most.");
+            .on_hover_text("The error that each purchase lowers most.");
         for (i, (_, plain)) in Goal::PLAIN.into_iter().enumerate() {
             let named = (Goal::MEASURES[i], NAMES[i]);
             if choose(ui, context.app, named, goal == plain) {
@@ -148,23 +147,28 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
             }
         }
     });
-    weights(ui, context, goal);
+    ui.horizontal_wrapped(|ui| {
+        ui.label("or a mix of").on_hover_text(
+            "Weights of the four errors. In a mix each error is divided by its value without \
+             waves, so that they can be added.",
+        );
+        weights(ui, context, goal);
+    });
     ui.horizontal_wrapped(|ui| {
         let label = ui.label("Spend up to");
-        ui.add(
-            DragValue::new(&mut context.pages.auction.numbers)
-                .range(SPENDABLE)
-                .speed(0.1),
-        )
-        .labelled_by(label.id)
-        .on_hover_text("Most numbers that may be spent, 1 to 101; an order and a spike cost two.");
+        let numbers = DragValue::new(&mut context.pages.auction.numbers)
+            .range(SPENDABLE)
+            .speed(0.1);
+        ui.add(numbers)
+            .labelled_by(label.id)
+            .on_hover_text("Most numbers that may be spent, 1 to 101; a wave and a line cost two.");
         let settings = context.app.document().settings;
         let way = FitVariant::new(settings.basis, false, settings.colour_exact);
         ui.label("numbers");
-        ui.weak(format!("{}, as in the model at the right.", way.title()))
+        ui.weak(format!("{}, as in the model.", way.title()))
             .on_hover_text("Basis, fit and threshold are the document's; change them there.");
         if goal.plain_measure().is_none() {
-            ui.weak("Each error over its value at N = 0.");
+            ui.weak("Each error over its value without waves.");
         }
     });
 }
@@ -172,54 +176,41 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
 /// The weights of a mixed goal.
 fn weights(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
     let lacks = Goal::MEASURES.map(|measure| lack(context.app, measure));
-    ui.horizontal_wrapped(|ui| {
-        ui.label("or a mix of").on_hover_text(
-            "Weights of the four errors. In a mix each error is divided by its value at N = 0, so \
-             that they can be added.",
-        );
-        let mut weights = goal.weights();
-        let mut changed = false;
-        for (i, weight) in weights.iter_mut().enumerate() {
-            let value = DragValue::new(weight)
-                .speed(0.02)
-                .range(0.0..=MOST_WEIGHT)
-                .max_decimals(2);
-            let response = ui.add_enabled(lacks[i].is_none(), value);
-            let name = format!("Weight of {}", NAMES[i]);
-            named(&response, egui::Role::SpinButton, &name);
-            changed |= response.changed();
-            response
-                .on_hover_text(format!(
-                    "{} Its weight in the mix; in a mix each error is divided by its value at \
-                     N = 0.",
-                    Goal::MEASURES[i].figure().meaning
-                ))
-                .on_disabled_hover_text(lacks[i].unwrap_or_default());
-            ui.weak(NAMES[i]);
-        }
-        if changed && weights.iter().any(|weight| *weight > 0.0) {
-            let [own, patches, spectrum, filters] = weights;
-            context.pages.auction.goal = Goal {
-                own,
-                patches,
-                spectrum,
-                filters,
-            };
-        }
-    });
+    let mut weights = goal.weights();
+    let mut changed = false;
+    for (i, weight) in weights.iter_mut().enumerate() {
+        let value = DragValue::new(weight)
+            .speed(0.02)
+            .range(0.0..=MOST_WEIGHT)
+            .max_decimals(2);
+        let response = ui.add_enabled(lacks[i].is_none(), value);
+        let name = format!("Weight of {}", NAMES[i]);
+        named(&response, egui::Role::SpinButton, &name);
+        changed |= response.changed();
+        let meaning = Goal::MEASURES[i].figure().meaning;
+        response
+            .on_hover_text(format!("{meaning} Its weight in the mix."))
+            .on_disabled_hover_text(lacks[i].unwrap_or_default());
+        ui.weak(NAMES[i]);
+    }
+    if changed && weights.iter().any(|weight| *weight > 0.0) {
+        let [own, patches, spectrum, filters] = weights;
+        context.pages.auction.goal = Goal {
+            own,
+            patches,
+            spectrum,
+            filters,
+        };
+    }
 }
 
 fn columns() -> Vec<Column> {
     vec![
         Column::numbers("numbers", "Spent so far.", 1.15),
-        Column::words(
-            "bought",
-            "What two more numbers (or four) were spent on.",
-            3.6,
-        ),
+        Column::words("bought", "The use of two more numbers, or four.", 3.6),
         Column::words(
             "gave back",
-            "What the better model at this price does without.",
+            "Parts that the better model at this price does without.",
             3.0,
         ),
         Column::numbers(
@@ -236,7 +227,7 @@ fn row(auction: &Auction, index: usize, goal: Goal, names: &[crate::app::LineNam
     let step = &auction.steps[index];
     let before = index.checked_sub(1).map(|i| auction.steps[i].error);
     let bought = if step.bought.is_empty() {
-        "order 0, the mean".to_owned()
+        "the mean".to_owned()
     } else {
         purchases_words(&step.bought, auction, names)
     };
@@ -293,26 +284,23 @@ fn lay_out(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: boo
     }
 }
 
-/// Why it ended, and a button to take what was bought.
-fn ending(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: bool) {
-    headline(ui, context.theme, &sheet.ended);
-    ui.horizontal_wrapped(|ui| {
-        let last = sheet.auction.steps.len() - 1;
-        let taken = sheet.chosen == Some(last);
-        let button = ui.add_enabled(fresh && !taken, egui::Button::new("Take this model"));
-        if button.clicked() {
-            act(context, sheet, last);
-        }
-        button
-            .on_hover_text(
-                "Makes the model that was bought in the end the document's, in one step of undo.",
-            )
-            .on_disabled_hover_text(if taken {
-                "It is the model in force."
-            } else {
-                "The auction is still running."
-            });
-    });
+/// A button to take what was bought.
+fn take_last(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: bool) {
+    let last = sheet.auction.steps.len() - 1;
+    let taken = sheet.chosen == Some(last);
+    let button = ui.add_enabled(fresh && !taken, egui::Button::new("Take this model"));
+    if button.clicked() {
+        act(context, sheet, last);
+    }
+    button
+        .on_hover_text(
+            "Makes the model that was bought in the end the document's, in one step of undo.",
+        )
+        .on_disabled_hover_text(if taken {
+            "It is the model in force."
+        } else {
+            "The auction is still running."
+        });
 }
 
 fn chart(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, size: egui::Vec2, fresh: bool) {

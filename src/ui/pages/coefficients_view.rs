@@ -10,7 +10,10 @@ use crate::{
     app::{
         CURVE_ORDER, Command, Memo, Settings,
         chart::Chart,
-        charts::coefficients::{CoefficientCharts, Sight},
+        charts::{
+            coefficients::{CoefficientCharts, Sight},
+            tradeoff::waves_words,
+        },
         numbers::{figure, percent},
         studies::paper::{CHANNELS, colours_summed, harmonics_of, off_percent, three},
     },
@@ -86,7 +89,7 @@ impl CoefficientsView {
                 let size = SWATCH * context.theme.scale;
                 let name = format!("Colour: measured {}, summed {}", whole.hex(), summed.hex());
                 swatch::split(ui, size, &whole, &summed, &name).on_hover_text(format!(
-                    "Left the colour as measured, right the colour of the orders up to {order}."
+                    "Left the colour as measured, right the colour of the waves up to {order}."
                 ));
             }
             ui.vertical(|ui| {
@@ -176,13 +179,13 @@ fn controls(
         let slider = ui
             .add(Slider::new(&mut context.pages.why.partial_order, reach).integer())
             .labelled_by(label.id)
-            .on_hover_text("Order of the partial sum that is drawn; the model itself stays.");
+            .on_hover_text("Waves of the partial sum that is drawn; the model itself stays.");
         if slider.changed() {
             *next_step = None;
         }
         let playing = next_step.is_some();
         let words = if playing { names::STOP } else { names::PLAY };
-        let meaning = "Adds the orders N = 0, 1, 2, ... one after the other, two a second.";
+        let meaning = "Adds the waves 0, 1, 2, ... one after the other, two a second.";
         if pressed(ui, words, meaning) {
             *next_step = if playing {
                 None
@@ -201,14 +204,14 @@ fn controls(
 fn use_button(ui: &mut Ui, context: &mut PageContext<'_>) {
     let settings = context.app.document().settings;
     let order = context.pages.why.partial_order;
-    let button = egui::Button::new(format!("Use N = {order}"));
+    let button = egui::Button::new(format!("Use {}", waves_words(order)));
     if ui
         .add_enabled(order != settings.order, button)
         .on_hover_text(format!(
-            "Gives the model this order: {} for the smooth part.",
+            "Gives the model so many waves: {} for the smooth part.",
             numbers(numbers_of_order(order))
         ))
-        .on_disabled_hover_text("The model has this order.")
+        .on_disabled_hover_text("The model has so many waves.")
         .clicked()
     {
         context
@@ -226,12 +229,13 @@ fn sentences(context: &PageContext<'_>, harmonics: &Harmonics) -> [String; 2] {
         return [none.to_owned(), String::new()];
     };
     let mut first = format!(
-        "Summed to N = {order}, X, Y and Z are off by {} %",
+        "The sum of {} has X, Y and Z off by {} %",
+        waves_words(order),
         three([x, y, z].map(off_percent))
     );
     let of_spikes = harmonics.spikes[1] / harmonics.exact[1];
     if of_spikes != 0.0 {
-        let _ = write!(first, "; spikes bring {} % of Y", percent(of_spikes));
+        let _ = write!(first, "; lines bring {} % of Y", percent(of_spikes));
     }
     first.push('.');
     [first, about_the_bound(context, harmonics)]
@@ -291,8 +295,8 @@ fn details(ui: &mut Ui, context: &PageContext<'_>, harmonics: &Harmonics, pointe
         ui.end_row();
     };
     ui.strong(match pointed {
-        Some(_) => format!("Order {n}, under the pointer"),
-        None => format!("Order {n}, the last of the sum"),
+        Some(_) => format!("Wave {n}, under the pointer"),
+        None => format!("Wave {n}, the last of the sum"),
     });
     egui::Grid::new("order in figures")
         .striped(true)
@@ -420,7 +424,7 @@ fn one(
             "light" => {
                 "The mean is zero: there is nothing to compare the coefficients with.".to_owned()
             }
-            "weight" => format!("What weighs {name} is zero on this range."),
+            "weight" => format!("The functions of {name} are zero on this range."),
             _ => format!("{name} is not positive on this range: there are no shares of it."),
         });
         return None;

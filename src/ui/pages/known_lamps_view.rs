@@ -108,8 +108,8 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
         memory.portable = !known;
         ui.add_enabled_ui(known, |ui| {
             ui.toggle_value(&mut memory.itself, "Itself too").on_hover_text(
-                "Whether a lamp of the list may be said to be itself. Off: it is made of others, \
-                 as a lamp that the program has never seen would be.",
+                "A lamp of the list may be itself. Off: it is made of others, as a lamp that the \
+                 program has never seen would be.",
             );
         });
     });

@@ -1,4 +1,4 @@
-//! The page "Many lights": which order is enough for how many lights of a set or a folder.
+//! The page "Many lights": how few waves are enough for most lights of a set or a folder.
 
 use eframe::egui;
 use egui::{Ui, vec2};
@@ -16,8 +16,9 @@ use crate::{
         pages::{FieldChoice, ManyMemory},
         studies::{ManyAsk, Stage},
     },
+    io::many::many,
     study::{ManyLights, Measure},
-    ui::kit::{self, Choice, Column, Row, headline, knob, number, scrolled, titled},
+    ui::kit::{self, Choice, Column, Row, form, headline, knob, number, scrolled, titled},
 };
 
 /// Names of controls, shared with the tests that move them.
@@ -45,7 +46,7 @@ struct Shown {
     table: Table,
     columns: Vec<Column>,
     rows: Vec<Row>,
-    /// The order that the sentence tells.
+    /// The waves that the sentence tells.
     order: Option<usize>,
 }
 
@@ -73,7 +74,7 @@ impl ManyView {
             controls(ui, context);
             if !nobody {
                 let job = context.studies.of::<ManyAsk>();
-                progress(ui, job, "Error against order");
+                progress(ui, job, "Error against waves");
             }
             return;
         };
@@ -86,7 +87,7 @@ impl ManyView {
         controls(ui, context);
         let job = context.studies.of::<ManyAsk>();
         if job.stage() != Stage::Done {
-            progress(ui, job, "Error against order");
+            progress(ui, job, "Error against waves");
         }
         if many.dark > 0 {
             ui.weak(format!("{} dark in this range, left out.", many.dark));
@@ -134,53 +135,54 @@ fn names_of(class: &str, cells: &[String]) -> [String; 2] {
     let [name, order, lines, numbers, now] = [0, 1, 2, 3, 4].map(|i| &cells[i]);
     let are = if lines == "1" { "line" } else { "lines" };
     [
-        format!("{name}: order {order}, {lines} {are}, {numbers} numbers, now {now}"),
+        format!("{name}: {order} waves, {lines} {are}, {numbers} numbers, now {now}"),
         format!("Listed under {class}."),
     ]
 }
 
 /// Which lights, how good, for how many.
 fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
-    ui.horizontal_wrapped(|ui| {
-        ui.label("Lights");
+    form(ui, "many lights", |form| {
         let mut field = context.pages.many.field;
-        let meaning = "Whose order is looked for: shipped lights, or your own: all lights of the \
-                       files and folders that you opened.";
-        field_choice(ui, context, (names::LIGHTS, meaning), &mut field);
+        let meaning = "Shipped lights, or your own: all lights of the files and folders that you \
+                       opened.";
+        form.row(("Lights", meaning), |ui, _| {
+            field_choice(ui, context, (names::LIGHTS, meaning), &mut field);
+            let settings = context.app.document().settings;
+            let way = Wanted::of(settings, &context.pages.many).way;
+            ui.weak(format!("{}, as in the model.", way.title()))
+                .on_hover_text(
+                    "Basis, fit, lines and range are the document's; change them there.",
+                );
+        });
         let memory = &mut context.pages.many;
         memory.field = field;
-        ui.label("enough for");
-        let share = knob::drag(&ManyMemory::SHARE, memory).speed(0.2);
-        number(ui, share, names::SHARE)
-            .on_hover_text("For how many of the lights the order must be enough.");
-        ui.label("of them, with");
-        let figure = memory.measure.figure();
-        let choice = Choice {
-            name: "Figure with a limit",
-            meaning: figure.meaning,
-            width: 140.0,
-        };
-        let before = memory.measure;
-        choice.pick(
-            ui,
-            &mut memory.measure,
-            Measure::COMPARED,
-            title_and_meaning,
-        );
-        if before.is_colour() != memory.measure.is_colour() {
-            memory.limit = ManyMemory::usual_limit(memory.measure);
-        }
-        ui.label("at most");
-        let tail = memory.measure.figure().unit.tail;
-        let limit = knob::drag(&ManyMemory::LIMIT, memory)
-            .speed(0.02)
-            .suffix(tail);
-        number(ui, limit, names::LIMIT)
-            .on_hover_text("What the figure may be at most, from the order found on.");
-        let settings = context.app.document().settings;
-        let way = Wanted::of(settings, memory).way;
-        ui.weak(format!("{}, as in the model.", way.title()))
-            .on_hover_text("Basis, fit, lines and range are the document's; change them there.");
+        form.row(("Good enough", ""), |ui, _| {
+            let figure = memory.measure.figure();
+            let choice = Choice {
+                name: "Figure with a limit",
+                meaning: figure.meaning,
+                width: 140.0,
+            };
+            let before = memory.measure;
+            let all = Measure::COMPARED;
+            choice.pick(ui, &mut memory.measure, all, title_and_meaning);
+            if before.is_colour() != memory.measure.is_colour() {
+                memory.limit = ManyMemory::usual_limit(memory.measure);
+            }
+            ui.label("at most");
+            let tail = memory.measure.figure().unit.tail;
+            let limit = knob::drag(&ManyMemory::LIMIT, memory)
+                .speed(0.02)
+                .suffix(tail);
+            number(ui, limit, names::LIMIT)
+                .on_hover_text("Largest value of the figure that is good enough.");
+            ui.label("for");
+            let share = knob::drag(&ManyMemory::SHARE, memory).speed(0.2);
+            number(ui, share, names::SHARE)
+                .on_hover_text("Share of the lights for which the waves must be enough.");
+            ui.label("of them");
+        });
     });
     ui.add_space(2.0);
 }
@@ -188,16 +190,16 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
 /// The lights with what each of them needs; a click takes a light.
 fn lights(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Shown) {
     let app = context.app;
-    let meaning = "Copies every light with the order that it needs as a table.";
-    titled(ui, "What each light needs", names::COPY, meaning, || {
+    let meaning = "Copies every light with the waves that it needs as a table.";
+    titled(ui, "Needs of each light", names::COPY, meaning, || {
         shown.table.csv()
     });
     if let Some(order) = shown.order {
         let settings = app.document().settings;
-        let words = format!("Take order {order}");
+        let words = format!("Take {}", many(order, "wave", "waves"));
         let button = ui.add_enabled(settings.order != order, egui::Button::new(words));
         if button
-            .on_disabled_hover_text("The model has this order.")
+            .on_disabled_hover_text("The model has so many waves.")
             .clicked()
         {
             context

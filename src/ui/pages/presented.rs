@@ -6,10 +6,7 @@ use egui::{Align, Button, Label, Layout, Rect, RichText, Ui, UiBuilder, pos2, ve
 
 use super::{GemView, PageContext, Pages, PrismView};
 use crate::{
-    app::{
-        chart::Chart,
-        pages::{Page, Place},
-    },
+    app::{chart::Chart, pages::Page},
     ui::{
         chart_view::ChartView,
         kit::{column, hidden_headline, named, rolled},
@@ -50,7 +47,7 @@ pub(in crate::ui) fn show(
         (Page::Gem, _) => pages.of::<GemView>().present(ui, context),
         (_, Some(true)) => in_lessons(pages, ui, context),
         (_, Some(false)) if !is_one_chart(page) => in_lessons(pages, ui, context),
-        (_, None) if !has_chart(page) => {
+        (_, None) if is_whole(page) => {
             let leaves = head(ui, page.title());
             rolled(ui, |ui| pages.show(ui, context));
             leaves
@@ -69,6 +66,8 @@ fn in_lessons(pages: &mut Pages, ui: &mut Ui, context: &mut PageContext<'_>) -> 
     ui.add_space(-2.0 * GAP - ui.text_style_height(&egui::TextStyle::Body));
     let whole = context.theme;
     context.theme.scale = (BESIDE_LESSON * whole.scale).max(1.0);
+    // A step may point at any control.
+    context.theme.presents = false;
     let share = context.theme.scale / whole.scale;
     ui.scope(|ui| {
         for font in ui.style_mut().text_styles.values_mut() {
@@ -96,24 +95,31 @@ fn is_one_chart(page: Page) -> bool {
     )
 }
 
-/// Whether the page's main picture is a chart.
-fn has_chart(page: Page) -> bool {
-    let has_none = matches!(
+/// Whether the page's main picture is no chart, or more than one: it is shown as it is, large.
+fn is_whole(page: Page) -> bool {
+    matches!(
         page,
-        Page::Mix | Page::Image | Page::Relit | Page::Lessons | Page::Teachers | Page::Glossary
-    );
-    !has_none
+        Page::Lessons
+            | Page::Teachers
+            | Page::Glossary
+            | Page::Chain
+            | Page::Narrow
+            | Page::TwoLights
+            | Page::Metamers
+            | Page::SameSurface
+            | Page::Quality
+            | Page::Mix
+            | Page::Image
+            | Page::Relit
+    )
 }
 
 /// Whether the model's knobs move what the page's chart shows.
 fn follows_knobs(page: Page) -> bool {
-    match page {
-        Page::Many | Page::Race | Page::KnownLamps | Page::Truth => false,
-        page => {
-            matches!(page.place(), Place::Look | Place::Through | Place::Quality)
-                || page.place() == Place::Numbers
-        }
-    }
+    matches!(
+        page,
+        Page::Tradeoff | Page::Auction | Page::Resampling | Page::Bounces
+    )
 }
 
 /// A sentence at the size of titles, and at its right what leads back to the whole window.
@@ -144,12 +150,13 @@ fn chart(
 ) -> bool {
     let page = *context.page;
     let (words, found) = taken_out(pages, ui, context);
-    let leaves = head(ui, &words);
     let Some(found) = found else {
         // It is not computed yet, or there is nothing to draw: the page says which.
+        let leaves = head(ui, page.title());
         rolled(ui, |ui| pages.show(ui, context));
         return leaves;
     };
+    let leaves = head(ui, &words);
     let knobs = knobs.filter(|_| follows_knobs(page));
     let below = knobs.as_ref().map_or(0.0, |knobs| knobs.height + GAP);
     let room = ui.available_size();
@@ -182,6 +189,7 @@ fn taken_out(
     );
     let theme = Theme {
         scale: 1.0,
+        presents: false,
         ..context.theme
     };
     let large = std::mem::replace(&mut context.theme, theme);

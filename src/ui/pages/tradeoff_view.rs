@@ -13,7 +13,8 @@ use crate::{
         charts::{
             threshold::{mark_threshold, take_cell, threshold_chart},
             tradeoff::{
-                self, Tradeoff, all_figures, lack, limits, measure_within, needs, take, way_name,
+                self, Tradeoff, all_figures, lack, limits, measure_within, needs, take,
+                waves_words, way_name,
             },
         },
         pages::WaysShown,
@@ -24,15 +25,24 @@ use crate::{
     study::{Measure, Reference, Sweep, SweepPoint, Verdict},
     ui::{
         chart_view::Hit,
-        kit::{Column, Row, headline, line, rolled, table},
+        kit::{Column, Row, fold, headline, line, rolled, table},
     },
 };
 
-/// From this width on the two charts stand side by side, points.
+/// Names of controls.
+mod names {
+    pub(super) const EVERY_WAY: &str = "Every way";
+    pub(super) const MAP: &str = "By waves and lines";
+}
+
+/// Height of a fold below the page, points.
+const FOLDED: f32 = 34.0;
+
+/// From this width on the table stands beside the chart, points.
 const WIDE: f32 = 940.0;
 
 /// From this width on the table has all figures, points.
-const ALL_FIGURES: f32 = 600.0;
+const ALL_FIGURES: f32 = 720.0;
 
 /// Charts and table of one sweep and figure.
 struct Sheet {
@@ -40,7 +50,9 @@ struct Sheet {
     measure: Measure,
     tradeoff: Tradeoff,
     map: Chart,
-    sentences: [String; 2],
+    sentence: String,
+    /// The models that the sentence is about.
+    models: String,
     /// The table with all figures, and with the chosen one for where there is little room.
     tables: [(Vec<Column>, Vec<Row>); 2],
     /// The document's revision whose model is marked.
@@ -49,7 +61,7 @@ struct Sheet {
 
 #[derive(Default)]
 pub(super) struct TradeoffView {
-    sheet: Memo<(ByAddress<Sweep>, Measure, WaysShown), Sheet>,
+    sheet: Memo<(ByAddress<Sweep>, Measure, Option<WaysShown>), Sheet>,
     reference: Memo<About, Option<Reference>>,
     now: Memo<u64, Option<Verdict>>,
 }
@@ -60,26 +72,13 @@ impl TradeoffView {
         let ask = SweepAsk::of(app.document());
         context.put(&ask);
         let measure = measure_within(app, context.pages.tradeoff.measure);
-        controls(ui, context, measure);
-        // A row that is always there: the charts must not jump while a slider is dragged.
-        line(ui, |ui| {
-            let job = context.studies.of::<SweepAsk>();
-            if job.stage() == Stage::Done {
-                let words =
-                    "Click a point, a box or a row to take that model; Undo brings yours back.";
-                ui.add(egui::Label::new(egui::RichText::new(words).weak()).truncate());
-            } else {
-                progress(ui, job, "Error against numbers");
-            }
-        });
         let job = context.studies.of::<SweepAsk>();
-        if job.stage() == Stage::Impossible {
-            return;
-        }
-        let Some((key, sweep)) = job.answer() else {
-            return;
+        let answer = job.answer().filter(|_| job.stage() != Stage::Impossible);
+        let answer = answer.map(|(key, sweep)| (key.clone(), sweep.clone()));
+        let Some((key, sweep)) = answer else {
+            progress(ui, job, "Error against numbers");
+            return controls(ui, context, measure);
         };
-        let (key, sweep) = (key.clone(), sweep.clone());
         // A model of another spectrum is none for this one.
         let fresh = key == ask;
         let revision = app.revision();
@@ -88,19 +87,29 @@ impl TradeoffView {
             let reference = reference.as_ref()?;
             tradeoff::verdict_now(app, reference)
         });
-        let of = (
-            ByAddress(sweep.clone()),
-            measure,
-            context.pages.tradeoff.ways,
-        );
-        let sheet = self.sheet.get(of, |(_, measure, ways)| {
-            Sheet::of(&key, sweep, *measure, ways)
+        let drawn = context.pages.tradeoff.drawn();
+        let of = (ByAddress(sweep.clone()), measure, drawn);
+        let sheet = self.sheet.get(of, |(_, measure, drawn)| {
+            Sheet::of(&key, sweep, *measure, drawn.as_ref())
         });
         if fresh && sheet.marked != Some(revision) {
             sheet.tradeoff.mark(app, now.as_ref(), measure);
             mark_threshold(&mut sheet.map, app);
             sheet.marked = Some(revision);
         }
+        headline(ui, context.theme, &sheet.sentence);
+        // A row that is always there: the charts must not jump while a slider is dragged.
+        line(ui, |ui| {
+            let job = context.studies.of::<SweepAsk>();
+            if job.stage() == Stage::Done {
+                let words = format!("{} Click a point or a row to take its model.", sheet.models);
+                ui.add(egui::Label::new(egui::RichText::new(words).weak()).truncate());
+            } else {
+                progress(ui, job, "Error against numbers");
+            }
+        });
+        controls(ui, context, measure);
+        ui.add_space(6.0);
         lay_out(ui, context, sheet, fresh);
     }
 }
@@ -119,7 +128,7 @@ pub(in crate::ui) fn choose(
         .clicked()
 }
 
-/// Which figure, and which lines.
+/// Which figure, and which ways have a curve.
 fn controls(ui: &mut Ui, context: &mut PageContext<'_>, measure: Measure) {
     ui.horizontal_wrapped(|ui| {
         ui.label("Error");
@@ -128,33 +137,42 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, measure: Measure) {
                 context.pages.tradeoff.measure = one;
             }
         }
-    });
-    ui.horizontal_wrapped(|ui| {
-        ui.label("Show");
-        let ways = &mut context.pages.tradeoff.ways;
-        let show = |ui: &mut Ui, shown: &mut bool, name: &str, meaning: &str| {
-            ui.checkbox(shown, name).on_hover_text(meaning);
-        };
-        for basis in Basis::ALL {
-            show(ui, &mut ways.bases[basis], basis.name(), basis.meaning());
-        }
         ui.separator();
-        let meaning = "Every line above the threshold as a spike, two numbers each: drawn through.";
-        show(ui, &mut ways.with_spikes, "spikes", meaning);
-        let meaning = "Orders only: drawn in dashes.";
-        show(ui, &mut ways.without_spikes, "no spikes", meaning);
-        ui.separator();
-        show(ui, &mut ways.plain, "plain", "Plain least squares.");
-        let meaning = "Least squares under the condition that X, Y and Z are exact.";
-        show(ui, &mut ways.colour_exact, "colour-exact", meaning);
+        let meaning = "A curve for every basis and fit, with lines and without; else the lowest \
+                       error of all.";
+        ui.checkbox(&mut context.pages.tradeoff.every_way, names::EVERY_WAY)
+            .on_hover_text(meaning);
     });
+    let state = &mut context.pages.tradeoff;
+    if state.every_way {
+        ui.horizontal_wrapped(|ui| ways(ui, &mut state.ways));
+    }
+}
+
+/// The choices of ways.
+fn ways(ui: &mut Ui, ways: &mut WaysShown) {
+    let show = |ui: &mut Ui, shown: &mut bool, name: &str, meaning: &str| {
+        ui.checkbox(shown, name).on_hover_text(meaning);
+    };
+    for basis in Basis::ALL {
+        show(ui, &mut ways.bases[basis], basis.name(), basis.meaning());
+    }
+    ui.separator();
+    let meaning = "Every line above the threshold, two numbers each: drawn through.";
+    show(ui, &mut ways.with_spikes, "lines", meaning);
+    let meaning = "Waves only: drawn in dashes.";
+    show(ui, &mut ways.without_spikes, "no lines", meaning);
+    ui.separator();
+    show(ui, &mut ways.plain, "plain", "Plain least squares.");
+    let meaning = "Least squares under the condition that X, Y and Z are exact.";
+    show(ui, &mut ways.colour_exact, "colour-exact", meaning);
 }
 
 impl Sheet {
-    fn of(ask: &SweepAsk, sweep: Arc<Sweep>, measure: Measure, shown: &WaysShown) -> Self {
+    fn of(ask: &SweepAsk, sweep: Arc<Sweep>, measure: Measure, shown: Option<&WaysShown>) -> Self {
         let tradeoff = Tradeoff::of(ask, &sweep, measure, shown);
-        let sentences =
-            limits(measure).map(|limit| needs(ask, &sweep, &tradeoff.front, measure, limit));
+        let goals = (measure, limits(measure));
+        let [sentence, models] = needs(ask, &sweep, &tradeoff.front, goals);
         let points = || tradeoff.front.iter().map(|index| &sweep.points[*index]);
         let tables = [&Measure::COMPARED[..], &[measure]].map(|figures| {
             let rows = points().map(|point| row(point, measure, figures));
@@ -163,7 +181,8 @@ impl Sheet {
         Self {
             map: threshold_chart(ask, &sweep, measure),
             tables,
-            sentences,
+            sentence,
+            models,
             tradeoff,
             marked: None,
             sweep,
@@ -174,18 +193,14 @@ impl Sheet {
 
 fn columns(figures: &[Measure]) -> Vec<Column> {
     let mut columns = vec![
-        Column::numbers(
-            "numbers",
-            "2N + 1 for the smooth part and two for each spike.",
-            1.2,
-        ),
+        Column::numbers("numbers", "2N + 1 for N waves, two for each line.", 1.2),
         Column::words(
             "way",
-            "Basis, fit (exact: colour-exact), with or without spikes.",
+            "Basis, fit (exact: colour-exact), with or without lines.",
             3.0,
         ),
-        Column::numbers("N", "Order of the smooth part.", 0.55),
-        Column::numbers("spikes", "Lines kept as a place and a weight.", 1.0),
+        Column::numbers("waves", "Waves of the smooth part.", 0.9),
+        Column::numbers("lines", "Lines kept as a place and a weight.", 1.0),
     ];
     columns.extend(figures.iter().map(|measure| {
         let figure = measure.figure();
@@ -208,10 +223,10 @@ fn row(point: &SweepPoint, measure: Measure, figures: &[Measure]) -> Row {
     Row {
         cells,
         name: format!(
-            "{}: {}, order {}, {} {} {}",
+            "{}: {}, {}, {} {} {}",
             numbers(point.numbers),
             point.way.title(),
-            point.order,
+            waves_words(point.order),
             figure.title,
             figure.unit.sign,
             brief(&measure)
@@ -223,29 +238,29 @@ fn row(point: &SweepPoint, measure: Measure, figures: &[Measure]) -> Row {
 
 /// Charts and table in the room there is.
 fn lay_out(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: bool) {
-    let [first, second] = &sheet.sentences;
-    let sentence = headline(ui, context.theme, format!("{first} {second}"));
-    sentence.on_hover_text("Of the models drawn: all orders of the ways that are switched on.");
     let room = ui.available_size();
     let scale = context.theme.scale;
     rolled(ui, |ui| {
+        let folded = FOLDED * scale;
         if room.x >= WIDE * scale {
-            let height = (0.60 * room.y).max(300.0 * scale);
+            let height = (room.y - folded).max(300.0 * scale);
             ui.columns(2, |columns| {
                 let size = vec2(columns[0].available_width(), height);
                 against_numbers(&mut columns[0], context, sheet, size, fresh);
-                against_threshold(&mut columns[1], context, sheet, size, fresh);
+                front_table(&mut columns[1], context, sheet, fresh);
             });
         } else {
-            let width = ui.available_width();
-            let height = (0.52 * room.y).clamp(270.0 * scale, 460.0 * scale);
-            against_numbers(ui, context, sheet, vec2(width, height), fresh);
-            ui.add_space(4.0);
-            let height = (0.41 * room.y).clamp(210.0 * scale, 380.0 * scale);
-            against_threshold(ui, context, sheet, vec2(width, height), fresh);
+            let height = (0.6 * room.y).clamp(240.0 * scale, 460.0 * scale);
+            let size = vec2(ui.available_width(), height);
+            against_numbers(ui, context, sheet, size, fresh);
+            ui.add_space(6.0);
+            front_table(ui, context, sheet, fresh);
         }
-        ui.add_space(6.0);
-        front_table(ui, context, sheet, fresh);
+        fold(ui, "trade-off map", names::MAP, |ui| {
+            let height = (0.6 * room.y).clamp(210.0 * scale, 460.0 * scale);
+            let size = vec2(ui.available_width(), height);
+            against_threshold(ui, context, sheet, size, fresh);
+        });
     });
 }
 

@@ -124,7 +124,7 @@ fn claim(
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let says = if is_open { "Hide" } else { "Show" };
                 let name = format!("{says} {}", row.claim);
-                let meaning = "What the paper says, and what is measured here.";
+                let meaning = "The paper's words, and the measurement here.";
                 if sign_button(ui, says, &name, meaning) {
                     *open = (!is_open).then_some(index);
                 }
@@ -214,16 +214,16 @@ fn spikes(ui: &mut Ui, claims: &Claims) {
     readings.sort_by(|a, b| b.spike.weight.abs().total_cmp(&a.spike.weight.abs()));
     readings.truncate(MOST_SPIKES);
     readings.sort_by(|a, b| a.spike.at_nm.total_cmp(&b.spike.at_nm));
-    Grid::new("factor at spikes")
+    Grid::new("surface at lines")
         .striped(true)
         .spacing([14.0, 3.0])
         .show(ui, |ui| {
             heads(
                 ui,
                 &[
-                    ("at nm", "The spike's wavelength, nm."),
-                    ("measured", "The factor as measured there."),
-                    ("series", "The factor's series, evaluated exactly."),
+                    ("at nm", "The line's wavelength, nm."),
+                    ("measured", "The surface as measured there."),
+                    ("series", "The surface's series, evaluated exactly."),
                     ("corrected", "Eq. 17 with its two weights exchanged."),
                     ("as printed", "Eq. 17 with the weights as printed."),
                 ],
@@ -263,7 +263,7 @@ fn points(ui: &mut Ui, claims: &Claims) {
                     ("way", "How they are counted."),
                     (
                         "folded, %",
-                        "Share of the product's power that lands in wrong orders.",
+                        "Share of the product's power that lands in wrong waves.",
                     ),
                     (
                         "ΔE₀₀",

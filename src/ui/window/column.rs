@@ -111,8 +111,9 @@ impl Window {
                 .auto_shrink(false)
                 .max_height(height)
                 .show(ui, |ui| {
-                    verdict_view::show(ui, app, preferences, theme, &mut commands);
-                    let left = ui.clip_rect().bottom() - ui.cursor().top();
+                    let top = ui.cursor().top();
+                    verdict_view::show(ui, app, preferences, theme, height, &mut commands);
+                    let left = height - (ui.cursor().top() - top);
                     let [least, wide] = [LINES, LINES_WIDE].map(|room| room * theme.scale);
                     if left >= least && ui.available_width() >= wide {
                         theme::section(ui, "Lines");

@@ -40,9 +40,9 @@ impl Window {
             return 0.0;
         }
         // At a projector the words are larger, and the plot must not shrink to a strip.
-        let width = match theme.scale > 1.0 {
+        let width = match self.preferences.presents() {
             true => (PRESENTED * window).clamp(WIDTH, 1.5 * WIDTH),
-            false => WIDTH,
+            false => WIDTH * theme.scale,
         };
         width.min(MOST_OF_WINDOW * window)
     }

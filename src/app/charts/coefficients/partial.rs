@@ -5,6 +5,7 @@ use crate::app::{
     chart::{Chart, Dash, Ink, Series, Shape, stroke},
     charts::{
         spectrum::{on_grid, over, provenance},
+        tradeoff::waves_words,
         units::value_label,
     },
     numbers::figure,
@@ -65,7 +66,7 @@ impl Draw<'_> {
         )];
         if !derived.model.lines().is_empty() {
             series.push(thin(
-                "without its spikes",
+                "without its lines",
                 Ink::Residual,
                 &derived.parts.smooth,
                 Dash::Dashed,
@@ -73,11 +74,11 @@ impl Draw<'_> {
         }
         if let Some(before) = order.checked_sub(1) {
             let values = self.harmonics.partial_sum(table, before);
-            let name = format!("sum to N = {before}");
+            let name = format!("sum of {}", waves_words(before));
             series.push(thin(&name, Ink::Overlay(2), &values, Dash::Dotted));
         }
         let sum = self.harmonics.partial_sum(table, order);
-        let name = format!("sum to N = {order}");
+        let name = format!("sum of {}", waves_words(order));
         series.push(stroke(name, Ink::Smooth, curve(&sum), 2.6, Dash::Solid));
         if let Some(pointed) = self
             .sight
@@ -85,7 +86,7 @@ impl Draw<'_> {
             .filter(|n| *n < self.harmonics.orders.len())
         {
             let values = self.harmonics.single(table, pointed);
-            let name = format!("order {pointed} alone");
+            let name = format!("wave {pointed} alone");
             series.push(Series::line(name, Ink::Product, curve(&values)).dashed(Dash::Dashed));
         }
         let y_range = self.cut(&series);
@@ -96,8 +97,9 @@ impl Draw<'_> {
         Chart {
             y_range,
             title: format!(
-                "{}: sum to N = {order}",
-                self.app.document().subject_entry().name()
+                "{}: the sum of {}",
+                self.app.document().subject_entry().name(),
+                waves_words(order)
             ),
             y_label: value_label(unit),
             series,

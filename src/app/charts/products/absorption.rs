@@ -227,7 +227,7 @@ pub fn absorption_chart(app: &App, (dips, known): (&[DipRow], &[DarkLine])) -> C
     if !known.is_empty() {
         let known = known.iter();
         let known = known.map(|line| (line.at_nm(), line.name.to_owned(), Some(line.depth)));
-        let name = "known, no number of its own";
+        let name = "known, below the threshold";
         series.push(gaps(name, Ink::Residual, known.collect()));
     }
     if !dips.is_empty() {
@@ -238,7 +238,7 @@ pub fn absorption_chart(app: &App, (dips, known): (&[DipRow], &[DarkLine])) -> C
         series.push(gaps("dark lines", Ink::Product, dips.collect()));
     }
     Chart {
-        title: format!("What is missing in {}", document.subject_entry().name()),
+        title: format!("Missing in {}", document.subject_entry().name()),
         y_label: subject_label(app),
         series,
         colours: strip(band),

@@ -108,8 +108,8 @@ impl ChainSheet {
         let (up, down): (Vec<Line>, Vec<Line>) =
             self.spikes(place).iter().partition(|s| s.weight >= 0.0);
         for (name, ink, spikes) in [
-            ("spikes", Ink::Spikes, up),
-            ("negative spikes", Ink::Product, down),
+            ("lines", Ink::Spikes, up),
+            ("dark lines", Ink::Product, down),
         ] {
             if !spikes.is_empty() {
                 series.push(self.stems((name, ink), &spikes, smooth, factor));

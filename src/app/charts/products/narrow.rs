@@ -14,7 +14,7 @@ use crate::{
             units::value_label,
         },
         made::is_made,
-        numbers::{delta_e, or_dash, percent},
+        numbers::{delta_e, or_dash},
         products::ModelledLight,
         ticks::extent,
     },
@@ -26,12 +26,12 @@ use crate::{
 };
 
 /// The three representations, in the order of every table.
-pub const WAYS: [&str; 3] = ["composite", "series only", "plain samples"];
+pub const WAYS: [&str; 3] = ["waves and lines", "waves alone", "plain samples"];
 
 /// What each of them is.
 pub const WAY_MEANINGS: [&str; 3] = [
-    "The model: a series for the smooth part and a place and a weight for each spike.",
-    "The same basis with all numbers spent on orders, no spikes.",
+    "The model: waves for the smooth part, and a place and a weight for each line.",
+    "The same basis with all numbers spent on waves, none on lines.",
     "Plain point samples joined by straight lines.",
 ];
 
@@ -215,7 +215,7 @@ impl Behind {
         let curve = |values: &[f64]| on_grid(band, values, 1.0);
         let smooth = derived.model.smooth().on_band();
         let spikes = derived.model.lines();
-        let looks = ("spikes", Ink::Spikes);
+        let looks = ("lines", Ink::Spikes);
         let stems = spike_stems(looks, spikes, (band, &smooth, 1.0), |i| {
             derived.parts.stem_width_nm(i)
         });
@@ -341,7 +341,7 @@ impl Behind {
             )
             .with("luminance_share", |row| {
                 let share = row.figures.luminance;
-                cell(share).shown(or_dash(share, |share| format!("{} %", percent(share))))
+                cell(share).shown(or_dash(share, |share| format!("{:.1} %", 100.0 * share)))
             })
             .figures(
                 "luminance",

@@ -7,7 +7,7 @@ use crate::{
         chart::{Chart, Dash, Ink, Panel, Series, Shape, stroke},
         charts::spectrum::{before_provenance, on_grid, over, spike_stems, table_head},
         derived::less,
-        numbers::{delta_e, figure, nanoseconds, or_dash},
+        numbers::{delta_e, figure, hundredths, nanoseconds, or_dash},
         products::ModelledLight,
         ticks::extent,
     },
@@ -34,19 +34,20 @@ pub fn way_name(sampling: Sampling) -> &'static str {
 pub fn way_meaning(sampling: Sampling) -> &'static str {
     match sampling {
         Sampling::Paper => {
-            "As many points as there are numbers (2N+1), as in the paper: orders above N fold back."
+            "As many points as there are numbers (2N+1), as in the paper: waves above N fold back."
         }
         Sampling::ThreeN => {
-            "3N+1 points, or the next odd count: in the Fourier basis orders up to N are exact."
+            "3N+1 points, or the next odd count: in the Fourier basis waves up to N are exact."
         }
-        Sampling::FourN => "4N+1 points: in the Fourier basis every order of one product is exact.",
+        Sampling::FourN => "4N+1 points: in the Fourier basis every wave of one product is exact.",
         Sampling::Double => "Twice as many points as there are numbers, the default for chains.",
         Sampling::Convolution => {
-            "Coefficients convolved and cut back to as many as there were: nothing folds, what is \
+            "Coefficients convolved and cut back to as many as there were: nothing folds, and all \
              above is lost."
         }
         Sampling::Exact => {
-            "No resampling: the model of the light times the factor as measured, at every nm."
+            "No resampling: the model of the light times the filter or surface as measured, at \
+             every nm."
         }
     }
 }
@@ -137,15 +138,15 @@ impl Bench {
         series.extend(self.stems());
         let y_range = without_tall_lines(&series);
         let notes = vec![
-            format!("Light: {}. Factor: {}.", self.light, self.factor),
-            "Below: way minus the product of the same two series with every order kept.".to_owned(),
+            format!("Light: {}. Filter or surface: {}.", self.light, self.factor),
+            "Below: way minus the product of the same two series with every wave kept.".to_owned(),
         ];
         Chart {
             title: "The product by every way".to_owned(),
             y_label: if y_range.is_some() {
-                "light × factor (measured lines leave the picture)".to_owned()
+                "light × surface (measured lines leave the picture)".to_owned()
             } else {
-                "light × factor".to_owned()
+                "light × surface".to_owned()
             },
             y_range,
             series,
@@ -173,7 +174,7 @@ impl Bench {
             return None;
         }
         let smooth = (self.band, &self.resampled.series_product[..], 1.0);
-        let looks = ("spikes × factor", Ink::Overlay(1));
+        let looks = ("lines × surface", Ink::Overlay(1));
         Some(spike_stems(looks, spikes, smooth, |i| self.widths_nm[i]))
     }
 
@@ -184,7 +185,7 @@ impl Bench {
             .with("way", |way| cell(way_name(way.sampling)))
             .titled(
                 "way",
-                "How the product is formed. Click a row to form all products so.",
+                "Way of forming the product. Click a row to form all products so.",
             )
             .with("points", |way| cell(way.points))
             .figures("points", "Independent points, one multiplication each.")
@@ -194,7 +195,7 @@ impl Bench {
             })
             .figures(
                 "ΔE₀₀ total",
-                "CIEDE2000 of the model's product against measured light times measured factor; \
+                "CIEDE2000 of the model's product against measured light times measured surface; \
                  the white is the light.",
             )
             .with("delta_e_2000_added", |way| {
@@ -202,22 +203,22 @@ impl Bench {
             })
             .figures(
                 "added",
-                "CIEDE2000 against the exact product of the very same series: what forming it \
-                 adds.",
+                "CIEDE2000 against the exact product of the very same series: the part that \
+                 forming it adds.",
             )
             .with("folded_share", |way| {
                 cell(way.step.folded_share).shown(share_words(way.step.folded_share))
             })
             .figures(
                 "folded",
-                "Alias meter: share of the product's power in orders that the points fold back, \
-                 or that the convolution cuts off. The bar is logarithmic, from 0.0001 % to 100 %.",
+                "Alias meter: share of the product's power in waves that the points fold back, or \
+                 that the convolution cuts off. The bar is logarithmic, from 0.0001 % to 100 %.",
             )
             .with("multiplications", |way| cell(way.step.multiplications))
             .figures(
                 "mult.",
                 "Multiplications of one product: one a point, or one a pair of numbers, and one a \
-                 spike.",
+                 line.",
             )
             .with("ns", |way| {
                 cell(time(way)).shown(or_dash(time(way), nanoseconds))
@@ -248,14 +249,14 @@ impl Bench {
             .with("at_nm", |(reading, _): &Row<'_>| {
                 cell(reading.spike.at_nm).shown(format!("{:.1}", reading.spike.at_nm))
             })
-            .figures("at nm", "The spike's wavelength, nm.")
+            .figures("at nm", "The line's wavelength, nm.")
             .and(read("weight", |reading| reading.spike.weight))
             .and(read("measured", |reading| reading.measured))
-            .figures("measured", "The factor as measured there.")
+            .figures("measured", "The surface as measured there.")
             .and(read("series", |reading| reading.series))
             .figures(
                 "series",
-                "The factor's series evaluated exactly at the spike: what this program does.",
+                "The surface's series evaluated exactly at the line, as this program does.",
             )
             .and(read("corrected", |reading| reading.linear))
             .figures(
@@ -279,7 +280,7 @@ impl Bench {
 
 /// The cost of a reading of Eq. 17.
 pub const EQ_17_COST: &str =
-    "CIEDE2000 against the same product with this spike weighed by the factor as measured there.";
+    "CIEDE2000 against the same product with this line weighed by the surface as measured there.";
 
 /// What forming a product adds; an exact zero is told as such.
 fn added_words(added: Option<f64>) -> String {
@@ -295,8 +296,7 @@ pub const LEAST_SHARE: f64 = 1e-6;
 fn share_words(share: f64) -> String {
     or_dash(share, |share| match share {
         share if share <= 0.0 => "0 %".to_owned(),
-        share if share < LEAST_SHARE => "<0.0001 %".to_owned(),
-        share => format!("{} %", figure(100.0 * share)),
+        share => format!("{} %", hundredths(100.0 * share)),
     })
 }
 

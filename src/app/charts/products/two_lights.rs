@@ -113,7 +113,7 @@ fn two_curves(
     ];
     Chart {
         title: title.to_owned(),
-        y_label: "share of light".to_owned(),
+        y_label: "Reflectance".to_owned(),
         ..over_wavelength(app, band, series)
     }
 }

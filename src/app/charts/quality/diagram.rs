@@ -252,8 +252,9 @@ fn blackbodies(series: &mut Vec<Series>, shows: DiagramShows) {
         let [low, high] = [mark.below, mark.above];
         series.push(stroke("", black, vec![low, high], 1.0, Dash::Solid));
         if told.contains(&mark.kelvin) {
-            // A little beyond the tick's end.
-            let beyond = [0, 1].map(|k| low[k] + 0.5 * (low[k] - high[k]));
+            // Beyond the tick's end by as much as the words are wide: that is less of it near by.
+            let share = if shows.near { 0.2 } else { 1.1 };
+            let beyond = [0, 1].map(|k| low[k] + share * (low[k] - high[k]));
             words.push((beyond, format!("{:.0} K", mark.kelvin)));
         }
     }

@@ -235,7 +235,10 @@ pub fn fidelity_bars(lights: &[(&str, &Fidelity)]) -> Chart {
     }
 }
 
-/// One figure against the order of the model, the exact value a line.
+/// At least twice so many waves are drawn.
+const LEAST_NEEDED: usize = 5;
+
+/// One figure against the waves of the model, the exact value a line.
 pub fn against_order(found: &OrderFigures, chosen: Chosen) -> Chart {
     let points: Vec<[f64; 2]> = found
         .points
@@ -243,6 +246,10 @@ pub fn against_order(found: &OrderFigures, chosen: Chosen) -> Chart {
         .filter_map(|point| Some([point.order as f64, chosen.of(&point.figures)?]))
         .collect();
     let last = found.points.last().map_or(1.0, |point| point.order as f64);
+    // Nothing happens beyond twice what all figures need.
+    let settled = Chosen::ALL.map(|chosen| found.settled_from(chosen));
+    let needed = settled.into_iter().flatten().max();
+    let shown = needed.map_or(last, |order| (2 * order.max(LEAST_NEEDED)) as f64);
     let mut series = Vec::new();
     if let Some(exact) = chosen.of(&found.exact) {
         let near = chosen.near_enough(exact);
@@ -255,10 +262,10 @@ pub fn against_order(found: &OrderFigures, chosen: Chosen) -> Chart {
     series.push(Series::line("model", Ink::Spikes, points.clone()));
     series.push(Series::points("", Ink::Spikes, Shape::Dot, points));
     Chart {
-        title: format!("{} against the order", chosen.title()),
+        title: format!("{} against waves", chosen.title()),
         x_label: "Waves".to_owned(),
         y_label: chosen.title().to_owned(),
-        x_range: [0.0, last],
+        x_range: [0.0, shown.min(last)],
         series,
         ..Chart::default()
     }

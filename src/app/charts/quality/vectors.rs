@@ -11,8 +11,10 @@ use crate::{
 /// How far the hues reach; 1 is the reference.
 const RIM: f64 = 1.45;
 /// Where the names of hues stand, and how far the picture reaches.
-const NAMES: f64 = 1.62;
-const REACH: f64 = 2.05;
+const NAMES: f64 = 1.6;
+const REACH: f64 = 2.15;
+/// Half the width of a letter where the picture is as high as a page has room for it.
+const HALF_A_LETTER: f64 = 0.022;
 /// Pieces of the ground around and from the middle out.
 const AROUND: usize = 96;
 const OUTWARD: usize = 8;
@@ -160,9 +162,12 @@ fn names() -> Series {
         .map(|(i, name)| (TAU * (i as f64 + 0.5) / bins, *name))
         .collect();
     words.sort_by_key(|(_, name)| mixed(name));
-    let words = words
-        .into_iter()
-        .map(|(turn, name)| (along(turn, NAMES), name.to_owned()));
+    let words = words.into_iter().map(|(turn, name)| {
+        // Words stand about their middle: the longer, the further out at the sides.
+        let [x, y] = along(turn, NAMES);
+        let aside = HALF_A_LETTER * name.len() as f64 * turn.cos();
+        ([x + aside, y], name.to_owned())
+    });
     Series::new(
         "",
         Ink::Text,

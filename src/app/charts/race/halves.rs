@@ -16,7 +16,7 @@ pub fn halves(ask: &RaceAsk, race: &Race, budget: usize) -> Option<Vec<Half>> {
         return None;
     }
     let measures = [
-        (Measure::Patches, "On the patches"),
+        (Measure::Patches, "On the surfaces"),
         (Measure::Filters, "Behind narrow filters"),
         (
             Measure::RmsBlurred,

@@ -22,13 +22,13 @@ use crate::{
     study::{Measure, Race, race::Racer},
 };
 
-/// A racer's name in a few letters: `ex` is colour-exact, `+s` with spikes.
+/// A racer's name in a few letters: `ex` is colour-exact, `+l` with lines.
 pub fn short_name(racer: Racer) -> String {
     let name = match racer {
         Racer::Composite(way) => {
             let part = |is_there, part| if is_there { part } else { "" };
             let exact = part(way.colour_exact, " ex");
-            return way.basis.title() + exact + part(way.spikes, " +s");
+            return way.basis.title() + exact + part(way.spikes, " +l");
         }
         Racer::WideLines => "Wide lines",
         Racer::KnownLamps => "Known lamps",
@@ -142,7 +142,7 @@ pub fn error_chart(ask: &RaceAsk, race: &Race, class: Option<&str>, measure: Mea
     let room = (0.03 * (last - first)).max(0.5);
     let mut notes = race_notes(ask);
     notes.push(format!(
-        "{}Below {SMALLEST} an error is drawn at it. ex: colour-exact, +s: with spikes.",
+        "{}Below {SMALLEST} an error is drawn at it. ex: colour-exact, +l: with lines.",
         if many {
             "Medians over the lights. "
         } else {

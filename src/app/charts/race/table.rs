@@ -125,7 +125,7 @@ pub fn group(racer: Racer) -> &'static str {
         Racer::Composite(_) => "Composites",
         Racer::WideLines | Racer::KnownLamps => "Lines of their own width",
         Racer::Rival(_) => "Other representations",
-        Racer::Chosen => "Chosen per light, by the patches",
+        Racer::Chosen => "Chosen per light, by the surfaces",
     }
 }
 
@@ -142,9 +142,9 @@ pub fn about(racer: Racer) -> String {
     let words = match racer {
         Racer::Composite(way) => {
             let spikes = if way.spikes {
-                "The heaviest lines are spikes, as many as make the 10 nm-blurred error least."
+                "The heaviest lines are kept, as many as make the error behind a 10 nm blur least."
             } else {
-                "No spikes."
+                "No lines."
             };
             let exact = if way.colour_exact {
                 " The light's own X, Y, Z are made exact."
@@ -308,7 +308,7 @@ fn costs(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, cost_of: &str)
     let lobes = if many {
         "Share of the lights whose smooth part goes below -0.1 % of the peak, percent."
     } else {
-        "Whether the smooth part goes below -0.1 % of the peak."
+        "The smooth part goes below -0.1 % of the peak, or not."
     };
     add(
         if many { "below 0 %" } else { "below 0" },
@@ -356,13 +356,13 @@ fn promises(columns: &mut Vec<RaceColumn>, rows: &[Row]) {
     for (title, tip, yes) in [
         (
             "portable",
-            "Whether the numbers mean something by themselves; principal components need their \
-             table, known lamps the list of lamps.",
+            "Numbers that mean something by themselves; principal components need their table, \
+             known lamps the list of lamps.",
             (|racer: Racer| !racer.needs_table()) as fn(Racer) -> bool,
         ),
         (
             "flexible",
-            "Whether fewer numbers are a prefix of more: one fit, cut anywhere. With spikes or \
+            "One fit that can be cut anywhere: fewer numbers are the first of more. With lines or \
              colour-exact every count is a fit of its own.",
             Racer::is_prefix,
         ),

@@ -171,7 +171,7 @@ pub(super) fn samples_row(claims: &Claims) -> Row {
         many::numbers(numbers),
         found.background,
         2 * found.spikes,
-        many::many(found.spikes, "spike", "spikes"),
+        many::many(found.spikes, "line", "lines"),
         percent(errors[Measure::Rms]),
         percent(errors[Measure::RmsBlurred]),
         samples(Measure::Rms),
@@ -223,7 +223,7 @@ pub(super) fn eq_17_row(claims: &Claims) -> Row {
                 measured,
                 " At the {} of {} on {factor} it costs ΔE₀₀ {} as printed and {} corrected, \
                  against the series read exactly.",
-                many::many(found.readings.len(), "spike", "spikes"),
+                many::many(found.readings.len(), "line", "lines"),
                 claims.light,
                 delta_e(printed),
                 delta_e(linear),

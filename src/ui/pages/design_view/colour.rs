@@ -165,7 +165,7 @@ fn taken(ui: &mut Ui, context: &mut PageContext<'_>, method: Method) {
                 is_surface,
             ),
             (
-                "Onto the patches",
+                "To the surfaces",
                 "Puts it behind the surfaces of the page Spectrum; it joins the library too.",
                 MadeFor::Patches,
                 is_surface,

@@ -83,7 +83,9 @@ impl DesignView {
         ui.add_space(GROUP);
         let room = ui.available_size();
         let scale = context.theme.scale;
-        if room.x < WIDE * scale {
+        if context.theme.presents {
+            self.presented(ui, context, &desk, room);
+        } else if room.x < WIDE * scale {
             scrolled(ui, "mix", |ui| {
                 let width = ui.available_width();
                 self.channels(ui, context, (&desk, &lines), vec2(width, DESK * scale));
@@ -109,6 +111,19 @@ impl DesignView {
             surfaces(ui, context, &beside, in_row);
         }
         self.faders_follow(ui, context, &desk);
+    }
+
+    /// Before a class: the faders, and the diagram that they move.
+    fn presented(&mut self, ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, room: Vec2) {
+        ui.horizontal_top(|ui| {
+            ui.spacing_mut().item_spacing.x = GROUP;
+            let half = vec2((0.5 * (room.x - GROUP)).floor(), room.y - GROUP);
+            card(ui, half, |ui| {
+                let high = ui.available_height();
+                strips::faders(ui, context, desk, &mut self.chosen, high);
+            });
+            self.among_colours(ui, context, desk, half);
+        });
     }
 
     /// The channels with their faders, and what they are aimed at.
@@ -142,7 +157,7 @@ impl DesignView {
             ui.label("Aim at");
             let words = context.pages.solve.colour_words(context.app.document());
             let choice = Choice {
-                name: "What is aimed at",
+                name: "The colour that is aimed at",
                 meaning: "The ring in the diagram, which can be dragged too. The page Solve has \
                           lights and x, y.",
                 width: 110.0 * context.theme.scale,
@@ -357,7 +372,7 @@ fn add_row(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, lines: &[Nam
             );
             button(
                 "Blackbody",
-                "What a glowing body of a temperature shines.",
+                "The light of a glowing body of a temperature.",
                 Source::Blackbody { kelvin: 2700.0 },
             );
             button(

@@ -47,7 +47,7 @@ impl DesignView {
             if self.photo.is_some() && sign_button(ui, "✖", name, meaning) {
                 self.photo = None;
             }
-            ui.weak("or right click a field of colours on any page");
+            ui.weak("or right click a swatch on any page");
         });
         let Some(path) = &self.photo else {
             self.drawn_photo = None;

@@ -169,7 +169,7 @@ fn wish_and_faders(
         ui.horizontal(|ui| {
             let button = ui
                 .add_enabled(!is_there, egui::Button::new("Set the faders"))
-                .on_hover_text("Moves the faders to what was solved for: one step of undo.")
+                .on_hover_text("Moves the faders to the solution: one step of undo.")
                 .on_disabled_hover_text("The faders stand so.");
             sets = button.clicked();
             if !solved.reached {
@@ -259,10 +259,10 @@ fn favour(form: &mut Form<'_>, context: &mut PageContext<'_>) {
     if wish.light.is_some() && wish.alike {
         return;
     }
-    let meaning = "What the mixture is to be best at among those of exactly that colour.";
+    let meaning = "The figure that is best among the mixtures of exactly that colour.";
     form.row(("Best at", meaning), |ui, _| {
         let choice = Choice {
-            name: "What to favour",
+            name: "Figure to favour",
             meaning,
             width: 190.0 * context.theme.scale,
         };
@@ -301,7 +301,7 @@ fn faders(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, solved: &Solv
         Column::words("channel", "As it stands on the page Mix.", 2.0),
         Column::numbers("now", "Its fader, per cent of its full power.", 1.0),
         Column::numbers("solved", "Its fader as it was solved for.", 1.0),
-        Column::words("", "Whether solving may move it.", 1.0),
+        Column::words("", "Solving moves it, or not.", 1.0),
     ];
     let rows: Vec<Row> = desk
         .mix

@@ -123,7 +123,7 @@ pub(super) fn surfaces(
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let choice = Choice {
                 name: "Surfaces under the mixture",
-                meaning: "Which surfaces stand below.",
+                meaning: "The surfaces below.",
                 width: 130.0 * scale,
             };
             let now = &mut context.pages.mix.surfaces;

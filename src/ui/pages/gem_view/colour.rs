@@ -17,8 +17,8 @@ pub(super) fn show(form: &mut Form<'_>, context: &mut PageContext<'_>) {
     let memory = &mut context.pages.gem;
     let choice = Choice {
         name: names::COLOUR,
-        meaning: "What the gem takes out of the light on its way, which goes to and fro in it \
-                  many times.",
+        meaning: "The light that the gem takes out on its way, which goes to and fro in it many \
+                  times.",
         width: 130.0,
     };
     form.choice(choice, memory.colour.title(), |ui| {

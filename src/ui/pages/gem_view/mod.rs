@@ -87,7 +87,8 @@ impl GemView {
                 return presented && head(ui, "");
             }
         };
-        let under = context.pages.gem.under.clone();
+        let second = context.app.document().second.as_deref();
+        let under = context.pages.gem.light_beside(second);
         let other = self.other.get((revision, under, sent), |(_, key, _)| {
             let entry = app.entry(key.as_ref()?)?;
             Some(another_light(app, &entry, sent))

@@ -52,8 +52,8 @@ pub(super) fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEn
             context.commands.push(Command::RemoveImage { key });
         }
         let button = egui::Button::new(names::READING).small();
-        let meaning = "What the values were taken for, their scale, the unit of the wavelengths, \
-                       and the other choices; the picture is drawn anew with each.";
+        let meaning = "Kind and scale of the values, the unit of the wavelengths, and the other \
+                       choices; the picture is drawn anew with each.";
         let reading = pressed_if(ui, entry.path().is_some(), button, meaning);
         about(ui, entry);
         reading
@@ -77,7 +77,7 @@ fn about(ui: &mut Ui, entry: &ImageEntry) {
     );
     ui.add(egui::Label::new(egui::RichText::new(words).weak()).truncate())
         .on_hover_ui(|ui| {
-            ui.label("Size, bands, what the values are, and the memory that they take.");
+            ui.label("Size, bands, kind of the values, and the memory that they take.");
             for note in &entry.image.notes {
                 ui.label(note);
             }
@@ -104,7 +104,7 @@ pub(super) fn looks(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEnt
         if is_factor && context.pages.image.show == Show::TrueColour {
             let meaning = format!(
                 "Brings the colour of the light, {}, to the screen's white (Bradford), here and in \
-                 the patches.",
+                 the surfaces.",
                 context.app.document().light.name()
             );
             let words = (names::ADAPT, meaning.as_str());
@@ -220,7 +220,7 @@ pub(super) fn choice(
         if shown.rect.pixels() > 1 {
             ui.separator();
             let spread = &mut context.pages.image.spread;
-            ui.selectable_value(spread, Spread::Deviation, "± 1 standard deviation")
+            ui.selectable_value(spread, Spread::Deviation, "± 1 σ")
                 .on_hover_text("Around the mean: one standard deviation of the pixels.");
             ui.selectable_value(spread, Spread::Extremes, "min–max")
                 .on_hover_text("Around the mean: the smallest and the largest pixel of each band.");

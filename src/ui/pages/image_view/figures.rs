@@ -6,12 +6,14 @@ use egui::{RichText, Ui, vec2};
 use super::{Drawn, Shown};
 use crate::{
     app::{
+        charts::tradeoff::{spikes_words, waves_words},
         derived::Derived,
+        numbers::two_digits,
         picture::{RegionSpectrum, seen_in},
         ticks::short,
     },
     color::{Srgb, Swatch},
-    io::many::{capitalised, many, numbers},
+    io::many::{capitalised, numbers},
     spectrum::Sampled,
     study::Measure,
     ui::{pages::PageContext, swatch, theme::Theme},
@@ -172,18 +174,18 @@ pub(super) fn model(
     }
     let model = &derived.model;
     let words = format!(
-        "Model: {}, order {}, {}; ΔE₀₀ {delta_e}{}",
+        "Model: {}, {}, {}; ΔE₀₀ {delta_e}{}",
         numbers(derived.numbers()),
-        model.smooth().order(),
-        many(model.lines().len(), "spike", "spikes"),
+        waves_words(model.smooth().order()),
+        spikes_words(model.lines().len()),
         match derived.figures[Measure::Rms] {
-            Some(rms) => format!(", rms {} %", short(100.0 * rms)),
+            Some(rms) => format!(", rms {} %", two_digits(100.0 * rms)),
             None => String::new(),
         }
     );
     ui.add(egui::Label::new(RichText::new(words).strong()).truncate())
         .on_hover_text(
-            "At the order and threshold in force (right). CIEDE2000 and relative root mean square \
+            "With the waves and lines of the model. CIEDE2000 and relative root mean square \
              between the chosen spectrum and its model, on the model's range.",
         );
     let nm = (region.nm[0], region.nm[region.nm.len() - 1]);

@@ -105,7 +105,8 @@ impl ImageView {
         let words = headlines::image(&entry, pixels.width * pixels.height);
         headline(ui, context.theme, words);
         ui.add_space(GROUP);
-        if controls::images(ui, context, &entry) {
+        let presents = context.theme.presents;
+        if !presents && controls::images(ui, context, &entry) {
             context.wishes.push(PageWish::Reading(entry.key.clone()));
         }
         controls::looks(ui, context, &entry);
@@ -118,7 +119,10 @@ impl ImageView {
 
         let room = ui.available_size();
         let scale = context.theme.scale;
-        if room.x >= WIDE * scale {
+        if presents {
+            let size = vec2(room.x, room.y - 2.0 * line(ui));
+            self.picture(ui, context, &shown, region, size);
+        } else if room.x >= WIDE * scale {
             ui.columns(2, |columns| {
                 let [left, right] = columns else { return };
                 let below = 2.0 * line(left);

@@ -23,7 +23,7 @@ pub(super) fn show(ui: &mut Ui, found: &Photograph, theme: Theme) {
     let columns = [
         Column::numbers("nm", "Wavelength of the lamp's line.", 62.0),
         Column::numbers("px", "Column of the strip.", 56.0),
-        Column::numbers("error", "What the axis is off by there, nm.", 56.0),
+        Column::numbers("error", "Error of the axis there, nm.", 56.0),
         Column::numbers("width", "Full width at half height, nm.", 50.0),
         Column::words("", "A line whose top is over-exposed.", 60.0),
     ];

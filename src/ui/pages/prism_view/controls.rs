@@ -63,7 +63,7 @@ pub(super) fn prism(ui: &mut Ui, context: &mut PageContext<'_>) {
     let app = context.app;
     form(ui, "prism", |form| {
         let memory = &mut context.pages.prism;
-        let meaning = "What the prism is made of: flint glass spreads colours twice as far as \
+        let meaning = "The material of the prism: flint glass spreads colours twice as far as \
                        crown glass.";
         substance(form, app, (names::GLASS, meaning), &mut memory.made_of);
         let of = Slider::new(&mut memory.apex_deg, PrismMemory::APEX.reach.range())

@@ -60,6 +60,8 @@ pub(super) struct PrismView {
     sky: Memo<(), Sky>,
     rainbow: Memo<(u64, RainbowMemory), RainbowShown>,
     picture: sky::Painted,
+    /// Heights of what stands below the drawings while they are presented, points.
+    below: [Option<f32>; 2],
 }
 
 /// How bright the picture is.
@@ -68,8 +70,8 @@ pub(super) fn exposure(form: &mut Form<'_>, stops: &mut f64) {
         .step_by(0.1)
         .fixed_decimals(1)
         .suffix(" stops");
-    let meaning = "How bright the picture is shown; each stop doubles it. A double click in the \
-                   number's box lets you type it.";
+    let meaning = "Brightness of the picture; each stop doubles it. A double click in the number's \
+                   box lets you type it.";
     form.slider((names::EXPOSURE, meaning), of);
 }
 
@@ -274,11 +276,7 @@ fn table_of(shown: &PrismShown) -> (&'static [Column], &[Vec<String>], &[String]
 
 static PRISM_COLUMNS: LazyLock<[Column; 8]> = LazyLock::new(|| {
     [
-        Column::words(
-            "line",
-            "What it is named after, by all lines together.",
-            1.7,
-        ),
+        Column::words("line", "The element, by all lines together.", 1.7),
         Column::numbers("nm", "Wavelength in air.", 1.0),
         Column::numbers("n", "Index of refraction of the glass there.", 1.0),
         Column::numbers(
@@ -287,7 +285,7 @@ static PRISM_COLUMNS: LazyLock<[Column; 8]> = LazyLock::new(|| {
             1.0,
         ),
         Column::numbers("place mm", "Where it lands on the screen.", 1.0),
-        Column::numbers("width mm", "How wide the image of the slit is.", 1.0),
+        Column::numbers("width mm", "Width of the slit's image.", 1.0),
         Column::numbers(
             "passed %",
             "Share of its light that both faces let through.",

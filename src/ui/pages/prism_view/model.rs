@@ -40,7 +40,7 @@ pub(crate) fn knobs(form: &mut Form<'_>, context: &mut PageContext<'_>, sent: Se
     let mut settings = before;
     if sent == Sent::Model {
         let of = Slider::new(&mut settings.order, 0..=MOST).clamping(SliderClamping::Never);
-        let meaning = "How many waves draw the smooth part: order N, which takes 2N + 1 numbers.";
+        let meaning = "Waves that draw the smooth part: order N, which takes 2N + 1 numbers.";
         form.slider((names::ORDER, meaning), of);
     }
     // Otherwise it decides nothing.

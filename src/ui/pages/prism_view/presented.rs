@@ -52,6 +52,16 @@ fn row_height(ui: &Ui) -> f32 {
     line + ui.spacing().interact_size.y + 4.0 * ui.spacing().item_spacing.y
 }
 
+/// Keeps the height of what stands below the drawing for the next frame, which comes at once where
+/// it was another.
+fn measured(ui: &Ui, top: f32, below: &mut Option<f32>) {
+    let height = ui.cursor().top() - top;
+    if below.is_none_or(|before| (before - height).abs() > 0.5) {
+        *below = Some(height);
+        ui.ctx().request_repaint();
+    }
+}
+
 /// A slider below its name.
 fn below(ui: &mut Ui, (name, meaning): (&str, &str), slider: Slider<'_>) {
     let label = ui.label(name).on_hover_text(meaning);
@@ -62,7 +72,7 @@ fn exposed(ui: &mut Ui, stops: &mut f64) {
     let of = Slider::new(stops, STOPS.range())
         .step_by(0.1)
         .fixed_decimals(1);
-    let meaning = "How bright the picture is shown, in stops; each doubles it.";
+    let meaning = "Brightness of the picture, in stops; each doubles it.";
     below(ui, (names::EXPOSURE, meaning), of);
 }
 
@@ -89,9 +99,11 @@ impl PrismView {
         let (theme, strip) = only_first(&shown.strips, context.theme);
         let tells = |x_mm: f64| told(shown, x_mm);
         let axis = axis_of(shown, &tells);
-        let left = ui.available_height() - strip_height(&strip, &axis, theme) - row_height(ui);
+        let guess = || strip_height(&strip, &axis, theme) + row_height(ui);
+        let left = ui.available_height() - self.below[0].unwrap_or_else(guess);
         let size = vec2(ui.available_width(), left.max(super::LEAST));
         drawn(ui, context, (shown, &axis), size);
+        let top = ui.cursor().top();
         strips::show(ui, &strip, &axis, theme);
         let theme = context.theme;
         let bench = &mut context.pages.prism;
@@ -125,6 +137,7 @@ impl PrismView {
             let bright = &mut |ui: &mut Ui| exposed(ui, stops);
             row(ui, theme, [apex, slit, bright]);
         }
+        measured(ui, top, &mut self.below[0]);
         leaves
     }
 
@@ -148,7 +161,8 @@ impl PrismView {
             nm: &[],
             tells: &|angle| format!("{angle:.2}\u{b0} from the point opposite the sun"),
         };
-        let left = ui.available_height() - strip_height(&strip, &axis, theme) - row_height(ui);
+        let guess = || strip_height(&strip, &axis, theme) + row_height(ui);
+        let left = ui.available_height() - self.below[1].unwrap_or_else(guess);
         let high = left.max(super::LEAST);
         let picture = &mut self.picture;
         ui.horizontal_top(|ui| {
@@ -170,6 +184,7 @@ impl PrismView {
                 picture.show(ui, colours, (size, None), context.theme);
             }
         });
+        let top = ui.cursor().top();
         strips::show(ui, &strip, &axis, theme);
         let memory = &mut context.pages.rainbow;
         let (stops, impact) = (&mut memory.stops, &mut memory.impact);
@@ -182,6 +197,7 @@ impl PrismView {
             below(ui, (names::IMPACT, meaning), of);
         };
         row(ui, context.theme, [bright, rays]);
+        measured(ui, top, &mut self.below[1]);
         leaves
     }
 }

@@ -247,8 +247,8 @@ fn knobs(ui: &mut Ui, context: &mut PageContext<'_>, is_example: bool) {
         if ui
             .checkbox(&mut on, names::DIPS)
             .on_hover_text(
-                "Absorption lines become spikes of negative weight. Needs spikes by energy, which \
-                 it switches on.",
+                "Absorption lines become lines of negative weight. This needs lines found by \
+                 energy and switches that on.",
             )
             .changed()
         {

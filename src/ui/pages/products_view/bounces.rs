@@ -131,7 +131,7 @@ fn figures(ui: &mut Ui, context: &mut PageContext<'_>, bounced: &Bounced, added:
     titled(ui, title, names::COPY, copied, || bounced.table(app).csv());
     let mut columns = vec![Column::words(
         "way",
-        "How products are formed. Click a row to form all products so.",
+        "Way of forming products. Click a row to form all products so.",
         2.2,
     )];
     columns.extend(TOLD.map(|k| {

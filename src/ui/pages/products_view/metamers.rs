@@ -320,7 +320,7 @@ fn list(ui: &mut Ui, context: &mut PageContext<'_>, found: Option<(&Found, &[Row
     ui.add_space(4.0);
     ui.horizontal_wrapped(|ui| {
         ui.label("Among");
-        let meaning = "Which surfaces are compared, each with each.";
+        let meaning = "The surfaces that are compared, each with each.";
         let everywhere = context.pages.two_lights.everywhere;
         context.pages.two_lights.everywhere = among(ui, context, names::AMONG, meaning, everywhere);
         copy_button(ui, names::COPY_PAIRS, "", || {

@@ -22,9 +22,9 @@ pub mod names {
 }
 
 /// Widest a surface stands, and the least, points.
-const WIDTH: [f32; 2] = [180.0, 96.0];
+const WIDTH: [f32; 2] = [250.0, 96.0];
 /// Height of a surface's colours: least and largest, points.
-const COLOURS: [f32; 2] = [44.0, 240.0];
+const COLOURS: [f32; 2] = [44.0, 300.0];
 
 /// The part and what it keeps from frame to frame.
 #[derive(Default)]

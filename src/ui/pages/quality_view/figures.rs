@@ -24,7 +24,9 @@ const GROUPS_BESIDE: f32 = 620.0;
 /// Least width of a surface with its name, points.
 const LEAST_FIELD: f32 = 84.0;
 /// Height of a surface's colours: least and largest, points.
-const COLOURS: [f32; 2] = [56.0, 132.0];
+const COLOURS: [f32; 2] = [56.0, 220.0];
+/// From this height on the table of all figures is open, points.
+const HIGH: f32 = 760.0;
 /// Height of a bar, points.
 const BAR: f32 = 8.0;
 
@@ -51,6 +53,7 @@ pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>, shown: &QualitySh
         let words = RichText::new(format!("{ALL} ({})", shown.rows.len())).strong();
         CollapsingHeader::new(words)
             .id_salt(ALL)
+            .default_open(room.y >= HIGH * theme.scale)
             .show(ui, |ui| all_figures(ui, theme, shown));
     });
 }
@@ -81,7 +84,7 @@ fn surfaces(ui: &mut Ui, theme: Theme, shown: &QualityShown, height: f32) {
         _ => 2,
     };
     let width = lit_field::width(room, in_row);
-    let colours = bounded(0.16 * height, COLOURS[0], COLOURS[1] * theme.scale);
+    let colours = bounded(0.2 * height, COLOURS[0], COLOURS[1] * theme.scale);
     let size = lit_field::size(ui, width, colours);
     for first in (0..board.len()).step_by(in_row) {
         ui.horizontal(|ui| {

@@ -71,7 +71,7 @@ impl QualityView {
             switch(
                 &mut shows.gamuts,
                 "Screens",
-                "What screens of sRGB, P3 and Rec. 2020 can show.",
+                "The colours that screens of sRGB, P3 and Rec. 2020 show.",
             );
             switch(
                 &mut shows.ellipses,
@@ -132,13 +132,13 @@ impl QualityView {
             let ask = ByOrder::of(app);
             move |progress: &Progress| ask.answer(progress)
         });
-        progress(ui, job, "Quality against order");
+        progress(ui, job, "Quality against waves");
         let Some(found) = job.result().cloned() else {
             return;
         };
         headline(ui, context.theme, settled_words(&found));
         let charts = Chosen::ALL.map(|chosen| against_order(&found, chosen));
-        grid(ui, context, &charts, "quality against order");
+        grid(ui, context, &charts, "quality against waves");
     }
 }
 

@@ -128,7 +128,7 @@ impl RaceView {
         ui.horizontal_wrapped(|ui| {
             ui.label("Lights");
             let meaning = if about_light {
-                format!("Who races: {light} alone, or many lights together with their spread.")
+                format!("{light} alone, or many lights together with their spread.")
             } else {
                 format!("Only lights race; of this document it is {light}.")
             };
@@ -147,8 +147,8 @@ impl RaceView {
                 let button = ui
                     .selectable_value(chosen, budget, budget.to_string())
                     .on_hover_text(
-                        "How many numbers each may spend on a light: a spike costs two, anything \
-                         else one.",
+                        "Numbers that each may spend on a light: a line costs two, anything else \
+                         one.",
                     );
                 named(&button, egui::Role::Button, &format!("{budget} numbers"));
             }
@@ -183,7 +183,7 @@ impl RaceView {
         let all = || "all".to_owned();
         let choice = Choice {
             name: "Class of lights",
-            meaning: "Whose medians table and chart show.",
+            meaning: "Lights whose medians table and chart show.",
             width: 90.0,
         };
         choice.show(ui, self.class.clone().unwrap_or_else(all), |ui| {

@@ -5,7 +5,7 @@ use egui::{Button, RichText, TextWrapMode, Ui, containers::menu::MenuButton};
 
 use crate::{
     app::{
-        App, ByAddress, Command,
+        App, ByAddress,
         pages::{Look, RelitMemory},
         picture::shown,
         relit::{Fit, Form, LookAsk, Looked, PictureWish, RelitShown, fewer},
@@ -29,7 +29,7 @@ pub mod names {
     pub const ENOUGH: &str = "As few as needed";
     pub const SAVE: &str = "Save…";
     pub const WORST: &str = "Worst pixel";
-    pub const KEPT: &str = "What is kept of a pixel";
+    pub const KEPT: &str = "Numbers kept of a pixel";
     pub const WEIGHTED: &str = "Weighed by colours under many lights";
     pub const LEAVE: &str = "Let reference and lines be chosen";
     pub const BETWEEN: &str = "The series between bands";
@@ -139,29 +139,24 @@ fn own(ui: &mut Ui, context: &mut PageContext<'_>) {
 
 /// What shines on it now.
 pub(super) fn light(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let document = context.app.document();
+    let app = context.app;
+    let of_window = &app.document().light;
     ui.label("Shown under");
-    let chooser = Chooser {
-        name: names::LIGHT,
-        meaning: "The light that shines on the picture: the window's light. The picture turns at \
-                  once; only three weights a number are new.",
-        says: document.light.name(),
-        offers: lights,
-        width: LIST,
-    };
-    let mut chosen = chooser.show(ui, context.app);
+    let meaning = "The light that shines on the picture, here alone; at first the window's. The \
+                   picture turns at once; only three weights a number are new.";
+    let under = &mut context.pages.relit.under;
+    let list = (names::LIGHT, meaning, LIST);
+    choose_light(ui, app, list, (under, of_window.name()));
+    clear(ui, under, "The window's light.");
     for (title, key) in AT_HAND {
-        let Some(entry) = context.app.entry(key) else {
+        let Some(entry) = app.entry(key) else {
             continue;
         };
-        let is_now = document.light.key == key;
+        let is_now = under.as_deref().unwrap_or(&of_window.key) == key;
         let button = ui.selectable_label(is_now, title);
-        if button.on_hover_text(entry.name()).clicked() && !is_now {
-            chosen = Some(entry);
+        if button.on_hover_text(entry.name()).clicked() {
+            *under = Some(key.to_owned());
         }
-    }
-    if let Some(entry) = chosen {
-        context.commands.push(Command::Show(entry));
     }
     let meaning =
         "As the eye sees it after a minute: the light's own colour becomes the screen's white.";
@@ -175,7 +170,7 @@ pub(super) fn light(ui: &mut Ui, context: &mut PageContext<'_>) {
         let slider = egui::Slider::new(&mut memory.second_percent, 0..=100).suffix(" %");
         let slider = ui.add(slider);
         named(&slider, egui::Role::Slider, names::SHARE);
-        slider.on_hover_text("How much of the brightness is the second light's.");
+        slider.on_hover_text("Share of the brightness that is the second light's.");
         clear(ui, &mut memory.second, "One light alone.");
     }
 }
@@ -194,10 +189,8 @@ pub(super) fn numbers(
     ui.label("Numbers a pixel");
     ui.spacing_mut().slider_width = 150.0 * context.theme.scale;
     let slider = ui.add(egui::Slider::new(&mut count, least..=most));
-    let slider = slider.on_hover_text(
-        "How many numbers stand for each pixel. What multiplies the series, and which lines are \
-         kept, is chosen for each count.",
-    );
+    let slider = slider
+        .on_hover_text("Numbers for each pixel. Multiplier and lines are chosen for each count.");
     if slider.changed() {
         memory.numbers = Some(count);
     }
@@ -213,8 +206,7 @@ pub(super) fn numbers(
         .max_decimals(2)
         .prefix("ΔE₀₀ ");
     number(ui, bound, names::BOUND).on_hover_text(
-        "What is enough: 95 % of the pixels are within. The compact file keeps its own colours \
-         within it too.",
+        "Bound that 95 % of the pixels keep. The compact file keeps its own colours within it too.",
     );
     ui.separator();
     for look in Look::ALL {

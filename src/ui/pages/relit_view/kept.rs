@@ -24,7 +24,7 @@ const FIRST_NM: f64 = 546.1;
 
 /// What multiplies the series: title and meaning.
 const REFERENCES: [(Option<ReferenceKind>, &str, &str); 4] = [
-    (None, "Best", "What is off by the least."),
+    (None, "Best", "The choice with the smallest error."),
     (Some(ReferenceKind::One), "Nothing", "A bare cosine series."),
     (
         Some(ReferenceKind::Mean),
@@ -60,17 +60,17 @@ pub(super) fn menu(ui: &mut Ui, context: &mut PageContext<'_>, fit: &Fit) {
         }
         ui.checkbox(&mut memory.between_series, names::BETWEEN)
             .on_hover_text(
-                "What the picture in few numbers is between its bands: the series itself, not a \
-                 straight line. Where bands are 10 nm apart or more that is nearer to the truth, \
-                 and further from every band, which straight lines join.",
+                "Between its bands the picture in few numbers is the series itself, not a straight \
+                 line. Where bands are 10 nm apart or more that is nearer to the truth, and \
+                 further from every band, which straight lines join.",
             );
     });
     named(&response, egui::Role::Button, names::KEPT);
-    response.on_hover_text("What stands for every pixel. Click to choose it by hand.");
+    response.on_hover_text("The numbers that stand for every pixel. Click to choose them by hand.");
 }
 
 fn reference(ui: &mut Ui, context: &mut PageContext<'_>, fit: &Fit) {
-    ui.label("What multiplies the series");
+    ui.label("Multiplier of the series");
     let is_known = fit.looked.0.known.is_some();
     let wish = &mut context.pages.relit.wish;
     ui.horizontal(|ui| {

@@ -51,8 +51,11 @@ impl RelitView {
         let memory = (&context.pages.relit, &context.pages.image);
         let shown = relit_shown(context.studies, context.app, memory, context.wake);
         self.head(ui, context, &shown);
+        let presents = context.theme.presents;
         ui.horizontal_wrapped(|ui| {
-            controls::subject(ui, context);
+            if !presents {
+                controls::subject(ui, context);
+            }
             controls::light(ui, context);
         });
         let wish = &mut context.pages.relit.wish;
@@ -65,15 +68,11 @@ impl RelitView {
         let Some(looked) = shown.looked.clone() else {
             return waiting(ui, context);
         };
-        ui.horizontal_wrapped(|ui| {
-            let fit = shown.turned.as_ref().map(|(fit, _)| fit);
-            controls::numbers(ui, context, &looked.0, fit);
-            if let Some(wish) = controls::save(ui, &shown) {
-                context.wishes.push(PageWish::FewNumbers(wish));
-            }
-        });
+        if !presents {
+            self.numbers(ui, context, (&shown, &looked.0));
+        }
         ui.add_space(2.0);
-        if context.pages.relit.look == Look::Others {
+        if context.pages.relit.look == Look::Others && !presents {
             return others(ui, context, &shown);
         }
         let Some((fit, turned)) = shown.turned.clone() else {
@@ -82,7 +81,7 @@ impl RelitView {
         self.upload(ui, &turned);
         let room = ui.available_size();
         let scale = context.theme.scale;
-        if room.x < WIDE * scale {
+        if presents || room.x < WIDE * scale {
             return self.picture(ui, context, (&fit.0, &turned.0), room);
         }
         let gap = 2.0 * ui.spacing().item_spacing.x;
@@ -106,12 +105,30 @@ impl RelitView {
         });
     }
 
+    /// How many numbers, what stands large, and saving.
+    fn numbers(
+        &self,
+        ui: &mut Ui,
+        context: &mut PageContext<'_>,
+        (shown, looked): (&RelitShown, &Looked),
+    ) {
+        ui.horizontal_wrapped(|ui| {
+            let fit = shown.turned.as_ref().map(|(fit, _)| fit);
+            controls::numbers(ui, context, looked, fit);
+            if let Some(wish) = controls::save(ui, shown) {
+                context.wishes.push(PageWish::FewNumbers(wish));
+            }
+        });
+    }
+
     /// The result in a sentence, or why there is none.
     fn head(&self, ui: &mut Ui, context: &PageContext<'_>, shown: &RelitShown) {
         let words = match (&shown.trouble, &shown.turned) {
             (Some(why), _) => why.clone(),
             (None, Some((fit, turned))) => {
+                // A class is not told of files.
                 let stored = shown.stored.as_ref().map(|stored| &*stored.0);
+                let stored = stored.filter(|_| !context.theme.presents);
                 headline(&fit.0, &turned.0, stored)
             }
             (None, None) => {
@@ -284,7 +301,7 @@ fn others(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RelitShown) {
 
 fn peers_table(ui: &mut Ui, context: &PageContext<'_>, rows: Rows) {
     let columns = [
-        kit::Column::words("way", "How the picture is kept.", 3.0),
+        kit::Column::words("way", "The way of keeping the picture.", 3.0),
         kit::Column::numbers("numbers", "Numbers a pixel.", 1.0),
         kit::Column::numbers(
             "bytes",

@@ -93,7 +93,7 @@ fn bytes(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RelitShown) {
         };
     };
     let columns = [
-        Column::words("file", "How the picture is kept.", 2.4),
+        Column::words("file", "The way of keeping the picture.", 2.4),
         Column::numbers("size", "Written and counted here.", 1.2),
         Column::numbers("B/pixel", "Bytes a pixel.", 1.0),
         Column::numbers(

@@ -10,11 +10,11 @@ use egui::{Button, RichText, Ui, vec2};
 use super::products_view::change;
 use crate::{
     app::{
-        App, ByAddress, Command, Entry, MadeFor, Memo,
+        App, Command, Entry, MadeFor, Memo,
         chart::Chart,
         numbers::hundredths,
         pages::same_surface::{
-            RESIDUAL_MEANS, Ranked, SameSurfaceSheet, as_product, example, same_surface_chart,
+            RESIDUAL_MEANS, SameSurfaceSheet, as_product, example, same_surface_chart,
         },
         ticks::short,
     },
@@ -55,7 +55,7 @@ pub mod names {
 #[derive(Default)]
 pub struct SameSurfaceView {
     shown: Memo<u64, Option<Arc<Shown>>>,
-    ranking: Memo<ByAddress<Vec<Ranked>>, ranking::LaidOut>,
+    ranking: ranking::LaidOut,
     /// The surface of the example; `None` for S2.
     example: Option<Arc<Entry>>,
 }
@@ -290,7 +290,7 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
         Sameness::Holds => ui.visuals().strong_text_color(),
         Sameness::DoesNotHold | Sameness::Unknown => context.theme.warning,
     };
-    let words = format!("{} S3 = S1 S2 {}", verdict.sign(), verdict.words());
+    let words = format!("{} S3 = S1 S2 {}", verdict.sign(), verdict.told());
     ui.label(RichText::new(words).strong().color(colour));
     ui.add_space(2.0);
     egui::Grid::new("verdicts")
@@ -299,7 +299,7 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
             for (head, meaning) in [
                 ("", ""),
                 ("residual", RESIDUAL_MEANS),
-                ("factor", FACTOR_MEANS),
+                ("times", FACTOR_MEANS),
                 ("verdict", "Up to the threshold it holds; see below."),
             ] {
                 let label = ui.label(RichText::new(head).small());
@@ -326,7 +326,7 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
                 ui.label(what);
                 ui.label(hundredths(found.map(|f| f.residual)));
                 ui.label(hundredths(found.map(|f| f.factor)));
-                ui.label(format!("{} {}", verdict.sign(), verdict.words()));
+                ui.label(format!("{} {}", verdict.sign(), verdict.told()));
                 ui.end_row();
             }
         });
@@ -339,4 +339,4 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
 }
 
 const FACTOR_MEANS: &str =
-    "What light times surface is multiplied by to come closest: geometry, not colour.";
+    "The multiple of light times surface that comes closest: geometry, not colour.";

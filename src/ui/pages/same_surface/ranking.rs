@@ -24,21 +24,21 @@ use crate::{
     },
 };
 
-/// Its columns and rows.
-pub(super) type LaidOut = (Vec<Column>, Vec<Row>);
+/// The ranking as a table, kept until it is another.
+pub(super) type LaidOut = Memo<ByAddress<Vec<Ranked>>, (Vec<Column>, Vec<Row>)>;
 
 /// The ranking, within a height.
 pub(super) fn show(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
     sheet: &SameSurfaceSheet,
-    laid_out: &mut Memo<ByAddress<Vec<Ranked>>, LaidOut>,
+    laid_out: &mut LaidOut,
     height: f32,
 ) {
     let answer = context.studies.of::<RankAsk>().answer();
     let ranked = answer.map(|(_, ranked)| ranked.clone());
     ui.horizontal_wrapped(|ui| {
-        ui.strong("Which surface explains it best?");
+        ui.strong("The surfaces that explain it best");
         copy_button(ui, names::COPY, "", || {
             let csv = |ranked: &Arc<Vec<Ranked>>| ranking(&sheet.names, ranked).csv();
             ranked.as_ref().map_or_else(String::new, csv)
@@ -46,7 +46,7 @@ pub(super) fn show(
     });
     ui.horizontal_wrapped(|ui| {
         ui.label("Among");
-        let meaning = "Which surfaces are tried: the patch set, or everything shipped.";
+        let meaning = "The surfaces that are tried: the chosen set, or everything shipped.";
         let everywhere = context.pages.same_surface.everywhere;
         context.pages.same_surface.everywhere =
             among(ui, context, names::AMONG, meaning, everywhere);
@@ -105,7 +105,7 @@ pub(super) fn show(
 }
 
 /// Its columns and rows, a field of colour before each.
-pub(super) fn laid_out(sheet: &SameSurfaceSheet, ranked: &[Ranked]) -> LaidOut {
+pub(super) fn laid_out(sheet: &SameSurfaceSheet, ranked: &[Ranked]) -> (Vec<Column>, Vec<Row>) {
     let table = ranking(&sheet.names, ranked);
     let mut columns = kit::columns(&table, &[0.43, 0.14, 0.15, 0.19]);
     columns.insert(
@@ -116,9 +116,9 @@ pub(super) fn laid_out(sheet: &SameSurfaceSheet, ranked: &[Ranked]) -> LaidOut {
         let ranked = &ranked[i];
         let [name, residual] = [&cells[0], &cells[1]];
         [
-            format!("{name}: residual {residual}, {}", ranked.verdict.words()),
+            format!("{name}: residual {residual}, {}", ranked.verdict.told()),
             format!(
-                "{}\nFactor {} in the model's numbers, {} measured.\nClick to take it as the \
+                "{}\nTimes {} in the model's numbers, {} measured.\nClick to take it as the \
                  surface S2.",
                 ranked.key,
                 hundredths(ranked.model.map(|m| m.factor)),

@@ -189,7 +189,7 @@ fn card(
         .response;
     let name = match place {
         Place::Light => format!("Light: {}", context.app.document().light.name()),
-        Place::Stage(index) => format!("Stage {}: {}", index + 1, sheet.told.names[index]),
+        Place::Stage(index) => format!("Step {}: {}", index + 1, sheet.told.names[index]),
     };
     named_choice(&response, egui::Role::Button, is_chosen, &name);
     if response.clicked() {
@@ -251,7 +251,7 @@ fn order(ui: &mut Ui, context: &mut PageContext<'_>, (count, index): (usize, usi
         let mut button = |sign: &str, what: &str, meaning: &str, on: bool| {
             let button = egui::Button::new(sign).small();
             let response = ui.add_enabled(on, button);
-            let name = format!("{what} stage {number}");
+            let name = format!("{what} step {number}");
             response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, on, &name));
             response.on_hover_text(meaning).clicked()
         };
@@ -263,9 +263,9 @@ fn order(ui: &mut Ui, context: &mut PageContext<'_>, (count, index): (usize, usi
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let remove = ui.small_button("Remove");
-            let name = format!("Remove stage {number}");
+            let name = format!("Remove step {number}");
             remove.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &name));
-            let meaning = "Takes this factor out of the chain.";
+            let meaning = "Takes this step out of the chain.";
             if remove.on_hover_text(meaning).clicked() {
                 change(context, |products| drop(products.chain.remove(index)));
             }
@@ -291,7 +291,7 @@ fn swatch_of(
     };
     let name = match place {
         Place::Light => "Light, exact and model".to_owned(),
-        Place::Stage(index) => format!("Stage {}, exact and model", index + 1),
+        Place::Stage(index) => format!("Step {}, exact and model", index + 1),
     };
     let response = swatch::split(ui, size, &exact.1, &model.1, &name);
     if response.clicked() {

@@ -9,6 +9,7 @@ use crate::{
         products::{BOUNCES, Link, THICKNESSES},
         ticks::short,
     },
+    spectrum::Kind,
     ui::{kit::number, pages::PageContext},
 };
 
@@ -32,7 +33,7 @@ pub(super) fn thickness(ui: &mut Ui, context: &mut PageContext<'_>, link: &Link,
         Some(_) => drag.suffix(" mm"),
         None => drag.suffix(" ×"),
     };
-    let response = number(ui, drag, &format!("Thickness of stage {}", index + 1));
+    let response = number(ui, drag, &format!("Thickness of step {}", index + 1));
     let meaning = match mm {
         Some(mm) => format!(
             "Thickness of the glass, mm; measured at {} mm. Internal transmittance to the power \
@@ -53,16 +54,16 @@ pub(super) fn thickness(ui: &mut Ui, context: &mut PageContext<'_>, link: &Link,
 }
 
 pub(super) fn times(ui: &mut Ui, context: &mut PageContext<'_>, link: &Link, index: usize) {
-    let meaning = "How many times in a row the light meets it: bounces off a surface, passes \
-                   through a filter.";
-    let label = ui.label(RichText::new("met").small().color(context.theme.faint));
+    let meaning = "Bounces off the surface, or passes through the filter, one after the other.";
+    let name = match link.entry.kind() {
+        Kind::Transmittance => "passes",
+        _ => "bounces",
+    };
+    let label = ui.label(RichText::new(name).small().color(context.theme.faint));
     label.on_hover_text(meaning);
     let mut bounces = link.bounces;
-    let drag = DragValue::new(&mut bounces)
-        .range(BOUNCES)
-        .speed(0.05)
-        .suffix(if link.bounces == 1 { " time" } else { " times" });
-    let response = number(ui, drag, &format!("Bounces of stage {}", index + 1));
+    let drag = DragValue::new(&mut bounces).range(BOUNCES).speed(0.05);
+    let response = number(ui, drag, &format!("Bounces of step {}", index + 1));
     let changed = response.changed();
     response.on_hover_text(meaning);
     if changed {

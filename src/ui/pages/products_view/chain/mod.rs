@@ -26,8 +26,8 @@ pub mod names {
     pub const ADD: &str = "Add a filter, glass or surface";
     pub const LIGHT: &str = "Light of the chain";
     pub const WAY: &str = "Products formed";
-    pub const COPY_STAGES: &str = "Stages as CSV";
-    pub const COPY_SPIKES: &str = "Spikes as CSV";
+    pub const COPY_STAGES: &str = "Steps as CSV";
+    pub const COPY_SPIKES: &str = "Lines as CSV";
     pub const CLEAR: &str = "Empty the chain";
     pub const MODEL: &str = "The model, step by step";
 }

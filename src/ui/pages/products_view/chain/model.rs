@@ -24,7 +24,7 @@ use crate::{
 pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet, place: Place) {
     ui.horizontal_wrapped(|ui| {
         way(ui, context);
-        let meaning = "Copies the light and every stage as a table.";
+        let meaning = "Copies the light and every step as a table.";
         if pressed(ui, names::COPY_STAGES, meaning) {
             let chain = &context.app.document().products.chain;
             ui.ctx()
@@ -87,7 +87,7 @@ fn totals(ui: &mut Ui, sheet: &ChainSheet) {
     ui.add(egui::Label::new(RichText::new(words).weak()).wrap())
         .on_hover_text(
             "Against the exact product of the same model and series; errors of colour do not \
-             simply add up. Folded: power in orders that the points fold back (a convolution cuts \
+             simply add up. Folded: power in waves that the points fold back (a convolution cuts \
              it off). One multiplication a point, or a pair of numbers, and one a line.",
         );
 }
@@ -96,7 +96,7 @@ fn totals(ui: &mut Ui, sheet: &ChainSheet) {
 fn way(ui: &mut Ui, context: &mut PageContext<'_>) {
     let before = context.app.document().settings.sampling;
     ui.label("formed by").on_hover_text(
-        "How the model's product of light and factor is formed; the exact side is always the \
+        "The model's way of forming the product of light and step; the exact side is always the \
          measured curves at every nm.",
     );
     let choice = Choice {
@@ -117,7 +117,8 @@ fn spike_table(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet, place
     ui.horizontal(|ui| {
         let title = "Lines, carried exactly (Eq. 14)";
         ui.strong(title).on_hover_text(
-            "Each spike keeps its place; its weight is multiplied by the factor where it stands.",
+            "Each line keeps its place; its weight is multiplied by what the step lets through \
+             there.",
         );
         let meaning = "Copies places, weights and names as a table.";
         if !spikes.is_empty() && pressed_small(ui, names::COPY_SPIKES, meaning) {
@@ -143,16 +144,16 @@ fn spike_table(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet, place
         .factor(&document.light.spectrum)
         .unwrap_or(1.0);
     let columns = [
-        Column::numbers("nm", "Where the spike stands, nm.", 0.8),
+        Column::numbers("nm", "Place of the line, nm.", 0.8),
         Column::numbers(
             "weight",
-            "Power of the spike here, in the unit of the plot × nm.",
+            "Power of the line here, in the unit of the plot × nm.",
             1.1,
         ),
         Column::numbers(
             "of the light's, %",
-            "Its weight here over that in the light, percent: what the factors so far let through \
-             at its place. A dark line of a factor has none in the light.",
+            "Its weight here over that in the light, percent: the share that the steps so far let \
+             through at its place. A dark line of a step has none in the light.",
             1.1,
         ),
         Column::words(
@@ -183,7 +184,7 @@ fn row(spike: &Line, own: &[Line], factor: f64, known: &KnownLines) -> Row {
         name.clone(),
     ];
     Row {
-        name: format!("Spike at {} nm, weight {}, {name}", cells[0], cells[1]),
+        name: format!("Line at {} nm, weight {}, {name}", cells[0], cells[1]),
         cells,
         ..Row::default()
     }

@@ -21,31 +21,31 @@ pub(super) fn show(ui: &mut Ui, context: &PageContext<'_>, bench: &Bench) {
     let table = bench.spikes_table(context.app);
     titled(
         ui,
-        "The factor at each spike, and what reading it so costs",
+        "The surface at each line, and the cost of reading it so",
         names::COPY_SPIKES,
-        "Copies Eq. 17 at every spike as a table.",
+        "Copies Eq. 17 at every line as a table.",
         || table.csv(),
     );
     let costs = &bench.spikes;
     if costs.each.is_empty() {
-        ui.weak("This model has no spikes.");
+        ui.weak("This model has no lines.");
         return;
     }
     ui.weak(
-        "Costs are against the factor as measured: where the series is far off, a wrong reading \
+        "Costs are against the surface as measured: where the series is far off, a wrong reading \
          may come out nearer by chance. The page \"The paper checked\" compares with the series.",
     );
     let mut rows = kit::rows(&table, |i, cells| {
         let weight = short(costs.each[i].0.spike.weight);
         [
-            format!("Spike at {} nm", cells[0]),
-            format!("Weight of the spike: {weight}.\n{EQ_17_COST}"),
+            format!("Line at {} nm", cells[0]),
+            format!("Weight of the line: {weight}.\n{EQ_17_COST}"),
         ]
     });
     let [series, corrected, printed] = costs.all;
     rows.push(Row {
-        name: "All spikes".to_owned(),
-        note: "All spikes read so at once.".to_owned(),
+        name: "All lines".to_owned(),
+        note: "All lines read so at once.".to_owned(),
         cells: vec![
             "all".to_owned(),
             String::new(),

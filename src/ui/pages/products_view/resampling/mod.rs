@@ -14,7 +14,7 @@ use crate::{
         chart::{Chart, Ink},
         charts::products::resampling::{Bench, time_of, way_meaning, way_name},
         headlines,
-        numbers::{delta_e, figure},
+        numbers::{delta_e, hundredths},
         studies::{Stage, TimingAsk},
     },
     io::many::numbers,
@@ -34,9 +34,9 @@ const WIDE: f32 = 1040.0;
 
 /// What people and tests call the controls.
 pub mod names {
-    pub const FACTOR: &str = "Factor";
+    pub const FACTOR: &str = "Filter or surface";
     pub const COPY: &str = "Copy as CSV";
-    pub const COPY_SPIKES: &str = "Copy spikes as CSV";
+    pub const COPY_SPIKES: &str = "Copy lines as CSV";
     pub const AGAIN: &str = "Measure again";
 }
 
@@ -71,8 +71,8 @@ impl ResamplingView {
                     numbers(bench.sizes.numbers),
                     match bench.sizes.spikes {
                         0 => String::new(),
-                        1 => " and 1 spike".to_owned(),
-                        many => format!(" and {many} spikes"),
+                        1 => " and 1 line".to_owned(),
+                        many => format!(" and {many} lines"),
                     }
                 ));
             }
@@ -202,7 +202,7 @@ fn columns() -> Vec<Column> {
     vec![
         Column::words(
             "way",
-            "How the product is formed. Click a row to form all products so.",
+            "Way of forming the product. Click a row to form all products so.",
             2.3,
         ),
         Column::numbers(
@@ -212,25 +212,25 @@ fn columns() -> Vec<Column> {
         ),
         Column::numbers(
             "ΔE₀₀ total",
-            "CIEDE2000 of the model's product against measured light times measured factor; the \
+            "CIEDE2000 of the model's product against measured light times measured surface; the \
              white is the light.",
             1.25,
         ),
         Column::numbers(
             "added",
-            "CIEDE2000 against the exact product of the very same series: what forming it adds.",
+            "CIEDE2000 against the exact product of the very same series: the part that forming it \
+             adds.",
             1.3,
         ),
         Column::numbers(
             "folded",
-            "Alias meter: share of the product's power in orders that the points fold back, or \
-             that the convolution cuts off. The bar is logarithmic, from 0.0001 % to 100 %.",
+            "Alias meter: share of the product's power in waves that the points fold back, or that \
+             the convolution cuts off. The bar is logarithmic, from 0.0001 % to 100 %.",
             1.95,
         ),
         Column::numbers(
             "mult.",
-            "Multiplications of one product: one a point, or one a pair of numbers, and one a \
-             spike.",
+            "Multiplications of one product: one a point, or one a pair of numbers, and one a line.",
             0.8,
         ),
         Column::numbers(
@@ -300,10 +300,7 @@ fn share_words(share: f64) -> String {
     if share <= 0.0 {
         return "0 %".to_owned();
     }
-    if share < LEAST_SHARE {
-        return "<0.0001 %".to_owned();
-    }
-    format!("{} %", figure(100.0 * share))
+    format!("{} %", hundredths(100.0 * share))
 }
 
 /// Part of its cell that the meter's bar takes.
@@ -354,7 +351,7 @@ const HOW_SHORT: &str = "ns: one product in this process, values already on thei
 fn how() -> String {
     format!(
         "Measured by this program on this machine: the multiplications alone, with the values \
-         already on their points and the factor already read at the spikes, all in the cache, on \
+         already on their points and the surface already read at the lines, all in the cache, on \
          one thread. A convolution includes the memory for its result. After {} ms of warm-up each \
          way is timed in {} batches of at least {} µs, the ways taking turns; the median batch is \
          told. Other work on the machine shows.",
