@@ -11,9 +11,9 @@ use crate::{
     app::{
         measured::{is_sigma, own_measurement, spectrum},
         open::{Loaded, Wanted},
-        readings::{Reading, exposure_ms, measured},
+        readings::{Reading, measured},
     },
-    io::{Choices, shown, stream::is_stream},
+    io::{Choices, exposure_ms, shown, stream::is_stream},
     measurements::{Measurement, Quantity, noise_of},
     spectrum::{Band, Composite, NamedSpectrum, Outside, SpikeSettings, detect},
 };

@@ -9,14 +9,12 @@ use crate::{
         App, Document,
         answers::hard_to_see_from,
         charts::products::narrow::{Behind, Filter},
-        document::first_light,
-        entry::bundled_entries,
         figures::{Unit, brief, three_digits},
         make::behind,
         pages::PageMemory,
         products::ModelledLight,
         quality::QualityShown,
-        quality_report::{Row, light_of, rows},
+        quality_report::{Row, known, light_of, rows},
         studies::{AuctionAsk, Question as _},
     },
     color::{
@@ -288,20 +286,11 @@ fn behind_filter(scene: &Scene<'_>, way: usize) -> Option<f64> {
     behind.figures(&filter).ways[way].delta_e_2000
 }
 
-/// The keys of light quality.
-fn quality_keys() -> Vec<&'static str> {
-    let light = first_light(bundled_entries());
-    let (light, measured) = light_of(&light.spectrum);
-    let rows = rows(&Figures::of(&light, measured));
-    rows.iter().map(|row| row.key).collect()
-}
-
 /// Every key, with what it counts where that is not told elsewhere.
 pub fn keys() -> Vec<(&'static str, &'static str)> {
     let of_document = OF_DOCUMENT.map(|one| (one.key, one.meaning));
     let of_models = Measure::ALL.map(|m| (m.figure().key, m.figure().title));
-    let of_quality = quality_keys().into_iter();
-    let of_quality = of_quality.map(|key| (key, "of light quality"));
+    let of_quality = known().iter().map(|row| (row.key, "of light quality"));
     let all = of_document.into_iter().chain(of_models).chain(of_quality);
     all.collect()
 }

@@ -26,7 +26,7 @@ pub use json::{full_json, json};
 pub use measured::{light_of, measured_in};
 pub use orders::ModelsByOrder;
 pub use row::{Row, figure_words};
-pub use rows::{TLCI, rows};
+pub use rows::{TLCI, known, rows};
 pub use sheet::{Modeller, Sheet};
 pub use table::{csv_head, csv_line, csv_line_of_none};
 pub use words::{table_of_two, text};

@@ -1,11 +1,13 @@
 //! All figures of a light as rows.
 
+use std::sync::LazyLock;
+
 use crate::{
-    app::{tint, verdicts},
+    app::{document::first_light, entry::bundled_entries, tint, verdicts},
     color::quality::{ALPHA_OPIC_WORDS, Figures, NoFigure, RENDERING_SAMPLES},
 };
 
-use super::{reading, row::Row};
+use super::{measured::light_of, reading, row::Row};
 
 /// Why there is no TLCI.
 pub const TLCI: &str =
@@ -43,6 +45,15 @@ pub fn rows(figures: &Figures) -> Vec<Row> {
     rows.extend(effect_rows(figures));
     rows.extend(spectrum_rows(figures));
     rows
+}
+
+/// Every figure by its key: rows of a shipped light.
+pub fn known() -> &'static [Row] {
+    static KNOWN: LazyLock<Vec<Row>> = LazyLock::new(|| {
+        let (light, measured) = light_of(&first_light(bundled_entries()).spectrum);
+        rows(&Figures::of(&light, measured))
+    });
+    &KNOWN
 }
 
 /// A row whose reading is formed of its number.

@@ -166,7 +166,7 @@ impl Figures {
 impl FewFigures {
     /// The few figures of a light.
     pub fn of(light: &Light) -> Self {
-        let cct = cct_of(&xyz_of(light, Observer::CIE_1931));
+        let cct = cct(light);
         let found = cct.clone().and_then(|cct| fidelity(light, cct));
         let found = found.map(|found| (found.rf, found.rg));
         Self {
@@ -177,6 +177,11 @@ impl FewFigures {
             cct,
         }
     }
+}
+
+/// Correlated colour temperature and Duv alone.
+pub(crate) fn cct(light: &Light) -> Result<Cct, NoFigure> {
+    cct_of(&xyz_of(light, Observer::CIE_1931))
 }
 
 /// XYZ with Y = 100.

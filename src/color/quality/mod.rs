@@ -59,6 +59,7 @@ pub(crate) use absolute::Radiometric;
 pub use absolute::{Measured, absolute};
 pub(crate) use alpha_opic::ALPHA_OPIC_WORDS;
 pub use fidelity::fidelity;
+pub(crate) use figures::cct;
 pub use figures::{FewFigures, Figures};
 pub use light::{Light, POINTS};
 pub use no_figure::{Dark, NoFigure};
