@@ -62,6 +62,7 @@ pub(super) fn run(
         dark: options.dark.unwrap_or(0),
         reference: options.reference.unwrap_or(0),
         told: 0,
+        why_not: String::new(),
         began: Instant::now(),
     };
     session.live.average_over(options.average);
@@ -122,6 +123,8 @@ struct Session<'o> {
     reference: usize,
     /// Frames that were told.
     told: u64,
+    /// Why the last of the others were not.
+    why_not: String,
     began: Instant,
 }
 
@@ -180,7 +183,11 @@ impl Session<'_> {
             Ok(Some(shown)) => shown,
             Ok(None) => return Ok(()),
             Err(why) => {
-                inputs.remark(&why.to_string());
+                let why = why.to_string();
+                if self.why_not != why {
+                    inputs.remark(&why);
+                    self.why_not = why;
+                }
                 return Ok(());
             }
         };

@@ -121,7 +121,7 @@ pub(super) fn source(
     }
     let choices = inputs.choices(&Choices::default());
     Ok(match is_folder {
-        true => Box::new(FolderSource::new(path, &choices)),
+        true => Box::new(FolderSource::new(path, &choices).with_lines(lines)),
         false => Box::new(FileSource::new(path, &choices).with_lines(lines)),
     })
 }

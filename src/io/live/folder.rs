@@ -35,6 +35,8 @@ pub struct FolderSource {
     path: PathBuf,
     name: String,
     choices: Choices,
+    /// What each file's lines begin with.
+    lines: Lines,
     files: BTreeMap<PathBuf, FileSource>,
     /// By time, the newest last.
     list: Vec<Listed>,
@@ -54,6 +56,7 @@ impl FolderSource {
             path: path.to_owned(),
             name: name_of(path),
             choices: choices.clone(),
+            lines: Lines::new(""),
             files: BTreeMap::new(),
             list: Vec::new(),
             present: None,
@@ -63,6 +66,12 @@ impl FolderSource {
             looked: None,
             opened: Instant::now(),
         }
+    }
+
+    /// The same for lines that tell no wavelengths.
+    #[must_use]
+    pub fn with_lines(self, lines: Lines) -> Self {
+        Self { lines, ..self }
     }
 
     /// Every file that came or was there, the newest last; each is one step back.
@@ -90,7 +99,7 @@ impl FolderSource {
     fn source(&self, path: &Path) -> FileSource {
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
         FileSource::new(path, &self.choices)
-            .with_lines(Lines::new(&name))
+            .with_lines(self.lines.anew(&name))
             .after(self.good.clone())
     }
 

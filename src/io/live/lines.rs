@@ -146,16 +146,22 @@ impl Lines {
         }
     }
 
+    /// The same for another stream: the wavelengths of an instrument stay.
+    pub(super) fn anew(&self, name: &str) -> Self {
+        Self {
+            axis: self.axis.clone().filter(|_| self.is_given),
+            is_given: self.is_given,
+            ..Self::new(name)
+        }
+    }
+
     /// True if a line makes a frame, or tells wavelengths, before any others: an object, or with an
     /// instrument's wavelengths anything.
     pub(super) fn understands(&self, line: &[u8]) -> bool {
         let is_object = line.trim_ascii_start().first() == Some(&b'{');
-        let mut probe = Self::new("");
-        probe.is_given = self.is_given;
-        probe.axis = self.axis.clone().filter(|_| self.is_given);
         (is_object || self.is_given)
             && line.len() <= MOST_LINE_BYTES
-            && probe.read(line, 0.0).is_ok()
+            && self.anew("").read(line, 0.0).is_ok()
     }
 
     /// The end of a stream: what stands behind the last line end is half a line, since a number that
