@@ -50,6 +50,8 @@ pub struct Live {
     instrument: Option<Instrument>,
     /// The newest, all alike, the newest last.
     frames: VecDeque<Frame>,
+    /// Frames since the last that must not be averaged with them.
+    alike: usize,
     average: usize,
     dark: Option<Measurement>,
     light: Option<Measurement>,
@@ -69,6 +71,7 @@ impl Live {
             as_light,
             instrument,
             frames: VecDeque::new(),
+            alike: 0,
             average: 1,
             dark: None,
             light: None,
@@ -95,6 +98,7 @@ impl Live {
                 (self.dark, self.light) = (None, None);
             }
             self.frames.clear();
+            self.alike = 0;
             self.counts = None;
             self.peak = self.peak.take().map(|_| None);
         }
@@ -107,6 +111,7 @@ impl Live {
         // A stream of counts stays one when it gets dim.
         self.counts = self.counts.take().or_else(|| counts_sign(&named(&frame)));
         self.frames.push_back(frame);
+        self.alike += 1;
         if self.frames.len() > MOST_AVERAGED {
             self.frames.pop_front();
         }
@@ -161,15 +166,14 @@ impl Live {
 
     /// Takes the mean of the last frames as dark or reference; false where there are none.
     pub fn take(&mut self, which: Reference) -> bool {
-        let taken = self.mean(self.average).and_then(Result::ok);
+        let taken = self.mean().and_then(Result::ok);
         let has_taken = taken.is_some();
         match which {
             Reference::Dark => self.dark = taken,
             Reference::Light => self.light = taken,
         }
         // What comes next is of something else.
-        let last = self.frames.len().saturating_sub(1);
-        self.frames.drain(..last);
+        self.alike = 0;
         has_taken
     }
 
@@ -207,13 +211,13 @@ impl Live {
         if let Some(held) = &self.held {
             return Ok(Some(held.clone()));
         }
-        let (Some(frame), Some(mean)) = (self.frames.back(), self.mean(self.average)) else {
+        let (Some(frame), Some(mean)) = (self.frames.back(), self.mean()) else {
             return Ok(None);
         };
         Ok(Some(Shown {
             of: self.corrected(mean?)?,
             time_ms: frame.time_ms,
-            frames: self.average.min(self.frames.len()),
+            frames: self.averaged(),
             clipped: clipped(&self.measurement(frame, frame.samples.clone())?),
             counts: self.counts.clone(),
         }))
@@ -242,10 +246,15 @@ impl Live {
         self.arrivals.back().map(|last| (now_s - last).max(0.0))
     }
 
+    /// How many frames the mean is of.
+    fn averaged(&self) -> usize {
+        self.average.min(self.frames.len()).min(self.alike.max(1))
+    }
+
     /// The mean of the last frames as they came.
-    fn mean(&self, frames: usize) -> Option<Result<Measurement, MeasurementError>> {
+    fn mean(&self) -> Option<Result<Measurement, MeasurementError>> {
         let newest = self.frames.back()?;
-        let count = frames.min(self.frames.len());
+        let count = self.averaged();
         let mut sum = vec![0.0; newest.samples.len()];
         for frame in self.frames.iter().rev().take(count) {
             let values = frame.samples.values().iter();
@@ -441,6 +450,8 @@ mod tests {
             |live: &mut Live, ms: f64, value: f64| live.push(frame(0.0, ms, flat(value)), 0.0);
         push(&mut live, 10.0, 1.0);
         assert!(live.take(Reference::Dark));
+        // The dark is not averaged with what follows.
+        live.average_over(2);
         push(&mut live, 10.0, 5.0);
         // A difference of two numbers of size 5.
         for (found, exact) in values(&live).iter().zip(flat(4.0)) {
@@ -449,7 +460,10 @@ mod tests {
         assert!(live.take(Reference::Light));
         push(&mut live, 10.0, 3.0);
         let shown = live.shown().unwrap().unwrap();
-        assert_eq!(shown.of.quantity, Quantity::Transmittance);
+        assert_eq!(
+            (shown.of.quantity, shown.frames),
+            (Quantity::Transmittance, 1)
+        );
         let found = shown.of.samples.values();
         assert!(found.iter().all(|t| (t - 0.5).abs() < 1e-12));
         let said = push(&mut live, 30.0, 3.0).expect("said");

@@ -55,8 +55,8 @@ pub(crate) struct Follow {
     #[arg(long, value_name = "N", default_value = "1",
         value_parser = |word: &str| words::whole(word, &(1..=MOST_AVERAGED)))]
     pub average: usize,
-    /// Take the mean of the first N frames, 1 to 64, off those that follow, until the integration
-    /// time changes.
+    /// Take the mean of the first N frames, 1 to 64, off the later ones, until the integration time
+    /// changes.
     #[arg(long, value_name = "N",
         value_parser = |word: &str| words::whole(word, &(1..=MOST_AVERAGED)))]
     pub dark: Option<usize>,

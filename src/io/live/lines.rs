@@ -19,10 +19,7 @@ use memchr::memchr;
 use super::frame::{Frame, Line};
 use crate::io::{
     error::quoted,
-    text::{
-        number::{is_measured, label_nm},
-        units::names_wavelength,
-    },
+    text::{number::is_measured, units::names_wavelength},
 };
 use crate::spectrum::{Kind, Sampled};
 
@@ -373,9 +370,18 @@ fn numbers(cells: &[&str]) -> Result<Vec<f64>, String> {
 
 /// The wavelength that a label tells: `415`, `415nm`, `F1 (415 nm)`; not the 1 of `F1`.
 fn wavelength_of(label: &str) -> Option<f64> {
-    let label = label.trim();
-    let bare = label.parse::<f64>().ok();
-    let nm = bare.or_else(|| label_nm(label).filter(|found| found.1).map(|found| found.0));
+    let label = label.trim().trim_end_matches([')', ']']).trim_end();
+    let is_unit =
+        |at: &usize| label.is_char_boundary(*at) && label[*at..].eq_ignore_ascii_case("nm");
+    let number = match label.len().checked_sub(2).filter(is_unit) {
+        None => label,
+        Some(unit) => {
+            let body = label[..unit].trim_end_matches(['(', '[', ' ']);
+            let is_digit = |c: char| c.is_ascii_digit() || c == '.';
+            &body[body.trim_end_matches(is_digit).len()..]
+        }
+    };
+    let nm = number.parse::<f64>().ok();
     nm.filter(|nm| WAVELENGTHS.contains(nm))
 }
 
@@ -397,7 +403,7 @@ mod tests {
             "wavelength_nm 400 450 500 550 600\n1  2 3 4 5\n",
             "600,550,500,450,400,\n5, 4, 3, 2, 1,\n",
             "# a sensor\n\n400:1,450:2,500:3,550:4,600:5\n",
-            "F5_600nm:5 clear:9 400nm:1 450nm:2 500nm:3 550nm:4\n",
+            "F5_600nm:5 clear:9 400nm:1 450[nm]:2 500nm:3 F4(550nm):4\n",
             "{\"wavelength_nm\":[400,450,500,550,600]}\n{\"values\":[1,2,3,4,5]}\n",
         ] {
             let mut lines = Lines::new("sensor");
@@ -494,7 +500,8 @@ mod tests {
             lines.feed(&[b'1'; 100_000], 0.0, |frame| panic!("{frame:?}"));
             assert!(lines.pending.capacity() <= 2 * MOST_LINE_BYTES);
         }
-        lines.feed(text.as_bytes(), 0.0, |_| {});
+        assert_eq!(read(&mut lines, "\n"), []);
+        assert_eq!(read(&mut lines, text).len(), 2);
         assert_eq!(lines.broken.count, 1);
     }
 

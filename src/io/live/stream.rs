@@ -171,7 +171,8 @@ pub enum ListenError {
     Taken { address: SocketAddr, why: io::Error },
 }
 
-/// A place where producers connect, one at a time: the newest is heard.
+/// A place where producers connect. One at a time is heard: another takes over from one that is
+/// silent or gone.
 pub struct Listener {
     listener: TcpListener,
     producer: Option<TcpStream>,
@@ -221,12 +222,6 @@ impl Link for Listener {
     fn hear(&mut self, patience: Duration) -> Heard {
         let until = Instant::now() + patience;
         loop {
-            if let Ok((producer, from)) = self.listener.accept()
-                && producer.set_nonblocking(false).is_ok()
-            {
-                self.producer = Some(producer);
-                return Heard::Begin(format!("{from} sends."));
-            }
             let left = until.saturating_duration_since(Instant::now());
             match &mut self.producer {
                 None => thread::sleep(left.min(PAUSE)),
@@ -249,6 +244,12 @@ impl Link for Listener {
                         }
                     }
                 }
+            }
+            if let Ok((producer, from)) = self.listener.accept()
+                && producer.set_nonblocking(false).is_ok()
+            {
+                self.producer = Some(producer);
+                return Heard::Begin(format!("{from} sends."));
             }
             if left.is_zero() {
                 return Heard::Nothing;
