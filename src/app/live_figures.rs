@@ -1,114 +1,97 @@
-//! Figures of the frames of a stream: those that are asked for and no others, since they come a
-//! hundred times a second.
-
-use std::cell::OnceCell;
+//! Figures of the frames of a stream: no others than are asked for, since they come a hundred times a
+//! second.
 
 use super::{
-    figures::three_digits,
+    figures::{Figure, OF_QUALITY, QualityFigure, Unit},
     measured::spectrum,
-    quality_report::{Row, known, light_of, rows},
+    numbers::significant,
+    quality_report::light_of,
     readings::COUNTS,
 };
 use crate::{
-    color::{
-        Cct,
-        quality::{
-            Fidelity, Figures, Light, Measured, NoFigure, Rendering, cct, fidelity, rendering,
-        },
-    },
+    color::quality::{Figures, Parts},
     live::{Shown, sums},
     measurements::Quantity,
 };
 
-/// The brightness, which a stream has beside the figures of light quality.
-static Y: Row = Row {
-    key: "y",
+/// The brightness, which only a stream has: elsewhere the light's Y is 100.
+static SUM: Figure = Figure {
+    key: "Y",
     title: "Y",
-    unit: "",
+    short: "Y",
+    unit: Unit::NONE,
     digits: 3,
-    method: "sum with the luminosity function, in the unit of the values x nm",
-    value: Ok(0.0),
-    reading: String::new(),
+    signed: false,
+    meaning: "Sum with the luminosity function, in the unit of the values x nm.",
+    said: "",
+    goal: "",
 };
 
-/// Every figure that a stream has.
-fn all() -> impl Iterator<Item = &'static Row> {
-    std::iter::once(&Y).chain(known())
+/// A figure that is asked for.
+#[derive(Clone, Copy, Debug)]
+pub enum Wanted {
+    /// The sum with the luminosity function.
+    Sum,
+    /// A figure of light quality.
+    Of(&'static QualityFigure),
 }
 
-/// A figure by its key.
-///
-/// # Errors
-/// The keys that there are.
-pub fn named(key: &str) -> Result<&'static Row, String> {
-    let found = all().find(|row| row.key == key.trim());
-    found.ok_or_else(|| {
-        let keys: Vec<&str> = all().map(|row| row.key).collect();
-        format!(
-            "found the figure {key}, expected one of {}",
-            keys.join(", ")
-        )
-    })
+/// A figure of a frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Told {
+    pub figure: &'static Figure,
+    /// The number, or why there is none.
+    pub value: Result<f64, String>,
 }
 
-/// A light with what figures share, each computed once it is asked for.
-struct Computed {
-    light: Light,
-    measured: Option<Measured>,
-    cct: OnceCell<Result<Cct, NoFigure>>,
-    rendering: OnceCell<Result<Rendering, NoFigure>>,
-    fidelity: OnceCell<Result<Fidelity, NoFigure>>,
-    all: OnceCell<Vec<Row>>,
-}
-
-impl Computed {
-    fn cct(&self) -> Result<Cct, NoFigure> {
-        self.cct.get_or_init(|| cct(&self.light)).clone()
+impl Wanted {
+    /// Every figure that a stream has.
+    fn all() -> impl Iterator<Item = Self> {
+        let of_quality = OF_QUALITY.iter().filter(|row| !row.figure.key.is_empty());
+        std::iter::once(Self::Sum).chain(of_quality.map(Self::Of))
     }
 
-    fn of_rendering(&self, of: impl Fn(&Rendering) -> f64) -> Result<f64, NoFigure> {
-        let found = self
-            .rendering
-            .get_or_init(|| rendering(&self.light, self.cct()?));
-        found.as_ref().map(of).map_err(Clone::clone)
+    /// A figure by its key.
+    ///
+    /// # Errors
+    /// The keys that there are.
+    pub fn named(key: &str) -> Result<Self, String> {
+        let key = key.trim();
+        let found = Self::all().find(|wanted| wanted.figure().key == key);
+        found.ok_or_else(|| {
+            let keys: Vec<&str> = Self::all().map(|wanted| wanted.figure().key).collect();
+            format!(
+                "found the figure {key}, expected one of {}",
+                keys.join(", ")
+            )
+        })
     }
 
-    fn of_fidelity(&self, of: impl Fn(&Fidelity) -> f64) -> Result<f64, NoFigure> {
-        let found = self
-            .fidelity
-            .get_or_init(|| fidelity(&self.light, self.cct()?));
-        found.as_ref().map(of).map_err(Clone::clone)
+    fn figure(self) -> &'static Figure {
+        match self {
+            Self::Sum => &SUM,
+            Self::Of(row) => &row.figure,
+        }
     }
 
-    fn value(&self, key: &str) -> Result<f64, String> {
-        let sample = || key.strip_prefix('r')?.parse::<usize>().ok();
-        let found = match key {
-            "cct" => self.cct().map(|cct| cct.kelvin),
-            "duv" => self.cct().map(|cct| cct.duv),
-            "ra" => self.of_rendering(|found| found.ra),
-            "rf" => self.of_fidelity(|found| found.rf),
-            "rg" => self.of_fidelity(|found| found.rg),
-            _ => match sample() {
-                Some(sample) => self.of_rendering(|found| found.samples[sample - 1].index),
-                None => return self.any(key),
-            },
-        };
-        found.map_err(|why| why.to_string())
-    }
-
-    fn any(&self, key: &str) -> Result<f64, String> {
-        let all = self
-            .all
-            .get_or_init(|| rows(&Figures::of(&self.light, self.measured)));
-        match all.iter().find(|row| row.key == key) {
-            Some(row) => row.value.clone(),
-            None => Err("the unit of the values has another quantity".to_owned()),
+    /// Adds what it needs to the parts that are computed.
+    fn add_to(self, parts: &mut Parts) {
+        let key = self.figure().key;
+        let is_sample = |rest: &str| rest.parse::<u8>().is_ok();
+        match key {
+            "Y" | "x" | "y" | "u_prime" | "v_prime" | "cct" | "duv" => {}
+            "ra" => parts.rendering = true,
+            "rf" | "rg" => parts.fidelity = true,
+            key if key.strip_prefix('r').is_some_and(is_sample) => parts.rendering = true,
+            _ => parts.others = true,
         }
     }
 }
 
 /// The figures of what is shown, in the order asked for; none of what is no light.
-pub fn figures(shown: &Shown, wanted: &[&'static Row]) -> Vec<Row> {
+pub fn figures(shown: &Shown, wanted: &[Wanted]) -> Vec<Told> {
+    let mut parts = Parts::default();
+    wanted.iter().for_each(|wanted| wanted.add_to(&mut parts));
     let light = match shown.of.quantity {
         Quantity::Light => Ok(spectrum(&shown.of, "")),
         Quantity::Counts => Err(COUNTS.to_owned()),
@@ -116,73 +99,81 @@ pub fn figures(shown: &Shown, wanted: &[&'static Row]) -> Vec<Row> {
     };
     let light = light.map(|spectrum| {
         let (light, measured) = light_of(&spectrum);
-        let computed = Computed {
-            light,
-            measured,
-            cct: OnceCell::new(),
-            rendering: OnceCell::new(),
-            fidelity: OnceCell::new(),
-            all: OnceCell::new(),
-        };
-        (spectrum, computed)
+        let figures = Figures::of_parts(&light, measured, parts);
+        (spectrum, figures)
     });
-    let value = |key: &str| match &light {
-        Err(why) => Err(why.clone()),
-        Ok((spectrum, _)) if key == Y.key => Ok(sums(&spectrum.samples).y),
-        Ok((_, computed)) => computed.value(key),
+    let value = |wanted: &Wanted| -> Result<f64, String> {
+        let (spectrum, figures) = light.as_ref().map_err(Clone::clone)?;
+        match wanted {
+            Wanted::Sum => Ok(sums(&spectrum.samples).y),
+            Wanted::Of(row) if (row.applies)(figures) => {
+                row.value(figures).map_err(|why| why.to_string())
+            }
+            Wanted::Of(_) => Err("the unit of the values is that of another quantity".to_owned()),
+        }
     };
-    let figure = |known: &&'static Row| Row {
-        value: value(known.key),
-        ..(*known).clone()
+    let told = |wanted: &Wanted| Told {
+        figure: wanted.figure(),
+        value: value(wanted).and_then(|value| match value.is_finite() {
+            true => Ok(value),
+            false => Err("it is beyond all numbers".to_owned()),
+        }),
     };
-    wanted.iter().map(figure).collect()
+    wanted.iter().map(told).collect()
 }
 
-/// A figure in a line of words: `CCT 2856 K`.
-pub fn words(figure: &Row) -> String {
-    match figure.value {
-        Ok(value) if figure.key == Y.key => format!("{} {}", figure.title, three_digits(value)),
-        _ => format!("{} {}", figure.title, figure.shown()),
+impl Told {
+    /// In a line of words: `CCT 2856 K`.
+    pub fn words(&self) -> String {
+        let name = match self.figure.title {
+            "" => self.figure.key,
+            title => title,
+        };
+        let number = match self.value {
+            Ok(value) if self.figure.key == SUM.key => significant(value, 3),
+            Ok(value) => self.figure.written(value),
+            Err(_) => super::numbers::DASH.to_owned(),
+        };
+        format!("{name} {number}")
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::{document::first_light, entry::bundled_entries, measured::measurement};
+    use crate::app::{
+        document::first_light, entry::bundled_entries, measured::measurement, quality_report::rows,
+    };
 
     #[test]
-    fn every_figure_is_that_of_a_report_and_no_key_stands_for_two() {
+    fn every_figure_is_that_of_a_report_however_few_are_asked_for() {
         let entry = first_light(bundled_entries());
-        let of = measurement(&entry.spectrum, None).expect("a light");
-        let shown = Shown {
-            of,
+        let shown = |factor: f64| Shown {
+            of: {
+                let mut of = measurement(&entry.spectrum, None).expect("a light");
+                of.samples = of.samples.scaled(factor);
+                of
+            },
             time_ms: 0.0,
             frames: 1,
             clipped: Vec::new(),
             counts: None,
         };
-        let wanted: Vec<&'static Row> = all().collect();
-        let light = Light::of_sampled(&entry.spectrum.samples);
-        let report = rows(&Figures::of(&light, light_of(&entry.spectrum).1));
-        let found = figures(&shown, &wanted);
-        assert_eq!(found.len(), report.len() + 1);
-        for (found, row) in found[1..].iter().zip(&report) {
-            assert_eq!((found.key, &found.value), (row.key, &row.value));
+        let (light, measured) = light_of(&entry.spectrum);
+        let report = rows(&Figures::of(&light, measured));
+        assert!(report.len() > 30, "{}", report.len());
+        for row in report {
+            let wanted = Wanted::named(row.figure.key).expect("a key");
+            let alone = figures(&shown(1.0), &[wanted]).remove(0);
+            assert_eq!((alone.figure, alone.value), (row.figure, row.value));
         }
-        assert!(found.iter().skip(1).all(|row| row.key != Y.key));
-        let brighter = Shown {
-            of: measurement(
-                &crate::spectrum::NamedSpectrum {
-                    samples: entry.spectrum.samples.scaled(2.0),
-                    ..entry.spectrum.clone()
-                },
-                None,
-            )
-            .expect("a light"),
-            ..shown
-        };
-        let [one, two] = [&found[0], &figures(&brighter, &wanted)[0]].map(|row| row.value.clone());
-        assert_eq!(two, one.map(|y| 2.0 * y));
+        let y = |factor: f64| figures(&shown(factor), &[Wanted::Sum]).remove(0).value;
+        assert_eq!(y(2.0), y(1.0).map(|y| 2.0 * y));
+        // Each key is of one figure.
+        let mut keys: Vec<&str> = Wanted::all().map(|wanted| wanted.figure().key).collect();
+        let count = keys.len();
+        keys.sort_unstable();
+        keys.dedup();
+        assert_eq!(keys.len(), count);
     }
 }

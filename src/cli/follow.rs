@@ -19,9 +19,8 @@ use super::{
 };
 use crate::{
     app::{
-        live_figures::{figures, words},
+        live_figures::{Told, figures},
         measured::spectrum,
-        quality_report::Row,
     },
     io::{Event, Frame, Recorder, Source, shown},
     live::{Live, Reference, Shown, Tracks, clock},
@@ -230,7 +229,7 @@ impl Session<'_> {
     fn json(
         &self,
         shown: &Shown,
-        figures: &[Row],
+        figures: &[Told],
         integration_ms: Option<f64>,
         broken: u64,
     ) -> Value {
@@ -238,9 +237,12 @@ impl Session<'_> {
         let mut object = Map::new();
         for figure in figures {
             if let Err(why) = &figure.value {
-                notes.push(format!("{}: {why}", figure.key));
+                notes.push(format!("{}: {why}", figure.figure.key));
             }
-            object.insert(figure.key.to_owned(), json!(figure.value.as_ref().ok()));
+            object.insert(
+                figure.figure.key.to_owned(),
+                json!(figure.value.as_ref().ok()),
+            );
         }
         let clipped = shown.clipped.iter();
         let clipped = clipped.map(|[from, to]| json!({ "from_nm": from, "to_nm": to }));
@@ -269,9 +271,9 @@ impl Session<'_> {
 }
 
 /// `0:00:03.2  CCT 2856 K  Y 12.3  Ra 99.6`.
-fn in_words(shown: &Shown, figures: &[Row]) -> String {
+fn in_words(shown: &Shown, figures: &[Told]) -> String {
     let mut parts = vec![clock(shown.time_ms)];
-    parts.extend(figures.iter().map(words));
+    parts.extend(figures.iter().map(Told::words));
     if let Some(why) = figures
         .iter()
         .find_map(|figure| figure.value.as_ref().err())

@@ -83,7 +83,13 @@ fn a_recording_is_stepped_and_its_figures_are_those_of_the_light() {
     let folder = tempfile::tempdir().expect("a folder");
     let run = recording(folder.path());
     let args = [&run, "--replay", "step", "--json"];
-    let (out, _) = said(&[&args[..], &["--figures", "cct,y,ra,r9,rf,melanopic_der"]].concat());
+    let (out, _) = said(
+        &[
+            &args[..],
+            &["--figures", "cct,Y,x,y,ra,r9,rf,melanopic_der"],
+        ]
+        .concat(),
+    );
     let frames = objects(&out);
     assert_eq!(frames.len(), 3);
     let mut of_light = Vec::new();
@@ -99,9 +105,13 @@ fn a_recording_is_stepped_and_its_figures_are_those_of_the_light() {
             // The same sums of values that are twice and three times as large.
             assert!((value(key) / exact - 1.0).abs() < 1e-12, "{key}");
         }
+        for (key, place) in [("x", 0), ("y", 1)] {
+            let exact = light["xy"][place].as_f64().expect("a number");
+            assert!((value(key) - exact).abs() < 1e-12, "{key}");
+        }
         assert!((value("r9") - light["r"][8].as_f64().expect("R9")).abs() < 1e-9);
-        let first = frames[0]["y"].as_f64().expect("a number");
-        assert!((value("y") / first - (index + 1) as f64).abs() < 1e-12);
+        let first = frames[0]["Y"].as_f64().expect("a number");
+        assert!((value("Y") / first - (index + 1) as f64).abs() < 1e-12);
     }
     let (out, _) = said(&[&run, "--replay", "1000000"]);
     let lines: Vec<&str> = out.lines().collect();
@@ -299,7 +309,7 @@ fn lines_come_over_tcp_and_a_producer_that_is_killed_ends_nothing() {
     assert_eq!(outcome, Outcome::Done(0));
     let frames = objects(&out);
     assert_eq!(frames.len(), 2);
-    let y = |frame: &Value| frame["y"].as_f64().expect("a number");
+    let y = |frame: &Value| frame["Y"].as_f64().expect("a number");
     assert!((y(&frames[1]) / y(&frames[0]) - 2.0).abs() < 1e-12);
     // The line without numbers, half a line of the one that is gone, and perhaps the next line.
     let broken = frames[1]["broken"].as_u64();
@@ -323,7 +333,7 @@ fn a_file_that_is_rewritten_is_told_again() {
     fs::write(&meter, object(2.0, "")).expect("written");
     let second = lines.recv().expect("a line");
     assert_eq!(command.join().expect("no panic"), Outcome::Done(0));
-    let y = |line: &str| objects(line)[0]["y"].as_f64().expect("a number");
+    let y = |line: &str| objects(line)[0]["Y"].as_f64().expect("a number");
     assert!((y(&second) / y(&first) - 2.0).abs() < 1e-12);
 }
 

@@ -9,19 +9,22 @@ use crate::{
         App, Document,
         answers::hard_to_see_from,
         charts::products::narrow::{Behind, Filter},
-        figures::{Unit, brief, three_digits},
+        design::Desk,
+        figures::{Unit, brief},
         make::behind,
+        numbers::{DASH, figure as figure_words, or_dash},
         pages::PageMemory,
         products::ModelledLight,
         quality::QualityShown,
-        quality_report::{Row, known, light_of, rows},
+        quality_report::{Row, light_of, rows},
         studies::{AuctionAsk, Question as _},
     },
     color::{
         Observer, Xyz, delta_e_of_xyz,
-        quality::Figures,
+        quality::{Figures, Light, POINTS},
         xyz::{xyz_from_light, xyz_from_reflectance},
     },
+    design::solve::MixFigures,
     spectrum::Kind,
     study::{Goal, Measure, Progress},
 };
@@ -52,7 +55,7 @@ impl Told {
     /// A bound of the figure, as the figure itself is told.
     pub fn bound(&self, value: f64) -> String {
         let (factor, tail) = &self.unit;
-        format!("{}{tail}", three_digits(value * factor))
+        format!("{}{tail}", figure_words(value * factor))
     }
 }
 
@@ -63,6 +66,11 @@ struct OfDocument {
     unit: Unit,
     of: fn(&Scene<'_>) -> Option<f64>,
 }
+
+const LM_PER_WATT: Unit = Unit {
+    tail: " lm/W",
+    ..Unit::NONE
+};
 
 const fn row(
     key: &'static str,
@@ -79,7 +87,7 @@ const fn row(
 }
 
 /// The figures that only a document has.
-const OF_DOCUMENT: [OfDocument; 20] = [
+const OF_DOCUMENT: [OfDocument; 23] = [
     row("order", "order N of the smooth part", Unit::NONE, |s| {
         Some(s.app.document().settings.effective_order() as f64)
     }),
@@ -173,6 +181,21 @@ const OF_DOCUMENT: [OfDocument; 20] = [
         |s| Some(s.memory.products.narrow.centre_nm),
     ),
     row(
+        "desk_delta_e",
+        "colour difference of the desk's mixture to its aim, equally bright",
+        Unit::DELTA_E,
+        off_aim,
+    ),
+    row("desk_rf", "Rf of the desk's mixture", Unit::NONE, |s| {
+        desk(s)?.rf
+    }),
+    row(
+        "desk_ler",
+        "efficacy of radiation of the desk's mixture",
+        LM_PER_WATT,
+        |s| Some(desk(s)?.ler),
+    ),
+    row(
         "auction_lines",
         "lines that the auction keeps for its goal",
         Unit::NONE,
@@ -251,6 +274,19 @@ fn beside_overlay(document: &Document) -> Option<f64> {
     delta_e_of_xyz(seen(own)?, seen(overlay)?, white)
 }
 
+fn desk(scene: &Scene<'_>) -> Option<MixFigures> {
+    Desk::of(scene.app.document()).figures
+}
+
+/// How far the mixture's white is from the one that is aimed at, both of Y = 100, seen by an eye
+/// that has adapted to the aim.
+fn off_aim(scene: &Scene<'_>) -> Option<f64> {
+    let aim = scene.memory.wish.target(scene.app.document()).ok()?;
+    let [x, y] = aim.xy();
+    let white = Xyz::from_array([100.0 * x / y, 100.0, 100.0 * (1.0 - x - y) / y]);
+    delta_e_of_xyz(desk(scene)?.xyz?, white, white)
+}
+
 fn chain_luminance(app: &App) -> Option<f64> {
     let document = app.document();
     let band = document.settings.band;
@@ -290,7 +326,10 @@ fn behind_filter(scene: &Scene<'_>, way: usize) -> Option<f64> {
 pub fn keys() -> Vec<(&'static str, &'static str)> {
     let of_document = OF_DOCUMENT.map(|one| (one.key, one.meaning));
     let of_models = Measure::ALL.map(|m| (m.figure().key, m.figure().title));
-    let of_quality = known().iter().map(|row| (row.key, "of light quality"));
+    // Those of a light whose unit says nothing.
+    let dark = Figures::of(&Light::of_nm_values(&[0.0; POINTS]), None);
+    let of_quality = rows(&dark).into_iter();
+    let of_quality = of_quality.map(|row| (row.figure.key, "of light quality"));
     let all = of_document.into_iter().chain(of_models).chain(of_quality);
     all.collect()
 }
@@ -355,35 +394,34 @@ pub fn figure(scene: &Scene<'_>, key: &str, of: Option<&str>) -> Result<Told, St
             rows(&Figures::of(&light, measured))
         }
     };
-    let row = rows.iter().find(|row| row.key == key);
+    let row = rows.iter().find(|row| row.figure.key == key);
     // Absolute figures are counted in the light's own unit.
     let none = Told {
         title: "",
         value: None,
-        words: "–".to_owned(),
+        words: DASH.to_owned(),
         unit: (1.0, String::new()),
     };
     Ok(row.map_or(none, |row| Told {
-        title: row.title,
+        title: row.figure.title,
         value: row.value.clone().ok(),
-        words: match row.key {
+        words: match row.figure.key {
             // As titles have it.
-            "cct" => row
-                .value
-                .as_ref()
-                .map_or_else(|_| "–".to_owned(), |k| format!("{} K", three_digits(*k))),
+            "cct" => or_dash(row.value.clone().ok(), |k| format!("{} K", figure_words(k))),
             _ => Row::shown(row),
         },
-        unit: (1.0, format!(" {}", row.unit).trim_end().to_owned()),
+        unit: (1.0, row.figure.unit.tail.to_owned()),
     }))
 }
 
 fn told(title: &'static str, value: Option<f64>, unit: Unit) -> Told {
     let words = match value {
-        None => "–".to_owned(),
+        None => DASH.to_owned(),
         Some(value) if value.fract() == 0.0 && unit == Unit::NONE => format!("{value}"),
+        // More digits would be of what nobody sees.
+        Some(value) if unit == Unit::DELTA_E && value < 0.01 => "less than 0.01".to_owned(),
         Some(value) if unit == Unit::DELTA_E => brief(value, unit),
-        Some(value) => format!("{}{}", three_digits(value * unit.factor), unit.tail),
+        Some(value) => format!("{}{}", figure_words(value * unit.factor), unit.tail),
     };
     Told {
         title,

@@ -5,7 +5,7 @@ use std::{net::SocketAddr, path::PathBuf};
 use clap::Args;
 
 use crate::{
-    app::{live_figures, quality_report::Row},
+    app::live_figures::Wanted,
     cli::{options::FileOptions, words},
     io::Pace,
     live::MOST_AVERAGED,
@@ -46,11 +46,11 @@ pub(crate) struct Follow {
     /// the wavelengths of lines that tell none, and the response that is taken off.
     #[arg(long, value_name = "FILE.json")]
     pub instrument: Option<PathBuf>,
-    /// Figures to tell of each frame: y, and those of light such as cct, duv, ra, r9, rf,
+    /// Figures to tell of each frame: Y, and those of light such as cct, duv, x, y, ra, r9, rf,
     /// melanopic_der, peak_nm.
-    #[arg(long, value_name = "FIGURES", value_delimiter = ',', value_parser = live_figures::named,
-        default_values = ["cct", "y", "ra"])]
-    pub figures: Vec<&'static Row>,
+    #[arg(long, value_name = "FIGURES", value_delimiter = ',', value_parser = Wanted::named,
+        default_values = ["cct", "Y", "ra"])]
+    pub figures: Vec<Wanted>,
     /// Average the last N frames, 1 to 64.
     #[arg(long, value_name = "N", default_value = "1",
         value_parser = |word: &str| words::whole(word, &(1..=MOST_AVERAGED)))]
