@@ -34,7 +34,7 @@ impl Through {
         };
         let refused = |why: String| Refusal::File(format!("--instrument: {why}"));
         let text = inputs.text(path).map_err(refused)?;
-        let why = match instruments::read(&text) {
+        let why = match instruments::json_of(&text).and_then(|all| instruments::of(&all)) {
             Ok(response) => {
                 return Ok(Self {
                     nm: Some(response.factor.samples.nm().to_vec()),

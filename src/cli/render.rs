@@ -1,7 +1,7 @@
 //! `render`: a picture of the window, with no display needed.
 
 use std::{
-    ffi::OsStr,
+    ffi::{OsStr, OsString},
     io::Write,
     path::{Path, PathBuf},
     sync::Arc,
@@ -24,6 +24,7 @@ use crate::{
         lessons::shelf,
         open::Loaded,
         pages::{AskedLesson, Page, PageMemory, Place},
+        photograph::is_photograph,
         picture::{ImageMemory, reload},
         workspace::Preferences,
     },
@@ -64,7 +65,9 @@ pub(super) fn run(
     let read = [input.as_deref(), pick.light.as_deref(), against.as_deref()];
     let mut target = Target::out(path, Replaces::Pictures, *force, &read);
     target.path()?;
-    let photograph = input.as_ref().filter(|_| *page == Page::Photograph);
+    // A light's name is no photograph.
+    let is_one = |input: &&OsString| *page == Page::Photograph && is_photograph(Path::new(input));
+    let photograph = input.as_ref().filter(is_one);
     let mut app = match input.as_ref().filter(|_| photograph.is_none()) {
         Some(input) => subject::app(input, pick, *model, inputs)?,
         None => subject::first_app(pick, *model)?,
@@ -88,7 +91,7 @@ pub(super) fn run(
         pages: PageMemory {
             page: *page,
             image: memory,
-            photograph_asked: photograph.map(PathBuf::from),
+            photographs_asked: photograph.map(PathBuf::from).into_iter().collect(),
             lesson_asked: lesson
                 .as_deref()
                 .map(|words| asked_lesson(words, *done))

@@ -110,7 +110,7 @@ fn under_lights(ui: &mut Ui, app: &App, theme: Theme) {
     let widths = shown.iter().map(|(light, _)| lay(light, &font).size().x);
     let widest = widths.fold(width, f32::max);
     // All in one size, in which the longest name stands below its field.
-    font.size *= width / widest;
+    font.size *= (width / widest).max(0.1);
     for (k, (light, colour)) in shown.iter().enumerate() {
         let left = inside.left() + k as f32 * (width + 8.0);
         let size = vec2(width, (inside.height() - row - 2.0).max(1.0));

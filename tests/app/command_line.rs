@@ -581,9 +581,16 @@ fn the_keys_of_a_photograph_are_told() {
     printed(&[&found[..], &known[..], &saved[..]].concat());
     let told = told_keys("photo --json");
     let mut seen = BTreeSet::new();
+    let darker = put(
+        folder.path(),
+        "darker.png",
+        Drawn::GLOWING.exposed(0.5, 1.0),
+    );
+    let exposures = [format!("{lamp}:1/30"), format!("{darker}:1/60")];
     for args in [
         [&found[..], &known[..]].concat(),
         [&found[..], &["--instrument", kept]].concat(),
+        [&found[..], &["--exposures", &exposures[0], &exposures[1]]].concat(),
     ] {
         let value: Value = serde_json::from_str(&printed(&args)).expect("JSON");
         add_keys(&value, "", &mut seen);

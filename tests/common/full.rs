@@ -380,7 +380,7 @@ pub(crate) fn full_preferences() -> Preferences {
             },
             lessons_finished: vec!["prism".to_owned()],
             lesson_language: "de".to_owned(),
-            photograph_asked: None,
+            photographs_asked: Vec::new(),
             lesson_asked: None,
         },
     }

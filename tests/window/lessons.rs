@@ -86,7 +86,7 @@ fn a_lesson_that_was_finished_has_a_tick() {
     assert_written(&ui, &lesson.remember);
     click(&mut ui, "Finish");
     assert_eq!(ui.state().preferences.pages.lessons_finished, ["light"]);
-    assert_written(&ui, "1 of 19 lessons finished");
+    assert_written(&ui, "1 of 20 lessons finished");
 }
 
 #[test]
@@ -458,7 +458,7 @@ fn a_lesson_is_begun_taken_and_finished_without_a_mouse() {
         // Arrows and a clicker's keys take turns.
         press(&mut ui, [Key::ArrowRight, Key::PageDown][index % 2]);
     }
-    assert_written(&ui, "1 of 19 lessons finished");
+    assert_written(&ui, "1 of 20 lessons finished");
 }
 
 /// A window whose workspace and lessons are kept in a folder.

@@ -81,9 +81,9 @@ pub struct PageMemory {
     pub lessons_finished: Vec<String>,
     /// Lessons: the code of the language that they are shown in, where they have texts in it.
     pub lesson_language: String,
-    /// A photograph of a spectrum that is to be read, once.
+    /// Photographs of spectra that are to be read, and files of instruments, once.
     #[serde(skip)]
-    pub photograph_asked: Option<PathBuf>,
+    pub photographs_asked: Vec<PathBuf>,
     /// A lesson that is to be begun, once.
     #[serde(skip)]
     pub lesson_asked: Option<AskedLesson>,
@@ -131,7 +131,7 @@ impl Default for PageMemory {
             relit: RelitMemory::default(),
             lessons_finished: Vec::new(),
             lesson_language: "en".to_owned(),
-            photograph_asked: None,
+            photographs_asked: Vec::new(),
             lesson_asked: None,
         }
     }

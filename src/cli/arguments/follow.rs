@@ -26,13 +26,13 @@ pub(crate) struct Follow {
         conflicts_with_all = ["serial", "ports"])]
     pub listen: Option<SocketAddr>,
     /// Let --listen have an address that others on the network reach.
-    #[arg(long, requires = "listen")]
+    #[arg(long, requires = "listen", conflicts_with_all = ["source", "serial"])]
     pub listen_all: bool,
     /// Take such lines from a serial port.
     #[arg(long, value_name = "PORT", conflicts_with = "ports")]
     pub serial: Option<PathBuf>,
     /// Bits a second of the serial port, 1 to 10000000 [default: 115200].
-    #[arg(long, value_name = "BAUD", requires = "serial",
+    #[arg(long, value_name = "BAUD", requires = "serial", conflicts_with_all = ["source", "listen"],
         value_parser = |word: &str| words::whole(word, &(1..=10_000_000_u32)))]
     pub baud: Option<u32>,
     /// List the serial ports of this machine.
@@ -40,7 +40,8 @@ pub(crate) struct Follow {
     pub ports: bool,
     /// Play the file as a recording: at times its own speed (1, 10, 0.5), or step for every frame
     /// at once.
-    #[arg(long, value_name = "SPEED", value_parser = words::pace, requires = "source")]
+    #[arg(long, value_name = "SPEED", value_parser = words::pace, requires = "source",
+        conflicts_with_all = ["listen", "serial"])]
     pub replay: Option<Pace>,
     /// An instrument's file, as combine instrument learn or photo --save-instrument writes it:
     /// the wavelengths of lines that tell none, and the response that is taken off.

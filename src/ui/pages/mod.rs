@@ -39,6 +39,7 @@ use crate::app::{
     dispersion::GemFile,
     lessons::Lesson,
     pages::{Page, PageMemory},
+    photograph::Instrument,
     relit::PictureWish,
     studies::{Job, Question, Stage, Studies},
 };
@@ -75,6 +76,8 @@ pub enum PageWish {
     FewNumbers(PictureWish),
     /// Saves a lesson's sheet or file.
     Lesson(Arc<Lesson>, LessonFile),
+    /// Saves the instrument of photographs of spectra.
+    Instrument(Box<Instrument>),
     /// Opens a picture.
     OpenPicture,
     /// Shows how the image of this key was read.

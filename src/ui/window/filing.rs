@@ -32,7 +32,7 @@ use crate::{
         },
         open::{Finished, Loaded, load_bytes},
         pages::{Page, PageMemory},
-        photograph::is_photograph,
+        photograph::{Instrument, is_instrument, is_photograph},
         relit::PictureWish,
         sheet,
         workspace::Preferences,
@@ -49,6 +49,8 @@ pub(super) enum Saving {
     SheetPdf,
     WindowPng,
     Chart(ChartWish),
+    /// The instrument of photographs of spectra.
+    Instrument(Box<Instrument>),
     Gem(Box<GemFile>),
     Picture(PictureWish),
     Lesson(Arc<Lesson>, LessonFile),
@@ -90,12 +92,14 @@ impl Window {
         others
     }
 
-    /// A picture that is no spectral image is a photograph of a spectrum: the last is shown.
+    /// A picture that is no spectral image is a photograph of a spectrum; the file of an instrument
+    /// goes where those are read.
     fn without_photographs(&mut self, paths: Vec<PathBuf>) -> Vec<PathBuf> {
-        let (pictures, others): (Vec<PathBuf>, _) =
-            paths.into_iter().partition(|path| is_photograph(path));
-        if let Some(path) = pictures.into_iter().next_back() {
-            self.preferences.pages.photograph_asked = Some(path);
+        let (pictures, others): (Vec<PathBuf>, _) = paths
+            .into_iter()
+            .partition(|path| is_photograph(path) || is_instrument(path));
+        if !pictures.is_empty() {
+            self.preferences.pages.photographs_asked = pictures;
             self.preferences.pages.page = Page::Photograph;
         }
         others
@@ -242,7 +246,7 @@ impl Window {
             Saving::Gem(gem) => gem.extension(),
             Saving::Picture(wish) => wish.form.ending(),
             Saving::Lesson(_, LessonFile::Pupil | LessonFile::Teacher) => "pdf",
-            Saving::Lesson(_, LessonFile::Start) => "json",
+            Saving::Lesson(_, LessonFile::Start) | Saving::Instrument(_) => "json",
         };
         self.ask(
             Ask::Save {
@@ -280,6 +284,7 @@ impl Window {
             Saving::WindowPng => format!("{}-window.png", export::file_stem(&self.app)),
             Saving::Chart(wish) => wish.file_name(),
             Saving::Gem(gem) => gem.file_name(),
+            Saving::Instrument(instrument) => format!("{}.json", instrument.stem()),
             Saving::Picture(wish) => wish.file_name(),
             Saving::Lesson(lesson, LessonFile::Pupil) => format!("{}-pupil.pdf", lesson.name),
             Saving::Lesson(lesson, LessonFile::Teacher) => format!("{}-teacher.pdf", lesson.name),
@@ -329,6 +334,7 @@ impl Window {
                 )),
                 Saving::Chart(wish) => Ok(chart_bytes(wish, theme)),
                 Saving::Gem(gem) => gem.bytes(),
+                Saving::Instrument(instrument) => Ok(instrument.text().into_bytes()),
                 Saving::Picture(wish) => {
                     // It streams into its place: a large one is never whole in memory.
                     let message = match wish.save(&path) {
@@ -350,9 +356,10 @@ impl Window {
                 bytes.and_then(|bytes| save_atomically(&path, &bytes).map_err(|e| e.to_string()));
             let message = match (written, saving) {
                 // The axes of a chart name their own units, the others have none.
-                (Ok(()), Saving::Chart(_) | Saving::Gem(_) | Saving::Lesson(..)) => {
-                    (Tone::Info, format!("Saved {}.", path.display()))
-                }
+                (
+                    Ok(()),
+                    Saving::Chart(_) | Saving::Gem(_) | Saving::Lesson(..) | Saving::Instrument(_),
+                ) => (Tone::Info, format!("Saved {}.", path.display())),
                 (Ok(()), saving) => {
                     let scale = app.document().scale.words();
                     let mut words = format!("Saved {} ({scale}).", path.display());

@@ -91,6 +91,9 @@ impl Window {
             PageWish::Gem(gem) => self.save(Saving::Gem(Box::new(gem)), context),
             PageWish::FewNumbers(picture) => self.save(Saving::Picture(picture), context),
             PageWish::Lesson(lesson, file) => self.save(Saving::Lesson(lesson, file), context),
+            PageWish::Instrument(instrument) => {
+                self.save(Saving::Instrument(instrument), context);
+            }
             PageWish::OpenPicture => self.ask(Ask::Open, None, context),
             PageWish::Reading(key) => {
                 let image = self.app.document().images.iter().find(|i| i.key == key);
