@@ -228,10 +228,10 @@ impl FileSource {
         else {
             return Ok(false);
         };
-        if mark.length <= *at {
-            // Nothing new, unless it was written anew.
+        if mark.length < *at || *own == mark {
             return Ok(*own == mark);
         }
+        // A file that is as long as it was may have been written anew, or only touched.
         let start = at - tail.len() as u64;
         let mut file = File::open(&self.path)?;
         file.seek(SeekFrom::Start(start))?;
