@@ -23,9 +23,9 @@ use crate::{
         chart::Theme,
         lessons::shelf,
         open::Loaded,
-        pages::{AskedLesson, Page, PageMemory, Place},
+        pages::{AskedLesson, Page, Place},
         photograph::is_photograph,
-        picture::{ImageMemory, reload},
+        picture::reload,
         workspace::Preferences,
     },
     io::{Choices, shown},
@@ -75,33 +75,26 @@ pub(super) fn run(
     if lesson.is_none() {
         subject::compare(&mut app, against.as_deref(), inputs)?;
     }
-    let memory = ImageMemory {
-        selection: pick.pixels(),
-        ..ImageMemory::default()
-    };
+    app.pages_follow(|pages| pages.image.selection = pick.pixels());
     if let (Page::Image | Page::Relit, Some(input)) = (page, input) {
         open_images(&mut app, input, inputs);
         let images = app.document().images.iter();
         let files = images.filter_map(|image| image.path());
         files.for_each(|file| target.reads(file));
     }
-    let mut preferences = Preferences {
+    let preferences = Preferences {
         dark: *theme == Theme::Dark,
         present: *present,
-        pages: PageMemory {
-            page: *page,
-            image: memory,
-            photographs_asked: photograph.map(PathBuf::from).into_iter().collect(),
-            lesson_asked: lesson
-                .as_deref()
-                .map(|words| asked_lesson(words, *done))
-                .transpose()?,
-            ..PageMemory::default()
-        },
+        page: *page,
+        photographs_asked: photograph.map(PathBuf::from).into_iter().collect(),
+        lesson_asked: lesson
+            .as_deref()
+            .map(|words| asked_lesson(words, *done))
+            .transpose()?,
         ..Preferences::default()
     };
     if app.document().second.is_some() {
-        preferences.pages.dispersion.follow_second(true);
+        app.pages_follow(|pages| pages.follow_second(true));
     }
     let picture = pictures.window(&app, &preferences, *size);
     target.save(&picture)?;

@@ -13,10 +13,9 @@ use clap::builder::{OsStringValueParser, TypedValueParser};
 
 use crate::{
     app::{
-        ORDERS, THRESHOLDS_PERCENT, WIDTHS_NM,
         chart::Theme,
         own_observers::observer_of_file,
-        pages::{Page, SPENDABLE},
+        pages::{Page, SPENDABLE, knob::Knob},
     },
     color::Observer,
     io::{Delimiter, MOST_COLUMNS, Pace, WavelengthUnit, quoted},
@@ -57,11 +56,6 @@ pub(super) fn pace(word: &str) -> Result<Pace, String> {
         (_, Some(speed)) => Ok(Pace::Times(speed)),
         _ => Err(refused(word, "step or a speed from 0.001 to 1000000")),
     }
-}
-
-/// `--order`.
-pub(super) fn order(word: &str) -> Result<usize, String> {
-    whole(word, &ORDERS)
 }
 
 /// A whole number in a range.
@@ -137,14 +131,15 @@ pub(super) fn listed(names: &[&str]) -> String {
     format!("{} or {last}", others.join(", "))
 }
 
-/// `--threshold`.
-pub(super) fn threshold(word: &str) -> Result<f64, String> {
-    number(word, &THRESHOLDS_PERCENT, "percent")
+/// A whole number that a knob reaches.
+pub(super) fn count_of<T>(knob: &Knob<T>, word: &str) -> Result<usize, String> {
+    let range = knob.reach.range();
+    whole(word, &(*range.start() as usize..=*range.end() as usize))
 }
 
-/// `--max-width`.
-pub(super) fn max_width(word: &str) -> Result<f64, String> {
-    number(word, &WIDTHS_NM, "nm")
+/// A number that a knob reaches.
+pub(super) fn value_of<T>(knob: &Knob<T>, word: &str) -> Result<f64, String> {
+    number(word, &knob.reach.range(), knob.unit.trim())
 }
 
 /// A number in a range.

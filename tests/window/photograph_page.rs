@@ -30,7 +30,7 @@ fn golden(name: &str) -> PathBuf {
 
 fn page(files: Picker) -> Ui {
     let mut window = Window::new(plain(), Preferences::default(), files, None);
-    window.preferences.pages.page = Page::Photograph;
+    window.preferences.page = Page::Photograph;
     let mut ui = harness(Shown(window), [1280.0, 800.0], 0.02, 60);
     settle(&mut ui);
     ui

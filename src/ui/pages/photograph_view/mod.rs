@@ -152,7 +152,7 @@ impl PhotographView {
 
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let asked = std::mem::take(&mut context.memory.photographs_asked);
+        let asked = std::mem::take(context.photographs_asked);
         if !asked.is_empty() {
             self.take_all(asked);
         }
