@@ -48,19 +48,3 @@ pub fn exposure_ms(text: &str) -> Option<f64> {
 
 /// Lines of a file's head in which an exposure is looked for.
 const MOST_HEAD: usize = 200;
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_exposure_is_read_with_its_unit_wherever_that_stands() {
-        let of = |line: &str| exposure_ms(&format!("title\n{line}\n400,1\n"));
-        assert_eq!(of("Integration Time (usec): 30000 (USB4000)"), Some(30.0));
-        assert_eq!(of("Integration Time (sec): 1.000000E-1"), Some(100.0));
-        assert_eq!(of("Integration time [ms],92.0"), Some(92.0));
-        assert_eq!(of("# exposure: 30ms"), Some(30.0));
-        assert_eq!(of("Exposure: 30"), None);
-        assert_eq!(of("lamp"), None);
-    }
-}
