@@ -42,7 +42,8 @@
 //! optics     light through things               index prism rainbow gem film
 //! measurements  one's own measurements          combine repeats doubt splice changed
 //! photographs  a photograph of a spectrum       strip profile peaks axis
-//! io         files <-> spectra, one format a file
+//! io         files <-> spectra, one format a file; streams of them
+//! live       what is shown of a stream          hold average dark reference peak tracks
 //! pictures   spectral pictures in few numbers   survey choose operator relight full compact fit
 //! app        what the program is doing          document command derived state report export
 //! ui         what it looks like                 one view a file; egui only here
@@ -50,7 +51,8 @@
 //! ```
 //!
 //! Imports point one way: `main -> {ui, cli} -> app -> {design, lamps, optics, measurements, photographs,
-//! pictures} -> study -> {rivals, color} -> {spectrum, preset}`, and `{pictures, app} -> io -> spectrum`.
+//! pictures, live} -> study -> {rivals, color} -> {spectrum, preset}`, and
+//! `{pictures, live, app} -> io -> spectrum`.
 //! docs/map.md tells of every folder. The feature `window`, on by default, builds `ui`.
 //!
 //! The composite model is that of Sun, Fracchia and Drew, "A Composite Spectral Model and Its
@@ -70,6 +72,7 @@ pub mod color;
 pub mod design;
 pub mod io;
 pub mod lamps;
+pub mod live;
 pub mod measurements;
 pub mod optics;
 pub mod photographs;

@@ -32,6 +32,7 @@ mod library;
 pub mod licences;
 mod line_names;
 mod lit;
+pub mod live_figures;
 mod made;
 mod make;
 pub mod makers;

@@ -3,6 +3,7 @@
 mod convert;
 mod design;
 mod encoding;
+mod follow;
 mod lessons;
 mod measurements;
 mod optics;
@@ -26,6 +27,7 @@ use crate::{
 pub(super) use convert::Convert;
 pub(super) use design::{Mix, Recover};
 pub(super) use encoding::{Decode, Encode};
+pub(super) use follow::Follow;
 pub(super) use lessons::{LessonAct, Lessons};
 pub(super) use measurements::{Combine, Stated};
 pub(super) use optics::{CutOptions, Gem, Prism, Rainbow, ViewOptions};
@@ -94,6 +96,8 @@ pub(super) enum Command {
     Picture(Picture),
     /// Write tables of many spectra in few numbers each.
     Fit(Fit),
+    /// Print figures of spectra as they come: from a file that changes, a folder, a stream.
+    Follow(Follow),
     /// Print what files hold and how they were read.
     Read(Read),
     /// List the shipped spectra.
@@ -127,6 +131,7 @@ impl Command {
             Self::Gem(options) => Some(options.files),
             Self::Picture(options) => Some(options.files),
             Self::Fit(options) => Some(options.files),
+            Self::Follow(options) => Some(options.files),
             Self::Read(options) => Some(options.files),
             Self::Render(options) => Some(options.pick.files),
             Self::Plot(options) => Some(options.pick.files),
@@ -158,6 +163,7 @@ impl Command {
             | Self::Photo(_)
             | Self::Picture(_)
             | Self::Fit(_)
+            | Self::Follow(_)
             | Self::Read(_)
             | Self::List(_)
             | Self::Lessons(_) => None,

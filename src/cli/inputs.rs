@@ -178,7 +178,7 @@ impl<'e> Inputs<'e> {
     }
 
     /// Decisions about a file that is read now, with those of the command line.
-    fn choices(&mut self, choices: &Choices) -> Choices {
+    pub(super) fn choices(&mut self, choices: &Choices) -> Choices {
         self.has_read = true;
         choices.or_table_of(&self.files.choices())
     }

@@ -23,6 +23,8 @@ mod encode;
 mod factor;
 mod fit;
 mod folder;
+mod follow;
+mod follow_source;
 mod gem;
 mod inputs;
 mod lessons;
@@ -189,6 +191,7 @@ fn carry_out(
             Command::Photo(options) => return photo::run(&options, out, inputs).map(Outcome::Done),
             Command::Picture(options) => picture::run(&options, out, inputs)?,
             Command::Fit(options) => fit::run(&options, out, inputs)?,
+            Command::Follow(options) => follow::run(&options, out, inputs)?,
             Command::Read(options) => read::run(&options, out, inputs)?,
             Command::List(options) => list::run(options, out, inputs)?,
             Command::Lessons(options) => lessons::run(&options, pictures, out)?,

@@ -103,6 +103,13 @@ const RULES: &[Rule] = &[
         ..ALWAYS
     },
     Rule {
+        of: &["follow"],
+        without: &["--record", "--tracks"],
+        options: &[&["--force"]],
+        why: "nothing is written to a file",
+        ..ALWAYS
+    },
+    Rule {
         of: &["product"],
         with: &["--check"],
         options: &[&["--sampling", "--observer"]],

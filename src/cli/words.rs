@@ -3,6 +3,7 @@
 use std::{
     ffi::OsString,
     fmt::Display,
+    net::{Ipv4Addr, SocketAddr},
     ops::RangeInclusive,
     path::{Path, PathBuf},
     str::FromStr,
@@ -17,7 +18,7 @@ use crate::{
         pages::{Page, SPENDABLE, knob::Knob},
     },
     color::Observer,
-    io::{Delimiter, MOST_COLUMNS, WavelengthUnit, quoted},
+    io::{Delimiter, MOST_COLUMNS, Pace, WavelengthUnit, quoted},
     optics::BuiltinMaterial,
     spectrum::{Band, BandError, Basis, Kind, LONGEST_NM, MOST_STEPS, Rect, SHORTEST_NM, Sampling},
     study::Goal,
@@ -30,6 +31,31 @@ pub(super) const SIZES: [[u32; 2]; 2] = [[320, 240], [7680, 4320]];
 /// What was found, and what was expected.
 pub(super) fn refused(word: &str, expected: impl Display) -> String {
     format!("found {}, expected {expected}", quoted(word))
+}
+
+/// `--listen`: a port, or an address with its port.
+pub(super) fn address(word: &str) -> Result<SocketAddr, String> {
+    let port = word.strip_prefix("localhost").unwrap_or(word);
+    let port = port.strip_prefix(':').unwrap_or(port).parse().ok();
+    let on_loopback = port.map(|port: u16| SocketAddr::from((Ipv4Addr::LOCALHOST, port)));
+    let address = on_loopback.or_else(|| word.parse().ok());
+    address.ok_or_else(|| {
+        refused(
+            word,
+            "a port, or an address with one such as 127.0.0.1:5000",
+        )
+    })
+}
+
+/// `--replay`: times its own speed, or step by step.
+pub(super) fn pace(word: &str) -> Result<Pace, String> {
+    const SPEEDS: RangeInclusive<f64> = 1e-3..=1e6;
+    let speed = word.parse().ok().filter(|speed| SPEEDS.contains(speed));
+    match (word, speed) {
+        ("step", _) => Ok(Pace::Stepped),
+        (_, Some(speed)) => Ok(Pace::Times(speed)),
+        _ => Err(refused(word, "step or a speed from 0.001 to 1000000")),
+    }
 }
 
 /// A whole number in a range.

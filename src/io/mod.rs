@@ -11,6 +11,8 @@
 //!   interpret: RawSpectrum -> axis, kind, scale decided -> curve -> Facts -> agree -> describe
 //! ```
 //!
+//! Spectra that come one after another are frames of a [`Source`], in `live`.
+//!
 //! A refusal ([`ReadError`]) is one line with file, line, what was found and what was expected.
 //! Nothing here touches colour or the window.
 
@@ -20,6 +22,7 @@ mod error;
 mod formats;
 mod input;
 mod interpret;
+mod live;
 mod photo;
 mod provenance;
 mod reading;
@@ -51,6 +54,13 @@ pub use formats::{
 pub use input::Input;
 pub(crate) use input::name_of;
 pub(crate) use interpret::{describe::MOST_UNDERSTOOD, value_unit::counts_photons};
+#[cfg(feature = "serial")]
+pub use live::{BAUD, Serial, ports};
+pub use live::{
+    Broken, Event, FileSource, FolderSource, Frame, Heard, LineSource, Lines, Link, Listed,
+    ListenError, Listener, MOST_KEPT, MOST_LINE_BYTES, Pace, Piped, Reach, Recorder, Replay,
+    Source, listen, piped,
+};
 pub(crate) use photo::{Exif, Photo, photo_of, read_photo};
 pub(crate) use provenance::one_line;
 pub use provenance::{Column, Columns, Provenance, shortest};
@@ -66,8 +76,8 @@ pub(crate) use table::scan::MOST_CELLS;
 pub(crate) use text::MOST_BYTES;
 pub use text::{
     MOST_BYTES_OF_A_FORMAT, decode as decode_text, dialect::Delimiter, dialect::Dialect,
-    dialect::MOST_COLUMNS, dialect::used, is_binary, lines as text_lines, number::ABSURD,
-    units::WavelengthUnit,
+    dialect::MOST_COLUMNS, dialect::used, exposure::exposure_ms, is_binary, lines as text_lines,
+    number::ABSURD, units::WavelengthUnit,
 };
 pub(crate) use unopened::words as why_unopened;
 pub use write::{

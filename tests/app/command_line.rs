@@ -382,6 +382,19 @@ fn the_csv_of_lights_has_the_keys_that_are_told() {
 }
 
 #[test]
+fn the_keys_of_a_frame_are_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    // Its top is at the end of 12 bit.
+    let value = |nm: u32| (6000.0 * (-((f64::from(nm) - 550.0) / 40.0).powi(2)).exp()).min(4095.0);
+    let nm: Vec<u32> = (380..=780).collect();
+    let values: Vec<f64> = nm.iter().map(|nm| value(*nm).floor()).collect();
+    let line = format!("{{\"wavelength_nm\":{nm:?},\"values\":{values:?}}}\n");
+    let run = put(folder.path(), "run.jsonl", line);
+    let args = ["follow", &run, "--replay", "step", "--json"];
+    holds("follow --json", &[&args]);
+}
+
+#[test]
 fn the_keys_of_a_sweep_are_told() {
     holds("sweep --json", &[&["sweep", "FL2", "--json"]]);
 }

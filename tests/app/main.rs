@@ -18,6 +18,7 @@ mod cli_against;
 mod cli_combine;
 mod cli_design;
 mod cli_files;
+mod cli_follow;
 mod cli_lamps;
 mod cli_lessons;
 mod cli_light;

@@ -9,7 +9,7 @@ use std::{
 };
 
 /// The rooms of `src`, and which others each may use.
-const ROOMS: [(&str, &[&str]); 15] = [
+const ROOMS: [(&str, &[&str]); 16] = [
     ("spectrum", &[]),
     ("preset", &["spectrum"]),
     ("color", &["preset", "spectrum"]),
@@ -21,6 +21,7 @@ const ROOMS: [(&str, &[&str]); 15] = [
     ("measurements", &["color", "preset", "spectrum"]),
     ("photographs", &["color", "preset", "spectrum"]),
     ("io", &["spectrum"]),
+    ("live", &["io", "measurements", "color", "spectrum"]),
     ("pictures", &["io", "study", "color", "preset", "spectrum"]),
     (
         "app",
@@ -30,6 +31,7 @@ const ROOMS: [(&str, &[&str]); 15] = [
             "optics",
             "measurements",
             "photographs",
+            "live",
             "pictures",
             "study",
             "rivals",
@@ -48,6 +50,7 @@ const ROOMS: [(&str, &[&str]); 15] = [
             "optics",
             "measurements",
             "photographs",
+            "live",
             "pictures",
             "study",
             "rivals",
@@ -66,6 +69,7 @@ const ROOMS: [(&str, &[&str]); 15] = [
             "optics",
             "measurements",
             "photographs",
+            "live",
             "pictures",
             "study",
             "rivals",
@@ -524,10 +528,11 @@ fn the_search_for_circles_finds_one() {
 
 /// The folders of `src/io`, and which others each may use; "" are the files beside them, which
 /// hold what is said of a file: its bytes, what a person decided, where it is from, refusals.
-const ROOMS_OF_IO: [(&str, &[&str]); 9] = [
+const ROOMS_OF_IO: [(&str, &[&str]); 10] = [
     ("text", &[]),
     ("", &["text"]),
     ("write", &["", "text"]),
+    ("live", &["", "text"]),
     ("decode", &["", "text"]),
     ("photo", &["write", "decode", "", "text"]),
     ("reading", &["", "text"]),

@@ -6,8 +6,8 @@ use crate::{
     app::{
         measured::{is_sigma_of, measurement, own_measurement, spectrum, states_doubt},
         opened::Opened,
-        readings::exposure_ms,
     },
+    io::exposure_ms,
     measurements::Measurement,
     spectrum::NamedSpectrum,
 };

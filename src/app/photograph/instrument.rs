@@ -295,6 +295,14 @@ impl Instrument {
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
     }
 
+    /// The wavelengths of its strip's columns, nm.
+    pub fn wavelengths(&self) -> Vec<f64> {
+        let curve = self.curve();
+        (0..self.strip.columns)
+            .map(|px| curve.nm(px as f64))
+            .collect()
+    }
+
     fn curve(&self) -> Curve {
         Curve {
             centre_px: self.axis.centre_px,

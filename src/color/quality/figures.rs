@@ -68,23 +68,56 @@ pub struct FewFigures {
     pub melanopic_der: Result<f64, NoFigure>,
 }
 
+/// The parts of a light's figures that take time; colour, CCT and Duv are always there.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Parts {
+    /// CRI.
+    pub rendering: bool,
+    /// TM-30.
+    pub fidelity: bool,
+    /// All but these two.
+    pub others: bool,
+}
+
 impl Figures {
     /// All figures of a light whose values measure what `measured` says.
     pub fn of(light: &Light, measured: Option<Measured>) -> Self {
+        let all = Parts {
+            rendering: true,
+            fidelity: true,
+            others: true,
+        };
+        Self::of_parts(light, measured, all)
+    }
+
+    /// Some of the figures; the others are left out.
+    pub(crate) fn of_parts(light: &Light, measured: Option<Measured>, parts: Parts) -> Self {
+        fn only<T>(
+            is_wanted: bool,
+            of: impl FnOnce() -> Result<T, NoFigure>,
+        ) -> Result<T, NoFigure> {
+            match is_wanted {
+                true => of(),
+                false => Err(NoFigure::LeftOut("not asked for")),
+            }
+        }
+        let others = parts.others;
         let xyz = xyz_of(light, Observer::CIE_1931);
         let xy = Observer::CIE.map(|observer| chromaticity(light, observer));
         let cct = cct_of(&xyz);
         let mut figures = Self {
             uv: xyz.clone().and_then(uv_of),
-            dominant: xy[0].clone().and_then(dominant),
-            rendering: cct.clone().and_then(|cct| rendering(light, cct)),
-            fidelity: cct.clone().and_then(|cct| fidelity(light, cct)),
-            singles: SINGLES.map(|single| (single.of)(light)),
-            alpha_opic: alpha_opic(light),
-            photons: photons_per_100_lx(light),
-            similarity: similarity(light, cct.clone().map(|cct| cct.kelvin)),
-            shape: shape(light),
-            absolute: absolute(light, measured),
+            dominant: only(others, || dominant(xy[0].clone()?)),
+            rendering: only(parts.rendering, || rendering(light, cct.clone()?)),
+            fidelity: only(parts.fidelity, || fidelity(light, cct.clone()?)),
+            singles: SINGLES.map(|single| only(others, || (single.of)(light))),
+            alpha_opic: only(others, || alpha_opic(light)),
+            photons: only(others, || photons_per_100_lx(light)),
+            similarity: only(others, || {
+                similarity(light, cct.clone().map(|cct| cct.kelvin))
+            }),
+            shape: only(others, || shape(light)),
+            absolute: only(others, || absolute(light, measured)),
             notes: Vec::new(),
             xyz,
             xy,

@@ -58,6 +58,7 @@ pub(crate) use rendering::{
 pub(crate) use absolute::Radiometric;
 pub use absolute::{Measured, absolute};
 pub use fidelity::fidelity;
+pub(crate) use figures::Parts;
 pub use figures::{FewFigures, Figures};
 pub use light::{Light, POINTS};
 pub use no_figure::{Dark, NoFigure};

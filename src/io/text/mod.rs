@@ -2,6 +2,7 @@
 
 pub(super) mod dialect;
 mod encoding;
+pub(super) mod exposure;
 pub(super) mod number;
 pub(super) mod units;
 pub(super) mod words;

@@ -1,0 +1,57 @@
+//! Spectra that change while one looks: a file that is written anew, a folder, lines that come over
+//! standard input, TCP or a serial port, a recording that is played.
+//!
+//! ```text
+//! frame    one spectrum with its time, and its line in a recording
+//! lines    bytes to lines to frames; broken lines are skipped and counted
+//! stream   lines of standard input, of a pipe and of TCP
+//! serial   lines of a serial port
+//! file     a file that grows or is rewritten
+//! folder   the newest file of a folder
+//! replay   a recording, at its own speed or stepped
+//! ```
+//!
+//! No driver is needed: an instrument is whatever writes a file or a line.
+
+mod file;
+mod folder;
+mod frame;
+mod lines;
+mod replay;
+#[cfg(feature = "serial")]
+mod serial;
+mod stream;
+
+use std::time::Duration;
+
+pub use file::FileSource;
+pub use folder::{FolderSource, Listed, MOST_KEPT};
+pub use frame::{Frame, Recorder};
+pub use lines::{Broken, Lines, MOST_LINE_BYTES};
+pub use replay::{Pace, Replay};
+#[cfg(feature = "serial")]
+pub use serial::{BAUD, Serial, ports};
+pub use stream::{Heard, LineSource, Link, ListenError, Listener, Piped, Reach, listen, piped};
+
+/// An event of a source.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Event {
+    /// A spectrum came.
+    Frame(Box<Frame>),
+    /// A sentence: a producer that came or went, a file that is waited for. The last frame stays.
+    Said(String),
+    /// Nothing more will come.
+    End,
+}
+
+/// A source of frames.
+pub trait Source: Send {
+    /// The source as captures are called after it.
+    fn name(&self) -> &str;
+
+    /// The next event, if one comes within this time.
+    fn next(&mut self, patience: Duration) -> Option<Event>;
+
+    /// The lines that were skipped.
+    fn broken(&self) -> &Broken;
+}
