@@ -1,7 +1,7 @@
 //! What an instrument sees: light and model behind a slit of 10 nm, as a difference and as a strip
 //! of colours.
 
-use super::{answers::Worst, figures::two_digits, state::App, verdicts::Seen};
+use super::{answers::Worst, numbers::two_digits, state::App, verdicts::Seen};
 use crate::{
     color::{Srgb, srgb_of_fill},
     spectrum::Band,

@@ -1,10 +1,11 @@
 //! What can be taken out of the program, each with units, scale, provenance and version.
 
 use super::{
-    cells::{comments, line, number, words},
+    cells::{self, Table, cell, comments},
     chart::Theme,
     charts::{order::curve_chart, spectrum::spectrum_chart},
-    derived::{OF_CURVE, PatchPair},
+    derived::{OF_CURVE, OrderPoint, PatchPair},
+    line_names::LineName,
     settings::Detector,
     sheet,
     state::App,
@@ -15,7 +16,7 @@ use crate::{
         Column, Columns, CompositeFile, Provenance, composite_json, composite_line, encode, losses,
         many::many,
     },
-    spectrum::{NamedSpectrum, Sampled},
+    spectrum::{ModelSpike, NamedSpectrum, Sampled},
 };
 
 /// A text that can be saved or copied.
@@ -135,9 +136,9 @@ impl Export {
                 let columns = Columns::measured(&scaled);
                 encode(self.extension(), &scaled, &columns, &provenance(app))
             }
-            Self::PatchesCsv => Ok(patches_csv(app)),
-            Self::SpikesCsv => Ok(spikes_csv(app)),
-            Self::CurveCsv => Ok(curve_csv(app)),
+            Self::PatchesCsv => Ok(patches_table(app).csv()),
+            Self::SpikesCsv => Ok(spikes_table(app).csv()),
+            Self::CurveCsv => Ok(curve_table(app).csv()),
             Self::PlotSvg => Ok(spectrum_chart(app).to_svg(1000, 640, theme)),
             Self::CurveSvg => Ok(curve_chart(app).to_svg(1000, 560, theme)),
             Self::SheetSvg => Ok(sheet::to_svg(app)),
@@ -278,57 +279,52 @@ pub(super) fn table_head(app: &App) -> String {
 }
 
 /// The patches as a table: names, CIEDE2000, XYZ (Y of the light 100) and screen colours.
-pub fn patches_csv(app: &App) -> String {
-    let mut out = table_head(app);
-    out.push_str("patch,delta_e_2000,exact_x,exact_y,exact_z,model_x,model_y,model_z,exact_srgb,model_srgb\n");
-    let patches = app.derived().patches.as_ref();
-    for PatchPair {
-        name,
-        delta_e_2000,
-        exact,
-        model,
-        exact_swatch,
-        model_swatch,
-    } in patches.map(|p| &p.items[..]).unwrap_or_default()
-    {
-        let mut cells = vec![words(name), number(*delta_e_2000)];
-        let both = [exact.to_array(), model.to_array()].concat();
-        cells.extend(both.into_iter().map(number));
-        cells.extend([exact_swatch.hex(), model_swatch.hex()]);
-        out.push_str(&line(cells));
+fn patches_table(app: &App) -> Table {
+    let mut columns = cells::Columns::<&PatchPair>::default()
+        .with("patch", |p| cell(p.name.as_str()))
+        .with("delta_e_2000", |p| cell(p.delta_e_2000));
+    for (i, axis) in ["x", "y", "z"].into_iter().enumerate() {
+        columns.push(format!("exact_{axis}"), move |p| {
+            cell(p.exact.to_array()[i])
+        });
     }
-    out
+    for (i, axis) in ["x", "y", "z"].into_iter().enumerate() {
+        columns.push(format!("model_{axis}"), move |p| {
+            cell(p.model.to_array()[i])
+        });
+    }
+    columns.push("exact_srgb", |p| cell(p.exact_swatch.hex()));
+    columns.push("model_srgb", |p| cell(p.model_swatch.hex()));
+    let patches = app.derived().patches.as_ref();
+    let patches = patches.map(|p| &p.items[..]).unwrap_or_default();
+    Table::new(table_head(app), columns, patches)
 }
 
 /// The spikes as a table, weights with the scale in force.
-pub fn spikes_csv(app: &App) -> String {
+fn spikes_table(app: &App) -> Table {
     let derived = app.derived();
     let factor = app.scale_factor();
-    let mut out = table_head(app);
-    out.push_str("at_nm,weight,share_of_power,width_nm,line,by_hand\n");
-    for (spike, name) in derived.parts.spikes.iter().zip(app.spike_names()) {
-        out.push_str(&line([
-            number(spike.spike.at_nm),
-            number(spike.spike.weight * factor),
-            number(derived.parts.share(spike.spike.weight)),
-            number(spike.width_nm),
-            words(name.safe.as_deref().unwrap_or_default()),
-            spike.hand.is_some().to_string(),
-        ]));
-    }
-    out
+    let columns = cells::Columns::<(&ModelSpike, &LineName)>::default()
+        .with("at_nm", |(s, _)| cell(s.spike.at_nm))
+        .with("weight", |(s, _)| cell(s.spike.weight * factor))
+        .with("share_of_power", |(s, _)| {
+            cell(derived.parts.share(s.spike.weight))
+        })
+        .with("width_nm", |(s, _)| cell(s.width_nm))
+        .with("line", |(_, name)| cell(name.safe.as_deref()))
+        .with("by_hand", |(s, _)| cell(s.hand.is_some()));
+    let rows = derived.parts.spikes.iter().zip(app.spike_names());
+    Table::new(table_head(app), columns, rows)
 }
 
 /// The whole order curve as a table.
-pub fn curve_csv(app: &App) -> String {
-    let mut out = table_head(app);
-    let keys = OF_CURVE.map(|measure| measure.figure().key.to_owned());
-    let head = ["order", "numbers"].map(str::to_owned);
-    out.push_str(&line(head.into_iter().chain(keys)));
-    for point in &app.derived().curve {
-        let cells = OF_CURVE.map(|measure| number(point.figures[measure]));
-        let head = [point.order, point.numbers].map(|n| n.to_string());
-        out.push_str(&line(head.into_iter().chain(cells)));
+fn curve_table(app: &App) -> Table {
+    let mut columns = cells::Columns::<&OrderPoint>::default()
+        .with("order", |p| cell(p.order))
+        .with("numbers", |p| cell(p.numbers));
+    for measure in OF_CURVE {
+        let figure = move |p: &&OrderPoint| cell(p.figures[measure]);
+        columns.push(measure.figure().key, figure);
     }
-    out
+    Table::new(table_head(app), columns, &app.derived().curve)
 }

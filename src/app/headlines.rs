@@ -8,11 +8,12 @@ use super::{
         narrow::{Behind, Figures, Filter},
         resampling::Bench,
     },
+    numbers::{delta_e, percent},
     opened::ImageEntry,
     product_report::Told,
     products::same_surface::SameSurfaceSheet,
     state::App,
-    studies::paper::{Row, Verdict, delta_e, percent},
+    studies::paper::{Row, Verdict},
     ticks::{hundredths, short},
     verdicts::Seen,
 };

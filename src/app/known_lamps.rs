@@ -2,6 +2,7 @@
 
 use super::{
     document::Document,
+    numbers::error,
     pages::WordsMemory,
     studies::{About, EncodeAsk, EncodedLight},
 };
@@ -52,24 +53,24 @@ impl WordsShown {
                 "{name} in {numbers} numbers: {}. Colours under it are {} ΔE₀₀ off, its spectrum, \
                  blurred by 10 nm, {} %.",
                 makeup.in_words(),
-                short(errors.patches),
-                short(100.0 * errors.blurred)
+                error(errors.patches),
+                error(100.0 * errors.blurred)
             ),
             figures: vec![
                 WordsFigure {
                     title: "colours under it",
-                    value: format!("{} ΔE₀₀", short(errors.patches)),
+                    value: format!("{} ΔE₀₀", error(errors.patches)),
                     meaning: "Mean of the 99 samples of TM-30, their reflectances approximated too, \
                               in as many numbers as the light may take; about 1 can just be seen.",
                 },
                 WordsFigure {
                     title: "behind narrow filters",
-                    value: format!("{} ΔE₀₀", short(errors.filters)),
+                    value: format!("{} ΔE₀₀", error(errors.filters)),
                     meaning: "Mean behind filters 10 nm wide, each brightened to a middle grey.",
                 },
                 WordsFigure {
                     title: "spectrum, blurred by 10 nm",
-                    value: format!("{} %", short(100.0 * errors.blurred)),
+                    value: format!("{} %", error(100.0 * errors.blurred)),
                     meaning: "Root mean square of what is left behind a blur of 10 nm, as a share of the measured \
                               spectrum's: narrower lines count by their power, not by their shape.",
                 },
@@ -126,7 +127,7 @@ pub fn lamps_better(
         best.verdict[measure]?,
     );
     let figure = measure.figure();
-    let words = |error: f64| format!("{}{}", short(error * figure.unit.factor), figure.unit.tail);
+    let words = |off: f64| format!("{}{}", error(off * figure.unit.factor), figure.unit.tail);
     (theirs < ours).then(|| {
         format!(
             "Known lamps are better with {}: {}, {} {} against {} of the best of all eight ways. \
@@ -140,16 +141,6 @@ pub fn lamps_better(
     })
 }
 
-/// Two or three digits.
-fn short(value: f64) -> String {
-    match value {
-        v if v < 0.000_1 => "< 0.0001".to_owned(),
-        v if v < 0.01 => format!("{v:.4}"),
-        v if v < 1.0 => format!("{v:.3}"),
-        v => format!("{v:.2}"),
-    }
-}
-
 /// An own colour that is off by less is exact but for rounding.
 const EXACT: f64 = 1e-4;
 
@@ -157,7 +148,7 @@ fn own(delta_e: f64) -> String {
     if delta_e < EXACT {
         "exact".to_owned()
     } else {
-        format!("{} ΔE₀₀", short(delta_e))
+        format!("{} ΔE₀₀", error(delta_e))
     }
 }
 

@@ -79,17 +79,9 @@ pub enum FindError {
         choices: Vec<String>,
     },
     /// A list of spectral lines is called that.
-    Lines {
-        /// What was asked for.
-        name: String,
-    },
+    Lines { name: String },
     /// A whole group is called that.
-    Group {
-        /// What was asked for.
-        name: String,
-        /// How many items it holds.
-        items: usize,
-    },
+    Group { name: String, items: usize },
 }
 
 impl fmt::Display for FindError {

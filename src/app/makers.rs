@@ -8,8 +8,7 @@
 use std::cell::OnceCell;
 
 use super::{
-    cells,
-    derived::Colour,
+    cells::{Columns, Table, cell},
     entry::Entry,
     figures::of_quantity,
     photons::JOULE_NM_PER_MICROMOLE,
@@ -20,7 +19,7 @@ use super::{
 use crate::{
     color::{
         Observer, Xyz,
-        quality::{Figures, NoFigure, RENDERING_SAMPLES},
+        quality::{Figures, NoFigure},
         xyz::{FIRST_NM, LAST_NM, xyz_from_nm_values},
     },
     io::{MakersResult, Quantity},
@@ -116,19 +115,14 @@ fn half_of_last_figure(as_written: &str, value: f64) -> Option<f64> {
 }
 
 /// The comparison as a table.
-pub fn to_csv(rows: &[Beside]) -> String {
-    let head = ["quantity", "unit", "instrument", "ours", "difference"];
-    let mut out = cells::line(head.map(str::to_owned));
-    for row in rows {
-        out += &cells::line([
-            cells::words(&row.quantity.to_string()),
-            cells::words(&row.unit),
-            cells::number(row.theirs),
-            cells::number(row.ours.ok()),
-            cells::number(row.difference()),
-        ]);
-    }
-    out
+pub fn table(rows: &[Beside]) -> Table {
+    let columns = Columns::<&Beside>::default()
+        .with("quantity", |row| cell(row.quantity.to_string()))
+        .with("unit", |row| cell(row.unit.as_str()))
+        .with("instrument", |row| cell(row.theirs))
+        .with("ours", |row| cell(row.ours.ok()))
+        .with("difference", |row| cell(row.difference()));
+    Table::new("", columns, rows)
 }
 
 /// A measured table with what its unit says.
@@ -173,12 +167,6 @@ impl<'a> Light<'a> {
         if self.spectrum.kind != Kind::Light {
             return Err("the values are no light");
         }
-        if let Some(figure) = of_quantity(quantity) {
-            // Of a light's white nothing but that there is one is asked.
-            let white = Xyz::new(0.0, 100.0, 0.0);
-            let colour = Colour::of(self.xyz, self.xyz, white, true).ok_or(DARK)?;
-            return (figure.of)(&colour).ok_or("too far from the blackbody locus");
-        }
         match quantity {
             // Meters write 683 lm/W x the sums; Y is the lux.
             Quantity::TristimulusX => finite(self.photometric(false)? * self.xyz.x),
@@ -195,30 +183,18 @@ impl<'a> Light<'a> {
         }
     }
 
-    /// Colour rendering and hue; `None` for other quantities, and where there is no light.
+    /// Figures of light quality; `None` for other quantities, and where there is no light.
     fn quality(&self, quantity: &Quantity) -> Option<Result<f64, &'static str>> {
-        let find: fn(&Figures, usize) -> Result<f64, NoFigure> = match quantity {
-            _ if self.spectrum.kind != Kind::Light => return None,
-            Quantity::Ra => |figures, _| Ok(figures.rendering.clone()?.ra),
-            Quantity::R(_) => |figures, at| Ok(figures.rendering.clone()?.samples[at].index),
-            Quantity::Rf => |figures, _| Ok(figures.fidelity.clone()?.rf),
-            Quantity::Rg => |figures, _| Ok(figures.fidelity.clone()?.rg),
-            Quantity::DominantNm => |figures, _| figures.dominant.clone()?.nm,
-            Quantity::Purity => |figures, _| Ok(100.0 * figures.dominant.clone()?.purity),
-            _ => return None,
-        };
-        let at = match quantity {
-            Quantity::R(number) => usize::from(*number).checked_sub(1)?,
-            _ => 0,
-        };
-        if at >= RENDERING_SAMPLES {
+        let (row, factor) = of_quantity(quantity)?;
+        if self.spectrum.kind != Kind::Light {
             return None;
         }
         let figures = self.figures.get_or_init(|| {
             let (light, measured) = light_of(self.spectrum);
             Figures::of(&light, measured)
         });
-        Some(find(figures, at).map_err(|why| match why {
+        let found = row.value(figures).map(|value| factor * value);
+        Some(found.map_err(|why| match why {
             NoFigure::Dark(_) | NoFigure::NotPositive { .. } => DARK,
             NoFigure::NoCct(_) => "too far from the blackbody locus",
             NoFigure::NearWhite { .. } => "no hue: too near the white",
@@ -524,7 +500,7 @@ mod tests {
             vec![0.0, 1.0, 0.0],
             &[("IRR", "1.25"), ("R:B", "90")],
         );
-        let csv = to_csv(&beside(&entry));
+        let csv = table(&beside(&entry)).csv();
         let lines: Vec<&str> = csv.lines().collect();
         assert_eq!(lines[0], "quantity,unit,instrument,ours,difference");
         assert_eq!(lines[1], "irradiance,W m-2,1.25,1,-0.25");

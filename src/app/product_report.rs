@@ -7,12 +7,10 @@ mod text;
 
 pub use text::{chain_text, set_text};
 
-use std::fmt::Write as _;
-
 use serde_json::{Value, json};
 
 use super::{
-    cells::{self, comments, number, words},
+    cells::{Columns, Table, cell, comments},
     export::provenance,
     products::{KnownLines, Link, ModelledLight},
     report::settings_json,
@@ -112,71 +110,78 @@ impl Told {
     }
 }
 
+/// A stage of a chain in its table: the light first, which nothing forms.
+struct Stage<'a> {
+    place: usize,
+    name: &'a str,
+    link: Option<&'a Link>,
+    colours: &'a Colours,
+    step: Option<&'a Step>,
+}
+
 /// A chain as a table: what comes out of each stage.
-pub fn stages_csv(app: &App, told: &Told, chain: &[Link]) -> String {
-    let mut out = csv_head(app);
-    out.push_str(
-        "stage,name,thickness,times,passes exact,passes model,Y exact,Y model,CIEDE2000,\
-         luminance error,CIEDE2000 added,folded share,multiplications\n",
-    );
+pub fn stages_table(app: &App, told: &Told, chain: &[Link]) -> Table {
     let passage = &told.passage;
-    let row = |stage: usize,
-               name: &str,
-               link: Option<&Link>,
-               passes: [Option<f64>; 2],
-               colours: &Colours,
-               forming: [Option<f64>; 3]| {
-        let y = |xyz: Xyz| number(scaled(passage, xyz).map(|(xyz, _)| xyz.y));
-        let mut cells = vec![
-            stage.to_string(),
-            words(name),
-            number(link.map(|l| l.thickness)),
-            number(link.map(|l| f64::from(l.bounces))),
-        ];
-        cells.extend(passes.map(number));
-        cells.extend([y(colours.exact), y(colours.model)]);
-        cells.extend([colours.delta_e_2000, colours.luminance_error].map(number));
-        cells.extend(forming.map(number));
-        cells::line(cells)
+    let y = |xyz: Xyz| cell(scaled(passage, xyz).map(|(xyz, _)| xyz.y));
+    let passes = |at: usize| {
+        move |stage: &Stage<'_>| cell(stage.step.and_then(|step| step.transmission[at]))
     };
-    let light = app.document().light.name();
-    let none = [None; 3];
-    out += &row(0, light, None, [None; 2], &passage.light, none);
-    for (i, (link, step)) in chain.iter().zip(&passage.steps).enumerate() {
-        let forming = [
-            step.added,
-            Some(step.folded_share),
-            Some(step.multiplications as f64),
-        ];
-        out += &row(
-            i + 1,
-            link.entry.name(),
-            Some(link),
-            step.transmission,
-            &step.colours,
-            forming,
-        );
-    }
-    out
+    let columns = Columns::<Stage<'_>>::default()
+        .with("stage", |stage| cell(stage.place))
+        .with("name", |stage| cell(stage.name))
+        .with("thickness", |stage| cell(stage.link.map(|l| l.thickness)))
+        .with("times", |stage| cell(stage.link.map(|l| l.bounces)))
+        .with("passes exact", passes(0))
+        .with("passes model", passes(1))
+        .with("Y exact", |stage| y(stage.colours.exact))
+        .with("Y model", |stage| y(stage.colours.model))
+        .with("CIEDE2000", |stage| cell(stage.colours.delta_e_2000))
+        .with("luminance error", |stage| {
+            cell(stage.colours.luminance_error)
+        })
+        .with("CIEDE2000 added", |stage| {
+            cell(stage.step.and_then(|step| step.added))
+        })
+        .with("folded share", |stage| {
+            cell(stage.step.map(|step| step.folded_share))
+        })
+        .with("multiplications", |stage| {
+            cell(stage.step.map(|step| step.multiplications))
+        });
+    let light = Stage {
+        place: 0,
+        name: app.document().light.name(),
+        link: None,
+        colours: &passage.light,
+        step: None,
+    };
+    let steps = chain.iter().zip(&passage.steps).enumerate();
+    let stages = steps.map(|(i, (link, step))| Stage {
+        place: i + 1,
+        name: link.entry.name(),
+        link: Some(link),
+        colours: &step.colours,
+        step: Some(step),
+    });
+    Table::new(
+        table_head(app),
+        columns,
+        std::iter::once(light).chain(stages),
+    )
 }
 
 /// The spikes behind a stage as a table, in the light's own unit x nm.
-pub fn spikes_csv(app: &App, stage: &str, spikes: &[Line], known: &KnownLines) -> String {
-    let mut out = csv_head(app);
-    let _ = writeln!(out, "# behind: {}", one_line(stage));
-    out.push_str("place nm,weight,name\n");
-    for spike in spikes {
-        out += &cells::line([
-            number(spike.at_nm),
-            number(spike.weight),
-            words(known.safe(spike.at_nm).unwrap_or_default()),
-        ]);
-    }
-    out
+pub fn spikes_table(app: &App, stage: &str, spikes: &[Line], known: &KnownLines) -> Table {
+    let comments = format!("{}# behind: {}\n", table_head(app), one_line(stage));
+    let columns = Columns::<&Line>::default()
+        .with("place nm", |spike| cell(spike.at_nm))
+        .with("weight", |spike| cell(spike.weight))
+        .with("name", |spike| cell(known.safe(spike.at_nm)));
+    Table::new(comments, columns, spikes)
 }
 
 /// Comments over a table: the light, its source and how products are formed.
-fn csv_head(app: &App) -> String {
+fn table_head(app: &App) -> String {
     let head = comments(&provenance(app), &app.document().light.spectrum);
     let way = app.document().settings.sampling.word();
     format!("{head}# products: {way}\n")

@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 use serde_json::{Value, json};
 
 use super::{
-    cells::{line, number, words},
+    cells::{Columns, Table, cell},
     product_report::spread_json,
     studies::{CHECK_SET, Field, RaceAsk},
     study_report::{errors, lines_json, lines_words, program},
@@ -62,67 +62,57 @@ pub fn wins(
         .collect()
 }
 
-/// The spreads of a row with the keys that files use: first what decides wins, and what took no
-/// part in a choice.
-fn spreads(row: &Row) -> Vec<(&'static str, Option<Spread>)> {
-    let patches = ("delta_e_patches", row.spreads[Measure::Patches]);
+/// What rows have spreads of, with the keys that files use: first what decides wins, and what took
+/// no part in a choice, which is no measure.
+fn spreads() -> impl Iterator<Item = (&'static str, Option<Measure>)> {
     let others = errors()
         .filter(|(_, measure)| !matches!(measure, Measure::Patches | Measure::PatchesWorst))
-        .map(|(key, measure)| (key, row.spreads[measure]));
-    let mut all = vec![patches, ("delta_e_check", row.check)];
-    all.extend(others);
-    all
+        .map(|(key, measure)| (key, Some(measure)));
+    let first = [
+        ("delta_e_patches", Some(Measure::Patches)),
+        ("delta_e_check", None),
+    ];
+    first.into_iter().chain(others)
 }
 
-/// All numbers of a row with the names of their columns.
-pub fn row_numbers(row: &Row) -> Vec<(String, Option<f64>)> {
-    let mut all = Vec::new();
-    for (key, spread) in spreads(row) {
-        for (part, value) in [
-            ("median", spread.map(|s| s.median)),
-            ("p95", spread.map(|s| s.p95)),
-            ("worst", spread.map(|s| s.worst)),
-        ] {
-            all.push((format!("{key}_{part}"), value));
+/// A racer's row of a set, with its wins on the patches.
+type SetRow = (Row, String, Option<usize>);
+
+/// The columns of a race that are numbers of a row.
+fn with_numbers(mut columns: Columns<'_, SetRow>) -> Columns<'_, SetRow> {
+    type Part = (&'static str, fn(&Spread) -> f64);
+    let parts: [Part; 3] = [
+        ("median", |s| s.median),
+        ("p95", |s| s.p95),
+        ("worst", |s| s.worst),
+    ];
+    for (key, measure) in spreads() {
+        for (part, of) in parts {
+            columns.push(format!("{key}.{part}"), move |(row, ..)| {
+                let spread = measure.map_or(row.check, |measure| row.spreads[measure]);
+                cell(spread.as_ref().map(of))
+            });
         }
     }
-    let cost = row.cost;
-    all.extend([
-        ("negative_lobes".to_owned(), Some(row.negative_lobes)),
-        ("bytes".to_owned(), cost.map(|c| c.bytes as f64)),
-        ("ns_per_product".to_owned(), cost.map(|c| c.ns_per_product)),
-        (
-            "ns_per_evaluation".to_owned(),
-            cost.map(|c| c.ns_per_evaluation),
-        ),
-    ]);
-    all
+    columns
+        .with("negative_lobes", |(row, ..)| cell(row.negative_lobes))
+        .with("bytes", |(row, ..)| cell(row.cost.map(|c| c.bytes)))
+        .with("ns_per_product", |(row, ..)| {
+            cell(row.cost.map(|c| c.ns_per_product))
+        })
+        .with("ns_per_evaluation", |(row, ..)| {
+            cell(row.cost.map(|c| c.ns_per_evaluation))
+        })
 }
 
-fn row_json(row: &Row, set: &str, wins: Option<usize>) -> Value {
-    let (racer, cost) = (row.racer, row.cost);
-    let mut entry = json!({
-        "representation": racer.word(),
-        "title": racer.title(),
-        "numbers": row.numbers,
-        "set": set,
-        "lamps": row.lamps,
-        "negative_lobes": row.negative_lobes,
-        "bytes": cost.map(|c| c.bytes),
-        "ns_per_product": cost.map(|c| c.ns_per_product),
-        "ns_per_evaluation": cost.map(|c| c.ns_per_evaluation),
-        "needs_table": racer.needs_table(),
-        "is_prefix": racer.is_prefix(),
-        "wins": wins,
-    });
-    for (key, spread) in spreads(row) {
-        entry[key] = spread_json(spread);
-    }
-    entry
+/// The numbers of rows with the names of their columns.
+pub fn row_numbers(rows: Vec<Row>) -> Vec<(String, Vec<Option<f64>>)> {
+    let rows = rows.into_iter().map(|row| (row, String::new(), None));
+    Table::new("", with_numbers(Columns::default()), rows).numbers()
 }
 
 /// Every row of a race: count by count, set by set, racer by racer, with its wins on the patches.
-fn rows(race: &Race) -> Vec<(Row, String, Option<usize>)> {
+fn rows(race: &Race) -> Vec<SetRow> {
     let sets = sets(race);
     let mut rows = Vec::new();
     for budget in 0..race.budgets.len() {
@@ -140,10 +130,6 @@ fn rows(race: &Race) -> Vec<(Row, String, Option<usize>)> {
 /// A race as JSON. `wins` counts the lights on which a representation has the least error on the
 /// patches.
 pub fn race_json(ask: &RaceAsk, race: &Race) -> Value {
-    let all: Vec<Value> = rows(race)
-        .iter()
-        .map(|(row, set, wins)| row_json(row, set, *wins))
-        .collect();
     let mut winners = Vec::new();
     for (lamp, (name, set)) in race.lamps.iter().enumerate() {
         for (budget, numbers) in race.budgets.iter().enumerate() {
@@ -167,7 +153,7 @@ pub fn race_json(ask: &RaceAsk, race: &Race) -> Value {
             "lines": lines_json(ask.spikes),
         },
         "cost_of": race.cost_of,
-        "rows": all,
+        "rows": race_table(ask, race, &[]).json(),
         "winners": winners,
         "judged": judged_json(ask, race),
     })
@@ -251,8 +237,8 @@ pub fn race_notes(ask: &RaceAsk) -> Vec<String> {
     ]
 }
 
-/// A race as a table, one representation, count and set a line; `more` are comments above it.
-pub fn race_csv(ask: &RaceAsk, race: &Race, more: &[String]) -> String {
+/// A race as a table, one representation, count and set a row; `more` are comments above it.
+pub fn race_table(ask: &RaceAsk, race: &Race, more: &[String]) -> Table {
     let mut out = "# title: representations at equal counts of numbers\n".to_owned();
     for note in race_notes(ask).iter().chain(more) {
         let _ = writeln!(out, "# {note}");
@@ -262,29 +248,15 @@ pub fn race_csv(ask: &RaceAsk, race: &Race, more: &[String]) -> String {
         "# costs: measured in this run on {}, the light with most lines",
         one_line(&race.cost_of)
     );
-    for (i, (row, set, wins)) in rows(race).iter().enumerate() {
-        let numbers = row_numbers(row);
-        if i == 0 {
-            out.push_str("representation,title,numbers,set,lamps");
-            for (key, _) in &numbers {
-                let _ = write!(out, ",{key}");
-            }
-            out.push_str(",needs_table,is_prefix,wins\n");
-        }
-        let mut cells = vec![
-            row.racer.word().to_owned(),
-            words(row.racer.title()),
-            row.numbers.to_string(),
-            words(set),
-            row.lamps.to_string(),
-        ];
-        cells.extend(numbers.into_iter().map(|(_, value)| number(value)));
-        cells.extend([
-            row.racer.needs_table().to_string(),
-            row.racer.is_prefix().to_string(),
-            wins.map(|w| w.to_string()).unwrap_or_default(),
-        ]);
-        out.push_str(&line(cells));
-    }
-    out
+    let columns = Columns::<SetRow>::default()
+        .with("representation", |(row, ..)| cell(row.racer.word()))
+        .with("title", |(row, ..)| cell(row.racer.title()))
+        .with("numbers", |(row, ..)| cell(row.numbers))
+        .with("set", |(_, set, _)| cell(set.as_str()))
+        .with("lamps", |(row, ..)| cell(row.lamps));
+    let columns = with_numbers(columns)
+        .with("needs_table", |(row, ..)| cell(row.racer.needs_table()))
+        .with("is_prefix", |(row, ..)| cell(row.racer.is_prefix()))
+        .with("wins", |(.., wins)| cell(*wins));
+    Table::new(out, columns, rows(race))
 }

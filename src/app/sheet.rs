@@ -235,7 +235,7 @@ impl Page {
         }
         let top = self.y;
         let is_told = |row: &&[Row; 2]| {
-            let key = row[0].key;
+            let key = row[0].figure.key;
             row[0].value.is_ok() && !LEFT_OUT.contains(&key) && !left_out.contains(&key)
         };
         for row in shown.rows.iter().filter(is_told) {
@@ -246,7 +246,7 @@ impl Page {
             } else {
                 ""
             };
-            let told = [first.title, &first.shown(), &other.shown(), reading];
+            let told = [first.figure.title, &first.shown(), &other.shown(), reading];
             for (x, words) in COLUMNS.iter().zip(told) {
                 // Letters are about half as wide as the font is high.
                 let room = (PAGE[0] - 2.0 * MARGIN - x) / (0.52 * SIZES[0]);
@@ -365,7 +365,11 @@ mod tests {
         let words: Vec<&str> = tree.descendants().filter_map(|node| node.text()).collect();
         let shown = QualityShown::of(&app);
         for key in ["cct", "ra", "r9", "rf", "melanopic_der"] {
-            let row = shown.rows.iter().find(|row| row[0].key == key).expect(key);
+            let row = shown
+                .rows
+                .iter()
+                .find(|row| row[0].figure.key == key)
+                .expect(key);
             for told in [&row[0], &row[1]] {
                 assert!(words.contains(&told.shown().as_str()), "{key}");
             }
@@ -390,7 +394,11 @@ mod tests {
         assert!(whole.contains(&compared.summary));
         let shown = QualityShown::of(&app);
         for key in ["cct", "ra", "r9", "rf", "melanopic_der"] {
-            let row = shown.rows.iter().find(|row| row[0].key == key).expect(key);
+            let row = shown
+                .rows
+                .iter()
+                .find(|row| row[0].figure.key == key)
+                .expect(key);
             for told in row {
                 assert!(words.contains(&told.shown().as_str()), "{key}");
             }

@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 use serde_json::{Value, json};
 
 use super::{
-    cells::{comments, line, number, words},
+    cells::{Columns, Table, cell, comments},
     export,
     state::App,
     studies::{About, AuctionAsk, SweepAsk},
@@ -18,7 +18,7 @@ use crate::{
     io::{Provenance, many::numbers, one_line},
     spectrum::{Kind, SpikeSettings},
     study::{
-        Auction, Measure, Sweep,
+        Auction, Measure, Sweep, SweepPoint,
         auction::{Bid, Ended, Purchase, Step},
     },
 };
@@ -112,29 +112,6 @@ fn head(app: &App, about: &About, title: &str, more: &str) -> String {
 
 pub fn sweep_json(app: &App, ask: &SweepAsk, sweep: &Sweep) -> Value {
     let measure = front_measure(sweep);
-    let front = sweep.front(measure, |_| true);
-    let points: Vec<Value> = sweep
-        .points
-        .iter()
-        .enumerate()
-        .map(|(index, point)| {
-            let way = point.way;
-            let mut entry = json!({
-                "way": way.word(),
-                "basis": way.basis.word(),
-                "spikes": way.spikes,
-                "spike_count": point.spikes,
-                "colour_exact": way.colour_exact,
-                "order": point.order,
-                "numbers": point.numbers,
-                "on_front": front.contains(&index),
-            });
-            for (key, measure) in errors() {
-                entry[key] = json!(point.verdict[measure]);
-            }
-            entry
-        })
-        .collect();
     let map = &sweep.map;
     let rows = |measure: Measure| -> Vec<Vec<Option<f64>>> {
         let rows = map.verdicts.chunks(map.highest_order + 1);
@@ -156,37 +133,31 @@ pub fn sweep_json(app: &App, ask: &SweepAsk, sweep: &Sweep) -> Value {
         "input": input_json(app),
         "settings": about_json(&ask.about),
         "front_of": measure.figure().key,
-        "points": points,
+        "points": sweep_table(app, ask, sweep).json(),
         "threshold_map": threshold_map,
     })
 }
 
-/// A sweep as a table, one model a line.
-pub fn sweep_csv(app: &App, ask: &SweepAsk, sweep: &Sweep) -> String {
+/// A sweep as a table, one model a row.
+pub fn sweep_table(app: &App, ask: &SweepAsk, sweep: &Sweep) -> Table {
     let measure = front_measure(sweep);
     let front = sweep.front(measure, |_| true);
     let more = format!("; on_front is by {}", measure.figure().key);
-    let mut out = head(app, &ask.about, "error against numbers", &more);
-    out.push_str("way,basis,spikes,spike_count,colour_exact,order,numbers");
-    out.extend(errors().map(|(key, _)| format!(",{key}")));
-    out.push_str(",on_front\n");
-    for (index, point) in sweep.points.iter().enumerate() {
-        let way = point.way;
-        let on_front = front.contains(&index);
-        let mut cells = vec![
-            way.word().to_owned(),
-            way.basis.word().to_owned(),
-            way.spikes.to_string(),
-            point.spikes.to_string(),
-            way.colour_exact.to_string(),
-            point.order.to_string(),
-            point.numbers.to_string(),
-        ];
-        cells.extend(errors().map(|(_, measure)| number(point.verdict[measure])));
-        cells.push(on_front.to_string());
-        out.push_str(&line(cells));
+    let mut columns = Columns::<(usize, &SweepPoint)>::default()
+        .with("way", |(_, point)| cell(point.way.word()))
+        .with("basis", |(_, point)| cell(point.way.basis.word()))
+        .with("spikes", |(_, point)| cell(point.way.spikes))
+        .with("spike_count", |(_, point)| cell(point.spikes))
+        .with("colour_exact", |(_, point)| cell(point.way.colour_exact))
+        .with("order", |(_, point)| cell(point.order))
+        .with("numbers", |(_, point)| cell(point.numbers));
+    for (key, measure) in errors() {
+        let error = move |(_, point): &(usize, &SweepPoint)| cell(point.verdict[measure]);
+        columns.push(key, error);
     }
-    out
+    columns.push("on_front", |(index, _)| cell(front.contains(index)));
+    let comments = head(app, &ask.about, "error against numbers", &more);
+    Table::new(comments, columns, sweep.points.iter().enumerate())
 }
 
 /// One purchase in files: every step has as many as it bought, the first one order 0.
@@ -294,8 +265,8 @@ pub fn auction_json(app: &App, ask: &AuctionAsk, auction: &Auction) -> Value {
     })
 }
 
-/// An auction as a table, one purchase a line.
-pub fn auction_csv(app: &App, ask: &AuctionAsk, auction: &Auction) -> String {
+/// An auction as a table, one purchase a row.
+pub fn auction_table(app: &App, ask: &AuctionAsk, auction: &Auction) -> Table {
     let terms = ask.terms;
     let unit = unit_of(&ask.about);
     let more = format!(
@@ -313,47 +284,47 @@ pub fn auction_csv(app: &App, ask: &AuctionAsk, auction: &Auction) -> String {
             Ended::NothingHelps => "nothing helps any more",
         },
     );
-    let mut out = head(app, &ask.about, "auction", &more);
-    out.push_str("step,bought,at_nm,weight,order,numbers,error,order_now,spikes_now,gave_back");
-    out.extend(errors().map(|(key, _)| format!(",{key}")));
-    out.push_str(",wide_lines_now\n");
-    for Bought {
-        place,
-        step,
-        purchase,
-        first,
-    } in purchases(auction)
-    {
-        let none = String::new;
-        let (what, [at_nm, weight, order]) = match purchase {
-            Purchase::Widths => ("width", [none(), none(), none()]),
-            Purchase::Order(order) => ("order", [none(), none(), order.to_string()]),
-            Purchase::Line(spike) => {
-                let [at_nm, weight] = [spike.at_nm, spike.weight * unit].map(number);
-                ("spike", [at_nm, weight, none()])
-            }
-        };
-        let mut cells = vec![place.to_string(), what.to_owned(), at_nm, weight, order];
-        let back: Vec<String> = step
-            .gave_back
-            .iter()
-            .filter(|_| first)
-            .map(|purchase| match purchase {
+    let line = |bought: &Bought<'_>| match bought.purchase {
+        Purchase::Line(spike) => Some(spike),
+        _ => None,
+    };
+    let mut columns = Columns::<Bought<'_>>::default()
+        .with("step", |bought| cell(bought.place))
+        .with("bought", |bought| {
+            cell(match bought.purchase {
+                Purchase::Widths => "width",
+                Purchase::Order(_) => "order",
+                Purchase::Line(_) => "spike",
+            })
+        })
+        .with("at_nm", |bought| {
+            cell(line(bought).map(|spike| spike.at_nm))
+        })
+        .with("weight", |bought| {
+            cell(line(bought).map(|spike| spike.weight * unit))
+        })
+        .with("order", |bought| match bought.purchase {
+            Purchase::Order(order) => cell(order),
+            _ => cell(None::<usize>),
+        })
+        .with("numbers", |bought| cell(bought.step.numbers))
+        .with("error", |bought| cell(bought.step.error))
+        .with("order_now", |bought| cell(bought.step.order))
+        .with("spikes_now", |bought| cell(bought.step.lines.len()))
+        .with("gave_back", |bought| {
+            let back = bought.step.gave_back.iter().filter(|_| bought.first);
+            let back = back.map(|purchase| match purchase {
                 Purchase::Widths => "width".to_owned(),
                 Purchase::Order(order) => format!("order {order}"),
                 Purchase::Line(spike) => format!("{:.1} nm", spike.at_nm),
-            })
-            .collect();
-        cells.extend([
-            step.numbers.to_string(),
-            number(step.error),
-            step.order.to_string(),
-            step.lines.len().to_string(),
-            words(&back.join(" and ")),
-        ]);
-        cells.extend(errors().map(|(_, measure)| number(step.verdict[measure])));
-        cells.push(step.wide.to_string());
-        out.push_str(&line(cells));
+            });
+            cell(back.collect::<Vec<_>>().join(" and "))
+        });
+    for (key, measure) in errors() {
+        let error = move |bought: &Bought<'_>| cell(bought.step.verdict[measure]);
+        columns.push(key, error);
     }
-    out
+    columns.push("wide_lines_now", |bought| cell(bought.step.wide));
+    let comments = head(app, &ask.about, "auction", &more);
+    Table::new(comments, columns, purchases(auction))
 }

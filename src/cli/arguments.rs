@@ -391,10 +391,13 @@ pub(super) struct Render {
     #[arg(long, value_name = "PAGE", default_value = "look", value_parser = words::page,
         help = words::help_on_pages())]
     pub page: Page,
-    /// A lesson that is being taken: its name, or name:step (waves:2). It brings its own light and
-    /// page.
-    #[arg(long, value_name = "NAME[:STEP]")]
+    /// A lesson that is being taken: its name or its file, at its first step or another (waves:2,
+    /// mine.json:2). It brings its own light and page.
+    #[arg(long, value_name = "NAME|FILE[:STEP]")]
     pub lesson: Option<String>,
+    /// The step with its task done and its answer told.
+    #[arg(long, requires = "lesson")]
+    pub done: bool,
     /// As the page is presented to a class (F5): its main picture and its main controls, large.
     #[arg(long)]
     pub present: bool,

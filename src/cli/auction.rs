@@ -46,7 +46,10 @@ pub(super) fn run(
     if *json {
         print_json(out, &study_report::auction_json(&app, &ask, &auction))
     } else {
-        print(out, &study_report::auction_csv(&app, &ask, &auction))
+        print(
+            out,
+            &study_report::auction_table(&app, &ask, &auction).csv(),
+        )
     }
 }
 

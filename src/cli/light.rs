@@ -26,9 +26,7 @@ use super::{
 };
 use crate::{
     app::{
-        quality_report::{
-            Modeller, Sheet, csv_head, csv_line, csv_line_of_none, full_json, json, text,
-        },
+        quality_report::{Modeller, Sheet, full_json, json, light_row, lights_table, text},
         readings::Reading,
     },
     study::{Progress, in_parallel, processors},
@@ -91,11 +89,13 @@ pub(super) fn run(
                 }
             }
             all => {
-                let line = |(s, reading): &(&Sheet, &Reading)| match reading.has_no_figures() {
-                    true => csv_line_of_none(&s.name, &reading.sentences().join(" ")),
-                    false => csv_line(&s.name, &s.measured, Some(&s.model)),
-                };
-                csv_head() + &all.iter().map(line).collect::<String>()
+                let rows = all
+                    .iter()
+                    .map(|(s, reading)| match reading.has_no_figures() {
+                        true => (s.name.as_str(), Err(reading.sentences().join(" "))),
+                        false => light_row(s),
+                    });
+                lights_table(rows).csv()
             }
         };
         print(out, &told)?;

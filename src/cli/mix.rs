@@ -7,7 +7,7 @@ use super::{
     words::numbers_with_commas,
 };
 use crate::{
-    app::{Library, design::wish::MixWish},
+    app::{Library, design::wish::MixWish, numbers::decimals},
     color::xyz::{FIRST_NM, LAST_NM},
     design::{
         SampleTables,
@@ -161,11 +161,6 @@ fn of_front(
     print(out, &front_text(&points))
 }
 
-/// A figure in words; a dash for one that does not exist.
-fn figure(value: Option<f64>, digits: usize) -> String {
-    value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
-}
-
 /// A mixture in words: the faders, its figures, whether it is what was asked for.
 fn text(channels: &[Channel], solution: &Solution) -> String {
     let widest = channels.iter().map(|c| c.spec.words.chars().count()).max();
@@ -199,11 +194,11 @@ fn text(channels: &[Channel], solution: &Solution) -> String {
     let _ = writeln!(
         text,
         "\nCCT {} K, Duv {}; Ra {}, Rf {}, Rg {}; {ler:.1} lm/W, melanopic DER {melanopic_der:.3}\n{}",
-        figure(cct.map(|cct| cct.kelvin), 0),
-        figure(cct.map(|cct| cct.duv), 4),
-        figure(*ra, 1),
-        figure(*rf, 1),
-        figure(*rg, 1),
+        decimals(cct.map(|cct| cct.kelvin), 0),
+        decimals(cct.map(|cct| cct.duv), 4),
+        decimals(*ra, 1),
+        decimals(*rf, 1),
+        decimals(*rg, 1),
         solution.why
     );
     text
@@ -221,9 +216,9 @@ fn front_text(points: &[FrontPoint]) -> String {
             text,
             "{:>7.1} {:>6} {:>6} {:>6}  {}",
             point.figures.ler,
-            figure(point.figures.rf, 1),
-            figure(point.figures.ra, 1),
-            figure(point.figures.rg, 1),
+            decimals(point.figures.rf, 1),
+            decimals(point.figures.ra, 1),
+            decimals(point.figures.rg, 1),
             lines.join(", ")
         );
     }

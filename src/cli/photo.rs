@@ -53,8 +53,8 @@ pub(super) fn run(
         let response = response(options, known.as_ref(), &said, &mut photograph, file)?;
         photograph.read_through(response.as_ref());
         let mut written = Vec::new();
-        if let (Some(target), Some(text)) = (&table, photograph::csv(&photograph)) {
-            target.save(text.as_bytes())?;
+        if let (Some(target), Some(rows)) = (&table, photograph::table(&photograph)) {
+            target.save(rows.csv().as_bytes())?;
             written.push(shown(target.path));
         }
         if let Some(target) = &keeps

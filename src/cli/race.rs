@@ -93,7 +93,7 @@ pub(super) fn run(options: &Race, out: &mut dyn Write, inputs: &mut Inputs) -> R
     } else {
         let won = Ways::of(&ask, &race, &ask.budgets);
         let lines = won.map_or_else(Vec::new, |ways| ways.notes());
-        print(out, &race_report::race_csv(&ask, &race, &lines))
+        print(out, &race_report::race_table(&ask, &race, &lines).csv())
     }
 }
 

@@ -51,6 +51,7 @@ pub(super) fn run(
         theme,
         page,
         lesson,
+        done,
         present,
     } = options;
     let pictures = painter(pictures, "render")?;
@@ -88,7 +89,10 @@ pub(super) fn run(
             page: *page,
             image: memory,
             photograph_asked: photograph.map(PathBuf::from),
-            lesson_asked: lesson.as_deref().map(asked_lesson).transpose()?,
+            lesson_asked: lesson
+                .as_deref()
+                .map(|words| asked_lesson(words, *done))
+                .transpose()?,
             ..PageMemory::default()
         },
         ..Preferences::default()
@@ -126,21 +130,22 @@ fn shows_the_model(
     drawn(app.document().settings) != drawn(Settings::default())
 }
 
-/// A lesson and its step: `waves:2`.
-fn asked_lesson(words: &str) -> Result<AskedLesson, Refusal> {
-    let (name, step) = words.split_once(':').unwrap_or((words, "1"));
-    let lesson = shelf::shipped().iter().find(|lesson| lesson.name == name);
-    let step = step
-        .parse::<usize>()
-        .ok()
-        .and_then(|step| step.checked_sub(1));
-    match (lesson, step) {
-        (Some(lesson), Some(step)) if step < lesson.steps.len() => Ok(AskedLesson {
+/// A lesson and its step: `waves:2`, `mine.json:2`.
+fn asked_lesson(words: &str, done: bool) -> Result<AskedLesson, Refusal> {
+    let cut = words.rsplit_once(':');
+    let cut = cut.and_then(|(name, step)| Some((name, step.parse::<usize>().ok()?)));
+    let (name, step) = cut.unwrap_or((words, 1));
+    let lesson = shelf::named(name).map_err(|why| Refusal::Usage(format!("--lesson: {why}")))?;
+    let count = lesson.steps.len();
+    match step.checked_sub(1).filter(|step| *step < count) {
+        Some(step) => Ok(AskedLesson {
             name: name.to_owned(),
             step,
+            done,
         }),
-        _ => Err(Refusal::Usage(format!(
-            "--lesson: found {words}, expected a name that lessons lists, and a step of it (waves:2)"
+        None => Err(Refusal::Usage(format!(
+            "--lesson: found step {step} of {}, expected 1 to {count}",
+            lesson.name
         ))),
     }
 }

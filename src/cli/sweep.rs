@@ -48,6 +48,6 @@ pub(super) fn run(
     if *json {
         print_json(out, &study_report::sweep_json(&app, &ask, &sweep))
     } else {
-        print(out, &study_report::sweep_csv(&app, &ask, &sweep))
+        print(out, &study_report::sweep_table(&app, &ask, &sweep).csv())
     }
 }

@@ -263,7 +263,7 @@ impl BatchView {
                 closed = ui.button("Close").on_hover_text("Escape").clicked();
                 let meaning = "Every file with format, count, how it was read and its path.";
                 if pressed(ui, "Copy as CSV", meaning) {
-                    ui.copy_text(summary.csv().trim_end().to_owned());
+                    ui.copy_text(summary.table().csv().trim_end().to_owned());
                     wish = Some(Wish::Say(
                         "Copied as CSV: files opened together.".to_owned(),
                     ));

@@ -6,8 +6,8 @@ use crate::{
         App, Detector, Settings,
         answers::{LINE_THRESHOLDS, hard_to_see_from, line_shares},
         behind_slit::without_lines,
-        figures::three_digits,
         lessons::{Lesson, shelf},
+        numbers::figure,
         pages::Page,
         ticks::short,
     },
@@ -48,7 +48,7 @@ pub(super) fn words(app: &App, page: Page) -> (String, String) {
             },
             lost.unwrap_or_else(|| format!(
                 "The largest holds {} % of the power.",
-                three_digits(below[0])
+                figure(below[0])
             )),
         ),
         0 if !settings.spikes => "Lines are off: the waves have to draw them.".to_owned(),

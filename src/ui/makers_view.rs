@@ -11,7 +11,8 @@ use crate::{
     app::{
         App, ByAddress, Entry, Memo,
         figures::of_quantity,
-        makers::{Beside, NOT_YET, beside, to_csv},
+        makers::{self, Beside, NOT_YET, beside},
+        numbers::signed,
         spectral_unit::{Counted, SpectralUnit},
         ticks::short,
     },
@@ -57,7 +58,8 @@ impl MakersView {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let meaning = "Copies every number of the instrument beside ours.";
                 if pressed_small(ui, "Copy CSV", meaning) {
-                    ui.ctx().copy_text(to_csv(rows).trim_end().to_owned());
+                    ui.ctx()
+                        .copy_text(makers::table(rows).csv().trim_end().to_owned());
                     said = Some("Copied as CSV: the instrument's numbers beside ours.".to_owned());
                 }
             });
@@ -110,9 +112,9 @@ fn line(ui: &mut Ui, row: &Beside) {
         "" => quantity,
         unit => format!("{quantity}, {}", unit_words(unit)),
     };
-    let figure = of_quantity(&row.quantity).map(|known| &known.figure);
+    let figure = of_quantity(&row.quantity).map(|(known, _)| known.figure.meaning);
     ui.label(name)
-        .on_hover_text(figure.map_or_else(|| meaning(&row.quantity), |f| f.meaning));
+        .on_hover_text(figure.unwrap_or_else(|| meaning(&row.quantity)));
     ui.monospace(written(row.theirs));
     match row.ours {
         Ok(ours) => {
@@ -147,34 +149,16 @@ fn line(ui: &mut Ui, row: &Beside) {
     ui.end_row();
 }
 
-/// A difference with its sign; what is rounded to zero has none.
-fn signed(value: f64, decimals: usize) -> String {
-    let text = format!("{value:+.decimals$}");
-    if text.contains(|c: char| ('1'..='9').contains(&c)) {
-        text
-    } else {
-        text.trim_start_matches(['+', '-']).to_owned()
-    }
-}
-
 /// Decimals of quantities whose differences are told as such; others differ by per cent.
 fn decimals(quantity: &Quantity) -> Option<usize> {
     match quantity {
-        Quantity::PeakNm
-        | Quantity::DominantNm
-        | Quantity::Purity
-        | Quantity::Ra
-        | Quantity::R(_)
-        | Quantity::Rf
-        | Quantity::Rg => Some(1),
-        known => of_quantity(known).map(|known| known.figure.digits),
+        Quantity::PeakNm | Quantity::Purity => Some(1),
+        known => of_quantity(known).map(|(known, _)| known.figure.digits),
     }
 }
 
 fn meaning(quantity: &Quantity) -> &'static str {
     match quantity {
-        Quantity::Ra | Quantity::R(_) => "Colour rendering index of CIE 13.3.",
-        Quantity::Rf | Quantity::Rg => "Colour fidelity and gamut of TM-30.",
         Quantity::Illuminance => "Illuminance: 683 lm/W times the sum with y-bar, lx.",
         Quantity::Luminance => "Luminance: 683 lm/W times the sum with y-bar, cd m⁻².",
         Quantity::Irradiance => "Power on an area, over the whole table.",
@@ -184,8 +168,6 @@ fn meaning(quantity: &Quantity) -> &'static str {
             "Tristimulus value of CIE 1931, Y in lx."
         }
         Quantity::PeakNm => "Wavelength of the largest value of the table, nm.",
-        Quantity::DominantNm => "Dominant wavelength, nm.",
-        Quantity::Purity => "Excitation purity, per cent.",
         _ => "A number of the maker's own, in the maker's words.",
     }
 }

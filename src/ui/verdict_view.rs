@@ -15,7 +15,7 @@ use crate::app::{
     App, Command,
     answers::{Worst, judged_on, of_how_many, verdict, verdict_alone, white_words},
     behind_slit::BehindSlit,
-    figures::two_digits,
+    numbers::two_digits,
     verdicts::Seen,
     workspace::Preferences,
 };

@@ -1060,6 +1060,33 @@ fn a_lesson_is_rendered_without_what_it_does_not_use() {
     assert_eq!(fs::read(&alone).unwrap(), fs::read(&beside).unwrap());
 }
 
+#[test]
+fn an_author_sees_a_step_of_a_file_as_it_begins_and_as_it_ends() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let place = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
+    let mine = place("mine.json");
+    fs::copy("lessons/waves.json", &mine).expect("a copy");
+    let drawn = |lesson: &str, more: &[&str]| {
+        let out = place("step.png");
+        let words = ["render", "--lesson", lesson, "--out", &out, "--force"];
+        said(&[&words[..], more].concat());
+        fs::read(&out).unwrap()
+    };
+    let second = format!("{mine}:2");
+    let begun = drawn(&second, &[]);
+    assert_eq!(begun, drawn("waves:2", &[]));
+    assert_ne!(begun, drawn(&mine, &[]));
+    assert_ne!(begun, drawn(&second, &["--done"]));
+    let out = place("none.png");
+    for (lesson, words) in [
+        ("waves:5", "found step 5 of waves, expected 1 to 4"),
+        ("no such:1", "found no such lesson or file"),
+    ] {
+        let line = refusal(2, &["render", "--lesson", lesson, "--out", &out]);
+        assert!(line.contains(words), "{line}");
+    }
+}
+
 /// Draws every page alike.
 struct Alike;
 

@@ -9,7 +9,7 @@ use std::{
 use eframe::egui;
 use egui::Role;
 use egui_kittest::{
-    Harness,
+    Harness, HarnessBuilder,
     kittest::{NodeT as _, Queryable as _},
 };
 use spectral_explorer::{
@@ -54,21 +54,24 @@ pub(crate) fn no_files() -> Picker {
     Arc::new(|_| Picked::Cancelled)
 }
 
-/// Something in place of the program's window, not yet drawn: `frame` s of the program pass between
-/// two frames (0.02 makes two clicks a double click), and it must come to rest within `most` of
-/// them (a tooltip comes after 0.35 s).
+/// A display: `frame` s of the program pass between two frames (0.02 makes two clicks a double
+/// click), and it must come to rest within `most` of them (a tooltip comes after 0.35 s).
+pub(crate) fn display<S>(size: [f32; 2], frame: f32, most: u64) -> HarnessBuilder<S> {
+    Harness::builder()
+        .with_size(size)
+        .with_step_dt(frame)
+        .with_max_steps(most)
+        .with_context_setup(theme::install_fonts)
+}
+
+/// Something in place of the program's window, not yet drawn, on a [`display`].
 pub(crate) fn harness<S: eframe::App + 'static>(
     shown: S,
     size: [f32; 2],
     frame: f32,
     most: u64,
 ) -> Harness<'static, S> {
-    Harness::builder()
-        .with_size(size)
-        .with_step_dt(frame)
-        .with_max_steps(most)
-        .with_context_setup(theme::install_fonts)
-        .build_eframe(|_| shown)
+    display(size, frame, most).build_eframe(|_| shown)
 }
 
 /// A window of 1280 x 800 points at rest.

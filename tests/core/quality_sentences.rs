@@ -35,7 +35,7 @@ impl Page {
 
     /// What a row says; empty where it has no figure.
     fn said(&self, key: &str) -> &str {
-        let row = self.rows.iter().find(|row| row.key == key);
+        let row = self.rows.iter().find(|row| row.figure.key == key);
         &row.expect("every light has the row").reading
     }
 

@@ -3,7 +3,10 @@
 use proptest::prelude::*;
 use serde_json::Value;
 use spectral_explorer::{
-    app::quality_report::{TLCI, csv_head, csv_line, full_json, json, rows},
+    app::{
+        figures::TLCI,
+        quality_report::{full_json, json, lights_table, rows},
+    },
     color::{
         Observer,
         quality::{
@@ -177,7 +180,7 @@ fn negative_samples_are_used_and_told_or_refused_in_words() {
 fn tlci_is_left_out_by_name() {
     let figures = Figures::of(&Light::of_nm_values(&[1.0; POINTS]), None);
     let rows = rows(&figures);
-    let tlci = rows.iter().find(|row| row.key == "tlci").unwrap();
+    let tlci = rows.iter().find(|row| row.figure.key == "tlci").unwrap();
     assert_eq!(tlci.value, Err(TLCI.to_owned()));
     assert_eq!(tlci.shown(), "–");
 }
@@ -232,9 +235,9 @@ fn json_has_exactly_the_keys_of_the_command() {
 fn a_reading_says_it_plainly() {
     let figures = Figures::of(&Light::of_sampled(&shipped("cie_led_5nm", "LED-B3")), None);
     let rows = rows(&figures);
-    let r9 = rows.iter().find(|row| row.key == "r9").unwrap();
+    let r9 = rows.iter().find(|row| row.figure.key == "r9").unwrap();
     assert_eq!(r9.reading, "strong red looks wrong: R9 24, duller");
-    let cct = rows.iter().find(|row| row.key == "cct").unwrap();
+    let cct = rows.iter().find(|row| row.figure.key == "cct").unwrap();
     assert_eq!(cct.reading, "neutral white; may be sold as 4000 K");
     assert_eq!(cct.shown(), "4102 K");
 }
@@ -254,7 +257,10 @@ fn watts_per_square_metre_give_lux_and_photons() {
     // The same sums in another order.
     assert!((found.ppfd / found.photometric * 100.0 / per_100.ppfd - 1.0).abs() < 1e-12);
     let rows = rows(&figures);
-    let edi = rows.iter().find(|row| row.key == "melanopic_edi").unwrap();
+    let edi = rows
+        .iter()
+        .find(|row| row.figure.key == "melanopic_edi")
+        .unwrap();
     // D65 is its own daylight.
     assert!((edi.value.clone().unwrap() / found.photometric - 1.0).abs() < 1e-12);
     assert!(
@@ -376,10 +382,14 @@ fn the_number_of_threads_changes_no_bit() {
     let one = figures_of_many(&lights, 1, &Progress::default()).unwrap();
     let three = figures_of_many(&lights, 3, &Progress::default()).unwrap();
     assert_eq!(one, three);
-    for (figures, name) in one.iter().zip(names) {
-        assert!(csv_line(name, figures, None).starts_with(name));
-    }
-    assert!(csv_head().starts_with("name,x,y,"));
+    let csv = lights_table(names.into_iter().zip(&one).map(|(n, f)| (n, Ok((f, None))))).csv();
+    let (head, rows) = csv.split_once('\n').expect("a head");
+    assert!(head.starts_with("name,x,y,"));
+    assert!(
+        rows.lines()
+            .zip(names)
+            .all(|(row, name)| row.starts_with(name))
+    );
     assert_eq!(
         figures_of_many(&[], 2, &Progress::default()),
         Some(Vec::new())

@@ -4,6 +4,8 @@
 mod containers;
 #[path = "../common/open_exr.rs"]
 mod open_exr;
+#[path = "../common/own_time.rs"]
+mod own_time;
 #[path = "../common/root.rs"]
 mod root;
 

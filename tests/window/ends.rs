@@ -9,25 +9,26 @@ use std::{
     },
 };
 
-use crate::full::{full_document, full_preferences, spectrum};
+use crate::{
+    driver::{about, display, no_files, with, words},
+    full::{full_document, full_preferences, spectrum},
+};
 use eframe::egui;
 use egui::{Key, Role};
-use egui_kittest::{
-    Harness, TestRenderer,
-    kittest::{NodeT as _, Queryable as _},
-};
+use egui_kittest::{Harness, TestRenderer, kittest::Queryable as _};
 use serde_json::{Value, json};
 use spectral_explorer::{
     app::{
-        App, Command, Detector, Document, Message, Scale, Settings, Subject,
+        App, Command, Detector, Document, Message, Scale, Subject,
         pages::{FieldChoice, Page},
         picture::{Show, Spread},
+        products::{Link, Products},
         workspace::{self, Preferences, Restored},
     },
     color::Observer,
     spectrum::{Band, Basis, Kind, NamedSpectrum, Sampled, Sampling},
     study::Measure,
-    ui::{Window, files::Picked, shell, theme, verdict_view::Side},
+    ui::{Window, shell, verdict_view::Side},
 };
 
 /// The largest texture of the driver: less than most have.
@@ -69,14 +70,9 @@ impl eframe::App for Shown {
 type Ui = Harness<'static, Shown>;
 
 fn over(app: App, preferences: Preferences) -> Ui {
-    let no_files = Arc::new(|_: &_| Picked::Cancelled);
-    let window = Window::new(App::new(), Preferences::default(), no_files, None);
+    let window = Window::new(App::new(), Preferences::default(), no_files(), None);
     let driver = Driver::default();
-    let mut ui: Ui = Harness::builder()
-        .with_size([1280.0, 800.0])
-        .with_step_dt(0.02)
-        .with_max_steps(40)
-        .with_context_setup(theme::install_fonts)
+    let mut ui: Ui = display([1280.0, 800.0], 0.02, 40)
         .renderer(driver.clone())
         .build_eframe(|_| Shown(window, driver));
     // A larger texture is a panic of its own.
@@ -96,21 +92,11 @@ fn start(ui: &mut Ui, app: App, preferences: Preferences) {
     }
 }
 
-/// All that is written or named on screen.
-fn words(ui: &Ui) -> String {
-    let nodes = ui.root().children_recursive();
-    let words = nodes.flat_map(|node| {
-        let node = node.accesskit_node();
-        [node.label(), node.value()]
-    });
-    words.flatten().collect::<Vec<_>>().join(" | ")
-}
-
 #[track_caller]
 fn assert_sound(ui: &Ui, case: &str) {
     let largest = ui.state().1.largest.load(Ordering::SeqCst);
     assert!(largest <= SIDE, "{case}: a texture of {largest} texels");
-    let words = words(ui);
+    let words = words(ui).join(" | ");
     assert!(!words.contains("broke down"), "{case}: {words}");
     let is_no_number = words
         .split(|c: char| !c.is_alphanumeric())
@@ -277,20 +263,64 @@ fn the_window_starts_with_every_setting_at_its_ends() {
     assert!(walked > 200, "only {walked} starts");
 }
 
-#[test]
-fn the_widest_range_is_drawn_on_every_page() {
-    let mut app = App::new();
-    app.apply(Command::Edit(Settings {
-        band: Band::nearest([0.0, 1e9]).expect("numbers"),
-        ..app.document().settings
+/// Documents on which pages have nothing to show, or much.
+fn extremes() -> Vec<(&'static str, App)> {
+    let ranged = |ends: [f64; 2]| {
+        with(App::new(), |s| {
+            s.band = Band::nearest(ends).expect("numbers");
+        })
+    };
+    let mut nothing_chosen = App::new();
+    nothing_chosen.apply(Command::Products(Products::default()));
+    let mut darkness = App::new();
+    darkness.apply(Command::Adopt(vec![spectrum(
+        "dark",
+        Kind::Light,
+        380.0,
+        5.0,
+        vec![0.0; 81],
+    )]));
+    let mut long = App::new();
+    let surface = Link::once(long.entry("colorchecker_ohta/red").expect("shipped"));
+    long.apply(Command::Products(Products {
+        chain: vec![surface; 16],
+        ..long.document().products.clone()
     }));
-    assert_eq!(app.document().settings.band.points(), 20_001);
-    let mut ui = over(app.clone(), Preferences::default());
-    for page in Page::all() {
-        let mut preferences = Preferences::default();
-        preferences.pages.page = page;
-        start(&mut ui, app.clone(), preferences);
-        assert_sound(&ui, page.title());
+    vec![
+        ("the widest range", ranged([0.0, 1e9])),
+        ("the shortest range", ranged([540.0, 560.0])),
+        ("a dark range", ranged([2000.0, 2400.0])),
+        ("an unseen range", ranged([800.0, 1000.0])),
+        ("order 0", with(App::new(), |s| s.order = 0)),
+        ("cosines", with(App::new(), |s| s.basis = Basis::Cosine)),
+        ("a surface", about("colorchecker_ohta/red")),
+        ("darkness", darkness),
+        ("a chain of 16", long),
+        (
+            "the sun with its dark lines",
+            with(
+                about("solar_astm_g173/ASTM G173-03 global tilt AM1.5G"),
+                |s| {
+                    s.dips = true;
+                    s.threshold_percent = 0.1;
+                    s.max_width_nm = 4.5;
+                },
+            ),
+        ),
+        ("nothing chosen", nothing_chosen),
+    ]
+}
+
+#[test]
+fn every_page_is_drawn_on_whatever_there_is() {
+    let mut ui = over(App::new(), Preferences::default());
+    for (what, app) in extremes() {
+        for page in Page::all() {
+            let mut preferences = Preferences::default();
+            preferences.pages.page = page;
+            start(&mut ui, app.clone(), preferences);
+            assert_sound(&ui, &format!("{} on {what}", page.title()));
+        }
     }
 }
 

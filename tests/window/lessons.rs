@@ -232,6 +232,7 @@ fn begun(ui: &mut Ui, lesson: &Lesson, step: usize) {
     ui.state_mut().preferences.pages.lesson_asked = Some(AskedLesson {
         name: lesson.name.clone(),
         step,
+        done: false,
     });
     ui.run();
 }

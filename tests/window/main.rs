@@ -4,6 +4,8 @@
 mod driver;
 #[path = "../common/full.rs"]
 mod full;
+#[path = "../common/own_time.rs"]
+mod own_time;
 #[path = "../common/plain.rs"]
 mod plain;
 #[path = "../common/root.rs"]

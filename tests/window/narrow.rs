@@ -1,46 +1,26 @@
 //! A window with little room, as a large zoom on a small screen leaves it: nothing lies over
 //! anything else, and everything can be reached.
 
-use std::sync::Arc;
-
-use crate::soft_renderer::SoftRenderer;
+use crate::{
+    driver::{Shown, Ui, display, no_files},
+    soft_renderer::SoftRenderer,
+};
 use eframe::egui;
 use egui::{Rect, Role, pos2, vec2};
-use egui_kittest::{
-    Harness,
-    kittest::{NodeT as _, Queryable as _},
-};
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use spectral_explorer::{
     app::{App, pages::Place, workspace::Preferences},
-    ui::{
-        Window, files::Picked, look_view::names as knobs, model_view::names, theme,
-        verdict_view::Side,
-    },
+    ui::{Window, look_view::names as knobs, model_view::names, verdict_view::Side},
 };
-
-pub(crate) struct Shown(pub Window);
-
-impl eframe::App for Shown {
-    fn ui(&mut self, ui: &mut egui::Ui, _: &mut eframe::Frame) {
-        self.0.show(ui);
-    }
-}
-
-pub(crate) type Ui = Harness<'static, Shown>;
 
 /// 1280 x 800 pixels at 250 %, in points.
 const SMALL: [f32; 2] = [512.0, 320.0];
 
 /// The window over preferences, at rest, its computations still going on.
 pub(crate) fn over(preferences: Preferences, size: [f32; 2]) -> Ui {
-    let no_files = Arc::new(|_: &_| Picked::Cancelled);
-    let mut window = Window::new(App::new(), preferences, no_files, None);
+    let mut window = Window::new(App::new(), preferences, no_files(), None);
     window.quiet = true;
-    let mut ui: Ui = Harness::builder()
-        .with_size(size)
-        .with_step_dt(0.02)
-        .with_max_steps(40)
-        .with_context_setup(theme::install_fonts)
+    let mut ui: Ui = display(size, 0.02, 40)
         .renderer(SoftRenderer::default())
         .build_eframe(|_| Shown(window));
     rest(&mut ui);
@@ -138,12 +118,9 @@ fn places() -> [(Role, &'static str); 7] {
     Place::ALL.map(|place| (Role::Button, place.title()))
 }
 
-/// Widths of the window, points: from 1000 pixels at 250 % to 2560 at 80 %.
-fn widths() -> impl Iterator<Item = f32> {
-    let steps = (400..1200).step_by(50).chain([1600, 3200]);
-    let others = [512, 640, 853, 1149, 1151, 1280, 1599, 1920, 2560];
-    steps.chain(others).map(|width| width as f32)
-}
+/// Widths of the window, points: 1000 pixels at 250 %, 1280 at 150 %, both sides of where the column
+/// opens, and 2560 at 80 %.
+const WIDTHS: [f32; 5] = [400.0, 853.0, 1149.0, 1151.0, 3200.0];
 
 fn rects(ui: &Ui, controls: &[(Role, &'static str)]) -> Vec<(&'static str, Rect)> {
     let found = controls.iter().copied();
@@ -215,7 +192,7 @@ fn plot(ui: &Ui) -> f32 {
 #[test]
 fn nothing_in_the_window_covers_anything_else_at_any_width() {
     let mut ui = over(zoomed(), SMALL);
-    for width in widths() {
+    for width in WIDTHS {
         let size = vec2(width, 860.0);
         ui.set_size(size);
         rest(&mut ui);
@@ -238,7 +215,7 @@ fn nothing_covers_anything_while_presenting() {
         ..zoomed()
     };
     let mut ui = over(preferences, SMALL);
-    for width in widths() {
+    for width in WIDTHS {
         let size = vec2(width, 860.0);
         ui.set_size(size);
         rest(&mut ui);
@@ -257,7 +234,7 @@ fn the_column_and_the_library_cover_nothing_at_any_width() {
         let mut ui = over(zoomed(), SMALL);
         ui.state_mut().0.side = side;
         click(&mut ui, EDGE);
-        for width in widths() {
+        for width in WIDTHS {
             let size = vec2(width, 860.0);
             ui.set_size(size);
             rest(&mut ui);
@@ -290,7 +267,7 @@ fn the_column_and_the_library_cover_nothing_at_any_width() {
     }
     let mut ui = over(zoomed(), SMALL);
     ui.state_mut().0.drawer.open = true;
-    for width in widths() {
+    for width in WIDTHS {
         let size = vec2(width, 860.0);
         ui.set_size(size);
         rest(&mut ui);

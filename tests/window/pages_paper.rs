@@ -15,7 +15,7 @@ use spectral_explorer::{
         },
         open::resolve,
         pages::Page,
-        studies::paper::{Claims, Verdict, harmonics_of, truth_csv, truth_table},
+        studies::paper::{Claims, Verdict, copied_table, harmonics_of, truth_table},
         workspace::Preferences,
     },
     spectrum::{Band, Basis},
@@ -94,7 +94,7 @@ fn every_claim_has_a_verdict_and_a_figure_on_whatever_is_open() {
                 "{what}"
             );
         }
-        let csv = truth_csv(&app, &claims);
+        let csv = copied_table(&app, &claims).csv();
         assert!(csv.contains("\nclaim,paper,measured,verdict\n"), "{what}");
         assert_eq!(
             csv.lines().filter(|l| !l.starts_with('#')).count(),
@@ -188,17 +188,6 @@ fn open(app: App, page: Page, size: [f32; 2]) -> Ui {
 
 fn partial_order(ui: &Ui) -> usize {
     ui.state().0.preferences.pages.partial_order
-}
-
-#[test]
-fn both_pages_open_on_whatever_there_is_in_small_and_large_windows() {
-    for (_, app) in all_sorts() {
-        for page in [Page::Coefficients, Page::Truth] {
-            for size in [[1280.0, 800.0], [1920.0, 1080.0], [900.0, 500.0]] {
-                open(app.clone(), page, size);
-            }
-        }
-    }
 }
 
 #[test]

@@ -104,10 +104,10 @@ fn charts_and_tables_hold_no_number_that_is_none() {
             assert_sound(what, &chart);
         }
         for csv in [
-            bench.csv(&app, None),
-            bench.spikes_csv(&app),
-            bounced.csv(&app),
-            behind.csv(&app, &rows),
+            bench.table(&app, None).csv(),
+            bench.spikes_table(&app).csv(),
+            bounced.table(&app).csv(),
+            behind.filters_table(&app, &rows).csv(),
         ] {
             for word in ["NaN", "inf"] {
                 let table = csv.lines().filter(|l| !l.starts_with('#'));
@@ -220,20 +220,6 @@ fn settled(ui: &mut Ui) {
 }
 
 const LARGE: [f32; 2] = [1920.0, 1080.0];
-
-#[test]
-fn the_parts_open_on_whatever_there_is_in_small_and_large_windows() {
-    for (_, app) in all_sorts() {
-        for page in [Page::Resampling, Page::Bounces, Page::Narrow] {
-            for size in [[1280.0, 800.0], [900.0, 500.0]] {
-                open(app.clone(), page, size);
-            }
-        }
-    }
-    for page in [Page::Resampling, Page::Bounces, Page::Narrow] {
-        open(about("FL11"), page, LARGE);
-    }
-}
 
 #[test]
 fn a_click_on_a_way_forms_all_products_so_and_undo_takes_it_back() {

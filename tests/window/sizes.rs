@@ -3,7 +3,10 @@
 
 use std::fmt;
 
-use crate::narrow::{Ui, everything, over, rest};
+use crate::{
+    driver::Ui,
+    narrow::{everything, over, rest},
+};
 use eframe::egui;
 use egui::{Rect, Role, Shape, Vec2, epaint::ClippedShape, vec2};
 use egui_kittest::{Harness, kittest::Queryable as _};
@@ -16,24 +19,14 @@ use spectral_explorer::{
     ui::{kit::HEADLINE, theme},
 };
 
-/// Points that a window has: 1000x700, 1280x800, 1920x1080 and 2560x1440 pixels at 250, 150, 100
-/// and 80 %; and high ones, in which everything that is else scrolled to is seen at once.
-const SIZES: [[f32; 2]; 15] = [
+/// Points that a window has: 1280x800 and 1920x1080 pixels at 100 %, 1000x700 at 100 and 150 %, and a
+/// high one, in which everything that is else scrolled to is seen at once.
+const SIZES: [[f32; 2]; 5] = [
     [1280.0, 800.0],
-    [400.0, 280.0],
-    [512.0, 320.0],
     [667.0, 467.0],
-    [768.0, 432.0],
     [1000.0, 700.0],
-    [1250.0, 875.0],
-    [1600.0, 1000.0],
     [1920.0, 1080.0],
-    [2560.0, 1440.0],
-    [3200.0, 1800.0],
-    [400.0, 4000.0],
-    [853.0, 4000.0],
     [1280.0, 4000.0],
-    [1920.0, 4000.0],
 ];
 
 /// A row of text as it is painted.

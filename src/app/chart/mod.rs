@@ -218,10 +218,7 @@ pub enum Marks {
         shape: Shape,
     },
     /// A heat map, with a colour bar at the right of the chart.
-    Cells {
-        /// The boxes and their values.
-        cells: Cells,
-    },
+    Cells { cells: Cells },
     /// Words at places, without marks: what lines nearby are.
     Words {
         /// Where the middle of each stands, and what it says.

@@ -10,8 +10,9 @@ use crate::{
     app::{
         chart::{Chart, Dash, Ink, Scale, Series, Shape, stroke},
         charts::spectrum::of_subject,
+        numbers::figure,
         state::App,
-        studies::paper::{CHANNELS, figure},
+        studies::paper::CHANNELS,
         ticks::extent,
     },
     spectrum::Basis,

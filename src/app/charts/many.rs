@@ -4,9 +4,10 @@
 use crate::{
     app::{
         App,
-        cells::{line, number, words},
+        cells::{Columns, Table, cell, column},
         chart::{Chart, Dash, Ink, Series, Shape},
         figures::Unit,
+        numbers::figure,
         pages::ManyMemory,
         settings::Settings,
         studies::ManyAsk,
@@ -170,9 +171,9 @@ pub fn rows<'a>(many: &'a ManyLights, wanted: Wanted, order: usize) -> Vec<ManyR
     rows
 }
 
-/// The table as CSV, with what was asked.
-pub fn csv(app: &App, ask: &ManyAsk, many: &ManyLights, wanted: Wanted) -> String {
-    let mut out = format!(
+/// The lights as a table, with what was asked.
+pub fn table(app: &App, ask: &ManyAsk, many: &ManyLights, wanted: Wanted) -> Table {
+    let comments = format!(
         "# question: {}\n# way: {}\n# answer: {}\n# range: {}-{} nm\n",
         wanted.limit_words(),
         wanted.way.word(),
@@ -181,20 +182,30 @@ pub fn csv(app: &App, ask: &ManyAsk, many: &ManyLights, wanted: Wanted) -> Strin
         ask.0.band.max_nm()
     );
     let order = app.document().settings.order;
-    let now = format!("{}_at_order_{order}", wanted.measure.figure().key);
-    out += &line(["light", "class", "order", "lines", "numbers", &now]);
-    for row in rows(many, wanted, order) {
-        let whole = |at: usize| number(row.enough.map(|enough| enough[at] as f64));
-        out += &line([
-            words(&row.light.name),
-            words(&row.light.class),
-            whole(0),
-            whole(1),
-            whole(2),
-            number(row.now),
-        ]);
-    }
-    out
+    let measure = wanted.measure.figure();
+    let enough = |key: &'static str, at: usize| {
+        column(key, move |row: &ManyRow<'_>| {
+            cell(row.enough.map(|enough| enough[at]))
+        })
+    };
+    let columns = Columns::<ManyRow<'_>>::default()
+        .with("light", |row| cell(row.light.name.as_str()))
+        .titled(
+            "light",
+            "Sorted by need: the light that needs most comes first.",
+        )
+        .with("class", |row| cell(row.light.class.as_str()))
+        .and(enough("order", 0))
+        .figures("order", "From it on every order is good enough.")
+        .and(enough("lines", 1))
+        .figures("lines", "Lines that became spikes, two numbers each.")
+        .and(enough("numbers", 2))
+        .figures("numbers", "2N + 1, and two for each line.")
+        .with(format!("{}_at_order_{order}", measure.key), |row| {
+            cell(row.now).shown(figure(row.now.map(|off| measure.shown(off))))
+        })
+        .figures(format!("at N = {order}"), measure.meaning);
+    Table::new(comments, columns, rows(many, wanted, order))
 }
 
 #[cfg(test)]
@@ -234,7 +245,7 @@ mod tests {
             .expect("drawn");
         let share = line.marks.points()[order][1];
         assert!(share >= 95.0 && (share - 100.0 * count as f64 / rows.len() as f64).abs() < 1e-9);
-        let csv = csv(&app, &ask, &many, wanted);
+        let csv = table(&app, &ask, &many, wanted).csv();
         assert_eq!(
             csv.lines().filter(|line| !line.starts_with('#')).count(),
             rows.len() + 1

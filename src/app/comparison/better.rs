@@ -5,7 +5,7 @@ use super::{
     rule::{Found, Which},
     side::Side,
 };
-use crate::app::quality_report::figure_words;
+use crate::app::numbers::fixed;
 
 /// Which of two lights is better for something.
 #[derive(Clone, Debug)]
@@ -66,7 +66,7 @@ fn told(
     sides: &[Side; 2],
     values: [f64; 2],
 ) -> (Option<Which>, String, [String; 3]) {
-    let shown = values.map(|value| figure_words(value, purpose.digits));
+    let shown = values.map(|value| fixed(value, purpose.digits));
     let found = match purpose.rule.of(values) {
         // What the digits do not show is no difference to a reader.
         Found::Better { .. } if shown[0] == shown[1] => Found::Same,

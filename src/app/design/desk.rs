@@ -1,14 +1,13 @@
 //! What the mixing desk shows: each channel as a light, the figures of the mixture, the table of
 //! channels.
 
-use std::fmt::Write as _;
-
 use super::{
     light,
     mix::{FULL, Mix},
 };
 use crate::{
     app::{
+        cells::{Columns, Table, cell, rounded},
         document::Document,
         make::{entry_of, table_of},
         recipe::Recipe,
@@ -25,7 +24,6 @@ use crate::{
         mixture::{Channel, MixError, mixed},
         solve::{MixFigures, Mixer},
     },
-    io::quoted_where,
 };
 
 /// From which value on a figure is good, and from which it is fair: what standards and
@@ -255,30 +253,30 @@ impl Desk {
     }
 
     /// The channels as a table: specification, fader, share of the power, DMX values.
-    pub fn to_csv(&self) -> String {
-        let mut csv = "channel,drive_percent,share_of_power_percent,dmx_8,dmx_16\n".to_owned();
-        let powers = self.mix.powers();
+    pub fn table(&self) -> Table {
         // A gel leaves every channel another share of its power.
         let passes = |strip: &Strip| strip.light.as_ref().map_or(0.0, Channel::power);
+        let powers = self.mix.powers();
         let through = self.strips.iter().zip(&powers);
         let through: Vec<f64> = through.map(|(strip, p)| p * passes(strip)).collect();
         let whole: f64 = through.iter().sum();
+        // Name, power over the full one, share of the power of all.
+        let columns = Columns::<(String, f64, f64)>::default()
+            .with("channel", |(name, ..)| cell(name.as_str()))
+            .with("drive_percent", |(_, drive, _)| {
+                rounded(100.0 * drive, 2, "")
+            })
+            .with("share_of_power_percent", |(.., share)| {
+                rounded(100.0 * share, 2, "")
+            })
+            .with("dmx_8", |(_, drive, _)| rounded(255.0 * drive, 0, ""))
+            .with("dmx_16", |(_, drive, _)| rounded(65535.0 * drive, 0, ""));
         let rows = self.mix.channels.iter().zip(powers).zip(through);
-        for ((channel, power), through) in rows {
-            let drive = power / FULL;
+        let rows = rows.map(|((channel, power), through)| {
             let share = if whole > 0.0 { through / whole } else { 0.0 };
-            // Writing to a string cannot fail.
-            let _ = writeln!(
-                csv,
-                "{},{:.2},{:.2},{:.0},{:.0}",
-                quoted_where(true, &channel.source.words()),
-                100.0 * drive,
-                100.0 * share,
-                255.0 * drive,
-                65535.0 * drive
-            );
-        }
-        csv
+            (channel.source.words(), power / FULL, share)
+        });
+        Table::new("", columns, rows)
     }
 }
 
@@ -481,7 +479,7 @@ mod tests {
         let mut mix = Mix::first();
         mix.channels[3].level = 100.0;
         mix.channels[0].mute = true;
-        let csv = put_on_desk(&mut app, mix).to_csv();
+        let csv = put_on_desk(&mut app, mix).table().csv();
         let lines: Vec<&str> = csv.lines().collect();
         assert_eq!(lines.len(), 5);
         assert_eq!(lines[1], "\"gauss:455,20\",0.00,0.00,0,0");

@@ -9,7 +9,10 @@ use super::{
     words::{Line, lines_of, nm, touching},
 };
 use crate::{
-    app::state::App,
+    app::{
+        cells::{Columns, Table, cell, rounded},
+        state::App,
+    },
     io::many::many,
     optics::{Bows, BuiltinMaterial, Light, SKY_DEG, SUN_DEG, Sky},
 };
@@ -40,8 +43,8 @@ pub struct RainbowShown {
     pub drop: Option<DropDrawing>,
     /// The sky under the light and under another one.
     pub strips: Vec<StripShown>,
-    /// The lines: name, nm, n, primary, secondary, its polarisation.
-    pub rows: Vec<Vec<String>>,
+    /// The lines: name, wavelength, n, both bows, polarisation of the first.
+    pub table: Table,
 }
 
 impl RainbowShown {
@@ -90,19 +93,31 @@ impl RainbowShown {
             Some(Err(why)) => shown.notes.push(why),
             Some(Ok(other)) => shown.strips.push(strip(&other, Vec::new())),
         }
-        shown.rows = bows.iter().map(row).collect();
+        shown.table = table(&bows);
         shown
     }
+}
 
-    /// The lines as a table.
-    pub fn csv(&self) -> String {
-        let mut text =
-            "line,wavelength,n,first_bow_deg,second_bow_deg,polarised_percent\n".to_owned();
-        for row in &self.rows {
-            text += &format!("\"{}\",{}\n", row[0], row[1..].join(","));
-        }
-        text
-    }
+/// The lines of the light as a table.
+fn table(bows: &[(Line, Bows)]) -> Table {
+    let angle_of =
+        |secondary: bool| move |(_, bows): &&(Line, Bows)| rounded(angle(bows, secondary), 3, "-");
+    let columns = Columns::<&(Line, Bows)>::default()
+        .with("line", |(line, _)| cell(line.name.as_str()))
+        .titled("line", "What it is named after, by all lines together.")
+        .with("wavelength", |(line, _)| cell(nm(line.at_nm)))
+        .figures("wavelength", "In air.")
+        .with("n", |(_, bows)| rounded(bows.n, 5, "-"))
+        .figures("n", "Index of refraction of water there.")
+        .with("first_bow_deg", angle_of(false))
+        .figures("first bow \u{b0}", "After one reflection in the drop.")
+        .with("second_bow_deg", angle_of(true))
+        .figures("second bow \u{b0}", "After two reflections in the drop.")
+        .with("polarised_percent", |(_, bows)| {
+            rounded(bows.primary.map(|bow| 100.0 * bow.polarisation()), 1, "-")
+        })
+        .figures("polarised %", "Of the first bow's light.");
+    Table::new("", columns, bows)
 }
 
 /// The angle of one of the two bows, degrees.
@@ -144,21 +159,6 @@ fn sentence(light: &Light, bows: &[(Line, Bows)], sky: &Sky, disc: bool) -> Stri
     )
 }
 
-fn row((line, bows): &(Line, Bows)) -> Vec<String> {
-    let cell = |value: Option<f64>, digits: usize| {
-        value.map_or("-".to_owned(), |value| format!("{value:.digits$}"))
-    };
-    let polarised = bows.primary.map(|bow| 100.0 * bow.polarisation());
-    vec![
-        line.name.clone(),
-        nm(line.at_nm),
-        format!("{:.5}", bows.n),
-        cell(angle(bows, false), 3),
-        cell(angle(bows, true), 3),
-        cell(polarised, 1),
-    ]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -170,7 +170,7 @@ mod tests {
         let sky = sky();
         let shown = RainbowShown::of(&app, &RainbowMemory::default(), &sky);
         let count = app.derived().model.lines().len();
-        assert_eq!(shown.rows.len(), count);
+        assert_eq!(shown.table.shown().count(), count);
         assert_eq!(shown.strips[0].marks.len(), 2 * count);
         assert!(shown.sentence.contains(&many(count, "line", "lines")));
         assert_eq!(shown.strips.len(), 2);

@@ -20,10 +20,7 @@ pub enum Substance {
     /// A material that comes with the program.
     Shipped(BuiltinMaterial),
     /// A curve of n that was opened.
-    Own {
-        /// The key of its spectrum.
-        index: String,
-    },
+    Own { index: String },
     /// By hand.
     Numbers {
         /// Index at the line d.

@@ -9,10 +9,9 @@ use crate::{
         App, Document,
         answers::hard_to_see_from,
         charts::products::narrow::{Behind, Filter},
-        document::first_light,
-        entry::bundled_entries,
-        figures::{Unit, brief, three_digits},
+        figures::{Unit, brief},
         make::behind,
+        numbers::{DASH, figure as figure_words, or_dash},
         pages::PageMemory,
         products::ModelledLight,
         quality::QualityShown,
@@ -21,7 +20,7 @@ use crate::{
     },
     color::{
         Observer, Xyz, delta_e_of_xyz,
-        quality::Figures,
+        quality::{Figures, Light, POINTS},
         xyz::{xyz_from_light, xyz_from_reflectance},
     },
     spectrum::Kind,
@@ -54,7 +53,7 @@ impl Told {
     /// A bound of the figure, as the figure itself is told.
     pub fn bound(&self, value: f64) -> String {
         let (factor, tail) = &self.unit;
-        format!("{}{tail}", three_digits(value * factor))
+        format!("{}{tail}", figure_words(value * factor))
     }
 }
 
@@ -288,20 +287,14 @@ fn behind_filter(scene: &Scene<'_>, way: usize) -> Option<f64> {
     behind.figures(&filter).ways[way].delta_e_2000
 }
 
-/// The keys of light quality.
-fn quality_keys() -> Vec<&'static str> {
-    let light = first_light(bundled_entries());
-    let (light, measured) = light_of(&light.spectrum);
-    let rows = rows(&Figures::of(&light, measured));
-    rows.iter().map(|row| row.key).collect()
-}
-
 /// Every key, with what it counts where that is not told elsewhere.
 pub fn keys() -> Vec<(&'static str, &'static str)> {
     let of_document = OF_DOCUMENT.map(|one| (one.key, one.meaning));
     let of_models = Measure::ALL.map(|m| (m.figure().key, m.figure().title));
-    let of_quality = quality_keys().into_iter();
-    let of_quality = of_quality.map(|key| (key, "of light quality"));
+    // Those of a light whose unit says nothing.
+    let dark = Figures::of(&Light::of_nm_values(&[0.0; POINTS]), None);
+    let of_quality = rows(&dark).into_iter();
+    let of_quality = of_quality.map(|row| (row.figure.key, "of light quality"));
     let all = of_document.into_iter().chain(of_models).chain(of_quality);
     all.collect()
 }
@@ -366,35 +359,32 @@ pub fn figure(scene: &Scene<'_>, key: &str, of: Option<&str>) -> Result<Told, St
             rows(&Figures::of(&light, measured))
         }
     };
-    let row = rows.iter().find(|row| row.key == key);
+    let row = rows.iter().find(|row| row.figure.key == key);
     // Absolute figures are counted in the light's own unit.
     let none = Told {
         title: "",
         value: None,
-        words: "–".to_owned(),
+        words: DASH.to_owned(),
         unit: (1.0, String::new()),
     };
     Ok(row.map_or(none, |row| Told {
-        title: row.title,
+        title: row.figure.title,
         value: row.value.clone().ok(),
-        words: match row.key {
+        words: match row.figure.key {
             // As titles have it.
-            "cct" => row
-                .value
-                .as_ref()
-                .map_or_else(|_| "–".to_owned(), |k| format!("{} K", three_digits(*k))),
+            "cct" => or_dash(row.value.clone().ok(), |k| format!("{} K", figure_words(k))),
             _ => Row::shown(row),
         },
-        unit: (1.0, format!(" {}", row.unit).trim_end().to_owned()),
+        unit: (1.0, row.figure.unit.tail.to_owned()),
     }))
 }
 
 fn told(title: &'static str, value: Option<f64>, unit: Unit) -> Told {
     let words = match value {
-        None => "–".to_owned(),
+        None => DASH.to_owned(),
         Some(value) if value.fract() == 0.0 && unit == Unit::NONE => format!("{value}"),
         Some(value) if unit == Unit::DELTA_E => brief(value, unit),
-        Some(value) => format!("{}{}", three_digits(value * unit.factor), unit.tail),
+        Some(value) => format!("{}{}", figure_words(value * unit.factor), unit.tail),
     };
     Told {
         title,

@@ -366,6 +366,14 @@ impl Run {
         more
     }
 
+    /// Does the task and tells the answer, at once.
+    pub fn finish(&mut self, app: &mut App, memory: &mut PageMemory) {
+        self.show_me();
+        while self.show_next(app, memory) {}
+        self.look(app, memory);
+        self.tell(app, memory);
+    }
+
     /// Ends the lesson: everything is as it was before, in one step of undo; a lesson that was
     /// gone through to its end is remembered.
     pub fn leave(self, app: &mut App, memory: &mut PageMemory) {

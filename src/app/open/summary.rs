@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     app::{
-        cells::{line, words},
+        cells::{Columns, Table, cell, column},
         opened::Opened,
     },
     io::{Guessed, OpenQuestion, many::many, shown},
@@ -310,38 +310,47 @@ impl Summary {
         told.join(", ")
     }
 
-    /// The rows as a table.
-    pub fn csv(&self) -> String {
-        let mut out = format!(
+    /// The files as a table.
+    pub fn table(&self) -> Table {
+        let comments = format!(
             "# {}\n# written by: Spectral Explorer {}\n",
             self.headline(),
             env!("CARGO_PKG_VERSION")
         );
-        out.push_str("file,outcome,format,spectra,images,how,doubtful,path\n");
-        for row in &self.rows {
-            let (outcome, how, doubtful) = match &row.outcome {
-                Outcome::Read { how, doubts, .. } => ("read", how.as_str(), doubts.join("; ")),
-                Outcome::Project => ("project", "", String::new()),
-                Outcome::Refused(why) => ("refused", why.as_str(), String::new()),
-                Outcome::NotRead(why) => ("not read", why.as_str(), String::new()),
-            };
-            let [spectra, images] = row.counts().map(|count| match row.is_project() {
-                true => String::new(),
-                false => count.to_string(),
+        let count = |key: &'static str, at: usize| {
+            column(key, move |row: &&FileRow| {
+                cell((!row.is_project()).then(|| row.counts()[at]))
+            })
+        };
+        let columns = Columns::<&FileRow>::default()
+            .with("file", |row| cell(row.file.as_str()))
+            .with("outcome", |row| {
+                cell(match &row.outcome {
+                    Outcome::Read { .. } => "read",
+                    Outcome::Project => "project",
+                    Outcome::Refused(_) => "refused",
+                    Outcome::NotRead(_) => "not read",
+                })
+            })
+            .with("format", |row| {
+                cell(if row.is_read() { row.format() } else { "" })
+            })
+            .and(count("spectra", 0))
+            .and(count("images", 1))
+            .with("how", |row| {
+                cell(match &row.outcome {
+                    Outcome::Read { how, .. } => how.as_str(),
+                    Outcome::Project => "",
+                    Outcome::Refused(why) | Outcome::NotRead(why) => why.as_str(),
+                })
+            })
+            .with("doubtful", |row| match &row.outcome {
+                Outcome::Read { doubts, .. } => cell(doubts.join("; ")),
+                _ => cell(""),
+            })
+            .with("path", |row| {
+                cell(row.path.as_ref().map(|path| path.display().to_string()))
             });
-            let format = if row.is_read() { row.format() } else { "" };
-            let path = row.path.as_ref().map(|path| path.display().to_string());
-            out.push_str(&line([
-                words(&row.file),
-                outcome.to_owned(),
-                words(format),
-                spectra,
-                images,
-                words(how),
-                words(&doubtful),
-                words(&path.unwrap_or_default()),
-            ]));
-        }
-        out
+        Table::new(comments, columns, &self.rows)
     }
 }

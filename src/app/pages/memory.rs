@@ -90,9 +90,12 @@ pub struct PageMemory {
 /// A lesson that is to be begun.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AskedLesson {
+    /// The name of one that is known, or the path of a file.
     pub name: String,
     /// The step that it is to begin with, from 0.
     pub step: usize,
+    /// The step with its task done and its answer told.
+    pub done: bool,
 }
 
 impl Default for PageMemory {

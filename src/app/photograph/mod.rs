@@ -14,7 +14,7 @@ pub use instrument::{Applied, Fit, Instrument};
 pub use response::{Kept, Known, Through};
 pub use spectrum::{Row, Rows, Stands};
 pub use view::{PhotographAsk, Pixels, ResponseAsk, SeenPhotograph, is_photograph};
-pub use words::{colour_words, csv, json, sentence, warnings};
+pub use words::{colour_words, json, sentence, table, warnings};
 
 use crate::{
     io::{ColourPixels, Exif, Photo, read_photo},

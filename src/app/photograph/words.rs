@@ -1,11 +1,10 @@
 //! What is said of a photograph: in a sentence, as JSON, as a table.
 
-use std::fmt::Write as _;
-
 use serde_json::{Value, json};
 
-use super::{ColourFigures, Estimate, Fit, Photograph, Source, Stands};
+use super::{ColourFigures, Estimate, Fit, Photograph, Row, Source, Stands};
 use crate::{
+    app::cells::{Columns, Table, cell, column, rounded},
     io::{many::many, one_line},
     photographs::axis::{Match, Solution},
 };
@@ -328,9 +327,8 @@ fn axis_json(photograph: &Photograph, best: Option<&Solution>) -> Value {
 }
 
 /// The spectrum as a table; `None` without an axis that may be used.
-pub fn csv(photograph: &Photograph) -> Option<String> {
+pub fn table(photograph: &Photograph) -> Option<Table> {
     let rows = photograph.rows()?;
-    let mut text = String::new();
     let answer = photograph
         .answer
         .as_ref()
@@ -347,25 +345,25 @@ pub fn csv(photograph: &Photograph) -> Option<String> {
         Stands::Columns => "as the camera saw it, at the columns' own places",
         Stands::Response => "through the camera's response, means over 2 nm",
     };
-    // Writing to a string cannot fail.
-    let _ = writeln!(
-        text,
+    let comments = format!(
         "# instrument: {}\n# lamp: {lamp}\n# axis error: {error}\n# unit: relative, {place}\n\
-         # made from a picture\nnm,value,sigma,r,g,b,clipped",
+         # made from a picture\n",
         one_line(instrument)
     );
-    for row in rows.rows {
-        let [r, g, b] = row.channels;
-        let clipped = u8::from(row.is_clipped);
-        let nm = match rows.stands {
-            Stands::Columns => format!("{:.3}", row.nm),
-            _ => format!("{}", row.nm),
-        };
-        let _ = writeln!(
-            text,
-            "{nm},{:.6},{:.6},{r:.6},{g:.6},{b:.6},{clipped}",
-            row.value, row.sigma
-        );
-    }
-    Some(text)
+    let channel = |key: &'static str, at: usize| {
+        column(key, move |row: &Row| rounded(row.channels[at], 6, ""))
+    };
+    let of_columns = matches!(rows.stands, Stands::Columns);
+    let columns = Columns::<Row>::default()
+        .with("nm", |row| match of_columns {
+            true => rounded(row.nm, 3, ""),
+            false => cell(row.nm),
+        })
+        .with("value", |row| rounded(row.value, 6, ""))
+        .with("sigma", |row| rounded(row.sigma, 6, ""))
+        .and(channel("r", 0))
+        .and(channel("g", 1))
+        .and(channel("b", 2))
+        .with("clipped", |row| cell(u8::from(row.is_clipped)));
+    Some(Table::new(comments, columns, rows.rows))
 }

@@ -4,23 +4,15 @@ use std::fmt::Write as _;
 
 use super::{Told, notes, scaled};
 use crate::{
-    app::{state::App, ticks::short},
+    app::{
+        numbers::{decimals, share_words},
+        state::App,
+        ticks::short,
+    },
     io::many::{many, numbers},
     spectrum::Sampling,
     study::products::{Colours, SetErrors},
 };
-
-fn number(value: Option<f64>, digits: usize) -> String {
-    value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
-}
-
-fn percent(share: Option<f64>) -> String {
-    // Adding zero turns -0 into 0.
-    share.map_or_else(
-        || "-".to_owned(),
-        |share| format!("{:.2} %", (1e4 * share).round() / 1e2 + 0.0),
-    )
-}
 
 fn head_text(app: &App) -> String {
     let model = &app.derived().model;
@@ -53,8 +45,8 @@ pub fn chain_text(app: &App, told: &Told) -> String {
     let colours = |colours: &Colours| {
         format!(
             "CIEDE2000 {}, luminance {}",
-            number(colours.delta_e_2000, 3),
-            percent(colours.luminance_error)
+            decimals(colours.delta_e_2000, 3),
+            share_words(colours.luminance_error)
         )
     };
     line(format!("Itself    {}", colours(&passage.light)));
@@ -62,13 +54,13 @@ pub fn chain_text(app: &App, told: &Told) -> String {
         line(format!("{:<9} {name}", format!("Stage {}", i + 1)));
         line(format!(
             "  passes  {} (model {})",
-            percent(step.transmission[0]),
-            percent(step.transmission[1])
+            share_words(step.transmission[0]),
+            share_words(step.transmission[1])
         ));
         line(format!(
             "  error   {}; {} of it added by forming the product",
             colours(&step.colours),
-            number(step.added, 4)
+            decimals(step.added, 4)
         ));
         for spike in &step.spikes {
             line(format!(
@@ -91,12 +83,12 @@ pub fn chain_text(app: &App, told: &Told) -> String {
     line(format!(
         "Total     {}; passes {}",
         colours(&total.colours),
-        percent(total.transmission[0])
+        share_words(total.transmission[0])
     ));
     line(format!(
         "Forming   adds CIEDE2000 {}, {} of the power folded or cut, {} multiplications",
-        number(total.added, 4),
-        percent(Some(total.folded_share)),
+        decimals(total.added, 4),
+        share_words(Some(total.folded_share)),
         total.multiplications
     ));
     for (what, xyz) in [
@@ -131,9 +123,9 @@ pub fn set_text(app: &App, set: &str, errors: &SetErrors) -> String {
         let _ = writeln!(
             out,
             "{what:<9} CIEDE2000 median {}, 95 % below {}, worst {}",
-            number(spread.map(|s| s.median), 4),
-            number(spread.map(|s| s.p95), 4),
-            number(spread.map(|s| s.worst), 4)
+            decimals(spread.map(|s| s.median), 4),
+            decimals(spread.map(|s| s.p95), 4),
+            decimals(spread.map(|s| s.worst), 4)
         );
     }
     if app.document().settings.sampling == Sampling::Exact {

@@ -7,11 +7,12 @@ use serde_json::{Value, json};
 use super::ModelledLight;
 use crate::{
     app::{
-        cells::{line, number, words},
+        cells::{Columns, Table, cell, column},
         derived::Derived,
         document::Document,
         entry::Entry,
         memo::ByAddress,
+        numbers::four_digits,
         recipe::{Recipe, Times},
         report::settings_json,
         state::App,
@@ -154,28 +155,43 @@ pub fn check_text(sheet: &SameSurfaceSheet) -> String {
 }
 
 /// The ranking as a table.
-pub fn ranking_csv(names: &[String; 3], ranked: &[Ranked]) -> String {
-    let mut out = format!("# {} as {} off each surface\n", names[2], names[0]);
-    out += &line([
-        "surface",
-        "residual model",
-        "factor model",
-        "verdict",
-        "residual measured",
-        "factor measured",
-    ]);
-    for r in ranked {
-        out += &line([
-            words(&r.key),
-            number(r.model.map(|m| m.residual)),
-            number(r.model.map(|m| m.factor)),
-            r.verdict.words().to_owned(),
-            number(r.measured.map(|m| m.residual)),
-            number(r.measured.map(|m| m.factor)),
-        ]);
-    }
-    out
+pub fn ranking(names: &[String; 3], ranked: &[Ranked]) -> Table {
+    type Row<'a> = &'a Ranked;
+    let found = |key: &'static str, of: fn(&Ranked) -> Option<f64>| {
+        column(key, move |r: &Row<'_>| {
+            cell(of(r)).shown(four_digits(of(r)))
+        })
+    };
+    let columns = Columns::<Row<'_>>::default()
+        .with("surface", |r: &Row<'_>| {
+            cell(r.key.as_str()).shown(r.name.as_str())
+        })
+        .titled("surface", "Click a row to take it as the surface S2.")
+        .and(found("residual model", |r| Some(r.model?.residual)))
+        .titled(
+            "residual",
+            format!("In the model's numbers. {RESIDUAL_MEANS}"),
+        )
+        .and(found("factor model", |r| Some(r.model?.factor)))
+        .with("verdict", |r| cell(r.verdict.words()))
+        .and(found("residual measured", |r| Some(r.measured?.residual)))
+        .titled(
+            "measured",
+            format!("Of the measured curves. {RESIDUAL_MEANS}"),
+        )
+        .and(found("factor measured", |r| Some(r.measured?.factor)))
+        .with("", |r| {
+            cell(format!("{} {}", r.verdict.sign(), r.verdict.words()))
+        })
+        .titled("verdict", "The model's verdict.");
+    let comments = format!("# {} as {} off each surface\n", names[2], names[0]);
+    Table::new(comments, columns, ranked)
 }
+
+/// The meaning of a residual.
+pub const RESIDUAL_MEANS: &str = "Root mean square of what the best factor leaves, over that of \
+                                  the outgoing spectrum, both behind a 10 nm blur; 0 is a perfect \
+                                  match.";
 
 /// The state's light off a surface, once or twice.
 pub fn example(app: &App, surface: &Entry, twice: bool) -> Recipe {

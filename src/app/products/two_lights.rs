@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     app::{
-        cells::{line, number, words},
+        cells::{Columns, Table, cell},
         entry::Entry,
         state::App,
         studies::{Pairs, reflectances},
@@ -12,7 +12,7 @@ use crate::{
     },
     color::{Observer, Weights, delta_e_2000},
     spectrum::{Band, Kind, NamedSpectrum, Sampled},
-    study::products::{Black, TwoLights, metameric_black, two_lights},
+    study::products::{Black, MetamericPair, TwoLights, metameric_black, two_lights},
 };
 
 /// The document's patches under its light and another one.
@@ -72,15 +72,16 @@ impl TwoLightsSheet {
 }
 
 /// Pairs that were found as a table.
-pub fn pairs_csv(lights: &[String; 2], pairs: &Pairs) -> String {
-    let mut out = format!("# match under {}, part under {}\n", lights[0], lights[1]);
-    out += &line(["one", "other", "delta E first", "delta E second", "rms"]);
-    for pair in &pairs.metamers.pairs {
-        let [one, other] = pair.pair.map(|i| words(&pairs.surfaces[i].key));
-        let [first, second] = pair.delta_e_2000.map(number);
-        out += &line([one, other, first, second, number(pair.rms)]);
-    }
-    out
+pub fn pairs_table(lights: &[String; 2], pairs: &Pairs) -> Table {
+    let key = |pair: &&MetamericPair, at: usize| cell(pairs.surfaces[pair.pair[at]].key.as_str());
+    let columns = Columns::<&MetamericPair>::default()
+        .with("one", |pair| key(pair, 0))
+        .with("other", |pair| key(pair, 1))
+        .with("delta E first", |pair| cell(pair.delta_e_2000[0]))
+        .with("delta E second", |pair| cell(pair.delta_e_2000[1]))
+        .with("rms", |pair| cell(pair.rms));
+    let comments = format!("# match under {}, part under {}\n", lights[0], lights[1]);
+    Table::new(comments, columns, &pairs.metamers.pairs)
 }
 
 /// Why a metamer cannot be made.

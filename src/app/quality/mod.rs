@@ -131,7 +131,9 @@ impl QualityShown {
 fn pairs(first: &Figures, second: &Figures) -> Vec<[Row; 2]> {
     let second = rows(second);
     let pair = |row: Row| {
-        let same = second.iter().find(|other| other.key == row.key);
+        let same = second
+            .iter()
+            .find(|other| other.figure.key == row.figure.key);
         let same = same.cloned().unwrap_or_else(|| Row {
             value: Err("counted in another unit".to_owned()),
             reading: String::new(),
@@ -260,7 +262,7 @@ mod tests {
         assert!(shown.place.starts_with(title), "{}", shown.place);
         let of_model = rows(&shown.sheet.model);
         for ([measured, model], row) in shown.rows.iter().zip(of_model) {
-            assert_eq!(measured.key, model.key);
+            assert_eq!(measured.figure.key, model.figure.key);
             assert_eq!(model.value, row.value);
         }
     }
@@ -282,7 +284,7 @@ mod tests {
             assert!(words.contains("FL2") && words.contains("FL11"), "{words}");
         }
         let own = rows(&compared.sides[1].figures);
-        let rf = |row: &Row| row.key == "rf";
+        let rf = |row: &Row| row.figure.key == "rf";
         let beside = shown.rows.iter().find(|row| rf(&row[0])).expect("a row");
         let own = own.iter().find(|row| rf(row)).expect("a row");
         assert_eq!(beside[1].value, own.value);

@@ -6,7 +6,7 @@ use crate::{
     app::{
         comparison::{Better, Compared, Purpose, Side},
         entry::bundled_entries,
-        quality_report::figure_words,
+        numbers::fixed as figure_words,
         tint, verdicts,
     },
     color::quality::NoFigure,

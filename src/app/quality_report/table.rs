@@ -1,69 +1,65 @@
-//! Many lights as CSV: a row a light, empty cells where there is no figure.
+//! Many lights as a table: a row a light, empty cells where there is no figure.
 
 use std::sync::LazyLock;
 
 use crate::{
-    app::cells,
+    app::{
+        cells::{Columns, Table, cell},
+        figures::{OF_QUALITY, QualityFigure},
+    },
     color::quality::{Figures, Light, POINTS},
 };
 
-use super::rows::rows;
+use super::Sheet;
 
-/// Keys of the columns behind the name: of all rows that a light has whose unit says nothing, but
+/// The figures that have columns: all with a key that are of a light whose unit says nothing, but
 /// for the one that never has a number.
-static COLUMNS: LazyLock<Vec<&str>> = LazyLock::new(|| {
+static COLUMNS: LazyLock<Vec<&QualityFigure>> = LazyLock::new(|| {
     let dark = Figures::of(&Light::of_nm_values(&[0.0; POINTS]), None);
-    let keys = rows(&dark).into_iter().map(|row| row.key);
-    keys.filter(|key| *key != "tlci").collect()
+    let filed = OF_QUALITY
+        .iter()
+        .filter(|row| !["", "tlci"].contains(&row.figure.key));
+    filed.filter(|row| (row.applies)(&dark)).collect()
 });
 
-/// Keys of a light's colour, which stand before the others.
-const PLACES: [&str; 4] = ["x", "y", "u_prime", "v_prime"];
+/// A light by its name, with its figures and those of its model, if there is one; or the reason
+/// for no figures at all.
+pub type LightRow<'a> = (&'a str, Result<(&'a Figures, Option<&'a Figures>), String>);
 
-/// What the keys of a model's figures begin with.
-const OF_MODEL: &str = "model_";
-
-/// The first line: a light's figures, and behind them those of its model.
-pub fn csv_head() -> String {
-    let keys = || PLACES.into_iter().chain(COLUMNS.iter().copied());
-    let of_model = keys().map(|key| format!("{OF_MODEL}{key}"));
-    let all = ["name"].into_iter().chain(keys()).map(str::to_owned);
-    cells::line(all.chain(of_model).chain(["notes".to_owned()]))
+/// A row of a sheet.
+pub fn light_row(sheet: &Sheet) -> LightRow<'_> {
+    (&sheet.name, Ok((&sheet.measured, Some(&sheet.model))))
 }
 
-/// The line of a light and its model, if there is one.
-pub fn csv_line(name: &str, measured: &Figures, model: Option<&Figures>) -> String {
-    let mut line = vec![cells::words(name)];
-    line.extend(numbers(Some(measured)));
-    line.extend(numbers(model));
-    line.push(cells::words(&notes(measured)));
-    cells::line(line)
-}
-
-/// The line of a reading that has no figures, with the reason.
-pub fn csv_line_of_none(name: &str, why: &str) -> String {
-    let mut line = vec![cells::words(name)];
-    line.extend(numbers(None));
-    line.extend(numbers(None));
-    line.push(cells::words(why));
-    cells::line(line)
-}
-
-/// The cells of a light's figures, empty ones where there is none.
-fn numbers(figures: Option<&Figures>) -> Vec<String> {
-    let Some(figures) = figures else {
-        return vec![String::new(); PLACES.len() + COLUMNS.len()];
+/// Lights with their figures, and behind them those of their models.
+pub fn lights_table<'a>(lights: impl IntoIterator<Item = LightRow<'a>>) -> Table {
+    let number = |row: &QualityFigure, figures: Option<&Figures>| {
+        let figures = figures.filter(|figures| (row.applies)(figures))?;
+        row.value(figures).ok()
     };
-    let pairs = [&figures.xy[0], &figures.uv].map(|pair| pair.as_ref().ok());
-    let places = pairs
-        .into_iter()
-        .flat_map(|pair| [0, 1].map(|k| cells::number(pair.map(|pair| pair[k]))));
-    let rows = rows(figures);
-    let others = COLUMNS.iter().map(|column| {
-        let row = rows.iter().find(|row| row.key == *column);
-        cells::number(row.and_then(|row| row.value.clone().ok()))
+    let mut columns =
+        Columns::<LightRow<'_>>::default().with("name", |(name, _): &LightRow<'_>| cell(*name));
+    for row in &*COLUMNS {
+        columns.push(row.figure.key, move |(_, found): &LightRow<'_>| {
+            let measured = found.as_ref().ok().map(|(measured, _)| *measured);
+            cell(number(row, measured))
+        });
+    }
+    for row in &*COLUMNS {
+        let key = format!("model_{}", row.figure.key);
+        columns.push(key, move |(_, found): &LightRow<'_>| {
+            let model = found.as_ref().ok().and_then(|(_, model)| *model);
+            cell(number(row, model))
+        });
+    }
+    columns.push("notes", |(_, found)| {
+        cell(
+            found
+                .as_ref()
+                .map_or_else(Clone::clone, |(measured, _)| notes(measured)),
+        )
     });
-    places.chain(others).collect()
+    Table::new("", columns, lights)
 }
 
 /// Notes, and the first reason for the whole light where there is none.
@@ -78,19 +74,21 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_line_has_as_many_cells_as_the_head_and_no_formula() {
+    fn a_name_is_no_formula_and_a_dark_light_says_why_it_has_no_figure() {
         let figures = Figures::of(&Light::of_nm_values(&[1.0; POINTS]), None);
-        let line = csv_line("=1+1", &figures, None);
-        // A formula's first sign is guarded, so that no spreadsheet computes it.
-        assert!(line.starts_with("'=1+1,"), "{line}");
-        let cells = |line: &str| line.matches(',').count();
-        assert_eq!(cells(&line), cells(&csv_head()));
-        let with_model = csv_line("E", &figures, Some(&figures));
-        assert_eq!(cells(&with_model), cells(&csv_head()));
         let dark = Figures::of(&Light::of_nm_values(&[0.0; POINTS]), None);
-        let dark = csv_line("a, \"b\"", &dark, None);
-        assert!(dark.starts_with("\"a, \"\"b\"\"\",,,"), "{dark}");
-        assert!(dark.contains("every value is zero"));
+        let rows = [
+            ("=1+1", Ok((&figures, None))),
+            ("a, \"b\"", Ok((&dark, Some(&figures)))),
+            ("scans", Err("no figures".to_owned())),
+        ];
+        let csv = lights_table(rows).csv();
+        let lines: Vec<&str> = csv.lines().collect();
+        // A formula's first sign is guarded, so that no spreadsheet computes it.
+        assert!(lines[1].starts_with("'=1+1,"), "{csv}");
+        assert!(lines[2].starts_with("\"a, \"\"b\"\"\",,,"), "{csv}");
+        assert!(lines[2].contains("every value is zero"));
+        assert!(lines[3].starts_with("scans,,,") && lines[3].ends_with(",no figures"));
     }
 
     #[test]
@@ -103,7 +101,12 @@ mod tests {
             .split(',')
             .map(|key| format!("model_{key}"))
             .collect();
-        let expected = format!("name,{of_light},{},notes\n", of_model.join(","));
-        assert_eq!(csv_head(), expected);
+        let expected = format!("name,{of_light},{},notes", of_model.join(","));
+        // Further figures may stand between them.
+        let head = lights_table([]).csv();
+        let mut columns = head.trim_end().split(',');
+        for column in expected.split(',') {
+            assert!(columns.any(|found| found == column), "{column} in {head}");
+        }
     }
 }

@@ -3,12 +3,14 @@
 use std::fmt::Write as _;
 
 use super::{
-    row::{Row, figure_words},
-    rows::rows,
+    row::{Row, rows},
     sheet::Sheet,
 };
 use crate::{
-    app::ticks::short,
+    app::{
+        numbers::{DASH, fixed},
+        ticks::short,
+    },
     color::quality::Figures,
     io::many::{many, numbers},
     spectrum::NamedSpectrum,
@@ -77,7 +79,7 @@ fn lines(measured: &Figures, model: &Figures) -> Vec<Line> {
     let head = ["", "measured", "model", ""].map(str::to_owned);
     let mut lines = vec![head];
     let pair = |pair: &Result<[f64; 2], _>| match pair {
-        Ok(pair) => pair.map(|v| figure_words(v, 4)).join(" "),
+        Ok(pair) => pair.map(|v| fixed(v, 4)).join(" "),
         Err(_) => DASH.to_owned(),
     };
     let why = |figures: &Figures| {
@@ -93,9 +95,11 @@ fn lines(measured: &Figures, model: &Figures) -> Vec<Line> {
     }
     let of_model = rows(model);
     for row in rows(measured) {
-        let other = of_model.iter().find(|other| other.key == row.key);
+        let other = of_model
+            .iter()
+            .find(|other| other.figure.key == row.figure.key);
         lines.push([
-            row.title.to_owned(),
+            row.figure.title.to_owned(),
             row.shown(),
             other.map_or_else(|| DASH.to_owned(), Row::shown),
             match row.value {
@@ -106,8 +110,6 @@ fn lines(measured: &Figures, model: &Figures) -> Vec<Line> {
     }
     lines
 }
-
-const DASH: &str = "–";
 
 /// Columns as wide as what stands in them, numbers at the right.
 fn table(lines: &[Line]) -> String {

@@ -12,14 +12,10 @@ use super::{
     weight::{Weight, shipped},
 };
 
-/// The five, in the order of the arrays.
-pub(crate) const ALPHA_OPIC_WORDS: [&str; 5] =
-    ["s_cone", "m_cone", "l_cone", "rhodopic", "melanopic"];
-
 /// Index of the melanopic one.
 const MELANOPIC: usize = 4;
 
-/// The alpha-opic ratios of a light, in the order of `ALPHA_OPIC_WORDS`.
+/// The alpha-opic ratios of a light: S-cone, M-cone, L-cone, rhodopic, melanopic.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AlphaOpic {
     /// Alpha-opic efficacy of luminous radiation, mW/lm.

@@ -48,16 +48,15 @@ mod sprague;
 mod test_colours;
 mod weight;
 
-pub(crate) use fidelity::{Fidelity, FidelityScale, SAMPLES, fidelity_factors, sample_names};
+pub(crate) use fidelity::{Fidelity, FidelityScale, fidelity_factors, sample_names};
 pub(crate) use hue_bin::{HUE_NAMES, HueBin, difference_of, hue_of, index_of};
 pub(crate) use rendering::{
-    GENERAL, RENDERING_NAMES, RENDERING_SAMPLES, Rendering, RenderingScale, rendering_difference,
-    rendering_factors, rendering_index,
+    GENERAL, RENDERING_NAMES, Rendering, RenderingScale, rendering_difference, rendering_factors,
+    rendering_index,
 };
 
 pub(crate) use absolute::Radiometric;
 pub use absolute::{Measured, absolute};
-pub(crate) use alpha_opic::ALPHA_OPIC_WORDS;
 pub use fidelity::fidelity;
 pub use figures::{FewFigures, Figures};
 pub use light::{Light, POINTS};

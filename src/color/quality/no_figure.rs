@@ -67,6 +67,9 @@ pub enum NoFigure {
         /// Quantity or condition that failed.
         what: &'static str,
     },
+    /// Not computed, and why.
+    #[error("{0}")]
+    LeftOut(&'static str),
     /// The unit does not say what is measured.
     #[error(
         "needs values in W per nm (and per m2 or sr), and the unit here does not say that they are"

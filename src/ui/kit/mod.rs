@@ -19,7 +19,7 @@ pub use layout::{
 pub use seen::{adapt_box, seen_choice};
 pub use segments::segments;
 pub use stops::{Stops, hold_arrows};
-pub use table::{Column, Look, Row, Table, bar, table};
+pub use table::{Column, Look, Row, Table, bar, columns, rows, table};
 pub use words::{
     HEADLINE, copy_button, cut_words, drawing, fold, framed, headline, hidden_headline,
     main_button, named, named_choice, number, pressed, pressed_if, pressed_small, sign_button,

@@ -5,7 +5,7 @@ use egui::{
     Align, Color32, Label, Rect, RichText, ScrollArea, Sense, TextStyle, Ui, UiBuilder, pos2, vec2,
 };
 
-use crate::ui::theme::Theme;
+use crate::{app::cells, ui::theme::Theme};
 
 /// A column: its title, what it means, and its share of the width.
 #[derive(Clone, Debug)]
@@ -44,6 +44,30 @@ impl Column {
             ..Self::words(title, meaning, share)
         }
     }
+}
+
+/// The columns of a table, each with its share of the width.
+pub fn columns(table: &cells::Table, shares: &[f32]) -> Vec<Column> {
+    let heads = table.heads().zip(shares);
+    let column = |(head, share): (&cells::Head, &f32)| Column {
+        right: head.is_number,
+        ..Column::words(&head.title, &head.meaning, *share)
+    };
+    heads.map(column).collect()
+}
+
+/// The rows of a table, each with its name for those who have it read out, and a note for hover.
+pub fn rows(table: &cells::Table, names: impl Fn(usize, &[String]) -> [String; 2]) -> Vec<Row> {
+    let row = |(i, cells): (usize, Vec<String>)| {
+        let [name, note] = names(i, &cells);
+        Row {
+            name,
+            note,
+            cells,
+            ..Row::default()
+        }
+    };
+    table.shown().enumerate().map(row).collect()
 }
 
 /// How the words of a cell are written.

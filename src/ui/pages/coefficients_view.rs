@@ -11,9 +11,8 @@ use crate::{
         CURVE_ORDER, Command, Memo, Settings,
         chart::Chart,
         charts::coefficients::{CoefficientCharts, Sight},
-        studies::paper::{
-            CHANNELS, colours_summed, figure, harmonics_of, off_percent, percent, three,
-        },
+        numbers::{figure, percent},
+        studies::paper::{CHANNELS, colours_summed, harmonics_of, off_percent, three},
     },
     io::many::numbers,
     spectrum::{Basis, numbers_of_order},

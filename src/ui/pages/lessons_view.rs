@@ -55,10 +55,10 @@ impl LessonsView {
         all.cloned().collect()
     }
 
-    /// A lesson by its name; own ones go first.
+    /// A lesson by its name, or of a file; own ones go first.
     pub fn find(&self, name: &str) -> Option<Arc<Lesson>> {
-        let mut all = self.own.iter().rev().chain(shelf::shipped());
-        all.find(|lesson| lesson.name == name).cloned()
+        let own = self.own.iter().rev().find(|lesson| lesson.name == name);
+        own.cloned().or_else(|| shelf::named(name).ok())
     }
 
     /// Takes a lesson of a file in; one of the same name gives way.
@@ -191,7 +191,11 @@ impl LessonsView {
 /// Asks for a lesson from its beginning.
 pub(in crate::ui) fn begin(ui: &Ui, memory: &mut PageMemory, name: &str) {
     let name = name.to_owned();
-    memory.lesson_asked = Some(AskedLesson { name, step: 0 });
+    memory.lesson_asked = Some(AskedLesson {
+        name,
+        step: 0,
+        done: false,
+    });
     ui.ctx().request_repaint();
 }
 

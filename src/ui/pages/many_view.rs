@@ -9,15 +9,15 @@ use super::{
 };
 use crate::{
     app::{
-        ByAddress, Command, Memo, Settings,
+        App, ByAddress, Command, Memo, Settings,
+        cells::Table,
         chart::Chart,
-        charts::many::{ManyRow, Wanted, chart, csv, rows, sentence},
-        figures::three_digits,
+        charts::many::{Wanted, chart, rows, sentence, table},
         pages::{FieldChoice, LIMITS, ManyMemory, SHARES_PERCENT},
         studies::{ManyAsk, Stage},
     },
     study::{ManyLights, Measure},
-    ui::kit::{Choice, Column, Row, headline, number, scrolled, table, titled},
+    ui::kit::{self, Choice, Column, Row, headline, number, scrolled, titled},
 };
 
 /// Names of controls, shared with the tests that move them.
@@ -40,9 +40,10 @@ pub(super) struct ManyView {
 type Key = (ByAddress<ManyLights>, ManyMemory, Settings);
 
 struct Shown {
-    wanted: Wanted,
     sentence: String,
     chart: Chart,
+    table: Table,
+    columns: Vec<Column>,
     rows: Vec<Row>,
     /// The order that the sentence tells.
     order: Option<usize>,
@@ -77,8 +78,9 @@ impl ManyView {
             return;
         };
         let key = (ByAddress(many.clone()), memory, settings);
-        let shown = &*self.shown.get(key, |(many, memory, settings)| {
-            Shown::of(&many.0, memory, *settings)
+        let app = context.app;
+        let shown = &*self.shown.get(key, |(many, memory, _)| {
+            Shown::of(app, (&of, &many.0), memory)
         });
         headline(ui, context.theme, &shown.sentence);
         controls(ui, context);
@@ -99,50 +101,42 @@ impl ManyView {
                     context.chart(ui, &shown.chart, "many lights", left);
                 });
                 ui.add_space(8.0);
-                ui.vertical(|ui| lights(ui, context, (&of, &many), shown));
+                ui.vertical(|ui| lights(ui, context, shown));
             });
         } else {
             let size = vec2(room.x, (0.5 * room.y).max(190.0 * scale));
             context.chart(ui, &shown.chart, "many lights", size);
-            lights(ui, context, (&of, &many), shown);
+            lights(ui, context, shown);
         }
     }
 }
 
 impl Shown {
-    fn of(many: &ManyLights, memory: &ManyMemory, settings: Settings) -> Self {
-        let wanted = Wanted::of(settings, memory);
+    fn of(app: &App, (ask, many): (&ManyAsk, &ManyLights), memory: &ManyMemory) -> Self {
+        let wanted = Wanted::of(app.document().settings, memory);
         let found = many.order_for(wanted.way, wanted.measure, wanted.limit, wanted.share);
-        let row = |row: &ManyRow<'_>| row_of(row, wanted.measure);
+        let classes = rows(many, wanted, app.document().settings.order);
+        let table = table(app, ask, many, wanted);
+        let name = |i: usize, cells: &[String]| names_of(&classes[i].light.class, cells);
         Self {
             sentence: sentence(many, wanted),
             chart: chart(many, wanted),
-            rows: rows(many, wanted, settings.order).iter().map(row).collect(),
+            rows: kit::rows(&table, name),
+            columns: kit::columns(&table, &[2.6, 1.0, 0.9, 1.3, 1.3]),
+            table,
             order: found.map(|(order, _)| order),
-            wanted,
         }
     }
 }
 
-fn row_of(row: &ManyRow<'_>, measure: Measure) -> Row {
-    let none = || "–".to_owned();
-    let cells = match row.enough {
-        Some(enough) => enough.map(|count| count.to_string()),
-        None => [0; 3].map(|_| none()),
-    };
-    let unit = measure.figure().unit;
-    let now = row
-        .now
-        .map_or_else(none, |off| three_digits(unit.factor * off));
-    let [order, lines, numbers] = cells;
-    let name = row.light.name.clone();
+/// The light as it is read out, and its class.
+fn names_of(class: &str, cells: &[String]) -> [String; 2] {
+    let [name, order, lines, numbers, now] = [0, 1, 2, 3, 4].map(|i| &cells[i]);
     let are = if lines == "1" { "line" } else { "lines" };
-    Row {
-        name: format!("{name}: order {order}, {lines} {are}, {numbers} numbers, now {now}"),
-        cells: vec![name, order, lines, numbers, now],
-        note: format!("Listed under {}.", row.light.class),
-        ..Row::default()
-    }
+    [
+        format!("{name}: order {order}, {lines} {are}, {numbers} numbers, now {now}"),
+        format!("Listed under {class}."),
+    ]
 }
 
 /// Which lights, how good, for how many.
@@ -196,17 +190,11 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
 }
 
 /// The lights with what each of them needs; a click takes a light.
-fn lights(
-    ui: &mut Ui,
-    context: &mut PageContext<'_>,
-    (ask, many): (&ManyAsk, &ManyLights),
-    shown: &Shown,
-) {
+fn lights(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Shown) {
     let app = context.app;
-    let wanted = shown.wanted;
     let meaning = "Copies every light with the order that it needs as a table.";
     titled(ui, "What each light needs", names::COPY, meaning, || {
-        csv(app, ask, many, wanted)
+        shown.table.csv()
     });
     if let Some(order) = shown.order {
         let settings = app.document().settings;
@@ -221,19 +209,7 @@ fn lights(
                 .push(Command::Edit(Settings { order, ..settings }));
         }
     }
-    let now = format!("at N = {}", app.document().settings.order);
-    let columns = [
-        Column::words(
-            "light",
-            "Sorted by need: the light that needs most comes first.",
-            2.6,
-        ),
-        Column::numbers("order", "From it on every order is good enough.", 1.0),
-        Column::numbers("lines", "Lines that became spikes, two numbers each.", 0.9),
-        Column::numbers("numbers", "2N + 1, and two for each line.", 1.3),
-        Column::numbers(&now, wanted.measure.figure().meaning, 1.3),
-    ];
     scrolled(ui, "lights that need", |ui| {
-        table(ui, &columns, &shown.rows, None, false, context.theme);
+        kit::table(ui, &shown.columns, &shown.rows, None, false, context.theme);
     });
 }

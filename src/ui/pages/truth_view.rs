@@ -10,7 +10,8 @@ use crate::{
         chart::Chart,
         charts::truth::{neglected_chart, samples_chart, table_2_chart},
         headlines,
-        studies::paper::{Claims, Row, Verdict, delta_e, figure, percent, truth_csv, truth_table},
+        numbers::{delta_e, figure, percent},
+        studies::paper::{Claims, Row, Verdict, copied_table, truth_table},
         ticks::short,
     },
     spectrum::Sampling,
@@ -88,7 +89,7 @@ fn head(ui: &mut Ui, context: &PageContext<'_>, claims: &Claims) {
     ui.horizontal_wrapped(|ui| {
         let meaning = "Copies claim, paper, measured and verdict of every card as a table.";
         if pressed(ui, COPY, meaning) {
-            ui.ctx().copy_text(truth_csv(context.app, claims));
+            ui.ctx().copy_text(copied_table(context.app, claims).csv());
         }
         ui.weak(format!(
             "Measured on {}, {}-{} nm, {} basis, N = {}.",

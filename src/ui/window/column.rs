@@ -1,7 +1,7 @@
 //! The model's column: the verdict, every figure, every knob; and the edge that it folds to.
 
 use eframe::egui;
-use egui::{Margin, Panel, ScrollArea, Ui};
+use egui::{Margin, Panel, ScrollArea, Ui, UiBuilder};
 
 use super::{
     super::{
@@ -51,11 +51,12 @@ impl Window {
         no_room && !shape.present && self.side_is_open(shape)
     }
 
-    /// The model's column, or the edge that it folds to.
-    pub(super) fn side_panel(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) {
+    /// The model's column, or the edge that it folds to. A column without knobs is left to be drawn
+    /// behind the page, whose knobs it tells of: its room is given.
+    pub(super) fn side_panel(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) -> Option<Ui> {
         let has_model = self.preferences.pages.page.has_model();
         if shape.present || !self.tells_verdict() || !(has_model || self.side_open == Some(true)) {
-            return;
+            return None;
         }
         let open = self.side_is_open(shape);
         if !shape.wide || self.side_open.is_some() {
@@ -70,14 +71,14 @@ impl Window {
             });
         }
         if !open {
-            return;
+            return None;
         }
         let frame = plain(ui, Margin::same(16));
         if self.side_alone(shape) {
             egui::CentralPanel::default()
                 .frame(frame)
                 .show(ui, |ui| self.column(ui, theme));
-            return;
+            return None;
         }
         let [widest, usual, least] = COLUMN;
         let width = match (shape.very_wide, self.drawer.open || !shape.wide) {
@@ -87,12 +88,20 @@ impl Window {
             (false, true) => least,
             (false, false) => usual,
         };
+        let mut left = None;
         // What stands in it grows with the window's type.
-        fixed(Panel::right("model"), frame, width * theme.scale.max(1.0))
-            .show(ui, |ui| in_its_size(ui, |ui| self.column(ui, theme)));
+        fixed(Panel::right("model"), frame, width * theme.scale.max(1.0)).show(ui, |ui| {
+            in_its_size(ui, |ui| match self.side {
+                Side::Settings => self.column(ui, theme),
+                Side::Verdict | Side::Figures => {
+                    left = Some(ui.new_child(UiBuilder::new().id_salt("column")));
+                }
+            });
+        });
+        left
     }
 
-    fn column(&mut self, ui: &mut Ui, theme: Theme) {
+    pub(super) fn column(&mut self, ui: &mut Ui, theme: Theme) {
         let (mut commands, mut said) = (Vec::new(), None);
         if self.side == Side::Verdict {
             let (app, preferences) = (&self.app, &mut self.preferences);
@@ -144,8 +153,8 @@ impl Window {
             });
         }
         if !commands.is_empty() {
-            // What depends on them was drawn before.
-            ui.ctx().request_discard("the model changed");
+            // The lines above and below the page were drawn before, and perhaps the page itself.
+            ui.ctx().request_repaint();
         }
         self.apply(&mut commands);
         // What was taken is said of the model as it is now.

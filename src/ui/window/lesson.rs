@@ -58,6 +58,9 @@ impl Window {
             if asked.step > 0 {
                 run.go(asked.step, &mut self.app, pages);
             }
+            if asked.done {
+                run.finish(&mut self.app, pages);
+            }
             self.lesson = Some(run);
             self.drawer.open = false;
             context.request_repaint();

@@ -238,13 +238,16 @@ impl Window {
         }
         self.lesson_panel(ui, theme);
         self.drawer(ui, shape, theme);
-        self.side_panel(ui, shape, theme);
+        let column = self.side_panel(ui, shape, theme);
         self.studies.take_in();
         if self.studies.is_running() || self.lesson_checks.is_busy() {
             context.request_repaint_after(WATCH_EVERY);
         }
         if !self.side_alone(shape) {
             centre = self.page_panel(ui, shape, theme);
+        }
+        if let Some(mut column) = column {
+            self.column(&mut column, theme);
         }
         self.lesson_ring(&context, theme);
         self.take_colour(&context);

@@ -7,7 +7,7 @@ use crate::app::{
         spectrum::{on_grid, over, provenance},
         units::value_label,
     },
-    studies::paper::figure,
+    numbers::figure,
     ticks::extent,
 };
 

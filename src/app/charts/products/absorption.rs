@@ -3,13 +3,14 @@
 use crate::{
     app::{
         absorption_names::{Curve, dark_lines},
-        cells::{line, number, words},
+        cells::{Columns, Table, cell},
         chart::{Chart, Dash, Ink, Series, stroke},
         charts::{
             spectrum::{of_subject, on_grid, over},
             units::subject_label,
         },
         export,
+        numbers::{DASH, fixed, or_dash},
         product_report::Told,
         products::ModelledLight,
         settings::{Detector, Settings},
@@ -45,7 +46,7 @@ pub struct AbsorptionSheet {
     /// The curve with its dips.
     pub chart: Chart,
     /// The dips as a table.
-    pub csv: String,
+    pub table: Table,
     /// Lines of the light that stand on dips of the chain, a sentence each.
     pub met: Vec<String>,
 }
@@ -57,7 +58,7 @@ impl AbsorptionSheet {
         let known = known_lines(app, &dips);
         Self {
             chart: absorption_chart(app, (&dips, &known)),
-            csv: csv(app, &dips),
+            table: table(app, &dips),
             met: met(app),
             dips,
             known,
@@ -149,20 +150,40 @@ fn met(app: &App) -> Vec<String> {
     all
 }
 
-/// The dips as a table, weights in the subject's own unit x nm.
-fn csv(app: &App, dips: &[DipRow]) -> String {
-    let mut out = export::table_head(app);
-    out.push_str("place nm,weight,depth,name,below zero\n");
-    for dip in dips {
-        out += &line([
-            number(dip.spike.at_nm),
-            number(dip.spike.weight),
-            number(dip.depth),
-            words(dip.name.as_deref().unwrap_or_default()),
-            if dip.below_zero { "yes" } else { "no" }.to_owned(),
-        ]);
-    }
-    out
+/// The dips as a table, weights in files in the subject's own unit x nm.
+fn table(app: &App, dips: &[DipRow]) -> Table {
+    let factor = app.scale_factor();
+    let columns = Columns::<&DipRow>::default()
+        .with("place nm", |dip| {
+            cell(dip.spike.at_nm).shown(format!("{:.1}", dip.spike.at_nm))
+        })
+        .figures("nm", "Centroid of the dark line, nm.")
+        .with("weight", |dip| {
+            cell(dip.spike.weight).shown(short(factor * dip.spike.weight))
+        })
+        .figures("weight", "Power that is missing, in the plot's unit × nm.")
+        .with("depth", |dip| {
+            let depth = or_dash(dip.depth, |depth| format!("{} %", fixed(100.0 * depth, 1)));
+            cell(dip.depth).shown(depth)
+        })
+        .figures(
+            "depth",
+            "Share of the background that is missing at its deepest, percent.",
+        )
+        .with("name", |dip| {
+            let mark = if dip.below_zero { "▲ " } else { "" };
+            let name = dip.name.as_deref();
+            cell(name.unwrap_or_default()).shown(format!("{mark}{}", name.unwrap_or(DASH)))
+        })
+        .titled(
+            "line",
+            "Named only where it is safe. A known line without a weight is seen in the curve, but \
+             takes less than the least share: it is no number of the model.",
+        )
+        .with("below zero", |dip| {
+            cell(if dip.below_zero { "yes" } else { "no" })
+        });
+    Table::new(export::table_head(app), columns, dips)
 }
 
 /// The measured curve filled with its colours, what it would be without dips, and the gaps between

@@ -4,12 +4,13 @@ use super::resampling::{thin, way_looks, way_name};
 use crate::{
     app::{
         App, Entry,
-        cells::{line, number, words},
+        cells::{Columns, Table, cell},
         chart::{Chart, Dash, Ink, Scale, Series},
         charts::spectrum::{before_provenance, table_head},
         products::ModelledLight,
         verdicts::HARD_TO_SEE,
     },
+    spectrum::Sampling,
     study::products::{BounceErrors, MOST_BOUNCES, bounce_errors},
 };
 
@@ -18,6 +19,13 @@ const SMALLEST: f64 = 1e-3;
 
 /// Bounces that the table tells.
 pub const TOLD: [usize; 5] = [1, 2, 4, 8, 16];
+
+/// Errors of a way behind bounces: in total, and added by forming the products.
+struct BounceRow {
+    sampling: Sampling,
+    bounces: usize,
+    errors: [Option<f64>; 2],
+}
 
 /// Every way of forming products over bounces off one surface.
 #[derive(Clone, Debug)]
@@ -151,21 +159,22 @@ impl Bounced {
     }
 
     /// All errors as a table.
-    pub fn csv(&self, app: &App) -> String {
+    pub fn table(&self, app: &App) -> Table {
         let head = format!("# light: {}\n# surface: {}\n", self.light, self.surface);
-        let mut out = table_head(head, app);
-        out += &line(["way", "bounces", "delta_e_2000_total", "delta_e_2000_added"]);
-        for way in &self.ways {
-            for (i, (total, added)) in way.total.iter().zip(&way.added).enumerate() {
-                out += &line([
-                    words(way_name(way.sampling)),
-                    number((i + 1) as f64),
-                    number(*total),
-                    number(*added),
-                ]);
-            }
-        }
-        out
+        let columns = Columns::<BounceRow>::default()
+            .with("way", |row| cell(way_name(row.sampling)))
+            .with("bounces", |row| cell(row.bounces))
+            .with("delta_e_2000_total", |row| cell(row.errors[0]))
+            .with("delta_e_2000_added", |row| cell(row.errors[1]));
+        let rows = self.ways.iter().flat_map(|way| {
+            let errors = way.total.iter().zip(&way.added).enumerate();
+            errors.map(|(i, (total, added))| BounceRow {
+                sampling: way.sampling,
+                bounces: i + 1,
+                errors: [*total, *added],
+            })
+        });
+        Table::new(table_head(head, app), columns, rows)
     }
 }
 

@@ -7,13 +7,14 @@ use super::{chain::strip, resampling::thin};
 use crate::{
     app::{
         App, Entry,
-        cells::{line, number, words},
+        cells::{Columns, Table, cell},
         chart::{Chart, Dash, Ink, Scale, Series, Shape},
         charts::{
             spectrum::{before_provenance, on_grid, over, spike_stems, table_head},
             units::value_label,
         },
         made::is_made,
+        numbers::{delta_e, or_dash, percent},
         products::ModelledLight,
         ticks::extent,
     },
@@ -330,22 +331,32 @@ impl Behind {
     }
 
     /// The filters as a table.
-    pub fn csv(&self, app: &App, rows: &[FilterRow]) -> String {
+    pub fn filters_table(&self, app: &App, rows: &[FilterRow]) -> Table {
         let head = format!("# light: {}\n# numbers: {}\n", self.light, self.numbers());
-        let mut out = table_head(head, app);
-        out += &line([
-            "filter",
-            "luminance_share",
-            "composite_delta_e_2000",
-            "series_delta_e_2000",
-            "samples_delta_e_2000",
-        ]);
-        for row in rows {
-            let errors = row.figures.ways.map(|way| number(way.delta_e_2000));
-            let first = [words(row.entry.name()), number(row.figures.luminance)];
-            out += &line(first.into_iter().chain(errors));
+        let mut columns = Columns::<&FilterRow>::default()
+            .with("filter", |row| cell(row.entry.name()))
+            .titled(
+                "filter",
+                "Measured transmittance. Click a row to put it over the light.",
+            )
+            .with("luminance_share", |row| {
+                let share = row.figures.luminance;
+                cell(share).shown(or_dash(share, |share| format!("{} %", percent(share))))
+            })
+            .figures(
+                "luminance",
+                "Y of the exact light behind the filter over that of the whole light, percent.",
+            );
+        for (way, key) in ["composite", "series", "samples"].into_iter().enumerate() {
+            let error = move |row: &&FilterRow| row.figures.ways[way].delta_e_2000;
+            let meaning = format!("CIEDE2000. {}", WAY_MEANINGS[way]);
+            columns = columns
+                .with(format!("{key}_delta_e_2000"), move |row| {
+                    cell(error(row)).shown(delta_e(error(row)))
+                })
+                .figures(WAYS[way], meaning);
         }
-        out
+        Table::new(table_head(head, app), columns, rows)
     }
 }
 

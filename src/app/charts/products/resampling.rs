@@ -3,15 +3,19 @@
 use crate::{
     app::{
         App, Entry,
-        cells::{line, number, words},
+        cells::{Columns, Table, cell, column},
         chart::{Chart, Dash, Ink, Panel, Series, Shape, stroke},
         charts::spectrum::{before_provenance, on_grid, over, spike_stems, table_head},
         derived::less,
+        numbers::{delta_e, figure, nanoseconds, or_dash},
         products::ModelledLight,
         ticks::extent,
     },
     spectrum::{Band, Line, Sampling},
-    study::products::{Formed, ProductTime, Resampled, Sizes, SpikeCosts, resampled, spike_costs},
+    study::{
+        products::{Formed, ProductTime, Resampled, Sizes, SpikeCosts, resampled, spike_costs},
+        truth::SpikeReading,
+    },
 };
 
 /// A way of forming products, in a word or two.
@@ -174,65 +178,126 @@ impl Bench {
     }
 
     /// The figures as a table; times where they were measured.
-    pub fn csv(&self, app: &App, times: Option<&[ProductTime]>) -> String {
-        let mut out = self.head(app);
-        out += &line([
-            "way",
-            "points",
-            "delta_e_2000_total",
-            "delta_e_2000_added",
-            "folded_share",
-            "multiplications",
-            "ns",
-        ]);
-        for way in &self.resampled.ways {
-            let step = &way.step;
-            out += &line([
-                words(way_name(way.sampling)),
-                number(way.points.map(|points| points as f64)),
-                number(step.colours.delta_e_2000),
-                number(step.added),
-                number(step.folded_share),
-                number(step.multiplications as f64),
-                number(time_of(times, way.sampling).map(|time| time.ns)),
-            ]);
-        }
-        out
+    pub fn table(&self, app: &App, times: Option<&[ProductTime]>) -> Table {
+        let time = |way: &Formed| time_of(times, way.sampling).map(|time| time.ns);
+        let columns = Columns::<&Formed>::default()
+            .with("way", |way| cell(way_name(way.sampling)))
+            .titled(
+                "way",
+                "How the product is formed. Click a row to form all products so.",
+            )
+            .with("points", |way| cell(way.points))
+            .figures("points", "Independent points, one multiplication each.")
+            .with("delta_e_2000_total", |way| {
+                let total = way.step.colours.delta_e_2000;
+                cell(total).shown(delta_e(total))
+            })
+            .figures(
+                "ΔE₀₀ total",
+                "CIEDE2000 of the model's product against measured light times measured factor; \
+                 the white is the light.",
+            )
+            .with("delta_e_2000_added", |way| {
+                cell(way.step.added).shown(added_words(way.step.added))
+            })
+            .figures(
+                "added",
+                "CIEDE2000 against the exact product of the very same series: what forming it \
+                 adds.",
+            )
+            .with("folded_share", |way| {
+                cell(way.step.folded_share).shown(share_words(way.step.folded_share))
+            })
+            .figures(
+                "folded",
+                "Alias meter: share of the product's power in orders that the points fold back, \
+                 or that the convolution cuts off. The bar is logarithmic, from 0.0001 % to 100 %.",
+            )
+            .with("multiplications", |way| cell(way.step.multiplications))
+            .figures(
+                "mult.",
+                "Multiplications of one product: one a point, or one a pair of numbers, and one a \
+                 spike.",
+            )
+            .with("ns", |way| {
+                cell(time(way)).shown(or_dash(time(way), nanoseconds))
+            })
+            .figures(
+                "ns",
+                "Nanoseconds of one product, measured here and now: the median batch.",
+            );
+        Table::new(self.head(app), columns, &self.resampled.ways)
     }
 
     /// Eq. 17 as a table.
-    pub fn spikes_csv(&self, app: &App) -> String {
-        let mut out = self.head(app);
-        out += &line([
-            "at_nm",
-            "weight",
-            "measured",
-            "series",
-            "corrected",
-            "printed",
-            "series_delta_e_2000",
-            "corrected_delta_e_2000",
-            "printed_delta_e_2000",
-        ]);
-        for (reading, costs) in &self.spikes.each {
-            let values = [
-                reading.spike.at_nm,
-                reading.spike.weight,
-                reading.measured,
-                reading.series,
-                reading.linear,
-                reading.printed,
-            ];
-            let costs = costs.map(number);
-            out += &line(values.map(number).into_iter().chain(costs));
-        }
-        out
+    pub fn spikes_table(&self, app: &App) -> Table {
+        type Row<'a> = &'a (SpikeReading, [Option<f64>; 3]);
+        let read = |key: &'static str, of: fn(&SpikeReading) -> f64| {
+            column(key, move |(reading, _): &Row<'_>| {
+                cell(of(reading)).shown(figure(of(reading)))
+            })
+        };
+        let cost = |way: usize, name: &str| {
+            column(
+                format!("{name}_delta_e_2000"),
+                move |(_, costs): &Row<'_>| cell(costs[way]).shown(delta_e(costs[way])),
+            )
+            .figures(format!("{name} ΔE₀₀"), EQ_17_COST)
+        };
+        let columns = Columns::<Row<'_>>::default()
+            .with("at_nm", |(reading, _): &Row<'_>| {
+                cell(reading.spike.at_nm).shown(format!("{:.1}", reading.spike.at_nm))
+            })
+            .figures("at nm", "The spike's wavelength, nm.")
+            .and(read("weight", |reading| reading.spike.weight))
+            .and(read("measured", |reading| reading.measured))
+            .figures("measured", "The factor as measured there.")
+            .and(read("series", |reading| reading.series))
+            .figures(
+                "series",
+                "The factor's series evaluated exactly at the spike: what this program does.",
+            )
+            .and(read("corrected", |reading| reading.linear))
+            .figures(
+                "corrected",
+                "Eq. 17 with its two weights exchanged: the straight line between two of the \
+                 paper's points.",
+            )
+            .and(read("printed", |reading| reading.printed))
+            .figures("as printed", "Eq. 17 with its weights as printed.")
+            .and(cost(0, "series"))
+            .and(cost(1, "corrected"))
+            .and(cost(2, "printed"));
+        Table::new(self.head(app), columns, &self.spikes.each)
     }
 
     fn head(&self, app: &App) -> String {
         let head = format!("# light: {}\n# factor: {}\n", self.light, self.factor);
         table_head(head, app)
     }
+}
+
+/// The cost of a reading of Eq. 17.
+pub const EQ_17_COST: &str =
+    "CIEDE2000 against the same product with this spike weighed by the factor as measured there.";
+
+/// What forming a product adds; an exact zero is told as such.
+fn added_words(added: Option<f64>) -> String {
+    match added {
+        Some(0.0) => "0".to_owned(),
+        added => delta_e(added),
+    }
+}
+
+/// Shares below this are rounding, or nothing to speak of.
+pub const LEAST_SHARE: f64 = 1e-6;
+
+fn share_words(share: f64) -> String {
+    or_dash(share, |share| match share {
+        share if share <= 0.0 => "0 %".to_owned(),
+        share if share < LEAST_SHARE => "<0.0001 %".to_owned(),
+        share => format!("{} %", figure(100.0 * share)),
+    })
 }
 
 /// Lines of the measured curve this many times as high as all else are cut off: the ways would

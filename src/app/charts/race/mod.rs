@@ -15,6 +15,7 @@ use crate::{
     app::{
         chart::{Chart, Dash, Ink, Scale, Series, Shape, stroke},
         figures::SMALLEST,
+        numbers,
         race_report::{field_words, race_notes, row_numbers, wins},
         studies::RaceAsk,
     },
@@ -88,7 +89,7 @@ fn error_words(measure: Measure, error: Option<f64>) -> String {
     let unit = measure.figure().unit;
     error.map_or_else(
         || "–".to_owned(),
-        |error| format!("{}{}", figure(error * unit.factor), unit.tail),
+        |error| format!("{}{}", numbers::error(error * unit.factor), unit.tail),
     )
 }
 
@@ -119,7 +120,8 @@ pub fn error_chart(ask: &RaceAsk, race: &Race, class: Option<&str>, measure: Mea
             };
             points.push([*numbers as f64, of_measure.drawn(spread.median)]);
             notes.push(if many {
-                let [p95, worst] = [spread.p95, spread.worst].map(|e| figure(of_measure.shown(e)));
+                let [p95, worst] =
+                    [spread.p95, spread.worst].map(|e| numbers::error(of_measure.shown(e)));
                 format!("95 % below {p95}, worst {worst}")
             } else {
                 String::new()
@@ -252,28 +254,33 @@ pub fn ahead(
 /// The table of one count as a chart of columns: its CSV is the table.
 pub fn table_chart(ask: &RaceAsk, race: &Race, class: Option<&str>, budget: usize) -> Chart {
     let wins = wins(race, class, budget, Measure::Patches);
-    let mut columns: Vec<(String, Vec<[f64; 2]>)> = Vec::new();
-    for (place, racer) in race.racers.iter().enumerate() {
-        let row = race.row(class, budget, place);
-        let runs = race
-            .of_class(class)
-            .map(|lamp| race.run(lamp, budget, place).numbers);
-        let mut cells = row_numbers(&row);
-        let yes = |yes: bool| Some(f64::from(u8::from(yes)));
-        cells.extend([
-            ("numbers".to_owned(), runs.max().map(|n| n as f64)),
-            ("needs_table".to_owned(), yes(racer.needs_table())),
-            ("is_prefix".to_owned(), yes(racer.is_prefix())),
-            ("wins".to_owned(), wins[place].map(|n| n as f64)),
-        ]);
-        for (i, (key, value)) in cells.into_iter().enumerate() {
-            if columns.len() == i {
-                columns.push((key, Vec::new()));
-            }
-            let value = value.unwrap_or(f64::NAN);
-            columns[i].1.push([place as f64 + 1.0, value]);
-        }
-    }
+    let places = 0..race.racers.len();
+    let mut columns = row_numbers(
+        places
+            .clone()
+            .map(|place| race.row(class, budget, place))
+            .collect(),
+    );
+    let mut add = |key: &str, of: &dyn Fn(usize) -> Option<f64>| {
+        columns.push((key.to_owned(), places.clone().map(of).collect()));
+    };
+    let yes = |yes: bool| Some(f64::from(u8::from(yes)));
+    add("numbers", &|place| {
+        let runs = race.of_class(class);
+        let runs = runs.map(|lamp| race.run(lamp, budget, place).numbers);
+        runs.max().map(|n| n as f64)
+    });
+    add(
+        "needs_table",
+        &|place| yes(race.racers[place].needs_table()),
+    );
+    add("is_prefix", &|place| yes(race.racers[place].is_prefix()));
+    add("wins", &|place| wins[place].map(|n| n as f64));
+    let points = |values: Vec<Option<f64>>| {
+        let places = values.into_iter().enumerate();
+        let point = |(i, value): (usize, Option<f64>)| [i as f64 + 1.0, value.unwrap_or(f64::NAN)];
+        places.map(point).collect()
+    };
     let names = race.racers.iter().enumerate();
     Chart {
         title: format!(
@@ -289,21 +296,9 @@ pub fn table_chart(ask: &RaceAsk, race: &Race, class: Option<&str>, budget: usiz
         x_range: [0.5, race.racers.len() as f64 + 0.5],
         series: columns
             .into_iter()
-            .map(|(key, points)| Series::points(key, [128; 3], Shape::Dot, points))
+            .map(|(key, values)| Series::points(key, [128; 3], Shape::Dot, points(values)))
             .collect(),
         notes: race_notes(ask),
         ..Chart::default()
-    }
-}
-
-/// A figure in few letters: nothing smaller than a ten-thousandth matters here.
-pub fn figure(value: f64) -> String {
-    match value {
-        v if !v.is_finite() => "–".to_owned(),
-        v if v < SMALLEST => "<.0001".to_owned(),
-        v if v < 0.01 => format!("{v:.4}"),
-        v if v < 1.0 => format!("{v:.3}"),
-        v if v < 100.0 => format!("{v:.2}"),
-        v => format!("{v:.0}"),
     }
 }

@@ -1,9 +1,11 @@
 //! The paper's Table 1 with numbers: one line a representation, the least of each column marked.
 
-use super::figure;
-use crate::study::{
-    Measure, Race, Spread,
-    race::{Racer, Row, figures},
+use crate::{
+    app::numbers::{error, nanoseconds, or_dash},
+    study::{
+        Measure, Race, Spread,
+        race::{Racer, Row, figures},
+    },
 };
 
 /// A column of the race's table.
@@ -44,7 +46,7 @@ impl RaceCell {
 
     /// Median and 95th percentile, with the worst beside them.
     pub(super) fn of_spread(spread: Spread, factor: f64) -> Self {
-        let [median, p95, worst] = figures(spread).map(|value| figure(factor * value));
+        let [median, p95, worst] = figures(spread).map(|value| error(factor * value));
         Self {
             text: format!("{median} / {p95}"),
             tip: format!("median {median}, 95 % below {p95}, worst {worst}"),
@@ -215,7 +217,7 @@ fn patches(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, decides: Mea
 }
 
 fn plain(value: Option<f64>) -> RaceCell {
-    RaceCell::of(value.map_or_else(|| "–".to_owned(), figure))
+    RaceCell::of(or_dash(value, error))
 }
 
 fn column(title: &str, tip: &str, width: f32, cells: Vec<RaceCell>) -> RaceColumn {
@@ -373,13 +375,5 @@ fn promises(columns: &mut Vec<RaceColumn>, rows: &[Row]) {
                 .map(|row| RaceCell::of(if yes(row.racer) { "yes" } else { "no" }.to_owned()))
                 .collect(),
         ));
-    }
-}
-
-fn nanoseconds(ns: f64) -> String {
-    if ns < 100.0 {
-        format!("{ns:.1}")
-    } else {
-        format!("{ns:.0}")
     }
 }

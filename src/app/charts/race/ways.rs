@@ -1,9 +1,9 @@
 //! Known lamps and lines of their own width beside the other representations: errors on what took
 //! no part in any choice, and the cells that are won.
 
-use super::{RaceCell, figure};
+use super::RaceCell;
 use crate::{
-    app::{race_report::in_cells, studies::RaceAsk},
+    app::{numbers, race_report::in_cells, studies::RaceAsk},
     study::{
         Race, Spread,
         race::{Judged, Racer, figures},
@@ -139,7 +139,7 @@ impl Ways {
 fn cell(spread: Option<Spread>, error: Judged) -> RaceCell {
     let factor = if error == Judged::Blurred { 100.0 } else { 1.0 };
     spread.map_or_else(RaceCell::default, |spread| {
-        let [median, _, worst] = figures(spread).map(|value| figure(factor * value));
+        let [median, _, worst] = figures(spread).map(|value| numbers::error(factor * value));
         let mut cell = RaceCell::of_spread(spread, factor);
         if median == worst {
             cell.text = median;

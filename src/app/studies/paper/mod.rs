@@ -9,8 +9,8 @@ mod row;
 mod rows;
 mod table;
 
-pub use row::{Row, Verdict, delta_e, figure, off_percent, percent, three};
-pub use table::{truth_csv, truth_table};
+pub use row::{Row, Verdict, off_percent, three};
+pub use table::{copied_table, truth_table};
 
 use crate::{
     app::{state::App, tables::Viewing, ticks::extent},

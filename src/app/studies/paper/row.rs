@@ -3,8 +3,8 @@
 
 use crate::{
     app::{
-        figures::three_digits,
-        ticks::{hundredths, short},
+        numbers::{ROUNDING, percent},
+        ticks::short,
     },
     spectrum::Band,
 };
@@ -69,32 +69,6 @@ impl Row {
             (Verdict::OnlyIf, false) => format!("holds only {}", self.condition),
             (verdict, false) => format!("{}: {}", verdict.words(), self.condition),
         }
-    }
-}
-
-/// A figure in three digits, or a dash.
-pub fn figure(value: impl Into<Option<f64>>) -> String {
-    let sound = value.into().filter(|v| v.is_finite());
-    sound.map_or_else(|| "–".to_owned(), three_digits)
-}
-
-/// A share in percent, or a dash; what is left of rounding is told as a bound.
-pub fn percent(share: impl Into<Option<f64>>) -> String {
-    match share.into().filter(|s| s.is_finite()) {
-        Some(share) if share.abs() < ROUNDING => "0".to_owned(),
-        Some(share) => figure(100.0 * share),
-        None => "–".to_owned(),
-    }
-}
-
-/// Shares below this are the rounding of sums, not of a model.
-pub(super) const ROUNDING: f64 = 1e-10;
-
-/// A colour difference: two decimals, and a bound for what is below any meaning.
-pub fn delta_e(value: impl Into<Option<f64>>) -> String {
-    match value.into().filter(|v| v.is_finite()) {
-        Some(value) => hundredths(value),
-        None => "–".to_owned(),
     }
 }
 

@@ -4,10 +4,14 @@ use std::fmt::Write as _;
 
 use super::{
     Claims,
-    row::{ROUNDING, Row, Verdict, delta_e, figure, off_percent, percent, range, three},
+    row::{Row, Verdict, off_percent, range, three},
 };
 use crate::{
-    app::{ticks::short, verdicts::HARD_TO_SEE},
+    app::{
+        numbers::{ROUNDING, delta_e, figure, percent, signed},
+        ticks::short,
+        verdicts::HARD_TO_SEE,
+    },
     color::Observer,
     io::many,
     spectrum::{Basis, Sampling, numbers_of_order},
@@ -241,22 +245,12 @@ pub(super) fn eq_17_row(claims: &Claims) -> Row {
     }
 }
 
-/// Three decimals with a sign, and no minus before zero.
-fn thousandths(value: f64) -> String {
-    let rounded = (1000.0 * value).round() / 1000.0;
-    if rounded == 0.0 {
-        "0.000".to_owned()
-    } else {
-        format!("{rounded:+.3}")
-    }
-}
-
 pub(super) fn table_2_row(claims: &Claims) -> Row {
     let found = claims.table_2;
     let off = three(
         found
             .worst
-            .map(|d| format!("{} at {} nm", thousandths(d.off()), short(d.at_nm))),
+            .map(|d| format!("{} at {} nm", signed(d.off(), 3), short(d.at_nm))),
     );
     let mut measured = format!("The largest deviations of x-bar, y-bar and z-bar are {off}.");
     if claims.observer != Observer::CIE_1931 {

@@ -1,6 +1,4 @@
-//! The claims as a table, and as CSV.
-
-use std::fmt::Write as _;
+//! The claims as a table.
 
 use super::{
     Claims,
@@ -9,7 +7,7 @@ use super::{
 };
 use crate::{
     app::{
-        cells::{line, words},
+        cells::{Columns, Table, cell},
         export::table_head,
         state::App,
     },
@@ -28,24 +26,19 @@ pub fn truth_table(claims: &Claims) -> Vec<Row> {
     ]
 }
 
-/// The table as CSV: comment lines that say where it comes from, then
-/// `claim,paper,measured,verdict`.
-pub fn truth_csv(app: &App, claims: &Claims) -> String {
-    let mut out = table_head(app);
-    if let Some(factor) = &claims.factor {
-        // Writing to a String cannot fail.
-        let _ = writeln!(
-            out,
-            "# products: {} x {}",
-            one_line(&claims.light),
-            one_line(factor)
-        );
-    }
-    out.push_str("claim,paper,measured,verdict\n");
-    for row in truth_table(claims) {
-        let paper = format!("{} ({})", row.paper, row.place);
-        let cells = [row.claim, &paper, &row.measured, &row.verdict_words()].map(words);
-        out.push_str(&line(cells));
-    }
-    out
+/// The claims as the table that is copied.
+pub fn copied_table(app: &App, claims: &Claims) -> Table {
+    let products = claims.factor.as_ref().map(|factor| {
+        let [light, factor] = [&claims.light, factor].map(|name| one_line(name));
+        format!("# products: {light} x {factor}\n")
+    });
+    let columns = Columns::<Row>::default()
+        .with("claim", |row| cell(row.claim))
+        .with("paper", |row| {
+            cell(format!("{} ({})", row.paper, row.place))
+        })
+        .with("measured", |row| cell(row.measured.as_str()))
+        .with("verdict", |row| cell(row.verdict_words()));
+    let comments = table_head(app) + &products.unwrap_or_default();
+    Table::new(comments, columns, truth_table(claims))
 }

@@ -92,7 +92,7 @@ pub(super) fn kept_row(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) 
             "Copy the channels as CSV",
             "Channels with their drive in per cent, their share of the power, and values for \
              lighting desks of 8 and 16 bits (DMX).",
-            || desk.to_csv(),
+            || desk.table().csv(),
         );
     });
 }

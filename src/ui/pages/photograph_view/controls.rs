@@ -9,7 +9,7 @@ use crate::{
         Command,
         photograph::{
             Instrument, LampChoice, Photograph, PhotographAsk, Said, SeenPhotograph, Source,
-            colour_words, csv, sentence, warnings,
+            colour_words, sentence, table, warnings,
         },
     },
     photographs::{Lamp, strip::ByHand},
@@ -169,7 +169,7 @@ impl PhotographView {
                     self.keep(found, &seen.name);
                 }
                 copy_button(ui, "Copy the spectrum as CSV", "", || {
-                    csv(found).unwrap_or_default()
+                    table(found).map_or_else(String::new, |table| table.csv())
                 });
             }
             if pressed(ui, names::OPEN, "Opens another picture.") {

@@ -26,7 +26,9 @@ use crate::{
         },
     },
     optics::Sky,
-    ui::kit::{Column, Form, GROUP, Row, Table, copy_button, fold, form, headline, with_panel},
+    ui::kit::{
+        self, Column, Form, GROUP, Row, Table, copy_button, fold, form, headline, with_panel,
+    },
 };
 
 /// What people and tests call the controls.
@@ -172,11 +174,11 @@ impl PrismView {
             let always = "By rays alone: no supernumerary bows, as in drops above 0.5 mm. The \
                           ground, the sky behind and the person are drawn, not computed.";
             notes(ui, said.chain([always]));
-            if !shown.rows.is_empty() {
+            if !shown.table.is_empty() {
                 fold(ui, "lines", "Every line in figures", |ui| {
-                    lines(ui, context, (&*RAINBOW_COLUMNS, &shown.rows, &[]), || {
-                        shown.csv()
-                    });
+                    let columns = kit::columns(&shown.table, &[2.2, 1.0, 1.0, 1.0, 1.0, 1.0]);
+                    let rows: Vec<Vec<String>> = shown.table.shown().collect();
+                    lines(ui, context, (&columns, &rows, &[]), || shown.table.csv());
                 });
             }
         };
@@ -293,24 +295,5 @@ static PRISM_COLUMNS: LazyLock<[Column; 8]> = LazyLock::new(|| {
              length of the glass.",
             1.4,
         ),
-    ]
-});
-
-static RAINBOW_COLUMNS: LazyLock<[Column; 6]> = LazyLock::new(|| {
-    [
-        Column::words(
-            "line",
-            "What it is named after, by all lines together.",
-            2.2,
-        ),
-        Column::numbers("wavelength", "In air.", 1.0),
-        Column::numbers("n", "Index of refraction of water there.", 1.0),
-        Column::numbers("first bow \u{b0}", "After one reflection in the drop.", 1.0),
-        Column::numbers(
-            "second bow \u{b0}",
-            "After two reflections in the drop.",
-            1.0,
-        ),
-        Column::numbers("polarised %", "Of the first bow's light.", 1.0),
     ]
 });

@@ -333,7 +333,7 @@ fn dip_table(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet, ro
                  the same family are in the measured curve too.",
             );
             let meaning = "Copies places, weights, depths and names as a table.";
-            copy_button(ui, names::COPY, meaning, || found.csv.clone());
+            copy_button(ui, names::COPY, meaning, || found.table.csv());
         }
     });
     if rows.is_empty() {

@@ -12,8 +12,9 @@ use crate::{
             bounces::{Bounced, TOLD, errors},
             resampling::{way_meaning, way_name},
         },
+        numbers::delta_e,
         products::{BouncesMemory, ModelledLight},
-        studies::{Stage, paper::delta_e},
+        studies::Stage,
         verdicts::HARD_TO_SEE,
     },
     study::Progress,
@@ -126,7 +127,7 @@ fn figures(ui: &mut Ui, context: &mut PageContext<'_>, bounced: &Bounced, added:
     };
     let app = context.app;
     let copied = "Copies total and added errors behind every number of bounces as a table.";
-    titled(ui, title, names::COPY, copied, || bounced.csv(app));
+    titled(ui, title, names::COPY, copied, || bounced.table(app).csv());
     let mut columns = vec![Column::words(
         "way",
         "How products are formed. Click a row to form all products so.",

@@ -13,7 +13,7 @@ use crate::{
         headlines,
         products::{
             ROOM_PERCENT,
-            two_lights::{NoMetamer, TwoLightsSheet, pairs_csv},
+            two_lights::{NoMetamer, TwoLightsSheet, pairs_table},
         },
         studies::{Pairs, PairsAsk, Stage},
         verdicts::Seen,
@@ -326,7 +326,7 @@ fn list(ui: &mut Ui, context: &mut PageContext<'_>, found: Option<(&Found, &[Row
             among(ui, context, names::AMONG, meaning, everywhere);
         copy_button(ui, names::COPY_PAIRS, "", || {
             found.map_or_else(String::new, |(found, _)| {
-                pairs_csv(&found.lights, &found.pairs)
+                pairs_table(&found.lights, &found.pairs).csv()
             })
         });
         let job = context.studies.of::<PairsAsk>();

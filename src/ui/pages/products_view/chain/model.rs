@@ -7,7 +7,7 @@ use super::{super::take_way, names};
 use crate::{
     app::{
         charts::products::chain::{ChainSheet, Place},
-        product_report::{scaled, spikes_csv, stages_csv},
+        product_report::{scaled, spikes_table, stages_table},
         products::KnownLines,
         ticks::{hundredths, short},
     },
@@ -27,7 +27,7 @@ pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainShee
         if pressed(ui, names::COPY_STAGES, meaning) {
             let chain = &context.app.document().products.chain;
             ui.ctx()
-                .copy_text(stages_csv(context.app, &sheet.told, chain));
+                .copy_text(stages_table(context.app, &sheet.told, chain).csv());
         }
     });
     ui.add_space(4.0);
@@ -130,7 +130,7 @@ fn spike_table(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet, place
                 Place::Stage(index) => &sheet.told.names[index],
             };
             ui.ctx()
-                .copy_text(spikes_csv(app, stage, spikes, &sheet.told.known));
+                .copy_text(spikes_table(app, stage, spikes, &sheet.told.known).csv());
         }
     });
     if spikes.is_empty() {

@@ -11,17 +11,14 @@ use crate::{
         chart::Chart,
         charts::products::narrow::{Behind, Figures, Filter, FilterRow, WAY_MEANINGS, WAYS},
         headlines,
+        numbers::{delta_e, figure, percent},
         products::{NarrowMemory, PASS_WIDTHS_NM},
-        studies::paper::{delta_e, figure, percent},
     },
     color::Swatch,
     spectrum::Band,
     study::products::NarrowPoint,
     ui::{
-        kit::{
-            Chooser, Column, Row, drawing, headline, scrolled, table, titled, transmittances,
-            two_columns,
-        },
+        kit::{self, Chooser, drawing, headline, scrolled, titled, transmittances, two_columns},
         pages::PageContext,
         swatch,
     },
@@ -183,64 +180,34 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, band: Band) {
 
 /// Every shipped filter glass and the user's own filters.
 fn filters(ui: &mut Ui, context: &mut PageContext<'_>, behind: &Behind, rows: &[FilterRow]) {
-    let app = context.app;
+    let table = behind.filters_table(context.app, rows);
     ui.add_space(4.0);
     titled(
         ui,
         "Behind measured filters and glasses",
         names::COPY,
         "Copies all filters with what the three are off by as a table.",
-        || behind.csv(app, rows),
+        || table.csv(),
     );
     if rows.is_empty() {
         ui.weak("There are no filters.");
         return;
     }
-    let mut columns = vec![
-        Column::words(
-            "filter",
-            "Measured transmittance. Click a row to put it over the light.",
-            3.4,
-        ),
-        Column::numbers(
-            "luminance",
-            "Y of the exact light behind the filter over that of the whole light, percent.",
-            1.1,
-        ),
-    ];
-    columns.extend((0..WAYS.len()).map(|way| {
-        let meaning = format!("CIEDE2000. {}", WAY_MEANINGS[way]);
-        Column::numbers(WAYS[way], &meaning, 1.2)
-    }));
-    let told: Vec<Row> = rows
-        .iter()
-        .map(|row| {
-            let errors = row.figures.ways.map(|way| delta_e(way.delta_e_2000));
-            let name = row.entry.name();
-            Row {
-                name: format!("Filter {name}: {}", errors.join(", ")),
-                note: format!("{name}\nClick to put it over the light."),
-                cells: [
-                    name.to_owned(),
-                    match row.figures.luminance {
-                        Some(share) => format!("{} %", percent(share)),
-                        None => "–".to_owned(),
-                    },
-                ]
-                .into_iter()
-                .chain(errors)
-                .collect(),
-                ..Row::default()
-            }
-        })
-        .collect();
+    let columns = kit::columns(&table, &[3.4, 1.1, 1.2, 1.2, 1.2]);
+    let told = kit::rows(&table, |_, cells| {
+        let name = &cells[0];
+        [
+            format!("Filter {name}: {}", cells[2..].join(", ")),
+            format!("{name}\nClick to put it over the light."),
+        ]
+    });
     let memory = &mut context.memory.products.narrow;
     let chosen = memory
         .filter
         .as_ref()
         .and_then(|key| rows.iter().position(|row| row.entry.key == *key));
     let theme = context.theme;
-    let clicked = table(ui, &columns, &told, chosen, true, theme);
+    let clicked = kit::table(ui, &columns, &told, chosen, true, theme);
     if let Some(row) = clicked.and_then(|index| rows.get(index)) {
         let key = &row.entry.key;
         memory.filter = Some(key.clone()).filter(|key| memory.filter.as_ref() != Some(key));

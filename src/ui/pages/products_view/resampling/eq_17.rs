@@ -5,13 +5,12 @@ use eframe::egui::Ui;
 use super::names;
 use crate::{
     app::{
-        App,
-        charts::products::resampling::Bench,
-        studies::paper::{delta_e, figure},
+        charts::products::resampling::{Bench, EQ_17_COST},
+        numbers::delta_e,
         ticks::short,
     },
     ui::{
-        kit::{Column, Row, table, titled},
+        kit::{self, Row, titled},
         pages::PageContext,
     },
 };
@@ -19,13 +18,13 @@ use crate::{
 /// Eq. 17 at the light's spikes, as a table.
 pub(super) fn show(ui: &mut Ui, context: &PageContext<'_>, bench: &Bench) {
     ui.add_space(6.0);
-    let app: &App = context.app;
+    let table = bench.spikes_table(context.app);
     titled(
         ui,
         "The factor at each spike, and what reading it so costs",
         names::COPY_SPIKES,
         "Copies Eq. 17 at every spike as a table.",
-        || bench.spikes_csv(app),
+        || table.csv(),
     );
     let costs = &bench.spikes;
     if costs.each.is_empty() {
@@ -36,31 +35,13 @@ pub(super) fn show(ui: &mut Ui, context: &PageContext<'_>, bench: &Bench) {
         "Costs are against the factor as measured: where the series is far off, a wrong reading \
          may come out nearer by chance. The page \"The paper checked\" compares with the series.",
     );
-    let mut rows: Vec<Row> = costs
-        .each
-        .iter()
-        .map(|(reading, [series, corrected, printed])| {
-            let at = format!("{:.1}", reading.spike.at_nm);
-            Row {
-                name: format!("Spike at {at} nm"),
-                note: format!(
-                    "Weight of the spike: {}.\n{COST}",
-                    short(reading.spike.weight)
-                ),
-                cells: vec![
-                    at,
-                    figure(reading.measured),
-                    figure(reading.series),
-                    delta_e(*series),
-                    figure(reading.linear),
-                    delta_e(*corrected),
-                    figure(reading.printed),
-                    delta_e(*printed),
-                ],
-                ..Row::default()
-            }
-        })
-        .collect();
+    let mut rows = kit::rows(&table, |i, cells| {
+        let weight = short(costs.each[i].0.spike.weight);
+        [
+            format!("Spike at {} nm", cells[0]),
+            format!("Weight of the spike: {weight}.\n{EQ_17_COST}"),
+        ]
+    });
     let [series, corrected, printed] = costs.all;
     rows.push(Row {
         name: "All spikes".to_owned(),
@@ -69,39 +50,15 @@ pub(super) fn show(ui: &mut Ui, context: &PageContext<'_>, bench: &Bench) {
             "all".to_owned(),
             String::new(),
             String::new(),
+            String::new(),
+            String::new(),
             delta_e(series),
-            String::new(),
             delta_e(corrected),
-            String::new(),
             delta_e(printed),
         ],
         ..Row::default()
     });
     let last = rows.len() - 1;
-    table(ui, &columns(), &rows, Some(last), false, context.theme);
-}
-
-const COST: &str =
-    "CIEDE2000 against the same product with this spike weighed by the factor as measured there.";
-
-fn columns() -> [Column; 8] {
-    [
-        Column::numbers("at nm", "The spike's wavelength, nm.", 0.9),
-        Column::numbers("measured", "The factor as measured there.", 1.1),
-        Column::numbers(
-            "series",
-            "The factor's series evaluated exactly at the spike: what this program does.",
-            1.0,
-        ),
-        Column::numbers("ΔE₀₀", COST, 1.2),
-        Column::numbers(
-            "corrected",
-            "Eq. 17 with its two weights exchanged: the straight line between two of the paper's \
-             points.",
-            1.3,
-        ),
-        Column::numbers("ΔE₀₀", COST, 1.2),
-        Column::numbers("as printed", "Eq. 17 with its weights as printed.", 1.2),
-        Column::numbers("ΔE₀₀", COST, 1.2),
-    ]
+    let columns = kit::columns(&table, &[0.9, 1.1, 1.0, 1.2, 1.2, 1.2, 1.3, 1.3]);
+    kit::table(ui, &columns, &rows, Some(last), false, context.theme);
 }

@@ -14,10 +14,8 @@ use crate::{
         chart::{Chart, Ink},
         charts::products::resampling::{Bench, time_of, way_meaning, way_name},
         headlines,
-        studies::{
-            Stage, TimingAsk,
-            paper::{delta_e, figure},
-        },
+        numbers::{delta_e, figure},
+        studies::{Stage, TimingAsk},
     },
     io::many::numbers,
     spectrum::Sampling,
@@ -167,7 +165,7 @@ fn figures(
         "The same product by every way",
         names::COPY,
         "Copies the ways and their figures as a table.",
-        || bench.csv(app, times),
+        || bench.table(app, times).csv(),
     );
     let ways = &bench.resampled.ways;
     let rows: Vec<Row> = ways.iter().map(|way| row(way, times)).collect();

@@ -12,7 +12,7 @@ use super::{
 use crate::{
     app::{
         ByAddress, Memo,
-        products::same_surface::{SameSurfaceSheet, ranking_csv},
+        products::same_surface::{SameSurfaceSheet, ranking},
         studies::{RankAsk, Ranked, Stage},
     },
     study::products::Sameness,
@@ -36,7 +36,7 @@ pub(super) fn show(
     ui.horizontal_wrapped(|ui| {
         ui.strong("Which surface explains it best?");
         copy_button(ui, names::COPY, "", || {
-            let csv = |ranked: &Arc<Vec<Ranked>>| ranking_csv(&sheet.names, ranked);
+            let csv = |ranked: &Arc<Vec<Ranked>>| ranking(&sheet.names, ranked).csv();
             ranked.as_ref().map_or_else(String::new, csv)
         });
     });

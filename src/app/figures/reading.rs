@@ -114,3 +114,18 @@ pub(super) fn of_dominant(nm: f64) -> String {
         format!("the hue of {name} light")
     }
 }
+
+pub(super) fn of_edi(lux: f64) -> String {
+    let reaches = if lux >= 250.0 { "reaches" } else { "below" };
+    format!("{reaches} the 250 lx at the eye advised by day (Brown et al. 2022)")
+}
+
+pub(super) fn of_peak(figures: &Figures) -> String {
+    let peak = figures.shape.as_ref().map(|shape| &shape.peak);
+    match peak {
+        Ok(Ok(peak)) if peak.is_at_end => {
+            "where the table or the visible ends: it may be higher beyond".to_owned()
+        }
+        _ => String::new(),
+    }
+}

@@ -1,0 +1,165 @@
+//! Every figure, once: its key in files, its names, unit, digits and meaning, and how it is
+//! computed. Files, words, panels, charts, tables, lessons and instruments' own values walk these
+//! rows: a new figure is what computes it, and its row.
+//!
+//! ```text
+//! model    errors of models, for each measure of `study`
+//! colour   figures of a colour of the model or the measured spectrum
+//! quality  figures of light quality, and where JSON has them
+//! reading  what a figure of quality means in plain words
+//! ```
+
+mod colour;
+mod model;
+mod quality;
+mod reading;
+
+pub use colour::{ColourFigure, OF_COLOUR, OF_LIGHT, by_key};
+pub use model::SHARES;
+pub use quality::{OF_QUALITY, QualityFigure, TLCI, of_quantity};
+
+use super::numbers::{fixed, significant};
+
+/// The unit of a figure where it is shown; files have shares of 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unit {
+    /// For axes and titles.
+    pub sign: &'static str,
+    /// Behind a number; CIEDE2000 has ΔE₀₀ before it instead.
+    pub tail: &'static str,
+    /// Its count in the unit of files.
+    pub factor: f64,
+}
+
+const fn unit(sign: &'static str, tail: &'static str, factor: f64) -> Unit {
+    Unit { sign, tail, factor }
+}
+
+impl Unit {
+    /// CIEDE2000.
+    pub const DELTA_E: Self = unit("ΔE₀₀", "", 1.0);
+    /// Of shares.
+    pub const PERCENT: Self = unit("%", " %", 100.0);
+    const KELVIN: Self = unit("K", " K", 1.0);
+    const NANOMETRE: Self = unit("nm", " nm", 1.0);
+    /// Of counts and pure numbers.
+    pub const NONE: Self = unit("", "", 1.0);
+}
+
+/// Names, unit and meaning of a figure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Figure {
+    /// In files. Figures of a colour that share a key stand there as a list.
+    pub key: &'static str,
+    /// In menus and over charts.
+    pub title: &'static str,
+    /// Over a narrow column.
+    pub short: &'static str,
+    /// What it is shown in.
+    pub unit: Unit,
+    /// Decimals in that unit.
+    pub digits: usize,
+    /// A plus is written.
+    pub signed: bool,
+    /// Definition, of quality its standard and data; a sentence or more.
+    pub meaning: &'static str,
+    /// The report's words, `{}` being the number; empty where it says it elsewhere.
+    pub said: &'static str,
+    /// Behind "under 1 %": the error that is meant.
+    pub goal: &'static str,
+}
+
+/// The least error that is drawn or written, in ΔE₀₀ or percent: axes are logarithmic, and values
+/// below this are indistinguishable from zero.
+pub const SMALLEST: f64 = 1e-4;
+
+impl Figure {
+    /// A value in the unit.
+    pub fn shown(&self, value: f64) -> f64 {
+        value * self.unit.factor
+    }
+
+    /// An error on a logarithmic axis.
+    pub fn drawn(&self, error: f64) -> f64 {
+        self.shown(error).max(SMALLEST)
+    }
+
+    /// A value with its digits: `17.53 %`.
+    pub fn written(&self, value: f64) -> String {
+        let (digits, tail) = (self.digits, self.unit.tail);
+        let mut shown = self.shown(value);
+        if !self.signed {
+            return format!("{}{tail}", fixed(shown, digits));
+        }
+        if self.unit == Unit::PERCENT {
+            let whole = 10_f64.powi(digits as i32);
+            // Adding zero turns -0 into 0.
+            shown = (self.unit.factor * whole * value).round() / whole + 0.0;
+        }
+        format!("{shown:+.digits$}{tail}")
+    }
+
+    /// A value as the report says it.
+    pub fn say(&self, value: f64) -> String {
+        self.said.replace("{}", &self.written(value))
+    }
+
+    /// An error in three digits: `0.0123`, `12.3 %`, a dash where there is none.
+    pub fn brief(&self, error: Option<f64>) -> String {
+        error.map_or_else(|| "–".to_owned(), |e| brief(self.shown(e), self.unit))
+    }
+
+    /// Title and unit, for an axis.
+    pub fn with_unit(&self) -> String {
+        format!("{}, {}", self.title, self.unit.sign)
+    }
+}
+
+/// An error in its unit in three digits, which is what it is good for.
+pub fn brief(shown: f64, unit: Unit) -> String {
+    let tail = unit.tail;
+    if shown < SMALLEST {
+        format!("<{SMALLEST}{tail}")
+    } else {
+        format!("{}{tail}", significant(shown, 3))
+    }
+}
+
+const NUMBER: Figure = Figure {
+    key: "",
+    title: "",
+    short: "",
+    unit: Unit::NONE,
+    digits: 4,
+    signed: false,
+    meaning: "",
+    said: "",
+    goal: "",
+};
+
+type Words = &'static str;
+
+const fn number(key: Words, digits: usize, meaning: Words) -> Figure {
+    Figure {
+        key,
+        digits,
+        meaning,
+        ..NUMBER
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::Measure;
+
+    #[test]
+    fn numbers_are_written_in_their_unit_and_zero_has_no_minus() {
+        assert_eq!(Measure::Rms.figure().written(0.1234), "12.34 %");
+        assert_eq!(Measure::Energy.figure().written(-1e-9), "+0.000 %");
+        assert_eq!(Measure::Own.figure().brief(Some(0.012_345)), "0.0123");
+        assert_eq!(Measure::Rms.figure().brief(Some(1e-9)), "<0.0001 %");
+        assert_eq!(Measure::Rms.figure().brief(None), "–");
+        assert_eq!(OF_LIGHT[0].figure.written(6503.6), "6504 K");
+    }
+}

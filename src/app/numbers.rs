@@ -1,0 +1,135 @@
+//! Numbers in words, for people: how many digits, which sign, what stands where there is none.
+//!
+//! Files have numbers in full, by `cells`.
+
+use super::ticks::{hundredths as two_decimals, short};
+
+/// Stands where there is no number.
+pub const DASH: &str = "–";
+
+/// A number in words, or a dash where there is none or it is not finite.
+pub fn or_dash(value: impl Into<Option<f64>>, words: impl FnOnce(f64) -> String) -> String {
+    let value = value.into().filter(|value| value.is_finite());
+    value.map_or_else(|| DASH.to_owned(), words)
+}
+
+/// Decimals, and no minus before a zero.
+pub fn fixed(value: f64, digits: usize) -> String {
+    let words = format!("{value:.digits$}");
+    match words.strip_prefix('-') {
+        Some(rest) if is_zero(rest) => rest.to_owned(),
+        _ => words,
+    }
+}
+
+/// Decimals with a sign; a zero has none.
+pub fn signed(value: f64, digits: usize) -> String {
+    let words = format!("{value:+.digits$}");
+    if is_zero(&words[1..]) {
+        words[1..].to_owned()
+    } else {
+        words
+    }
+}
+
+fn is_zero(digits: &str) -> bool {
+    digits.chars().all(|c| matches!(c, '0' | '.'))
+}
+
+/// Significant digits, noughts behind the point left out: `0.0123`, `12.3`.
+pub fn significant(value: f64, digits: usize) -> String {
+    let decimals = digits.saturating_sub(1);
+    short(format!("{value:.decimals$e}").parse().unwrap_or(value))
+}
+
+/// Two significant digits.
+pub fn two_digits(value: f64) -> String {
+    significant(value, 2)
+}
+
+/// Three significant digits, as errors are good for; a dash for none.
+pub fn figure(value: impl Into<Option<f64>>) -> String {
+    or_dash(value, |v| significant(v, 3))
+}
+
+/// An error in few letters: less than a ten-thousandth is told as that.
+pub fn error(value: f64) -> String {
+    or_dash(value, |value| match value {
+        v if v < 1e-4 => "<.0001".to_owned(),
+        v if v < 0.01 => format!("{v:.4}"),
+        v if v < 1.0 => format!("{v:.3}"),
+        v if v < 100.0 => format!("{v:.2}"),
+        v => format!("{v:.0}"),
+    })
+}
+
+/// Decimals, or a dash.
+pub fn decimals(value: impl Into<Option<f64>>, digits: usize) -> String {
+    or_dash(value, |value| fixed(value, digits))
+}
+
+/// Shares below this are the rounding of sums, not of a model.
+pub const ROUNDING: f64 = 1e-10;
+
+/// A share in percent, three digits without the sign; a dash for none, 0 for rounding.
+pub fn percent(share: impl Into<Option<f64>>) -> String {
+    or_dash(share, |share| match share {
+        share if share.abs() < ROUNDING => "0".to_owned(),
+        share => figure(100.0 * share),
+    })
+}
+
+/// A share with its sign of percent and two decimals, or a dash.
+pub fn share_words(share: impl Into<Option<f64>>) -> String {
+    // Rounded first, so that halves go away from zero.
+    or_dash(share, |share| {
+        format!("{} %", fixed((1e4 * share).round() / 1e2, 2))
+    })
+}
+
+/// A colour difference: two decimals, a bound for what is below any meaning, a dash for none.
+pub fn delta_e(value: impl Into<Option<f64>>) -> String {
+    or_dash(value, two_decimals)
+}
+
+/// Four decimals where they tell it, four digits elsewhere; a dash for none.
+pub fn four_digits(value: impl Into<Option<f64>>) -> String {
+    or_dash(value, |value| match value.abs() {
+        size if size >= 1e4 || (size > 0.0 && size < 1e-3) => short(value),
+        _ => format!("{value:.4}"),
+    })
+}
+
+/// Nanoseconds, a decimal below 100.
+pub fn nanoseconds(ns: f64) -> String {
+    fixed(ns, usize::from(ns < 100.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_zero_has_no_sign() {
+        assert_eq!(fixed(-0.000_01, 4), "0.0000");
+        assert_eq!(fixed(-0.000_06, 4), "-0.0001");
+        assert_eq!(fixed(-0.4, 0), "0");
+        assert_eq!(fixed(583.46, 1), "583.5");
+        assert_eq!(signed(-0.000_01, 3), "0.000");
+        assert_eq!(signed(0.012, 2), "+0.01");
+        assert_eq!(share_words(-0.123_45), "-12.35 %");
+        assert_eq!(share_words(-1e-9), "0.00 %");
+    }
+
+    #[test]
+    fn no_number_is_a_dash_and_small_ones_are_bounds() {
+        assert_eq!(figure(None), DASH);
+        assert_eq!(figure(f64::NAN), DASH);
+        assert_eq!(figure(0.012_345), "0.0123");
+        assert_eq!([percent(1e-12), percent(0.25)], ["0", "25"]);
+        assert_eq!([delta_e(1e-9), delta_e(1.234_5)], ["< 0.01", "1.23"]);
+        assert_eq!(error(1e-9), "<.0001");
+        assert_eq!(error(0.012_34), "0.012");
+        assert_eq!(nanoseconds(99.96), "100.0");
+    }
+}
