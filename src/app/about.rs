@@ -101,6 +101,9 @@ fn table_words(entry: &Entry) -> String {
             format!("{of}, {steps}{}", from.unwrap_or_default())
         }
         None if entry.spectrum.source.is_empty() => String::new(),
+        None if entry.spectrum.source.starts_with("made ") => {
+            format!("{}, {steps}", capitalised(&entry.spectrum.source))
+        }
         None => format!("From {}, {steps}", entry.spectrum.source),
     }
 }

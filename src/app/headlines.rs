@@ -55,8 +55,9 @@ pub fn dark_lines(app: &App, dips: &[DipRow]) -> String {
     }
 }
 
-/// How much of the light passes a chain, and how well one sees what the model is off by.
-pub fn chain(light: &str, told: &Told) -> String {
+/// How much of the light passes a chain, and how well one sees what the model is off by where that
+/// is asked.
+pub fn chain(light: &str, told: &Told, judges_model: bool) -> String {
     let total = told.passage.total();
     let through = match told.names.as_slice() {
         [] => return format!("Put glass or a surface behind {light}: add a step."),
@@ -67,7 +68,7 @@ pub fn chain(light: &str, told: &Told) -> String {
         || format!("{light} is not seen on this range"),
         |share| format!("{} % of {light} is left after {through}", percent(share)),
     );
-    match total.colours.delta_e_2000 {
+    match total.colours.delta_e_2000.filter(|_| judges_model) {
         Some(off) => format!(
             "{passes}. The model's colour is off by ΔE₀₀ {}: {}.",
             hundredths(off),
@@ -258,10 +259,10 @@ mod tests {
         let light = ModelledLight::of(&app);
         let chain = &app.document().products.chain;
         assert!(!chain.is_empty());
-        let words = super::chain("FL2", &Told::of(&app, &light, chain));
+        let words = super::chain("FL2", &Told::of(&app, &light, chain), true);
         assert_says(&words, "% of FL2 is left after");
         assert_says(&words, ": hard to see.");
-        let none = super::chain("FL2", &Told::of(&app, &light, &[]));
+        let none = super::chain("FL2", &Told::of(&app, &light, &[]), true);
         assert_eq!(none, "Put glass or a surface behind FL2: add a step.");
     }
 

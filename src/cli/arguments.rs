@@ -393,7 +393,7 @@ pub(super) struct Render {
     pub page: Page,
     /// A lesson that is being taken: its name or its file, at its first step or another (waves:2,
     /// mine.json:2). It brings its own light and page.
-    #[arg(long, value_name = "NAME|FILE[:STEP]")]
+    #[arg(long, value_name = "LESSON[:STEP]")]
     pub lesson: Option<String>,
     /// The step with its task done and its answer told.
     #[arg(long, requires = "lesson")]

@@ -16,7 +16,7 @@ use crate::{
     app::{
         App,
         lessons::{
-            self, Findings, Lesson,
+            self, Fault, Findings, Lesson,
             handout::{Form, Reader, handout},
             shelf,
         },
@@ -41,6 +41,7 @@ pub(super) fn run(
         json,
         pupil,
         teacher,
+        language,
         out: path,
         force,
     } = options;
@@ -53,7 +54,8 @@ pub(super) fn run(
         (None, None, None) => list(*json, out),
         (Some(LessonAct::Check), Some(word), None) => check(word, pictures, out),
         (Some(LessonAct::Handout), Some(word), Some(path)) => {
-            sheet(word, (path, *force), readers, pictures, out)
+            let lesson = in_language(word, language.as_deref())?;
+            sheet((word, &lesson), (path, *force), readers, pictures, out)
         }
         (Some(LessonAct::Handout), _, None) => Err(Refusal::Usage(
             "lessons handout: found no --out, expected a file that ends in .md, .html or .pdf"
@@ -101,7 +103,10 @@ fn of_lesson(lesson: &Lesson) -> Value {
 }
 
 fn check(word: &str, pictures: Option<&dyn Pictures>, out: &mut dyn Write) -> Result<(), Refusal> {
-    let lesson = shelf::named(word).map_err(Refusal::file)?;
+    let lesson = match shelf::read_named(word) {
+        Ok(lesson) => lesson,
+        Err(faults) => return refuse(word, &faults, out),
+    };
     let names = |app: &App, memory: &PageMemory| {
         let preferences = Preferences {
             pages: memory.clone(),
@@ -110,16 +115,7 @@ fn check(word: &str, pictures: Option<&dyn Pictures>, out: &mut dyn Write) -> Re
         pictures?.names(app, &preferences)
     };
     let found = lessons::check(&lesson, &names);
-    match &found.faults[..] {
-        [] => {}
-        [only] => return Err(Refusal::file(only)),
-        all => {
-            print(out, &(Findings::lines(all) + "\n"))?;
-            let count = all.len();
-            let words = format!("{}: found {count} faults, expected none", lesson.name);
-            return Err(Refusal::file(words));
-        }
-    }
+    refuse(&lesson.name, &found.faults, out)?;
     let (title, steps) = (one_line(&lesson.title), lesson.steps.len());
     let with = match lesson.also.len() {
         0 => String::new(),
@@ -131,6 +127,20 @@ fn check(word: &str, pictures: Option<&dyn Pictures>, out: &mut dyn Write) -> Re
         out,
         &format!("{title}: {steps} steps, played through{with}.\n{advice}"),
     )
+}
+
+/// Tells all faults there are.
+fn refuse(name: &str, faults: &[Fault], out: &mut dyn Write) -> Result<(), Refusal> {
+    match faults {
+        [] => Ok(()),
+        [only] => Err(Refusal::file(only)),
+        all => {
+            print(out, &(Findings::lines(all) + "\n"))?;
+            let count = all.len();
+            let words = format!("{name}: found {count} faults, expected none");
+            Err(Refusal::file(words))
+        }
+    }
 }
 
 /// The page of a step in a window of a laptop's size, light as paper is.
@@ -148,14 +158,26 @@ fn page_picture(
     Some(pictures?.window(app, &preferences, SIZE))
 }
 
+/// A lesson in one of the languages that it has texts in.
+fn in_language(word: &str, code: Option<&str>) -> Result<Lesson, Refusal> {
+    let lesson = shelf::named(word).map_err(Refusal::file)?;
+    match code {
+        Some(code) if !lesson.languages().contains(&code) => Err(Refusal::Usage(format!(
+            "--language: found {code}, expected one of {}",
+            lesson.languages().join(", ")
+        ))),
+        Some(code) => Ok(lesson.in_language(code)),
+        None => Ok(Lesson::clone(&lesson)),
+    }
+}
+
 fn sheet(
-    word: &str,
+    (word, lesson): (&str, &Lesson),
     (path, force): (&Path, bool),
     readers: &[Reader],
     pictures: Option<&dyn Pictures>,
     out: &mut dyn Write,
 ) -> Result<(), Refusal> {
-    let lesson = shelf::named(word).map_err(Refusal::file)?;
     let form = match words::extension(path).as_str() {
         "html" => Form::Html,
         "pdf" => Form::Pdf,
@@ -163,7 +185,7 @@ fn sheet(
     };
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let page = |app: &App, memory: &PageMemory| page_picture(pictures, app, memory);
-    let sheet = handout(&lesson, readers, form, &stem, &page).map_err(Refusal::file)?;
+    let sheet = handout(lesson, readers, form, &stem, &page).map_err(Refusal::file)?;
     let beside = sheet.pictures.iter();
     let beside = beside.map(|(end, picture)| {
         let file = path.with_file_name(format!("{stem}{end}"));

@@ -16,6 +16,7 @@ use crate::app::{
     behind_slit::BehindSlit,
     verdicts::Seen,
 };
+use crate::io::many;
 
 /// Below this height swatch, word and numbers stand in one line, points.
 const LINE: f32 = 56.0;
@@ -70,7 +71,7 @@ pub(super) fn brief(ui: &mut Ui, app: &App, theme: Theme) {
                             .on_hover_text(behind.step.meaning_behind_slit());
                     }
                     let (numbers, instead) = counts(app);
-                    let words = format!("{numbers} numbers, not {instead}");
+                    let words = format!("{}, not {instead}", many::numbers(numbers));
                     ui.add(Label::new(words).wrap());
                 });
             });
@@ -104,7 +105,8 @@ pub(super) fn presented(ui: &mut Ui, app: &App, theme: Theme) {
     ui.horizontal(|ui| {
         let size = 32.0 * theme.scale;
         ui.label(RichText::new(numbers.to_string()).size(size).color(strong));
-        ui.label(format!("numbers,\nnot {instead}"));
+        let word = if numbers == 1 { "number" } else { "numbers" };
+        ui.label(format!("{word},\nnot {instead}"));
     });
 }
 
@@ -147,6 +149,9 @@ fn brief_line(ui: &mut Ui, app: &App, theme: Theme, height: f32) {
     ui.label(words).on_hover_text(verdict(app, seen));
     let (numbers, instead) = counts(app);
     let (off, of) = (figure(worst.delta_e_2000), of_how_many(app));
-    let words = format!("ΔE₀₀ {off} at worst{of}, {numbers} numbers, not {instead}");
+    let words = format!(
+        "ΔE₀₀ {off} at worst{of}, {}, not {instead}",
+        many::numbers(numbers)
+    );
     ui.add(Label::new(words).truncate());
 }

@@ -5,6 +5,7 @@ use egui::{Align, Button, Label, Layout, ProgressBar, Rect, RichText, ScrollArea
 
 use super::{
     kit::{framed, pressed, pressed_if, sign_button, warning},
+    linked::Linked,
     theme::{Theme, Wake},
     trial_view::TrialView,
 };
@@ -37,6 +38,9 @@ pub(super) enum Wish {
 /// Size of what is read, points: on a desk and at a projector.
 const TYPE: [f32; 2] = [18.0, 28.0];
 
+/// Height of the faded edge of what is scrolled, points.
+const FADE: f32 = 28.0;
+
 /// What the column keeps from frame to frame.
 #[derive(Default)]
 pub(super) struct LessonView {
@@ -44,9 +48,22 @@ pub(super) struct LessonView {
     /// The step whose reasons were brought into view, once.
     brought: Option<usize>,
     trial: TrialView,
+    linked: Linked,
 }
 
 impl LessonView {
+    /// Closes the word of the glossary that is open; whether there was one.
+    pub(super) fn close_word(&mut self) -> bool {
+        let was_open = self.linked.is_open();
+        self.linked.close();
+        was_open
+    }
+
+    /// Draws the word of the glossary that is open beside the column, which ends at `column`.
+    pub(super) fn word(&mut self, context: &egui::Context, column: f32, theme: Theme) {
+        self.linked.show(context, column, theme);
+    }
+
     pub(super) fn show(
         &mut self,
         ui: &mut Ui,
@@ -56,7 +73,8 @@ impl LessonView {
         theme: Theme,
     ) -> Vec<Wish> {
         let key = (app.revision(), memory.clone(), run.index(), run.is_told());
-        let trial = &mut self.trial;
+        let (trial, linked) = (&mut self.trial, &mut self.linked);
+        linked.begin();
         let shown = &*self.shown.get(key, |_| run.shown(app, memory));
         let mut wishes = Vec::new();
         let size = TYPE[usize::from(theme.scale > 1.0)];
@@ -72,11 +90,13 @@ impl LessonView {
             .max_height((ui.available_height() - foot).max(80.0))
             .show(ui, |ui| {
                 ui.set_max_width(ui.available_width() - 10.0);
-                let end = body(ui, run, shown, theme, &mut wishes);
+                let end = body(ui, (run, shown), linked, theme, &mut wishes);
                 let tells = run.is_told() && !run.begins_told();
+                // What lies at the lower edge is faded.
+                ui.add_space(FADE);
                 if tells && self.brought != Some(run.index()) {
                     // The one sentence that matters must not stay below the fold.
-                    ui.scroll_to_rect(end, None);
+                    ui.scroll_to_rect(end.with_max_y(end.bottom() + FADE), None);
                 }
                 self.brought = tells.then(|| run.index());
                 if run.is_last() && run.is_told() {
@@ -125,16 +145,22 @@ fn head(ui: &mut Ui, run: &Run, wishes: &mut Vec<Wish>) {
 }
 
 /// The step's words; gives where its reasons stand.
-fn body(ui: &mut Ui, run: &Run, shown: &Shown, theme: Theme, wishes: &mut Vec<Wish>) -> Rect {
-    let strong = ui.visuals().strong_text_color();
-    ui.add(Label::new(&shown.say).wrap());
+fn body(
+    ui: &mut Ui,
+    (run, shown): (&Run, &Shown),
+    linked: &mut Linked,
+    theme: Theme,
+    wishes: &mut Vec<Wish>,
+) -> Rect {
+    let [ink, strong] = [ui.visuals().text_color(), ui.visuals().strong_text_color()];
+    linked.text(ui, &shown.say, ink);
     if let Some(trouble) = run.trouble() {
         warning(ui, theme, format!("This step could not be set: {trouble}."));
     }
     if let Some(question) = &shown.question {
         ui.add_space(8.0);
         framed(ui, |ui| {
-            ui.add(Label::new(RichText::new(question).color(strong)).wrap());
+            linked.text(ui, question, strong);
             ui.add_space(4.0);
             for (index, answer) in shown.answers.iter().enumerate() {
                 self::answer(ui, run, (index, answer), theme, wishes);
@@ -163,7 +189,7 @@ fn body(ui: &mut Ui, run: &Run, shown: &Shown, theme: Theme, wishes: &mut Vec<Wi
         ui.add_space(8.0);
         framed(ui, |ui| {
             let sign = if run.is_done() { "✔" } else { "▶" };
-            ui.add(Label::new(RichText::new(format!("{sign} {task}")).color(strong)).wrap());
+            linked.text(ui, &format!("{sign} {task}"), strong);
             if !run.is_done() {
                 for meter in &shown.meters {
                     ui.weak(&meter.words);
@@ -181,13 +207,13 @@ fn body(ui: &mut Ui, run: &Run, shown: &Shown, theme: Theme, wishes: &mut Vec<Wi
     let mut end = Rect::from_pos(ui.cursor().min);
     if !shown.explain.is_empty() {
         ui.add_space(8.0);
-        end = ui.add(Label::new(&shown.explain).wrap()).rect;
+        end = linked.text(ui, &shown.explain, ink);
     }
     if run.is_last() && run.is_told() {
         let lesson = run.lesson();
         ui.add_space(8.0);
         framed(ui, |ui| {
-            ui.add(Label::new(RichText::new(&lesson.remember).color(strong)).wrap());
+            linked.text(ui, &lesson.remember, strong);
             ui.add_space(4.0);
             ui.add(Label::new(format!("Try next: {}", lesson.next)).wrap());
         });
@@ -233,7 +259,10 @@ fn foot_line(ui: &mut Ui, run: &Run, wishes: &mut Vec<Wish>) {
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if run.is_last() {
-                let meaning = "Ends the lesson; everything is as it was before.";
+                let meaning = match run.is_told() {
+                    true => "Ends the lesson; everything is as it was before.",
+                    false => "Ends the lesson. It has a tick once its last answer is told.",
+                };
                 if pressed(ui, "Finish", meaning) {
                     wishes.push(Wish::Leave);
                 }

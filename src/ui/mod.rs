@@ -19,6 +19,7 @@ pub mod kit;
 mod lesson_view;
 mod library_view;
 mod lights_quality_view;
+mod linked;
 mod lit_field;
 pub mod look_view;
 mod makers_view;

@@ -102,6 +102,15 @@ fn under_lights(ui: &mut Ui, app: &App, theme: Theme) {
     let count = shown.len().max(1) as f32;
     let width = (inside.width() - 8.0 * (count - 1.0)) / count;
     let ink = theme::grey(if theme.dark { 240 } else { 16 });
+    let mut font = egui::TextStyle::Small.resolve(ui.style());
+    let painter = ui.painter().clone();
+    let lay = |words: &str, font: &egui::FontId| {
+        painter.layout_no_wrap(words.to_owned(), font.clone(), ink)
+    };
+    let widths = shown.iter().map(|(light, _)| lay(light, &font).size().x);
+    let widest = widths.fold(width, f32::max);
+    // All in one size, in which the longest name stands below its field.
+    font.size *= (width / widest).max(0.1);
     for (k, (light, colour)) in shown.iter().enumerate() {
         let left = inside.left() + k as f32 * (width + 8.0);
         let size = vec2(width, (inside.height() - row - 2.0).max(1.0));
@@ -109,9 +118,8 @@ fn under_lights(ui: &mut Ui, app: &App, theme: Theme) {
         let mut child = ui.new_child(egui::UiBuilder::new().max_rect(field));
         let name = format!("Under {light}: {}", colour.hex());
         swatch::split(&mut child, size, colour, colour, &name).on_hover_text(name.as_str());
-        let font = egui::TextStyle::Small.resolve(ui.style());
         let at = egui::pos2(field.center().x, inside.bottom());
-        let words = ui.painter().layout_no_wrap((*light).to_owned(), font, ink);
+        let words = lay(light, &font);
         let corner = at - vec2(words.size().x / 2.0, words.size().y);
         let painter = ui.painter().with_clip_rect(field.with_max_y(room.bottom()));
         painter.galley(corner, words, ink);

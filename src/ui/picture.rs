@@ -15,6 +15,7 @@ use super::{
 use crate::app::{
     App,
     chart::{Chart, Drawing, Looks, Theme},
+    lessons::Lesson,
     workspace::Preferences,
 };
 
@@ -87,6 +88,49 @@ pub fn names(app: &App, preferences: &Preferences) -> Vec<String> {
     let mut names: Vec<String> = names.into_iter().map(|(_, _, name)| name).collect();
     names.dedup();
     names
+}
+
+/// Size of the picture of a lesson in their list, points and pixels.
+pub const LESSON: [usize; 2] = [180, 120];
+
+/// The page of a lesson's step as a class sees it, small.
+pub fn of_lesson(lesson: &Arc<Lesson>, dark: bool) -> ColorImage {
+    const WINDOW: egui::Vec2 = egui::vec2(1280.0, 720.0);
+    /// Where the page begins beside the lesson's column and below its title, and by how much it is
+    /// made smaller.
+    const CORNER: [usize; 2] = [364, 84];
+    const SMALLER: usize = 5;
+    let context = egui::Context::default();
+    let preferences = Preferences {
+        dark,
+        present: true,
+        ..Preferences::default()
+    };
+    let no_files = Arc::new(|_: &super::files::Ask| Picked::Cancelled);
+    let mut window = Window::new(App::new(), preferences, no_files, None);
+    window.quiet = true;
+    window.begin(lesson, lesson.picture.saturating_sub(1), true);
+    let whole = picture_with(&context, WINDOW, 1.0, PASSES, |ui| {
+        window.show(ui);
+        window.studies.finish();
+    });
+    let mean = |x: usize, y: usize| {
+        let square = (0..SMALLER * SMALLER).map(|at| {
+            let left = CORNER[0] + SMALLER * x + at % SMALLER;
+            let top = CORNER[1] + SMALLER * y + at / SMALLER;
+            whole.pixels[left.min(whole.size[0] - 1) + top * whole.size[0]]
+        });
+        let sums = square.fold([0_u32; 3], |sums, pixel| {
+            let [red, green, blue, _] = pixel.to_array().map(u32::from);
+            [sums[0] + red, sums[1] + green, sums[2] + blue]
+        });
+        let count = (SMALLER * SMALLER) as u32;
+        let [red, green, blue] = sums.map(|sum| (sum / count) as u8);
+        egui::Color32::from_rgb(red, green, blue)
+    };
+    let [width, height] = LESSON;
+    let pixels = (0..width * height).map(|at| mean(at % width, at / width));
+    ColorImage::new(LESSON, pixels.collect())
 }
 
 /// [`window_image`] as a PNG file.

@@ -35,7 +35,7 @@ impl Finder {
         let wanted = self.wanted.as_deref()?;
         let names = [node.label(), node.value()].into_iter().flatten();
         let fitting = names.filter(|name| name.starts_with(wanted));
-        let is_words = node.role() == Role::Label;
+        let is_words = matches!(node.role(), Role::Label | Role::TextRun);
         fitting.map(|name| (name != wanted, is_words)).min()
     }
 }
@@ -162,6 +162,10 @@ pub(super) fn ring(
     let words = painter.layout_no_wrap(label.to_owned(), font, theme.ground);
     let size = words.size() + egui::vec2(12.0, 6.0);
     let card = Rect::from_min_size(beside(rect, size, (screen, busy)), size);
+    if gap_between(card, rect) > 2.0 * RING {
+        let line = [rect.clamp(card.center()), card.clamp(rect.center())];
+        painter.line_segment(line, Stroke::new(RING, theme.warning));
+    }
     painter.rect_filled(card, 4.0, theme.warning);
     let at = Align2::CENTER_CENTER.align_size_within_rect(words.size(), card);
     painter.galley(at.min, words, theme.ground);
@@ -177,9 +181,16 @@ pub(super) fn ring(
     });
 }
 
+/// How far two places are from one another.
+fn gap_between(a: Rect, b: Rect) -> f32 {
+    let x = (a.left() - b.right()).max(b.left() - a.right()).max(0.0);
+    let y = (a.top() - b.bottom()).max(b.top() - a.bottom()).max(0.0);
+    x.hypot(y)
+}
+
 /// Where words of a size stand beside a ring: below it or above it, and at the side of a tall one,
 /// whose ends are at the edges of a plot, and of one in the top bar, below which there is text.
-/// Where they would cover something there, on that side of it where they cover least.
+/// Where they would cover something there, as near as they cover least.
 fn beside(ring: Rect, size: egui::Vec2, (screen, busy): (Rect, &[Rect])) -> egui::Pos2 {
     const TALL: f32 = 160.0;
     const BAR: f32 = 48.0;
@@ -211,9 +222,21 @@ fn beside(ring: Rect, size: egui::Vec2, (screen, busy): (Rect, &[Rect])) -> egui
         common.map(|common| common.area()).sum()
     };
     let ways = ways.map(|at| at.clamp(least, most));
-    let best = ways
-        .into_iter()
-        .min_by(|a, b| covered(*a).total_cmp(&covered(*b)));
+    const STEP: f32 = 24.0;
+    const STEPS: i32 = 14;
+    let further = (-STEPS..=STEPS).flat_map(|across| {
+        let x = ring.left() + STEP * across as f32;
+        let rows = [-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0];
+        let y = ring.center().y - size.y / 2.0;
+        let row = (ring.height() + size.y) / 2.0 + gap;
+        rows.map(|down: f32| egui::pos2(x, y + down * row).clamp(least, most))
+    });
+    let card = |at: egui::Pos2| Rect::from_min_size(at, size);
+    let cost = |at: egui::Pos2| (covered(at), gap_between(card(at), ring));
+    let best = ways.into_iter().chain(further).min_by(|a, b| {
+        let order = cost(*a).partial_cmp(&cost(*b));
+        order.unwrap_or(std::cmp::Ordering::Equal)
+    });
     best.unwrap_or(ways[0])
 }
 

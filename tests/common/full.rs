@@ -379,6 +379,7 @@ pub(crate) fn full_preferences() -> Preferences {
                 pixel: Some([4, 7]),
             },
             lessons_finished: vec!["prism".to_owned()],
+            lesson_language: "de".to_owned(),
             photograph_asked: None,
             lesson_asked: None,
         },

@@ -197,7 +197,7 @@ fn a_lamp_that_is_chosen_in_a_lesson_shines_on_the_surfaces_that_are_looked_at()
         let all = words(ui);
         let pair = all
             .iter()
-            .find(|one| one.starts_with("Surfaces: Twin of purple #"));
+            .find(|one| one.starts_with("Surfaces: Twin of the grey #"));
         let pair = pair.unwrap_or_else(|| panic!("{all:?}"));
         let hex: Vec<u32> = pair
             .split('#')
@@ -210,18 +210,18 @@ fn a_lamp_that_is_chosen_in_a_lesson_shines_on_the_surfaces_that_are_looked_at()
     };
     begun(&mut ui, &lesson, 1);
     assert!(apart(&ui) <= 1, "a twin in daylight");
-    click(&mut ui, "Library: Twin of purple");
+    click(&mut ui, "Library: Twin of the grey");
     ui.event(egui::Event::Text("CIE A".to_owned()));
     ui.run();
     click(&mut ui, "CIE A");
     let document = app(&ui).document();
     assert_eq!(document.light.name(), "CIE A");
-    assert_eq!(document.subject_entry().name(), "Twin of purple");
+    assert_eq!(document.subject_entry().name(), "Twin of the grey");
     assert!(apart(&ui) >= 5, "no twin under the bulb");
     let chart = spectrum_chart(app(&ui));
     let names: Vec<&str> = chart.series.iter().map(|one| &*one.name).collect();
     assert!(
-        names.contains(&"purple"),
+        names.iter().any(|name| name.starts_with("neutral 3.5")),
         "the paint beside its twin: {names:?}"
     );
     assert_written(&ui, "✔");
@@ -243,7 +243,8 @@ fn place(ui: &Ui, name: &str) -> Option<Rect> {
         let nodes = ui.root().children_recursive();
         let named = nodes.filter(|node| {
             let node = node.accesskit_node();
-            if (node.role() != Role::Label) != is_control {
+            let is_words = matches!(node.role(), Role::Label | Role::TextRun);
+            if is_words == is_control {
                 return false;
             }
             let names = [node.label(), node.value()];
@@ -288,6 +289,10 @@ fn a_ring_is_drawn_around_everything_that_a_step_points_at() {
             let Some(point) = &step.point else { continue };
             let what = format!("{}, step {}: {point:?}", lesson.name, index + 1);
             begun(&mut ui, lesson, index);
+            if step.veil {
+                // The page is seen once an answer is chosen.
+                press(&mut ui, Key::Num1);
+            }
             let aimed = |ui: &Ui| {
                 let memory = &ui.state().preferences.pages;
                 match point.aim(app(ui), memory).expect(&what) {
@@ -546,4 +551,173 @@ fn the_bottom_line_leads_to_the_lesson_about_a_page_and_back_to_the_page() {
     let mut ui = at(Page::Spectrum);
     click(&mut ui, "Lesson about this page");
     assert_written(&ui, "Draw a lamp with waves");
+}
+
+#[test]
+fn a_word_of_the_glossary_opens_beside_the_lesson_and_comes_back_to_it() {
+    let mut ui = at(Page::Lessons);
+    begun(&mut ui, &shelf::named("light").expect("shipped"), 0);
+    let before = app(&ui).document().clone();
+    let means = "A body that absorbs all light, so that what it sends out";
+    for closes in [None, Some(Key::Escape)] {
+        assert!(!is_written(&ui, means));
+        click(&mut ui, "Glossary: Black body");
+        assert_written(&ui, means);
+        let card = place(&ui, means).expect("a card");
+        let column = place(&ui, "Leave the lesson").expect("a column");
+        assert!(card.left() > column.right(), "beside the lesson");
+        match closes {
+            None => click(&mut ui, "Back to the lesson"),
+            Some(key) => press(&mut ui, key),
+        }
+        assert!(!is_written(&ui, means));
+        assert_written(&ui, "Step 1 of 4");
+        assert!(*app(&ui).document() == before);
+    }
+    // The whole sentence is one text for who hears it.
+    assert_written(
+        &ui,
+        "This is the light of a tungsten bulb: its power at each wavelength",
+    );
+}
+
+#[test]
+fn presenting_enlarges_the_lessons_own_page_and_stays_through_its_steps() {
+    let lesson = shelf::named("filters").expect("shipped");
+    let mut ui = at(Page::Lessons);
+    begun(&mut ui, &lesson, 0);
+    press(&mut ui, Key::F5);
+    assert!(ui.state().preferences.presents());
+    assert_eq!(ui.state().preferences.pages.page, Page::Chain);
+    assert!(
+        place(&ui, "Move down stage 1").is_some(),
+        "the cards to swap"
+    );
+    assert_written(&ui, "Step 1 of 3");
+    press(&mut ui, Key::ArrowRight);
+    assert!(ui.state().preferences.presents());
+    assert_written(&ui, "Step 2 of 3");
+    press(&mut ui, Key::F5);
+    assert!(!ui.state().preferences.presents());
+    assert_eq!(ui.state().preferences.pages.page, Page::Chain);
+    assert_written(&ui, "Step 2 of 3");
+}
+
+#[test]
+fn six_lessons_are_taken_with_every_wrong_answer_too_far_and_back() {
+    let set_back = "What is shown has changed since";
+    for name in ["prism", "light", "gas", "quality", "colour", "samples"] {
+        let lesson = shelf::named(name).expect("shipped");
+        let mut ui = at(Page::Lessons);
+        for (index, step) in lesson.steps.iter().enumerate() {
+            let what = format!("{name}, step {}", index + 1);
+            begun(&mut ui, &lesson, index);
+            let page = ui.state().preferences.pages.page;
+            let set = |ui: &Ui| {
+                let document = app(ui).document();
+                let over = document.laid_over().count();
+                (document.light.name().to_owned(), document.settings, over)
+            };
+            let begun_with = set(&ui);
+            let answers = step
+                .ask
+                .iter()
+                .flat_map(|ask| ask.answers.iter().enumerate());
+            let keys = [Key::Num1, Key::Num2, Key::Num3, Key::Num4];
+            for (place, answer) in answers.filter(|(_, answer)| !answer.right) {
+                press(&mut ui, keys[place]);
+                if step.task.is_some() {
+                    press(&mut ui, Key::Space);
+                    watch(&mut ui);
+                }
+                assert!(is_written(&ui, "✘"), "{what}: a wrong answer is told");
+                if !answer.because.contains('{') {
+                    assert!(
+                        is_written(&ui, &answer.because),
+                        "{what}: {}",
+                        answer.because
+                    );
+                }
+                click(&mut ui, "Back to the step");
+                assert!(!is_written(&ui, "✘"), "{what}: Reset begins it again");
+                assert!(set(&ui) == begun_with, "{what}: as it began");
+            }
+            if step.task.is_some() {
+                press(&mut ui, Key::Space);
+                watch(&mut ui);
+                assert!(is_written(&ui, "✔"), "{what}: Show me does it");
+                let control = step
+                    .point
+                    .as_ref()
+                    .and_then(|point| point.control.as_deref());
+                if let Some(slider) = control.filter(|name| [knobs::ORDER, "Centre"].contains(name))
+                {
+                    ui.get_by_role_and_label(Role::Slider, slider).focus();
+                    ui.run();
+                    for _ in 0..25 {
+                        press(&mut ui, Key::ArrowRight);
+                    }
+                    let scene = spectral_explorer::app::lessons::Scene {
+                        app: app(&ui),
+                        memory: &ui.state().preferences.pages,
+                    };
+                    let holds = step.holds(&scene);
+                    assert_eq!(is_written(&ui, set_back), !holds, "{what}: too far");
+                }
+            }
+            press(&mut ui, Key::F5);
+            assert_eq!(ui.state().preferences.pages.page, page, "{what}: F5");
+            press(&mut ui, Key::F5);
+            if index > 0 {
+                click(&mut ui, "Back");
+                assert_written(&ui, &format!("Step {index} of"));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_lesson_of_ones_own_is_removed_and_its_file_is_kept() {
+    let (home, other) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let text = &shelf::named("samples").expect("shipped").text;
+    let mine = other.path().join("mine.json");
+    std::fs::write(&mine, text.replace("Where samples", "Mine: where samples")).unwrap();
+    let mut ui = kept_in(home.path(), Page::Spectrum);
+    ui.state_mut().open_files(vec![mine], Arc::new(|| {}));
+    wait_until(&mut ui, "the lessons", |ui| !ui.state().is_busy());
+    ui.get_by_label("Remove the lesson Mine: where samples go wrong")
+        .scroll_to_me();
+    watch(&mut ui);
+    click(&mut ui, "Remove the lesson Mine: where samples go wrong");
+    assert!(
+        ui.query_by_label("Lesson: Mine: where samples go wrong")
+            .is_none()
+    );
+    assert_written(&ui, "Mine: where samples go wrong was removed");
+    let lessons = home.path().join("lessons");
+    assert!(!lessons.join("mine.json").exists());
+    let kept = std::fs::read_to_string(lessons.join("mine.json.removed")).unwrap();
+    assert!(kept.contains("Mine: where samples"));
+    drop(ui);
+    let ui = kept_in(home.path(), Page::Lessons);
+    assert!(
+        ui.query_by_label("Lesson: Mine: where samples go wrong")
+            .is_none()
+    );
+}
+
+#[test]
+fn a_dropped_lesson_tells_all_its_faults_at_once() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let text = &shelf::named("samples").expect("shipped").text;
+    let path = folder.path().join("wrong.json");
+    std::fs::write(&path, text.replace("\"say\"", "\"sya\"")).unwrap();
+    let mut ui = at(Page::Spectrum);
+    ui.state_mut().open_files(vec![path], Arc::new(|| {}));
+    wait_until(&mut ui, "the check", |ui| !ui.state().is_busy());
+    let said: Vec<String> = app(&ui).messages().iter().map(|m| m.text.clone()).collect();
+    for step in ["step 1", "step 2"] {
+        let fault = format!("{step}: found the field `sya`");
+        assert!(said.iter().any(|words| words.contains(&fault)), "{said:?}");
+    }
 }

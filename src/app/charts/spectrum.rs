@@ -116,13 +116,12 @@ fn spectrum_series(app: &App) -> Vec<Series> {
     let (document, derived) = (app.document(), app.derived());
     let view = document.view;
     let mut series = Vec::new();
-    if view.overlays {
-        let overlays = document.overlays.iter().enumerate();
-        series.extend(overlays.filter_map(|(i, entry)| overlay(app, entry, i)));
-    }
+    let overlays = document.overlays.iter().enumerate();
+    let overlays = overlays.filter(|_| view.overlays);
+    let overlays = overlays.filter_map(|(i, entry)| overlay(app, entry, i));
     // Where nothing was measured there is nothing to draw, not a line of zeros.
     if !app.is_measured_in_range() {
-        return series;
+        return overlays.flatten().collect();
     }
     if view.measured {
         let points = app.measured_points();
@@ -137,6 +136,8 @@ fn spectrum_series(app: &App) -> Vec<Series> {
             series.push(Series::line("measured", Ink::Measured, points));
         }
     }
+    // Over the fill, which would hide them where they are lower.
+    series.extend(overlays.flatten());
     series.extend(second(app).into_iter().flatten());
     if let Some(product) = app.product() {
         let (exact, model) = (curve(app, &product.exact), curve(app, &product.smooth));
@@ -305,8 +306,9 @@ fn laid_points(app: &App, entry: &Entry) -> Option<Vec<[f64; 2]>> {
 }
 
 /// A spectrum laid over the subject.
-fn overlay(app: &App, entry: &Entry, index: usize) -> Option<Series> {
+fn overlay(app: &App, entry: &Entry, index: usize) -> Option<Vec<Series>> {
     let points = laid_points(app, entry)?;
+    let edge = stroke("", Ink::Ground, points.clone(), 3.6, Dash::Solid);
     // The second round of inks is thinner: dashes of many curves cost a third of a frame.
     let width = (1.8 / (1 + index / OVERLAY_INKS) as f64).max(0.7);
     let mut series = stroke(
@@ -317,7 +319,9 @@ fn overlay(app: &App, entry: &Entry, index: usize) -> Option<Series> {
         Dash::Solid,
     );
     series.is_tagged = index < MOST_TAGGED;
-    Some(series)
+    // Of many curves the edges would hide one another.
+    let edge = series.is_tagged.then_some(edge);
+    Some(edge.into_iter().chain([series]).collect())
 }
 
 /// Spikes of the model as stems on a smooth curve.

@@ -99,9 +99,11 @@ impl Condition {
         let title = self.called.as_deref().unwrap_or(told.title);
         Some(Meter {
             words: format!("{title}: {} (aim: {})", told.words, self.bounds(&told)),
-            share: match begun > 0.0 {
-                true => (1.0 - left / begun).clamp(0.0, 1.0) as f32,
-                false => f32::from(u8::from(left == 0.0)),
+            share: match (told.value.is_some_and(|v| self.is_within(v)), begun > 0.0) {
+                (true, _) => 1.0,
+                // At a bound that is to be passed nothing is left, and it is not met yet.
+                (false, true) => (1.0 - left / begun).clamp(0.0, 0.95) as f32,
+                (false, false) => 0.0,
             },
         })
     }

@@ -9,6 +9,7 @@ use crate::{
         App, Document,
         answers::hard_to_see_from,
         charts::products::narrow::{Behind, Filter},
+        design::Desk,
         figures::{Unit, brief},
         make::behind,
         numbers::{DASH, figure as figure_words, or_dash},
@@ -23,6 +24,7 @@ use crate::{
         quality::{Figures, Light, POINTS},
         xyz::{xyz_from_light, xyz_from_reflectance},
     },
+    design::solve::MixFigures,
     spectrum::Kind,
     study::{Goal, Measure, Progress},
 };
@@ -65,6 +67,11 @@ struct OfDocument {
     of: fn(&Scene<'_>) -> Option<f64>,
 }
 
+const LM_PER_WATT: Unit = Unit {
+    tail: " lm/W",
+    ..Unit::NONE
+};
+
 const fn row(
     key: &'static str,
     meaning: &'static str,
@@ -80,7 +87,7 @@ const fn row(
 }
 
 /// The figures that only a document has.
-const OF_DOCUMENT: [OfDocument; 20] = [
+const OF_DOCUMENT: [OfDocument; 23] = [
     row("order", "order N of the smooth part", Unit::NONE, |s| {
         Some(s.app.document().settings.effective_order() as f64)
     }),
@@ -174,6 +181,21 @@ const OF_DOCUMENT: [OfDocument; 20] = [
         |s| Some(s.memory.products.narrow.centre_nm),
     ),
     row(
+        "desk_delta_e",
+        "colour difference of the desk's mixture to its aim, equally bright",
+        Unit::DELTA_E,
+        off_aim,
+    ),
+    row("desk_rf", "Rf of the desk's mixture", Unit::NONE, |s| {
+        desk(s)?.rf
+    }),
+    row(
+        "desk_ler",
+        "efficacy of radiation of the desk's mixture",
+        LM_PER_WATT,
+        |s| Some(desk(s)?.ler),
+    ),
+    row(
         "auction_lines",
         "lines that the auction keeps for its goal",
         Unit::NONE,
@@ -250,6 +272,19 @@ fn beside_overlay(document: &Document) -> Option<f64> {
     };
     let white = xyz_from_light(light, Kind::Light.outside(), observer)?;
     delta_e_of_xyz(seen(own)?, seen(overlay)?, white)
+}
+
+fn desk(scene: &Scene<'_>) -> Option<MixFigures> {
+    Desk::of(scene.app.document()).figures
+}
+
+/// How far the mixture's white is from the one that is aimed at, both of Y = 100, seen by an eye
+/// that has adapted to the aim.
+fn off_aim(scene: &Scene<'_>) -> Option<f64> {
+    let aim = scene.memory.wish.target(scene.app.document()).ok()?;
+    let [x, y] = aim.xy();
+    let white = Xyz::from_array([100.0 * x / y, 100.0, 100.0 * (1.0 - x - y) / y]);
+    delta_e_of_xyz(desk(scene)?.xyz?, white, white)
 }
 
 fn chain_luminance(app: &App) -> Option<f64> {
@@ -383,6 +418,8 @@ fn told(title: &'static str, value: Option<f64>, unit: Unit) -> Told {
     let words = match value {
         None => DASH.to_owned(),
         Some(value) if value.fract() == 0.0 && unit == Unit::NONE => format!("{value}"),
+        // More digits would be of what nobody sees.
+        Some(value) if unit == Unit::DELTA_E && value < 0.01 => "less than 0.01".to_owned(),
         Some(value) if unit == Unit::DELTA_E => brief(value, unit),
         Some(value) => format!("{}{}", figure_words(value * unit.factor), unit.tail),
     };

@@ -71,12 +71,22 @@ pub struct Lesson {
     /// Where its claims come from.
     #[serde(default)]
     pub sources: Vec<String>,
+    /// The step, from 1, whose end is its picture in the list.
+    #[serde(default = "first")]
+    pub picture: usize,
+    /// Its texts in other languages, by their codes.
+    #[serde(default)]
+    pub texts: Map<String, Value>,
     /// The walk.
     #[serde(skip)]
     pub steps: Vec<Step>,
     /// The file as it was read.
     #[serde(skip)]
     pub text: String,
+}
+
+fn first() -> usize {
+    1
 }
 
 /// A step of a lesson.
@@ -190,38 +200,64 @@ impl Lesson {
     /// Reads a lesson; `file` is what it is called in refusals, its name without the ending.
     ///
     /// # Errors
-    /// [`Fault`]: file, step, what was found and what was expected.
+    /// [`Fault`]: file, step, what was found and what was expected; the first one.
     pub fn read(file: &str, text: &str) -> Result<Self, Fault> {
+        Self::read_whole(file, text).map_err(|mut faults| faults.swap_remove(0))
+    }
+
+    /// The same with all that is wrong: of the lesson as a whole, then step by step.
+    ///
+    /// # Errors
+    /// [`Fault`]s, at least one.
+    pub fn read_whole(file: &str, text: &str) -> Result<Self, Vec<Fault>> {
         let fault = |step: Option<usize>, what: String| Fault {
             file: file.to_owned(),
             step,
             what,
         };
         let text = text.trim_start_matches('\u{feff}');
-        let value: Value = serde_json::from_str(text)
-            .map_err(|why| fault(None, format!("found no JSON ({why}), expected a lesson")))?;
+        let value: Value = serde_json::from_str(text).map_err(|why| {
+            vec![fault(
+                None,
+                format!("found no JSON ({why}), expected a lesson"),
+            )]
+        })?;
         let Value::Object(mut object) = value else {
             let what = format!("found {}, expected an object", short(&value));
-            return Err(fault(None, what));
+            return Err(vec![fault(None, what)]);
         };
-        marks(&mut object).map_err(|what| fault(None, what))?;
+        marks(&mut object).map_err(|what| vec![fault(None, what)])?;
         let steps = match object.remove("steps") {
             Some(Value::Array(steps)) if steps.len() > MOST_STEPS => {
                 let what = format!("found {} steps, expected at most {MOST_STEPS}", steps.len());
-                return Err(fault(None, what));
+                return Err(vec![fault(None, what)]);
             }
             Some(Value::Array(steps)) if !steps.is_empty() => steps,
             Some(other) => {
                 let what = format!("found steps {}, expected a list of steps", short(&other));
-                return Err(fault(None, what));
+                return Err(vec![fault(None, what)]);
             }
-            None => return Err(fault(None, "found no steps, expected a list".to_owned())),
+            None => {
+                let what = "found no steps, expected a list".to_owned();
+                return Err(vec![fault(None, what)]);
+            }
         };
-        let lesson: Self = parsed(Value::Object(object)).map_err(|what| fault(None, what))?;
+        let lesson = parsed::<Self>(Value::Object(object)).map_err(|what| fault(None, what));
         let steps = steps.into_iter().enumerate();
         let steps = steps
             .map(|(index, step)| parsed::<Step>(step).map_err(|what| fault(Some(index + 1), what)));
-        let mut steps = steps.collect::<Result<Vec<Step>, _>>()?;
+        let (mut read, mut faults) = (Vec::new(), Vec::new());
+        for step in steps {
+            match step {
+                Ok(step) => read.push(step),
+                Err(why) => faults.push(why),
+            }
+        }
+        let (lesson, mut steps) = match lesson {
+            Ok(lesson) if faults.is_empty() => (lesson, read),
+            Ok(_) => return Err(faults),
+            Err(why) => return Err(std::iter::once(why).chain(faults).collect()),
+        };
         let questions = steps.iter_mut().filter_map(|step| step.ask.as_mut());
         for (turn, ask) in (lesson.minutes as usize..).zip(questions) {
             ask.arrange(turn);
@@ -267,8 +303,10 @@ impl Lesson {
     pub fn about(&self, other: &str) -> Result<Self, Fault> {
         let name = format!("{} with {other}", self.name);
         let mut value: Value = serde_json::from_str(&self.text).unwrap_or_default();
-        if let (Some(light), Some(steps)) = (self.light(), value.get_mut("steps")) {
-            exchange(steps, light, other);
+        for key in ["steps", "texts"] {
+            if let (Some(light), Some(part)) = (self.light(), value.get_mut(key)) {
+                exchange(part, light, other);
+            }
         }
         let lesson = Self::read(&name, &value.to_string())?;
         Ok(Self { name, ..lesson })

@@ -100,7 +100,7 @@ fn head(blocks: &mut Vec<Block>, lesson: &Lesson) {
 }
 
 fn step_head(blocks: &mut Vec<Block>, number: usize, step: &Played<Option<Picture>>) {
-    let place = format!("{number}. {}", step.page.title());
+    let place = format!("Step {number}: {}", step.page.title());
     blocks.push(Block::Heading(place));
     blocks.push(Block::Words(step.say.clone()));
 }
@@ -155,7 +155,7 @@ fn of_teacher(blocks: &mut Vec<Block>, lesson: &Lesson, played: &[Played<Option<
         lesson.minutes,
         lesson.audience_words()
     )));
-    blocks.push(Block::Led("Afterwards a class can", lesson.teaches.clone()));
+    blocks.push(Block::Led("Aim.", lesson.teaches.clone()));
     blocks.push(Block::Led("Notes.", lesson.notes_for_teachers.clone()));
     for (index, step) in played.iter().enumerate() {
         step_head(blocks, index + 1, step);

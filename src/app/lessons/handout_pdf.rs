@@ -58,6 +58,14 @@ impl Pages {
         top
     }
 
+    /// Turns the page where this one has no room for what is to stand together, and one has.
+    fn keep(&mut self, height: f64) {
+        let whole = PAGE[1] - 2.0 * MARGIN;
+        if self.y + height > PAGE[1] - MARGIN && self.y > MARGIN && height <= whole {
+            self.turn();
+        }
+    }
+
     fn words(&mut self, lead: &str, words: &str, indent: f64, size: f64, weight: &str) {
         let whole = format!("{lead} {words}");
         let width = PAGE[0] - 2.0 * MARGIN - indent;
@@ -141,6 +149,50 @@ fn without(attributes: &str, name: &str) -> String {
     }
 }
 
+/// Height of a part, px.
+fn height(block: &Block) -> f64 {
+    let [title, heading, size] = SIZES;
+    let width = PAGE[0] - 2.0 * MARGIN;
+    let words = |words: &str, width: f64, size: f64| {
+        let lines = wrap(words, width, size).len();
+        size * (LEADING * lines as f64 + 0.4)
+    };
+    match block {
+        Block::Title(text) => words(text, width, title),
+        Block::Heading(text) => words(text, width, heading) + 0.8 * size,
+        Block::Words(text) => words(text, width, size),
+        Block::Led(lead, text) => words(&format!("{lead} {text}"), width, size),
+        Block::Choice(_, text) => words(&format!("☐ A. {text}"), width - 16.0, size),
+        Block::Picture(_) | Block::Axis => TALL * width + 8.0,
+        Block::Lines(count) => RULED * *count as f64 + 8.0,
+        Block::NewPage => 0.0,
+    }
+}
+
+/// Height of a part with those behind it that stand on the same page: words with the picture that
+/// they are about, a question with its answers, a lead with its lines.
+fn together(blocks: &[Block]) -> f64 {
+    let is = |index: usize, of: fn(&Block) -> bool| blocks.get(index).is_some_and(of);
+    let is_words = |block: &Block| matches!(block, Block::Words(_));
+    let is_picture = |block: &Block| matches!(block, Block::Picture(_) | Block::Axis);
+    let count = match blocks.first() {
+        Some(Block::Heading(_) | Block::Words(_)) => {
+            let words = (1..).take_while(|index| is(*index, is_words)).count();
+            match is(1 + words, is_picture) {
+                true => 2 + words,
+                false if is(0, is_words) => 1,
+                false => 2,
+            }
+        }
+        Some(Block::Led(..)) => {
+            let behind = |block: &Block| matches!(block, Block::Choice(..) | Block::Lines(_));
+            1 + (1..).take_while(|index| is(*index, behind)).count()
+        }
+        _ => 1,
+    };
+    blocks.iter().take(count).map(height).sum()
+}
+
 /// The sheet as PDF.
 ///
 /// # Errors
@@ -153,13 +205,12 @@ pub(super) fn pdf(blocks: &[Block]) -> Result<Vec<u8>, String> {
         images: Vec::new(),
         y: MARGIN,
     };
-    for block in blocks {
+    for (index, block) in blocks.iter().enumerate() {
+        pages.keep(together(&blocks[index..]));
         match block {
             Block::Title(words) => pages.words("", words, 0.0, title, "bold"),
             Block::Heading(words) => {
-                // A heading alone at the foot of a page is turned over.
-                let top = pages.room(6.0 * size);
-                pages.y = top + 0.8 * size;
+                pages.y += 0.8 * size;
                 pages.words("", words, 0.0, heading, "bold");
             }
             Block::Words(words) => pages.words("", words, 0.0, size, "normal"),

@@ -5,6 +5,7 @@
 //! stage     what a step sets: light, surfaces, settings, view, page
 //! making    spectra that a stage makes: mixtures, recovered surfaces, metamers
 //! figures   every figure that a lesson may name, by its key
+//! languages the texts of a lesson in other languages
 //! names     spectra by their names
 //! parsed    parts of a file, or what is wrong with them
 //! words     sentences with figures in them
@@ -25,6 +26,7 @@ mod format;
 pub mod handout;
 mod handout_parts;
 mod handout_pdf;
+mod languages;
 mod making;
 mod names;
 mod parsed;
@@ -37,6 +39,7 @@ mod trial;
 mod words;
 
 pub use advice::Findings;
+pub use figures::Scene;
 pub use format::{Fault, Lesson, Step};
 pub use point::Aim;
 pub use proof::{Names, check, is_sound, play};

@@ -7,6 +7,7 @@ use super::{
     condition::Condition,
     figures::Scene,
     format::{Answer, Fault, Lesson, Step},
+    languages,
     names::find,
     run::Run,
     stage::Stage,
@@ -90,10 +91,9 @@ fn unsound(lesson: &Lesson, own: &[&str]) -> Vec<Fault> {
     let steps = steps.map(|(index, step)| {
         of_step(step, &known).map_err(|what| fault(lesson, Some(index), what))
     });
-    std::iter::once(whole)
-        .chain(steps)
-        .filter_map(Result::err)
-        .collect()
+    let all = std::iter::once(whole).chain(steps);
+    let found = all.filter_map(Result::err);
+    found.chain(languages::faults(lesson).0).collect()
 }
 
 fn fault(lesson: &Lesson, index: Option<usize>, what: String) -> Fault {
@@ -114,7 +114,7 @@ pub type Names<'a> = &'a dyn Fn(&App, &PageMemory) -> Option<Vec<String>>;
 pub fn check(lesson: &Lesson, names: Names<'_>) -> Findings {
     let mut found = Findings {
         faults: unsound(lesson, &[]),
-        advice: advice::of_questions(lesson),
+        advice: [advice::of_questions(lesson), languages::faults(lesson).1].concat(),
     };
     if !found.faults.is_empty() {
         return found;
@@ -377,6 +377,12 @@ fn of_lesson(lesson: &Lesson) -> Result<(), String> {
         return Err(format!(
             "found {} minutes, expected 1 to 90",
             lesson.minutes
+        ));
+    }
+    if !(1..=lesson.steps.len()).contains(&lesson.picture) {
+        return Err(format!(
+            "found picture {}, expected the number of a step",
+            lesson.picture
         ));
     }
     if lesson.audience.is_empty() {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::{
     condition::Meter,
     figures::Scene,
-    format::{Lesson, Step},
+    format::{Lesson, Step, Task},
     point::Aim,
     stage::Stage,
     words::filled,
@@ -182,6 +182,16 @@ impl Run {
     /// Whether the program is doing the task.
     pub fn is_showing(&self) -> bool {
         self.showing.is_some()
+    }
+
+    /// Whether the step's task is done on its page, not with the library and the bar above.
+    pub fn uses_page(&self) -> bool {
+        let step = self.step();
+        let names_lights = |task: &Task| {
+            let mut until = task.until.iter();
+            until.all(|one| one.light.is_some() || one.overlay.is_some())
+        };
+        step.task.as_ref().is_some_and(|task| !names_lights(task))
     }
 
     /// What could not be set.
@@ -386,6 +396,7 @@ impl Run {
         app.end_gesture();
         *memory = PageMemory {
             lessons_finished: finished,
+            lesson_language: memory.lesson_language.clone(),
             ..self.before_pages
         };
     }
@@ -457,7 +468,7 @@ mod tests {
         run.go(1, &mut app, &mut memory);
         let said = run.shown(&app, &memory).say;
         assert!(
-            said.contains("It lets 45.5 % of the brightness through"),
+            said.contains("It lets 28.8 % of the brightness through"),
             "{said}"
         );
         run.show_me();
@@ -469,7 +480,7 @@ mod tests {
             "the glass alone lets through what it let through"
         );
         assert!(
-            told.explain.starts_with("22.1 % is left."),
+            told.explain.starts_with("11.2 % is left."),
             "{}",
             told.explain
         );
@@ -492,13 +503,13 @@ mod tests {
 
     #[test]
     fn a_step_that_goes_on_begins_with_what_the_one_before_it_is_to_reach() {
-        let (mut run, mut app, mut memory) = start("filters");
-        // The third step has no stage; nobody did the task of the second.
-        run.go(1, &mut app, &mut memory);
+        let (mut run, mut app, mut memory) = start("waves");
+        // The fourth step has no stage; nobody did the task of the third.
         run.go(2, &mut app, &mut memory);
-        assert_eq!(app.document().products.chain[0].thickness, 2.0);
-        run.go(1, &mut app, &mut memory);
-        assert_eq!(app.document().products.chain[0].thickness, 1.0);
+        run.go(3, &mut app, &mut memory);
+        assert_eq!(app.document().settings.threshold_percent, 0.5);
+        run.go(2, &mut app, &mut memory);
+        assert_eq!(app.document().settings.threshold_percent, 30.0);
     }
 
     #[test]

@@ -76,6 +76,20 @@ pub fn is_lesson(path: &Path) -> bool {
 /// # Errors
 /// [`Fault`]: the file, what was found and what was expected.
 pub fn read_file(path: &Path) -> Result<Lesson, Fault> {
+    read_whole(path).map_err(|mut faults| faults.swap_remove(0))
+}
+
+/// The same with all that is wrong with it.
+///
+/// # Errors
+/// [`Fault`]s, at least one.
+pub fn read_whole(path: &Path) -> Result<Lesson, Vec<Fault>> {
+    let (file, text) = text_of(path).map_err(|why| vec![why])?;
+    Lesson::read_whole(&file, &text)
+}
+
+/// What a file is called, and its text.
+fn text_of(path: &Path) -> Result<(String, String), Fault> {
     let file = shown(path);
     let fault = |what: String| Fault {
         file: file.clone(),
@@ -92,7 +106,7 @@ pub fn read_file(path: &Path) -> Result<Lesson, Fault> {
     if is_binary(&bytes) {
         return Err(fault("found no text, expected a lesson".to_owned()));
     }
-    Lesson::read(&file, &decode_text(&bytes).text)
+    Ok((file, decode_text(&bytes).text.into_owned()))
 }
 
 /// The lessons of a folder in the order of their files' names, and what is wrong with the others.
@@ -127,27 +141,48 @@ pub fn keep(folder: &Path, lesson: &Lesson) -> Result<(), String> {
     save_atomically(&path, lesson.text.as_bytes()).map_err(|why| not_kept(why.to_string()))
 }
 
+/// Takes a lesson out of a folder: its file stays there under another ending, which is given.
+///
+/// # Errors
+/// Why it cannot be renamed, a sentence.
+pub fn put_away(folder: &Path, lesson: &Lesson) -> Result<String, String> {
+    let path = folder.join(format!("{}.json", lesson.name));
+    let away = folder.join(format!("{}.json.removed", lesson.name));
+    match std::fs::rename(&path, &away) {
+        Ok(()) => Ok(shown(&away)),
+        Err(why) => Err(format!("{} is not removed: {why}.", lesson.title)),
+    }
+}
+
 /// A shipped lesson by its name, or one of a file.
 ///
 /// # Errors
 /// [`Fault`], also when there is neither.
 pub fn named(word: &str) -> Result<Arc<Lesson>, Fault> {
+    read_named(word).map_err(|mut faults| faults.swap_remove(0))
+}
+
+/// The same with all that is wrong with it.
+///
+/// # Errors
+/// [`Fault`]s, at least one.
+pub fn read_named(word: &str) -> Result<Arc<Lesson>, Vec<Fault>> {
     if let Some(lesson) = shipped().iter().find(|lesson| lesson.name == word) {
         return Ok(lesson.clone());
     }
     let path = Path::new(word);
     if path.exists() {
-        return read_file(path).map(Arc::new);
+        return read_whole(path).map(Arc::new);
     }
     let names: Vec<&str> = FILES.iter().map(|(name, _)| *name).collect();
-    Err(Fault {
+    Err(vec![Fault {
         file: word.to_owned(),
         step: None,
         what: format!(
             "found no such lesson or file, expected one of {}",
             names.join(", ")
         ),
-    })
+    }])
 }
 
 #[cfg(test)]

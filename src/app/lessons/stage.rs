@@ -11,12 +11,14 @@ use super::{
 };
 use crate::app::{
     App, Command,
+    design::mix::{FULL, MOST_CHANNELS, Mix, MixChannel},
     document::{Document, MOST_OVERLAYS, Subject},
     library::Library,
-    pages::{Page, PageMemory},
+    pages::{Page, PageMemory, PageSetting},
     products::{Link, MOST_LINKS, Products},
     recipe::Times,
 };
+use crate::design::mixture::{Source, Spec};
 
 /// What is set.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -40,12 +42,46 @@ pub struct Stage {
     pub patch: Option<usize>,
     /// What the light meets, in its order.
     pub chain: Option<Vec<Met>>,
+    /// Channels of the mixing desk, in their order; those that were there go.
+    pub desk: Option<Vec<Fader>>,
     /// The light that the own one is compared with.
     pub other_light: Option<String>,
     /// The page, by its word.
     pub page: Option<String>,
     /// What the pages remember, by the names in a workspace.
     pub remember: Map<String, Value>,
+}
+
+/// A channel of the mixing desk.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Fader {
+    /// What it is, as the command line has it: `line:450`, `gauss:540,30`.
+    pub channel: String,
+    /// Its power, 0 to 100 per cent of the most it can give.
+    pub level: f64,
+}
+
+impl Fader {
+    fn channel(&self) -> Result<MixChannel, String> {
+        let spec: Spec = self.channel.parse().map_err(|why| format!("found {why}"))?;
+        if matches!(spec.source, Source::Named(_)) || spec.fixed.is_some() {
+            return Err(format!(
+                "found the channel {}, expected one such as line:450 or gauss:540,30",
+                self.channel
+            ));
+        }
+        if !(0.0..=FULL).contains(&self.level) {
+            let level = self.level;
+            return Err(format!(
+                "found the level {level} in desk, expected 0 to 100"
+            ));
+        }
+        Ok(MixChannel {
+            level: self.level,
+            ..MixChannel::new(spec.source)
+        })
+    }
 }
 
 /// Something that the light meets.
@@ -161,6 +197,7 @@ impl Stage {
         let mut kept = PageMemory {
             image: memory.image.clone(),
             lessons_finished: memory.lessons_finished.clone(),
+            lesson_language: memory.lesson_language.clone(),
             ..PageMemory::default()
         };
         let mut scratch = app.clone();
@@ -255,6 +292,20 @@ impl Stage {
             }
         }
         self.products(app)?;
+        if let Some(faders) = &self.desk {
+            if faders.len() > MOST_CHANNELS {
+                let count = faders.len();
+                return Err(format!(
+                    "found {count} channels in desk, expected at most {MOST_CHANNELS}"
+                ));
+            }
+            let channels = faders.iter().map(Fader::channel);
+            let mix = Mix {
+                channels: channels.collect::<Result<_, _>>()?,
+                gels: Vec::new(),
+            };
+            app.apply(Command::Page(PageSetting::Mix(mix)));
+        }
         *memory = changed(memory, &self.remember, "remember")?;
         let wished = serde_json::to_value(&memory).map_err(|why| why.to_string())?;
         let nearest = serde_json::to_value(memory.clone().clamped());

@@ -79,6 +79,8 @@ pub struct PageMemory {
     pub relit: RelitMemory,
     /// Lessons: names of those that were gone through.
     pub lessons_finished: Vec<String>,
+    /// Lessons: the code of the language that they are shown in, where they have texts in it.
+    pub lesson_language: String,
     /// A photograph of a spectrum that is to be read, once.
     #[serde(skip)]
     pub photograph_asked: Option<PathBuf>,
@@ -128,6 +130,7 @@ impl Default for PageMemory {
             dispersion: DispersionMemory::default(),
             relit: RelitMemory::default(),
             lessons_finished: Vec::new(),
+            lesson_language: "en".to_owned(),
             photograph_asked: None,
             lesson_asked: None,
         }

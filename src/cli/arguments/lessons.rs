@@ -34,6 +34,10 @@ pub(crate) struct Lessons {
     /// Only the teacher's sheet: pictures, answers with their reasons, notes, sources.
     #[arg(long, requires = "out")]
     pub teacher: bool,
+    /// The language of the sheet, a code such as de: what has no texts in it stays in the lesson's
+    /// own.
+    #[arg(long, value_name = "CODE", requires = "out")]
+    pub language: Option<String>,
     /// The sheet to write, .md (its pictures are put beside it), .html or .pdf; without --pupil and
     /// --teacher both, each from a page of its own.
     #[arg(long, value_name = "FILE", value_parser = words::path_in(&["md", "html", "pdf"]))]

@@ -57,6 +57,16 @@ pub struct Scene<'a> {
     pub pair: Option<Pair>,
     /// The plot, swatch, patches and the two knobs alone.
     pub present: bool,
+    /// A lesson is being taken: no hints, no buttons beside the knobs, and no knobs where it shows
+    /// no model.
+    pub in_lesson: bool,
+}
+
+impl Scene<'_> {
+    /// Whether the knobs of the model are there.
+    fn has_knobs(&self) -> bool {
+        !self.in_lesson || self.app.document().view.model
+    }
 }
 
 /// What one frame asked for.
@@ -110,7 +120,7 @@ fn is_low(room: Vec2, scale: f32) -> bool {
 
 /// Height of the two knobs alone in a width, points.
 pub fn knobs_height(width: f32, theme: Theme) -> f32 {
-    sliders::height(width - 2.0 * CARD_MARGIN.x, theme.scale) + 2.0 * CARD_MARGIN.y
+    sliders::height(width - 2.0 * CARD_MARGIN.x, theme.scale, false) + 2.0 * CARD_MARGIN.y
 }
 
 impl LookView {
@@ -124,7 +134,8 @@ impl LookView {
         let mut inside = ui.new_child(UiBuilder::new().max_rect(room.shrink2(CARD_MARGIN)));
         let mut unused = 0;
         let budget = (&mut unused, false);
-        self.sliders.show(&mut inside, app, budget, theme, commands);
+        let sliders = &mut self.sliders;
+        sliders.show(&mut inside, app, (budget, false), theme, commands);
         ui.advance_cursor_after_rect(room);
     }
 
@@ -145,7 +156,9 @@ impl LookView {
             child.shrink_clip_rect(rect.expand(3.0));
             child
         };
-        self.card(&mut child(card), scene, &mut wishes);
+        if scene.has_knobs() {
+            self.card(&mut child(card), scene, &mut wishes);
+        }
         if let Some(verdict) = beside {
             brief_view::presented(&mut child(verdict), app, theme);
         }
@@ -160,7 +173,9 @@ impl LookView {
         title::show(ui, app, theme, scene.present.then_some(&mut wishes.leaves));
         let mut view = app.document().view;
         let before = view;
-        if !scene.present {
+        if !scene.has_knobs() {
+            title::compared(ui, app, theme);
+        } else if !scene.present {
             let adds_line = &mut self.spectrum.adds_line;
             title::layers(ui, app, theme, (&mut view, adds_line), &mut wishes.commands);
         }
@@ -188,7 +203,9 @@ impl LookView {
         let mut inside = ui.new_child(UiBuilder::new().max_rect(inner));
         let budget = (&mut scene.memory.spend_numbers, busy);
         let commands = &mut wishes.commands;
-        let asked = self.sliders.show(&mut inside, app, budget, theme, commands);
+        let bare = scene.in_lesson;
+        let sliders = &mut self.sliders;
+        let asked = sliders.show(&mut inside, app, (budget, bare), theme, commands);
         let Asked {
             automatic,
             reset,
@@ -279,7 +296,11 @@ fn automatic(
 /// Where plot, knobs and patches stand.
 fn parts(room: Rect, scene: &Scene<'_>) -> [Rect; 3] {
     let scale = scene.theme.scale;
-    let card = sliders::height(room.width() - 2.0 * CARD_MARGIN.x, scale) + 2.0 * CARD_MARGIN.y;
+    let inner = room.width() - 2.0 * CARD_MARGIN.x;
+    let card = match scene.has_knobs() {
+        true => sliders::height(inner, scale, scene.in_lesson) + 2.0 * CARD_MARGIN.y,
+        false => -GAP,
+    };
     let [least, most] = PATCHES;
     let stacked = stacked(room.size(), scene.verdict_below, scale);
     let share = if stacked > 0.0 && is_low(room.size(), scale) {

@@ -85,7 +85,7 @@ impl SlidersView {
         &mut self,
         ui: &mut Ui,
         app: &App,
-        (budget, busy): (&mut usize, bool),
+        ((budget, busy), bare): ((&mut usize, bool), bool),
         theme: Theme,
         commands: &mut Vec<Command>,
     ) -> Asked {
@@ -96,7 +96,7 @@ impl SlidersView {
         let shares = self
             .shares
             .get(app.revision(), |_| answers::line_shares(app));
-        let layout = Layout::of(room.width(), theme.scale);
+        let layout = Layout::of(room.width(), theme.scale, bare);
         let mut child = |at: egui::Pos2, size: egui::Vec2| {
             let rect = egui::Rect::from_min_size(at, size);
             ui.new_child(egui::UiBuilder::new().max_rect(rect))
@@ -107,7 +107,7 @@ impl SlidersView {
             &mut child(room.min, knob),
             app,
             &mut settings,
-            layout.knob,
+            (layout.knob, bare),
             theme,
         );
         lines(
@@ -153,7 +153,7 @@ const GAP: f32 = 24.0;
 enum Acts {
     Beside,
     Below,
-    /// Presenting there are the two knobs alone.
+    /// Presenting and in lessons there are the two knobs alone.
     None,
 }
 
@@ -164,10 +164,10 @@ struct Layout {
 }
 
 impl Layout {
-    fn of(width: f32, scale: f32) -> Self {
+    fn of(width: f32, scale: f32, bare: bool) -> Self {
         let beside = (width - BUTTONS * scale - 2.0 * GAP) / 2.0;
         // A large window's type is larger too, but less so.
-        let acts = match (scale > MOST_GROWN, beside >= 190.0 * scale) {
+        let acts = match (bare || scale > MOST_GROWN, beside >= 190.0 * scale) {
             (true, _) => Acts::None,
             (false, true) => Acts::Beside,
             (false, false) => Acts::Below,
@@ -182,8 +182,8 @@ impl Layout {
 }
 
 /// Height of the card's contents at a width, points.
-pub(super) fn height(width: f32, scale: f32) -> f32 {
-    let acts = match Layout::of(width, scale).acts {
+pub(super) fn height(width: f32, scale: f32, bare: bool) -> f32 {
+    let acts = match Layout::of(width, scale, bare).acts {
         Acts::Below => ACTS * scale + 4.0,
         Acts::Beside | Acts::None => 0.0,
     };
@@ -208,9 +208,16 @@ fn caption(ui: &mut Ui, width: f32, name: &str, meaning: &str, does: &str, theme
 
 const BOX: f32 = 44.0;
 
-fn waves(ui: &mut Ui, app: &App, settings: &mut Settings, width: f32, theme: Theme) {
+fn waves(
+    ui: &mut Ui,
+    app: &App,
+    settings: &mut Settings,
+    (width, bare): (f32, bool),
+    theme: Theme,
+) {
     ui.spacing_mut().item_spacing.x = 8.0;
-    let from = answers::hard_to_see_from(app);
+    // In a lesson it would be the answer.
+    let from = answers::hard_to_see_from(app).filter(|_| !bare);
     let does = from.map_or_else(String::new, |order| match order {
         0 => "no difference is seen".to_owned(),
         order => format!("looks alike from {order} on"),

@@ -143,6 +143,14 @@ pub(super) fn layers(
     });
 }
 
+/// What is laid over and on what scale, where the layers are not to be chosen.
+pub(super) fn compared(ui: &mut Ui, app: &App, theme: Theme) {
+    if app.document().laid_over().next().is_some() {
+        let words = RichText::new(laid_over(app)).color(theme.faint);
+        ui.add(Label::new(words).truncate());
+    }
+}
+
 fn lines(ui: &mut Ui, theme: Theme, view: &mut View) {
     chip(
         ui,

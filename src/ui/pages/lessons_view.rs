@@ -8,14 +8,18 @@ use std::{
 use eframe::egui;
 use egui::{Align, Label, Layout, RichText, Ui, vec2};
 
-use super::{PageContext, PageWish};
+use super::{
+    PageContext, PageWish,
+    lesson_cards::{Card, LessonPictures, Marks},
+};
 use crate::{
     app::{
+        ByAddress, Memo,
         lessons::{Fault, Lesson, shelf},
         pages::{AskedLesson, PageMemory},
     },
     ui::{
-        kit::{framed, headline, pressed, scrolled, tile_button, warning},
+        kit::{framed, headline, named, pressed, scrolled, segments, warning},
         theme::Theme,
         trial_view::TrialView,
     },
@@ -32,6 +36,13 @@ pub struct LessonsView {
     /// The lesson that teachers look at.
     chosen: usize,
     trial: TrialView,
+    /// The path that is shown, from 1; 0 for all.
+    path: usize,
+    pictures: LessonPictures,
+    /// All lessons in a language that was chosen, by it and the own ones there are.
+    translated: Memo<InLanguage, Vec<Arc<Lesson>>>,
+    /// What became of a lesson that was removed.
+    note: String,
 }
 
 /// What is saved of a lesson.
@@ -45,14 +56,55 @@ pub enum LessonFile {
     Start,
 }
 
-/// Width of a page from which lessons stand two in a row.
-const TWO: f32 = 720.0;
+/// A language, and the own lessons there are.
+type InLanguage = (String, Vec<ByAddress<Lesson>>);
+
+/// Least width of a card, points.
+const CARD: f32 = 410.0;
+
+/// The path of a person's own lessons.
+const OWN: &str = "Your own";
+
+/// A click on the list.
+enum Act {
+    /// Begins the lesson of this name.
+    Begin(String),
+    /// Takes it off the list.
+    Remove(Arc<Lesson>),
+}
+
+/// A button in the corner of a card that takes it off the list; whether it was clicked.
+fn removes(ui: &mut Ui, card: egui::Rect, title: &str) -> bool {
+    let size = vec2(64.0, ui.spacing().interact_size.y);
+    let place = egui::Rect::from_min_size(card.max - size - vec2(4.0, 4.0), size);
+    let mut corner = ui.new_child(egui::UiBuilder::new().max_rect(place));
+    let button = corner.add(egui::Button::new("Remove").small());
+    named(
+        &button,
+        egui::Role::Button,
+        &format!("Remove the lesson {title}"),
+    );
+    let meaning = "Takes it off the list. Its file stays in the folder, as .json.removed.";
+    button.on_hover_text(meaning).clicked()
+}
 
 impl LessonsView {
-    /// Every lesson: the shipped ones, then the own ones.
-    fn all(&self) -> Vec<Arc<Lesson>> {
-        let all = shelf::shipped().iter().chain(&self.own);
-        all.cloned().collect()
+    /// Every lesson in a language: the shipped ones, then the own ones.
+    fn all(&mut self, language: &str) -> Vec<Arc<Lesson>> {
+        let own: Vec<_> = self.own.iter().cloned().map(ByAddress).collect();
+        let make = |(language, own): &InLanguage| {
+            let all = shelf::shipped().iter().chain(own.iter().map(|one| &one.0));
+            let in_it = |lesson: &Arc<Lesson>| match lesson.texts.contains_key(language) {
+                true => Arc::new(Lesson {
+                    texts: lesson.texts.clone(),
+                    ..lesson.in_language(language)
+                }),
+                false => lesson.clone(),
+            };
+            all.map(in_it).collect()
+        };
+        let key = (language.to_owned(), own);
+        self.translated.get(key, make).clone()
     }
 
     /// A lesson by its name, or of a file; own ones go first.
@@ -77,7 +129,7 @@ impl LessonsView {
 
     /// The list, to begin one.
     pub fn list(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let all = self.all();
+        let all = self.all(&context.memory.lesson_language);
         let done = &context.memory.lessons_finished;
         let finished = all.iter().filter(|l| done.contains(&l.name)).count();
         let words = match finished {
@@ -92,53 +144,147 @@ impl LessonsView {
         };
         headline(ui, context.theme, words);
         ui.add_space(6.0);
-        let scale = context.theme.scale;
-        let mut asked = None;
+        let paths = self.paths(&all);
+        self.choices(ui, context, &all);
+        ui.add_space(6.0);
+        let (mut asked, mut gone) = (None, None);
         scrolled(ui, "lessons", |ui| {
-            let columns = if ui.available_width() >= TWO * scale {
-                2
-            } else {
-                1
-            };
-            let gap = ui.spacing().item_spacing.x;
-            let width = (ui.available_width() - gap * (columns - 1) as f32) / columns as f32;
-            let paths = shelf::PATHS.into_iter();
-            let own = ("Your own", self.own.len());
-            let mut first = 0;
-            for (title, count) in paths.chain([own]).filter(|(_, count)| *count > 0) {
-                let begins = first;
-                first += count;
-                ui.label(RichText::new(title).color(ui.visuals().strong_text_color()));
-                let lessons: Vec<_> = all[begins..first].iter().enumerate().collect();
-                for row in lessons.chunks(columns) {
-                    let heights = row.iter();
-                    let heights =
-                        heights.map(|(_, lesson)| Card::of(ui, lesson, 0, false, width).height());
-                    let height = heights.fold(0.0, f32::max);
-                    ui.horizontal_top(|ui| {
-                        for (index, lesson) in row {
-                            let tick = context.memory.lessons_finished.contains(&lesson.name);
-                            let card = Card::of(ui, lesson, index + 1, tick, width);
-                            if card.show(ui, height) {
-                                asked = Some(lesson.name.clone());
-                            }
-                        }
-                    });
+            let chosen = self.path;
+            for (place, (title, lessons)) in paths.iter().enumerate() {
+                if lessons.is_empty() || chosen > 0 && chosen != place + 1 {
+                    continue;
+                }
+                ui.label(RichText::new(*title).color(ui.visuals().strong_text_color()));
+                let is_own = place == shelf::PATHS.len();
+                match self.cards(ui, context, lessons, is_own) {
+                    Some(Act::Begin(name)) => asked = Some(name),
+                    Some(Act::Remove(lesson)) => gone = Some(lesson),
+                    None => {}
                 }
                 ui.add_space(10.0);
             }
             ui.add_space(6.0);
             self.of_own_ones(ui, context.theme);
         });
+        self.pictures.draw(ui, context);
         if let Some(name) = asked {
             begin(ui, context.memory, &name);
         }
+        if let Some(lesson) = gone {
+            self.remove(&lesson);
+        }
+    }
+
+    /// The paths with their lessons, the person's own at the end.
+    fn paths(&self, all: &[Arc<Lesson>]) -> Vec<(&'static str, Vec<Arc<Lesson>>)> {
+        let own = (OWN, self.own.len());
+        let mut rest = all;
+        let paths = shelf::PATHS.into_iter().chain([own]);
+        let paths = paths.map(|(title, count)| {
+            let (lessons, others) = rest.split_at(count.min(rest.len()));
+            rest = others;
+            (title, lessons.to_vec())
+        });
+        paths.collect()
+    }
+
+    /// Which path is shown, and in which language where there are several.
+    fn choices(&mut self, ui: &mut Ui, context: &mut PageContext<'_>, all: &[Arc<Lesson>]) {
+        ui.horizontal_wrapped(|ui| {
+            let count = shelf::PATHS.len() + usize::from(!self.own.is_empty());
+            self.path = self.path.min(count);
+            let title = |path: usize| match path.checked_sub(1) {
+                None => ("All", "All lessons, path after path."),
+                Some(path) => (shelf::PATHS.get(path).map_or(OWN, |(title, _)| *title), ""),
+            };
+            segments(ui, &mut self.path, 0..=count, title);
+            let codes = all.iter().flat_map(|lesson| lesson.texts.keys());
+            let mut codes: Vec<&str> = codes.map(String::as_str).chain(["en"]).collect();
+            codes.sort_unstable();
+            codes.dedup();
+            let language = &mut context.memory.lesson_language;
+            if codes.len() > 1 {
+                ui.label("Language");
+                for code in codes {
+                    let is_chosen = code == language;
+                    if ui.selectable_label(is_chosen, code).clicked() {
+                        *language = code.to_owned();
+                    }
+                }
+            }
+        });
+    }
+
+    /// The cards of a path in rows of even height; what was clicked.
+    fn cards(
+        &mut self,
+        ui: &mut Ui,
+        context: &PageContext<'_>,
+        lessons: &[Arc<Lesson>],
+        is_own: bool,
+    ) -> Option<Act> {
+        let theme = context.theme;
+        let done = &context.memory.lessons_finished;
+        let columns = (ui.available_width() / (CARD * theme.scale))
+            .floor()
+            .max(1.0);
+        let gap = ui.spacing().item_spacing.x;
+        let width = (ui.available_width() - gap * (columns - 1.0)) / columns;
+        let cards = lessons.iter().enumerate().map(|(index, lesson)| {
+            let marks = Marks {
+                number: index + 1,
+                finished: done.contains(&lesson.name),
+                first: index == 0 && !is_own,
+            };
+            (Card::of(ui, lesson, &marks, width, theme), lesson)
+        });
+        let cards: Vec<_> = cards.collect();
+        let mut act = None;
+        for row in cards.chunks(columns as usize) {
+            let height = row
+                .iter()
+                .map(|(card, _)| card.height())
+                .fold(0.0, f32::max);
+            ui.horizontal_top(|ui| {
+                for (card, lesson) in row {
+                    let pictures = (&mut self.pictures, theme);
+                    let (rect, clicked) = card.show(ui, lesson, height, pictures);
+                    if clicked {
+                        act = Some(Act::Begin(lesson.name.clone()));
+                    }
+                    if is_own && removes(ui, rect, &lesson.title) {
+                        act = Some(Act::Remove((*lesson).clone()));
+                    }
+                }
+            });
+        }
+        act
+    }
+
+    /// Takes one of a person's own off the list; its file is kept under another ending.
+    fn remove(&mut self, lesson: &Lesson) {
+        let gone = self
+            .folder
+            .as_ref()
+            .map(|folder| shelf::put_away(folder, lesson));
+        self.note = match gone {
+            Some(Err(why)) => {
+                self.note = why;
+                return;
+            }
+            Some(Ok(away)) => format!("{} was removed; its file is now {away}.", lesson.title),
+            None => format!("{} was removed.", lesson.title),
+        };
+        self.own.retain(|one| one.name != lesson.name);
     }
 
     /// How one's own come to the list, and which files cannot.
     fn of_own_ones(&self, ui: &mut Ui, theme: Theme) {
         for fault in &self.faults {
             warning(ui, theme, fault.to_string());
+        }
+        if !self.note.is_empty() {
+            ui.add(Label::new(&self.note).wrap());
         }
         let mut words =
             "A lesson of your own: drop its file on the window, or choose it with Open.".to_owned();
@@ -150,7 +296,7 @@ impl LessonsView {
 
     /// What each teaches, what to prepare, handouts, how to write one.
     pub fn teachers(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let all = self.all();
+        let all = self.all("");
         let minutes: u32 = all.iter().map(|lesson| lesson.minutes).sum();
         let words = format!(
             "{} lessons, {minutes} minutes in all. Choose one to see what it teaches and needs.",
@@ -223,7 +369,7 @@ fn of_teachers(
             lesson.audience_words()
         ));
         ui.add_space(6.0);
-        said(ui, "Afterwards a class can", &lesson.teaches);
+        said(ui, "After this lesson pupils can", &lesson.teaches);
         said(ui, "One sentence to remember", &lesson.remember);
         said(
             ui,
@@ -264,72 +410,4 @@ fn of_teachers(
          this window.",
     );
     copy
-}
-
-/// A lesson of the list, laid out.
-struct Card {
-    title: Arc<egui::Galley>,
-    sentence: Arc<egui::Galley>,
-    small: Arc<egui::Galley>,
-    name: String,
-    width: f32,
-}
-
-/// Around a card's words, points.
-const MARGIN: f32 = 10.0;
-
-impl Card {
-    fn of(ui: &Ui, lesson: &Lesson, number: usize, tick: bool, width: f32) -> Self {
-        let style = |style: egui::TextStyle| style.resolve(ui.style());
-        let lay =
-            |text: String, font, ink| ui.painter().layout(text, font, ink, width - 2.0 * MARGIN);
-        let visuals = ui.visuals();
-        let sign = if tick { "✔ " } else { "" };
-        let small = format!(
-            "{sign}{} minutes, {}",
-            lesson.minutes,
-            lesson.audience_words()
-        );
-        Self {
-            title: lay(
-                format!("{number}. {}", lesson.title),
-                style(egui::TextStyle::Heading),
-                visuals.strong_text_color(),
-            ),
-            sentence: lay(
-                lesson.sentence.clone(),
-                style(egui::TextStyle::Body),
-                visuals.text_color(),
-            ),
-            small: lay(
-                small,
-                style(egui::TextStyle::Small),
-                visuals.weak_text_color(),
-            ),
-            name: format!("Lesson: {}", lesson.title),
-            width,
-        }
-    }
-
-    fn height(&self) -> f32 {
-        let words = [&self.title, &self.sentence, &self.small];
-        words
-            .map(|galley| galley.size().y + 4.0)
-            .iter()
-            .sum::<f32>()
-            + 2.0 * MARGIN
-    }
-
-    /// Draws it as a button; whether it was clicked.
-    fn show(self, ui: &mut Ui, height: f32) -> bool {
-        let (rect, response) = tile_button(ui, vec2(self.width, height), &self.name);
-        let painter = ui.painter();
-        let mut at = rect.min + vec2(MARGIN, MARGIN);
-        for galley in [self.title, self.sentence, self.small] {
-            let height = galley.size().y;
-            painter.galley(at, galley, ui.visuals().text_color());
-            at.y += height + 4.0;
-        }
-        response.clicked()
-    }
 }

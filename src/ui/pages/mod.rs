@@ -7,6 +7,7 @@ pub mod gem_view;
 mod glossary_view;
 pub mod image_view;
 mod known_lamps_view;
+mod lesson_cards;
 mod lessons_view;
 mod many_view;
 pub mod photograph_view;

@@ -31,27 +31,66 @@ const GAP: f32 = 8.0;
 const HIDDEN: egui::Vec2 = vec2(1280.0, 900.0);
 const FAR: f32 = 1e5;
 
-/// Draws the page in force; whether a hand wants the whole window back. `in_lesson`: what a step
-/// points at may be any control of the page, so the whole page is shown, large.
+/// Draws the page in force; whether a hand wants the whole window back. `in_lesson`: a lesson's step
+/// is shown, and whether its controls are used: then the whole page is shown, large.
 pub(in crate::ui) fn show(
     pages: &mut Pages,
     ui: &mut Ui,
     context: &mut PageContext<'_>,
-    in_lesson: bool,
+    in_lesson: Option<bool>,
     knobs: Knobs<'_>,
 ) -> bool {
     let page = context.memory.page;
-    match page {
-        Page::Prism => pages.prism.present_prism(ui, context, in_lesson),
-        Page::Rainbow => pages.prism.present_rainbow(ui, context),
-        Page::Gem => pages.gem.present(ui, context),
-        _ if in_lesson || !has_chart(page) => {
+    match (page, in_lesson) {
+        (Page::Prism, _) => pages.prism.present_prism(ui, context, in_lesson.is_some()),
+        (Page::Rainbow, _) => pages.prism.present_rainbow(ui, context),
+        (Page::Gem, _) => pages.gem.present(ui, context),
+        (_, Some(true)) => in_lessons(pages, ui, context),
+        (_, Some(false)) if !is_one_chart(page) => in_lessons(pages, ui, context),
+        (_, None) if !has_chart(page) => {
             let leaves = head(ui, page.title());
             rolled(ui, |ui| pages.show(ui, context));
             leaves
         }
-        _ => chart(pages, ui, context, knobs),
+        (_, Some(false)) => chart(pages, ui, context, None),
+        (_, None) => chart(pages, ui, context, Some(knobs)),
     }
+}
+
+/// Type of a whole page beside a lesson, of that of a chart alone: more of it must be seen at once.
+const BESIDE_LESSON: f32 = 0.66;
+
+/// A whole page beside a lesson's column.
+fn in_lessons(pages: &mut Pages, ui: &mut Ui, context: &mut PageContext<'_>) -> bool {
+    let leaves = head(ui, "");
+    ui.add_space(-2.0 * GAP - ui.text_style_height(&egui::TextStyle::Body));
+    let whole = context.theme;
+    context.theme.scale = (BESIDE_LESSON * whole.scale).max(1.0);
+    let share = context.theme.scale / whole.scale;
+    ui.scope(|ui| {
+        for font in ui.style_mut().text_styles.values_mut() {
+            font.size *= share;
+        }
+        let spacing = ui.spacing_mut();
+        spacing.interact_size *= share;
+        spacing.button_padding *= share;
+        spacing.item_spacing *= share;
+        spacing.slider_width *= share;
+        rolled(ui, |ui| {
+            ui.set_max_width(ui.available_width() - 24.0 * whole.scale);
+            pages.show(ui, context);
+        });
+    });
+    context.theme = whole;
+    leaves
+}
+
+/// Whether the page says what it has to say with one chart.
+fn is_one_chart(page: Page) -> bool {
+    matches!(
+        page,
+        Page::Absorption | Page::Rendition | Page::Coefficients | Page::Auction
+    )
 }
 
 /// Whether the page's main picture is a chart.
@@ -94,7 +133,12 @@ pub(super) fn head(ui: &mut Ui, words: &str) -> bool {
 }
 
 /// The largest chart of the page, its sentence above, the model's knobs below.
-fn chart(pages: &mut Pages, ui: &mut Ui, context: &mut PageContext<'_>, knobs: Knobs<'_>) -> bool {
+fn chart(
+    pages: &mut Pages,
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    knobs: Option<Knobs<'_>>,
+) -> bool {
     let page = context.memory.page;
     let (words, found) = taken_out(pages, ui, context);
     let leaves = head(ui, &words);
@@ -103,10 +147,8 @@ fn chart(pages: &mut Pages, ui: &mut Ui, context: &mut PageContext<'_>, knobs: K
         rolled(ui, |ui| pages.show(ui, context));
         return leaves;
     };
-    let below = match follows_knobs(page) {
-        true => knobs.height + GAP,
-        false => 0.0,
-    };
+    let knobs = knobs.filter(|_| follows_knobs(page));
+    let below = knobs.as_ref().map_or(0.0, |knobs| knobs.height + GAP);
     let room = ui.available_size();
     let size = vec2(room.x, (room.y - below).max(1.0));
     column(ui, size, |ui| {
@@ -115,7 +157,7 @@ fn chart(pages: &mut Pages, ui: &mut Ui, context: &mut PageContext<'_>, knobs: K
         let mut shown = ChartView::show(ui, &found, id, size, context.theme);
         context.ask_for_chart(shown.wish.take());
     });
-    if below > 0.0 {
+    if let Some(knobs) = knobs {
         ui.add_space(GAP);
         (knobs.show)(ui, context);
     }

@@ -32,6 +32,10 @@ impl Window {
             return;
         }
         let others = self.palette.is_open() || self.drawer.open || self.menu_open;
+        let escapes = context.input(|i| i.key_pressed(egui::Key::Escape));
+        if escapes && !others && self.lesson_view.close_word() {
+            return;
+        }
         if self.preferences.presents()
             && !others
             && context.input(|i| i.key_pressed(egui::Key::Escape))

@@ -79,7 +79,7 @@ fn checked(path: &Path) -> Checked {
         };
         Some(picture::names(app, &preferences))
     };
-    let lesson = shelf::read_file(path).map_err(|why| why.to_string())?;
+    let lesson = shelf::read_whole(path).map_err(|faults| Findings::lines(&faults))?;
     let found = lessons::check(&lesson, &names);
     match found.faults.is_empty() {
         true => Ok(Arc::new(lesson)),

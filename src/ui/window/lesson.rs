@@ -1,6 +1,6 @@
 //! The lesson that is being taken: its column, its keys, its beginning and its end.
 
-use std::path::PathBuf;
+use std::{path::PathBuf, sync::Arc};
 
 use eframe::egui;
 use egui::{Context, Key, Margin, Modifiers, Panel, Rect, Ui};
@@ -17,7 +17,7 @@ use super::{
 };
 use crate::app::{
     Command, Subject, Tone,
-    lessons::{Aim, Run, shelf},
+    lessons::{Aim, Lesson, Run, shelf},
     pages::{Page, Place},
 };
 
@@ -52,17 +52,9 @@ impl Window {
         if let Some(asked) = self.preferences.pages.lesson_asked.take()
             && let Some(lesson) = self.pages.lessons.find(&asked.name)
         {
-            self.leave_lesson();
-            let pages = &mut self.preferences.pages;
-            let mut run = Run::start(lesson, &mut self.app, pages);
-            if asked.step > 0 {
-                run.go(asked.step, &mut self.app, pages);
-            }
-            if asked.done {
-                run.finish(&mut self.app, pages);
-            }
-            self.lesson = Some(run);
-            self.drawer.open = false;
+            let language = &self.preferences.pages.lesson_language;
+            let lesson = Arc::new(lesson.in_language(language));
+            self.begin(&lesson, asked.step, asked.done);
             context.request_repaint();
         }
         let Some(run) = &mut self.lesson else { return };
@@ -77,6 +69,21 @@ impl Window {
             context.request_repaint_after(left);
         }
         run.look(&self.app, pages);
+    }
+
+    /// Begins a lesson at a step, from 0, as it begins or as it ends.
+    pub(in crate::ui) fn begin(&mut self, lesson: &Arc<Lesson>, step: usize, done: bool) {
+        self.leave_lesson();
+        let pages = &mut self.preferences.pages;
+        let mut run = Run::start(lesson.clone(), &mut self.app, pages);
+        if step > 0 {
+            run.go(step, &mut self.app, pages);
+        }
+        if done {
+            run.finish(&mut self.app, pages);
+        }
+        self.lesson = Some(run);
+        self.drawer.open = false;
     }
 
     /// Reads the folder of own lessons whenever their list comes into sight.
@@ -111,8 +118,9 @@ impl Window {
         }
     }
 
-    /// The ring around what the step points at.
-    pub(super) fn lesson_ring(&self, context: &Context, theme: Theme) {
+    /// The ring around what the step points at, and over all the word of the glossary that is open.
+    pub(super) fn lesson_ring(&mut self, context: &Context, theme: Theme) {
+        self.lesson_view.word(context, self.lesson_ends, theme);
         let aim = self.lesson.as_ref();
         let aim = aim.and_then(|run| run.aim(&self.app, &self.preferences.pages));
         let name = match &aim {
@@ -202,6 +210,9 @@ impl Window {
             }
             Wish::Again => run.set_stage(app, pages),
             Wish::Leave => self.leave_lesson(),
+        }
+        if !matches!(wish, Wish::Choose(_) | Wish::ShowMe) {
+            self.lesson_view.close_word();
         }
         // What stands above and beside was drawn before.
         context.request_repaint();

@@ -20,7 +20,7 @@ const LEAST_WIDTH: f32 = 400.0;
 impl Window {
     /// A page beside the spectrum, large and without the rest of the window.
     pub(super) fn presented(&mut self, ui: &mut Ui, theme: Theme) {
-        let in_lesson = self.lesson.is_some();
+        let in_lesson = self.lesson.as_ref().map(|run| run.uses_page());
         let mut look = std::mem::take(&mut self.look);
         let mut leaves = false;
         self.page(ui, theme, |pages, ui, shown| {

@@ -293,6 +293,7 @@ impl Window {
             verdict_below,
             pair,
             present: shape.present,
+            in_lesson: self.lesson.is_some(),
         };
         let wishes = self.look.show(ui, &mut scene);
         let mut commands = wishes.commands;

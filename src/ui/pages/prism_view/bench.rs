@@ -171,8 +171,7 @@ pub(super) fn show(
         }
     }
     if let Some(stretch) = mapping.stretch(drawing) {
-        let hint =
-            format!("Behind the prism the spread is drawn {stretch:.0} times as wide as it is.");
+        let hint = format!("The spread is drawn {stretch:.0} times as wide.");
         let at = area.right_top() + vec2(-8.0, 6.0);
         write(
             ui,

@@ -113,6 +113,7 @@ impl PrismView {
             // The lesson points at it.
             let sent = bench.sent;
             let lines = &mut |ui: &mut Ui| {
+                ui.spacing_mut().slider_width = 0.4 * ui.available_width();
                 form(ui, "lines presented", |form| {
                     model::knobs(form, context, sent)
                 });

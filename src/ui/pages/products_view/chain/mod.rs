@@ -52,7 +52,11 @@ impl ChainView {
         let revision = app.revision();
         let sheet = &*self.sheet.get(revision, |_| ChainSheet::of(app));
         let light = app.document().light.name();
-        headline(ui, context.theme, headlines::chain(light, &sheet.told));
+        headline(
+            ui,
+            context.theme,
+            headlines::chain(light, &sheet.told, context.app.document().view.model),
+        );
         ui.add_space(GROUP);
         let (held, chart) = (&mut self.held, &mut self.chart);
         let scale = context.theme.scale;

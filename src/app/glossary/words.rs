@@ -1,0 +1,396 @@
+//! The words of the glossary, each with its forms in running text.
+
+use super::Word;
+
+/// All words, by the alphabet.
+pub const WORDS: &[Word] = &[
+    word(
+        "Absorption line",
+        &["absorption line", "dark line"],
+        "A narrow gap in a spectrum where something between the light and the eye took its share away. The model keeps it as a line of negative weight.",
+    ),
+    word(
+        "Adaptation",
+        &["adapts", "adaptation", "adapted"],
+        "The eye gets used to the colour of the light within a minute, so that white paper looks white under a bulb too. Patches can be shown as that eye sees them.",
+    ),
+    word(
+        "Aliasing",
+        &["aliasing"],
+        "A false coarse pattern that samples show in place of a fine one, since they stand too far apart for it.",
+    ),
+    word(
+        "Band",
+        &[],
+        "A stretch of wavelengths, wider than a line. Phosphors shine in bands.",
+    ),
+    word(
+        "Basis",
+        &[],
+        "The family of waves that a smooth part is added up from, such as the paper's periodic ones (Fourier) or half-range cosines, which do not have to end as they began.",
+    ),
+    word(
+        "Beer-Lambert law",
+        &["law of Beer and Lambert", "Beer-Lambert law"],
+        "Each equal layer of a filter lets the same share of a wavelength through, so twice the thickness squares the share. Reflections at the surfaces are left out.",
+    ),
+    word(
+        "Black body",
+        &["black body", "black bodies"],
+        "A body that absorbs all light, so that what it sends out is the glow of its heat alone. A bulb's wire is nearly one; its temperature decides its colour.",
+    ),
+    word(
+        "CCT",
+        &["CCT", "correlated colour temperature", "colour temperature"],
+        "Correlated colour temperature: the temperature of the black body whose colour comes nearest, in kelvin. Low is warm, high is cool.",
+    ),
+    word(
+        "Chromaticity",
+        &["chromaticity", "chromaticity diagram"],
+        "Colour without brightness: two numbers, x and y, or u' and v'.",
+    ),
+    word(
+        "CIE",
+        &[],
+        "The International Commission on Illumination, which defines the observers, the standard lights and the measures of colour difference used here.",
+    ),
+    word("CIEDE2000", &[], "See Delta E (ΔE₀₀)."),
+    word(
+        "Colour-exact",
+        &[],
+        "The model's smooth part is adjusted so that its X, Y and Z are exactly those of the spectrum. It costs no numbers.",
+    ),
+    word(
+        "Colour-matching functions",
+        &["colour-matching function"],
+        "Three curves that say how strongly each wavelength acts on the standard observer's X, Y and Z.",
+    ),
+    word(
+        "Composite model",
+        &["composite"],
+        "A spectrum as a smooth part, which few waves describe, and a few lines, each a place and a weight.",
+    ),
+    word(
+        "Cone",
+        &["cone"],
+        "A cell of the retina that colour is seen with by day. There are three kinds; each adds up the light that it catches under one broad curve.",
+    ),
+    word(
+        "Cosine basis",
+        &[],
+        "Cosines of half the range: the same count of numbers as the Fourier series, without its ringing at the ends.",
+    ),
+    word(
+        "D65",
+        &["D65", "CIE D65"],
+        "The CIE's standard daylight, 6504 kelvin.",
+    ),
+    word(
+        "Delta E (ΔE₀₀)",
+        &["ΔE₀₀", "colour difference"],
+        "CIEDE2000, the difference between two colours. Below about 1 hardly anyone sees it, up to 2 only side by side, above 5 it is large. Half of the observers see 0.8 (Paravina et al. 2015, ISO/TR 28642).",
+    ),
+    word(
+        "Dispersion",
+        &["dispersion"],
+        "Glass, water and diamond bend short wavelengths more than long ones: light fans out into its colours.",
+    ),
+    word(
+        "Duv",
+        &["Duv"],
+        "Distance of a white from the line of black bodies: above it (positive) greenish, below it pinkish.",
+    ),
+    word(
+        "Efficacy",
+        &["efficacy"],
+        "Lumens per watt. The efficacy of radiation counts the watts of the light alone, that of a lamp the watts from the socket, and is lower.",
+    ),
+    word(
+        "Emission line",
+        &["emission line", "bright line"],
+        "Light of (nearly) one wavelength, given off by the atoms of a gas. The model keeps it as a place and a weight.",
+    ),
+    word(
+        "Energy level",
+        &["energy level"],
+        "One of the energies that an electron in an atom can have. A fall from one to a lower one sends out light of one wavelength.",
+    ),
+    word(
+        "Error against waves",
+        &[],
+        "How far the model is off with every number of waves: where the curve falls below 1, the difference is hard to see on those surfaces.",
+    ),
+    word("Fidelity", &["fidelity"], "See Rf."),
+    word(
+        "Filter",
+        &["filter"],
+        "Glass or a gel that lets some wavelengths through and holds others back.",
+    ),
+    word(
+        "Fluorescent lamp",
+        &["fluorescent tube", "fluorescent lamp"],
+        "Mercury vapour shines in a few lines, mostly ultraviolet; a phosphor on the glass turns that into visible bands. What leaves is lines on a glow.",
+    ),
+    word(
+        "Fourier series",
+        &["Fourier series"],
+        "A sum of waves that repeat over the range, each with twice, three times ... the frequency of the first.",
+    ),
+    word(
+        "FWHM",
+        &["FWHM"],
+        "Full width at half maximum: how wide a line or band is at half its height, in nanometres.",
+    ),
+    word(
+        "Gamut",
+        &["gamut"],
+        "The colours that a screen can show. A corner mark tells of one outside.",
+    ),
+    word("Gibbs phenomenon", &["Gibbs phenomenon"], "See Ringing."),
+    word(
+        "Grating",
+        &["grating"],
+        "Many fine parallel lines that send each wavelength into a direction of its own. The tracks of a CD are one.",
+    ),
+    word(
+        "Illuminant",
+        &["illuminant"],
+        "A standard light, defined by a table of its spectrum, such as A, D65 or the fluorescent FL series.",
+    ),
+    word(
+        "Infrared",
+        &["infrared"],
+        "Radiation of longer wavelengths than red, from about 780 nm on. The eye does not see it; warm bodies send it out.",
+    ),
+    word(
+        "Kelvin",
+        &["kelvin"],
+        "The unit of temperature, counted from absolute zero: 0 °C is 273.15 K. Whites are named by the temperature of the black body that comes nearest.",
+    ),
+    word(
+        "LED",
+        &["LED"],
+        "A light-emitting diode. White ones are mostly a blue diode with a yellow phosphor.",
+    ),
+    word("Line", &[], "See emission line and absorption line."),
+    word(
+        "Lumen",
+        &["lumen", "lm/W"],
+        "The unit of light as the eye weighs it: one watt at 555 nm is 683 lumens, at 450 nm only about 26.",
+    ),
+    word(
+        "Luminance",
+        &["luminance"],
+        "Brightness of light to the eye: the Y of X, Y, Z.",
+    ),
+    word(
+        "Melanopic",
+        &["melanopic", "melanopic ratio"],
+        "Weighed as the cells that set the body's clock weigh light, most near 490 nm. The melanopic ratio (DER) compares a light with daylight D65 of the same illuminance.",
+    ),
+    word(
+        "Metamers",
+        &["metamer"],
+        "Two spectra of the same colour: equal under one light, perhaps not under another.",
+    ),
+    word(
+        "Monochromator",
+        &["monochromator"],
+        "An instrument that lets one narrow band of wavelengths through its slit at a time.",
+    ),
+    word(
+        "Nanometre",
+        &["nanometre"],
+        "A millionth of a millimetre, nm. Visible light has wavelengths from about 380 to 780 nm.",
+    ),
+    word(
+        "Noise",
+        &["noise"],
+        "Random differences between readings of the same light. The mean of many readings has less of it.",
+    ),
+    word(
+        "Numbers",
+        &[],
+        "The size of a model: 2N + 1 for N waves, and two for each line. A table from 380 to 780 nm takes 401.",
+    ),
+    word(
+        "Nyquist's rule",
+        &["Nyquist's rule"],
+        "Samples show only waves that are at least twice as long as the samples are apart; of shorter ones they make false long ones.",
+    ),
+    word(
+        "Observer",
+        &["standard observer"],
+        "The CIE's standard eye: of 1931 for small fields of 2 degrees, of 1964 for fields of 10 degrees, of 2015 from the cones themselves.",
+    ),
+    word(
+        "Overlay",
+        &[],
+        "A spectrum that is compared: drawn over the first: lights of relative units equally bright (of equal luminance), surfaces as they are.",
+    ),
+    word(
+        "Patch",
+        &[],
+        "A surface of known reflectance, shown as it looks under the measured light and under the model.",
+    ),
+    word(
+        "Phosphor",
+        &["phosphor"],
+        "A powder that turns short wavelengths into longer ones, in bands of its own.",
+    ),
+    word(
+        "Photon",
+        &["photon"],
+        "The smallest portion of light. Its energy is Planck's constant times the speed of light over the wavelength: a violet one has more than a red one.",
+    ),
+    word(
+        "Planck's law",
+        &["Planck's law"],
+        "The spectrum of a black body at each temperature. The hotter it is, the more it glows at every wavelength.",
+    ),
+    word(
+        "R13",
+        &["R13"],
+        "Score of a light skin in the colour rendering index. It is not part of Ra.",
+    ),
+    word(
+        "R9",
+        &["R9"],
+        "Score of a strong red in the colour rendering index. It is not part of Ra, and can fall below 0.",
+    ),
+    word(
+        "Ra",
+        &["Ra"],
+        "General colour rendering index: the mean score of eight pale test colours. 100 means that they look as under the reference light.",
+    ),
+    word(
+        "Reference light",
+        &["reference light"],
+        "The light that colour rendering is compared with, of the same colour temperature: a black body where the light is warm, daylight where it is cool.",
+    ),
+    word(
+        "Reflectance",
+        &["reflectance"],
+        "The share of each wavelength that a surface sends back, 0 to 1.",
+    ),
+    word(
+        "Refraction",
+        &["refraction"],
+        "Light changes its direction where it enters glass or water, because it travels slower there. Violet is slowed more than red.",
+    ),
+    word(
+        "Residual",
+        &["residual"],
+        "Model minus measured: the part of a spectrum that the model does not have.",
+    ),
+    word(
+        "Rf",
+        &["Rf"],
+        "Fidelity index of TM-30, 0 to 100: the smaller the changes of 99 surfaces against the reference light, the higher.",
+    ),
+    word(
+        "Rg",
+        &["Rg"],
+        "Gamut index of TM-30: above 100 colours are more vivid on average than under the reference light, below 100 duller.",
+    ),
+    word(
+        "Ringing",
+        &["ringing"],
+        "Waves beside a jump or a narrow line: a series that stops early overshoots on both sides. Also called the Gibbs phenomenon.",
+    ),
+    word(
+        "rms",
+        &["rms"],
+        "Root mean square: the size of an error over a whole curve, given here as a share of the spectrum.",
+    ),
+    word(
+        "Sampling",
+        &["sampling", "sample"],
+        "A curve kept as its values at chosen places. Anything narrow between two of them is lost.",
+    ),
+    word(
+        "Slit",
+        &["slit"],
+        "The opening of an instrument, which decides how wide a band it takes in at once. A wide one blurs lines and keeps their power.",
+    ),
+    word(
+        "Smooth part",
+        &["smooth part"],
+        "The rest of a spectrum without its lines: few waves describe it.",
+    ),
+    word(
+        "Spectral power distribution",
+        &[],
+        "How much light there is at each wavelength: the spectrum itself.",
+    ),
+    word(
+        "Spectrometer",
+        &["spectrometer", "spectroscope"],
+        "An instrument that records the power of light at each wavelength.",
+    ),
+    word(
+        "Spike",
+        &["spike"],
+        "A line in the model: a place in nanometres and a weight, the power in it. In the paper it has no width; \"As wide as they are\" gives it one.",
+    ),
+    word(
+        "sRGB",
+        &["sRGB"],
+        "The colours of ordinary screens. Of a colour outside, what the screen cannot show is cut off: a corner marks it, and what is shown is not the nearest colour.",
+    ),
+    word(
+        "Threshold",
+        &["threshold"],
+        "The least share of the power that a line must hold to be kept as a line.",
+    ),
+    word("Tint", &["tint"], "See Duv."),
+    word(
+        "TM-30",
+        &["TM-30"],
+        "The method of ANSI/IES for colour rendition: 99 surfaces in 16 hues, with Rf, Rg and a drawing of how each hue shifts.",
+    ),
+    word(
+        "Transmittance",
+        &["transmittance"],
+        "The share of each wavelength that a filter lets through, 0 to 1.",
+    ),
+    word(
+        "Triphosphor lamp",
+        &["three-band tube", "triphosphor"],
+        "A fluorescent lamp whose phosphors shine in a blue, a green (terbium) and a red (europium) band.",
+    ),
+    word(
+        "Ultraviolet",
+        &["ultraviolet"],
+        "Radiation of shorter wavelengths than violet, below about 380 nm. It is not seen; it makes phosphors glow and harms eyes and skin.",
+    ),
+    word(
+        "Wavelength",
+        &["wavelength"],
+        "The length of a wave of light, which decides its pure colour, in nanometres: 450 blue, 550 green, 650 red.",
+    ),
+    word(
+        "Waves",
+        &[],
+        "The waves that draw the smooth part, N of them: the shortest fits N times into the range. None is a level line. They are not waves of light.",
+    ),
+    word(
+        "Weight",
+        &[],
+        "The power of a line, in the spectrum's unit times nanometres; on screen its share of the power is told.",
+    ),
+    word(
+        "Wien's law",
+        &["Wien's law"],
+        "The wavelength at which a black body is strongest is 2.898 million nm K divided by its temperature.",
+    ),
+    word(
+        "XYZ",
+        &["X, Y and Z"],
+        "Three numbers that decide a colour: the spectrum weighed by the three colour-matching functions. Y is the brightness.",
+    ),
+];
+
+const fn word(word: &'static str, forms: &'static [&'static str], means: &'static str) -> Word {
+    Word { word, forms, means }
+}
