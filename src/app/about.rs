@@ -5,12 +5,14 @@ use super::{
     families::{Families, Family},
     line_names::Identified,
     made::is_made,
+    readings::COUNTS,
     ticks::{extent, short},
     tint::kelvin_words,
 };
 use crate::{
     color::{Observer, cct_from_xyz, xyz::xyz_from_light},
     io::many::capitalised,
+    measurements::counts_sign,
     spectrum::{Kind, Sampled},
 };
 
@@ -32,9 +34,23 @@ pub struct About {
 impl About {
     /// What is said of a shipped entry, or of one of the user's own.
     pub fn of(entry: &Entry) -> Self {
-        Self {
-            kelvin: kelvin_of(entry),
-            ..Self::words_of(entry)
+        let words = Self::words_of(entry);
+        // A shipped spectrum is none, which a test holds.
+        let own = Some(entry).filter(|entry| entry.shelf().is_none());
+        match own.and_then(|entry| counts_sign(&entry.spectrum)) {
+            Some(sign) if sign.is_certain => Self {
+                about: COUNTS.to_owned(),
+                ..words
+            },
+            Some(sign) => Self {
+                kelvin: kelvin_of(entry),
+                about: format!("These may be counts, not light: {}.", sign.why),
+                ..words
+            },
+            None => Self {
+                kelvin: kelvin_of(entry),
+                ..words
+            },
         }
     }
 

@@ -5,6 +5,7 @@ use std::sync::{Arc, LazyLock};
 use super::{library::Library, origin::Origin};
 use crate::{
     io::MakersResult,
+    measurements::Measurement,
     preset::{self, Body, Preset, Shelf},
     spectrum::{Band, Basis, Composite, Kind, Line, NamedSpectrum, Sampled, Series},
 };
@@ -23,6 +24,9 @@ pub struct Entry {
     pub makers: Vec<MakersResult>,
     /// The composite that the spectrum is by its own source; its table is that composite's. `None` for what was measured or computed otherwise.
     pub composite: Option<Arc<Composite>>,
+    /// The measurement that the values are of, with sigma, mask and what else is known of its doubt;
+    /// `None` where nothing is.
+    pub measured: Option<Arc<Measurement>>,
 }
 
 /// Its numbers are finite, so it equals itself: one that two documents share is not read through to be
@@ -68,6 +72,7 @@ impl Entry {
             licence: preset.licence.words.clone(),
             makers: Vec::new(),
             composite: given,
+            measured: None,
         })
     }
 
@@ -93,6 +98,7 @@ impl Entry {
             licence: String::new(),
             makers: Vec::new(),
             composite: None,
+            measured: None,
         }
     }
 

@@ -6,6 +6,7 @@ use super::{
     charts::{order::curve_chart, spectrum::spectrum_chart},
     derived::{OF_CURVE, OrderPoint, PatchPair},
     line_names::LineName,
+    measured::{has_doubt, lost_of_measurement, measurement_as},
     settings::Detector,
     sheet,
     state::App,
@@ -16,6 +17,7 @@ use crate::{
         Column, Columns, CompositeFile, Provenance, composite_json, composite_line, encode, losses,
         many::many,
     },
+    measurements::Measurement,
     spectrum::{ModelSpike, NamedSpectrum, Sampled},
 };
 
@@ -109,7 +111,12 @@ impl Export {
     /// What its format does not keep, a sentence each.
     pub fn losses(self, app: &App) -> Vec<String> {
         match self {
-            Self::Spdx | Self::ArgyllSp => losses(self.extension(), &scaled_subject(app)),
+            Self::Spdx | Self::ArgyllSp => {
+                let mut all = losses(self.extension(), &scaled_subject(app));
+                let measured = scaled_measurement(app);
+                all.extend(measured.and_then(|of| lost_of_measurement(self.extension(), &of)));
+                all
+            }
             _ => Vec::new(),
         }
     }
@@ -134,7 +141,11 @@ impl Export {
             Self::Spdx | Self::ArgyllSp | Self::SpectrumJson => {
                 let scaled = scaled_subject(app);
                 let columns = Columns::measured(&scaled);
-                encode(self.extension(), &scaled, &columns, &provenance(app))
+                let doubted = scaled_measurement(app)
+                    .and_then(|of| measurement_as(self.extension(), &of, &scaled.source));
+                doubted.unwrap_or_else(|| {
+                    encode(self.extension(), &scaled, &columns, &provenance(app))
+                })
             }
             Self::PatchesCsv => Ok(patches_table(app).csv()),
             Self::SpikesCsv => Ok(spikes_table(app).csv()),
@@ -235,6 +246,19 @@ fn scaled_subject(app: &App) -> NamedSpectrum {
         unit: app.unit().to_owned(),
         ..spectrum.clone()
     }
+}
+
+/// The subject with its doubt, with the scale in force; `None` where no doubt is known.
+fn scaled_measurement(app: &App) -> Option<Measurement> {
+    let of = app.document().subject_entry().measured.as_deref()?;
+    let by = app.scale_factor();
+    let scaled = |sigma: &Vec<f64>| sigma.iter().map(|s| by * s).collect();
+    has_doubt(of).then(|| Measurement {
+        unit: app.unit().to_owned(),
+        samples: of.samples.scaled(by),
+        sigma: of.sigma.as_ref().map(scaled),
+        ..of.clone()
+    })
 }
 
 /// The model as a spectrum on the 1 nm grid, spikes split over their neighbouring nm, with the

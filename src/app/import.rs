@@ -50,6 +50,8 @@ pub enum Flip {
     Counted(Counted),
     /// Whether photon counts of lights stay what they are.
     KeepPhotons(bool),
+    /// Whether a column of deviations is the noise of the one before it.
+    TakeSigma(bool),
     /// Back to all that the reader chooses by itself.
     ReadersOwn,
 }
@@ -191,6 +193,7 @@ impl Import {
                 |one| &mut one.counted,
             ),
             Flip::KeepPhotons(keep) => choices.keep_photons = keep,
+            Flip::TakeSigma(take) => choices.take_sigma = take,
             Flip::ReadersOwn => choices = Choices::default(),
         }
         choices

@@ -48,24 +48,29 @@ pub fn text(of: &Instrument) -> String {
     format!("{all:#}\n")
 }
 
-/// The instrument in a file's text.
+fn refused(found: &str) -> String {
+    format!("found {found}, expected an instrument as combine instrument learn writes it")
+}
+
+/// The JSON of an instrument's file, which [`of`] has an instrument of.
 ///
 /// # Errors
 /// What was found and what was expected.
-pub fn read(text: &str) -> Result<Instrument, String> {
-    let expected = |found: &str| {
-        Err(format!(
-            "found {found}, expected an instrument as combine instrument learn writes it"
-        ))
-    };
-    let Ok(all) = serde_json::from_str::<Value>(text) else {
-        return expected("no JSON");
-    };
+pub fn json_of(text: &str) -> Result<Value, String> {
+    let all = serde_json::from_str::<Value>(text).map_err(|_| refused("no JSON"))?;
+    of(&all).map(|_| all)
+}
+
+/// The instrument in the JSON of its file.
+///
+/// # Errors
+/// What was found and what was expected.
+pub fn of(all: &Value) -> Result<Instrument, String> {
     if all["format"] != FORMAT {
-        return expected("JSON of another kind");
+        return Err(refused("JSON of another kind"));
     }
     let words = |key: &str| all[key].as_str().unwrap_or_default().to_owned();
-    match factor(&all) {
+    match factor(all) {
         Some(factor) => Ok(Instrument {
             name: words("name"),
             serial: words("serial"),
@@ -76,7 +81,7 @@ pub fn read(text: &str) -> Result<Instrument, String> {
             slit: slit(&all["slit"]),
             factor,
         }),
-        None => expected("no response that is one"),
+        None => Err(refused("no response that is one")),
     }
 }
 
@@ -156,6 +161,7 @@ mod tests {
             }),
             factor,
         };
+        let read = |text: &str| json_of(text).and_then(|all| of(&all));
         assert_eq!(read(&text(&instrument)), Ok(instrument));
         assert!(read("{}").is_err());
         assert!(read("nm,v").is_err());

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::{
+    combining::{Act, Part},
     design::{
         light,
         recovered::{self, Shown},
@@ -39,6 +40,8 @@ pub(super) enum WhyNot {
     Mix(MixError),
     /// No spectrum is made of its colour.
     Colour(RecoverError),
+    /// The combination means nothing.
+    Combined(String),
     /// Nothing was measured there.
     Nothing,
     /// It would be made of itself.
@@ -55,6 +58,8 @@ impl std::fmt::Display for WhyNot {
             Self::Metamer(why) => write!(f, "{}", why.words()),
             Self::Mix(why) => write!(f, "{why}"),
             Self::Colour(why) => write!(f, "{why}"),
+            // A sentence of its own, whose end is the caller's.
+            Self::Combined(why) => write!(f, "{}", why.trim_end_matches('.')),
             Self::Nothing => write!(f, "found nothing that was measured there"),
             Self::Circle => write!(f, "it would be made of itself"),
         }
@@ -65,8 +70,9 @@ impl std::fmt::Display for WhyNot {
 ///
 /// # Errors
 /// [`WhyNot`] when what it stands on is missing or unfit.
-pub(super) fn make(recipe: &Recipe, document: &Document) -> Result<NamedSpectrum, WhyNot> {
-    match recipe {
+pub(super) fn make(recipe: &Recipe, document: &Document) -> Result<Entry, WhyNot> {
+    let spectrum = match recipe {
+        Recipe::Combined { act, parts } => return combined(document, act, parts),
         Recipe::Metamer {
             light,
             other,
@@ -107,7 +113,19 @@ pub(super) fn make(recipe: &Recipe, document: &Document) -> Result<NamedSpectrum
             }
             recovered::spectrum(*method, &shown, lines).map_err(WhyNot::Colour)
         }
-    }
+    };
+    spectrum.map(|spectrum| Entry::own(0, spectrum))
+}
+
+/// Measurements combined, with what is known of the result's doubt.
+fn combined(document: &Document, act: &Act, keys: &[String]) -> Result<Entry, WhyNot> {
+    let parts = keys.iter().map(|key| {
+        let entry = found(document, key)?;
+        Part::of_entry(&entry, false).map_err(WhyNot::Combined)
+    });
+    let parts = parts.collect::<Result<Vec<_>, _>>()?;
+    let found = act.of(&parts).map_err(WhyNot::Combined)?;
+    Ok(found.into_entry(&act.name(&parts)))
 }
 
 /// Channels mixed to a light, what stands before them with it.

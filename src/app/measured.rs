@@ -1,11 +1,14 @@
 //! Measurements from spectra and files, and as CSV with a column of sigma and keys for the rest.
 //!
 //! Own CSV holds a spectrum in a column, `sigma of NAME` in the next one and what else is known in
-//! comments; a cell is empty where the mask leaves a sample out. It is read back bit for bit;
-//! readers that know nothing of it see one column more.
+//! comments; a cell is empty where the mask leaves a sample out. Own JSON has it under a key. Both are
+//! read back bit for bit; readers that know nothing of it see one column, or key, more.
 
+use serde_json::Value;
+
+use super::stored_doubt::StoredDoubt;
 use crate::{
-    io::{Column, Columns, Provenance, csv, one_line, shortest},
+    io::{Column, Columns, Provenance, csv, encode, one_line, shortest},
     measurements::{Kernel, Measurement, MeasurementError, Quantity, Slit, quantity_of},
     spectrum::{Kind, NamedSpectrum, Sampled},
 };
@@ -16,9 +19,29 @@ const SIGMA_OF: &str = "sigma of ";
 /// Title of the column of wavelengths.
 const NM: &str = "wavelength_nm,";
 
+/// Words that other programs call a standard deviation by.
+const DEVIATIONS: [&str; 9] = [
+    "sd", "std", "stdev", "sigma", "u", "error", "\u{b1}", "+-", "+/-",
+];
+
 /// Whether a spectrum of this name is the sigma of the one before it.
 pub fn is_sigma(name: &str) -> bool {
     name.starts_with(SIGMA_OF)
+}
+
+/// Whether a title says that its column is the sigma of the one before it, which is called `of`:
+/// true in this program's words, false in another's, who may mean something else by them; `None`
+/// where it says nothing of the kind.
+pub fn is_sigma_of(title: &str, of: &str) -> Option<bool> {
+    if is_sigma(title) {
+        return Some(true);
+    }
+    let title = title.to_lowercase().replace(&of.to_lowercase(), " ");
+    let words = title.split(|c: char| c.is_whitespace() || "_()[]:,;".contains(c));
+    let mut words = words.filter(|word| !matches!(*word, "" | "of")).peekable();
+    words.peek()?;
+    let is_deviation = |word: &str| DEVIATIONS.contains(&word.trim_end_matches('.'));
+    words.all(is_deviation).then_some(false)
 }
 
 /// The measurement that a spectrum is, with the sigma that stands beside it.
@@ -38,6 +61,13 @@ pub fn measurement(
         .filter(|values| values.iter().all(|v| *v >= 0.0))
         .map(<[f64]>::to_vec);
     Ok(found)
+}
+
+/// The measurement of a spectrum and what is known beside its values; `None` where the two do not
+/// belong together.
+pub fn measured_of(spectrum: &NamedSpectrum, doubt: StoredDoubt) -> Option<Measurement> {
+    let quantity = quantity_of(&spectrum.name, spectrum.kind, &spectrum.unit).ok()?;
+    doubt.on(spectrum, quantity)
 }
 
 /// The spectrum that a measurement is, without samples that hold no value.
@@ -85,16 +115,11 @@ pub fn measurement_csv(of: &Measurement, made_by: &str) -> String {
         nm: of.samples.nm().to_vec(),
         columns,
     };
-    let provenance = Provenance {
-        program: format!("Spectral Explorer {}", env!("CARGO_PKG_VERSION")),
-        scale_words: "as measured".to_owned(),
-        ..Provenance::default()
-    };
     let named = NamedSpectrum {
         source: String::new(),
         ..spectrum(of, "")
     };
-    let text = csv(&named, &columns, &provenance);
+    let text = csv(&named, &columns, &provenance());
     let keys: String = keys(of, made_by)
         .into_iter()
         .map(|(key, value)| format!("# {key}: {}\n", one_line(&value)))
@@ -102,6 +127,14 @@ pub fn measurement_csv(of: &Measurement, made_by: &str) -> String {
     match text.find(NM) {
         Some(start) => format!("{}{keys}{}", &text[..start], &text[start..]),
         None => text,
+    }
+}
+
+fn provenance() -> Provenance {
+    Provenance {
+        program: format!("Spectral Explorer {}", env!("CARGO_PKG_VERSION")),
+        scale_words: "as measured".to_owned(),
+        ..Provenance::default()
     }
 }
 
@@ -133,9 +166,94 @@ fn keys(of: &Measurement, made_by: &str) -> Vec<(&'static str, String)> {
     keys
 }
 
-/// The measurement in a CSV of this program that holds one spectrum and more than its values;
+/// Whether the head of a file is that of one of this program's that may hold more than values.
+pub fn states_doubt(head: &str) -> bool {
+    head.contains(&format!("\n{NM}")) || head.contains(SPECTRUM_JSON)
+}
+
+/// The format word of a spectrum as JSON.
+const SPECTRUM_JSON: &str = "spectral-explorer-spectrum";
+
+/// The key of what such a file holds beside the values.
+const DOUBT: &str = "doubt";
+
+/// A measurement as this program's JSON of a spectrum, with what is known beside its values.
+///
+/// # Errors
+/// A sentence where it cannot be written.
+fn measurement_json(of: &Measurement, made_by: &str) -> Result<String, String> {
+    let named = spectrum(of, made_by);
+    let text = encode("json", &named, &Columns::measured(&named), &provenance())?;
+    let mut all: Value = serde_json::from_str(&text).map_err(|why| why.to_string())?;
+    all[DOUBT] = serde_json::to_value(StoredDoubt::of(of)).map_err(|why| why.to_string())?;
+    Ok(format!("{all}\n"))
+}
+
+/// A measurement in the format of an extension that keeps all that is known of it; `None` for an
+/// extension that does not.
+///
+/// # Errors
+/// A sentence where it cannot be written.
+pub fn measurement_as(
+    extension: &str,
+    of: &Measurement,
+    made_by: &str,
+) -> Option<Result<String, String>> {
+    match extension {
+        "csv" => Some(Ok(measurement_csv(of, made_by))),
+        "json" => Some(measurement_json(of, made_by)),
+        _ => None,
+    }
+}
+
+/// True if more is known of a measurement than its values.
+pub fn has_doubt(of: &Measurement) -> bool {
+    of.sigma.is_some()
+        || !of.mask.is_empty()
+        || of.level > 0.0
+        || of.axis_nm > 0.0
+        || of.scans.is_some()
+        || of.slit.is_some()
+}
+
+/// What an extension loses of a measurement, in a sentence; `None` where that is nothing.
+pub fn lost_of_measurement(extension: &str, of: &Measurement) -> Option<String> {
+    let keeps_all = matches!(extension, "csv" | "json");
+    let is_more = of.sigma.is_some() || !of.mask.is_empty();
+    (is_more && !keeps_all).then(|| {
+        format!(".{extension} keeps neither sigma nor what is masked: .csv and .json keep both")
+    })
+}
+
+/// The measurement in this program's JSON of a spectrum; `None` where nothing but values is known.
+fn measurement_of_json(text: &str) -> Option<Measurement> {
+    let mut all: Value = serde_json::from_str(text).ok()?;
+    if all["format"] != SPECTRUM_JSON {
+        return None;
+    }
+    let doubt: StoredDoubt = serde_json::from_value(all[DOUBT].take()).ok()?;
+    let numbers =
+        |list: &Value| -> Option<Vec<f64>> { list.as_array()?.iter().map(Value::as_f64).collect() };
+    let words = |key: &str| all[key].as_str().unwrap_or_default().to_owned();
+    let (nm, values) = (numbers(&all["wavelengths_nm"])?, numbers(&all["values"])?);
+    let named = NamedSpectrum {
+        name: words("name"),
+        kind: serde_json::from_value(all["kind"].clone()).ok()?,
+        unit: words("unit"),
+        scale: 1.0,
+        samples: Sampled::new(nm, values).ok()?,
+        notes: Vec::new(),
+        source: String::new(),
+    };
+    measured_of(&named, doubt)
+}
+
+/// The measurement in a file of this program that holds one spectrum and more than its values;
 /// `None` for every other text.
 pub fn own_measurement(text: &str) -> Option<Measurement> {
+    if text.trim_start().starts_with('{') {
+        return measurement_of_json(text);
+    }
     let (head, table) = text.split_at(text.find(&format!("\n{NM}"))? + 1);
     let value = |key: &str| {
         let start = format!("# {key}: ");
@@ -244,5 +362,20 @@ mod tests {
     fn the_sigma_of_a_measurement_is_known_by_its_title() {
         assert!(is_sigma("sigma of x"));
         assert!(!is_sigma("sodium"));
+        let foreign = [
+            "sd",
+            "Std",
+            "lamp sd",
+            "u(lamp)",
+            "STDEV of lamp",
+            "\u{b1}",
+            "lamp +-",
+        ];
+        for title in foreign {
+            assert_eq!(is_sigma_of(title, "lamp"), Some(false), "{title}");
+        }
+        for title in ["lamp", "sodium", "lamp 2", "u_v", ""] {
+            assert_eq!(is_sigma_of(title, "lamp"), None, "{title}");
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 pub mod batch;
 mod came;
+mod doubt;
 pub mod few_numbers;
 pub mod folders;
 pub mod named;
@@ -193,7 +194,7 @@ fn from_reading(
     if spectra.is_empty() && images.is_empty() {
         return Loaded::Refused(format!("{file}: found no spectrum, expected at least one"));
     }
-    Loaded::File(Box::new(Opened {
+    let mut opened = Opened {
         path,
         bytes,
         file,
@@ -209,7 +210,10 @@ fn from_reading(
         images_understood,
         guesses,
         choices: choices.clone(),
-    }))
+        ..Opened::default()
+    };
+    doubt::find(&mut opened);
+    Loaded::File(Box::new(opened))
 }
 
 /// Every spectrum of a file; composites are sampled at 1 nm. The file's notes go to each.

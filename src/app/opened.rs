@@ -9,6 +9,7 @@ use super::origin::FromFile;
 
 use crate::{
     io::{Choices, Decisions, Guessed, MakersResult, OpenQuestion, TableFound},
+    measurements::Measurement,
     spectrum::{Composite, NamedSpectrum, SpectralImage},
 };
 
@@ -29,6 +30,10 @@ pub struct Opened {
     pub spectra: Vec<NamedSpectrum>,
     /// The composites among them, each by its index, all lines on its range.
     pub composites: Vec<(usize, Arc<Composite>)>,
+    /// Those of which more is known than their values, each by its index.
+    pub measured: Vec<(usize, Arc<Measurement>)>,
+    /// Indices of the spectra that are the sigma of the one before them.
+    pub sigmas: Vec<usize>,
     /// What the instrument computed itself; `spectrum` is an index into `spectra`.
     pub makers: Vec<MakersResult>,
     /// Images whose pixels are spectra.
@@ -84,6 +89,18 @@ impl Opened {
         let mut composites = self.composites.iter();
         let (_, composite) = composites.find(|(of, _)| *of == index)?;
         Some(composite.clone())
+    }
+
+    /// What is known of one of its spectra beside its values.
+    pub fn measured_of(&self, index: usize) -> Option<Arc<Measurement>> {
+        let mut measured = self.measured.iter();
+        let (_, measured) = measured.find(|(of, _)| *of == index)?;
+        Some(measured.clone())
+    }
+
+    /// Whether one of its spectra is the sigma of the one before it.
+    pub fn is_sigma(&self, index: usize) -> bool {
+        self.sigmas.contains(&index)
     }
 
     /// The maker's results that belong to one of its spectra: those that say so, and those of the

@@ -3,7 +3,7 @@
 
 use serde_json::{Value, json};
 
-use super::{library::Library, line_names::Identified, measured::measurement};
+use super::{entry::Entry, library::Library, line_names::Identified, measured::measurement};
 use crate::{
     measurements::{
         CountsSign, FlatTop, Measurement, MeasurementError, Quantity, counts_sign, flat_tops,
@@ -14,6 +14,13 @@ use crate::{
 /// What stands in place of the figures of counts.
 pub const COUNTS: &str = "Counts, not light: the instrument's response is still in it. Correct with a \
                           known light.";
+
+/// Whether a spectrum of the user's own is surely what an instrument counted.
+pub fn is_counts(entry: &Entry) -> bool {
+    let own = Some(entry).filter(|entry| entry.shelf().is_none());
+    let sign = own.and_then(|entry| counts_sign(&entry.spectrum));
+    sign.is_some_and(|sign| sign.is_certain)
+}
 
 /// What a reading tells of itself.
 #[derive(Clone, Debug, Default, PartialEq)]

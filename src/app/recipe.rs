@@ -4,6 +4,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::combining::Act;
 use crate::{
     color::Srgb,
     design::{mixture::Source, recover::Method},
@@ -64,6 +65,13 @@ pub enum Recipe {
         /// The same surface's colour under a second light, and that light's key.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         second: Option<(Given, String)>,
+    },
+    /// Measurements combined.
+    Combined {
+        /// What is done with them.
+        act: Act,
+        /// Their keys, in the order of their letters.
+        parts: Vec<String>,
     },
 }
 
@@ -133,6 +141,7 @@ impl Recipe {
         match self {
             Self::Metamer { light, other, .. } => vec![light, other],
             Self::Region { image, .. } => vec![image],
+            Self::Combined { parts, .. } => parts.iter().map(String::as_str).collect(),
             Self::Through { light, chain } => std::iter::once(light.as_str())
                 .chain(chain.iter().map(|(key, _)| key.as_str()))
                 .collect(),
@@ -168,7 +177,7 @@ impl Recipe {
             Self::Metamer { light, .. }
             | Self::Through { light, .. }
             | Self::Colour { light, .. } => Some(light),
-            Self::Region { .. } | Self::Mix { .. } => None,
+            Self::Region { .. } | Self::Mix { .. } | Self::Combined { .. } => None,
         }
     }
 
@@ -179,7 +188,7 @@ impl Recipe {
             Self::Metamer { light, .. }
             | Self::Through { light, .. }
             | Self::Colour { light, .. } => key.clone_into(light),
-            Self::Region { .. } | Self::Mix { .. } => {}
+            Self::Region { .. } | Self::Mix { .. } | Self::Combined { .. } => {}
         }
         self
     }

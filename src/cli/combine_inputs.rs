@@ -1,6 +1,6 @@
 //! The measurements that the inputs of `combine` mean.
 
-use std::{ffi::OsStr, path::Path, sync::Arc};
+use std::{ffi::OsStr, path::Path};
 
 use super::{
     arguments::Stated,
@@ -9,39 +9,13 @@ use super::{
 };
 use crate::{
     app::{
-        measured::{is_sigma, own_measurement, spectrum},
-        open::{Loaded, Wanted},
-        readings::{Reading, exposure_ms, measured},
+        Entry,
+        combining::Part,
+        measured::is_sigma_of,
+        open::{Loaded, Wanted, named},
     },
     io::{Choices, shown, stream::is_stream},
-    measurements::{Measurement, Quantity, noise_of},
-    spectrum::{Band, Composite, NamedSpectrum, Outside, SpikeSettings, detect},
 };
-
-/// One input.
-#[derive(Clone)]
-pub(super) struct Part {
-    pub of: Measurement,
-    /// What it tells of itself: counts, a cut top.
-    pub reading: Reading,
-    /// The composite that it is by its own source.
-    pub composite: Option<Arc<Composite>>,
-}
-
-impl Part {
-    fn new(
-        of: &NamedSpectrum,
-        sigma: Option<&NamedSpectrum>,
-        stated: Stated,
-    ) -> Result<Self, String> {
-        let found = measured(of, sigma, stated.as_light).map_err(|why| why.to_string())?;
-        Ok(Self {
-            of: stated.of(found.0),
-            reading: found.1,
-            composite: None,
-        })
-    }
-}
 
 /// The measurements that a word means: one, or for scans all of a file.
 pub(super) fn read(
@@ -52,128 +26,60 @@ pub(super) fn read(
 ) -> Result<Vec<Part>, Refusal> {
     let path = Path::new(word);
     let refused = |why: String| Refusal::File(format!("INPUT: {why}"));
-    let named = |why: &dyn std::fmt::Display| refused(format!("{}: {why}", shown(path)));
-    let is_file = path.is_file() || is_stream(path);
-    if is_file
-        && let Some(own) = inputs
-            .text(path)
-            .ok()
-            .and_then(|text| own_measurement(&text))
-    {
-        let mut of = own;
-        let mut reading = Reading::of(&spectrum(&of, ""), stated.as_light);
-        match (of.quantity, reading.has_no_figures()) {
-            (Quantity::Light, true) => of.quantity = Quantity::Counts,
-            (Quantity::Counts, false) if stated.as_light => of.quantity = Quantity::Light,
-            _ => {}
-        }
-        if of.scans.is_some() {
-            // A mean of scans is cut where they were; it has no scale of its own.
-            reading.clipped.clear();
-        }
-        let of = stated.of(of);
-        return Ok(vec![Part {
-            of,
-            reading,
-            composite: None,
-        }]);
-    }
-    let (file, pick) = named_spectrum(word);
-    let beside = match is_file || Path::new(file).is_file() {
-        true => spectra_of(Path::new(file), inputs)?,
-        false => Vec::new(),
-    };
-    let is_value = |s: &&NamedSpectrum| !is_sigma(&s.name);
-    let sigma_of = |spectrum: &NamedSpectrum| {
-        let at = beside.iter().position(|s| s.name == spectrum.name)?;
-        beside.get(at + 1).filter(|next| is_sigma(&next.name))
-    };
-    if all && pick.is_none() && beside.len() > 1 {
-        let each = beside.iter().filter(is_value);
-        return each
-            .map(|s| Part::new(s, sigma_of(s), stated).map_err(|why| named(&why)))
-            .collect();
-    }
-    let (one, composite) = match &beside[..] {
-        // Its sigma stands beside the only one.
-        [one, sigma] if pick.is_none() && is_sigma(&sigma.name) => (one.clone(), None),
-        _ => {
-            let wanted = Wanted {
-                choices: Choices {
-                    keep_photons: true,
-                    ..Choices::default()
-                },
-                ..Wanted::default()
-            };
-            let entry = inputs.find(word, &wanted).map_err(refused)?.entry;
-            (entry.spectrum, entry.composite)
-        }
-    };
-    let sigma = sigma_of(&one);
-    if let Some(sigma) = sigma {
-        inputs.note(format!(
-            "{}: {} is taken as the sigma of {}",
-            shown(path),
-            sigma.name,
-            one.name
-        ));
-    }
-    let mut part = Part::new(&one, sigma, stated).map_err(|why| named(&why))?;
-    part.of.exposure_ms = exposure(Path::new(file), inputs);
-    Ok(vec![Part { composite, ..part }])
-}
-
-/// The exposure that a file of text states.
-fn exposure(path: &Path, inputs: &mut Inputs) -> Option<f64> {
-    let is_file = path.is_file() || is_stream(path);
-    exposure_ms(&is_file.then(|| inputs.text(path).ok()).flatten()?)
-}
-
-/// Every spectrum of a file.
-fn spectra_of(path: &Path, inputs: &mut Inputs) -> Result<Vec<NamedSpectrum>, Refusal> {
     let choices = Choices {
         keep_photons: true,
+        take_sigma: stated.take_sigma,
         ..Choices::default()
     };
-    match inputs.load(path, &choices) {
-        Loaded::File(opened) => Ok(opened.into_spectra()),
-        Loaded::Refused(why) => Err(Refusal::File(format!("INPUT: {why}"))),
-        Loaded::Project { .. } => Ok(Vec::new()),
+    let (file, pick) = named_spectrum(word);
+    let is_file = path.is_file() || is_stream(path) || Path::new(file).is_file();
+    let mut beside = match is_file {
+        true => spectra_of(Path::new(file), &choices, inputs)?,
+        false => Vec::new(),
+    };
+    if pick.is_some() || !all && beside.len() > 1 || beside.is_empty() {
+        let wanted = Wanted {
+            choices,
+            ..Wanted::default()
+        };
+        beside = vec![inputs.find(word, &wanted).map_err(refused)?.entry];
     }
+    let part = |entry: &Entry| {
+        let part = Part::of_entry(entry, stated.as_light);
+        let part = part.map_err(|why| refused(format!("{}: {why}", shown(path))))?;
+        Ok(Part {
+            of: stated.of(part.of),
+            ..part
+        })
+    };
+    beside.iter().map(part).collect()
 }
 
-/// Where the doubt of a result is from.
-pub(super) fn doubt_from(parts: &[Measurement]) -> &'static str {
-    match parts.iter().all(|part| part.sigma.is_some()) {
-        true if parts.iter().all(|part| part.scans.is_some()) => "repeats",
-        true => "stated",
-        false => "residuals",
+/// Every spectrum of a file but the sigma of others.
+fn spectra_of(path: &Path, choices: &Choices, inputs: &mut Inputs) -> Result<Vec<Entry>, Refusal> {
+    let opened = match inputs.load(path, choices) {
+        Loaded::File(opened) => opened,
+        Loaded::Refused(why) => return Err(Refusal::File(format!("INPUT: {why}"))),
+        Loaded::Project { .. } => return Ok(Vec::new()),
+    };
+    let mut is_out = vec![false; opened.spectra.len()];
+    for (index, pair) in opened.spectra.windows(2).enumerate() {
+        let (name, of) = (&pair[1].name, &pair[0].name);
+        let said = match (opened.is_sigma(index + 1), is_sigma_of(name, of)) {
+            (true, Some(true)) => None,
+            (true, _) => Some(format!("{name} is taken as the sigma of {of}")),
+            (false, Some(_)) => Some(format!(
+                "{name} may be the sigma of {of}, and is left out: --take-sigma takes it so"
+            )),
+            (false, None) => continue,
+        };
+        is_out[index + 1] = true;
+        if let Some(said) = said {
+            inputs.note(format!("{}: {said}", shown(path)));
+        }
     }
-}
-
-/// The measurements of some inputs.
-pub(super) fn measurements(parts: &[Part]) -> Vec<Measurement> {
-    parts.iter().map(|part| part.of.clone()).collect()
-}
-
-/// Inputs with the noise that their own second differences tell, where none is stated.
-pub(super) fn with_noise(mut parts: Vec<Measurement>) -> Vec<Measurement> {
-    for part in &mut parts {
-        part.sigma = part.sigma.take().or_else(|| noise_of(&part.samples));
-    }
-    parts
-}
-
-/// Whether the detector finds lines in a light.
-pub(super) fn has_lines(part: &Measurement) -> bool {
-    let samples = &part.samples;
-    let is_light = matches!(part.quantity, Quantity::Light | Quantity::Counts);
-    let band = Band::new(samples.first_nm().ceil(), samples.last_nm().floor());
-    band.is_ok_and(|band| {
-        let values = samples.on_band(band, Outside::Zero);
-        is_light
-            && !detect(band, &values, SpikeSettings::default())
-                .spikes
-                .is_empty()
-    })
+    let all = named::every(*opened, choices).into_iter();
+    let entries = all.map(|found| found.entry).enumerate();
+    let kept = entries.filter(|(index, _)| is_out.get(*index) != Some(&true));
+    Ok(kept.map(|(_, entry)| entry).collect())
 }

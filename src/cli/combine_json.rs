@@ -2,26 +2,21 @@
 
 use serde_json::{Map, Value, json};
 
-use super::combine_result::{Found, LineRow, ScanRow};
 use crate::{
-    app::instruments,
+    app::{
+        combining::{Found, LineRow, ScanRow},
+        instruments,
+    },
     measurements::{Feature, Measurement, Part},
 };
 
 /// All that was found, with stable keys.
 pub(super) fn json(found: &Found) -> Value {
     let mut all = keys(found);
-    let (mut notes, rest) = notes(found);
+    let (mut notes, rest) = found.notes();
     notes.extend(rest);
     all.insert("notes".to_owned(), notes.into());
     Value::Object(all)
-}
-
-/// What is said beside the result: of the combination, and of figures and readings.
-pub(super) fn notes(found: &Found) -> (Vec<String>, Vec<String>) {
-    let mut rest = found.reading.sentences();
-    rest.extend(found.figures().into_iter().flat_map(|(_, said)| said));
-    (found.notes.clone(), rest)
 }
 
 /// All keys but the notes.

@@ -16,6 +16,7 @@ use super::{
 use crate::{
     app::{
         Library, composite_from_preset, export,
+        measured::{has_doubt, lost_of_measurement, measurement_as},
         open::{Loaded, Wanted, named::Several},
         ticks::short,
     },
@@ -216,8 +217,15 @@ fn spectrum(options: &Convert, target: &Target, inputs: &mut Inputs) -> Result<S
         ..wanted(options)
     };
     let found = inputs.find(&options.input, &wanted);
-    let spectrum = &found.map_err(Refusal::File)?.entry.spectrum;
-    write_samples(target, spectrum, "as measured")?;
+    let entry = found.map_err(Refusal::File)?.entry;
+    let spectrum = &entry.spectrum;
+    let extension = words::extension(&options.out);
+    let measured = entry.measured.as_deref().filter(|of| has_doubt(of));
+    let kept = measured.and_then(|of| measurement_as(&extension, of, &spectrum.source));
+    match kept {
+        Some(text) => target.save(text.map_err(Refusal::File)?.as_bytes())?,
+        None => write_samples(target, spectrum, "as measured")?,
+    }
     let what = format!(
         "{} ({}, {} points)",
         spectrum.name,
@@ -225,7 +233,8 @@ fn spectrum(options: &Convert, target: &Target, inputs: &mut Inputs) -> Result<S
         spectrum.samples.len()
     );
     // How it was read belongs to it: a guessed unit, or further spectra that were not written.
-    let mut notes = losses(&words::extension(&options.out), spectrum);
+    let mut notes = losses(&extension, spectrum);
+    notes.extend(measured.and_then(|of| lost_of_measurement(&extension, of)));
     notes.extend(spectrum.notes.iter().cloned());
     Ok(with_notes(what, &notes))
 }

@@ -5,17 +5,15 @@ use std::ffi::OsString;
 use serde_json::{Map, Value};
 
 use super::{
-    arguments::Stated,
-    combine_inputs::{measurements, read},
-    combine_json,
-    combine_result::Found,
-    combine_scans,
-    combine_words::doubt_words,
-    inputs::Inputs,
-    refusal::Refusal,
+    arguments::Stated, combine_inputs::read, combine_json, inputs::Inputs, refusal::Refusal,
 };
 use crate::{
-    app::{Entry, measured::spectrum, readings::Reading},
+    app::{
+        Entry,
+        combining::{Act, Found, words::doubt_words},
+        measured::spectrum,
+        readings::Reading,
+    },
     spectrum::Kind,
 };
 
@@ -39,9 +37,8 @@ impl Scans {
         for word in words {
             parts.extend(read(word, true, stated, inputs)?);
         }
-        let mut found = combine_scans::of_scans(&measurements(&parts), false)?;
-        let readings: Vec<Reading> = parts.iter().map(|part| part.reading.clone()).collect();
-        found.reading = Reading::of_parts(&readings, found.result().quantity);
+        let mean = Act::Mean { keep_all: false };
+        let found = mean.of(&parts).map_err(Refusal::File)?;
         let mut made = spectrum(found.result(), &found.made_by);
         if made.kind == Kind::Other {
             // Counts: told as a light that has no figures.
@@ -67,7 +64,7 @@ impl Scans {
     /// What the doubt is in words.
     pub(super) fn words(&self) -> String {
         let mut text = doubt_words(&self.found, self.found.result());
-        let (own, rest) = combine_json::notes(&self.found);
+        let (own, rest) = self.found.notes();
         for note in own.iter().chain(&rest) {
             text += &format!("Note      {note}\n");
         }
@@ -84,7 +81,7 @@ fn with_keys(told: Value, keys: Map<String, Value>, found: &Found) -> Value {
         Some(Value::Array(notes)) => notes,
         _ => Vec::new(),
     };
-    let (own, rest) = combine_json::notes(found);
+    let (own, rest) = found.notes();
     let more: Vec<Value> = own
         .into_iter()
         .chain(rest)

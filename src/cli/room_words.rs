@@ -8,6 +8,7 @@ use crate::{
         recover::Method,
         solve::{Against, FREE_LINES, Objective},
     },
+    measurements::Normalise,
     optics::{self, View},
     pictures::ReferenceKind,
 };
@@ -42,6 +43,20 @@ pub(super) fn grid(word: &str) -> Result<Grid, String> {
             word,
             "union, a letter of an input (a, b) or a step in nm",
         )),
+    }
+}
+
+/// `--equal`: Y, area, peak, or a wavelength in nm.
+pub(super) fn equal(word: &str) -> Result<Normalise, String> {
+    let nm = || word.trim_end_matches("nm").trim().parse::<f64>().ok();
+    match word.trim().to_lowercase().as_str() {
+        "y" => Ok(Normalise::Y),
+        "area" => Ok(Normalise::Area),
+        "peak" => Ok(Normalise::Peak),
+        _ => nm()
+            .filter(|nm| *nm > 0.0 && nm.is_finite())
+            .map(Normalise::At)
+            .ok_or_else(|| refused(word, "Y, area, peak or a wavelength in nm")),
     }
 }
 

@@ -41,6 +41,10 @@ pub struct Choices {
     /// opening a file for its light converts them to power.
     #[serde(skip)]
     pub keep_photons: bool,
+    /// True if a column called sd, std, sigma, u or the like is the standard deviation of the one
+    /// before it. Readers never ask.
+    #[serde(skip)]
+    pub take_sigma: bool,
 }
 
 /// Decisions about one spectrum or image of several.

@@ -1,6 +1,10 @@
 //! An instrument's axis against lines whose places are known: an atom's own, or daylight's dark ones.
 
-use super::{kernel::Kernel, measurement::Measurement, slit_width::slit_of};
+use super::{
+    kernel::{Kernel, Slit},
+    measurement::Measurement,
+    slit_width::{SlitFound, slit_of},
+};
 use crate::spectrum::Outside;
 
 /// Dark lines of daylight: place, and the window whose chord they hang below, nm. The places are
@@ -94,6 +98,51 @@ fn dip(of: &Measurement, place: f64, window: [f64; 2]) -> Option<(f64, f64)> {
     Some((place, off))
 }
 
+/// Oxygen's band in daylight as slits of a width show it: width at half its depth, and the slit's, nm;
+/// Gaussians over the standard sun (ASTM G173).
+const OXYGEN: [(f64, f64); 5] = [(6.1, 1.5), (6.8, 3.0), (7.7, 5.0), (9.0, 7.0), (11.3, 10.0)];
+
+/// The slit that daylight was seen through, by the width of oxygen's band at 763 nm: about so wide.
+/// `None` for lights that do not have it beside another of the sun's dark lines.
+pub fn slit_of_daylight(of: &Measurement) -> Option<SlitFound> {
+    let axis = axis_of(of)?;
+    let (place, window) = DARK[2];
+    let (_, off) = axis.features.iter().find(|feature| feature.0 == place)?;
+    let [from, to] = window.map(|nm| nm + off);
+    let at = |nm: f64| of.samples.at(nm, Outside::Hold);
+    let (left, right) = (at(from), at(to));
+    let points = 280;
+    let depth = |i: i32| {
+        let share = f64::from(i) / f64::from(points);
+        let chord = left * (1.0 - share) + right * share;
+        (chord - at(from + (to - from) * share)) / chord
+    };
+    let deepest = (0..=points).max_by(|a, b| depth(*a).total_cmp(&depth(*b)))?;
+    let half = 0.5 * depth(deepest);
+    let is_deep = |i: &i32| depth(*i) > half;
+    let first = (0..deepest).rev().take_while(is_deep).last()?;
+    let last = (deepest..points).take_while(is_deep).last()?;
+    let seen = (to - from) * f64::from(last - first) / f64::from(points);
+    let above = OXYGEN.iter().position(|(width, _)| *width >= seen)?;
+    let fwhm_nm = match above {
+        0 => OXYGEN[0].1,
+        k => {
+            let ((a, from), (b, to)) = (OXYGEN[k - 1], OXYGEN[k]);
+            from + (to - from) * (seen - a) / (b - a)
+        }
+    };
+    Some(SlitFound {
+        slit: Slit {
+            shape: Kernel::Gauss,
+            fwhm_nm,
+        },
+        u: 0.0,
+        shift_nm: *off,
+        lines: Vec::new(),
+        is_sure: false,
+    })
+}
+
 /// Greatest depth below the chord of a window, as a share of the chord, and the centroid of what is
 /// below it.
 fn below_chord(of: &Measurement, [from, to]: [f64; 2]) -> Option<(f64, f64)> {
@@ -117,4 +166,32 @@ fn below_chord(of: &Measurement, [from, to]: [f64; 2]) -> Option<(f64, f64)> {
         }
     }
     (area > 0.0).then_some((deepest, moment / area))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        measurements::{Quantity, smoothed},
+        preset,
+    };
+
+    #[test]
+    fn oxygen_tells_the_slit_of_daylight_to_a_nm_and_of_a_bulb_nothing() {
+        let of = |group: &str, name: &str| {
+            let table = preset::table(group, name).expect("a shipped light");
+            Measurement::new(name, Quantity::Light, "", table.clone())
+        };
+        let sun = of("solar_astm_g173", "ASTM G173-03 global tilt AM1.5G");
+        for fwhm_nm in [3.0, 5.0, 7.0, 10.0] {
+            let slit = Slit {
+                shape: Kernel::Gauss,
+                fwhm_nm,
+            };
+            let seen = smoothed(&sun, slit).expect("a slit");
+            let found = slit_of_daylight(&seen).expect("oxygen").slit.fwhm_nm;
+            assert!((found - fwhm_nm).abs() < 1.0, "{fwhm_nm}: {found}");
+        }
+        assert_eq!(slit_of_daylight(&of("cie_illuminants", "CIE A")), None);
+    }
 }

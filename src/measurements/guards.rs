@@ -3,7 +3,7 @@
 //! The detector asks for eight standard deviations of the second differences, which see white noise
 //! alone: an instrument that smooths its tables makes lines of noise. Two tests stop that. Noise
 //! makes as many dips as peaks, so that a line must stand twice as high as the deepest narrow dip
-//! near it; and where sigma and memory are known, its weight must be six of its own doubts.
+//! near it; and where scans tell sigma and memory, its weight must be six of its own doubts.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -49,8 +49,11 @@ pub(super) fn lines_above_noise(
     };
     let (kept, gone): (Vec<_>, Vec<_>) = found.spikes.iter().partition(|line| {
         let height = line.spike.weight / (GAUSSIAN_AREA * line.width_nm);
-        let (weight, u) = weight_of(on_nm, line.spike.at_nm, line.width_nm);
-        height >= MIRROR * deepest(line.spike.at_nm) && weight >= LEAST_WEIGHT * u
+        let is_heavy = || {
+            let (weight, u) = weight_of(on_nm, line.spike.at_nm, line.width_nm);
+            weight >= LEAST_WEIGHT * u
+        };
+        height >= MIRROR * deepest(line.spike.at_nm) && (!on_nm.is_of_scans || is_heavy())
     });
     found.spikes = kept;
     for line in gone {

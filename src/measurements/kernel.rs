@@ -1,7 +1,10 @@
 //! The shapes of slits, and how they weigh the samples of a table.
 
+use serde::{Deserialize, Serialize};
+
 /// The shape of a slit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Kernel {
     /// A triangle whose half base is its FWHM.
     Triangle,
@@ -9,7 +12,7 @@ pub enum Kernel {
     Gauss,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Slit {
     pub shape: Kernel,
     /// Full width at half maximum, nm.

@@ -10,6 +10,7 @@ use super::{
     measurement::Measurement,
     on_nm::OnWholeNm,
     repeats::{RepeatsError, mean_of, slope},
+    statistics::student_95,
 };
 use crate::spectrum::{Band, Decomposition, Outside, SpikeSettings, detect};
 
@@ -69,7 +70,12 @@ pub fn lines_of_scans(
     }
     // The runs share all scans but one: their spread is n - 1 times too small.
     let by = (n - 1) as f64 / (n as f64).sqrt();
-    Ok(told(found(band, mean), &runs, |spread, _| by * spread))
+    // What noise adds to the value on average is n - 1 times what leaving one out moves it by; a
+    // weight above a lower hull has some.
+    let bias_by = (n - 1) as f64 / student_95((n - 1) as f64);
+    Ok(told(found(band, mean), &runs, |spread, bias| {
+        by * spread + bias_by * bias.abs()
+    }))
 }
 
 /// The lines of one scan by its own sigma, level and axis; without sigma no doubt is told.

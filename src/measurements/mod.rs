@@ -86,7 +86,7 @@ mod union;
 mod units;
 mod unslit;
 
-pub use axis::{AxisFound, axis_of};
+pub use axis::{AxisFound, axis_of, slit_of_daylight};
 pub use belonging::{Drift, Misfit, drift, misfits};
 pub use changed::{ChangeError, Changed, Part, Verdict, changed};
 pub use combine::{Combined, Options, combine};
@@ -104,7 +104,7 @@ pub use instrument::{Instrument, Known, learn};
 pub use kernel::{Kernel, Slit};
 pub use lines::{LineWithDoubt, lines_of, lines_of_scans};
 pub use measurement::{Masked, Measurement, letter};
-pub use noise::{has_memory, noise_of};
+pub use noise::{has_memory, noise_behind, noise_of};
 pub use normalise::{Normalise, normalised};
 pub use quantity::{Meaning, Quantity, quantity_of};
 pub use quotient::{LinePoint, fieller, line_points};

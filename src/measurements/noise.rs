@@ -5,6 +5,7 @@
 //! found over true is 1.04 at a signal of 20 times the noise, 1.34 at 1000, where a lamp's own
 //! structure begins to count: too large, which is the safe side. Memory cannot be seen this way.
 
+use super::kernel::Slit;
 use crate::spectrum::{Sampled, quantile};
 
 /// Share of the differences that are smaller than the one looked at.
@@ -55,6 +56,44 @@ pub fn noise_of(samples: &Sampled) -> Option<Vec<f64>> {
     Some((0..nm.len()).map(local).collect())
 }
 
+/// Weights of seven samples that leave nothing of a polynomial of order 5, and their root sum of
+/// squares.
+const SIXTH: [f64; 7] = [1.0, -6.0, 15.0, -20.0, 15.0, -6.0, 1.0];
+const OF_SIXTH: f64 = 30.397_368_307_141_33;
+
+/// Fewest samples of a slit's width for which what it lets through is smooth.
+const SAMPLES_A_WIDTH: f64 = 3.0;
+
+/// The same for a scan seen through a slit: a line is as wide as the slit then, and sixth differences
+/// leave little of it where second ones take it for noise. Tables that are uneven or too coarse tell
+/// it as any.
+pub fn noise_behind(samples: &Sampled, slit: Slit) -> Option<Vec<f64>> {
+    let plain = noise_of(samples)?;
+    let step = samples.step_nm();
+    let is_even = samples
+        .nm()
+        .windows(2)
+        .all(|w| (w[1] - w[0] - step).abs() < 1e-6);
+    if !is_even || slit.fwhm_nm < SAMPLES_A_WIDTH * step {
+        return Some(plain);
+    }
+    let values = samples.values();
+    let highest = values.iter().fold(0.0_f64, |top, v| top.max(v.abs()));
+    let sixth = |w: &[f64]| {
+        let sum: f64 = SIXTH.iter().zip(w).map(|(c, v)| c * v).sum();
+        let away = sum.abs() / OF_SIXTH;
+        if away > ROUNDING * highest { away } else { 0.0 }
+    };
+    let all: Vec<f64> = values.windows(SIXTH.len()).map(sixth).collect();
+    let local = |i: usize| {
+        let middle = i.saturating_sub(SIXTH.len() / 2);
+        let near =
+            &all[middle.saturating_sub(REACH).min(all.len())..(middle + REACH).min(all.len())];
+        deviation(near).map_or(plain[i], |found| found.min(plain[i]))
+    };
+    Some((0..values.len()).map(local).collect())
+}
+
 /// True if neighbours of a table share their noise: what samples two apart tell of it exceeds what
 /// neighbours tell by so much that white noise cannot. One scan does not tell how much is shared.
 pub fn has_memory(samples: &Sampled) -> bool {
@@ -101,7 +140,7 @@ fn deviation(differences: &[f64]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::measurements::draws::normal;
+    use crate::measurements::{Kernel, draws::normal};
 
     #[test]
     fn the_noise_of_a_smooth_light_is_told_to_a_tenth_on_even_and_uneven_grids() {
@@ -119,6 +158,26 @@ mod tests {
             let mean = sigma.iter().sum::<f64>() / sigma.len() as f64;
             assert!((mean - 1.0).abs() < 0.1, "{uneven}: {mean}");
         }
+    }
+
+    #[test]
+    fn the_noise_behind_a_slit_is_told_to_a_fifth_beside_lines_that_second_differences_take_for_it()
+    {
+        let slit = Slit {
+            shape: Kernel::Gauss,
+            fwhm_nm: 5.0,
+        };
+        let values = (0..401).zip(normal(9)).map(|(i, noise)| {
+            let lines = [25.0, 56.0, 166.0, 199.0];
+            let lines = lines.map(|at| 20_000.0 * slit.height(f64::from(i) - at));
+            lines.iter().sum::<f64>() + noise
+        });
+        let samples = Sampled::even(380.0, 1.0, values.collect()).expect("finite");
+        let mean = |sigma: Vec<f64>| sigma.iter().sum::<f64>() / sigma.len() as f64;
+        let behind = mean(noise_behind(&samples, slit).expect("enough"));
+        assert!((behind - 1.0).abs() < 0.2, "{behind}");
+        // Lines of 4000 noises reach over a tenth of the table.
+        assert!(mean(noise_of(&samples).expect("enough")) > 1.2 * behind);
     }
 
     #[test]

@@ -1,5 +1,9 @@
 //! A measurement brought to a scale: by peak, area, the value at a wavelength, Y.
 
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
 use super::{error::MeasurementError, measurement::Measurement};
 use crate::{
     color::{
@@ -16,7 +20,8 @@ fn y_of(samples: &Sampled) -> f64 {
 }
 
 /// Feature that sets the scale.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Normalise {
     /// The largest value.
     Peak,
@@ -26,6 +31,17 @@ pub enum Normalise {
     At(f64),
     /// The sum with V of CIE 1931, at 100.
     Y,
+}
+
+impl fmt::Display for Normalise {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Peak => f.write_str("peak"),
+            Self::Area => f.write_str("area"),
+            Self::At(nm) => write!(f, "value at {nm} nm"),
+            Self::Y => f.write_str("Y"),
+        }
+    }
 }
 
 /// A measurement divided by what is made one. Sigma goes along; the level is gone, and for a single

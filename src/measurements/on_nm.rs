@@ -15,6 +15,8 @@ pub(super) struct OnWholeNm {
     pub sigma: Vec<f64>,
     /// Correlation of the noise 1, 2, ... nm apart.
     pub memory: Vec<f64>,
+    /// True where scans told sigma and memory.
+    pub is_of_scans: bool,
 }
 
 impl OnWholeNm {
@@ -59,6 +61,7 @@ impl OnWholeNm {
             light.sigma_at(right - 1, share)
         });
         Self {
+            is_of_scans: light.scans.is_some_and(|n| n > 1),
             first_nm,
             values: samples.on_whole_nm(first_nm, last_nm, Outside::Zero),
             sigma: sigma.collect(),

@@ -6,7 +6,12 @@
 
 use std::fmt;
 
-use super::{error::MeasurementError, measurement::Measurement, union::Union};
+use super::{
+    error::MeasurementError,
+    measurement::Measurement,
+    union::Union,
+    units::{conversion, is_relative},
+};
 use crate::spectrum::Sampled;
 
 /// Samples to either side over which the noise is averaged.
@@ -83,6 +88,14 @@ pub(super) struct Scans {
     pub values: Vec<Vec<f64>>,
 }
 
+/// Values by a factor; to the bit as they were where it is one.
+fn scaled(values: Vec<f64>, by: Option<f64>) -> Vec<f64> {
+    match by {
+        Some(by) if by != 1.0 => values.iter().map(|v| by * v).collect(),
+        _ => values,
+    }
+}
+
 impl Scans {
     /// The scans on their common grid: their own where they share it, else the union.
     pub(super) fn of(scans: &[Measurement]) -> Result<Self, RepeatsError> {
@@ -93,8 +106,15 @@ impl Scans {
             "" => m.quantity.to_string(),
             unit => format!("{} ({unit})", m.quantity),
         };
-        let like = |m: &&Measurement| (m.quantity, &m.unit) != (first.quantity, &first.unit);
-        if let Some(other) = others.iter().find(like) {
+        // What brings a scan to the unit of the first.
+        let factor = |m: &Measurement| match (m.quantity == first.quantity, m.unit == first.unit) {
+            (true, true) => Some(1.0),
+            (true, false) if !is_relative(&m.unit) && !is_relative(&first.unit) => {
+                conversion(&m.unit, &first.unit)
+            }
+            _ => None,
+        };
+        if let Some(other) = others.iter().find(|m| factor(m).is_none()) {
             return Err(RepeatsError::Unlike {
                 first: words(first),
                 other: words(other),
@@ -103,16 +123,19 @@ impl Scans {
         if others.iter().all(|m| m.samples.nm() == first.samples.nm()) {
             return Ok(Self {
                 nm: first.samples.nm().to_vec(),
-                values: scans.iter().map(|m| m.samples.values().to_vec()).collect(),
+                values: scans
+                    .iter()
+                    .map(|m| scaled(m.samples.values().to_vec(), factor(m)))
+                    .collect(),
             });
         }
         let union = Union::of(&scans.iter().collect::<Vec<_>>(), false)?;
         let on = |m: &Measurement| {
             let own = m.samples.values();
             let places = union.places(m.samples.nm()).into_iter();
-            places
-                .map(|(left, share)| own[left] * (1.0 - share) + own[left + 1] * share)
-                .collect()
+            let values =
+                places.map(|(left, share)| own[left] * (1.0 - share) + own[left + 1] * share);
+            scaled(values.collect(), factor(m))
         };
         Ok(Self {
             values: scans.iter().map(on).collect(),

@@ -137,6 +137,7 @@ fn intervals_of_figures_hold_95_of_100_in_every_cell() {
 #[test]
 #[ignore = "minutes: the bar of lines"]
 fn intervals_of_lines_hold_90_to_100_of_100() {
+    let mut worst = 100.0_f64;
     for snr in [20.0, 100.0, 1000.0] {
         for count in [5, 10] {
             let (mut held, mut all, mut lost) = ([0; 3], 0, 0);
@@ -189,9 +190,11 @@ fn intervals_of_lines_hold_90_to_100_of_100() {
                 "SNR {snr} n {count}: weight {:.1} place {:.1} share {:.1}, {all} lines, lost {lost}",
                 shares[0], shares[1], shares[2]
             );
-            assert!(shares.iter().all(|s| *s >= 88.0));
+            worst = shares.iter().copied().fold(worst, f64::min);
         }
     }
+    // Some 600 lines a cell: 1.2 % is one deviation of 90 %.
+    assert!(worst >= 88.0, "{worst}");
 }
 
 /// Five lights without a line.

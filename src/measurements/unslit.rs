@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector, Matrix2};
 
 use super::{
     deconvolve::sharpened, error::MeasurementError, figures::rows, kernel::Slit,
-    measurement::Measurement, noise::noise_of, on_nm::OnWholeNm, slit_width::own_width,
+    measurement::Measurement, noise::noise_behind, on_nm::OnWholeNm, slit_width::own_width,
 };
 use crate::{
     color::{
@@ -73,7 +73,7 @@ pub fn unslit(of: &Measurement, slit: Slit) -> Result<Unslit, MeasurementError> 
             slit.fwhm_nm
         )));
     }
-    let sigma = of.sigma.clone().or_else(|| noise_of(samples));
+    let sigma = of.sigma.clone().or_else(|| noise_behind(samples, slit));
     let lines = Fit::lines(of, sigma.as_deref(), slit);
     let drawn = |slit: Slit, line: &NarrowLine, nm: f64| line.weight * slit.height(nm - line.at_nm);
     let rest: Vec<f64> = samples

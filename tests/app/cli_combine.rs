@@ -239,6 +239,131 @@ fn what_is_written_as_csv_is_read_back_bit_for_bit() {
 }
 
 #[test]
+fn json_and_convert_keep_sigma_and_what_is_masked_and_other_formats_say_that_they_do_not() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let files = scans(folder.path(), 3);
+    let path = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
+    let out = path("mean.json");
+    let words = ["mean", &files[0], &files[1], &files[2]];
+    said(&[&words[..], &["--out", &out]].concat());
+    let (mean, back) = (json(&words), json(&["mean", &out]));
+    for key in ["wavelengths", "values", "sigma", "doubt", "figures"] {
+        assert_eq!(mean[key], back[key], "{key}");
+    }
+    let convert = |to: &str| {
+        let words = [cli::PROGRAM, "convert", &out, to].map(OsString::from);
+        let (mut told, mut err) = (Vec::new(), Vec::new());
+        let outcome = cli::run(words, None, &mut told, &mut err);
+        assert_eq!(
+            outcome,
+            Outcome::Done(0),
+            "{}",
+            String::from_utf8_lossy(&err)
+        );
+        String::from_utf8(told).expect("UTF-8")
+    };
+    let csv = path("mean.csv");
+    assert!(!convert(&csv).contains("keeps neither"));
+    assert_eq!(json(&["mean", &csv])["sigma"], mean["sigma"]);
+    let told = convert(&path("mean.spdx"));
+    assert!(told.contains(".spdx keeps neither sigma nor"), "{told}");
+}
+
+#[test]
+fn a_column_of_deviations_of_another_program_is_sigma_only_where_that_is_asked_for() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("foreign.csv");
+    let rows: String = (380..=780)
+        .map(|nm| format!("{nm},{},0.5\n", nm - 300))
+        .collect();
+    fs::write(
+        &path,
+        format!("wavelength (nm),irradiance (W m-2 nm-1),sd\n{rows}"),
+    )
+    .expect("a file");
+    let path = path.to_str().expect("UTF-8");
+    let (_, told, said) = tell(&["--json", "mean", path]);
+    let plain: Value = serde_json::from_str(&told).expect("JSON");
+    assert!(said.contains("--take-sigma takes it so"), "{said}");
+    assert_eq!(plain["doubt"]["from"], "residuals");
+    let taken = json(&["mean", path, "--take-sigma"]);
+    assert_eq!(taken["doubt"]["from"], "stated");
+    assert!(numbers(&taken["sigma"]).iter().all(|s| *s == 0.5));
+    assert_eq!(taken["values"], plain["values"]);
+}
+
+#[test]
+fn values_and_figures_are_the_same_to_the_bit_with_a_sigma_and_without() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lamp = preset::table("cie_led_1nm", "LED-B3").expect("a shipped lamp");
+    let row = |(nm, v): (&f64, &f64), end: &str| format!("{nm},{v}{end}\n");
+    let rows = |end: &str| -> String {
+        let pairs = lamp.nm().iter().zip(lamp.values());
+        pairs.map(|pair| row(pair, end)).collect()
+    };
+    let put = |name: &str, text: String| {
+        let path = folder.path().join(name);
+        fs::write(&path, text).expect(name);
+        path.to_str().expect("UTF-8").to_owned()
+    };
+    let head = "# Spectral Explorer\n# name: lamp\n# kind: light\n# unit: W/nm\nwavelength_nm,lamp";
+    let plain = put("plain.csv", format!("{head}\n{}", rows("")));
+    let doubted = put(
+        "doubted.csv",
+        format!("{head},sigma of lamp\n{}", rows(",0.01")),
+    );
+    for formula in ["1*A", "A + A", "A / A"] {
+        let of = |file: &str| json(&[formula, "--keep-all", file]);
+        let (a, b) = (of(&plain), of(&doubted));
+        for key in ["wavelengths", "values"] {
+            assert_eq!(a[key], b[key], "{formula} {key}");
+        }
+    }
+    let light = |file: &str| -> Value {
+        let words = [cli::PROGRAM, "light", "--json", file].map(OsString::from);
+        let (mut out, mut err) = (Vec::new(), Vec::new());
+        let outcome = cli::run(words, None, &mut out, &mut err);
+        assert_eq!(outcome, Outcome::Done(0));
+        let mut told: Value = serde_json::from_slice(&out).expect("JSON");
+        // The file's own name, and what is said of how it was read.
+        for key in ["name", "notes", "input"] {
+            told.as_object_mut().expect("keys").remove(key);
+        }
+        told
+    };
+    assert_eq!(light(&plain), light(&doubted));
+}
+
+#[test]
+fn lights_without_a_common_scale_are_added_at_equal_y_and_quotients_of_surfaces_are_reflectances() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let even = |by: f64| (380..=780).map(move |nm| (f64::from(nm), by * f64::from(nm)));
+    let absolute = put(
+        folder.path(),
+        "watts.csv",
+        "irradiance (W m-2 nm-1)",
+        even(3.0),
+    );
+    let why = refused(1, &["A + B", "CIE A", &absolute]);
+    assert!(why.contains("Bring both to equal Y or area first"), "{why}");
+    let sum = json(&["A - B", &absolute, &absolute, "--equal", "area"]);
+    assert!(numbers(&sum["values"]).iter().all(|v| *v == 0.0));
+    let both = json(&["A + B", "CIE A", &absolute, "--equal", "y"]);
+    assert_eq!(both["result"]["unit"], "relative");
+    let y = both["figures"]["Y"]["value"].as_f64().expect("a sum");
+    // Two lights of Y 100; that of a table cut at 380-780 nm is short of the whole by its ends.
+    assert!((y - 200.0).abs() < 0.1, "{y}");
+    let plain = json(&["A / B", "FL2", "CIE A"]);
+    assert_eq!(plain["result"]["quantity"], "transmittance");
+    let surface = json(&["A / B", "FL2", "CIE A", "--reflectance"]);
+    assert_eq!(surface["result"]["quantity"], "reflectance");
+    let tile = put(folder.path(), "white tile.csv", "counts", even(100.0));
+    let sample = put(folder.path(), "sample.csv", "counts", even(50.0));
+    let of_files = json(&["A / B", &sample, &tile]);
+    assert_eq!(of_files["result"]["quantity"], "reflectance");
+}
+
+#[test]
 fn what_changed_is_named_and_equal_sets_are_the_same() {
     let folder = tempfile::tempdir().expect("a folder");
     let (a, b) = (scans(folder.path(), 5), tilted(folder.path(), 5));

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use spectral_explorer::{
     app::{
         App, Command, Entry, FIRST_LIGHT, MadeFor, Recipe, Settings, Times, Tone,
+        combining::Act,
         open::{Loaded, load_path},
         workspace,
     },
@@ -71,6 +72,62 @@ fn reread(app: &mut App, path: &std::path::Path) {
         opened,
     });
     app.end_gesture();
+}
+
+#[test]
+fn what_is_combined_follows_its_parts_keeps_its_doubt_in_a_project_and_is_frozen_without_them() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let put = |value: f64| {
+        let path = folder.path().join("lamp.csv");
+        let rows: String = (380..=780)
+            .map(|nm| format!("{nm},{value},0.1\n"))
+            .collect();
+        let head = "# Spectral Explorer\n# name: lamp\n# kind: light\n# unit: W/nm\n";
+        let head = format!("{head}wavelength_nm,lamp,sigma of lamp\n");
+        std::fs::write(&path, format!("{head}{rows}")).expect("a file");
+        path
+    };
+    let path = put(3.0);
+    let Loaded::File(opened) = load_path(&path) else {
+        panic!("a lamp")
+    };
+    let mut app = App::new();
+    app.apply(Command::Open(vec![*opened]));
+    assert_eq!(app.document().own.len(), 1, "its sigma is no spectrum");
+    let act = Act::Formula {
+        text: "A - 0.5*A".to_owned(),
+        keep_all: false,
+        equal: None,
+        of_surface: false,
+    };
+    let parts = vec!["own/1".to_owned()];
+    make(&mut app, Recipe::Combined { act, parts });
+    let made = |app: &App| {
+        let entry = own(app, "own/2").clone();
+        let sigma = entry.measured.as_ref().and_then(|of| of.sigma.clone());
+        (
+            entry.spectrum.samples.values()[0],
+            sigma.expect("a sigma")[0],
+        )
+    };
+    assert_eq!(own(&app, "own/2").name(), "lamp - 0.5*lamp");
+    // A - 0.5 A is half of A, its noise too.
+    assert_eq!(made(&app), (1.5, 0.05));
+    put(4.0);
+    reread(&mut app, &path);
+    assert_eq!(made(&app), (2.0, 0.05));
+    let text = workspace::to_json(app.document(), None).expect("JSON");
+    let restored = workspace::from_json(&text).expect("a project");
+    assert_eq!(restored.losses, Vec::<String>::new());
+    for (kept, entry) in restored.document.own.iter().zip(&app.document().own) {
+        assert_eq!(kept.measured, entry.measured);
+        assert_eq!(kept.origin.recipe(), entry.origin.recipe());
+    }
+    app.apply(Command::Remove {
+        key: "own/1".to_owned(),
+    });
+    assert_eq!(own(&app, "own/2").origin.recipe(), None);
+    assert_eq!(made(&app), (2.0, 0.05));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 pub mod auction;
 pub mod coefficients;
 pub mod colour;
+pub mod combined;
 pub mod design;
 pub mod image;
 pub mod import;

@@ -1,12 +1,13 @@
 //! The spectrum plot: the window draws it and files hold it.
 
-use super::units::subject_label;
+use super::{combined::doubted, units::subject_label};
 use crate::{
     app::{
         chart::{self, Chart, Dash, Ink, OVERLAY_INKS, Panel, Scale, Series, stroke},
         document::Height,
         entry::Entry,
         line_names::LineName,
+        readings::is_counts,
         scale::Scale as Switch,
         spectral_unit::SpectralUnit,
         state::App,
@@ -126,7 +127,7 @@ fn spectrum_series(app: &App) -> Vec<Series> {
     if view.measured {
         let points = app.measured_points();
         let points: Vec<[f64; 2]> = points.map(|(nm, v)| [nm, v * app.scale_factor()]).collect();
-        if view.strip {
+        if view.strip && !is_counts(document.subject_entry()) {
             let area = Series::area("measured", Ink::Measured, points, Vec::new());
             series.push(area.coloured());
             if document.is_about_light() {
@@ -134,6 +135,9 @@ fn spectrum_series(app: &App) -> Vec<Series> {
             }
         } else {
             series.push(Series::line("measured", Ink::Measured, points));
+        }
+        if let Some(of) = document.subject_entry().measured.as_deref() {
+            series.extend(doubted(of, "95 % of the measured", app.scale_factor()));
         }
     }
     // Over the fill, which would hide them where they are lower.

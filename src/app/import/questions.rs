@@ -2,12 +2,12 @@
 
 use super::{Flip, first_rows::MOST_COLUMNS};
 use crate::{
-    app::opened::Opened,
+    app::{measured::is_sigma_of, opened::Opened},
     io::{
         AxisDecision, Choices, Counted, Decision, Decisions, Delimiter, Guessed, MOST_UNDERSTOOD,
         OpenQuestion, Origin, TableFound, WavelengthUnit, envi,
     },
-    spectrum::Kind,
+    spectrum::{Kind, NamedSpectrum},
 };
 
 /// A decision with its other answers.
@@ -141,6 +141,7 @@ pub(super) fn all(opened: &Opened, alike: Option<&Alike>, at: usize) -> Vec<Ques
     if opened.photons {
         questions.push(photon_question(&opened.choices));
     }
+    questions.extend(sigma_question(opened));
     if let Some(table) = &opened.table {
         questions.extend(table_questions(table, &opened.choices));
     }
@@ -169,6 +170,31 @@ fn photon_question(choices: &Choices) -> Question {
         ),
         by_hand_or(choices.keep_photons, "the unit counts photons"),
     )
+}
+
+/// What a column of deviations of another program is; none where the file has no such column.
+fn sigma_question(opened: &Opened) -> Option<Question> {
+    let mut pairs = opened.spectra.windows(2);
+    let is_foreign = |pair: &[NamedSpectrum]| {
+        let [of, beside] = pair else { return false };
+        is_sigma_of(&beside.name, &of.name) == Some(false)
+    };
+    pairs.find(|pair| is_foreign(pair))?;
+    let words = |takes| {
+        match takes {
+            true => "the noise of the one before it",
+            false => "a spectrum",
+        }
+        .to_owned()
+    };
+    let takes = opened.choices.take_sigma;
+    Some(Question::new(
+        "The sd column is",
+        "A column called sd, std, sigma, u or error may be the standard deviation of the one before \
+         it: the doubt of every figure follows from it.",
+        answers([false, true], takes, Flip::TakeSigma, words),
+        by_hand_or(takes, "its title may mean either"),
+    ))
 }
 
 /// Kinds that are offered.

@@ -161,18 +161,28 @@ impl Choice {
             return Ok(of_image(opened.means()));
         }
         let open = opened.doubtful_kinds();
-        let of = |index| (opened.makers_of(index), opened.composite_of(index));
+        let of = |index| {
+            let composite = opened.composite_of(index);
+            (
+                opened.makers_of(index),
+                composite,
+                opened.measured_of(index),
+            )
+        };
         let parts: Vec<_> = (0..open.len()).map(of).collect();
         let spectra = opened.spectra.into_iter().zip(parts).zip(open);
-        let found = spectra.map(|((spectrum, (makers, composite)), is_kind_open)| Found {
-            entry: Entry {
-                makers,
-                composite,
-                ..Entry::own(1, spectrum)
+        let found = spectra.map(
+            |((spectrum, (makers, composite, measured)), is_kind_open)| Found {
+                entry: Entry {
+                    makers,
+                    composite,
+                    measured,
+                    ..Entry::own(1, spectrum)
+                },
+                is_kind_open,
+                among: 1,
             },
-            is_kind_open,
-            among: 1,
-        });
+        );
         Ok(Self {
             all: found.collect(),
             is_whole: has_images,

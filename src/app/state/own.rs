@@ -9,6 +9,7 @@ use crate::{
         document::{Document, FIRST_LIGHT, MOST_OWN_PATCHES, Subject},
         entry::Entry,
         make::{self, WhyNot},
+        measured::is_sigma_of,
         memo::ByAddress,
         opened::{ImageEntry, Opened},
         origin::{FileReading, FromFile, MadeBy, Origin, SourceFile},
@@ -55,11 +56,11 @@ impl App {
     pub(super) fn take_in(&mut self, files: Vec<Opened>) {
         // Of several files the first is shown.
         let sure: Vec<bool> = match &files[..] {
-            [file] => file
-                .doubtful_kinds()
-                .iter()
-                .map(|doubtful| !doubtful)
-                .collect(),
+            [file] => {
+                let doubtful = file.doubtful_kinds().into_iter().enumerate();
+                let joins = doubtful.filter(|(index, _)| !file.is_sigma(*index));
+                joins.map(|(_, doubtful)| !doubtful).collect()
+            }
             _ => Vec::new(),
         };
         let before = self.document.looks();
@@ -84,6 +85,7 @@ impl App {
                 self.document.images.push(Arc::new(entry));
             }
             let all = file.spectra.iter().enumerate();
+            let all = all.filter(|(index, _)| !file.is_sigma(*index));
             spectra.extend(all.map(|(index, _)| joining(&file, index, &reading)));
         }
         self.adopt(spectra.into_iter(), &sure);
@@ -98,6 +100,7 @@ impl App {
         let Some(from) = from.or(image.map(|image| &image.from)) else {
             return;
         };
+        let from = from.clone();
         let file = &ByAddress(from.reading.file.clone());
         let reading = reading(opened, file.0.clone());
         self.reread_images(file, opened, &reading);
@@ -113,13 +116,16 @@ impl App {
         };
         let was_shown = first(self).is_some_and(|entry| entry.is_usable());
         for (key, index, _) in &known {
-            let Some(spectrum) = opened.spectra.get(*index) else {
+            let spectrum = opened.spectra.get(*index);
+            let Some(spectrum) = spectrum.filter(|_| !opened.is_sigma(*index)) else {
                 self.remove(key);
                 continue;
             };
             let makers = opened.makers_of(*index);
+            let measured = opened.measured_of(*index);
             self.change_entry(key, |entry| {
                 entry.spectrum = spectrum.clone();
+                entry.measured.clone_from(&measured);
                 entry.makers.clone_from(&makers);
                 entry.composite = opened.composite_of(*index);
                 entry.origin = Origin::File(FromFile {
@@ -130,7 +136,14 @@ impl App {
         }
         // Those that a person took out stay out.
         let before = known.first().map_or(0, |(.., spectra)| *spectra);
-        for index in before..opened.spectra.len() {
+        let was_taken = from.reading.choices.take_sigma;
+        let was_sigma = |index: usize| {
+            let name = |index: usize| opened.spectra.get(index).map(|s| s.name.as_str());
+            let pair = index.checked_sub(1).and_then(name).zip(name(index));
+            was_taken && pair.is_some_and(|(of, title)| is_sigma_of(title, of) == Some(false))
+        };
+        let new = (0..opened.spectra.len()).filter(|index| *index >= before || was_sigma(*index));
+        for index in new.filter(|index| !opened.is_sigma(*index)) {
             let entry = self.numbered(joining(opened, index, &reading));
             self.document.own.push(entry);
         }
@@ -238,13 +251,13 @@ impl App {
 
     /// Makes a spectrum, one of the user's own from now on.
     pub(super) fn make(&mut self, recipe: Recipe, place: MadeFor) {
-        let spectrum = match make::make(&recipe, &self.document) {
-            Ok(spectrum) => spectrum,
+        let made = match make::make(&recipe, &self.document) {
+            Ok(made) => made,
             Err(why) => return self.say(Tone::Problem, format!("It cannot be made: {why}.")),
         };
         let made = Entry {
             origin: Origin::Made(MadeBy { recipe, name: None }),
-            ..Entry::own(0, spectrum)
+            ..made
         };
         match place {
             MadeFor::Shown => self.adopt(std::iter::once(made), &[]),
@@ -319,23 +332,27 @@ impl App {
     }
 
     fn remake(&mut self, key: &str, recipe: &Recipe) -> Result<(), WhyNot> {
-        let spectrum = make::make(recipe, &self.document)?;
+        let made = make::make(recipe, &self.document)?;
         let mut own = self.document.own.iter();
         let Some(entry) = own.find(|entry| entry.key == key) else {
             return Ok(());
         };
         let name = entry.origin.made().and_then(|made| made.name.clone());
         let spectrum = NamedSpectrum {
-            name: name.clone().unwrap_or_else(|| spectrum.name.clone()),
-            ..spectrum
+            name: name.clone().unwrap_or_else(|| made.spectrum.name.clone()),
+            ..made.spectrum
         };
         let origin = Origin::Made(MadeBy {
             recipe: recipe.clone(),
             name,
         });
-        if entry.spectrum != spectrum || entry.origin != origin {
+        if (&entry.spectrum, &entry.origin) != (&spectrum, &origin)
+            || (&entry.measured, &entry.composite) != (&made.measured, &made.composite)
+        {
             self.change_entry(key, |entry| {
                 entry.spectrum = spectrum.clone();
+                entry.measured.clone_from(&made.measured);
+                entry.composite.clone_from(&made.composite);
                 entry.origin = origin.clone();
             });
         }
@@ -399,6 +416,7 @@ fn joining(file: &Opened, index: usize, reading: &Arc<FileReading>) -> Entry {
         makers: file.makers_of(index),
         origin: Origin::File(FromFile { reading, index }),
         composite: file.composite_of(index),
+        measured: file.measured_of(index),
         ..Entry::own(0, file.spectra[index].clone())
     }
 }

@@ -10,6 +10,7 @@ use crate::{
     app::{
         document::{Document, PAPER_WEIGHT_FACTOR, Subject, View},
         entry::Entry,
+        measured::measured_of,
         opened::ImageEntry,
         origin::{FileReading, MadeBy, Origin, SourceFile},
         pages::PageSettings,
@@ -17,6 +18,7 @@ use crate::{
         recipe::Times,
         scale::Scale,
         settings::Settings,
+        stored_doubt::StoredDoubt,
         stored_path,
     },
     io::{Choices, MakersResult},
@@ -45,6 +47,9 @@ pub(super) struct OwnSpectrum {
     /// The composite that it is, which the numbers are the table of.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     composite: Option<StoredComposite>,
+    /// What is known of it beside its values.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    doubt: Option<StoredDoubt>,
     /// The formula of a refractive index, which the numbers are the table of.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     formula: Option<Formula>,
@@ -314,6 +319,7 @@ impl OwnSpectrum {
             makers: Vec::new(),
             made: None,
             composite: None,
+            doubt: None,
             formula: None,
         }
     }
@@ -341,6 +347,7 @@ impl OwnSpectrum {
             source: source.clone(),
             makers,
             composite: entry.composite.as_deref().map(StoredComposite::of),
+            doubt: entry.measured.as_deref().map(StoredDoubt::of),
             made: entry.origin.made().cloned(),
             formula: samples.formula().cloned(),
         }
@@ -355,18 +362,21 @@ impl OwnSpectrum {
         if let Some(formula) = self.formula {
             samples = samples.of_formula(formula);
         }
+        let spectrum = NamedSpectrum {
+            name: self.name,
+            kind: self.kind,
+            unit: self.unit,
+            scale: self.scale,
+            samples,
+            notes: self.notes,
+            source: self.source,
+        };
+        let doubt = self.doubt.and_then(|doubt| measured_of(&spectrum, doubt));
         Ok(Entry {
             key: self.key,
             origin: self.made.map_or(Origin::Numbers, Origin::Made),
-            spectrum: NamedSpectrum {
-                name: self.name,
-                kind: self.kind,
-                unit: self.unit,
-                scale: self.scale,
-                samples,
-                notes: self.notes,
-                source: self.source,
-            },
+            spectrum,
+            measured: doubt.map(Arc::new),
             licence: String::new(),
             makers: self.makers,
             composite: self

@@ -6,7 +6,7 @@ use clap::Args;
 
 use crate::{
     cli::{options::FileOptions, room_words, words},
-    measurements::Measurement,
+    measurements::{Measurement, Normalise},
 };
 
 /// What is stated of a reading.
@@ -21,6 +21,10 @@ pub(crate) struct Stated {
     /// Take counts of an instrument as a light; they stay marked.
     #[arg(long)]
     pub as_light: bool,
+    /// Take a column called sd, std, stdev, sigma, u, error or +- as the standard deviation of the
+    /// one before it.
+    #[arg(long)]
+    pub take_sigma: bool,
 }
 
 impl Stated {
@@ -60,6 +64,14 @@ pub(crate) struct Combine {
     /// those that do not belong to the others.
     #[arg(long)]
     pub keep_all: bool,
+    /// Bring lights to one scale first, by their Y, area, peak or their value at a wavelength in nm;
+    /// for a formula.
+    #[arg(long, value_name = "BY", value_parser = room_words::equal)]
+    pub equal: Option<Normalise>,
+    /// The quotient of two lights is a reflectance; without it their names decide, and else it is a
+    /// transmittance.
+    #[arg(long)]
+    pub reflectance: bool,
     /// For instrument learn the light that was read: "black body 2856 K", "daylight 6500 K", or a
     /// file or preset whose values are known.
     #[arg(long, value_name = "LIGHT")]

@@ -1,10 +1,10 @@
 //! Scans of one light: their mean, those that do not belong, what differs between two sets.
 
 use super::{
-    combine_inputs::{doubt_from, with_noise},
-    combine_result::{Found, LineRow, ScanRow},
-    combine_words::{part_name, sentence},
-    refusal::Refusal,
+    parts::{doubt_from, with_noise},
+    result::{Found, LineRow, ScanRow},
+    said,
+    words::{part_name, sentence},
 };
 use crate::{
     app::readings::names_of_lines,
@@ -20,8 +20,8 @@ const LEAST_SCANS: usize = 3;
 /// The mean of scans; those that do not belong are left out and said, unless all are to be kept.
 ///
 /// # Errors
-/// [`Refusal`] where they cannot be taken together, or nobody can say which of them is wrong.
-pub(super) fn of_scans(parts: &[Measurement], keep_all: bool) -> Result<Found, Refusal> {
+/// A sentence where they cannot be taken together, or nobody can say which of them is wrong.
+pub(super) fn of_scans(parts: &[Measurement], keep_all: bool) -> Result<Found, String> {
     let made_by = match parts.len() {
         1 => parts[0].name.clone(),
         n => format!("mean of {n} scans"),
@@ -29,50 +29,24 @@ pub(super) fn of_scans(parts: &[Measurement], keep_all: bool) -> Result<Found, R
     if parts.len() < LEAST_SCANS {
         return of_few(parts, made_by);
     }
-    let (mut odd, is_open) = misfits(parts).map_err(Refusal::file)?;
-    if is_open && !keep_all {
-        return Err(Refusal::File(match parts.len() {
-            3 => {
-                "Two of three scans differ from the third and each other: which is wrong cannot be \
-                  said."
-                    .to_owned()
-            }
-            n => format!(
-                "More than half of {n} scans differ from the others and each other: which is wrong \
-                 cannot be said."
-            ),
-        }));
-    }
-    let mut notes = Vec::new();
-    let is_out = |odd: &[Misfit], scan: usize| odd.iter().any(|m| m.scan == scan);
-    let leaves_enough = parts.len() - odd.len() >= LEAST_SCANS;
-    let drops = !keep_all && leaves_enough;
-    let kept: Vec<Measurement> = (0..parts.len())
-        .filter(|scan| !drops || !is_out(&odd, *scan))
-        .map(|scan| parts[scan].clone())
-        .collect();
-    let repeats = Repeats::of(&kept).map_err(Refusal::file)?;
+    let Belonging {
+        kept,
+        odd,
+        drops,
+        mut notes,
+    } = Belonging::of(parts, keep_all)?;
+    let repeats = Repeats::of(&kept).map_err(said)?;
     let all = match kept.len() == parts.len() {
         true => repeats.clone(),
-        false => Repeats::of(parts).map_err(Refusal::file)?,
+        false => Repeats::of(parts).map_err(said)?,
     };
-    odd.sort_by_key(|m| m.scan);
-    for Misfit { scan, why } in &odd {
-        let what = match drops {
-            true => "left out; --keep-all keeps it",
-            false => "kept all the same",
-        };
-        notes.push(format!(
-            "{} does not seem to belong: {why}. It is {what}.",
-            parts[*scan].name
-        ));
-    }
+    let is_out = |scan: usize| odd.iter().any(|m| m.scan == scan);
     let rows = (0..parts.len()).map(|scan| ScanRow {
         name: parts[scan].name.clone(),
         level: all.levels[scan],
         shift_nm: all.shifts_nm[scan],
         residual: all.residuals[scan],
-        is_kept: !drops || !is_out(&odd, scan),
+        is_kept: !drops || !is_out(scan),
         why: odd.iter().find(|m| m.scan == scan).map(|m| m.why.clone()),
     });
     let rows: Vec<ScanRow> = rows.collect();
@@ -86,7 +60,7 @@ pub(super) fn of_scans(parts: &[Measurement], keep_all: bool) -> Result<Found, R
     if kept.len() == LEAST_SCANS {
         notes.push("The doubt is of 3 scans only.".to_owned());
     }
-    let lines = lines_of_scans(&repeats.mean, &kept).map_err(Refusal::file)?;
+    let lines = lines_of_scans(&repeats.mean, &kept).map_err(said)?;
     Ok(Found {
         scans: rows,
         drift,
@@ -97,15 +71,61 @@ pub(super) fn of_scans(parts: &[Measurement], keep_all: bool) -> Result<Found, R
     })
 }
 
+/// Scans with those that do not belong left out, unless all are to be kept or too few would stay.
+struct Belonging {
+    kept: Vec<Measurement>,
+    odd: Vec<Misfit>,
+    /// True if those are left out.
+    drops: bool,
+    /// A sentence for each of them.
+    notes: Vec<String>,
+}
+
+impl Belonging {
+    fn of(parts: &[Measurement], keep_all: bool) -> Result<Self, String> {
+        let (mut odd, is_open) = misfits(parts).map_err(said)?;
+        if is_open && !keep_all {
+            return Err(match parts.len() {
+                3 => "Two of three scans differ from the third and each other: which is wrong \
+                      cannot be said."
+                    .to_owned(),
+                n => format!(
+                    "More than half of {n} scans differ from the others and each other: which is \
+                     wrong cannot be said."
+                ),
+            });
+        }
+        let drops = !keep_all && parts.len() - odd.len() >= LEAST_SCANS;
+        odd.sort_by_key(|m| m.scan);
+        let is_out = |scan: usize| drops && odd.iter().any(|m| m.scan == scan);
+        let kept = (0..parts.len()).filter(|scan| !is_out(*scan));
+        let kept = kept.map(|scan| parts[scan].clone()).collect();
+        let what = match drops {
+            true => "left out; --keep-all keeps it",
+            false => "kept all the same",
+        };
+        let note = |Misfit { scan, why }: &Misfit| {
+            let name = &parts[*scan].name;
+            format!("{name} does not seem to belong: {why}. It is {what}.")
+        };
+        Ok(Self {
+            notes: odd.iter().map(note).collect(),
+            kept,
+            odd,
+            drops,
+        })
+    }
+}
+
 /// One scan or two: their noise is what they state, or what their second differences tell.
-fn of_few(parts: &[Measurement], made_by: String) -> Result<Found, Refusal> {
+fn of_few(parts: &[Measurement], made_by: String) -> Result<Found, String> {
     let from = doubt_from(parts);
     let is_stated = parts
         .iter()
         .all(|part| part.sigma.is_some() || part.level > 0.0 || part.axis_nm > 0.0);
     let noisy = with_noise(parts.to_vec());
     let root = (parts.len() as f64).sqrt();
-    let mut mean = mean_of(&noisy).map_err(Refusal::file)?;
+    let mut mean = mean_of(&noisy).map_err(said)?;
     if parts.len() > 1 {
         let first = &noisy[0];
         mean.sigma = first
@@ -137,12 +157,22 @@ fn of_few(parts: &[Measurement], made_by: String) -> Result<Found, Refusal> {
     Ok(found)
 }
 
-/// What differs between two sets.
+/// What differs between two sets; scans that do not belong to theirs are left out and said.
 ///
 /// # Errors
-/// [`Refusal`] where they cannot be compared.
-pub(super) fn of_change(first: &[Measurement], second: &[Measurement]) -> Result<Found, Refusal> {
-    match changed(first, second) {
+/// A sentence where they cannot be compared.
+pub fn of_change(
+    first: &[Measurement],
+    second: &[Measurement],
+    keep_all: bool,
+) -> Result<Found, String> {
+    let belonging = |set: &[Measurement]| match set.len() < LEAST_SCANS {
+        true => Ok((set.to_vec(), Vec::new())),
+        false => Belonging::of(set, keep_all).map(|set| (set.kept, set.notes)),
+    };
+    let ((first, mut notes), (second, more)) = (belonging(first)?, belonging(second)?);
+    notes.extend(more);
+    match changed(&first, &second) {
         Ok(changed) => {
             let places: Vec<f64> = changed
                 .parts
@@ -165,12 +195,14 @@ pub(super) fn of_change(first: &[Measurement], second: &[Measurement]) -> Result
                 })
                 .collect();
             let sentence = sentence(&changed, &words);
-            Ok(Found::of_change(changed, words, sentence))
+            let mut found = Found::of_change(changed, words, sentence);
+            found.notes.extend(notes);
+            Ok(found)
         }
         Err(ChangeError::CannotSay(why @ RepeatsError::TooFew { .. })) => {
             let sentence = format!("Cannot say: {why}");
             Ok(Found::of_change(Changed::unsaid(), Vec::new(), sentence))
         }
-        Err(why) => Err(Refusal::file(why)),
+        Err(why) => Err(why.to_string()),
     }
 }

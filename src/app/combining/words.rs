@@ -1,11 +1,8 @@
-//! The result of `combine` in words.
+//! The result of a combination in words.
 
 use std::fmt::Write as _;
 
-use super::{
-    combine_json::notes,
-    combine_result::{Found, LineRow},
-};
+use super::result::{Found, LineRow};
 use crate::{
     app::ticks::short,
     measurements::{Changed, Doubted, Feature, Figure, Measurement, Part, Verdict, rounded},
@@ -19,7 +16,7 @@ const NOISE_ONLY: &str = "\u{b1} is of the noise alone: what level and wavelengt
                           not stated (--level, --axis).";
 
 /// All that was found, in words.
-pub(super) fn text(found: &Found) -> String {
+pub fn text(found: &Found) -> String {
     let mut text = String::new();
     if let Some(result) = &found.result {
         words_of(found, result, &mut text);
@@ -35,7 +32,7 @@ pub(super) fn text(found: &Found) -> String {
             scan.shift_nm
         );
     }
-    let (own, rest) = notes(found);
+    let (own, rest) = found.notes();
     for note in own.iter().chain(&rest) {
         let _ = writeln!(text, "Note      {note}");
     }
@@ -74,7 +71,7 @@ fn words_of(found: &Found, result: &Measurement, text: &mut String) {
 }
 
 /// Figures and lines with their doubt.
-pub(super) fn doubt_words(found: &Found, result: &Measurement) -> String {
+pub fn doubt_words(found: &Found, result: &Measurement) -> String {
     let mut text = String::new();
     if let Some((all, _)) = found.figures() {
         for doubted in &all {
@@ -93,7 +90,7 @@ pub(super) fn doubt_words(found: &Found, result: &Measurement) -> String {
 }
 
 /// `546.07 ± 0.02 nm, 12.4 ± 0.3, 9.8 % of the power`.
-fn line_words(line: &LineRow) -> String {
+pub fn line_words(line: &LineRow) -> String {
     let with = |value: f64, u: Option<f64>| match u {
         Some(u) if u > 0.0 => {
             let (value, half) = rounded(value, 1.96 * u);
@@ -108,15 +105,20 @@ fn line_words(line: &LineRow) -> String {
     format!(
         "{} nm, {}{share}{uncertain}",
         with(line.at_nm, line.u[0]),
-        with(line.weight, line.u[1])
+        line.weight
+            .map_or("its top is cut".to_owned(), |w| with(w, line.u[1]))
     )
 }
 
 /// `CCT       4224 ± 11 K`.
 fn in_words(doubted: &Doubted) -> String {
-    let name = doubted.figure.words();
+    format!("{:<9} {}", doubted.figure.words(), figure_words(doubted))
+}
+
+/// `4224 ± 11 K`, the last digit worth writing; a dash for a figure that the light does not have.
+pub fn figure_words(doubted: &Doubted) -> String {
     let Some(doubt) = doubted.doubt else {
-        return format!("{name:<9} -");
+        return "-".to_owned();
     };
     let unit = if doubted.figure == Figure::Cct {
         " K"
@@ -129,10 +131,42 @@ fn in_words(doubted: &Doubted) -> String {
         _ => doubt.value,
     };
     if doubt.half_width_95.is_nan() || doubt.half_width_95 <= 0.0 {
-        return format!("{name:<9} {}{unit}", short(value));
+        return format!("{}{unit}", short(value));
     }
     let (value, half) = rounded(value, doubt.half_width_95);
-    format!("{name:<9} {value} ± {half}{unit}")
+    format!("{value} ± {half}{unit}")
+}
+
+/// What was found, in a sentence.
+pub fn headline(found: &Found) -> String {
+    let Some(result) = &found.result else {
+        return found.notes.first().cloned().unwrap_or_default();
+    };
+    let kept = result.kept_values().iter().flatten().count();
+    let share = 100 * kept / result.samples.len().max(1);
+    let quantity = result.quantity.to_string();
+    let quantity = format!("{}{}", quantity[..1].to_uppercase(), &quantity[1..]);
+    let what = match (found.scans.len(), kept == result.samples.len()) {
+        (0, true) => quantity,
+        (0, false) => format!("{quantity}, told over {share} % of its samples"),
+        (n, _) => {
+            let used = found.scans.iter().filter(|scan| scan.is_kept).count();
+            match used == n {
+                true => format!("The mean of {n} scans"),
+                false => format!("The mean of {used} of {n} scans"),
+            }
+        }
+    };
+    let figures = found.figures().map(|(all, _)| all).unwrap_or_default();
+    let told = figures.iter().filter(|d| d.doubt.is_some());
+    let told = told.filter(|d| matches!(d.figure, Figure::Cct | Figure::Ra));
+    let told: Vec<String> = told
+        .map(|d| format!("{} {}", d.figure.words(), figure_words(d)))
+        .collect();
+    match told.is_empty() {
+        true => format!("{what}."),
+        false => format!("{what}: {}.", told.join(", ")),
+    }
 }
 
 /// One part that differs, without its amount: `Hg 546`, `glow`, `CCT`.

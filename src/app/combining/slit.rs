@@ -1,28 +1,31 @@
 //! A slit put on, and one taken off.
 
 use super::{
-    combine_inputs::{doubt_from, with_noise},
-    combine_result::{Found, LineRow},
-    refusal::Refusal,
+    parts::{doubt_from, with_noise},
+    result::{Found, LineRow},
+    said,
 };
 use crate::{
-    measurements::{Kernel, Measurement, Slit, SlitFound, slit_of, smoothed, unslit},
+    measurements::{
+        Kernel, Measurement, Slit, SlitFound, noise_behind, slit_of, slit_of_daylight, smoothed,
+        unslit,
+    },
     spectrum::Sampled,
 };
 
-fn the_one(parts: Vec<Measurement>) -> Result<Measurement, Refusal> {
+fn the_one(parts: Vec<Measurement>) -> Result<Measurement, String> {
     let one = with_noise(parts).into_iter().next();
-    one.ok_or_else(|| Refusal::Usage("INPUT: expected a light".to_owned()))
+    one.ok_or_else(|| "expected a light".to_owned())
 }
 
 /// A light as an instrument with this slit sees it.
 ///
 /// # Errors
-/// [`Refusal`] where it was seen through a wider one.
-pub(super) fn through(parts: Vec<Measurement>, slit: Slit) -> Result<Found, Refusal> {
+/// A sentence where it was seen through a wider one.
+pub(super) fn through(parts: Vec<Measurement>, slit: Slit) -> Result<Found, String> {
     let from = doubt_from(&parts);
     let part = the_one(parts)?;
-    let seen = smoothed(&part, slit).map_err(Refusal::file)?;
+    let seen = smoothed(&part, slit).map_err(said)?;
     let made_by = format!(
         "{} through {} nm ({})",
         part.name,
@@ -38,20 +41,26 @@ pub(super) fn through(parts: Vec<Measurement>, slit: Slit) -> Result<Found, Refu
 /// A light without its slit, whose width is told or found.
 ///
 /// # Errors
-/// [`Refusal`] where no line tells the width, or it is none.
+/// A sentence where no line tells the width, or it is none.
 pub(super) fn taken_off(
     parts: Vec<Measurement>,
     fwhm_nm: Option<f64>,
     shape: Kernel,
-) -> Result<Found, Refusal> {
+) -> Result<Found, String> {
     let from = doubt_from(&parts);
-    let part = the_one(parts)?;
+    let is_stated = parts.first().is_some_and(|part| part.sigma.is_some());
+    let mut part = the_one(parts)?;
     let slit = match (fwhm_nm, part.slit) {
         (Some(fwhm_nm), _) => told(Slit { shape, fwhm_nm }),
         (None, Some(known)) => told(known),
-        (None, None) => slit_of(&part, shape).map_err(Refusal::file)?,
+        (None, None) => slit_of(&part, shape)
+            .or_else(|why| slit_of_daylight(&part).ok_or(why))
+            .map_err(said)?,
     };
-    let made = unslit(&part, slit.slit).map_err(Refusal::file)?;
+    if !is_stated {
+        part.sigma = noise_behind(&part.samples, slit.slit);
+    }
+    let made = unslit(&part, slit.slit).map_err(said)?;
     let about = if slit.is_sure { "" } else { "about " };
     let width = format!(
         "{about}{:.2} nm ({})",
@@ -71,6 +80,10 @@ pub(super) fn taken_off(
             slit.lines.len(),
             slit.shift_nm
         ));
+    }
+    if !slit.is_sure && slit.lines.is_empty() {
+        let told = "told by oxygen's band of daylight at 763 nm";
+        found.notes.push(format!("The slit is {width}, {told}."));
     }
     if made.is_made && !made.lines.is_empty() {
         found.notes.push(format!(

@@ -1,7 +1,13 @@
-//! The result of `combine`: a spectrum that was made, or what differs, with what is known of it.
+//! The result of a combination: a spectrum that was made, or what differs, with what is known of it.
+
+use std::sync::Arc;
 
 use crate::{
-    app::{measured::is_light, readings::Reading},
+    app::{
+        Entry,
+        measured::{is_light, spectrum},
+        readings::Reading,
+    },
     measurements::{
         Changed, Doubted, Drift, Instrument, LinePoint, LineWithDoubt, Measurement, NarrowLine,
         Quantity, SlitFound, Spliced, doubts, lines_of, missing_light,
@@ -10,7 +16,7 @@ use crate::{
 };
 
 /// One scan of a mean.
-pub(super) struct ScanRow {
+pub struct ScanRow {
     pub name: String,
     /// Its level less that of the mean, a share.
     pub level: f64,
@@ -24,9 +30,10 @@ pub(super) struct ScanRow {
 
 /// One line of the result: of a light its power, of a quotient the quotient there.
 #[derive(Clone, Copy)]
-pub(super) struct LineRow {
+pub struct LineRow {
     pub at_nm: f64,
-    pub weight: f64,
+    /// None of a line whose top is cut.
+    pub weight: Option<f64>,
     /// Share of the light's power.
     pub share: Option<f64>,
     /// Standard uncertainties of place, weight and share.
@@ -39,7 +46,7 @@ impl LineRow {
         let u = line.u;
         Self {
             at_nm: line.at_nm,
-            weight: line.weight,
+            weight: Some(line.weight),
             share: Some(line.share),
             u: [0, 1, 2].map(|k| u.map(|u| u[k])),
             is_certain: line.is_certain,
@@ -49,7 +56,7 @@ impl LineRow {
     pub(super) fn of_quotient(point: LinePoint) -> Self {
         Self {
             at_nm: point.at_nm,
-            weight: point.value,
+            weight: Some(point.value),
             share: None,
             u: [None, Some(point.u), None],
             is_certain: true,
@@ -59,7 +66,7 @@ impl LineRow {
     pub(super) fn of_composite(line: &Line, power: f64) -> Self {
         Self {
             at_nm: line.at_nm,
-            weight: line.weight,
+            weight: Some(line.weight),
             share: (power != 0.0).then_some(line.weight / power),
             u: [None; 3],
             is_certain: true,
@@ -69,7 +76,7 @@ impl LineRow {
     pub(super) fn of_narrow(line: &NarrowLine, power: f64) -> Self {
         Self {
             at_nm: line.at_nm,
-            weight: line.weight,
+            weight: Some(line.weight),
             share: (power > 0.0).then_some(line.weight / power),
             u: [
                 Some(line.u_at_nm),
@@ -81,8 +88,8 @@ impl LineRow {
     }
 }
 
-/// What `combine` found.
-pub(super) struct Found {
+/// What a combination found.
+pub struct Found {
     /// The spectrum that was made; none where two sets were compared.
     pub result: Option<Measurement>,
     pub made_by: String,
@@ -113,7 +120,7 @@ pub(super) struct Found {
 
 impl Found {
     /// A spectrum and nothing beside it.
-    pub(super) fn of(result: Measurement, made_by: String, doubt_from: &'static str) -> Self {
+    pub fn of(result: Measurement, made_by: String, doubt_from: &'static str) -> Self {
         Self {
             step_nm: result.samples.step_nm(),
             result: Some(result),
@@ -146,7 +153,7 @@ impl Found {
     }
 
     /// What differs between two sets, each part with its words, and a sentence.
-    pub(super) fn of_change(changed: Changed, words: Vec<String>, sentence: String) -> Self {
+    pub fn of_change(changed: Changed, words: Vec<String>, sentence: String) -> Self {
         Self {
             notes: vec![sentence],
             changed: Some((changed, words)),
@@ -158,7 +165,7 @@ impl Found {
     ///
     /// # Panics
     /// For a comparison, which makes none and is told before any is asked for.
-    pub(super) fn result(&self) -> &Measurement {
+    pub fn result(&self) -> &Measurement {
         self.result.as_ref().expect("a spectrum was made")
     }
 
@@ -166,12 +173,12 @@ impl Found {
     ///
     /// # Panics
     /// As [`Found::result`].
-    pub(super) fn result_mut(&mut self) -> &mut Measurement {
+    pub fn result_mut(&mut self) -> &mut Measurement {
         self.result.as_mut().expect("a spectrum was made")
     }
 
     /// The lines of a light that was made, where nothing else told them.
-    pub(super) fn tell_lines(&mut self) {
+    pub fn tell_lines(&mut self) {
         if let Some(result) = &self.result
             && result.quantity == Quantity::Light
             && self.lines.is_empty()
@@ -184,9 +191,21 @@ impl Found {
         }
     }
 
+    /// Lines whose top is cut keep their place, the middle of the cut, and lose their weight.
+    pub(super) fn cut_lines(&mut self) {
+        for top in &self.reading.clipped {
+            let is_cut = |line: &&mut LineRow| (top.from_nm..=top.to_nm).contains(&line.at_nm);
+            for line in self.lines.iter_mut().filter(is_cut) {
+                line.at_nm = 0.5 * (top.from_nm + top.to_nm);
+                (line.weight, line.share) = (None, None);
+                (line.u[1], line.u[2]) = (None, None);
+            }
+        }
+    }
+
     /// Figures of a light with their doubt, and what stands beside them; none where it is no light.
     /// A clipped light, and one of which too much is masked, has no doubt that could be told.
-    pub(super) fn figures(&self) -> Option<(Vec<Doubted>, Vec<String>)> {
+    pub fn figures(&self) -> Option<(Vec<Doubted>, Vec<String>)> {
         let result = self.result.as_ref().filter(|of| is_light(of))?;
         if self.reading.has_no_figures() {
             return None;
@@ -211,5 +230,26 @@ impl Found {
             )
         });
         Some((all, said.into_iter().collect()))
+    }
+
+    /// The spectrum that was made, as one of the user's own of this name.
+    pub fn into_entry(self, name: &str) -> Entry {
+        let mut result = self.result().clone();
+        name.clone_into(&mut result.name);
+        let mut made = spectrum(&result, &self.made_by);
+        made.notes = vec![format!("Made: {}.", self.made_by)];
+        made.notes.extend(self.notes);
+        Entry {
+            measured: Some(Arc::new(result)),
+            composite: self.composite.map(Arc::new),
+            ..Entry::own(0, made)
+        }
+    }
+
+    /// What is said beside the result: of the combination, and of figures and readings.
+    pub fn notes(&self) -> (Vec<String>, Vec<String>) {
+        let mut rest = self.reading.sentences();
+        rest.extend(self.figures().into_iter().flat_map(|(_, said)| said));
+        (self.notes.clone(), rest)
     }
 }

@@ -1,0 +1,137 @@
+//! What is made of measurements: formulas, means of scans, spliced ranges, slits, corrections by an
+//! instrument, and what changed between two sets. The command line and the window ask the same way.
+
+pub mod desk;
+mod formula;
+mod instrument;
+mod parts;
+mod result;
+mod scans;
+mod slit;
+pub mod words;
+
+use std::fmt::Display;
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use super::{instruments, readings::Reading};
+use crate::measurements::{Formula, Kernel, Normalise, Slit};
+
+pub use instrument::{known_of_words, learnt};
+pub use parts::{Part, measurements};
+pub use result::{Found, LineRow, ScanRow};
+pub use scans::of_change;
+
+/// What is done with the parts.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Act {
+    /// A formula of their letters, A, B, C in their order.
+    Formula {
+        text: String,
+        /// True if nothing is masked.
+        #[serde(default)]
+        keep_all: bool,
+        /// What lights are brought to one scale by first.
+        #[serde(default)]
+        equal: Option<Normalise>,
+        /// True if a quotient of two lights is a reflectance, whatever their names say.
+        #[serde(default)]
+        of_surface: bool,
+    },
+    /// The mean of scans of one light.
+    Mean {
+        /// True if scans unlike the others stay in.
+        #[serde(default)]
+        keep_all: bool,
+    },
+    /// Two ranges of one light.
+    Splice {
+        /// True if their axes are known to be right.
+        #[serde(default)]
+        is_sound: bool,
+    },
+    /// As an instrument of this slit sees it.
+    Slit { fwhm_nm: f64, shape: Kernel },
+    /// Its slit taken off: of this width, or as the light's own lines tell it.
+    Unslit {
+        #[serde(default)]
+        fwhm_nm: Option<f64>,
+        shape: Kernel,
+    },
+    /// An instrument's response taken off; the instrument as its file holds it.
+    Corrected { instrument: Value },
+}
+
+impl Act {
+    /// What it makes of the parts.
+    ///
+    /// # Errors
+    /// A sentence for combinations that mean nothing.
+    pub fn of(&self, parts: &[Part]) -> Result<Found, String> {
+        let all = || measurements(parts);
+        let mut found = match self {
+            Self::Formula {
+                text,
+                keep_all,
+                equal,
+                of_surface,
+            } => {
+                let formula = Formula::parse(text).map_err(said)?;
+                let parts = formula::at_equal(parts, *equal)?;
+                let mut found = formula::of_formula(&formula, text, &parts, *keep_all)?;
+                formula::name_quotient(&mut found, &formula, &parts, *of_surface);
+                if let Some(equal) = equal {
+                    found
+                        .notes
+                        .push(format!("Lights are brought to equal {equal} first."));
+                }
+                found
+            }
+            Self::Mean { keep_all } => scans::of_scans(&all(), *keep_all)?,
+            Self::Splice { is_sound } => formula::of_ranges(&all(), *is_sound)?,
+            Self::Slit { fwhm_nm, shape } => slit::through(
+                all(),
+                Slit {
+                    shape: *shape,
+                    fwhm_nm: *fwhm_nm,
+                },
+            )?,
+            Self::Unslit { fwhm_nm, shape } => slit::taken_off(all(), *fwhm_nm, *shape)?,
+            Self::Corrected { instrument } => {
+                instrument::used(instruments::of(instrument)?, &all())?
+            }
+        };
+        let readings: Vec<Reading> = parts.iter().map(|part| part.reading.clone()).collect();
+        found.reading = Reading::of_parts(&readings, found.result().quantity);
+        found.cut_lines();
+        Ok(found)
+    }
+}
+
+impl Act {
+    /// The name of what it makes of the parts.
+    pub fn name(&self, parts: &[Part]) -> String {
+        let name = |index: usize| parts.get(index).map_or("", |part| part.of.name.as_str());
+        match self {
+            Self::Formula { text, .. } => {
+                let letter = |c: char| match c {
+                    'A'..='Z' => name(usize::from(c as u8 - b'A')).to_owned(),
+                    c => c.to_string(),
+                };
+                text.chars().map(letter).collect()
+            }
+            Self::Mean { .. } => format!("{}, mean of {}", name(0), parts.len()),
+            Self::Splice { .. } => format!("{} and {} spliced", name(0), name(1)),
+            Self::Slit { fwhm_nm, .. } => format!("{} through {fwhm_nm} nm", name(0)),
+            Self::Unslit { .. } => format!("{} without its slit", name(0)),
+            Self::Corrected { .. } => format!("{} corrected", name(0)),
+        }
+    }
+}
+
+/// An error as its sentence.
+fn said(why: impl Display) -> String {
+    why.to_string()
+}
