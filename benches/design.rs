@@ -24,13 +24,12 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::{DMatrix, DVector};
 use spectral_explorer::{
     app::{
-        App, Command, Library,
+        App, Library,
         design::{
             Desk, DeskSurfaces, beside,
             colour::{ColourSheet, FromColour},
             mix::{Mix, MixChannel},
         },
-        pages::PageSetting,
     },
     color::{Adaptation, Observer, Srgb, Xyz},
     design::{
@@ -246,13 +245,15 @@ fn design(c: &mut Criterion) {
         b.iter(|| MixFigures::new(&tables.sums(&mixed(&channels, black_box(&weights))), tables));
     });
     let mut app = App::new();
-    app.apply(Command::Page(PageSetting::Mix(Mix {
-        channels: channels
-            .iter()
-            .map(|channel| MixChannel::new(channel.spec.source.clone()))
-            .collect(),
-        gels: Vec::new(),
-    })));
+    app.edit_pages(|pages| {
+        pages.mix.desk = Mix {
+            channels: channels
+                .iter()
+                .map(|channel| MixChannel::new(channel.spec.source.clone()))
+                .collect(),
+            gels: Vec::new(),
+        };
+    });
     c.bench_function("a moved fader, the whole desk of 8 channels", |b| {
         b.iter(|| {
             let desk = Desk::of(black_box(app.document()));

@@ -16,10 +16,7 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use spectral_explorer::{
-    app::{
-        App, Command, QualityShown, Settings,
-        charts::quality::{DiagramShows, diagram},
-    },
+    app::{App, Command, QualityShown, Settings, charts::quality::diagram, pages::DiagramShows},
     color::{
         Cct, Observer,
         quality::{FewFigures, Figures, Light, Measured, fidelity, fidelity_reference, rendering},

@@ -2,16 +2,13 @@
 //!
 //! [`App::apply`]: super::App::apply
 
-use std::{
-    mem::{Discriminant, discriminant},
-    sync::Arc,
-};
+use std::sync::Arc;
 
 use super::{
     document::{Document, Subject, View},
     entry::Entry,
     opened::{ImageEntry, Opened},
-    pages::PageSetting,
+    pages::PageStates,
     products::Products,
     recipe::Recipe,
     scale::Scale,
@@ -83,8 +80,8 @@ pub enum Command {
     View(View),
     /// What the page `Products` multiplies; clamped when applied.
     Products(Products),
-    /// What one page keeps of its own; clamped when applied.
-    Page(PageSetting),
+    /// What pages keep; moved to what is allowed when applied.
+    Page(Box<PageStates>),
     /// Takes spectra in as the user's own and shows the first.
     Adopt(Vec<NamedSpectrum>),
     /// Makes a spectrum, which joins the user's own and follows what it is made of.
@@ -154,7 +151,7 @@ pub(super) enum Gesture {
     Spikes,
     WeightFactor,
     Products,
-    Page(Discriminant<PageSetting>),
+    Pages,
     Making(String),
     Naming(String),
 }
@@ -163,11 +160,11 @@ impl Command {
     /// The gesture that this may be a part of; `None` for what is a step of its own.
     pub(super) fn gesture(&self) -> Option<Gesture> {
         Some(match self {
+            Self::Page(_) => Gesture::Pages,
             Self::Edit(_) => Gesture::Knobs,
             Self::EditSpikes(_) => Gesture::Spikes,
             Self::WeightFactor(_) => Gesture::WeightFactor,
             Self::Products(_) => Gesture::Products,
-            Self::Page(setting) => Gesture::Page(discriminant(setting)),
             Self::MakeOtherwise { key, .. } => Gesture::Making(key.clone()),
             Self::Rename { key, .. } => Gesture::Naming(key.clone()),
             _ => return None,

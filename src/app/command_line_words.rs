@@ -125,25 +125,26 @@ fn options(settings: Settings) -> String {
     let usual = Settings::default();
     let Settings {
         basis,
-        order,
         spikes,
         wide_lines,
-        threshold_percent,
-        max_width_nm,
         dips,
         detector: _,
-        gradient_percent: _,
         colour_exact,
         band,
         observer,
         sampling,
+        .. // Numbers, which have their options beside them.
     } = settings;
+    let numbers = Settings::KNOBS
+        .into_iter()
+        .filter(|(option, _)| !option.is_empty());
+    let numbers = numbers.map(|(option, knob)| {
+        let [now, usual] = [settings, usual].map(|mut settings| knob.get(&mut settings));
+        value(option, now, usual)
+    });
     let flag = |is_said: bool, option: &str| is_said.then(|| format!(" --{option}"));
     let [least, most] = [band.min_nm(), band.max_nm()].map(short);
     let said = [
-        value("order", order, usual.order),
-        value("threshold", threshold_percent, usual.threshold_percent),
-        value("max-width", max_width_nm, usual.max_width_nm),
         value("basis", basis.word(), usual.basis.word()),
         flag(!colour_exact, "plain"),
         flag(!spikes, "no-spikes"),
@@ -161,7 +162,7 @@ fn options(settings: Settings) -> String {
         }),
         value("sampling", sampling.word(), usual.sampling.word()),
     ];
-    said.into_iter().flatten().collect()
+    numbers.chain(said).flatten().collect()
 }
 
 #[cfg(test)]

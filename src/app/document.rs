@@ -9,7 +9,7 @@ use super::{
     library::Library,
     opened::ImageEntry,
     origin::Before,
-    pages::PageSettings,
+    pages::PageStates,
     products::Products,
     scale::Scale,
     settings::Settings,
@@ -152,8 +152,8 @@ pub struct Document {
     pub view: View,
     /// What the page `Products` multiplies.
     pub products: Products,
-    /// What pages keep of their own.
-    pub pages: PageSettings,
+    /// What pages keep.
+    pub pages: PageStates,
 }
 
 /// The best reading of Table 4's weights: contributions to the mean over the paper's 300 nm.
@@ -232,7 +232,7 @@ impl Document {
             weight_factor: PAPER_WEIGHT_FACTOR,
             view: View::default(),
             products: Products::first(),
-            pages: PageSettings::default(),
+            pages: PageStates::default(),
         }
     }
 

@@ -8,19 +8,17 @@ use super::{
         narrow::{Behind, Figures, Filter},
         resampling::Bench,
     },
-    numbers::{delta_e, percent},
+    numbers::{delta_e, hundredths, percent},
     opened::ImageEntry,
     product_report::Told,
-    products::same_surface::SameSurfaceSheet,
     state::App,
     studies::paper::{Row, Verdict},
-    ticks::{hundredths, short},
+    ticks::short,
     verdicts::Seen,
 };
 use crate::{
     io::many::{many, numbers},
     spectrum::Sampling,
-    study::products::Sameness,
 };
 
 /// How many dark lines were found, and how many of them have a name.
@@ -139,27 +137,6 @@ pub fn metamers([first, second]: [&str; 2], names: &[String; 2], delta_e_2000: [
         how(alike),
         how(apart)
     )
-}
-
-/// Whether a spectrum can be the light off a surface.
-pub fn same_surface(sheet: &SameSurfaceSheet) -> String {
-    let [light, surface, outgoing] = &sheet.names;
-    match sheet.verdict() {
-        Sameness::Holds => match *outgoing == format!("{light} off {surface}") {
-            true => format!("Yes: the spectrum is what {light} off {surface} would be."),
-            false => format!("Yes: {outgoing} can be {light} off {surface}."),
-        },
-        Sameness::DoesNotHold => format!("No: {outgoing} is not {light} off {surface}."),
-        Sameness::Unknown if sheet.model.is_none() => {
-            "One of the spectra is dark on this range.".to_owned()
-        }
-        Sameness::Unknown => format!(
-            "The models are too short to tell: behind 10 nm they leave out {:.1} % of S1 and \
-             {:.1} % of S3 themselves. More numbers may decide.",
-            100.0 * sheet.left_out[0],
-            100.0 * sheet.left_out[1]
-        ),
-    }
 }
 
 /// What forming a product on the paper's points adds, beside twice the numbers.

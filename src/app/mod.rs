@@ -80,6 +80,7 @@ pub mod tint;
 mod today;
 mod undo_words;
 pub mod verdicts;
+pub mod worker;
 pub mod workspace;
 
 pub use already_open::{Known, known};
@@ -106,9 +107,7 @@ pub use quality::{
 };
 pub use recipe::{Gel, Given, Recipe, Times};
 pub use scale::Scale;
-pub use settings::{
-    Detector, GRADIENTS_PERCENT, ORDERS, Settings, THRESHOLDS_PERCENT, WIDTHS_NM, range_words,
-};
+pub use settings::{Detector, Settings, range_words};
 pub use spike_hand::SpikeAct;
 pub use state::{App, Message, Tone, derive};
 pub use surfaces::Surfaces;

@@ -2,7 +2,7 @@
 //!
 //! Files have numbers in full, by `cells`.
 
-use super::ticks::{hundredths as two_decimals, short};
+use super::ticks::short;
 
 /// Stands where there is no number.
 pub const DASH: &str = "–";
@@ -87,10 +87,18 @@ pub fn share_words(share: impl Into<Option<f64>>) -> String {
     })
 }
 
-/// A colour difference: two decimals, a bound for what is below any meaning, a dash for none.
-pub fn delta_e(value: impl Into<Option<f64>>) -> String {
-    or_dash(value, two_decimals)
+/// A small figure of a table: two decimals, so that points stand below each other; what rounds to
+/// none of it but is more is "< 0.01", none is a dash.
+pub fn hundredths(value: impl Into<Option<f64>>) -> String {
+    or_dash(value, |value| match (100.0 * value).round() / 100.0 {
+        0.0 if value > 0.0 => "< 0.01".to_owned(),
+        0.0 if value < 0.0 => "> -0.01".to_owned(),
+        rounded => fixed(rounded, 2),
+    })
 }
+
+/// A colour difference.
+pub use hundredths as delta_e;
 
 /// Four decimals where they tell it, four digits elsewhere; a dash for none.
 pub fn four_digits(value: impl Into<Option<f64>>) -> String {
@@ -108,6 +116,20 @@ pub fn nanoseconds(ns: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn small_figures_have_two_decimals_and_what_is_less_is_said_to_be_less() {
+        for (value, words) in [
+            (0.0, "0.00"),
+            (0.004, "< 0.01"),
+            (-0.004, "> -0.01"),
+            (0.005_1, "0.01"),
+            (12.345, "12.35"),
+            (-1.0, "-1.00"),
+        ] {
+            assert_eq!(hundredths(value), words);
+        }
+    }
 
     #[test]
     fn a_zero_has_no_sign() {

@@ -109,23 +109,19 @@ fn shares() -> impl Iterator<Item = Measure> {
 pub(super) fn settings_json(app: &App) -> Value {
     let (document, derived) = (app.document(), app.derived());
     let settings = document.settings;
-    json!({
-        "basis": settings.basis.word(),
-        "order": settings.order,
-        "spikes": settings.spikes,
-        "threshold_percent": settings.threshold_percent,
-        "max_width_nm": settings.max_width_nm,
-        "dips": settings.dips,
-        "detector": settings.detector,
-        "gradient_percent": settings.gradient_percent,
-        "hand_edits": !document.subject_edits().is_empty(),
-        "colour_exact": settings.colour_exact,
-        "colour_exact_reached": derived.exactness.map(Exactness::is_exact),
-        "range_nm": [settings.band.min_nm(), settings.band.max_nm()],
-        "observer": settings.observer.word(),
-        "sampling": settings.sampling.word(),
-        "light": document.light.name(),
-    })
+    let mut all = json!(settings);
+    if let Value::Object(all) = &mut all {
+        for key in ["band", "wide_lines"] {
+            all.remove(key);
+        }
+    }
+    all["hand_edits"] = json!(!document.subject_edits().is_empty());
+    all["colour_exact_reached"] = json!(derived.exactness.map(Exactness::is_exact));
+    all["range_nm"] = json!([settings.band.min_nm(), settings.band.max_nm()]);
+    // One's own is named, not written out.
+    all["observer"] = json!(settings.observer.word());
+    all["light"] = json!(document.light.name());
+    all
 }
 
 fn model_json(app: &App, derived: &Derived) -> Value {

@@ -1,31 +1,12 @@
-//! The model's knobs: one small value, clamped in one place.
-
-use std::ops::RangeInclusive;
+//! The model's knobs: one small value, each number of it a row.
 
 use serde::{Deserialize, Serialize};
 
+use super::pages::knob::{Knob, Reach, keep_in_reach, knob};
 use crate::{
     color::Observer,
     spectrum::{Band, Basis, Composite, Sampling, SpikeSettings, gradient::DEFAULT_GRADIENT},
 };
-
-/// Orders that may be asked for.
-pub const ORDERS: RangeInclusive<usize> = 0..=100;
-/// Spike thresholds in percent of the total power.
-pub const THRESHOLDS_PERCENT: RangeInclusive<f64> = 0.01..=50.0;
-/// Widest lines in nm.
-pub const WIDTHS_NM: RangeInclusive<f64> = 1.0..=50.0;
-/// Slopes of the gradient detector, in percent of the maximum per nm.
-pub const GRADIENTS_PERCENT: RangeInclusive<f64> = 0.1..=50.0;
-
-/// The nearest value that a range allows; the usual one for what is not a number.
-pub(super) fn within(value: f64, range: RangeInclusive<f64>, usual: f64) -> f64 {
-    if value.is_nan() {
-        usual
-    } else {
-        value.clamp(*range.start(), *range.end())
-    }
-}
 
 /// What is said where another range is taken than the one that was asked for; `None` where it is
 /// the same.
@@ -102,6 +83,26 @@ impl Default for Settings {
 }
 
 impl Settings {
+    pub const ORDER: Knob<Self> = knob!(order: "waves", Reach::Within(0.0, 100.0), 0 "",
+        "Order of the smooth part.");
+    pub const THRESHOLD: Knob<Self> = knob!(threshold_percent: "lines above",
+        Reach::Within(0.01, 50.0), 2 " %",
+        "Least share of the total power that a line must carry, percent.");
+    pub const WIDTH: Knob<Self> = knob!(max_width_nm: "widest line",
+        Reach::Within(1.0, 50.0), 2 " nm",
+        "Full width at half maximum of the widest line, nm.");
+    pub const GRADIENT: Knob<Self> = knob!(gradient_percent: "least slope of lines",
+        Reach::Within(0.1, 50.0), 2 " %/nm",
+        "Least slope of a line's flanks, percent of the largest value per nm.");
+
+    /// Its numbers, each with its option on the command line; "" where it has none.
+    pub const KNOBS: [(&str, Knob<Self>); 4] = [
+        ("order", Self::ORDER),
+        ("threshold", Self::THRESHOLD),
+        ("max-width", Self::WIDTH),
+        ("", Self::GRADIENT),
+    ];
+
     /// The default with the paper's plain series.
     pub fn plain() -> Self {
         Self::default().as_in_paper()
@@ -120,23 +121,11 @@ impl Settings {
     /// Every value moved to the nearest one that is allowed; what is not a number becomes the
     /// default.
     #[must_use]
-    pub fn clamped(self) -> Self {
-        let default = Self::default();
-        Self {
-            order: self.order.clamp(*ORDERS.start(), *ORDERS.end()),
-            threshold_percent: within(
-                self.threshold_percent,
-                THRESHOLDS_PERCENT,
-                default.threshold_percent,
-            ),
-            max_width_nm: within(self.max_width_nm, WIDTHS_NM, default.max_width_nm),
-            gradient_percent: within(
-                self.gradient_percent,
-                GRADIENTS_PERCENT,
-                default.gradient_percent,
-            ),
-            ..self
+    pub fn clamped(mut self) -> Self {
+        for (_, knob) in Self::KNOBS {
+            keep_in_reach(&[knob], &mut self);
         }
+        self
     }
 
     /// These with series, range and lines as a composite has them: it is shown as it is.

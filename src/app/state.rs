@@ -29,7 +29,7 @@ pub use deriving::derive;
 pub(super) use deriving::derived_of;
 pub use messages::{Message, Tone};
 
-use deriving::{TablesFor, make_tables, tables_for};
+use deriving::{Kept, TablesFor, make_tables, tables_for};
 
 /// The program without a window.
 #[derive(Clone, Debug)]
@@ -52,6 +52,7 @@ pub struct App {
     /// Steps taken that can be undone, ever.
     steps: u64,
     revision: u64,
+    changes: u64,
 }
 
 impl Default for App {
@@ -108,9 +109,10 @@ impl App {
             messages: Vec::new(),
             steps: 0,
             revision: 0,
+            changes: 0,
         };
         app.name_spikes();
-        app.recompute(true);
+        app.recompute(Kept::Model);
         app
     }
 
@@ -177,9 +179,14 @@ impl App {
         Library::bundled().lines()
     }
 
-    /// Grows with every change of the document.
+    /// Grows with every change of the document but those of what pages keep.
     pub fn revision(&self) -> u64 {
         self.revision
+    }
+
+    /// Grows with every change of the document.
+    pub fn changes(&self) -> u64 {
+        self.changes
     }
 
     /// The entry of that key, shipped or the user's own.
@@ -250,7 +257,7 @@ impl App {
             Command::WeightFactor(factor) => self.weigh_lamps_by(factor),
             Command::View(view) => self.document.view = view,
             Command::Products(products) => self.document.products = products.clamped(),
-            Command::Page(setting) => self.document.pages.set(setting),
+            Command::Page(pages) => self.document.pages = pages.in_reach(),
             Command::Adopt(spectra) => {
                 let numbers = |spectrum| Entry::own(0, spectrum);
                 self.adopt(spectra.into_iter().map(numbers), &[]);
@@ -287,13 +294,13 @@ impl App {
         if self.document == before {
             return;
         }
-        let has_same_model = deriving::same_model(&before, &self.document);
+        let kept = Kept::of(&before, &self.document);
         if gesture.is_none() || gesture != self.gesture {
             self.history.remember(before);
             self.steps += 1;
         }
         self.gesture = gesture;
-        self.recompute(has_same_model);
+        self.recompute(kept);
     }
 
     /// Carries out an act on the subject's spikes.
@@ -383,8 +390,12 @@ impl App {
     }
 
     /// Derives what cannot be the same any more.
-    fn recompute(&mut self, has_same_model: bool) {
-        if !has_same_model {
+    fn recompute(&mut self, kept: Kept) {
+        self.changes += 1;
+        if kept == Kept::AllButPages {
+            return;
+        }
+        if kept == Kept::Nothing {
             let wanted = tables_for(&self.document);
             if wanted != self.tables_for {
                 self.tables = Arc::new(make_tables(&wanted));

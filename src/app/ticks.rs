@@ -12,17 +12,6 @@ const LARGEST_PLAIN: f64 = 1e6;
 /// Most ticks that an axis gets, whatever was asked for.
 const MOST_TICKS: f64 = 200.0;
 
-/// A small figure of a table: two decimals, so that points stand below each other; what rounds to
-/// none of it but is more is "< 0.01".
-pub fn hundredths(value: f64) -> String {
-    let rounded = (100.0 * value).round() / 100.0;
-    if rounded == 0.0 && value != 0.0 {
-        return if value > 0.0 { "< 0.01" } else { "> -0.01" }.to_owned();
-    }
-    // Adding zero turns -0 into 0.
-    format!("{:.2}", rounded + 0.0)
-}
-
 /// Multiples of 1, 2 or 5 times a power of ten from `min` to `max`, about `target` of them.
 ///
 /// Empty when the range is empty, runs backwards or cannot be divided (not finite, or so narrow
@@ -234,20 +223,6 @@ fn power_of_ten(exponent: i32) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn small_figures_have_two_decimals_and_what_is_less_is_said_to_be_less() {
-        for (value, words) in [
-            (0.0, "0.00"),
-            (0.004, "< 0.01"),
-            (-0.004, "> -0.01"),
-            (0.005_1, "0.01"),
-            (12.345, "12.35"),
-            (-1.0, "-1.00"),
-        ] {
-            assert_eq!(hundredths(value), words);
-        }
-    }
 
     #[test]
     fn ticks_are_round_and_inside() {

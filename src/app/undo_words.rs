@@ -6,6 +6,7 @@ use super::{
     document::{Document, View},
     entry::Entry,
     origin::SourceFile,
+    pages::knob::moved_words,
     settings::Settings,
     ticks::short,
 };
@@ -69,7 +70,8 @@ pub(super) fn difference(before: &Document, after: &Document) -> String {
         words.push("what light meets".to_owned());
     }
     let name_of = |key: &str| after.name_of(key);
-    words.extend(after.pages.changed_since(&before.pages, &name_of));
+    let pages = after.pages.change(&before.pages, &name_of);
+    words.extend(pages.map(|(_, words)| words));
     match words.len() {
         0 => "a change".to_owned(),
         1 | 2 => words.join(", "),
@@ -117,14 +119,8 @@ fn opened(before: &Document, after: &Document) -> Option<String> {
 }
 
 fn of_settings(before: Settings, after: Settings) -> Vec<String> {
-    let mut words = Vec::new();
-    if before.order != after.order {
-        words.push(format!("waves {} to {}", before.order, after.order));
-    }
-    if before.threshold_percent != after.threshold_percent {
-        let [from, to] = [before, after].map(|s| short(s.threshold_percent));
-        words.push(format!("lines above {from} to above {to} %"));
-    }
+    let knobs = Settings::KNOBS.map(|(_, knob)| moved_words(&[knob], &before, &after));
+    let mut words: Vec<String> = knobs.into_iter().flatten().collect();
     if before.basis != after.basis {
         words.push(format!("{} series", after.basis.word()));
     }
@@ -140,15 +136,16 @@ fn of_settings(before: Settings, after: Settings) -> Vec<String> {
         };
         words.push(how.to_owned());
     }
-    let rest = |settings: Settings| Settings {
-        wide_lines: false,
-        order: 0,
-        threshold_percent: 0.0,
+    let mut rest = Settings {
+        wide_lines: after.wide_lines,
         basis: after.basis,
         band: after.band,
-        ..settings
+        ..before
     };
-    if rest(before) != rest(after) {
+    for (_, knob) in Settings::KNOBS {
+        knob.set(&mut rest, knob.get(&mut { after }));
+    }
+    if rest != after {
         words.push("settings of the model".to_owned());
     }
     words
@@ -203,7 +200,7 @@ mod tests {
         assert_eq!(difference(&before, &after), "waves 7 to 24");
         after.settings.threshold_percent = 1.0;
         after.patch = Some(2);
-        let words = "waves 7 to 24, lines above 0.5 to above 1 % and 1 more";
+        let words = "waves 7 to 24, lines above 0.5 to 1 % and 1 more";
         assert_eq!(difference(&before, &after), words);
     }
 }

@@ -3,7 +3,7 @@
 //! Shipped spectra are kept by name, the user's own with all their numbers. What no longer exists
 //! (a preset of another version) or is not understood is left out and said, alone: the rest stays.
 
-mod earlier;
+pub(super) mod earlier;
 mod file;
 mod gathering;
 mod mending;

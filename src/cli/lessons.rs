@@ -20,7 +20,7 @@ use crate::{
             handout::{Form, Reader, handout},
             shelf,
         },
-        pages::PageMemory,
+        pages::Page,
         workspace::Preferences,
     },
     io::{many::many, one_line, save_together, shown},
@@ -107,9 +107,9 @@ fn check(word: &str, pictures: Option<&dyn Pictures>, out: &mut dyn Write) -> Re
         Ok(lesson) => lesson,
         Err(faults) => return refuse(word, &faults, out),
     };
-    let names = |app: &App, memory: &PageMemory| {
+    let names = |app: &App, page: Page| {
         let preferences = Preferences {
-            pages: memory.clone(),
+            page,
             ..Preferences::default()
         };
         pictures?.names(app, &preferences)
@@ -144,14 +144,10 @@ fn refuse(name: &str, faults: &[Fault], out: &mut dyn Write) -> Result<(), Refus
 }
 
 /// The page of a step in a window of a laptop's size, light as paper is.
-fn page_picture(
-    pictures: Option<&dyn Pictures>,
-    app: &App,
-    memory: &PageMemory,
-) -> Option<Vec<u8>> {
+fn page_picture(pictures: Option<&dyn Pictures>, app: &App, page: Page) -> Option<Vec<u8>> {
     const SIZE: [u32; 2] = [1280, 640];
     let preferences = Preferences {
-        pages: memory.clone(),
+        page,
         dark: false,
         ..Preferences::default()
     };
@@ -184,7 +180,7 @@ fn sheet(
         _ => Form::Markdown,
     };
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let page = |app: &App, memory: &PageMemory| page_picture(pictures, app, memory);
+    let page = |app: &App, page: Page| page_picture(pictures, app, page);
     let sheet = handout(lesson, readers, form, &stem, &page).map_err(Refusal::file)?;
     let beside = sheet.pictures.iter();
     let beside = beside.map(|(end, picture)| {

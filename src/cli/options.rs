@@ -119,13 +119,16 @@ impl PickOptions {
 #[derive(Args, Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct ModelOptions {
     /// Order of the smooth part, 0 to 100: it takes 2N + 1 numbers [default: 7].
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = words::order)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+        value_parser = |word: &str| words::count_of(&Settings::ORDER, word))]
     pub order: Option<usize>,
     /// Least share of the power that a line must hold to be kept, 0.01 to 50 % [default: 0.5].
-    #[arg(long, value_name = "PERCENT", allow_hyphen_values = true, value_parser = words::threshold)]
+    #[arg(long, value_name = "PERCENT", allow_hyphen_values = true,
+        value_parser = |word: &str| words::value_of(&Settings::THRESHOLD, word))]
     pub threshold: Option<f64>,
     /// Widest line, full width at half maximum, 1 to 50 nm [default: 10].
-    #[arg(long, value_name = "NM", allow_hyphen_values = true, value_parser = words::max_width)]
+    #[arg(long, value_name = "NM", allow_hyphen_values = true,
+        value_parser = |word: &str| words::value_of(&Settings::WIDTH, word))]
     pub max_width: Option<f64>,
     #[arg(long, value_name = "BASIS", value_parser = words::basis, help = words::basis_help())]
     pub basis: Option<Basis>,

@@ -2,7 +2,7 @@
 
 use std::{fmt::Write as _, io::Write, path::Path};
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::{
     arguments::Photo,
@@ -47,11 +47,19 @@ pub(super) fn run(
     let mut values = Vec::new();
     let mut code = 0;
     for file in &options.files {
-        let mut photograph = photograph::read(file, &said).map_err(Refusal::Usage)?;
-        let own = code_of(&photograph);
-        code = code.max(own);
-        let response = response(options, known.as_ref(), &said, &mut photograph, file)?;
-        photograph.read_through(response.as_ref());
+        let one = one(options, &said, known.as_ref(), file);
+        let (photograph, response) = match one {
+            Ok(read) => read,
+            // Of several pictures one that cannot be read hides no other.
+            Err(why) if options.files.len() > 1 => {
+                code = code.max(2);
+                values.push(json!({ "file": shown(file), "refused": &why }));
+                inputs.note(why);
+                continue;
+            }
+            Err(why) => return Err(Refusal::Usage(why)),
+        };
+        code = code.max(code_of(&photograph));
         let mut written = Vec::new();
         if let (Some(target), Some(rows)) = (&table, photograph::table(&photograph)) {
             target.save(rows.csv().as_bytes())?;
@@ -82,6 +90,19 @@ pub(super) fn run(
         _ => print(out, &told)?,
     }
     Ok(code)
+}
+
+/// One of the pictures, read through a response where there is one.
+fn one(
+    options: &Photo,
+    said: &Said,
+    known: Option<&Known>,
+    file: &Path,
+) -> Result<(Photograph, Option<Kept>), String> {
+    let mut photograph = photograph::read(file, said)?;
+    let response = response(options, known, said, &mut photograph, file)?;
+    photograph.read_through(response.as_ref());
+    Ok((photograph, response))
 }
 
 /// Where something is written to, which is about one picture.
@@ -135,12 +156,10 @@ fn response(
     said: &Said,
     photograph: &mut Photograph,
     file: &Path,
-) -> Result<Option<Kept>, Refusal> {
+) -> Result<Option<Kept>, String> {
     match (&options.response_from, known) {
         (Some(path), Some(known)) if photograph.used_curve().is_some() => {
-            Kept::learn(path, known, photograph, Some(file))
-                .map(Some)
-                .map_err(Refusal::Usage)
+            Kept::learn(path, known, photograph, Some(file)).map(Some)
         }
         (Some(_), _) => Ok(None),
         _ => Ok(said.instrument.as_ref().and_then(|i| i.response.clone())),
@@ -169,8 +188,18 @@ fn said(options: &Photo) -> Result<Said, Refusal> {
             },
             area: options.area,
             turn_deg: options.turn,
+            shear: options.shear,
+            smile: options.smile,
+            is_one_row: options.one_row,
             strip: options.strip,
         },
+        falls: match (options.flip, options.no_flip) {
+            (true, _) => Some(true),
+            (_, true) => Some(false),
+            _ => None,
+        },
+        is_linear: options.linear,
+        exposures: options.exposures.clone(),
         lamp: options.lamp,
         pins: options.pin.clone(),
         yes: options.yes,
@@ -205,6 +234,9 @@ fn words(photograph: &Photograph, at: &[[f64; 2]]) -> String {
     if let Some((low, high)) = photograph.valid_nm() {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "The axis holds from {low:.0} to {high:.0} nm.");
+    }
+    if let Some((fwhm, nm)) = photograph.resolution() {
+        let _ = writeln!(text, "Resolution {fwhm:.1} nm at {nm:.0}.");
     }
     let json = photograph::json(photograph, at);
     for place in json["at"].as_array().into_iter().flatten() {

@@ -1,8 +1,10 @@
 //! Words of `photo`.
 
+use std::path::PathBuf;
+
 use super::words::{listed, refused};
 use crate::{
-    app::photograph::{Known, LampChoice},
+    app::photograph::{Exposure, Known, LampChoice},
     photographs::{Lamp, axis::Pin},
 };
 
@@ -30,6 +32,28 @@ pub(super) fn turn(word: &str) -> Result<f64, String> {
     degrees
         .filter(|d| (-45.0..=45.0).contains(d))
         .ok_or_else(|| refused(word, "degrees from -45 to 45"))
+}
+
+/// `--shear` and `--smile`.
+pub(super) fn lean(word: &str) -> Result<f64, String> {
+    let columns = word.trim().parse().ok();
+    columns
+        .filter(|c| (-5.0..=5.0).contains(c))
+        .ok_or_else(|| refused(word, "columns from -5 to 5"))
+}
+
+/// `--exposures`: a picture and its time, `1/30` or `0.033`.
+pub(super) fn exposure(word: &str) -> Result<Exposure, String> {
+    let parts = word.rsplit_once(':').and_then(|(path, time)| {
+        let number = |word: &str| word.trim().parse::<f64>().ok();
+        let seconds = match time.split_once('/') {
+            Some((a, b)) => number(a)? / number(b)?,
+            None => number(time)?,
+        };
+        let path = PathBuf::from(path);
+        (seconds > 0.0 && seconds.is_finite()).then_some(Exposure { path, seconds })
+    });
+    parts.ok_or_else(|| refused(word, "a picture and its time such as lamp.jpg:1/30"))
 }
 
 pub(super) fn strip(word: &str) -> Result<usize, String> {
@@ -68,7 +92,7 @@ pub(super) fn of_kelvin(word: &str) -> Option<Result<Known, String>> {
 pub(super) fn pin(word: &str) -> Result<Pin, String> {
     let parts = word.split_once(':').and_then(|(px, nm)| {
         let (px, nm): (f64, f64) = (px.trim().parse().ok()?, nm.trim().parse().ok()?);
-        Some(Pin { px, nm })
+        Some(Pin::near(px, nm))
     });
     let known = |pin: &Pin| (100.0..=5000.0).contains(&pin.nm) && pin.px.is_finite();
     parts
@@ -88,16 +112,18 @@ mod tests {
         assert!(area("30,2,1,40").is_err());
         assert_eq!(turn("-3"), Ok(-3.0));
         assert!(turn("46").is_err() && turn("NaN").is_err());
+        assert_eq!(lean("-0.2"), Ok(-0.2));
+        assert!(lean("9").is_err() && lean("NaN").is_err());
+        let short = exposure("a:b.jpg:1/50").expect("a time");
+        assert_eq!(
+            (short.path.to_str(), short.seconds),
+            (Some("a:b.jpg"), 0.02)
+        );
+        assert!(exposure("a.jpg:0").is_err() && exposure("a.jpg").is_err());
         assert_eq!(lamp("none"), Ok(LampChoice::Nothing));
         assert_eq!(lamp("neon"), Ok(LampChoice::Is(Lamp::Neon)));
         assert!(lamp("candle").unwrap_err().contains("helium"));
-        assert_eq!(
-            pin("118.8:435.8"),
-            Ok(Pin {
-                px: 118.8,
-                nm: 435.8
-            })
-        );
+        assert_eq!(pin("118.8:435.8"), Ok(Pin::near(118.8, 435.8)));
         let bulb = of_kelvin("blackbody:2856");
         assert_eq!(bulb, Some(Ok(Known::Blackbody(2856.0))));
         assert!(of_kelvin("daylight:1").is_some_and(|d| d.is_err()));

@@ -15,11 +15,9 @@ use crate::{
     app::{
         App, Entry, Library,
         open::Wanted,
+        pages::same_surface::{SameSurfaceSheet, check_json, check_text},
         product_report::{self, Told},
-        products::{
-            Link, ModelledLight,
-            same_surface::{SameSurfaceSheet, check_json, check_text},
-        },
+        products::{Link, ModelledLight},
         studies::reflectances,
     },
     io::{quoted, shown},

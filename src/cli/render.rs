@@ -1,7 +1,7 @@
 //! `render`: a picture of the window, with no display needed.
 
 use std::{
-    ffi::OsStr,
+    ffi::{OsStr, OsString},
     io::Write,
     path::{Path, PathBuf},
     sync::Arc,
@@ -23,8 +23,9 @@ use crate::{
         chart::Theme,
         lessons::shelf,
         open::Loaded,
-        pages::{AskedLesson, Page, PageMemory, Place},
-        picture::{ImageMemory, reload},
+        pages::{AskedLesson, Page, Place},
+        photograph::is_photograph,
+        picture::reload,
         workspace::Preferences,
     },
     io::{Choices, shown},
@@ -64,7 +65,9 @@ pub(super) fn run(
     let read = [input.as_deref(), pick.light.as_deref(), against.as_deref()];
     let mut target = Target::out(path, Replaces::Pictures, *force, &read);
     target.path()?;
-    let photograph = input.as_ref().filter(|_| *page == Page::Photograph);
+    // A light's name is no photograph.
+    let is_one = |input: &&OsString| *page == Page::Photograph && is_photograph(Path::new(input));
+    let photograph = input.as_ref().filter(is_one);
     let mut app = match input.as_ref().filter(|_| photograph.is_none()) {
         Some(input) => subject::app(input, pick, *model, inputs)?,
         None => subject::first_app(pick, *model)?,
@@ -72,33 +75,26 @@ pub(super) fn run(
     if lesson.is_none() {
         subject::compare(&mut app, against.as_deref(), inputs)?;
     }
-    let memory = ImageMemory {
-        selection: pick.pixels(),
-        ..ImageMemory::default()
-    };
+    app.pages_follow(|pages| pages.image.selection = pick.pixels());
     if let (Page::Image | Page::Relit, Some(input)) = (page, input) {
         open_images(&mut app, input, inputs);
         let images = app.document().images.iter();
         let files = images.filter_map(|image| image.path());
         files.for_each(|file| target.reads(file));
     }
-    let mut preferences = Preferences {
+    let preferences = Preferences {
         dark: *theme == Theme::Dark,
         present: *present,
-        pages: PageMemory {
-            page: *page,
-            image: memory,
-            photograph_asked: photograph.map(PathBuf::from),
-            lesson_asked: lesson
-                .as_deref()
-                .map(|words| asked_lesson(words, *done))
-                .transpose()?,
-            ..PageMemory::default()
-        },
+        page: *page,
+        photographs_asked: photograph.map(PathBuf::from).into_iter().collect(),
+        lesson_asked: lesson
+            .as_deref()
+            .map(|words| asked_lesson(words, *done))
+            .transpose()?,
         ..Preferences::default()
     };
     if app.document().second.is_some() {
-        preferences.pages.dispersion.follow_second(true);
+        app.pages_follow(|pages| pages.follow_second(true));
     }
     let picture = pictures.window(&app, &preferences, *size);
     target.save(&picture)?;

@@ -12,10 +12,9 @@ use clap::builder::{OsStringValueParser, TypedValueParser};
 
 use crate::{
     app::{
-        ORDERS, THRESHOLDS_PERCENT, WIDTHS_NM,
         chart::Theme,
         own_observers::observer_of_file,
-        pages::{Page, SPENDABLE},
+        pages::{Page, SPENDABLE, knob::Knob},
     },
     color::Observer,
     io::{Delimiter, MOST_COLUMNS, WavelengthUnit, quoted},
@@ -31,11 +30,6 @@ pub(super) const SIZES: [[u32; 2]; 2] = [[320, 240], [7680, 4320]];
 /// What was found, and what was expected.
 pub(super) fn refused(word: &str, expected: impl Display) -> String {
     format!("found {}, expected {expected}", quoted(word))
-}
-
-/// `--order`.
-pub(super) fn order(word: &str) -> Result<usize, String> {
-    whole(word, &ORDERS)
 }
 
 /// A whole number in a range.
@@ -111,14 +105,15 @@ pub(super) fn listed(names: &[&str]) -> String {
     format!("{} or {last}", others.join(", "))
 }
 
-/// `--threshold`.
-pub(super) fn threshold(word: &str) -> Result<f64, String> {
-    number(word, &THRESHOLDS_PERCENT, "percent")
+/// A whole number that a knob reaches.
+pub(super) fn count_of<T>(knob: &Knob<T>, word: &str) -> Result<usize, String> {
+    let range = knob.reach.range();
+    whole(word, &(*range.start() as usize..=*range.end() as usize))
 }
 
-/// `--max-width`.
-pub(super) fn max_width(word: &str) -> Result<f64, String> {
-    number(word, &WIDTHS_NM, "nm")
+/// A number that a knob reaches.
+pub(super) fn value_of<T>(knob: &Knob<T>, word: &str) -> Result<f64, String> {
+    number(word, &knob.reach.range(), knob.unit.trim())
 }
 
 /// A number in a range.

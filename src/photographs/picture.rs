@@ -21,6 +21,23 @@ pub struct Picture {
     full: u16,
 }
 
+/// How a camera bends what it sees before it is kept.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tones {
+    /// The power of an S: a share z of the largest code was made `z^p / (z^p + (1 - z)^p)`.
+    pub s_power: f64,
+    /// The power of the light that codes stand for.
+    pub light_power: f64,
+}
+
+impl Tones {
+    /// Those of a straight camera.
+    pub const STRAIGHT: Self = Self {
+        s_power: 1.0,
+        light_power: 1.0,
+    };
+}
+
 /// A channel is at its end from this share of the largest code on.
 const FULL: f64 = 250.0 / 255.0;
 
@@ -52,13 +69,13 @@ impl Picture {
             is_linear,
             full: (FULL * f64::from(largest)).ceil() as u16,
         };
-        picture.straighten_tones(1.0);
+        picture.straighten_tones(Tones::STRAIGHT);
         Some(picture)
     }
 
-    /// Takes codes for those of a camera that bends its tones by an S of a power: a share z of the
-    /// largest code was made `z^p / (z^p + (1 - z)^p)`. 1 is a straight camera.
-    pub fn straighten_tones(&mut self, power: f64) {
+    /// Takes codes for those of a camera that bends its tones.
+    pub fn straighten_tones(&mut self, tones: Tones) {
+        let power = tones.s_power;
         let largest = match &self.codes {
             Codes::Eight(_) => u16::from(u8::MAX),
             Codes::Sixteen(_) => u16::MAX,
@@ -67,11 +84,12 @@ impl Picture {
             let share = f64::from(code) / f64::from(largest);
             let (a, b) = (share.powf(1.0 / power), (1.0 - share).powf(1.0 / power));
             let straight = if power == 1.0 { share } else { a / (a + b) };
-            (if self.is_linear {
+            let light = if self.is_linear {
                 straight
             } else {
                 srgb(straight)
-            }) as f32
+            };
+            light.powf(1.0 / tones.light_power) as f32
         };
         self.light = (0..=largest).map(light).collect();
     }
@@ -228,12 +246,29 @@ mod tests {
         let codes = codes.map(|share| (65_535.0 * share).round() as u16);
         let mut picture = Picture::new([4, 3], Codes::Sixteen(codes.collect()), false);
         let picture = picture.as_mut().expect("a picture");
-        picture.straighten_tones(1.3);
+        picture.straighten_tones(Tones {
+            s_power: 1.3,
+            ..Tones::STRAIGHT
+        });
         for (x, y) in [(1, 0), (2, 1), (3, 2)] {
             let off = picture.light(x, y)[0] - straight.light(x, y)[0];
             // Codes of two bytes are rounded by 1 in 131,070.
             assert!(off.abs() < 1e-4, "{off}");
         }
+    }
+
+    #[test]
+    fn a_power_of_the_light_is_undone() {
+        let mut picture = picture();
+        let plain = picture.light(2, 1);
+        picture.straighten_tones(Tones {
+            light_power: 1.25,
+            ..Tones::STRAIGHT
+        });
+        let straight = picture.light(2, 1);
+        // Single precision keeps seven digits.
+        assert!((straight[0].powf(1.25) - plain[0]).abs() < 1e-6);
+        assert_eq!((straight[1], straight[2]), (0.0, 1.0));
     }
 
     #[test]

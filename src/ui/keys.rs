@@ -36,6 +36,8 @@ pub(super) enum Act {
     Place(usize),
     /// Everything back to the start.
     Reset,
+    /// What the page in force keeps back to the start.
+    ResetPage,
     /// Finds lights, places and acts by a few letters.
     Palette,
     /// The ways to begin.
@@ -81,7 +83,8 @@ impl Act {
             | Self::OrderUp
             | Self::ThresholdDown
             | Self::ThresholdUp
-            | Self::Reset => 2,
+            | Self::Reset
+            | Self::ResetPage => 2,
             Self::ResetView
             | Self::Theme
             | Self::Present
@@ -107,7 +110,7 @@ const fn on(modifiers: Modifiers, key: Key, act: Act, words: &'static str) -> Sh
 
 /// Every shortcut with what it does; those with more modifiers first, because a shortcut with
 /// fewer would swallow them.
-pub(super) const SHORTCUTS: [Shortcut; 33] = [
+pub(super) const SHORTCUTS: [Shortcut; 34] = [
     on(CTRL_SHIFT, Key::Z, Act::Redo, "Redo"),
     on(
         CTRL_SHIFT,
@@ -158,6 +161,12 @@ pub(super) const SHORTCUTS: [Shortcut; 33] = [
     on(CTRL, Key::Num6, Act::Place(5), "Numbers"),
     on(CTRL, Key::Num7, Act::Place(6), "Picture"),
     on(PLAIN, Key::F5, Act::Present, "Present this page"),
+    on(
+        Modifiers::SHIFT,
+        Key::R,
+        Act::ResetPage,
+        "This page back to the start",
+    ),
     on(
         PLAIN,
         Key::R,

@@ -12,7 +12,7 @@ use super::{
 use crate::app::{
     App, Memo,
     lessons::{Run, Shown},
-    pages::PageMemory,
+    pages::Page,
     studies::Studies,
 };
 
@@ -44,7 +44,7 @@ const FADE: f32 = 28.0;
 /// What the column keeps from frame to frame.
 #[derive(Default)]
 pub(super) struct LessonView {
-    shown: Memo<(u64, PageMemory, usize, bool), Shown>,
+    shown: Memo<(u64, Page, usize, bool), Shown>,
     /// The step whose reasons were brought into view, once.
     brought: Option<usize>,
     trial: TrialView,
@@ -68,14 +68,14 @@ impl LessonView {
         &mut self,
         ui: &mut Ui,
         run: &Run,
-        (app, memory): (&App, &PageMemory),
+        (app, page): (&App, Page),
         (studies, wake): (&mut Studies, &Wake),
         theme: Theme,
     ) -> Vec<Wish> {
-        let key = (app.revision(), memory.clone(), run.index(), run.is_told());
+        let key = (app.changes(), page, run.index(), run.is_told());
         let (trial, linked) = (&mut self.trial, &mut self.linked);
         linked.begin();
-        let shown = &*self.shown.get(key, |_| run.shown(app, memory));
+        let shown = &*self.shown.get(key, |_| run.shown(app, page));
         let mut wishes = Vec::new();
         let size = TYPE[usize::from(theme.scale > 1.0)];
         for style in [egui::TextStyle::Body, egui::TextStyle::Button] {

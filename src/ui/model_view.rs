@@ -14,8 +14,8 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command, ORDERS, Scale, Settings, Subject, WEIGHT_FACTORS, own_observers::observers,
-        range_words,
+        App, Command, Scale, Settings, Subject, WEIGHT_FACTORS, own_observers::observers,
+        pages::knob::Knob, range_words,
     },
     io::quoted,
     spectrum::{Band, Basis, LONGEST_NM, MOST_STEPS, SHORTEST_NM, Sampling},
@@ -114,13 +114,18 @@ fn order_row(ui: &mut Ui, settings: &mut Settings) {
     )
     .labelled_by(label.id)
     .on_hover_text(format!(
-        "Waves of the smooth part: the order N of its series, {} to {} (the slider ends at 40; \
-         type more). The left and right arrow keys change it too.",
-        ORDERS.start(),
-        ORDERS.end()
+        "Waves of the smooth part: the order N of its series, {} (the slider ends at 40; type \
+         more). The left and right arrow keys change it too.",
+        reach_words(&Settings::ORDER)
     ));
-    settings.order = settings.order.clamp(*ORDERS.start(), *ORDERS.end());
+    *settings = settings.clamped();
     ui.end_row();
+}
+
+/// "0 to 100".
+fn reach_words<T>(knob: &Knob<T>) -> String {
+    let range = knob.reach.range();
+    format!("{} to {}", range.start(), range.end())
 }
 
 /// Gives what is to be said: another range is taken than the one asked for.

@@ -4,7 +4,7 @@ use eframe::egui;
 use egui::{Align2, Color32, Painter, Pos2, Rect, Sense, Stroke, Ui, pos2, vec2};
 
 use super::{kit::named_choice, theme::Theme};
-use crate::app::pages::{PageMemory, Place};
+use crate::app::{pages::Place, workspace::Preferences};
 
 /// Width of the rail with words and without, points.
 pub(super) const WIDTHS: [f32; 2] = [80.0, 56.0];
@@ -13,11 +13,11 @@ pub(super) const WIDTHS: [f32; 2] = [80.0, 56.0];
 const HEIGHTS: [f32; 2] = [64.0, 48.0];
 
 /// Draws the rail and changes the page.
-pub(super) fn show(ui: &mut Ui, pages: &mut PageMemory, has_words: bool, theme: Theme) {
+pub(super) fn show(ui: &mut Ui, preferences: &mut Preferences, has_words: bool, theme: Theme) {
     ui.spacing_mut().item_spacing.y = 4.0;
     ui.add_space(4.0);
     for (number, place) in Place::ALL.into_iter().enumerate() {
-        let is_here = pages.page.place() == place;
+        let is_here = preferences.page.place() == place;
         let height = HEIGHTS[usize::from(!has_words)];
         let size = vec2(ui.available_width(), height);
         let (rect, response) = ui.allocate_exact_size(size, Sense::click());
@@ -50,7 +50,7 @@ pub(super) fn show(ui: &mut Ui, pages: &mut PageMemory, has_words: bool, theme: 
                 .text(at, Align2::CENTER_CENTER, place.title(), font, ink);
         }
         if response.clicked() && !is_here {
-            pages.go_to(place);
+            preferences.go_to(place);
         }
         let words = format!("{}: {} (Ctrl+{})", place.title(), place.asks(), number + 1);
         response.on_hover_text(words);

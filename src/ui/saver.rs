@@ -2,13 +2,16 @@
 
 use std::{
     path::{Path, PathBuf},
-    sync::mpsc::{Receiver, Sender, channel},
-    thread::JoinHandle,
+    sync::{
+        Arc,
+        mpsc::{Sender, channel},
+    },
     time::{Duration, Instant},
 };
 
 use crate::app::{
     Document,
+    worker::Worker,
     workspace::{self, Preferences, StoredImage},
 };
 
@@ -26,8 +29,8 @@ struct Kept {
 /// Writes the newest workspace it was given; what came in between is skipped.
 pub struct Saver {
     sender: Option<Sender<Kept>>,
-    troubles: Receiver<String>,
-    thread: Option<JoinHandle<()>>,
+    /// It tells what went wrong.
+    worker: Option<Worker<String>>,
     path: PathBuf,
 }
 
@@ -36,8 +39,7 @@ impl Saver {
     pub fn new(path: PathBuf) -> Self {
         let kept_at = path.clone();
         let (sender, jobs) = channel::<Kept>();
-        let (trouble, troubles) = channel();
-        let thread = std::thread::spawn(move || {
+        let worker = Worker::start(&(Arc::new(|| {}) as _), move |tell| {
             while let Ok(mut job) = jobs.recv() {
                 // The clock is this thread's: a window that is covered draws no further frame.
                 while let Ok(newer) =
@@ -56,14 +58,13 @@ impl Saver {
                 let text = text.map_err(|why| format!("Workspace not saved: {why}."));
                 if let Err(why) = text.and_then(|text| workspace::save(&path, &text)) {
                     // The window may be gone already; then nobody is left to be told.
-                    let _ = trouble.send(why);
+                    tell.send(why);
                 }
             }
         });
         Self {
             sender: Some(sender),
-            troubles,
-            thread: Some(thread),
+            worker: Some(worker),
             path: kept_at,
         }
     }
@@ -115,8 +116,8 @@ impl Saver {
     }
 
     /// What went wrong since the last call.
-    pub fn trouble(&self) -> Option<String> {
-        self.troubles.try_iter().last()
+    pub fn trouble(&mut self) -> Option<String> {
+        self.worker.as_mut()?.news().pop()
     }
 }
 
@@ -124,8 +125,8 @@ impl Drop for Saver {
     /// Waits until the last workspace is on disk.
     fn drop(&mut self) {
         self.sender = None;
-        if let Some(thread) = self.thread.take() {
-            let _ = thread.join();
+        if let Some(worker) = self.worker.take() {
+            let _ = worker.join();
         }
     }
 }

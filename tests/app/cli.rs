@@ -16,7 +16,7 @@ use spectral_explorer::{
         chart::Theme,
         design::wish::MixWish,
         open,
-        pages::PageMemory,
+        pages::PageStates,
         report,
         workspace::{self, Preferences},
     },
@@ -350,10 +350,10 @@ fn every_command_takes_what_the_window_starts_with() {
     assert_eq!(settings_of(&reported), expected);
     assert_eq!(at(&reported, "model"), at(&of_window, "model"));
     assert_eq!(at(&reported, "patches"), at(&of_window, "patches"));
-    let pages = PageMemory::default();
+    let pages = PageStates::default();
     let prism = json(&["prism", "FL2", "--json"]);
-    assert_eq!(number(&prism, "slit_mm"), pages.dispersion.prism.slit_mm);
-    assert_eq!(number(&prism, "apex"), pages.dispersion.prism.apex_deg);
+    assert_eq!(number(&prism, "slit_mm"), pages.prism.slit_mm);
+    assert_eq!(number(&prism, "apex"), pages.prism.apex_deg);
     let channels = ["450", "520", "560", "620"].map(|nm| format!("--channel=gauss:{nm},30"));
     let mixed = |more: &[&str]| {
         let channels = channels.iter().map(String::as_str);

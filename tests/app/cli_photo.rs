@@ -68,11 +68,17 @@ impl Drawn {
 
     /// The picture as PNG, codes of sRGB with some noise.
     pub(crate) fn png(&self) -> Vec<u8> {
+        self.exposed(1.0, 1.0)
+    }
+
+    /// The same exposed so much longer, by a camera whose values go with a power of the light.
+    pub(crate) fn exposed(&self, longer: f64, power: f64) -> Vec<u8> {
         let mut state = 1_u32;
         let mut data = Vec::new();
         for y in 0..200 {
             for x in 0..700 {
                 for light in self.light(f64::from(x), f64::from(y)) {
+                    let light = (longer * light).powf(power);
                     let code = if light <= 0.003_130_8 {
                         12.92 * light
                     } else {
@@ -259,4 +265,199 @@ fn sizes_beyond_the_limits_and_other_formats_are_refused_in_words() {
         let (words, code) = refusal(&["photo", &path]);
         assert!(words.contains(word) && code == 2, "{name}: {words}");
     }
+}
+
+#[test]
+fn the_strip_is_set_by_hand_where_a_person_knows_better() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lamp = put(folder.path(), "lamp.png", &Drawn::LAMP.png());
+    let found = json(&["photo", &lamp, "--json"]);
+    assert_eq!(
+        (&found["strip"]["flip"], &found["strip"]["by_hand"]),
+        (&false.into(), &false.into())
+    );
+    let by_hand = json(&[
+        "photo",
+        &lamp,
+        "--shear",
+        "0.03",
+        "--smile",
+        "-0.0001",
+        "--no-flip",
+        "--json",
+    ]);
+    let strip = &by_hand["strip"];
+    assert_eq!(
+        (&strip["shear"], &strip["smile"], &strip["by_hand"]),
+        (&0.03.into(), &(-0.0001).into(), &true.into())
+    );
+    assert_eq!(by_hand["state"], "found");
+    // One row of thirty has the same lines, with more noise.
+    let row = json(&["photo", &lamp, "--one-row", "--at", "400,100", "--json"]);
+    assert_eq!(
+        (&row["strip"]["rows"], &row["state"]),
+        (&1.into(), &"found".into())
+    );
+    let off = row["at"][0]["nm"].as_f64().expect("a place") - Drawn::nm(400.0, 100.0);
+    assert!(off.abs() < 0.6, "{off}");
+    // Read from the wrong end it is no lamp.
+    let (code, out, _) = tell(&["photo", &lamp, "--flip", "--json"]);
+    assert!(code == 4 || code == 3, "{out}");
+    assert!(out.contains("\"flip\": true"), "{out}");
+    assert!(
+        refusal(&["photo", &lamp, "--shear", "9"])
+            .0
+            .contains("-5 to 5")
+    );
+}
+
+#[test]
+fn one_of_several_pictures_that_cannot_be_read_hides_no_other() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lamp = put(folder.path(), "lamp.png", &Drawn::LAMP.png());
+    let text = put(folder.path(), "text.png", b"nm,value");
+    let (code, out, err) = tell(&["photo", &text, &lamp, "--json"]);
+    assert_eq!(code, 2, "{err}");
+    let all: serde_json::Value = serde_json::from_str(&out).expect("a list");
+    assert!(
+        all[0]["refused"]
+            .as_str()
+            .expect("why")
+            .contains("JPEG or PNG")
+    );
+    assert_eq!(all[1]["state"], "found");
+}
+
+#[test]
+fn two_exposures_tell_the_power_of_the_light_and_fill_what_is_over_exposed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let power = 1.3;
+    let long = put(
+        folder.path(),
+        "long.png",
+        &Drawn::GLOWING.exposed(2.4, power),
+    );
+    let short = put(
+        folder.path(),
+        "short.png",
+        &Drawn::GLOWING.exposed(0.6, power),
+    );
+    let exposures = [format!("{long}:1/10"), format!("{short}:1/40")];
+    let told = json(&[
+        "photo",
+        &long,
+        "--exposures",
+        &exposures[0],
+        &exposures[1],
+        "--json",
+    ]);
+    let found = told["exposures"]["light_power"].as_f64().expect("a power");
+    // A code is half a code sure: at a twentieth of the brightest column that is 2 % of its light.
+    assert!((found - power).abs() < 0.05, "{found}");
+    let joined = told["exposures"]["joined_columns"]
+        .as_u64()
+        .expect("columns");
+    assert!(joined > 0 && told["clipped_columns"] == 0, "{joined}");
+    let (_, alone, _) = tell(&["photo", &long, "--json"]);
+    let alone: serde_json::Value = serde_json::from_str(&alone).expect("JSON");
+    assert!(alone["clipped_columns"].as_u64() > Some(0) && alone["exposures"].is_null());
+    // A straight camera is left alone.
+    let plain = put(
+        folder.path(),
+        "plain.png",
+        &Drawn::GLOWING.exposed(1.0, 1.0),
+    );
+    let dark = put(folder.path(), "dark.png", &Drawn::GLOWING.exposed(0.5, 1.0));
+    let exposures = [format!("{plain}:0.02"), format!("{dark}:0.01")];
+    let told = json(&[
+        "photo",
+        &plain,
+        "--exposures",
+        &exposures[0],
+        &exposures[1],
+        "--json",
+    ]);
+    assert_eq!(told["exposures"]["light_power"], 1.0);
+    // Pictures of two lights are no exposures of one.
+    let bulb = put(folder.path(), "bulb.png", &Drawn::BULB.png());
+    let both = [format!("{bulb}:1"), format!("{dark}:0.01")];
+    let (words, code) = refusal(&["photo", &plain, "--exposures", &both[0], &both[1]]);
+    assert!(words.contains("exposures") && code == 2, "{words}");
+}
+
+/// Photographs by others, where they are at hand.
+fn real_photographs() -> Option<std::path::PathBuf> {
+    let folders = ["../shared", "../../shared"].map(|up| crate::root::root().join(up));
+    let mut folders = folders.iter().map(|f| f.join("data/real_photographs"));
+    folders.find(|folder| folder.join("INDEX.json").is_file())
+}
+
+#[test]
+fn no_real_photograph_is_taken_for_a_lamp_that_it_does_not_show() {
+    let Some(folder) = real_photographs() else {
+        println!("skipped: the photographs of others are not at hand");
+        return;
+    };
+    let index = fs::read_to_string(folder.join("INDEX.json")).expect("an index");
+    let index: serde_json::Value = serde_json::from_str(&index).expect("an index");
+    let photographs = index["photographs"].as_array().expect("photographs");
+    let (mut found, mut told) = (0, 0);
+    for photograph in photographs {
+        let text = |key: &str| photograph[key].as_str().expect("a word").to_owned();
+        let path = folder.join(text("file"));
+        let mut words = vec!["photo".to_owned(), path.to_str().expect("UTF-8").to_owned()];
+        if let Some(area) = photograph["box_x0y0x1y1"].as_array() {
+            let edges: Vec<f64> = area.iter().filter_map(serde_json::Value::as_f64).collect();
+            let [x0, y0, x1, y1] = edges[..] else {
+                panic!("four edges")
+            };
+            words.extend([
+                "--box".to_owned(),
+                format!("{x0},{y0},{},{}", x1 - 1.0, y1 - 1.0),
+            ]);
+        }
+        let pins: Vec<[f64; 3]> =
+            serde_json::from_value(photograph["pins_nm_x_y"].clone()).unwrap_or_default();
+        for [_, x, y] in &pins {
+            words.extend(["--at".to_owned(), format!("{x},{y}")]);
+        }
+        words.push("--json".to_owned());
+        let expected = text("expect");
+        for lamp in ["auto", &expected] {
+            if lamp == "refuse" {
+                continue;
+            }
+            let mut words = words.clone();
+            words.extend(["--lamp".to_owned(), lamp.to_owned()]);
+            let words: Vec<&str> = words.iter().map(String::as_str).collect();
+            let (_, out, err) = tell(&words);
+            let answer: serde_json::Value = serde_json::from_str(&out).expect(&err);
+            println!(
+                "{} {lamp}: {} {}",
+                text("name"),
+                answer["state"],
+                answer["lamp"]
+            );
+            if answer["state"] != "found" {
+                continue;
+            }
+            assert_eq!(answer["lamp"], *expected, "{}", text("name"));
+            found += usize::from(lamp == "auto");
+            told += usize::from(lamp != "auto");
+            let axis = &answer["axis"];
+            let number = |of: &serde_json::Value| of.as_f64().expect("a figure");
+            let step = (number(&axis["c"][1]) / number(&axis["scale_px"])).abs();
+            let most = photograph["pin_tolerance_px"].as_f64().unwrap_or(5.0) * step;
+            let valid = [0, 1].map(|k| number(&axis["valid_nm"][k]));
+            for ([nm, ..], at) in pins.iter().zip(answer["at"].as_array().expect("places")) {
+                // Beyond its lines the axis itself says that it does not hold.
+                if !(valid[0] + 15.0..=valid[1] - 15.0).contains(nm) {
+                    continue;
+                }
+                let off = number(&at["nm"]) - nm;
+                assert!(off.abs() <= most, "{} at {nm}: {off:.2} nm", text("name"));
+            }
+        }
+    }
+    assert!(found >= 2 && told >= 3, "{found}, {told}");
 }

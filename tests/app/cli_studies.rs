@@ -13,7 +13,7 @@ struct Sketch;
 
 impl Pictures for Sketch {
     fn window(&self, _: &App, preferences: &Preferences, _: [u32; 2]) -> Vec<u8> {
-        preferences.pages.page.word().as_bytes().to_vec()
+        preferences.page.word().as_bytes().to_vec()
     }
 
     fn plot(&self, _: &App, _: Theme, _: [u32; 2]) -> Vec<u8> {

@@ -164,17 +164,14 @@ fn the_defaults_are_those_of_the_help() {
 
 #[test]
 fn every_page_can_be_named() {
-    let document = document(DOCUMENT);
-    let rows = rows(section(&document, "### Of one command"));
-    let row = rows
-        .iter()
-        .find(|row| option(row).as_deref() == Some("--page"));
-    let words = row.expect("a row about --page")[2];
+    let pages = document("docs/window.md");
     let help = help("render");
     let help: Vec<&str> = help.split_whitespace().collect();
     let (_, help) = help.split_at(help.iter().position(|w| *w == "--page").expect("--page"));
-    for word in Page::all().map(Page::word) {
-        assert!(words.contains(word), "{word}");
+    for page in Page::all() {
+        let (title, word) = (page.title(), page.word());
+        let named = format!("- **{title}** (`{word}`): ");
+        assert!(pages.contains(&named), "{named}");
         let told = help.iter().any(|w| w.trim_matches([',', ';']) == word);
         assert!(told, "the help does not tell {word}");
     }
@@ -568,9 +565,16 @@ fn the_keys_of_a_photograph_are_told() {
     printed(&[&found[..], &known[..], &saved[..]].concat());
     let told = told_keys("photo --json");
     let mut seen = BTreeSet::new();
+    let darker = put(
+        folder.path(),
+        "darker.png",
+        Drawn::GLOWING.exposed(0.5, 1.0),
+    );
+    let exposures = [format!("{lamp}:1/30"), format!("{darker}:1/60")];
     for args in [
         [&found[..], &known[..]].concat(),
         [&found[..], &["--instrument", kept]].concat(),
+        [&found[..], &["--exposures", &exposures[0], &exposures[1]]].concat(),
     ] {
         let value: Value = serde_json::from_str(&printed(&args)).expect("JSON");
         add_keys(&value, "", &mut seen);

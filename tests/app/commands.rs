@@ -20,13 +20,12 @@ use serde_json::Value;
 use spectral_explorer::{
     app::{
         App, Command, Document, Entry, FIRST_LIGHT, FIRST_PATCH_SET, Height, Library, MadeFor,
-        ORDERS, Opened, Recipe, Scale, Settings, SpikeAct, Subject, Times, Tone, View,
+        Opened, Recipe, Scale, Settings, SpikeAct, Subject, Times, Tone, View,
         chart::Theme,
         charts::tradeoff,
         derived::OF_CURVE,
         export::{Export, composite_file},
         open::{Came, Loaded, Loader, load_bytes, load_path, resolve},
-        pages::PageSetting,
         products::{Link, Products},
         report,
         workspace::{self, Preferences, Restored, StoredImage},
@@ -167,7 +166,7 @@ fn the_first_start_shows_fl2_and_a_lamp_of_many_lines_has_them_as_spikes() {
     let patches = app.derived().patches.as_ref().expect("a light has patches");
     assert_eq!(app.document().patch_set, FIRST_PATCH_SET);
     assert_eq!(patches.items.len(), 24);
-    assert!(!app.can_undo() && !app.can_redo());
+    assert!(app.undo_words().is_none() && app.redo_words().is_none());
     assert_eq!(app.message(), None);
     assert_all_finite(&app);
 }
@@ -264,7 +263,10 @@ fn silly_settings_become_the_nearest_sensible_ones() {
         }
     }
     edit(&mut app, |s| s.order = usize::MAX);
-    assert_eq!(app.document().settings.order, *ORDERS.end());
+    assert_eq!(
+        app.document().settings.order as f64,
+        *Settings::ORDER.reach.range().end()
+    );
     assert_all_finite(&app);
     let clamped = app.document().settings;
     assert_eq!(
@@ -403,9 +405,11 @@ fn session(app: &App) -> Vec<Command> {
             height: Height::Log,
             ..view
         }),
-        Command::Page(PageSetting::Mix(
-            app.document().pages.mix.clone().dimmed(50.0),
-        )),
+        Command::Page({
+            let mut pages = Box::new(app.document().pages.clone());
+            pages.mix.desk = pages.mix.desk.dimmed(50.0);
+            pages
+        }),
         Command::Products(Products {
             chain: vec![Link::once(preset(app, RED))],
             ..Products::first()
@@ -488,13 +492,13 @@ fn every_command_is_undone_and_done_again_exactly() {
         assert_eq!(app.document(), document);
         assert_eq!(app.derived(), derived, "what is shown follows");
     }
-    assert!(!app.can_undo());
+    assert!(app.undo_words().is_none());
     for (document, derived) in states.iter().skip(1) {
         app.apply(Command::Redo);
         assert_eq!(app.document(), document);
         assert_eq!(app.derived(), derived);
     }
-    assert!(!app.can_redo());
+    assert!(app.redo_words().is_none());
 }
 
 #[test]
@@ -555,7 +559,7 @@ fn a_drag_is_one_step_of_undo_and_the_next_drag_another() {
     assert_eq!(app.document(), &between);
     app.apply(Command::Undo);
     assert_eq!(app.document(), &first);
-    assert!(!app.can_undo());
+    assert!(app.undo_words().is_none());
 }
 
 #[test]
@@ -580,7 +584,7 @@ fn another_kind_of_change_ends_a_drag_too() {
     app.apply(Command::Undo);
     app.apply(Command::Undo);
     assert_eq!(app.document().settings.order, 7);
-    assert!(!app.can_undo());
+    assert!(app.undo_words().is_none());
 }
 
 #[test]
@@ -588,9 +592,9 @@ fn a_change_after_undo_forgets_what_was_undone() {
     let mut app = plain();
     edit(&mut app, |s| s.order = 9);
     app.apply(Command::Undo);
-    assert!(app.can_redo());
+    assert!(app.redo_words().is_some());
     edit(&mut app, |s| s.order = 3);
-    assert!(!app.can_redo());
+    assert!(app.redo_words().is_none());
     app.apply(Command::Redo);
     assert_eq!(app.document().settings.order, 3);
     assert_eq!(app.message().map(|m| m.tone), Some(Tone::Info));
@@ -607,7 +611,7 @@ fn a_command_that_changes_nothing_is_no_step_and_no_work() {
         key: "own/7".to_owned(),
     });
     app.apply(Command::Undo);
-    assert!(!app.can_undo());
+    assert!(app.undo_words().is_none());
     assert_eq!(app.revision(), revision);
     assert_eq!(
         app.message().map(|m| m.text.as_str()),
@@ -1087,7 +1091,7 @@ fn acts_on_spikes_that_are_not_there_or_are_no_numbers_do_nothing() {
         SpikeAct::Reset,
     ] {
         app.act_on_spikes(act);
-        assert!(!app.can_undo(), "{act:?} did something");
+        assert!(app.undo_words().is_none(), "{act:?} did something");
     }
 }
 
@@ -1219,7 +1223,11 @@ fn a_shipped_spectrum_cannot_be_renamed_or_turned_into_something_else() {
     ] {
         let mut app = plain();
         app.apply(command);
-        assert!(!app.can_undo(), "{:?}", app.document().light.name());
+        assert!(
+            app.undo_words().is_none(),
+            "{:?}",
+            app.document().light.name()
+        );
     }
 }
 

@@ -15,7 +15,6 @@ use spectral_explorer::{
             wish::{MixWish, Solved},
         },
         open::{Loaded, load_bytes},
-        pages::PageSetting,
         workspace,
     },
     design::{
@@ -53,9 +52,7 @@ fn fixture() -> Vec<u8> {
 }
 
 fn mix(app: &mut App, change: impl Fn(&mut Mix)) {
-    let mut mix = app.document().pages.mix.clone();
-    change(&mut mix);
-    app.apply(Command::Page(PageSetting::Mix(mix)));
+    app.edit_pages(|pages| change(&mut pages.mix.desk));
 }
 
 #[test]
@@ -98,7 +95,7 @@ fn emitters_of_a_gdtf_fixture_are_channels_and_its_filters_gels() {
     // A fixture that is taken out of the library leaves desk and gels.
     app.apply(Command::Remove { key: key(2) });
     app.apply(Command::Remove { key: key(0) });
-    let left = &app.document().pages.mix;
+    let left = &app.document().pages.mix.desk;
     assert_eq!((left.channels.len(), left.gels.len()), (1, 0));
 }
 
@@ -150,27 +147,29 @@ fn whatever_is_done_at_the_desk_is_one_step_of_undo_with_words() {
     for (words, act) in acts {
         // Each from a fresh desk, but a gel that is moved or taken off is on already.
         let gels = match words.starts_with("gel") {
-            true => app.document().pages.mix.gels.clone(),
+            true => app.document().pages.mix.desk.gels.clone(),
             false => Vec::new(),
         };
-        app.apply(Command::Page(PageSetting::Mix(Mix {
-            gels,
-            ..Mix::first()
-        })));
+        app.edit_pages(|pages| {
+            pages.mix.desk = Mix {
+                gels,
+                ..Mix::first()
+            };
+        });
         app.end_gesture();
-        let before = app.document().pages.mix.clone();
+        let before = app.document().pages.mix.desk.clone();
         for part in [0.5, 0.7, 0.9] {
             mix(&mut app, |mix| act(mix, part));
         }
         app.end_gesture();
-        let after = app.document().pages.mix.clone();
+        let after = app.document().pages.mix.desk.clone();
         assert_ne!(after, before, "{words}");
         let said = app.undo_words().expect("a step");
         assert!(said.starts_with(words), "{said}: expected {words}");
         app.apply(Command::Undo);
-        assert_eq!(app.document().pages.mix, before, "{words}");
+        assert_eq!(app.document().pages.mix.desk, before, "{words}");
         app.apply(Command::Redo);
-        assert_eq!(app.document().pages.mix, after, "{words}");
+        assert_eq!(app.document().pages.mix.desk, after, "{words}");
     }
 }
 
@@ -184,7 +183,7 @@ fn gel(thickness: f64) -> Gel {
 #[test]
 fn a_wish_and_a_point_of_the_front_are_one_step_each() {
     let mut app = App::new();
-    let first = app.document().pages.mix.clone();
+    let first = app.document().pages.mix.desk.clone();
     // A temperature that is dragged takes the faders along.
     for kelvin in [3000.0, 3500.0, 4000.0] {
         let wish = MixWish {
@@ -193,10 +192,10 @@ fn a_wish_and_a_point_of_the_front_are_one_step_each() {
         };
         let desk = Desk::of(app.document());
         let found = Solved::of(&wish, &desk, app.document(), Care::Full).expect("channels");
-        app.apply(Command::Page(PageSetting::Mix(found.mix)));
+        app.edit_pages(|pages| pages.mix.desk = found.mix);
     }
     app.end_gesture();
-    let solved = app.document().pages.mix.clone();
+    let solved = app.document().pages.mix.desk.clone();
     let wish = FrontProblem {
         target: Target::of_kelvin(4000.0, 0.0).expect("a white"),
         against: Against::Ra,
@@ -206,14 +205,14 @@ fn a_wish_and_a_point_of_the_front_are_one_step_each() {
     };
     let points = front(&wish, SampleTables::shipped(), &Progress::default());
     let points = points.expect("a front").expect("not cancelled");
-    app.apply(Command::Page(PageSetting::Mix(on_desk(&points[0]))));
+    app.edit_pages(|pages| pages.mix.desk = on_desk(&points[0]));
     app.end_gesture();
-    assert_eq!(app.document().pages.mix.channels.len(), 2);
+    assert_eq!(app.document().pages.mix.desk.channels.len(), 2);
     for expected in [solved, first] {
         app.apply(Command::Undo);
-        assert_eq!(app.document().pages.mix, expected);
+        assert_eq!(app.document().pages.mix.desk, expected);
     }
-    assert!(!app.can_undo());
+    assert!(app.undo_words().is_none());
 }
 
 fn patches(app: &App) -> &PatchComparison {

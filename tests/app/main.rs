@@ -33,6 +33,7 @@ mod commands;
 mod design;
 mod line_names;
 mod no_window;
+mod pages;
 mod recipes;
 mod tell;
 mod workspace;

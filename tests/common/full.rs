@@ -6,24 +6,21 @@ use spectral_explorer::{
     app::{
         App, Command, Detector, Document, Entry, FIRST_LIGHT, Gel, Given, Height, Scale, Settings,
         SpikeAct, View,
-        charts::quality::{DiagramShows, OfColours},
+        charts::quality::OfColours,
         design::{
             DeskSurfaces, Telling,
             colour::FromColour,
             mix::{Mix, MixChannel, Snapshot},
             wish::MixWish,
         },
-        dispersion::{
-            Beside, DispersionMemory, GemColour, GemMemory, LightPart, PrismMemory, RainbowMemory,
-            Sent, Substance,
+        dispersion::{Sent, Substance},
+        pages::{
+            AbsorptionMemory, Beside, BouncesMemory, ChainMemory, DiagramShows, FieldChoice,
+            GemColour, GemMemory, ImageMemory, LightPart, Look, ManyMemory, NarrowMemory, Page,
+            PageStates, PrismMemory, RainbowMemory, RelitMemory, ResamplingMemory,
+            SameSurfaceMemory, Show, Spread, TwoLightsMemory, WaysShown, WordsMemory,
         },
-        pages::{FieldChoice, ManyMemory, Page, PageMemory, PageSetting, WaysShown, WordsMemory},
-        picture::{ImageMemory, Show, Spread},
-        products::{
-            AbsorptionMemory, BouncesMemory, ChainMemory, Link, NarrowMemory, Products,
-            ProductsMemory, ResamplingMemory, SameSurfaceMemory, TwoLightsMemory,
-        },
-        relit::{Look, RelitMemory},
+        products::{Link, Products},
         workspace::Preferences,
     },
     color::Observer,
@@ -161,7 +158,7 @@ pub(crate) fn full_document() -> Document {
         surface: Some(red),
         outgoing: Some(own),
     }));
-    app.apply(Command::Page(PageSetting::Mix(Mix {
+    let desk = Mix {
         gels: vec![Gel {
             key: GEL.to_owned(),
             thickness: 0.1 + 0.2,
@@ -183,11 +180,14 @@ pub(crate) fn full_document() -> Document {
             MixChannel::new(Source::Blackbody { kelvin: 2700.0 }),
             MixChannel::new(Source::Daylight { kelvin: 6500.0 }),
         ],
-    })));
+    };
+    app.edit_pages(|pages| {
+        *pages = full_pages();
+        pages.mix.desk = desk;
+    });
     app.document().clone()
 }
 
-#[expect(clippy::too_many_lines, reason = "a table: one row a preference")]
 pub(crate) fn full_preferences() -> Preferences {
     Preferences {
         dark: false,
@@ -200,188 +200,192 @@ pub(crate) fn full_preferences() -> Preferences {
         pinned: true,
         greeted: true,
         grown: 1.0,
-        pages: PageMemory {
-            page: Page::Race,
-            last_of_places: vec![Page::Rainbow, Page::Race],
-            partial_order: 5,
-            channel: 2,
-            measure: Measure::Filters,
-            goal: Goal {
-                own: 0.5,
-                ..Goal::FILTERS
-            },
-            auction_numbers: 33,
-            spend_numbers: 15,
-            field: FieldChoice::Discharge,
-            race_numbers: 31,
-            race_measure: Measure::Rms,
-            race_strict: true,
-            words: WordsMemory {
-                numbers: 11,
-                portable: true,
-                itself: true,
-                automatic: true,
-            },
-            ways: WaysShown {
-                plain: false,
-                ..WaysShown::default()
-            },
-            spend_goal: Some(Goal::SPECTRUM),
-            products: ProductsMemory {
-                chain: ChainMemory {
-                    stage: Some(1),
-                    light: true,
-                },
-                narrow: NarrowMemory {
-                    centre_nm: 500.25,
-                    width_nm: 20.0,
-                    filter: Some(RED.to_owned()),
-                    luminance: true,
-                },
-                resampling: ResamplingMemory {
-                    hidden: vec![Sampling::ThreeN],
-                },
-                bounces: BouncesMemory {
-                    added: true,
-                    log: false,
-                },
-                two_lights: TwoLightsMemory {
-                    patch: 3,
-                    pair: 2,
-                    makes: true,
-                    everywhere: false,
-                    room_percent: -40,
-                },
-                same_surface: SameSurfaceMemory {
-                    everywhere: false,
-                    twice: true,
-                },
-                absorption: AbsorptionMemory { example: 1 },
-            },
-            of_colours: OfColours::Samples,
-            diagram: DiagramShows {
-                gamuts: true,
-                near: true,
-                ..DiagramShows::default()
-            },
-            colour: FromColour {
-                given: Given::Lab([50.5, 0.1 + 0.2, -20.0]),
-                light: RED.to_owned(),
-                method: Method::Lines,
-                lines: vec![1e3 / 3.0 + 100.0],
-                lamp: D65.to_owned(),
-                second: Some((Given::Xyy([0.3, 0.1 + 0.2, 20.0]), D65.to_owned())),
-                telling: Telling::Xyy,
-            },
-            kept: [
-                Some(Snapshot {
-                    mix: Mix::first(),
-                    words: "A white light.".to_owned(),
-                }),
-                None,
-                Some(Snapshot {
-                    mix: Mix::default(),
-                    words: String::new(),
-                }),
-            ],
-            wish: MixWish {
-                light: None,
-                xy: Some([0.1 + 0.2, 0.35]),
-                kelvin: 3000.0,
-                duv: 0.001,
-                alike: true,
-                favour: Objective::Fewest,
-                floors: Floors {
-                    rf: Some(80.0),
-                    ..Floors::default()
-                },
-                against: Against::Ra,
-                lines: 8,
-            },
-            desk_surfaces: DeskSurfaces::Everyday,
-            image: ImageMemory {
-                key: Some("image/3".to_owned()),
-                selection: Some(Rect::pixel(2, 5)),
-                show: Show::ThreeBands,
-                three_nm: [700.0, 560.0, 450.0],
-                one_nm: 611.0,
-                stops: -1.5,
-                spread: Spread::Extremes,
-            },
-            dispersion: DispersionMemory {
-                prism: PrismMemory {
-                    made_of: Substance::Numbers {
-                        n_d: 1.6,
-                        v_d: 40.0,
-                    },
-                    apex_deg: 45.5,
-                    at_minimum: false,
-                    minimum_nm: 589.3,
-                    incidence_deg: 33.3,
-                    slit_mm: 1.25,
-                    screen_mm: 750.0,
-                    stops: 0.5,
-                    beside: Beside::Overlaid,
-                    sent: Sent::Model,
-                },
-                rainbow: RainbowMemory {
-                    disc: false,
-                    impact: 0.5,
-                    twice: true,
-                    stops: -0.5,
-                    beside: Beside::Nothing,
-                    sent: Sent::Model,
-                },
-                gem: GemMemory {
-                    made_of: Substance::Own {
-                        index: "own/1".to_owned(),
-                    },
-                    colour: GemColour::Filter,
-                    grey: 0.7,
-                    filter: "own/2".to_owned(),
-                    thickness: 4.0,
-                    cut: Brilliant {
-                        table: 0.61,
-                        ..Brilliant::default()
-                    },
-                    turn_deg: 20.0,
-                    height_deg: 70.0,
-                    size: 240,
-                    rays: 16,
-                    stops: 1.0,
-                    part: LightPart::Lines,
-                    under: None,
-                    sent: Sent::Model,
-                },
-            },
-            many: ManyMemory {
-                field: FieldChoice::Led,
-                measure: Measure::RmsBlurred,
-                limit: 2.5,
-                share_percent: 80,
-            },
-            relit: RelitMemory {
-                wall: true,
-                taken_under: Some(D65.to_owned()),
-                own: Some("paper/Sodium".to_owned()),
-                numbers: Some(11),
-                bound: 1.25,
-                wish: FixedSettings {
-                    reference: Some(ReferenceKind::Mean),
-                    lines: LineChoice::At(vec![435.8, 546.1]),
-                },
-                weighted: false,
-                between_series: true,
-                second: Some("paper/Sodium".to_owned()),
-                second_percent: 30,
-                look: Look::Difference,
-                split: 0.25,
-                pixel: Some([4, 7]),
-            },
-            lessons_finished: vec!["prism".to_owned()],
-            lesson_language: "de".to_owned(),
-            photograph_asked: None,
-            lesson_asked: None,
-        },
+        page: Page::Race,
+        last_of_places: vec![Page::Rainbow, Page::Race],
+        photographs_asked: Vec::new(),
+        lessons_finished: vec!["prism".to_owned()],
+        lesson_language: "de".to_owned(),
+        lesson_asked: None,
     }
+}
+
+/// What every page keeps, each value another than at first.
+#[expect(
+    clippy::too_many_lines,
+    reason = "a table: one row a field that a page keeps"
+)]
+pub(crate) fn full_pages() -> PageStates {
+    let mut pages = PageStates::default();
+    pages.why.partial_order = 5;
+    pages.why.channel = 2;
+    pages.tradeoff.measure = Measure::Filters;
+    pages.auction.goal = Goal {
+        own: 0.5,
+        ..Goal::FILTERS
+    };
+    pages.auction.numbers = 33;
+    pages.look.numbers = 15;
+    pages.look.goal = Some(Goal::SPECTRUM);
+    pages.race.field = FieldChoice::Discharge;
+    pages.race.numbers = 31;
+    pages.race.measure = Measure::Rms;
+    pages.race.strict = true;
+    pages.known_lamps = WordsMemory {
+        numbers: 11,
+        portable: true,
+        itself: true,
+        automatic: true,
+    };
+    pages.tradeoff.ways = WaysShown {
+        plain: false,
+        ..WaysShown::default()
+    };
+    pages.chain = ChainMemory {
+        stage: Some(1),
+        light: true,
+    };
+    pages.narrow = NarrowMemory {
+        centre_nm: 500.25,
+        width_nm: 20.0,
+        filter: Some(RED.to_owned()),
+        luminance: true,
+    };
+    pages.resampling = ResamplingMemory {
+        hidden: vec![Sampling::ThreeN],
+    };
+    pages.bounces = BouncesMemory {
+        added: true,
+        log: false,
+    };
+    pages.two_lights = TwoLightsMemory {
+        patch: 3,
+        pair: 2,
+        makes: true,
+        everywhere: false,
+        room_percent: -40,
+    };
+    pages.same_surface = SameSurfaceMemory {
+        everywhere: false,
+        twice: true,
+    };
+    pages.dark_lines = AbsorptionMemory { example: 1 };
+    pages.chromaticity = DiagramShows {
+        gamuts: true,
+        near: true,
+        ..DiagramShows::default()
+    };
+    pages.rendition.large = OfColours::Samples;
+    pages.from_colour = FromColour {
+        given: Given::Lab([50.5, 0.1 + 0.2, -20.0]),
+        light: RED.to_owned(),
+        method: Method::Lines,
+        lines: vec![1e3 / 3.0 + 100.0],
+        lamp: D65.to_owned(),
+        second: Some((Given::Xyy([0.3, 0.1 + 0.2, 20.0]), D65.to_owned())),
+        telling: Telling::Xyy,
+    };
+    pages.mix.kept = [
+        Some(Snapshot {
+            mix: Mix::first(),
+            words: "A white light.".to_owned(),
+        }),
+        None,
+        Some(Snapshot {
+            mix: Mix::default(),
+            words: String::new(),
+        }),
+    ];
+    pages.solve = MixWish {
+        light: None,
+        xy: Some([0.1 + 0.2, 0.35]),
+        kelvin: 3000.0,
+        duv: 0.001,
+        alike: true,
+        favour: Objective::Fewest,
+        floors: Floors {
+            rf: Some(80.0),
+            ..Floors::default()
+        },
+        against: Against::Ra,
+        lines: 8,
+    };
+    pages.mix.surfaces = DeskSurfaces::Everyday;
+    pages.image = ImageMemory {
+        key: Some("image/3".to_owned()),
+        selection: Some(Rect::pixel(2, 5)),
+        show: Show::ThreeBands,
+        three_nm: [700.0, 560.0, 450.0],
+        one_nm: 611.0,
+        stops: -1.5,
+        spread: Spread::Extremes,
+    };
+    pages.prism = PrismMemory {
+        made_of: Substance::Numbers {
+            n_d: 1.6,
+            v_d: 40.0,
+        },
+        apex_deg: 45.5,
+        at_minimum: false,
+        minimum_nm: 589.3,
+        incidence_deg: 33.3,
+        slit_mm: 1.25,
+        screen_mm: 750.0,
+        stops: 0.5,
+        beside: Beside::Overlaid,
+        sent: Sent::Model,
+    };
+    pages.rainbow = RainbowMemory {
+        disc: false,
+        impact: 0.5,
+        twice: true,
+        stops: -0.5,
+        beside: Beside::Nothing,
+        sent: Sent::Model,
+    };
+    pages.gem = GemMemory {
+        made_of: Substance::Own {
+            index: "own/1".to_owned(),
+        },
+        colour: GemColour::Filter,
+        grey: 0.7,
+        filter: "own/2".to_owned(),
+        thickness: 4.0,
+        cut: Brilliant {
+            table: 0.61,
+            ..Brilliant::default()
+        },
+        turn_deg: 20.0,
+        height_deg: 70.0,
+        size: 240,
+        rays: 16,
+        stops: 1.0,
+        part: LightPart::Lines,
+        under: None,
+        sent: Sent::Model,
+    };
+    pages.many = ManyMemory {
+        field: FieldChoice::Led,
+        measure: Measure::RmsBlurred,
+        limit: 2.5,
+        share_percent: 80,
+    };
+    pages.relit = RelitMemory {
+        wall: true,
+        taken_under: Some(D65.to_owned()),
+        own: Some("paper/Sodium".to_owned()),
+        numbers: Some(11),
+        bound: 1.25,
+        wish: FixedSettings {
+            reference: Some(ReferenceKind::Mean),
+            lines: LineChoice::At(vec![435.8, 546.1]),
+        },
+        weighted: false,
+        between_series: true,
+        second: Some("paper/Sodium".to_owned()),
+        second_percent: 30,
+        look: Look::Difference,
+        split: 0.25,
+        pixel: Some([4, 7]),
+    };
+    pages
 }

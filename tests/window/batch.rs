@@ -107,7 +107,7 @@ fn a_folder_is_opened_in_one_step_with_a_summary_and_undone_in_one() {
     click(&mut ui, "Close");
     click(&mut ui, "Undo");
     assert_eq!(app(&ui).document(), &before);
-    assert!(!app(&ui).can_undo());
+    assert!(app(&ui).undo_words().is_none());
     // What was told of the files is no news of what is shown now: that is what was undone.
     let said = app(&ui).current_message().expect("a word");
     assert!(said.text.starts_with("Undone: opened 4 files"), "{said:?}");
@@ -230,7 +230,7 @@ fn undo_reaches_back_over_several_loads_and_what_was_done_between() {
         ui.state_mut().app.apply(Command::Undo);
         assert!(app(&ui).document() == state);
     }
-    assert!(!app(&ui).can_undo());
+    assert!(app(&ui).undo_words().is_none());
     for _ in 0..4 {
         ui.state_mut().app.apply(Command::Redo);
     }
@@ -275,7 +275,7 @@ fn an_empty_folder_and_one_with_only_bad_files_leave_everything() {
     let message = app(&ui).message().unwrap();
     assert_eq!(message.text, "0 of 2 files read; 2 refused.");
     assert_eq!(app(&ui).document(), &before);
-    assert!(!app(&ui).can_undo());
+    assert!(app(&ui).undo_words().is_none());
 }
 
 #[test]

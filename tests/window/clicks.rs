@@ -114,7 +114,7 @@ fn a_prism_is_before_the_class_in_three_acts() {
         person.presses(egui::Key::F5);
         assert!(person.acts <= 3);
         let ui = &person.ui;
-        assert_eq!(ui.state().preferences.pages.page, Page::Prism);
+        assert_eq!(ui.state().preferences.page, Page::Prism);
         let drawn = ui.get_by_label("Drawing of the prism and the light").rect();
         assert!(drawn.area() > 0.4 * 1280.0 * 800.0, "{drawn:?}");
         for slider in ["Apex angle", "Slit"] {
@@ -125,7 +125,7 @@ fn a_prism_is_before_the_class_in_three_acts() {
         assert!(largest >= 28.0, "{largest}");
         person.presses(egui::Key::Escape);
         let preferences = &person.ui.state().preferences;
-        assert!(!preferences.present && preferences.pages.page == Page::Prism);
+        assert!(!preferences.present && preferences.page == Page::Prism);
     }
 }
 
@@ -157,8 +157,7 @@ fn a_hundred_lamps_are_judged_in_five_acts_under_the_names_of_their_files() {
     assert_eq!((names.len(), names[7].as_str()), (100, "lamp 007"));
     person.clicks("How many numbers do they need?");
     assert!(person.acts <= 5);
-    let memory = &person.ui.state().preferences.pages;
-    assert_eq!(memory.page, Page::Many);
+    assert_eq!(person.ui.state().preferences.page, Page::Many);
     assert_written(&person.ui, "of 100 lights");
     assert_written(&person.ui, "lamp 007");
     // Opening was a step of its own.

@@ -9,8 +9,7 @@ use spectral_explorer::{
         App, Command, Document,
         chart::Marks,
         charts::spectrum::spectrum_chart,
-        dispersion::{Beside, DispersionMemory},
-        pages::Page,
+        pages::{Beside, Page, PageStates},
         workspace::{Preferences, from_json, to_json},
     },
     ui::Window,
@@ -19,11 +18,11 @@ use spectral_explorer::{
 const SECOND: &str = "cie_led_1nm/LED-B1";
 
 fn on(page: Page, app: App) -> Ui {
-    let mut preferences = Preferences {
+    let preferences = Preferences {
+        page,
         greeted: true,
         ..Preferences::default()
     };
-    preferences.pages.page = page;
     at_rest(Window::new(app, preferences, no_files(), None))
 }
 
@@ -146,7 +145,7 @@ fn a_surface_is_no_second_light_and_what_is_removed_is_none_any_more() {
     let mut app = App::new();
     let red = app.entry("colorchecker_ohta/red").expect("shipped");
     app.apply(Command::Compare(Some(red)));
-    assert!(app.document().second.is_none() && !app.can_undo());
+    assert!(app.document().second.is_none() && app.undo_words().is_none());
     let led = app.entry(SECOND).expect("shipped").spectrum.clone();
     app.apply(Command::Adopt(vec![led]));
     let own = app.document().own[0].clone();
@@ -172,12 +171,11 @@ fn prism_and_rainbow_send_it_through_as_well() {
         let second = app(&ui).entry(SECOND).expect("shipped");
         ui.state_mut().app.apply(Command::Compare(Some(second)));
         ui.run();
-        let dispersion = &ui.state().preferences.pages.dispersion;
-        let beside = [dispersion.prism.beside, dispersion.rainbow.beside];
+        let pages = &ui.state().app.document().pages;
+        let beside = [pages.prism.beside, pages.rainbow.beside];
         assert_eq!(beside, [Beside::Overlaid; 2]);
         click(&mut ui, "Compare no more");
-        let dispersion = &ui.state().preferences.pages.dispersion;
-        assert_eq!(*dispersion, DispersionMemory::default());
+        assert_eq!(ui.state().app.document().pages, PageStates::default());
     }
 }
 

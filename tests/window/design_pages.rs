@@ -11,7 +11,7 @@ use spectral_explorer::{
     app::{
         App, Given,
         design::{Desk, Telling},
-        pages::{Page, PageMemory},
+        pages::{Page, PageStates},
         workspace::Preferences,
     },
     ui::Window,
@@ -19,10 +19,7 @@ use spectral_explorer::{
 
 fn on(page: Page) -> Ui {
     let preferences = Preferences {
-        pages: PageMemory {
-            page,
-            ..PageMemory::default()
-        },
+        page,
         ..Preferences::default()
     };
     let mut window = Window::new(App::new(), preferences, no_files(), None);
@@ -30,8 +27,8 @@ fn on(page: Page) -> Ui {
     at_rest(window)
 }
 
-fn memory(ui: &Ui) -> &PageMemory {
-    &ui.state().preferences.pages
+fn memory(ui: &Ui) -> &PageStates {
+    &app(ui).document().pages
 }
 
 fn set(ui: &mut Ui, role: Role, name: &str, value: f64) {
@@ -57,8 +54,8 @@ fn a_swatch_of_another_page_leads_to_the_spectra_of_its_colour() {
     });
     let offered = offered.expect("the menu");
     click(&mut ui, &offered);
-    assert_eq!(memory(&ui).page, Page::FromColour);
-    let Given::Srgb([r, g, b]) = memory(&ui).colour.given else {
+    assert_eq!(ui.state().preferences.page, Page::FromColour);
+    let Given::Srgb([r, g, b]) = memory(&ui).from_colour.given else {
         panic!("a screen's colour");
     };
     assert!(
@@ -66,7 +63,8 @@ fn a_swatch_of_another_page_leads_to_the_spectra_of_its_colour() {
         "{offered}"
     );
     assert!(b > r && b > g, "it is blue");
-    assert!(!app(&ui).can_undo());
+    let words = app(&ui).undo_words();
+    assert_eq!(words.as_deref(), Some("From a colour: the colour"));
 }
 
 #[test]
@@ -77,10 +75,10 @@ fn a_colour_is_told_in_four_ways_and_under_two_lights() {
         .click();
     ui.run();
     click(&mut ui, "xyY");
-    assert_eq!(memory(&ui).colour.telling, Telling::Xyy);
+    assert_eq!(memory(&ui).from_colour.telling, Telling::Xyy);
     set(&mut ui, Role::SpinButton, "Y", 40.0);
-    let Given::Xyy([x, _, whole]) = memory(&ui).colour.given else {
-        panic!("x, y and Y: {:?}", memory(&ui).colour.given);
+    let Given::Xyy([x, _, whole]) = memory(&ui).from_colour.given else {
+        panic!("x, y and Y: {:?}", memory(&ui).from_colour.given);
     };
     assert!(whole == 40.0 && x > 0.33, "{x} {whole}");
     assert_written(&ui, "Three coefficients");
@@ -90,7 +88,7 @@ fn a_colour_is_told_in_four_ways_and_under_two_lights() {
     assert_written(&ui, "Six coefficients");
     assert_written(&ui, "CIE D65 and CIE A");
     set(&mut ui, Role::SpinButton, "Y under the second light", 45.0);
-    let second = memory(&ui).colour.second.clone().expect("two colours");
+    let second = memory(&ui).from_colour.second.clone().expect("two colours");
     assert!(matches!(second.0, Given::Xyy([_, _, 45.0])), "{second:?}");
     click(&mut ui, "Into the chain");
     let chain = &app(&ui).document().products.chain;
@@ -114,7 +112,7 @@ fn a_pixel_of_a_picture_is_a_colour() {
     ui.get_by_role_and_label(Role::Image, "Picture readme.png")
         .click();
     ui.run();
-    let Given::Srgb([r, g, b]) = memory(&ui).colour.given else {
+    let Given::Srgb([r, g, b]) = memory(&ui).from_colour.given else {
         panic!("a screen's colour");
     };
     assert_ne!([r, g, b], [0xc0, 0x80, 0x40]);
@@ -138,7 +136,7 @@ fn a_group_has_a_fader_and_its_move_is_one_step_of_undo() {
     click(&mut ui, "Channel 2: LED 530 nm");
     click(&mut ui, "Group of channel 2");
     let levels = |ui: &Ui| -> Vec<f64> {
-        let mix = &app(ui).document().pages.mix;
+        let mix = &app(ui).document().pages.mix.desk;
         mix.channels.iter().map(|channel| channel.level).collect()
     };
     let before = levels(&ui);
@@ -156,11 +154,11 @@ fn a_chromaticity_can_be_typed_and_the_faders_make_it() {
     let mut ui = on(Page::Solve);
     click(&mut ui, "x, y");
     set(&mut ui, Role::SpinButton, "x", 0.4);
-    let [x, y] = memory(&ui).wish.xy.expect("a chromaticity");
+    let [x, y] = memory(&ui).solve.xy.expect("a chromaticity");
     assert_eq!(x, 0.4);
     let figures = Desk::of(app(&ui).document()).figures.expect("it shines");
     let [a, b] = figures.xy.expect("a colour");
     assert!((a - x).hypot(b - y) < 1e-6, "{a} {b}");
     click(&mut ui, "a temperature");
-    assert_eq!(memory(&ui).wish.xy, None);
+    assert_eq!(memory(&ui).solve.xy, None);
 }

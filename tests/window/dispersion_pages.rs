@@ -6,8 +6,9 @@ use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{
         App,
-        dispersion::{GemColour, Handle, PrismMemory, Sent},
+        dispersion::Sent,
         pages::Page,
+        pages::{GemColour, Handle, PrismMemory},
         workspace::Preferences,
     },
     color::Adaptation,
@@ -15,14 +16,14 @@ use spectral_explorer::{
 };
 
 fn page(page: Page) -> Ui {
-    let mut preferences = Preferences {
+    let preferences = Preferences {
+        page,
         greeted: true,
         ..Preferences::default()
     };
-    preferences.pages.page = page;
-    preferences.pages.dispersion.gem.size = 240;
-    preferences.pages.dispersion.gem.rays = 8;
-    let mut ui = at_rest(Window::new(App::new(), preferences, no_files(), None));
+    let mut app = App::new();
+    app.pages_follow(|pages| (pages.gem.size, pages.gem.rays) = (240, 8));
+    let mut ui = at_rest(Window::new(app, preferences, no_files(), None));
     settle(&mut ui);
     ui
 }
@@ -49,7 +50,7 @@ fn drag(ui: &mut Ui, name: &str, by: [f32; 2]) {
 }
 
 fn prism(ui: &Ui) -> PrismMemory {
-    ui.state().0.preferences.pages.dispersion.prism.clone()
+    ui.state().0.app.document().pages.prism.clone()
 }
 
 #[test]
@@ -79,7 +80,7 @@ fn the_light_is_measured_until_a_switch_sends_the_model_whose_order_then_counts(
         let mut ui = page(at);
         let has = |ui: &Ui, name: &str| ui.query_by_role_and_label(Role::Slider, name).is_some();
         let sent = |ui: &Ui| {
-            let memory = &ui.state().0.preferences.pages.dispersion;
+            let memory = &ui.state().0.app.document().pages;
             match at {
                 Page::Prism => memory.prism.sent,
                 Page::Rainbow => memory.rainbow.sent,
@@ -115,7 +116,7 @@ fn a_gem_is_coloured_and_says_how_it_is_seen() {
     settle(&mut ui);
     ui.get_by_label(GemColour::Filter.title()).click();
     settle(&mut ui);
-    let memory = &ui.state().0.preferences.pages.dispersion.gem;
+    let memory = &ui.state().0.app.document().pages.gem;
     assert_eq!(memory.colour, GemColour::Filter);
     ui.get_by_label(names::SEEN).scroll_to_me();
     settle(&mut ui);
@@ -130,7 +131,7 @@ fn a_gem_is_coloured_and_says_how_it_is_seen() {
 #[test]
 fn the_rays_of_the_drop_are_dragged() {
     let mut ui = page(Page::Rainbow);
-    let impact = |ui: &Ui| ui.state().0.preferences.pages.dispersion.rainbow.impact;
+    let impact = |ui: &Ui| ui.state().0.app.document().pages.rainbow.impact;
     let before = impact(&ui);
     drag(&mut ui, "A drop with rays of the light", [0.0, 20.0]);
     assert!(impact(&ui) < before, "{} {before}", impact(&ui));

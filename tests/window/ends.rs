@@ -20,8 +20,7 @@ use serde_json::{Value, json};
 use spectral_explorer::{
     app::{
         App, Command, Detector, Document, Message, Scale, Subject,
-        pages::{FieldChoice, Page},
-        picture::{Show, Spread},
+        pages::{FieldChoice, Page, Show, Spread},
         products::{Link, Products},
         workspace::{self, Preferences, Restored},
     },
@@ -214,7 +213,7 @@ fn draw(ui: &mut Ui, restored: Restored, place: &Place, case: &str) {
     let (app, mut preferences, _) = Window::restored(restored);
     let page = page_of(place);
     if place.last().is_none_or(|last| last != "page") {
-        preferences.pages.page = page;
+        preferences.page = page;
     }
     start(ui, app, preferences);
     assert_sound(ui, case);
@@ -316,8 +315,10 @@ fn every_page_is_drawn_on_whatever_there_is() {
     let mut ui = over(App::new(), Preferences::default());
     for (what, app) in extremes() {
         for page in Page::all() {
-            let mut preferences = Preferences::default();
-            preferences.pages.page = page;
+            let preferences = Preferences {
+                page,
+                ..Preferences::default()
+            };
             start(&mut ui, app.clone(), preferences);
             assert_sound(&ui, &format!("{} on {what}", page.title()));
         }

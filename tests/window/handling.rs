@@ -26,8 +26,10 @@ fn fresh() -> Ui {
 }
 
 fn at(page: Page) -> Ui {
-    let mut preferences = Preferences::default();
-    preferences.pages.page = page;
+    let preferences = Preferences {
+        page,
+        ..Preferences::default()
+    };
     let mut ui = at_rest(Window::new(App::new(), preferences, no_files(), None));
     for _ in 0..4 {
         ui.state_mut().studies.finish();
@@ -134,7 +136,7 @@ fn the_wheel_zooms_the_wavelengths_around_the_pointer_and_three_ways_lead_back()
         assert_eq!(seen(&ui), whole, "{back}");
     }
     assert_eq!(app(&ui).derived().model.lines().len(), lines);
-    assert!(!app(&ui).can_undo(), "looking is no change");
+    assert!(app(&ui).undo_words().is_none(), "looking is no change");
 }
 
 #[test]
@@ -160,7 +162,7 @@ fn a_line_is_added_by_its_button_and_a_click_or_by_shift_and_a_double_click() {
             "{by_button}"
         );
         click(&mut ui, "Undo");
-        assert!(!app(&ui).can_undo());
+        assert!(app(&ui).undo_words().is_none());
     }
 }
 
@@ -191,7 +193,7 @@ fn heights_hold_still_while_a_line_is_dragged_and_for_a_moment_after() {
     }
     ui.drop_at(from - vec2(0.0, 32.0));
     ui.run();
-    assert!(app(&ui).can_undo(), "the line was moved");
+    assert!(app(&ui).undo_words().is_some(), "the line was moved");
     assert_eq!(seen(&ui)[1], before);
 }
 
@@ -199,9 +201,9 @@ fn heights_hold_still_while_a_line_is_dragged_and_for_a_moment_after() {
 fn a_place_opens_with_the_page_that_was_seen_there_last() {
     let mut ui = at(Page::Rainbow);
     click(&mut ui, "Look");
-    assert_eq!(ui.state().preferences.pages.page, Page::Spectrum);
+    assert_eq!(ui.state().preferences.page, Page::Spectrum);
     click(&mut ui, "Picture");
-    assert_eq!(ui.state().preferences.pages.page, Page::Rainbow);
+    assert_eq!(ui.state().preferences.page, Page::Rainbow);
 }
 
 #[test]
@@ -296,11 +298,11 @@ fn every_page_is_presented_as_itself_and_left_to_itself() {
         ui.run();
         let preferences = &ui.state().preferences;
         assert!(preferences.present, "{page:?}");
-        assert_eq!(preferences.pages.page, page, "presented");
+        assert_eq!(preferences.page, page, "presented");
         assert!(ui.query_by_label("Whole window").is_some(), "{page:?}");
         press(&mut ui, Key::Escape);
         let preferences = &ui.state().preferences;
         assert!(!preferences.present, "{page:?}");
-        assert_eq!(preferences.pages.page, page, "left");
+        assert_eq!(preferences.page, page, "left");
     }
 }

@@ -19,10 +19,8 @@ use spectral_explorer::{
     app::{
         ByAddress, Command, Library, Tone,
         open::{self, Loaded},
-        pages::{Page, Place},
-        picture::{
-            self, BandWeights, ImageMemory, MOST_SIDE, RasterAsk, Show, Source, exposed, step_of,
-        },
+        pages::{ImageMemory, Page, Place, Show},
+        picture::{self, BandWeights, MOST_SIDE, RasterAsk, Source, exposed, step_of},
         studies::Question,
         workspace::{self, Preferences, StoredImage},
     },
@@ -328,7 +326,7 @@ fn open_file(ui: &mut Ui, path: &Path) {
 }
 
 fn memory(ui: &Ui) -> &ImageMemory {
-    &ui.state().0.preferences.pages.image
+    &ui.state().0.app.document().pages.image
 }
 
 fn click(ui: &mut Ui, name: &str) {
@@ -364,7 +362,7 @@ fn every_page_about_pictures_lives_at_every_size_of_the_window() {
     for page in pictures {
         let mut ui = fresh([1280.0, 800.0]);
         open_file(&mut ui, &scene);
-        ui.state_mut().0.preferences.pages.page = page;
+        ui.state_mut().0.preferences.page = page;
         // 640 x 480 pixels at 250 % are 256 x 192 points.
         for size in [[200.0, 100.0], [256.0, 192.0], [1.0, 1.0], [560.0, 24.0]] {
             ui.set_size(size.into());
@@ -383,7 +381,8 @@ fn nothing_of_the_page_stands_over_the_windows_edge() {
         let mut ui = fresh(size);
         open_file(&mut ui, &scene);
         // A region of several pixels has the most controls.
-        ui.state_mut().0.preferences.pages.image.selection = None;
+        let app = &mut ui.state_mut().0.app;
+        app.pages_follow(|pages| pages.image.selection = None);
         settle(&mut ui);
         for shape in &ui.output().shapes {
             let egui::Shape::Text(text) = &shape.shape else {
@@ -405,7 +404,7 @@ fn nothing_of_the_page_stands_over_the_windows_edge() {
 fn without_an_image_the_page_shows_the_made_one_and_what_opens_another() {
     let mut ui = fresh([1280.0, 800.0]);
     click(&mut ui, "Picture");
-    assert_eq!(ui.state().0.preferences.pages.page, Page::Image);
+    assert_eq!(ui.state().0.preferences.page, Page::Image);
     let words = text(&ui);
     for word in ["A wall of paints", "81 bands", "Open an image"] {
         assert!(words.contains(word), "{word}: {words}");
@@ -439,7 +438,7 @@ fn a_cube_opens_on_its_page_and_pixels_become_spectra() {
     let path = scene(folder.path());
     let mut ui = fresh([1280.0, 800.0]);
     open_file(&mut ui, &path);
-    assert_eq!(ui.state().0.preferences.pages.page, Page::Image);
+    assert_eq!(ui.state().0.preferences.page, Page::Image);
     let message = app(&ui).message().expect("said").text.clone();
     assert!(message.contains("20 x 10 pixels, 7 bands"), "{message}");
     assert_eq!(app(&ui).document().images.len(), 1);
@@ -576,8 +575,10 @@ fn images_come_back_after_a_restart_and_what_is_gone_is_said() {
         .iter()
         .map(|i| i.key.clone())
         .collect();
-    ui.state_mut().0.preferences.pages.image.choose(&keys[0]);
-    ui.state_mut().0.preferences.pages.image.selection = Some(Rect::pixel(1, 2));
+    ui.state_mut().0.app.edit_pages(|pages| {
+        pages.image.choose(&keys[0]);
+        pages.image.selection = Some(Rect::pixel(1, 2));
+    });
     ui.state_mut().0.keep_now();
     drop(ui.into_state());
     fs::remove_file(folder.path().join("gone.img")).expect("there");
@@ -606,7 +607,7 @@ fn images_come_back_after_a_restart_and_what_is_gone_is_said() {
         problems.len() == 1 && problems[0].contains("gone"),
         "{problems:?}"
     );
-    assert!(!app(&ui).can_undo(), "nothing that a person did");
+    assert!(app(&ui).undo_words().is_none(), "nothing that a person did");
     ui.state_mut().0.keep_now();
     drop(ui.into_state());
     let kept = workspace::load(&path).expect("readable").expect("kept");
@@ -661,7 +662,7 @@ fn real_images_open_on_the_page() {
             continue;
         };
         let mut ui = fresh([1280.0, 800.0]);
-        ui.state_mut().0.preferences.pages.page = Page::Image;
+        ui.state_mut().0.preferences.page = Page::Image;
         open_file(&mut ui, &path);
         let words = text(&ui);
         assert!(words.contains(pixels), "{name}: {words}");

@@ -21,8 +21,10 @@ use crate::driver::{
 };
 
 fn at(page: Page) -> Ui {
-    let mut preferences = Preferences::default();
-    preferences.pages.page = page;
+    let preferences = Preferences {
+        page,
+        ..Preferences::default()
+    };
     at_rest(Window::new(App::new(), preferences, no_files(), None))
 }
 
@@ -62,7 +64,7 @@ fn a_lesson_is_taken_with_the_keyboard_alone_and_leaves_everything_as_it_was() {
     assert_eq!(app(&ui).document().settings.order, 1);
     click(&mut ui, "Leave the lesson");
     assert!(*app(&ui).document() == before);
-    assert_eq!(ui.state().preferences.pages.page, Page::Lessons);
+    assert_eq!(ui.state().preferences.page, Page::Lessons);
     press(&mut ui, Key::ArrowRight);
     assert_eq!(
         app(&ui).document().settings.order,
@@ -85,8 +87,11 @@ fn a_lesson_that_was_finished_has_a_tick() {
     }
     assert_written(&ui, &lesson.remember);
     click(&mut ui, "Finish");
-    assert_eq!(ui.state().preferences.pages.lessons_finished, ["light"]);
-    assert_written(&ui, "1 of 19 lessons finished");
+    assert_eq!(ui.state().preferences.lessons_finished, ["light"]);
+    assert_written(
+        &ui,
+        &format!("1 of {} lessons finished", shelf::FILES.len()),
+    );
 }
 
 #[test]
@@ -114,7 +119,7 @@ fn a_file_of_a_lesson_joins_the_list_and_one_with_a_fault_says_where() {
     ui.state_mut()
         .open_files(vec![wrong, unknown, ring, mine], wake);
     wait_until(&mut ui, "the lessons", |ui| !ui.state().is_busy());
-    assert_eq!(ui.state().preferences.pages.page, Page::Lessons);
+    assert_eq!(ui.state().preferences.page, Page::Lessons);
     let said: Vec<String> = app(&ui).messages().iter().map(|m| m.text.clone()).collect();
     assert!(
         said.iter()
@@ -229,7 +234,7 @@ fn a_lamp_that_is_chosen_in_a_lesson_shines_on_the_surfaces_that_are_looked_at()
 
 /// The window at a step of a lesson.
 fn begun(ui: &mut Ui, lesson: &Lesson, step: usize) {
-    ui.state_mut().preferences.pages.lesson_asked = Some(AskedLesson {
+    ui.state_mut().preferences.lesson_asked = Some(AskedLesson {
         name: lesson.name.clone(),
         step,
         done: false,
@@ -294,8 +299,8 @@ fn a_ring_is_drawn_around_everything_that_a_step_points_at() {
                 press(&mut ui, Key::Num1);
             }
             let aimed = |ui: &Ui| {
-                let memory = &ui.state().preferences.pages;
-                match point.aim(app(ui), memory).expect(&what) {
+                let page = ui.state().preferences.page;
+                match point.aim(app(ui), page).expect(&what) {
                     Aim::Named(name) => place(ui, &name).unwrap_or_else(|| panic!("{what}")),
                     Aim::Nm(nm) => {
                         let plot = ui.state().look.spectrum.transform.expect("a plot");
@@ -432,7 +437,7 @@ fn a_lesson_is_begun_taken_and_finished_without_a_mouse() {
     }
     assert!(ui.get_by_label(&card).is_focused());
     press(&mut ui, Key::Enter);
-    assert_eq!(ui.state().preferences.pages.page, Page::Spectrum);
+    assert_eq!(ui.state().preferences.page, Page::Spectrum);
     for (index, step) in lesson.steps.iter().enumerate() {
         assert_written(
             &ui,
@@ -458,13 +463,18 @@ fn a_lesson_is_begun_taken_and_finished_without_a_mouse() {
         // Arrows and a clicker's keys take turns.
         press(&mut ui, [Key::ArrowRight, Key::PageDown][index % 2]);
     }
-    assert_written(&ui, "1 of 19 lessons finished");
+    assert_written(
+        &ui,
+        &format!("1 of {} lessons finished", shelf::FILES.len()),
+    );
 }
 
 /// A window whose workspace and lessons are kept in a folder.
 fn kept_in(folder: &std::path::Path, page: Page) -> Ui {
-    let mut preferences = Preferences::default();
-    preferences.pages.page = page;
+    let preferences = Preferences {
+        page,
+        ..Preferences::default()
+    };
     let saver = Saver::new(folder.join("workspace.json"));
     at_rest(Window::new(
         App::new(),
@@ -510,8 +520,10 @@ fn a_shipped_lesson_is_written_out_as_a_start() {
     let path: PathBuf = folder.path().join("my.json");
     let picked = path.clone();
     let picker = Arc::new(move |_: &_| Picked::Paths(vec![picked.clone()]));
-    let mut preferences = Preferences::default();
-    preferences.pages.page = Page::Teachers;
+    let preferences = Preferences {
+        page: Page::Teachers,
+        ..Preferences::default()
+    };
     let mut ui = at_rest(Window::new(App::new(), preferences, picker, None));
     click(&mut ui, "Copy as a start");
     wait_until(&mut ui, "the file", |ui| is_written(ui, "Saved "));
@@ -547,7 +559,7 @@ fn the_bottom_line_leads_to_the_lesson_about_a_page_and_back_to_the_page() {
     assert_written(&ui, "Step 1 of 3");
     assert!(ui.query_by_label("Lesson about this page").is_none());
     click(&mut ui, "Leave the lesson");
-    assert_eq!(ui.state().preferences.pages.page, Page::Prism);
+    assert_eq!(ui.state().preferences.page, Page::Prism);
     let mut ui = at(Page::Spectrum);
     click(&mut ui, "Lesson about this page");
     assert_written(&ui, "Draw a lamp with waves");
@@ -588,7 +600,7 @@ fn presenting_enlarges_the_lessons_own_page_and_stays_through_its_steps() {
     begun(&mut ui, &lesson, 0);
     press(&mut ui, Key::F5);
     assert!(ui.state().preferences.presents());
-    assert_eq!(ui.state().preferences.pages.page, Page::Chain);
+    assert_eq!(ui.state().preferences.page, Page::Chain);
     assert!(
         place(&ui, "Move down stage 1").is_some(),
         "the cards to swap"
@@ -599,7 +611,7 @@ fn presenting_enlarges_the_lessons_own_page_and_stays_through_its_steps() {
     assert_written(&ui, "Step 2 of 3");
     press(&mut ui, Key::F5);
     assert!(!ui.state().preferences.presents());
-    assert_eq!(ui.state().preferences.pages.page, Page::Chain);
+    assert_eq!(ui.state().preferences.page, Page::Chain);
     assert_written(&ui, "Step 2 of 3");
 }
 
@@ -612,7 +624,7 @@ fn six_lessons_are_taken_with_every_wrong_answer_too_far_and_back() {
         for (index, step) in lesson.steps.iter().enumerate() {
             let what = format!("{name}, step {}", index + 1);
             begun(&mut ui, &lesson, index);
-            let page = ui.state().preferences.pages.page;
+            let page = ui.state().preferences.page;
             let set = |ui: &Ui| {
                 let document = app(ui).document();
                 let over = document.laid_over().count();
@@ -659,14 +671,14 @@ fn six_lessons_are_taken_with_every_wrong_answer_too_far_and_back() {
                     }
                     let scene = spectral_explorer::app::lessons::Scene {
                         app: app(&ui),
-                        memory: &ui.state().preferences.pages,
+                        page: ui.state().preferences.page,
                     };
                     let holds = step.holds(&scene);
                     assert_eq!(is_written(&ui, set_back), !holds, "{what}: too far");
                 }
             }
             press(&mut ui, Key::F5);
-            assert_eq!(ui.state().preferences.pages.page, page, "{what}: F5");
+            assert_eq!(ui.state().preferences.page, page, "{what}: F5");
             press(&mut ui, Key::F5);
             if index > 0 {
                 click(&mut ui, "Back");

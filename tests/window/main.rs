@@ -28,6 +28,7 @@ mod many_page;
 mod narrow;
 mod pages_paper;
 mod pages_tradeoff;
+mod photograph_page;
 mod products_chain_page;
 mod products_forming;
 mod products_surfaces;

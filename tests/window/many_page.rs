@@ -11,13 +11,14 @@ use spectral_explorer::{
 };
 
 fn page_of(field: FieldChoice) -> Ui {
-    let mut preferences = Preferences {
+    let preferences = Preferences {
+        page: Page::Many,
         greeted: true,
         ..Preferences::default()
     };
-    preferences.pages.page = Page::Many;
-    preferences.pages.many.field = field;
-    let window = Window::new(App::new(), preferences, no_files(), None);
+    let mut app = App::new();
+    app.edit_pages(|pages| pages.many.field = field);
+    let window = Window::new(app, preferences, no_files(), None);
     let mut ui = harness(Shown(window), [1280.0, 800.0], 0.02, 40);
     ui.step();
     ui.state_mut().studies.finish();

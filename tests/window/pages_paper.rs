@@ -178,8 +178,10 @@ fn bars_come_with_eq_10_only_where_it_is_about_them() {
 const FRAME: f32 = 0.05;
 
 fn open(app: App, page: Page, size: [f32; 2]) -> Ui {
-    let mut preferences = Preferences::default();
-    preferences.pages.page = page;
+    let preferences = Preferences {
+        page,
+        ..Preferences::default()
+    };
     let window = Window::new(app, preferences, no_files(), None);
     let mut ui = harness(Shown(window), size, FRAME, 40);
     ui.run();
@@ -187,7 +189,7 @@ fn open(app: App, page: Page, size: [f32; 2]) -> Ui {
 }
 
 fn partial_order(ui: &Ui) -> usize {
-    ui.state().0.preferences.pages.partial_order
+    ui.state().0.app.document().pages.why.partial_order
 }
 
 #[test]

@@ -20,7 +20,7 @@ use spectral_explorer::{
             threshold::take_cell,
             tradeoff::{self, Tradeoff, front, lack, needs, take},
         },
-        pages::{Page, PageMemory, WaysShown},
+        pages::{Page, WaysShown},
         studies::{self, AuctionAsk, Question, SweepAsk},
         workspace::Preferences,
     },
@@ -32,23 +32,15 @@ use spectral_explorer::{
     ui::Window,
 };
 
-fn over(app: App, pages: PageMemory) -> Ui {
+fn on(app: App, page: Page) -> Ui {
     let preferences = Preferences {
-        pages,
+        page,
         ..Preferences::default()
     };
     let window = Window::new(app, preferences, no_files(), None);
     let mut ui = harness(Shown(window), [1680.0, 1200.0], 0.02, 60);
     settle(&mut ui);
     ui
-}
-
-fn on(app: App, page: Page) -> Ui {
-    let pages = PageMemory {
-        page,
-        ..PageMemory::default()
-    };
-    over(app, pages)
 }
 
 /// Lets frames pass until nothing is being computed.
@@ -383,15 +375,21 @@ fn a_row_of_the_front_takes_its_model() {
 fn ways_and_figures_are_switched_and_remembered() {
     let mut ui = on(fl2(), Page::Tradeoff);
     click(&mut ui, "rms behind 10 nm");
-    assert_eq!(ui.state().0.preferences.pages.measure, Measure::RmsBlurred);
+    assert_eq!(
+        ui.state().0.app.document().pages.tradeoff.measure,
+        Measure::RmsBlurred
+    );
     assert_written(&ui, "To stay under 10 % rms behind a 10 nm blur, FL2 needs");
     control(&ui, Role::CheckBox, "Fourier").click();
     ui.run();
-    assert!(!ui.state().0.preferences.pages.ways.bases[Basis::Fourier]);
+    assert!(!ui.state().0.app.document().pages.tradeoff.ways.bases[Basis::Fourier]);
     // The last of a pair brings both back.
     control(&ui, Role::CheckBox, "cosine").click();
     ui.run();
-    assert_eq!(ui.state().0.preferences.pages.ways, WaysShown::default());
+    assert_eq!(
+        ui.state().0.app.document().pages.tradeoff.ways,
+        WaysShown::default()
+    );
 }
 
 #[test]
@@ -436,18 +434,13 @@ fn the_auctions_last_model_is_taken_and_its_row_chosen() {
 #[test]
 fn the_smallest_and_the_largest_budget() {
     for (numbers, goal) in [(1, Goal::PATCHES), (101, Goal::OWN)] {
-        let pages = PageMemory {
-            page: Page::Auction,
-            auction_numbers: numbers,
-            goal,
-            ..PageMemory::default()
-        };
         let mut app = fl2();
         app.apply(Command::Edit(Settings {
             order: 0,
             ..settings(&app)
         }));
-        let mut ui = over(app, pages);
+        app.edit_pages(|pages| (pages.auction.numbers, pages.auction.goal) = (numbers, goal));
+        let mut ui = on(app, Page::Auction);
         click(&mut ui, "Take this model");
         let auction = auction(&mut ui);
         assert!(auction.last().numbers <= numbers);
@@ -465,7 +458,7 @@ fn a_mix_is_weighed_by_hand() {
     ui.run();
     ui.key_press(egui::Key::Enter);
     settle(&mut ui);
-    let goal = ui.state().0.preferences.pages.goal;
+    let goal = ui.state().0.app.document().pages.auction.goal;
     assert_eq!((goal.patches, goal.filters), (1.0, 2.0));
     assert_written(&ui, "Each error over its value at N = 0");
     let auction = auction(&mut ui);
@@ -530,17 +523,19 @@ fn automatic_takes_the_best_says_so_and_is_one_step_of_undo() {
 #[test]
 fn automatic_leads_to_known_lamps_where_they_are_allowed_and_better() {
     let mut ui = on(fl2(), Page::Spectrum);
-    let words = &mut ui.state_mut().0.preferences.pages.words;
-    (words.automatic, words.itself, words.portable) = (true, true, true);
+    ui.state_mut().0.app.edit_pages(|pages| {
+        let words = &mut pages.known_lamps;
+        (words.automatic, words.itself, words.portable) = (true, true, true);
+    });
     click(&mut ui, "Automatic");
     assert!(
         said(&ui).starts_with("Known lamps are better"),
         "{}",
         said(&ui)
     );
-    let pages = &ui.state().0.preferences.pages;
-    assert_eq!(pages.page, Page::KnownLamps);
-    assert_eq!((pages.words.numbers, pages.words.portable), (21, false));
+    assert_eq!(ui.state().0.preferences.page, Page::KnownLamps);
+    let words = app(&ui).document().pages.known_lamps;
+    assert_eq!((words.numbers, words.portable), (21, false));
     // The model in Look is the best that there is without them.
     assert_best(app(&ui), 21, Measure::Patches);
 }
@@ -572,7 +567,7 @@ fn the_count_for_automatic_is_typed_and_kept_to() {
         ui.run();
         ui.key_press(egui::Key::Enter);
         ui.run();
-        assert_eq!(ui.state().0.preferences.pages.spend_numbers, numbers);
+        assert_eq!(ui.state().0.app.document().pages.look.numbers, numbers);
         click(&mut ui, "Automatic");
         assert_best(app(&ui), numbers, Measure::Patches);
     }

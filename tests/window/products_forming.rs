@@ -16,7 +16,7 @@ use spectral_explorer::{
             resampling::Bench,
         },
         open::resolve,
-        pages::{Page, PageMemory},
+        pages::{NarrowMemory, Page},
         products::Products,
         studies::TimingAsk,
         workspace::Preferences,
@@ -187,10 +187,7 @@ fn behind_narrow_filters_spikes_are_worth_more_than_orders_to_a_lamp_of_lines() 
 
 fn preferences(page: Page) -> Preferences {
     Preferences {
-        pages: PageMemory {
-            page,
-            ..PageMemory::default()
-        },
+        page,
         ..Preferences::default()
     }
 }
@@ -249,8 +246,8 @@ fn label_of(ui: &Ui, wanted: impl Fn(&str) -> bool) -> String {
 fn a_way_that_is_not_wanted_leaves_the_chart_and_comes_back() {
     let mut ui = open(about("FL11"), Page::Resampling, LARGE);
     let hidden = |ui: &Ui| {
-        let pages = &ui.state().0.preferences.pages;
-        pages.products.resampling.hidden.clone()
+        let pages = &ui.state().0.app.document().pages;
+        pages.resampling.hidden.clone()
     };
     for expected in [vec![Sampling::Convolution], vec![]] {
         ui.get_by_role_and_label(Role::CheckBox, "cut convolution")
@@ -316,7 +313,7 @@ fn bounces_are_told_in_total_and_as_added() {
     let mut ui = open(about("CIE D65"), Page::Bounces, LARGE);
     ui.get_by_label(bounces::names::ADDED).click();
     ui.run();
-    let memory = ui.state().0.preferences.pages.products.bounces;
+    let memory = ui.state().0.app.document().pages.bounces;
     assert!(memory.added && memory.log);
     let bounced = Bounced::of(&ui.state().0.app, &surface(&ui.state().0.app));
     // At 1 nm nothing is added, so that way stays below 1 through all bounces.
@@ -329,8 +326,8 @@ fn bounces_are_told_in_total_and_as_added() {
     assert!(bounced.sentence(true).contains("through all 16 bounces"));
 }
 
-fn narrow_memory(ui: &Ui) -> spectral_explorer::app::products::NarrowMemory {
-    ui.state().0.preferences.pages.products.narrow.clone()
+fn narrow_memory(ui: &Ui) -> NarrowMemory {
+    ui.state().0.app.document().pages.narrow.clone()
 }
 
 #[test]
@@ -362,10 +359,9 @@ fn the_band_pass_moves_by_its_slider_and_by_hand() {
 
 #[test]
 fn an_edge_of_the_band_pass_makes_it_wider() {
-    let mut app = preferences(Page::Narrow);
-    app.pages.products.narrow.centre_nm = 580.0;
-    app.pages.products.narrow.width_nm = 100.0;
-    let mut window = Window::new(about("FL11"), app, no_files(), None);
+    let mut app = about("FL11");
+    app.pages_follow(|pages| (pages.narrow.centre_nm, pages.narrow.width_nm) = (580.0, 100.0));
+    let mut window = Window::new(app, preferences(Page::Narrow), no_files(), None);
     window.quiet = true;
     let mut ui = harness(Shown(window), LARGE, 0.05, 60);
     ui.run();
@@ -413,9 +409,9 @@ fn a_measured_filter_takes_the_place_of_the_gaussian_until_it_is_moved() {
     ui.run();
     assert_eq!(narrow_memory(&ui).filter, None);
     // A filter that left the library is no filter.
-    let mut nowhere = preferences(Page::Narrow);
-    nowhere.pages.products.narrow.filter = Some("own/77".to_owned());
-    window_image(&about("FL11"), &nowhere, [1280, 800]);
+    let mut nowhere = about("FL11");
+    nowhere.pages_follow(|pages| pages.narrow.filter = Some("own/77".to_owned()));
+    window_image(&nowhere, &preferences(Page::Narrow), [1280, 800]);
 }
 
 #[test]

@@ -13,12 +13,14 @@ use spectral_explorer::{
     app::{
         App, ByAddress, Command, Lit, MadeFor, Settings,
         chart::Chart,
-        charts::products::{same_surface::same_surface_chart, two_lights::made_chart},
+        charts::products::two_lights::made_chart,
         open::resolve,
-        pages::Page,
+        pages::{
+            Page,
+            same_surface::{SameSurfaceSheet, example, same_surface_chart},
+        },
         products::{
             Products,
-            same_surface::{SameSurfaceSheet, example},
             two_lights::{Made, NoMetamer, TwoLightsSheet},
         },
         studies::{PairsAsk, Question},
@@ -32,7 +34,7 @@ use spectral_explorer::{
     },
     ui::{
         Window,
-        pages::products_view::{metamers, same_surface},
+        pages::{products_view::metamers, same_surface},
     },
 };
 
@@ -287,9 +289,10 @@ fn charts_hold_no_number_that_is_none() {
 }
 
 fn preferences(page: Page) -> Preferences {
-    let mut preferences = Preferences::default();
-    preferences.pages.page = page;
-    preferences
+    Preferences {
+        page,
+        ..Preferences::default()
+    }
 }
 
 fn open(app: App, page: Page, size: [f32; 2]) -> Ui {
@@ -377,7 +380,10 @@ fn a_metamer_is_made_for_a_surface_and_can_be_kept() {
     let mut ui = open(about("FL2"), Page::Metamers, [1920.0, 1080.0]);
     ui.get_by_label(metamers::names::MADE).click();
     ui.run_steps(4);
-    ui.state_mut().0.preferences.pages.products.two_lights.patch = 8;
+    ui.state_mut()
+        .0
+        .app
+        .pages_follow(|pages| pages.two_lights.patch = 8);
     ui.run_steps(4);
     ui.get_by_label_contains("Under FL2 moderate red and its twin look alike");
     ui.get_by_role_and_label(Role::Slider, metamers::names::ROOM);
@@ -410,7 +416,7 @@ fn found_pairs_are_listed_and_a_click_shows_one_large() {
         .expect("a row")
         .click();
     ui.run_steps(4);
-    assert_eq!(ui.state().0.preferences.pages.products.two_lights.pair, 2);
+    assert_eq!(ui.state().0.app.document().pages.two_lights.pair, 2);
     assert_ne!(pairs(&ui), first);
 }
 

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex};
 use crate::driver::{Ui, app, at_rest, words};
 use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
-    app::{App, pages::Page, relit::Look, workspace::Preferences},
+    app::{App, pages::Look, pages::Page, workspace::Preferences},
     pictures::{LineChoice, ReferenceKind},
     ui::{
         Window,
@@ -16,18 +16,19 @@ use spectral_explorer::{
 
 /// The page on the wall of paints in few numbers, saving into `path`.
 fn page(path: Option<std::path::PathBuf>) -> Ui {
-    let mut preferences = Preferences {
+    let preferences = Preferences {
+        page: Page::Relit,
         greeted: true,
         ..Preferences::default()
     };
-    preferences.pages.page = Page::Relit;
-    preferences.pages.relit.numbers = Some(8);
+    let mut app = App::new();
+    app.pages_follow(|pages| pages.relit.numbers = Some(8));
     let path = Mutex::new(path);
     let picker = Arc::new(move |_: &Ask| {
         let path = path.lock().expect("one dialog at a time").take();
         path.map_or(Picked::Cancelled, |path| Picked::Paths(vec![path]))
     });
-    let mut ui = at_rest(Window::new(App::new(), preferences, picker, None));
+    let mut ui = at_rest(Window::new(app, preferences, picker, None));
     settle(&mut ui);
     ui
 }
@@ -63,7 +64,10 @@ fn the_wall_is_relit_mapped_compared_and_saved() {
     assert_eq!(app(&ui).document().light.name(), "CIE A");
     told(&ui, "Under CIE A its colours are off by ΔE₀₀");
     click(&mut ui, "Difference");
-    assert_eq!(ui.state().0.preferences.pages.relit.look, Look::Difference);
+    assert_eq!(
+        ui.state().0.app.document().pages.relit.look,
+        Look::Difference
+    );
     told(&ui, "Pixels by their difference under CIE A");
     click(&mut ui, "Other ways");
     told(&ui, "components of the picture");
@@ -88,7 +92,7 @@ fn the_wall_is_relit_mapped_compared_and_saved() {
 #[test]
 fn what_stands_for_every_pixel_can_be_chosen_by_hand() {
     let mut ui = page(None);
-    let wish = |ui: &Ui| ui.state().0.preferences.pages.relit.wish.clone();
+    let wish = |ui: &Ui| ui.state().0.app.document().pages.relit.wish.clone();
     click(&mut ui, names::KEPT);
     click(&mut ui, "Nothing");
     assert_eq!(wish(&ui).reference, Some(ReferenceKind::One));
@@ -105,8 +109,9 @@ fn what_stands_for_every_pixel_can_be_chosen_by_hand() {
     assert!(after.contains(&546.1), "{after:?}");
     click(&mut ui, "546.1 nm ×");
     assert_eq!(wish(&ui).lines, LineChoice::At(before));
-    let was = ui.state().0.preferences.pages.relit.between_series;
+    let was = ui.state().0.app.document().pages.relit.between_series;
     click(&mut ui, names::BETWEEN);
-    assert_ne!(ui.state().0.preferences.pages.relit.between_series, was);
-    assert!(!app(&ui).can_undo(), "how a page looks is no step");
+    assert_ne!(ui.state().0.app.document().pages.relit.between_series, was);
+    let words = app(&ui).undo_words().expect("a step");
+    assert!(words.ends_with("what stands between bands"), "{words}");
 }

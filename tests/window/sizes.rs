@@ -157,7 +157,7 @@ fn says_something(ui: &Ui, size: Vec2, scale: f32) -> bool {
 
 /// Walks a page through all sizes, with what its computations find.
 fn walk(preferences: Preferences, wrong: &mut Vec<String>) {
-    let page = preferences.pages.page;
+    let page = preferences.page;
     let present = if preferences.presents() {
         ", presented"
     } else {
@@ -193,11 +193,11 @@ fn walk(preferences: Preferences, wrong: &mut Vec<String>) {
 fn assert_sound(place: Place) {
     let mut wrong = Vec::new();
     for page in Page::all().filter(|page| page.place() == place) {
-        let mut preferences = Preferences {
+        let preferences = Preferences {
+            page,
             greeted: true,
             ..Preferences::default()
         };
-        preferences.pages.page = page;
         walk(preferences, &mut wrong);
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -242,11 +242,11 @@ fn nothing_collides_or_is_cut_in_picture() {
 fn every_page_knows_the_second_light_and_nothing_collides_or_is_cut() {
     let mut wrong = Vec::new();
     for page in Page::all() {
-        let mut preferences = Preferences {
+        let preferences = Preferences {
+            page,
             greeted: true,
             ..Preferences::default()
         };
-        preferences.pages.page = page;
         let mut ui = over(preferences, [1000.0, 700.0]);
         let app = &mut ui.state_mut().0.app;
         let second = app.entry("cie_led_1nm/LED-B1").expect("shipped");

@@ -296,7 +296,7 @@ fn automatic_reset_and_the_papers_settings_are_one_step_each() {
         let derived = app(&ui).derived();
         match button {
             knobs::AUTOMATIC => {
-                assert!(derived.numbers() <= ui.state().preferences.pages.spend_numbers);
+                assert!(derived.numbers() <= ui.state().app.document().pages.look.numbers);
                 assert_written(&ui, "The best of all ways with at most 21 numbers: ");
             }
             knobs::RESET => assert_eq!(settings(&ui), Settings::default()),
@@ -308,7 +308,7 @@ fn automatic_reset_and_the_papers_settings_are_one_step_each() {
         }
         shortcut(&mut ui, Modifiers::COMMAND, Key::Z);
         assert_eq!(app(&ui).document(), &first, "{button}");
-        assert!(!app(&ui).can_undo(), "{button}");
+        assert!(app(&ui).undo_words().is_none(), "{button}");
     }
 }
 
@@ -777,7 +777,10 @@ fn a_spike_is_dragged_in_place_and_weight_as_one_step_and_the_plot_stands_still(
     assert_eq!(hand_spike(&ui), Some(moved));
     shortcut(&mut ui, Modifiers::COMMAND, Key::Z);
     assert_eq!(app(&ui).document(), &first);
-    assert!(!app(&ui).can_undo(), "the whole drag is one step");
+    assert!(
+        app(&ui).undo_words().is_none(),
+        "the whole drag is one step"
+    );
 }
 
 #[test]
@@ -831,7 +834,7 @@ fn a_click_on_a_spike_alone_changes_nothing() {
     ui.run();
     ui.drop_at(from + vec2(1.0, -1.0));
     ui.run();
-    assert!(!app(&ui).can_undo());
+    assert!(app(&ui).undo_words().is_none());
 }
 
 #[test]
@@ -902,7 +905,7 @@ fn shift_and_a_double_click_beside_the_lines_add_one() {
     assert!(added.weight > 0.0 && added.stem_height(10.0) < height);
     click(&mut ui, "Undo");
     assert_eq!(app(&ui).derived().model.lines().len(), before);
-    assert!(!app(&ui).can_undo());
+    assert!(app(&ui).undo_words().is_none());
 }
 
 #[test]
@@ -918,7 +921,7 @@ fn a_drag_in_the_empty_plot_pans_it_and_home_brings_it_back() {
     ui.drop_at(from + vec2(-80.0, 0.0));
     ui.run();
     assert!(transform(&ui).bounds().min()[0] > bounds.min()[0] + 1.0);
-    assert!(!app(&ui).can_undo(), "looking is no change");
+    assert!(app(&ui).undo_words().is_none(), "looking is no change");
     press(&mut ui, Key::Home);
     let now = *transform(&ui).bounds();
     assert_eq!(
@@ -1019,7 +1022,7 @@ fn a_slider_dragged_by_the_mouse_is_one_step_of_undo() {
     assert_ne!(settings(&ui).order, 7);
     shortcut(&mut ui, Modifiers::COMMAND, Key::Z);
     assert_eq!(app(&ui).document(), &first);
-    assert!(!app(&ui).can_undo());
+    assert!(app(&ui).undo_words().is_none());
 }
 
 // ---------------------------------------------------------------------------------------- files
@@ -1101,7 +1104,7 @@ fn a_dropped_file_that_is_no_spectrum_leaves_everything_and_is_named() {
         );
         assert_written(&ui, &message.text.clone());
     }
-    assert!(!app(&ui).can_undo());
+    assert!(app(&ui).undo_words().is_none());
 }
 
 #[test]
@@ -1360,7 +1363,7 @@ fn theme_presenting_and_zoom_change_by_button_and_by_key() {
     assert_eq!(ui.ctx.zoom_factor(), 0.8, "not smaller than that");
     shortcut(&mut ui, Modifiers::COMMAND, Key::Num0);
     assert_eq!(ui.ctx.zoom_factor(), 1.0);
-    assert!(!app(&ui).can_undo(), "looks are no part of undo");
+    assert!(app(&ui).undo_words().is_none(), "looks are no part of undo");
 }
 
 #[test]

@@ -5,7 +5,7 @@ use crate::plain::plain;
 use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{
-        pages::{FieldChoice, Page, PageMemory},
+        pages::{FieldChoice, Page},
         studies::{RaceAsk, Stage},
         workspace::Preferences,
     },
@@ -14,14 +14,12 @@ use spectral_explorer::{
 
 fn race_of(field: FieldChoice) -> Ui {
     let preferences = Preferences {
-        pages: PageMemory {
-            page: Page::Race,
-            field,
-            ..PageMemory::default()
-        },
+        page: Page::Race,
         ..Preferences::default()
     };
-    let window = Window::new(plain(), preferences, no_files(), None);
+    let mut app = plain();
+    app.edit_pages(|pages| pages.race.field = field);
+    let window = Window::new(app, preferences, no_files(), None);
     let mut ui = harness(Shown(window), [1920.0, 2600.0], 0.02, 40);
     ui.step();
     ui.state_mut().0.studies.finish();
@@ -37,7 +35,7 @@ fn the_light_at_hand_races_and_another_count_shows_at_once() {
     assert_written(&ui, "Principal components");
     assert!(!words(&ui).iter().any(|w| w.contains("composite wins")));
     click(&mut ui, "31 numbers");
-    assert_eq!(ui.state().0.preferences.pages.race_numbers, 31);
+    assert_eq!(ui.state().0.app.document().pages.race.numbers, 31);
     assert_eq!(
         ui.state_mut().0.studies.of::<RaceAsk>().stage(),
         Stage::Done

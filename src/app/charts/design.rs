@@ -6,7 +6,7 @@ use crate::{
         charts::{
             colour::SLIT_NM,
             products::chain::strip,
-            quality::{DiagramShows, diagram},
+            quality::diagram,
             spectrum::{on_grid, over},
         },
         design::{
@@ -14,6 +14,7 @@ use crate::{
             front::{figure_name, lines_words},
             mix::MixChannel,
         },
+        pages::DiagramShows,
     },
     color::{srgb_from_wavelength, xyz::FIRST_NM},
     design::{

@@ -4,7 +4,8 @@ use crate::app::{
     chart::{Chart, Dash, Ink, Series, curve},
     charts::spectrum::{by_program, source_of},
     derived::Derived,
-    picture::{RegionSpectrum, Spread},
+    pages::Spread,
+    picture::RegionSpectrum,
 };
 
 /// The chart of a chosen spectrum, as measured, in the image's unit.

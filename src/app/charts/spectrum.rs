@@ -103,12 +103,12 @@ fn curve(app: &App, values: &[f64]) -> Vec<[f64; 2]> {
 }
 
 /// Values on a band's grid as points, each times a factor.
-pub(super) fn on_grid(band: Band, values: &[f64], factor: f64) -> Vec<[f64; 2]> {
+pub(in crate::app) fn on_grid(band: Band, values: &[f64], factor: f64) -> Vec<[f64; 2]> {
     chart::curve(band.grid(), values.iter().map(|value| value * factor))
 }
 
 /// An empty chart over the wavelengths of a band.
-pub(super) fn over(band: Band) -> Chart {
+pub(in crate::app) fn over(band: Band) -> Chart {
     Chart::over_nm([band.min_nm(), band.max_nm()])
 }
 
@@ -412,7 +412,7 @@ pub fn provenance(app: &App) -> Vec<String> {
 }
 
 /// The same under notes of a chart's own.
-pub(super) fn before_provenance(mut notes: Vec<String>, app: &App) -> Vec<String> {
+pub(in crate::app) fn before_provenance(mut notes: Vec<String>, app: &App) -> Vec<String> {
     notes.extend(provenance(app));
     notes
 }

@@ -2,8 +2,6 @@
 
 use std::sync::{Arc, LazyLock};
 
-use serde::{Deserialize, Serialize};
-
 use super::{
     recovered::{Asked, OBSERVER, line_light},
     telling::Telling,
@@ -14,6 +12,7 @@ use crate::{
         entry::Entry,
         library::Library,
         make::{entry_of, table_of},
+        pages::states::in_reach,
         recipe::{Given, Recipe},
     },
     color::{Adaptation, Srgb, Swatch, Xyz, delta_e_of_xyz, xyz_from_reflectance},
@@ -24,15 +23,7 @@ use crate::{
     spectrum::Sampled,
 };
 
-/// Lights that a recovered surface is looked at under, by their keys.
-pub const UNDER: [&str; 6] = [
-    "cie_illuminants/CIE D65",
-    "cie_illuminants/CIE A",
-    "cie_fluorescent_1nm/FL2",
-    "cie_fluorescent_1nm/FL11",
-    "cie_led_1nm/LED-B3",
-    "cie_led_1nm/LED-RGB1",
-];
+pub use crate::app::pages::{FromColour, MERCURY_NM, UNDER};
 
 /// Those lights with their names: shipped, so that they are prepared once.
 static LIGHTS: LazyLock<Vec<(String, Sampled, Viewing)>> = LazyLock::new(|| {
@@ -45,77 +36,16 @@ static LIGHTS: LazyLock<Vec<(String, Sampled, Viewing)>> = LazyLock::new(|| {
     UNDER.iter().filter_map(one).collect()
 });
 
-/// Lines of mercury, where none are told.
-pub const MERCURY_NM: [f64; 4] = [405.0, 436.0, 546.0, 578.0];
-
-/// What the page asks about; not part of undo.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct FromColour {
-    /// The colour.
-    pub given: Given,
-    /// Key of the light that it is seen under.
-    pub light: String,
-    /// What is taken to the library.
-    pub method: Method,
-    /// Places of the lines of a light of lines, nm.
-    pub lines: Vec<f64>,
-    /// Key of the lamp whose smooth part stands behind them.
-    pub lamp: String,
-    /// The same surface's colour under a second light, and that light's key.
-    pub second: Option<(Given, String)>,
-    /// The way that colours are told on the page.
-    pub telling: Telling,
-}
-
-impl Default for FromColour {
-    fn default() -> Self {
-        Self {
-            given: Given::Srgb([0xc0, 0x80, 0x40]),
-            light: UNDER[0].to_owned(),
-            method: Method::Smoothest,
-            lines: MERCURY_NM.to_vec(),
-            lamp: UNDER[2].to_owned(),
-            second: None,
-            telling: Telling::Srgb,
-        }
-    }
-}
-
 impl FromColour {
-    /// Every value moved to the nearest one that is allowed.
-    #[must_use]
-    pub fn clamped(mut self) -> Self {
-        self.given = self.given.clamped();
-        self.second = self.second.map(|(given, light)| (given.clamped(), light));
-        self.lines.retain(|nm| nm.is_finite());
-        self.lines.truncate(12);
-        // As many coefficients as there are numbers.
-        self.method = match self.method {
-            Method::Fourier3 | Method::Fourier6 => self.coefficients(),
-            method => method,
-        };
-        self
-    }
-
     /// The same about a screen's colour, by itself.
     #[must_use]
     pub fn about(self, rgb: [u8; 3]) -> Self {
-        Self {
+        in_reach(Self {
             given: Given::Srgb(rgb),
             second: None,
             telling: Telling::Srgb,
             ..self
-        }
-        .clamped()
-    }
-
-    /// The paper's way for one colour, or for two.
-    fn coefficients(&self) -> Method {
-        match self.second {
-            None => Method::Fourier3,
-            Some(_) => Method::Fourier6,
-        }
+        })
     }
 
     /// The methods that the page shows.
@@ -126,11 +56,10 @@ impl FromColour {
     /// The same with one light.
     #[must_use]
     pub fn with_one(self) -> Self {
-        Self {
+        in_reach(Self {
             second: None,
             ..self
-        }
-        .clamped()
+        })
     }
 
     /// The same with a second light: at first with the colour that the smoothest surface has under
@@ -152,7 +81,7 @@ impl FromColour {
             Some(Given::Xyz(xyz.to_array()))
         };
         let second = found().map(|given| (given, light.to_owned()));
-        Self { second, ..self }.clamped()
+        in_reach(Self { second, ..self })
     }
 
     /// The spectrum of the method chosen as a spectrum of the library.
@@ -449,7 +378,7 @@ mod tests {
             method: Method::Fourier6,
             ..two.clone()
         };
-        assert_eq!(few.clone().clamped().method, Method::Fourier6);
+        assert_eq!(in_reach(few.clone()).method, Method::Fourier6);
         assert_eq!(few.with_one().method, Method::Fourier3);
         // The same light twice tells no six numbers.
         let same = two.with_second(Some(&first), UNDER[0], app.document());
@@ -507,7 +436,7 @@ mod tests {
             method: Method::Fourier6,
             ..of(Given::Lab([f64::NAN, 1e9, 0.0]))
         };
-        let sound = nonsense.clamped();
+        let sound = in_reach(nonsense);
         assert_eq!(sound.given, Given::Lab([0.0, 200.0, 0.0]));
         assert_eq!(sound.method, Method::Fourier3);
         assert_eq!(of_hex(" C08040"), Some([0xc0, 0x80, 0x40]));

@@ -76,7 +76,7 @@ pub struct Desk {
 impl Desk {
     /// The desk of a document.
     pub fn of(document: &Document) -> Self {
-        let mix = document.pages.mix.clone();
+        let mix = document.pages.mix.desk.clone();
         let gels = light::gels_on_nm(&mix.gels, |key| entry_of(document, key));
         let strip =
             |source: &_| light::channel(source, |key| table_of(document, key), gels.as_deref());
@@ -322,8 +322,7 @@ pub(super) fn words(figures: &MixFigures, r9: Option<f64>) -> String {
 /// Puts a mixture on the desk and tells what it shows.
 #[cfg(test)]
 pub(super) fn put_on_desk(app: &mut crate::app::App, mix: Mix) -> Desk {
-    use crate::app::{Command, pages::PageSetting};
-    app.apply(Command::Page(PageSetting::Mix(mix)));
+    app.edit_pages(|pages| pages.mix.desk = mix);
     Desk::of(app.document())
 }
 
@@ -379,7 +378,7 @@ mod tests {
     #[test]
     fn a_dark_desk_and_an_empty_one_say_so() {
         let mut app = App::new();
-        let mut mix = app.document().pages.mix.clone();
+        let mut mix = app.document().pages.mix.desk.clone();
         mix.channels
             .iter_mut()
             .for_each(|channel| channel.level = 0.0);
@@ -393,9 +392,9 @@ mod tests {
     #[test]
     fn a_moved_fader_is_one_step_of_undo_with_words() {
         let mut app = App::new();
-        let before = app.document().pages.mix.clone();
+        let before = app.document().pages.mix.desk.clone();
         for level in [20.0, 30.0, 40.0] {
-            let mut mix = app.document().pages.mix.clone();
+            let mut mix = app.document().pages.mix.desk.clone();
             mix.channels[0].level = level;
             put_on_desk(&mut app, mix);
         }
@@ -403,8 +402,8 @@ mod tests {
         let words = app.undo_words().expect("a step");
         assert_eq!(words, "fader of LED 455 nm to 40 %");
         app.apply(Command::Undo);
-        assert_eq!(app.document().pages.mix, before);
-        assert!(!app.can_undo());
+        assert_eq!(app.document().pages.mix.desk, before);
+        assert!(app.undo_words().is_none());
     }
 
     #[test]
@@ -438,7 +437,7 @@ mod tests {
         app.apply(Command::Remove {
             key: made.key.clone(),
         });
-        assert!(app.document().pages.mix.channels.is_empty());
+        assert!(app.document().pages.mix.desk.channels.is_empty());
         assert!(app.entry(&second.key).is_some());
     }
 
@@ -451,7 +450,7 @@ mod tests {
             let key = GREEN.to_owned();
             let mix = Mix {
                 gels: vec![Gel { key, thickness }],
-                ..app.document().pages.mix.clone()
+                ..app.document().pages.mix.desk.clone()
             };
             let desk = put_on_desk(app, mix);
             app.end_gesture();

@@ -103,24 +103,18 @@ impl Mix {
         }
     }
 
-    /// Every value moved to the nearest one that is allowed.
-    #[must_use]
-    pub fn clamped(self) -> Self {
-        let clamped = |channel: MixChannel| MixChannel {
-            source: channel.source.clamped(),
-            level: sound(channel.level),
-            group: channel.group.min(GROUPS),
-            ..channel
-        };
-        let channels = self.channels.into_iter().take(MOST_CHANNELS);
+    /// Moves every value to the nearest one that is allowed.
+    pub fn settle(&mut self) {
+        self.channels.truncate(MOST_CHANNELS);
+        for channel in &mut self.channels {
+            channel.source = channel.source.clone().clamped();
+            channel.level = sound(channel.level);
+            channel.group = channel.group.min(GROUPS);
+        }
+        self.gels.truncate(MOST_GELS);
         let (least, most) = (*THICKNESSES.start(), *THICKNESSES.end());
-        let gels = self.gels.into_iter().take(MOST_GELS).map(|gel| Gel {
-            thickness: gel.thickness.max(least).min(most),
-            ..gel
-        });
-        Self {
-            channels: channels.map(clamped).collect(),
-            gels: gels.collect(),
+        for gel in &mut self.gels {
+            gel.thickness = gel.thickness.max(least).min(most);
         }
     }
 
@@ -272,17 +266,6 @@ pub struct Snapshot {
     pub words: String,
 }
 
-impl Snapshot {
-    /// Every value of the desk moved to the nearest one that is allowed.
-    #[must_use]
-    pub fn clamped(self) -> Self {
-        Self {
-            mix: self.mix.clamped(),
-            ..self
-        }
-    }
-}
-
 /// A fader's place within its reach; at the bottom where it has none.
 fn sound(level: f64) -> f64 {
     if level.is_nan() {
@@ -394,7 +377,8 @@ mod tests {
             };
             20
         ];
-        let sound = mix.clamped();
+        mix.settle();
+        let sound = mix;
         assert_eq!(sound.channels[0].level, 0.0);
         assert_eq!(sound.channels[1].source, Source::Line { at_nm: 830.0 });
         assert_eq!(

@@ -123,21 +123,18 @@ impl Telling {
 }
 
 impl Given {
-    /// Every number moved to the nearest one that is allowed; what is no number to the lowest.
-    #[must_use]
-    pub fn clamped(self) -> Self {
+    /// Moves every number to the nearest one that is allowed; what is no number to the lowest.
+    pub fn settle(&mut self) {
         let (way, numbers) = match self {
             Self::Xyz(numbers) => (Telling::Xyz, numbers),
             Self::Lab(numbers) => (Telling::Lab, numbers),
             Self::Xyy(numbers) => (Telling::Xyy, numbers),
-            Self::Srgb(_) | Self::Of(_) => return self,
+            Self::Srgb(_) | Self::Of(_) => return,
         };
         let ranges = way.numbers().map(|all| all.map(|number| number.range));
-        let ranges = ranges.unwrap_or([[0.0, MOST]; 3]);
-        way.given(std::array::from_fn(|k| {
-            let [least, most] = ranges[k];
-            numbers[k].max(least).min(most)
-        }))
+        for (number, [least, most]) in numbers.iter_mut().zip(ranges.unwrap_or([[0.0, MOST]; 3])) {
+            *number = number.max(least).min(most);
+        }
     }
 }
 
@@ -163,11 +160,15 @@ mod tests {
 
     #[test]
     fn numbers_that_make_no_sense_are_moved() {
-        let lab = Given::Lab([f64::NAN, 1e9, 0.0]).clamped();
+        let settled = |mut given: Given| {
+            given.settle();
+            given
+        };
+        let lab = settled(Given::Lab([f64::NAN, 1e9, 0.0]));
         assert_eq!(lab, Given::Lab([0.0, 200.0, 0.0]));
-        let xyy = Given::Xyy([2.0, -1.0, 500.0]).clamped();
+        let xyy = settled(Given::Xyy([2.0, -1.0, 500.0]));
         assert_eq!(xyy, Given::Xyy([1.0, 0.0, 100.0]));
-        let xyz = Given::Xyz([-1.0, f64::INFINITY, 5.0]).clamped();
+        let xyz = settled(Given::Xyz([-1.0, f64::INFINITY, 5.0]));
         assert_eq!(xyz, Given::Xyz([0.0, MOST, 5.0]));
     }
 }

@@ -1,13 +1,11 @@
 //! What is wished of a mixture, and the faders for it.
 
-use serde::{Deserialize, Serialize};
-
 use super::{
     desk::{Desk, words},
     mix::Mix,
 };
 use crate::{
-    app::{document::Document, make::table_of, state::App},
+    app::{document::Document, make::table_of, pages::states::in_reach, state::App},
     color::{
         Swatch, Xyz,
         quality::diagram::xy_from_uv_1976,
@@ -16,85 +14,14 @@ use crate::{
     design::{
         SampleTables,
         mixture::{Channel, MixError},
-        solve::{Against, Care, FREE_LINES, Floors, Mixer, Objective, Problem, Solution, Target},
+        solve::{Care, Mixer, Problem, Solution, Target},
     },
     spectrum::Outside,
 };
 
-/// Temperatures that may be wished for, K.
-pub const KELVIN: std::ops::RangeInclusive<f64> = 1000.0..=25_000.0;
-
-/// Distances from the blackbodies that may be wished for.
-pub const DUV: std::ops::RangeInclusive<f64> = -0.05..=0.05;
-
-/// What a mixture is wished to be; not part of undo.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct MixWish {
-    /// The light whose colour it is to have, by its key; `None` for a temperature.
-    pub light: Option<String>,
-    /// CIE 1931 chromaticity that it is to have, where it is not that of a light; `None` for a
-    /// temperature.
-    pub xy: Option<[f64; 2]>,
-    /// Its temperature, K.
-    pub kelvin: f64,
-    /// Its distance from the blackbodies.
-    pub duv: f64,
-    /// It is to come near to that light at every wavelength, whatever is favoured.
-    pub alike: bool,
-    /// What it is to be best at.
-    pub favour: Objective,
-    /// What it must not fall below.
-    pub floors: Floors,
-    /// The front: what efficacy is traded for.
-    pub against: Against,
-    /// The front: lines at free places, `FREE_LINES`.
-    pub lines: usize,
-}
-
-impl Default for MixWish {
-    fn default() -> Self {
-        Self {
-            light: None,
-            xy: None,
-            kelvin: 4000.0,
-            duv: 0.0,
-            alike: false,
-            favour: Objective::Rf,
-            floors: Floors::default(),
-            against: Against::Rf,
-            lines: 3,
-        }
-    }
-}
+pub use crate::app::pages::MixWish;
 
 impl MixWish {
-    /// Every value moved to the nearest one that is allowed.
-    #[must_use]
-    pub fn clamped(self) -> Self {
-        let within = |value: f64, range: std::ops::RangeInclusive<f64>| {
-            value.max(*range.start()).min(*range.end())
-        };
-        let floor = |floor: Option<f64>| floor.filter(|value| value.is_finite());
-        Self {
-            xy: self.xy.map(|xy| {
-                // What is no number becomes the equal-energy white.
-                let sound = |v: f64| if v.is_nan() { 1.0 / 3.0 } else { v };
-                xy.map(|v| sound(v).clamp(0.0, 1.0))
-            }),
-            kelvin: within(self.kelvin, KELVIN),
-            duv: within(self.duv, DUV),
-            floors: Floors {
-                ler: floor(self.floors.ler),
-                rf: floor(self.floors.rf),
-                ra: floor(self.floors.ra),
-                melanopic: floor(self.floors.melanopic),
-            },
-            lines: self.lines.clamp(*FREE_LINES.start(), *FREE_LINES.end()),
-            ..self
-        }
-    }
-
     /// The colour.
     ///
     /// # Errors
@@ -128,22 +55,11 @@ impl MixWish {
     /// The same wish for the colour at a place of CIE 1976 u'v'.
     #[must_use]
     pub fn at_uv(self, uv: [f64; 2]) -> Self {
-        Self {
+        in_reach(Self {
             light: None,
             xy: Some(xy_from_uv_1976(uv)),
             ..self
-        }
-        .clamped()
-    }
-
-    /// Whether two wishes ask for the same faders: the front's own settings do not matter.
-    pub fn asks_as(&self, other: &Self) -> bool {
-        let same_front = Self {
-            against: other.against,
-            lines: other.lines,
-            ..self.clone()
-        };
-        same_front == *other
+        })
     }
 
     pub fn colour_words(&self, document: &Document) -> String {
@@ -210,9 +126,11 @@ impl Solved {
         for ((index, _), weight) in heard.iter().zip(&solution.weights) {
             powers[*index] = *weight;
         }
+        let mut mix = desk.mix.clone().at_powers(&powers);
+        mix.settle();
         Ok(Self {
             target_uv: target.uv(),
-            mix: desk.mix.clone().at_powers(&powers).clamped(),
+            mix,
             swatch: Swatch::of_light(solution.figures.xyz.unwrap_or(Xyz::ZERO)),
             reached: solution.reached,
             sentence: told(&wish.colour_words(document), &solution),
@@ -242,7 +160,7 @@ struct Held {
 impl Held {
     fn answers(&self, app: &App, wish: &MixWish, mix: &Mix, care: Care) -> bool {
         let is_careful = self.care == Care::Full || care == Care::Quick;
-        let (revision, now) = (self.revision, app.revision());
+        let (revision, now) = (self.revision, app.changes());
         let stands_so = || self.found.as_ref().is_ok_and(|found| found.mix == *mix);
         let is_followed = self.is_followed && now == revision + 1 && stands_so();
         is_careful && self.wish.asks_as(wish) && (now == revision || is_followed)
@@ -261,7 +179,7 @@ impl Answered {
         desk: &Desk,
         care: Care,
     ) -> &Result<Solved, String> {
-        let revision = app.revision();
+        let revision = app.changes();
         let held = self.held.take();
         let held = held.filter(|held| held.answers(app, wish, &desk.mix, care));
         let held = match held {
@@ -321,8 +239,9 @@ mod tests {
         app::{
             assert_says,
             design::{desk::put_on_desk, mix::MixChannel},
+            pages::states::in_reach,
         },
-        design::mixture::Source,
+        design::{mixture::Source, solve::Floors},
     };
 
     fn tried(app: &App, wish: &MixWish) -> Result<Solved, String> {
@@ -351,7 +270,7 @@ mod tests {
             let shown = Desk::of(app.document()).swatch();
             assert_eq!(found.swatch.hex(), shown.hex());
             // Solving again changes nothing.
-            assert_eq!(solved(&app, &wish).mix, app.document().pages.mix);
+            assert_eq!(solved(&app, &wish).mix, app.document().pages.mix.desk);
         }
     }
 
@@ -375,7 +294,7 @@ mod tests {
         assert_eq!(ask(&mut answered, &app, &lines, Care::Full), found);
         assert_eq!(answered.solves(), 1);
         // The faders are set to it.
-        let followed = answered.follow(&app.document().pages.mix);
+        let followed = answered.follow(&app.document().pages.mix.desk);
         assert_eq!(followed.as_ref(), Some(&found));
         put_on_desk(&mut app, found.clone());
         for _ in 0..2 {
@@ -393,7 +312,7 @@ mod tests {
         }
         assert_eq!(answered.solves(), 3);
         // Another desk is another question.
-        let mut mix = app.document().pages.mix.clone();
+        let mut mix = app.document().pages.mix.desk.clone();
         mix.channels[0].level *= 0.5;
         put_on_desk(&mut app, mix);
         ask(&mut answered, &app, &warm, Care::Full);
@@ -407,7 +326,7 @@ mod tests {
             kelvin: 3000.0,
             ..MixWish::default()
         };
-        let by_xy = warm.by_xy(app.document()).clamped();
+        let by_xy = in_reach(warm.by_xy(app.document()));
         let [x, y] = by_xy.xy.expect("x and y");
         let off = [(x - 0.4369).abs(), (y - 0.4041).abs()];
         assert!(off.iter().all(|off| *off < 2e-4), "{x} {y}");
@@ -428,7 +347,7 @@ mod tests {
             xy: Some([f64::NAN, 0.3]),
             ..MixWish::default()
         };
-        let light = light.clamped();
+        let light = in_reach(light);
         assert_eq!(light.colour_words(app.document()), "CIE A");
         let of_light = light.target(app.document()).expect("a white");
         assert!((of_light.xy()[0] - 0.4476).abs() < 1e-3);
@@ -438,14 +357,14 @@ mod tests {
     #[test]
     fn a_locked_fader_keeps_its_share_and_a_silent_one_its_place() {
         let mut app = App::new();
-        let mut mix = app.document().pages.mix.clone();
+        let mut mix = app.document().pages.mix.desk.clone();
         mix.channels[2].lock = true;
         mix.channels[2].level = 5.0;
         put_on_desk(&mut app, mix);
         let found = solved(&app, &MixWish::default());
         assert!(found.reached, "{}", found.sentence);
         assert_eq!(found.mix.channels[2].level, 5.0);
-        let mut mix = app.document().pages.mix.clone();
+        let mut mix = app.document().pages.mix.desk.clone();
         mix.channels[2].lock = false;
         mix.channels[2].mute = true;
         put_on_desk(&mut app, mix);
@@ -466,7 +385,7 @@ mod tests {
         let found = solved(&app, &wish);
         assert!(!found.reached);
         assert_says(&found.sentence, "LER");
-        let mut mix = app.document().pages.mix.clone();
+        let mut mix = app.document().pages.mix.desk.clone();
         mix.channels.truncate(2);
         put_on_desk(&mut app, mix);
         let found = solved(&app, &MixWish::default());
@@ -491,7 +410,7 @@ mod tests {
     fn a_light_among_the_channels_is_found_again_by_its_spectrum() {
         let mut app = App::new();
         let key = "cie_illuminants/CIE A".to_owned();
-        let mut mix = app.document().pages.mix.clone();
+        let mut mix = app.document().pages.mix.desk.clone();
         mix.channels
             .push(MixChannel::new(Source::Named(key.clone())));
         put_on_desk(&mut app, mix);

@@ -2,9 +2,9 @@
 //! others to its right. One exact ray for each line, the smooth part between its neighbours; what
 //! is totally reflected on its way through the glass.
 
-use super::{memory::Handle, strip::smooth_is_seen, words::Line};
+use super::{strip::smooth_is_seen, words::Line};
 use crate::{
-    app::chart::Rgb,
+    app::{chart::Rgb, pages::Handle},
     color::{Observer, Srgb, Swatch, srgb_from_wavelength},
     optics::{Bench, BenchSettings, Incidence, Light, Material, SEEN_NM},
 };

@@ -2,12 +2,11 @@
 //! line.
 
 use super::{
-    memory::RainbowMemory,
     strip::smooth_is_seen,
     words::{Line, nm},
 };
 use crate::{
-    app::chart::Rgb,
+    app::{chart::Rgb, pages::RainbowMemory},
     color::{Observer, Srgb, srgb_from_wavelength},
     optics::{DropRay as Refracted, Light, Material, from_antisolar},
 };

@@ -5,12 +5,15 @@
 
 use std::{sync::Arc, time::Instant};
 
-use super::{
-    gem_memory::{GemColour, GemMemory},
-    words::listed,
-};
+use super::words::listed;
 use crate::{
-    app::{memo::ByAddress, state::App, studies::Question, verdicts::Seen},
+    app::{
+        memo::ByAddress,
+        pages::{GemColour, GemMemory},
+        state::App,
+        studies::Question,
+        verdicts::Seen,
+    },
     color::Observer,
     io::many::{capitalised, many},
     optics::{

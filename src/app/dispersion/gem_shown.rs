@@ -1,7 +1,8 @@
 //! A film under a light as the page shows it: which part of the light, how bright, to which eye.
 
-use super::{gem::GemFilm, gem_memory::LightPart};
+use super::gem::GemFilm;
 use crate::{
+    app::pages::LightPart,
     color::{Adaptation, Observer},
     optics::Light,
 };
@@ -88,7 +89,8 @@ mod tests {
     use crate::{
         app::{
             App, assert_says,
-            dispersion::{GemMemory, GemScene, Sent, document_light, next_pass, places},
+            dispersion::{GemScene, Sent, document_light, next_pass, places},
+            pages::GemMemory,
         },
         spectrum::{Band, Line},
         study::Progress,

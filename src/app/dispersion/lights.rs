@@ -3,12 +3,13 @@
 
 use std::sync::Arc;
 
-use super::{memory::Beside, sent::Sent};
+use super::sent::Sent;
 use crate::{
     app::{
         derived::Derived,
         document::{Document, Subject},
         entry::Entry,
+        pages::Beside,
         products::ModelledLight,
         state::{App, derived_of},
     },

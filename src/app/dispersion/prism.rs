@@ -3,12 +3,11 @@
 use super::{
     drawing::BenchDrawing,
     lights::document_light,
-    memory::PrismMemory,
     strip::Colours,
     words::{Line, lines_of, listed, nm, touching},
 };
 use crate::{
-    app::state::App,
+    app::{pages::PrismMemory, state::App},
     io::many::{capitalised, many},
     optics::{
         Bench, BenchError, BenchSettings, Incidence, Landing, Light, Limits, Material, Screen,

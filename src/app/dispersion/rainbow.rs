@@ -3,7 +3,6 @@
 use super::{
     drop::DropDrawing,
     lights::document_light,
-    memory::RainbowMemory,
     prism::StripShown,
     strip::Colours,
     words::{Line, lines_of, nm, touching},
@@ -11,6 +10,7 @@ use super::{
 use crate::{
     app::{
         cells::{Columns, Table, cell, rounded},
+        pages::RainbowMemory,
         state::App,
     },
     io::many::many,

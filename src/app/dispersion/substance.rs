@@ -5,9 +5,8 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::ranges::{ends, moved};
 use crate::{
-    app::{entry::Entry, state::App},
+    app::{entry::Entry, pages::knob::Reach, state::App},
     io::many::capitalised,
     optics::{BuiltinMaterial, IndexError, Material},
     spectrum::{Kind, NamedSpectrum},
@@ -55,10 +54,10 @@ impl From<Substance> for String {
 }
 
 /// Indices at the line d that can be set by hand.
-pub const INDICES: std::ops::RangeInclusive<f64> = 1.05..=3.0;
+pub const INDICES: Reach = Reach::Within(1.05, 3.0);
 
 /// Abbe numbers that can be set by hand.
-pub const ABBES: std::ops::RangeInclusive<f64> = 10.0..=100.0;
+pub const ABBES: Reach = Reach::Within(10.0, 100.0);
 
 impl Substance {
     /// Two numbers to begin with: those of crown glass.
@@ -112,15 +111,11 @@ impl Substance {
         }
     }
 
-    /// With numbers that can be set by hand.
-    #[must_use]
-    pub(super) fn clamped(self) -> Self {
-        match self {
-            Self::Numbers { n_d, v_d } => Self::Numbers {
-                n_d: moved(n_d, ends(INDICES), 1.5168),
-                v_d: moved(v_d, ends(ABBES), 64.17),
-            },
-            other => other,
+    /// Moves numbers that are set by hand to what is allowed.
+    pub fn settle(&mut self) {
+        if let Self::Numbers { n_d, v_d } = self {
+            *n_d = INDICES.nearest(*n_d, 1.5168);
+            *v_d = ABBES.nearest(*v_d, 64.17);
         }
     }
 }
@@ -215,9 +210,10 @@ mod tests {
             index: app.document().light.key.clone(),
         };
         assert!(light.material(&app).is_err());
-        let none = Substance::Numbers { n_d: 0.5, v_d: 1.0 };
+        let mut none = Substance::Numbers { n_d: 0.5, v_d: 1.0 };
         assert!(none.material(&app).is_err_and(|why| why.ends_with('.')));
-        assert!(none.clamped().material(&app).is_ok());
+        none.settle();
+        assert!(none.material(&app).is_ok());
     }
 
     #[test]

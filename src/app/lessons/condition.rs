@@ -76,7 +76,7 @@ impl Condition {
             return chain.len() == names.len() && pairs.all(|(link, name)| is(&link.entry, name));
         }
         let page = self.page.as_deref().and_then(Page::of_word);
-        page == Some(scene.memory.page)
+        page == Some(scene.page)
     }
 
     /// How far its figure is from its bounds, 0 within them; `None` where it is about none, or has

@@ -13,7 +13,7 @@ use crate::{
         figures::{Unit, brief},
         make::behind,
         numbers::{DASH, figure as figure_words, or_dash},
-        pages::PageMemory,
+        pages::Page,
         products::ModelledLight,
         quality::QualityShown,
         quality_report::{Row, light_of, rows},
@@ -35,7 +35,7 @@ pub struct Scene<'a> {
     /// The program.
     pub app: &'a App,
     /// What the pages remember.
-    pub memory: &'a PageMemory,
+    pub page: Page,
 }
 
 /// A figure with its words.
@@ -178,7 +178,7 @@ const OF_DOCUMENT: [OfDocument; 23] = [
         "filter_centre_nm",
         "where the narrow filter stands, nm",
         Unit::NONE,
-        |s| Some(s.memory.products.narrow.centre_nm),
+        |s| Some(s.app.document().pages.narrow.centre_nm),
     ),
     row(
         "desk_delta_e",
@@ -199,7 +199,7 @@ const OF_DOCUMENT: [OfDocument; 23] = [
         "auction_lines",
         "lines that the auction keeps for its goal",
         Unit::NONE,
-        |s| lines_bought(s, s.memory.goal),
+        |s| lines_bought(s, s.app.document().pages.auction.goal),
     ),
     row(
         "auction_lines_for_colours",
@@ -237,7 +237,11 @@ fn lines_bought(scene: &Scene<'_>, goal: Goal) -> Option<f64> {
     /// What was asked last: a sentence asks the same as the claim behind it.
     static LAST: Mutex<Vec<(AuctionAsk, Option<usize>)>> = Mutex::new(Vec::new());
     const KEPT: usize = 4;
-    let ask = AuctionAsk::of(scene.app.document(), goal, scene.memory.auction_numbers);
+    let ask = AuctionAsk::of(
+        scene.app.document(),
+        goal,
+        scene.app.document().pages.auction.numbers,
+    );
     let mut last = LAST.lock().unwrap_or_else(PoisonError::into_inner);
     let known = last
         .iter()
@@ -281,7 +285,13 @@ fn desk(scene: &Scene<'_>) -> Option<MixFigures> {
 /// How far the mixture's white is from the one that is aimed at, both of Y = 100, seen by an eye
 /// that has adapted to the aim.
 fn off_aim(scene: &Scene<'_>) -> Option<f64> {
-    let aim = scene.memory.wish.target(scene.app.document()).ok()?;
+    let aim = scene
+        .app
+        .document()
+        .pages
+        .solve
+        .target(scene.app.document())
+        .ok()?;
     let [x, y] = aim.xy();
     let white = Xyz::from_array([100.0 * x / y, 100.0, 100.0 * (1.0 - x - y) / y]);
     delta_e_of_xyz(desk(scene)?.xyz?, white, white)
@@ -311,7 +321,7 @@ fn chain_delta_e(app: &App) -> Option<f64> {
 }
 
 fn behind_filter(scene: &Scene<'_>, way: usize) -> Option<f64> {
-    let narrow = &scene.memory.products.narrow;
+    let narrow = &scene.app.document().pages.narrow;
     let behind = Behind::of(scene.app);
     let filter = Filter::Gaussian {
         centre_nm: narrow
@@ -438,11 +448,8 @@ mod tests {
 
     #[test]
     fn every_key_is_there_once_and_is_a_number_on_the_first_light() {
-        let (app, memory) = (App::new(), PageMemory::default());
-        let scene = Scene {
-            app: &app,
-            memory: &memory,
-        };
+        let (app, page) = (App::new(), Page::Spectrum);
+        let scene = Scene { app: &app, page };
         let keys = keys();
         let mut sorted: Vec<&str> = keys.iter().map(|(key, _)| *key).collect();
         sorted.sort_unstable();
@@ -469,12 +476,9 @@ mod tests {
     #[test]
     fn a_spectrum_laid_over_itself_has_its_colour_and_another_light_has_not() {
         let mut app = App::new();
-        let memory = PageMemory::default();
+        let page = Page::Spectrum;
         let value = |app: &App, key: &str, of: Option<&str>| {
-            let scene = Scene {
-                app,
-                memory: &memory,
-            };
+            let scene = Scene { app, page };
             figure(&scene, key, of).expect("known").value
         };
         let light = app.document().light.clone();

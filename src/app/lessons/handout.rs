@@ -8,12 +8,7 @@ use super::{
     handout_pdf,
     proof::{Played, play},
 };
-use crate::app::{
-    App,
-    chart::Theme,
-    charts::spectrum::spectrum_chart,
-    pages::{Page, PageMemory},
-};
+use crate::app::{App, chart::Theme, charts::spectrum::spectrum_chart, pages::Page};
 
 /// Width and height of a drawn plot, px.
 const PLOT: [u32; 2] = [900, 420];
@@ -48,7 +43,7 @@ pub struct Handout {
 }
 
 /// The page of a step as PNG; `None` where there is no window that could draw it.
-pub type PagePicture<'a> = &'a dyn Fn(&App, &PageMemory) -> Option<Vec<u8>>;
+pub type PagePicture<'a> = &'a dyn Fn(&App, Page) -> Option<Vec<u8>>;
 
 /// Writes the sheets of a lesson for some readers, each from a page of its own; the lesson is played
 /// for it. `stem` is the sheet's name without its ending.
@@ -63,13 +58,13 @@ pub fn handout(
     page: PagePicture<'_>,
 ) -> Result<Handout, Fault> {
     let [width, height] = PLOT;
-    let played = play(lesson, |app, memory| match memory.page {
+    let played = play(lesson, |app, on| match on {
         Page::Spectrum => Some(Picture::Svg(spectrum_chart(app).to_svg(
             width,
             height,
             Theme::Light,
         ))),
-        _ => page(app, memory).map(Picture::Png),
+        _ => page(app, on).map(Picture::Png),
     })?;
     let mut blocks = Vec::new();
     for reader in readers {

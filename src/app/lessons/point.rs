@@ -2,10 +2,7 @@
 
 use serde::Deserialize;
 
-use crate::app::{
-    App,
-    pages::{Page, PageMemory},
-};
+use crate::app::{App, pages::Page};
 
 /// What has a ring around it. Exactly one of `control`, `at_nm` and `patch`.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -36,7 +33,7 @@ impl Point {
     /// # Errors
     /// What was found and what was expected: a page without that plot, a wavelength or a surface
     /// that is not in it.
-    pub fn aim(&self, app: &App, memory: &PageMemory) -> Result<Aim, String> {
+    pub fn aim(&self, app: &App, page: Page) -> Result<Aim, String> {
         let given = [
             self.control.is_some(),
             self.at_nm.is_some(),
@@ -56,10 +53,10 @@ impl Point {
                 name => Ok(Aim::Named(name.to_owned())),
             };
         }
-        if memory.page != Page::Spectrum {
+        if page != Page::Spectrum {
             return Err(format!(
                 "found a point in the plot on the page {}, expected the page {}",
-                memory.page.word(),
+                page.word(),
                 Page::Spectrum.word()
             ));
         }
@@ -95,20 +92,17 @@ mod tests {
 
     #[test]
     fn a_point_is_at_one_thing_that_is_there() {
-        let (app, mut memory) = (App::new(), PageMemory::default());
+        let (app, page) = (App::new(), Page::Spectrum);
         let of = |json: serde_json::Value| -> Point {
             super::super::parsed::parsed(json).expect("a point")
         };
         let control = of(serde_json::json!({"control": "Reset", "label": "Here"}));
         let line = of(serde_json::json!({"at_nm": 546.1, "label": "Here"}));
         let patch = of(serde_json::json!({"patch": 15, "label": "Here"}));
+        assert_eq!(control.aim(&app, page), Ok(Aim::Named("Reset".to_owned())));
+        assert_eq!(line.aim(&app, page), Ok(Aim::Nm(546.1)));
         assert_eq!(
-            control.aim(&app, &memory),
-            Ok(Aim::Named("Reset".to_owned()))
-        );
-        assert_eq!(line.aim(&app, &memory), Ok(Aim::Nm(546.1)));
-        assert_eq!(
-            patch.aim(&app, &memory),
+            patch.aim(&app, page),
             Ok(Aim::Named("red: ΔE₀₀".to_owned()))
         );
         for wrong in [
@@ -118,11 +112,11 @@ mod tests {
             serde_json::json!({"at_nm": 100.0, "label": "Here"}),
             serde_json::json!({"patch": 25, "label": "Here"}),
         ] {
-            let why = of(wrong).aim(&app, &memory).expect_err("no such place");
+            let why = of(wrong).aim(&app, page).expect_err("no such place");
             assert!(why.contains("expected"), "{why}");
         }
-        memory.page = Page::Quality;
-        assert!(control.aim(&app, &memory).is_ok());
-        assert!(line.aim(&app, &memory).is_err() && patch.aim(&app, &memory).is_err());
+        let page = Page::Quality;
+        assert!(control.aim(&app, page).is_ok());
+        assert!(line.aim(&app, page).is_err() && patch.aim(&app, page).is_err());
     }
 }

@@ -13,10 +13,7 @@ use super::{
     stage::Stage,
     words::{self, filled},
 };
-use crate::app::{
-    App,
-    pages::{Page, PageMemory},
-};
+use crate::app::{App, pages::Page};
 
 /// Most words that a step says.
 pub(super) const MOST_WORDS: usize = 60;
@@ -40,10 +37,7 @@ pub struct Played<T> {
 ///
 /// # Errors
 /// [`Fault`]: the step, what was found and what was expected.
-pub fn play<T>(
-    lesson: &Lesson,
-    see: impl FnMut(&App, &PageMemory) -> T,
-) -> Result<Vec<Played<T>>, Fault> {
+pub fn play<T>(lesson: &Lesson, see: impl FnMut(&App, Page) -> T) -> Result<Vec<Played<T>>, Fault> {
     walk(lesson, App::new(), see)?.collect()
 }
 
@@ -55,20 +49,20 @@ pub fn play<T>(
 pub(super) fn walk<T>(
     lesson: &Lesson,
     mut app: App,
-    mut see: impl FnMut(&App, &PageMemory) -> T,
+    mut see: impl FnMut(&App, Page) -> T,
 ) -> Result<impl Iterator<Item = Result<Played<T>, Fault>>, Fault> {
     let whole = lesson.clone();
     let own = app.document().own.clone();
     let own: Vec<&str> = own.iter().map(|own| own.name()).collect();
     is_sound(lesson, &own)?;
-    let mut memory = PageMemory::default();
-    let mut run = Run::start(Arc::new(lesson.clone()), &mut app, &mut memory);
+    let mut page = Page::Spectrum;
+    let mut run = Run::start(Arc::new(lesson.clone()), &mut app, &mut page);
     let count = lesson.steps.len();
     Ok((0..count).map(move |index| {
         if index > 0 {
-            run.go(index, &mut app, &mut memory);
+            run.go(index, &mut app, &mut page);
         }
-        play_step(&mut run, (&mut app, &mut memory), &mut see)
+        play_step(&mut run, (&mut app, &mut page), &mut see)
             .map_err(|what| fault(&whole, Some(index), what))
     }))
 }
@@ -106,7 +100,7 @@ fn fault(lesson: &Lesson, index: Option<usize>, what: String) -> Fault {
 
 /// Names of all that a page shows, as screen readers are told them; `None` where there is no window
 /// that could tell.
-pub type Names<'a> = &'a dyn Fn(&App, &PageMemory) -> Option<Vec<String>>;
+pub type Names<'a> = &'a dyn Fn(&App, Page) -> Option<Vec<String>>;
 
 /// Checks a lesson as an author wants it checked: it is played through, also with every other light
 /// that it may be taken with, the controls that it points at are on their pages and move as its
@@ -120,16 +114,16 @@ pub fn check(lesson: &Lesson, names: Names<'_>) -> Findings {
         return found;
     }
     let mut steps = lesson.steps.iter();
-    let played = walk(lesson, App::new(), |app, memory| {
+    let played = walk(lesson, App::new(), |app, page| {
         let (mut faults, mut hints) = (Vec::new(), None);
         if let Some(step) = steps.next() {
             faults.extend(advice::wrong_way(step, &app.document().settings));
-            if let Some(names) = names(app, memory) {
+            if let Some(names) = names(app, page) {
                 let control = step
                     .point
                     .as_ref()
                     .and_then(|point| point.control.as_deref());
-                faults.extend(control.and_then(|name| absent(name, &names, memory.page)));
+                faults.extend(control.and_then(|name| absent(name, &names, page)));
                 hints = advice::given_away(step, &names);
             }
         }
@@ -186,69 +180,69 @@ fn absent(control: &str, names: &[String], page: Page) -> Option<String> {
 
 fn play_step<T>(
     run: &mut Run,
-    (app, memory): (&mut App, &mut PageMemory),
-    see: &mut impl FnMut(&App, &PageMemory) -> T,
+    (app, page): (&mut App, &mut Page),
+    see: &mut impl FnMut(&App, Page) -> T,
 ) -> Result<Played<T>, String> {
     let step = run.step().clone();
     let trouble = |run: &Run| run.trouble().map(str::to_owned).map_or(Ok(()), Err);
     trouble(run)?;
-    let in_it = |text: &str, app: &App, memory: &PageMemory| filled(text, &Scene { app, memory });
-    let say = in_it(&step.say, app, memory)?;
-    let seen = see(app, memory);
-    let page = memory.page;
+    let in_it = |text: &str, app: &App, page: Page| filled(text, &Scene { app, page });
+    let say = in_it(&step.say, app, *page)?;
+    let seen = see(app, *page);
+    let began_on = *page;
     if let Some(point) = &step.point {
-        point.aim(app, memory)?;
+        point.aim(app, *page)?;
     }
     let task = step.task.as_ref();
     let task = task
-        .map(|task| in_it(&task.words, app, memory))
+        .map(|task| in_it(&task.words, app, *page))
         .transpose()?;
-    run.look(app, memory);
+    run.look(app, *page);
     if run.is_done() {
         return Err("found a task that is done before it begins, expected one to do".to_owned());
     }
     let question = step.ask.as_ref();
     let question = question
-        .map(|ask| in_it(&ask.question, app, memory))
+        .map(|ask| in_it(&ask.question, app, *page))
         .transpose()?;
     if let Some(task) = &step.task {
         run.show_me();
-        while run.show_next(app, memory) {}
+        while run.show_next(app, page) {}
         trouble(run)?;
-        run.look(app, memory);
+        run.look(app, *page);
         if !run.is_done() {
-            let unmet = unmet(&task.until, &Scene { app, memory });
+            let unmet = unmet(&task.until, &Scene { app, page: *page });
             return Err(format!("its own show does not meet its task: {unmet}"));
         }
     }
-    run.tell(app, memory);
-    let unmet = unmet(&step.claims, &Scene { app, memory });
+    run.tell(app, *page);
+    let unmet = unmet(&step.claims, &Scene { app, page: *page });
     if !unmet.is_empty() {
         return Err(format!("its claim does not hold: {unmet}"));
     }
-    goes_too_far(&step, (app, memory))?;
-    comes_back(run, (app, memory), &say)?;
+    goes_too_far(&step, (app, *page))?;
+    comes_back(run, (app, *page), &say)?;
     let mut answers = Vec::new();
     for answer in step.ask.iter().flat_map(|ask| &ask.answers) {
         answers.push(Answer {
-            text: in_it(&answer.text, app, memory)?,
+            text: in_it(&answer.text, app, *page)?,
             right: answer.right,
-            because: in_it(&answer.because, app, memory)?,
+            because: in_it(&answer.because, app, *page)?,
         });
     }
     Ok(Played {
-        page,
+        page: began_on,
         say,
         ask: question.map(|question| (question, answers)),
         task,
-        explain: in_it(&step.explain, app, memory)?,
+        explain: in_it(&step.explain, app, *page)?,
         seen,
     })
 }
 
 /// Tries what a hand does that does not stop where the task is done: is it done there too, the
 /// claims must hold.
-fn goes_too_far(step: &Step, (app, memory): (&App, &PageMemory)) -> Result<(), String> {
+fn goes_too_far(step: &Step, (app, page): (&App, Page)) -> Result<(), String> {
     let Some(task) = &step.task else {
         return Ok(());
     };
@@ -278,16 +272,15 @@ fn goes_too_far(step: &Step, (app, memory): (&App, &PageMemory)) -> Result<(), S
             settings: std::iter::once((key.to_owned(), value)).collect(),
             ..Stage::default()
         };
-        let (mut app, mut memory) = (app.clone(), memory.clone());
+        let (mut app, mut page) = (app.clone(), page);
         // What cannot be set cannot be reached by hand either.
         if further
-            .change(&mut app, &mut memory, &mut Vec::new())
+            .change(&mut app, &mut page, &mut Vec::new())
             .is_err()
         {
             continue;
         }
-        let (app, memory) = (&app, &memory);
-        let scene = Scene { app, memory };
+        let scene = Scene { app: &app, page };
         let unmet = unmet(&step.claims, &scene);
         if task.until.iter().all(|one| one.holds(&scene)) && !unmet.is_empty() {
             return Err(format!(
@@ -300,31 +293,31 @@ fn goes_too_far(step: &Step, (app, memory): (&App, &PageMemory)) -> Result<(), S
 
 /// Plays what a class does: Reset, and a step back and on again. The step must say what it said at
 /// first, and none of it may be done.
-fn comes_back(run: &Run, (app, memory): (&App, &PageMemory), say: &str) -> Result<(), String> {
-    let (mut run, mut app, mut memory) = (run.clone(), app.clone(), memory.clone());
+fn comes_back(run: &Run, (app, page): (&App, Page), say: &str) -> Result<(), String> {
+    let (mut run, mut app, mut page) = (run.clone(), app.clone(), page);
     let index = run.index();
     for back in [None, index.checked_sub(1)] {
         let after = match back {
             None => "Reset",
             Some(step) => {
-                run.go(step, &mut app, &mut memory);
-                run.go(index, &mut app, &mut memory);
+                run.go(step, &mut app, &mut page);
+                run.go(index, &mut app, &mut page);
                 "Back and Next"
             }
         };
         if back.is_none() {
-            run.set_stage(&mut app, &mut memory);
+            run.set_stage(&mut app, &mut page);
         }
         if let Some(trouble) = run.trouble() {
             return Err(format!("after {after}: {trouble}"));
         }
-        run.look(&app, &memory);
+        run.look(&app, page);
         if run.is_done() {
             return Err(format!(
                 "found a task that is done by {after}, expected one to do"
             ));
         }
-        let said = run.shown(&app, &memory).say;
+        let said = run.shown(&app, page).say;
         if said != say {
             return Err(format!(
                 "found \"{said}\" after {after}, expected \"{say}\""
@@ -332,8 +325,7 @@ fn comes_back(run: &Run, (app, memory): (&App, &PageMemory), say: &str) -> Resul
         }
         let step = run.step();
         if step.task.is_none() {
-            let (app, memory) = (&app, &memory);
-            let unmet = unmet(&step.claims, &Scene { app, memory });
+            let unmet = unmet(&step.claims, &Scene { app: &app, page });
             if !unmet.is_empty() {
                 return Err(format!("its claim does not hold after {after}: {unmet}"));
             }

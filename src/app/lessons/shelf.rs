@@ -12,13 +12,14 @@ use super::{
 use crate::io::{decode_text, is_binary, save_atomically, shown, stream::bytes_of_file};
 
 /// Files of the shipped lessons by their names, in the order of the list: path after path.
-pub const FILES: [(&str, &str); 19] = [
+pub const FILES: [(&str, &str); 20] = [
     ("prism", include_str!("../../../lessons/prism.json")),
     ("light", include_str!("../../../lessons/light.json")),
     ("missing", include_str!("../../../lessons/missing.json")),
     ("gas", include_str!("../../../lessons/gas.json")),
     ("hotter", include_str!("../../../lessons/hotter.json")),
     ("phone", include_str!("../../../lessons/phone.json")),
+    ("room", include_str!("../../../lessons/room.json")),
     ("metamers", include_str!("../../../lessons/metamers.json")),
     ("filters", include_str!("../../../lessons/filters.json")),
     ("quality", include_str!("../../../lessons/quality.json")),
@@ -39,7 +40,7 @@ pub const FILES: [(&str, &str); 19] = [
 
 /// The paths through the shipped lessons: a title each, and how many of [`FILES`] follow it.
 pub const PATHS: [(&str, usize); 3] = [
-    ("School", 8),
+    ("School", 9),
     ("Lighting", 4),
     ("University and graphics", 7),
 ];

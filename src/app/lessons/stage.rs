@@ -14,9 +14,10 @@ use crate::app::{
     design::mix::{FULL, MOST_CHANNELS, Mix, MixChannel},
     document::{Document, MOST_OVERLAYS, Subject},
     library::Library,
-    pages::{Page, PageMemory, PageSetting},
+    pages::Page,
     products::{Link, MOST_LINKS, Products},
     recipe::Times,
+    workspace::earlier::by_page,
 };
 use crate::design::mixture::{Source, Spec};
 
@@ -179,7 +180,7 @@ impl Stage {
     pub fn set(
         &self,
         app: &mut App,
-        memory: &mut PageMemory,
+        page: &mut Page,
         made: &mut Vec<String>,
     ) -> Result<(), String> {
         let now = app.document();
@@ -194,19 +195,15 @@ impl Stage {
             }
         }
         fresh.next_own = now.next_own;
-        let mut kept = PageMemory {
-            image: memory.image.clone(),
-            lessons_finished: memory.lessons_finished.clone(),
-            lesson_language: memory.lesson_language.clone(),
-            ..PageMemory::default()
-        };
+        fresh.pages.image = now.pages.image.clone();
+        let mut shown = Page::Spectrum;
         let mut scratch = app.clone();
         scratch.apply(Command::Replace(Box::new(fresh)));
         made.clear();
-        self.change_in(&mut scratch, &mut kept, made)?;
+        self.change_in(&mut scratch, &mut shown, made)?;
         app.apply(Command::Replace(Box::new(scratch.document().clone())));
         app.end_gesture();
-        *memory = kept.clamped();
+        *page = shown;
         Ok(())
     }
 
@@ -217,21 +214,21 @@ impl Stage {
     pub fn change(
         &self,
         app: &mut App,
-        memory: &mut PageMemory,
+        page: &mut Page,
         made: &mut Vec<String>,
     ) -> Result<(), String> {
-        let (mut scratch, mut pages) = (app.clone(), memory.clone());
-        self.change_in(&mut scratch, &mut pages, made)?;
+        let (mut scratch, mut shown) = (app.clone(), *page);
+        self.change_in(&mut scratch, &mut shown, made)?;
         app.apply(Command::Replace(Box::new(scratch.document().clone())));
         app.end_gesture();
-        *memory = pages.clamped();
+        *page = shown;
         Ok(())
     }
 
     fn change_in(
         &self,
         app: &mut App,
-        memory: &mut PageMemory,
+        page: &mut Page,
         made: &mut Vec<String>,
     ) -> Result<(), String> {
         for making in &self.make {
@@ -304,16 +301,32 @@ impl Stage {
                 channels: channels.collect::<Result<_, _>>()?,
                 gels: Vec::new(),
             };
-            app.apply(Command::Page(PageSetting::Mix(mix)));
+            app.edit_pages(|pages| pages.mix.desk = mix);
         }
-        *memory = changed(memory, &self.remember, "remember")?;
-        let wished = serde_json::to_value(&memory).map_err(|why| why.to_string())?;
-        let nearest = serde_json::to_value(memory.clone().clamped());
-        moved(&wished, &nearest.map_err(|why| why.to_string())?)?;
+        self.keep(app)?;
         if let Some(word) = &self.page {
-            memory.page = Page::of_word(word)
+            *page = Page::of_word(word)
                 .ok_or_else(|| format!("found the page {word}, expected a page's word"))?;
         }
+        Ok(())
+    }
+
+    /// Sets what pages keep.
+    fn keep(&self, app: &mut App) -> Result<(), String> {
+        let mut unknown = self.remember.clone();
+        let wished = by_page(&mut unknown);
+        if let Some((key, value)) = unknown.iter().next() {
+            let fields = value.as_object().and_then(|fields| fields.iter().next());
+            return Err(match fields {
+                Some((field, _)) => format!("found {field} in {key}, expected a field of a page"),
+                None => format!("found {key} in remember, expected a page's word"),
+            });
+        }
+        let pages = changed(&app.document().pages, &wished, "remember")?;
+        let nearest = serde_json::to_value(pages.clone().in_reach());
+        let wished = serde_json::to_value(&pages).map_err(|why| why.to_string())?;
+        moved(&wished, &nearest.map_err(|why| why.to_string())?)?;
+        app.apply(Command::Page(Box::new(pages)));
         Ok(())
     }
 
@@ -361,24 +374,24 @@ mod tests {
 
     #[test]
     fn a_surface_is_no_light_of_a_stage() {
-        let (mut app, mut memory) = (App::new(), PageMemory::default());
+        let (mut app, mut page) = (App::new(), Page::Spectrum);
         let stage = stage(json!({"light": "colorchecker_ohta/red"}));
-        let refused = stage.set(&mut app, &mut memory, &mut Vec::new());
+        let refused = stage.set(&mut app, &mut page, &mut Vec::new());
         let why = refused.expect_err("no light");
         assert!(why.contains("expected a light"), "{why}");
-        assert!(!app.can_undo(), "nothing was changed");
+        assert!(app.undo_words().is_none(), "nothing was changed");
     }
 
     #[test]
     fn a_stage_is_one_step_of_undo_and_begins_afresh() {
-        let (mut app, mut memory) = (App::new(), PageMemory::default());
+        let (mut app, mut page) = (App::new(), Page::Spectrum);
         let before = app.document().clone();
         let stage = stage(
             json!({"light": "CIE D65", "settings": {"order": 2, "spikes": false},
             "view": {"residual": true}, "page": "chain", "chain": [{"name": "colorchecker_ohta/red", "times": 2}],
             "remember": {"products": {"narrow": {"centre_nm": 500.0}}}}),
         );
-        let set = stage.set(&mut app, &mut memory, &mut Vec::new());
+        let set = stage.set(&mut app, &mut page, &mut Vec::new());
         set.expect("it is right");
         let document = app.document();
         assert_eq!(
@@ -387,19 +400,19 @@ mod tests {
         );
         assert!(document.view.residual && document.products.chain[0].bounces == 2);
         assert_eq!(
-            (memory.page, memory.products.narrow.centre_nm),
+            (page, app.document().pages.narrow.centre_nm),
             (Page::Chain, 500.0)
         );
         app.apply(Command::Undo);
         assert!(*app.document() == before);
-        let set = Stage::default().set(&mut app, &mut memory, &mut Vec::new());
+        let set = Stage::default().set(&mut app, &mut page, &mut Vec::new());
         set.expect("it is right");
-        assert_eq!(memory.page, Page::Spectrum);
+        assert_eq!(page, Page::Spectrum);
     }
 
     #[test]
     fn what_is_wrong_in_a_stage_is_said_and_nothing_is_changed() {
-        let (mut app, mut memory) = (App::new(), PageMemory::default());
+        let (mut app, mut page) = (App::new(), Page::Spectrum);
         let revision = app.revision();
         for (json, words) in [
             (json!({"light": "FL99"}), "FL99"),
@@ -443,7 +456,7 @@ mod tests {
                 "found narow in products",
             ),
         ] {
-            let why = stage(json).set(&mut app, &mut memory, &mut Vec::new());
+            let why = stage(json).set(&mut app, &mut page, &mut Vec::new());
             let why = why.expect_err("it is wrong");
             assert!(why.contains(words), "{why}");
         }
@@ -452,20 +465,17 @@ mod tests {
 
     #[test]
     fn what_a_lesson_made_goes_with_the_next_stage_and_the_own_spectra_stay() {
-        let (mut app, mut memory) = (App::new(), PageMemory::default());
+        let (mut app, mut page) = (App::new(), Page::Spectrum);
         let mix = json!({"make": [{"mix": {"name": "Three lines", "like": "CIE D65",
             "channels": ["line:450", "line:540", "line:610"]}}], "light": "Three lines",
             "overlays": ["CIE D65"]});
         let mut made = Vec::new();
         for _ in 0..2 {
-            let set = stage(mix.clone()).set(&mut app, &mut memory, &mut made);
+            let set = stage(mix.clone()).set(&mut app, &mut page, &mut made);
             set.expect("it is right");
             assert_eq!((app.document().own.len(), made.len()), (1, 1));
         }
-        let scene = super::super::figures::Scene {
-            app: &app,
-            memory: &memory,
-        };
+        let scene = super::super::figures::Scene { app: &app, page };
         let told = super::super::figures::figure(&scene, "delta_e_overlay", None);
         assert!(told.expect("known").value.is_some_and(|e| e < 0.1));
     }

@@ -61,14 +61,14 @@ pub(super) fn fault(text: &str, made: &[&str]) -> Result<(), String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::{App, pages::PageMemory};
+    use crate::app::{App, pages::Page};
 
     #[test]
     fn figures_stand_where_their_keys_stood() {
-        let (app, memory) = (App::new(), PageMemory::default());
+        let app = App::new();
         let scene = Scene {
             app: &app,
-            memory: &memory,
+            page: Page::Spectrum,
         };
         let words = filled("Order {order}, {numbers} numbers; {cct of CIE A}.", &scene);
         let numbers = app.derived().numbers();

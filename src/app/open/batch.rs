@@ -8,8 +8,8 @@ use std::{
     path::PathBuf,
     sync::{
         Arc, Mutex, PoisonError,
-        atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering},
-        mpsc::{Receiver, Sender, channel},
+        atomic::{AtomicU64, AtomicUsize, Ordering},
+        mpsc::channel,
     },
     thread,
 };
@@ -22,7 +22,10 @@ use super::{
     summary::{FileRow, Summary},
     unshaken,
 };
-use crate::app::opened::Opened;
+use crate::app::{
+    opened::Opened,
+    worker::{Wake, Worker},
+};
 
 /// Files read at the same time.
 const MOST_AT_ONCE: usize = 2;
@@ -33,9 +36,6 @@ pub const MOST_KEPT: u64 = 2 << 30;
 
 /// Said of a file that was not reached.
 const CANCELLED: &str = "cancelled before its turn";
-
-/// Called on another thread when there is something to fetch.
-pub type Wake = Arc<dyn Fn() + Send + Sync>;
 
 /// A batch that has come to its end, or was cancelled.
 #[derive(Debug)]
@@ -96,38 +96,23 @@ pub struct Progress {
     pub at_work: String,
 }
 
-/// What both sides look at.
-#[derive(Default)]
-struct Watch {
-    cancelled: AtomicBool,
-    at_work: Mutex<String>,
-}
-
-impl Watch {
-    fn is_cancelled(&self) -> bool {
-        self.cancelled.load(Ordering::Relaxed)
-    }
-
-    fn set_at_work(&self, label: &str) {
-        let mut at_work = self.at_work.lock().unwrap_or_else(PoisonError::into_inner);
-        label.clone_into(&mut at_work);
-    }
-}
-
 enum Event {
     Listed(Vec<Listed>),
     Read(usize, Came),
-    End,
 }
 
-struct Running {
-    events: Receiver<Event>,
-    watch: Arc<Watch>,
+/// What has come of a batch so far.
+struct Batch {
     named: Vec<PathBuf>,
     listed: Option<Vec<Listed>>,
     came: Vec<Option<Came>>,
     done: usize,
-    ended: bool,
+}
+
+struct Running {
+    worker: Worker<Event>,
+    at_work: Arc<Mutex<String>>,
+    batch: Batch,
 }
 
 /// Reads files on threads of their own, so that no window waits for a disk. One batch runs at a
@@ -153,16 +138,17 @@ impl Loader {
         let Some((named, wake)) = self.waiting.pop_front() else {
             return;
         };
-        let (sender, events) = channel();
-        let watch = Arc::new(Watch::default());
-        let (paths, shared) = (named.clone(), watch.clone());
-        thread::spawn(move || {
-            work(&paths, &shared, &sender);
-            // Nobody listens any more after a cancel.
-            let _ = sender.send(Event::End);
-            wake();
+        let at_work = Arc::new(Mutex::new(String::new()));
+        let (paths, label) = (named.clone(), at_work.clone());
+        let worker = Worker::start(&wake, move |tell| {
+            let is_cancelled = || tell.progress.is_cancelled();
+            work(&paths, (&is_cancelled, &label), &|event| tell.send(event));
         });
-        self.running = Some(Running::new(events, watch, named));
+        self.running = Some(Running {
+            worker,
+            at_work,
+            batch: Batch::new(named),
+        });
     }
 
     /// Whether files are being read.
@@ -173,84 +159,67 @@ impl Loader {
     /// How far the running batch has come, as of the last call of [`Self::finished`].
     pub fn progress(&self) -> Option<Progress> {
         let running = self.running.as_ref()?;
-        let at_work = &running.watch.at_work;
+        let at_work = running.at_work.lock();
         Some(Progress {
-            done: running.done,
-            total: running.listed.as_ref().map(Vec::len),
-            at_work: at_work
-                .lock()
-                .unwrap_or_else(PoisonError::into_inner)
-                .clone(),
+            done: running.batch.done,
+            total: running.batch.listed.as_ref().map(Vec::len),
+            at_work: at_work.unwrap_or_else(PoisonError::into_inner).clone(),
         })
     }
 
     /// Stops the running batch: the next [`Self::finished`] brings what was read until now. The
     /// file at work is not waited for.
     pub fn cancel(&mut self) {
-        if let Some(running) = &mut self.running {
-            running.watch.cancelled.store(true, Ordering::Relaxed);
+        if let Some(running) = &self.running {
+            running.worker.progress.cancel();
         }
     }
 
     /// The batch that has come to its end since the last call.
     pub fn finished(&mut self) -> Option<Finished> {
         let running = self.running.as_mut()?;
-        running.take_in();
-        if !running.ended && !running.watch.is_cancelled() {
+        let is_ended = running.worker.is_ended();
+        for event in running.worker.news() {
+            running.batch.take(event);
+        }
+        let is_cancelled = running.worker.progress.is_cancelled();
+        if !is_ended && !is_cancelled {
             return None;
         }
-        let finished = self.running.take().map(Running::into_finished);
+        let running = self.running.take()?;
         self.start_next();
-        finished
+        Some(running.batch.into_finished(is_cancelled))
     }
 }
 
-impl Drop for Loader {
-    fn drop(&mut self) {
-        self.cancel();
-    }
-}
-
-impl Running {
-    fn new(events: Receiver<Event>, watch: Arc<Watch>, named: Vec<PathBuf>) -> Self {
+impl Batch {
+    fn new(named: Vec<PathBuf>) -> Self {
         Self {
-            events,
-            watch,
             named,
             listed: None,
             came: Vec::new(),
             done: 0,
-            ended: false,
         }
     }
 
-    fn take_in(&mut self) {
-        loop {
-            match self.events.try_recv() {
-                Ok(Event::Listed(listed)) => {
-                    self.came = listed.iter().map(|_| None).collect();
-                    self.listed = Some(listed);
-                }
-                Ok(Event::Read(index, came)) => {
-                    if let Some(place) = self.came.get_mut(index) {
-                        *place = Some(came);
-                        self.done += 1;
-                    }
-                }
-                Ok(Event::End) => self.ended = true,
-                Err(std::sync::mpsc::TryRecvError::Empty) => return,
-                // The thread is gone, whatever became of it.
-                Err(std::sync::mpsc::TryRecvError::Disconnected) => {
-                    self.ended = true;
-                    return;
+    fn take(&mut self, event: Event) {
+        match event {
+            Event::Listed(listed) => {
+                self.came = listed.iter().map(|_| None).collect();
+                self.listed = Some(listed);
+            }
+            Event::Read(index, came) => {
+                if let Some(place) = self.came.get_mut(index) {
+                    *place = Some(came);
+                    self.done += 1;
                 }
             }
         }
     }
 
-    fn into_finished(self) -> Finished {
+    fn into_finished(self, is_cancelled: bool) -> Finished {
         let is_whole = self.listed.is_some() && self.came.iter().all(Option::is_some);
-        let cancelled = self.watch.is_cancelled() && !is_whole;
+        let cancelled = is_cancelled && !is_whole;
         // Cancelled while folders were looked through: what was named stands for what was in it.
         let listed = self.listed.unwrap_or_else(|| {
             let all = self.named.iter();
@@ -274,30 +243,37 @@ impl Running {
 /// Reads files and the files of folders here and now.
 pub fn read_all(paths: &[PathBuf]) -> Finished {
     let (sender, events) = channel();
-    work(paths, &Watch::default(), &sender);
+    let tell = |event| sender.send(event).is_ok();
+    work(paths, (&|| false, &Mutex::default()), &tell);
     drop(sender);
-    let mut running = Running::new(events, Arc::default(), paths.to_vec());
-    running.take_in();
-    running.into_finished()
+    let mut batch = Batch::new(paths.to_vec());
+    events.into_iter().for_each(|event| batch.take(event));
+    batch.into_finished(false)
 }
 
-fn work(paths: &[PathBuf], watch: &Watch, sender: &Sender<Event>) {
-    let listed = folders::listed(paths, &|| watch.is_cancelled());
-    if sender.send(Event::Listed(listed.clone())).is_err() {
+/// Tells what the paths list, then what comes of each file; the file at work is named.
+fn work(
+    paths: &[PathBuf],
+    (is_cancelled, at_work): (&(dyn Fn() -> bool + Sync), &Mutex<String>),
+    tell: &(dyn Fn(Event) -> bool + Sync),
+) {
+    let listed = folders::listed(paths, &is_cancelled);
+    if !tell(Event::Listed(listed.clone())) {
         return;
     }
     let (next, kept) = (AtomicUsize::new(0), AtomicU64::new(0));
     let processors = thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let hands = processors.min(MOST_AT_ONCE).min(listed.len());
     let hand = || {
-        while !watch.is_cancelled() {
+        while !is_cancelled() {
             let index = next.fetch_add(1, Ordering::Relaxed);
             let Some(file) = listed.get(index) else {
                 return;
             };
-            watch.set_at_work(&file.label);
-            let came = come(file, &kept);
-            if sender.send(Event::Read(index, came)).is_err() {
+            let label = at_work.lock();
+            file.label
+                .clone_into(&mut label.unwrap_or_else(PoisonError::into_inner));
+            if !tell(Event::Read(index, come(file, &kept))) {
                 return;
             }
         }

@@ -1,19 +1,80 @@
-//! The places of the window and the pages in them: one row a page, and what pages keep under undo.
+//! The places of the window and the pages in them: one row a page, and what each keeps.
 //! All that is listed page by page is listed here.
 
-mod memory;
+mod auction;
+mod bounces;
+mod chain;
+mod chromaticity;
+mod dark_lines;
+mod from_colour;
+mod gem;
+mod image;
+pub mod knob;
+mod known_lamps;
+mod learn;
+mod look;
+mod many;
+mod mix;
+mod narrow;
 mod page;
 mod place;
+mod prism;
+mod quality;
+mod race;
+mod rainbow;
+mod relit;
+mod resampling;
+pub mod same_surface;
+mod solve;
+pub mod states;
+mod tradeoff;
+mod two_lights;
+mod why;
 
-use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
-use super::{design::mix::Mix, recipe::NameOf};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
+use serde_json::{Map, Value};
 
-pub use memory::{
-    AskedLesson, FieldChoice, LIMITS, ManyMemory, PageMemory, RACE_BUDGETS, SHARES_PERCENT,
-    SPENDABLE, WaysShown, WordsMemory,
-};
+use super::recipe::NameOf;
+use states::{PageState, in_reach, read, states, words_of, written};
+
+pub use super::charts::quality::DiagramShows;
+pub use auction::AuctionState;
+pub use bounces::BouncesMemory;
+pub use chain::ChainMemory;
+pub use dark_lines::AbsorptionMemory;
+pub use from_colour::{FromColour, MERCURY_NM, UNDER};
+pub use gem::{GemColour, GemMemory, LightPart, RAYS_SHOWN, SIZES_SHOWN};
+pub use image::{ImageMemory, Show, Spread};
+pub use known_lamps::WordsMemory;
+pub use look::{LookState, SPENDABLE};
+pub use many::ManyMemory;
+pub use mix::MixState;
+pub use narrow::{NarrowMemory, PASS_WIDTHS_NM};
 pub use place::Place;
+pub use prism::{Beside, Handle, PrismMemory, STOPS};
+pub use quality::RenditionState;
+pub use race::{FieldChoice, RACE_BUDGETS, RaceState};
+pub use rainbow::RainbowMemory;
+pub use relit::{LINES_NM, Look, MOST_LINES, RelitMemory};
+pub use resampling::ResamplingMemory;
+pub use same_surface::SameSurfaceMemory;
+pub use solve::MixWish;
+pub use tradeoff::{TradeoffState, WaysShown};
+pub use two_lights::TwoLightsMemory;
+pub use why::WhyState;
+
+/// A lesson that is to be begun.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AskedLesson {
+    /// The name of one that is known, or the path of a file.
+    pub name: String,
+    /// The step that it is to begin with, from 0.
+    pub step: usize,
+    /// The step with its task done and its answer told.
+    pub done: bool,
+}
 
 /// A page of the window: they all show the same document.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -149,299 +210,85 @@ impl Row {
     }
 }
 
-/// The pages, place by place.
+/// The pages, place by place: a row each, in the page's own file.
 const ROWS: &[Row] = &[
-    row(
-        Page::Lessons,
-        Place::Learn,
-        ("Lessons", "lessons"),
-        "",
-        "Short walks through the program: predict, do, see why.",
-    ),
-    row(
-        Page::Glossary,
-        Place::Learn,
-        ("Glossary", "glossary"),
-        "",
-        "What the words of this window mean.",
-    ),
-    row(
-        Page::Teachers,
-        Place::Learn,
-        ("For teachers", "teachers"),
-        "",
-        "What each lesson teaches, what to prepare, handouts, and how to write one.",
-    ),
-    row(
-        Page::Spectrum,
-        Place::Look,
-        ("Spectrum", "look"),
-        "waves",
-        "The spectrum, its model and surfaces under both.",
-    )
-    .once(&["spectrum"]),
-    row(
-        Page::Absorption,
-        Place::Look,
-        ("Dark lines", "dark-lines"),
-        "missing",
-        "Absorption lines kept as negative spikes, and their names.",
-    )
-    .once(&["absorption"]),
-    row(
-        Page::Chain,
-        Place::Through,
-        ("Chain", "chain"),
-        "filters",
-        "The light through filters and off surfaces, exact beside model.",
-    )
-    .once(&["products"]),
-    row(
-        Page::Narrow,
-        Place::Through,
-        ("One filter", "filter"),
-        "samples",
-        "A narrow band-pass moved over the light, at equal numbers.",
-    )
-    .once(&["narrow"]),
-    row(
-        Page::TwoLights,
-        Place::Through,
-        ("Two lights", "two-lights"),
-        "metamers",
-        "The same surfaces under two lights: which colours change.",
-    )
-    .once(&["lights"]),
-    row(
-        Page::Metamers,
-        Place::Through,
-        ("Metamers", "metamers"),
-        "metamers",
-        "Surfaces that look alike under one light and differ under another, found and made.",
-    ),
-    row(
-        Page::SameSurface,
-        Place::Through,
-        ("Same surface?", "same-surface"),
-        "filters",
-        "Whether a spectrum is the light off a surface: S3 = S1 S2.",
-    )
-    .once(&["check"]),
-    row(
-        Page::Quality,
-        Place::Quality,
-        ("Verdict", "quality"),
-        "quality",
-        "Is it a good light? Surfaces under it, twelve figures in words, and all of them.",
-    ),
-    row(
-        Page::Chromaticity,
-        Place::Quality,
-        ("Chromaticity", "chromaticity"),
-        "quality",
-        "Where the light is among colours, whites and screens.",
-    ),
-    row(
-        Page::Rendition,
-        Place::Quality,
-        ("Colours under it", "rendition"),
-        "quality",
-        "What the light does to colours: TM-30 and CRI, hue by hue.",
-    ),
-    row(
-        Page::QualityOrder,
-        Place::Quality,
-        ("Against order", "quality-order"),
-        "quality",
-        "How many numbers a model needs to give the light's own figures.",
-    ),
-    row(
-        Page::Mix,
-        Place::Design,
-        ("Mix", "mix"),
-        "white",
-        "Mix lines, LEDs and lamps with faders and rate the mix.",
-    ),
-    row(
-        Page::Solve,
-        Place::Design,
-        ("Solve", "solve"),
-        "white",
-        "Find fader settings for a colour, and the best that several searches find with free lines.",
-    ),
-    row(
-        Page::FromColour,
-        Place::Design,
-        ("From a colour", "from-colour"),
-        "recover",
-        "Which spectra have this colour?",
-    ),
-    row(
-        Page::Tradeoff,
-        Place::Numbers,
-        ("Trade-off", "tradeoff"),
-        "spend",
-        "Error against numbers: every order, with and without spikes.",
-    )
-    .among_modes("Curve"),
-    row(
-        Page::Many,
-        Place::Numbers,
-        ("Many lights", "many-lights"),
-        "spend",
-        "How many numbers most of your lights need: a set, or your folders.",
-    )
-    .under(Page::Tradeoff),
-    row(
-        Page::Auction,
-        Place::Numbers,
-        ("Auction", "auction"),
-        "spend",
-        "What to buy with the next numbers: an order, a spike or the lines' widths.",
-    )
-    .under(Page::Tradeoff),
-    row(
-        Page::Coefficients,
-        Place::Numbers,
-        ("Why few suffice", "why"),
-        "colour",
-        "Why few numbers carry colour: the coefficients of the light beside those of the eye.",
-    )
-    .once(&["coefficients"])
-    .titled_tab("For authors"),
-    row(
-        Page::Race,
-        Place::Numbers,
-        ("Race", "race"),
-        "samples",
-        "The composite against other representations, at equal numbers.",
-    )
-    .under(Page::Coefficients),
-    row(
-        Page::KnownLamps,
-        Place::Numbers,
-        ("Known lamps", "known-lamps"),
-        "spend",
-        "What the light is made of: lamps that are known, a short series, a few lines.",
-    )
-    .under(Page::Coefficients),
-    row(
-        Page::Resampling,
-        Place::Numbers,
-        ("Products in few numbers", "resampling"),
-        "filters",
-        "One product formed on few points, by convolution and at every nm.",
-    )
-    .once(&["forming"])
-    .under(Page::Coefficients),
-    row(
-        Page::Bounces,
-        Place::Numbers,
-        ("Bounces", "bounces"),
-        "filters",
-        "What the ways of forming products cost as bounces add up.",
-    )
-    .under(Page::Coefficients),
-    row(
-        Page::Truth,
-        Place::Numbers,
-        ("The paper checked", "truth"),
-        "colour",
-        "The paper's claims, measured on this spectrum and range.",
-    )
-    .under(Page::Coefficients),
-    row(
-        Page::Image,
-        Place::Picture,
-        ("Spectral image", "image"),
-        "recover",
-        "A spectral image: a pixel or a region's mean becomes a spectrum.",
-    ),
-    row(
-        Page::Photograph,
-        Place::Picture,
-        ("Photograph", "photograph"),
-        "prism",
-        "A photograph of a spectrum: the lines of a lamp fix its wavelengths.",
-    ),
-    row(
-        Page::Prism,
-        Place::Picture,
-        ("Prism and rainbow", "prism"),
-        "prism",
-        "The light through a prism: every line one exact ray, the rest a smooth band.",
-    )
-    .among_modes("Prism"),
-    row(
-        Page::Rainbow,
-        Place::Picture,
-        ("Rainbow", "rainbow"),
-        "prism",
-        "The light in drops of water: both bows, every line a stripe of its own.",
-    )
-    .under(Page::Prism),
-    row(
-        Page::Gem,
-        Place::Picture,
-        ("Gem", "gem"),
-        "prism",
-        "A cut gem under the light, traced ray by ray; under another light at once.",
-    ),
-    row(
-        Page::Relit,
-        Place::Picture,
-        ("In few numbers, relit", "relit"),
-        "recover",
-        "A spectral image in few numbers a pixel, and how it looks under any light.",
-    ),
+    learn::LESSONS,
+    learn::GLOSSARY,
+    learn::TEACHERS,
+    look::ROW,
+    dark_lines::ROW,
+    chain::ROW,
+    narrow::ROW,
+    two_lights::ROW,
+    two_lights::METAMERS,
+    same_surface::ROW,
+    quality::QUALITY,
+    chromaticity::ROW,
+    quality::RENDITION,
+    quality::QUALITY_ORDER,
+    mix::ROW,
+    solve::ROW,
+    from_colour::ROW,
+    tradeoff::ROW,
+    many::ROW,
+    auction::ROW,
+    why::ROW,
+    race::ROW,
+    known_lamps::ROW,
+    resampling::ROW,
+    bounces::ROW,
+    learn::TRUTH,
+    image::ROW,
+    image::PHOTOGRAPH,
+    prism::ROW,
+    rainbow::ROW,
+    gem::ROW,
+    relit::ROW,
 ];
 
-/// What pages keep in the document, under undo and in projects, each under its own key: plain data,
-/// spectra by their keys.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct PageSettings {
-    /// The mixing desk of the place `Design`.
-    pub mix: Mix,
+states! {
+    look: LookState = Spectrum,
+    dark_lines: AbsorptionMemory = Absorption,
+    chain: ChainMemory = Chain,
+    narrow: NarrowMemory = Narrow,
+    two_lights: TwoLightsMemory = TwoLights,
+    same_surface: SameSurfaceMemory = SameSurface,
+    chromaticity: DiagramShows = Chromaticity,
+    rendition: RenditionState = Rendition,
+    // A wish takes the desk along.
+    solve: MixWish = Solve,
+    mix: MixState = Mix,
+    from_colour: FromColour = FromColour,
+    why: WhyState = Coefficients,
+    tradeoff: TradeoffState = Tradeoff,
+    many: ManyMemory = Many,
+    auction: AuctionState = Auction,
+    race: RaceState = Race,
+    known_lamps: WordsMemory = KnownLamps,
+    resampling: ResamplingMemory = Resampling,
+    bounces: BouncesMemory = Bounces,
+    image: ImageMemory = Image,
+    prism: PrismMemory = Prism,
+    rainbow: RainbowMemory = Rainbow,
+    gem: GemMemory = Gem,
+    relit: RelitMemory = Relit,
 }
 
-/// What one page keeps.
-#[derive(Clone, Debug, PartialEq)]
-pub enum PageSetting {
-    /// The mixing desk.
-    Mix(Mix),
-}
-
-impl Default for PageSettings {
-    fn default() -> Self {
-        Self { mix: Mix::first() }
-    }
-}
-
-impl PageSettings {
-    /// One of them anew, moved to what is allowed.
-    pub fn set(&mut self, setting: PageSetting) {
-        match setting {
-            PageSetting::Mix(mix) => self.mix = mix.clamped(),
+impl PageStates {
+    /// A second light that was chosen stands beside the light in prism and rainbow too; where it is
+    /// let go of, what stood there at first.
+    pub fn follow_second(&mut self, is_there: bool) {
+        let usual = Self::default();
+        let both = [
+            (&mut self.prism.beside, usual.prism.beside),
+            (&mut self.rainbow.beside, usual.rainbow.beside),
+        ];
+        for (beside, usual) in both {
+            match (is_there, *beside) {
+                (true, _) => *beside = Beside::Overlaid,
+                (false, Beside::Overlaid) => *beside = usual,
+                (false, _) => {}
+            }
         }
-    }
-
-    /// Every value moved to the nearest one that is allowed.
-    #[must_use]
-    pub fn clamped(self) -> Self {
-        Self {
-            mix: self.mix.clamped(),
-        }
-    }
-
-    /// Lets go of a spectrum that left the library.
-    pub fn forget(&mut self, key: &str) {
-        self.mix.forget(key);
-    }
-
-    /// What changed, in words.
-    pub fn changed_since(&self, before: &Self, name_of: NameOf<'_>) -> Vec<String> {
-        let mix = self.mix.changed_since(&before.mix, name_of);
-        mix.into_iter().collect()
     }
 }

@@ -18,7 +18,7 @@ use crate::{
     },
 };
 
-const FORMAT: &str = "spectral-explorer-instrument";
+pub(super) const FORMAT: &str = "spectral-explorer-instrument";
 const VERSION: u64 = 1;
 
 /// An instrument as its file has it; unknown keys are kept.
@@ -103,6 +103,17 @@ struct Hue {
     step_px: usize,
     ln_g_b: Vec<Option<f64>>,
     ln_r_g: Vec<Option<f64>>,
+}
+
+impl Hue {
+    fn of(hues: Hues) -> Self {
+        Self {
+            first_px: 0,
+            step_px: hues.step_px,
+            ln_g_b: hues.ln_g_b,
+            ln_r_g: hues.ln_r_g,
+        }
+    }
 }
 
 /// Whether an instrument still fits a picture.
@@ -206,12 +217,7 @@ impl Instrument {
         // Of the smoothest picture at hand: that of the known light.
         let smooth = response.as_mut().and_then(|kept| kept.hues.take());
         let hues = smooth.or_else(|| Hues::of(&photograph.found.profile, HUE_STEP));
-        let hue = hues.map(|hues| Hue {
-            first_px: 0,
-            step_px: hues.step_px,
-            ln_g_b: hues.ln_g_b,
-            ln_r_g: hues.ln_r_g,
-        });
+        let hue = hues.map(Hue::of);
         Some(Self {
             format: FORMAT.to_owned(),
             version: VERSION,
@@ -261,6 +267,26 @@ impl Instrument {
             response,
             others: Map::new(),
         })
+    }
+
+    /// A name for its file.
+    pub fn stem(&self) -> String {
+        let name = self
+            .name
+            .rsplit_once('.')
+            .map_or(&*self.name, |(stem, _)| stem);
+        format!("{name}-instrument")
+    }
+
+    /// The instrument with what it makes of light; hues of that picture's smooth light are better
+    /// than a lamp's.
+    #[must_use]
+    pub fn with_response(mut self, mut kept: Kept) -> Self {
+        if let Some(hues) = kept.hues.take() {
+            self.hue = Some(Hue::of(hues));
+        }
+        self.response = Some(kept);
+        self
     }
 
     /// Its file.

@@ -1,30 +1,37 @@
 //! A photograph of a spectrum: read, its strip found, its axis by the lines of a lamp or by pins.
 
+mod along;
+mod example;
+mod exposures;
 mod figures;
 mod instrument;
+mod line_words;
+mod reading;
 mod response;
 mod spectrum;
 mod view;
 mod words;
 
-use std::path::Path;
-
+pub use exposures::{Exposed, Exposure};
 pub use figures::{ColourFigures, Estimate};
 pub use instrument::{Applied, Fit, Instrument};
+pub use reading::{of_photo, read};
 pub use response::{Kept, Known, Through};
 pub use spectrum::{Row, Rows, Stands};
-pub use view::{PhotographAsk, Pixels, ResponseAsk, SeenPhotograph, is_photograph};
-pub use words::{colour_words, json, sentence, table, warnings};
+pub use view::{
+    ManyAsk, OfMany, PhotographAsk, PictureOf, Pixels, ResponseAsk, SeenPhotograph, is_instrument,
+    is_photograph,
+};
+pub use words::{colour_words, json, sentence, sentence_parts, table, warnings};
 
 use crate::{
-    io::{ColourPixels, Exif, Photo, read_photo},
+    io::Exif,
     photographs::{
-        Lamp, Profile,
-        axis::{Answer, Curve, Pin, State, Wanted, find, snapped, through_pins},
-        hue::Hues,
-        peaks::{Peak, Peaks, bright, dark},
-        picture::{Codes, Picture},
-        strip::{self, ByHand, Found, Strip},
+        Lamp,
+        axis::{Answer, Curve, Pin, State},
+        peaks::{Peak, Peaks},
+        picture::Tones,
+        strip::{ByHand, Found},
     },
 };
 
@@ -45,6 +52,12 @@ pub enum LampChoice {
 pub struct Said {
     /// Where its strip is.
     pub strip: ByHand,
+    /// Wavelengths fall along it.
+    pub falls: Option<bool>,
+    /// Codes are proportional to light.
+    pub is_linear: bool,
+    /// Several exposures of one light.
+    pub exposures: Vec<Exposure>,
     /// Which lamp it shows.
     pub lamp: LampChoice,
     /// Columns with their wavelengths.
@@ -98,6 +111,8 @@ pub struct Photograph {
     pub found: Found,
     /// The strip was drawn, turned or chosen by hand.
     pub by_hand: bool,
+    /// Codes were said to be proportional to light.
+    pub is_linear: bool,
     /// Lines of light.
     pub bright: Peaks,
     /// Dark lines, where no bright ones stand out.
@@ -107,144 +122,20 @@ pub struct Photograph {
     /// The axis through pins alone.
     pub pinned: Option<Curve>,
     pub pins: Vec<Pin>,
+    /// Why the pins make no axis: it is then that of the lines.
+    pub pins_refused: Option<String>,
     /// A suggestion was taken.
     pub yes: bool,
     /// The instrument that it was read with.
     pub instrument: Option<Applied>,
+    /// How the camera bends its tones, which was undone.
+    pub tones: Tones,
+    /// The exposures that tell of it, and what was taken from them.
+    pub exposed: Option<Exposed>,
     /// What it is through a response.
     pub through: Option<Through>,
     /// Its colour figures, or why there are none; not asked for without a response or an instrument.
     pub figures: Option<Result<ColourFigures, String>>,
-}
-
-/// Reads a photograph and finds its strip and its axis.
-///
-/// # Errors
-/// What was found and what was expected, after the file's name.
-pub fn read(path: &Path, said: &Said) -> Result<Photograph, String> {
-    let photo = read_photo(path).map_err(|why| why.to_string())?;
-    let name = crate::io::shown(path);
-    of_photo(&name, photo, said).map_err(|why| format!("{name}: {why}"))
-}
-
-/// A photograph as the search for strips takes it.
-fn picture_of(photo: Photo) -> Result<Picture, String> {
-    let codes = match photo.pixels {
-        ColourPixels::Eight(codes) => Codes::Eight(codes),
-        ColourPixels::Sixteen(codes) => Codes::Sixteen(codes),
-    };
-    let picture = Picture::new(photo.size, codes, photo.is_linear);
-    picture.ok_or_else(|| "found too few pixels, expected those of the whole picture".to_owned())
-}
-
-/// The light along a strip of another picture of the same size, with each of some tones.
-fn of_strip(
-    path: &Path,
-    size: [usize; 2],
-    strip: &Strip,
-    tones: &[f64],
-) -> Result<(Found, Vec<Profile>), String> {
-    let photo = read_photo(path)
-        .map_err(|why| format!("found {}, expected {}", why.found, why.expected))?;
-    if photo.size != size {
-        return Err(format!(
-            "found {} x {} px, expected {} x {}, as the other picture has",
-            photo.size[0], photo.size[1], size[0], size[1]
-        ));
-    }
-    let mut picture = picture_of(photo)?;
-    let found = strip::read_at(&picture, strip);
-    let profiles = (tones.iter())
-        .map(|power| {
-            picture.straighten_tones(*power);
-            strip::again(&picture, &found)
-        })
-        .collect();
-    Ok((found, profiles))
-}
-
-/// The same of a photograph that was read.
-///
-/// # Errors
-/// What was found and what was expected.
-pub fn of_photo(name: &str, photo: Photo, said: &Said) -> Result<Photograph, String> {
-    let about = (photo.exif.clone(), photo.notes.clone());
-    of_picture(name, &mut picture_of(photo)?, about, said)
-}
-
-fn of_picture(
-    name: &str,
-    picture: &mut Picture,
-    (exif, notes): (Exif, Vec<&'static str>),
-    said: &Said,
-) -> Result<Photograph, String> {
-    let size = picture.size();
-    let kept = said
-        .instrument
-        .as_ref()
-        .map(|i| i.strip(size, said.yes))
-        .transpose()?;
-    let response = said.instrument.as_ref().and_then(|i| i.response.as_ref());
-    if let Some(response) = response {
-        picture.straighten_tones(response.tone_p);
-    }
-    let found = match kept {
-        Some(strip) => strip::read_at(picture, &strip),
-        None => strip::find(picture, &said.strip).map_err(|why| why.to_string())?,
-    };
-    let bright = bright(&found.profile);
-    let dark = dark(&found.profile, &bright);
-    let columns = found.profile.columns();
-    let by_pins = !said.pins.is_empty() && !matches!(said.lamp, LampChoice::Is(_));
-    let pinned = by_pins
-        .then(|| through_pins(&said.pins, columns, &bright).map_err(|why| why.to_string()))
-        .transpose()?;
-    let wanted = if by_pins {
-        None
-    } else {
-        wanted(said, columns, &bright, dark.as_ref())?
-    };
-    let answer = wanted.map(|wanted| find(columns, &bright, dark.as_ref(), &wanted));
-    let instrument = said.instrument.as_ref().map(|instrument| {
-        let hues = Hues::of(&found.profile, 1);
-        instrument.applied(size, hues.as_ref(), answer.as_ref(), &bright)
-    });
-    Ok(Photograph {
-        file: name.to_owned(),
-        size,
-        exif,
-        notes,
-        by_hand: said.strip != ByHand::default(),
-        found,
-        bright,
-        dark,
-        answer,
-        pinned,
-        pins: said.pins.clone(),
-        yes: said.yes,
-        instrument,
-        through: None,
-        figures: None,
-    })
-}
-
-/// What is asked of the lines; `None` where nothing is.
-fn wanted(
-    said: &Said,
-    columns: usize,
-    bright: &Peaks,
-    dark: Option<&Peaks>,
-) -> Result<Option<Wanted>, String> {
-    let lamp = match said.lamp {
-        LampChoice::Nothing => return Ok(None),
-        LampChoice::Auto => None,
-        LampChoice::Is(lamp) => Some(lamp),
-    };
-    let peaks = dark
-        .filter(|_| lamp.is_some_and(Lamp::is_dark))
-        .unwrap_or(bright);
-    let pins = snapped(&said.pins, columns, peaks).map_err(|why| why.to_string())?;
-    Ok(Some(Wanted { lamp, pins }))
 }
 
 impl Photograph {
@@ -369,11 +260,17 @@ impl Photograph {
 
     /// The width of lines that are no bands and not over-exposed, nm, where there is one.
     pub fn fwhm_nm(&self) -> Option<f64> {
+        self.resolution().map(|(fwhm, _)| fwhm)
+    }
+
+    /// The same, and the wavelength of the line that is so wide.
+    pub fn resolution(&self) -> Option<(f64, f64)> {
         let curve = self.curve()?;
         let sharp = |p: &&Peak| !p.is_clipped && !p.is_band;
-        let width = |p: &Peak| p.fwhm_px * curve.slope(p.px).abs();
-        let mut widths: Vec<f64> = self.peaks().peaks.iter().filter(sharp).map(width).collect();
-        widths.sort_by(f64::total_cmp);
+        let width = |p: &Peak| (p.fwhm_px * curve.slope(p.px).abs(), curve.nm(p.px));
+        let mut widths: Vec<(f64, f64)> =
+            self.peaks().peaks.iter().filter(sharp).map(width).collect();
+        widths.sort_by(|a, b| a.0.total_cmp(&b.0));
         widths.get(widths.len() / 2).copied()
     }
 }

@@ -4,7 +4,10 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Photograph, of_strip};
+use super::{
+    Photograph, Tones,
+    along::{Along, of_strip},
+};
 use crate::{
     color::{blackbody::relative, quality::daylight},
     photographs::{
@@ -70,10 +73,17 @@ pub struct Kept {
     doubt_k: Option<f64>,
     /// The power by which tones were straightened: 1 for none.
     pub(super) tone_p: f64,
+    /// The power of the light that the camera's values go with, as several exposures told.
+    #[serde(default = "proportional")]
+    light_power: f64,
     disagreement: f64,
     /// The hues of that picture's columns, until they are kept with the instrument.
     #[serde(skip)]
     pub(super) hues: Option<Hues>,
+}
+
+fn proportional() -> f64 {
+    1.0
 }
 
 /// A picture read through a response.
@@ -85,6 +95,8 @@ pub struct Through {
     pub bulb: Option<(f64, f64)>,
     /// The power by which tones were straightened: 1 for none.
     pub tone_p: f64,
+    /// The power of the light that the camera's values go with.
+    pub light_power: f64,
     /// How far the channels of a straight camera disagree at most.
     pub most_disagreement: f64,
     /// The light.
@@ -124,6 +136,14 @@ impl Kept {
         Some((kelvin, self.doubt_k?))
     }
 
+    /// The camera's tones, which are to be undone.
+    pub(super) fn tones(&self) -> Tones {
+        Tones {
+            s_power: self.tone_p,
+            light_power: self.light_power,
+        }
+    }
+
     fn response(&self) -> Option<Response> {
         let count = self.r.len();
         let is_whole = count > 3
@@ -131,6 +151,7 @@ impl Kept {
             && self.step_nm == STEP_NM
             && self.first_nm.is_finite()
             && (TONES[0]..=TONES[TONES.len() - 1]).contains(&self.tone_p)
+            && (0.2..=5.0).contains(&self.light_power)
             && [&self.r, &self.g, &self.b]
                 .into_iter()
                 .flatten()
@@ -166,7 +187,13 @@ impl Kept {
         let no_axis = "found no axis, expected one to learn a response on";
         let curve = of.used_curve().ok_or(no_axis)?;
         let reach = of.reach_nm().ok_or(no_axis)?;
-        let (found, _) = of_strip(path, of.size, &of.found.strip, &[])?;
+        let along = Along {
+            size: of.size,
+            strip: &of.found.strip.clone(),
+            is_linear: of.is_linear,
+            tones: of.tones,
+        };
+        let (found, _) = of_strip(path, along, &[])?;
         let hues = Hues::of(&found.profile, HUE_STEP);
         let moved = Hues::of(&of.found.profile, HUE_STEP)
             .zip(hues.clone())
@@ -184,12 +211,16 @@ impl Kept {
         let learn = |profile: &Profile| Response::learn(profile, &seen, range, known.power());
         let mut response =
             learn(&found.profile).ok_or("the known light and this picture have no nm in common")?;
-        let mut tone_p = 1.0;
+        let mut tone_p = of.tones.s_power;
         let plain = response.disagreement_of(&of.found.profile, &curve);
         let limit = most_disagreement(of);
         if let Some(own) = own.filter(|_| plain > TRIED * limit) {
-            let (_, theirs) = of_strip(path, of.size, &of.found.strip, &TONES)?;
-            let (_, mine) = of_strip(own, of.size, &of.found.strip, &TONES)?;
+            let tones = TONES.map(|s_power| Tones {
+                s_power,
+                ..of.tones
+            });
+            let (_, theirs) = of_strip(path, along, &tones)?;
+            let (_, mine) = of_strip(own, along, &tones)?;
             let tried = (TONES.iter().zip(theirs).zip(mine)).filter_map(|((power, known), own)| {
                 let response = learn(&known)?;
                 let off = response.disagreement_of(&own, &curve);
@@ -201,6 +232,7 @@ impl Kept {
                 && off < FALLS_TO * plain
             {
                 (tone_p, response, of.found.profile) = (power, straight, own);
+                of.exposed.iter_mut().for_each(|e| e.joined.clear());
             }
         }
         let [r, g, b] = response.channels;
@@ -213,6 +245,7 @@ impl Kept {
             known_as: known.words(),
             doubt_k: matches!(known, Known::Blackbody(_)).then_some(DOUBT_K),
             tone_p,
+            light_power: of.tones.light_power,
             disagreement: response.disagreement,
             hues: if moved.is_none_or(|shift| shift.px == 0.0) {
                 hues
@@ -231,6 +264,7 @@ impl Kept {
             known_as: self.known_as.clone(),
             bulb: self.bulb(),
             tone_p: self.tone_p,
+            light_power: self.light_power,
             most_disagreement: most_disagreement(photograph),
             disagreement: corrected.disagreement.max(self.disagreement),
             corrected,

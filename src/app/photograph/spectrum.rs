@@ -1,7 +1,7 @@
 //! The spectrum of a photograph: light for each nm, as the camera saw it.
 
 use super::Photograph;
-use crate::photographs::{Profile, axis::Curve};
+use crate::photographs::axis::Curve;
 
 /// Light at a wavelength, relative to the brightest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,7 +56,7 @@ impl Photograph {
             let [Some(a), Some(b)] = ends else {
                 return None;
             };
-            Some(mean(profile, nm, a.min(b), a.max(b)))
+            Some(self.mean(nm, a.min(b), a.max(b)))
         };
         let whole = (from.ceil() as i32..=to.floor() as i32).map(f64::from);
         let mut rows: Vec<Row> = match (&self.through, stands) {
@@ -77,7 +77,7 @@ impl Photograph {
                     .collect()
             }
             (None, Stands::WholeNm) => whole.filter_map(over_1_nm).collect(),
-            _ => at_columns(profile, &curve, from, to),
+            _ => self.at_columns(&curve, from, to),
         };
         let top = rows.iter().map(|row: &Row| row.value).fold(0.0, f64::max);
         if top <= 0.0 {
@@ -93,49 +93,51 @@ impl Photograph {
         }
         Some(Rows { rows, stands })
     }
-}
 
-/// The light of all columns between two places, which are 1 nm apart.
-fn mean(profile: &Profile, nm: f64, from: f64, to: f64) -> Row {
-    let mut channels = [0.0; 3];
-    let mut variance = 0.0;
-    let mut is_clipped = false;
-    let first = (from + 0.5).floor().max(0.0) as usize;
-    let last = ((to + 0.5).floor() as usize).min(profile.columns() - 1);
-    for column in first..=last {
-        let (left, right) = (column as f64 - 0.5, column as f64 + 0.5);
-        let share = (right.min(to) - left.max(from)).max(0.0);
-        for (sum, channel) in channels.iter_mut().zip(&profile.channels) {
-            *sum += share * channel[column];
+    /// The light of all columns between two places, which are 1 nm apart.
+    fn mean(&self, nm: f64, from: f64, to: f64) -> Row {
+        let profile = &self.found.profile;
+        let mut channels = [0.0; 3];
+        let mut variance = 0.0;
+        let mut is_clipped = false;
+        let first = (from + 0.5).floor().max(0.0) as usize;
+        let last = ((to + 0.5).floor() as usize).min(profile.columns() - 1);
+        for column in first..=last {
+            let (left, right) = (column as f64 - 0.5, column as f64 + 0.5);
+            let share = (right.min(to) - left.max(from)).max(0.0);
+            for (sum, channel) in channels.iter_mut().zip(&profile.channels) {
+                *sum += share * channel[column];
+            }
+            variance += (share * profile.sum_sigma() * self.noise_factor(column)).powi(2);
+            is_clipped |= share > 0.0 && profile.clipped[column];
         }
-        variance += (share * profile.sum_sigma()).powi(2);
-        is_clipped |= share > 0.0 && profile.clipped[column];
-    }
-    Row {
-        nm,
-        value: channels.iter().sum(),
-        sigma: variance.sqrt(),
-        channels,
-        is_clipped,
-    }
-}
-
-/// Each column at its own place, its light for 1 nm.
-fn at_columns(profile: &Profile, curve: &Curve, from: f64, to: f64) -> Vec<Row> {
-    let row = |column: usize| {
-        let px = column as f64;
-        let step = curve.slope(px).abs();
-        let channels = profile.channels.each_ref().map(|c| c[column] / step);
         Row {
-            nm: curve.nm(px),
+            nm,
             value: channels.iter().sum(),
-            sigma: profile.sum_sigma() / step,
+            sigma: variance.sqrt(),
             channels,
-            is_clipped: profile.clipped[column],
+            is_clipped,
         }
-    };
-    let inside = |row: &Row| (from..=to).contains(&row.nm);
-    let mut rows: Vec<Row> = (0..profile.columns()).map(row).filter(inside).collect();
-    rows.sort_by(|a, b| a.nm.total_cmp(&b.nm));
-    rows
+    }
+
+    /// Each column at its own place, its light for 1 nm.
+    fn at_columns(&self, curve: &Curve, from: f64, to: f64) -> Vec<Row> {
+        let profile = &self.found.profile;
+        let row = |column: usize| {
+            let px = column as f64;
+            let step = curve.slope(px).abs();
+            let channels = profile.channels.each_ref().map(|c| c[column] / step);
+            Row {
+                nm: curve.nm(px),
+                value: channels.iter().sum(),
+                sigma: profile.sum_sigma() * self.noise_factor(column) / step,
+                channels,
+                is_clipped: profile.clipped[column],
+            }
+        };
+        let inside = |row: &Row| (from..=to).contains(&row.nm);
+        let mut rows: Vec<Row> = (0..profile.columns()).map(row).filter(inside).collect();
+        rows.sort_by(|a, b| a.nm.total_cmp(&b.nm));
+        rows
+    }
 }

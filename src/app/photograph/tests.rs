@@ -371,6 +371,27 @@ fn bands_of_drawn_instruments_hold_the_temperatures_of_their_lights() {
     assert!(worst < 0.1, "{worst}");
 }
 
+#[test]
+fn a_picture_has_the_same_bits_by_one_thread_and_by_many() {
+    let (path, _) = named("inst0_cfl.jpg");
+    let told = || {
+        let photograph = read(&path, &Said::default()).expect("a strip");
+        format!("{:?}", (&photograph.found, &photograph.answer))
+    };
+    let alone = told();
+    for count in [2, 5] {
+        std::thread::scope(|scope| {
+            let threads: Vec<_> = (0..count).map(|_| scope.spawn(told)).collect();
+            for thread in threads {
+                assert!(
+                    thread.join().expect("no panic") == alone,
+                    "of {count} threads"
+                );
+            }
+        });
+    }
+}
+
 /// A PNG of codes.
 fn png_of([width, height]: [usize; 2], codes: &[u8]) -> Vec<u8> {
     let mut bytes = Vec::new();

@@ -6,7 +6,14 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::{Instrument, Kept, Known, Photograph, Said, of_picture, picture_of};
+use super::{
+    Fit, Instrument, Kept, Known, Photograph, Said,
+    along::picture_of,
+    example,
+    instrument::FORMAT,
+    reading::{About, of_picture},
+    words::sentence,
+};
 use crate::{
     app::{open::few_numbers::is_few_numbers, studies::Question},
     io::{ReadError, name_of, read_photo},
@@ -15,10 +22,18 @@ use crate::{
     study::Progress,
 };
 
+/// The picture that is read.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PictureOf {
+    File(PathBuf),
+    /// The one that the program draws.
+    Example,
+}
+
 /// A photograph, and what a person said of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PhotographAsk {
-    pub path: PathBuf,
+    pub of: PictureOf,
     pub said: Said,
 }
 
@@ -53,6 +68,17 @@ const JPEG: &[u8] = b"\xff\xd8\xff";
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 const BOX: &[u8] = b"ftyp";
 
+/// True of a file that begins as that of an instrument does.
+pub fn is_instrument(path: &Path) -> bool {
+    let mut head = [0; 256];
+    let read = path
+        .is_file()
+        .then(|| File::open(path).ok()?.read(&mut head).ok());
+    let head = &head[..read.flatten().unwrap_or(0)];
+    head.windows(FORMAT.len())
+        .any(|part| part == FORMAT.as_bytes())
+}
+
 /// True of a file that is a photograph by what it begins with, and no picture in few numbers.
 pub fn is_photograph(path: &Path) -> bool {
     let mut head = [0; 12];
@@ -74,10 +100,15 @@ impl Question for PhotographAsk {
 
 impl PhotographAsk {
     fn seen(&self) -> Result<SeenPhotograph, String> {
-        let photo = read_photo(&self.path).map_err(|why: ReadError| why.to_string())?;
-        let name = name_of(&self.path);
-        let about = (photo.exif.clone(), photo.notes.clone());
-        let mut picture = picture_of(photo)?;
+        let (photo, name, path) = match &self.of {
+            PictureOf::File(path) => {
+                let photo = read_photo(path).map_err(|why: ReadError| why.to_string())?;
+                (photo, name_of(path), Some(&**path))
+            }
+            PictureOf::Example => (example::photo(), "an example".to_owned(), None),
+        };
+        let about = About::of(&photo, path);
+        let mut picture = picture_of(photo, self.said.is_linear)?;
         let size = picture.size();
         let small = made_small(&picture);
         let found = of_picture(&name, &mut picture, about, &self.said).map(|mut found| {
@@ -160,12 +191,12 @@ impl Photograph {
 /// An instrument that is to learn what it makes of light from a picture of a known one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResponseAsk {
-    /// The picture that the axis is from, and what was said of it.
-    pub lamp: PhotographAsk,
+    pub instrument: Instrument,
+    /// The picture that the axis is from, where it is at hand, and what was said of it.
+    pub lamp: Option<(PathBuf, Said)>,
     /// The picture of the light that is known.
     pub path: PathBuf,
-    /// Its temperature as a bulb, K.
-    pub kelvin: f64,
+    pub known: Known,
 }
 
 impl Question for ResponseAsk {
@@ -173,13 +204,66 @@ impl Question for ResponseAsk {
 
     fn answer(&self, _: &Progress) -> Option<Self::Answer> {
         let learnt = || {
-            let own = &self.lamp.path;
-            let mut lamp = super::read(own, &self.lamp.said)?;
-            let known = Known::Blackbody(self.kelvin);
-            let kept = Kept::learn(&self.path, &known, &mut lamp, Some(own))?;
-            Instrument::of(&lamp, &name_of(own), Some(kept))
-                .ok_or_else(|| "found no axis, expected one".to_owned())
+            let with_it = || Said {
+                instrument: Some(self.instrument.clone()),
+                yes: true,
+                ..Said::default()
+            };
+            // Without the lamp's picture the axis that was kept serves.
+            let (own, said) = (self.lamp.clone()).unwrap_or_else(|| (self.path.clone(), with_it()));
+            let mut lamp = super::read(&own, &said)?;
+            let kept = Kept::learn(&self.path, &self.known, &mut lamp, Some(&own))?;
+            Ok(self.instrument.clone().with_response(kept))
         };
         Some(learnt())
+    }
+}
+
+/// Several pictures that are read with one instrument.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ManyAsk {
+    pub paths: Vec<PathBuf>,
+    pub instrument: Instrument,
+}
+
+/// One of them.
+#[derive(Clone, Debug)]
+pub struct OfMany {
+    pub name: String,
+    pub path: PathBuf,
+    /// Its spectrum, or why it has none.
+    pub spectrum: Result<NamedSpectrum, String>,
+}
+
+impl Question for ManyAsk {
+    type Answer = Vec<OfMany>;
+
+    fn answer(&self, progress: &Progress) -> Option<Self::Answer> {
+        let said = Said {
+            instrument: Some(self.instrument.clone()),
+            ..Said::default()
+        };
+        progress.expect(self.paths.len());
+        let mut all = Vec::new();
+        for path in &self.paths {
+            if progress.is_cancelled() {
+                return None;
+            }
+            let spectrum = super::read(path, &said).and_then(|mut photograph| {
+                photograph.read_through(self.instrument.response.as_ref());
+                let why = || match &photograph.instrument.as_ref().map(|i| &i.fit) {
+                    Some(Fit::No(why)) => why.clone(),
+                    _ => sentence(&photograph).replace(" (--yes)", ""),
+                };
+                photograph.spectrum().ok_or_else(why)
+            });
+            all.push(OfMany {
+                name: name_of(path),
+                path: path.clone(),
+                spectrum,
+            });
+            progress.step();
+        }
+        Some(all)
     }
 }

@@ -2,11 +2,13 @@
 
 use serde_json::{Value, json};
 
-use super::{ColourFigures, Estimate, Fit, Photograph, Row, Source, Stands};
+use super::{
+    ColourFigures, Estimate, Exposed, Fit, Photograph, Row, Source, Stands, line_words::told,
+};
 use crate::{
     app::cells::{Columns, Table, cell, column, rounded},
     io::{many::many, one_line},
-    photographs::axis::{Match, Solution},
+    photographs::axis::{Match, Pin, Solution},
 };
 
 /// A figure for JSON: rounded to what it is worth, never a number that is none.
@@ -20,13 +22,26 @@ fn figure(value: f64, digits: i32) -> Value {
     }
 }
 
-/// What the axis is, in one sentence.
+/// What the axis is, in one sentence with its evidence.
 pub fn sentence(photograph: &Photograph) -> String {
+    let [what, lines] = sentence_parts(photograph);
+    if lines.is_empty() {
+        return what;
+    }
+    let what = what.trim_end_matches(". Right?");
+    match photograph.source() {
+        Source::Suggested => format!("{what}: {lines}. Right? (--yes takes it)"),
+        _ => format!("{what}: {lines}. Right?"),
+    }
+}
+
+/// What the axis is, and apart from it the lines that say so; none where no lines do.
+pub fn sentence_parts(photograph: &Photograph) -> [String; 2] {
     let best = photograph
         .answer
         .as_ref()
         .and_then(|answer| answer.best.as_ref());
-    match (photograph.source(), best) {
+    let what = match (photograph.source(), best) {
         (Source::Pins, _) => {
             let count = photograph.pins.len();
             let doubt = if count == 2 {
@@ -38,17 +53,16 @@ pub fn sentence(photograph: &Photograph) -> String {
         }
         (Source::Instrument, _) => of_instrument(photograph),
         (Source::Found, Some(best)) => {
-            format!("Looks like {}: {}. Right?", called(best), lines(best))
+            let words = format!("Looks like {}. Right?", called(best));
+            return [words, lines(photograph, best)];
         }
         (Source::Suggested, Some(best)) => {
-            format!(
-                "Perhaps {}: {}. Right? (--yes takes it)",
-                called(best),
-                lines(best)
-            )
+            let words = format!("Perhaps {}. Right?", called(best));
+            return [words, lines(photograph, best)];
         }
         _ => "Cannot be said: no axis is known.".to_owned(),
-    }
+    };
+    [what, String::new()]
 }
 
 /// What an instrument says of a picture.
@@ -81,14 +95,11 @@ fn called(best: &Solution) -> String {
     }
 }
 
-fn lines(best: &Solution) -> String {
-    let mut nm: Vec<f64> = best.lines_nm().collect();
-    nm.sort_by(f64::total_cmp);
-    let nm: Vec<String> = nm.iter().map(|nm| format!("{nm:.1}")).collect();
+fn lines(photograph: &Photograph, best: &Solution) -> String {
     format!(
         "{}; {} lines, {:.1} nm (left out {:.1})",
-        nm.join(", "),
-        nm.len(),
+        told(photograph, best),
+        best.matches.len(),
         best.rms_nm(),
         best.left_out_rms_nm()
     )
@@ -135,15 +146,23 @@ pub fn warnings(photograph: &Photograph) -> Vec<String> {
         let lines = many(count, "thin drawn line was", "thin drawn lines were");
         warnings.push(format!("{lines} ignored"));
     }
-    if let Some(why) = photograph
-        .answer
-        .as_ref()
-        .and_then(|answer| answer.why.clone())
+    // Beside an instrument or pins it does not matter what the lines alone would say.
+    if matches!(
+        photograph.source(),
+        Source::Found | Source::Suggested | Source::Nothing
+    ) && photograph.instrument.is_none()
     {
-        warnings.push(why);
+        warnings.extend(photograph.answer.as_ref().and_then(|a| a.why.clone()));
     }
     if let Some(Fit::No(why)) = photograph.instrument.as_ref().map(|i| &i.fit) {
         warnings.push(why.clone());
+    }
+    warnings.extend(photograph.pins_refused.clone());
+    if let Some(exposed) = &photograph.exposed {
+        warnings.extend(of_exposures(exposed));
+    }
+    if photograph.pins.iter().any(is_a_laser_diode) {
+        warnings.push("laser diodes are off by up to 10 nm".to_owned());
     }
     let tone_p = photograph.through.as_ref().map_or(1.0, |t| t.tone_p);
     if tone_p != 1.0 {
@@ -167,6 +186,34 @@ pub fn warnings(photograph: &Photograph) -> Vec<String> {
         warnings.push("two points: 1-8 nm wrong between grating and line".to_owned());
     }
     warnings
+}
+
+/// What several exposures told.
+fn of_exposures(exposed: &Exposed) -> Vec<String> {
+    let mut words = Vec::new();
+    if exposed.light_power != 1.0 {
+        words.push(format!(
+            "this camera's values go with the light to the power {:.2}; undone",
+            exposed.light_power
+        ));
+    }
+    if exposed.is_uneven {
+        words.push(
+            "bright columns change by another factor between the exposures than dark ones: the \
+             camera's tones are no power of the light"
+                .to_owned(),
+        );
+    }
+    if !exposed.joined.is_empty() {
+        let columns = many(exposed.joined.len(), "column is", "columns are");
+        words.push(format!("{columns} from a darker exposure"));
+    }
+    words
+}
+
+/// A pin at what a laser diode is called by; 532.0 and 632.8 are of other lasers, which keep to it.
+fn is_a_laser_diode(pin: &Pin) -> bool {
+    [405.0, 450.0, 520.0, 635.0, 650.0].contains(&pin.nm)
 }
 
 /// Everything about a photograph, with the wavelengths at some of its pixels.
@@ -217,9 +264,14 @@ pub fn json(photograph: &Photograph, at: &[[f64; 2]]) -> Value {
             "shift_nm": i.shift_nm.map(|nm| figure(nm, 3)),
             "hue_difference": i.hue_difference.map(|d| figure(d, 4)),
         })),
+        "exposures": photograph.exposed.as_ref().map(|e| json!({
+            "light_power": figure(e.light_power, 3),
+            "joined_columns": e.joined.len(),
+        })),
         "response": photograph.through.as_ref().map(|t| json!({
             "known_as": t.known_as,
             "tone_p": t.tone_p,
+            "light_power": figure(t.light_power, 3),
             "disagreement": figure(t.disagreement, 4),
             "undefined_nm": t.undefined_nm(),
         })),

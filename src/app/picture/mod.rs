@@ -4,7 +4,6 @@
 mod at_hand;
 mod band_weights;
 mod exposure;
-mod memory;
 mod raster;
 mod region_spectrum;
 pub mod reload;
@@ -12,13 +11,12 @@ pub mod reload;
 pub use at_hand::{WALL_KEY, at_hand};
 pub use band_weights::BandWeights;
 pub use exposure::{Exposed, NOT_MEASURED, exposed, seen_in};
-pub use memory::{BAND_NM, ImageMemory, STOPS, Show, Spread};
 pub use raster::{MOST_SIDE, Raster, RasterAsk, Source, step_of};
 pub use region_spectrum::{RegionAsk, RegionSpectrum, named};
 
 use std::sync::Arc;
 
-use super::{document::Document, opened::ImageEntry};
+use super::{document::Document, opened::ImageEntry, pages::ImageMemory};
 
 /// The image that the page shows: the chosen one, or the one opened last.
 pub fn shown<'a>(document: &'a Document, memory: &ImageMemory) -> Option<&'a Arc<ImageEntry>> {

@@ -3,10 +3,7 @@
 
 use std::{
     path::{Path, PathBuf},
-    sync::{
-        Arc,
-        mpsc::{Receiver, Sender, channel},
-    },
+    sync::Arc,
 };
 
 use crate::{
@@ -14,7 +11,7 @@ use crate::{
         open::{Loaded, load_path_as, unshaken},
         opened::ImageEntry,
         origin::FromFile,
-        studies::Wake,
+        worker::{Wake, Worker, news_of},
         workspace::StoredImage,
     },
     io::{budget, envi},
@@ -32,23 +29,11 @@ pub enum News {
 }
 
 /// Reads images again.
+#[derive(Default)]
 pub struct ReloadJob {
-    sender: Sender<News>,
-    receiver: Receiver<News>,
+    workers: Vec<Worker<News>>,
     waiting: Vec<StoredImage>,
     lost: Vec<StoredImage>,
-}
-
-impl Default for ReloadJob {
-    fn default() -> Self {
-        let (sender, receiver) = channel();
-        Self {
-            sender,
-            receiver,
-            waiting: Vec::new(),
-            lost: Vec::new(),
-        }
-    }
 }
 
 /// Data above this are told of before they are read, bytes.
@@ -56,13 +41,12 @@ const WORTH_TELLING: usize = 16 << 20;
 
 impl ReloadJob {
     /// Starts reading images again; `wake` is called when each one is there.
-    pub fn bring_back(&mut self, images: Vec<StoredImage>, wake: Wake) {
+    pub fn bring_back(&mut self, images: Vec<StoredImage>, wake: &Wake) {
         if images.is_empty() {
             return;
         }
         self.waiting.extend(images.iter().cloned());
-        let sender = self.sender.clone();
-        std::thread::spawn(move || {
+        self.workers.push(Worker::start(wake, move |tell| {
             // A file with several images is read once.
             let mut last: Option<(StoredImage, Result<Vec<ImageEntry>, String>)> = None;
             for stored in images {
@@ -78,16 +62,15 @@ impl ReloadJob {
                     Some(Err(why)) => News::Lost(stored, why),
                     None => return,
                 };
-                if sender.send(news).is_err() {
+                if !tell.show(news) {
                     return;
                 }
-                wake();
             }
-        });
+        }));
     }
 
     /// Looks at headers for what their data need.
-    pub fn tell_needs(&self, paths: &[PathBuf], wake: Wake) {
+    pub fn tell_needs(&mut self, paths: &[PathBuf], wake: &Wake) {
         let may_be_large = |path: &&PathBuf| {
             let known = envi::FORMAT.extensions;
             let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
@@ -97,19 +80,16 @@ impl ReloadJob {
         if paths.is_empty() {
             return;
         }
-        let sender = self.sender.clone();
-        std::thread::spawn(move || {
-            for words in paths.iter().filter_map(|path| needs(path)) {
-                // Nobody listens any more once the window is closed.
-                let _ = sender.send(News::Needs(words));
-                wake();
-            }
-        });
+        self.workers.push(Worker::start(wake, move |tell| {
+            let needs = paths.iter().filter_map(|path| needs(path));
+            // Nobody listens any more once the window is closed.
+            for _ in needs.take_while(|words| tell.show(News::Needs(words.clone()))) {}
+        }));
     }
 
     /// What has come since the last call.
     pub fn news(&mut self) -> Vec<News> {
-        let mut news: Vec<News> = self.receiver.try_iter().collect();
+        let mut news = news_of(&mut self.workers);
         let (waiting, lost) = (&mut self.waiting, &mut self.lost);
         news.retain(|one| {
             let key = match one {

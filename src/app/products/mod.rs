@@ -2,21 +2,15 @@
 
 mod known_lines;
 mod link_words;
-mod memory;
 mod modelled_light;
-pub mod same_surface;
 pub mod two_lights;
 
 use std::sync::Arc;
 
-use super::{entry::Entry, library::Library, recipe::Times, settings::within};
+use super::{entry::Entry, library::Library, recipe::Times};
 use crate::spectrum::{Band, bounces, glass};
 
 pub use known_lines::KnownLines;
-pub use memory::{
-    AbsorptionMemory, BouncesMemory, ChainMemory, NarrowMemory, PASS_WIDTHS_NM, ProductsMemory,
-    ROOM_PERCENT, ResamplingMemory, SameSurfaceMemory, TwoLightsMemory,
-};
 pub use modelled_light::ModelledLight;
 
 /// Most factors in one chain.
@@ -84,13 +78,12 @@ impl Link {
 
     fn clamped(self) -> Self {
         // Only what light passes through has one.
-        let thickness = if self.has_thickness() {
-            self.thickness
-        } else {
-            1.0
+        let thickness = match self.thickness {
+            ratio if self.has_thickness() && !ratio.is_nan() => ratio,
+            _ => 1.0,
         };
         Self {
-            thickness: within(thickness, THICKNESSES, 1.0),
+            thickness: thickness.clamp(*THICKNESSES.start(), *THICKNESSES.end()),
             bounces: self.bounces.clamp(*BOUNCES.start(), *BOUNCES.end()),
             ..self
         }

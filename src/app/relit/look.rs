@@ -3,8 +3,8 @@
 use super::{Outcome, told};
 use crate::{
     app::{
-        document::Document, entry::Entry, memo::ByAddress, picture::ImageMemory, state::App,
-        studies::Question,
+        document::Document, entry::Entry, memo::ByAddress, pages::ImageMemory, pages::RelitMemory,
+        state::App, studies::Question,
     },
     color::Observer,
     io::many::many,
@@ -15,8 +15,6 @@ use crate::{
     spectrum::SpectralImage,
     study::Progress,
 };
-
-use super::memory::RelitMemory;
 
 /// Most pixels that are drawn, and most values that are kept of them.
 const MOST_DRAWN: usize = 1 << 18;

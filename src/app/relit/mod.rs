@@ -4,7 +4,6 @@
 mod difference;
 mod fit;
 mod look;
-mod memory;
 mod shown;
 mod store;
 mod words;
@@ -12,7 +11,6 @@ mod words;
 pub use difference::{NAMED, difference_colours, place_of};
 pub use fit::{Fit, FitAsk, TurnAsk, Turned};
 pub use look::{LookAsk, Looked, Subject};
-pub use memory::{BOUNDS, LINES_NM, Look, MOST_LINES, RelitMemory};
 pub use shown::{RelitShown, relit_shown};
 pub use store::{Form, PeersAsk, PictureWish, StoreAsk, Stored, bytes_words};
 pub use words::{

@@ -1,14 +1,11 @@
 //! A picture in few numbers under a light, as a chain of jobs: look, fit, turn, and beside it what
 //! it takes on disk and what others make of it.
 
-use super::{
-    Fit, FitAsk, Look, LookAsk, Looked, Outcome, PeersAsk, RelitMemory, StoreAsk, Stored, TurnAsk,
-    Turned,
-};
+use super::{Fit, FitAsk, LookAsk, Looked, Outcome, PeersAsk, StoreAsk, Stored, TurnAsk, Turned};
 use crate::{
     app::{
         memo::ByAddress,
-        picture::ImageMemory,
+        pages::{ImageMemory, Look, RelitMemory},
         state::App,
         studies::{Studies, Wake},
     },

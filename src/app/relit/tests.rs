@@ -8,7 +8,7 @@ use crate::{
         App, Command, assert_says,
         charts::relit::difference_chart,
         open::{Loaded, load_path},
-        picture::ImageMemory,
+        pages::{ImageMemory, RelitMemory},
         studies::Question,
     },
     color::Observer,

@@ -39,9 +39,33 @@ pub(super) fn tables_for(document: &Document) -> TablesFor {
     }
 }
 
+/// What a change of the document leaves as it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kept {
+    Nothing,
+    /// Everything of [`Derived`].
+    Model,
+    /// Everything: pages alone keep something else.
+    AllButPages,
+}
+
+impl Kept {
+    pub(super) fn of(before: &Document, after: &Document) -> Self {
+        let with_pages = Document {
+            pages: after.pages.clone(),
+            ..before.clone()
+        };
+        match same_model(before, after) {
+            true if with_pages == *after => Self::AllButPages,
+            true => Self::Model,
+            false => Self::Nothing,
+        }
+    }
+}
+
 /// Whether two documents have the same model, so that nothing of [`Derived`] can differ: only what
 /// lies beside it did (overlays, layers of the plot, products, what pages keep).
-pub(super) fn same_model(a: &Document, b: &Document) -> bool {
+fn same_model(a: &Document, b: &Document) -> bool {
     let Document {
         light,
         factor,

@@ -1,11 +1,11 @@
 //! A long computation on a thread of its own, keyed by what was asked.
 
-use std::{any::Any, sync::Arc, thread::JoinHandle};
+use std::{any::Any, sync::Arc};
 
-use crate::study::Progress;
-
-/// Called from the worker's thread when there is something new to draw.
-pub type Wake = Arc<dyn Fn() + Send + Sync>;
+use crate::{
+    app::worker::{Wake, Worker},
+    study::Progress,
+};
 
 /// What takes long to answer, with all that its answer depends on.
 pub trait Question {
@@ -43,19 +43,9 @@ pub struct Job<K, T> {
 
 struct Running<K, T> {
     key: K,
-    progress: Arc<Progress>,
-    thread: JoinHandle<Option<T>>,
+    worker: Worker<T>,
     /// Told to stop because something else was asked, not by a person.
     superseded: bool,
-}
-
-/// Wakes the window when a thread ends, in whatever way.
-struct WakeAtEnd(Wake);
-
-impl Drop for WakeAtEnd {
-    fn drop(&mut self) {
-        (self.0)();
-    }
 }
 
 impl<K, T> Default for Job<K, T> {
@@ -78,8 +68,9 @@ impl<K: Clone + PartialEq + 'static, T: Send + 'static> Job<K, T> {
     {
         self.take_in();
         if let Some(running) = &mut self.running {
-            if running.key != *key && !running.progress.is_cancelled() {
-                running.progress.cancel();
+            let progress = &running.worker.progress;
+            if running.key != *key && !progress.is_cancelled() {
+                progress.cancel();
                 running.superseded = true;
             }
             return;
@@ -93,16 +84,15 @@ impl<K: Clone + PartialEq + 'static, T: Send + 'static> Job<K, T> {
             return;
         }
         self.stage = Stage::Running(0.0);
-        let progress = Arc::new(Progress::default());
-        let (work, watched, wake) = (work(), progress.clone(), WakeAtEnd(wake.clone()));
-        let thread = std::thread::spawn(move || {
-            let _wake = wake;
-            work(&watched)
+        let work = work();
+        let worker = Worker::start(wake, move |tell| {
+            if let Some(found) = work(&tell.progress) {
+                tell.send(found);
+            }
         });
         self.running = Some(Running {
             key: key.clone(),
-            progress,
-            thread,
+            worker,
             superseded: false,
         });
     }
@@ -122,8 +112,8 @@ impl<K: Clone + PartialEq + 'static, T: Send + 'static> Job<K, T> {
         let Some(running) = self.running.take() else {
             return;
         };
-        let cancelled = running.progress.is_cancelled();
-        self.stage = match running.thread.join() {
+        let cancelled = running.worker.progress.is_cancelled();
+        self.stage = match running.worker.join().map(|mut found| found.pop()) {
             Ok(Some(found)) => {
                 self.result = Some((running.key, Arc::new(found)));
                 Stage::Done
@@ -143,7 +133,7 @@ impl<K: Clone + PartialEq + 'static, T: Send + 'static> Job<K, T> {
     /// Stops the computation; the last good result stays.
     pub fn cancel(&mut self) {
         if let Some(running) = &self.running {
-            running.progress.cancel();
+            running.worker.progress.cancel();
         }
     }
 
@@ -191,14 +181,13 @@ pub trait Work: Any {
 
 impl<K: Clone + PartialEq + 'static, T: Send + 'static> Work for Job<K, T> {
     fn take_in(&mut self) {
-        if self
-            .running
-            .as_ref()
-            .is_some_and(|r| r.thread.is_finished())
-        {
+        let Some(Running { worker, .. }) = &mut self.running else {
+            return;
+        };
+        if worker.is_ended() {
             self.join();
-        } else if let Some(running) = &self.running {
-            self.stage = Stage::Running(running.progress.share());
+        } else {
+            self.stage = Stage::Running(worker.progress.share());
         }
     }
 
@@ -208,15 +197,6 @@ impl<K: Clone + PartialEq + 'static, T: Send + 'static> Work for Job<K, T> {
 
     fn is_running(&self) -> bool {
         self.running.is_some()
-    }
-}
-
-impl<K, T> Drop for Job<K, T> {
-    /// Tells the worker to stop; it ends on its own.
-    fn drop(&mut self) {
-        if let Some(running) = &self.running {
-            running.progress.cancel();
-        }
     }
 }
 

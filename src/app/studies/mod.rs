@@ -10,12 +10,14 @@ pub mod paper;
 mod surfaces;
 pub mod take;
 
+pub use super::worker::Wake;
 pub use about::{About, Patches, reflectances};
 pub use field::{CHECK_SET, Class, Field, RaceAsk};
-pub use job::{Job, Question, Stage, Wake, Work};
+pub use job::{Job, Question, Stage, Work};
 pub use lamps::{EncodeAsk, EncodedLight, most_numbers};
 pub use lights_quality::LightsQualityAsk;
-pub use surfaces::{Pairs, PairsAsk, RankAsk, Ranked, Surface, shipped_reflectances};
+pub(super) use surfaces::surfaces;
+pub use surfaces::{Pairs, PairsAsk, Surface, shipped_reflectances};
 pub use take::take;
 
 use std::{

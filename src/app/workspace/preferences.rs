@@ -5,7 +5,11 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Deserializer, Serialize, de::Error as _};
 
 use crate::{
-    app::{derived::OF_CURVE, pages::PageMemory, stored_path},
+    app::{
+        derived::OF_CURVE,
+        pages::{AskedLesson, Page, Place},
+        stored_path,
+    },
     study::Measure,
 };
 
@@ -36,8 +40,20 @@ pub struct Preferences {
     /// By how much type is larger in a large window: the window finds it anew.
     #[serde(skip)]
     pub grown: f32,
-    /// What the pages remember.
-    pub pages: PageMemory,
+    /// The page shown.
+    pub page: Page,
+    /// The pages that were shown last, one a place: the rail leads back to them.
+    pub last_of_places: Vec<Page>,
+    /// Names of the lessons that were gone through.
+    pub lessons_finished: Vec<String>,
+    /// The code of the language that lessons are shown in, where they have texts in it.
+    pub lesson_language: String,
+    /// Photographs of spectra that are to be read, and files of instruments, once.
+    #[serde(skip)]
+    pub photographs_asked: Vec<PathBuf>,
+    /// A lesson that is to be begun, once.
+    #[serde(skip)]
+    pub lesson_asked: Option<AskedLesson>,
 }
 
 impl Preferences {
@@ -60,7 +76,12 @@ impl Default for Preferences {
             pinned: false,
             greeted: false,
             grown: 1.0,
-            pages: PageMemory::default(),
+            page: Page::Spectrum,
+            last_of_places: Vec::new(),
+            lessons_finished: Vec::new(),
+            lesson_language: "en".to_owned(),
+            photographs_asked: Vec::new(),
+            lesson_asked: None,
         }
     }
 }
@@ -84,8 +105,32 @@ impl Preferences {
             .window
             .filter(|size| size.iter().all(|s| (200.0..=20_000.0).contains(s)));
         self.recent.truncate(MOST_RECENT);
-        self.pages = self.pages.clamped();
+        // One page a place, the last.
+        let (page, all) = (self.page, std::mem::take(&mut self.last_of_places));
+        for last in all {
+            self.page = last;
+            self.note_page();
+        }
+        self.page = page;
         self
+    }
+
+    /// Remembers the page that is shown as the last of its place.
+    pub fn note_page(&mut self) {
+        let page = self.page;
+        if !self.last_of_places.contains(&page) {
+            let is_elsewhere = |other: &Page| other.place() != page.place();
+            self.last_of_places.retain(is_elsewhere);
+            self.last_of_places.push(page);
+        }
+    }
+
+    /// Goes to the page of a place that was shown last.
+    pub fn go_to(&mut self, place: Place) {
+        self.note_page();
+        let mut last = self.last_of_places.iter();
+        let last = last.find(|page| page.place() == place).copied();
+        self.page = last.unwrap_or_else(|| place.first());
     }
 
     /// Puts a file on top of the recent ones.

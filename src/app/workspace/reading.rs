@@ -184,8 +184,8 @@ fn restored(
         &weight_factor,
         &mut losses,
     );
-    let pages = stored.pages.clone().clamped();
-    moved("", &stored.pages, &pages, &mut losses);
+    let pages = stored.pages.clone().in_reach();
+    moved("pages", &stored.pages, &pages, &mut losses);
     let preferences = stored.preferences.map(|preferences| {
         let clamped = preferences.clone().clamped();
         moved("preferences", &preferences, &clamped, &mut losses);

@@ -13,7 +13,7 @@ use crate::{
         measured::measured_of,
         opened::ImageEntry,
         origin::{FileReading, MadeBy, Origin, SourceFile},
-        pages::PageSettings,
+        pages::PageStates,
         products::{Link, Products},
         recipe::Times,
         scale::Scale,
@@ -192,9 +192,8 @@ pub(super) struct Stored {
     pub view: View,
     #[serde(default)]
     pub products: Option<StoredProducts>,
-    /// Each under its own key.
-    #[serde(flatten)]
-    pub pages: PageSettings,
+    #[serde(default)]
+    pub pages: PageStates,
     #[serde(default)]
     pub preferences: Option<Preferences>,
 }

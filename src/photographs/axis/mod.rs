@@ -24,6 +24,8 @@ struct Scene<'p> {
     columns: usize,
     /// Places and wavelengths that the axis must keep, with how far it may be off.
     pins: Vec<(Pin, f64)>,
+    /// Wavelengths fall along the strip, where that is known.
+    falls: Option<bool>,
 }
 
 impl Scene<'_> {

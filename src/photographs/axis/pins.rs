@@ -13,6 +13,19 @@ pub struct Pin {
     pub px: f64,
     /// Its wavelength.
     pub nm: f64,
+    /// It stays where it was set, also beside a peak.
+    pub is_exact: bool,
+}
+
+impl Pin {
+    /// One that goes onto a peak that is near.
+    pub fn near(px: f64, nm: f64) -> Self {
+        Self {
+            px,
+            nm,
+            is_exact: false,
+        }
+    }
 }
 
 /// Why pins make no axis.
@@ -55,11 +68,11 @@ pub fn snapped(pins: &[Pin], columns: usize, peaks: &Peaks) -> Result<Vec<Pin>, 
             .peaks
             .iter()
             .map(|p| p.px)
-            .filter(|px| away(*px) <= reach);
+            .filter(|px| !pin.is_exact && away(*px) <= reach);
         let nearest = near.min_by(|a, b| away(*a).total_cmp(&away(*b)));
         snapped.push(Pin {
             px: nearest.unwrap_or(pin.px),
-            nm: pin.nm,
+            ..*pin
         });
     }
     snapped.sort_by(|a, b| a.px.total_cmp(&b.px));
@@ -133,9 +146,10 @@ pub fn with_line_at(best: &Solution, peaks: &Peaks, line: usize, px: f64) -> Opt
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::photographs::peaks::Peak;
 
     fn pins(pins: &[(f64, f64)]) -> Vec<Pin> {
-        pins.iter().map(|&(px, nm)| Pin { px, nm }).collect()
+        pins.iter().map(|&(px, nm)| Pin::near(px, nm)).collect()
     }
 
     fn none() -> Peaks {
@@ -155,6 +169,28 @@ mod tests {
             assert!((curve.nm(pin.px) - pin.nm).abs() < 0.01);
         }
         assert!((curve.nm(300.0) - 523.5).abs() < 0.01);
+    }
+
+    #[test]
+    fn a_pin_goes_onto_a_peak_that_is_near_unless_it_is_exact() {
+        let peak = Peak {
+            px: 102.0,
+            error_px: 0.1,
+            height: 1.0,
+            fwhm_px: 3.0,
+            is_clipped: false,
+            is_band: false,
+            hue: None,
+        };
+        let peaks = Peaks {
+            peaks: vec![peak],
+            ..none()
+        };
+        let mut pins = pins(&[(100.0, 436.0), (300.0, 546.0)]);
+        let snapped_px = |pins: &[Pin]| snapped(pins, 600, &peaks).expect("in order")[0].px;
+        assert_eq!(snapped_px(&pins), 102.0);
+        pins[0].is_exact = true;
+        assert_eq!(snapped_px(&pins), 100.0);
     }
 
     #[test]

@@ -44,6 +44,8 @@ const COST: f64 = 5.4;
 const CURVATURE2: f64 = 0.09;
 /// Landmarks closer than this share of a line's width are one peak.
 const UNPARTED: f64 = 0.4;
+/// A pin of this landmark, nm: other tables have it a little elsewhere.
+const SAME_NM: f64 = 0.5;
 /// Range in which peaks that are no landmark count against an axis, nm: beyond the violet, where
 /// cameras are all but blind, a peak is one in the wrong place.
 const STRANGERS_NM: (f64, f64) = (300.0, 700.0);
@@ -192,8 +194,14 @@ fn points(
     landmarks: &[Landmark],
     pairs: &[(usize, usize)],
 ) -> Vec<Point> {
+    let by_hand = |nm: f64| {
+        let mut exact = scene.pins.iter().filter(|(pin, _)| pin.is_exact);
+        exact
+            .find(|(pin, _)| (pin.nm - nm).abs() < SAME_NM)
+            .map(|(pin, _)| pin.px)
+    };
     let point = |&(peak, mark): &(usize, usize)| Point {
-        px: scene.peaks.peaks[peak].px,
+        px: by_hand(landmarks[mark].nm).unwrap_or(scene.peaks.peaks[peak].px),
         nm: landmarks[mark].nm,
         sigma_nm: doubt_nm(scene, curve, peak, &landmarks[mark]),
     };

@@ -123,6 +123,7 @@ fn of_table(
                     let b = apart / (uj - ui);
                     let width = scene.peaks.width_px * b.abs() / scene.columns as f64;
                     let is_meant = (SPAN_NM.0..=SPAN_NM.1).contains(&b.abs())
+                        && scene.falls.is_none_or(|falls| falls == (b < 0.0))
                         && (widths_nm.0..=widths_nm.1).contains(&width);
                     if !is_meant {
                         continue;

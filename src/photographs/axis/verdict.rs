@@ -28,6 +28,8 @@ pub struct Wanted {
     pub lamp: Option<Lamp>,
     /// Places whose wavelengths are known; two or more narrow the search.
     pub pins: Vec<Pin>,
+    /// Wavelengths fall along the strip.
+    pub falls: Option<bool>,
 }
 
 /// The axis of a photograph.
@@ -77,7 +79,7 @@ pub fn find(columns: usize, bright: &Peaks, dark: Option<&Peaks>, wanted: &Wante
             let Some(peaks) = peaks.filter(|p| p.peaks.len() > 2) else {
                 continue;
             };
-            let scene = scene(columns, peaks, &wanted.pins);
+            let scene = scene(columns, peaks, wanted);
             let axes = search::of_lamp(&scene, lamp);
             let refined = axes.iter().filter_map(|one| refine(&scene, one));
             all.extend(
@@ -119,9 +121,9 @@ pub fn find(columns: usize, bright: &Peaks, dark: Option<&Peaks>, wanted: &Wante
     }
 }
 
-fn scene<'p>(columns: usize, peaks: &'p Peaks, pins: &[Pin]) -> Scene<'p> {
+fn scene<'p>(columns: usize, peaks: &'p Peaks, wanted: &Wanted) -> Scene<'p> {
     // One pin narrows nothing down to a side.
-    let span = match pins {
+    let span = match &wanted.pins[..] {
         [first, .., last] => ((last.nm - first.nm) / (last.px - first.px)).abs(),
         _ => 0.0,
     };
@@ -129,7 +131,8 @@ fn scene<'p>(columns: usize, peaks: &'p Peaks, pins: &[Pin]) -> Scene<'p> {
     Scene {
         peaks,
         columns,
-        pins: pins.iter().map(|pin| (*pin, most)).collect(),
+        pins: wanted.pins.iter().map(|pin| (*pin, most)).collect(),
+        falls: wanted.falls,
     }
 }
 

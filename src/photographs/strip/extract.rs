@@ -8,7 +8,8 @@ use super::{
         smooth::{gaussian, median, percentile, robust_sigma},
     },
     Strip,
-    straighten::{row_of, rows_of},
+    rows::correlation,
+    straighten::{LEAST_ALIKE, row_of, rows_of},
 };
 
 /// Rows beside the strip that tell the black level.
@@ -26,9 +27,13 @@ const ALONG: f64 = 0.7;
 /// A column above this share of the brightest is lit.
 const LIT: f64 = 0.02;
 
-/// The light along a strip.
-pub(super) fn profile(view: View<'_>, strip: &Strip, is_grey: bool) -> Profile {
-    let places = rows_of(strip);
+/// The light along a strip, or along its middle row alone.
+pub(super) fn profile(view: View<'_>, strip: &Strip, is_grey: bool, is_one_row: bool) -> Profile {
+    let places = if is_one_row {
+        vec![0.0]
+    } else {
+        rows_of(strip)
+    };
     let rows: Vec<Vec<[f32; 3]>> = places.iter().map(|v| row_of(view, strip, *v)).collect();
     let seen = black(view, strip);
     let black = match &seen {
@@ -48,9 +53,9 @@ pub(super) fn profile(view: View<'_>, strip: &Strip, is_grey: bool) -> Profile {
         .collect();
     let brightness: Vec<f64> = light.iter().map(|row| row.iter().flatten().sum()).collect();
     let middle = median(&brightness);
-    let used: Vec<usize> = (0..rows.len())
-        .filter(|i| brightness[*i] > LEAST_BRIGHTNESS * middle && brightness[*i] > 0.0)
-        .collect();
+    let is_lit = |i: &usize| brightness[*i] > LEAST_BRIGHTNESS * middle && brightness[*i] > 0.0;
+    let used: Vec<usize> = (0..rows.len()).filter(is_lit).collect();
+    let used = without_strangers(used, &light);
     let scale = used.iter().map(|i| brightness[*i]).sum::<f64>() / used.len().max(1) as f64;
     let mut channels = [(); 3].map(|()| vec![0.0; strip.columns]);
     let mut scatter = [(); 3].map(|()| vec![0.0; strip.columns]);
@@ -79,6 +84,32 @@ pub(super) fn profile(view: View<'_>, strip: &Strip, is_grey: bool) -> Profile {
         black_seen: seen.is_some(),
         rows: used.len(),
     }
+}
+
+/// Rows without those that show something else than most do: words and lines drawn over a strip.
+/// All of them where most are unlike each other, as faint ones are.
+fn without_strangers(rows: Vec<usize>, light: &[[Vec<f64>; 3]]) -> Vec<usize> {
+    let sums: Vec<Vec<f64>> = (rows.iter())
+        .map(|i| {
+            let [r, g, b] = &light[*i];
+            r.iter()
+                .zip(g)
+                .zip(b)
+                .map(|((r, g), b)| r + g + b)
+                .collect()
+        })
+        .collect();
+    let columns = sums.first().map_or(0, Vec::len);
+    let of_column = |c: usize| median(&sums.iter().map(|row| row[c]).collect::<Vec<f64>>());
+    let middle: Vec<f64> = (0..columns).map(of_column).collect();
+    let alike: Vec<bool> = (sums.iter())
+        .map(|row| correlation(row, &middle) >= LEAST_ALIKE)
+        .collect();
+    if 3 * alike.iter().filter(|a| **a).count() < 2 * rows.len() {
+        return rows;
+    }
+    let kept = rows.into_iter().zip(alike).filter(|(_, alike)| *alike);
+    kept.map(|(row, _)| row).collect()
 }
 
 /// The mean of the middle of a list, which is sorted by it.

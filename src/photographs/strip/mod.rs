@@ -49,6 +49,12 @@ pub struct ByHand {
     pub area: Option<[f64; 4]>,
     /// Degrees.
     pub turn_deg: Option<f64>,
+    /// Columns for a row.
+    pub shear: Option<f64>,
+    /// Columns for a row, squared.
+    pub smile: Option<f64>,
+    /// The middle row alone is read.
+    pub is_one_row: bool,
     /// Number of the strip among several, from 1.
     pub strip: Option<usize>,
 }
@@ -162,7 +168,7 @@ pub fn read_at(picture: &Picture, strip: &Strip) -> Found {
         strip: *strip,
         strips: 1,
         blue_is_right: light.blue_is_right(),
-        profile: extract::profile(view, strip, light.is_grey),
+        profile: extract::profile(view, strip, light.is_grey, false),
     }
 }
 
@@ -172,7 +178,8 @@ pub fn again(picture: &Picture, found: &Found) -> Profile {
         picture,
         is_vertical: found.strip.is_vertical,
     };
-    extract::profile(view, &found.strip, found.profile.is_grey)
+    let is_one_row = found.profile.rows == 1;
+    extract::profile(view, &found.strip, found.profile.is_grey, is_one_row)
 }
 
 /// The strip where colours run from left to right, and how good it is.
@@ -215,7 +222,7 @@ fn one_way(
     if by_hand.area.is_some() {
         strip.half = place.half;
     }
-    let sharpness = straighten::lean(view, &mut strip, light.is_grey);
+    let sharpness = straighten::lean(view, &mut strip, light.is_grey, by_hand);
     let drawn = by_hand
         .area
         .map(|[x0, y0, x1, y1]| if is_vertical { [y0, y1] } else { [x0, x1] });
@@ -223,7 +230,7 @@ fn one_way(
     if strip.columns < 24 {
         return Err(StripError::None);
     }
-    let profile = extract::profile(view, &strip, light.is_grey);
+    let profile = extract::profile(view, &strip, light.is_grey, by_hand.is_one_row);
     let found = Found {
         strip,
         strips,

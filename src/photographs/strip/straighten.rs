@@ -5,7 +5,7 @@ use super::{
         picture::View,
         smooth::{gaussian, largest, percentile, robust_sigma},
     },
-    Strip,
+    ByHand, Strip,
     rows::correlation,
 };
 
@@ -14,7 +14,7 @@ pub(super) const MOST_ROWS: usize = 48;
 /// Search range for rows, as shares of the columns: first and later.
 const SEARCH: [f64; 3] = [1.0 / 14.0, 1.0 / 40.0, 1.0 / 40.0];
 /// Rows that are less alike are left out.
-const LEAST_ALIKE: f64 = 0.35;
+pub(super) const LEAST_ALIKE: f64 = 0.35;
 /// And rows that are farther off than this, columns.
 const MOST_OFF: f64 = 1.2;
 
@@ -69,8 +69,10 @@ fn boxed(values: &[f64], part: usize) -> Vec<f64> {
     (0..values.len()).map(mean).collect()
 }
 
-/// Finds shear and smile, and gives how alike the rows are then.
-pub(super) fn lean(view: View<'_>, strip: &mut Strip, is_grey: bool) -> f64 {
+/// Finds shear and smile where no hand has set them, and gives how alike the rows are then.
+pub(super) fn lean(view: View<'_>, strip: &mut Strip, is_grey: bool, by_hand: &ByHand) -> f64 {
+    strip.shear = by_hand.shear.unwrap_or(0.0);
+    strip.smile = by_hand.smile.unwrap_or(0.0);
     let rows = rows_of(strip);
     let count = strip.columns;
     let mut alike = 0.0;
@@ -89,8 +91,8 @@ pub(super) fn lean(view: View<'_>, strip: &mut Strip, is_grey: bool) -> f64 {
         let Some((shear, smile)) = fitted(&matches, rows.len()) else {
             return alike;
         };
-        strip.shear += shear;
-        strip.smile += smile;
+        strip.shear = by_hand.shear.unwrap_or(strip.shear + shear);
+        strip.smile = by_hand.smile.unwrap_or(strip.smile + smile);
     }
     alike
 }

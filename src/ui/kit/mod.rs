@@ -3,6 +3,7 @@
 mod choice;
 mod chooser;
 mod form;
+pub mod knob;
 mod layout;
 mod seen;
 mod segments;

@@ -23,7 +23,7 @@ use crate::{
         App, Command, Pair, SpikeAct, Tone,
         answers::{best_of, knobs_of},
         lamps_asked, lamps_better,
-        pages::{Page, PageMemory},
+        pages::{Page, PageStates},
         studies::{About, Stage, Studies, SweepAsk},
     },
     io::many::numbers,
@@ -44,8 +44,10 @@ pub struct Scene<'a> {
     pub app: &'a App,
     /// The long computations.
     pub studies: &'a mut Studies,
-    /// What the pages remember.
-    pub memory: &'a mut PageMemory,
+    /// What the pages keep: a copy, which becomes the document's after the frame.
+    pub pages: &'a mut PageStates,
+    /// The page shown.
+    pub page: &'a mut Page,
     /// The looks.
     pub theme: Theme,
     /// Wakes the window when a computation is done.
@@ -201,7 +203,7 @@ impl LookView {
             .rect_stroke(rect, 4.0, outline, egui::StrokeKind::Inside);
         let inner = rect.shrink2(CARD_MARGIN);
         let mut inside = ui.new_child(UiBuilder::new().max_rect(inner));
-        let budget = (&mut scene.memory.spend_numbers, busy);
+        let budget = (&mut scene.pages.look.numbers, busy);
         let commands = &mut wishes.commands;
         let bare = scene.in_lesson;
         let sliders = &mut self.sliders;
@@ -215,7 +217,7 @@ impl LookView {
         if automatic {
             scene.studies.of::<SweepAsk>().retry();
             let about = About::of(app.document());
-            self.waiting = Some((about, scene.memory.spend_numbers));
+            self.waiting = Some((about, scene.pages.look.numbers));
         }
         if reset {
             wishes.commands.push(Command::Reset);
@@ -256,7 +258,7 @@ fn automatic(
     let Some((point, measure)) = best_of(&sweep, most) else {
         return told(format!("No model takes as few as {}.", numbers(most)));
     };
-    let lamps = lamps_asked(document, scene.memory.words, most);
+    let lamps = lamps_asked(document, scene.pages.known_lamps, most);
     let mut better = None;
     if let Some(lamps) = &lamps {
         let job = scene.studies.job();
@@ -271,10 +273,10 @@ fn automatic(
     let best = knobs_of(document.settings, point);
     commands.push(Command::Edit(best));
     if let Some(words) = better {
-        let memory = &mut *scene.memory;
-        memory.page = Page::KnownLamps;
-        memory.words.portable = false;
-        memory.words.numbers = lamps.map_or(most, |lamps| lamps.numbers);
+        *scene.page = Page::KnownLamps;
+        let known = &mut scene.pages.known_lamps;
+        known.portable = false;
+        known.numbers = lamps.map_or(most, |lamps| lamps.numbers);
         return told(words);
     }
     let lines = match best.spikes {

@@ -253,7 +253,7 @@ fn waves(
         let typed = ui.add_sized(
             vec2(BOX, 24.0) * theme.scale,
             DragValue::new(&mut settings.order)
-                .range(crate::app::ORDERS)
+                .range(Settings::ORDER.reach.range())
                 .speed(0.1),
         );
         named(&typed, egui::Role::SpinButton, names::ORDER_TYPED);

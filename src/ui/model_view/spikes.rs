@@ -3,10 +3,10 @@
 use eframe::egui;
 use egui::{Slider, SliderClamping, Ui};
 
-use super::names;
+use super::{names, reach_words};
 use crate::{
-    app::{Detector, GRADIENTS_PERCENT, Settings, THRESHOLDS_PERCENT, WIDTHS_NM, ticks},
-    ui::kit::Choice,
+    app::{Detector, Settings, ticks},
+    ui::kit::{Choice, knob},
 };
 
 /// The sliders' own reach; more can be typed.
@@ -17,9 +17,7 @@ const SLIDER_WIDTHS_NM: std::ops::RangeInclusive<f64> = 2.0..=20.0;
 fn threshold_row(ui: &mut Ui, settings: &mut Settings) {
     let enabled = settings.spikes;
     if settings.detector == Detector::Gradient {
-        let slider = Slider::new(&mut settings.gradient_percent, GRADIENTS_PERCENT)
-            .logarithmic(true)
-            .suffix(" %/nm");
+        let slider = knob::slider(&Settings::GRADIENT, settings).logarithmic(true);
         let meaning = "Least slope of a line's flanks, percent of the largest value per nm.";
         return slider_row(ui, enabled, "Slope", slider, meaning);
     }
@@ -28,10 +26,8 @@ fn threshold_row(ui: &mut Ui, settings: &mut Settings) {
         .clamping(SliderClamping::Never)
         .suffix(" %");
     let meaning = format!(
-        "Least share of the total power that a spike must carry, percent. {} to {} can be \
-             typed.",
-        THRESHOLDS_PERCENT.start(),
-        THRESHOLDS_PERCENT.end()
+        "Least share of the total power that a spike must carry, percent. {} can be typed.",
+        reach_words(&Settings::THRESHOLD)
     );
     slider_row(ui, enabled, names::THRESHOLD, slider, &meaning);
 }
@@ -84,10 +80,8 @@ pub(super) fn spike_rows(ui: &mut Ui, settings: &mut Settings) {
         .clamping(SliderClamping::Never)
         .suffix(" nm");
     let meaning = format!(
-        "Full width at half maximum of the widest line that may become a spike, nm. {} to {} can \
-             be typed.",
-        WIDTHS_NM.start(),
-        WIDTHS_NM.end()
+        "Full width at half maximum of the widest line that may become a spike, nm. {} can be typed.",
+        reach_words(&Settings::WIDTH)
     );
     slider_row(ui, settings.spikes, names::WIDTH, slider, &meaning);
 }

@@ -64,10 +64,10 @@ pub(super) struct AuctionView {
 impl AuctionView {
     pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let app = context.app;
-        let goal = goal_within(app, context.memory.goal);
+        let goal = goal_within(app, context.pages.auction.goal);
         controls(ui, context, goal);
-        let goal = goal_within(app, context.memory.goal);
-        let ask = AuctionAsk::of(app.document(), goal, context.memory.auction_numbers);
+        let goal = goal_within(app, context.pages.auction.goal);
+        let ask = AuctionAsk::of(app.document(), goal, context.pages.auction.numbers);
         let job = context.put(&ask);
         let stage = job.stage();
         if stage != Stage::Done {
@@ -144,7 +144,7 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
         for (i, (_, plain)) in Goal::PLAIN.into_iter().enumerate() {
             let named = (Goal::MEASURES[i], NAMES[i]);
             if choose(ui, context.app, named, goal == plain) {
-                context.memory.goal = plain;
+                context.pages.auction.goal = plain;
             }
         }
     });
@@ -152,7 +152,7 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
     ui.horizontal_wrapped(|ui| {
         let label = ui.label("Spend up to");
         ui.add(
-            DragValue::new(&mut context.memory.auction_numbers)
+            DragValue::new(&mut context.pages.auction.numbers)
                 .range(SPENDABLE)
                 .speed(0.1),
         )
@@ -199,7 +199,7 @@ fn weights(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
         }
         if changed && weights.iter().any(|weight| *weight > 0.0) {
             let [own, patches, spectrum, filters] = weights;
-            context.memory.goal = Goal {
+            context.pages.auction.goal = Goal {
                 own,
                 patches,
                 spectrum,

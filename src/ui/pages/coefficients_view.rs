@@ -72,7 +72,7 @@ impl CoefficientsView {
         let revision = context.app.revision();
         let harmonics = &*self.harmonics.get(revision, |_| harmonics_of(context.app));
         let highest = harmonics.orders.len().saturating_sub(1);
-        context.memory.partial_order = context.memory.partial_order.min(highest);
+        context.pages.why.partial_order = context.pages.why.partial_order.min(highest);
         if !context.app.derived().has_errors() {
             self.next_step = None;
             ui.add_space(6.0);
@@ -81,7 +81,7 @@ impl CoefficientsView {
         }
         play(ui, context, &mut self.next_step, highest);
         ui.horizontal_top(|ui| {
-            let order = context.memory.partial_order;
+            let order = context.pages.why.partial_order;
             if let Some([whole, summed]) = colours_summed(context.app, harmonics, order) {
                 let size = SWATCH * context.theme.scale;
                 let name = format!("Colour: measured {}, summed {}", whole.hex(), summed.hex());
@@ -102,8 +102,8 @@ impl CoefficientsView {
         ui.add_space(GROUP);
 
         let sight = Sight {
-            channel: context.memory.channel,
-            partial_order: context.memory.partial_order,
+            channel: context.pages.why.channel,
+            partial_order: context.pages.why.partial_order,
             pointed: self.pointed,
         };
         let key = (revision, sight);
@@ -121,7 +121,7 @@ impl CoefficientsView {
 /// The order at which playing ends: that in force, or the end of the curve from there on.
 fn last_played(context: &PageContext<'_>, highest: usize) -> usize {
     let in_force = context.app.derived().model.smooth().order();
-    if in_force == 0 || context.memory.partial_order > in_force {
+    if in_force == 0 || context.pages.why.partial_order > in_force {
         CURVE_ORDER.min(highest)
     } else {
         in_force.min(highest)
@@ -139,12 +139,12 @@ fn play(ui: &Ui, context: &mut PageContext<'_>, next_step: &mut Option<f64>, hig
         return;
     }
     let last = last_played(context, highest);
-    if context.memory.partial_order >= last {
+    if context.pages.why.partial_order >= last {
         *next_step = None;
         return;
     }
-    context.memory.partial_order += 1;
-    *next_step = (context.memory.partial_order < last).then_some(now + STEP_SECONDS);
+    context.pages.why.partial_order += 1;
+    *next_step = (context.pages.why.partial_order < last).then_some(now + STEP_SECONDS);
     if next_step.is_some() {
         wake_in(ui, STEP_SECONDS);
     }
@@ -163,16 +163,18 @@ fn controls(
 ) {
     ui.horizontal_wrapped(|ui| {
         for (k, name) in CHANNELS.into_iter().enumerate() {
-            ui.selectable_value(&mut context.memory.channel, k, name)
+            ui.selectable_value(&mut context.pages.why.channel, k, name)
                 .on_hover_text(format!(
                     "Shows the coefficients that make {name} of CIE X, Y, Z."
                 ));
         }
         ui.separator();
         let label = ui.label(names::PARTIAL);
-        let reach = 0..=CURVE_ORDER.min(highest).max(context.memory.partial_order);
+        let reach = 0..=CURVE_ORDER
+            .min(highest)
+            .max(context.pages.why.partial_order);
         let slider = ui
-            .add(Slider::new(&mut context.memory.partial_order, reach).integer())
+            .add(Slider::new(&mut context.pages.why.partial_order, reach).integer())
             .labelled_by(label.id)
             .on_hover_text("Order of the partial sum that is drawn; the model itself stays.");
         if slider.changed() {
@@ -185,8 +187,8 @@ fn controls(
             *next_step = if playing {
                 None
             } else {
-                if context.memory.partial_order >= last_played(context, highest) {
-                    context.memory.partial_order = 0;
+                if context.pages.why.partial_order >= last_played(context, highest) {
+                    context.pages.why.partial_order = 0;
                 }
                 wake_in(ui, STEP_SECONDS);
                 Some(ui.input(|i| i.time) + STEP_SECONDS)
@@ -198,7 +200,7 @@ fn controls(
 
 fn use_button(ui: &mut Ui, context: &mut PageContext<'_>) {
     let settings = context.app.document().settings;
-    let order = context.memory.partial_order;
+    let order = context.pages.why.partial_order;
     let button = egui::Button::new(format!("Use N = {order}"));
     if ui
         .add_enabled(order != settings.order, button)
@@ -217,7 +219,7 @@ fn use_button(ui: &mut Ui, context: &mut PageContext<'_>) {
 
 /// What the numbers say, in a sentence or two.
 fn sentences(context: &PageContext<'_>, harmonics: &Harmonics) -> [String; 2] {
-    let order = context.memory.partial_order;
+    let order = context.pages.why.partial_order;
     let missed = harmonics.orders.get(order).map(|o| o.neglected);
     let Some([Some(x), Some(y), Some(z)]) = missed else {
         let none = "X, Y and Z are not all positive on this range: there are no shares of them.";
@@ -270,8 +272,8 @@ fn about_the_bound(context: &PageContext<'_>, harmonics: &Harmonics) -> String {
 
 /// The figures of one order: that under the pointer, or the last of the sum.
 fn details(ui: &mut Ui, context: &PageContext<'_>, harmonics: &Harmonics, pointed: Option<usize>) {
-    let k = context.memory.channel;
-    let n = pointed.unwrap_or(context.memory.partial_order);
+    let k = context.pages.why.channel;
+    let n = pointed.unwrap_or(context.pages.why.partial_order);
     let Some(order) = harmonics.orders.get(n) else {
         return;
     };
@@ -398,7 +400,7 @@ fn taken(
 ) -> Option<usize> {
     let shown = shown?;
     if let Some(hit) = shown.clicked {
-        context.memory.partial_order = order(hit.at);
+        context.pages.why.partial_order = order(hit.at);
     }
     shown.pointed.map(|hit| order(hit.at))
 }
@@ -411,7 +413,7 @@ fn one(
     size: Vec2,
 ) -> Option<ChartResponse> {
     let Some(chart) = chart else {
-        let name = CHANNELS[context.memory.channel];
+        let name = CHANNELS[context.pages.why.channel];
         ui.set_min_size(size);
         ui.add_space(4.0);
         ui.weak(match id {

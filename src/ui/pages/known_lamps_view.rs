@@ -39,7 +39,7 @@ impl KnownLampsView {
             portable,
             itself,
             automatic: _,
-        } = context.memory.words;
+        } = context.pages.known_lamps;
         let ask = EncodeAsk::of(context.app.document(), numbers, !portable, itself);
         let answer = context
             .put(&ask)
@@ -92,7 +92,7 @@ impl KnownLampsView {
 /// How many numbers, and which lamps.
 fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
     let most = most_numbers(context.app.document().settings.band);
-    let memory = &mut context.memory.words;
+    let memory = &mut context.pages.known_lamps;
     ui.horizontal_wrapped(|ui| {
         ui.label("Numbers");
         let slider = ui

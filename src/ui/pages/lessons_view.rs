@@ -16,7 +16,6 @@ use crate::{
     app::{
         ByAddress, Memo,
         lessons::{Fault, Lesson, shelf},
-        pages::{AskedLesson, PageMemory},
     },
     ui::{
         kit::{framed, headline, named, pressed, scrolled, segments, warning},
@@ -129,8 +128,8 @@ impl LessonsView {
 
     /// The list, to begin one.
     pub fn list(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let all = self.all(&context.memory.lesson_language);
-        let done = &context.memory.lessons_finished;
+        let all = self.all(context.language);
+        let done = context.finished;
         let finished = all.iter().filter(|l| done.contains(&l.name)).count();
         let words = match finished {
             0 => format!(
@@ -168,7 +167,7 @@ impl LessonsView {
         });
         self.pictures.draw(ui, context);
         if let Some(name) = asked {
-            begin(ui, context.memory, &name);
+            context.wishes.push(PageWish::Begin(name));
         }
         if let Some(lesson) = gone {
             self.remove(&lesson);
@@ -202,7 +201,7 @@ impl LessonsView {
             let mut codes: Vec<&str> = codes.map(String::as_str).chain(["en"]).collect();
             codes.sort_unstable();
             codes.dedup();
-            let language = &mut context.memory.lesson_language;
+            let language = &mut *context.language;
             if codes.len() > 1 {
                 ui.label("Language");
                 for code in codes {
@@ -224,7 +223,7 @@ impl LessonsView {
         is_own: bool,
     ) -> Option<Act> {
         let theme = context.theme;
-        let done = &context.memory.lessons_finished;
+        let done = context.finished;
         let columns = (ui.available_width() / (CARD * theme.scale))
             .floor()
             .max(1.0);
@@ -334,17 +333,6 @@ impl LessonsView {
     }
 }
 
-/// Asks for a lesson from its beginning.
-pub(in crate::ui) fn begin(ui: &Ui, memory: &mut PageMemory, name: &str) {
-    let name = name.to_owned();
-    memory.lesson_asked = Some(AskedLesson {
-        name,
-        step: 0,
-        done: false,
-    });
-    ui.ctx().request_repaint();
-}
-
 /// One lesson, for who teaches it; what of it is to be saved.
 fn of_teachers(
     ui: &mut Ui,
@@ -379,7 +367,7 @@ fn of_teachers(
         said(ui, "Sources", &lesson.sources.join("; "));
         ui.horizontal_wrapped(|ui| {
             if pressed(ui, "Begin", "Begins this lesson.") {
-                begin(ui, context.memory, &lesson.name);
+                context.wishes.push(PageWish::Begin(lesson.name.clone()));
             }
             let pupil = ui.button("Pupil's sheet").on_hover_text(
                 "Saves a PDF to print: words, questions with boxes, axes to sketch on, no answers.",

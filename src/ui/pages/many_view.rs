@@ -1,7 +1,7 @@
 //! The page "Many lights": which order is enough for how many lights of a set or a folder.
 
 use eframe::egui;
-use egui::{DragValue, Ui, vec2};
+use egui::{Ui, vec2};
 
 use super::{
     PageContext, progress,
@@ -13,11 +13,11 @@ use crate::{
         cells::Table,
         chart::Chart,
         charts::many::{Wanted, chart, rows, sentence, table},
-        pages::{FieldChoice, LIMITS, ManyMemory, SHARES_PERCENT},
+        pages::{FieldChoice, ManyMemory},
         studies::{ManyAsk, Stage},
     },
     study::{ManyLights, Measure},
-    ui::kit::{self, Choice, Column, Row, headline, number, scrolled, titled},
+    ui::kit::{self, Choice, Column, Row, headline, knob, number, scrolled, titled},
 };
 
 /// Names of controls, shared with the tests that move them.
@@ -52,7 +52,7 @@ struct Shown {
 impl ManyView {
     pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let document = context.app.document();
-        let memory = context.memory.many;
+        let memory = context.pages.many;
         let ask = ManyAsk::of(document, memory.field.field(document));
         let settings = document.settings;
         let nobody = memory.field == FieldChoice::Own && !has_own_lights(context);
@@ -143,17 +143,14 @@ fn names_of(class: &str, cells: &[String]) -> [String; 2] {
 fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
     ui.horizontal_wrapped(|ui| {
         ui.label("Lights");
-        let mut field = context.memory.many.field;
+        let mut field = context.pages.many.field;
         let meaning = "Whose order is looked for: shipped lights, or your own: all lights of the \
                        files and folders that you opened.";
         field_choice(ui, context, (names::LIGHTS, meaning), &mut field);
-        let memory = &mut context.memory.many;
+        let memory = &mut context.pages.many;
         memory.field = field;
         ui.label("enough for");
-        let share = DragValue::new(&mut memory.share_percent)
-            .range(SHARES_PERCENT)
-            .speed(0.2)
-            .suffix(" %");
+        let share = knob::drag(&ManyMemory::SHARE, memory).speed(0.2);
         number(ui, share, names::SHARE)
             .on_hover_text("For how many of the lights the order must be enough.");
         ui.label("of them, with");
@@ -174,11 +171,10 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
             memory.limit = ManyMemory::usual_limit(memory.measure);
         }
         ui.label("at most");
-        let limit = DragValue::new(&mut memory.limit)
-            .range(LIMITS)
+        let tail = memory.measure.figure().unit.tail;
+        let limit = knob::drag(&ManyMemory::LIMIT, memory)
             .speed(0.02)
-            .max_decimals(2)
-            .suffix(memory.measure.figure().unit.tail);
+            .suffix(tail);
         number(ui, limit, names::LIMIT)
             .on_hover_text("What the figure may be at most, from the order found on.");
         let settings = context.app.document().settings;

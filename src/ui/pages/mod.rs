@@ -17,13 +17,39 @@ pub mod products_view;
 mod quality_view;
 mod race_view;
 pub mod relit_view;
+pub mod same_surface;
 mod tradeoff_view;
 pub mod truth_view;
 
-pub use lessons_view::LessonFile;
-pub(super) use lessons_view::begin;
+pub use lessons_view::{LessonFile, LessonsView};
 
-use std::{path::PathBuf, sync::Arc};
+use auction_view::AuctionView;
+use coefficients_view::CoefficientsView;
+use design_view::DesignView;
+use gem_view::GemView;
+use glossary_view::GlossaryView;
+use image_view::ImageView;
+use known_lamps_view::KnownLampsView;
+use many_view::ManyView;
+use photograph_view::PhotographView;
+use prism_view::PrismView;
+use products_view::{
+    absorption::AbsorptionView, bounces::BouncesView, chain::ChainView, metamers::MetamersView,
+    narrow::NarrowView, resampling::ResamplingView, two_lights::TwoLightsView,
+};
+use quality_view::QualityView;
+use race_view::RaceView;
+use relit_view::RelitView;
+use same_surface::SameSurfaceView;
+use tradeoff_view::TradeoffView;
+use truth_view::TruthView;
+
+use std::{
+    any::{Any, TypeId},
+    collections::HashMap,
+    path::PathBuf,
+    sync::Arc,
+};
 
 use eframe::egui;
 use egui::Ui;
@@ -38,7 +64,8 @@ use crate::app::{
     chart::Chart,
     dispersion::GemFile,
     lessons::Lesson,
-    pages::{Page, PageMemory},
+    pages::{Page, PageStates},
+    photograph::Instrument,
     relit::PictureWish,
     studies::{Job, Question, Stage, Studies},
 };
@@ -49,8 +76,16 @@ pub struct PageContext<'a> {
     pub app: &'a App,
     /// The long computations.
     pub studies: &'a mut Studies,
-    /// What the pages remember.
-    pub memory: &'a mut PageMemory,
+    /// What the pages keep: a copy, which becomes the document's after the frame.
+    pub pages: &'a mut PageStates,
+    /// The page shown.
+    pub page: &'a mut Page,
+    /// Names of the lessons that were gone through.
+    pub finished: &'a [String],
+    /// The code of the language that lessons are shown in.
+    pub language: &'a mut String,
+    /// Photographs of spectra that are to be read, and files of instruments, once.
+    pub photographs_asked: &'a mut Vec<PathBuf>,
     /// The looks.
     pub theme: Theme,
     /// Wakes the window when a computation is done.
@@ -75,13 +110,23 @@ pub enum PageWish {
     FewNumbers(PictureWish),
     /// Saves a lesson's sheet or file.
     Lesson(Arc<Lesson>, LessonFile),
+    /// Saves the instrument of photographs of spectra.
+    Instrument(Box<Instrument>),
     /// Opens a picture.
     OpenPicture,
     /// Shows how the image of this key was read.
     Reading(String),
+    /// Begins the lesson of this name.
+    Begin(String),
 }
 
 impl PageContext<'_> {
+    /// Goes to the page "From a colour" with a screen's colour.
+    pub fn ask_about_colour(&mut self, rgb: [u8; 3]) {
+        self.pages.from_colour = self.pages.from_colour.clone().about(rgb);
+        *self.page = Page::FromColour;
+    }
+
     /// Draws a chart with its menu; what the menu was asked for is passed on.
     pub fn chart(
         &mut self,
@@ -118,71 +163,98 @@ impl PageContext<'_> {
     }
 }
 
-/// All pages with what they keep from frame to frame.
+/// What the views of pages keep from frame to frame, each made when it is first asked for.
 #[derive(Default)]
-pub struct Pages {
-    coefficients: coefficients_view::CoefficientsView,
-    tradeoff: tradeoff_view::TradeoffView,
-    many: many_view::ManyView,
-    auction: auction_view::AuctionView,
-    race: race_view::RaceView,
-    known_lamps: known_lamps_view::KnownLampsView,
-    products: products_view::ProductsView,
-    quality: quality_view::QualityView,
-    design: design_view::DesignView,
-    image: image_view::ImageView,
-    photograph: photograph_view::PhotographView,
-    prism: prism_view::PrismView,
-    gem: gem_view::GemView,
-    relit: relit_view::RelitView,
-    /// The lessons, also those of a person's own files.
-    pub lessons: lessons_view::LessonsView,
-    glossary: glossary_view::GlossaryView,
-    truth: truth_view::TruthView,
-}
+pub struct Pages(HashMap<TypeId, Box<dyn Any>>);
+
+/// The drawing of a page.
+type Draw = fn(&mut Pages, &mut Ui, &mut PageContext<'_>);
+
+/// The drawing of every page but the spectrum, which the window draws itself.
+const DRAWN: &[(Page, Draw)] = &[
+    (Page::Lessons, |p, ui, c| p.of::<LessonsView>().list(ui, c)),
+    (Page::Teachers, |p, ui, c| {
+        p.of::<LessonsView>().teachers(ui, c)
+    }),
+    (Page::Glossary, |p, ui, c| {
+        p.of::<GlossaryView>().show(ui, c.theme)
+    }),
+    (Page::Truth, |p, ui, c| p.of::<TruthView>().show(ui, c)),
+    (Page::Absorption, |p, ui, c| {
+        p.of::<AbsorptionView>().show(ui, c)
+    }),
+    (Page::Chain, |p, ui, c| p.of::<ChainView>().show(ui, c)),
+    (Page::Narrow, |p, ui, c| p.of::<NarrowView>().show(ui, c)),
+    (Page::TwoLights, |p, ui, c| {
+        p.of::<TwoLightsView>().show(ui, c)
+    }),
+    (Page::Metamers, |p, ui, c| {
+        p.of::<MetamersView>().show(ui, c)
+    }),
+    (Page::SameSurface, |p, ui, c| {
+        p.of::<SameSurfaceView>().show(ui, c)
+    }),
+    (Page::Quality, |p, ui, c| {
+        p.of::<QualityView>().figures(ui, c)
+    }),
+    (Page::Chromaticity, |p, ui, c| {
+        p.of::<QualityView>().diagram(ui, c)
+    }),
+    (Page::Rendition, |p, ui, c| {
+        p.of::<QualityView>().rendition(ui, c)
+    }),
+    (Page::QualityOrder, |p, ui, c| {
+        p.of::<QualityView>().order(ui, c)
+    }),
+    (Page::Mix, |p, ui, c| p.of::<DesignView>().mix(ui, c)),
+    (Page::Solve, |p, ui, c| p.of::<DesignView>().solve(ui, c)),
+    (Page::FromColour, |p, ui, c| {
+        p.of::<DesignView>().spectra_of_colour(ui, c)
+    }),
+    (Page::Coefficients, |p, ui, c| {
+        p.of::<CoefficientsView>().show(ui, c)
+    }),
+    (Page::Tradeoff, |p, ui, c| {
+        p.of::<TradeoffView>().show(ui, c)
+    }),
+    (Page::Many, |p, ui, c| p.of::<ManyView>().show(ui, c)),
+    (Page::Auction, |p, ui, c| p.of::<AuctionView>().show(ui, c)),
+    (Page::Race, |p, ui, c| p.of::<RaceView>().show(ui, c)),
+    (Page::KnownLamps, |p, ui, c| {
+        p.of::<KnownLampsView>().show(ui, c)
+    }),
+    (Page::Resampling, |p, ui, c| {
+        p.of::<ResamplingView>().show(ui, c)
+    }),
+    (Page::Bounces, |p, ui, c| p.of::<BouncesView>().show(ui, c)),
+    (Page::Image, |p, ui, c| p.of::<ImageView>().show(ui, c)),
+    (Page::Photograph, |p, ui, c| {
+        p.of::<PhotographView>().show(ui, c)
+    }),
+    (Page::Prism, |p, ui, c| p.of::<PrismView>().prism(ui, c)),
+    (Page::Rainbow, |p, ui, c| p.of::<PrismView>().rainbow(ui, c)),
+    (Page::Gem, |p, ui, c| p.of::<GemView>().show(ui, c)),
+    (Page::Relit, |p, ui, c| p.of::<RelitView>().show(ui, c)),
+];
 
 impl Pages {
-    /// The picture of colours whose pixels are to be taken.
-    pub fn take_photo(&mut self, path: PathBuf) {
-        self.design.photo = Some(path);
+    /// The one view of this kind.
+    pub fn of<V: Default + Any>(&mut self) -> &mut V {
+        let made = || -> Box<dyn Any> { Box::<V>::default() };
+        let view = self.0.entry(TypeId::of::<V>()).or_insert_with(made);
+        view.downcast_mut().expect("kept under its own kind")
     }
 
-    /// Draws the page in force; nothing for the spectrum, which the window draws itself.
+    /// The picture of colours whose pixels are to be taken.
+    pub fn take_photo(&mut self, path: PathBuf) {
+        self.of::<DesignView>().photo = Some(path);
+    }
+
+    /// Draws the page in force.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let products = &mut self.products;
-        match context.memory.page {
-            Page::Spectrum => {}
-            Page::Absorption => products.absorption.show(ui, context),
-            Page::Chain => products.chain.show(ui, context),
-            Page::Narrow => products.narrow.show(ui, context),
-            Page::TwoLights => products.two_lights.show(ui, context),
-            Page::Metamers => products.metamers.show(ui, context),
-            Page::SameSurface => products.same_surface.show(ui, context),
-            Page::Quality => self.quality.figures(ui, context),
-            Page::Chromaticity => self.quality.diagram(ui, context),
-            Page::Rendition => self.quality.rendition(ui, context),
-            Page::QualityOrder => self.quality.order(ui, context),
-            Page::Mix => self.design.mix(ui, context),
-            Page::Solve => self.design.solve(ui, context),
-            Page::FromColour => self.design.spectra_of_colour(ui, context),
-            Page::Coefficients => self.coefficients.show(ui, context),
-            Page::Tradeoff => self.tradeoff.show(ui, context),
-            Page::Many => self.many.show(ui, context),
-            Page::Auction => self.auction.show(ui, context),
-            Page::Race => self.race.show(ui, context),
-            Page::KnownLamps => self.known_lamps.show(ui, context),
-            Page::Resampling => products.resampling.show(ui, context),
-            Page::Bounces => products.bounces.show(ui, context),
-            Page::Image => self.image.show(ui, context),
-            Page::Photograph => self.photograph.show(ui, context),
-            Page::Prism => self.prism.prism(ui, context),
-            Page::Rainbow => self.prism.rainbow(ui, context),
-            Page::Gem => self.gem.show(ui, context),
-            Page::Relit => self.relit.show(ui, context),
-            Page::Lessons => self.lessons.list(ui, context),
-            Page::Teachers => self.lessons.teachers(ui, context),
-            Page::Glossary => self.glossary.show(ui, context.theme),
-            Page::Truth => self.truth.show(ui, context),
+        let drawn = DRAWN.iter().find(|(page, _)| page == context.page);
+        if let Some((_, draw)) = drawn {
+            draw(self, ui, context);
         }
     }
 }
@@ -259,6 +331,19 @@ pub fn progress<K: Clone + PartialEq + 'static, T: Send + 'static>(
             ui.weak(format!(
                 "{what}: there is nothing to measure on this spectrum and range."
             ));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_page_but_the_spectrum_is_drawn_by_one_view() {
+        for page in Page::all().filter(|page| *page != Page::Spectrum) {
+            let views = DRAWN.iter().filter(|(drawn, _)| *drawn == page);
+            assert_eq!(views.count(), 1, "{}", page.title());
         }
     }
 }

@@ -4,7 +4,7 @@
 use eframe::egui;
 use egui::{Align, Button, Label, Layout, Rect, RichText, Ui, UiBuilder, pos2, vec2};
 
-use super::{PageContext, Pages};
+use super::{GemView, PageContext, Pages, PrismView};
 use crate::{
     app::{
         chart::Chart,
@@ -40,11 +40,14 @@ pub(in crate::ui) fn show(
     in_lesson: Option<bool>,
     knobs: Knobs<'_>,
 ) -> bool {
-    let page = context.memory.page;
+    let page = *context.page;
     match (page, in_lesson) {
-        (Page::Prism, _) => pages.prism.present_prism(ui, context, in_lesson.is_some()),
-        (Page::Rainbow, _) => pages.prism.present_rainbow(ui, context),
-        (Page::Gem, _) => pages.gem.present(ui, context),
+        (Page::Prism, _) => {
+            let view = pages.of::<PrismView>();
+            view.present_prism(ui, context, in_lesson.is_some())
+        }
+        (Page::Rainbow, _) => pages.of::<PrismView>().present_rainbow(ui, context),
+        (Page::Gem, _) => pages.of::<GemView>().present(ui, context),
         (_, Some(true)) => in_lessons(pages, ui, context),
         (_, Some(false)) if !is_one_chart(page) => in_lessons(pages, ui, context),
         (_, None) if !has_chart(page) => {
@@ -139,7 +142,7 @@ fn chart(
     context: &mut PageContext<'_>,
     knobs: Option<Knobs<'_>>,
 ) -> bool {
-    let page = context.memory.page;
+    let page = *context.page;
     let (words, found) = taken_out(pages, ui, context);
     let leaves = head(ui, &words);
     let Some(found) = found else {
@@ -173,7 +176,7 @@ fn taken_out(
     let far = Rect::from_min_size(pos2(0.0, FAR), HIDDEN);
     let mut hidden = ui.new_child(
         UiBuilder::new()
-            .id_salt(("hidden", context.memory.page))
+            .id_salt(("hidden", *context.page))
             .max_rect(far)
             .invisible(),
     );

@@ -59,7 +59,7 @@ impl TradeoffView {
         let app = context.app;
         let ask = SweepAsk::of(app.document());
         context.put(&ask);
-        let measure = measure_within(app, context.memory.measure);
+        let measure = measure_within(app, context.pages.tradeoff.measure);
         controls(ui, context, measure);
         // A row that is always there: the charts must not jump while a slider is dragged.
         line(ui, |ui| {
@@ -88,7 +88,11 @@ impl TradeoffView {
             let reference = reference.as_ref()?;
             tradeoff::verdict_now(app, reference)
         });
-        let of = (ByAddress(sweep.clone()), measure, context.memory.ways);
+        let of = (
+            ByAddress(sweep.clone()),
+            measure,
+            context.pages.tradeoff.ways,
+        );
         let sheet = self.sheet.get(of, |(_, measure, ways)| {
             Sheet::of(&key, sweep, *measure, ways)
         });
@@ -121,13 +125,13 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, measure: Measure) {
         ui.label("Error");
         for one in Measure::COMPARED {
             if choose(ui, context.app, (one, one.figure().title), measure == one) {
-                context.memory.measure = one;
+                context.pages.tradeoff.measure = one;
             }
         }
     });
     ui.horizontal_wrapped(|ui| {
         ui.label("Show");
-        let ways = &mut context.memory.ways;
+        let ways = &mut context.pages.tradeoff.ways;
         let show = |ui: &mut Ui, shown: &mut bool, name: &str, meaning: &str| {
             ui.checkbox(shown, name).on_hover_text(meaning);
         };
@@ -143,7 +147,6 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, measure: Measure) {
         show(ui, &mut ways.plain, "plain", "Plain least squares.");
         let meaning = "Least squares under the condition that X, Y and Z are exact.";
         show(ui, &mut ways.colour_exact, "colour-exact", meaning);
-        *ways = ways.clamped();
     });
 }
 

@@ -75,11 +75,16 @@ impl Window {
             }
             Act::Place(number) => {
                 if let Some(place) = Place::ALL.get(number) {
-                    self.preferences.pages.go_to(*place);
+                    self.preferences.go_to(*place);
                 }
             }
             Act::Reset => {
                 self.app.apply(Command::Reset);
+                self.app.end_gesture();
+            }
+            Act::ResetPage => {
+                let page = self.preferences.page;
+                self.app.edit_pages(|pages| pages.set_back(page));
                 self.app.end_gesture();
             }
             Act::Palette => self.palette.open(),
@@ -102,7 +107,7 @@ impl Window {
             }
             Act::CopyCommand => {
                 let size = context.content_rect().size();
-                let page = self.preferences.pages.page;
+                let page = self.preferences.page;
                 let size = [size.x as u32, size.y as u32];
                 match command_lines(&self.app, page, size, self.preferences.dark) {
                     Ok(words) => {

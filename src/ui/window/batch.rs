@@ -114,9 +114,10 @@ impl Window {
         match wish {
             batch_view::Wish::Say(words) => self.app.say(Tone::Info, words),
             batch_view::Wish::Numbers => {
-                let pages = &mut self.preferences.pages;
-                pages.page = Page::Many;
-                pages.many.field = FieldChoice::Own;
+                self.preferences.page = Page::Many;
+                // What was asked of the files is no step of its own.
+                self.app
+                    .pages_follow(|pages| pages.many.field = FieldChoice::Own);
             }
             batch_view::Wish::Quality => self.lights_quality.open(self.batch.keys()),
             batch_view::Wish::Show(brought) => {
@@ -173,7 +174,7 @@ impl Window {
                     return false;
                 };
                 self.app.apply(Command::Show(entry));
-                let page = &mut self.preferences.pages.page;
+                let page = &mut self.preferences.page;
                 if *page == Page::Image {
                     *page = Page::Spectrum;
                 }
@@ -183,8 +184,8 @@ impl Window {
                 let images = &self.app.document().images;
                 let is_there = images.iter().any(|image| image.key == *key);
                 if is_there {
-                    self.preferences.pages.image.choose(key);
-                    self.preferences.pages.page = Page::Image;
+                    self.app.pages_follow(|pages| pages.image.choose(key));
+                    self.preferences.page = Page::Image;
                 }
                 is_there
             }

@@ -11,7 +11,7 @@ use crate::{
     app::{
         App,
         lessons::{self, Findings, Lesson, shelf},
-        pages::PageMemory,
+        pages::Page,
         studies::{Job, Work as _},
         workspace::Preferences,
     },
@@ -72,9 +72,9 @@ impl LessonChecks {
 
 /// A lesson as `lessons check` checks it.
 fn checked(path: &Path) -> Checked {
-    let names = |app: &App, pages: &PageMemory| {
+    let names = |app: &App, page: Page| {
         let preferences = Preferences {
-            pages: pages.clone(),
+            page,
             ..Preferences::default()
         };
         Some(picture::names(app, &preferences))

@@ -38,7 +38,7 @@ impl Window {
 
     /// Whether the column of the verdict is open.
     pub(super) fn side_is_open(&self, shape: Shape) -> bool {
-        let has_model = self.preferences.pages.page.has_model();
+        let has_model = self.preferences.page.has_model();
         !shape.present && self.tells_verdict() && self.side_open.unwrap_or(shape.wide && has_model)
     }
 
@@ -54,7 +54,7 @@ impl Window {
     /// The model's column, or the edge that it folds to. A column without knobs is left to be drawn
     /// behind the page, whose knobs it tells of: its room is given.
     pub(super) fn side_panel(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) -> Option<Ui> {
-        let has_model = self.preferences.pages.page.has_model();
+        let has_model = self.preferences.page.has_model();
         if shape.present || !self.tells_verdict() || !(has_model || self.side_open == Some(true)) {
             return None;
         }
@@ -138,13 +138,18 @@ impl Window {
             rolled(ui, |ui| {
                 if self.side == Side::Settings {
                     said = model_view::controls(ui, &self.app, &mut commands);
-                    let words = &mut self.preferences.pages.words;
-                    ui.checkbox(&mut words.automatic, "Automatic: known lamps too")
+                    let mut automatic = self.app.document().pages.known_lamps.automatic;
+                    let asked = ui
+                        .checkbox(&mut automatic, "Automatic: known lamps too")
                         .on_hover_text(
                             "Automatic may also describe the light by lamps that the program \
                              knows. Decoding then needs this program's list of lamps. Where that is \
                              better, the page Known lamps opens.",
                         );
+                    if asked.changed() {
+                        self.app
+                            .edit_pages(|pages| pages.known_lamps.automatic = automatic);
+                    }
                     ui.add_space(8.0);
                     as_in_the_paper(ui, &self.app, &mut commands);
                 } else {

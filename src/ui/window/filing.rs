@@ -31,10 +31,11 @@ use crate::{
             handout::{Form, Reader, handout},
         },
         open::{Finished, Loaded, load_bytes},
-        pages::{Page, PageMemory},
-        photograph::is_photograph,
+        pages::Page,
+        photograph::{Instrument, is_instrument, is_photograph},
         relit::PictureWish,
         sheet,
+        worker::{Worker, news_of},
         workspace::Preferences,
     },
     io::{name_of, save_atomically},
@@ -49,6 +50,8 @@ pub(super) enum Saving {
     SheetPdf,
     WindowPng,
     Chart(ChartWish),
+    /// The instrument of photographs of spectra.
+    Instrument(Box<Instrument>),
     Gem(Box<GemFile>),
     Picture(PictureWish),
     Lesson(Arc<Lesson>, LessonFile),
@@ -56,8 +59,8 @@ pub(super) enum Saving {
 
 /// A file dialog that is open on another thread.
 pub(super) struct Waiting {
-    pub number: u64,
-    pub saving: Option<Saving>,
+    picked: Worker<Picked>,
+    saving: Option<Saving>,
 }
 
 impl Window {
@@ -69,14 +72,14 @@ impl Window {
         if !paths.is_empty() {
             // What is opened is to be seen.
             self.greets = false;
-            self.images.tell_needs(&paths, wake.clone());
+            self.images.tell_needs(&paths, &wake);
             self.loader.open(paths, wake);
         }
     }
 
     /// On the page "From a colour" a picture is one whose pixels are taken as colours.
     fn without_photos(&mut self, paths: Vec<PathBuf>) -> Vec<PathBuf> {
-        if self.preferences.pages.page != Page::FromColour {
+        if self.preferences.page != Page::FromColour {
             return paths;
         }
         let is_photo = |path: &PathBuf| {
@@ -90,13 +93,15 @@ impl Window {
         others
     }
 
-    /// A picture that is no spectral image is a photograph of a spectrum: the last is shown.
+    /// A picture that is no spectral image is a photograph of a spectrum; the file of an instrument
+    /// goes where those are read.
     fn without_photographs(&mut self, paths: Vec<PathBuf>) -> Vec<PathBuf> {
-        let (pictures, others): (Vec<PathBuf>, _) =
-            paths.into_iter().partition(|path| is_photograph(path));
-        if let Some(path) = pictures.into_iter().next_back() {
-            self.preferences.pages.photograph_asked = Some(path);
-            self.preferences.pages.page = Page::Photograph;
+        let (pictures, others): (Vec<PathBuf>, _) = paths
+            .into_iter()
+            .partition(|path| is_photograph(path) || is_instrument(path));
+        if !pictures.is_empty() {
+            self.preferences.photographs_asked = pictures;
+            self.preferences.page = Page::Photograph;
         }
         others
     }
@@ -141,18 +146,15 @@ impl Window {
             self.take_batch(finished);
         }
         self.open_files(paths, waker(ui.ctx()));
-        let answers: Vec<(u64, Picked)> = self.answers.1.try_iter().collect();
-        for (number, picked) in answers {
-            let Some(waiting) = self.waiting.take_if(|w| w.number == number) else {
-                continue;
-            };
-            self.picked(picked, waiting.saving, ui.ctx());
+        let answered = self.waiting.as_mut().and_then(|w| w.picked.news().pop());
+        if let Some(picked) = answered {
+            let saving = self.waiting.take().and_then(|waiting| waiting.saving);
+            self.picked(picked, saving, ui.ctx());
         }
-        let said: Vec<(Tone, String)> = self.said.1.try_iter().collect();
-        for (tone, text) in said {
+        for (tone, text) in news_of(&mut self.writing) {
             self.app.say(tone, text);
         }
-        if let Some(why) = self.saver.as_ref().and_then(Saver::trouble) {
+        if let Some(why) = self.saver.as_mut().and_then(Saver::trouble) {
             self.app.say(Tone::Problem, why);
         }
     }
@@ -216,20 +218,11 @@ impl Window {
         if self.waiting.is_some() {
             return;
         }
-        self.dialogs_shown += 1;
-        let number = self.dialogs_shown;
-        self.waiting = Some(Waiting { number, saving });
-        let (picker, answers, wake) = (
-            Arc::clone(&self.picker),
-            self.answers.0.clone(),
-            waker(context),
-        );
-        std::thread::spawn(move || {
-            let picked = picker(&ask);
-            // Nobody listens any more once the window is closed.
-            let _ = answers.send((number, picked));
-            wake();
+        let picker = Arc::clone(&self.picker);
+        let picked = Worker::start(&waker(context), move |tell| {
+            tell.send(picker(&ask));
         });
+        self.waiting = Some(Waiting { picked, saving });
     }
 
     pub(super) fn save(&mut self, saving: Saving, context: &Context) {
@@ -242,7 +235,7 @@ impl Window {
             Saving::Gem(gem) => gem.extension(),
             Saving::Picture(wish) => wish.form.ending(),
             Saving::Lesson(_, LessonFile::Pupil | LessonFile::Teacher) => "pdf",
-            Saving::Lesson(_, LessonFile::Start) => "json",
+            Saving::Lesson(_, LessonFile::Start) | Saving::Instrument(_) => "json",
         };
         self.ask(
             Ask::Save {
@@ -280,6 +273,7 @@ impl Window {
             Saving::WindowPng => format!("{}-window.png", export::file_stem(&self.app)),
             Saving::Chart(wish) => wish.file_name(),
             Saving::Gem(gem) => gem.file_name(),
+            Saving::Instrument(instrument) => format!("{}.json", instrument.stem()),
             Saving::Picture(wish) => wish.file_name(),
             Saving::Lesson(lesson, LessonFile::Pupil) => format!("{}-pupil.pdf", lesson.name),
             Saving::Lesson(lesson, LessonFile::Teacher) => format!("{}-teacher.pdf", lesson.name),
@@ -311,64 +305,66 @@ impl Window {
     /// Writes on a thread of its own: a picture takes longer than a frame.
     pub(super) fn write(&mut self, saving: Saving, path: PathBuf, context: &Context) {
         let (app, preferences) = (self.app.clone(), self.preferences.clone());
-        let (said, wake) = (self.said.0.clone(), waker(context));
         let (size, theme) = (context.content_rect().size(), self.file_theme());
-        self.writing.retain(|thread| !thread.is_finished());
-        self.writing.push(std::thread::spawn(move || {
-            let bytes = match &saving {
-                Saving::Text(export) => export.text(&app, theme).map(String::into_bytes),
-                Saving::PlotPng => {
-                    let chart = spectrum_chart(&app);
-                    Ok(picture::chart_png(&chart, CHART_SIZE, theme))
-                }
-                Saving::SheetPdf => sheet::to_pdf(&app),
-                Saving::WindowPng => Ok(picture::window_png(
-                    &app,
-                    &preferences,
-                    [size.x as u32, size.y as u32],
-                )),
-                Saving::Chart(wish) => Ok(chart_bytes(wish, theme)),
-                Saving::Gem(gem) => gem.bytes(),
-                Saving::Picture(wish) => {
-                    // It streams into its place: a large one is never whole in memory.
-                    let message = match wish.save(&path) {
-                        Ok(words) => (Tone::Info, words),
-                        Err(why) => (Tone::Problem, why),
-                    };
-                    let _ = said.send(message);
-                    return wake();
-                }
-                Saving::Lesson(lesson, LessonFile::Start) => Ok(lesson.text.clone().into_bytes()),
-                Saving::Lesson(lesson, LessonFile::Pupil) => {
-                    lesson_sheet(lesson, Reader::Pupil, &preferences)
-                }
-                Saving::Lesson(lesson, LessonFile::Teacher) => {
-                    lesson_sheet(lesson, Reader::Teacher, &preferences)
-                }
-            };
-            let written =
-                bytes.and_then(|bytes| save_atomically(&path, &bytes).map_err(|e| e.to_string()));
-            let message = match (written, saving) {
-                // The axes of a chart name their own units, the others have none.
-                (Ok(()), Saving::Chart(_) | Saving::Gem(_) | Saving::Lesson(..)) => {
-                    (Tone::Info, format!("Saved {}.", path.display()))
-                }
-                (Ok(()), saving) => {
-                    let scale = app.document().scale.words();
-                    let mut words = format!("Saved {} ({scale}).", path.display());
-                    if let Saving::Text(export) = saving {
-                        for loss in export.losses(&app) {
-                            words += &format!(" {loss}");
-                        }
+        self.writing
+            .push(Worker::start(&waker(context), move |tell| {
+                let bytes = match &saving {
+                    Saving::Text(export) => export.text(&app, theme).map(String::into_bytes),
+                    Saving::PlotPng => {
+                        let chart = spectrum_chart(&app);
+                        Ok(picture::chart_png(&chart, CHART_SIZE, theme))
                     }
-                    (Tone::Info, words)
-                }
-                (Err(why), _) => (Tone::Problem, why),
-            };
-            // Nobody listens any more once the window is closed.
-            let _ = said.send(message);
-            wake();
-        }));
+                    Saving::SheetPdf => sheet::to_pdf(&app),
+                    Saving::WindowPng => Ok(picture::window_png(
+                        &app,
+                        &preferences,
+                        [size.x as u32, size.y as u32],
+                    )),
+                    Saving::Chart(wish) => Ok(chart_bytes(wish, theme)),
+                    Saving::Gem(gem) => gem.bytes(),
+                    Saving::Instrument(instrument) => Ok(instrument.text().into_bytes()),
+                    Saving::Picture(wish) => {
+                        // It streams into its place: a large one is never whole in memory.
+                        tell.send(match wish.save(&path) {
+                            Ok(words) => (Tone::Info, words),
+                            Err(why) => (Tone::Problem, why),
+                        });
+                        return;
+                    }
+                    Saving::Lesson(lesson, LessonFile::Start) => {
+                        Ok(lesson.text.clone().into_bytes())
+                    }
+                    Saving::Lesson(lesson, LessonFile::Pupil) => {
+                        lesson_sheet(lesson, Reader::Pupil, &preferences)
+                    }
+                    Saving::Lesson(lesson, LessonFile::Teacher) => {
+                        lesson_sheet(lesson, Reader::Teacher, &preferences)
+                    }
+                };
+                let written = bytes
+                    .and_then(|bytes| save_atomically(&path, &bytes).map_err(|e| e.to_string()));
+                tell.send(match (written, saving) {
+                    // The axes of a chart name their own units, the others have none.
+                    (
+                        Ok(()),
+                        Saving::Chart(_)
+                        | Saving::Gem(_)
+                        | Saving::Lesson(..)
+                        | Saving::Instrument(_),
+                    ) => (Tone::Info, format!("Saved {}.", path.display())),
+                    (Ok(()), saving) => {
+                        let scale = app.document().scale.words();
+                        let mut words = format!("Saved {} ({scale}).", path.display());
+                        if let Saving::Text(export) = saving {
+                            for loss in export.losses(&app) {
+                                words += &format!(" {loss}");
+                            }
+                        }
+                        (Tone::Info, words)
+                    }
+                    (Err(why), _) => (Tone::Problem, why),
+                });
+            }));
     }
 
     pub(super) fn dialog(&mut self, context: &Context) {
@@ -405,9 +401,9 @@ fn lesson_sheet(
     preferences: &Preferences,
 ) -> Result<Vec<u8>, String> {
     const SIZE: [u32; 2] = [1280, 640];
-    let page = |app: &App, memory: &PageMemory| {
+    let page = |app: &App, page: Page| {
         let preferences = Preferences {
-            pages: memory.clone(),
+            page,
             dark: false,
             ..preferences.clone()
         };

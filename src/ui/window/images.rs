@@ -10,7 +10,7 @@ use crate::app::{Command, Tone, pages::Page, picture::reload::News, workspace::S
 impl Window {
     /// Images that are to be read again, as a workspace or project names them.
     pub fn bring_back(&mut self, images: Vec<StoredImage>, context: &Context) {
-        self.images.bring_back(images, waker(context));
+        self.images.bring_back(images, &waker(context));
     }
 
     /// What came from the thread that reads images again.
@@ -39,10 +39,10 @@ impl Window {
         let Some(first) = first.filter(|_| count > 0).and_then(|i| images.get(i)) else {
             return;
         };
-        let pages = &mut self.preferences.pages;
-        pages.image.choose(&first.key);
+        let key = first.key.clone();
+        self.app.pages_follow(|pages| pages.image.choose(&key));
         if alone {
-            pages.page = Page::Image;
+            self.preferences.page = Page::Image;
         }
     }
 }

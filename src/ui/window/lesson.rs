@@ -8,6 +8,7 @@ use egui::{Context, Key, Margin, Modifiers, Panel, Rect, Ui};
 use super::{
     super::{
         lesson_view::Wish,
+        pages::LessonsView,
         pointing,
         theme::{Theme, Wake, waker},
     },
@@ -18,7 +19,7 @@ use super::{
 use crate::app::{
     Command, Subject, Tone,
     lessons::{Aim, Lesson, Run, shelf},
-    pages::{Page, Place},
+    pages::{AskedLesson, Page, Place},
 };
 
 /// Width of the column, and what it is of the window: while presenting, and at most.
@@ -49,38 +50,48 @@ impl Window {
     /// Begins a lesson that was asked for, and shows the next thing where one is being shown.
     pub(super) fn lesson_goes_on(&mut self, context: &Context) {
         self.read_own_lessons();
-        if let Some(asked) = self.preferences.pages.lesson_asked.take()
-            && let Some(lesson) = self.pages.lessons.find(&asked.name)
+        if let Some(asked) = self.preferences.lesson_asked.take()
+            && let Some(lesson) = self.pages.of::<LessonsView>().find(&asked.name)
         {
-            let language = &self.preferences.pages.lesson_language;
+            let language = &self.preferences.lesson_language;
             let lesson = Arc::new(lesson.in_language(language));
             self.begin(&lesson, asked.step, asked.done);
             context.request_repaint();
         }
         let Some(run) = &mut self.lesson else { return };
-        let pages = &mut self.preferences.pages;
+        let page = &mut self.preferences.page;
         if run.is_showing() {
             let now = context.input(|i| i.time);
             if now >= self.shows_next_at {
-                run.show_next(&mut self.app, pages);
+                run.show_next(&mut self.app, page);
                 self.shows_next_at = now + PACE;
             }
             let left = std::time::Duration::from_secs_f64(PACE);
             context.request_repaint_after(left);
         }
-        run.look(&self.app, pages);
+        run.look(&self.app, *page);
+    }
+
+    /// Asks for a lesson from its beginning.
+    pub(super) fn begin_lesson(&mut self, name: String, context: &Context) {
+        self.preferences.lesson_asked = Some(AskedLesson {
+            name,
+            step: 0,
+            done: false,
+        });
+        context.request_repaint();
     }
 
     /// Begins a lesson at a step, from 0, as it begins or as it ends.
     pub(in crate::ui) fn begin(&mut self, lesson: &Arc<Lesson>, step: usize, done: bool) {
         self.leave_lesson();
-        let pages = &mut self.preferences.pages;
-        let mut run = Run::start(lesson.clone(), &mut self.app, pages);
+        let page = &mut self.preferences.page;
+        let mut run = Run::start(lesson.clone(), &mut self.app, page);
         if step > 0 {
-            run.go(step, &mut self.app, pages);
+            run.go(step, &mut self.app, page);
         }
         if done {
-            run.finish(&mut self.app, pages);
+            run.finish(&mut self.app, page);
         }
         self.lesson = Some(run);
         self.drawer.open = false;
@@ -88,11 +99,11 @@ impl Window {
 
     /// Reads the folder of own lessons whenever their list comes into sight.
     fn read_own_lessons(&mut self) {
-        let in_sight = self.preferences.pages.page.place() == Place::Learn;
+        let in_sight = self.preferences.page.place() == Place::Learn;
         let was = std::mem::replace(&mut self.lists_lessons, in_sight);
         let comes = in_sight && !was;
         if let Some(folder) = self.lessons_folder.as_ref().filter(|_| comes) {
-            self.pages.lessons.read_folder(folder);
+            self.pages.of::<LessonsView>().read_folder(folder);
         }
     }
 
@@ -102,7 +113,7 @@ impl Window {
         let Some(run) = self.lesson.as_ref().filter(|_| width > 0.0) else {
             return;
         };
-        let scene = (&self.app, &self.preferences.pages);
+        let scene = (&self.app, self.preferences.page);
         let (view, wake) = (&mut self.lesson_view, waker(ui.ctx()));
         let studies = &mut self.studies;
         let mut wishes = Vec::new();
@@ -122,7 +133,7 @@ impl Window {
     pub(super) fn lesson_ring(&mut self, context: &Context, theme: Theme) {
         self.lesson_view.word(context, self.lesson_ends, theme);
         let aim = self.lesson.as_ref();
-        let aim = aim.and_then(|run| run.aim(&self.app, &self.preferences.pages));
+        let aim = aim.and_then(|run| run.aim(&self.app, self.preferences.page));
         let name = match &aim {
             Some((Aim::Named(name), _)) => Some(name.as_str()),
             _ => None,
@@ -198,17 +209,17 @@ impl Window {
 
     fn fulfil_of_lesson(&mut self, wish: Wish, context: &Context) {
         let Some(run) = &mut self.lesson else { return };
-        let (app, pages) = (&mut self.app, &mut self.preferences.pages);
+        let (app, page) = (&mut self.app, &mut self.preferences.page);
         match wish {
-            Wish::Go(step) => run.go(step, app, pages),
-            Wish::Choose(answer) => run.choose(answer, app, pages),
+            Wish::Go(step) => run.go(step, app, page),
+            Wish::Choose(answer) => run.choose(answer, app, *page),
             Wish::HandsUp => run.hands_up(),
-            Wish::Tell => run.tell(app, pages),
+            Wish::Tell => run.tell(app, *page),
             Wish::ShowMe => {
                 run.show_me();
                 self.shows_next_at = 0.0;
             }
-            Wish::Again => run.set_stage(app, pages),
+            Wish::Again => run.set_stage(app, page),
             Wish::Leave => self.leave_lesson(),
         }
         if !matches!(wish, Wish::Choose(_) | Wish::ShowMe) {
@@ -232,7 +243,9 @@ impl Window {
 
     fn leave_lesson(&mut self) {
         if let Some(run) = self.lesson.take() {
-            run.leave(&mut self.app, &mut self.preferences.pages);
+            let finished = &mut self.preferences.lessons_finished;
+            let name = run.leave(&mut self.app, &mut self.preferences.page);
+            finished.extend(name.filter(|name| !finished.contains(name)));
         }
     }
 
@@ -255,8 +268,8 @@ impl Window {
                 {
                     self.app.say(Tone::Problem, why);
                 }
-                self.pages.lessons.take(lesson);
-                self.preferences.pages.page = Page::Lessons;
+                self.pages.of::<LessonsView>().take(lesson);
+                self.preferences.page = Page::Lessons;
             }
             Err(why) => self.app.say(Tone::Problem, why),
         }

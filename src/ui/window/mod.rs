@@ -14,10 +14,7 @@ mod panels;
 mod printing;
 mod status;
 
-use std::{
-    path::PathBuf,
-    sync::mpsc::{Receiver, Sender, channel},
-};
+use std::path::PathBuf;
 
 use eframe::egui;
 use egui::{Context, Ui};
@@ -25,7 +22,7 @@ use egui::{Context, Ui};
 use super::{
     batch_view::BatchView,
     dialogs::Dialog,
-    files::{Picked, Picker, Printer, system_printer},
+    files::{Picker, Printer, system_printer},
     import_view::ImportView,
     lesson_view::LessonView,
     library_view::LibraryView,
@@ -46,13 +43,11 @@ use crate::app::{
     pages::Page,
     picture::reload::ReloadJob,
     studies::Studies,
+    worker::Worker,
     workspace::{Preferences, Restored, StoredImage},
 };
 use checks::LessonChecks;
 use filing::{Saving, Waiting};
-
-/// Both ends of a queue that other threads write to.
-type Channel<T> = (Sender<T>, Receiver<T>);
 
 /// How often the progress of a computation is looked at.
 const WATCH_EVERY: std::time::Duration = std::time::Duration::from_millis(80);
@@ -84,12 +79,9 @@ pub struct Window {
     images: ReloadJob,
     /// Images of a workspace or project that are to be read again.
     stored_images: Vec<StoredImage>,
-    answers: Channel<(u64, Picked)>,
-    said: Channel<(Tone, String)>,
-    /// Threads that are writing a file.
-    writing: Vec<std::thread::JoinHandle<()>>,
+    /// Files that are being written, each with what is to be said of it.
+    writing: Vec<Worker<(Tone, String)>>,
     waiting: Option<Waiting>,
-    dialogs_shown: u64,
     dialog: Option<Dialog>,
     saving: Option<Saving>,
     saver: Option<Saver>,
@@ -140,9 +132,9 @@ impl Window {
         picker: Picker,
         saver: Option<Saver>,
     ) -> Self {
-        preferences.pages.note_page();
+        preferences.note_page();
         Self {
-            kept: (app.revision(), preferences.clone()),
+            kept: (app.changes(), preferences.clone()),
             had_second: app.document().second.is_some(),
             lessons_folder: saver.as_ref().map(|s| s.path().with_file_name("lessons")),
             lists_lessons: false,
@@ -164,11 +156,8 @@ impl Window {
             lights_quality: LightsQualityView::default(),
             images: ReloadJob::default(),
             stored_images: Vec::new(),
-            answers: channel(),
-            said: channel(),
             writing: Vec::new(),
             waiting: None,
-            dialogs_shown: 0,
             dialog: None,
             saving: None,
             saver,
@@ -267,7 +256,7 @@ impl Window {
         if !context.input(|i| i.pointer.any_down()) && !context.text_edit_focused() {
             self.app.end_gesture();
         }
-        self.preferences.pages.note_page();
+        self.preferences.note_page();
         self.keep();
     }
 
@@ -276,8 +265,7 @@ impl Window {
         let is_there = self.app.document().second.is_some();
         if is_there != self.had_second {
             self.had_second = is_there;
-            let pages = &mut self.preferences.pages;
-            pages.dispersion.follow_second(is_there);
+            self.app.pages_follow(|pages| pages.follow_second(is_there));
         }
     }
 
@@ -316,22 +304,22 @@ impl Window {
     /// Hands the workspace to the saver, which keeps it on disk a moment after it changed.
     fn keep(&mut self) {
         let Some(saver) = &self.saver else { return };
-        let is_kept = self.kept.0 == self.app.revision() && self.kept.1 == self.preferences;
+        let is_kept = self.kept.0 == self.app.changes() && self.kept.1 == self.preferences;
         if !is_kept {
             saver.keep_soon(
                 self.app.document(),
                 &self.preferences,
                 &self.images.absent(),
             );
-            self.kept = (self.app.revision(), self.preferences.clone());
+            self.kept = (self.app.changes(), self.preferences.clone());
         }
     }
 
     /// Waits until every file that is being saved is on disk; called when the window closes.
     pub fn finish_writing(&mut self) {
-        for thread in self.writing.drain(..) {
-            // A thread that failed has nothing left to wait for.
-            let _ = thread.join();
+        for worker in self.writing.drain(..) {
+            // One that failed has nothing left to wait for.
+            let _ = worker.join();
         }
     }
 
@@ -343,7 +331,7 @@ impl Window {
                 &self.preferences,
                 &self.images.absent(),
             );
-            self.kept = (self.app.revision(), self.preferences.clone());
+            self.kept = (self.app.changes(), self.preferences.clone());
         }
     }
 }

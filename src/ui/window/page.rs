@@ -13,7 +13,7 @@ use super::{
     Window,
     filing::Saving,
 };
-use crate::app::import::Again;
+use crate::app::{Command, import::Again, pages::PageStates};
 
 /// Least width of what is on a page beside the spectrum: a narrower window scrolls it.
 const LEAST_WIDTH: f32 = 400.0;
@@ -46,12 +46,17 @@ impl Window {
         let context = ui.ctx().clone();
         let (mut commands, mut wishes) = (Vec::new(), Vec::new());
         // Every page keeps its own place in its scroll area.
-        let salt = self.preferences.pages.page.word();
+        let salt = self.preferences.page.word();
         let pages = &mut self.pages;
+        let mut kept = self.app.document().pages.clone();
         let mut shown = PageContext {
             app: &self.app,
             studies: &mut self.studies,
-            memory: &mut self.preferences.pages,
+            pages: &mut kept,
+            page: &mut self.preferences.page,
+            finished: &self.preferences.lessons_finished,
+            language: &mut self.preferences.lesson_language,
+            photographs_asked: &mut self.preferences.photographs_asked,
             theme,
             wake: &theme::waker(&context),
             commands: &mut commands,
@@ -74,14 +79,43 @@ impl Window {
                     ui.advance_cursor_after_rect(whole);
                 });
         }
-        for wish in wishes {
-            self.grant(wish, &context);
-        }
         if !commands.is_empty() {
             // The right panel was drawn before the page's click.
             context.request_repaint();
         }
-        self.apply(&mut commands);
+        self.keep_pages(kept, &mut commands, &context);
+        for wish in wishes {
+            self.grant(wish, &context);
+        }
+    }
+
+    /// Carries out what a page asked for, and makes what it keeps now the document's: by a hand it
+    /// is a step of undo, by itself (a sum that is played) it belongs to the step before.
+    pub(super) fn keep_pages(
+        &mut self,
+        kept: PageStates,
+        commands: &mut Vec<Command>,
+        context: &Context,
+    ) {
+        let is_touched = kept != self.app.document().pages;
+        let before = self.app.changes();
+        self.apply(commands);
+        if !is_touched {
+            return;
+        }
+        let moved = |event: &egui::Event| {
+            matches!(
+                event,
+                egui::Event::PointerMoved(_) | egui::Event::MouseMoved(_)
+            )
+        };
+        let by_hand = context.input(|i| i.pointer.any_down() || !i.events.iter().all(moved));
+        let change = |pages: &mut PageStates| *pages = kept;
+        if by_hand && self.app.changes() == before {
+            self.app.edit_pages(change);
+        } else {
+            self.app.pages_follow(change);
+        }
     }
 
     /// Does what a page asked for.
@@ -91,6 +125,10 @@ impl Window {
             PageWish::Gem(gem) => self.save(Saving::Gem(Box::new(gem)), context),
             PageWish::FewNumbers(picture) => self.save(Saving::Picture(picture), context),
             PageWish::Lesson(lesson, file) => self.save(Saving::Lesson(lesson, file), context),
+            PageWish::Instrument(instrument) => {
+                self.save(Saving::Instrument(instrument), context);
+            }
+            PageWish::Begin(name) => self.begin_lesson(name, context),
             PageWish::OpenPicture => self.ask(Ask::Open, None, context),
             PageWish::Reading(key) => {
                 let image = self.app.document().images.iter().find(|i| i.key == key);

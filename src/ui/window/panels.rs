@@ -124,12 +124,12 @@ impl Window {
             .exact_size(height)
             .show(ui, |ui| {
                 in_its_size(ui, |ui| {
-                    let page = self.preferences.pages.page;
+                    let page = self.preferences.page;
                     // A lesson asks its own questions.
                     let words = match self.lesson {
                         Some(_) => Default::default(),
                         None => {
-                            let (app, key) = (&self.app, (self.app.revision(), page));
+                            let (app, key) = (&self.app, (self.app.changes(), page));
                             let make = |_: &_| foot_view::words(app, page);
                             self.foot_words.get(key, make).clone()
                         }
@@ -146,9 +146,9 @@ impl Window {
         let width = if shape.wide { words } else { none };
         let frame = plain(ui, Margin::ZERO);
         fixed(Panel::left("rail"), frame, width).show(ui, |ui| {
-            let pages = &mut self.preferences.pages;
+            let preferences = &mut self.preferences;
             ScrollArea::vertical().show(ui, |ui| {
-                rail_view::show(ui, pages, shape.wide, theme);
+                rail_view::show(ui, preferences, shape.wide, theme);
             });
         });
     }
@@ -207,12 +207,12 @@ impl Window {
     /// The page in force, scrolled where the window is too low for it. Gives where it is seen.
     pub(super) fn page_panel(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) -> Rect {
         let room = ui.available_rect_before_wrap();
-        if shape.present && self.preferences.pages.page != Page::Spectrum {
+        if shape.present && self.preferences.page != Page::Spectrum {
             return self.whole_page(ui, shape, theme);
         }
         let folded = !shape.wide && !self.side_is_open(shape);
         let beside = folded && self.tells_verdict() || self.pair().is_some();
-        let with_verdict = self.preferences.pages.page == Page::Spectrum && beside;
+        let with_verdict = self.preferences.page == Page::Spectrum && beside;
         let inner = room.width() - 2.0 * f32::from(PAGE_MARGIN.left);
         let above = look_view::stacked(vec2(inner, room.height()), with_verdict, theme.scale);
         // Large type at the axes and the knobs takes the plot's room.
@@ -240,7 +240,7 @@ impl Window {
             centre = ui.max_rect();
             let tells = self.tells_verdict();
             if !shape.present {
-                let page = &mut self.preferences.pages.page;
+                let page = &mut self.preferences.page;
                 let has_line = tells && page.has_model_line() && self.side_open != Some(true);
                 let mut opens = false;
                 if page.place().tabs().count() > 1 || has_line {
@@ -263,7 +263,7 @@ impl Window {
                 lesson_view::veil(ui);
                 return;
             }
-            match (self.preferences.pages.page, shape.present) {
+            match (self.preferences.page, shape.present) {
                 (Page::Spectrum, _) => self.look(ui, shape, theme),
                 (_, false) => self.page(ui, theme, |pages, ui, shown| pages.show(ui, shown)),
                 (_, true) => self.presented(ui, theme),
@@ -284,10 +284,12 @@ impl Window {
         let pair = self.pair();
         let verdict_below = (folded || shape.present) && self.tells_verdict() || pair.is_some();
         let wake = theme::waker(&context);
+        let mut kept = self.app.document().pages.clone();
         let mut scene = Scene {
             app: &self.app,
             studies: &mut self.studies,
-            memory: &mut self.preferences.pages,
+            pages: &mut kept,
+            page: &mut self.preferences.page,
             theme,
             wake: &wake,
             verdict_below,
@@ -298,7 +300,7 @@ impl Window {
         let wishes = self.look.show(ui, &mut scene);
         let mut commands = wishes.commands;
         let before = self.app.revision();
-        self.apply(&mut commands);
+        self.keep_pages(kept, &mut commands, &context);
         for act in wishes.acts {
             self.app.act_on_spikes(act);
         }
@@ -334,7 +336,10 @@ impl Window {
     /// The colour of a swatch, as its menu asked for.
     pub(super) fn take_colour(&mut self, context: &Context) {
         if let Some(rgb) = super::super::swatch::asked_for(context) {
-            self.preferences.pages.ask_about_colour(rgb);
+            self.app.edit_pages(|pages| {
+                pages.from_colour = pages.from_colour.clone().about(rgb);
+            });
+            self.preferences.page = Page::FromColour;
             context.request_repaint();
         }
     }
@@ -349,7 +354,7 @@ impl Window {
                 self.apply(&mut commands);
                 self.app.end_gesture();
             }
-            Some(Chosen::Page(page)) => self.preferences.pages.page = page,
+            Some(Chosen::Page(page)) => self.preferences.page = page,
             Some(Chosen::Act(act)) => self.act(act, context),
         }
     }
@@ -366,10 +371,10 @@ impl Window {
         }
         match chosen {
             None => {}
-            Some(Beginning::Page(page)) => self.preferences.pages.page = page,
+            Some(Beginning::Page(page)) => self.preferences.page = page,
             Some(Beginning::Own) => self.act(Act::Open, context),
             Some(Beginning::Live) => {
-                self.preferences.pages.page = Page::Spectrum;
+                self.preferences.page = Page::Spectrum;
                 if let Some(lamp) = self.app.entry(LIVE) {
                     self.app.apply(Command::Show(lamp));
                     self.app.end_gesture();

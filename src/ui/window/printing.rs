@@ -15,6 +15,7 @@ use crate::{
         chart::{Theme, escaped},
         charts::spectrum::spectrum_chart,
         pages::Page,
+        worker::Worker,
         workspace::Preferences,
     },
     io::save_atomically,
@@ -38,7 +39,7 @@ const PAGE_SIZE: [u32; 2] = [1280, 800];
 impl Window {
     /// Prints the spectrum, or another page as it is presented, on white.
     pub(super) fn print_page(&mut self, context: &Context) {
-        let page = self.preferences.pages.page;
+        let page = self.preferences.page;
         let title = format!("{}: {}", page.place().title(), page.title());
         let printed = match page {
             Page::Spectrum => {
@@ -60,34 +61,30 @@ impl Window {
     /// Writes the page on a thread of its own and has it opened.
     pub(super) fn print(&mut self, title: &str, printed: PrintedAs, context: &Context) {
         let title = title.to_owned();
-        let (said, wake) = (self.said.0.clone(), waker(context));
         let printer = Arc::clone(&self.printer);
-        self.writing.retain(|thread| !thread.is_finished());
-        self.writing.push(std::thread::spawn(move || {
-            let path = std::env::temp_dir().join("spectral-explorer-print.html");
-            let written = match &printed {
-                PrintedAs::Svg(_) => Ok(()),
-                PrintedAs::Png(png) => save_atomically(&path.with_file_name(PICTURE), png),
-            };
-            let html = page(&title, &printed);
-            let written = written.and_then(|()| save_atomically(&path, html.as_bytes()));
-            let opened = written.map_err(|why| why.to_string());
-            let opened = opened.and_then(|()| printer(&path));
-            let message = match opened {
-                Ok(()) => (
-                    Tone::Info,
-                    "The browser opens the page and asks for the printer.".to_owned(),
-                ),
-                Err(why) => {
-                    let path = path.display();
-                    let words = format!("No browser opened ({why}). Print this file: {path}");
-                    (Tone::Problem, words)
-                }
-            };
-            // Nobody listens any more once the window is closed.
-            let _ = said.send(message);
-            wake();
-        }));
+        self.writing
+            .push(Worker::start(&waker(context), move |tell| {
+                let path = std::env::temp_dir().join("spectral-explorer-print.html");
+                let written = match &printed {
+                    PrintedAs::Svg(_) => Ok(()),
+                    PrintedAs::Png(png) => save_atomically(&path.with_file_name(PICTURE), png),
+                };
+                let html = page(&title, &printed);
+                let written = written.and_then(|()| save_atomically(&path, html.as_bytes()));
+                let opened = written.map_err(|why| why.to_string());
+                let opened = opened.and_then(|()| printer(&path));
+                tell.send(match opened {
+                    Ok(()) => (
+                        Tone::Info,
+                        "The browser opens the page and asks for the printer.".to_owned(),
+                    ),
+                    Err(why) => {
+                        let path = path.display();
+                        let words = format!("No browser opened ({why}). Print this file: {path}");
+                        (Tone::Problem, words)
+                    }
+                });
+            }));
     }
 }
 

@@ -7,7 +7,6 @@ use super::{
     super::{
         batch_view,
         kit::{named, pressed_small},
-        pages::begin,
         theme::Theme,
     },
     WATCH_EVERY, Window,
@@ -109,7 +108,7 @@ impl Window {
             lesson.title, lesson.sentence, lesson.minutes
         );
         if button.on_hover_text(hover).clicked() {
-            begin(ui, &mut self.preferences.pages, &lesson.name);
+            self.begin_lesson(lesson.name.clone(), ui.ctx());
         }
     }
 

@@ -5,5 +5,4 @@ pub mod bounces;
 pub mod chain;
 pub mod narrow;
 pub mod resampling;
-pub mod same_surface;
 pub mod two_lights;

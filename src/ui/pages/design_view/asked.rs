@@ -26,7 +26,7 @@ pub(super) fn asked(
     sheet: Option<&ColourSheet>,
     typed: &mut Option<(usize, String)>,
 ) {
-    let before = context.memory.colour.clone();
+    let before = context.pages.from_colour.clone();
     let mut given = before.given.clone();
     let scale = context.theme.scale;
     form(ui, "colour asked for", |form| {
@@ -37,7 +37,7 @@ pub(super) fn asked(
                 meaning,
                 width: 60.0 * scale,
             };
-            let telling = &mut context.memory.colour.telling;
+            let telling = &mut context.pages.from_colour.telling;
             choice.pick(ui, telling, Telling::ALL, |way| {
                 (way.title(), way.meaning())
             });
@@ -66,7 +66,7 @@ pub(super) fn asked(
         };
         let named = ("seen under", chooser.meaning);
         let light = form.row(named, |ui, _| chooser.show(ui, context.app));
-        let asked = &mut context.memory.colour;
+        let asked = &mut context.pages.from_colour;
         if let Some(light) = light {
             asked.light.clone_from(&light.key);
         }
@@ -88,7 +88,7 @@ fn second(
     sheet: Option<&ColourSheet>,
     typed: &mut Option<(usize, String)>,
 ) {
-    let before = context.memory.colour.clone();
+    let before = context.pages.from_colour.clone();
     ui.horizontal_wrapped(|ui| {
         let mut is_on = before.second.is_some();
         let check = ui.checkbox(&mut is_on, "and under a second light");
@@ -109,21 +109,21 @@ fn second(
             chosen = light.map(|light| light.key.clone()).or(chosen);
         }
         let document = context.app.document();
-        let asked = &mut context.memory.colour;
+        let asked = &mut context.pages.from_colour;
         match (&chosen, is_on) {
             (Some(key), _) => *asked = before.clone().with_second(sheet, key, document),
             (None, false) => *asked = before.clone().with_one(),
             (None, true) => {}
         }
     });
-    let Some((mut given, key)) = context.memory.colour.second.clone() else {
+    let Some((mut given, key)) = context.pages.from_colour.second.clone() else {
         return;
     };
     ui.horizontal_wrapped(|ui| {
         ui.label("where it is");
         told(ui, context, (sheet, 1), &mut given, typed);
     });
-    context.memory.colour.second = Some((given, key));
+    context.pages.from_colour.second = Some((given, key));
 }
 
 /// The fields of one colour: the `index`-th of the sheet.
@@ -134,7 +134,7 @@ fn told(
     given: &mut Given,
     typed: &mut Option<(usize, String)>,
 ) {
-    let telling = context.memory.colour.telling;
+    let telling = context.pages.from_colour.telling;
     // Where nothing is seen, the numbers are those of black.
     let [xyz, white] = sheet
         .and_then(|sheet| sheet.seen.get(index))

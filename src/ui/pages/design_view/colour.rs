@@ -39,7 +39,7 @@ pub(super) struct Shown {
 
 impl DesignView {
     pub(crate) fn spectra_of_colour(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let key = (context.app.revision(), context.memory.colour.clone());
+        let key = (context.app.revision(), context.pages.from_colour.clone());
         let document = context.app.document();
         let shown = &self
             .colour
@@ -125,17 +125,17 @@ fn trust(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Result<Arc<Shown>, 
             0.7,
         ),
     ];
-    let methods = context.memory.colour.methods();
+    let methods = context.pages.from_colour.methods();
     let row = |cells: [String; 4]| Row {
         tips: cells.to_vec(),
         ..Row::of(cells.to_vec())
     };
     let rows: Vec<Row> = sheet.facts().into_iter().map(row).collect();
-    let method = context.memory.colour.method;
+    let method = context.pages.from_colour.method;
     let chosen = methods.iter().position(|one| *one == method);
     let clicked = table(ui, &columns, &rows, chosen, true, context.theme);
     if let Some(method) = clicked.and_then(|row| methods.get(row)) {
-        context.memory.colour.method = *method;
+        context.pages.from_colour.method = *method;
     }
     ui.add_space(4.0);
     taken(ui, context, method);
@@ -176,7 +176,7 @@ fn taken(ui: &mut Ui, context: &mut PageContext<'_>, method: Method) {
                 .on_hover_text(meaning)
                 .on_disabled_hover_text("A light of lines is no surface.");
             if button.clicked() {
-                let recipe = context.memory.colour.recipe();
+                let recipe = context.pages.from_colour.recipe();
                 context.commands.push(Command::Make { recipe, place });
             }
         }
@@ -187,7 +187,7 @@ fn taken(ui: &mut Ui, context: &mut PageContext<'_>, method: Method) {
 fn lines_of(ui: &mut Ui, context: &mut PageContext<'_>) {
     ui.horizontal_wrapped(|ui| {
         ui.label("Lines at");
-        let places = &mut context.memory.colour.lines;
+        let places = &mut context.pages.from_colour.lines;
         for (i, nm) in places.iter_mut().enumerate() {
             let place = DragValue::new(nm)
                 .range(380.0..=780.0)
@@ -202,7 +202,7 @@ fn lines_of(ui: &mut Ui, context: &mut PageContext<'_>) {
             places.pop();
         }
         ui.label("nm over the glow of");
-        let lamp = context.memory.colour.lamp.clone();
+        let lamp = context.pages.from_colour.lamp.clone();
         let chosen = Chooser {
             name: "Lamp whose glow stands behind the lines",
             meaning: "Its lines are taken out; what is left is the background's shape.",
@@ -212,7 +212,7 @@ fn lines_of(ui: &mut Ui, context: &mut PageContext<'_>) {
         }
         .show(ui, context.app);
         if let Some(chosen) = chosen {
-            context.memory.colour.lamp.clone_from(&chosen.key);
+            context.pages.from_colour.lamp.clone_from(&chosen.key);
         }
     });
 }

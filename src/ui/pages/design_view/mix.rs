@@ -74,7 +74,7 @@ impl DesignView {
         };
         let lines = self.lines.held().cloned().unwrap_or_default();
         let document = context.app.document();
-        let key = (context.app.revision(), context.memory.desk_surfaces);
+        let key = (context.app.changes(), context.pages.mix.surfaces);
         let beside = self
             .beside
             .get(key, |(_, surfaces)| beside(&desk, *surfaces, document))
@@ -140,7 +140,7 @@ impl DesignView {
     fn aim(&mut self, ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
         ui.horizontal(|ui| {
             ui.label("Aim at");
-            let words = context.memory.wish.colour_words(context.app.document());
+            let words = context.pages.solve.colour_words(context.app.document());
             let choice = Choice {
                 name: "What is aimed at",
                 meaning: "The ring in the diagram, which can be dragged too. The page Solve has \
@@ -150,12 +150,12 @@ impl DesignView {
             choice.cut(ui, words, |ui| {
                 for kelvin in AIMS {
                     if ui.button(format!("{kelvin:.0} K")).clicked() {
-                        context.memory.wish = MixWish {
+                        context.pages.solve = MixWish {
                             light: None,
                             xy: None,
                             kelvin,
                             duv: 0.0,
-                            ..context.memory.wish.clone()
+                            ..context.pages.solve.clone()
                         };
                     }
                 }
@@ -164,7 +164,7 @@ impl DesignView {
             let meaning = "Sets the faders so that the mixture has this colour, and among such \
                            mixtures the best: the page Solve says at what. One step of undo.";
             if ui.add(button).on_hover_text(meaning).clicked() {
-                let wish = context.memory.wish.clone();
+                let wish = context.pages.solve.clone();
                 let solved = self.solved.get(context.app, &wish, desk, Care::Full);
                 if let Ok(solved) = solved {
                     set(context, solved.mix.clone());
@@ -182,7 +182,7 @@ impl DesignView {
         size: Vec2,
     ) {
         let document = context.app.document();
-        let target = context.memory.wish.target(document).ok();
+        let target = context.pages.solve.target(document).ok();
         let target = target.map(|target| target.uv());
         column(ui, size, |ui| {
             let mut shown = self.diagram(ui, context, target, size);
@@ -223,7 +223,7 @@ impl DesignView {
             self.dragged = pressed.and_then(held_at);
         }
         if let Some(held) = self.dragged {
-            context.memory.wish = context.memory.wish.clone().at_uv(uv);
+            context.pages.solve = context.pages.solve.clone().at_uv(uv);
             self.follows |= held == Held::Mixture;
             ui.request_repaint();
         }
@@ -238,7 +238,7 @@ impl DesignView {
             true => Care::Quick,
             false => Care::Full,
         };
-        let wish = context.memory.wish.clone();
+        let wish = context.pages.solve.clone();
         if self.solved.get(context.app, &wish, desk, care).is_ok()
             && let Some(mix) = self.solved.follow(&desk.mix)
         {
@@ -286,7 +286,7 @@ impl DesignView {
         lines: &[NamedLine],
         size: Vec2,
     ) {
-        let key = context.app.revision();
+        let key = context.app.changes();
         let chart = &*self.spectrum.get(key, |_| mixed_spectrum(desk));
         let mut shown = ChartView::held(ui, chart, "mixed spectrum", size, context.theme);
         context.ask_for_chart(shown.wish.take());

@@ -16,7 +16,7 @@ use egui::{DragValue, Slider, Ui, vec2};
 use super::PageContext;
 use crate::{
     app::{
-        App, Command, Memo,
+        App, Memo,
         chart::Chart,
         charts::design::{ground, on_diagram},
         design::{
@@ -26,7 +26,6 @@ use crate::{
             named_lines::{NamedLine, named_lines},
             wish::Answered,
         },
-        pages::PageSetting,
     },
     ui::{
         chart_view::{ChartResponse, ChartView},
@@ -64,7 +63,7 @@ pub(super) struct DesignView {
 impl DesignView {
     /// Brings what is kept up to the document.
     fn refresh(&mut self, app: &App) {
-        self.desk.get(app.revision(), |_| Desk::of(app.document()));
+        self.desk.get(app.changes(), |_| Desk::of(app.document()));
         self.lines.get((), |_| named_lines(app.element_lines()));
     }
 
@@ -77,7 +76,7 @@ impl DesignView {
         size: egui::Vec2,
     ) -> ChartResponse {
         let ground = &*self.ground.get((), |()| ground());
-        let key = (context.app.revision(), target);
+        let key = (context.app.changes(), target);
         let desk = self.desk.held();
         let make =
             |_: &_| desk.map_or_else(Chart::default, |desk| on_diagram(ground, desk, target));
@@ -113,14 +112,12 @@ fn large_swatch(
 
 /// Changes the desk of the document.
 fn change(context: &mut PageContext<'_>, change: impl FnOnce(&mut Mix)) {
-    let mut mix = context.app.document().pages.mix.clone();
-    change(&mut mix);
-    set(context, mix);
+    change(&mut context.pages.mix.desk);
 }
 
 /// Makes another desk the document's.
 fn set(context: &mut PageContext<'_>, mix: Mix) {
-    context.commands.push(Command::Page(PageSetting::Mix(mix)));
+    context.pages.mix.desk = mix;
 }
 
 /// A slider with its number behind it, both called the same.

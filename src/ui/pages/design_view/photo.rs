@@ -110,6 +110,6 @@ fn clicked(ui: &mut Ui, context: &mut PageContext<'_>, photo: &Photo, texture: e
     let colour = Srgb(rgb).hex();
     ui.small(format!("Row {y}, column {x}: {colour}. Click to take it."));
     if response.clicked() {
-        context.memory.ask_about_colour(rgb);
+        context.ask_about_colour(rgb);
     }
 }

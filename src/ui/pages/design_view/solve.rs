@@ -10,8 +10,9 @@ use crate::{
         design::{
             Desk,
             front::{front_ask, on_desk, sentence},
-            wish::{DUV, KELVIN, Solved},
+            wish::Solved,
         },
+        pages::MixWish,
     },
     design::solve::{Against, Care, FREE_LINES, Objective},
     ui::{
@@ -70,7 +71,7 @@ impl DesignView {
             true => Care::Quick,
             false => Care::Full,
         };
-        let wish = &context.memory.wish;
+        let wish = &context.pages.solve;
         let solved = self.solved.get(context.app, wish, &desk, care).clone();
         let words = match &solved {
             Ok(solved) => &solved.sentence,
@@ -90,7 +91,7 @@ impl DesignView {
         let pair = |ui: &mut Ui, context: &PageContext<'_>| {
             now_and_solved(ui, context, both, figures);
         };
-        let before = context.memory.wish.clone();
+        let before = context.pages.solve.clone();
         let target = solved.as_ref().ok().map(|solved| solved.target_uv);
         let mut sets = false;
         let room = ui.available_size();
@@ -133,7 +134,7 @@ impl DesignView {
             set(context, mix);
         }
         self.follows &= care == Care::Quick;
-        if !before.asks_as(&context.memory.wish) {
+        if !before.asks_as(&context.pages.solve) {
             self.follows = true;
             ui.ctx().request_repaint();
         }
@@ -184,7 +185,7 @@ fn wish_and_faders(
 /// The colour: a temperature, or that of a light.
 fn colour(form: &mut Form<'_>, context: &mut PageContext<'_>) {
     form.row(("Colour of", ""), |ui, _| whose_colour(ui, context));
-    let wish = &mut context.memory.wish;
+    let wish = &mut context.pages.solve;
     if wish.light.is_some() {
         form.rest(|ui| {
             ui.checkbox(&mut wish.alike, "and its spectrum, as nearly as can be")
@@ -208,34 +209,34 @@ fn colour(form: &mut Form<'_>, context: &mut PageContext<'_>) {
         }
         return;
     }
-    let of = Slider::new(&mut wish.kelvin, KELVIN)
+    let of = Slider::new(&mut wish.kelvin, MixWish::KELVIN.reach.range())
         .logarithmic(true)
         .fixed_decimals(0)
         .suffix(" K");
     let meaning = "Correlated colour temperature: 2700 K is a warm lamp, 6500 K daylight.";
     form.slider(("Temperature", meaning), of);
-    let of = Slider::new(&mut wish.duv, DUV).fixed_decimals(4);
+    let of = Slider::new(&mut wish.duv, MixWish::DUV.reach.range()).fixed_decimals(4);
     let meaning = "Distance from the blackbodies (Duv): above 0 greenish, below 0 pinkish.";
     form.slider(("Tint", meaning), of);
 }
 
 /// Whether the colour is that of a temperature, of coordinates or of a light.
 fn whose_colour(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let light = &context.memory.wish.light;
-    let is_xy = light.is_none() && context.memory.wish.xy.is_some();
+    let light = &context.pages.solve.light;
+    let is_xy = light.is_none() && context.pages.solve.xy.is_some();
     let is_kelvin = light.is_none() && !is_xy;
     if ui.selectable_label(is_kelvin, "a temperature").clicked() {
-        context.memory.wish.light = None;
-        context.memory.wish.xy = None;
+        context.pages.solve.light = None;
+        context.pages.solve.xy = None;
     }
     let by_xy = ui
         .selectable_label(is_xy, "x, y")
         .on_hover_text("CIE 1931 chromaticity coordinates.");
     if by_xy.clicked() && !is_xy {
-        let wish = context.memory.wish.clone();
-        context.memory.wish = wish.by_xy(context.app.document());
+        let wish = context.pages.solve.clone();
+        context.pages.solve = wish.by_xy(context.app.document());
     }
-    let light = &context.memory.wish.light;
+    let light = &context.pages.solve.light;
     let says = light.as_deref().map_or("a light".to_owned(), |key| {
         context.app.document().name_of(key)
     });
@@ -248,13 +249,13 @@ fn whose_colour(ui: &mut Ui, context: &mut PageContext<'_>) {
     }
     .show(ui, context.app);
     if let Some(chosen) = chosen {
-        context.memory.wish.light = Some(chosen.key.clone());
-        context.memory.wish.xy = None;
+        context.pages.solve.light = Some(chosen.key.clone());
+        context.pages.solve.xy = None;
     }
 }
 
 fn favour(form: &mut Form<'_>, context: &mut PageContext<'_>) {
-    let wish = &mut context.memory.wish;
+    let wish = &mut context.pages.solve;
     if wish.light.is_some() && wish.alike {
         return;
     }
@@ -271,7 +272,7 @@ fn favour(form: &mut Form<'_>, context: &mut PageContext<'_>) {
 
 /// What the mixture must not fall below.
 fn floors(form: &mut Form<'_>, context: &mut PageContext<'_>) {
-    let floors = &mut context.memory.wish.floors;
+    let floors = &mut context.pages.solve.floors;
     let mut floor = |value: &mut Option<f64>, title: &str, usual: f64, most: f64| {
         form.row(("Not below", ""), |ui, _| {
             let mut on = value.is_some();
@@ -332,7 +333,7 @@ fn faders(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, solved: &Solv
 /// The best that lines at free places were found to reach; a click takes the lines of a point.
 fn front(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, height: f32) {
     let top = ui.cursor().top();
-    let wish = &mut context.memory.wish;
+    let wish = &mut context.pages.solve;
     ui.horizontal_wrapped(|ui| {
         ui.label("The best found with");
         for lines in FREE_LINES {
@@ -347,7 +348,7 @@ fn front(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, height: f32) {
                 .on_hover_text("The figure that efficacy is traded for.");
         }
     });
-    let ask = front_ask(&context.memory.wish, context.app.document());
+    let ask = front_ask(&context.pages.solve, context.app.document());
     let job = context.studies.job();
     // While a slider is dragged the front would never be done.
     if let Some(ask) = ask.filter(|_| !ui.input(|input| input.pointer.any_down())) {

@@ -126,7 +126,7 @@ pub(super) fn surfaces(
                 meaning: "Which surfaces stand below.",
                 width: 130.0 * scale,
             };
-            let now = &mut context.memory.desk_surfaces;
+            let now = &mut context.pages.mix.surfaces;
             choice.pick(ui, now, DeskSurfaces::ALL, |one| {
                 (one.title(), one.meaning())
             });
@@ -164,7 +164,7 @@ pub(super) fn surfaces(
 /// Desks to come back to.
 fn kept(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
     let mut back = None;
-    for (slot, name) in context.memory.kept.iter_mut().zip(["A", "B", "C"]) {
+    for (slot, name) in context.pages.mix.kept.iter_mut().zip(["A", "B", "C"]) {
         let is_here = slot.as_ref().is_some_and(|kept| kept.mix == desk.mix);
         let button = ui.selectable_label(is_here, name);
         let words = match slot {

@@ -4,7 +4,7 @@ use eframe::egui::Slider;
 
 use super::names;
 use crate::{
-    app::dispersion::{GREYS, GemColour, THICKNESSES},
+    app::pages::{GemColour, GemMemory},
     ui::{
         kit::{Choice, Chooser, Form, transmittances},
         pages::PageContext,
@@ -14,7 +14,7 @@ use crate::{
 /// Draws the choice and what belongs to the kind chosen.
 pub(super) fn show(form: &mut Form<'_>, context: &mut PageContext<'_>) {
     let app = context.app;
-    let memory = &mut context.memory.dispersion.gem;
+    let memory = &mut context.pages.gem;
     let choice = Choice {
         name: names::COLOUR,
         meaning: "What the gem takes out of the light on its way, which goes to and fro in it \
@@ -29,7 +29,7 @@ pub(super) fn show(form: &mut Form<'_>, context: &mut PageContext<'_>) {
     match memory.colour {
         GemColour::Clear => {}
         GemColour::Grey => {
-            let of = Slider::new(&mut memory.grey, GREYS).fixed_decimals(2);
+            let of = Slider::new(&mut memory.grey, GemMemory::GREY.reach.range()).fixed_decimals(2);
             let meaning = "Absorption for each radius of the girdle: 1 leaves 37 % of the light.";
             form.slider((names::ABSORBS, meaning), of);
         }
@@ -50,7 +50,7 @@ pub(super) fn show(form: &mut Form<'_>, context: &mut PageContext<'_>) {
             if let Some(entry) = chosen {
                 memory.filter.clone_from(&entry.key);
             }
-            let of = Slider::new(&mut memory.thickness, THICKNESSES)
+            let of = Slider::new(&mut memory.thickness, GemMemory::THICKNESS.reach.range())
                 .logarithmic(true)
                 .fixed_decimals(1)
                 .suffix(" radii");

@@ -3,21 +3,19 @@
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{Slider, Ui};
+use egui::Ui;
 
 use super::{colour, names};
 use crate::{
     app::{
         ByAddress,
-        dispersion::{
-            CutSlider, GemFile, GemFilm, GemForm, GemLook, LightPart, RAYS_SHOWN, SIZES_SHOWN,
-            places,
-        },
+        dispersion::{GemFile, GemFilm, GemForm, GemLook, places},
+        pages::{GemMemory, LightPart, RAYS_SHOWN, SIZES_SHOWN, knob::Knob},
     },
     optics::{Brilliant, FilmSettings, Light, film_bytes},
     ui::{
         kit::{
-            Choice, Chooser, Form, GROUP, fold, form, lights, pressed_if, pressed_small,
+            Choice, Chooser, Form, GROUP, fold, form, knob, lights, pressed_if, pressed_small,
             seen_choice,
         },
         pages::{
@@ -41,29 +39,28 @@ pub(super) fn show(
     form(ui, "gem", |form| {
         let meaning = "Diamond bends light most and spreads its colours; zirconia spreads them \
                        further, glass much less.";
-        let made_of = &mut context.memory.dispersion.gem.made_of;
+        let made_of = &mut context.pages.gem.made_of;
         substance(form, app, (names::MATERIAL, meaning), made_of);
         other_light(form, context, both.get(1));
-        let cut = &mut context.memory.dispersion.gem.cut;
-        for of in &CutSlider::ALL[..ALWAYS] {
-            slider(form, cut, of);
+        for of in GemMemory::cut_knobs().take(ALWAYS) {
+            slider(form, &mut context.pages.gem, of);
         }
     });
     ui.add_space(GROUP);
     form(ui, "how the gem is seen", |form| looks(form, context));
     let meaning = "Looks at the gem as at first: down on the crown.";
     if pressed_small(ui, names::FRONT, meaning) {
-        context.memory.dispersion.gem.look_from_front();
+        context.pages.gem.look_from_front();
     }
     ui.add_space(GROUP);
     form(ui, "gem's light", |form| {
-        model::sent(form, &mut context.memory.dispersion.gem.sent);
-        model::knobs(form, context, context.memory.dispersion.gem.sent);
+        model::sent(form, &mut context.pages.gem.sent);
+        model::knobs(form, context, context.pages.gem.sent);
     });
     ui.add_space(GROUP);
-    let memory = &mut context.memory.dispersion.gem;
+    let memory = &mut context.pages.gem;
     fold(ui, "more of the cut", "More of the cut", |ui| {
-        rest_of_cut(ui, &mut memory.cut);
+        rest_of_cut(ui, memory);
     });
     fold(ui, "more of the gem", "Colour and picture", |ui| {
         form(ui, "more of the gem", |form| {
@@ -75,32 +72,31 @@ pub(super) fn show(
 }
 
 /// What of the cut changes the picture less.
-fn rest_of_cut(ui: &mut Ui, cut: &mut Brilliant) {
+fn rest_of_cut(ui: &mut Ui, gem: &mut GemMemory) {
     form(ui, "more of the cut", |form| {
-        for of in &CutSlider::ALL[ALWAYS..] {
-            slider(form, cut, of);
+        for of in GemMemory::cut_knobs().skip(ALWAYS) {
+            slider(form, gem, of);
         }
     });
     let usual = Brilliant::default();
     let button = egui::Button::new(names::USUAL_CUT).small();
     let meaning = "The round brilliant that most diamonds are cut to.";
-    if pressed_if(ui, *cut != usual, button, meaning) {
-        *cut = usual;
+    if pressed_if(ui, gem.cut != usual, button, meaning) {
+        gem.cut = usual;
     }
 }
 
-fn slider(form: &mut Form<'_>, cut: &mut Brilliant, of: &CutSlider) {
-    let [least, most] = of.range;
-    let slider = Slider::new((of.of)(cut), least..=most);
-    let slider = if of.is_angle {
-        slider.step_by(0.05).fixed_decimals(1).suffix("\u{b0}")
-    } else {
+fn slider(form: &mut Form<'_>, gem: &mut GemMemory, of: &Knob<GemMemory>) {
+    let slider = knob::slider(of, gem);
+    let slider = if of.unit.is_empty() {
         slider
             .custom_formatter(|value, _| format!("{:.0} %", 100.0 * value))
             .custom_parser(|text| {
                 let percent: f64 = text.trim().trim_end_matches('%').trim().parse().ok()?;
                 Some(percent / 100.0)
             })
+    } else {
+        slider.step_by(0.05).fixed_decimals(1)
     };
     form.slider((of.title, of.meaning), slider);
 }
@@ -111,7 +107,7 @@ fn looks(form: &mut Form<'_>, context: &mut PageContext<'_>) {
     form.row(("Seen", ""), |ui, _| {
         seen_choice(ui, app, (names::SEEN, wide), context.commands);
     });
-    let memory = &mut context.memory.dispersion.gem;
+    let memory = &mut context.pages.gem;
     let choice = Choice {
         name: names::PART,
         meaning: "The lines' picture and the smooth part's, each as bright as it is in the \
@@ -128,7 +124,7 @@ fn looks(form: &mut Form<'_>, context: &mut PageContext<'_>) {
 
 /// How fine the picture is.
 fn picture(form: &mut Form<'_>, context: &mut PageContext<'_>, both: &[Light]) {
-    let memory = &mut context.memory.dispersion.gem;
+    let memory = &mut context.pages.gem;
     let choice = Choice {
         name: names::SIZE,
         meaning: "Columns and rows of the picture, and the memory that its film takes.",
@@ -156,7 +152,7 @@ fn picture(form: &mut Form<'_>, context: &mut PageContext<'_>, both: &[Light]) {
 
 /// How the pictures are looked at.
 pub(super) fn look(context: &PageContext<'_>) -> GemLook {
-    let (document, memory) = (context.app.document(), &context.memory.dispersion.gem);
+    let (document, memory) = (context.app.document(), &context.pages.gem);
     GemLook {
         observer: document.settings.observer,
         stops: memory.stops,
@@ -178,12 +174,12 @@ fn other_light(form: &mut Form<'_>, context: &mut PageContext<'_>, other: Option
             width: 100.0,
         };
         if let Some(entry) = chooser.show(ui, context.app) {
-            context.memory.dispersion.gem.under = Some(entry.key.clone());
+            context.pages.gem.under = Some(entry.key.clone());
         }
         let button = egui::Button::new(names::NO_OTHER).small();
         let meaning = "One large picture under the document's light alone.";
         if pressed_if(ui, other.is_some(), button, meaning) {
-            context.memory.dispersion.gem.under = None;
+            context.pages.gem.under = None;
         }
     });
 }

@@ -21,9 +21,10 @@ use crate::{
     app::{
         ByAddress, Memo,
         dispersion::{
-            GemFilm, GemLook, GemMemory, GemPass, GemScene, GemShown, NoiseAsk, Sent,
-            another_light, document_light, facts_of, next_pass, noise_words, places, sentence,
+            GemFilm, GemLook, GemPass, GemScene, GemShown, NoiseAsk, Sent, another_light,
+            document_light, facts_of, next_pass, noise_words, places, sentence,
         },
+        pages::GemMemory,
         studies::Stage,
     },
     io::many::capitalised,
@@ -75,7 +76,7 @@ impl GemView {
 
     fn page(&mut self, ui: &mut Ui, context: &mut PageContext<'_>, presented: bool) -> bool {
         let (app, revision) = (context.app, context.app.revision());
-        let sent = context.memory.dispersion.gem.sent;
+        let sent = context.pages.gem.sent;
         let light = match &*self
             .light
             .get((revision, sent), |_| document_light(app, sent))
@@ -86,7 +87,7 @@ impl GemView {
                 return presented && head(ui, "");
             }
         };
-        let under = context.memory.dispersion.gem.under.clone();
+        let under = context.pages.gem.under.clone();
         let other = self.other.get((revision, under, sent), |(_, key, _)| {
             let entry = app.entry(key.as_ref()?)?;
             Some(another_light(app, &entry, sent))
@@ -97,7 +98,7 @@ impl GemView {
             None => (None, None),
         };
         let lights: Vec<Light> = std::iter::once(light).chain(other).collect();
-        let asked = context.memory.dispersion.gem.clone();
+        let asked = context.pages.gem.clone();
         let scene = self
             .scene
             .get((revision, asked), |(_, memory)| GemScene::of(app, memory))
@@ -107,7 +108,7 @@ impl GemView {
             .as_ref()
             .and_then(|film| noise(context, film, &lights[0]));
 
-        let memory = &context.memory.dispersion.gem;
+        let memory = &context.pages.gem;
         let words = sentence(app, memory, &lights);
         let scale = context.theme.scale;
         let (shown, both) = (film.clone(), &lights);
@@ -119,7 +120,7 @@ impl GemView {
             down(ui, size, |ui| {
                 self.pictures(ui, context, (film.as_ref(), both, noise), size);
             });
-            let stops = &mut context.memory.dispersion.gem.stops;
+            let stops = &mut context.pages.gem.stops;
             form(ui, "gem presented", |form| exposure(form, stops));
             return leaves;
         }
@@ -147,7 +148,7 @@ impl GemView {
         scene: Option<&GemScene>,
         lights: &[Light],
     ) -> Option<Arc<GemFilm>> {
-        let rays = context.memory.dispersion.gem.rays;
+        let rays = context.pages.gem.rays;
         let job = context.studies.job::<GemPass, GemFilm>();
         let held = job.result().cloned();
         let Some(scene) = scene else {
@@ -277,11 +278,7 @@ impl GemView {
         }
         let moved = response.drag_delta();
         if moved != Vec2::ZERO {
-            context
-                .memory
-                .dispersion
-                .gem
-                .turn_by([moved.x, moved.y].map(f64::from));
+            context.pages.gem.turn_by([moved.x, moved.y].map(f64::from));
         }
         response.on_hover_text_at_pointer("Drag to look from another side.");
         let name = RichText::new(&light.name).strong();

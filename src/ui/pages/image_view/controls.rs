@@ -7,8 +7,7 @@ use super::{Shown, canvas::Canvas, names};
 use crate::{
     app::{
         Command, ImageEntry,
-        pages::Page,
-        picture::{STOPS, Show, Spread},
+        pages::{ImageMemory, Page, Show, Spread},
         ticks::short,
     },
     color::Srgb,
@@ -43,7 +42,7 @@ pub(super) fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEn
                 let chosen = image.key == entry.key;
                 let words = format!("{} ({})", image.image.name, image.image.source);
                 if ui.selectable_label(chosen, words).clicked() {
-                    context.memory.image.choose(&image.key);
+                    context.pages.image.choose(&image.key);
                 }
             }
         });
@@ -89,7 +88,7 @@ fn about(ui: &mut Ui, entry: &ImageEntry) {
 pub(super) fn looks(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEntry) {
     ui.horizontal_wrapped(|ui| {
         for show in Show::ALL {
-            ui.selectable_value(&mut context.memory.image.show, show, show.title())
+            ui.selectable_value(&mut context.pages.image.show, show, show.title())
                 .on_hover_text(show.meaning());
         }
         if ui.available_size_before_wrap().x < EXPOSURE_ROOM * context.theme.scale {
@@ -102,7 +101,7 @@ pub(super) fn looks(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEnt
         }
         exposure(ui, context);
         let is_factor = entry.image.kind.is_factor();
-        if is_factor && context.memory.image.show == Show::TrueColour {
+        if is_factor && context.pages.image.show == Show::TrueColour {
             let meaning = format!(
                 "Brings the colour of the light, {}, to the screen's white (Bradford), here and in \
                  the patches.",
@@ -113,7 +112,7 @@ pub(super) fn looks(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEnt
         }
     });
     let nm = entry.image.cube.nm();
-    let memory = &mut context.memory.image;
+    let memory = &mut context.pages.image;
     match memory.show {
         Show::TrueColour => {}
         Show::ThreeBands => {
@@ -151,10 +150,13 @@ fn exposure(ui: &mut Ui, context: &mut PageContext<'_>) {
                    percentile of the pixels' strongest channel has the screen's full brightness.";
     ui.spacing_mut().slider_width = 64.0 * context.theme.scale;
     let label = ui.label(names::EXPOSURE).on_hover_text(meaning);
-    let slider = egui::Slider::new(&mut context.memory.image.stops, STOPS)
-        .step_by(0.1)
-        .fixed_decimals(1)
-        .suffix(" stops");
+    let slider = egui::Slider::new(
+        &mut context.pages.image.stops,
+        ImageMemory::EXPOSURE.reach.range(),
+    )
+    .step_by(0.1)
+    .fixed_decimals(1)
+    .suffix(" stops");
     ui.add(slider).labelled_by(label.id).on_hover_text(meaning);
     ui.weak("over what fits the screen").on_hover_text(meaning);
 }
@@ -199,12 +201,12 @@ pub(super) fn choice(
                 "Takes the colour alone to the page From a colour: which surfaces have it?",
             );
         if let Some(Srgb(rgb)) = colour.filter(|_| ask.clicked()) {
-            context.memory.ask_about_colour(rgb);
+            context.ask_about_colour(rgb);
         }
         let whole = shown.rect == all;
         let meaning = "Chooses every pixel of the image.";
         if pressed_if(ui, !whole, egui::Button::new(names::WHOLE), meaning) {
-            context.memory.image.selection = None;
+            context.pages.image.selection = None;
         }
         let meaning = "Shows all of the picture. The wheel zooms, the right button pans.";
         if pressed_if(
@@ -217,7 +219,7 @@ pub(super) fn choice(
         }
         if shown.rect.pixels() > 1 {
             ui.separator();
-            let spread = &mut context.memory.image.spread;
+            let spread = &mut context.pages.image.spread;
             ui.selectable_value(spread, Spread::Deviation, "± 1 standard deviation")
                 .on_hover_text("Around the mean: one standard deviation of the pixels.");
             ui.selectable_value(spread, Spread::Extremes, "min–max")
@@ -231,7 +233,7 @@ pub(super) fn choice(
 pub(super) fn taken(ui: &mut Ui, context: &mut PageContext<'_>, name: &str) {
     let meaning = "Goes to the page Spectrum.";
     if pressed_small(ui, "Show on Spectrum", meaning) {
-        context.memory.page = Page::Spectrum;
+        *context.page = Page::Spectrum;
     }
     let words = egui::RichText::new(format!("Taken into My files: {name}"));
     ui.add(egui::Label::new(words).truncate());

@@ -18,9 +18,10 @@ use crate::{
         chart::Chart,
         charts::image::region_chart,
         headlines,
+        pages::Spread,
         picture::{
-            BandWeights, Exposed, Raster, RasterAsk, RegionAsk, RegionSpectrum, Spread, at_hand,
-            exposed, named, shown,
+            BandWeights, Exposed, Raster, RasterAsk, RegionAsk, RegionSpectrum, at_hand, exposed,
+            named, shown,
         },
         studies::Stage,
     },
@@ -96,11 +97,11 @@ struct Shown {
 impl ImageView {
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let opened = shown(context.app.document(), &context.memory.image);
+        let opened = shown(context.app.document(), &context.pages.image);
         let Some(entry) = opened.cloned().or_else(|| at_hand().cloned()) else {
             return;
         };
-        let pixels = context.memory.image.rect(&entry.image.cube);
+        let pixels = context.pages.image.rect(&entry.image.cube);
         let words = headlines::image(&entry, pixels.width * pixels.height);
         headline(ui, context.theme, words);
         ui.add_space(GROUP);
@@ -137,7 +138,7 @@ impl ImageView {
 
     /// What is to be shown of an image.
     fn shown(&mut self, context: &PageContext<'_>, entry: Arc<ImageEntry>) -> Shown {
-        let (document, memory) = (context.app.document(), &context.memory.image);
+        let (document, memory) = (context.app.document(), &context.pages.image);
         let image = &entry.image;
         let rect = memory.rect(&image.cube);
         let mut shown = Shown {
@@ -193,7 +194,7 @@ impl ImageView {
             self.drawn = None;
             return;
         };
-        let stops = context.memory.image.stops;
+        let stops = context.pages.image.stops;
         let fresh = |drawn: &Drawn| Arc::ptr_eq(&drawn.raster, &raster) && drawn.stops == stops;
         if self.drawn.as_ref().is_some_and(fresh) {
             return;
@@ -257,7 +258,7 @@ impl ImageView {
     ) {
         let all = shown.cube().all();
         if let Some(rect) = touched.selected {
-            let memory = &mut context.memory.image;
+            let memory = &mut context.pages.image;
             let chosen = Some(rect).filter(|rect| *rect != all);
             memory.choose(&shown.entry.key);
             if memory.selection != chosen {
@@ -336,7 +337,7 @@ impl ImageView {
             ui.available_width(),
             (height - used - figures - 4.0).max(110.0 * context.theme.scale),
         );
-        let spread = context.memory.image.spread;
+        let spread = context.pages.image.spread;
         let of = (ByAddress(region.clone()), spread);
         let chart = self
             .chart

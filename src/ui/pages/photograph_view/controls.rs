@@ -3,16 +3,16 @@
 use eframe::egui;
 use egui::{DragValue, Ui};
 
-use super::{Bench, PageContext, PageWish, PhotographView, ResponseAsk, names};
+use super::{PageContext, PageWish, PhotographView, ResponseAsk, names};
 use crate::{
     app::{
         Command,
         photograph::{
-            Instrument, LampChoice, Photograph, PhotographAsk, Said, SeenPhotograph, Source,
-            colour_words, sentence, table, warnings,
+            Instrument, Known, LampChoice, Photograph, Said, SeenPhotograph, Source, colour_words,
+            sentence_parts, table, warnings,
         },
     },
-    photographs::{Lamp, strip::ByHand},
+    photographs::Lamp,
     ui::kit::{self, Choice, copy_button, number, pressed, pressed_small},
 };
 
@@ -24,19 +24,28 @@ impl PhotographView {
         context: &mut PageContext<'_>,
         seen: &SeenPhotograph,
     ) {
+        if self.path.is_none() {
+            nothing_open(ui, context);
+        }
         match &seen.found {
             Ok(found) => {
-                kit::headline(
-                    ui,
-                    context.theme,
-                    sentence(found).replace(" (--yes takes it)", ""),
-                );
+                let [what, lines] = sentence_parts(found);
+                kit::headline(ui, context.theme, what.replace(" (--yes)", ""));
+                if !lines.is_empty() {
+                    ui.label(format!("{lines}."));
+                }
                 ui.horizontal_wrapped(|ui| self.answers(ui, found));
                 if let Some(words) = colour_words(found) {
                     ui.label(words);
                 }
+                let resolution = found.resolution();
                 if let Some((low, high)) = found.valid_nm() {
-                    ui.weak(format!("The axis holds from {low:.0} to {high:.0} nm."));
+                    let resolution = resolution.map_or(String::new(), |(fwhm, nm)| {
+                        format!(" Resolution {fwhm:.1} nm at {nm:.0}.")
+                    });
+                    let words =
+                        format!("The axis holds from {low:.0} to {high:.0} nm.{resolution}");
+                    ui.weak(words);
                 }
                 kit::small_warnings(ui, context.theme, &warnings(found));
             }
@@ -46,9 +55,13 @@ impl PhotographView {
             }
         }
         ui.add_space(4.0);
-        self.by_hand(ui, seen);
-        ui.add_space(4.0);
         self.uses(ui, context, seen);
+        self.show_many(ui, context);
+        ui.add_space(4.0);
+        self.pins(ui, seen);
+        kit::fold(ui, "strip by hand", "Strip by hand", |ui| {
+            self.by_hand(ui, seen)
+        });
     }
 
     /// Yes, no, and the lamp that it is.
@@ -67,7 +80,9 @@ impl PhotographView {
         }
         let answer = found.answer.as_ref().filter(|_| found.is_by_lines());
         let both = answer.and_then(|a| a.best.as_ref().zip(a.runner_up.as_ref()));
-        if let Some((best, other)) = both.filter(|(best, other)| best.lamp != other.lamp) {
+        if let Some((best, other)) =
+            both.filter(|(best, other)| best.lamp != other.lamp && other.score > 0.0)
+        {
             let (name, scores) = (other.lamp.name(), (other.score, best.score));
             let words = format!("{name}, {:.1} against {:.1}", scores.0, scores.1);
             if pressed(ui, &words, "Takes the next best lamp instead.") {
@@ -98,59 +113,6 @@ impl PhotographView {
         }
     }
 
-    /// Position of the strip, as far as it is set by hand.
-    fn by_hand(&mut self, ui: &mut Ui, seen: &SeenPhotograph) {
-        let mut said = self.said.clone();
-        ui.horizontal_wrapped(|ui| {
-            let way = &mut said.strip.is_vertical;
-            let words = |way: Option<bool>| match way {
-                None => ("either way", "As the colours run."),
-                Some(false) => ("horizontal", "Colours run from left to right."),
-                Some(true) => ("vertical", "Colours run from top to bottom."),
-            };
-            let choice = Choice {
-                name: "Way of the strip",
-                meaning: "The way that the colours run.",
-                width: 90.0,
-            };
-            choice.pick(ui, way, [None, Some(false), Some(true)], words);
-            let found = seen.found.as_ref().ok();
-            let mut turn = said
-                .strip
-                .turn_deg
-                .or(found.map(|f| f.found.strip.turn_deg))
-                .unwrap_or(0.0);
-            let field = DragValue::new(&mut turn)
-                .range(-45.0..=45.0)
-                .speed(0.05)
-                .fixed_decimals(2)
-                .suffix("°");
-            if number(ui, field, "Turn of the strip").changed() {
-                said.strip.turn_deg = Some(turn);
-            }
-            let strips = found.map_or(1, |f| f.found.strips);
-            if strips > 1 || said.strip.strip.is_some() {
-                let now = said.strip.strip.unwrap_or(1);
-                if pressed_small(
-                    ui,
-                    &format!("strip {now} of {strips}"),
-                    "Reads the next strip.",
-                ) {
-                    said.strip.strip = Some(now % strips.max(1) + 1);
-                }
-            }
-            let as_found = "Takes back all that was set by hand of the strip.";
-            if said.strip != ByHand::default() && pressed_small(ui, "as found", as_found) {
-                said.strip = ByHand::default();
-            }
-        });
-        ui.weak("Drag over the picture to draw the band by hand; drag a tick to its peak.");
-        if said.strip != self.said.strip {
-            said.instrument = None;
-        }
-        self.say(said);
-    }
-
     /// What becomes of the picture.
     fn uses(&mut self, ui: &mut Ui, context: &mut PageContext<'_>, seen: &SeenPhotograph) {
         let found = seen.found.as_ref().ok();
@@ -163,7 +125,7 @@ impl PhotographView {
                 {
                     context.commands.push(Command::Adopt(vec![spectrum]));
                 }
-                let is_own = found.source() != Source::Instrument;
+                let is_own = found.source() != Source::Instrument && self.path.is_some();
                 let meaning = "The next pictures are read with this strip and axis, if they fit.";
                 if is_own && pressed(ui, names::INSTRUMENT, meaning) {
                     self.keep(found, &seen.name);
@@ -172,58 +134,148 @@ impl PhotographView {
                     table(found).map_or_else(String::new, |table| table.csv())
                 });
             }
-            if pressed(ui, names::OPEN, "Opens another picture.") {
+            if self.path.is_some() && pressed(ui, names::OPEN, "Opens another picture.") {
                 context.wishes.push(PageWish::OpenPicture);
             }
         });
         let Some(bench) = &self.bench else { return };
-        let name = bench.instrument.name.clone();
+        let instrument = bench.instrument.clone();
         ui.horizontal_wrapped(|ui| {
-            ui.label(format!("Instrument: {name}"));
+            ui.label(format!("Instrument: {}", instrument.name));
+            let meaning = "Strip, axis and response in a file; no picture and no place.";
+            if pressed_small(ui, names::SAVE_INSTRUMENT, meaning) {
+                let wish = PageWish::Instrument(Box::new(instrument.clone()));
+                context.wishes.push(wish);
+            }
             if pressed_small(ui, "put away", "The next pictures are read by themselves.") {
                 self.bench = None;
                 self.said.instrument = None;
             }
         });
         if used.is_some_and(|found| found.source() == Source::Instrument) {
-            self.known_light(ui);
+            self.known_light(ui, context);
         }
     }
 
-    /// This picture is a bulb of a temperature: its response is learnt.
-    fn known_light(&mut self, ui: &mut Ui) {
+    /// This picture is a light that is known: its response is learnt.
+    fn known_light(&mut self, ui: &mut Ui, context: &PageContext<'_>) {
         let (Some(bench), Some(path)) = (&self.bench, self.path.clone()) else {
             return;
         };
-        let lamp = bench.lamp.clone();
-        if self.kelvin < 1000.0 {
-            self.kelvin = 2856.0;
-        }
+        let (lamp, instrument) = (bench.lamp.clone(), bench.instrument.clone());
+        let light = &mut self.known;
+        let base = &context.app.document().light;
         ui.horizontal_wrapped(|ui| {
-            ui.label("This picture is a bulb of");
-            let field = DragValue::new(&mut self.kelvin)
-                .range(1000.0..=20_000.0)
-                .suffix(" K");
-            number(ui, field, "Temperature of the bulb");
-            let meaning = "Learns what the camera makes of each wavelength; 100 K off is 3 % of a \
-                           colour temperature.";
+            ui.label("This picture is a known light:");
+            let chosen = match light.of {
+                KnownAs::Bulb => "a bulb",
+                KnownAs::Daylight => "daylight",
+                KnownAs::Shown => "the light of the library",
+            };
+            let choice = Choice {
+                name: "The known light",
+                meaning: "What this picture shows.",
+                width: 150.0,
+            };
+            choice.show(ui, chosen, |ui| {
+                ui.selectable_value(&mut light.of, KnownAs::Bulb, "a bulb");
+                ui.selectable_value(&mut light.of, KnownAs::Daylight, "daylight");
+                let shown = format!("{}, chosen in the library", base.name());
+                ui.selectable_value(&mut light.of, KnownAs::Shown, shown);
+            });
+            let known = match light.of {
+                KnownAs::Bulb => {
+                    let field = DragValue::new(&mut light.bulb_k)
+                        .range(1000.0..=20_000.0)
+                        .suffix(" K");
+                    number(ui, field, "Temperature of the bulb");
+                    Known::Blackbody(light.bulb_k)
+                }
+                KnownAs::Daylight => {
+                    let field = DragValue::new(&mut light.sky_k)
+                        .range(4000.0..=25_000.0)
+                        .suffix(" K");
+                    number(ui, field, "Temperature of the daylight");
+                    Known::Daylight(light.sky_k)
+                }
+                KnownAs::Shown => {
+                    Known::Spectrum(base.name().to_owned(), base.spectrum.samples.clone())
+                }
+            };
+            let meaning = "Learns what the camera makes of each wavelength; a bulb that is 100 K \
+                           off changes a colour temperature by 3 %.";
             if pressed(ui, "Learn the response", meaning) {
-                let kelvin = self.kelvin;
-                self.learning = Some(ResponseAsk { lamp, path, kelvin });
+                self.learning = Some(ResponseAsk {
+                    instrument,
+                    lamp,
+                    path,
+                    known,
+                });
             }
         });
     }
 
     /// The strip and the axis of this picture for the next ones.
     fn keep(&mut self, found: &Photograph, name: &str) {
-        let (Some(path), Some(instrument)) = (self.path.clone(), Instrument::of(found, name, None))
-        else {
-            return;
-        };
-        let said = self.said.clone();
-        self.bench = Some(Bench {
-            instrument,
-            lamp: PhotographAsk { path, said },
-        });
+        if let (Some(path), Some(instrument)) =
+            (self.path.clone(), Instrument::of(found, name, None))
+        {
+            let said = self.said.clone();
+            self.choose(instrument, Some((path, said)));
+        }
     }
+}
+
+/// Kinds of a light that is known.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum KnownAs {
+    #[default]
+    Bulb,
+    Daylight,
+    /// The light that the program shows.
+    Shown,
+}
+
+/// The light that a picture is said to show.
+pub(super) struct KnownLight {
+    of: KnownAs,
+    bulb_k: f64,
+    sky_k: f64,
+}
+
+impl Default for KnownLight {
+    fn default() -> Self {
+        Self {
+            of: KnownAs::default(),
+            bulb_k: 2856.0,
+            sky_k: 6500.0,
+        }
+    }
+}
+
+/// What the page is for, and how to begin.
+fn nothing_open(ui: &mut Ui, context: &mut PageContext<'_>) {
+    kit::headline(
+        ui,
+        context.theme,
+        "A photograph of a spectrum becomes a spectrum.",
+    );
+    ui.add_space(4.0);
+    ui.label(
+        "Hold a telephone before a grating or a DVD, with a slit before an energy-saving lamp. \
+         Drop the picture here (JPEG or PNG): the lamp's lines fix the wavelengths. A picture of a \
+         bulb with the same set-up fixes what the camera makes of them.",
+    );
+    ui.add_space(6.0);
+    if kit::pressed(
+        ui,
+        names::OPEN,
+        "Opens a picture of a spectrum, JPEG or PNG.",
+    ) {
+        context.wishes.push(PageWish::OpenPicture);
+    }
+    ui.add_space(4.0);
+    ui.weak("The picture stays on this computer; the place where it was taken is never read.");
+    ui.add_space(12.0);
+    ui.strong("An example, drawn by the program");
 }

@@ -1,19 +1,24 @@
 //! The page "Photograph": a picture of a spectrum, its strip and profile, and whose lines they are.
 
+mod band;
+mod by_hand;
 mod controls;
+mod many;
 mod profile;
 mod table;
+mod ticks;
 
-use std::{path::PathBuf, sync::Arc};
+use std::{fs, path::PathBuf, sync::Arc};
 
 use eframe::egui;
-use egui::{Color32, Pos2, Rect, Sense, Stroke, TextureHandle, TextureOptions, Ui, pos2, vec2};
+use egui::{Color32, Pos2, Rect, Sense, TextureHandle, TextureOptions, Ui, pos2, vec2};
 
 use super::{PageContext, PageWish, progress};
+use crate::io::name_of;
 use crate::{
     app::photograph::{
-        Instrument, LampChoice, Photograph, PhotographAsk, Pixels, ResponseAsk, Said,
-        SeenPhotograph,
+        Instrument, ManyAsk, PhotographAsk, PictureOf, Pixels, ResponseAsk, Said, SeenPhotograph,
+        is_instrument,
     },
     ui::{
         kit::{self, drawing},
@@ -28,9 +33,13 @@ pub mod names {
     pub const YES: &str = "Yes";
     pub const NO: &str = "No";
     pub const LAMP: &str = "Lamp";
-    pub const UNDO: &str = "Undo";
+    pub const UNDO: &str = "Take back";
     pub const LIBRARY: &str = "To the library";
     pub const INSTRUMENT: &str = "Use as instrument";
+    pub const SAVE_INSTRUMENT: &str = "Save the instrument…";
+    pub const LINE_UP: &str = "Line up by hand";
+    pub const SET_PIN: &str = "Set a pin";
+    pub const PIN: &str = "Wavelength of the pin";
 }
 
 /// From this width on pictures and words stand side by side, points.
@@ -52,14 +61,17 @@ struct Drawn {
 enum Hand {
     /// Draws a band, from here in pixels of the picture.
     Band(Pos2),
+    /// Moves an edge of the band.
+    Edge(band::Edge),
     /// Moves the tick of a line, which is at this column now.
     Line(usize, f64),
 }
 
-/// An instrument that the next pictures are read with, and the picture that it is from.
+/// An instrument that the next pictures are read with, and the picture that it is from, where that
+/// is at hand.
 struct Bench {
     instrument: Instrument,
-    lamp: PhotographAsk,
+    lamp: Option<(PathBuf, Said)>,
 }
 
 #[derive(Default)]
@@ -75,7 +87,12 @@ pub struct PhotographView {
     bench: Option<Bench>,
     /// The response that is being learnt.
     learning: Option<ResponseAsk>,
-    kelvin: f64,
+    /// Pictures that are read with the instrument, all at once.
+    many: Option<ManyAsk>,
+    /// Why the file of an instrument was not taken.
+    trouble: Option<String>,
+    by_hand: by_hand::ByHandState,
+    known: controls::KnownLight,
 }
 
 impl PhotographView {
@@ -88,6 +105,42 @@ impl PhotographView {
         };
         self.path = Some(path);
         (self.past, self.hand) = (Vec::new(), None);
+        self.by_hand = by_hand::ByHandState::default();
+    }
+
+    /// Pictures and instruments that were opened or dropped: of several pictures the last is shown,
+    /// and with an instrument all are read.
+    fn take_all(&mut self, paths: Vec<PathBuf>) {
+        let (instruments, pictures): (Vec<PathBuf>, Vec<PathBuf>) =
+            paths.into_iter().partition(|path| is_instrument(path));
+        self.trouble = None;
+        if let Some(path) = instruments.last() {
+            let text = fs::read_to_string(path).map_err(|why| why.to_string());
+            match text.and_then(|text| Instrument::read(&text)) {
+                Ok(instrument) => self.choose(instrument, None),
+                Err(why) => self.trouble = Some(format!("{}: {why}.", name_of(path))),
+            }
+        }
+        let several = self.bench.as_ref().filter(|_| pictures.len() > 1);
+        self.many = several.map(|bench| ManyAsk {
+            paths: pictures.clone(),
+            instrument: bench.instrument.clone(),
+        });
+        if let Some(path) = pictures.into_iter().next_back() {
+            self.take(path);
+        }
+    }
+
+    /// The next pictures are read with an instrument, and so is the one that is shown, unless it is
+    /// the one that the instrument is from.
+    fn choose(&mut self, instrument: Instrument, lamp: Option<(PathBuf, Said)>) {
+        if lamp.is_none() && self.path.is_some() {
+            self.say(Said {
+                instrument: Some(instrument.clone()),
+                ..Said::default()
+            });
+        }
+        self.bench = Some(Bench { instrument, lamp });
     }
 
     /// Says something else of the picture; what was said can be had back.
@@ -99,15 +152,12 @@ impl PhotographView {
 
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        if let Some(path) = context.memory.photograph_asked.take() {
-            self.take(path);
+        let asked = std::mem::take(context.photographs_asked);
+        if !asked.is_empty() {
+            self.take_all(asked);
         }
-        let Some(path) = self.path.clone() else {
-            nothing_open(ui, context);
-            return;
-        };
         let ask = PhotographAsk {
-            path,
+            of: (self.path.clone()).map_or(PictureOf::Example, PictureOf::File),
             said: self.said.clone(),
         };
         let job = context.put(&ask);
@@ -115,6 +165,9 @@ impl PhotographView {
             self.seen = Some(found.clone());
         }
         progress(ui, job, "The photograph");
+        if let Some(trouble) = &self.trouble {
+            kit::warning(ui, context.theme, trouble.clone());
+        }
         self.learn(ui, context);
         let Some(held) = self.seen.clone() else {
             return;
@@ -219,20 +272,9 @@ impl PhotographView {
         let to_screen =
             |x: f64, y: f64| rect.min + vec2((x as f32 + 0.5) * scale, (y as f32 + 0.5) * scale);
         if let Some(found) = found {
-            let ink = Stroke::new(theme.line, theme.accent);
-            let strip = found.found.strip;
-            let (last, half) = (strip.columns as f64 - 1.0, strip.half);
-            let corners = [(0.0, -half), (last, -half), (last, half), (0.0, half)];
-            let corners = corners.map(|(column, v)| {
-                let (x, y) = strip.pixel_of(column, v);
-                to_screen(x, y)
-            });
-            for i in 0..4 {
-                ui.painter()
-                    .line_segment([corners[i], corners[(i + 1) % 4]], ink);
-            }
+            band::draw(ui, theme, &found.found.strip, to_screen);
         }
-        self.band(ui, theme, &response, (rect, scale), seen.size);
+        self.band(ui, theme, &response, (rect, scale), seen);
         let Some(found) = found else { return };
         ui.add_space(GAP);
         let strip = self
@@ -250,61 +292,9 @@ impl PhotographView {
             whole(ui, strip, rect);
         }
         profile::marks(ui, theme, found, rect);
-        let rest = (height - share * height - STRIP * theme.scale - 3.0 * GAP).max(150.0);
+        let rest = (height - scale * size[1] - STRIP * theme.scale - 3.0 * GAP).max(150.0);
         let rest = rest.min(ui.available_height().max(150.0));
         self.profile(ui, theme, found, vec2(width, rest));
-    }
-
-    /// A hand draws another band over the picture.
-    fn band(
-        &mut self,
-        ui: &Ui,
-        theme: Theme,
-        response: &egui::Response,
-        (rect, scale): (Rect, f32),
-        size: [usize; 2],
-    ) {
-        let touched = response.interact_pointer_pos();
-        let Some(pointer) = touched.or_else(|| response.hover_pos()) else {
-            return;
-        };
-        let place = |at: Pos2| {
-            let [w, h] = size.map(|side| side as f32 - 1.0);
-            let at = (at - rect.min) / scale;
-            pos2(at.x.clamp(0.0, w), at.y.clamp(0.0, h))
-        };
-        if response.drag_started() {
-            self.hand = Some(Hand::Band(place(pointer)));
-        }
-        let Some(Hand::Band(from)) = self.hand else {
-            return;
-        };
-        let to = place(pointer);
-        let back = |at: Pos2| rect.min + at.to_vec2() * scale;
-        let box_ = Rect::from_two_pos(back(from), back(to));
-        swatch::outline(ui, box_, Stroke::new(theme.line, Color32::WHITE));
-        if response.drag_stopped() {
-            self.hand = None;
-            let (x, y) = (
-                (from.x.min(to.x), from.x.max(to.x)),
-                (from.y.min(to.y), from.y.max(to.y)),
-            );
-            if x.1 - x.0 >= 3.0 && y.1 - y.0 >= 3.0 {
-                let mut said = self.said.clone();
-                said.strip.area = Some([x.0, y.0, x.1, y.1].map(f64::from));
-                said.instrument = None;
-                self.say(said);
-            }
-        }
-    }
-
-    /// The lamp whose lines a hand has put right.
-    fn lamp_of(found: &Photograph) -> LampChoice {
-        let best = found
-            .answer
-            .as_ref()
-            .and_then(|answer| answer.best.as_ref());
-        best.map_or(LampChoice::Auto, |best| LampChoice::Is(best.lamp))
     }
 }
 
@@ -312,29 +302,4 @@ impl PhotographView {
 fn whole(ui: &Ui, texture: egui::TextureId, rect: Rect) {
     let all = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
     ui.painter().image(texture, rect, all, Color32::WHITE);
-}
-
-/// What the page is for, and how to begin.
-fn nothing_open(ui: &mut Ui, context: &mut PageContext<'_>) {
-    kit::headline(
-        ui,
-        context.theme,
-        "A photograph of a spectrum becomes a spectrum.",
-    );
-    ui.add_space(4.0);
-    ui.label(
-        "Hold a telephone before a grating or a DVD, with a slit before a lamp, and open the \
-         picture here or drop it (JPEG or PNG). The lines of an energy-saving lamp fix the \
-         wavelengths; a bulb's smooth light fixes what the camera makes of them.",
-    );
-    ui.add_space(6.0);
-    if kit::pressed(
-        ui,
-        names::OPEN,
-        "Opens a picture of a spectrum, JPEG or PNG.",
-    ) {
-        context.wishes.push(PageWish::OpenPicture);
-    }
-    ui.add_space(4.0);
-    ui.weak("The picture stays on this computer; the place where it was taken is never read.");
 }

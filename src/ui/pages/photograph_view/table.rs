@@ -51,7 +51,8 @@ fn rows(found: &Photograph) -> Vec<[String; 5]> {
         [
             format!("{:.1}", line.landmark.nm),
             format!("{:.1}", peak.px),
-            format!("{:+.2}", line.error_nm),
+            // Never a minus before nothing.
+            format!("{:+.2}", (100.0 * line.error_nm).round() / 100.0 + 0.0),
             format!("{:.1}", peak.fwhm_px * best.curve.slope(peak.px).abs()),
             clipped.to_owned(),
         ]

@@ -6,7 +6,8 @@ use egui::{Color32, Mesh, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2, p
 use crate::{
     app::{
         chart::Rgb,
-        dispersion::{BenchDrawing, DrawnRay, Grip, Handle, Leaves},
+        dispersion::{BenchDrawing, DrawnRay, Grip, Leaves},
+        pages::Handle,
     },
     ui::{
         kit::{self, named},

@@ -5,9 +5,7 @@ use egui::{Slider, Ui};
 
 use super::{exposure, model, names, substance};
 use crate::{
-    app::dispersion::{
-        APEXES_DEG, Beside, IMPACTS, INCIDENCES_DEG, RainbowMemory, SCREENS_MM, SLITS_MM,
-    },
+    app::pages::{Beside, PrismMemory, RainbowMemory},
     optics::SEEN_NM,
     ui::{
         kit::{Choice, Form, GROUP, fold, form},
@@ -52,7 +50,7 @@ pub(super) fn drop(form: &mut Form<'_>, memory: &mut RainbowMemory) {
             }
         }
     });
-    let of = Slider::new(&mut memory.impact, IMPACTS)
+    let of = Slider::new(&mut memory.impact, RainbowMemory::IMPACT.reach.range())
         .fixed_decimals(2)
         .suffix(" radii");
     let meaning = "How far off its middle the coloured rays meet the drop; where the thin rays \
@@ -64,16 +62,16 @@ pub(super) fn drop(form: &mut Form<'_>, memory: &mut RainbowMemory) {
 pub(super) fn prism(ui: &mut Ui, context: &mut PageContext<'_>) {
     let app = context.app;
     form(ui, "prism", |form| {
-        let memory = &mut context.memory.dispersion.prism;
+        let memory = &mut context.pages.prism;
         let meaning = "What the prism is made of: flint glass spreads colours twice as far as \
                        crown glass.";
         substance(form, app, (names::GLASS, meaning), &mut memory.made_of);
-        let of = Slider::new(&mut memory.apex_deg, APEXES_DEG)
+        let of = Slider::new(&mut memory.apex_deg, PrismMemory::APEX.reach.range())
             .step_by(0.5)
             .suffix("\u{b0}");
         let meaning = "The angle between the two faces that the light goes through.";
         form.slider((names::APEX, meaning), of);
-        let of = Slider::new(&mut memory.slit_mm, SLITS_MM)
+        let of = Slider::new(&mut memory.slit_mm, PrismMemory::SLIT.reach.range())
             .logarithmic(true)
             .fixed_decimals(2)
             .suffix(" mm");
@@ -83,8 +81,8 @@ pub(super) fn prism(ui: &mut Ui, context: &mut PageContext<'_>) {
     });
     ui.add_space(GROUP);
     form(ui, "prism's light", |form| {
-        model::sent(form, &mut context.memory.dispersion.prism.sent);
-        let sent = context.memory.dispersion.prism.sent;
+        model::sent(form, &mut context.pages.prism.sent);
+        let sent = context.pages.prism.sent;
         model::knobs(form, context, sent);
     });
     ui.add_space(GROUP);
@@ -93,7 +91,7 @@ pub(super) fn prism(ui: &mut Ui, context: &mut PageContext<'_>) {
 
 /// How the prism stands, how far the screen is, how bright it is shown.
 fn bench(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let memory = &mut context.memory.dispersion.prism;
+    let memory = &mut context.pages.prism;
     form(ui, "bench", |form| {
         form.rest(|ui| {
             ui.checkbox(&mut memory.at_minimum, names::MINIMUM)
@@ -108,13 +106,16 @@ fn bench(ui: &mut Ui, context: &mut PageContext<'_>) {
                 .suffix(" nm");
             form.slider((names::GREEN, "The wavelength that is bent least."), of);
         } else {
-            let of = Slider::new(&mut memory.incidence_deg, INCIDENCES_DEG)
-                .fixed_decimals(1)
-                .suffix("\u{b0}");
+            let of = Slider::new(
+                &mut memory.incidence_deg,
+                PrismMemory::INCIDENCE.reach.range(),
+            )
+            .fixed_decimals(1)
+            .suffix("\u{b0}");
             let meaning = "Angle between the light and the normal of the first face.";
             form.slider((names::INCIDENCE, meaning), of);
         }
-        let of = Slider::new(&mut memory.screen_mm, SCREENS_MM)
+        let of = Slider::new(&mut memory.screen_mm, PrismMemory::SCREEN.reach.range())
             .logarithmic(true)
             .fixed_decimals(0)
             .suffix(" mm");

@@ -21,9 +21,8 @@ use super::PageContext;
 use crate::{
     app::{
         Memo,
-        dispersion::{
-            IMPACTS, PrismMemory, PrismShown, RainbowMemory, RainbowShown, STOPS, Sent, sky,
-        },
+        dispersion::{PrismShown, RainbowShown, Sent, sky},
+        pages::{PrismMemory, RainbowMemory, STOPS},
     },
     optics::Sky,
     ui::kit::{
@@ -65,7 +64,7 @@ pub(super) struct PrismView {
 
 /// How bright the picture is.
 pub(super) fn exposure(form: &mut Form<'_>, stops: &mut f64) {
-    let of = Slider::new(stops, STOPS)
+    let of = Slider::new(stops, STOPS.range())
         .step_by(0.1)
         .fixed_decimals(1)
         .suffix(" stops");
@@ -114,7 +113,7 @@ fn lines(
 impl PrismView {
     /// Draws the prism's page.
     pub(super) fn prism(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let memory = context.memory.dispersion.prism.clone();
+        let memory = context.pages.prism.clone();
         let key = (context.app.revision(), memory);
         let app = context.app;
         let shown = &*self
@@ -134,7 +133,7 @@ impl PrismView {
                 drawn(ui, context, (shown, &axis), vec2(room.x, height));
                 strips::show(ui, &shown.strips, &axis, context.theme);
             });
-            said_of(ui, shown, context.memory.dispersion.prism.sent);
+            said_of(ui, shown, context.pages.prism.sent);
             if !shown.rows.is_empty() {
                 fold(ui, "lines", "Every line in figures", |ui| {
                     lines(ui, context, table_of(shown), || shown.csv.clone());
@@ -146,7 +145,7 @@ impl PrismView {
 
     /// Draws the rainbow's page.
     pub(super) fn rainbow(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let key = (context.app.revision(), context.memory.dispersion.rainbow);
+        let key = (context.app.revision(), context.pages.rainbow);
         let app = context.app;
         let sky = &*self.sky.get((), |()| sky());
         let shown = &*self
@@ -196,13 +195,18 @@ fn rainbow_controls(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RainbowS
         ui.strong("One of the drops");
         let wide = ui.available_width();
         let moved = drop::show(ui, drawing, vec2(wide, 0.72 * wide), theme);
-        let impact = &mut context.memory.dispersion.rainbow.impact;
-        *impact = moved.map_or(*impact, |to| to.clamp(*IMPACTS.start(), *IMPACTS.end()));
+        let impact = &mut context.pages.rainbow.impact;
+        *impact = moved.map_or(*impact, |to| {
+            to.clamp(
+                *RainbowMemory::IMPACT.reach.range().start(),
+                *RainbowMemory::IMPACT.reach.range().end(),
+            )
+        });
         notes(ui, [drawing.words.as_str()].into_iter());
         ui.add_space(GROUP);
     }
     form(ui, "rainbow", |form| {
-        let memory = &mut context.memory.dispersion.rainbow;
+        let memory = &mut context.pages.rainbow;
         controls::drop(form, memory);
         form.rest(|ui| {
             ui.checkbox(&mut memory.disc, names::DISC).on_hover_text(
@@ -215,8 +219,8 @@ fn rainbow_controls(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RainbowS
     });
     ui.add_space(GROUP);
     form(ui, "rainbow's light", |form| {
-        model::sent(form, &mut context.memory.dispersion.rainbow.sent);
-        let sent = context.memory.dispersion.rainbow.sent;
+        model::sent(form, &mut context.pages.rainbow.sent);
+        let sent = context.pages.rainbow.sent;
         model::knobs(form, context, sent);
     });
 }
@@ -231,7 +235,7 @@ fn drawn(
     let share = |x_mm: f64| axis.share(x_mm);
     let looks: (&dyn Fn(f64) -> f32, _) = (&share, context.theme);
     let moved = bench::show(ui, shown.drawing.as_ref(), size, looks);
-    let memory = &mut context.memory.dispersion.prism;
+    let memory = &mut context.pages.prism;
     match moved {
         None => {}
         Some(Moved::Turned(by)) => memory.turn(shown.incidence_deg, by),

@@ -5,8 +5,9 @@ use egui::{Slider, Ui, vec2};
 
 use super::{PrismView, axis_of, drawn, drop, model, names, strips, told};
 use crate::{
-    app::dispersion::{
-        APEXES_DEG, IMPACTS, PrismShown, RainbowShown, SLITS_MM, STOPS, StripShown, sky,
+    app::{
+        dispersion::{PrismShown, RainbowShown, StripShown, sky},
+        pages::{PrismMemory, RainbowMemory, STOPS},
     },
     ui::{
         kit::form,
@@ -58,7 +59,9 @@ fn below(ui: &mut Ui, (name, meaning): (&str, &str), slider: Slider<'_>) {
 }
 
 fn exposed(ui: &mut Ui, stops: &mut f64) {
-    let of = Slider::new(stops, STOPS).step_by(0.1).fixed_decimals(1);
+    let of = Slider::new(stops, STOPS.range())
+        .step_by(0.1)
+        .fixed_decimals(1);
     let meaning = "How bright the picture is shown, in stops; each doubles it.";
     below(ui, (names::EXPOSURE, meaning), of);
 }
@@ -77,10 +80,7 @@ impl PrismView {
         context: &mut PageContext<'_>,
         in_lesson: bool,
     ) -> bool {
-        let key = (
-            context.app.revision(),
-            context.memory.dispersion.prism.clone(),
-        );
+        let key = (context.app.revision(), context.pages.prism.clone());
         let app = context.app;
         let shown = &*self
             .prism
@@ -94,15 +94,17 @@ impl PrismView {
         drawn(ui, context, (shown, &axis), size);
         strips::show(ui, &strip, &axis, theme);
         let theme = context.theme;
-        let bench = &mut context.memory.dispersion.prism;
+        let bench = &mut context.pages.prism;
         let (apex, slit, stops) = (&mut bench.apex_deg, &mut bench.slit_mm, &mut bench.stops);
         let apex = &mut |ui: &mut Ui| {
-            let of = Slider::new(apex, APEXES_DEG).step_by(0.5).suffix("\u{b0}");
+            let of = Slider::new(apex, PrismMemory::APEX.reach.range())
+                .step_by(0.5)
+                .suffix("\u{b0}");
             let meaning = "The angle between the two faces that the light goes through.";
             below(ui, (names::APEX, meaning), of);
         };
         let slit = &mut |ui: &mut Ui| {
-            let of = Slider::new(slit, SLITS_MM)
+            let of = Slider::new(slit, PrismMemory::SLIT.reach.range())
                 .logarithmic(true)
                 .fixed_decimals(2)
                 .suffix(" mm");
@@ -132,7 +134,7 @@ impl PrismView {
         ui: &mut Ui,
         context: &mut PageContext<'_>,
     ) -> bool {
-        let key = (context.app.revision(), context.memory.dispersion.rainbow);
+        let key = (context.app.revision(), context.pages.rainbow);
         let app = context.app;
         let sky = &*self.sky.get((), |()| sky());
         let shown = &*self
@@ -154,8 +156,13 @@ impl PrismView {
             if let Some(drawing) = &shown.drop {
                 let wide = high.min(0.4 * ui.available_width());
                 let moved = drop::show(ui, drawing, vec2(wide, high), context.theme);
-                let impact = &mut context.memory.dispersion.rainbow.impact;
-                *impact = moved.map_or(*impact, |to| to.clamp(*IMPACTS.start(), *IMPACTS.end()));
+                let impact = &mut context.pages.rainbow.impact;
+                *impact = moved.map_or(*impact, |to| {
+                    to.clamp(
+                        *RainbowMemory::IMPACT.reach.range().start(),
+                        *RainbowMemory::IMPACT.reach.range().end(),
+                    )
+                });
             }
             if let Some(strip) = shown.strips.first() {
                 let size = vec2(ui.available_width(), high);
@@ -164,11 +171,13 @@ impl PrismView {
             }
         });
         strips::show(ui, &strip, &axis, theme);
-        let memory = &mut context.memory.dispersion.rainbow;
+        let memory = &mut context.pages.rainbow;
         let (stops, impact) = (&mut memory.stops, &mut memory.impact);
         let bright = &mut |ui: &mut Ui| exposed(ui, stops);
         let rays = &mut |ui: &mut Ui| {
-            let of = Slider::new(impact, IMPACTS).fixed_decimals(2).suffix(" r");
+            let of = Slider::new(impact, RainbowMemory::IMPACT.reach.range())
+                .fixed_decimals(2)
+                .suffix(" r");
             let meaning = "How far off its middle the coloured rays meet the drop, radii.";
             below(ui, (names::IMPACT, meaning), of);
         };

@@ -49,10 +49,10 @@ pub(crate) fn substance(
     };
     form.choice(choice, &now, list);
     if let Substance::Numbers { n_d, v_d } = made_of {
-        let of = Slider::new(n_d, INDICES).fixed_decimals(4);
+        let of = Slider::new(n_d, INDICES.range()).fixed_decimals(4);
         let meaning = "Index of refraction at the yellow line d, 587.6 nm.";
         form.slider((names::INDEX, meaning), of);
-        let of = Slider::new(v_d, ABBES).fixed_decimals(1);
+        let of = Slider::new(v_d, ABBES.range()).fixed_decimals(1);
         let meaning = "Abbe number: the smaller, the further the colours are spread.";
         form.slider((names::ABBE, meaning), of);
     }

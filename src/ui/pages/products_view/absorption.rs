@@ -1,15 +1,14 @@
 //! The page "Dark lines": dips as negative spikes, and their names.
 
-use std::sync::Arc;
-
 use eframe::egui;
 use egui::{DragValue, Ui, vec2};
 
 use crate::{
     app::{
-        App, Command, Detector, Entry, Memo, Settings, THRESHOLDS_PERCENT, WIDTHS_NM,
+        App, Command, Detector, Entry, Memo, Settings,
         charts::products::absorption::{AbsorptionSheet, DarkLine, DipRow, looks},
         headlines,
+        pages::knob::Knob,
         ticks::short,
     },
     spectrum::Band,
@@ -186,7 +185,7 @@ fn examples(ui: &mut Ui, context: &mut PageContext<'_>, is_example: bool) {
                 .clicked()
                 && let Some(entry) = app.entry(example.key)
             {
-                context.memory.products.absorption.example = index;
+                context.pages.dark_lines.example = index;
                 context.commands.push(Command::ShowWith {
                     entry,
                     settings: example.over(app.document().settings),
@@ -265,28 +264,31 @@ fn knobs(ui: &mut Ui, context: &mut PageContext<'_>, is_example: bool) {
         if is_example {
             return;
         }
-        let mut knob =
-            |before: &str, value: &mut f64, (range, speed, unit), meaning: &str, name| {
-                let label = ui.label(before);
-                let drag = DragValue::new(value)
-                    .range(range)
-                    .speed(speed)
-                    .custom_formatter(|v, _| short(v))
-                    .suffix(unit);
-                let response = ui.add(drag).labelled_by(label.id).on_hover_text(meaning);
-                named(&response, egui::Role::SpinButton, name);
-            };
+        let mut knob = |before: &str,
+                        value: &mut f64,
+                        (knob, speed): (Knob<Settings>, f64),
+                        meaning: &str,
+                        name| {
+            let label = ui.label(before);
+            let drag = DragValue::new(value)
+                .range(knob.reach.range())
+                .speed(speed)
+                .custom_formatter(|v, _| short(v))
+                .suffix(knob.unit);
+            let response = ui.add(drag).labelled_by(label.id).on_hover_text(meaning);
+            named(&response, egui::Role::SpinButton, name);
+        };
         knob(
             "of at least",
             &mut settings.threshold_percent,
-            (THRESHOLDS_PERCENT, 0.01, " %"),
+            (Settings::THRESHOLD, 0.01),
             "Least share of the total power that a line must carry or lack, percent.",
             names::THRESHOLD,
         );
         knob(
             "up to",
             &mut settings.max_width_nm,
-            (WIDTHS_NM, 0.1, " nm"),
+            (Settings::WIDTH, 0.1),
             "Widest line, full width at half maximum, nm.",
             names::WIDTH,
         );
@@ -402,12 +404,4 @@ fn known_row(line: &DarkLine) -> Row {
         cells: vec![at, "–".to_owned(), depth, line.name.to_owned()],
         ..Row::default()
     }
-}
-
-/// The examples' spectra, for tests.
-pub fn example_entries(app: &App) -> Vec<(&'static str, Option<Arc<Entry>>)> {
-    EXAMPLES
-        .iter()
-        .map(|example| (example.title, app.entry(example.key)))
-        .collect()
 }

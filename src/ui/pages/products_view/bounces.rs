@@ -13,7 +13,8 @@ use crate::{
             resampling::{way_meaning, way_name},
         },
         numbers::delta_e,
-        products::{BouncesMemory, ModelledLight},
+        pages::BouncesMemory,
+        products::ModelledLight,
         studies::Stage,
         verdicts::HARD_TO_SEE,
     },
@@ -70,7 +71,7 @@ impl BouncesView {
             controls(ui, context);
             return;
         };
-        let words = bounced.sentence(context.memory.products.bounces.added);
+        let words = bounced.sentence(context.pages.bounces.added);
         headline(ui, context.theme, words).on_hover_text(
             "Measured on this light and surface. Both sides are brightened so that the exact \
              product has half the light's Y.",
@@ -78,7 +79,7 @@ impl BouncesView {
         ui.add_space(GROUP);
         controls(ui, context);
         ui.add_space(GROUP);
-        let memory = context.memory.products.bounces;
+        let memory = context.pages.bounces;
         let key = (ByAddress(bounced.clone()), memory);
         let chart = &*self
             .chart
@@ -101,7 +102,7 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
     ui.horizontal_wrapped(|ui| {
         surface_chooser(ui, context, names::SURFACE);
         ui.separator();
-        let memory = &mut context.memory.products.bounces;
+        let memory = &mut context.pages.bounces;
         ui.label("ΔE₀₀");
         ui.selectable_value(&mut memory.added, false, names::TOTAL)
             .on_hover_text(

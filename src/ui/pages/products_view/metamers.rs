@@ -2,7 +2,7 @@
 //! found in the library or made for a surface.
 
 use eframe::egui;
-use egui::{Button, Label, RichText, Slider, Ui, vec2};
+use egui::{Button, Label, RichText, Ui, vec2};
 
 use super::{among, second_light};
 use crate::{
@@ -11,17 +11,17 @@ use crate::{
         chart::Chart,
         charts::products::two_lights::{Found, MadeShown},
         headlines,
-        products::{
-            ROOM_PERCENT,
-            two_lights::{NoMetamer, TwoLightsSheet, pairs_table},
-        },
+        pages::TwoLightsMemory,
+        products::two_lights::{NoMetamer, TwoLightsSheet, pairs_table},
         studies::{Pairs, PairsAsk, Stage},
         verdicts::Seen,
     },
     color::{Adaptation, Swatch},
     study::products::{MATCH_DELTA_E, MetamericPair},
     ui::{
-        kit::{Choice, Column, Row, Table, bounded, copy_button, down, headline, named, rolled},
+        kit::{
+            Choice, Column, Row, Table, bounded, copy_button, down, headline, knob, named, rolled,
+        },
         pages::{PageContext, progress},
         patches_view::set_choice,
         swatch,
@@ -72,7 +72,7 @@ impl MetamersView {
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let app = context.app;
         let (revision, adaptation) = (app.revision(), app.document().view.adaptation());
-        let memory = context.memory.products.two_lights;
+        let memory = context.pages.two_lights;
         let sheet = &*self.sheet.get(revision, |_| TwoLightsSheet::of(app));
         if memory.makes {
             let surface = memory.patch.min(sheet.names.len().saturating_sub(1));
@@ -194,7 +194,7 @@ fn swatches(
 
 /// The switch between what is found and what is made.
 fn modes(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let makes = &mut context.memory.products.two_lights.makes;
+    let makes = &mut context.pages.two_lights.makes;
     ui.horizontal_wrapped(|ui| {
         ui.selectable_value(makes, false, names::FOUND)
             .on_hover_text("All pairs among measured surfaces that match under the light.");
@@ -227,7 +227,7 @@ fn found_pair(found: &Found) -> Option<Pair<'_>> {
 
 fn pairs_ask(context: &PageContext<'_>) -> PairsAsk {
     let document = context.app.document();
-    let everywhere = context.memory.products.two_lights.everywhere;
+    let everywhere = context.pages.two_lights.everywhere;
     PairsAsk {
         lights: [document.light.clone(), document.light_beside()].map(ByAddress),
         band: document.settings.band,
@@ -271,7 +271,7 @@ fn made_controls(
                 meaning: "The surface that a twin is made for.",
                 width,
             };
-            let memory = &mut context.memory.products.two_lights;
+            let memory = &mut context.pages.two_lights;
             let chosen = sheet.names.get(surface).map_or("", String::as_str);
             choice.cut(ui, chosen, |ui| {
                 for (i, name) in sheet.names.iter().enumerate() {
@@ -280,7 +280,7 @@ fn made_controls(
             });
             ui.end_row();
             ui.label("How far");
-            let slider = Slider::new(&mut memory.room_percent, ROOM_PERCENT).suffix(" %");
+            let slider = knob::slider(&TwoLightsMemory::ROOM, memory);
             let slider = ui.add_enabled(is_made, slider);
             named(&slider, egui::Role::Slider, names::ROOM);
             slider.on_hover_text(
@@ -321,9 +321,8 @@ fn list(ui: &mut Ui, context: &mut PageContext<'_>, found: Option<(&Found, &[Row
     ui.horizontal_wrapped(|ui| {
         ui.label("Among");
         let meaning = "Which surfaces are compared, each with each.";
-        let everywhere = context.memory.products.two_lights.everywhere;
-        context.memory.products.two_lights.everywhere =
-            among(ui, context, names::AMONG, meaning, everywhere);
+        let everywhere = context.pages.two_lights.everywhere;
+        context.pages.two_lights.everywhere = among(ui, context, names::AMONG, meaning, everywhere);
         copy_button(ui, names::COPY_PAIRS, "", || {
             found.map_or_else(String::new, |(found, _)| {
                 pairs_table(&found.lights, &found.pairs).csv()
@@ -376,7 +375,7 @@ fn list(ui: &mut Ui, context: &mut PageContext<'_>, found: Option<(&Found, &[Row
         }
     };
     if let Some(pair) = table.scrolled(ui, "pairs", height, rows, &mut paint) {
-        context.memory.products.two_lights.pair = pair;
+        context.pages.two_lights.pair = pair;
     }
 }
 

@@ -6,7 +6,6 @@ pub mod chain;
 pub mod metamers;
 pub mod narrow;
 pub mod resampling;
-pub mod same_surface;
 pub mod two_lights;
 
 use eframe::egui::Ui;
@@ -18,21 +17,8 @@ use crate::{
     ui::kit::{Choice, Chooser, factors, lights},
 };
 
-/// What the pages keep from frame to frame.
-#[derive(Default)]
-pub struct ProductsView {
-    pub chain: chain::ChainView,
-    pub resampling: resampling::ResamplingView,
-    pub bounces: bounces::BouncesView,
-    pub narrow: narrow::NarrowView,
-    pub two_lights: two_lights::TwoLightsView,
-    pub metamers: metamers::MetamersView,
-    pub same_surface: same_surface::SameSurfaceView,
-    pub absorption: absorption::AbsorptionView,
-}
-
 /// Changes what the page has chosen from the library.
-fn change(context: &mut PageContext<'_>, change: impl FnOnce(&mut Products)) {
+pub(super) fn change(context: &mut PageContext<'_>, change: impl FnOnce(&mut Products)) {
     let mut products = context.app.document().products.clone();
     change(&mut products);
     context.commands.push(Command::Products(products));
@@ -90,7 +76,7 @@ fn second_light(ui: &mut Ui, context: &mut PageContext<'_>) {
 pub const SECOND: &str = "Second light";
 
 /// Where surfaces are looked for, the patch set or everything shipped; whether it is everything.
-fn among(
+pub(super) fn among(
     ui: &mut Ui,
     context: &PageContext<'_>,
     name: &str,

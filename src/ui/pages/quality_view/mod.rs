@@ -11,7 +11,8 @@ use crate::{
     app::{
         App, ByOrder, Memo, QualityShown,
         chart::Chart,
-        charts::quality::{DiagramShows, against_order, diagram},
+        charts::quality::{against_order, diagram},
+        pages::DiagramShows,
         settled_words,
     },
     study::{Progress, quality::Chosen},
@@ -52,7 +53,7 @@ impl QualityView {
         let placed = shown.placed();
         // In a wide room the neighbourhood stands beside the whole.
         let has_both = ui.available_width() >= 1.5 * ui.available_height();
-        let shows = &mut context.memory.diagram;
+        let shows = &mut context.pages.chromaticity;
         ui.horizontal_wrapped(|ui| {
             let mut switch = |on: &mut bool, title: &str, meaning: &str| {
                 ui.toggle_value(on, title).on_hover_text(meaning);

@@ -96,7 +96,7 @@ impl RenditionView {
         shown: &QualityShown,
         pointed: Option<usize>,
     ) {
-        let chosen = context.memory.of_colours;
+        let chosen = context.pages.rendition.large;
         let key = (context.app.revision(), chosen, pointed);
         let chart = &*self.chart.get(key, |_| chart_of(chosen, shown, pointed));
         let words = ui.spacing().interact_size.y + 4.0;
@@ -207,7 +207,7 @@ impl RenditionView {
                 let marks = drawing.primitives(chart.whole_view());
                 let marks = paint::shapes(ui.painter(), field.min.to_vec2(), &marks);
                 ui.painter().with_clip_rect(field).extend(marks);
-                let is_large = context.memory.of_colours == of;
+                let is_large = context.pages.rendition.large == of;
                 named_choice(&response, egui::Role::Button, is_large, of.word());
                 let visuals = ui.visuals();
                 let (stroke, ink) = match (is_large, response.hovered() || response.has_focus()) {
@@ -222,7 +222,7 @@ impl RenditionView {
                 let middle = egui::Align2::CENTER_TOP;
                 ui.painter().text(at, middle, of.word(), font, ink);
                 if response.clicked() {
-                    context.memory.of_colours = of;
+                    context.pages.rendition.large = of;
                 }
             }
         });

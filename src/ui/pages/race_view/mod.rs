@@ -90,7 +90,7 @@ impl Shown {
 impl RaceView {
     pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let document = context.app.document();
-        let field = context.memory.field;
+        let field = context.pages.race.field;
         let nobody = field == FieldChoice::Own && !has_own_lights(context);
         if nobody {
             self.controls(ui, context);
@@ -100,7 +100,7 @@ impl RaceView {
             return;
         }
         let ask = RaceAsk {
-            strict: context.memory.race_strict,
+            strict: context.pages.race.strict,
             ..RaceAsk::of(document, field.field(document), RACE_BUDGETS.to_vec())
         };
         if let Some(why) = ask.why_not() {
@@ -132,18 +132,18 @@ impl RaceView {
             } else {
                 format!("Only lights race; of this document it is {light}.")
             };
-            let mut field = context.memory.field;
+            let mut field = context.pages.race.field;
             field_choice(ui, context, ("Lights that race", &meaning), &mut field);
-            context.memory.field = field;
+            context.pages.race.field = field;
             if let Some((_, race)) = context.studies.of::<RaceAsk>().answer() {
                 self.class_menu(ui, race);
             }
         });
-        let memory = &mut *context.memory;
+        let memory = &mut context.pages.race;
         ui.horizontal_wrapped(|ui| {
             ui.label("Numbers");
             for budget in RACE_BUDGETS {
-                let chosen = &mut memory.race_numbers;
+                let chosen = &mut memory.numbers;
                 let button = ui
                     .selectable_value(chosen, budget, budget.to_string())
                     .on_hover_text(
@@ -161,9 +161,9 @@ impl RaceView {
             };
             let decides = |measure: &Measure| *measure != Measure::PatchesWorst;
             let all = Measure::COMPARED.into_iter().filter(decides);
-            choice.pick(ui, &mut memory.race_measure, all, title_and_meaning);
+            choice.pick(ui, &mut memory.measure, all, title_and_meaning);
         });
-        if !about_light && context.memory.field == FieldChoice::ThisLight {
+        if !about_light && context.pages.race.field == FieldChoice::ThisLight {
             ui.weak(format!(
                 "Only lights race: this is {light}, the light in force."
             ));
@@ -202,7 +202,7 @@ impl RaceView {
         context: &mut PageContext<'_>,
         (ask, race): (&RaceAsk, &Arc<Race>),
     ) {
-        let numbers = context.memory.race_numbers;
+        let numbers = context.pages.race.numbers;
         let Some(budget) = race.budgets.iter().position(|n| *n == numbers) else {
             return;
         };
@@ -210,7 +210,7 @@ impl RaceView {
             ByAddress(race.clone()),
             self.class.clone(),
             budget,
-            context.memory.race_measure,
+            context.pages.race.measure,
         );
         self.shown.get(key, |key| Shown::of(ask, key));
         let words = self.shown.held().map_or("", |shown| shown.words.as_str());

@@ -47,7 +47,7 @@ impl WaysView {
         };
         ui.add(egui::Label::new(&ways.sentence).wrap());
         ui.horizontal_wrapped(|ui| {
-            ui.checkbox(&mut context.memory.race_strict, "count strictly")
+            ui.checkbox(&mut context.pages.race.strict, "count strictly")
                 .on_hover_text(
                     "Counts which lamp it is, and how wide a line is, as numbers of their own: a \
                      line takes three numbers, a known lamp two.",

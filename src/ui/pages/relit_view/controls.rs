@@ -6,8 +6,9 @@ use egui::{Button, RichText, TextWrapMode, Ui, containers::menu::MenuButton};
 use crate::{
     app::{
         App, ByAddress, Command,
+        pages::{Look, RelitMemory},
         picture::shown,
-        relit::{BOUNDS, Fit, Form, Look, LookAsk, Looked, PictureWish, RelitShown, fewer},
+        relit::{Fit, Form, LookAsk, Looked, PictureWish, RelitShown, fewer},
     },
     ui::{
         kit::{Choice, Chooser, adapt_box, lights, named, number, pressed_small},
@@ -84,9 +85,9 @@ fn clear(ui: &mut Ui, key: &mut Option<String>, meaning: &str) {
 /// Which picture, and what fell on it.
 pub(super) fn subject(ui: &mut Ui, context: &mut PageContext<'_>) {
     let app = context.app;
-    let open = shown(app.document(), &context.memory.image).cloned();
+    let open = shown(app.document(), &context.pages.image).cloned();
     if let Some(open) = open {
-        let memory = &mut context.memory.relit;
+        let memory = &mut context.pages.relit;
         let choice = Choice {
             name: names::PICTURE,
             meaning: "The image that is open (another one is chosen on the page Spectral image), \
@@ -105,11 +106,11 @@ pub(super) fn subject(ui: &mut Ui, context: &mut PageContext<'_>) {
             ui.ctx().request_repaint();
         }
     }
-    let ask = LookAsk::of(app, &context.memory.relit, &context.memory.image);
+    let ask = LookAsk::of(app, &context.pages.relit, &context.pages.image);
     if !ask.asks_for_light() {
         return own(ui, context);
     }
-    let memory = &mut context.memory.relit;
+    let memory = &mut context.pages.relit;
     ui.label("Taken under");
     let is_wall = ask.subject == crate::app::relit::Subject::Wall;
     let otherwise = if is_wall { "an even light" } else { "unknown" };
@@ -127,7 +128,7 @@ pub(super) fn subject(ui: &mut Ui, context: &mut PageContext<'_>) {
 
 /// Under which light the colours of a reflectance are exact.
 fn own(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let key = &mut context.memory.relit.own;
+    let key = &mut context.pages.relit.own;
     ui.label("Own light");
     let meaning = "Under this light the colours in few numbers are exactly those of every band, \
                        and the preview of a file shows it.";
@@ -165,7 +166,7 @@ pub(super) fn light(ui: &mut Ui, context: &mut PageContext<'_>) {
     let meaning =
         "As the eye sees it after a minute: the light's own colour becomes the screen's white.";
     adapt_box(ui, context.app, ("adapt", meaning), context.commands);
-    let memory = &mut context.memory.relit;
+    let memory = &mut context.pages.relit;
     let meaning = "A second light beside the first, to mix them.";
     let list = (names::SECOND, meaning, 0.6 * LIST);
     choose_light(ui, context.app, list, (&mut memory.second, "+ light"));
@@ -187,7 +188,7 @@ pub(super) fn numbers(
     fit: Option<&ByAddress<Fit>>,
 ) {
     let now = fit.map_or(looked.choice.chosen.numbers, |fit| fit.0.operator.numbers());
-    let memory = &mut context.memory.relit;
+    let memory = &mut context.pages.relit;
     let [least, most] = looked.numbers();
     let mut count = memory.numbers.unwrap_or(now).clamp(least, most);
     ui.label("Numbers a pixel");
@@ -207,7 +208,7 @@ pub(super) fn numbers(
         memory.numbers = (!by_itself).then_some(count);
     }
     let bound = egui::DragValue::new(&mut memory.bound)
-        .range(BOUNDS)
+        .range(RelitMemory::BOUND.reach.range())
         .speed(0.01)
         .max_decimals(2)
         .prefix("ΔE₀₀ ");

@@ -8,7 +8,10 @@ use egui::{
 
 use super::names;
 use crate::{
-    app::relit::{Fit, LINES_NM, MOST_LINES},
+    app::{
+        pages::{LINES_NM, MOST_LINES},
+        relit::Fit,
+    },
     pictures::{LineChoice, ReferenceKind},
     ui::{
         kit::{named, number},
@@ -47,7 +50,7 @@ pub(super) fn menu(ui: &mut Ui, context: &mut PageContext<'_>, fit: &Fit) {
         ui.separator();
         lines(ui, context, fit);
         ui.separator();
-        let memory = &mut context.memory.relit;
+        let memory = &mut context.pages.relit;
         if fit.operator.bands().is_factor() {
             ui.checkbox(&mut memory.weighted, names::WEIGHTED)
                 .on_hover_text(
@@ -69,7 +72,7 @@ pub(super) fn menu(ui: &mut Ui, context: &mut PageContext<'_>, fit: &Fit) {
 fn reference(ui: &mut Ui, context: &mut PageContext<'_>, fit: &Fit) {
     ui.label("What multiplies the series");
     let is_known = fit.looked.0.known.is_some();
-    let wish = &mut context.memory.relit.wish;
+    let wish = &mut context.pages.relit.wish;
     ui.horizontal(|ui| {
         for (kind, title, meaning) in REFERENCES {
             let can_be = kind != Some(ReferenceKind::Light) || is_known;
@@ -85,7 +88,7 @@ fn reference(ui: &mut Ui, context: &mut PageContext<'_>, fit: &Fit) {
 fn lines(ui: &mut Ui, context: &mut PageContext<'_>, fit: &Fit) {
     ui.label("Lines that all pixels share, a number each");
     let now: Vec<f64> = fit.operator.plan().lines.iter().map(|l| l.at_nm).collect();
-    let lines = &mut context.memory.relit.wish.lines;
+    let lines = &mut context.pages.relit.wish.lines;
     ui.horizontal(|ui| {
         for (choice, title, meaning) in [
             (
@@ -135,8 +138,7 @@ fn hand(ui: &mut Ui, places: &mut Vec<f64>, fit: &Fit) {
         places.remove(i);
     }
     let bands = fit.operator.bands().nm();
-    let [first, last] =
-        [bands[0], bands[bands.len() - 1]].map(|nm| nm.clamp(*LINES_NM.start(), *LINES_NM.end()));
+    let [first, last] = [bands[0], bands[bands.len() - 1]].map(|nm| LINES_NM.nearest(nm, nm));
     let id = ui.make_persistent_id("next line");
     let mut next = ui.data_mut(|d| d.get_temp(id)).unwrap_or(FIRST_NM);
     next = next.clamp(first, last);

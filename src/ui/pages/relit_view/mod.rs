@@ -14,8 +14,9 @@ use crate::{
     app::{
         ByAddress, Memo,
         chart::{Chart, Rgb},
+        pages::Look,
         relit::{
-            Fit, FitAsk, Look, LookAsk, Looked, PeersAsk, RelitShown, Rows, TurnAsk, Turned,
+            Fit, FitAsk, LookAsk, Looked, PeersAsk, RelitShown, Rows, TurnAsk, Turned,
             difference_colours, headline, peer_rows, relit_shown, speed_line, trust_line,
         },
         studies::Stage,
@@ -47,14 +48,14 @@ pub struct RelitView {
 impl RelitView {
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let memory = (&context.memory.relit, &context.memory.image);
+        let memory = (&context.pages.relit, &context.pages.image);
         let shown = relit_shown(context.studies, context.app, memory, context.wake);
         self.head(ui, context, &shown);
         ui.horizontal_wrapped(|ui| {
             controls::subject(ui, context);
             controls::light(ui, context);
         });
-        let wish = &mut context.memory.relit.wish;
+        let wish = &mut context.pages.relit.wish;
         if shown.trouble.is_some()
             && *wish != FixedSettings::default()
             && ui.button(names::LEAVE).clicked()
@@ -72,7 +73,7 @@ impl RelitView {
             }
         });
         ui.add_space(2.0);
-        if context.memory.relit.look == Look::Others {
+        if context.pages.relit.look == Look::Others {
             return others(ui, context, &shown);
         }
         let Some((fit, turned)) = shown.turned.clone() else {
@@ -148,7 +149,7 @@ impl RelitView {
     fn below(&self, ui: &Ui, context: &PageContext<'_>) -> f32 {
         let gap = ui.spacing().item_spacing.y;
         let lines = 2.0 * (ui.spacing().interact_size.y + gap);
-        match context.memory.relit.look {
+        match context.pages.relit.look {
             Look::Difference => lines + canvas::SCALE_HEIGHT * context.theme.scale + gap,
             Look::Picture | Look::Others => lines,
         }
@@ -166,7 +167,7 @@ impl RelitView {
             return;
         };
         let [exact, few, map] = textures.handles.each_ref().map(|handle| handle.id());
-        let is_map = context.memory.relit.look == Look::Difference;
+        let is_map = context.pages.relit.look == Look::Difference;
         let (both, one) = ([exact, few], [map]);
         let looked = &fit.looked.0;
         let theme = context.theme;
@@ -188,7 +189,7 @@ impl RelitView {
             ],
             marked: Some(pixel),
         };
-        let memory = &mut context.memory.relit;
+        let memory = &mut context.pages.relit;
         let touched = canvas::show(ui, size, &drawn, &mut memory.split, theme);
         if touched.clicked.is_some() {
             memory.pixel = touched.clicked;
@@ -219,7 +220,7 @@ impl RelitView {
     fn chosen(&self, context: &PageContext<'_>, looked: &Looked, turned: &Turned) -> [usize; 2] {
         let [width, height] = looked.size();
         let worst = [turned.worst % width, turned.worst / width];
-        let chosen = context.memory.relit.pixel;
+        let chosen = context.pages.relit.pixel;
         chosen
             .filter(|[x, y]| *x < width && *y < height)
             .unwrap_or(worst)

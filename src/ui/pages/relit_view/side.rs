@@ -8,7 +8,8 @@ use super::{RelitView, kept, names};
 use crate::{
     app::{
         charts::relit::{difference_chart, error_chart, pixel_chart},
-        relit::{Look, RelitShown, StoreAsk, byte_rows, negative_words},
+        pages::Look,
+        relit::{RelitShown, StoreAsk, byte_rows, negative_words},
         studies::Stage,
     },
     ui::{
@@ -40,7 +41,7 @@ impl RelitView {
         let pixel = self.chosen(context, &fit.0.looked.0, &turned.0);
         kit::line(ui, |ui| {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                let memory = &mut context.memory.relit;
+                let memory = &mut context.pages.relit;
                 let worst = ui.add_enabled(
                     memory.pixel.is_some(),
                     egui::Button::new(names::WORST).small(),
@@ -62,7 +63,7 @@ impl RelitView {
             .pixel
             .get(key, |(fit, pixel)| pixel_chart(&fit.0, *pixel));
         context.chart(ui, chart, "pixel in few numbers", size);
-        if context.memory.relit.look == Look::Difference {
+        if context.pages.relit.look == Look::Difference {
             let chart = self
                 .off
                 .get(turned.clone(), |turned| difference_chart(&turned.0));
@@ -75,7 +76,7 @@ impl RelitView {
                 .get(key, |(looked, now)| error_chart(&looked.0, *now));
             let touched = context.chart(ui, chart, "error against numbers a pixel", size);
             if let Some(hit) = touched.clicked {
-                context.memory.relit.numbers = Some(hit.at[0].round() as usize);
+                context.pages.relit.numbers = Some(hit.at[0].round() as usize);
             }
         }
         bytes(ui, context, shown);

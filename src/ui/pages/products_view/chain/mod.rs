@@ -99,7 +99,7 @@ fn trouble(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet) {
 
 /// The place whose spectrum is drawn.
 fn chosen(context: &PageContext<'_>, count: usize) -> Place {
-    let memory = context.memory.products.chain;
+    let memory = context.pages.chain;
     match (memory.light, memory.stage, count) {
         (true, ..) | (_, _, 0) => Place::Light,
         (false, Some(stage), _) => Place::Stage(stage.min(count - 1)),
@@ -108,7 +108,7 @@ fn chosen(context: &PageContext<'_>, count: usize) -> Place {
 }
 
 fn choose(context: &mut PageContext<'_>, place: Place) {
-    let memory = &mut context.memory.products.chain;
+    let memory = &mut context.pages.chain;
     match place {
         Place::Light => memory.light = true,
         Place::Stage(index) => {
@@ -127,7 +127,7 @@ fn move_link(context: &mut PageContext<'_>, from: usize, to: usize) {
         let link = products.chain.remove(from);
         products.chain.insert(to.min(products.chain.len()), link);
     });
-    let memory = &mut context.memory.products.chain;
+    let memory = &mut context.pages.chain;
     memory.stage = memory.stage.map(|stage| {
         if stage == from {
             to

@@ -7,9 +7,10 @@ use super::{super::take_way, names};
 use crate::{
     app::{
         charts::products::chain::{ChainSheet, Place},
+        numbers::hundredths,
         product_report::{scaled, spikes_table, stages_table},
         products::KnownLines,
-        ticks::{hundredths, short},
+        ticks::short,
     },
     spectrum::{Line, Sampling},
     study::products::Colours,
@@ -59,10 +60,10 @@ fn steps(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet) {
         let y = |xyz| scaled(passage, xyz).map(|(xyz, _)| xyz.y);
         Row::of(vec![
             name.to_owned(),
-            figure(y(colours.exact)),
-            figure(y(colours.model)),
-            figure(colours.delta_e_2000),
-            figure(colours.luminance_error.map(|share| 100.0 * share)),
+            hundredths(y(colours.exact)),
+            hundredths(y(colours.model)),
+            hundredths(colours.delta_e_2000),
+            hundredths(colours.luminance_error.map(|share| 100.0 * share)),
         ])
     };
     let behind = sheet.told.names.iter().zip(&passage.steps);
@@ -70,11 +71,6 @@ fn steps(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet) {
         .chain(behind.map(|(name, step)| row(name, &step.colours)))
         .collect();
     table(ui, &columns, &rows, None, false, context.theme);
-}
-
-/// A figure, or a dash.
-fn figure(value: Option<f64>) -> String {
-    value.map_or("–".to_owned(), hundredths)
 }
 
 /// The chain as one product, a sentence.
@@ -183,7 +179,7 @@ fn row(spike: &Line, own: &[Line], factor: f64, known: &KnownLines) -> Row {
     let cells = vec![
         format!("{:.1}", spike.at_nm),
         short(spike.weight * factor),
-        figure(share.filter(|s| s.is_finite()).map(|s| 100.0 * s)),
+        hundredths(share.filter(|s| s.is_finite()).map(|s| 100.0 * s)),
         name.clone(),
     ];
     Row {

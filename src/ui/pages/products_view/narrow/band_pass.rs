@@ -5,10 +5,7 @@ use egui::{CursorIcon, Ui, Vec2, pos2, vec2};
 
 use super::names;
 use crate::{
-    app::{
-        chart::Chart,
-        products::{NarrowMemory, PASS_WIDTHS_NM},
-    },
+    app::{chart::Chart, pages::NarrowMemory},
     spectrum::Band,
     ui::{
         chart_view::{ChartResponse, ChartView},
@@ -38,7 +35,7 @@ pub(super) fn light(
     grip: &mut Option<Grip>,
 ) {
     let shown = ChartView::held(ui, chart, "narrow light", size, context.theme);
-    let memory = &mut context.memory.products.narrow;
+    let memory = &mut context.pages.narrow;
     drag(ui, &shown, memory, band, grip);
     context.ask_for_chart(shown.wish);
 }
@@ -92,7 +89,7 @@ fn drag(
         Grip::Whole(off) => memory.centre_nm = inside(nm - off, band),
         Grip::Edge => {
             let width = 2.0 * (nm - centre).abs();
-            memory.width_nm = width.clamp(*PASS_WIDTHS_NM.start(), *PASS_WIDTHS_NM.end());
+            NarrowMemory::WIDTH.set(memory, width);
         }
     }
 }
@@ -124,7 +121,7 @@ pub(super) fn errors(
     }
     let row = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
     ui.horizontal_wrapped(|ui| {
-        let memory = &mut context.memory.products.narrow;
+        let memory = &mut context.pages.narrow;
         ui.label("Error of");
         ui.selectable_value(&mut memory.luminance, false, names::COLOUR)
             .on_hover_text(
@@ -142,7 +139,7 @@ pub(super) fn errors(
     let nm = shown.dragged.map(|[nm, _]| nm).or(clicked_nm(&shown));
     context.ask_for_chart(shown.wish);
     if let Some(nm) = nm {
-        let memory = &mut context.memory.products.narrow;
+        let memory = &mut context.pages.narrow;
         memory.centre_nm = inside(nm, band);
         memory.filter = None;
     }

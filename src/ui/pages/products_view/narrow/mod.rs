@@ -12,7 +12,7 @@ use crate::{
         charts::products::narrow::{Behind, Figures, Filter, FilterRow, WAY_MEANINGS, WAYS},
         headlines,
         numbers::{delta_e, figure, percent},
-        products::{NarrowMemory, PASS_WIDTHS_NM},
+        pages::{NarrowMemory, PASS_WIDTHS_NM},
     },
     color::Swatch,
     spectrum::Band,
@@ -57,7 +57,7 @@ impl NarrowView {
             (behind, table)
         });
         let band = behind.band;
-        let memory = context.memory.products.narrow.clone();
+        let memory = context.pages.narrow.clone();
         let filter = filter_of(app, &memory, band);
         let curve = self
             .curve
@@ -125,7 +125,7 @@ fn filter_of(app: &App, memory: &NarrowMemory, band: Band) -> Filter {
 /// Centre, width, and a measured filter in their place.
 fn controls(ui: &mut Ui, context: &mut PageContext<'_>, band: Band) {
     let app = context.app;
-    let memory = &mut context.memory.products.narrow;
+    let memory = &mut context.pages.narrow;
     ui.horizontal_wrapped(|ui| {
         let label = ui.label(names::CENTRE);
         let mut centre = memory.centre_nm.clamp(band.min_nm(), band.max_nm());
@@ -140,16 +140,15 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, band: Band) {
             memory.filter = None;
         }
         let label = ui.label(names::WIDTH);
+        let [least, most] = PASS_WIDTHS_NM;
         let width = DragValue::new(&mut memory.width_nm)
             .speed(0.1)
-            .range(PASS_WIDTHS_NM)
+            .range(least..=most)
             .fixed_decimals(1)
             .suffix(" nm");
         let response = ui.add(width).labelled_by(label.id).on_hover_text(format!(
-            "Full width of the band-pass at half its maximum, {} to {} nm. Its edges can be \
-             dragged in the chart too.",
-            PASS_WIDTHS_NM.start(),
-            PASS_WIDTHS_NM.end()
+            "Full width of the band-pass at half its maximum, {least} to {most} nm. Its edges can be \
+             dragged in the chart too."
         ));
         if response.changed() {
             memory.filter = None;
@@ -201,7 +200,7 @@ fn filters(ui: &mut Ui, context: &mut PageContext<'_>, behind: &Behind, rows: &[
             format!("{name}\nClick to put it over the light."),
         ]
     });
-    let memory = &mut context.memory.products.narrow;
+    let memory = &mut context.pages.narrow;
     let chosen = memory
         .filter
         .as_ref()

@@ -83,7 +83,7 @@ impl ResamplingView {
         let bench = &*self.bench.get(revision, |_| Bench::of(app, &factor));
         let times = times(context, bench, self.turn);
         shown_ways(ui, context);
-        let hidden = context.memory.products.resampling.hidden.clone();
+        let hidden = context.pages.resampling.hidden.clone();
         let key = (revision, hidden);
         let chart = &*self.chart.get(key, |(_, hidden)| bench.chart(app, hidden));
         let room = ui.available_size();
@@ -131,7 +131,7 @@ fn times(context: &mut PageContext<'_>, bench: &Bench, turn: u32) -> Option<Arc<
 
 /// Which ways have curves.
 fn shown_ways(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let memory = &mut context.memory.products.resampling;
+    let memory = &mut context.pages.resampling;
     ui.horizontal_wrapped(|ui| {
         ui.label("Show");
         for way in Sampling::ALL {

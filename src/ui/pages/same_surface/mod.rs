@@ -7,22 +7,23 @@ use std::sync::Arc;
 use eframe::egui;
 use egui::{Button, RichText, Ui, vec2};
 
-use super::change;
+use super::products_view::change;
 use crate::{
     app::{
         App, ByAddress, Command, Entry, MadeFor, Memo,
         chart::Chart,
-        charts::products::same_surface::{as_product, same_surface_chart},
-        headlines,
-        products::same_surface::{SameSurfaceSheet, example},
-        studies::Ranked,
-        ticks::{hundredths, short},
+        numbers::hundredths,
+        pages::same_surface::{
+            RESIDUAL_MEANS, Ranked, SameSurfaceSheet, as_product, example, same_surface_chart,
+        },
+        ticks::short,
     },
     io::many::numbers,
     study::products::{SAME_RESIDUAL, Sameness},
     ui::{
         kit::{
-            Chooser, Form, GROUP, Row, factors, fold, form, headline, lights, scrolled, two_columns,
+            Chooser, Column, Form, GROUP, Row, factors, fold, form, headline, lights, scrolled,
+            two_columns,
         },
         pages::PageContext,
     },
@@ -57,7 +58,7 @@ pub mod names {
 #[derive(Default)]
 pub struct SameSurfaceView {
     shown: Memo<u64, Option<Arc<Shown>>>,
-    ranking: Memo<ByAddress<Vec<Ranked>>, Vec<Row>>,
+    ranking: Memo<ByAddress<Vec<Ranked>>, (Vec<Column>, Vec<Row>)>,
     /// The surface of the example; `None` for S2.
     example: Option<Arc<Entry>>,
 }
@@ -109,10 +110,10 @@ impl SameSurfaceView {
             choices(ui, context, &mut self.example);
             return;
         };
-        headline(ui, context.theme, headlines::same_surface(&shown.sheet));
+        headline(ui, context.theme, SameSurfaceSheet::headline(&shown.sheet));
         ui.add_space(GROUP);
         let document = shown.example.as_ref().unwrap_or(app).document();
-        let everywhere = context.memory.products.same_surface.everywhere;
+        let everywhere = context.pages.same_surface.everywhere;
         if let Some(ask) = &shown.sheet.ranking(document, everywhere) {
             context.put(ask);
         }
@@ -267,7 +268,7 @@ fn example_row(ui: &mut Ui, context: &mut PageContext<'_>, of: &mut Option<Arc<E
         if chosen.is_some() {
             *of = chosen;
         }
-        let twice = &mut context.memory.products.same_surface.twice;
+        let twice = &mut context.pages.same_surface.twice;
         ui.checkbox(twice, names::TWICE).on_hover_text(
             "The light meets the surface twice, as in a corner: a single reflection should \
              then not explain it.",
@@ -326,8 +327,8 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
             for (what, compared, verdict) in rows {
                 let found = compared.as_ref().map(|c| c.reflection);
                 ui.label(what);
-                ui.label(figure(found.map(|f| f.residual)));
-                ui.label(figure(found.map(|f| f.factor)));
+                ui.label(hundredths(found.map(|f| f.residual)));
+                ui.label(hundredths(found.map(|f| f.factor)));
                 ui.label(format!("{} {}", verdict.sign(), verdict.words()));
                 ui.end_row();
             }
@@ -340,12 +341,5 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
     ));
 }
 
-const RESIDUAL_MEANS: &str = "Root mean square of what the best factor leaves, over that of the outgoing spectrum, both \
-     behind a 10 nm blur; 0 is a perfect match.";
 const FACTOR_MEANS: &str =
     "What light times surface is multiplied by to come closest: geometry, not colour.";
-
-/// A figure, or a dash for none.
-fn figure(value: Option<f64>) -> String {
-    value.map_or_else(|| "–".to_owned(), hundredths)
-}

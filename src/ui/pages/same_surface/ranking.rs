@@ -6,18 +6,19 @@ use eframe::egui;
 use egui::Ui;
 
 use super::{
-    super::{among, change},
-    RESIDUAL_MEANS, figure, names,
+    super::products_view::{among, change},
+    names,
 };
 use crate::{
     app::{
         ByAddress, Memo,
-        products::same_surface::{SameSurfaceSheet, ranking},
-        studies::{RankAsk, Ranked, Stage},
+        numbers::hundredths,
+        pages::same_surface::{RankAsk, Ranked, SameSurfaceSheet, ranking},
+        studies::Stage,
     },
     study::products::Sameness,
     ui::{
-        kit::{Column, Row, Table, copy_button},
+        kit::{self, Column, Row, Table, copy_button},
         pages::{PageContext, progress},
         swatch,
     },
@@ -28,7 +29,7 @@ pub(super) fn show(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
     sheet: &SameSurfaceSheet,
-    rows: &mut Memo<ByAddress<Vec<Ranked>>, Vec<Row>>,
+    laid_out: &mut Memo<ByAddress<Vec<Ranked>>, (Vec<Column>, Vec<Row>)>,
     height: f32,
 ) {
     let answer = context.studies.of::<RankAsk>().answer();
@@ -43,8 +44,8 @@ pub(super) fn show(
     ui.horizontal_wrapped(|ui| {
         ui.label("Among");
         let meaning = "Which surfaces are tried: the patch set, or everything shipped.";
-        let everywhere = context.memory.products.same_surface.everywhere;
-        context.memory.products.same_surface.everywhere =
+        let everywhere = context.pages.same_surface.everywhere;
+        context.pages.same_surface.everywhere =
             among(ui, context, names::AMONG, meaning, everywhere);
         let job = context.studies.of::<RankAsk>();
         if job.stage() != Stage::Done {
@@ -72,16 +73,15 @@ pub(super) fn show(
             "."
         }
     ));
-    let columns = columns();
+    let (columns, rows) = laid_out.get(ByAddress(ranked.clone()), |_| {
+        self::laid_out(sheet, &ranked)
+    });
     let chosen = context.app.document().products.surface.as_ref();
     let chosen = chosen.and_then(|entry| ranked.iter().position(|r| r.key == entry.key));
     let table = Table {
         chosen,
-        ..Table::new(&columns, context.theme)
+        ..Table::new(columns, context.theme)
     };
-    let rows = rows.get(ByAddress(ranked.clone()), |_| {
-        ranked.iter().map(row).collect()
-    });
     let clicked = table.scrolled(
         ui,
         "ranking",
@@ -101,43 +101,30 @@ pub(super) fn show(
     }
 }
 
-fn columns() -> [Column; 5] {
-    [
+/// Its columns and rows, a field of colour before each.
+pub(super) fn laid_out(sheet: &SameSurfaceSheet, ranked: &[Ranked]) -> (Vec<Column>, Vec<Row>) {
+    let table = ranking(&sheet.names, ranked);
+    let mut columns = kit::columns(&table, &[0.43, 0.14, 0.15, 0.19]);
+    columns.insert(
+        0,
         Column::words("", "Colour of the surface under the light.", 0.09),
-        Column::words("surface", "Click a row to take it as the surface S2.", 0.43),
-        Column::numbers(
-            "residual",
-            &format!("In the model's numbers. {RESIDUAL_MEANS}"),
-            0.14,
-        ),
-        Column::numbers(
-            "measured",
-            &format!("Of the measured curves. {RESIDUAL_MEANS}"),
-            0.15,
-        ),
-        Column::words("verdict", "The model's verdict.", 0.19),
-    ]
-}
-
-fn row(ranked: &Ranked) -> Row {
-    let verdict = ranked.verdict;
-    let residual = figure(ranked.model.map(|m| m.residual));
-    Row {
-        name: format!("{}: residual {residual}, {}", ranked.name, verdict.words()),
-        note: format!(
-            "{}\nFactor {} in the model's numbers, {} measured.\nClick to take it as the surface \
-             S2.",
-            ranked.key,
-            figure(ranked.model.map(|m| m.factor)),
-            figure(ranked.measured.map(|m| m.factor)),
-        ),
-        cells: vec![
-            String::new(),
-            ranked.name.clone(),
-            residual,
-            figure(ranked.measured.map(|m| m.residual)),
-            format!("{} {}", verdict.sign(), verdict.words()),
-        ],
-        ..Row::default()
+    );
+    let mut rows = kit::rows(&table, |i, cells| {
+        let ranked = &ranked[i];
+        let [name, residual] = [&cells[0], &cells[1]];
+        [
+            format!("{name}: residual {residual}, {}", ranked.verdict.words()),
+            format!(
+                "{}\nFactor {} in the model's numbers, {} measured.\nClick to take it as the \
+                 surface S2.",
+                ranked.key,
+                hundredths(ranked.model.map(|m| m.factor)),
+                hundredths(ranked.measured.map(|m| m.factor)),
+            ),
+        ]
+    });
+    for row in &mut rows {
+        row.cells.insert(0, String::new());
     }
+    (columns, rows)
 }

@@ -1,8 +1,22 @@
-//! What the page "In few numbers, relit" remembers beside the document; not part of undo.
+//! What the page "In few numbers, relit" keeps.
 
 use serde::{Deserialize, Serialize};
 
+use super::{
+    Page, Place, Row,
+    knob::{Knob, Reach, knob},
+    row,
+    states::PageState,
+};
 use crate::pictures::{BOUND_P95, FixedSettings, LineChoice, MOST_NUMBERS};
+
+pub(super) const ROW: Row = row(
+    Page::Relit,
+    Place::Picture,
+    ("In few numbers, relit", "relit"),
+    "recover",
+    "A spectral image in few numbers a pixel, and how it looks under any light.",
+);
 
 /// What stands large on the page.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -50,10 +64,7 @@ impl Look {
 /// Most lines that are chosen by hand.
 pub const MOST_LINES: usize = 12;
 /// Where lines are, nm.
-pub const LINES_NM: std::ops::RangeInclusive<f64> = 100.0..=1e5;
-
-/// What may be enough (ΔE₀₀).
-pub const BOUNDS: std::ops::RangeInclusive<f64> = 0.05..=5.0;
+pub const LINES_NM: Reach = Reach::Within(100.0, 1e5);
 
 /// Picture, numbers, lights and looks.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -109,34 +120,44 @@ impl Default for RelitMemory {
 }
 
 impl RelitMemory {
-    /// Every value moved to the nearest one that is allowed.
-    #[must_use]
-    pub fn clamped(mut self) -> Self {
+    pub const BOUND: Knob<Self> = knob!(bound: "Enough", Reach::Within(0.05, 5.0), 2 " \u{394}E₀₀",
+        "95 % of the differences are within it.");
+}
+
+impl PageState for RelitMemory {
+    const KNOBS: &'static [Knob<Self>] = &[
+        Self::BOUND,
+        knob!(second_percent: "Share of the second light", Reach::Within(0.0, 100.0), 0 " %",
+            "How much of the brightness is the second light's."),
+        knob!(split: "Line between the halves", Reach::Within(0.0, 1.0), 2 "",
+            "Every band left of it, few numbers right of it."),
+    ];
+
+    const NAMES: &'static [(&'static str, &'static str)] = &[
+        ("wall", "the picture"),
+        ("taken_under", "the light of the picture"),
+        ("own", "the surfaces' own light"),
+        ("numbers", "numbers a pixel"),
+        ("wish", "what is kept of it"),
+        ("weighted", "what the numbers are weighed by"),
+        ("between_series", "what stands between bands"),
+        ("second", "the second light"),
+        ("look", "what stands large"),
+        ("pixel", "the pixel chosen"),
+    ];
+
+    fn settle(&mut self) {
         if let LineChoice::At(places) = &mut self.wish.lines {
-            places.retain(|nm| LINES_NM.contains(nm));
+            places.retain(|nm| LINES_NM.range().contains(nm));
             places.truncate(MOST_LINES);
         }
-        Self {
-            numbers: self.numbers.map(|n| n.clamp(3, MOST_NUMBERS)),
-            bound: if BOUNDS.contains(&self.bound) {
-                self.bound
-            } else {
-                BOUND_P95
-            },
-            second_percent: self.second_percent.min(100),
-            split: if self.split.is_finite() {
-                self.split.clamp(0.0, 1.0)
-            } else {
-                0.5
-            },
-            ..self
-        }
+        self.numbers = self.numbers.map(|n| n.clamp(3, MOST_NUMBERS));
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::{super::states::in_reach, *};
 
     #[test]
     fn what_is_remembered_is_always_something_that_can_be_shown() {
@@ -151,12 +172,12 @@ mod tests {
             },
             ..RelitMemory::default()
         };
-        let sound = nonsense.clamped();
+        let sound = in_reach(nonsense);
         assert_eq!(sound.numbers, Some(MOST_NUMBERS));
         assert_eq!((sound.second_percent, sound.split), (100, 0.5));
         assert_eq!(sound.bound, BOUND_P95);
         assert_eq!(sound.wish.lines, LineChoice::At(vec![546.1]));
         let usual = RelitMemory::default();
-        assert_eq!(usual.clone().clamped(), usual);
+        assert_eq!(in_reach(usual.clone()), usual);
     }
 }

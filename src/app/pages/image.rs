@@ -1,10 +1,31 @@
-//! What the page `Image` remembers beside the document; not part of undo.
-
-use std::ops::RangeInclusive;
+//! What the page "Spectral image" keeps.
 
 use serde::{Deserialize, Serialize};
 
+use super::{
+    Page, Place, Row,
+    knob::{Knob, Reach, knob},
+    prism::EXPOSED,
+    row,
+    states::PageState,
+};
 use crate::spectrum::{Cube, Rect};
+
+pub(super) const ROW: Row = row(
+    Page::Image,
+    Place::Picture,
+    ("Spectral image", "image"),
+    "recover",
+    "A spectral image: a pixel or a region's mean becomes a spectrum.",
+);
+
+pub(super) const PHOTOGRAPH: Row = row(
+    Page::Photograph,
+    Place::Picture,
+    ("Photograph", "photograph"),
+    "prism",
+    "A photograph of a spectrum: the lines of a lamp fix its wavelengths.",
+);
 
 /// How the bands of an image become colours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -59,12 +80,6 @@ pub enum Spread {
     Extremes,
 }
 
-/// Exposures, stops: each doubles the light.
-pub const STOPS: RangeInclusive<f64> = -8.0..=8.0;
-
-/// Wavelengths of bands that can be asked for, nm.
-pub const BAND_NM: RangeInclusive<f64> = 100.0..=100_000.0;
-
 /// Image, place and looks.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
@@ -99,25 +114,31 @@ impl Default for ImageMemory {
     }
 }
 
+/// Wavelengths of bands that can be asked for, nm.
+const BAND_NM: Reach = Reach::Within(100.0, 100_000.0);
+
+impl PageState for ImageMemory {
+    const KNOBS: &'static [Knob<Self>] = &[
+        knob!(three_nm[0]: "Red", BAND_NM, 1 " nm", BANDS),
+        knob!(three_nm[1]: "Green", BAND_NM, 1 " nm", BANDS),
+        knob!(three_nm[2]: "Blue", BAND_NM, 1 " nm", BANDS),
+        knob!(one_nm: "Band", BAND_NM, 1 " nm", BANDS),
+        Self::EXPOSURE,
+    ];
+
+    const NAMES: &'static [(&'static str, &'static str)] = &[
+        ("key", "the image"),
+        ("selection", "the pixels chosen"),
+        ("show", "how bands become colours"),
+        ("spread", "the spread drawn"),
+    ];
+}
+
+const BANDS: &str = "The nearest band is shown.";
+
 impl ImageMemory {
-    /// Every value moved to the nearest one that is allowed.
-    #[must_use]
-    pub fn clamped(self) -> Self {
-        let within = |value: f64, range: RangeInclusive<f64>, otherwise: f64| {
-            if value.is_finite() {
-                value.clamp(*range.start(), *range.end())
-            } else {
-                otherwise
-            }
-        };
-        let usual = Self::default();
-        Self {
-            three_nm: std::array::from_fn(|i| within(self.three_nm[i], BAND_NM, usual.three_nm[i])),
-            one_nm: within(self.one_nm, BAND_NM, usual.one_nm),
-            stops: within(self.stops, STOPS, usual.stops),
-            ..self
-        }
-    }
+    pub const EXPOSURE: Knob<Self> =
+        knob!(stops: "Exposure", Reach::Within(-8.0, 8.0), 1 " stops", EXPOSED);
 
     /// Another image: a place of the last one is none in this.
     pub fn choose(&mut self, key: &str) {

@@ -1,0 +1,427 @@
+//! The page "Same surface?": is this spectrum the light off that surface?
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+use super::{Page, Place, Row, row, states::PageState};
+use crate::{
+    app::{
+        cells::{Columns, Table, cell, column},
+        chart::{Chart, Dash, Ink, Panel, Series},
+        charts::{
+            products::chain::strip,
+            spectrum::{before_provenance, on_grid, over},
+        },
+        derived::{Derived, less},
+        document::Document,
+        entry::Entry,
+        memo::ByAddress,
+        numbers::hundredths,
+        products::ModelledLight,
+        recipe::{Recipe, Times},
+        report::settings_json,
+        state::App,
+        studies::{Question, surfaces},
+        ticks::short,
+    },
+    color::{Adaptation, Observer, Swatch, xyz_of_parts},
+    spectrum::{Band, Composite},
+    study::{
+        Measure, Progress,
+        products::{Checker, Compared, Reflection, SAME_RESIDUAL, Sameness, measured_check},
+    },
+};
+
+pub(super) const ROW: Row = row(
+    Page::SameSurface,
+    Place::Through,
+    ("Same surface?", "same-surface"),
+    "filters",
+    "Whether a spectrum is the light off a surface: S3 = S1 S2.",
+)
+.once(&["check"]);
+
+/// What the check remembers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct SameSurfaceMemory {
+    /// The best surface is looked for among all shipped reflectances, not the patches alone.
+    pub everywhere: bool,
+    /// The example's light meets its surface twice.
+    pub twice: bool,
+}
+
+impl Default for SameSurfaceMemory {
+    fn default() -> Self {
+        Self {
+            everywhere: true,
+            twice: false,
+        }
+    }
+}
+
+impl PageState for SameSurfaceMemory {
+    const NAMES: &'static [(&'static str, &'static str)] = &[
+        ("everywhere", "where surfaces are looked for"),
+        ("twice", "how often the example's light meets its surface"),
+    ];
+}
+
+/// A light, a surface and an outgoing spectrum compared.
+#[derive(Clone, Debug)]
+pub struct SameSurfaceSheet {
+    /// The grid.
+    pub band: Band,
+    /// Names of light, surface and outgoing spectrum.
+    pub names: [String; 3],
+    /// Light and outgoing spectrum in the model's numbers.
+    pub models: Arc<[Composite; 2]>,
+    /// Numbers of the two models.
+    pub numbers: [usize; 2],
+    /// What the two models leave out themselves: relative RMS behind a 10 nm blur.
+    pub left_out: [f64; 2],
+    /// The check in the model's numbers; `None` when one of the spectra is dark.
+    pub model: Option<Compared>,
+    /// The check on measured curves.
+    pub measured: Option<Compared>,
+}
+
+impl SameSurfaceSheet {
+    /// The check of a state; `None` without a surface or an outgoing spectrum.
+    pub fn of(app: &App) -> Option<Self> {
+        let document = app.document();
+        let surface = document.products.surface.as_ref()?;
+        let outgoing = document.products.outgoing.as_ref()?;
+        let mut sheet = Self::against(app, &surface.on_band(document.settings.band), outgoing);
+        sheet.names[1] = surface.name().to_owned();
+        Some(sheet)
+    }
+
+    /// The check of the state's light off any surface (on the band's grid).
+    pub fn against(app: &App, surface: &[f64], outgoing: &Arc<Entry>) -> Self {
+        let lit = ModelledLight::of(app);
+        let band = lit.band();
+        let found = lit.another(app, outgoing);
+        let light = &lit.derived;
+        let models = [&light.model, &found.model].map(Composite::idealised);
+        let left_out = |of: &Derived| of.figures[Measure::RmsBlurred].unwrap_or(0.0);
+        let light_name = app.document().light.name().to_owned();
+        Self {
+            band,
+            names: [light_name, String::new(), outgoing.name().to_owned()],
+            model: Checker::new(&models[0], &models[1]).against(surface),
+            measured: measured_check(band, &light.measured, surface, &found.measured),
+            numbers: models.each_ref().map(Composite::numbers),
+            left_out: [left_out(light), left_out(&found)],
+            models: Arc::new(models),
+        }
+    }
+
+    /// Whether the spectrum can be the light off the surface, in a sentence.
+    pub fn headline(&self) -> String {
+        let [light, surface, outgoing] = &self.names;
+        match self.verdict() {
+            Sameness::Holds => match *outgoing == format!("{light} off {surface}") {
+                true => format!("Yes: the spectrum is what {light} off {surface} would be."),
+                false => format!("Yes: {outgoing} can be {light} off {surface}."),
+            },
+            Sameness::DoesNotHold => format!("No: {outgoing} is not {light} off {surface}."),
+            Sameness::Unknown if self.model.is_none() => {
+                "One of the spectra is dark on this range.".to_owned()
+            }
+            Sameness::Unknown => format!(
+                "The models are too short to tell: behind 10 nm they leave out {:.1} % of S1 and \
+                 {:.1} % of S3 themselves. More numbers may decide.",
+                100.0 * self.left_out[0],
+                100.0 * self.left_out[1]
+            ),
+        }
+    }
+
+    /// The verdict in the model's numbers.
+    pub fn verdict(&self) -> Sameness {
+        Sameness::of(
+            self.model.as_ref().map(|c| c.reflection),
+            self.left_out.iter().sum(),
+        )
+    }
+
+    /// The verdict on measured curves.
+    pub fn measured_verdict(&self) -> Sameness {
+        Sameness::of(self.measured.as_ref().map(|c| c.reflection), 0.0)
+    }
+
+    /// What a search for the best surface would ask.
+    pub fn ranking(&self, document: &Document, everywhere: bool) -> Option<RankAsk> {
+        let outgoing = document.products.outgoing.clone()?;
+        Some(RankAsk {
+            measured: [ByAddress(document.light.clone()), ByAddress(outgoing)],
+            models: self.models.clone(),
+            left_out: self.left_out.iter().sum(),
+            band: self.band,
+            observer: document.settings.observer,
+            group: (!everywhere).then(|| document.patch_set.clone()),
+        })
+    }
+}
+
+/// The check as JSON; the keys are stable, a number that does not exist is `null`.
+pub fn check_json(app: &App, factors: &[String], sheet: &SameSurfaceSheet) -> Value {
+    let of = |compared: &Option<Compared>, verdict: Sameness| {
+        let found = compared.as_ref().map(|c| c.reflection);
+        json!({
+            "residual": found.map(|f| f.residual),
+            "threshold": SAME_RESIDUAL,
+            "verdict": verdict.words(),
+            "factor": found.map(|f| f.factor),
+        })
+    };
+    let mut value = of(&sheet.model, sheet.verdict());
+    let measured = of(&sheet.measured, sheet.measured_verdict());
+    if let Value::Object(all) = &mut value {
+        let light = &app.document().light.spectrum;
+        all.insert("left_out".to_owned(), json!(sheet.left_out));
+        all.insert("measured".to_owned(), measured);
+        all.insert(
+            "light".to_owned(),
+            json!({ "name": light.name, "source": light.source }),
+        );
+        all.insert("factors".to_owned(), json!(factors));
+        all.insert("outgoing".to_owned(), json!({ "name": sheet.names[2] }));
+        all.insert("numbers".to_owned(), json!(sheet.numbers));
+        all.insert("settings".to_owned(), settings_json(app));
+    }
+    value
+}
+
+/// The check for people.
+pub fn check_text(sheet: &SameSurfaceSheet) -> String {
+    let [light, surface, outgoing] = &sheet.names;
+    let line = |what: &str, compared: &Option<Compared>, verdict: Sameness| {
+        let found = compared.as_ref().map(|c| c.reflection);
+        let figure =
+            |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |v| format!("{v:.4}"));
+        format!(
+            "{what:<9} {}: residual {} (holds up to {}), factor {}\n",
+            verdict.words(),
+            figure(found.map(|f| f.residual)),
+            short(SAME_RESIDUAL),
+            figure(found.map(|f| f.factor)),
+        )
+    };
+    format!(
+        "Check     is {outgoing} = {light} x {surface}?\n{}{}",
+        line("Model", &sheet.model, sheet.verdict()),
+        line("Measured", &sheet.measured, sheet.measured_verdict())
+    )
+}
+
+/// The ranking as a table.
+pub fn ranking(names: &[String; 3], ranked: &[Ranked]) -> Table {
+    type Row<'a> = &'a Ranked;
+    let found = |key: &'static str, of: fn(&Ranked) -> Option<f64>| {
+        column(key, move |r: &Row<'_>| cell(of(r)).shown(hundredths(of(r))))
+    };
+    let columns = Columns::<Row<'_>>::default()
+        .with("surface", |r: &Row<'_>| {
+            cell(r.key.as_str()).shown(r.name.as_str())
+        })
+        .titled("surface", "Click a row to take it as the surface S2.")
+        .and(found("residual model", |r| Some(r.model?.residual)))
+        .titled(
+            "residual",
+            format!("In the model's numbers. {RESIDUAL_MEANS}"),
+        )
+        .and(found("factor model", |r| Some(r.model?.factor)))
+        .with("verdict", |r| cell(r.verdict.words()))
+        .and(found("residual measured", |r| Some(r.measured?.residual)))
+        .titled(
+            "measured",
+            format!("Of the measured curves. {RESIDUAL_MEANS}"),
+        )
+        .and(found("factor measured", |r| Some(r.measured?.factor)))
+        .with("", |r| {
+            cell(format!("{} {}", r.verdict.sign(), r.verdict.words()))
+        })
+        .titled("verdict", "The model's verdict.");
+    let comments = format!("# {} as {} off each surface\n", names[2], names[0]);
+    Table::new(comments, columns, ranked)
+}
+
+/// The meaning of a residual.
+pub const RESIDUAL_MEANS: &str = "Root mean square of what the best factor leaves, over that of \
+                                  the outgoing spectrum, both behind a 10 nm blur; 0 is a perfect \
+                                  match.";
+
+/// The state's light off a surface, once or twice.
+pub fn example(app: &App, surface: &Entry, twice: bool) -> Recipe {
+    let times = Times {
+        bounces: if twice { 2 } else { 1 },
+        ..Times::default()
+    };
+    Recipe::Through {
+        light: app.document().light.key.clone(),
+        chain: vec![(surface.key.clone(), times)],
+    }
+}
+
+/// The check as a sum is written: the light, times the surface, is the spectrum that was found,
+/// with what was expected of it.
+pub fn as_product(app: &App, sheet: &SameSurfaceSheet) -> [Chart; 3] {
+    let band = sheet.band;
+    let [light, surface, outgoing] = &sheet.names;
+    let filled = |title: String, values: &[f64]| {
+        let area = Series::area("", Ink::Measured, on_grid(band, values, 1.0), Vec::new());
+        Chart {
+            title,
+            series: vec![area.coloured()],
+            colours: strip(band),
+            ..over(band)
+        }
+    };
+    let document = app.document();
+    let factor = document.products.surface.as_ref();
+    let reflected = factor.map_or(Vec::new(), |entry| entry.on_band(band));
+    let compared = sheet.measured.as_ref();
+    let found = compared.map_or(&[][..], |compared| &compared.found);
+    let mut last = filled(format!("The spectrum: {outgoing}"), found);
+    if let Some(compared) = compared {
+        let expected = on_grid(band, &compared.expected, 1.0);
+        let line = Series::line("the product", Ink::Spikes, expected);
+        last.series.push(line.dashed(Dash::Dashed));
+    }
+    last.y_label = "Relative power".to_owned();
+    let lit = ModelledLight::of(app);
+    [
+        Chart {
+            y_label: "Relative power".to_owned(),
+            ..filled(format!("The light: {light}"), &lit.derived.measured)
+        },
+        Chart {
+            y_label: "Reflectance".to_owned(),
+            y_range: Some([0.0, 1.0]),
+            ..filled(format!("The surface: {surface}"), &reflected)
+        },
+        last,
+    ]
+}
+
+/// One of the two checks; `what` says whose numbers were compared.
+pub fn same_surface_chart(
+    app: &App,
+    sheet: &SameSurfaceSheet,
+    compared: &Compared,
+    what: &str,
+) -> Chart {
+    let curve = |values: &[f64]| on_grid(sheet.band, values, 1.0);
+    let Compared {
+        reflection,
+        expected,
+        found,
+    } = compared;
+    let rest = less(found, expected);
+    let [light, surface, outgoing] = &sheet.names;
+    let told = format!(
+        "S1 {light}, S2 {surface}, S3 {outgoing}. Expected is S1 S2 times {:.4}; residual {:.4}.",
+        reflection.factor, reflection.residual
+    );
+    Chart {
+        title: what.to_owned(),
+        y_label: "share of the largest value, behind 10 nm".to_owned(),
+        series: vec![
+            Series::line("found: S3", Ink::Measured, curve(found)),
+            Series::line("expected: S1 S2", Ink::Spikes, curve(expected)).dashed(Dash::Dashed),
+        ],
+        residual: Some(Panel {
+            y_label: "found - expected".to_owned(),
+            series: vec![Series::line("difference", Ink::Residual, curve(&rest))],
+            ..Panel::default()
+        }),
+        notes: before_provenance(vec![told], app),
+        ..over(sheet.band)
+    }
+}
+
+/// What the ranking of surfaces is asked of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RankAsk {
+    /// The light and what came from the surface, as measured.
+    pub measured: [ByAddress<Entry>; 2],
+    /// The same in the model's numbers.
+    pub models: Arc<[Composite; 2]>,
+    /// What the two models leave out themselves, as [`Sameness::of`] takes it.
+    pub left_out: f64,
+    /// The range.
+    pub band: Band,
+    /// Whose colour-matching functions, for the swatches.
+    pub observer: Observer,
+    /// The group that is searched; `None` for all shipped reflectances.
+    pub group: Option<String>,
+}
+
+/// A surface and how well it explains the outgoing spectrum.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ranked {
+    /// What finds it again: `group/name`.
+    pub key: String,
+    pub name: String,
+    /// Its colour under the light.
+    pub swatch: Swatch,
+    /// The check in the model's numbers.
+    pub model: Option<Reflection>,
+    pub verdict: Sameness,
+    /// The check on measured curves.
+    pub measured: Option<Reflection>,
+}
+
+impl Question for RankAsk {
+    type Answer = Vec<Ranked>;
+
+    /// Every surface, the smallest residual of the model first; `None` when one of the spectra is
+    /// dark or it was cancelled.
+    fn answer(&self, progress: &Progress) -> Option<Vec<Ranked>> {
+        let band = self.band;
+        let surfaces = surfaces(self.group.as_deref(), band);
+        progress.expect(surfaces.len());
+        let [light, outgoing] = &*self.models;
+        let checker = Checker::new(light, outgoing);
+        let [light, outgoing] = [0, 1].map(|i| self.measured[i].0.on_band(band));
+        let seen = self.observer.table().on_band(band);
+        let weigh = |values: &[f64]| xyz_of_parts(band, values, &[], &seen);
+        let white = weigh(&light);
+        let mut ranked = Vec::with_capacity(surfaces.len());
+        for surface in surfaces {
+            if progress.is_cancelled() {
+                return None;
+            }
+            let lit: Vec<f64> = light
+                .iter()
+                .zip(&surface.values)
+                .map(|(l, r)| l * r)
+                .collect();
+            let measured = measured_check(band, &light, &surface.values, &outgoing);
+            let model = checker.against(&surface.values).map(|c| c.reflection);
+            ranked.push(Ranked {
+                swatch: Swatch::of_patch(weigh(&lit), white, Adaptation::None),
+                verdict: Sameness::of(model, self.left_out),
+                model,
+                measured: measured.map(|c| c.reflection),
+                key: surface.key,
+                name: surface.name,
+            });
+            progress.step();
+        }
+        if ranked.iter().all(|r| r.model.is_none()) {
+            return None;
+        }
+        // A light turned negative explains nothing.
+        let residual = |r: &Ranked| match r.model {
+            Some(model) if model.factor > 0.0 => model.residual,
+            _ => f64::INFINITY,
+        };
+        ranked.sort_by(|a, b| residual(a).total_cmp(&residual(b)));
+        Some(ranked)
+    }
+}

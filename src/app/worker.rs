@@ -1,0 +1,168 @@
+//! A thread that tells what it finds, can be asked to stop, and wakes the window.
+
+use std::{
+    sync::{
+        Arc,
+        mpsc::{Receiver, Sender, TryRecvError, channel},
+    },
+    thread::{self, JoinHandle},
+};
+
+use crate::study::Progress;
+
+/// Called on another thread when there is something new to draw.
+pub type Wake = Arc<dyn Fn() + Send + Sync>;
+
+/// The thread's side: at its end, however it comes, the other side is woken and knows.
+pub struct Tell<T> {
+    sender: Option<Sender<T>>,
+    wake: Wake,
+    pub progress: Arc<Progress>,
+}
+
+impl<T> Tell<T> {
+    /// Hands over what is found; `false` where nobody listens any more.
+    pub fn send(&self, found: T) -> bool {
+        let sender = self.sender.as_ref();
+        sender.is_some_and(|sender| sender.send(found).is_ok())
+    }
+
+    /// The same, and has it drawn at once.
+    pub fn show(&self, found: T) -> bool {
+        let is_heard = self.send(found);
+        (self.wake)();
+        is_heard
+    }
+}
+
+impl<T> Drop for Tell<T> {
+    fn drop(&mut self) {
+        self.sender = None;
+        (self.wake)();
+    }
+}
+
+/// The watcher's side; dropped, it asks the thread to stop.
+pub struct Worker<T> {
+    news: Receiver<T>,
+    unread: Vec<T>,
+    ended: bool,
+    thread: Option<JoinHandle<()>>,
+    pub progress: Arc<Progress>,
+}
+
+impl<T: Send + 'static> Worker<T> {
+    pub fn start(wake: &Wake, work: impl FnOnce(&Tell<T>) + Send + 'static) -> Self {
+        let (sender, news) = channel();
+        let tell = Tell {
+            sender: Some(sender),
+            wake: wake.clone(),
+            progress: Arc::default(),
+        };
+        let progress = tell.progress.clone();
+        Self {
+            news,
+            unread: Vec::new(),
+            ended: false,
+            thread: Some(thread::spawn(move || work(&tell))),
+            progress,
+        }
+    }
+
+    /// Whether nothing is to come behind what [`news`](Self::news) brings next.
+    pub fn is_ended(&mut self) -> bool {
+        loop {
+            match self.news.try_recv() {
+                Ok(found) => self.unread.push(found),
+                Err(TryRecvError::Empty) => return self.ended,
+                Err(TryRecvError::Disconnected) => self.ended = true,
+            }
+            if self.ended {
+                return true;
+            }
+        }
+    }
+
+    /// What was found since the last call.
+    pub fn news(&mut self) -> Vec<T> {
+        self.is_ended();
+        std::mem::take(&mut self.unread)
+    }
+
+    /// Waits for the end; what was found since the last call.
+    ///
+    /// # Errors
+    /// The thread broke down.
+    pub fn join(mut self) -> thread::Result<Vec<T>> {
+        self.thread.take().map_or(Ok(()), JoinHandle::join)?;
+        Ok(self.news())
+    }
+}
+
+impl<T> Drop for Worker<T> {
+    fn drop(&mut self) {
+        self.progress.cancel();
+    }
+}
+
+/// What several found since the last call; those that ended are let go.
+pub fn news_of<T: Send + 'static>(workers: &mut Vec<Worker<T>>) -> Vec<T> {
+    let mut all = Vec::new();
+    workers.retain_mut(|worker| {
+        let is_ended = worker.is_ended();
+        all.extend(worker.news());
+        !is_ended
+    });
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    use super::*;
+
+    fn counted() -> (Wake, Arc<AtomicUsize>) {
+        let count = Arc::new(AtomicUsize::new(0));
+        let counter = count.clone();
+        let wake: Wake = Arc::new(move || {
+            counter.fetch_add(1, Ordering::SeqCst);
+        });
+        (wake, count)
+    }
+
+    #[test]
+    fn all_that_was_found_is_there_at_the_end_and_the_end_wakes() {
+        let (wake, woken) = counted();
+        let mut workers = vec![Worker::start(&wake, |tell| {
+            assert!(tell.send(1) && tell.show(2));
+        })];
+        let mut found = Vec::new();
+        while !workers.is_empty() {
+            found.extend(news_of(&mut workers));
+        }
+        assert_eq!(found, [1, 2]);
+        assert_eq!(woken.load(Ordering::SeqCst), 2, "shown, and ended");
+    }
+
+    #[test]
+    fn one_that_breaks_down_ends_and_wakes_too() {
+        let (wake, woken) = counted();
+        let worker: Worker<u8> = Worker::start(&wake, |_| panic!("told on purpose"));
+        assert!(worker.join().is_err());
+        assert_eq!(woken.load(Ordering::SeqCst), 1);
+    }
+
+    #[test]
+    fn who_is_dropped_is_asked_to_stop_and_hears_no_more() {
+        let (go, wait) = channel::<()>();
+        let (told, heard) = channel();
+        let worker = Worker::start(&counted().0, move |tell| {
+            let _ = wait.recv();
+            let _ = told.send((tell.progress.is_cancelled(), tell.send(1)));
+        });
+        drop(worker);
+        go.send(()).expect("it waits");
+        assert_eq!(heard.recv(), Ok((true, false)));
+    }
+}

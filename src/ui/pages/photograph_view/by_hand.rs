@@ -1,0 +1,198 @@
+//! What a person sets by hand: the strip, and columns whose wavelengths are known.
+
+use eframe::egui;
+use egui::{DragValue, Ui};
+
+use super::{PhotographView, names};
+use crate::{
+    app::photograph::{LampChoice, SeenPhotograph},
+    photographs::{axis::Pin, strip::ByHand},
+    ui::kit::{Choice, number, pressed, pressed_small},
+};
+
+/// Lasers that are often at hand, nm.
+const LASERS: [f64; 7] = [405.0, 450.0, 520.0, 532.0, 632.8, 635.0, 650.0];
+
+/// What stands beside what was said.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct ByHandState {
+    /// The column that was clicked on, for which a wavelength is typed.
+    pub column: Option<f64>,
+    /// That wavelength, nm.
+    pub nm: f64,
+    /// The wavelength of the tick that arrow keys move.
+    pub chosen_nm: Option<f64>,
+    /// The lamp's lines are shown to be lined up, though no axis is known.
+    pub lines_up: bool,
+}
+
+impl PhotographView {
+    /// Pins: typed for a column, or a lamp's lines dragged to their peaks.
+    pub(super) fn pins(&mut self, ui: &mut Ui, seen: &SeenPhotograph) {
+        let Ok(found) = &seen.found else { return };
+        let mut said = self.said.clone();
+        ui.horizontal_wrapped(|ui| {
+            let is_named = matches!(said.lamp, LampChoice::Is(_));
+            let meaning = "Shows the lamp's lines: drag two of them to their peaks.";
+            let is_open = is_named && found.curve().is_none() && !self.by_hand.lines_up;
+            if is_open && pressed(ui, names::LINE_UP, meaning) {
+                self.by_hand.lines_up = true;
+            }
+            let Some(column) = self.by_hand.column else {
+                ui.weak(
+                    "Drag a tick to its peak, or click on a peak and type its wavelength; arrow \
+                     keys move the tick by 0.1 px.",
+                );
+                return;
+            };
+            ui.label(format!("Column {column:.1} is"));
+            let field = DragValue::new(&mut self.by_hand.nm)
+                .range(100.0..=5000.0)
+                .speed(0.1)
+                .max_decimals(2)
+                .suffix(" nm");
+            number(ui, field, names::PIN);
+            let mut is_set = pressed_small(ui, names::SET_PIN, "The axis goes through it.");
+            for nm in LASERS {
+                let meaning = if [532.0, 632.8].contains(&nm) {
+                    "A laser that keeps to its wavelength."
+                } else {
+                    "Laser diodes are off by up to 10 nm."
+                };
+                if pressed_small(ui, &format!("{nm}"), meaning) {
+                    (self.by_hand.nm, is_set) = (nm, true);
+                }
+            }
+            if is_set {
+                let nm = self.by_hand.nm;
+                said.pins.retain(|pin| (pin.nm - nm).abs() > 0.01);
+                said.pins.push(Pin::near(column, nm));
+                // One pin alone makes no axis: it waits for its second.
+                self.by_hand.column = None;
+            }
+        });
+        if said.pins.len() == 1 && !matches!(said.lamp, LampChoice::Is(_)) {
+            ui.weak("One pin is set; a second makes an axis.");
+        }
+        self.say(said);
+    }
+
+    /// Position of the strip, as far as it is set by hand.
+    pub(super) fn by_hand(&mut self, ui: &mut Ui, seen: &SeenPhotograph) {
+        let mut strip = self.said.strip.clone();
+        let (mut falls, mut is_linear) = (self.said.falls, self.said.is_linear);
+        let found = seen.found.as_ref().ok();
+        ui.weak(
+            "Drag over the picture to draw the band, its edges to move them, its end to turn it.",
+        );
+        ui.horizontal_wrapped(|ui| {
+            let words = |way: Option<bool>| match way {
+                None => ("either way", "As the colours run."),
+                Some(false) => ("horizontal", "Colours run from left to right."),
+                Some(true) => ("vertical", "Colours run from top to bottom."),
+            };
+            let choice = Choice {
+                name: "Way of the strip",
+                meaning: "The way that the colours run.",
+                width: 90.0,
+            };
+            choice.pick(
+                ui,
+                &mut strip.is_vertical,
+                [None, Some(false), Some(true)],
+                words,
+            );
+            let words = |falls: Option<bool>| match falls {
+                None => ("blue either side", "As the lines have it."),
+                Some(false) => ("blue first", "Wavelengths rise to the right, or downwards."),
+                Some(true) => ("red first", "Wavelengths fall to the right, or downwards."),
+            };
+            let choice = Choice {
+                name: "Side of the blue",
+                meaning: "The side that blue lies on.",
+                width: 110.0,
+            };
+            choice.pick(ui, &mut falls, [None, Some(false), Some(true)], words);
+        });
+        let shown = found.map(|found| found.found.strip);
+        ui.horizontal_wrapped(|ui| {
+            let mut field = |set: &mut Option<f64>, found: Option<f64>, form: Field| {
+                let mut value = set.or(found).unwrap_or(0.0);
+                let drag = DragValue::new(&mut value)
+                    .range(-form.most..=form.most)
+                    .speed(form.speed)
+                    .fixed_decimals(form.decimals)
+                    .suffix(form.unit);
+                ui.label(form.word);
+                if number(ui, drag, form.name).changed() && value.is_finite() {
+                    *set = Some(value);
+                }
+            };
+            field(&mut strip.turn_deg, shown.map(|s| s.turn_deg), TURN);
+            field(&mut strip.shear, shown.map(|s| s.shear), SHEAR);
+            field(&mut strip.smile, shown.map(|s| s.smile), SMILE);
+        });
+        ui.horizontal_wrapped(|ui| {
+            ui.checkbox(&mut strip.is_one_row, "one row only")
+                .on_hover_text("Reads the middle row of the band alone.");
+            ui.checkbox(&mut is_linear, "linear codes")
+                .on_hover_text("The codes of the picture are proportional to light.");
+            let strips = found.map_or(1, |f| f.found.strips);
+            if strips > 1 || strip.strip.is_some() {
+                let now = strip.strip.unwrap_or(1);
+                let words = format!("strip {now} of {strips}");
+                if pressed_small(ui, &words, "Reads the next strip.") {
+                    strip.strip = Some(now % strips.max(1) + 1);
+                    strip.area = None;
+                }
+            }
+            let is_set = strip != ByHand::default() || falls.is_some() || is_linear;
+            let meaning = "Takes back all that was set by hand of the strip.";
+            if is_set && pressed_small(ui, "as found", meaning) {
+                (strip, falls, is_linear) = (ByHand::default(), None, false);
+            }
+        });
+        self.set_strip(strip);
+        let said = super::Said {
+            falls,
+            is_linear,
+            ..self.said.clone()
+        };
+        self.say(said);
+    }
+}
+
+/// A field of a number.
+struct Field {
+    word: &'static str,
+    name: &'static str,
+    most: f64,
+    speed: f64,
+    decimals: usize,
+    unit: &'static str,
+}
+
+const TURN: Field = Field {
+    word: "turn",
+    name: "Turn of the strip",
+    most: 45.0,
+    speed: 0.05,
+    decimals: 2,
+    unit: "\u{b0}",
+};
+const SHEAR: Field = Field {
+    word: "shear",
+    name: "Shear of the strip",
+    most: 5.0,
+    speed: 0.002,
+    decimals: 3,
+    unit: "",
+};
+const SMILE: Field = Field {
+    word: "smile",
+    name: "Smile of the strip",
+    most: 5.0,
+    speed: 0.000_05,
+    decimals: 5,
+    unit: "",
+};
