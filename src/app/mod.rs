@@ -64,6 +64,7 @@ pub mod report;
 mod scale;
 pub mod search;
 mod settings;
+pub mod share;
 pub mod sheet;
 pub mod spectral_unit;
 mod spike_hand;

@@ -16,17 +16,20 @@ use super::{
     comparison::Compared,
     quality::QualityShown,
     quality_report::Row,
+    share,
     state::App,
+    ticks::short,
 };
 use crate::{
     color::{Srgb, Swatch},
-    io::composite_line,
     spectrum::NamedSpectrum,
 };
 
 /// A4 in px of 1/96 inch.
 const PAGE: [f64; 2] = [794.0, 1123.0];
 const MARGIN: f64 = 44.0;
+/// The side of the QR code with its quiet zone.
+const CODE: f64 = 132.0;
 /// Of the rows, and of what is small.
 const SIZES: [f64; 2] = [10.5, 8.5];
 /// Where the columns of the table begin.
@@ -59,6 +62,7 @@ pub fn to_svg(app: &App) -> String {
     let mut page = Page {
         body: String::new(),
         y: MARGIN,
+        beside: 0.0,
     };
     page.head(app, &shown);
     let whole = PAGE[0] - 2.0 * MARGIN;
@@ -121,6 +125,8 @@ struct Page {
     body: String,
     /// Where the next thing begins.
     y: f64,
+    /// The width at the right that words leave free.
+    beside: f64,
 }
 
 impl Page {
@@ -145,9 +151,9 @@ impl Page {
         );
     }
 
-    /// Lines of words over the whole width, each below the one before.
+    /// Lines of words over the width that is free, each below the one before.
     fn words(&mut self, size: f64, ink: Rgb, words: &str) {
-        for line in wrap(words, PAGE[0] - 2.0 * MARGIN, size) {
+        for line in wrap(words, PAGE[0] - 2.0 * MARGIN - self.beside, size) {
             self.y += 1.35 * size;
             self.text([MARGIN, self.y], size, ink, &line);
         }
@@ -168,6 +174,9 @@ impl Page {
         let document = app.document();
         let lights = [Some(&document.light), document.second.as_ref()];
         let abouts = lights.map(|light| light.map(|light| About::of(light)));
+        if document.second.is_none() {
+            self.code(app);
+        }
         let titles = abouts.iter().flatten().map(About::title);
         let title = titles.collect::<Vec<_>>().join(" | ");
         self.words(
@@ -189,7 +198,21 @@ impl Page {
         for sentence in [&shown.sentence, &shown.place, &shown.rendition] {
             self.words(SIZES[0], palette.text, sentence);
         }
+        if self.beside > 0.0 {
+            self.y = self.y.max(MARGIN + CODE);
+            self.beside = 0.0;
+        }
         self.y += 12.0;
+    }
+
+    /// The model as a QR code at the upper right.
+    fn code(&mut self, app: &App) {
+        let line = share::short_line(&app.derived().model, app.document().settings.observer);
+        if let Some(rows) = share::qr(&line.text) {
+            let at = [PAGE[0] - MARGIN - CODE, MARGIN];
+            self.body += &share::qr_svg(&rows, at, CODE);
+            self.beside = CODE + 12.0;
+        }
     }
 
     /// The figures; of two lights which is better for what beside them.
@@ -305,8 +328,13 @@ impl Page {
             }
             None => {
                 let model = &app.derived().model;
-                let numbers = composite_line(model);
-                let words = format!("Model, {} numbers: {numbers}", model.numbers());
+                let line = share::short_line(model, document.settings.observer);
+                let words = format!(
+                    "Model, {} numbers, also in the QR code (rounding moves the colour by dE {}): {}",
+                    model.numbers(),
+                    short(line.delta_e),
+                    line.text
+                );
                 self.words(SIZES[1], palette.text, &words);
             }
         }

@@ -430,6 +430,10 @@ pub(super) struct Plot {
     /// numbers of its model. A4; --size and --theme are not used.
     #[arg(long)]
     pub sheet: bool,
+    /// The model in one line, rounded so that its colour stays within dE 0.1, as a QR code in place
+    /// of the plot; --size and --theme are not used.
+    #[arg(long, conflicts_with_all = ["sheet", "against"])]
+    pub qr: bool,
     /// Let it replace any other file, except the inputs.
     #[arg(long)]
     pub force: bool,

@@ -13,7 +13,7 @@ use super::{
     words,
 };
 use crate::{
-    app::{charts::spectrum::spectrum_chart, sheet},
+    app::{App, charts::spectrum::spectrum_chart, share, sheet, ticks::short},
     io::shown,
 };
 
@@ -34,6 +34,7 @@ pub(super) fn run(
         against,
         out: path,
         sheet,
+        qr,
         force,
         size,
         theme,
@@ -41,6 +42,7 @@ pub(super) fn run(
     let (extension, is_page) = (words::extension(path), *sheet);
     let painter = match (extension.as_str(), is_page) {
         ("svg", _) | ("pdf", true) => None,
+        ("png", false) if *qr => None,
         (other, _) if is_page || other == "pdf" => {
             let expected = ["--out with .svg or .png", "--sheet with .svg or .pdf"];
             return Err(Refusal::Usage(format!(
@@ -76,6 +78,9 @@ pub(super) fn run(
         target.save(&page)?;
         return print(out, &format!("Wrote {}, one page.\n", shown(path)));
     }
+    if *qr {
+        return code(&app, &target, &extension, out);
+    }
     let picture = match painter {
         Some(painter) => painter.plot(&app, *theme, *size),
         None => {
@@ -87,5 +92,36 @@ pub(super) fn run(
     print(
         out,
         &format!("Wrote {}, {width} x {height} px.\n", shown(path)),
+    )
+}
+
+/// Writes the model's line as a QR code, and tells the line and what rounding costs.
+fn code(
+    app: &App,
+    target: &Target<'_>,
+    extension: &str,
+    out: &mut dyn Write,
+) -> Result<(), Refusal> {
+    let line = share::short_line(&app.derived().model, app.document().settings.observer);
+    let rows = share::qr(&line.text).ok_or_else(|| {
+        Refusal::File(format!(
+            "found a line of {} characters, expected one that a QR code holds: use fewer numbers",
+            line.text.len()
+        ))
+    })?;
+    let picture = match extension {
+        "png" => share::qr_png(&rows),
+        _ => Some(share::qr_picture(&rows).into_bytes()),
+    };
+    target.save(&picture.unwrap_or_default())?;
+    print(
+        out,
+        &format!(
+            "{}\nWrote {}: {} characters; rounding moves the colour by dE {}.\n",
+            line.text,
+            shown(target.path),
+            line.text.len(),
+            short(line.delta_e)
+        ),
     )
 }
