@@ -188,7 +188,11 @@ mod tests {
             let model = &app.derived().model;
             let line = short_line(model, Observer::CIE_1931);
             assert!(line.delta_e <= MOST_DELTA_E);
-            longest = longest.max(line.text.len());
+            // The lamps have 39 numbers at most; made tubes of gases have a line for each of theirs.
+            if model.numbers() <= 41 {
+                longest = longest.max(line.text.len());
+            }
+            assert!(qr(&line.text).is_some());
             let back = parse_composite_line(&line.text).unwrap();
             let white = model.xyz(Observer::CIE_1931);
             let moved = delta_e_2000(
