@@ -283,8 +283,7 @@ impl Lines {
         let mut line: Line = serde_json::from_str(text)
             .map_err(|why| format!("found no object of numbers ({why}), expected one a line"))?;
         let wavelengths = line.wavelength_nm.take();
-        let is_known = wavelengths.is_some() || line.values.is_some();
-        if !is_known {
+        if wavelengths.is_none() && line.values.is_none() {
             return Err("found no values, expected the key values".to_owned());
         }
         if let Some(nm) = wavelengths {

@@ -1,16 +1,6 @@
 //! Spectra that change while one looks: a file that is written anew, a folder, lines that come over
 //! standard input, TCP or a serial port, a recording that is played.
 //!
-//! ```text
-//! frame    one spectrum with its time, and its line in a recording
-//! lines    bytes to lines to frames; broken lines are skipped and counted
-//! stream   lines of standard input, of a pipe and of TCP
-//! serial   lines of a serial port
-//! file     a file that grows or is rewritten
-//! folder   the newest file of a folder
-//! replay   a recording, at its own speed or stepped
-//! ```
-//!
 //! No driver is needed: an instrument is whatever writes a file or a line.
 
 mod file;

@@ -70,7 +70,6 @@ impl Serial {
         let port = self.port.as_mut().ok_or(io::ErrorKind::NotConnected)?;
         port.set_read_timeout(patience.max(Duration::from_millis(1)))?;
         match port.read(&mut self.buffer)? {
-            // Nothing at all within no time is what a port that went away has to say.
             0 => Err(io::ErrorKind::UnexpectedEof.into()),
             count => Ok(self.buffer[..count].to_vec()),
         }
