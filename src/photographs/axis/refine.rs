@@ -173,21 +173,9 @@ fn lonely_end(
         return None;
     }
     let last = points.len() - 1;
-    let peaks = &scene.peaks.peaks;
-    // Doubt excuses no line beyond a peak as high as itself that nothing explains.
-    let is_beyond_a_stranger = |i: usize| {
-        let (own, next) = (pairs[i].0, pairs[if i == 0 { 1 } else { last - 1 }].0);
-        let mut between = own.min(next) + 1..own.max(next);
-        between.any(|k| peaks[k].height >= peaks[own].height)
-    };
     let excess = |i: usize| {
-        let fwhm = peaks[pairs[i].0].fwhm_px * curve.slope(points[i].px).abs();
-        let by_doubt = if is_beyond_a_stranger(i) {
-            0.0
-        } else {
-            2.5 * points[i].sigma_nm
-        };
-        left_out[i].abs() / (1.2 + 0.25 * fwhm).max(by_doubt)
+        let fwhm = scene.peaks.peaks[pairs[i].0].fwhm_px * curve.slope(points[i].px).abs();
+        left_out[i].abs() / (1.2 + 0.25 * fwhm).max(2.5 * points[i].sigma_nm)
     };
     let worst = if excess(0) > excess(last) { 0 } else { last };
     (excess(worst) > 1.0).then(|| pairs[worst])
