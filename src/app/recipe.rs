@@ -4,7 +4,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::combining::Act;
+use super::combining::act::Act;
 use crate::{
     color::Srgb,
     design::{mixture::Source, recover::Method},

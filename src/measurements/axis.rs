@@ -21,6 +21,8 @@ const MOST_OFF_NM: f64 = 5.0;
 const NARROW: f64 = 0.45;
 /// Least depth, a share of the chord.
 const LEAST_DEPTH: f64 = 0.01;
+/// Least depth of oxygen's band in daylight, a share of the chord: a slit of 10 nm leaves a quarter.
+const LEAST_OXYGEN: f64 = 0.1;
 /// Most that features may differ from their straight line, nm.
 const AGREE_NM: f64 = 1.0;
 
@@ -103,12 +105,14 @@ fn dip(of: &Measurement, place: f64, window: [f64; 2]) -> Option<(f64, f64)> {
 const OXYGEN: [(f64, f64); 5] = [(6.1, 1.5), (6.8, 3.0), (7.7, 5.0), (9.0, 7.0), (11.3, 10.0)];
 
 /// The slit that daylight was seen through, by the width of oxygen's band at 763 nm: about so wide.
-/// `None` for lights that do not have it beside another of the sun's dark lines.
+/// `None` for lights that do not have it. Wide slits leave no other dark line of the sun to see.
 pub fn slit_of_daylight(of: &Measurement) -> Option<SlitFound> {
-    let axis = axis_of(of)?;
     let (place, window) = DARK[2];
-    let (_, off) = axis.features.iter().find(|feature| feature.0 == place)?;
+    let (_, off) = dip(of, place, window)?;
     let [from, to] = window.map(|nm| nm + off);
+    if below_chord(of, [from, to])?.0 < LEAST_OXYGEN {
+        return None;
+    }
     let at = |nm: f64| of.samples.at(nm, Outside::Hold);
     let (left, right) = (at(from), at(to));
     let points = 280;
@@ -137,7 +141,7 @@ pub fn slit_of_daylight(of: &Measurement) -> Option<SlitFound> {
             fwhm_nm,
         },
         u: 0.0,
-        shift_nm: *off,
+        shift_nm: off,
         lines: Vec::new(),
         is_sure: false,
     })

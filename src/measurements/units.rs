@@ -2,7 +2,9 @@
 
 /// Words of units that state nothing absolute.
 pub(super) fn is_relative(unit: &str) -> bool {
-    let unit = unit.trim().to_lowercase();
+    let unit = unit.to_lowercase();
+    // What it is relative to stands behind it in brackets.
+    let word = unit.split('(').next().unwrap_or_default().trim();
     [
         "",
         "relative",
@@ -13,7 +15,7 @@ pub(super) fn is_relative(unit: &str) -> bool {
         "normalised",
         "normalized",
     ]
-    .contains(&unit.as_str())
+    .contains(&word)
 }
 
 /// Factor from one unit of a light to another of the same quantity; `None` where they differ.

@@ -32,7 +32,9 @@ impl Pictures for Sketch {
     fn window(&self, app: &App, preferences: &Preferences, size: [u32; 2]) -> Vec<u8> {
         let entry = app.document().subject_entry();
         let order = app.document().settings.order;
-        format!("window {} {order} {} {size:?}", entry.key, preferences.dark).into_bytes()
+        let (key, dark, lesson) = (&entry.key, preferences.dark, &preferences.lesson_asked);
+        let step = lesson.as_ref().map(|lesson| (lesson.step, lesson.done));
+        format!("window {key} {order} {dark} {size:?} {step:?}").into_bytes()
     }
 
     fn plot(&self, app: &App, theme: Theme, size: [u32; 2]) -> Vec<u8> {

@@ -152,7 +152,7 @@ fn a_tick_is_dragged_and_moved_by_arrow_keys() {
     let mut ui = page(no_files());
     let before = tick(&ui, "435.8");
     // A few points off its peak: it goes back onto the peak, as a pin of the named lamp.
-    drag(&mut ui, before, before + vec2(5.0, 0.0));
+    drag(&mut ui, before, before + vec2(8.0, 0.0));
     assert_written(&ui, names::UNDO);
     let after = tick(&ui, "435.8");
     assert!((after.x - before.x).abs() < 2.0, "{before:?}, {after:?}");

@@ -33,7 +33,8 @@ fn the_newest_file_that_can_be_read_is_shown_and_the_others_are_a_step_back() {
     assert_eq!(shown(&mut source), [("a.csv".to_owned(), 2.0)]);
     put(path, "d.csv", 3.0, 35);
     put(path, "b.csv", 4.0, 40);
-    for step in 1..=4 {
+    // A first reading of a file rests for a second.
+    for step in 1..=8 {
         source.look(0.25 * f64::from(step));
     }
     let names = [("d.csv".to_owned(), 3.0), ("b.csv".to_owned(), 4.0)];
