@@ -34,7 +34,8 @@ impl Pictures for Sketch {
         let order = app.document().settings.order;
         let (key, dark, lesson) = (&entry.key, preferences.dark, &preferences.lesson_asked);
         let step = lesson.as_ref().map(|lesson| (lesson.step, lesson.done));
-        format!("window {key} {order} {dark} {size:?} {step:?}").into_bytes()
+        let step = step.map_or(String::new(), |step| format!(" {step:?}"));
+        format!("window {key} {order} {dark} {size:?}{step}").into_bytes()
     }
 
     fn plot(&self, app: &App, theme: Theme, size: [u32; 2]) -> Vec<u8> {

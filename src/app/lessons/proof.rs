@@ -472,7 +472,7 @@ mod tests {
                 assert!(played.iter().any(|step| step.ask.is_some()), "{name}");
                 // The class's own photograph is a task that no figure of the program tells.
                 let has_task = played.iter().any(|step| step.task.is_some());
-                assert!(has_task || name == "room", "{name}");
+                assert!(has_task || name.starts_with("room"), "{name}");
                 for step in &played {
                     let words = [&step.say, &step.explain].map(String::as_str).join(" ");
                     assert!(!words.contains(['!', '{', '–']), "{name}: {words}");

@@ -132,7 +132,8 @@ impl Window {
     /// The ring around what the step points at, and over all the word of the glossary that is open.
     pub(super) fn lesson_ring(&mut self, context: &Context, theme: Theme) {
         self.lesson_view.word(context, self.lesson_ends, theme);
-        let aim = self.lesson.as_ref();
+        // A page that is covered has nothing to point at.
+        let aim = self.lesson.as_ref().filter(|run| !run.is_veiled());
         let aim = aim.and_then(|run| run.aim(&self.app, self.preferences.page));
         let name = match &aim {
             Some((Aim::Named(name), _)) => Some(name.as_str()),
