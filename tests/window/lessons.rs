@@ -331,7 +331,10 @@ fn a_ring_is_drawn_around_everything_that_a_step_points_at() {
             rings += 1;
         }
         // Out of the lesson there is nothing to point at.
-        click(&mut ui, "Leave the lesson");
+        // Of some every step is covered.
+        if is_written(&ui, "Leave the lesson") {
+            click(&mut ui, "Leave the lesson");
+        }
         assert!(!is_written(&ui, "Here: "), "{}", lesson.name);
     }
     assert!(rings >= 24, "{rings}");
