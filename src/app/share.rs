@@ -5,7 +5,10 @@ use std::fmt::Write as _;
 
 use qrcode::{EcLevel, QrCode};
 
-use super::chart::{SVG_HEAD, px};
+use super::{
+    chart::{SVG_HEAD, px},
+    ticks::short,
+};
 use crate::{
     color::{Observer, delta_e_2000, lab_from_xyz},
     io::{self, composite_line},
@@ -23,8 +26,9 @@ const QUIET: usize = 4;
 pub struct ShortLine {
     /// The line, `cs1;...` or `cs2;...`.
     pub text: String,
-    /// What rounding costs: CIEDE2000 between the colour of the model and that of the line.
-    pub delta_e: f64,
+    /// What rounding costs: CIEDE2000 between the colour of the model and that of the line; `None`
+    /// for a model that has no colour, whose line is not rounded.
+    pub delta_e: Option<f64>,
 }
 
 /// A model in one line with the fewest digits, two at least, that keep its colour to
@@ -43,12 +47,12 @@ pub fn short_line(model: &Composite, observer: Observer) -> ShortLine {
             let delta_e = delta_e_2000(exact, lab_from_xyz(rounded.xyz(observer), white));
             (delta_e <= MOST_DELTA_E).then(|| ShortLine {
                 text: composite_line(&rounded),
-                delta_e,
+                delta_e: Some(delta_e),
             })
         })
         .unwrap_or_else(|| ShortLine {
             text: composite_line(model),
-            delta_e: 0.0,
+            delta_e: None,
         })
 }
 
@@ -87,6 +91,16 @@ fn to_places(value: f64, places: i32) -> f64 {
     } else {
         let unit = 10_f64.powi(-places);
         (value / unit).round() * unit + 0.0
+    }
+}
+
+impl ShortLine {
+    /// What rounding costs, in words.
+    pub fn cost(&self) -> String {
+        match self.delta_e {
+            Some(delta_e) => format!("rounding moves the colour by dE {}", short(delta_e)),
+            None => "not rounded, as it has no colour".to_owned(),
+        }
     }
 }
 
@@ -167,6 +181,7 @@ mod tests {
     use crate::{
         app::{App, Command, sheet, showing},
         io::parse_composite_line,
+        spectrum::{Band, Basis},
     };
 
     /// What a reader finds in a picture of grey levels, rows of `width`.
@@ -190,7 +205,8 @@ mod tests {
             }
             let model = &app.derived().model;
             let line = short_line(model, Observer::CIE_1931);
-            assert!(line.delta_e <= MOST_DELTA_E);
+            let delta_e = line.delta_e.expect("a colour");
+            assert!(delta_e <= MOST_DELTA_E);
             // Made tubes of gases have a line for each of theirs: a longer code.
             if ["cie_", "lamps_"]
                 .iter()
@@ -206,9 +222,21 @@ mod tests {
                 lab_from_xyz(back.xyz(Observer::CIE_1931), white),
             );
             // Computed from the same doubles.
-            assert!((moved - line.delta_e).abs() < 1e-12);
+            assert!((moved - delta_e).abs() < 1e-12);
         }
         assert!(longest <= 300, "{longest} characters");
+    }
+
+    #[test]
+    fn a_model_without_a_colour_is_not_rounded_and_says_so() {
+        let dark = Series::new(Band::VISIBLE, Basis::Cosine, vec![0.0, 0.0]);
+        let line = short_line(
+            &Composite::of_lines_inside(dark, Vec::new()),
+            Observer::CIE_1931,
+        );
+        assert_eq!(line.delta_e, None);
+        assert_eq!(line.cost(), "not rounded, as it has no colour");
+        assert_eq!(line.text, "cs1;cosine;380:780;0 0;");
     }
 
     #[test]

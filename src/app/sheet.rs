@@ -18,7 +18,6 @@ use super::{
     quality_report::Row,
     share,
     state::App,
-    ticks::short,
 };
 use crate::{
     color::{Srgb, Swatch},
@@ -330,9 +329,9 @@ impl Page {
                 let model = &app.derived().model;
                 let line = share::short_line(model, document.settings.observer);
                 let words = format!(
-                    "Model, {} numbers, also in the QR code (rounding moves the colour by dE {}): {}",
+                    "Model, {} numbers, also in the QR code ({}): {}",
                     model.numbers(),
-                    short(line.delta_e),
+                    line.cost(),
                     line.text
                 );
                 self.words(SIZES[1], palette.text, &words);

@@ -8,7 +8,7 @@ use crate::{
 };
 
 /// Sigma, mask and the rest, beside a spectrum that holds the values.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct StoredDoubt {
     /// One a sample, those without a value among them.
@@ -31,23 +31,6 @@ pub struct StoredDoubt {
     masked_nm: Vec<f64>,
     #[serde(skip_serializing_if = "String::is_empty")]
     why_masked: String,
-}
-
-impl Default for StoredDoubt {
-    fn default() -> Self {
-        Self {
-            sigma: None,
-            level: 0.0,
-            axis_nm: 0.0,
-            memory: Vec::new(),
-            shared: Vec::new(),
-            scans: None,
-            slit: None,
-            exposure_ms: None,
-            masked_nm: Vec::new(),
-            why_masked: String::new(),
-        }
-    }
 }
 
 impl StoredDoubt {

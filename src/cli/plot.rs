@@ -13,7 +13,7 @@ use super::{
     words,
 };
 use crate::{
-    app::{App, charts::spectrum::spectrum_chart, share, sheet, ticks::short},
+    app::{App, charts::spectrum::spectrum_chart, share, sheet},
     io::shown,
 };
 
@@ -117,11 +117,11 @@ fn code(
     print(
         out,
         &format!(
-            "{}\nWrote {}: {} characters; rounding moves the colour by dE {}.\n",
+            "{}\nWrote {}: {} characters; {}.\n",
             line.text,
             shown(target.path),
             line.text.len(),
-            short(line.delta_e)
+            line.cost()
         ),
     )
 }

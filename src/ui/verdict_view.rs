@@ -277,7 +277,10 @@ fn numbers(ui: &mut Ui, app: &App, theme: Theme) {
         ui.label(large);
         ui.vertical(|ui| {
             ui.spacing_mut().item_spacing.y = 1.0;
-            ui.label(format!("numbers instead of {instead}"));
+            ui.label(match instead {
+                0 => "numbers".to_owned(),
+                _ => format!("numbers instead of {instead}"),
+            });
             let lines = match lines {
                 0 => "no lines".to_owned(),
                 1 => "2 for one line".to_owned(),

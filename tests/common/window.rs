@@ -123,6 +123,26 @@ pub(crate) fn assert_written<S>(ui: &Harness<'static, S>, text: &str) {
     assert!(is_there, "{text:?} is not on screen: {}", words.join(" | "));
 }
 
+/// Steps until nothing is read or computed any more.
+pub(crate) fn settle(ui: &mut Ui) {
+    let until = std::time::Instant::now() + std::time::Duration::from_secs(60);
+    loop {
+        ui.step();
+        ui.state_mut().0.studies.finish();
+        if !ui.state().0.is_busy() && !ui.state_mut().0.studies.is_running() {
+            break;
+        }
+        assert!(std::time::Instant::now() < until, "still busy");
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    // What was asked last is drawn.
+    for _ in 0..4 {
+        ui.step();
+        ui.state_mut().0.studies.finish();
+    }
+    ui.run();
+}
+
 /// Clicks the button of that name, the first from above where there are several, and takes the
 /// pointer away.
 #[track_caller]

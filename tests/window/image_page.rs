@@ -5,10 +5,9 @@ use std::{
     fs,
     path::{Path, PathBuf},
     sync::Arc,
-    time::{Duration, Instant},
 };
 
-use crate::driver::{Shown, Ui, app, assert_written, harness, no_files, words};
+use crate::driver::{Shown, Ui, app, assert_written, harness, no_files, settle, words};
 use crate::own_time::own_seconds;
 use crate::plain::plain;
 use crate::root::root;
@@ -297,26 +296,6 @@ fn fresh(size: [f32; 2]) -> Ui {
         Window::new(plain(), Preferences::default(), files, None),
         size,
     )
-}
-
-/// Steps until nothing is read or computed any more.
-fn settle(ui: &mut Ui) {
-    let until = Instant::now() + Duration::from_secs(60);
-    loop {
-        ui.step();
-        ui.state_mut().0.studies.finish();
-        if !ui.state().0.is_busy() && !ui.state_mut().0.studies.is_running() {
-            break;
-        }
-        assert!(Instant::now() < until, "still busy");
-        std::thread::sleep(Duration::from_millis(5));
-    }
-    // What was asked last is drawn.
-    for _ in 0..4 {
-        ui.step();
-        ui.state_mut().0.studies.finish();
-    }
-    ui.run();
 }
 
 fn open_file(ui: &mut Ui, path: &Path) {

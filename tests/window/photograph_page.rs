@@ -20,7 +20,7 @@ use spectral_explorer::{
     },
 };
 
-use crate::driver::{Shown, Ui, app, assert_written, harness, is_written, no_files, words};
+use crate::driver::{Shown, Ui, app, assert_written, harness, is_written, no_files, settle, words};
 use crate::plain::plain;
 use crate::root::root;
 
@@ -34,25 +34,6 @@ fn page(files: Picker) -> Ui {
     let mut ui = harness(Shown(window), [1280.0, 800.0], 0.02, 60);
     settle(&mut ui);
     ui
-}
-
-/// Steps until nothing is read or computed any more.
-fn settle(ui: &mut Ui) {
-    let until = Instant::now() + Duration::from_secs(60);
-    loop {
-        ui.step();
-        ui.state_mut().0.studies.finish();
-        if !ui.state().0.is_busy() && !ui.state_mut().0.studies.is_running() {
-            break;
-        }
-        assert!(Instant::now() < until, "still busy");
-        std::thread::sleep(Duration::from_millis(5));
-    }
-    for _ in 0..4 {
-        ui.step();
-        ui.state_mut().0.studies.finish();
-    }
-    ui.run();
 }
 
 fn open(ui: &mut Ui, paths: &[PathBuf]) {

@@ -3,50 +3,14 @@
 
 use crate::{
     app::{
-        chart::{Chart, Ink, Series, Shape},
-        combining::{Found, LineRow},
+        chart::{Ink, Series},
         ticks::short,
     },
-    measurements::{Measurement, Quantity},
+    measurements::Measurement,
 };
 
 /// Half width of 95 % in standard deviations.
 const OF_95: f64 = 1.96;
-
-/// What a combination made.
-pub fn combined_chart(found: &Found) -> Option<Chart> {
-    let of = found.result.as_ref()?;
-    let nm = of.samples.nm();
-    let mut chart = Chart::over_nm([nm[0], nm[nm.len() - 1]]);
-    chart.title.clone_from(&found.made_by);
-    chart.y_label = match (of.quantity, of.unit.as_str()) {
-        (Quantity::Counts, _) => "Counts".to_owned(),
-        (Quantity::Light, "") => "Relative power".to_owned(),
-        (Quantity::Light, unit) => unit.to_owned(),
-        (Quantity::Absorbance, _) => "Absorbance".to_owned(),
-        (Quantity::Reflectance, _) => "Reflectance".to_owned(),
-        (Quantity::Transmittance, _) => "Transmittance".to_owned(),
-        (Quantity::Factor | Quantity::Number, _) => "Factor".to_owned(),
-    };
-    chart.series = doubted(of, "95 %", 1.0);
-    let curve = |points| Series::line("result", Ink::Measured, points);
-    chart
-        .series
-        .extend(stretches(of, |i| of.samples.values()[i]).map(curve));
-    if of.quantity != Quantity::Light {
-        let at = |line: &LineRow| Some([line.at_nm, line.weight?]);
-        let points: Vec<[f64; 2]> = found.lines.iter().filter_map(at).collect();
-        if !points.is_empty() {
-            chart.series.push(Series::points(
-                "at shared lines",
-                Ink::Spikes,
-                Shape::Ring,
-                points,
-            ));
-        }
-    }
-    Some(chart)
-}
 
 /// The band about a measurement times a factor, and its level as a bracket at the right edge; none
 /// where nothing is known of its noise.
@@ -91,7 +55,7 @@ fn stretches(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spectrum::Sampled;
+    use crate::{measurements::Quantity, spectrum::Sampled};
 
     #[test]
     fn a_mask_is_a_gap_and_the_band_holds_two_sigmas_about_the_curve() {

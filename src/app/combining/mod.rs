@@ -2,7 +2,6 @@
 //! instrument, and what changed between two sets. The command line and the window ask the same way.
 
 pub mod act;
-pub mod desk;
 mod formula;
 mod instrument;
 mod parts;
