@@ -62,7 +62,7 @@ impl ModelledLight {
             subject: Subject::Light,
             ..app.document().clone()
         };
-        derive(&document, &self.tables)
+        derive(&document, &self.tables, None)
     }
 
     /// The grid.

@@ -124,6 +124,22 @@ pub struct Window {
     pub printer: Printer,
 }
 
+/// Size of the smallest layout that stands at its own scale, points before any zoom. A zoom leaves
+/// fewer: who asked for larger type gets it.
+const LEAST_LAYOUT: egui::Vec2 = egui::vec2(900.0, 600.0);
+/// Scaled by less, no word could be read.
+const LEAST_SCALE: f32 = 0.25;
+
+/// The scale at which the smallest layout fits into the window; 1 in a larger one.
+fn fitting(context: &Context) -> f32 {
+    let size = context.viewport_rect().size() * context.zoom_factor();
+    match size.min_elem() > 1.0 {
+        true => (size / LEAST_LAYOUT).min_elem().clamp(LEAST_SCALE, 1.0),
+        // A minimised window has no size.
+        false => 1.0,
+    }
+}
+
 impl Window {
     /// A window over a program. `saver` keeps the workspace; without one nothing is written.
     pub fn new(
@@ -276,21 +292,16 @@ impl Window {
         self.keep();
     }
 
-    /// Fonts once, style whenever the looks change.
+    /// Fonts once, style whenever the looks change; a window that is smaller than the smallest layout
+    /// is scaled.
     fn dress(&mut self, context: &Context) {
         if !self.fonts_installed {
             theme::install_fonts(context);
             self.fonts_installed = true;
         }
+        context.set_zoom_factor(self.preferences.zoom * fitting(context));
         if self.styled_for.as_ref() != Some(&self.preferences) {
-            let zoom_changed = self
-                .styled_for
-                .as_ref()
-                .is_none_or(|p| p.zoom != self.preferences.zoom);
             theme::apply(context, &self.preferences);
-            if zoom_changed {
-                context.set_zoom_factor(self.preferences.zoom);
-            }
             self.styled_for = Some(self.preferences.clone());
         }
     }
