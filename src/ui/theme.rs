@@ -294,6 +294,7 @@ mod tests {
                 visuals.hyperlink_color,
                 theme.faint,
                 theme.warning,
+                theme.ink(Ink::Second),
             ];
             let mut pairs: Vec<(Color32, Color32)> = Vec::new();
             pairs.extend(grounds.iter().flat_map(|g| words.iter().map(|w| (*w, *g))));

@@ -51,12 +51,12 @@ impl ChainView {
         let app = context.app;
         let revision = app.revision();
         let sheet = &*self.sheet.get(revision, |_| ChainSheet::of(app));
-        let light = app.document().light.name();
-        headline(
-            ui,
-            context.theme,
-            headlines::chain(light, &sheet.told, context.app.document().view.model),
-        );
+        let document = app.document();
+        let light = document.light.name();
+        let second = document.second.as_ref().map(|entry| entry.name());
+        let second = second.zip(sheet.second.as_ref());
+        let words = headlines::chain(light, &sheet.told, second, document.view.model);
+        headline(ui, context.theme, words);
         ui.add_space(GROUP);
         let (held, chart) = (&mut self.held, &mut self.chart);
         let scale = context.theme.scale;
@@ -170,7 +170,7 @@ fn head(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet) {
         if count > 0 && pressed(ui, names::CLEAR, meaning) {
             change(context, |products| products.chain.clear());
         }
-        if count > 1 {
+        if count > 1 && !context.theme.presents {
             ui.weak("Drag cards into another order, or use their arrows.");
         }
     });
