@@ -18,7 +18,7 @@ pub use colour::{ColourFigure, OF_COLOUR, OF_LIGHT, by_key};
 pub use model::SHARES;
 pub use quality::{OF_QUALITY, QualityFigure, TLCI, of_quantity};
 
-use super::numbers::{fixed, hundredths, or_dash, significant};
+use super::numbers::{ROUNDING, fixed, hundredths, or_dash, significant};
 
 /// The unit of a figure where it is shown; files have shares of 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -132,6 +132,7 @@ pub fn brief(shown: f64, unit: Unit) -> String {
 
 /// An error in its unit with the decimals of a column.
 pub fn in_column(shown: Option<f64>, unit: Unit) -> String {
+    let shown = shown.map(|v| if v.abs() < ROUNDING { 0.0 } else { v });
     if unit != Unit::PERCENT {
         return format!("{}{}", hundredths(shown), unit.tail);
     }
@@ -177,7 +178,7 @@ mod tests {
         assert_eq!(Measure::Rms.figure().brief(Some(1e-9)), "< 0.0001 %");
         assert_eq!(Measure::Rms.figure().brief(None), "–");
         let [own, rms] = [Measure::Own, Measure::Rms].map(Measure::figure);
-        assert_eq!([0.0928, 13.5, 1e-3].map(|e| own.in_column(Some(e))), ["0.09", "13.50", "< 0.01"]);
+        assert_eq!([0.0928, 13.5, 1e-3, 1e-13].map(|e| own.in_column(Some(e))), ["0.09", "13.50", "< 0.01", "0.00"]);
         assert_eq!([0.2137, 0.67, 1e-4].map(|e| rms.in_column(Some(e))), ["21.4 %", "67.0 %", "< 0.1 %"]);
         assert_eq!([own, rms].map(|figure| figure.in_column(None)), ["–", "–"]);
         assert_eq!(OF_LIGHT[0].figure.written(6503.6), "6504 K");

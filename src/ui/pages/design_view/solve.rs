@@ -99,7 +99,7 @@ impl DesignView {
         if context.theme.presents || room.x >= WIDE * scale {
             let presents = context.theme.presents;
             let left = match presents {
-                true => 0.5 * room.x,
+                true => 0.53 * room.x,
                 false => (0.40 * room.x).clamp(330.0 * scale, 520.0 * scale),
             };
             let left = vec2(left, room.y);

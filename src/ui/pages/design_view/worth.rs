@@ -46,7 +46,7 @@ pub(super) fn main_figures(
     let its = |name| {
         let (light, all) = second.as_ref()?;
         let figure = all.iter().find(|figure: &&MainFigure| figure.name == name)?;
-        Some((*light, &figure.value))
+        Some((*light, figure.value.as_str()))
     };
     for row in figures.chunks(in_row) {
         ui.horizontal_top(|ui| {
@@ -62,7 +62,11 @@ pub(super) fn main_figures(
                     ui.horizontal(|ui| {
                         ui.label(value);
                         match its(figure.name).filter(|_| !below) {
-                            Some(second) => of_second(ui, theme, second),
+                            // The unit stands beside the mixture's.
+                            Some((light, value)) => {
+                                let bare = value.trim_end_matches(|c| !char::is_numeric(c));
+                                of_second(ui, theme, (light, bare));
+                            }
                             None => word_of(ui, theme, figure),
                         }
                     });
@@ -91,7 +95,7 @@ fn word_of(ui: &mut Ui, theme: Theme, figure: &MainFigure) {
 }
 
 /// The figure of the second light.
-fn of_second(ui: &mut Ui, theme: Theme, (light, value): (&str, &String)) {
+fn of_second(ui: &mut Ui, theme: Theme, (light, value): (&str, &str)) {
     let words = RichText::new(value).small().color(theme.ink(Ink::Second));
     let label = ui.add(egui::Label::new(words).truncate());
     named(&label, egui::Role::Label, &format!("{light}: {value}"));

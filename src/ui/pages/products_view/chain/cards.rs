@@ -47,7 +47,8 @@ impl Sizes {
         }
         .map(|width| width * theme.scale);
         let arrow = ARROW * theme.scale;
-        let share = (room - arrow * stages as f32) / (stages + 1) as f32;
+        // The last card's edge is inside.
+        let share = (room - 4.0 - arrow * stages as f32) / (stages + 1) as f32;
         let [swatch, high] = match theme.presents {
             true => [72.0, 152.0],
             false => [96.0, 202.0],
