@@ -1,7 +1,7 @@
 //! The page "Glossary": the words of the window, to look through and to search.
 
 use eframe::egui;
-use egui::{Label, RichText, Ui};
+use egui::{Align, Label, Layout, RichText, Ui};
 
 use crate::{
     app::glossary::{WORDS, Word},
@@ -54,7 +54,10 @@ impl GlossaryView {
             ui.spacing_mut().item_spacing.x = GROUP;
             ui.columns(columns, |uis| {
                 for (ui, words) in uis.iter_mut().zip(found.chunks(found.len().div_ceil(columns))) {
-                    words.iter().for_each(|word| explained(ui, word));
+                    // Columns would spread each line over their whole width.
+                    ui.with_layout(Layout::top_down(Align::Min), |ui| {
+                        words.iter().for_each(|word| explained(ui, word));
+                    });
                 }
             });
         });
