@@ -84,7 +84,7 @@ impl Theme {
         let presented = |factor| if preferences.presents() { factor } else { 1.0 };
         Self {
             dark,
-            line: 1.6 * presented(PRESENT_LINES),
+            line: 1.6 * presented(PRESENT_LINES).max(preferences.grown),
             ground: grey(if dark { 18 } else { 255 }),
             faint: faint(dark),
             swatch_ground: swatch_ground(dark),
@@ -294,6 +294,7 @@ mod tests {
                 visuals.hyperlink_color,
                 theme.faint,
                 theme.warning,
+                theme.ink(Ink::Second),
             ];
             let mut pairs: Vec<(Color32, Color32)> = Vec::new();
             pairs.extend(grounds.iter().flat_map(|g| words.iter().map(|w| (*w, *g))));

@@ -6,6 +6,7 @@ use eframe::egui;
 use egui::{Align, Button, Color32, Layout, RichText, Sense, Ui, vec2};
 
 use super::{
+    eyes,
     keys::Act,
     kit::{cut_words, named, named_choice},
     second_chip, swatch,
@@ -408,6 +409,10 @@ fn looks(ui: &mut Ui, preferences: &Preferences, room: Room, wishes: &mut Vec<Wi
         wish(ui, "Smaller (Ctrl+-)", Wish::Act(Act::ZoomOut));
         let percent = format!("Zoom 100 %, now {:.0} % (Ctrl+0)", 100.0 * preferences.zoom);
         wish(ui, &percent, Wish::Act(Act::ZoomReset));
+        ui.separator();
+        let (_, words) = eyes::next(preferences.without_cones);
+        let words = format!("{words} (Ctrl+Shift+D)");
+        wish(ui, &words, Wish::Act(Act::Eyes));
     });
     named(&help.response, egui::Role::Button, "Help");
     help.response.on_hover_text("Shortcuts, licences, zoom.");

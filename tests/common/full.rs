@@ -190,6 +190,7 @@ pub(crate) fn full_document() -> Document {
 
 pub(crate) fn full_preferences() -> Preferences {
     Preferences {
+        without_cones: Some(spectral_explorer::color::MissingCones::Middle),
         dark: false,
         zoom: 1.3,
         present: true,

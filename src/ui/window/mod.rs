@@ -22,6 +22,7 @@ use egui::{Context, Ui};
 use super::{
     batch_view::BatchView,
     dialogs::Dialog,
+    eyes,
     files::{Picker, Printer, system_printer},
     import_view::ImportView,
     lesson_view::LessonView,
@@ -274,6 +275,9 @@ impl Window {
         }
         self.preferences.note_page();
         self.keep();
+        if let Some(eyes) = self.preferences.without_cones {
+            eyes::apply(&context, eyes);
+        }
     }
 
     /// Pages that remember what stands beside the light take a second light that was chosen.
