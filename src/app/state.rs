@@ -3,6 +3,7 @@
 mod deriving;
 mod messages;
 mod own;
+mod photographed;
 mod second;
 mod steps;
 
@@ -17,6 +18,7 @@ use super::{
     history::History,
     library::{Library, now_called},
     line_names::{ElementLine, LineName},
+    photograph::OnPage,
     product_view::ProductView,
     spike_hand::{self, SpikeAct},
     spike_names::{Told, names_in},
@@ -49,6 +51,7 @@ pub struct App {
     scale_factor: f64,
     unit: String,
     messages: Vec<Message>,
+    on_page: OnPage,
     /// Steps taken that can be undone, ever.
     steps: u64,
     revision: u64,
@@ -107,6 +110,7 @@ impl App {
             scale_factor: 1.0,
             unit: String::new(),
             messages: Vec::new(),
+            on_page: OnPage::default(),
             steps: 0,
             revision: 0,
             changes: 0,
@@ -184,7 +188,7 @@ impl App {
         self.revision
     }
 
-    /// Grows with every change of the document.
+    /// Grows with every change of the document, and of the photograph on its page.
     pub fn changes(&self) -> u64 {
         self.changes
     }

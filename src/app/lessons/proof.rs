@@ -9,6 +9,7 @@ use super::{
     format::{Answer, Fault, Lesson, Step},
     languages,
     names::find,
+    point::Point,
     run::Run,
     stage::Stage,
     words::{self, filled},
@@ -119,10 +120,7 @@ pub fn check(lesson: &Lesson, names: Names<'_>) -> Findings {
         if let Some(step) = steps.next() {
             faults.extend(advice::wrong_way(step, &app.document().settings));
             if let Some(names) = names(app, page) {
-                let control = step
-                    .point
-                    .as_ref()
-                    .and_then(|point| point.control.as_deref());
+                let control = step.point.as_ref().and_then(Point::control);
                 faults.extend(control.and_then(|name| absent(name, &names, page)));
                 hints = advice::given_away(step, &names);
             }
@@ -470,9 +468,7 @@ mod tests {
                 assert_eq!(played.len(), lesson.steps.len());
                 let name = &lesson.name;
                 assert!(played.iter().any(|step| step.ask.is_some()), "{name}");
-                // The class's own photograph is a task that no figure of the program tells.
-                let has_task = played.iter().any(|step| step.task.is_some());
-                assert!(has_task || name.starts_with("room"), "{name}");
+                assert!(played.iter().any(|step| step.task.is_some()), "{name}");
                 for step in &played {
                     let words = [&step.say, &step.explain].map(String::as_str).join(" ");
                     assert!(!words.contains(['!', '{', '–']), "{name}: {words}");
@@ -519,6 +515,23 @@ mod tests {
             &why,
             "done with order 40, too, where its claim does not hold: found numbers",
         );
+        for (until, words) in [
+            (r#"{"above":30}"#, "found none of figure, light, surface, overlay, chain or page"),
+            (
+                r#"{"figure":"order","equals":20,"bellow":3}"#,
+                "found the field `bellow` in until, expected one of figure, light,",
+            ),
+            (
+                r#"{"light":"FL2","page":"look"}"#,
+                "found the field `page` in until",
+            ),
+            (r#"{"figure":3,"above":30}"#, "found integer `3`, expected a string"),
+            (r#"{"page":"lok"}"#, "found the page lok, expected one of lessons,"),
+        ] {
+            let why = small(&task(until, order)).expect_err(until);
+            assert!(why.starts_with("small: step 2: "), "{why}");
+            assert_says(&why, words);
+        }
         let ask = r#"{"say":"A.","stage":{},"ask":{"question":"Q?","answers":[
             {"text":"x","because":"y"},{"text":"z","because":"y"}]}}"#;
         let why = small(ask).expect_err("no right one");

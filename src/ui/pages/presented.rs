@@ -91,7 +91,7 @@ fn in_lessons(pages: &mut Pages, ui: &mut Ui, context: &mut PageContext<'_>) -> 
 fn is_one_chart(page: Page) -> bool {
     matches!(
         page,
-        Page::Absorption | Page::Rendition | Page::Coefficients | Page::Auction
+        Page::Absorption | Page::Rendition | Page::Auction
     )
 }
 
