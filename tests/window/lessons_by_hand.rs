@@ -21,7 +21,9 @@ use crate::{
 fn set(ui: &Ui) -> (String, Page, String) {
     let document = app(ui).document();
     let chain = document.products.chain.iter();
-    let chain: Vec<_> = chain.map(|link| (link.entry.name(), link.times())).collect();
+    let chain: Vec<_> = chain
+        .map(|link| (link.entry.name(), link.times()))
+        .collect();
     let over: Vec<&str> = document.laid_over().map(|one| one.name()).collect();
     let whole = format!("{:?} {chain:?} {over:?}", document.settings);
     (
@@ -259,6 +261,18 @@ fn a_lesson_without_a_model_shows_surfaces_whole() {
 }
 
 #[test]
+fn a_ring_is_around_a_slider_and_not_around_the_words_that_name_it() {
+    let lesson = shelf::named("samples").expect("shipped");
+    let mut ui = at(Page::Lessons);
+    begun(&mut ui, &lesson, 0);
+    press(&mut ui, Key::Num1);
+    (0..4).for_each(|_| ui.step());
+    let slider = ui.get_by_role_and_label(Role::Slider, "Centre").rect();
+    let label = ui.get_by_label("Here: drag it onto the green line").rect();
+    assert!(label.contains_rect(slider), "{label} {slider}");
+}
+
+#[test]
 fn a_class_takes_its_own_photograph_which_reset_puts_aside_and_the_end_gives_back() {
     let golden = |name: &str| root().join("tests/golden/photographs/pictures").join(name);
     let lesson = shelf::named("room").expect("shipped");
@@ -299,7 +313,12 @@ fn a_class_takes_its_own_photograph_which_reset_puts_aside_and_the_end_gives_bac
     assert_written(&ui, "✔");
     click(&mut ui, "Next");
     settle(&mut ui);
-    let own = app(&ui).document().own.last().cloned().expect("one is made");
+    let own = app(&ui)
+        .document()
+        .own
+        .last()
+        .cloned()
+        .expect("one is made");
     assert_eq!(own.name(), "From the photograph");
     assert_eq!(own.spectrum.source, "inst0_cfl.jpg");
     click(&mut ui, "Leave the lesson");

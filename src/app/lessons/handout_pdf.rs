@@ -196,15 +196,13 @@ fn together(blocks: &[Block]) -> f64 {
 /// How many parts belong to a question or a task at the beginning: its choices, and what is written
 /// under it.
 fn answered(blocks: &[Block]) -> usize {
-    let is_of_it = |block: &&Block| {
-        matches!(
-            block,
-            Block::Led(..) | Block::Choice(..) | Block::Lines(_)
-        )
-    };
+    let is_of_it =
+        |block: &&Block| matches!(block, Block::Led(..) | Block::Choice(..) | Block::Lines(_));
     let all = blocks.iter().take_while(is_of_it).count();
     let lines = blocks[..all].iter();
-    let lines = lines.clone().position(|block| matches!(block, Block::Lines(_)));
+    let lines = lines
+        .clone()
+        .position(|block| matches!(block, Block::Lines(_)));
     let choices = blocks.iter().skip(1);
     let choices = choices.take_while(|block| matches!(block, Block::Choice(..)));
     lines.map_or(1 + choices.count(), |lines| lines + 1)
@@ -358,10 +356,18 @@ mod tests {
         ];
         let whole = |part: &[Block]| part.iter().map(height).sum::<f64>();
         for (from, to) in [(0, 7), (2, 7), (5, 7), (7, 10), (10, 13)] {
-            assert_eq!(together(&blocks[from..]), whole(&blocks[from..to]), "{from}");
+            assert_eq!(
+                together(&blocks[from..]),
+                whole(&blocks[from..to]),
+                "{from}"
+            );
         }
         // A teacher's answers go on behind their reasons, which may stand on the next page.
-        let answered = [led("Predict."), choice('A'), Block::Words("A: why.".to_owned())];
+        let answered = [
+            led("Predict."),
+            choice('A'),
+            Block::Words("A: why.".to_owned()),
+        ];
         assert_eq!(together(&answered), whole(&answered[..2]));
     }
 }

@@ -154,7 +154,8 @@ impl Making {
                 let drawn = drawn.and_then(|drawn| drawn.found.as_ref().ok());
                 let shown = [app.photograph(), drawn].into_iter().flatten();
                 let spectrum = shown.filter_map(Photograph::spectrum).next();
-                let spectrum = spectrum.ok_or("found no photograph with wavelengths, expected one")?;
+                let spectrum =
+                    spectrum.ok_or("found no photograph with wavelengths, expected one")?;
                 let name = name.clone();
                 app.apply(Command::Adopt(vec![NamedSpectrum { name, ..spectrum }]));
             }

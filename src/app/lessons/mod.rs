@@ -17,6 +17,7 @@
 //! proof     a lesson checked and played through without a window
 //! trial     a lesson's claims tried on another light
 //! handout   sheets for a class, and their A4 pages
+//! sound     whether its words, names and figures can be understood at all
 //! shelf     the shipped ones, and a person's own files
 //! ```
 
@@ -36,6 +37,7 @@ mod point;
 mod proof;
 mod run;
 pub mod shelf;
+mod sound;
 mod stage;
 mod trial;
 mod words;

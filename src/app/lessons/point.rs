@@ -116,10 +116,7 @@ mod tests {
         let patch = of(serde_json::json!({"patch": 15, "label": "Here"}));
         assert_eq!(control.aim(&app, page), Ok(Aim::Named("Reset".to_owned())));
         assert_eq!(line.aim(&app, page), Ok(Aim::Nm(546.1)));
-        assert_eq!(
-            patch.aim(&app, page),
-            Ok(Aim::Named("red: ".to_owned()))
-        );
+        assert_eq!(patch.aim(&app, page), Ok(Aim::Named("red: ".to_owned())));
         for (wrong, words) in [
             (
                 serde_json::json!({"label": "Here"}),

@@ -222,7 +222,11 @@ mod tests {
             );
             let notes = &lesson.notes_for_teachers;
             let votes = notes.contains("votes");
-            assert_eq!(votes, notes.contains("A guess, not counted in a class: "), "{name}");
+            assert_eq!(
+                votes,
+                notes.contains("A guess, not counted in a class: "),
+                "{name}"
+            );
             assert!(!notes.contains("Expect "), "{name}: {notes}");
             let published = notes.contains("Published: ");
             let cited = lesson.sources.iter().any(|one| one.contains("Educ. Res."));

@@ -129,9 +129,7 @@ impl Window {
         let mut wishes = Vec::new();
         let frame = plain(ui, Margin::same(12)).fill(ui.visuals().window_fill);
         let panel = fixed(Panel::left("lesson"), frame, width).show(ui, |ui| {
-            in_its_size(ui, |ui| {
-                wishes = view.show(ui, run, scene, theme)
-            });
+            in_its_size(ui, |ui| wishes = view.show(ui, run, scene, theme));
         });
         self.lesson_ends = panel.response.rect.right();
         for wish in wishes {

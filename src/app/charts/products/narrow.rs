@@ -410,7 +410,10 @@ mod tests {
         let (swatches, gain) = behind.swatches(&behind.figures(&filter));
         let [red, green, blue] = swatches[0].rgb8.0;
         // Blue is full, and red less than half of it in light (186 of 255 encoded).
-        assert!(blue >= 254 && green == 0 && red < 186, "{red} {green} {blue}");
+        assert!(
+            blue >= 254 && green == 0 && red < 186,
+            "{red} {green} {blue}"
+        );
         assert!(gain > 1.0);
     }
 }

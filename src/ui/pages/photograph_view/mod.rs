@@ -17,8 +17,8 @@ use super::{PageContext, PageWish, progress};
 use crate::io::name_of;
 use crate::{
     app::photograph::{
-        Instrument, ManyAsk, PhotographAsk, PictureOf, Pixels, ResponseAsk, Said, Seen, SeenPhotograph,
-        Staged, is_instrument,
+        Instrument, ManyAsk, PhotographAsk, PictureOf, Pixels, ResponseAsk, Said, Seen,
+        SeenPhotograph, Staged, is_instrument,
     },
     ui::{
         kit::{self, drawing},
