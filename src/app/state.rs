@@ -3,6 +3,7 @@
 mod deriving;
 mod messages;
 mod own;
+mod photographed;
 mod second;
 mod steps;
 
@@ -18,6 +19,7 @@ use super::{
     laid::Laid,
     library::{Library, now_called},
     line_names::{ElementLine, LineName},
+    photograph::OnPage,
     product_view::ProductView,
     spike_hand::{self, SpikeAct},
     spike_names::{Told, names_in},
@@ -51,6 +53,7 @@ pub struct App {
     scale_factor: f64,
     unit: String,
     messages: Vec<Message>,
+    on_page: OnPage,
     /// Steps taken that can be undone, ever.
     steps: u64,
     revision: u64,
@@ -110,6 +113,7 @@ impl App {
             scale_factor: 1.0,
             unit: String::new(),
             messages: Vec::new(),
+            on_page: OnPage::default(),
             steps: 0,
             revision: 0,
             changes: 0,
@@ -194,7 +198,7 @@ impl App {
         self.revision
     }
 
-    /// Grows with every change of the document.
+    /// Grows with every change of the document, and of the photograph on its page.
     pub fn changes(&self) -> u64 {
         self.changes
     }

@@ -53,7 +53,7 @@ pub(super) struct Menus<'a> {
 }
 
 /// How the drawer stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Drawer {
     /// Whether the library is open.
     pub open: bool,

@@ -32,15 +32,18 @@ pub fn spectrum_chart(app: &App) -> Chart {
     let (view, band) = (document.view, derived.band);
     let subject = document.subject_entry();
     let has_subject = app.is_measured_in_range();
-    let mut chart = Chart {
-        title: format!(
-            "{}: {} ({} order {}, {})",
-            subject.name(),
+    let of_model = || {
+        format!(
+            ": {} ({} order {}, {})",
             numbers(derived.numbers()),
             derived.model.smooth().basis.word(),
             derived.model.smooth().order(),
             many(derived.model.lines().len(), "line", "lines"),
-        ),
+        )
+    };
+    let of_model = view.model.then(of_model).unwrap_or_default();
+    let mut chart = Chart {
+        title: format!("{}{of_model}", subject.name()),
         y_label: subject_label(app),
         y_scale: scale(app),
         series: spectrum_series(app),

@@ -160,10 +160,7 @@ impl Window {
             picker,
             look: LookView::default(),
             library: LibraryView::default(),
-            drawer: Drawer {
-                open: false,
-                compares: false,
-            },
+            drawer: Drawer::default(),
             side: Side::default(),
             side_open: None,
             menu_open: false,
@@ -237,8 +234,11 @@ impl Window {
 
         let shape = self.shape(ui, theme);
         let mut centre = ui.available_rect_before_wrap();
-        if !shape.present {
+        let uses_bar = self.lesson.as_ref().is_some_and(Run::uses_bar);
+        if !shape.present || uses_bar {
             self.bar(ui, shape, &context);
+        }
+        if !shape.present {
             self.foot(ui, shape, theme);
             self.rail(ui, shape, theme);
         }
