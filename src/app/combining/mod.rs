@@ -22,7 +22,7 @@ pub use act::Act;
 pub use example::{Drawn, example};
 pub use instrument::{known_of_words, learnt};
 pub use parts::{Part, measurements};
-pub use result::{Found, LineRow, ScanRow};
+pub use result::{Found, LineRow, ScanRow, doubts_of};
 pub use scans::of_change;
 pub use verb::{Slot, Verb};
 

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::result::{Found, LineRow, ScanRow};
 use crate::{
     app::ticks::short,
-    measurements::{Changed, Doubted, Feature, Figure, Measurement, Part, Verdict, rounded},
+    measurements::{Changed, Doubt, Doubted, Feature, Figure, Measurement, Part, Verdict, rounded},
 };
 
 /// Most lines that are told in words.
@@ -120,6 +120,14 @@ fn in_words(doubted: &Doubted) -> String {
     format!("{:<9} {}", doubted.figure.words(), figure_words(doubted))
 }
 
+/// A figure as it is shown: an index is cut at its top.
+pub fn shown_value(figure: Figure, doubt: &Doubt) -> f64 {
+    match figure {
+        Figure::Ra | Figure::R9 | Figure::Rf => doubt.value.min(100.0),
+        _ => doubt.value,
+    }
+}
+
 /// `4224 ± 11 K`, the last digit worth writing; a dash for a figure that the light does not have.
 pub fn figure_words(doubted: &Doubted) -> String {
     let Some(doubt) = doubted.doubt else {
@@ -130,11 +138,7 @@ pub fn figure_words(doubted: &Doubted) -> String {
     } else {
         ""
     };
-    let value = match doubted.figure {
-        // An index is shown cut at its top.
-        Figure::Ra | Figure::R9 | Figure::Rf => doubt.value.min(100.0),
-        _ => doubt.value,
-    };
+    let value = shown_value(doubted.figure, &doubt);
     format!("{}{unit}", with_half(value, Some(doubt.half_width_95)))
 }
 
