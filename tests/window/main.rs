@@ -16,6 +16,7 @@ mod soft_renderer;
 mod batch;
 mod chart_view;
 mod clicks;
+mod combine_page;
 mod compare;
 mod design_pages;
 mod dispersion_pages;
