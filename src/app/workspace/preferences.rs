@@ -135,6 +135,10 @@ impl Preferences {
 
     /// Puts a file on top of the recent ones.
     pub fn remember_file(&mut self, path: &Path) {
+        // A browser forgets files with the page.
+        if cfg!(target_arch = "wasm32") {
+            return;
+        }
         self.recent.retain(|p| p != path);
         self.recent.insert(0, path.to_owned());
         self.recent.truncate(MOST_RECENT);

@@ -22,7 +22,7 @@ use egui::{Context, Ui};
 use super::{
     batch_view::BatchView,
     dialogs::Dialog,
-    files::{Picker, Printer, system_printer},
+    files::{Picker, Printer},
     import_view::ImportView,
     lesson_view::LessonView,
     library_view::LibraryView,
@@ -32,6 +32,7 @@ use super::{
     pages::Pages,
     palette_view::PaletteView,
     saver::Saver,
+    system_printer,
     theme::{self, Theme},
     top_view::Drawer,
     verdict_view::Side,
@@ -122,6 +123,8 @@ pub struct Window {
     refusal: Option<notices::Refusal>,
     /// Opens a page that prints itself; tests put their own here.
     pub printer: Printer,
+    /// Where the program is a page: its address, without what a link opens.
+    pub address: Option<String>,
 }
 
 impl Window {
@@ -136,7 +139,10 @@ impl Window {
         Self {
             kept: (app.changes(), preferences.clone()),
             had_second: app.document().second.is_some(),
-            lessons_folder: saver.as_ref().map(|s| s.path().with_file_name("lessons")),
+            lessons_folder: saver
+                .as_ref()
+                .filter(|_| !cfg!(target_arch = "wasm32"))
+                .map(|s| s.path().with_file_name("lessons")),
             lists_lessons: false,
             app,
             preferences,
@@ -179,6 +185,7 @@ impl Window {
             dropped_at: None,
             refusal: None,
             printer: system_printer(),
+            address: None,
         }
     }
 
