@@ -26,6 +26,8 @@ pub(super) enum Act {
     ResetView,
     /// Dark or light.
     Theme,
+    /// Targets for fingers, or for a pointer.
+    Touch,
     /// Plot, swatch, patches and sliders alone, large.
     Present,
     /// Into the search field.
@@ -87,6 +89,7 @@ impl Act {
             | Self::ResetPage => 2,
             Self::ResetView
             | Self::Theme
+            | Self::Touch
             | Self::Present
             | Self::ZoomIn
             | Self::ZoomOut

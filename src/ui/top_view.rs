@@ -419,6 +419,11 @@ fn looks(ui: &mut Ui, preferences: &Preferences, room: Room, wishes: &mut Vec<Wi
         ui.separator();
         wish(ui, "Larger (Ctrl++)", Wish::Act(Act::ZoomIn));
         wish(ui, "Smaller (Ctrl+-)", Wish::Act(Act::ZoomOut));
+        let words = match preferences.touch {
+            Some(true) => "Targets for a pointer",
+            _ => "Targets for fingers",
+        };
+        wish(ui, words, Wish::Act(Act::Touch));
         let percent = format!("Zoom 100 %, now {:.0} % (Ctrl+0)", 100.0 * preferences.zoom);
         wish(ui, &percent, Wish::Act(Act::ZoomReset));
     });

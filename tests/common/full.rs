@@ -192,6 +192,7 @@ pub(crate) fn full_preferences() -> Preferences {
     Preferences {
         dark: false,
         zoom: 1.3,
+        touch: Some(true),
         present: true,
         recent: vec![PathBuf::from("a lamp.csv"), PathBuf::from("b.spdx")],
         window: Some([1280.0, 800.5]),

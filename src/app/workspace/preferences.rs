@@ -21,6 +21,8 @@ pub struct Preferences {
     pub dark: bool,
     /// Zoom of the whole window, 0.8-2.5.
     pub zoom: f32,
+    /// Targets are large enough for fingers; `None` until the window is touched or a person chooses.
+    pub touch: Option<bool>,
     /// Presenting: plot, swatch, patches and the two sliders alone, large.
     pub present: bool,
     /// Files opened last, newest first.
@@ -68,6 +70,7 @@ impl Default for Preferences {
         Self {
             dark: true,
             zoom: 1.0,
+            touch: None,
             present: false,
             recent: Vec::new(),
             window: None,

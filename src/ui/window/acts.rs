@@ -90,6 +90,9 @@ impl Window {
             Act::ThresholdUp => self.edit(|s| s.threshold_percent *= FINER),
             Act::ResetView => self.look.spectrum.reset(),
             Act::Theme => self.preferences.dark = !self.preferences.dark,
+            Act::Touch => {
+                self.preferences.touch = Some(self.preferences.touch != Some(true));
+            }
             Act::Present => self.preferences.present = !self.preferences.present,
             Act::Search => {
                 self.drawer.open = true;

@@ -217,6 +217,7 @@ impl Window {
     pub fn show(&mut self, ui: &mut Ui) {
         let context = ui.ctx().clone();
         self.preferences.grown = theme::grown(ui.max_rect().size());
+        self.note_touch(&context);
         self.dress(&context);
         let theme = Theme::of(&self.preferences);
         self.menu_open = egui::Popup::is_any_open(&context);
@@ -281,6 +282,14 @@ impl Window {
     pub fn unseen(&mut self, context: &Context) {
         self.take_files(context);
         self.keep();
+    }
+
+    /// The first touch makes targets large, unless a person chose.
+    fn note_touch(&mut self, context: &Context) {
+        let is_touch = |event: &egui::Event| matches!(event, egui::Event::Touch { .. });
+        if self.preferences.touch.is_none() && context.input(|i| i.events.iter().any(is_touch)) {
+            self.preferences.touch = Some(true);
+        }
     }
 
     /// Fonts once, style whenever the looks change.
