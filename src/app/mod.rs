@@ -32,6 +32,7 @@ pub mod lessons;
 mod library;
 pub mod licences;
 mod line_names;
+pub mod link;
 mod lit;
 pub mod live_figures;
 mod made;

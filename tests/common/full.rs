@@ -196,6 +196,7 @@ pub(crate) fn full_preferences() -> Preferences {
         without_cones: Some(spectral_explorer::color::MissingCones::Middle),
         dark: false,
         zoom: 1.3,
+        touch: Some(true),
         present: true,
         recent: vec![PathBuf::from("a lamp.csv"), PathBuf::from("b.spdx")],
         window: Some([1280.0, 800.5]),

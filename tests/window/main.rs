@@ -37,5 +37,6 @@ mod products_surfaces;
 mod readme;
 mod relit_page;
 mod sizes;
+mod touch;
 mod ui;
 mod ui_race;

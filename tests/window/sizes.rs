@@ -163,19 +163,19 @@ fn set_size(ui: &mut Ui, size: Vec2) {
 }
 
 /// Walks a page through all sizes, with what its computations find.
-fn walk(preferences: Preferences, wrong: &mut Vec<String>) {
+pub(crate) fn walk(preferences: Preferences, sizes: &[[f32; 2]], wrong: &mut Vec<String>) {
     let page = preferences.page;
     let present = if preferences.presents() {
         ", presented"
     } else {
         ""
     };
-    let mut ui = over(preferences, SIZES[0]);
+    let mut ui = over(preferences, sizes[0]);
     for _ in 0..4 {
         ui.state_mut().0.studies.finish();
         rest(&mut ui);
     }
-    for [width, height] in SIZES {
+    for &[width, height] in sizes {
         let size = vec2(width, height);
         set_size(&mut ui, size);
         rest(&mut ui);
@@ -205,7 +205,7 @@ fn assert_sound(place: Place) {
             greeted: true,
             ..Preferences::default()
         };
-        walk(preferences, &mut wrong);
+        walk(preferences, &SIZES, &mut wrong);
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
@@ -286,7 +286,7 @@ fn nothing_collides_or_is_cut_while_presenting() {
         greeted: true,
         ..Preferences::default()
     };
-    walk(preferences, &mut wrong);
+    walk(preferences, &SIZES, &mut wrong);
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 

@@ -23,7 +23,7 @@ use super::{
     batch_view::BatchView,
     dialogs::Dialog,
     eyes,
-    files::{Picker, Printer, system_printer},
+    files::{Picker, Printer},
     import_view::ImportView,
     lesson_view::LessonView,
     library_view::LibraryView,
@@ -33,6 +33,7 @@ use super::{
     pages::Pages,
     palette_view::PaletteView,
     saver::Saver,
+    system_printer,
     theme::{self, Theme},
     top_view::Drawer,
     verdict_view::Side,
@@ -123,6 +124,8 @@ pub struct Window {
     refusal: Option<notices::Refusal>,
     /// Opens a page that prints itself; tests put their own here.
     pub printer: Printer,
+    /// Where the program is a page: its address, without what a link opens.
+    pub address: Option<String>,
 }
 
 /// Size of the smallest layout that stands at its own scale, points before any zoom. A zoom leaves
@@ -153,7 +156,10 @@ impl Window {
         Self {
             kept: (app.changes(), preferences.clone()),
             had_second: app.document().second.is_some(),
-            lessons_folder: saver.as_ref().map(|s| s.path().with_file_name("lessons")),
+            lessons_folder: saver
+                .as_ref()
+                .filter(|_| !cfg!(target_arch = "wasm32"))
+                .map(|s| s.path().with_file_name("lessons")),
             lists_lessons: false,
             app,
             preferences,
@@ -193,6 +199,7 @@ impl Window {
             dropped_at: None,
             refusal: None,
             printer: system_printer(),
+            address: None,
         }
     }
 
@@ -224,6 +231,7 @@ impl Window {
     pub fn show(&mut self, ui: &mut Ui) {
         let context = ui.ctx().clone();
         self.preferences.grown = theme::grown(ui.max_rect().size());
+        self.note_touch(&context);
         self.dress(&context);
         let theme = Theme::of(&self.preferences);
         self.menu_open = egui::Popup::is_any_open(&context);
@@ -294,6 +302,14 @@ impl Window {
     pub fn unseen(&mut self, context: &Context) {
         self.take_files(context);
         self.keep();
+    }
+
+    /// The first touch makes targets large, unless a person chose.
+    fn note_touch(&mut self, context: &Context) {
+        let is_touch = |event: &egui::Event| matches!(event, egui::Event::Touch { .. });
+        if self.preferences.touch.is_none() && context.input(|i| i.events.iter().any(is_touch)) {
+            self.preferences.touch = Some(true);
+        }
     }
 
     /// Fonts once, style whenever the looks change; a window that is smaller than the smallest layout

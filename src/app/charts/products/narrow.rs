@@ -167,7 +167,9 @@ impl Behind {
     pub fn second(&self, figures: &Figures, filter: &Filter) -> Option<SecondBehind> {
         let (name, values, white) = self.second.as_ref()?;
         let through = values.iter().zip(filter.on_band(self.band));
-        let xyz = self.lit.xyz(&through.map(|(v, share)| v * share).collect::<Vec<_>>());
+        let xyz = self
+            .lit
+            .xyz(&through.map(|(v, share)| v * share).collect::<Vec<_>>());
         let share = Some(xyz.y / white.y).filter(|share| share.is_finite());
         let scale = 100.0 / white.y;
         let gain = self.narrow.gain(figures.ways[0].exact);
@@ -227,9 +229,7 @@ impl Behind {
         let gain = gain / brightest.into_iter().fold(1.0, f64::max);
         let scale = 100.0 / white.y;
         let light = white * scale;
-        let seen = |xyz: Xyz| {
-            Swatch::of_patch(xyz * (gain * scale), light, Adaptation::None)
-        };
+        let seen = |xyz: Xyz| Swatch::of_patch(xyz * (gain * scale), light, Adaptation::None);
         let [a, b, c] = figures.ways.map(|way| seen(way.model));
         ([seen(exact), a, b, c], gain)
     }

@@ -188,7 +188,9 @@ impl DesignView {
             };
             choice.cut(ui, words, |ui| {
                 if let Some(second) = second
-                    && ui.button(format!("the colour of {}", second.name)).clicked()
+                    && ui
+                        .button(format!("the colour of {}", second.name))
+                        .clicked()
                 {
                     context.pages.solve.light = Some(second.key.clone());
                     context.pages.solve.xy = None;
