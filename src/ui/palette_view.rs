@@ -7,7 +7,7 @@ use egui::{Align2, Context, Key, RichText, ScrollArea, vec2};
 
 use super::{
     keys::{Act, SHORTCUTS},
-    kit::text_field,
+    kit::{self, text_field},
 };
 use crate::app::{
     App, Entry,
@@ -71,7 +71,7 @@ impl PaletteView {
             return None;
         }
         let mut chosen = None;
-        let found = found(app, &self.text);
+        let found = found(context, app, &self.text);
         let (up, down, enter) = context.input(|i| {
             (
                 i.key_pressed(Key::ArrowUp),
@@ -127,8 +127,9 @@ impl PaletteView {
     }
 }
 
-/// What has all the words, those that begin with the text first.
-fn found(app: &App, text: &str) -> Vec<(String, &'static str, Chosen)> {
+/// Pages and commands that have all the words, and the spectra that the library's search finds; those
+/// that begin with the text first.
+fn found(context: &Context, app: &App, text: &str) -> Vec<(String, &'static str, Chosen)> {
     let wanted: Vec<String> = text.split_whitespace().map(str::to_lowercase).collect();
     let pages = Page::all().map(|page| {
         let name = format!("{}: {}", page.place().title(), page.title());
@@ -142,12 +143,7 @@ fn found(app: &App, text: &str) -> Vec<(String, &'static str, Chosen)> {
             !matches!(act, Act::Place(_) | Act::Palette) && first.is_some_and(|f| f.0 == *keys)
         })
         .map(|(_, act, words)| ((*words).to_owned(), "command", Chosen::Act(*act)));
-    let own = app.document().own.iter();
-    let entries = own.chain(app.bundled()).map(|entry| {
-        let name = entry.name().to_owned();
-        (name, entry.kind().word(), Chosen::Entry(entry.clone()))
-    });
-    let mut all: Vec<_> = pages.chain(acts).chain(entries).collect();
+    let mut all: Vec<_> = pages.chain(acts).collect();
     all.retain(|(name, ..)| {
         let name = name.to_lowercase();
         wanted.iter().all(|word| name.contains(word))
@@ -158,7 +154,34 @@ fn found(app: &App, text: &str) -> Vec<(String, &'static str, Chosen)> {
             .first()
             .is_some_and(|word| name.starts_with(word.as_str()))
     };
+    // Spectra come as the library's search has them: the best first.
+    let entries = kit::found(context, app, text).into_iter().map(|entry| {
+        let name = entry.name().to_owned();
+        (name, entry.kind().word(), Chosen::Entry(entry))
+    });
+    all.extend(entries);
     all.sort_by_key(|(name, ..)| !begins(name));
     all.truncate(MOST);
     all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spectra_are_found_as_in_the_library_and_pages_by_their_names() {
+        let names = |text: &str| -> Vec<String> {
+            let found = found(&Context::default(), &App::new(), text);
+            found.into_iter().map(|(name, ..)| name).collect()
+        };
+        let candle = names("Kerze");
+        assert!(
+            candle.iter().any(|name| name.contains("andle")),
+            "{candle:?}"
+        );
+        // Of a word that is mistyped too.
+        assert!(names("flourescent").iter().any(|name| name.contains("FL")));
+        assert!(names("metam")[0].contains("Metamers"));
+    }
 }

@@ -75,7 +75,7 @@ impl Chooser<'_> {
         let rows = match search.trim().is_empty() {
             true => shelves(app, self.offers),
             false => {
-                let found = found(ui, app, search).into_iter();
+                let found = found(ui.ctx(), app, search).into_iter();
                 let found = found.filter(|entry| (self.offers)(entry));
                 found.map(Line::Entry).collect()
             }
@@ -163,15 +163,15 @@ pub fn are_same(some: &[Arc<Entry>], others: &[Arc<Entry>]) -> bool {
 }
 
 /// What the library's search finds, the best first.
-pub fn found(ui: &Ui, app: &App, search: &str) -> Vec<Arc<Entry>> {
+pub fn found(context: &egui::Context, app: &App, search: &str) -> Vec<Arc<Entry>> {
     let own = &app.document().own;
     let id = egui::Id::unique("what is searched");
-    let kept: Searched = ui.data(|data| data.get_temp::<Searched>(id)).flatten();
+    let kept: Searched = context.data(|data| data.get_temp::<Searched>(id)).flatten();
     let kept = kept.filter(|(of, _)| are_same(of, own));
     let (_, index) = kept.unwrap_or_else(|| {
         let index = Arc::new(Index::of(own.iter().chain(app.bundled())));
         let made = (own.clone(), index);
-        ui.data_mut(|data| data.insert_temp::<Searched>(id, Some(made.clone())));
+        context.data_mut(|data| data.insert_temp::<Searched>(id, Some(made.clone())));
         made
     });
     let found = index.search(search).into_iter();

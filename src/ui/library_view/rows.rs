@@ -91,7 +91,10 @@ impl Listed {
         let rows = Arc::new(if search.trim().is_empty() {
             on_shelves(app, preferences)
         } else {
-            found(ui, app, search).into_iter().map(alone).collect()
+            found(ui.ctx(), app, search)
+                .into_iter()
+                .map(alone)
+                .collect()
         });
         self.rows = Some((of, rows.clone()));
         rows
