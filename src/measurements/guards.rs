@@ -2,8 +2,8 @@
 //!
 //! The detector asks for eight standard deviations of the second differences, which see white noise
 //! alone: an instrument that smooths its tables makes lines of noise. Two tests stop that. Noise
-//! makes as many dips as peaks, so that a line must stand twice as high as the deepest narrow dip
-//! near it; and where scans tell sigma and memory, its weight must be six of its own doubts.
+//! makes as many dips as peaks, so that a line must stand twice as high as the deepest narrow dip but
+//! one near it: noise makes many, a lamp's own dip between two strong lines is alone; and where scans tell sigma and memory, its weight must be six of its own doubts.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -13,7 +13,7 @@ use crate::spectrum::{
     narrow_dips, numbers_of_order,
 };
 
-/// A line is so many times as high as the deepest dip near it.
+/// A line is so many times as high as the deepest dip but one near it.
 const MIRROR: f64 = 2.0;
 /// Reach of "near it", nm.
 const NEAR_NM: f64 = 100.0;
@@ -41,11 +41,14 @@ pub(super) fn lines_above_noise(
     let dips = narrow_dips(band, &found.smooth, settings.max_width_nm);
     let windows: Vec<[f64; 2]> = found.spikes.iter().map(|s| s.window_nm).collect();
     let is_free = |nm: f64| !windows.iter().any(|w| (w[0]..=w[1]).contains(&nm));
-    let deepest = |at: f64| {
+    let deep = |at: f64| {
         let near = dips
             .iter()
             .filter(|(nm, _)| (nm - at).abs() <= NEAR_NM && is_free(*nm));
-        near.map(|dip| dip.1).fold(0.0, f64::max)
+        let two = near.fold([0.0, 0.0], |[most, next]: [f64; 2], (_, depth)| {
+            [most.max(*depth), next.max(most.min(*depth))]
+        });
+        two[1]
     };
     let (kept, gone): (Vec<_>, Vec<_>) = found.spikes.iter().partition(|line| {
         let height = line.spike.weight / (GAUSSIAN_AREA * line.width_nm);
@@ -53,7 +56,7 @@ pub(super) fn lines_above_noise(
             let (weight, u) = weight_of(on_nm, line.spike.at_nm, line.width_nm);
             weight >= LEAST_WEIGHT * u
         };
-        height >= MIRROR * deepest(line.spike.at_nm) && (!on_nm.is_of_scans || is_heavy())
+        height >= MIRROR * deep(line.spike.at_nm) && (!on_nm.is_of_scans || is_heavy())
     });
     found.spikes = kept;
     for line in gone {

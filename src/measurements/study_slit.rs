@@ -2,7 +2,7 @@
 
 use super::{
     Kernel, Measurement, Slit, slit_of,
-    study::{colour, difference, lamps, noise_of_colour, of, top},
+    study::{colour, difference, lamps, of, top},
     unslit,
 };
 use crate::{
@@ -17,6 +17,8 @@ struct Seen {
     truth: Sampled,
     lines: Vec<(f64, f64)>,
     seen: Measurement,
+    /// What its noise alone makes of its colour, CIEDE2000: no correction takes that away.
+    noise: f64,
 }
 
 fn seen(name: &str, lamp: &Sampled, slit: Slit, snr: f64, seed: u64) -> Seen {
@@ -58,11 +60,13 @@ fn seen(name: &str, lamp: &Sampled, slit: Slit, snr: f64, seed: u64) -> Seen {
         .iter()
         .zip(normal(seed))
         .map(|(v, e)| v + sigma * e);
+    let noisy = lamp.sharing(values.collect()).expect("finite");
     Seen {
         name: name.to_owned(),
         truth: lamp.sharing(truth).expect("finite"),
         lines,
-        seen: of(lamp.sharing(values.collect()).expect("finite")),
+        noise: difference(colour(&noisy), colour(&clean)),
+        seen: of(noisy),
     }
 }
 
@@ -124,12 +128,8 @@ fn slits_of_2_to_10_nm_are_told_to_a_third_and_taken_off() {
                     difference(colour(&case.seen.samples), colour(&case.truth)),
                     difference(colour(&found.result.samples), colour(&case.truth)),
                 );
-                let mut noisy = case.seen.clone();
-                noisy.sigma = Some(vec![top(&case.truth) / snr; noisy.samples.len()]);
-                noisy.sigma = Some(vec![top(&case.seen.samples) / snr; noisy.samples.len()]);
-                let noise = noise_of_colour(&noisy);
                 corrected += 1;
-                right += i32::from(is <= (was / 3.0).max(1.5 * noise + 0.01));
+                right += i32::from(is <= (was / 3.0).max(1.5 * case.noise + 0.01));
                 if !case.lines.is_empty() {
                     line_lamps += 1;
                     before_rms.push(rms(&case.seen.samples, &case.truth));

@@ -3,7 +3,8 @@
 //! Lines without width are taken out first, as the slit drew them; what is wider is a band and
 //! stays. The rest is brought back by Richardson and Lucy's steps, which never make it negative,
 //! until what is left is the noise. Where a step makes a line that was not there, half of the steps
-//! are taken. A correction that moves the colour by less than the noise does is not made.
+//! are taken. A correction that moves the colour by less than its own doubt is not made: most of the
+//! noise is in the colour before and after alike, and tells nothing of the move.
 
 use nalgebra::{DMatrix, DVector, Matrix2};
 
@@ -96,7 +97,7 @@ pub fn unslit(of: &Measurement, slit: Slit) -> Result<Unslit, MeasurementError> 
         sigma,
         ..of.clone()
     };
-    let is_made = moves_more_than_noise(&known, &result.samples);
+    let is_made = moves_more_than_noise(&known, &result.samples, slit);
     Ok(Unslit {
         result: if is_made { result } else { of.clone() },
         rest: shared(samples, sharp)?,
@@ -323,8 +324,25 @@ impl<'m> Fit<'m> {
     }
 }
 
-/// True if a table's colour differs from a reading's by more than 95 % of its noise does.
-fn moves_more_than_noise(of: &Measurement, changed: &Sampled) -> bool {
+/// Weights on whole nm less the same seen through a slit.
+fn less_blurred(weights: &[f64], slit: Slit) -> Vec<f64> {
+    let reach = slit.reach_nm().ceil() as usize;
+    let kernel: Vec<f64> = (0..=reach).map(|away| slit.height(away as f64)).collect();
+    let blurred = |i: usize| {
+        let near = i.saturating_sub(reach)..(i + reach + 1).min(weights.len());
+        let pairs = near.map(|k| (kernel[k.abs_diff(i)], weights[k]));
+        let (sum, all) = pairs.fold((0.0, 0.0), |(sum, all), (by, w)| (sum + by * w, all + by));
+        if all > 0.0 { sum / all } else { weights[i] }
+    };
+    (0..weights.len())
+        .map(|i| weights[i] - blurred(i))
+        .collect()
+}
+
+/// True if a table's colour differs from a reading's by more than 95 % of what the noise makes of the
+/// move. To first order a sharpened table is twice the table less what the slit makes of it, so that
+/// the noise of the move is that of each weight less the weight seen through the slit.
+fn moves_more_than_noise(of: &Measurement, changed: &Sampled, slit: Slit) -> bool {
     let on_nm = OnWholeNm::of(of, FIRST_NM, LAST_NM);
     let xyz = |values: &[f64]| xyz_from_nm_values(values, Observer::CIE_1931);
     let own = xyz(&on_nm.values);
@@ -343,9 +361,10 @@ fn moves_more_than_noise(of: &Measurement, changed: &Sampled) -> bool {
         .sum();
     let over_y = |k: usize, whole: f64| -> Vec<f64> {
         let pairs = rows()[k].iter().zip(&rows()[1]);
-        pairs
+        let weights: Vec<f64> = pairs
             .map(|(row, of_y)| (100.0 * row - whole * of_y) / y)
-            .collect()
+            .collect();
+        less_blurred(&weights, slit)
     };
     let (x, z) = (over_y(0, white.x), over_y(2, white.z));
     let both: Vec<f64> = x.iter().zip(&z).map(|(x, z)| x + z).collect();

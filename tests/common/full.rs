@@ -20,7 +20,7 @@ use spectral_explorer::{
             FieldChoice, GemColour, GemMemory, ImageMemory, LightPart, Look, ManyMemory,
             NarrowMemory, Page, PageStates, PrismMemory, RainbowMemory, RelitMemory,
             ResamplingMemory, SameSurfaceMemory, Show, Spread, TwoLightsMemory, WaysShown,
-            WordsMemory,
+            WordsMemory, combine::KeptInstrument,
         },
         products::{Link, Products},
         workspace::Preferences,
@@ -285,6 +285,17 @@ pub(crate) fn full_pages() -> PageStates {
         keep_all: true,
         of_surface: true,
         equal: Some(Normalise::Y),
+        instruments: ["Flame", "Ocean"]
+            .map(|name| KeptInstrument {
+                name: name.to_owned(),
+                about: "by black body 2856 K".to_owned(),
+                text: "{}".to_owned(),
+            })
+            .to_vec(),
+        instrument: 1,
+        is_daylight: true,
+        kelvin: 6500.0,
+        kelvin_doubt: 100.0,
     };
     pages.dark_lines = AbsorptionMemory { example: 1 };
     pages.chromaticity = DiagramShows {

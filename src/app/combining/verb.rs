@@ -16,6 +16,8 @@ pub enum Verb {
     Splice,
     Slit,
     Unslit,
+    Corrected,
+    Learnt,
     Changed,
 }
 
@@ -36,7 +38,7 @@ const REFERENCE: Slot = slot("Reference B", "The same light without the sample."
 
 impl Verb {
     /// Every verb, in the order offered.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 12] = [
         Self::Mean,
         Self::Difference,
         Self::Sum,
@@ -46,6 +48,8 @@ impl Verb {
         Self::Splice,
         Self::Slit,
         Self::Unslit,
+        Self::Corrected,
+        Self::Learnt,
         Self::Changed,
     ];
 
@@ -61,6 +65,8 @@ impl Verb {
             Self::Splice => "A and B spliced",
             Self::Slit => "seen through a slit",
             Self::Unslit => "its slit taken off",
+            Self::Corrected => "corrected by an instrument",
+            Self::Learnt => "an instrument, learnt",
             Self::Changed => "what changed",
         }
     }
@@ -79,6 +85,10 @@ impl Verb {
             Self::Splice => "Two ranges of one light that share 20 nm or more.",
             Self::Slit => "A light as an instrument of a wider slit sees it.",
             Self::Unslit => "A light without what the instrument's slit did to it.",
+            Self::Corrected => {
+                "A reading in counts as a light: the instrument's response taken off."
+            }
+            Self::Learnt => "An instrument's response, by its reading of a light that is known.",
             Self::Changed => {
                 "The differences between two sets of scans that are beyond their noise."
             }
@@ -105,6 +115,9 @@ impl Verb {
                 &const { [FIRST, SECOND] }
             }
             Self::Slit | Self::Unslit => &const { [LIGHT] },
+            Self::Corrected | Self::Learnt => {
+                &const { [slot("Reading A", "A reading, its dark taken off before.")] }
+            }
         }
     }
 }

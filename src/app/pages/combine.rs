@@ -10,20 +10,22 @@ use super::{
 };
 use crate::{
     app::{
+        FIRST_LIGHT,
         cells::Table,
         chart::Chart,
         charts::combined::{combined_chart, readings_chart},
         combining::{
-            Act, Drawn, Found, Part, ScanRow, Verb, example, measurements, of_change,
+            Act, Drawn, Found, Part, ScanRow, Verb, example, learnt, measurements, of_change,
             table::tables, words,
         },
         entry::Entry,
+        instruments,
         memo::ByAddress,
         recipe::Recipe,
         state::App,
         studies::Question,
     },
-    measurements::{Kernel, Normalise},
+    measurements::{Instrument, Kernel, Known, Normalise},
     study::Progress,
 };
 
@@ -40,6 +42,9 @@ const EXAMPLE: [&str; 2] = [
     "cie_illuminants/CIE A",
     "filters_glass_cc0/isuzu IVG530 (Green filter) 2 mm",
 ];
+
+/// Most instruments that are kept.
+const MOST_INSTRUMENTS: usize = 20;
 
 /// A verb, and the spectra that it is asked of.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -62,6 +67,44 @@ pub struct CombineState {
     pub of_surface: bool,
     /// What lights are brought to one scale by first.
     pub equal: Option<Normalise>,
+    /// The instruments that were learnt.
+    pub instruments: Vec<KeptInstrument>,
+    /// Place of the one that corrects.
+    pub instrument: usize,
+    /// True if the light that an instrument is learnt from is daylight; else a black body.
+    pub is_daylight: bool,
+    /// Its temperature and the standard uncertainty of that, K.
+    pub kelvin: f64,
+    pub kelvin_doubt: f64,
+}
+
+/// An instrument that was learnt.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct KeptInstrument {
+    pub name: String,
+    /// The known light, the day, what its axis is off by, its slit.
+    pub about: String,
+    /// The text of its file.
+    pub text: String,
+}
+
+impl KeptInstrument {
+    fn of(instrument: &Instrument) -> Self {
+        let axis = instrument.axis.as_ref();
+        let axis = axis.map(|axis| format!("axis {:+.1} nm at 550 nm", axis.at_550_nm));
+        let slit = instrument
+            .slit
+            .map(|slit| format!("slit {:.1} nm", slit.fwhm_nm));
+        let known = format!("by {}", instrument.known);
+        let about = [Some(known), Some(instrument.date.clone()), axis, slit];
+        let about: Vec<String> = about.into_iter().flatten().collect();
+        Self {
+            name: instrument.name.clone(),
+            about: about.join(", "),
+            text: instruments::text(instrument),
+        }
+    }
 }
 
 impl Default for CombineState {
@@ -77,12 +120,17 @@ impl Default for CombineState {
             keep_all: false,
             of_surface: false,
             equal: None,
+            instruments: Vec::new(),
+            instrument: 0,
+            is_daylight: false,
+            kelvin: 2856.0,
+            kelvin_doubt: 50.0,
         }
     }
 }
 
 impl PageState for CombineState {
-    const KNOBS: &'static [Knob<Self>] = &[Self::WIDTH];
+    const KNOBS: &'static [Knob<Self>] = &[Self::WIDTH, Self::KELVIN, Self::DOUBT];
 
     const NAMES: &'static [(&'static str, &'static str)] = &[
         ("verb", "the combination"),
@@ -94,7 +142,17 @@ impl PageState for CombineState {
         ("keep_all", "everything kept"),
         ("of_surface", "a reflectance or a transmittance"),
         ("equal", "the scale of the lights"),
+        ("instruments", "the instruments kept"),
+        ("instrument", "the instrument chosen"),
+        ("is_daylight", "the light that is known"),
     ];
+
+    fn settle(&mut self) {
+        self.instruments.truncate(MOST_INSTRUMENTS);
+        self.instrument = self
+            .instrument
+            .min(self.instruments.len().saturating_sub(1));
+    }
 
     fn forget(&mut self, key: &str) {
         for slot in &mut self.slots {
@@ -108,8 +166,13 @@ impl PageState for CombineState {
 impl CombineState {
     pub const WIDTH: Knob<Self> = knob!(fwhm_nm: "Slit", Reach::Within(0.5, 30.0), 1 " nm",
         "Full width at half of the slit's top.");
+    pub const KELVIN: Knob<Self> = knob!(kelvin: "Temperature", Reach::Within(1000.0, 25_000.0), 0 " K",
+        "Colour temperature of the known light; of daylight 4000 K or more.");
+    pub const DOUBT: Knob<Self> = knob!(kelvin_doubt: "Its doubt", Reach::Within(0.0, 1000.0), 0 " K",
+        "Standard uncertainty of the temperature; every light that is corrected shares it.");
 
-    /// What is done with the spectra; `None` for a comparison, which makes no spectrum.
+    /// What is done with the spectra; `None` for a comparison and for what is learnt, which make no
+    /// spectrum, and without an instrument.
     fn act(&self) -> Option<Act> {
         let formula = |text: &str| Act::Formula {
             text: text.to_owned(),
@@ -136,7 +199,12 @@ impl CombineState {
                 fwhm_nm: self.is_told.then_some(self.fwhm_nm),
                 shape,
             },
-            Verb::Changed => return None,
+            Verb::Corrected => {
+                let kept = self.instruments.get(self.instrument)?;
+                let instrument = instruments::json_of(&kept.text).ok()?;
+                Act::Corrected { instrument }
+            }
+            Verb::Learnt | Verb::Changed => return None,
         })
     }
 
@@ -193,7 +261,28 @@ impl CombineState {
             (Verb::Changed, _) if self.others.is_empty() => {
                 Some("Mark the scans that they are compared with.".to_owned())
             }
+            (Verb::Corrected, _) if self.instruments.is_empty() => {
+                Some("No instrument is kept yet: make one first.".to_owned())
+            }
             _ => None,
+        }
+    }
+
+    /// The known light, and its words.
+    fn known(&self) -> (Known, String) {
+        let kelvin = self.kelvin;
+        match self.is_daylight {
+            true => {
+                let kelvin = kelvin.max(4000.0);
+                (
+                    Known::Daylight { kelvin },
+                    format!("daylight {kelvin:.0} K"),
+                )
+            }
+            false => (
+                Known::BlackBody { kelvin },
+                format!("black body {kelvin:.0} K"),
+            ),
         }
     }
 }
@@ -212,11 +301,15 @@ impl CombineAsk {
     pub fn of(app: &App, state: &CombineState) -> Option<Self> {
         let entry = |key: &str| app.entry(key).map(ByAddress);
         let [other, filter] = EXAMPLE.map(entry);
+        // What came from a file may be a dark frame.
+        let light = Some(ByAddress(app.document().light.clone()));
+        let light = light.filter(|light| light.0.shelf().is_some());
+        let light = light.or_else(|| entry(FIRST_LIGHT));
         let sets = state.keys();
         Some(Self {
             sets: sets.map(|keys| keys.into_iter().filter_map(entry).collect()),
             state: state.clone(),
-            example: [ByAddress(app.document().light.clone()), other?, filter?],
+            example: [light?, other?, filter?],
         })
     }
 
@@ -224,16 +317,37 @@ impl CombineAsk {
         self.sets.iter().all(Vec::is_empty)
     }
 
+    fn example_of(&self) -> Option<String> {
+        let name = || self.example[0].0.name().to_owned();
+        self.is_example().then(name)
+    }
+
+    fn drawn(&self) -> Drawn<'_> {
+        let [light, other, filter] = self.example.each_ref().map(|entry| &*entry.0);
+        Drawn {
+            light,
+            other,
+            filter,
+        }
+    }
+
+    /// A reading corrected by the instrument of the example.
+    fn by_the_example(&self, parts: &[Part]) -> Result<Found, String> {
+        let [reading, _] = example(Verb::Learnt, &self.drawn())?;
+        let usual = CombineState::default();
+        let (known, words) = usual.known();
+        let doubt = usual.kelvin_doubt;
+        let found = learnt(&measurements(&reading), &known, &words, doubt, None)?;
+        let instrument = found.instrument.ok_or("nothing was learnt")?;
+        let text = instruments::text(&instrument);
+        let instrument = instruments::json_of(&text)?;
+        Act::Corrected { instrument }.of(parts)
+    }
+
     /// The measurements of both sets.
     fn parts(&self) -> Result<[Vec<Part>; 2], String> {
         if self.is_example() {
-            let [light, other, filter] = self.example.each_ref().map(|entry| &*entry.0);
-            let of = Drawn {
-                light,
-                other,
-                filter,
-            };
-            return example(self.state.verb, &of);
+            return example(self.state.verb, &self.drawn());
         }
         let parts = |set: &[ByAddress<Entry>]| -> Result<Vec<Part>, String> {
             let part = |entry: &ByAddress<Entry>| Part::of_entry(&entry.0, false);
@@ -258,16 +372,22 @@ impl Question for CombineAsk {
         }
         let [first, second] = &parts;
         let act = self.state.act();
-        let found = match &act {
-            Some(act) => act.of(first),
-            None => {
+        let found = match (&act, self.state.verb) {
+            (Some(act), _) => act.of(first),
+            (None, Verb::Changed) => {
                 let sets = [first, second].map(|set| measurements(set));
                 of_change(&sets[0], &sets[1], self.state.keep_all)
+            }
+            (None, Verb::Corrected) => self.by_the_example(first),
+            (None, _) => {
+                let (known, words) = self.state.known();
+                let doubt = self.state.kelvin_doubt;
+                learnt(&measurements(first), &known, &words, doubt, None)
             }
         };
         Some(match found {
             Ok(found) => {
-                let title = act.map_or_else(String::new, |act| act.name(first));
+                let title = act.map_or_else(|| found.made_by.clone(), |act| act.name(first));
                 Combined::of(&found, self, &parts, title)
             }
             Err(why) => Combined::refused(why, self, &parts),
@@ -288,7 +408,10 @@ pub struct Combined {
     pub left_out: Vec<(String, String)>,
     /// True if a spectrum was made of the user's own choice.
     pub is_made: bool,
-    pub is_example: bool,
+    /// The instrument that was learnt.
+    pub instrument: Option<KeptInstrument>,
+    /// The name of the light that an example is drawn of; none where it is the user's own.
+    pub example_of: Option<String>,
 }
 
 impl Combined {
@@ -308,8 +431,13 @@ impl Combined {
             tables: tables(found),
             notes: own.into_iter().skip(told).chain(rest).collect(),
             left_out: odd.filter_map(why).collect(),
-            is_made: found.result.is_some() && !ask.is_example(),
-            is_example: ask.is_example(),
+            is_made: found.result.is_some() && !found.is_learnt && !ask.is_example(),
+            instrument: found
+                .instrument
+                .as_ref()
+                .filter(|_| found.is_learnt && !ask.is_example())
+                .map(KeptInstrument::of),
+            example_of: ask.example_of(),
         }
     }
 
@@ -322,7 +450,8 @@ impl Combined {
             notes: Vec::new(),
             left_out: Vec::new(),
             is_made: false,
-            is_example: ask.is_example(),
+            instrument: None,
+            example_of: ask.example_of(),
         }
     }
 }
@@ -330,7 +459,10 @@ impl Combined {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::{Command, MadeFor};
+    use crate::{
+        app::{Command, MadeFor},
+        spectrum::{Kind, NamedSpectrum, Outside, Sampled},
+    };
 
     fn answer(app: &App, state: &CombineState) -> Combined {
         let ask = CombineAsk::of(app, state).expect("shipped examples");
@@ -344,7 +476,7 @@ mod tests {
             verb: Verb::Quotient,
             ..CombineState::default()
         };
-        assert!(answer(&app, &state).is_example);
+        assert_eq!(answer(&app, &state).example_of.as_deref(), Some("FL2"));
         let [fl2, a] = ["cie_fluorescent_1nm/FL2", "cie_illuminants/CIE A"].map(str::to_owned);
         state.slots = [Some(fl2), None, None];
         let waiting = answer(&app, &state);
@@ -375,6 +507,59 @@ mod tests {
     }
 
     #[test]
+    fn an_instrument_learnt_from_a_bulb_makes_a_light_of_counts() {
+        let mut app = App::new();
+        let response = |nm: f64| 1e4 * (-((nm - 540.0) / 160.0).powi(2)).exp();
+        let mut counted = |key: &str| {
+            let of = app.entry(key).expect("shipped").spectrum.clone();
+            let values = (380..=780).map(f64::from);
+            let values = values.map(|nm| response(nm) * of.samples.at(nm, Outside::Zero));
+            let samples = Sampled::even(380.0, 1.0, values.collect()).expect("finite");
+            let counts = NamedSpectrum {
+                kind: Kind::Other,
+                unit: "counts".to_owned(),
+                samples,
+                ..of
+            };
+            app.apply(Command::Adopt(vec![counts]));
+            app.document().own.last().expect("it").key.clone()
+        };
+        let [bulb, tube] = ["cie_illuminants/CIE A", "cie_fluorescent_1nm/FL2"].map(&mut counted);
+        let mut state = CombineState {
+            verb: Verb::Learnt,
+            slots: [Some(bulb), None, None],
+            ..CombineState::default()
+        };
+        let learnt = answer(&app, &state);
+        assert!(!learnt.is_made, "{}", learnt.says);
+        state.instruments.extend(learnt.instrument);
+        assert!(state.instruments[0].about.contains("black body 2856 K"));
+        state.verb = Verb::Corrected;
+        state.slots[0] = Some(tube);
+        assert!(answer(&app, &state).is_made);
+        let recipe = state.recipe().expect("a light");
+        let place = MadeFor::Shown;
+        app.apply(Command::Make { recipe, place });
+        let light = app.document().own.last().expect("made").clone();
+        let of = app.entry("cie_fluorescent_1nm/FL2").expect("shipped");
+        let ratio = |nm: f64| {
+            let value = |entry: &Entry| entry.spectrum.samples.at(nm, Outside::Zero);
+            value(&light) / value(&of)
+        };
+        for nm in [436.0, 500.0, 546.0, 620.0] {
+            // CIE A is a black body with another c2: at 2856 K it is one of 2855.5 K, less than .1 %.
+            assert!((ratio(nm) / ratio(560.0) - 1.0).abs() < 2e-3, "{nm}");
+        }
+        state.instruments.clear();
+        let refused = answer(&app, &state);
+        assert!(
+            refused.says.starts_with("No instrument is kept"),
+            "{}",
+            refused.says
+        );
+    }
+
+    #[test]
     fn every_verb_has_an_example_that_makes_something_of_the_first_light() {
         let app = App::new();
         for verb in Verb::ALL {
@@ -393,7 +578,7 @@ mod tests {
                 Verb::Mean => assert!(shown.says.starts_with("The mean of 5 scans: CCT")),
                 Verb::Changed => assert!(shown.says.starts_with("Different:"), "{}", shown.says),
                 // A green filter of 2 mm: all of it is above the noise of a bright reference.
-                Verb::Quotient => assert!(shown.says.starts_with("Transmittance")),
+                Verb::Quotient => assert!(shown.says.starts_with("A transmittance")),
                 Verb::Unslit => {
                     let slit = shown.notes.iter().find(|note| note.contains("The slit is"));
                     assert!(slit.is_some(), "{:?}", shown.notes);

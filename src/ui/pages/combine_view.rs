@@ -18,8 +18,9 @@ use crate::{
     measurements::{Kernel, Normalise, quantity_of},
     ui::{
         kit::{
-            self, Choice, Chooser, Form, GROUP, Table, down, form, headline, knob::slider,
-            main_button, pressed_if, pressed_small, titled, warning, with_panel,
+            self, Choice, Chooser, Form, GROUP, Table, down, form, headline,
+            knob::{drag, slider},
+            main_button, pressed_if, pressed_small, sign_button, titled, warning, with_panel,
         },
         pages::{PageContext, progress},
     },
@@ -46,6 +47,8 @@ pub mod names {
     pub const SURFACE: &str = "Off a surface";
     pub const TOLD: &str = "I know its width";
     pub const LIBRARY: &str = "To the library";
+    pub const KEEP: &str = "Keep the instrument";
+    pub const KNOWN: &str = "Known light";
 }
 
 /// The page.
@@ -78,7 +81,7 @@ impl CombineView {
                 controls(ui, context, shown.as_deref());
                 let job = context.studies.of::<CombineAsk>();
                 progress(ui, job, "The result");
-                to_library(ui, context, shown.as_deref().filter(|_| is_new));
+                keep(ui, context, shown.as_deref().filter(|_| is_new));
                 for note in shown.iter().flat_map(|shown| &shown.notes) {
                     warning(ui, context.theme, note.as_str());
                 }
@@ -129,20 +132,56 @@ fn tables(ui: &mut Ui, context: &PageContext<'_>, all: &[(&'static str, cells::T
     }
 }
 
-/// Keeps the result among the user's own.
-fn to_library(ui: &mut Ui, context: &mut PageContext<'_>, shown: Option<&Combined>) {
+/// Keeps the result among the user's own, and an instrument among those on the page.
+fn keep(ui: &mut Ui, context: &mut PageContext<'_>, shown: Option<&Combined>) {
     ui.add_space(GROUP);
-    let is_made = shown.is_some_and(|shown| shown.is_made);
-    let recipe = context.pages.combine.recipe().filter(|_| is_made);
-    let button = main_button(ui, names::LIBRARY);
-    let meaning = "Keeps it among your own; it follows what it is made of.";
-    if pressed_if(ui, recipe.is_some(), button, meaning)
-        && let Some(recipe) = recipe
-    {
-        let place = MadeFor::Shown;
-        context.commands.push(Command::Make { recipe, place });
+    if context.pages.combine.verb == Verb::Learnt {
+        let instrument = shown.and_then(|shown| shown.instrument.as_ref());
+        let button = main_button(ui, names::KEEP);
+        let meaning = "Readings are corrected by it from now on.";
+        if pressed_if(ui, instrument.is_some(), button, meaning)
+            && let Some(instrument) = instrument
+        {
+            let state = &mut context.pages.combine;
+            state.instruments.push(instrument.clone());
+            state.instrument = state.instruments.len() - 1;
+        }
+    } else {
+        let is_made = shown.is_some_and(|shown| shown.is_made);
+        let button = main_button(ui, names::LIBRARY);
+        let meaning = "Keeps it among your own; it follows what it is made of.";
+        if pressed_if(ui, is_made, button, meaning)
+            && let Some(recipe) = context.pages.combine.recipe()
+        {
+            let place = MadeFor::Shown;
+            context.commands.push(Command::Make { recipe, place });
+        }
     }
     ui.add_space(GROUP);
+}
+
+/// The instruments that were learnt: a click chooses one.
+fn instruments(ui: &mut Ui, state: &mut CombineState) {
+    ui.add_space(GROUP);
+    ui.label(RichText::new("Instruments").strong());
+    let mut gone = None;
+    for (place, kept) in state.instruments.iter().enumerate() {
+        ui.horizontal(|ui| {
+            ui.radio_value(&mut state.instrument, place, &kept.name)
+                .on_hover_text(&kept.about);
+            let name = format!("Remove {}", kept.name);
+            if sign_button(ui, "\u{2715}", &name, "Takes it off the list.") {
+                gone = Some(place);
+            }
+        });
+        ui.add(egui::Label::new(RichText::new(&kept.about).small()).wrap());
+    }
+    if let Some(place) = gone {
+        state.instruments.remove(place);
+    }
+    if state.instruments.is_empty() {
+        ui.weak("An instrument that is learnt is listed here.");
+    }
 }
 
 /// The verb, the spectra that it needs, and what else it asks.
@@ -169,8 +208,7 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, shown: Option<&Combined>
     });
     ui.add_space(6.0);
     ui.weak(state.verb.meaning());
-    if shown.is_some_and(|shown| shown.is_example) {
-        let light = context.app.document().light.name();
+    if let Some(light) = shown.and_then(|shown| shown.example_of.as_ref()) {
         ui.weak(format!(
             "This is an example, drawn from {light}. Open your files, and choose them here."
         ));
@@ -181,6 +219,9 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, shown: Option<&Combined>
     }
     if state.verb == Verb::Changed {
         marks(ui, context.app, names::OTHERS, &mut state.others, &[]);
+    }
+    if matches!(state.verb, Verb::Corrected | Verb::Learnt) {
+        instruments(ui, &mut state);
     }
     context.pages.combine = state;
 }
@@ -224,6 +265,9 @@ fn of_verb(form: &mut Form<'_>, state: &mut CombineState, width: f32) {
     if verb == Verb::Slit || verb == Verb::Unslit && state.is_told {
         let knob = CombineState::WIDTH;
         form.slider((knob.title, knob.meaning), slider(&knob, state));
+    }
+    if verb == Verb::Learnt {
+        known_light(form, state, width);
     }
     if matches!(verb, Verb::Slit | Verb::Unslit) {
         let shapes = [Kernel::Gauss, Kernel::Triangle];
@@ -277,6 +321,29 @@ fn of_verb(form: &mut Form<'_>, state: &mut CombineState, width: f32) {
     };
     form.rest(|ui| ui.checkbox(&mut state.keep_all, names::KEEP_ALL))
         .on_hover_text(keeps);
+}
+
+/// The light that an instrument is learnt from.
+fn known_light(form: &mut Form<'_>, state: &mut CombineState, width: f32) {
+    let words = |is_daylight| match is_daylight {
+        true => ("daylight", ""),
+        false => ("black body", "A bulb, or a furnace."),
+    };
+    let meaning = "The light that was read.";
+    picked(
+        form,
+        [names::KNOWN, meaning],
+        width,
+        &mut state.is_daylight,
+        [false, true],
+        words,
+    );
+    for knob in [CombineState::KELVIN, CombineState::DOUBT] {
+        let field = drag(&knob, state);
+        form.row((knob.title, knob.meaning), |ui, _| {
+            kit::number(ui, field, knob.title)
+        });
+    }
 }
 
 /// A row of a few things to choose from.
