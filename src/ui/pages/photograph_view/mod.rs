@@ -186,14 +186,21 @@ impl PhotographView {
         }
     }
 
-    /// The words beside the pictures where there is room, else over them.
+    /// The words beside the pictures where there is room, else over them; before a class below.
     fn parts(&mut self, ui: &mut Ui, context: &mut PageContext<'_>, seen: &SeenPhotograph) {
         let scale = context.theme.scale;
         let room = ui.available_size();
         if room.x < WIDE * scale {
             kit::scrolled(ui, "photograph", |ui| {
+                // A class looks at the picture.
+                let first = context.theme.presents;
+                if first {
+                    self.pictures(ui, context.theme, seen, room.y * 0.9);
+                }
                 self.words(ui, context, seen);
-                self.pictures(ui, context.theme, seen, room.y * 0.9);
+                if !first {
+                    self.pictures(ui, context.theme, seen, room.y * 0.9);
+                }
                 if let Ok(found) = &seen.found {
                     table::show(ui, found, context.theme);
                 }
