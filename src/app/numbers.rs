@@ -151,7 +151,10 @@ mod tests {
         assert_eq!(figure(f64::NAN), DASH);
         assert_eq!(figure(0.012_345), "0.0123");
         assert_eq!([percent(1e-12), percent(0.25)], ["0", "25"]);
-        assert_eq!([percent(0.154_6), percent(0.997), percent(1.0)], ["15", "99.7", "100"]);
+        assert_eq!(
+            [percent(0.154_6), percent(0.997), percent(1.0)],
+            ["15", "99.7", "100"]
+        );
         assert_eq!([delta_e(1e-9), delta_e(1.234_5)], ["< 0.01", "1.23"]);
         assert_eq!(error(1e-9), "< 0.0001");
         assert_eq!(error(0.012_34), "0.012");

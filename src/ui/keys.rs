@@ -28,6 +28,8 @@ pub(super) enum Act {
     Theme,
     /// As other eyes see the window.
     Eyes,
+    /// Targets for fingers, or for a pointer.
+    Touch,
     /// Plot, swatch, patches and sliders alone, large.
     Present,
     /// Into the search field.
@@ -90,6 +92,7 @@ impl Act {
             Self::ResetView
             | Self::Theme
             | Self::Eyes
+            | Self::Touch
             | Self::Present
             | Self::ZoomIn
             | Self::ZoomOut

@@ -179,7 +179,9 @@ fn lights_that_were_found_are_compared_in_a_table_that_sorts_by_what_is_clicked(
     assert_written(&ui, "lights reach 80.");
     let first = |ui: &Ui| {
         let rows = words(ui);
-        let rows = rows.into_iter().filter(|words| words.matches(", ").count() >= 5);
+        let rows = rows
+            .into_iter()
+            .filter(|words| words.matches(", ").count() >= 5);
         rows.map(|row| row.split(", ").map(str::to_owned).collect::<Vec<_>>())
             .next()
             .expect("a row")
@@ -190,7 +192,10 @@ fn lights_that_were_found_are_compared_in_a_table_that_sorts_by_what_is_clicked(
     let by_light = first(&ui);
     assert_ne!(by_rf[0], by_light[0]);
     let efficacy = |row: &[String]| row.last().and_then(|cell| cell.parse::<f64>().ok());
-    assert!(efficacy(&by_light) > efficacy(&by_rf), "{by_light:?} {by_rf:?}");
+    assert!(
+        efficacy(&by_light) > efficacy(&by_rf),
+        "{by_light:?} {by_rf:?}"
+    );
 }
 
 #[test]

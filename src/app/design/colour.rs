@@ -308,7 +308,11 @@ mod tests {
         let names = |app: &App| {
             let sheet = ColourSheet::of(&FromColour::default(), app.document());
             let sheet = sheet.expect("a colour under a light");
-            sheet.under.into_iter().map(|under| under.light).collect::<Vec<_>>()
+            sheet
+                .under
+                .into_iter()
+                .map(|under| under.light)
+                .collect::<Vec<_>>()
         };
         let alone = names(&app);
         assert_eq!((alone[0].as_str(), alone.len()), ("FL2", UNDER.len()));

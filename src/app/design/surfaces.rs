@@ -198,8 +198,15 @@ mod tests {
         let desk = Desk::of(app.document());
         let second = Desk::of_second(app.document()).expect("a second light");
         // The desk's figures of it are those of the light.
-        let kelvin = second.figures.as_ref().and_then(|f| f.cct).map(|cct| cct.kelvin);
-        assert!(kelvin.is_some_and(|kelvin| (kelvin - 2856.0).abs() < 2.0), "{kelvin:?}");
+        let kelvin = second
+            .figures
+            .as_ref()
+            .and_then(|f| f.cct)
+            .map(|cct| cct.kelvin);
+        assert!(
+            kelvin.is_some_and(|kelvin| (kelvin - 2856.0).abs() < 2.0),
+            "{kelvin:?}"
+        );
         for surfaces in DeskSurfaces::ALL {
             let found = beside(&desk, Some(&second), surfaces, app.document());
             let itself = beside(&second, Some(&second), surfaces, app.document());

@@ -178,8 +178,14 @@ mod tests {
         assert_eq!(Measure::Rms.figure().brief(Some(1e-9)), "< 0.0001 %");
         assert_eq!(Measure::Rms.figure().brief(None), "–");
         let [own, rms] = [Measure::Own, Measure::Rms].map(Measure::figure);
-        assert_eq!([0.0928, 13.5, 1e-3, 1e-13].map(|e| own.in_column(Some(e))), ["0.09", "13.50", "< 0.01", "0.00"]);
-        assert_eq!([0.2137, 0.67, 1e-4].map(|e| rms.in_column(Some(e))), ["21.4 %", "67.0 %", "< 0.1 %"]);
+        assert_eq!(
+            [0.0928, 13.5, 1e-3, 1e-13].map(|e| own.in_column(Some(e))),
+            ["0.09", "13.50", "< 0.01", "0.00"]
+        );
+        assert_eq!(
+            [0.2137, 0.67, 1e-4].map(|e| rms.in_column(Some(e))),
+            ["21.4 %", "67.0 %", "< 0.1 %"]
+        );
         assert_eq!([own, rms].map(|figure| figure.in_column(None)), ["–", "–"]);
         assert_eq!(OF_LIGHT[0].figure.written(6503.6), "6504 K");
     }

@@ -68,7 +68,7 @@ impl ModelledLight {
             subject: Subject::Light,
             ..app.document().clone()
         };
-        derive(&document, &self.tables)
+        derive(&document, &self.tables, None)
     }
 
     /// The second light of the state, as the settings model it.

@@ -107,10 +107,7 @@ pub fn csv(rows: &[LightQuality]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{
-        app::Command,
-        study::Progress,
-    };
+    use crate::{app::Command, study::Progress};
 
     #[test]
     fn many_lights_are_sorted_by_their_own_figures_and_the_sentence_reads_them_back() {
@@ -135,7 +132,8 @@ mod tests {
         // Shipped lights by their own keys are the same lights.
         let shipped = LightsQualityAsk::of(&app, &names.map(str::to_owned));
         let shipped = shipped.answer(&Progress::default()).expect("not cancelled");
-        let figures = |rows: &[LightQuality]| rows.iter().map(|r| (r.rf, r.kelvin)).collect::<Vec<_>>();
+        let figures =
+            |rows: &[LightQuality]| rows.iter().map(|r| (r.rf, r.kelvin)).collect::<Vec<_>>();
         assert_eq!(figures(&shipped), figures(&rows));
         assert!(sentence(&[]).starts_with("None"));
     }

@@ -127,10 +127,14 @@ impl LibraryView {
 
     fn search_field(&mut self, ui: &mut Ui) -> Response {
         let words = ["Search the library", "Search spectra"];
-        let search = text_field(ui, &mut self.search, words, f32::INFINITY).on_hover_text(
-            "A name, a family, an element, a use: \"street lamp\", neon, skin (Ctrl+F). Enter \
-             shows the first.",
-        );
+        let mut search = text_field(ui, &mut self.search, words, f32::INFINITY);
+        // While one types it would lie over the first that is found.
+        if !search.has_focus() {
+            search = search.on_hover_text(
+                "A name, a family, an element, a use: \"street lamp\", neon, skin (Ctrl+F). Enter \
+                 shows the first.",
+            );
+        }
         if std::mem::take(&mut self.wants_search) {
             search.request_focus();
         }

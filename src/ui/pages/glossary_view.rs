@@ -53,7 +53,10 @@ impl GlossaryView {
             let columns = columns as usize;
             ui.spacing_mut().item_spacing.x = GROUP;
             ui.columns(columns, |uis| {
-                for (ui, words) in uis.iter_mut().zip(found.chunks(found.len().div_ceil(columns))) {
+                for (ui, words) in uis
+                    .iter_mut()
+                    .zip(found.chunks(found.len().div_ceil(columns)))
+                {
                     // Columns would spread each line over their whole width.
                     ui.with_layout(Layout::top_down(Align::Min), |ui| {
                         words.iter().for_each(|word| explained(ui, word));

@@ -18,7 +18,7 @@ use crate::{
         products::ModelledLight,
         ticks::extent,
     },
-    color::{Adaptation, Swatch, Xyz},
+    color::{Adaptation, Swatch, Xyz, srgb::linear_from_xyz},
     io::many::numbers,
     preset::Shelf,
     spectrum::{Band, Kind, gaussian},
@@ -167,7 +167,9 @@ impl Behind {
     pub fn second(&self, figures: &Figures, filter: &Filter) -> Option<SecondBehind> {
         let (name, values, white) = self.second.as_ref()?;
         let through = values.iter().zip(filter.on_band(self.band));
-        let xyz = self.lit.xyz(&through.map(|(v, share)| v * share).collect::<Vec<_>>());
+        let xyz = self
+            .lit
+            .xyz(&through.map(|(v, share)| v * share).collect::<Vec<_>>());
         let share = Some(xyz.y / white.y).filter(|share| share.is_finite());
         let scale = 100.0 / white.y;
         let gain = self.narrow.gain(figures.ways[0].exact);
@@ -216,16 +218,18 @@ impl Behind {
     }
 
     /// The exact light and the three representations behind a filter, as bright as they are
-    /// compared: exact first. And what they are brightened by.
+    /// compared, or as a screen can show the exact one in its hue: exact first. And what they are
+    /// brightened by.
     pub fn swatches(&self, figures: &Figures) -> ([Swatch; 4], f64) {
         let white = self.narrow.white();
         let exact = figures.ways[0].exact;
         let gain = self.narrow.gain(exact);
+        // Of violet, red and blue cut at the same brightness would be fuchsia.
+        let brightest = linear_from_xyz(exact * (gain / white.y));
+        let gain = gain / brightest.into_iter().fold(1.0, f64::max);
         let scale = 100.0 / white.y;
         let light = white * scale;
-        let seen = |xyz: Xyz| {
-            Swatch::of_patch(xyz * (gain * scale), light, Adaptation::None)
-        };
+        let seen = |xyz: Xyz| Swatch::of_patch(xyz * (gain * scale), light, Adaptation::None);
         let [a, b, c] = figures.ways.map(|way| seen(way.model));
         ([seen(exact), a, b, c], gain)
     }
@@ -436,4 +440,27 @@ pub fn of(point: &NarrowPoint, way: usize) -> Colours {
 pub fn is_filter(entry: &Entry) -> bool {
     let is_glass = |shelf| shelf == Shelf::Filters && !is_made(&entry.key);
     entry.kind() == Kind::Transmittance && entry.shelf().is_none_or(is_glass)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn light_behind_a_violet_filter_is_shown_violet_and_no_fuchsia() {
+        let app = crate::app::showing("cie_fluorescent_1nm/FL2");
+        let behind = Behind::of(&app);
+        let filter = Filter::Gaussian {
+            centre_nm: 437.0,
+            width_nm: 10.0,
+        };
+        let (swatches, gain) = behind.swatches(&behind.figures(&filter));
+        let [red, green, blue] = swatches[0].rgb8.0;
+        // Blue is full, and red less than half of it in light (186 of 255 encoded).
+        assert!(
+            blue >= 254 && green == 0 && red < 186,
+            "{red} {green} {blue}"
+        );
+        assert!(gain > 1.0);
+    }
 }

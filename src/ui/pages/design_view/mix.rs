@@ -34,6 +34,9 @@ use crate::{
 /// From this width on faders, diagram and figures stand side by side, points.
 const WIDE: f32 = 840.0;
 
+/// From this width on the faders stand beside the diagram, points.
+const PAIR: f32 = 620.0;
+
 /// Parts of the width for the faders and for the figures.
 const PARTS: [f32; 2] = [0.36, 0.27];
 
@@ -92,10 +95,22 @@ impl DesignView {
         } else if room.x < WIDE * scale {
             scrolled(ui, "mix", |ui| {
                 let width = ui.available_width();
-                self.channels(ui, context, parts, vec2(width, DESK * scale));
-                self.among_colours(ui, context, &desk, vec2(width, DESK * scale));
-                self.worth(ui, context, parts, vec2(width, DESK * scale));
-                surfaces(ui, context, foot, IN_ROW[0]);
+                let high = DESK * scale;
+                if width >= PAIR * scale {
+                    ui.horizontal_top(|ui| {
+                        ui.spacing_mut().item_spacing.x = GROUP;
+                        let half = vec2((0.5 * (width - GROUP)).floor(), high);
+                        self.channels(ui, context, parts, half);
+                        self.among_colours(ui, context, &desk, half);
+                    });
+                    surfaces(ui, context, foot, IN_ROW[0]);
+                    self.worth(ui, context, parts, vec2(width, high));
+                } else {
+                    self.channels(ui, context, parts, vec2(width, high));
+                    self.among_colours(ui, context, &desk, vec2(width, high));
+                    self.worth(ui, context, parts, vec2(width, high));
+                    surfaces(ui, context, foot, IN_ROW[0]);
+                }
             });
         } else {
             let in_row = IN_ROW[usize::from(room.y < HIGH * scale)];
@@ -173,7 +188,9 @@ impl DesignView {
             };
             choice.cut(ui, words, |ui| {
                 if let Some(second) = second
-                    && ui.button(format!("the colour of {}", second.name)).clicked()
+                    && ui
+                        .button(format!("the colour of {}", second.name))
+                        .clicked()
                 {
                     context.pages.solve.light = Some(second.key.clone());
                     context.pages.solve.xy = None;

@@ -98,14 +98,13 @@ impl DesignView {
         let scale = context.theme.scale;
         if context.theme.presents || room.x >= WIDE * scale {
             let presents = context.theme.presents;
-            let left = match presents {
+            let width = match presents {
                 true => 0.53 * room.x,
                 false => (0.40 * room.x).clamp(330.0 * scale, 520.0 * scale),
             };
-            let left = vec2(left, room.y);
             ui.horizontal_top(|ui| {
                 ui.spacing_mut().item_spacing.x = GROUP;
-                column(ui, left, |ui| {
+                column(ui, vec2(width, room.y), |ui| {
                     ui.spacing_mut().item_spacing.x = 6.0;
                     scrolled(ui, "wish", |ui| {
                         pair(ui, context);

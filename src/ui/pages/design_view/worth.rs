@@ -45,7 +45,9 @@ pub(super) fn main_figures(
     let high = if below { 58.0 } else { 44.0 };
     let its = |name| {
         let (light, all) = second.as_ref()?;
-        let figure = all.iter().find(|figure: &&MainFigure| figure.name == name)?;
+        let figure = all
+            .iter()
+            .find(|figure: &&MainFigure| figure.name == name)?;
         Some((*light, figure.value.as_str()))
     };
     for row in figures.chunks(in_row) {

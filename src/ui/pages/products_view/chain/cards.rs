@@ -92,13 +92,7 @@ pub(super) fn show(
 }
 
 /// From one swatch to the next, with the share of the light that the step lets through.
-fn arrow(
-    ui: &mut Ui,
-    context: &PageContext<'_>,
-    sheet: &ChainSheet,
-    index: usize,
-    sizes: Sizes,
-) {
+fn arrow(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet, index: usize, sizes: Sizes) {
     let size = vec2(sizes.arrow, sizes.card.y);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     let passages = std::iter::once(&sheet.told.passage).chain(&sheet.second);
@@ -116,7 +110,10 @@ fn arrow(
         .map(|step| step.transmission[0].map_or("–".to_owned(), percent))
         .collect();
     let font = egui::TextStyle::Body.resolve(ui.style());
-    let inks = [ui.visuals().strong_text_color(), context.theme.ink(Ink::Second)];
+    let inks = [
+        ui.visuals().strong_text_color(),
+        context.theme.ink(Ink::Second),
+    ];
     // Of two lights the first above the arrow, the second below it.
     let places = [
         (y - 4.0, egui::Align2::CENTER_BOTTOM),
@@ -128,8 +125,10 @@ fn arrow(
     }
     response.on_hover_text(match shares.len() {
         1 => "Share of the brightness that this step lets through, exact.",
-        _ => "Share of the brightness that this step lets through, above of the light, below of \
-              the second one, exact.",
+        _ => {
+            "Share of the brightness that this step lets through, above of the light, below of \
+              the second one, exact."
+        }
     });
 }
 
@@ -267,7 +266,9 @@ fn light_card(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet, si
     let light = sheet.told.passage.light;
     swatch_of(ui, context, sheet, (Place::Light, &light), sizes);
     let words = match &app.document().second {
-        Some(second) => RichText::new(format!("right {}", second.name())).color(context.theme.ink(Ink::Second)),
+        Some(second) => {
+            RichText::new(format!("right {}", second.name())).color(context.theme.ink(Ink::Second))
+        }
         None => RichText::new("the light").weak(),
     };
     ui.add(Label::new(words).truncate());

@@ -242,10 +242,7 @@ fn fields(
         ),
     };
     ui.add(egui::Label::new(sentence).truncate())
-        .on_hover_text(format!(
-            "Shown {} times as bright as it is, as the colours are compared.",
-            figure(gain)
-        ));
+        .on_hover_text(format!("Shown {} times as bright as it is.", figure(gain)));
     ui.horizontal(|ui| {
         let spacing = 8.0;
         ui.spacing_mut().item_spacing.x = spacing;
