@@ -4,8 +4,9 @@ use serde::Deserialize;
 use serde_json::{Map, Value};
 
 use super::{
-    figures::{Scene, Told, figure, is_known_of},
+    figures::{Told, figure, is_known_of},
     names::{PageWord, entry, find},
+    scene::Scene,
 };
 
 /// Subject of a condition, under its key in the file.

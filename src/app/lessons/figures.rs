@@ -4,28 +4,18 @@
 use super::{
     names::{find, light},
     of_document::OF_DOCUMENT,
+    scene::Scene,
 };
 use crate::{
     app::{
-        App,
         figures::{Unit, brief},
         numbers::{DASH, figure as figure_words, or_dash},
-        pages::Page,
         quality::QualityShown,
         quality_report::{Row, light_of, rows},
     },
     color::quality::{Figures, Light, POINTS},
     study::Measure,
 };
-
-/// What figures are taken of: the program's state and what its pages remember.
-#[derive(Clone, Copy, Debug)]
-pub struct Scene<'a> {
-    /// The program.
-    pub app: &'a App,
-    /// What the pages remember.
-    pub page: Page,
-}
 
 /// A figure with its words.
 #[derive(Clone, Debug, PartialEq)]
@@ -160,7 +150,7 @@ fn told(title: &'static str, value: Option<f64>, unit: Unit) -> Told {
 #[cfg(test)]
 mod tests {
     use super::{super::names::entry, *};
-    use crate::app::Command;
+    use crate::app::{App, Command, pages::Page};
 
     #[test]
     fn every_key_is_there_once_and_is_a_number_on_the_first_light() {

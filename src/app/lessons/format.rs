@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
-use super::{condition::Condition, figures::Scene, parsed::parsed, point::Point, stage::Stage};
+use super::{condition::Condition, parsed::parsed, point::Point, scene::Scene, stage::Stage};
 
 /// The word that marks a file of a lesson.
 pub(super) const FORMAT: &str = "spectral-explorer-lesson";

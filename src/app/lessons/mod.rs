@@ -11,6 +11,7 @@
 //! parsed    parts of a file, or what is wrong with them
 //! words     sentences with figures in them
 //! condition when a task is done
+//! scene     the program as figures and sentences see it
 //! run       a lesson that is being taken: its step, predictions, tasks
 //! point     what a step points at
 //! advice    answers that give themselves away, controls that move the other way
@@ -36,6 +37,7 @@ mod parsed;
 mod point;
 mod proof;
 mod run;
+mod scene;
 pub mod shelf;
 mod sound;
 mod stage;
@@ -44,9 +46,9 @@ mod words;
 
 pub use advice::Findings;
 pub use condition::Wanted;
-pub use figures::Scene;
 pub use format::{Fault, Lesson, Step};
 pub use point::Aim;
 pub use proof::{Names, check, is_sound, play};
 pub use run::{Run, Shown};
+pub use scene::Scene;
 pub use trial::{Trial, TrialAsk};

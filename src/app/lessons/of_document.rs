@@ -2,7 +2,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use super::figures::Scene;
+use super::scene::Scene;
 use crate::{
     app::{
         App, Document,

@@ -5,11 +5,11 @@ use std::sync::Arc;
 use super::{
     advice::{self, Findings},
     condition::Condition,
-    figures::Scene,
     format::{Answer, Fault, Lesson, Step},
     languages,
     point::Point,
     run::Run,
+    scene::Scene,
     sound::{of_lesson, of_step},
     stage::Stage,
     words::filled,

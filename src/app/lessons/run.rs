@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use super::{
     condition::{Meter, Wanted},
-    figures::Scene,
     format::{Lesson, Step, Task},
     point::Aim,
+    scene::Scene,
     stage::Stage,
     words::filled,
 };

@@ -487,7 +487,7 @@ mod tests {
             set.expect("it is right");
             assert_eq!((app.document().own.len(), made.len()), (1, 1));
         }
-        let scene = super::super::figures::Scene { app: &app, page };
+        let scene = super::super::scene::Scene { app: &app, page };
         let told = super::super::figures::figure(&scene, "delta_e_overlay", None);
         assert!(told.expect("known").value.is_some_and(|e| e < 0.1));
     }

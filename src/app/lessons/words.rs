@@ -1,6 +1,9 @@
 //! Sentences with figures in them: `{ra}` of what is shown, `{ra of model}`, `{ra of FL11}`.
 
-use super::figures::{Scene, figure, is_known_of};
+use super::{
+    figures::{figure, is_known_of},
+    scene::Scene,
+};
 
 /// A part of a sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
