@@ -27,6 +27,7 @@ mod history;
 pub mod import;
 pub mod instruments;
 mod known_lamps;
+mod laid;
 pub mod lessons;
 mod library;
 pub mod licences;
@@ -96,6 +97,7 @@ pub use document::{
 pub use entry::{Entry, bundled_entries, composite_from_preset};
 pub use families::Families;
 pub use known_lamps::{WordsShown, lamps_asked, lamps_better};
+pub use laid::Laid;
 pub use library::{FindError, Library};
 pub use line_names::{LineName, spike_under};
 pub use lit::Lit;

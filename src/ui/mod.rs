@@ -10,6 +10,7 @@ mod colour_view;
 mod curve_view;
 mod dialogs;
 mod entry_row;
+mod eyes;
 pub mod files;
 mod foot_view;
 mod greeting_view;

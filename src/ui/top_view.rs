@@ -6,10 +6,11 @@ use eframe::egui;
 use egui::{Align, Button, Color32, Layout, RichText, Sense, Ui, vec2};
 
 use super::{
+    eyes,
     keys::Act,
     kit::{cut_words, named, named_choice},
     second_chip, swatch,
-    theme::{Theme, grey},
+    theme::{FINGER, Theme, grey},
 };
 use crate::app::{App, export::Export, workspace::Preferences};
 
@@ -56,7 +57,7 @@ pub(super) struct Menus<'a> {
 }
 
 /// How the drawer stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Drawer {
     /// Whether the library is open.
     pub open: bool,
@@ -76,6 +77,10 @@ pub(super) fn show(
     let room = Room::of(ui.available_width());
     ui.horizontal_centered(|ui| {
         ui.spacing_mut().item_spacing.x = if room == Room::Little { 4.0 } else { 8.0 };
+        if preferences.touch == Some(true) {
+            ui.spacing_mut().interact_size.y = FINGER;
+            ui.spacing_mut().button_padding.x = 14.0;
+        }
         // From the right: the light's name has what is left.
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             looks(ui, preferences, room, wishes);
@@ -426,6 +431,10 @@ fn looks(ui: &mut Ui, preferences: &Preferences, room: Room, wishes: &mut Vec<Wi
         wish(ui, words, Wish::Act(Act::Touch));
         let percent = format!("Zoom 100 %, now {:.0} % (Ctrl+0)", 100.0 * preferences.zoom);
         wish(ui, &percent, Wish::Act(Act::ZoomReset));
+        ui.separator();
+        let (_, words) = eyes::next(preferences.without_cones);
+        let words = format!("{words} (Ctrl+Shift+D)");
+        wish(ui, &words, Wish::Act(Act::Eyes));
     });
     named(&help.response, egui::Role::Button, "Help");
     help.response.on_hover_text("Shortcuts, licences, zoom.");

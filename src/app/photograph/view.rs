@@ -89,7 +89,7 @@ impl Question for PhotographAsk {
 }
 
 impl PhotographAsk {
-    fn seen(&self) -> Result<SeenPhotograph, String> {
+    pub(super) fn seen(&self) -> Result<SeenPhotograph, String> {
         let (photo, name, path) = match &self.of {
             PictureOf::File(path) => {
                 let photo = read_photo(path).map_err(|why: ReadError| why.to_string())?;

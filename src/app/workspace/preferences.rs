@@ -10,6 +10,7 @@ use crate::{
         pages::{AskedLesson, Page, Place},
         stored_path,
     },
+    color::MissingCones,
     study::Measure,
 };
 
@@ -19,6 +20,8 @@ use crate::{
 pub struct Preferences {
     /// Dark surroundings.
     pub dark: bool,
+    /// The window is shown as an eye without these cones sees it.
+    pub without_cones: Option<MissingCones>,
     /// Zoom of the whole window, 0.8-2.5.
     pub zoom: f32,
     /// Targets are large enough for fingers; `None` until the window is touched or a person chooses.
@@ -69,6 +72,7 @@ impl Default for Preferences {
     fn default() -> Self {
         Self {
             dark: true,
+            without_cones: None,
             zoom: 1.0,
             touch: None,
             present: false,

@@ -7,6 +7,7 @@ use super::{
     super::{
         chart_view::{ChartForm, ChartWish},
         dialogs::Dialog,
+        eyes,
         files::Ask,
         keys::{self, Act},
         picture,
@@ -90,6 +91,11 @@ impl Window {
             Act::ThresholdUp => self.edit(|s| s.threshold_percent *= FINER),
             Act::ResetView => self.look.spectrum.reset(),
             Act::Theme => self.preferences.dark = !self.preferences.dark,
+            Act::Eyes => {
+                let (eyes, words) = eyes::next(self.preferences.without_cones);
+                self.preferences.without_cones = eyes;
+                self.app.say(Tone::Info, format!("{words}."));
+            }
             Act::Touch => {
                 self.preferences.touch = Some(self.preferences.touch != Some(true));
             }

@@ -21,7 +21,7 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command, Known, Tone,
+        Command, Known, Tone,
         chart::Theme,
         charts::spectrum::spectrum_chart,
         dispersion::GemFile,
@@ -37,7 +37,6 @@ use crate::{
         relit::PictureWish,
         sheet,
         worker::{Worker, news_of},
-        workspace::Preferences,
     },
     io::{name_of, save_atomically},
 };
@@ -101,6 +100,7 @@ impl Window {
             .into_iter()
             .partition(|path| is_photograph(path) || is_instrument(path));
         if !pictures.is_empty() {
+            self.app.stage_photograph(None);
             self.preferences.photographs_asked = pictures;
             self.preferences.page = Page::Photograph;
         }
@@ -321,10 +321,10 @@ impl Window {
                         Ok(lesson.text.clone().into_bytes())
                     }
                     Saving::Lesson(lesson, LessonFile::Pupil) => {
-                        lesson_sheet(lesson, Reader::Pupil, &preferences)
+                        lesson_sheet(lesson, Reader::Pupil)
                     }
                     Saving::Lesson(lesson, LessonFile::Teacher) => {
-                        lesson_sheet(lesson, Reader::Teacher, &preferences)
+                        lesson_sheet(lesson, Reader::Teacher)
                     }
                 };
                 let written = bytes
@@ -381,20 +381,8 @@ fn chart_bytes(wish: &ChartWish, theme: Theme) -> Vec<u8> {
 }
 
 /// A sheet of a lesson as PDF, with pictures of its pages.
-fn lesson_sheet(
-    lesson: &Lesson,
-    reader: Reader,
-    preferences: &Preferences,
-) -> Result<Vec<u8>, String> {
-    const SIZE: [u32; 2] = [1280, 640];
-    let page = |app: &App, page: Page| {
-        let preferences = Preferences {
-            page,
-            dark: false,
-            ..preferences.clone()
-        };
-        Some(picture::window_png(app, &preferences, SIZE))
-    };
+fn lesson_sheet(lesson: &Arc<Lesson>, reader: Reader) -> Result<Vec<u8>, String> {
+    let page = |step| Some(picture::step_png(lesson, step));
     handout(lesson, &[reader], Form::Pdf, &lesson.name, &page)
         .map(|sheet| sheet.bytes)
         .map_err(|why| why.to_string())

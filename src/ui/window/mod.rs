@@ -22,6 +22,7 @@ use egui::{Context, Ui};
 use super::{
     batch_view::BatchView,
     dialogs::Dialog,
+    eyes,
     files::{Picker, Printer},
     import_view::ImportView,
     lesson_view::LessonView,
@@ -127,6 +128,22 @@ pub struct Window {
     pub address: Option<String>,
 }
 
+/// Size of the smallest layout that stands at its own scale, points before any zoom. A zoom leaves
+/// fewer: who asked for larger type gets it.
+const LEAST_LAYOUT: egui::Vec2 = egui::vec2(900.0, 600.0);
+/// Scaled by less, no word could be read.
+const LEAST_SCALE: f32 = 0.25;
+
+/// The scale at which the smallest layout fits into the window; 1 in a larger one.
+fn fitting(context: &Context) -> f32 {
+    let size = context.viewport_rect().size() * context.zoom_factor();
+    match size.min_elem() > 1.0 {
+        true => (size / LEAST_LAYOUT).min_elem().clamp(LEAST_SCALE, 1.0),
+        // A minimised window has no size.
+        false => 1.0,
+    }
+}
+
 impl Window {
     /// A window over a program. `saver` keeps the workspace; without one nothing is written.
     pub fn new(
@@ -149,10 +166,7 @@ impl Window {
             picker,
             look: LookView::default(),
             library: LibraryView::default(),
-            drawer: Drawer {
-                open: false,
-                compares: false,
-            },
+            drawer: Drawer::default(),
             side: Side::default(),
             side_open: None,
             menu_open: false,
@@ -228,8 +242,11 @@ impl Window {
 
         let shape = self.shape(ui, theme);
         let mut centre = ui.available_rect_before_wrap();
-        if !shape.present {
+        let uses_bar = self.lesson.as_ref().is_some_and(Run::uses_bar);
+        if !shape.present || uses_bar {
             self.bar(ui, shape, &context);
+        }
+        if !shape.present {
             self.foot(ui, shape, theme);
             self.rail(ui, shape, theme);
         }
@@ -266,6 +283,9 @@ impl Window {
         }
         self.preferences.note_page();
         self.keep();
+        if let Some(eyes) = self.preferences.without_cones {
+            eyes::apply(&context, eyes);
+        }
     }
 
     /// Pages that remember what stands beside the light take a second light that was chosen.
@@ -292,21 +312,16 @@ impl Window {
         }
     }
 
-    /// Fonts once, style whenever the looks change.
+    /// Fonts once, style whenever the looks change; a window that is smaller than the smallest layout
+    /// is scaled.
     fn dress(&mut self, context: &Context) {
         if !self.fonts_installed {
             theme::install_fonts(context);
             self.fonts_installed = true;
         }
+        context.set_zoom_factor(self.preferences.zoom * fitting(context));
         if self.styled_for.as_ref() != Some(&self.preferences) {
-            let zoom_changed = self
-                .styled_for
-                .as_ref()
-                .is_none_or(|p| p.zoom != self.preferences.zoom);
             theme::apply(context, &self.preferences);
-            if zoom_changed {
-                context.set_zoom_factor(self.preferences.zoom);
-            }
             self.styled_for = Some(self.preferences.clone());
         }
     }
