@@ -198,8 +198,6 @@ pub const NEAR_FINGER: f32 = 12.0;
 /// Targets that fingers meet: around every one there is room of [`NEAR_FINGER`], so that pages keep
 /// their order.
 fn for_fingers(style: &mut egui::Style) {
-    let high = &mut style.spacing.interact_size.y;
-    *high = high.max(FINGER - NEAR_FINGER);
     style.spacing.scroll.bar_width = 14.0;
     style.interaction.interact_radius = NEAR_FINGER;
 }

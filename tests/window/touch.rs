@@ -144,7 +144,7 @@ fn nothing_collides_or_is_cut_on_a_tablet() {
             greeted: true,
             ..Preferences::default()
         };
-        walk(preferences, &[TABLET, [1280.0, 800.0]], &mut wrong);
+        walk(preferences, &[[1280.0, 800.0], [1000.0, 700.0]], &mut wrong);
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
