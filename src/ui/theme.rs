@@ -189,22 +189,16 @@ pub fn apply(context: &Context, preferences: &Preferences) {
     });
 }
 
-/// The least height of a target for a finger, points.
+/// The least side of a target for a finger, points.
 pub const FINGER: f32 = 36.0;
 
-/// How far from a target a finger still meets it where no other is nearer, points: what is written
-/// small inside a text stays small and has a target of [`FINGER`].
+/// How far from a target a finger still meets it where no other is nearer, points.
 pub const NEAR_FINGER: f32 = 12.0;
 
-/// Targets that fingers meet.
+/// Targets that fingers meet: around every one there is room of [`NEAR_FINGER`], so that pages keep
+/// their order.
 fn for_fingers(style: &mut egui::Style) {
-    let spacing = &mut style.spacing;
-    spacing.interact_size = spacing.interact_size.max(Vec2::splat(FINGER));
-    spacing.button_padding.x = 10.0;
-    spacing.item_spacing = Vec2::splat(8.0);
-    spacing.icon_width = 20.0;
-    spacing.icon_width_inner = 12.0;
-    spacing.scroll.bar_width = 14.0;
+    style.spacing.scroll.bar_width = 14.0;
     style.interaction.interact_radius = NEAR_FINGER;
 }
 

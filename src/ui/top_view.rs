@@ -10,7 +10,7 @@ use super::{
     keys::Act,
     kit::{cut_words, named, named_choice},
     second_chip, swatch,
-    theme::{Theme, grey},
+    theme::{FINGER, Theme, grey},
 };
 use crate::app::{App, export::Export, workspace::Preferences};
 
@@ -77,6 +77,10 @@ pub(super) fn show(
     let room = Room::of(ui.available_width());
     ui.horizontal_centered(|ui| {
         ui.spacing_mut().item_spacing.x = if room == Room::Little { 4.0 } else { 8.0 };
+        if preferences.touch == Some(true) {
+            ui.spacing_mut().interact_size.y = FINGER;
+            ui.spacing_mut().button_padding.x = 14.0;
+        }
         // From the right: the light's name has what is left.
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             looks(ui, preferences, room, wishes);
