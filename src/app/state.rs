@@ -1,6 +1,7 @@
 //! The program's state: one document, its history, and what is derived from it.
 
 mod deriving;
+mod followed;
 mod messages;
 mod own;
 mod second;
@@ -46,6 +47,8 @@ pub struct App {
     product: Option<ProductView>,
     surfaces: OnceLock<Option<Surfaces>>,
     beside: Option<Beside>,
+    /// The key of the light that is followed.
+    live: Option<String>,
     scale_factor: f64,
     unit: String,
     messages: Vec<Message>,
@@ -104,6 +107,7 @@ impl App {
             product: None,
             surfaces: OnceLock::new(),
             beside: None,
+            live: None,
             scale_factor: 1.0,
             unit: String::new(),
             messages: Vec::new(),
@@ -262,6 +266,7 @@ impl App {
                 let numbers = |spectrum| Entry::own(0, spectrum);
                 self.adopt(spectra.into_iter().map(numbers), &[]);
             }
+            Command::Capture(entry) => drop(self.join(*entry)),
             Command::Open(files) => self.take_in(files),
             Command::Make { recipe, place } => self.make(recipe, place),
             Command::MakeOtherwise { key, recipe } => self.make_otherwise(&key, recipe),

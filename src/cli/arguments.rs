@@ -10,7 +10,7 @@ mod optics;
 mod photo;
 mod pictures;
 
-use std::{ffi::OsString, path::PathBuf};
+use std::{ffi::OsString, net::SocketAddr, path::PathBuf};
 
 use clap::{Args, Parser, Subcommand};
 
@@ -21,6 +21,7 @@ use super::{
 use crate::{
     app::{chart::Theme, pages::Page},
     spectrum::Kind,
+    streams::Pace,
     study::Goal,
 };
 
@@ -51,6 +52,23 @@ pub(super) struct Arguments {
     /// A missing display is an error (exit code 3) instead of a reason to work without.
     #[arg(long)]
     pub window: bool,
+    /// Follow a light that changes in the window: a file, a folder, or - for lines on standard
+    /// input (see follow).
+    #[arg(long, value_name = "SOURCE", conflicts_with = "listen")]
+    pub follow: Option<PathBuf>,
+    /// Follow lines over TCP in the window: a port of this machine, or its loopback address with a
+    /// port.
+    #[arg(long, value_name = "ADDRESS", value_parser = words::address)]
+    pub listen: Option<SocketAddr>,
+    /// Let --listen have an address that others on the network reach.
+    #[arg(long, requires = "listen")]
+    pub listen_all: bool,
+    /// Play the source of --follow as a recording: at times its own speed, or step for all at once.
+    #[arg(long, value_name = "SPEED", value_parser = words::pace, requires = "follow")]
+    pub replay: Option<Pace>,
+    /// The instrument that is followed: the wavelengths of lines that tell none, and the response.
+    #[arg(long, value_name = "FILE.json")]
+    pub instrument: Option<PathBuf>,
     /// Print the licences of program, data and fonts.
     #[arg(long)]
     pub licences: bool,
@@ -407,6 +425,9 @@ pub(super) struct Render {
     /// As the page is presented to a class (F5): its main picture and its main controls, large.
     #[arg(long)]
     pub present: bool,
+    /// Play this recording to its end first (as follow --record writes it): the page live shows it.
+    #[arg(long, value_name = "FILE.jsonl", conflicts_with = "lesson")]
+    pub follow: Option<PathBuf>,
 }
 
 /// Options of `plot`.

@@ -71,7 +71,7 @@ use clap::{CommandFactory, FromArgMatches};
 use serde_json::Value;
 
 use crate::{
-    app::{App, Library, chart::Theme, licences, workspace::Preferences},
+    app::{App, Library, chart::Theme, following::FollowAsked, licences, workspace::Preferences},
     io::shown,
 };
 use arguments::{Arguments, Command};
@@ -92,6 +92,8 @@ pub enum Outcome {
     Window {
         /// What to open in it.
         files: Vec<Input>,
+        /// What is followed in it.
+        follow: Option<FollowAsked>,
         /// A missing display is an error.
         insist: bool,
     },
@@ -199,10 +201,11 @@ fn carry_out(
             Command::Plot(options) => plot::run(&options, pictures, out, inputs)?,
             Command::Convert(options) => convert::run(&options, out, inputs)?,
         },
-        Arguments { files, window, .. } => {
+        arguments => {
             return Ok(Outcome::Window {
-                files: window::inputs(&files)?,
-                insist: window,
+                follow: window::followed(&arguments)?,
+                files: window::inputs(&arguments.files)?,
+                insist: arguments.window,
             });
         }
     }

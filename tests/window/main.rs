@@ -24,6 +24,7 @@ mod handling;
 mod image_page;
 mod import;
 mod lessons;
+mod live_page;
 mod many_page;
 mod narrow;
 mod pages_paper;

@@ -13,6 +13,7 @@ use crate::app::{
     App, Command,
     design::mix::{FULL, MOST_CHANNELS, Mix, MixChannel},
     document::{Document, MOST_OVERLAYS, Subject},
+    following::played,
     library::Library,
     pages::Page,
     products::{Link, MOST_LINKS, Products},
@@ -31,6 +32,8 @@ pub struct Stage {
     pub light: Option<String>,
     /// The surface or filter that is looked at under the light.
     pub surface: Option<String>,
+    /// Lights that come one after the other as if an instrument sent them; the last stays.
+    pub replay: Vec<String>,
     /// What is laid over it; an empty list takes all away.
     pub overlays: Option<Vec<String>>,
     /// Knobs of the model, by their names in projects.
@@ -203,6 +206,7 @@ impl Stage {
         self.change_in(&mut scratch, &mut shown, made)?;
         app.apply(Command::Replace(Box::new(scratch.document().clone())));
         app.end_gesture();
+        app.follow_as(&scratch);
         *page = shown;
         Ok(())
     }
@@ -221,6 +225,7 @@ impl Stage {
         self.change_in(&mut scratch, &mut shown, made)?;
         app.apply(Command::Replace(Box::new(scratch.document().clone())));
         app.end_gesture();
+        app.follow_as(&scratch);
         *page = shown;
         Ok(())
     }
@@ -239,6 +244,7 @@ impl Stage {
         if let Some(name) = &self.light {
             app.apply(Command::Show(light(app, name)?));
         }
+        self.play(app, made)?;
         if let Some(name) = &self.surface {
             let surface = entry(app, name)?;
             if !surface.kind().is_factor() {
@@ -307,6 +313,15 @@ impl Stage {
         if let Some(word) = &self.page {
             *page = Page::of_word(word)
                 .ok_or_else(|| format!("found the page {word}, expected a page's word"))?;
+        }
+        Ok(())
+    }
+
+    /// Plays the frames of an instrument.
+    fn play(&self, app: &mut App, made: &mut Vec<String>) -> Result<(), String> {
+        for name in &self.replay {
+            let frame = light(app, name)?;
+            made.push(app.follow(played(&frame)));
         }
         Ok(())
     }

@@ -7,8 +7,8 @@ use clap::Args;
 use crate::{
     app::live_figures::Wanted,
     cli::{options::FileOptions, words},
-    io::Pace,
     live::MOST_AVERAGED,
+    streams::Pace,
 };
 
 /// Options of `follow`.

@@ -31,6 +31,8 @@ pub(super) struct LibraryView {
     pub wants_search: bool,
     /// The own entry whose file is to be looked at.
     pub wants_reading: Option<String>,
+    /// The own entry whose file is to be followed.
+    pub wants_following: Option<String>,
     /// A click lays a spectrum over the one that is shown.
     compares: bool,
     /// The own entry being renamed, with the text so far.

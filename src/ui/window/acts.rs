@@ -17,8 +17,12 @@ use super::{
     filing::Saving,
 };
 use crate::app::{
-    Command, Settings, Tone, chart, charts::order::curve_chart, command_lines, export::Export,
-    pages::Place, workspace::ZOOMS,
+    Command, Settings, Tone, chart,
+    charts::order::curve_chart,
+    command_lines,
+    export::Export,
+    pages::{Page, Place},
+    workspace::ZOOMS,
 };
 
 impl Window {
@@ -43,7 +47,8 @@ impl Window {
             self.leave();
         }
         self.lesson_keys(context);
-        for act in keys::pressed(context) {
+        let follows = self.following.is_some() && !others && self.import.now.is_none();
+        for act in keys::pressed(context, follows) {
             self.act(act, context);
         }
     }
@@ -93,6 +98,8 @@ impl Window {
             Act::ZoomOut => self.zoom(self.preferences.zoom - 0.1),
             Act::ZoomReset => self.zoom(1.0),
             Act::Print => self.print_page(context),
+            Act::Hold => self.hold(),
+            Act::Capture => self.capture(),
             Act::Shortcuts => self.dialog = Some(Dialog::Shortcuts),
             Act::CopyPicture => {
                 let size = context.content_rect().size();
@@ -140,6 +147,7 @@ impl Window {
                 let path = self.preferences.recent.get(index).cloned();
                 self.open_files(path.into_iter().collect(), waker(context));
             }
+            Wish::Follow => self.preferences.page = Page::Live,
             Wish::Summary => self.batch.show(),
             Wish::Save(export) => self.save(Saving::Text(export), context),
             Wish::SavePlotPng => self.save(Saving::PlotPng, context),
