@@ -10,7 +10,7 @@ mod optics;
 mod photo;
 mod pictures;
 
-use std::{ffi::OsString, net::SocketAddr, path::PathBuf};
+use std::{ffi::OsString, path::PathBuf};
 
 use clap::{Args, Parser, Subcommand};
 
@@ -21,14 +21,13 @@ use super::{
 use crate::{
     app::{chart::Theme, pages::Page},
     spectrum::Kind,
-    streams::Pace,
     study::Goal,
 };
 
 pub(super) use convert::Convert;
 pub(super) use design::{Mix, Recover};
 pub(super) use encoding::{Decode, Encode};
-pub(super) use follow::Follow;
+pub(super) use follow::{Follow, Followed};
 pub(super) use lessons::{LessonAct, Lessons};
 pub(super) use measurements::{Combine, Stated};
 pub(super) use optics::{CutOptions, Gem, Prism, Rainbow, ViewOptions};
@@ -52,23 +51,8 @@ pub(super) struct Arguments {
     /// A missing display is an error (exit code 3) instead of a reason to work without.
     #[arg(long)]
     pub window: bool,
-    /// Follow a light that changes in the window: a file, a folder, or - for lines on standard
-    /// input (see follow).
-    #[arg(long, value_name = "SOURCE", conflicts_with = "listen")]
-    pub follow: Option<PathBuf>,
-    /// Follow lines over TCP in the window: a port of this machine, or its loopback address with a
-    /// port.
-    #[arg(long, value_name = "ADDRESS", value_parser = words::address)]
-    pub listen: Option<SocketAddr>,
-    /// Let --listen have an address that others on the network reach.
-    #[arg(long, requires = "listen")]
-    pub listen_all: bool,
-    /// Play the source of --follow as a recording: at times its own speed, or step for all at once.
-    #[arg(long, value_name = "SPEED", value_parser = words::pace, requires = "follow")]
-    pub replay: Option<Pace>,
-    /// The instrument that is followed: the wavelengths of lines that tell none, and the response.
-    #[arg(long, value_name = "FILE.json")]
-    pub instrument: Option<PathBuf>,
+    #[command(flatten)]
+    pub followed: Followed,
     /// Print the licences of program, data and fonts.
     #[arg(long)]
     pub licences: bool,

@@ -203,7 +203,7 @@ fn carry_out(
         },
         arguments => {
             return Ok(Outcome::Window {
-                follow: window::followed(&arguments)?,
+                follow: window::followed(&arguments.followed)?,
                 files: window::inputs(&arguments.files)?,
                 insist: arguments.window,
             });

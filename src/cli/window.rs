@@ -6,7 +6,7 @@ use std::{
     sync::Arc,
 };
 
-use super::{arguments::Arguments, refusal::Refusal};
+use super::{arguments::Followed, refusal::Refusal};
 use crate::{
     app::{
         App, Command, Entry, Library, Tone,
@@ -65,14 +65,14 @@ pub(super) fn inputs(words: &[OsString]) -> Result<Vec<Input>, Refusal> {
 ///
 /// # Errors
 /// [`Refusal::Usage`] for an instrument of nothing, and an address that others reach.
-pub(super) fn followed(arguments: &Arguments) -> Result<Option<FollowAsked>, Refusal> {
-    let source = match (&arguments.follow, arguments.listen) {
-        (Some(path), _) => Some(match arguments.replay {
+pub(super) fn followed(asked: &Followed) -> Result<Option<FollowAsked>, Refusal> {
+    let source = match (&asked.follow, asked.listen) {
+        (Some(path), _) => Some(match asked.replay {
             Some(pace) => Asked::Replay(path.clone(), pace),
             None => Asked::Path(path.clone()),
         }),
-        (None, Some(address)) if address.ip().is_loopback() || arguments.listen_all => {
-            let reach = match arguments.listen_all {
+        (None, Some(address)) if address.ip().is_loopback() || asked.listen_all => {
+            let reach = match asked.listen_all {
                 true => Reach::All,
                 false => Reach::Loopback,
             };
@@ -84,7 +84,7 @@ pub(super) fn followed(arguments: &Arguments) -> Result<Option<FollowAsked>, Ref
                 crate::streams::ListenError::NotLoopback(address)
             )));
         }
-        (None, None) if arguments.instrument.is_some() => {
+        (None, None) if asked.instrument.is_some() => {
             return Err(Refusal::Usage(
                 "--instrument: found nothing to follow, expected --follow or --listen".to_owned(),
             ));
@@ -92,7 +92,7 @@ pub(super) fn followed(arguments: &Arguments) -> Result<Option<FollowAsked>, Ref
         (None, None) => None,
     };
     Ok(source.map(|source| FollowAsked {
-        instrument: arguments.instrument.clone(),
+        instrument: asked.instrument.clone(),
         ..FollowAsked::new(source)
     }))
 }

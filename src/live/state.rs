@@ -382,10 +382,12 @@ fn clipped(of: &Measurement) -> Vec<[f64; 2]> {
     let (nm, values) = (of.samples.nm(), of.samples.values());
     let top = values.iter().copied().fold(0.0, f64::max);
     if ENDS_OF_SCALES.contains(&top) && values.iter().all(|value| value.fract() == 0.0) {
-        let at = (0..nm.len()).filter(|i| values[*i] == top);
-        for nm in at.map(|i| nm[i]) {
-            if !found.iter().any(|[from, to]| (*from..=*to).contains(&nm)) {
-                found.push([nm, nm]);
+        // Columns side by side are one stretch, which takes in the flat tops.
+        found.clear();
+        for at in (0..nm.len()).filter(|i| values[*i] == top) {
+            match found.last_mut().filter(|_| at > 0 && values[at - 1] == top) {
+                Some([_, to]) => *to = nm[at],
+                None => found.push([nm[at]; 2]),
             }
         }
     }

@@ -31,18 +31,22 @@ use crate::driver::{
 };
 use crate::plain::plain;
 
-/// A line with a light on whole nm: a glow with a line of mercury, all times a factor.
-fn line(time_ms: f64, factor: f64) -> String {
+/// A line with a light on whole nm.
+fn line_of(time_ms: f64, value: impl Fn(f64) -> f64) -> String {
     let nm: Vec<f64> = (380..=780).map(f64::from).collect();
-    let value = |nm: &f64| {
-        let green = 5.0 * (-((nm - 546.1) / 2.0).powi(2)).exp();
-        factor * (1.0 + 0.002 * (nm - 380.0) + green)
-    };
-    let values: Vec<f64> = nm.iter().map(value).collect();
+    let values: Vec<f64> = nm.iter().map(|nm| value(*nm)).collect();
     format!(
         "{{\"time_ms\":{time_ms},\"wavelength_nm\":{nm:?},\"values\":{values:?},\
          \"unit\":\"W m-2 nm-1\"}}\n"
     )
+}
+
+/// The same with a glow and a line of mercury, all times a factor.
+fn line(time_ms: f64, factor: f64) -> String {
+    line_of(time_ms, |nm| {
+        let green = 5.0 * (-((nm - 546.1) / 2.0).powi(2)).exp();
+        factor * (1.0 + 0.002 * (nm - 380.0) + green)
+    })
 }
 
 fn window(files: Picker) -> Ui {
@@ -295,19 +299,15 @@ fn a_step_of_a_lesson_waits_for_a_figure_of_the_light_that_is_followed() {
     ui.state_mut().0.preferences.lesson_asked = Some(asked);
     ui.run();
     assert_written(&ui, "Bring a warm lamp.");
-    let meter = folder.path().join("meter.csv");
-    let table = |value: fn(f64) -> f64| -> String {
-        let nm = (380..=780).map(f64::from);
-        nm.map(|nm| format!("{nm},{}\n", value(nm))).collect()
-    };
-    fs::write(&meter, table(|_| 1.0)).expect("written");
+    let meter = folder.path().join("meter.jsonl");
+    fs::write(&meter, line_of(0.0, |_| 1.0)).expect("written");
     follow(&mut ui, Asked::Path(meter.clone()));
     wait_until(&mut ui, "the first light", |ui| {
         is_written(ui, "meter: CCT")
     });
     // An even light has 5455 K.
     assert!(!is_written(&ui, "Your lamp has"));
-    put(&meter, &table(|nm| (nm - 370.0) / 100.0));
+    put(&meter, &line_of(0.0, |nm| (nm - 370.0) / 100.0));
     wait_until(&mut ui, "the task to be done", |ui| {
         is_written(ui, "Your lamp has ")
     });

@@ -332,19 +332,6 @@ fn behind_filter(scene: &Scene<'_>, way: usize) -> Option<f64> {
     behind.figures(&filter).ways[way].delta_e_2000
 }
 
-/// What is said of the light that is followed while there is none.
-const NOT_FOLLOWED: &str = "no light is followed yet";
-
-/// A figure that does not exist.
-fn nothing(words: &str) -> Told {
-    Told {
-        title: "",
-        value: None,
-        words: words.to_owned(),
-        unit: (1.0, String::new()),
-    }
-}
-
 /// Every key, with what it counts where that is not told elsewhere.
 pub fn keys() -> Vec<(&'static str, &'static str)> {
     let of_document = OF_DOCUMENT.map(|one| (one.key, one.meaning));
@@ -374,22 +361,19 @@ fn is_known(key: &str) -> Result<(), String> {
 }
 
 /// Whether a key is one of a figure, and of something there is: of what is shown, of its `model`,
-/// of what is followed, or of a light of the library or among those that a lesson makes.
+/// or of a light of the library or among those that a lesson makes.
 ///
 /// # Errors
 /// What was found and what was expected.
 pub(super) fn is_known_of(key: &str, of: Option<&str>, made: &[&str]) -> Result<(), String> {
     is_known(key)?;
     match of {
-        None | Some("model" | LIVE) => Ok(()),
+        None | Some("model") => Ok(()),
         Some(name) => find(name, made),
     }
 }
 
-/// What a lesson calls the light that is followed.
-const LIVE: &str = "live";
-
-/// A figure of what is shown, of its `model`, of what is followed, or of a light by its name.
+/// A figure of what is shown, of its `model`, or of a light by its name.
 ///
 /// # Errors
 /// What was found and what was expected: an unknown key or light.
@@ -413,10 +397,6 @@ pub fn figure(scene: &Scene<'_>, key: &str, of: Option<&str>) -> Result<Told, St
         Some("model") => rows(&QualityShown::of(app).sheet.model),
         of => {
             let light = match of {
-                Some(LIVE) => match app.live() {
-                    Some(light) => light,
-                    None => return Ok(nothing(NOT_FOLLOWED)),
-                },
                 Some(name) => light(app, name)?,
                 None => app.document().light.clone(),
             };
@@ -426,7 +406,13 @@ pub fn figure(scene: &Scene<'_>, key: &str, of: Option<&str>) -> Result<Told, St
     };
     let row = rows.iter().find(|row| row.figure.key == key);
     // Absolute figures are counted in the light's own unit.
-    Ok(row.map_or(nothing(DASH), |row| Told {
+    let none = Told {
+        title: "",
+        value: None,
+        words: DASH.to_owned(),
+        unit: (1.0, String::new()),
+    };
+    Ok(row.map_or(none, |row| Told {
         title: row.figure.title,
         value: row.value.clone().ok(),
         words: match row.figure.key {

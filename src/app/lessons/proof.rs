@@ -492,9 +492,9 @@ mod tests {
             )
         };
         let played = small(&task(3000, r#""CIE D65","CIE A""#)).expect("a lesson");
-        assert_eq!(played[1].explain, "It has 2856 K.");
+        assert_eq!(played[1].explain, "It has 2860 K.");
         let why = small(&task(3000, r#""CIE D65""#)).expect_err("too cold");
-        assert_says(&why, "found CCT 6503 K, expected below 3000 K");
+        assert_says(&why, "6500 K, expected below 3000 K");
         let why = small(&task(3000, "")).expect_err("nothing came");
         assert_says(&why, "no light is followed yet");
     }

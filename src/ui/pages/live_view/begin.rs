@@ -30,8 +30,10 @@ const SPEEDS: [(f64, &str); 4] = [
     (0.0, "at once"),
 ];
 
-/// Width of a path's field, points.
+/// Most and least width of a path's field, and what stands beside it, points.
 const PATH: f32 = 260.0;
+const LEAST_PATH: f32 = 100.0;
+const BESIDE: f32 = 250.0;
 
 /// What was typed so far.
 pub(super) struct Begin {
@@ -83,12 +85,14 @@ impl Begin {
         let mut picks = None;
         scrolled(ui, "follow", |ui| {
             let scale = context.theme.scale;
+            let room = ui.available_width() / scale;
+            let path = (room - BESIDE).clamp(LEAST_PATH, PATH) * scale;
             form(ui, "follow", |form| {
-                self.paths(form, PATH * scale, &mut asked, &mut picks);
+                self.paths(form, path, &mut asked, &mut picks);
                 self.recording(form, &mut picks);
                 self.tcp(form, &mut asked);
-                self.serial(form, &mut asked);
-                self.through(form, PATH * scale, &mut picks);
+                self.serial(form, (room - 316.0).clamp(80.0, 150.0) * scale, &mut asked);
+                self.through(form, path, &mut picks);
             });
             ui.add_space(GROUP);
             if let Some(Err(why)) = &self.ports {
@@ -150,6 +154,8 @@ impl Begin {
             if pressed(ui, names::RECORDING, meaning) {
                 *picks = Some(ToFollow::Recording(self.pace()));
             }
+        });
+        form.rest(|ui| {
             let words = |speed: f64| {
                 let found = SPEEDS.iter().find(|(known, _)| *known == speed);
                 (found.map_or("", |(_, words)| words), "")
@@ -171,7 +177,7 @@ impl Begin {
         });
     }
 
-    fn serial(&mut self, form: &mut Form<'_>, asked: &mut Option<Asked>) {
+    fn serial(&mut self, form: &mut Form<'_>, width: f32, asked: &mut Option<Asked>) {
         let meaning = "Lines of a sensor board; one that is unplugged is waited for.";
         let says = match (&self.serial, &self.ports) {
             (Some(path), _) => shown(path),
@@ -182,7 +188,7 @@ impl Begin {
             let choice = Choice {
                 name: names::SERIAL,
                 meaning,
-                width: 150.0,
+                width,
             };
             choice.cut(ui, says, |ui| {
                 let found = self.ports.get_or_insert_with(ports);
