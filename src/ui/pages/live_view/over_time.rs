@@ -95,11 +95,14 @@ impl OverTime {
     fn draw_anew(&mut self, ui: &Ui, track: Track, following: &Following) {
         let now = ui.input(|i| i.time);
         let of = (following.seen().count, track);
-        let is_fresh = self.drawn.as_ref().is_some_and(|drawn| {
-            drawn.of == of || drawn.of.1 == track && (0.0..EVERY).contains(&(now - drawn.at))
-        });
-        if is_fresh {
-            return;
+        if let Some(drawn) = &self.drawn {
+            if drawn.of == of {
+                return;
+            }
+            if drawn.of.1 == track && (0.0..EVERY).contains(&(now - drawn.at)) {
+                let wait = std::time::Duration::from_secs_f64(EVERY);
+                return ui.ctx().request_repaint_after(wait);
+            }
         }
         let (chart, pixels, ends_ms) = {
             let tracks = &following.stream().tracks;
