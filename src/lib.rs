@@ -42,7 +42,8 @@
 //! optics     light through things               index prism rainbow gem film
 //! measurements  one's own measurements          combine repeats doubt splice changed
 //! photographs  a photograph of a spectrum       strip profile peaks axis
-//! io         files <-> spectra, one format a file; streams of them
+//! io         files <-> spectra, one format a file
+//! streams    spectra that change             file folder lines serial replay
 //! live       what is shown of a stream          hold average dark reference peak tracks
 //! pictures   spectral pictures in few numbers   survey choose operator relight full compact fit
 //! app        what the program is doing          document command derived state report export
@@ -52,7 +53,7 @@
 //!
 //! Imports point one way: `main -> {ui, cli} -> app -> {design, lamps, optics, measurements, photographs,
 //! pictures, live} -> study -> {rivals, color} -> {spectrum, preset}`, and
-//! `{pictures, live, app} -> io -> spectrum`.
+//! `{pictures, live, app} -> {io, streams} -> spectrum`, `streams -> io`.
 //! docs/map.md tells of every folder. The feature `window`, on by default, builds `ui`.
 //!
 //! The composite model is that of Sun, Fracchia and Drew, "A Composite Spectral Model and Its
@@ -80,6 +81,7 @@ pub mod pictures;
 pub mod preset;
 pub mod rivals;
 pub mod spectrum;
+pub mod streams;
 pub mod study;
 #[cfg(feature = "window")]
 pub mod ui;

@@ -12,7 +12,11 @@ fn main() -> ExitCode {
     let (mut out, mut err) = (io::stdout(), io::stderr());
     match cli::run(std::env::args_os(), PICTURES, &mut out, &mut err) {
         Outcome::Done(code) => ExitCode::from(code),
-        Outcome::Window { files, insist } => open(&files, insist, started),
+        Outcome::Window {
+            files,
+            follow,
+            insist,
+        } => open(&files, follow, insist, started),
     }
 }
 
@@ -31,7 +35,12 @@ fn report(files: &[Input], insist: bool) -> ExitCode {
 const PICTURES: Option<&dyn cli::Pictures> = None;
 
 #[cfg(not(feature = "window"))]
-fn open(files: &[Input], insist: bool, _: Instant) -> ExitCode {
+fn open(
+    files: &[Input],
+    _: Option<spectral_explorer::app::following::FollowAsked>,
+    insist: bool,
+    _: Instant,
+) -> ExitCode {
     report(files, insist)
 }
 
@@ -41,8 +50,8 @@ mod window {
 
     use spectral_explorer::{
         app::{
-            App, chart::Theme, charts::spectrum::spectrum_chart, lessons::Lesson, workspace,
-            workspace::Preferences,
+            App, chart::Theme, charts::spectrum::spectrum_chart, following::FollowAsked,
+            lessons::Lesson, workspace, workspace::Preferences,
         },
         cli::{self, Input, Pictures},
         ui::{picture, shell},
@@ -76,16 +85,31 @@ mod window {
     /// Closes the window by itself after this many frames: a smoke test.
     const FRAMES: &str = "SPECTRAL_EXPLORER_FRAMES";
 
-    pub(crate) fn open(files: &[Input], insist: bool, started: Instant) -> ExitCode {
+    pub(crate) fn open(
+        files: &[Input],
+        follow: Option<FollowAsked>,
+        insist: bool,
+        started: Instant,
+    ) -> ExitCode {
+        let follows = follow.is_some();
         let start = shell::Start {
             files: files.iter().filter_map(Input::file).collect(),
             presets: files.iter().filter_map(Input::preset).collect(),
+            follow,
             workspace: workspace_path(),
             frames: std::env::var(FRAMES).ok().and_then(|n| n.parse().ok()),
             started: Some(started),
         };
         match shell::run(start) {
             Ok(()) => ExitCode::SUCCESS,
+            Err(shell::NoWindow::NoDisplay(why)) if follows => {
+                eprintln!(
+                    "{}: found no usable display ({why}), expected one to follow a light in a \
+                     window; the command follow needs none",
+                    cli::PROGRAM
+                );
+                ExitCode::from(3)
+            }
             Err(shell::NoWindow::NoDisplay(_)) => super::report(files, insist),
             Err(why) => {
                 eprintln!("{}: {why}", cli::PROGRAM);

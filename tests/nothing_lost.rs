@@ -3,18 +3,28 @@
 
 use std::{
     fs,
+    io::{BufRead as _, BufReader},
     path::{Path, PathBuf},
     process::{Command as Process, Stdio},
+    sync::Arc,
     time::{Duration, Instant},
 };
 
+use eframe::egui;
 use spectral_explorer::{
     app::{
         App, Command, Settings,
+        following::{Asked, FollowAsked, is_capture},
         workspace::{self, Preferences},
     },
     io::{read_bytes, save_atomically},
-    ui::{saver::Saver, shell},
+    streams::Pace,
+    ui::{
+        Window,
+        files::{Ask, Picked},
+        saver::Saver,
+        shell,
+    },
 };
 
 /// Where the child that is killed keeps its workspace.
@@ -108,6 +118,101 @@ fn a_program_killed_at_any_moment_leaves_a_workspace_that_loads() {
     workspace::sweep_leftovers(&path, Duration::ZERO);
     println!("{} unfinished files swept", before - left());
     assert_eq!(left(), 1);
+}
+
+/// Where the child that captures keeps its workspace; the recording lies beside it.
+const CAPTURES: &str = "SPECTRAL_EXPLORER_TEST_CAPTURES_WORKSPACE";
+
+/// The child: a window whose user captures a light at every frame, and is told of each. Does nothing
+/// unless it is told where to save.
+#[test]
+fn child_that_captures_without_end() {
+    let Some(path) = std::env::var_os(CAPTURES).map(PathBuf::from) else {
+        return;
+    };
+    let source = Asked::Replay(path.with_extension("jsonl"), Pace::Stepped);
+    let preferences = Preferences {
+        follow_asked: Some(FollowAsked::new(source)),
+        ..Preferences::default()
+    };
+    let saver = Saver::new(path);
+    let no_files = Arc::new(|_: &Ask| Picked::Cancelled);
+    let mut window = Window::new(App::new(), preferences, no_files, Some(saver));
+    let context = egui::Context::default();
+    let enter = egui::Event::Key {
+        key: egui::Key::Enter,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers: egui::Modifiers::NONE,
+    };
+    let mut told = 0;
+    loop {
+        let input = egui::RawInput {
+            events: vec![enter.clone()],
+            ..egui::RawInput::default()
+        };
+        context
+            .run_ui(input, |ui| window.show(ui))
+            .textures_delta
+            .clear();
+        let own = window.app.document().own.iter();
+        let captures = own.filter(|entry| is_capture(entry)).count();
+        if captures > told {
+            told = captures;
+            println!("captured {told}");
+        }
+    }
+}
+
+#[test]
+fn a_program_killed_at_any_moment_loses_no_capture_that_it_told_of() {
+    let program = std::env::current_exe().expect("this test's own program");
+    let nm: Vec<f64> = (380..=780).map(f64::from).collect();
+    let line = format!("{{\"time_ms\":1000,\"wavelength_nm\":{nm:?},\"values\":{nm:?}}}\n");
+    let mut random = 0x9e37_79b9_u32;
+    for kill in 0..12 {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let path = folder.path().join("workspace.json");
+        fs::write(path.with_extension("jsonl"), &line).expect("a recording");
+        let mut child = Process::new(&program)
+            .args(["--exact", "child_that_captures_without_end", "--nocapture"])
+            .env(CAPTURES, &path)
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("a child");
+        let mut lines = BufReader::new(child.stdout.take().expect("a pipe")).lines();
+        let mut told = 0;
+        let mut hear = |told: &mut usize| -> bool {
+            let Some(Ok(line)) = lines.next() else {
+                return false;
+            };
+            let count = line.strip_prefix("captured ");
+            *told = count.and_then(|count| count.parse().ok()).unwrap_or(*told);
+            true
+        };
+        // At another capture at every kill, and at another moment of it.
+        random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        let wanted = 1 + (random >> 8) as usize % 12;
+        while told < wanted {
+            assert!(hear(&mut told), "the child gave up before kill {kill}");
+        }
+        std::thread::sleep(Duration::from_micros(u64::from(random >> 20)));
+        child.kill().expect("a child that is alive");
+        child.wait().expect("a child that was killed");
+        while hear(&mut told) {}
+        let restored = workspace::load(&path)
+            .unwrap_or_else(|why| panic!("after kill {kill}: {why}"))
+            .unwrap_or_else(|| panic!("after kill {kill} the workspace is gone"));
+        assert!(restored.losses.is_empty(), "{:?}", restored.losses);
+        let own = restored.document.own.iter();
+        let found = own.filter(|entry| is_capture(entry)).count();
+        assert!(found >= told, "after kill {kill}: {found} of {told}");
+        // One may be on disk that the program did not come to tell of.
+        assert!(found <= told + 1, "after kill {kill}: {found} of {told}");
+    }
 }
 
 /// A disk of our own for the time of a test; `None` where this user may not mount one.

@@ -84,6 +84,8 @@ pub enum Command {
     Page(Box<PageStates>),
     /// Takes spectra in as the user's own and shows the first.
     Adopt(Vec<NamedSpectrum>),
+    /// Takes a spectrum in as one of the user's own; what is shown stays.
+    Capture(Box<Entry>),
     /// Makes a spectrum, which joins the user's own and follows what it is made of.
     Make {
         recipe: Recipe,

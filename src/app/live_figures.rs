@@ -14,6 +14,9 @@ use crate::{
     measurements::Quantity,
 };
 
+/// The meaning of Y of a stream.
+pub const SUM_MEANS: &str = "Sum with the luminosity function, in the unit of the values x nm.";
+
 /// The brightness, which only a stream has: elsewhere the light's Y is 100.
 static SUM: Figure = Figure {
     key: "Y",
@@ -22,7 +25,7 @@ static SUM: Figure = Figure {
     unit: Unit::NONE,
     digits: 3,
     signed: false,
-    meaning: "Sum with the luminosity function, in the unit of the values x nm.",
+    meaning: SUM_MEANS,
     said: "",
     goal: "",
 };
@@ -67,7 +70,7 @@ impl Wanted {
         })
     }
 
-    fn figure(self) -> &'static Figure {
+    pub fn figure(self) -> &'static Figure {
         match self {
             Self::Sum => &SUM,
             Self::Of(row) => &row.figure,
@@ -125,16 +128,24 @@ pub fn figures(shown: &Shown, wanted: &[Wanted]) -> Vec<Told> {
 impl Told {
     /// In a line of words: `CCT 2856 K`.
     pub fn words(&self) -> String {
-        let name = match self.figure.title {
+        format!("{} {}", self.name(), self.number())
+    }
+
+    /// The figure in a word or two.
+    pub fn name(&self) -> &'static str {
+        match self.figure.title {
             "" => self.figure.key,
             title => title,
-        };
-        let number = match self.value {
+        }
+    }
+
+    /// The number with its unit, a dash where there is none.
+    pub fn number(&self) -> String {
+        match self.value {
             Ok(value) if self.figure.key == SUM.key => significant(value, 3),
             Ok(value) => self.figure.written(value),
             Err(_) => super::numbers::DASH.to_owned(),
-        };
-        format!("{name} {number}")
+        }
     }
 }
 

@@ -21,6 +21,7 @@ mod entry;
 pub mod export;
 mod families;
 pub mod figures;
+pub mod following;
 pub mod glossary;
 pub mod headlines;
 mod history;

@@ -1,6 +1,7 @@
 //! The program's state: one document, its history, and what is derived from it.
 
 mod deriving;
+mod followed;
 mod messages;
 mod own;
 mod photographed;
@@ -50,6 +51,8 @@ pub struct App {
     surfaces: OnceLock<Option<Surfaces>>,
     laid: OnceLock<Vec<Laid>>,
     beside: Option<Beside>,
+    /// The key of the light that is followed.
+    live: Option<String>,
     scale_factor: f64,
     unit: String,
     messages: Vec<Message>,
@@ -110,6 +113,7 @@ impl App {
             surfaces: OnceLock::new(),
             laid: OnceLock::new(),
             beside: None,
+            live: None,
             scale_factor: 1.0,
             unit: String::new(),
             messages: Vec::new(),
@@ -276,6 +280,7 @@ impl App {
                 let numbers = |spectrum| Entry::own(0, spectrum);
                 self.adopt(spectra.into_iter().map(numbers), &[]);
             }
+            Command::Capture(entry) => drop(self.join(*entry)),
             Command::Open(files) => self.take_in(files),
             Command::Make { recipe, place } => self.make(recipe, place),
             Command::MakeOtherwise { key, recipe } => self.make_otherwise(&key, recipe),

@@ -62,7 +62,7 @@ pub type Wake = Arc<dyn Fn() + Send + Sync>;
 /// The thread's side: at its end, however it comes, the other side is woken and knows.
 pub struct Tell<T> {
     sender: Option<Sender<T>>,
-    wake: Wake,
+    pub(super) wake: Wake,
     pub progress: Arc<Progress>,
 }
 

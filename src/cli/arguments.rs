@@ -27,7 +27,7 @@ use crate::{
 pub(super) use convert::Convert;
 pub(super) use design::{Mix, Recover};
 pub(super) use encoding::{Decode, Encode};
-pub(super) use follow::Follow;
+pub(super) use follow::{Follow, Followed};
 pub(super) use lessons::{LessonAct, Lessons};
 pub(super) use measurements::{Combine, Stated};
 pub(super) use optics::{CutOptions, Gem, Prism, Rainbow, ViewOptions};
@@ -51,6 +51,8 @@ pub(super) struct Arguments {
     /// A missing display is an error (exit code 3) instead of a reason to work without.
     #[arg(long)]
     pub window: bool,
+    #[command(flatten)]
+    pub followed: Followed,
     /// Print the licences of program, data and fonts.
     #[arg(long)]
     pub licences: bool,
@@ -407,6 +409,9 @@ pub(super) struct Render {
     /// As the page is presented to a class (F5): its main picture and its main controls, large.
     #[arg(long)]
     pub present: bool,
+    /// Play this recording to its end first (as follow --record writes it): the page live shows it.
+    #[arg(long, value_name = "FILE.jsonl", conflicts_with = "lesson")]
+    pub follow: Option<PathBuf>,
 }
 
 /// Options of `plot`.

@@ -11,7 +11,7 @@ use serde_json::{Map, Value, json};
 
 use super::{
     arguments::Follow,
-    follow_source::{Through, ports, source},
+    follow_source::{instrument, source},
     inputs::Inputs,
     print,
     refusal::Refusal,
@@ -19,12 +19,14 @@ use super::{
 };
 use crate::{
     app::{
+        following::ports,
         live_figures::{Told, figures},
         measured::spectrum,
     },
-    io::{Event, Frame, Recorder, Source, shown},
+    io::shown,
     live::{Live, Reference, Shown, Tracks, clock},
     measurements::Quantity,
+    streams::{Event, Frame, Recorder, Source},
 };
 
 /// Between two looks at what else is to be done.
@@ -44,11 +46,13 @@ pub(super) fn run(
     inputs: &mut Inputs,
 ) -> Result<(), Refusal> {
     if options.ports {
-        return print(out, &ports()?);
+        let ports = ports().map_err(|why| Refusal::Usage(format!("--ports: {why}")))?;
+        let lines = ports.iter().map(|path| format!("{}\n", shown(path)));
+        return print(out, &lines.collect::<String>());
     }
     let record = target("--record", options.record.as_deref(), options)?;
     let tracks = target("--tracks", options.tracks.as_deref(), options)?;
-    let through = Through::of(options, inputs)?;
+    let through = instrument(options.instrument.as_ref(), inputs)?;
     let mut source = source(options, &through, inputs)?;
     let mut session = Session {
         options,

@@ -72,7 +72,10 @@ use clap::{CommandFactory, FromArgMatches};
 use serde_json::Value;
 
 use crate::{
-    app::{App, Library, chart::Theme, lessons::Lesson, licences, workspace::Preferences},
+    app::{
+        App, Library, chart::Theme, following::FollowAsked, lessons::Lesson, licences,
+        workspace::Preferences,
+    },
     io::shown,
 };
 use arguments::{Arguments, Command};
@@ -93,6 +96,8 @@ pub enum Outcome {
     Window {
         /// What to open in it.
         files: Vec<Input>,
+        /// What is followed in it.
+        follow: Option<FollowAsked>,
         /// A missing display is an error.
         insist: bool,
     },
@@ -205,10 +210,11 @@ fn carry_out(
             Command::Plot(options) => plot::run(&options, pictures, out, inputs)?,
             Command::Convert(options) => convert::run(&options, out, inputs)?,
         },
-        Arguments { files, window, .. } => {
+        arguments => {
             return Ok(Outcome::Window {
-                files: window::inputs(&files)?,
-                insist: window,
+                follow: window::followed(&arguments.followed)?,
+                files: window::inputs(&arguments.files)?,
+                insist: arguments.window,
             });
         }
     }

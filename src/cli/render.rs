@@ -21,6 +21,7 @@ use crate::{
     app::{
         App, Command, Document, Opened, Settings,
         chart::Theme,
+        following::{Asked, FollowAsked},
         lessons::shelf,
         open::Loaded,
         pages::{AskedLesson, Page, Place},
@@ -29,6 +30,7 @@ use crate::{
         workspace::Preferences,
     },
     io::{Choices, shown},
+    streams::Pace,
 };
 
 /// Carries the command out.
@@ -54,6 +56,7 @@ pub(super) fn run(
         lesson,
         done,
         present,
+        follow,
     } = options;
     let pictures = painter(pictures, "render")?;
     // A lesson brings its own light.
@@ -91,6 +94,7 @@ pub(super) fn run(
             .as_deref()
             .map(|words| asked_lesson(words, *done))
             .transpose()?,
+        follow_asked: follow.as_deref().map(recording),
         ..Preferences::default()
     };
     if app.document().second.is_some() {
@@ -107,6 +111,11 @@ pub(super) fn run(
         out,
         &format!("Wrote {}, {width} x {height} px.\n", shown(path)),
     )
+}
+
+/// A recording that is played to its end.
+fn recording(path: &Path) -> FollowAsked {
+    FollowAsked::new(Asked::Replay(path.to_owned(), Pace::Stepped))
 }
 
 /// Whether other settings of the model give another picture.

@@ -6,13 +6,15 @@ use std::{
     sync::Arc,
 };
 
-use super::refusal::Refusal;
+use super::{arguments::Followed, refusal::Refusal};
 use crate::{
     app::{
         App, Command, Entry, Library, Tone,
+        following::{Asked, FollowAsked},
         open::{FileRow, Loaded, batch::read_all, names_a_file},
     },
     io::{quoted, stream::is_standard_input},
+    streams::Reach,
 };
 
 /// Something to open.
@@ -57,6 +59,42 @@ pub(super) fn inputs(words: &[OsString]) -> Result<Vec<Input>, Refusal> {
         input => input,
     };
     found.into_iter().zip(words).map(or_missing).collect()
+}
+
+/// What is to be followed in the window.
+///
+/// # Errors
+/// [`Refusal::Usage`] for an instrument of nothing, and an address that others reach.
+pub(super) fn followed(asked: &Followed) -> Result<Option<FollowAsked>, Refusal> {
+    let source = match (&asked.follow, asked.listen) {
+        (Some(path), _) => Some(match asked.replay {
+            Some(pace) => Asked::Replay(path.clone(), pace),
+            None => Asked::Path(path.clone()),
+        }),
+        (None, Some(address)) if address.ip().is_loopback() || asked.listen_all => {
+            let reach = match asked.listen_all {
+                true => Reach::All,
+                false => Reach::Loopback,
+            };
+            Some(Asked::Tcp(address, reach))
+        }
+        (None, Some(address)) => {
+            return Err(Refusal::Usage(format!(
+                "--listen: {}, or --listen-all",
+                crate::streams::ListenError::NotLoopback(address)
+            )));
+        }
+        (None, None) if asked.instrument.is_some() => {
+            return Err(Refusal::Usage(
+                "--instrument: found nothing to follow, expected --follow or --listen".to_owned(),
+            ));
+        }
+        (None, None) => None,
+    };
+    Ok(source.map(|source| FollowAsked {
+        instrument: asked.instrument.clone(),
+        ..FollowAsked::new(source)
+    }))
 }
 
 fn input(word: &OsString) -> Result<Input, Refusal> {

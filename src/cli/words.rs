@@ -18,9 +18,10 @@ use crate::{
         pages::{Page, SPENDABLE, knob::Knob},
     },
     color::Observer,
-    io::{Delimiter, MOST_COLUMNS, Pace, WavelengthUnit, quoted},
+    io::{Delimiter, MOST_COLUMNS, WavelengthUnit, quoted},
     optics::BuiltinMaterial,
     spectrum::{Band, BandError, Basis, Kind, LONGEST_NM, MOST_STEPS, Rect, SHORTEST_NM, Sampling},
+    streams::Pace,
     study::Goal,
 };
 

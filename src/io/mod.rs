@@ -11,8 +11,6 @@
 //!   interpret: RawSpectrum -> axis, kind, scale decided -> curve -> Facts -> agree -> describe
 //! ```
 //!
-//! Spectra that come one after another are frames of a [`Source`], in `live`.
-//!
 //! A refusal ([`ReadError`]) is one line with file, line, what was found and what was expected.
 //! Nothing here touches colour or the window.
 
@@ -22,7 +20,6 @@ mod error;
 mod formats;
 mod input;
 mod interpret;
-mod live;
 mod photo;
 mod provenance;
 mod reading;
@@ -56,13 +53,6 @@ pub use formats::{
 pub use input::Input;
 pub(crate) use input::name_of;
 pub(crate) use interpret::{describe::MOST_UNDERSTOOD, value_unit::counts_photons};
-#[cfg(feature = "serial")]
-pub use live::{BAUD, Serial, ports};
-pub use live::{
-    Broken, Event, FileSource, FolderSource, Frame, Heard, LineSource, Lines, Link, Listed,
-    ListenError, Listener, MOST_KEPT, MOST_LINE_BYTES, Pace, Piped, Reach, Recorder, Replay,
-    Source, listen, piped,
-};
 pub(crate) use photo::{Exif, Photo, photo_of, read_photo};
 pub(crate) use provenance::one_line;
 pub use provenance::{Column, Columns, Provenance, shortest};
@@ -75,7 +65,7 @@ pub(crate) use reading::{
 };
 #[cfg(test)]
 pub(crate) use table::scan::MOST_CELLS;
-pub(crate) use text::MOST_BYTES;
+pub(crate) use text::{MOST_BYTES, number::is_measured, units::names_wavelength};
 pub use text::{
     MOST_BYTES_OF_A_FORMAT, decode as decode_text, dialect::Delimiter, dialect::Dialect,
     dialect::MOST_COLUMNS, dialect::used, exposure::exposure_ms, is_binary, lines as text_lines,
@@ -169,7 +159,7 @@ pub fn read_bytes_as(name: &str, bytes: &[u8], choices: &Choices) -> Result<Read
     read(&Input::new(name, bytes).deciding(choices))
 }
 
-fn read(input: &Input) -> Result<Reading, ReadError> {
+pub(crate) fn read(input: &Input) -> Result<Reading, ReadError> {
     if input.bytes.len() as u64 > text::MOST_BYTES {
         return Err(input.error(TOO_LARGE, AT_MOST));
     }

@@ -6,7 +6,7 @@
 //! words    rate, age and time in words
 //! ```
 //!
-//! Frames come from a [`Source`](crate::io::Source); whoever asks it hands them on with the time that
+//! Frames come from a [`Source`](crate::streams::Source); whoever asks it hands them on with the time that
 //! it is.
 
 mod state;
@@ -14,5 +14,5 @@ mod tracks;
 mod words;
 
 pub use state::{Live, MOST_AVERAGED, Reference, Shown};
-pub use tracks::{MOST_LINES, Point, Tracks, sums};
+pub use tracks::{MOST_LINES, Point, Track, Tracks, sums};
 pub use words::{age, clock, rate};

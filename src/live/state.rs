@@ -4,12 +4,12 @@ use std::{collections::VecDeque, sync::LazyLock};
 
 use super::words::clock;
 use crate::{
-    io::Frame,
     measurements::{
         CountsSign, Formula, Instrument, Measurement, MeasurementError, Options, Quantity, combine,
         counts_sign, flat_tops, noise_of, quantity_of,
     },
     spectrum::{NamedSpectrum, Sampled},
+    streams::Frame,
 };
 
 /// Most frames that are averaged.
@@ -177,6 +177,19 @@ impl Live {
         has_taken
     }
 
+    /// True while dark or reference are taken into account.
+    pub fn has(&self, which: Reference) -> bool {
+        match which {
+            Reference::Dark => self.dark.is_some(),
+            Reference::Light => self.light.is_some(),
+        }
+    }
+
+    /// Takes counts as a light from now on, or no longer.
+    pub fn take_as_light(&mut self, as_light: bool) {
+        self.as_light = as_light;
+    }
+
     /// Goes on without dark or reference.
     pub fn drop(&mut self, which: Reference) {
         match which {
@@ -188,6 +201,11 @@ impl Live {
     /// Keeps the highest value of every column from now on, or no longer.
     pub fn hold_peak(&mut self, holds: bool) {
         self.peak = holds.then_some(None);
+    }
+
+    /// True while the highest values are kept.
+    pub fn holds_peak(&self) -> bool {
+        self.peak.is_some()
     }
 
     /// The highest values so far; `None` where none are held.
@@ -208,9 +226,17 @@ impl Live {
     /// # Errors
     /// A sentence where dark, reference or instrument do not fit.
     pub fn shown(&self) -> Result<Option<Shown>, MeasurementError> {
-        if let Some(held) = &self.held {
-            return Ok(Some(held.clone()));
+        match &self.held {
+            Some(held) => Ok(Some(held.clone())),
+            None => self.newest(),
         }
+    }
+
+    /// The same, whatever is held.
+    ///
+    /// # Errors
+    /// As [`Self::shown`].
+    pub fn newest(&self) -> Result<Option<Shown>, MeasurementError> {
         let (Some(frame), Some(mean)) = (self.frames.back(), self.mean()) else {
             return Ok(None);
         };
@@ -356,10 +382,12 @@ fn clipped(of: &Measurement) -> Vec<[f64; 2]> {
     let (nm, values) = (of.samples.nm(), of.samples.values());
     let top = values.iter().copied().fold(0.0, f64::max);
     if ENDS_OF_SCALES.contains(&top) && values.iter().all(|value| value.fract() == 0.0) {
-        let at = (0..nm.len()).filter(|i| values[*i] == top);
-        for nm in at.map(|i| nm[i]) {
-            if !found.iter().any(|[from, to]| (*from..=*to).contains(&nm)) {
-                found.push([nm, nm]);
+        // Columns side by side are one stretch, which takes in the flat tops.
+        found.clear();
+        for at in (0..nm.len()).filter(|i| values[*i] == top) {
+            match found.last_mut().filter(|_| at > 0 && values[at - 1] == top) {
+                Some([_, to]) => *to = nm[at],
+                None => found.push([nm[at]; 2]),
             }
         }
     }

@@ -7,6 +7,8 @@
 
 use std::fmt::Write as _;
 
+use serde::{Deserialize, Serialize};
+
 use crate::{
     color::xyz::{FIRST_NM, LAST_NM},
     color::{Observer, Xyz, cct_from_xyz, xyz::xyz_from_nm_values},
@@ -54,6 +56,21 @@ struct Block {
     lowest: [f32; COLUMNS],
     step: [f32; COLUMNS],
     codes: Box<[u16]>,
+}
+
+/// One of the quantities over time.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Track {
+    /// The sum with the luminosity function.
+    #[default]
+    Y,
+    /// The correlated colour temperature.
+    Cct,
+    /// The share of the power that is no line.
+    Glow,
+    /// The weights of the lines.
+    Lines,
 }
 
 /// A frame as it is kept.
@@ -184,15 +201,73 @@ impl Tracks {
         self.blocks.len() * block + self.open.capacity() * size_of::<[f32; COLUMNS]>()
     }
 
-    /// The frame of a place, from 0.
-    pub fn point(&self, index: usize) -> Option<Point> {
-        let (begins_ms, row) = match self.blocks.get(index / ROWS) {
-            Some(block) => (block.begins_ms, block.row(index % ROWS)),
+    /// The time of a frame from 0, ms, where its block begins, and its row.
+    fn row(&self, index: usize) -> Option<(f64, [f32; COLUMNS])> {
+        match self.blocks.get(index / ROWS) {
+            Some(block) => Some((block.begins_ms, block.row(index % ROWS))),
             None => {
                 let open = index.checked_sub(self.blocks.len() * ROWS)?;
-                (self.begins_ms, *self.open.get(open)?)
+                Some((self.begins_ms, *self.open.get(open)?))
             }
+        }
+    }
+
+    /// A quantity over time, ms, in at most `2 * spans` points a curve: of each span of time its
+    /// least and its largest value, so that a flash is not lost. Curves of lines, in their order;
+    /// else one.
+    pub fn curves(&self, track: Track, spans: usize) -> Vec<Vec<[f64; 2]>> {
+        let columns: Vec<usize> = match track {
+            Track::Y => vec![Y],
+            Track::Cct => vec![CCT],
+            Track::Glow => vec![GLOW],
+            Track::Lines => (LINES..LINES + self.lines.len()).collect(),
         };
+        let each = self.len().div_ceil(spans.max(1)).max(1);
+        let mut curves = vec![Vec::new(); columns.len()];
+        let mut ends: Vec<Option<[[f64; 2]; 2]>> = vec![None; columns.len()];
+        for index in 0..self.len() {
+            let Some((begins_ms, row)) = self.row(index) else {
+                break;
+            };
+            let time_ms = begins_ms + f64::from(row[0]);
+            for (column, ends) in columns.iter().zip(&mut ends) {
+                // The share of the glow takes a whole series: the first of each span.
+                let value = match track {
+                    Track::Glow if index % each > 0 => None,
+                    Track::Glow => self.point(index).and_then(|point| point.glow()),
+                    _ => Some(f64::from(row[*column])),
+                };
+                let value = value.filter(|value| value.is_finite());
+                if let Some(at) = value.map(|value| [time_ms, value]) {
+                    let [least, most] = ends.get_or_insert([at, at]);
+                    if at[1] < least[1] {
+                        *least = at;
+                    }
+                    if at[1] > most[1] {
+                        *most = at;
+                    }
+                }
+            }
+            if (index + 1) % each == 0 || index + 1 == self.len() {
+                for (curve, ends) in curves.iter_mut().zip(&mut ends) {
+                    let Some([least, most]) = ends.take() else {
+                        continue;
+                    };
+                    let (first, last) = match least[0] <= most[0] {
+                        true => (least, most),
+                        false => (most, least),
+                    };
+                    curve.push(first);
+                    curve.extend((last != first).then_some(last));
+                }
+            }
+        }
+        curves
+    }
+
+    /// The frame of a place, from 0.
+    pub fn point(&self, index: usize) -> Option<Point> {
+        let (begins_ms, row) = self.row(index)?;
         let number = |cell: f32| Some(f64::from(cell)).filter(|number| number.is_finite());
         let weights: Vec<Option<f64>> = row[LINES..][..self.lines.len()]
             .iter()

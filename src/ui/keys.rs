@@ -59,16 +59,21 @@ pub(super) enum Act {
     CopyCommand,
     /// Print the page.
     Print,
+    /// Hold the light that is followed, or go on.
+    Hold,
+    /// Keep the spectrum that is shown.
+    Capture,
 }
 
 /// What a person does with a key, in the order of the list.
-pub(super) const GROUPS: [&str; 6] = [
+pub(super) const GROUPS: [&str; 7] = [
     "Go to",
     "Files",
     "The model",
     "The view",
     "Undo and find",
     "Help",
+    "A light that is followed",
 ];
 
 impl Act {
@@ -89,6 +94,7 @@ impl Act {
             | Self::ThresholdUp
             | Self::Reset
             | Self::ResetPage => 2,
+            Self::Hold | Self::Capture => 6,
             Self::ResetView
             | Self::Theme
             | Self::Eyes
@@ -116,7 +122,7 @@ const fn on(modifiers: Modifiers, key: Key, act: Act, words: &'static str) -> Sh
 
 /// Every shortcut with what it does; those with more modifiers first, because a shortcut with
 /// fewer would swallow them.
-pub(super) const SHORTCUTS: [Shortcut; 35] = [
+pub(super) const SHORTCUTS: [Shortcut; 37] = [
     on(CTRL_SHIFT, Key::Z, Act::Redo, "Redo"),
     on(
         CTRL_SHIFT,
@@ -202,10 +208,13 @@ pub(super) const SHORTCUTS: [Shortcut; 35] = [
         Act::ThresholdUp,
         "Keep only stronger lines",
     ),
+    on(PLAIN, Key::Space, Act::Hold, "Hold it, or go on"),
+    on(PLAIN, Key::Enter, Act::Capture, "Capture it to My files"),
 ];
 
-/// The acts of this frame's keys. Plain keys belong to whatever has the keyboard's focus.
-pub(super) fn pressed(context: &Context) -> Vec<Act> {
+/// The acts of this frame's keys. Plain keys belong to whatever has the keyboard's focus; those of a
+/// light that is followed count while one is.
+pub(super) fn pressed(context: &Context, follows: bool) -> Vec<Act> {
     let focused = context.memory(|m| m.focused().is_some());
     // A text field has an undo of its own.
     let writing = context.text_edit_focused();
@@ -215,7 +224,8 @@ pub(super) fn pressed(context: &Context) -> Vec<Act> {
             let is_function = matches!(shortcut.logical_key, Key::F1 | Key::F5);
             let is_plain = shortcut.modifiers.is_none() && !is_function;
             let is_history = matches!(act, Act::Undo | Act::Redo);
-            if (is_plain && focused) || (is_history && writing) {
+            let is_live = matches!(act, Act::Hold | Act::Capture);
+            if (is_plain && focused) || (is_history && writing) || (is_live && !follows) {
                 continue;
             }
             if input.consume_shortcut(shortcut) {

@@ -24,6 +24,8 @@ struct Kept {
     preferences: Preferences,
     waiting: Vec<StoredImage>,
     due: Instant,
+    /// Dropped once it is written.
+    _written: Option<Sender<()>>,
 }
 
 /// Writes the newest workspace it was given; what came in between is skipped.
@@ -53,8 +55,8 @@ impl Saver {
                     preferences,
                     waiting,
                     ..
-                } = job;
-                let text = workspace::to_json_with(&document, Some(&preferences), &waiting);
+                } = &job;
+                let text = workspace::to_json_with(document, Some(preferences), waiting);
                 let text = text.map_err(|why| format!("Workspace not saved: {why}."));
                 if let Err(why) = text.and_then(|text| workspace::save(&path, &text)) {
                     // The window may be gone already; then nobody is left to be told.
@@ -86,7 +88,21 @@ impl Saver {
         preferences: &Preferences,
         waiting: &[StoredImage],
     ) {
-        self.keep_by(Instant::now(), (document, preferences, waiting));
+        self.keep_by(Instant::now(), (document, preferences, waiting), None);
+    }
+
+    /// The same, and waits until it is on disk: what was told to be kept is kept, whatever comes.
+    pub fn keep_and_wait(
+        &self,
+        document: &Document,
+        preferences: &Preferences,
+        waiting: &[StoredImage],
+    ) {
+        let (sender, written) = channel();
+        let of = (document, preferences, waiting);
+        self.keep_by(Instant::now(), of, Some(sender));
+        // Nothing is ever sent: it ends when the other side is dropped.
+        let _ = written.recv();
     }
 
     /// Hands over what is to be written soon: what follows within a moment is written with it.
@@ -96,13 +112,18 @@ impl Saver {
         preferences: &Preferences,
         waiting: &[StoredImage],
     ) {
-        self.keep_by(Instant::now() + AFTER, (document, preferences, waiting));
+        self.keep_by(
+            Instant::now() + AFTER,
+            (document, preferences, waiting),
+            None,
+        );
     }
 
     fn keep_by(
         &self,
         due: Instant,
         (document, preferences, waiting): (&Document, &Preferences, &[StoredImage]),
+        written: Option<Sender<()>>,
     ) {
         if let Some(sender) = &self.sender {
             // Fails only when the thread is gone, which it is only when the program ends.
@@ -111,6 +132,7 @@ impl Saver {
                 preferences: preferences.clone(),
                 waiting: waiting.to_vec(),
                 due,
+                _written: written,
             });
         }
     }

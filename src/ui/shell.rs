@@ -13,6 +13,7 @@ use super::{
 };
 use crate::app::{
     App, Command, Entry,
+    following::FollowAsked,
     workspace::{self, Place, Preferences, StoredImage},
 };
 
@@ -44,6 +45,8 @@ pub struct Start {
     pub files: Vec<PathBuf>,
     /// Shipped spectra to show.
     pub presets: Vec<std::sync::Arc<Entry>>,
+    /// What is followed.
+    pub follow: Option<FollowAsked>,
     /// Where the workspace is kept; `None` keeps none.
     pub workspace: Option<PathBuf>,
     /// Close by itself after this many frames (a smoke test), telling when the first was drawn.
@@ -156,7 +159,9 @@ fn open(start: Start) -> eframe::Result {
             for entry in start.presets.iter().rev().cloned() {
                 window.app.apply(Command::Show(entry));
             }
-            if start.presets.is_empty() && start.files.is_empty() {
+            if let Some(asked) = start.follow {
+                window.follow(asked, &creation.egui_ctx);
+            } else if start.presets.is_empty() && start.files.is_empty() {
                 window.greet();
             }
             window.bring_back(images, &creation.egui_ctx);

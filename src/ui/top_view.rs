@@ -21,6 +21,8 @@ pub(super) enum Wish {
     Act(Act),
     /// No second light.
     CompareNoMore,
+    /// The page where something is followed.
+    Follow,
     /// Open a recent file, by its place in the list.
     Recent(usize),
     /// What came of the files opened last.
@@ -267,6 +269,12 @@ fn files(ui: &mut Ui, preferences: &Preferences, menus: Menus<'_>, wishes: &mut 
         ];
         if !is_page {
             item(ui, true, words, Wish::Act(Act::TypePath));
+            let words = [
+                "Follow…",
+                "A light that changes: a file or a folder that an instrument writes, lines over TCP or \
+                 a serial port, a recording.",
+            ];
+            item(ui, true, words, Wish::Follow);
         }
         ui.separator();
         let words = [

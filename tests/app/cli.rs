@@ -1178,7 +1178,7 @@ fn without_a_command_files_and_presets_are_for_the_window() {
     let folder = tempfile::tempdir().unwrap();
     let file = write(folder.path(), "own.txt", "400 1\n500 2\n600 3\n700 2\n");
     let told = tell(&["FL2", &file, "--window"]);
-    let Outcome::Window { files, insist } = told.outcome else {
+    let Outcome::Window { files, insist, .. } = told.outcome else {
         panic!("{}", told.err);
     };
     assert!(insist);
@@ -1192,6 +1192,7 @@ fn without_a_command_files_and_presets_are_for_the_window() {
         none.outcome,
         Outcome::Window {
             files: Vec::new(),
+            follow: None,
             insist: false
         }
     );

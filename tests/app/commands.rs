@@ -323,6 +323,7 @@ fn variant(command: &Command) -> &'static str {
         Command::Products(_) => "products",
         Command::Page(_) => "page",
         Command::Adopt(_) => "adopt",
+        Command::Capture(_) => "capture",
         Command::Open(_) => "open",
         Command::Make { .. } => "make",
         Command::MakeOtherwise { .. } => "make otherwise",
@@ -445,6 +446,7 @@ fn session(app: &App) -> Vec<Command> {
         Command::RemoveImage {
             key: "image/5".to_owned(),
         },
+        Command::Capture(Box::new(Entry::own(0, slope("a frame")))),
         Command::Replace(Box::new(Document::about(preset(app, D65)))),
     ]
 }
@@ -477,7 +479,7 @@ fn every_command_is_undone_and_done_again_exactly() {
     let mut app = plain();
     let commands = session(&app);
     let seen: BTreeSet<&str> = commands.iter().map(variant).collect();
-    assert_eq!(seen.len(), 30, "the session leaves out a command: {seen:?}");
+    assert_eq!(seen.len(), 31, "the session leaves out a command: {seen:?}");
     let mut states = vec![(app.document().clone(), app.derived().clone())];
     for command in commands {
         let words = variant(&command);
@@ -511,6 +513,7 @@ fn what_cannot_change_the_model_derives_nothing_and_what_can_derives_it_anew() {
         "scale",
         "page",
         "products",
+        "capture",
     ];
     let mut app = plain();
     for command in session(&app) {

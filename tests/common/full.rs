@@ -31,6 +31,7 @@ use spectral_explorer::{
         recover::Method,
         solve::{Against, Floors, Objective},
     },
+    live::Track,
     measurements::{Kernel, Normalise},
     optics::Brilliant,
     pictures::{FixedSettings, LineChoice, ReferenceKind},
@@ -211,6 +212,7 @@ pub(crate) fn full_preferences() -> Preferences {
         lessons_finished: vec!["prism".to_owned()],
         lesson_language: "de".to_owned(),
         lesson_asked: None,
+        follow_asked: None,
     }
 }
 
@@ -231,6 +233,10 @@ pub(crate) fn full_pages() -> PageStates {
     };
     pages.auction.numbers = 33;
     pages.look.numbers = 15;
+    pages.live.average = 16;
+    pages.live.as_light = true;
+    pages.live.figures = vec!["duv".to_owned()];
+    pages.live.track = Track::Cct;
     pages.look.goal = Some(Goal::SPECTRUM);
     pages.race.field = FieldChoice::Discharge;
     pages.race.numbers = 31;

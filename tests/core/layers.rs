@@ -9,7 +9,7 @@ use std::{
 };
 
 /// The rooms of `src`, and which others each may use.
-const ROOMS: [(&str, &[&str]); 16] = [
+const ROOMS: [(&str, &[&str]); 17] = [
     ("spectrum", &[]),
     ("preset", &["spectrum"]),
     ("color", &["preset", "spectrum"]),
@@ -21,7 +21,8 @@ const ROOMS: [(&str, &[&str]); 16] = [
     ("measurements", &["color", "preset", "spectrum"]),
     ("photographs", &["color", "preset", "spectrum"]),
     ("io", &["spectrum"]),
-    ("live", &["io", "measurements", "color", "spectrum"]),
+    ("streams", &["io", "spectrum"]),
+    ("live", &["streams", "measurements", "color", "spectrum"]),
     ("pictures", &["io", "study", "color", "preset", "spectrum"]),
     (
         "app",
@@ -32,6 +33,7 @@ const ROOMS: [(&str, &[&str]); 16] = [
             "measurements",
             "photographs",
             "live",
+            "streams",
             "pictures",
             "study",
             "rivals",
@@ -51,6 +53,7 @@ const ROOMS: [(&str, &[&str]); 16] = [
             "measurements",
             "photographs",
             "live",
+            "streams",
             "pictures",
             "study",
             "rivals",
@@ -70,6 +73,7 @@ const ROOMS: [(&str, &[&str]); 16] = [
             "measurements",
             "photographs",
             "live",
+            "streams",
             "pictures",
             "study",
             "rivals",
@@ -528,11 +532,10 @@ fn the_search_for_circles_finds_one() {
 
 /// The folders of `src/io`, and which others each may use; "" are the files beside them, which
 /// hold what is said of a file: its bytes, what a person decided, where it is from, refusals.
-const ROOMS_OF_IO: [(&str, &[&str]); 10] = [
+const ROOMS_OF_IO: [(&str, &[&str]); 9] = [
     ("text", &[]),
     ("", &["text"]),
     ("write", &["", "text"]),
-    ("live", &["", "text"]),
     ("decode", &["", "text"]),
     ("photo", &["write", "decode", "", "text"]),
     ("reading", &["", "text"]),
@@ -647,7 +650,7 @@ fn no_file_is_longer_than_450_lines_without_its_tests() {
 }
 
 /// Most lines of the readers and writers, tests among them.
-const MOST_LINES_OF_IO: usize = 21_500;
+const MOST_LINES_OF_IO: usize = 20_000;
 
 /// What the readers had under many names before there was one raw spectrum.
 const ONE_RAW_TYPE: [&str; 9] = [

@@ -26,6 +26,7 @@ mod image_page;
 mod import;
 mod lessons;
 mod lessons_by_hand;
+mod live_page;
 mod many_page;
 mod narrow;
 mod pages_paper;

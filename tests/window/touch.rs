@@ -228,7 +228,7 @@ fn two_fingers_zoom_a_plot_and_one_moves_it() {
 fn a_link_opens_page_and_light_and_one_that_is_wrong_says_so() {
     let mut ui = on(Page::Spectrum, None);
     ui.state_mut()
-        .follow("page=quality&light=FL11&page=nowhere");
+        .open_link("page=quality&light=FL11&page=nowhere");
     rest(&mut ui);
     assert_eq!(ui.state().preferences.page.word(), "quality");
     assert_eq!(ui.state().app.document().light.name(), "FL11");

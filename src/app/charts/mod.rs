@@ -8,6 +8,7 @@ pub mod design;
 pub mod image;
 pub mod import;
 pub mod known_lamps;
+pub mod live;
 pub mod many;
 pub mod order;
 pub mod products;

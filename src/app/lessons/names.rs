@@ -40,12 +40,18 @@ pub(super) fn entry(app: &App, name: &str) -> Result<Arc<Entry>, String> {
     made.ok_or_else(|| format!("found a list of lines, {name}, expected a spectrum"))
 }
 
+/// What a lesson calls the light that is followed.
+const LIVE: &str = "live";
+
 /// What a name means where a light is asked for.
 ///
 /// # Errors
-/// As [`entry`], and for a surface or a filter.
+/// As [`entry`], for a surface or a filter, and while nothing is followed.
 pub(super) fn light(app: &App, name: &str) -> Result<Arc<Entry>, String> {
-    let found = entry(app, name)?;
+    let found = match name {
+        LIVE => app.live().ok_or("no light is followed yet, expected one"),
+        name => Ok(entry(app, name)?),
+    }?;
     match found.kind().is_factor() {
         true => Err(format!("found {name} ({}), expected a light", found.kind())),
         false => Ok(found),
@@ -57,7 +63,7 @@ pub(super) fn light(app: &App, name: &str) -> Result<Arc<Entry>, String> {
 /// # Errors
 /// What was found and what was expected.
 pub(super) fn find(name: &str, made: &[&str]) -> Result<(), String> {
-    if made.contains(&name) {
+    if name == LIVE || made.contains(&name) {
         return Ok(());
     }
     let found = Library::bundled().find_or_make(name);

@@ -392,6 +392,24 @@ mod tests {
     }
 
     #[test]
+    fn a_task_may_wait_for_a_figure_of_the_light_that_is_followed() {
+        let start = r#"{"say":"A.","stage":{"light":"FL2"}}"#;
+        let task = |below: u32, replayed: &str| {
+            format!(
+                r#"{start},{{"say":"B.","task":{{"words":"Bring a lamp.","until":[
+                {{"figure":"cct","of":"live","below":{below}}}],"show":[{{"replay":[{replayed}]}}]}},
+                "explain":"It has {{cct of live}}."}}"#
+            )
+        };
+        let played = small(&task(3000, r#""CIE D65","CIE A""#)).expect("a lesson");
+        assert_eq!(played[1].explain, "It has 2860 K.");
+        let why = small(&task(3000, r#""CIE D65""#)).expect_err("too cold");
+        assert_says(&why, "6500 K, expected below 3000 K");
+        let why = small(&task(3000, "")).expect_err("nothing came");
+        assert_says(&why, "no light is followed yet");
+    }
+
+    #[test]
     fn what_cannot_be_played_is_told_with_its_step() {
         let start = r#"{"say":"A.","stage":{"light":"FL2"}}"#;
         let task = |until: &str, show: &str| {

@@ -13,6 +13,7 @@ use crate::app::{
     App, Command,
     design::mix::{FULL, MOST_CHANNELS, Mix, MixChannel},
     document::{Document, MOST_OVERLAYS, Subject},
+    following::played,
     library::Library,
     pages::Page,
     photograph::Staged,
@@ -32,6 +33,8 @@ pub struct Stage {
     pub light: Option<String>,
     /// The surface or filter that is looked at under the light.
     pub surface: Option<String>,
+    /// Lights that come one after the other as if an instrument sent them; the last stays.
+    pub replay: Vec<String>,
     /// What is laid over it; an empty list takes all away.
     pub overlays: Option<Vec<String>>,
     /// Knobs of the model, by their names in projects.
@@ -208,6 +211,7 @@ impl Stage {
         app.apply(Command::Replace(Box::new(scratch.document().clone())));
         app.stage_photograph(scratch.staged_photograph());
         app.end_gesture();
+        app.follow_as(&scratch);
         *page = shown;
         Ok(())
     }
@@ -227,6 +231,7 @@ impl Stage {
         app.apply(Command::Replace(Box::new(scratch.document().clone())));
         app.stage_photograph(scratch.staged_photograph());
         app.end_gesture();
+        app.follow_as(&scratch);
         *page = shown;
         Ok(())
     }
@@ -248,6 +253,7 @@ impl Stage {
         if let Some(name) = &self.light {
             app.apply(Command::Show(light(app, name)?));
         }
+        self.play(app, made)?;
         if let Some(name) = &self.surface {
             let surface = entry(app, name)?;
             if !surface.kind().is_factor() {
@@ -315,6 +321,15 @@ impl Stage {
         self.keep(app)?;
         if let Some(word) = self.page {
             *page = word.0;
+        }
+        Ok(())
+    }
+
+    /// Plays the frames of an instrument.
+    fn play(&self, app: &mut App, made: &mut Vec<String>) -> Result<(), String> {
+        for name in &self.replay {
+            let frame = light(app, name)?;
+            made.push(app.follow(played(&frame)));
         }
         Ok(())
     }

@@ -13,6 +13,7 @@ mod image;
 pub mod knob;
 mod known_lamps;
 mod learn;
+mod live;
 mod look;
 mod many;
 mod mix;
@@ -50,6 +51,7 @@ pub use from_colour::{FromColour, MERCURY_NM, UNDER};
 pub use gem::{GemColour, GemMemory, LightPart, RAYS_SHOWN, SIZES_SHOWN};
 pub use image::{ImageMemory, Show, Spread};
 pub use known_lamps::WordsMemory;
+pub use live::LiveMemory;
 pub use look::{LookState, SPENDABLE};
 pub use many::ManyMemory;
 pub use mix::MixState;
@@ -87,6 +89,8 @@ pub enum Page {
     Spectrum,
     /// Absorption lines as negative spikes.
     Absorption,
+    /// A light that changes.
+    Live,
     /// A light through filters and off surfaces.
     Chain,
     /// A narrow band-pass over the light.
@@ -221,6 +225,7 @@ const ROWS: &[Row] = &[
     learn::TEACHERS,
     look::ROW,
     dark_lines::ROW,
+    live::ROW,
     chain::ROW,
     narrow::ROW,
     two_lights::ROW,
@@ -254,6 +259,7 @@ const ROWS: &[Row] = &[
 states! {
     look: LookState = Spectrum,
     dark_lines: AbsorptionMemory = Absorption,
+    live: LiveMemory = Live,
     chain: ChainMemory = Chain,
     narrow: NarrowMemory = Narrow,
     two_lights: TwoLightsMemory = TwoLights,

@@ -48,7 +48,7 @@ impl App {
     }
 
     /// One of the user's own, under the next free number.
-    fn numbered(&mut self, entry: Entry) -> Arc<Entry> {
+    pub(super) fn numbered(&mut self, entry: Entry) -> Arc<Entry> {
         let Entry { key, .. } = Entry::own(self.next_number(), entry.spectrum.clone());
         Arc::new(Entry { key, ..entry })
     }
@@ -278,13 +278,6 @@ impl App {
                 self.toggle_own_patch(&entry.key);
             }
         }
-    }
-
-    /// One more of the user's own, which is not shown.
-    fn join(&mut self, made: Entry) -> Arc<Entry> {
-        let entry = self.numbered(made);
-        self.document.own.push(entry.clone());
-        entry
     }
 
     /// Puts an own surface behind the patches, or takes it away.

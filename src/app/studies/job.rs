@@ -39,6 +39,8 @@ pub struct Job<K, T> {
     running: Option<Running<K, T>>,
     result: Option<(K, Arc<T>)>,
     stage: Stage,
+    /// What is computed is finished, whatever is asked meanwhile: questions come faster than answers.
+    pub patient: bool,
 }
 
 struct Running<K, T> {
@@ -55,6 +57,7 @@ impl<K, T> Default for Job<K, T> {
             running: None,
             result: None,
             stage: Stage::Idle,
+            patient: false,
         }
     }
 }
@@ -69,7 +72,7 @@ impl<K: Clone + PartialEq + 'static, T: Send + 'static> Job<K, T> {
         self.take_in();
         if let Some(running) = &mut self.running {
             let progress = &running.worker.progress;
-            if running.key != *key && !progress.is_cancelled() {
+            if running.key != *key && !progress.is_cancelled() && !self.patient {
                 progress.cancel();
                 running.superseded = true;
             }
@@ -283,6 +286,24 @@ mod tests {
         job.ask(&2, &asleep(), || |_: &Progress| Some(2));
         job.finish();
         assert_eq!(job.result_for(&2).map(|r| **r), Some(2));
+    }
+
+    #[test]
+    fn a_patient_job_answers_what_it_was_asked_first_and_then_what_was_asked_last() {
+        let mut job: Job<u8, u8> = Job {
+            patient: true,
+            ..Job::default()
+        };
+        let go = ask_and_wait(&mut job, 1);
+        for later in [2, 3] {
+            job.ask(&later, &asleep(), || move |_: &Progress| Some(later));
+        }
+        go.send(()).expect("the worker waits");
+        job.finish();
+        assert_eq!(job.result_for(&1).map(|r| **r), Some(1));
+        job.ask(&3, &asleep(), || |_: &Progress| Some(3));
+        job.finish();
+        assert_eq!(job.result_for(&3).map(|r| **r), Some(3));
     }
 
     #[test]

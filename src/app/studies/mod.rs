@@ -201,7 +201,11 @@ impl Question for TimingAsk {
 /// The jobs of a window, each found by what is asked and what the answer is. A page brings its
 /// own: there is no list of them.
 #[derive(Default)]
-pub struct Studies(HashMap<TypeId, Box<dyn Work>>);
+pub struct Studies {
+    jobs: HashMap<TypeId, Box<dyn Work>>,
+    /// While a light is followed: each job is finished, and then asked about the newest frame.
+    pub patient: bool,
+}
 
 impl Studies {
     /// The job of a kind of key and answer.
@@ -214,9 +218,11 @@ impl Studies {
         T: Send + 'static,
     {
         let kind = TypeId::of::<Job<K, T>>();
-        let job = self.0.entry(kind);
+        let job = self.jobs.entry(kind);
         let job: &mut dyn Any = &mut **job.or_insert_with(|| Box::new(Job::<K, T>::default()));
-        job.downcast_mut().expect("a job of its kind")
+        let job = job.downcast_mut::<Job<K, T>>().expect("a job of its kind");
+        job.patient = self.patient;
+        job
     }
 
     /// The job of a kind of question that holds all that its answer depends on.
@@ -229,17 +235,17 @@ impl Studies {
 
     /// Takes in what is finished.
     pub fn take_in(&mut self) {
-        self.0.values_mut().for_each(|job| job.take_in());
+        self.jobs.values_mut().for_each(|job| job.take_in());
     }
 
     /// Whether anything is being computed.
     pub fn is_running(&self) -> bool {
-        self.0.values().any(|job| job.is_running())
+        self.jobs.values().any(|job| job.is_running())
     }
 
     /// Waits for everything.
     pub fn finish(&mut self) {
-        self.0.values_mut().for_each(|job| job.finish());
+        self.jobs.values_mut().for_each(|job| job.finish());
     }
 }
 

@@ -7,6 +7,7 @@ use serde::{Deserialize, Deserializer, Serialize, de::Error as _};
 use crate::{
     app::{
         derived::OF_CURVE,
+        following::FollowAsked,
         pages::{AskedLesson, Page, Place},
         stored_path,
     },
@@ -59,6 +60,9 @@ pub struct Preferences {
     /// A lesson that is to be begun, once.
     #[serde(skip)]
     pub lesson_asked: Option<AskedLesson>,
+    /// What is to be followed, once.
+    #[serde(skip)]
+    pub follow_asked: Option<FollowAsked>,
 }
 
 impl Preferences {
@@ -89,6 +93,7 @@ impl Default for Preferences {
             lesson_language: "en".to_owned(),
             photographs_asked: Vec::new(),
             lesson_asked: None,
+            follow_asked: None,
         }
     }
 }

@@ -7,8 +7,8 @@ use clap::Args;
 use crate::{
     app::live_figures::Wanted,
     cli::{options::FileOptions, words},
-    io::Pace,
     live::MOST_AVERAGED,
+    streams::Pace,
 };
 
 /// Options of `follow`.
@@ -87,4 +87,26 @@ pub(crate) struct Follow {
     /// Print JSON, an object a frame and line; its keys are stable.
     #[arg(long)]
     pub json: bool,
+}
+
+/// What the window follows.
+#[derive(Args, Debug)]
+pub(crate) struct Followed {
+    /// Follow a light that changes in the window: a file, a folder, or - for lines on standard
+    /// input (see follow).
+    #[arg(long, value_name = "SOURCE", conflicts_with = "listen")]
+    pub follow: Option<PathBuf>,
+    /// Follow lines over TCP in the window: a port of this machine, or its loopback address with a
+    /// port.
+    #[arg(long, value_name = "ADDRESS", value_parser = words::address)]
+    pub listen: Option<SocketAddr>,
+    /// Let --listen have an address that others on the network reach.
+    #[arg(long, requires = "listen")]
+    pub listen_all: bool,
+    /// Play the source of --follow as a recording: at times its own speed, or step for all at once.
+    #[arg(long, value_name = "SPEED", value_parser = words::pace, requires = "follow")]
+    pub replay: Option<Pace>,
+    /// The instrument that is followed: the wavelengths of lines that tell none, and the response.
+    #[arg(long, value_name = "FILE.json")]
+    pub instrument: Option<PathBuf>,
 }

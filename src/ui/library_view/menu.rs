@@ -68,6 +68,15 @@ impl LibraryView {
             self.wants_reading = Some(entry.key.clone());
             ui.close();
         }
+        let path = entry
+            .origin
+            .file()
+            .and_then(|from| from.reading.file.path.as_ref());
+        let meaning = "Reads the file again whenever it changes, with the same choices.";
+        if path.is_some() && pressed(ui, "Follow", meaning) {
+            self.wants_following = Some(entry.key.clone());
+            ui.close();
+        }
         if let Some(recipe) = entry.origin.recipe() {
             made_menu(ui, app, entry, recipe, &mut item);
         }

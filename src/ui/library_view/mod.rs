@@ -33,6 +33,8 @@ pub(super) struct LibraryView {
     pub wants_reading: Option<String>,
     /// Keys of the lights whose quality is to be compared.
     pub wants_quality: Vec<String>,
+    /// The own entry whose file is to be followed.
+    pub wants_following: Option<String>,
     /// A click lays a spectrum over the one that is shown.
     compares: bool,
     /// The own entry being renamed, with the text so far.

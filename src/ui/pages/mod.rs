@@ -10,6 +10,7 @@ pub mod image_view;
 mod known_lamps_view;
 mod lesson_cards;
 mod lessons_view;
+pub mod live_view;
 mod many_view;
 pub mod photograph_view;
 pub(super) mod presented;
@@ -32,6 +33,7 @@ use gem_view::GemView;
 use glossary_view::GlossaryView;
 use image_view::ImageView;
 use known_lamps_view::KnownLampsView;
+use live_view::{LiveView, ToFollow};
 use many_view::ManyView;
 use photograph_view::PhotographView;
 use prism_view::PrismView;
@@ -65,6 +67,7 @@ use crate::app::{
     App, Command,
     chart::Chart,
     dispersion::GemFile,
+    following::{FollowAsked, Following},
     lessons::Lesson,
     pages::{Page, PageStates},
     photograph::{Instrument, Seen},
@@ -78,6 +81,8 @@ pub struct PageContext<'a> {
     pub app: &'a App,
     /// The long computations.
     pub studies: &'a mut Studies,
+    /// The light that is followed.
+    pub following: &'a mut Option<Following>,
     /// What the pages keep: a copy, which becomes the document's after the frame.
     pub pages: &'a mut PageStates,
     /// The page shown.
@@ -114,6 +119,18 @@ pub enum PageWish {
     Lesson(Arc<Lesson>, LessonFile),
     /// Saves the instrument of photographs of spectra.
     Instrument(Box<Instrument>),
+    /// Follows a light.
+    Follow(Box<FollowAsked>),
+    /// Asks for a path that is to be followed.
+    PickToFollow(ToFollow),
+    /// Holds the light that is followed, or goes on.
+    Hold,
+    /// Keeps the spectrum that is shown of it.
+    Capture,
+    /// Follows it no longer.
+    FollowNoMore,
+    /// Saves it over time.
+    Tracks { stem: String, csv: String },
     /// Opens a picture.
     OpenPicture,
     /// Takes note of a photograph of a spectrum that was read.
@@ -189,6 +206,7 @@ const DRAWN: &[(Page, Draw)] = &[
     (Page::Absorption, |p, ui, c| {
         p.of::<AbsorptionView>().show(ui, c)
     }),
+    (Page::Live, |p, ui, c| p.of::<LiveView>().show(ui, c)),
     (Page::Chain, |p, ui, c| p.of::<ChainView>().show(ui, c)),
     (Page::Narrow, |p, ui, c| p.of::<NarrowView>().show(ui, c)),
     (Page::TwoLights, |p, ui, c| {
@@ -255,6 +273,11 @@ impl Pages {
     /// The picture of colours whose pixels are to be taken.
     pub fn take_photo(&mut self, path: PathBuf) {
         self.of::<DesignView>().photo = Some(path);
+    }
+
+    /// The instrument that lights are followed through from now on.
+    pub fn take_instrument(&mut self, path: &std::path::Path) {
+        self.of::<LiveView>().take_instrument(path);
     }
 
     /// Draws the page in force.

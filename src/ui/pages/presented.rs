@@ -99,6 +99,7 @@ fn is_whole(page: Page) -> bool {
         Page::Lessons
             | Page::Teachers
             | Page::Glossary
+            | Page::Live
             | Page::Chain
             | Page::Narrow
             | Page::TwoLights

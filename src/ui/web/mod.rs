@@ -159,7 +159,7 @@ impl eframe::App for Shell {
         for what in ARRIVED.with_borrow_mut(std::mem::take) {
             match what {
                 Arrived::File(path) => paths.push(path),
-                Arrived::Link(link) => self.window.follow(&link),
+                Arrived::Link(link) => self.window.open_link(&link),
             }
         }
         self.window.open_files(paths, waker(&context));

@@ -23,13 +23,13 @@ use crate::app::{
     command_lines,
     export::Export,
     link::{self, Target},
-    pages::{AskedLesson, Place},
+    pages::{AskedLesson, Page, Place},
     workspace::ZOOMS,
 };
 
 impl Window {
     /// Opens what a link asks for ([`link`]).
-    pub fn follow(&mut self, link: &str) {
+    pub fn open_link(&mut self, link: &str) {
         for target in link::targets(link) {
             // What is opened is to be seen.
             self.greets = false;
@@ -71,7 +71,8 @@ impl Window {
             self.leave();
         }
         self.lesson_keys(context);
-        for act in keys::pressed(context) {
+        let follows = self.following.is_some() && !others && self.import.now.is_none();
+        for act in keys::pressed(context, follows) {
             self.act(act, context);
         }
     }
@@ -129,6 +130,8 @@ impl Window {
             Act::ZoomOut => self.zoom(self.preferences.zoom - 0.1),
             Act::ZoomReset => self.zoom(1.0),
             Act::Print => self.print_page(context),
+            Act::Hold => self.hold(),
+            Act::Capture => self.capture(),
             Act::Shortcuts => self.dialog = Some(Dialog::Shortcuts),
             Act::CopyPicture => {
                 let size = context.content_rect().size();
@@ -176,6 +179,7 @@ impl Window {
                 let path = self.preferences.recent.get(index).cloned();
                 self.open_files(path.into_iter().collect(), waker(context));
             }
+            Wish::Follow => self.preferences.page = Page::Live,
             Wish::Summary => self.batch.show(),
             Wish::Save(export) => self.save(Saving::Text(export), context),
             Wish::SavePlotPng => self.save(Saving::PlotPng, context),

@@ -11,7 +11,7 @@ use super::{
         dialogs::{self, Dialog, Outcome},
         dropped,
         files::{Ask, NO_DIALOG, Picked},
-        pages::LessonFile,
+        pages::{LessonFile, live_view::ToFollow},
         picture,
         saver::Saver,
         theme::{Wake, waker},
@@ -54,6 +54,11 @@ pub(super) enum Saving {
     Instrument(Box<Instrument>),
     Gem(Box<GemFile>),
     Picture(PictureWish),
+    /// A stream over time.
+    Tracks {
+        stem: String,
+        csv: String,
+    },
     Lesson(Arc<Lesson>, LessonFile),
 }
 
@@ -61,6 +66,8 @@ pub(super) enum Saving {
 pub(super) struct Waiting {
     picked: Worker<Picked>,
     saving: Option<Saving>,
+    /// What the path is followed as.
+    follows: Option<ToFollow>,
 }
 
 impl Window {
@@ -131,9 +138,11 @@ impl Window {
         }
         self.open_files(paths, waker(ui.ctx()));
         let answered = self.waiting.as_mut().and_then(|w| w.picked.news().pop());
-        if let Some(picked) = answered {
-            let saving = self.waiting.take().and_then(|waiting| waiting.saving);
-            self.picked(picked, saving, ui.ctx());
+        if let Some((picked, waiting)) = answered.zip(self.waiting.take_if(|_| true)) {
+            match waiting.follows {
+                Some(what) => self.picked_to_follow(what, picked),
+                None => self.picked(picked, waiting.saving, ui.ctx()),
+            }
         }
         for (tone, text) in news_of(&mut self.writing) {
             self.app.say(tone, text);
@@ -199,6 +208,24 @@ impl Window {
 
     /// Asks for a path in the system's dialog, on a thread of its own.
     pub(super) fn ask(&mut self, ask: Ask, saving: Option<Saving>, context: &Context) {
+        self.ask_for(ask, (saving, None), context);
+    }
+
+    /// The same for a path that is to be followed.
+    pub(super) fn ask_to_follow(&mut self, what: ToFollow, context: &Context) {
+        let ask = match what {
+            ToFollow::Folder => Ask::OpenFolder,
+            ToFollow::File | ToFollow::Recording(_) | ToFollow::Instrument => Ask::Open,
+        };
+        self.ask_for(ask, (None, Some(what)), context);
+    }
+
+    fn ask_for(
+        &mut self,
+        ask: Ask,
+        (saving, follows): (Option<Saving>, Option<ToFollow>),
+        context: &Context,
+    ) {
         if self.waiting.is_some() {
             return;
         }
@@ -206,7 +233,11 @@ impl Window {
         let picked = Worker::start(&waker(context), move |tell| {
             tell.send(picker(&ask));
         });
-        self.waiting = Some(Waiting { picked, saving });
+        self.waiting = Some(Waiting {
+            picked,
+            saving,
+            follows,
+        });
     }
 
     pub(super) fn save(&mut self, saving: Saving, context: &Context) {
@@ -218,6 +249,7 @@ impl Window {
             Saving::Chart(wish) => wish.form.extension(),
             Saving::Gem(gem) => gem.extension(),
             Saving::Picture(wish) => wish.form.ending(),
+            Saving::Tracks { .. } => "csv",
             Saving::Lesson(_, LessonFile::Pupil | LessonFile::Teacher) => "pdf",
             Saving::Lesson(_, LessonFile::Start) | Saving::Instrument(_) => "json",
         };
@@ -259,6 +291,7 @@ impl Window {
             Saving::Gem(gem) => gem.file_name(),
             Saving::Instrument(instrument) => format!("{}.json", instrument.stem()),
             Saving::Picture(wish) => wish.file_name(),
+            Saving::Tracks { stem, .. } => format!("{stem}-over-time.csv"),
             Saving::Lesson(lesson, LessonFile::Pupil) => format!("{}-pupil.pdf", lesson.name),
             Saving::Lesson(lesson, LessonFile::Teacher) => format!("{}-teacher.pdf", lesson.name),
             Saving::Lesson(lesson, LessonFile::Start) => format!("my-{}.json", lesson.name),
@@ -309,6 +342,7 @@ impl Window {
                     Saving::Chart(wish) => Ok(chart_bytes(wish, theme)),
                     Saving::Gem(gem) => gem.bytes(),
                     Saving::Instrument(instrument) => Ok(instrument.text().into_bytes()),
+                    Saving::Tracks { csv, .. } => Ok(csv.clone().into_bytes()),
                     Saving::Picture(wish) => {
                         // It streams into its place: a large one is never whole in memory.
                         tell.send(match wish.save(&path) {
@@ -336,6 +370,7 @@ impl Window {
                         Saving::Chart(_)
                         | Saving::Gem(_)
                         | Saving::Lesson(..)
+                        | Saving::Tracks { .. }
                         | Saving::Instrument(_),
                     ) => (Tone::Info, format!("Saved {}.", path.display())),
                     (Ok(()), saving) => {

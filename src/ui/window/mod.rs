@@ -5,6 +5,7 @@ mod batch;
 mod checks;
 mod column;
 mod filing;
+mod following;
 mod images;
 mod importing;
 mod lesson;
@@ -40,6 +41,7 @@ use super::{
 };
 use crate::app::{
     App, Command, Memo, Pair, Tone, chart,
+    following::Following,
     lessons::Run,
     open::Loader,
     pages::Page,
@@ -98,6 +100,8 @@ pub struct Window {
     /// Long computations; pictures wait for them.
     pub studies: Studies,
     pages: Pages,
+    /// The light that is followed.
+    pub(super) following: Option<Following>,
     /// How a file was read, while it is looked at.
     import: ImportView,
     makers: MakersView,
@@ -187,6 +191,7 @@ impl Window {
             fonts_installed: false,
             studies: Studies::default(),
             pages: Pages::default(),
+            following: None,
             import: ImportView::default(),
             makers: MakersView::default(),
             lesson: None,
@@ -236,6 +241,7 @@ impl Window {
         let theme = Theme::of(&self.preferences);
         self.menu_open = egui::Popup::is_any_open(&context);
         self.take_in(ui);
+        self.follow_on(&context);
         self.lesson_goes_on(&context);
         self.keys(&context);
         self.follow_second();
@@ -245,6 +251,7 @@ impl Window {
         let uses_bar = self.lesson.as_ref().is_some_and(Run::uses_bar);
         if !shape.present || uses_bar {
             self.bar(ui, shape, &context);
+            self.following_bar(ui, theme);
         }
         if !shape.present {
             self.foot(ui, shape, theme);

@@ -52,6 +52,7 @@ impl Window {
         let mut shown = PageContext {
             app: &self.app,
             studies: &mut self.studies,
+            following: &mut self.following,
             pages: &mut kept,
             page: &mut self.preferences.page,
             finished: &self.preferences.lessons_finished,
@@ -134,6 +135,12 @@ impl Window {
                 self.app.stage_photograph(None);
                 context.request_repaint();
             }
+            PageWish::Follow(asked) => self.follow(*asked, context),
+            PageWish::PickToFollow(what) => self.ask_to_follow(what, context),
+            PageWish::Hold => self.hold(),
+            PageWish::Capture => self.capture(),
+            PageWish::FollowNoMore => self.follow_no_more(),
+            PageWish::Tracks { stem, csv } => self.save(Saving::Tracks { stem, csv }, context),
             PageWish::OpenPicture => self.ask(Ask::Open, None, context),
             PageWish::Reading(key) => {
                 let image = self.app.document().images.iter().find(|i| i.key == key);

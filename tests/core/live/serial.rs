@@ -1,7 +1,7 @@
 //! A serial port, whose cable is a pair of pseudo-terminals.
 
 use super::*;
-use crate::io::live::{Event, Source};
+use crate::streams::{BAUD, Event, Source};
 
 const PATIENCE: Duration = Duration::from_secs(60);
 

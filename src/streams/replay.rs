@@ -14,7 +14,7 @@ use super::{
     frame::Frame,
     lines::{Broken, Lines},
 };
-use crate::io::{input::name_of, unopened};
+use crate::io::{name_of, why_unopened};
 
 /// Between frames that tell no time, ms.
 const UNTIMED_MS: f64 = 100.0;
@@ -49,7 +49,7 @@ impl Replay {
     /// What was found and what was expected.
     pub fn open(path: &Path, pace: Pace, lines: Lines) -> Result<Self, String> {
         let file = File::open(path).map_err(|error| {
-            let (found, expected) = unopened::words(path, &error);
+            let (found, expected) = why_unopened(path, &error);
             format!("found {found}, expected {expected}")
         })?;
         Ok(Self {

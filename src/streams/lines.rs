@@ -17,10 +17,7 @@ use std::ops::RangeInclusive;
 use memchr::memchr;
 
 use super::frame::{Frame, Line};
-use crate::io::{
-    error::quoted,
-    text::{number::is_measured, units::names_wavelength},
-};
+use crate::io::{is_measured, names_wavelength, quoted};
 use crate::spectrum::{Kind, Sampled};
 
 /// The longest line.
@@ -385,5 +382,5 @@ fn wavelength_of(label: &str) -> Option<f64> {
 }
 
 #[cfg(test)]
-#[path = "../../../tests/core/live/lines.rs"]
+#[path = "../../tests/core/live/lines.rs"]
 mod tests;

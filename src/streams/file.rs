@@ -21,8 +21,8 @@ use super::{
     lines::{Broken, Lines, MOST_LINE_BYTES},
 };
 use crate::io::{
-    Choices, Input, error::part_of_message, input::name_of, read, text::MOST_BYTES,
-    text::exposure::exposure_ms, text::is_binary, unopened,
+    Choices, Input, MOST_BYTES, exposure_ms, is_binary, name_of, part_of_message, read,
+    why_unopened,
 };
 use crate::spectrum::{NamedSpectrum, Sampled};
 
@@ -155,7 +155,7 @@ impl FileSource {
         let mark = match Mark::of(&self.path) {
             Ok(mark) => mark,
             Err(error) => {
-                let found = unopened::words(&self.path, &error).0;
+                let found = why_unopened(&self.path, &error).0;
                 return self.wait(&found);
             }
         };
@@ -175,7 +175,7 @@ impl FileSource {
             Ok(false) => {}
             // A file that another program keeps to itself is tried again.
             Err(error) => {
-                let found = unopened::words(&self.path, &error).0;
+                let found = why_unopened(&self.path, &error).0;
                 self.wait(&found);
             }
         }
@@ -404,5 +404,5 @@ impl Source for FileSource {
 }
 
 #[cfg(test)]
-#[path = "../../../tests/core/live/file.rs"]
+#[path = "../../tests/core/live/file.rs"]
 mod tests;

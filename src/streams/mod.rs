@@ -20,8 +20,11 @@ pub use frame::{Frame, Recorder};
 pub use lines::{Broken, Lines, MOST_LINE_BYTES};
 pub use replay::{Pace, Replay};
 #[cfg(feature = "serial")]
-pub use serial::{BAUD, Serial, ports};
+pub use serial::{Serial, ports};
 pub use stream::{Heard, LineSource, Link, ListenError, Listener, Piped, Reach, listen, piped};
+
+/// Bits a second of a serial port where nobody says another number.
+pub const BAUD: u32 = 115_200;
 
 /// An event of a source.
 #[derive(Clone, Debug, PartialEq)]

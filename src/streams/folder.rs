@@ -14,7 +14,7 @@ use super::{
     frame::Frame,
     lines::{Broken, Lines},
 };
-use crate::io::{Choices, input::name_of};
+use crate::io::{Choices, name_of};
 
 /// Between two looks.
 const EVERY: Duration = Duration::from_millis(250);
@@ -223,5 +223,5 @@ impl Source for FolderSource {
 }
 
 #[cfg(test)]
-#[path = "../../../tests/core/live/folder.rs"]
+#[path = "../../tests/core/live/folder.rs"]
 mod tests;

@@ -15,9 +15,6 @@ use super::{
 };
 use crate::io::shown;
 
-/// Bits a second where nobody says another number.
-pub const BAUD: u32 = 115_200;
-
 /// Between two attempts to open a port that was unplugged.
 const AGAIN: Duration = Duration::from_millis(500);
 
@@ -107,5 +104,5 @@ impl Link for Serial {
 }
 
 #[cfg(all(test, unix))]
-#[path = "../../../tests/core/live/serial.rs"]
+#[path = "../../tests/core/live/serial.rs"]
 mod tests;

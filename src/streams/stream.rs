@@ -253,5 +253,5 @@ impl Link for Listener {
 }
 
 #[cfg(test)]
-#[path = "../../../tests/core/live/stream.rs"]
+#[path = "../../tests/core/live/stream.rs"]
 mod tests;

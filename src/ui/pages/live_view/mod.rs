@@ -1,0 +1,328 @@
+//! The page "Live": a light that changes, its figures, what was captured of it, and its course.
+
+mod begin;
+mod captures;
+mod over_time;
+
+use std::path::{Path, PathBuf};
+
+use eframe::egui;
+use egui::{Align, Button, Layout, RichText, Ui, vec2};
+
+use super::{PageContext, PageWish};
+use crate::{
+    app::{
+        charts::live::newest,
+        following::{Following, Seen, Standing},
+        live_figures::{Told, Wanted, figures},
+    },
+    live::{Reference, Shown},
+    measurements::Quantity,
+    streams::Pace,
+    ui::{
+        kit::{GROUP, headline, knob, named, number, pressed, pressed_if, scrolled, warning},
+        theme::Theme,
+    },
+};
+
+/// What a path that is chosen is for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ToFollow {
+    File,
+    Folder,
+    Recording(Pace),
+    Instrument,
+}
+
+/// What buttons and fields are called.
+pub mod names {
+    pub const HOLD: &str = "Hold";
+    pub const GO_ON: &str = "Go on";
+    pub const HOLD_MEANS: &str = "Keeps what is shown, or goes on with the newest (Space).";
+    pub const CAPTURE: &str = "Capture";
+    pub const CAPTURE_MEANS: &str = "Keeps what is shown in My files, with its time (Enter).";
+    pub const DARK: &str = "Dark";
+    pub const REFERENCE: &str = "Reference";
+    pub const PEAK: &str = "Peaks";
+    pub const AS_LIGHT: &str = "Counts as a light";
+    pub const FIGURES: &str = "Figures…";
+    pub const STOP: &str = "Stop";
+    pub const STOP_MEANS: &str = "Follows it no longer; the last spectrum and all captures stay.";
+    pub const SHOW: &str = "Show it on every page";
+    pub const PATH: &str = "File or folder that changes";
+    pub const FOLLOW: &str = "Follow";
+    pub const FILE: &str = "Choose a file…";
+    pub const FOLDER: &str = "Choose a folder…";
+    pub const RECORDING: &str = "Play a recording…";
+    pub const SPEED: &str = "Speed";
+    pub const PORT: &str = "Port";
+    pub const LISTEN: &str = "Listen";
+    pub const SERIAL: &str = "Serial port";
+    pub const BAUD: &str = "Bits a second";
+    pub const INSTRUMENT: &str = "Instrument…";
+    pub const SAVE: &str = "Save as CSV…";
+}
+
+/// Figures that may be shown.
+const OFFERED: [&str; 12] = [
+    "cct",
+    "duv",
+    "Y",
+    "x",
+    "y",
+    "ra",
+    "r9",
+    "rf",
+    "rg",
+    "ler",
+    "melanopic_der",
+    "peak_nm",
+];
+
+/// Width from which figures stand beside the spectrum, and theirs, points.
+const WIDE: f32 = 640.0;
+const FIGURES: f32 = 168.0;
+
+/// Parts of the page's height for the spectrum and for what is over time, and their least, points.
+const SPECTRUM: (f32, f32) = (0.44, 190.0);
+const COURSE: (f32, f32) = (0.34, 170.0);
+
+/// The page and what it keeps from frame to frame.
+#[derive(Default)]
+pub struct LiveView {
+    begin: begin::Begin,
+    course: over_time::OverTime,
+}
+
+impl LiveView {
+    /// The instrument that lights are followed through from now on.
+    pub fn take_instrument(&mut self, path: &Path) {
+        self.begin.instrument = path.display().to_string();
+    }
+
+    /// The same, where there is one.
+    pub fn instrument(&self) -> Option<PathBuf> {
+        let path = self.begin.instrument.trim();
+        (!path.is_empty()).then(|| PathBuf::from(path))
+    }
+
+    /// Draws the page.
+    pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        let Some(following) = context.following.take() else {
+            return self.begin.show(ui, context);
+        };
+        let room = ui.available_size();
+        scrolled(ui, "live", |ui| {
+            let seen = following.seen();
+            let told = told(context, seen);
+            headline(ui, context.theme, sentence(seen, &told));
+            standing(ui, context.theme, seen);
+            ui.add_space(8.0);
+            controls(ui, context, &following);
+            ui.add_space(8.0);
+            let scale = context.theme.scale;
+            let high = |(part, least): (f32, f32)| (part * room.y).max(least * scale);
+            if let Some(shown) = &seen.shown {
+                spectrum(ui, context, (seen, shown), &told, high(SPECTRUM));
+                captures::show(ui, context);
+                ui.add_space(GROUP);
+                self.course.show(ui, context, &following, high(COURSE));
+            }
+        });
+        *context.following = Some(following);
+    }
+}
+
+/// The figures that are asked for; none of what is no light.
+fn told(context: &PageContext<'_>, seen: &Seen) -> Vec<Told> {
+    let wanted = context.pages.live.figures.iter();
+    let wanted: Vec<Wanted> = wanted.filter_map(|key| Wanted::named(key).ok()).collect();
+    let shown = seen.shown.as_ref();
+    shown.map_or(Vec::new(), |shown| figures(shown, &wanted))
+}
+
+/// The light's name with its first figures.
+fn sentence(seen: &Seen, told: &[Told]) -> String {
+    let Some(shown) = &seen.shown else {
+        return match seen.name.is_empty() {
+            true => "Waiting for a light".to_owned(),
+            false => format!("Waiting for a light from {}", seen.name),
+        };
+    };
+    let name = &shown.of.name;
+    let first: Vec<String> = told
+        .iter()
+        .filter(|told| told.value.is_ok())
+        .take(3)
+        .map(Told::words)
+        .collect();
+    let held = if seen.standing == Standing::Held {
+        "Held: "
+    } else {
+        ""
+    };
+    match (&first[..], shown.of.quantity) {
+        (_, Quantity::Counts) => format!("{held}{name}: counts of an instrument, no light yet"),
+        ([], _) => format!("{held}{name}"),
+        (first, _) => format!("{held}{name}: {}", first.join(", ")),
+    }
+}
+
+/// How the stream stands, in words.
+fn standing(ui: &mut Ui, theme: Theme, seen: &Seen) {
+    match seen.standing.is_trouble() {
+        true => warning(ui, theme, seen.words.clone()),
+        false => {
+            let words = RichText::new(&seen.words).color(theme.faint);
+            ui.add(egui::Label::new(words).wrap());
+        }
+    }
+    for words in &seen.warnings {
+        warning(ui, theme, words.clone());
+    }
+}
+
+/// A switch of the stream; whether it was clicked.
+fn switch(ui: &mut Ui, is_on: bool, name: &str, meaning: &str) -> bool {
+    let button = Button::selectable(is_on, name).frame_when_inactive(true);
+    pressed_if(ui, true, button, meaning)
+}
+
+/// The row of controls.
+fn controls(ui: &mut Ui, context: &mut PageContext<'_>, following: &Following) {
+    let mut stream = following.stream();
+    let has_frame = stream.live.count() > 0;
+    let is_held = stream.live.is_held();
+    let reference_of = |which: Reference, stream: &mut crate::app::following::Stream| {
+        if stream.live.has(which) {
+            stream.live.drop(which);
+        } else {
+            stream.live.take(which);
+        }
+    };
+    ui.horizontal_wrapped(|ui| {
+        let hold = if is_held { names::GO_ON } else { names::HOLD };
+        let hold = Button::selectable(is_held, hold).frame_when_inactive(true);
+        if pressed_if(ui, has_frame, hold, names::HOLD_MEANS) {
+            context.wishes.push(PageWish::Hold);
+        }
+        let capture = Button::new(names::CAPTURE);
+        if pressed_if(ui, has_frame, capture, names::CAPTURE_MEANS) {
+            context.wishes.push(PageWish::Capture);
+        }
+        ui.separator();
+        let row = crate::app::pages::LiveMemory::AVERAGE;
+        ui.label(row.title).on_hover_text(row.meaning);
+        let field = knob::drag(&row, &mut context.pages.live);
+        number(ui, field, row.title).on_hover_text(row.meaning);
+        let (has_dark, has_reference) = (
+            stream.live.has(Reference::Dark),
+            stream.live.has(Reference::Light),
+        );
+        let meaning = "Takes what is shown now off every spectrum: cover the instrument first. \
+                       A click more goes on without.";
+        if switch(ui, has_dark, names::DARK, meaning) {
+            reference_of(Reference::Dark, &mut stream);
+        }
+        let meaning = "Divides every spectrum by what is shown now: the light without the sample. \
+                       A click more goes on without.";
+        if switch(ui, has_reference, names::REFERENCE, meaning) {
+            reference_of(Reference::Light, &mut stream);
+        }
+        let peak = stream.live.holds_peak();
+        let meaning = "Draws the highest value of every column from now on.";
+        if switch(ui, peak, names::PEAK, meaning) {
+            stream.live.hold_peak(!peak);
+        }
+        let shown = following.seen().shown.as_deref();
+        let is_counted = shown.is_some_and(|shown| shown.counts.is_some());
+        if is_counted || context.pages.live.as_light {
+            let meaning = "Takes counts as a light, as if the instrument answered to all \
+                           wavelengths alike.";
+            ui.checkbox(&mut context.pages.live.as_light, names::AS_LIGHT)
+                .on_hover_text(meaning);
+        }
+        drop(stream);
+        ui.separator();
+        figures_menu(ui, context);
+        let document = context.app.document();
+        let is_shown = following
+            .key()
+            .is_none_or(|key| document.subject_entry().key == key);
+        let entry = following.key().and_then(|key| context.app.entry(key));
+        if let Some(entry) = entry.filter(|_| !is_shown) {
+            let meaning = "Another light is shown on the other pages: shows this one there.";
+            if pressed(ui, names::SHOW, meaning) {
+                context.commands.push(crate::app::Command::Show(entry));
+            }
+        }
+        if pressed(ui, names::STOP, names::STOP_MEANS) {
+            context.wishes.push(PageWish::FollowNoMore);
+        }
+    });
+}
+
+fn figures_menu(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let shown = &mut context.pages.live.figures;
+    let menu = ui.menu_button(names::FIGURES, |ui| {
+        for figure in OFFERED.iter().filter_map(|key| Wanted::named(key).ok()) {
+            let figure = figure.figure();
+            let mut is_shown = shown.iter().any(|key| key == figure.key);
+            let title = if figure.title.is_empty() {
+                figure.key
+            } else {
+                figure.title
+            };
+            let item = ui
+                .checkbox(&mut is_shown, title)
+                .on_hover_text(figure.meaning);
+            if item.changed() {
+                match is_shown {
+                    true => shown.push(figure.key.to_owned()),
+                    false => shown.retain(|key| key != figure.key),
+                }
+            }
+        }
+    });
+    named(&menu.response, egui::Role::Button, names::FIGURES);
+    menu.response.on_hover_text("The figures that are shown.");
+}
+
+/// The newest spectrum, its figures beside it where there is room.
+fn spectrum(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    (seen, shown): (&Seen, &Shown),
+    told: &[Told],
+    high: f32,
+) {
+    let chart = newest(shown, seen.peak.as_deref());
+    let scale = context.theme.scale;
+    let width = ui.available_width();
+    if width < WIDE * scale || told.is_empty() {
+        context.chart(ui, &chart, "live", vec2(width, high));
+        return;
+    }
+    ui.horizontal_top(|ui| {
+        let wide = width - FIGURES * scale - 12.0;
+        context.chart(ui, &chart, "live", vec2(wide, high));
+        ui.allocate_ui_with_layout(
+            vec2(FIGURES * scale, high),
+            Layout::top_down(Align::Min),
+            |ui| {
+                for told in told {
+                    ui.label(RichText::new(told.name()).color(context.theme.faint));
+                    let number = RichText::new(told.number()).size(24.0 * scale).strong();
+                    let number = ui.add(egui::Label::new(number).truncate());
+                    let why = told
+                        .value
+                        .as_ref()
+                        .err()
+                        .map_or(told.figure.meaning, |why| why);
+                    number.on_hover_text(why);
+                    ui.add_space(4.0);
+                }
+            },
+        );
+    });
+}

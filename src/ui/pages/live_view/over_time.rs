@@ -1,0 +1,171 @@
+//! The stream over time: a quantity as a curve, and the waterfall beside it.
+
+use eframe::egui;
+use egui::{Align2, FontId, Rect, Sense, TextureHandle, TextureOptions, Ui, pos2, vec2};
+
+use super::names;
+use crate::{
+    app::{
+        chart::Chart,
+        charts::live::{TRACKS, WATERFALL_NM, ends_ms, over_time, track_words, waterfall},
+        following::Following,
+    },
+    live::{Track, clock},
+    ui::{
+        kit::{drawing, pressed_small, segments, two_columns},
+        pages::{PageContext, PageWish},
+        swatch,
+    },
+};
+
+/// Between two drawings, s: an hour has 36,000 frames.
+const EVERY: f64 = 1.0;
+
+/// Pixels of the waterfall.
+const PIXELS: [usize; 2] = [401, 240];
+
+/// Wavelengths below the waterfall, nm.
+const TICKS: [f64; 4] = [400.0, 500.0, 600.0, 700.0];
+
+/// Room for times beside the waterfall, and for wavelengths below, points.
+const TIMES: f32 = 66.0;
+const BELOW: f32 = 18.0;
+
+/// Width from which both stand side by side, points.
+const WIDE: f32 = 620.0;
+
+#[derive(Default)]
+pub(super) struct OverTime {
+    drawn: Option<Drawn>,
+}
+
+struct Drawn {
+    at: f64,
+    of: (u64, Track),
+    chart: Chart,
+    waterfall: Option<TextureHandle>,
+    ends_ms: [f64; 2],
+}
+
+impl OverTime {
+    pub(super) fn show(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut PageContext<'_>,
+        following: &Following,
+        high: f32,
+    ) {
+        ui.horizontal_wrapped(|ui| {
+            ui.label(egui::RichText::new("Over time").strong());
+            segments(ui, &mut context.pages.live.track, TRACKS, track_words);
+            if pressed_small(
+                ui,
+                names::SAVE,
+                "Saves Y, CCT, glow and lines of every spectrum.",
+            ) {
+                let (stem, csv) = {
+                    let stream = following.stream();
+                    (stream.name.clone(), stream.tracks.csv())
+                };
+                let stem = stem.replace(|c: char| !c.is_alphanumeric(), "-");
+                context.wishes.push(PageWish::Tracks { stem, csv });
+            }
+        });
+        ui.add_space(4.0);
+        self.draw_anew(ui, context.pages.live.track, following);
+        let Some(drawn) = &self.drawn else { return };
+        let course = |ui: &mut Ui, context: &mut PageContext<'_>| {
+            let size = vec2(ui.available_width(), high);
+            context.chart(ui, &drawn.chart, "over time", size);
+        };
+        let fall = |ui: &mut Ui, _: &mut PageContext<'_>| {
+            paint(ui, drawn, high);
+        };
+        match ui.available_width() >= WIDE * context.theme.scale {
+            true => two_columns(ui, context, course, fall),
+            false => {
+                course(ui, context);
+                ui.add_space(6.0);
+                fall(ui, context);
+            }
+        }
+    }
+
+    /// Draws it again where it is older than a moment.
+    fn draw_anew(&mut self, ui: &Ui, track: Track, following: &Following) {
+        let now = ui.input(|i| i.time);
+        let of = (following.seen().count, track);
+        if let Some(drawn) = &self.drawn {
+            if drawn.of == of {
+                return;
+            }
+            if drawn.of.1 == track && (0.0..EVERY).contains(&(now - drawn.at)) {
+                let wait = std::time::Duration::from_secs_f64(EVERY);
+                return ui.ctx().request_repaint_after(wait);
+            }
+        }
+        let (chart, pixels, ends_ms) = {
+            let tracks = &following.stream().tracks;
+            (
+                over_time(tracks, track),
+                waterfall(tracks, PIXELS),
+                ends_ms(tracks),
+            )
+        };
+        let waterfall = (!pixels.is_empty()).then(|| {
+            let image = swatch::image(PIXELS, &pixels);
+            ui.ctx()
+                .load_texture("waterfall", image, TextureOptions::LINEAR)
+        });
+        self.drawn = Some(Drawn {
+            at: now,
+            of,
+            chart,
+            waterfall,
+            ends_ms,
+        });
+    }
+}
+
+/// The waterfall with its times at the left and wavelengths below.
+fn paint(ui: &mut Ui, drawn: &Drawn, high: f32) {
+    let [first, last] = drawn.ends_ms.map(clock);
+    let name = format!("Waterfall: wavelengths from left to right, {first} above, {last} below");
+    let size = vec2(ui.available_width(), high);
+    let (rect, response) = drawing(ui, size, Sense::hover(), &name);
+    let corner = rect.min + vec2(TIMES, 4.0);
+    let picture = Rect::from_min_max(corner, rect.max - vec2(8.0, BELOW));
+    let painter = ui.painter();
+    let ink = ui.visuals().text_color();
+    let font = FontId::proportional(11.0);
+    let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+    match &drawn.waterfall {
+        Some(texture) => drop(painter.image(texture.id(), picture, whole, egui::Color32::WHITE)),
+        None => drop(painter.rect_filled(picture, 0.0, egui::Color32::BLACK)),
+    }
+    for (words, y, align) in [
+        (first, picture.top(), Align2::RIGHT_TOP),
+        (last, picture.bottom(), Align2::RIGHT_BOTTOM),
+    ] {
+        let at = pos2(picture.left() - 6.0, y);
+        painter.text(at, align, words, font.clone(), ink);
+    }
+    let [from, to] = WATERFALL_NM;
+    for nm in TICKS {
+        let share = ((nm - from) / (to - from)) as f32;
+        let at = pos2(
+            picture.left() + share * picture.width(),
+            picture.bottom() + 3.0,
+        );
+        painter.text(
+            at,
+            Align2::CENTER_TOP,
+            format!("{nm} nm"),
+            font.clone(),
+            ink,
+        );
+    }
+    response.on_hover_text(
+        "Every row is a moment, the first above; as bright as the light was at each wavelength.",
+    );
+}
