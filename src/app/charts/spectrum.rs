@@ -80,11 +80,8 @@ pub fn scale(app: &App) -> Scale {
             let glow = most(&derived.smooth);
             let second = app.document().second.as_ref();
             let second = second.and_then(|second| laid_points(app, second));
-            let second = second
-                .into_iter()
-                .flatten()
-                .map(|at| at[1] / app.scale_factor());
-            let top = second.fold(most(&derived.measured), f64::max);
+            let sizes = second.iter().flatten().map(|at| at[1] / app.scale_factor());
+            let top = sizes.fold(most(&derived.measured), f64::max);
             match top > TOWERS * glow && glow > 0.0 {
                 true => Scale::Root,
                 false => Scale::Linear,
