@@ -16,6 +16,7 @@ use super::{
     document::{Document, Subject, WEIGHT_FACTORS, first_light},
     entry::{Entry, bundled_entries},
     history::History,
+    laid::Laid,
     library::{Library, now_called},
     line_names::{ElementLine, LineName},
     photograph::OnPage,
@@ -47,6 +48,7 @@ pub struct App {
     told: Option<Arc<Told>>,
     product: Option<ProductView>,
     surfaces: OnceLock<Option<Surfaces>>,
+    laid: OnceLock<Vec<Laid>>,
     beside: Option<Beside>,
     scale_factor: f64,
     unit: String,
@@ -94,7 +96,7 @@ impl App {
         document.bound_patch();
         let tables_for = tables_for(&document);
         let tables = Arc::new(make_tables(&tables_for));
-        let derived = Arc::new(derive(&document, &tables));
+        let derived = Arc::new(derive(&document, &tables, None));
         let mut app = Self {
             document,
             history: History::default(),
@@ -106,6 +108,7 @@ impl App {
             told: None,
             product: None,
             surfaces: OnceLock::new(),
+            laid: OnceLock::new(),
             beside: None,
             scale_factor: 1.0,
             unit: String::new(),
@@ -176,6 +179,13 @@ impl App {
         self.surfaces
             .get_or_init(|| Surfaces::of(&self.derived, &self.tables))
             .as_ref()
+    }
+
+    /// How spectra are laid over the subject, in the order of [`Document::laid_over`].
+    pub fn laid(&self) -> impl Iterator<Item = (&Arc<Entry>, Laid)> {
+        let over = || self.document.laid_over();
+        let make = || over().map(|entry| Laid::of(self, entry)).collect();
+        over().zip(self.laid.get_or_init(make).iter().copied())
     }
 
     /// All atomic lines, for hover.
@@ -399,13 +409,17 @@ impl App {
         if kept == Kept::AllButPages {
             return;
         }
-        if kept == Kept::Nothing {
+        if kept != Kept::AllOrders {
+            self.laid = OnceLock::new();
+        }
+        if kept != Kept::Model {
             let wanted = tables_for(&self.document);
             if wanted != self.tables_for {
                 self.tables = Arc::new(make_tables(&wanted));
                 self.tables_for = wanted;
             }
-            self.derived = Arc::new(derive(&self.document, &self.tables));
+            let curve = (kept == Kept::AllOrders).then(|| &self.derived.curve[..]);
+            self.derived = Arc::new(derive(&self.document, &self.tables, curve));
             self.surfaces = OnceLock::new();
             self.name_spikes();
         }

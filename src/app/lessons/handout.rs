@@ -173,7 +173,7 @@ fn of_teacher(blocks: &mut Vec<Block>, lesson: &Lesson, played: &[Played<Option<
 }
 
 /// A PNG as an address that holds it.
-fn data_url(png: &[u8]) -> String {
+pub fn data_url(png: &[u8]) -> String {
     format!("data:image/png;base64,{}", BASE64_STANDARD.encode(png))
 }
 

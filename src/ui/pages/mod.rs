@@ -2,6 +2,7 @@
 
 mod auction_view;
 pub mod coefficients_view;
+pub mod combine_view;
 mod design_view;
 pub mod gem_view;
 mod glossary_view;
@@ -25,6 +26,7 @@ pub use lessons_view::{LessonFile, LessonsView};
 
 use auction_view::AuctionView;
 use coefficients_view::CoefficientsView;
+use combine_view::CombineView;
 use design_view::DesignView;
 use gem_view::GemView;
 use glossary_view::GlossaryView;
@@ -198,6 +200,7 @@ const DRAWN: &[(Page, Draw)] = &[
     (Page::SameSurface, |p, ui, c| {
         p.of::<SameSurfaceView>().show(ui, c)
     }),
+    (Page::Combine, |p, ui, c| p.of::<CombineView>().show(ui, c)),
     (Page::Quality, |p, ui, c| {
         p.of::<QualityView>().figures(ui, c)
     }),

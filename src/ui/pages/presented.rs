@@ -106,6 +106,7 @@ fn is_whole(page: Page) -> bool {
             | Page::SameSurface
             | Page::Quality
             | Page::Mix
+            | Page::Solve
             | Page::Image
             | Page::Relit
     )

@@ -9,6 +9,7 @@ use super::{
     super::{
         chart_view::{ChartForm, ChartWish},
         dialogs::{self, Dialog, Outcome},
+        dropped,
         files::{Ask, NO_DIALOG, Picked},
         pages::LessonFile,
         picture,
@@ -30,7 +31,7 @@ use crate::{
             Lesson,
             handout::{Form, Reader, handout},
         },
-        open::{Finished, Loaded, load_bytes},
+        open::{Finished, Loaded},
         pages::Page,
         photograph::{Instrument, is_instrument, is_photograph},
         relit::PictureWish,
@@ -122,24 +123,7 @@ impl Window {
     pub(super) fn take_in(&mut self, ui: &Ui) {
         self.take_files(ui.ctx());
         self.note_drop(ui.ctx());
-        let dropped = ui.input(|i| i.raw.dropped_files.clone());
-        let (mut paths, mut read) = (Vec::new(), Vec::new());
-        for file in dropped {
-            let path = file.path().to_owned();
-            if path.is_file() || path.is_dir() {
-                paths.push(path);
-                continue;
-            }
-            let name = path.file_name().map_or_else(
-                || "dropped file".to_owned(),
-                |name| name.to_string_lossy().into_owned(),
-            );
-            let loaded = match file.bytes() {
-                Ok(bytes) => load_bytes(&name, &bytes),
-                Err(why) => Loaded::Refused(format!("{name}: {why}")),
-            };
-            read.push((name, loaded));
-        }
+        let (paths, read) = dropped(ui);
         if !read.is_empty() {
             let finished = Finished::of_dropped(read);
             self.tell_refusals(&finished, ui.ctx());
@@ -289,6 +273,8 @@ impl Window {
                     self.write(saving, path, context);
                 }
             }
+            #[cfg(target_arch = "wasm32")]
+            (Picked::Later, _) => {}
             (Picked::Cancelled, _) => self.app.say(Tone::Info, "No file chosen."),
             (Picked::NoDialog, None) => {
                 self.app.say(Tone::Problem, NO_DIALOG);

@@ -103,6 +103,7 @@ impl Window {
                         dialog_open: self.waiting.is_some(),
                         has_summary: self.batch.has_summary(),
                         lessons: self.lessons_folder.as_deref(),
+                        is_page: self.address.is_some(),
                     };
                     let drawer = &mut self.drawer;
                     top_view::show(ui, &self.app, &self.preferences, drawer, menus, &mut wishes);
