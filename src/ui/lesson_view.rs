@@ -148,14 +148,15 @@ fn with_another(ui: &mut Ui, lesson: &Lesson, wishes: &mut Vec<Wish>) {
     }
     ui.add_space(8.0);
     ui.label("Take the lesson again with");
-    for (index, light) in lesson.also.iter().enumerate() {
-        let name = light.rsplit('/').next().unwrap_or(light);
-        let button = Button::new(name).wrap();
-        let meaning = "The lesson from its beginning, with this light in place of its own.";
-        if pressed_if(ui, true, button, meaning) {
-            wishes.push(Wish::With(index));
+    ui.horizontal_wrapped(|ui| {
+        for (index, light) in lesson.also.iter().enumerate() {
+            let name = light.rsplit('/').next().unwrap_or(light);
+            let meaning = "The lesson from its beginning, with this light in place of its own.";
+            if pressed(ui, name, meaning) {
+                wishes.push(Wish::With(index));
+            }
         }
-    }
+    });
 }
 
 /// The step's words; gives where its reasons stand.

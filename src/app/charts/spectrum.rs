@@ -32,29 +32,28 @@ pub fn spectrum_chart(app: &App) -> Chart {
     let (view, band) = (document.view, derived.band);
     let subject = document.subject_entry();
     let has_subject = app.is_measured_in_range();
-    let of_model = || {
-        format!(
-            ": {} ({} order {}, {})",
+    let (name, model) = (subject.name(), &derived.model);
+    let title = match view.model {
+        true => format!(
+            "{name}: {} ({} order {}, {})",
             numbers(derived.numbers()),
-            derived.model.smooth().basis.word(),
-            derived.model.smooth().order(),
-            many(derived.model.lines().len(), "line", "lines"),
-        )
+            model.smooth().basis.word(),
+            model.smooth().order(),
+            many(model.lines().len(), "line", "lines"),
+        ),
+        false => name.to_owned(),
     };
-    let of_model = view.model.then(of_model).unwrap_or_default();
     let mut chart = Chart {
-        title: format!("{}{of_model}", subject.name()),
+        title,
         y_label: subject_label(app),
         y_scale: scale(app),
         series: spectrum_series(app),
         colours: colours(app),
         residual: (view.residual && has_subject).then(|| residual(app)),
         notes: provenance(app),
-        blank: if has_subject {
-            String::new()
-        } else {
-            nothing_here(app)
-        },
+        blank: (!has_subject)
+            .then(|| nothing_here(app))
+            .unwrap_or_default(),
         ..over(band)
     };
     let [low, high] = chart.y_limits();
@@ -80,11 +79,8 @@ pub fn scale(app: &App) -> Scale {
             let glow = most(&derived.smooth);
             let second = app.document().second.as_ref();
             let second = second.and_then(|second| laid_points(app, second));
-            let second = second
-                .into_iter()
-                .flatten()
-                .map(|at| at[1] / app.scale_factor());
-            let top = second.fold(most(&derived.measured), f64::max);
+            let sizes = second.iter().flatten().map(|at| at[1] / app.scale_factor());
+            let top = sizes.fold(most(&derived.measured), f64::max);
             match top > TOWERS * glow && glow > 0.0 {
                 true => Scale::Root,
                 false => Scale::Linear,

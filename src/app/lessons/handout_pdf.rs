@@ -182,7 +182,11 @@ fn together(blocks: &[Block]) -> f64 {
         Some(Block::Heading(_) | Block::Words(_)) => {
             let words = (1..).take_while(|index| is(*index, is_words)).count();
             match is(1 + words, is_picture) {
-                true => 2 + words,
+                true => {
+                    let behind = &blocks[2 + words..];
+                    let is_asked = matches!(behind.first(), Some(Block::Led(..)));
+                    2 + words + if is_asked { answered(behind) } else { 0 }
+                }
                 false if is(0, is_words) => 1,
                 false => 1 + words + answered(&blocks[1 + words..]),
             }
@@ -353,9 +357,11 @@ mod tests {
             Block::Heading("Step 3".to_owned()),
             Block::Words("What is said.".to_owned()),
             Block::Axis,
+            led("Predict."),
+            choice('A'),
         ];
         let whole = |part: &[Block]| part.iter().map(height).sum::<f64>();
-        for (from, to) in [(0, 7), (2, 7), (5, 7), (7, 10), (10, 13)] {
+        for (from, to) in [(0, 7), (2, 7), (5, 7), (7, 10), (10, 15)] {
             assert_eq!(
                 together(&blocks[from..]),
                 whole(&blocks[from..to]),

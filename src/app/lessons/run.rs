@@ -194,11 +194,6 @@ impl Run {
         step.task.as_ref().is_some_and(|task| !names_lights(task))
     }
 
-    /// Whether the step's task is done with the library or the bar above.
-    pub fn uses_bar(&self) -> bool {
-        self.step().task.is_some() && !self.uses_page()
-    }
-
     /// What could not be set.
     pub fn trouble(&self) -> Option<&str> {
         self.trouble.as_deref()

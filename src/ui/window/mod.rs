@@ -248,12 +248,9 @@ impl Window {
 
         let shape = self.shape(ui, theme);
         let mut centre = ui.available_rect_before_wrap();
-        let uses_bar = self.lesson.as_ref().is_some_and(Run::uses_bar);
-        if !shape.present || uses_bar {
+        if !shape.present {
             self.bar(ui, shape, &context);
             self.following_bar(ui, theme);
-        }
-        if !shape.present {
             self.foot(ui, shape, theme);
             self.rail(ui, shape, theme);
         }
