@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 use spectral_explorer::app::{
     App, Command, Document,
-    pages::PageStates,
+    pages::{CombineState, PageStates},
     workspace::{self, Preferences},
 };
 
@@ -211,6 +211,7 @@ fn opens_as(text: &str, document: &Document, preferences: Option<&Preferences>) 
     let mut document = document.clone();
     document.pages.tradeoff.every_way = false;
     document.pages.relit.under = None;
+    document.pages.combine = CombineState::default();
     assert_eq!(restored.document.pages, document.pages);
     let now = workspace::to_json(&restored.document, restored.preferences.as_ref());
     assert_eq!(now, workspace::to_json(&document, preferences));

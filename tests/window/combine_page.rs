@@ -77,6 +77,8 @@ fn open(ui: &mut Ui, paths: Vec<PathBuf>) {
     settle(ui);
     ui.state_mut().0.preferences.page = Page::Combine;
     settle(ui);
+    // What was opened together is listed.
+    press(ui, Role::Button, "Close");
 }
 
 fn press(ui: &mut Ui, role: Role, name: &str) {

@@ -12,7 +12,7 @@ use crate::{
 const NM: std::ops::RangeInclusive<i32> = 380..=780;
 
 /// Noise of a sample, a share of the largest value.
-const NOISE: f64 = 0.003;
+const NOISE: f64 = 0.0005;
 
 /// What the level of a scan is known to, a share, and its wavelengths, nm.
 const LEVEL: f64 = 0.01;
@@ -33,7 +33,7 @@ const RANGES_NM: [f64; 2] = [610.0, 560.0];
 const SECOND_RANGE: f64 = 0.06;
 
 /// By how much the second set of scans is warmer: it falls by this share at the blue end.
-const WARMER: f64 = 0.06;
+const WARMER: f64 = 0.1;
 
 /// The slit that is taken off.
 const SLIT: Slit = Slit {

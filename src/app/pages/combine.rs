@@ -10,6 +10,7 @@ use super::{
 };
 use crate::{
     app::{
+        FIRST_LIGHT,
         cells::Table,
         chart::Chart,
         charts::combined::{combined_chart, readings_chart},
@@ -29,7 +30,7 @@ use crate::{
 
 pub(super) const ROW: Row = row(
     Page::Combine,
-    Place::Through,
+    Place::Look,
     ("Combine", "combine"),
     "instrument",
     "One's own measurements with their doubt: means of scans, differences, quotients, slits.",
@@ -212,16 +213,25 @@ impl CombineAsk {
     pub fn of(app: &App, state: &CombineState) -> Option<Self> {
         let entry = |key: &str| app.entry(key).map(ByAddress);
         let [other, filter] = EXAMPLE.map(entry);
+        // What came from a file may be a dark frame.
+        let light = Some(ByAddress(app.document().light.clone()));
+        let light = light.filter(|light| light.0.shelf().is_some());
+        let light = light.or_else(|| entry(FIRST_LIGHT));
         let sets = state.keys();
         Some(Self {
             sets: sets.map(|keys| keys.into_iter().filter_map(entry).collect()),
             state: state.clone(),
-            example: [ByAddress(app.document().light.clone()), other?, filter?],
+            example: [light?, other?, filter?],
         })
     }
 
     fn is_example(&self) -> bool {
         self.sets.iter().all(Vec::is_empty)
+    }
+
+    fn example_of(&self) -> Option<String> {
+        let name = || self.example[0].0.name().to_owned();
+        self.is_example().then(name)
     }
 
     /// The measurements of both sets.
@@ -288,7 +298,8 @@ pub struct Combined {
     pub left_out: Vec<(String, String)>,
     /// True if a spectrum was made of the user's own choice.
     pub is_made: bool,
-    pub is_example: bool,
+    /// The name of the light that an example is drawn of; none where it is the user's own.
+    pub example_of: Option<String>,
 }
 
 impl Combined {
@@ -309,7 +320,7 @@ impl Combined {
             notes: own.into_iter().skip(told).chain(rest).collect(),
             left_out: odd.filter_map(why).collect(),
             is_made: found.result.is_some() && !ask.is_example(),
-            is_example: ask.is_example(),
+            example_of: ask.example_of(),
         }
     }
 
@@ -322,7 +333,7 @@ impl Combined {
             notes: Vec::new(),
             left_out: Vec::new(),
             is_made: false,
-            is_example: ask.is_example(),
+            example_of: ask.example_of(),
         }
     }
 }
@@ -344,7 +355,7 @@ mod tests {
             verb: Verb::Quotient,
             ..CombineState::default()
         };
-        assert!(answer(&app, &state).is_example);
+        assert_eq!(answer(&app, &state).example_of.as_deref(), Some("FL2"));
         let [fl2, a] = ["cie_fluorescent_1nm/FL2", "cie_illuminants/CIE A"].map(str::to_owned);
         state.slots = [Some(fl2), None, None];
         let waiting = answer(&app, &state);
@@ -393,7 +404,7 @@ mod tests {
                 Verb::Mean => assert!(shown.says.starts_with("The mean of 5 scans: CCT")),
                 Verb::Changed => assert!(shown.says.starts_with("Different:"), "{}", shown.says),
                 // A green filter of 2 mm: all of it is above the noise of a bright reference.
-                Verb::Quotient => assert!(shown.says.starts_with("Transmittance")),
+                Verb::Quotient => assert!(shown.says.starts_with("A transmittance")),
                 Verb::Unslit => {
                     let slit = shown.notes.iter().find(|note| note.contains("The slit is"));
                     assert!(slit.is_some(), "{:?}", shown.notes);

@@ -169,8 +169,7 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, shown: Option<&Combined>
     });
     ui.add_space(6.0);
     ui.weak(state.verb.meaning());
-    if shown.is_some_and(|shown| shown.is_example) {
-        let light = context.app.document().light.name();
+    if let Some(light) = shown.and_then(|shown| shown.example_of.as_ref()) {
         ui.weak(format!(
             "This is an example, drawn from {light}. Open your files, and choose them here."
         ));
