@@ -193,8 +193,10 @@ pub(crate) fn full_document() -> Document {
 
 pub(crate) fn full_preferences() -> Preferences {
     Preferences {
+        without_cones: Some(spectral_explorer::color::MissingCones::Middle),
         dark: false,
         zoom: 1.3,
+        touch: Some(true),
         present: true,
         recent: vec![PathBuf::from("a lamp.csv"), PathBuf::from("b.spdx")],
         window: Some([1280.0, 800.5]),
