@@ -113,6 +113,9 @@ fn setting_of(place: &Place) -> Place {
                 "lines",
                 "pixel",
                 "xy",
+                "slots",
+                "scans",
+                "others",
             ]
             .iter()
             .any(|key| is(2, key)) =>

@@ -31,7 +31,7 @@ use crate::{
 
 pub(super) const ROW: Row = row(
     Page::Combine,
-    Place::Through,
+    Place::Look,
     ("Combine", "combine"),
     "instrument",
     "One's own measurements with their doubt: means of scans, differences, quotients, slits.",
