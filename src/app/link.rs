@@ -8,10 +8,11 @@ use std::sync::Arc;
 use super::{
     App, Entry,
     lessons::shelf,
-    open::{Loaded, load_bytes, resolve},
+    open::{Loaded, load_bytes_as, resolve},
     pages::Page,
     share::short_line,
 };
+use crate::{io::Choices, spectrum::Kind};
 
 /// What a part of a link opens.
 pub enum Target {
@@ -46,17 +47,28 @@ fn target(part: &str) -> Result<Target, String> {
             Ok(lesson) => return Ok(Target::Lesson(lesson.name.clone())),
             Err(why) => why.to_string(),
         },
-        "cs1" | "cs2" => match load_bytes("a link", format!("{key};{value}").as_bytes()) {
-            Loaded::Refused(why) => why,
-            loaded => return Ok(Target::File(loaded)),
-        },
+        "cs1" | "cs2" => {
+            let choices = Choices {
+                kind: Some(Kind::Light),
+                ..Choices::default()
+            };
+            let line = format!("{key};{value}").into_bytes().into();
+            match load_bytes_as("a link", &line, &choices) {
+                Loaded::Refused(why) => why,
+                loaded => return Ok(Target::File(loaded)),
+            }
+        }
         _ => format!("found {key:?}, expected page, light, lesson, cs1 or cs2"),
     };
     Err(format!("The link: {why}."))
 }
 
-/// The link that opens a page with the model of the light that is shown, in few digits.
+/// The link that opens a page with the model of the light that is shown, in few digits; of what is
+/// no light the page alone.
 pub fn of_view(app: &App, page: Page) -> String {
+    if !app.document().is_about_light() {
+        return format!("page={}", page.word());
+    }
     let line = short_line(&app.derived().model, app.document().settings.observer).text;
     // What may not stand in an address: a space.
     let line = line.replacen(';', "=", 1).replace(' ', "%20");
@@ -98,5 +110,8 @@ mod tests {
         let line = short_line(&app.derived().model, app.document().settings.observer).text;
         let model = parse_composite_line(&line).expect("a line");
         assert_eq!(opened.composite_of(0).as_deref(), Some(&model));
+        assert!(opened.guesses.is_empty(), "nothing is asked");
+        let red = of_view(&showing("colorchecker_ohta/red"), Page::Spectrum);
+        assert_eq!(red, "page=spectrum");
     }
 }
