@@ -1,6 +1,7 @@
 //! What an entry is, in words: its family, a title and a sentence.
 
 use super::{
+    combining::{doubts_of, words::figure_words},
     entry::Entry,
     families::{Families, Family},
     line_names::Identified,
@@ -12,7 +13,7 @@ use super::{
 use crate::{
     color::{Observer, cct_from_xyz, xyz::xyz_from_light},
     io::many::capitalised,
-    measurements::counts_sign,
+    measurements::{Figure, counts_sign},
     spectrum::{Kind, Sampled},
 };
 
@@ -49,6 +50,10 @@ impl About {
             },
             None => Self {
                 kelvin: kelvin_of(entry),
+                about: match doubt_words(entry) {
+                    doubt if words.about.is_empty() => doubt,
+                    doubt => format!("{} {doubt}", words.about).trim_end().to_owned(),
+                },
                 ..words
             },
         }
@@ -103,6 +108,26 @@ fn kelvin_of(entry: &Entry) -> Option<f64> {
     let samples = &entry.spectrum.samples;
     let xyz = xyz_from_light(samples, entry.kind().outside(), Observer::CIE_1931)?;
     cct_from_xyz(xyz).ok().map(|cct| cct.kelvin)
+}
+
+/// The figures that a light is known by with their doubt, a sentence; empty where none is known.
+fn doubt_words(entry: &Entry) -> String {
+    let doubts = doubts_of(entry);
+    let known = doubts
+        .iter()
+        .filter(|d| matches!(d.figure, Figure::Cct | Figure::Ra | Figure::Rf));
+    let told: Vec<String> = known
+        .map(|d| format!("{} {}", d.figure.words(), figure_words(d)))
+        .collect();
+    if told.is_empty() {
+        return String::new();
+    }
+    let scans = entry.measured.as_ref().and_then(|of| of.scans);
+    let of = match scans {
+        Some(scans) if scans > 1 => format!(" ({scans} scans)"),
+        _ => String::new(),
+    };
+    format!("{}{of}.", told.join(", "))
 }
 
 fn table_words(entry: &Entry) -> String {

@@ -94,7 +94,9 @@ impl Art {
         let about = About::of(entry);
         let kelvin = about.kelvin.map(kelvin_words);
         let words = Some(about.what).filter(|what| !what.is_empty());
-        let what: Vec<String> = words.into_iter().chain(kelvin).collect();
+        let scans = entry.measured.as_ref().and_then(|of| of.scans);
+        let scans = scans.filter(|n| *n > 1).map(|n| format!("{n} scans"));
+        let what: Vec<String> = words.into_iter().chain(kelvin).chain(scans).collect();
         Self {
             what: what.join(", "),
             colour: swatch.map_or(Color32::from_gray(110), |s| swatch::colour(s.rgb8)),

@@ -6,8 +6,9 @@ use eframe::egui;
 
 use super::{
     Window,
-    files::{system_picker, watch_dialogs},
+    files::watch_dialogs,
     saver::Saver,
+    system_picker,
     theme::{self, waker},
 };
 use crate::app::{
@@ -159,7 +160,7 @@ fn open(start: Start) -> eframe::Result {
                 window.app.apply(Command::Show(entry));
             }
             if let Some(asked) = start.follow {
-                window.follow(asked, &creation.egui_ctx);
+                window.follow_light(asked, &creation.egui_ctx);
             } else if start.presets.is_empty() && start.files.is_empty() {
                 window.greet();
             }

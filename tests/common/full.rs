@@ -7,6 +7,7 @@ use spectral_explorer::{
         App, Command, Detector, Document, Entry, FIRST_LIGHT, Gel, Given, Height, Scale, Settings,
         SpikeAct, View,
         charts::quality::OfColours,
+        combining::Verb,
         design::{
             DeskSurfaces, Telling,
             colour::FromColour,
@@ -15,10 +16,11 @@ use spectral_explorer::{
         },
         dispersion::{Sent, Substance},
         pages::{
-            AbsorptionMemory, Beside, BouncesMemory, ChainMemory, DiagramShows, FieldChoice,
-            GemColour, GemMemory, ImageMemory, LightPart, Look, ManyMemory, NarrowMemory, Page,
-            PageStates, PrismMemory, RainbowMemory, RelitMemory, ResamplingMemory,
-            SameSurfaceMemory, Show, Spread, TwoLightsMemory, WaysShown, WordsMemory,
+            AbsorptionMemory, Beside, BouncesMemory, ChainMemory, CombineState, DiagramShows,
+            FieldChoice, GemColour, GemMemory, ImageMemory, LightPart, Look, ManyMemory,
+            NarrowMemory, Page, PageStates, PrismMemory, RainbowMemory, RelitMemory,
+            ResamplingMemory, SameSurfaceMemory, Show, Spread, TwoLightsMemory, WaysShown,
+            WordsMemory,
         },
         products::{Link, Products},
         workspace::Preferences,
@@ -30,6 +32,7 @@ use spectral_explorer::{
         solve::{Against, Floors, Objective},
     },
     live::Track,
+    measurements::{Kernel, Normalise},
     optics::Brilliant,
     pictures::{FixedSettings, LineChoice, ReferenceKind},
     spectrum::{Band, Basis, Kind, NamedSpectrum, Rect, Sampled, Sampling},
@@ -191,8 +194,10 @@ pub(crate) fn full_document() -> Document {
 
 pub(crate) fn full_preferences() -> Preferences {
     Preferences {
+        without_cones: Some(spectral_explorer::color::MissingCones::Middle),
         dark: false,
         zoom: 1.3,
+        touch: Some(true),
         present: true,
         recent: vec![PathBuf::from("a lamp.csv"), PathBuf::from("b.spdx")],
         window: Some([1280.0, 800.5]),
@@ -274,6 +279,18 @@ pub(crate) fn full_pages() -> PageStates {
     pages.same_surface = SameSurfaceMemory {
         everywhere: false,
         twice: true,
+    };
+    pages.combine = CombineState {
+        verb: Verb::Quotient,
+        slots: [Some(D65.to_owned()), Some("paper/Sodium".to_owned()), None],
+        scans: vec!["own/1".to_owned()],
+        others: vec!["own/2".to_owned()],
+        fwhm_nm: 7.5,
+        is_told: true,
+        shape: Kernel::Triangle,
+        keep_all: true,
+        of_surface: true,
+        equal: Some(Normalise::Y),
     };
     pages.dark_lines = AbsorptionMemory { example: 1 };
     pages.chromaticity = DiagramShows {

@@ -3,14 +3,113 @@
 
 use crate::{
     app::{
-        chart::{Ink, Series},
-        ticks::short,
+        chart::{Chart, Dash, Ink, Panel, Series, Shape, stroke},
+        charts::products::chain::strip,
+        combining::{Found, LineRow, Part, measurements},
     },
-    measurements::Measurement,
+    measurements::{Measurement, Quantity, mean_of, rounded},
+    spectrum::Band,
 };
 
 /// Half width of 95 % in standard deviations.
 const OF_95: f64 = 1.96;
+
+/// What a combination made, over the readings of its kind that it was made of.
+pub fn combined_chart(found: &Found, title: String, parts: &[Part]) -> Chart {
+    let of = found.result();
+    let mut chart = Chart { title, ..over(of) };
+    let is_light = of.quantity == Quantity::Light;
+    let values = of.samples.values();
+    let curves = || stretches(of, |i| values[i]);
+    if is_light && let Ok(band) = Band::new(chart.x_range[0].ceil(), chart.x_range[1].floor()) {
+        let area = |points| Series::area("", Ink::Measured, points, Vec::new()).coloured();
+        chart.series.extend(curves().map(area));
+        chart.colours = strip(band);
+    }
+    for (index, part) in parts.iter().enumerate() {
+        let is_kept = found.scans.get(index).is_none_or(|scan| scan.is_kept);
+        let (name, dash) = match is_kept {
+            true => ("as read", Dash::Solid),
+            false => ("left out", Dash::Dotted),
+        };
+        if (part.of.quantity, &part.of.unit) == (of.quantity, &of.unit) {
+            chart.series.extend(thin(&part.of, name, Ink::Faint, dash));
+        }
+    }
+    chart.series.extend(doubted(of, "95 %", 1.0));
+    let curve = |points| Series::line("result", Ink::Measured, points);
+    chart.series.extend(curves().map(curve));
+    let at = |line: &LineRow| Some([line.at_nm, line.weight?]);
+    let points: Vec<[f64; 2]> = found.lines.iter().filter_map(at).collect();
+    if !is_light && !points.is_empty() {
+        let ring = Series::points("at shared lines", Ink::Spikes, Shape::Ring, points);
+        chart.series.push(ring);
+    }
+    chart
+}
+
+/// Two sets of readings, and what their means differ by where both are of one kind and grid.
+pub fn readings_chart(sets: &[Vec<Part>; 2]) -> Chart {
+    let Some(first) = sets.iter().flatten().next() else {
+        return Chart::default();
+    };
+    let mut chart = over(&first.of);
+    let inks = [Ink::Measured, Ink::Second];
+    for part in sets.iter().flatten() {
+        let nm = part.of.samples.nm();
+        chart.x_range[0] = chart.x_range[0].min(nm[0]);
+        chart.x_range[1] = chart.x_range[1].max(nm[nm.len() - 1]);
+    }
+    for ((set, ink), name) in sets.iter().zip(inks).zip(["first set", "second set"]) {
+        let name = if sets[1].is_empty() { "as read" } else { name };
+        let curves = set
+            .iter()
+            .flat_map(|part| thin(&part.of, name, ink, Dash::Solid));
+        chart.series.extend(curves);
+    }
+    let means = sets.each_ref().map(|set| mean_of(&measurements(set)).ok());
+    if let [Some(first), Some(second)] = means
+        && first.samples.nm() == second.samples.nm()
+        && first.unit == second.unit
+    {
+        let pairs = second.samples.values().iter().zip(first.samples.values());
+        let rest = pairs.map(|(second, first)| second - first);
+        let points = first.samples.nm().iter().copied().zip(rest);
+        let points = points.map(|(nm, value)| [nm, value]).collect();
+        chart.residual = Some(Panel {
+            y_label: "second - first".to_owned(),
+            series: vec![Series::line("difference", Ink::Residual, points)],
+            ..Panel::default()
+        });
+    }
+    chart
+}
+
+/// An empty chart over the wavelengths of a measurement.
+fn over(of: &Measurement) -> Chart {
+    let nm = of.samples.nm();
+    let y_label = match (of.quantity, of.unit.as_str()) {
+        (Quantity::Counts, _) => "Counts",
+        (Quantity::Light, "") => "Relative power",
+        (Quantity::Light, unit) => unit,
+        (Quantity::Absorbance, _) => "Absorbance",
+        (Quantity::Reflectance, _) => "Reflectance",
+        (Quantity::Transmittance, _) => "Transmittance",
+        (Quantity::Factor | Quantity::Number, _) => "Factor",
+    };
+    Chart {
+        y_label: y_label.to_owned(),
+        ..Chart::over_nm([nm[0], nm[nm.len() - 1]])
+    }
+}
+
+/// The values of a measurement as thin lines.
+fn thin(of: &Measurement, name: &str, ink: Ink, dash: Dash) -> Vec<Series> {
+    let values = of.samples.values();
+    let curves = stretches(of, |i| values[i]);
+    let curve = |points| stroke(name, ink, points, 1.0, dash);
+    curves.map(curve).collect()
+}
 
 /// The band about a measurement times a factor, and its level as a bracket at the right edge; none
 /// where nothing is known of its noise.
@@ -29,7 +128,8 @@ pub fn doubted(of: &Measurement, name: &str, by: f64) -> Vec<Series> {
     if let Some(last) = last.filter(|_| of.level > 0.0) {
         let (nm, value) = (of.samples.nm()[last], by * values[last]);
         let ends = [1.0, -1.0].map(|sign| [nm, value * (1.0 + sign * OF_95 * of.level)]);
-        let name = format!("level \u{b1} {} %", short(100.0 * OF_95 * of.level));
+        let half = 100.0 * OF_95 * of.level;
+        let name = format!("level \u{b1} {} %", rounded(half, half).1);
         series.push(Series::line(name, Ink::Faint, ends.to_vec()));
     }
     series
@@ -55,7 +155,7 @@ fn stretches(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{measurements::Quantity, spectrum::Sampled};
+    use crate::spectrum::Sampled;
 
     #[test]
     fn a_mask_is_a_gap_and_the_band_holds_two_sigmas_about_the_curve() {

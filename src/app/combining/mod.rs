@@ -2,12 +2,15 @@
 //! instrument, and what changed between two sets. The command line and the window ask the same way.
 
 pub mod act;
+mod example;
 mod formula;
 mod instrument;
 mod parts;
 mod result;
 mod scans;
 mod slit;
+pub mod table;
+mod verb;
 pub mod words;
 
 use std::fmt::Display;
@@ -16,10 +19,12 @@ use super::{instruments, readings::Reading};
 use crate::measurements::{Formula, Slit};
 
 pub use act::Act;
+pub use example::{Drawn, example};
 pub use instrument::{known_of_words, learnt};
 pub use parts::{Part, measurements};
-pub use result::{Found, LineRow, ScanRow};
+pub use result::{Found, LineRow, ScanRow, doubts_of};
 pub use scans::of_change;
+pub use verb::{Slot, Verb};
 
 impl Act {
     /// What it makes of the parts.

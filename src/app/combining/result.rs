@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::parts::Part;
 use crate::{
     app::{
         Entry,
@@ -252,4 +253,24 @@ impl Found {
         rest.extend(self.figures().into_iter().flat_map(|(_, said)| said));
         (self.notes.clone(), rest)
     }
+}
+
+/// The figures of a spectrum whose doubt is known, with it; none of one without.
+pub fn doubts_of(entry: &Entry) -> Vec<Doubted> {
+    let has_noise = |of: &Measurement| {
+        of.sigma.is_some() || of.level > 0.0 || of.axis_nm > 0.0 || !of.shared.is_empty()
+    };
+    if !entry.measured.as_deref().is_some_and(has_noise) {
+        return Vec::new();
+    }
+    let Ok(part) = Part::of_entry(entry, false) else {
+        return Vec::new();
+    };
+    let found = Found {
+        reading: part.reading,
+        ..Found::of(part.of, String::new(), "stated")
+    };
+    let (mut all, _) = found.figures().unwrap_or_default();
+    all.retain(|d| d.doubt.is_some_and(|doubt| doubt.half_width_95 > 0.0));
+    all
 }

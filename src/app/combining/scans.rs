@@ -101,7 +101,7 @@ impl Belonging {
         let kept = (0..parts.len()).filter(|scan| !is_out(*scan));
         let kept = kept.map(|scan| parts[scan].clone()).collect();
         let what = match drops {
-            true => "left out; --keep-all keeps it",
+            true => "left out, unless everything is kept",
             false => "kept all the same",
         };
         let note = |Misfit { scan, why }: &Misfit| {

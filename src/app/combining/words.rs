@@ -2,10 +2,10 @@
 
 use std::fmt::Write as _;
 
-use super::result::{Found, LineRow};
+use super::result::{Found, LineRow, ScanRow};
 use crate::{
     app::ticks::short,
-    measurements::{Changed, Doubted, Feature, Figure, Measurement, Part, Verdict, rounded},
+    measurements::{Changed, Doubt, Doubted, Feature, Figure, Measurement, Part, Verdict, rounded},
 };
 
 /// Most lines that are told in words.
@@ -24,13 +24,7 @@ pub fn text(found: &Found) -> String {
     }
     for scan in &found.scans {
         // Writing to a string cannot fail.
-        let _ = writeln!(
-            text,
-            "Scan      {}: level {:+.2} %, moved {:+.3} nm",
-            scan.name,
-            100.0 * scan.level,
-            scan.shift_nm
-        );
+        let _ = writeln!(text, "Scan      {}: {}", scan.name, scan_words(scan));
     }
     let (own, rest) = found.notes();
     for note in own.iter().chain(&rest) {
@@ -89,15 +83,26 @@ pub fn doubt_words(found: &Found, result: &Measurement) -> String {
     text
 }
 
-/// `546.07 ± 0.02 nm, 12.4 ± 0.3, 9.8 % of the power`.
-pub fn line_words(line: &LineRow) -> String {
-    let with = |value: f64, u: Option<f64>| match u {
-        Some(u) if u > 0.0 => {
-            let (value, half) = rounded(value, 1.96 * u);
+/// `level +0.31 %, moved -0.012 nm`.
+pub fn scan_words(scan: &ScanRow) -> String {
+    let (level, shift) = (100.0 * scan.level, scan.shift_nm);
+    format!("level {level:+.2} %, moved {shift:+.3} nm")
+}
+
+/// `12.4 ± 0.3`; the value alone where its half width is not known.
+pub fn with_half(value: f64, half: Option<f64>) -> String {
+    match half {
+        Some(half) if half > 0.0 => {
+            let (value, half) = rounded(value, half);
             format!("{value} \u{b1} {half}")
         }
         _ => short(value),
-    };
+    }
+}
+
+/// `546.07 ± 0.02 nm, 12.4 ± 0.3, 9.8 % of the power`.
+pub fn line_words(line: &LineRow) -> String {
+    let with = |value: f64, u: Option<f64>| with_half(value, u.map(|u| 1.96 * u));
     let share = line.share.map_or_else(String::new, |share| {
         format!(", {:.1} % of the power", 100.0 * share)
     });
@@ -115,6 +120,14 @@ fn in_words(doubted: &Doubted) -> String {
     format!("{:<9} {}", doubted.figure.words(), figure_words(doubted))
 }
 
+/// A figure as it is shown: an index is cut at its top.
+pub fn shown_value(figure: Figure, doubt: &Doubt) -> f64 {
+    match figure {
+        Figure::Ra | Figure::R9 | Figure::Rf => doubt.value.min(100.0),
+        _ => doubt.value,
+    }
+}
+
 /// `4224 ± 11 K`, the last digit worth writing; a dash for a figure that the light does not have.
 pub fn figure_words(doubted: &Doubted) -> String {
     let Some(doubt) = doubted.doubt else {
@@ -125,16 +138,8 @@ pub fn figure_words(doubted: &Doubted) -> String {
     } else {
         ""
     };
-    let value = match doubted.figure {
-        // An index is shown cut at its top.
-        Figure::Ra | Figure::R9 | Figure::Rf => doubt.value.min(100.0),
-        _ => doubt.value,
-    };
-    if doubt.half_width_95.is_nan() || doubt.half_width_95 <= 0.0 {
-        return format!("{}{unit}", short(value));
-    }
-    let (value, half) = rounded(value, doubt.half_width_95);
-    format!("{value} ± {half}{unit}")
+    let value = shown_value(doubted.figure, &doubt);
+    format!("{}{unit}", with_half(value, Some(doubt.half_width_95)))
 }
 
 /// What was found, in a sentence.
@@ -178,17 +183,20 @@ pub(super) fn part_name(part: &Part, name: Option<&str>) -> String {
     }
 }
 
+/// By how much a part differs: `+12 ± 2 %`, `-80 ± 15 K`.
+pub fn change_words(part: &Part) -> String {
+    let (by, unit) = match part.feature {
+        Feature::Cct => (1.0, " K"),
+        _ => (100.0, " %"),
+    };
+    let (change, u) = rounded(by * part.change, 1.96 * by * part.u);
+    let sign = if part.change > 0.0 { "+" } else { "" };
+    format!("{sign}{change} \u{b1} {u}{unit}")
+}
+
 /// What differs, in a sentence.
 pub(super) fn sentence(changed: &Changed, names: &[String]) -> String {
-    let amount = |(part, name): (&Part, &String)| {
-        let (by, unit) = match part.feature {
-            Feature::Cct => (1.0, " K"),
-            _ => (100.0, " %"),
-        };
-        let (change, u) = rounded(by * part.change, 1.96 * by * part.u);
-        let sign = if part.change > 0.0 { "+" } else { "" };
-        format!("{name} {sign}{change} \u{b1} {u}{unit}")
-    };
+    let amount = |(part, name): (&Part, &String)| format!("{name} {}", change_words(part));
     let parts: Vec<String> = changed.parts.iter().zip(names).map(amount).collect();
     match changed.verdict {
         Verdict::Different => format!("Different: {}.", parts.join(", ")),

@@ -5,6 +5,7 @@ mod auction;
 mod bounces;
 mod chain;
 mod chromaticity;
+pub mod combine;
 mod dark_lines;
 mod from_colour;
 mod gem;
@@ -44,6 +45,7 @@ pub use super::charts::quality::DiagramShows;
 pub use auction::AuctionState;
 pub use bounces::BouncesMemory;
 pub use chain::ChainMemory;
+pub use combine::CombineState;
 pub use dark_lines::AbsorptionMemory;
 pub use from_colour::{FromColour, MERCURY_NM, UNDER};
 pub use gem::{GemColour, GemMemory, LightPart, RAYS_SHOWN, SIZES_SHOWN};
@@ -99,6 +101,8 @@ pub enum Page {
     Metamers,
     /// Is this light that one off this surface?
     SameSurface,
+    /// One's own measurements taken together.
+    Combine,
     /// Figures of light quality, measured and by the model.
     Quality,
     /// Where the light is among colours.
@@ -227,6 +231,7 @@ const ROWS: &[Row] = &[
     two_lights::ROW,
     two_lights::METAMERS,
     same_surface::ROW,
+    combine::ROW,
     quality::QUALITY,
     chromaticity::ROW,
     quality::RENDITION,
@@ -259,6 +264,7 @@ states! {
     narrow: NarrowMemory = Narrow,
     two_lights: TwoLightsMemory = TwoLights,
     same_surface: SameSurfaceMemory = SameSurface,
+    combine: CombineState = Combine,
     chromaticity: DiagramShows = Chromaticity,
     rendition: RenditionState = Rendition,
     // A wish takes the desk along.

@@ -6,16 +6,18 @@ mod verdict;
 
 use super::{
     charts::quality::PlacedLight,
+    combining::doubts_of,
     comparison::Side,
     entry::Entry,
     products::ModelledLight,
-    quality_report::{ModelsByOrder, Row, Sheet, light_of, rows},
+    quality_report::{ModelsByOrder, Row, Sheet, light_of, rows_with},
     state::App,
     ticks::short,
     tint,
 };
 use crate::{
-    color::quality::{Fidelity, Figures, Light, NoFigure, Rendering, diagram::quadrangle_of},
+    color::quality::{Fidelity, Light, NoFigure, Rendering, diagram::quadrangle_of},
+    measurements::Doubted,
     spectrum::NamedSpectrum,
     study::{
         Progress,
@@ -72,6 +74,7 @@ impl QualityShown {
         let entries = [Some(light), document.second.as_ref()];
         let entries = entries.into_iter().flatten().map(|entry| &**entry);
         let lights: Vec<(&Entry, &Side)> = entries.zip(&sides).collect();
+        let doubts: Vec<Vec<Doubted>> = lights.iter().map(|(entry, _)| doubts_of(entry)).collect();
         let mut verdicts = sides.iter().map(verdict::verdict);
         let (sentence, mut more) = match compared {
             Some(compared) => (compared.summary.clone(), verdicts.collect()),
@@ -83,12 +86,15 @@ impl QualityShown {
             more,
             place: joined(&sides, place),
             rendition: verdict::rendition(&sides),
-            tiles: tiles::tiles(&sides, compared),
+            tiles: tiles::tiles(&sides, compared, &doubts),
             surfaces: Board::for_clients(&lights, document.view.adaptation()),
             board: Board::by_hue(document, &lights),
             rows: pairs(
-                &sheet.measured,
-                sides.get(1).map_or(&sheet.model, |second| &second.figures),
+                rows_with(&sheet.measured, &doubts[0]),
+                match sides.get(1) {
+                    Some(second) => rows_with(&second.figures, &doubts[1]),
+                    None => rows_with(&sheet.model, &[]),
+                },
             ),
             sides,
             sheet,
@@ -128,8 +134,7 @@ impl QualityShown {
 }
 
 /// Each figure of one beside the same of another.
-fn pairs(first: &Figures, second: &Figures) -> Vec<[Row; 2]> {
-    let second = rows(second);
+fn pairs(first: Vec<Row>, second: Vec<Row>) -> Vec<[Row; 2]> {
     let pair = |row: Row| {
         let same = second
             .iter()
@@ -137,11 +142,12 @@ fn pairs(first: &Figures, second: &Figures) -> Vec<[Row; 2]> {
         let same = same.cloned().unwrap_or_else(|| Row {
             value: Err("counted in another unit".to_owned()),
             reading: String::new(),
+            doubt: None,
             ..row.clone()
         });
         [row, same]
     };
-    rows(first).into_iter().map(pair).collect()
+    first.into_iter().map(pair).collect()
 }
 
 /// A sentence of each light.
@@ -240,7 +246,8 @@ pub fn settled_words(found: &OrderFigures) -> String {
 mod tests {
     use super::*;
     use crate::{
-        app::{Command, showing},
+        app::{Command, quality_report::rows, showing},
+        measurements::{Measurement, Quantity},
         spectrum::Sampled,
     };
 
@@ -268,6 +275,45 @@ mod tests {
             assert_eq!(measured.figure.key, model.figure.key);
             assert_eq!(model.value, row.value);
         }
+    }
+
+    #[test]
+    fn figures_of_scans_have_their_doubt_beside_them_and_others_none() {
+        let app = App::new();
+        assert!(
+            QualityShown::of(&app)
+                .rows
+                .iter()
+                .flatten()
+                .all(|row| row.doubt.is_none())
+        );
+        let light = app.document().light.spectrum.samples.clone();
+        let sigma = vec![0.002 * light.values().iter().copied().fold(0.0, f64::max); light.len()];
+        let mut of = Measurement::new("mean", Quantity::Light, "", light);
+        (of.sigma, of.level, of.scans) = (Some(sigma), 0.01, Some(4));
+        let mut entry = (*app.document().light).clone();
+        (entry.key, entry.measured) = ("own/1".to_owned(), Some(std::sync::Arc::new(of)));
+        let mut app = app;
+        app.apply(Command::Show(std::sync::Arc::new(entry)));
+        let shown = QualityShown::of(&app);
+        let told = |key: &str| {
+            let row = shown.rows.iter().find(|row| row[0].figure.key == key);
+            row.expect("a row").each_ref().map(Row::shown)
+        };
+        for key in ["cct", "duv", "ra", "r9", "rf"] {
+            let [light, model] = told(key);
+            assert!(light.contains(" ± "), "{key}: {light}");
+            assert!(!model.contains('±'), "{key}: {model}");
+        }
+        assert!(!told("rg")[0].contains('±'));
+        let of_tile = |figure: &str| {
+            let tile = shown.tiles.iter().find(|tile| tile.figure == figure);
+            tile.expect("a tile").sides[0].clone()
+        };
+        for figure in ["Rf", "Ra", "K", "Duv"] {
+            assert!(of_tile(figure).half.starts_with("± "), "{figure}");
+        }
+        assert_eq!(of_tile("Rg").half, "");
     }
 
     #[test]

@@ -4,12 +4,14 @@ use std::sync::LazyLock;
 
 use crate::{
     app::{
+        combining::words::shown_value,
         comparison::{Better, Compared, Purpose, Side},
         entry::bundled_entries,
         numbers::fixed as figure_words,
         tint, verdicts,
     },
     color::quality::NoFigure,
+    measurements::{Doubted, Figure, rounded},
 };
 
 /// A figure in large type, of one light or of two.
@@ -38,6 +40,8 @@ pub struct Told {
     pub value: Result<f64, String>,
     /// The number with its unit; a dash where there is none.
     pub shown: String,
+    /// The half width of its 95 % interval, "± 0.4"; empty where that is not known.
+    pub half: String,
     /// What it says; why there is none.
     pub word: String,
     /// How good that is, from 0 (good) to 3; `None` for what is a matter of taste.
@@ -241,13 +245,51 @@ static DAYLIGHT: LazyLock<Option<Side>> = LazyLock::new(|| {
 });
 
 /// The tiles of a light, or of two that are compared.
-pub(super) fn tiles(sides: &[Side], compared: Option<&Compared>) -> Vec<Tile> {
-    let tile = |kind: &Kind| kind.tile(sides, compared);
+/// `doubts` are what is known of each one's figures.
+pub(super) fn tiles(
+    sides: &[Side],
+    compared: Option<&Compared>,
+    doubts: &[Vec<Doubted>],
+) -> Vec<Tile> {
+    let tile = |kind: &Kind| kind.tile(sides, compared, doubts);
     KINDS.iter().map(tile).collect()
 }
 
+/// Whether a figure with its doubt is the one that a tile calls by this name.
+fn is_of(doubted: &Doubted, name: &str) -> bool {
+    match doubted.figure {
+        Figure::Cct => name == "K",
+        figure => figure.words() == name,
+    }
+}
+
+impl Told {
+    /// The number with its half width: `62.1 ± 0.4`.
+    pub fn told(&self) -> String {
+        [self.shown.as_str(), &self.half]
+            .join(" ")
+            .trim_end()
+            .to_owned()
+    }
+
+    /// The same with a doubt: number and half width are rounded so that the last digit is worth
+    /// writing.
+    fn doubted(self, known: Option<&Doubted>) -> Self {
+        let doubt = known.and_then(|known| known.doubt);
+        let (Some(known), Some(doubt), Ok(_)) = (known, doubt, &self.value) else {
+            return self;
+        };
+        let (shown, half) = rounded(shown_value(known.figure, &doubt), doubt.half_width_95);
+        Self {
+            shown,
+            half: format!("\u{b1} {half}"),
+            ..self
+        }
+    }
+}
+
 impl Kind {
-    fn tile(&self, sides: &[Side], compared: Option<&Compared>) -> Tile {
+    fn tile(&self, sides: &[Side], compared: Option<&Compared>, doubts: &[Vec<Doubted>]) -> Tile {
         let (figure, digits, why) = match self.of {
             Of::Purpose(key) => Purpose::of_key(key).map_or(("", 0, ""), |purpose| {
                 let named = [purpose.figure, purpose.unit];
@@ -267,7 +309,15 @@ impl Kind {
             why,
             ends: self.ends,
             from: self.from,
-            sides: sides.iter().map(|side| self.told(side, digits)).collect(),
+            sides: sides
+                .iter()
+                .enumerate()
+                .map(|(place, side)| {
+                    let told = self.told(side, digits);
+                    let known = doubts.get(place).map_or(&[][..], |known| known);
+                    told.doubted(known.iter().find(|doubted| is_of(doubted, figure)))
+                })
+                .collect(),
             better: compared.and_then(|compared| self.better(compared)),
         }
     }
@@ -296,6 +346,7 @@ impl Kind {
             },
             grade,
             value,
+            half: String::new(),
         }
     }
 
@@ -322,7 +373,7 @@ mod tests {
 
     #[test]
     fn every_tile_of_a_white_has_a_figure_on_its_bar_and_a_word() {
-        let daylight = tiles(&[side("CIE D65")], None);
+        let daylight = tiles(&[side("CIE D65")], None, &[]);
         assert_eq!(daylight.len(), GROUPS.len() * IN_GROUP);
         for tile in &daylight {
             let [told] = &tile.sides[..] else {
@@ -348,7 +399,7 @@ mod tests {
     #[test]
     fn of_two_lights_the_better_is_the_one_that_the_sentence_calls_better() {
         let compared = Compared::of([side("FL2"), side("LED-B1")]);
-        let all = tiles(&compared.sides, Some(&compared));
+        let all = tiles(&compared.sides, Some(&compared), &[]);
         for better in &compared.better {
             let tile = KINDS
                 .iter()
@@ -365,13 +416,13 @@ mod tests {
     #[test]
     fn a_light_without_a_white_says_why_where_a_figure_would_stand() {
         // Redder than any blackbody: there is no reference.
-        let neon = tiles(&[side("Neon tube")], None);
+        let neon = tiles(&[side("Neon tube")], None, &[]);
         let rf = &neon[0].sides[0];
         assert_eq!(rf.shown, "–");
         assert!(rf.value.is_err() && !rf.word.is_empty());
         assert!(neon.iter().any(|tile| tile.sides[0].value.is_ok()));
         // The yellow of sodium is near a blackbody's, and its Rf is as low as can be.
-        let sodium = tiles(&[side("paper/Sodium")], None);
+        let sodium = tiles(&[side("paper/Sodium")], None, &[]);
         let rf = &sodium[0].sides[0];
         assert_eq!((rf.shown.as_str(), rf.grade), ("0", Some(3)));
     }

@@ -21,7 +21,7 @@ mod words;
 pub use json::{full_json, json};
 pub use measured::{light_of, measured_in};
 pub use orders::ModelsByOrder;
-pub use row::{Row, rows};
+pub use row::{Row, rows, rows_with};
 pub use sheet::{Modeller, Sheet};
 pub use table::{LightRow, light_row, lights_table};
 pub use words::{table_of_two, text};

@@ -8,7 +8,7 @@ use super::LibraryView;
 use crate::{
     app::{App, Command, Entry, Recipe},
     spectrum::Kind,
-    ui::kit::pressed,
+    ui::{kit::pressed, pages::combine_view::is_measurement},
 };
 
 impl LibraryView {
@@ -48,6 +48,16 @@ impl LibraryView {
             false => "Compare with this",
         };
         item(ui, [words, ""], Command::ToggleOverlay(entry.clone()));
+        if is_measurement(entry) {
+            let mut pages = app.document().pages.clone();
+            pages.combine.add(entry);
+            let meaning = "The next free place of the page Combine.";
+            item(
+                ui,
+                ["Put on Combine", meaning],
+                Command::Page(Box::new(pages)),
+            );
+        }
         if entry.shelf().is_some() {
             return command;
         }

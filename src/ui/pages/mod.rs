@@ -2,6 +2,7 @@
 
 mod auction_view;
 pub mod coefficients_view;
+pub mod combine_view;
 mod design_view;
 pub mod gem_view;
 mod glossary_view;
@@ -26,6 +27,7 @@ pub use lessons_view::{LessonFile, LessonsView};
 
 use auction_view::AuctionView;
 use coefficients_view::CoefficientsView;
+use combine_view::CombineView;
 use design_view::DesignView;
 use gem_view::GemView;
 use glossary_view::GlossaryView;
@@ -68,7 +70,7 @@ use crate::app::{
     following::{FollowAsked, Following},
     lessons::Lesson,
     pages::{Page, PageStates},
-    photograph::Instrument,
+    photograph::{Instrument, Seen},
     relit::PictureWish,
     studies::{Job, Question, Stage, Studies},
 };
@@ -131,6 +133,10 @@ pub enum PageWish {
     Tracks { stem: String, csv: String },
     /// Opens a picture.
     OpenPicture,
+    /// Takes note of a photograph of a spectrum that was read.
+    Photograph(Seen),
+    /// Takes a lesson's picture away from the place of the person's own.
+    OwnPicture,
     /// Shows how the image of this key was read.
     Reading(String),
     /// Begins the lesson of this name.
@@ -212,6 +218,7 @@ const DRAWN: &[(Page, Draw)] = &[
     (Page::SameSurface, |p, ui, c| {
         p.of::<SameSurfaceView>().show(ui, c)
     }),
+    (Page::Combine, |p, ui, c| p.of::<CombineView>().show(ui, c)),
     (Page::Quality, |p, ui, c| {
         p.of::<QualityView>().figures(ui, c)
     }),

@@ -130,12 +130,17 @@ impl Window {
             PageWish::Instrument(instrument) => {
                 self.save(Saving::Instrument(instrument), context);
             }
-            PageWish::Follow(asked) => self.follow(*asked, context),
+            PageWish::Follow(asked) => self.follow_light(*asked, context),
             PageWish::PickToFollow(what) => self.ask_to_follow(what, context),
             PageWish::Hold => self.hold(),
             PageWish::Capture => self.capture(),
             PageWish::FollowNoMore => self.follow_no_more(),
             PageWish::Tracks { stem, csv } => self.save(Saving::Tracks { stem, csv }, context),
+            PageWish::Photograph(seen) => self.app.note_photograph(&seen),
+            PageWish::OwnPicture => {
+                self.app.stage_photograph(None);
+                context.request_repaint();
+            }
             PageWish::OpenPicture => self.ask(Ask::Open, None, context),
             PageWish::Reading(key) => {
                 let image = self.app.document().images.iter().find(|i| i.key == key);

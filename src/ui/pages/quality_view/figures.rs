@@ -176,13 +176,11 @@ fn tile(ui: &mut Ui, theme: Theme, tile: &Tile, shown: &QualityShown) {
         );
         ui.painter()
             .galley(pos2(rect.left(), top), title, theme.faint);
-        let figure = cut_words(
-            ui,
-            tile.figure,
-            font.clone(),
-            theme.faint,
-            0.42 * rect.width(),
-        );
+        let doubt = match &tile.sides[..] {
+            [told] if !told.half.is_empty() => format!("{} {}", tile.figure, told.half),
+            _ => tile.figure.to_owned(),
+        };
+        let figure = cut_words(ui, &doubt, font.clone(), theme.faint, 0.42 * rect.width());
         let at = pos2(rect.right() - figure.size().x, top);
         ui.painter().galley(at, figure, theme.faint);
         for (i, told) in tile.sides.iter().enumerate() {
@@ -198,7 +196,7 @@ fn tile(ui: &mut Ui, theme: Theme, tile: &Tile, shown: &QualityShown) {
         }
     }
     let words = tile.sides.iter().zip(&shown.sides);
-    let words = words.map(|(told, side)| format!("{}: {}, {}", side.name, told.shown, told.word));
+    let words = words.map(|(told, side)| format!("{}: {}, {}", side.name, told.told(), told.word));
     let words: Vec<String> = words.collect();
     response.on_hover_text(format!("{}\n{}", tile.why, words.join("\n")));
 }
@@ -215,7 +213,12 @@ fn side(ui: &Ui, theme: Theme, (tile, told, place): (&Tile, &Told, usize), row: 
     };
     let number = if many { 16.0 } else { 20.0 } * theme.scale;
     let mut font = TextStyle::Body.resolve(ui.style());
-    font.size = number;
+    // Known to many digits it stays whole.
+    font.size = if told.shown.len() > 6 {
+        0.8 * number
+    } else {
+        number
+    };
     let taken = 76.0 * theme.scale;
     let words = cut_words(ui, &told.shown, font, ink, taken - 6.0);
     let at = pos2(row.left(), row.center().y - words.size().y / 2.0);
@@ -282,7 +285,10 @@ fn said(tile: &Tile, shown: &QualityShown) -> String {
         };
         format!(
             "{} {} {}, {}{better}",
-            side.name, told.shown, tile.figure, told.word
+            side.name,
+            told.told(),
+            tile.figure,
+            told.word
         )
     });
     let each: Vec<String> = each.collect();
