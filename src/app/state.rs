@@ -276,10 +276,7 @@ impl App {
             Command::View(view) => self.document.view = view,
             Command::Products(products) => self.document.products = products.clamped(),
             Command::Page(pages) => self.document.pages = pages.in_reach(),
-            Command::Adopt(spectra) => {
-                let numbers = |spectrum| Entry::own(0, spectrum);
-                self.adopt(spectra.into_iter().map(numbers), &[]);
-            }
+            Command::Adopt(all) => self.adopt(all.into_iter().map(|s| Entry::own(0, s)), &[]),
             Command::Capture(entry) => drop(self.join(*entry)),
             Command::Open(files) => self.take_in(files),
             Command::Make { recipe, place } => self.make(recipe, place),

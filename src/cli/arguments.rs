@@ -56,7 +56,6 @@ pub(super) struct Arguments {
     /// Print the licences of program, data and fonts.
     #[arg(long)]
     pub licences: bool,
-    /// A command instead of the window.
     #[command(subcommand)]
     pub command: Option<Command>,
 }

@@ -160,7 +160,7 @@ fn open(start: Start) -> eframe::Result {
                 window.app.apply(Command::Show(entry));
             }
             if let Some(asked) = start.follow {
-                window.follow(asked, &creation.egui_ctx);
+                window.follow_light(asked, &creation.egui_ctx);
             } else if start.presets.is_empty() && start.files.is_empty() {
                 window.greet();
             }

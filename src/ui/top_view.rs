@@ -271,8 +271,8 @@ fn files(ui: &mut Ui, preferences: &Preferences, menus: Menus<'_>, wishes: &mut 
             item(ui, true, words, Wish::Act(Act::TypePath));
             let words = [
                 "Follow…",
-                "A light that changes: a file or a folder that an instrument writes, lines over TCP or \
-                 a serial port, a recording.",
+                "A light that changes: a file or a folder that an instrument writes, lines over TCP \
+                 or a serial port, a recording.",
             ];
             item(ui, true, words, Wish::Follow);
         }

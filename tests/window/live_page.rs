@@ -57,7 +57,9 @@ fn window(files: Picker) -> Ui {
 
 fn follow(ui: &mut Ui, source: Asked) {
     let context = ui.ctx.clone();
-    ui.state_mut().0.follow(FollowAsked::new(source), &context);
+    ui.state_mut()
+        .0
+        .follow_light(FollowAsked::new(source), &context);
     ui.step();
 }
 

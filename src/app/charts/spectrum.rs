@@ -51,9 +51,11 @@ pub fn spectrum_chart(app: &App) -> Chart {
         colours: colours(app),
         residual: (view.residual && has_subject).then(|| residual(app)),
         notes: provenance(app),
-        blank: (!has_subject)
-            .then(|| nothing_here(app))
-            .unwrap_or_default(),
+        blank: if has_subject {
+            String::new()
+        } else {
+            nothing_here(app)
+        },
         ..over(band)
     };
     let [low, high] = chart.y_limits();

@@ -29,7 +29,7 @@ const BAR: f32 = 34.0;
 
 impl Window {
     /// Follows something from now on, in place of what was followed before.
-    pub fn follow(&mut self, asked: FollowAsked, context: &Context) {
+    pub fn follow_light(&mut self, asked: FollowAsked, context: &Context) {
         self.greets = false;
         self.preferences.page = Page::Live;
         self.following = Some(match self.quiet {
@@ -43,7 +43,7 @@ impl Window {
     /// The newest frame becomes the light.
     pub(super) fn follow_on(&mut self, context: &Context) {
         if let Some(asked) = self.preferences.follow_asked.take() {
-            self.follow(asked, context);
+            self.follow_light(asked, context);
         }
         if let Some(key) = self.library.wants_following.take() {
             self.follow_file_of(&key, context);
@@ -78,7 +78,7 @@ impl Window {
                 choices: reading.choices.clone(),
                 ..FollowAsked::new(Asked::Path(path))
             };
-            self.follow(asked, context);
+            self.follow_light(asked, context);
         }
     }
 

@@ -135,7 +135,7 @@ impl Window {
                 self.app.stage_photograph(None);
                 context.request_repaint();
             }
-            PageWish::Follow(asked) => self.follow(*asked, context),
+            PageWish::Follow(asked) => self.follow_light(*asked, context),
             PageWish::PickToFollow(what) => self.ask_to_follow(what, context),
             PageWish::Hold => self.hold(),
             PageWish::Capture => self.capture(),

@@ -81,6 +81,11 @@ impl Begin {
             .wrap(),
         );
         ui.add_space(GROUP);
+        if cfg!(target_arch = "wasm32") {
+            let words = "A page in a browser reaches neither files nor ports: the program itself \
+                         follows lights.";
+            return warning(ui, context.theme, words);
+        }
         let mut asked = None;
         let mut picks = None;
         scrolled(ui, "follow", |ui| {
