@@ -1,6 +1,6 @@
 //! How spectra are laid over the subject: on what scale, or not at all.
 
-use super::{entry::Entry, scale::Scale, spectral_unit::SpectralUnit, state::App};
+use super::{document::Document, entry::Entry, scale::Scale, spectral_unit::SpectralUnit};
 use crate::spectrum::Kind;
 
 /// Peaks of one absolute unit that differ by more than this have no common height.
@@ -20,13 +20,13 @@ pub enum Laid {
 }
 
 impl Laid {
-    /// How an entry is laid over the present subject.
-    pub fn of(app: &App, entry: &Entry) -> Self {
-        let document = app.document();
+    /// How an entry is laid over the subject, whose values are multiplied by a factor and reach up to
+    /// `top` then.
+    pub(super) fn of(document: &Document, (scale_factor, top): (f64, f64), entry: &Entry) -> Self {
         let subject = &document.subject_entry().spectrum;
         let values = entry.spectrum.samples.values().iter().copied();
         let most = values.fold(0.0, f64::max);
-        let as_high = || Self::AsHigh(if most > 0.0 { top(app) / most } else { 1.0 });
+        let as_high = || Self::AsHigh(if most > 0.0 { top / most } else { 1.0 });
         match (subject.kind, entry.kind()) {
             (Kind::Light, Kind::Light) => {}
             (of, over) if of.is_factor() && over.is_factor() => return Self::Alike(1.0),
@@ -43,7 +43,7 @@ impl Laid {
         if let Some(own) = own.filter(|_| document.scale != Scale::AsMeasured) {
             return Self::Alike(own);
         }
-        let ratio = most / top(app);
+        let ratio = most / top;
         let is_near = (1.0 / FAR_APART..=FAR_APART).contains(&ratio);
         let is_absolute = SpectralUnit::of(&subject.unit).is_some();
         if is_absolute && is_near && entry.spectrum.unit == subject.unit {
@@ -51,14 +51,8 @@ impl Laid {
         }
         let per_luminance = |spectrum| Scale::LuminanceHundred.factor(spectrum);
         let equal = per_luminance(&entry.spectrum).zip(per_luminance(subject));
-        let factor = equal.map(|(over, of)| app.scale_factor() * over / of);
+        let factor = equal.map(|(over, of)| scale_factor * over / of);
         let factor = factor.filter(|factor| factor.is_finite() && *factor > 0.0);
         factor.map_or_else(as_high, Self::EquallyBright)
     }
-}
-
-/// The largest measured size on the scale in force.
-pub(super) fn top(app: &App) -> f64 {
-    let sizes = app.derived().measured.iter().map(|v| v.abs());
-    app.scale_factor() * sizes.fold(0.0, f64::max)
 }

@@ -185,13 +185,6 @@ impl App {
             .as_ref()
     }
 
-    /// How spectra are laid over the subject, in the order of [`Document::laid_over`].
-    pub fn laid(&self) -> impl Iterator<Item = (&Arc<Entry>, Laid)> {
-        let over = || self.document.laid_over();
-        let make = || over().map(|entry| Laid::of(self, entry)).collect();
-        over().zip(self.laid.get_or_init(make).iter().copied())
-    }
-
     /// All atomic lines, for hover.
     pub fn element_lines(&self) -> &'static [ElementLine] {
         Library::bundled().lines()

@@ -6,7 +6,7 @@ use crate::{
         chart::{self, Chart, Dash, Ink, OVERLAY_INKS, Panel, Scale, Series, stroke},
         document::Height,
         entry::Entry,
-        laid::{Laid, top},
+        laid::Laid,
         line_names::LineName,
         readings::is_counts,
         state::App,
@@ -61,7 +61,7 @@ pub fn spectrum_chart(app: &App) -> Chart {
     let [low, high] = chart.y_limits();
     chart.y_range = Some(match chart.y_scale {
         Scale::Linear | Scale::Root => [low.min(0.0), high.max(0.0)],
-        Scale::Log10 => [low.max(LOG_FLOOR * top(app)), high],
+        Scale::Log10 => [low.max(LOG_FLOOR * app.top()), high],
     });
     chart
 }
@@ -325,7 +325,7 @@ fn residual(app: &App) -> Panel {
         series: vec![Series::line("residual", Ink::Residual, points)],
     };
     // Rounding is not worth an axis of its own.
-    let least = 1e-6 * top(app);
+    let least = 1e-6 * app.top();
     let [low, high] = panel.y_limits();
     panel.y_range = Some([low.min(-least), high.max(least)]);
     panel

@@ -1,14 +1,32 @@
-//! The second light of the document.
+//! The second light of the document, and how spectra are laid over the subject.
 
 use std::sync::Arc;
 
 use super::{App, Tone};
 use crate::{
-    app::{beside::Beside, comparison::Compared, entry::Entry, lit::Lit},
+    app::{beside::Beside, comparison::Compared, entry::Entry, laid::Laid, lit::Lit},
     spectrum::Kind,
 };
 
 impl App {
+    /// The largest measured size on the scale in force.
+    pub(in crate::app) fn top(&self) -> f64 {
+        let sizes = self.derived.measured.iter().map(|v| v.abs());
+        self.scale_factor * sizes.fold(0.0, f64::max)
+    }
+
+    /// How spectra are laid over the subject, in the order of `Document::laid_over`.
+    pub fn laid(&self) -> impl Iterator<Item = (&Arc<Entry>, Laid)> {
+        let over = || self.document.laid_over();
+        let scale = || (self.scale_factor, self.top());
+        let make = || {
+            over()
+                .map(|entry| Laid::of(&self.document, scale(), entry))
+                .collect()
+        };
+        over().zip(self.laid.get_or_init(make).iter().copied())
+    }
+
     /// The light compared with the second light, computed at the first call; `None` where there is
     /// no second light.
     pub fn compared(&self) -> Option<&Compared> {
