@@ -257,7 +257,7 @@ fn design(c: &mut Criterion) {
     c.bench_function("a moved fader, the whole desk of 8 channels", |b| {
         b.iter(|| {
             let desk = Desk::of(black_box(app.document()));
-            let surfaces = beside(&desk, DeskSurfaces::Everyday, app.document());
+            let surfaces = beside(&desk, None, DeskSurfaces::Everyday, app.document());
             (desk, surfaces)
         });
     });

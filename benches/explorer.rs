@@ -167,7 +167,7 @@ fn agree(one: &Moved, other: &Moved) {
 fn all_that_the_window_derives(criterion: &mut Criterion) {
     let start = Start::new();
     let plain = plain::Tables::new(start.tables());
-    let derived: Derived = derive(start.app.document(), start.tables());
+    let derived: Derived = derive(start.app.document(), start.tables(), None);
     for (point, moved) in derived.curve.iter().zip(plain.curve(&start)) {
         let near = |measure: Measure, plain: f64| {
             let found = point.figures[measure].expect("a light");
@@ -181,7 +181,7 @@ fn all_that_the_window_derives(criterion: &mut Criterion) {
     }
     let mut group = criterion.benchmark_group("all that the window derives (target 2 ms)");
     group.bench_function("this program", |b| {
-        b.iter(|| derive(black_box(start.app.document()), start.tables()));
+        b.iter(|| derive(black_box(start.app.document()), start.tables(), None));
     });
     let mut app = start.app.clone();
     let mut orders = orders();
@@ -197,7 +197,7 @@ fn all_that_the_window_derives(criterion: &mut Criterion) {
         ..wide.document().settings
     }));
     group.bench_function("this program, lines as wide as they are", |b| {
-        b.iter(|| derive(black_box(wide.document()), wide.tables()));
+        b.iter(|| derive(black_box(wide.document()), wide.tables(), None));
     });
     group.bench_function("plain loops, every order from the start", |b| {
         b.iter(|| plain.curve(black_box(&start)));

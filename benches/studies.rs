@@ -59,7 +59,7 @@ fn a_sweep(criterion: &mut Criterion) {
                 let mut document = app.document().clone();
                 for order in 0..=CURVE_ORDER {
                     document.settings.order = order;
-                    black_box(derive(&document, app.tables()));
+                    black_box(derive(&document, app.tables(), None));
                 }
             }
         });

@@ -37,11 +37,12 @@ fn open(files: &[Input], insist: bool, _: Instant) -> ExitCode {
 
 #[cfg(feature = "window")]
 mod window {
-    use std::{path::PathBuf, process::ExitCode, time::Instant};
+    use std::{path::PathBuf, process::ExitCode, sync::Arc, time::Instant};
 
     use spectral_explorer::{
         app::{
-            App, chart::Theme, charts::spectrum::spectrum_chart, workspace, workspace::Preferences,
+            App, chart::Theme, charts::spectrum::spectrum_chart, lessons::Lesson, workspace,
+            workspace::Preferences,
         },
         cli::{self, Input, Pictures},
         ui::{picture, shell},
@@ -63,6 +64,10 @@ mod window {
 
         fn names(&self, app: &App, preferences: &Preferences) -> Option<Vec<String>> {
             Some(picture::names(app, preferences))
+        }
+
+        fn step(&self, lesson: &Arc<Lesson>, step: usize) -> Option<Vec<u8>> {
+            Some(picture::step_png(lesson, step))
         }
     }
 

@@ -19,6 +19,7 @@ use super::{
 use crate::{
     io::many::{many, numbers},
     spectrum::Sampling,
+    study::products::Passage,
 };
 
 /// How many dark lines were found, and how many of them have a name.
@@ -53,15 +54,27 @@ pub fn dark_lines(app: &App, dips: &[DipRow]) -> String {
     }
 }
 
-/// How much of the light passes a chain, and how well one sees what the model is off by where that
-/// is asked.
-pub fn chain(light: &str, told: &Told, judges_model: bool) -> String {
+/// How much of the light passes a chain, and how much of the second one; of one light alone how
+/// well one sees what the model is off by, where that is asked.
+pub fn chain(
+    light: &str,
+    told: &Told,
+    second: Option<(&str, &Passage)>,
+    judges_model: bool,
+) -> String {
     let total = told.passage.total();
     let through = match told.names.as_slice() {
         [] => return format!("Put glass or a surface behind {light}: add a step."),
         [one] => one.clone(),
         more => format!("{} steps", more.len()),
     };
+    let share = |passage: &Passage| passage.total().transmission[0];
+    if let (Some(first), Some((name, other))) = (share(&told.passage), second)
+        && let Some(other) = share(other)
+    {
+        let [first, other] = [first, other].map(percent);
+        return format!("{first} % of {light} and {other} % of {name} are left after {through}.");
+    }
     let passes = total.transmission[0].map_or_else(
         || format!("{light} is not seen on this range"),
         |share| format!("{} % of {light} is left after {through}", percent(share)),
@@ -214,7 +227,7 @@ mod tests {
     use super::*;
     use crate::app::{
         Command, assert_says,
-        charts::products::absorption::dip_rows,
+        charts::products::{absorption::dip_rows, chain::ChainSheet},
         products::ModelledLight,
         showing,
         studies::paper::{Claims, truth_table},
@@ -240,11 +253,27 @@ mod tests {
         let light = ModelledLight::of(&app);
         let chain = &app.document().products.chain;
         assert!(!chain.is_empty());
-        let words = super::chain("FL2", &Told::of(&app, &light, chain), true);
+        let words = super::chain("FL2", &Told::of(&app, &light, chain), None, true);
         assert_says(&words, "% of FL2 is left after");
         assert_says(&words, ": hard to see.");
-        let none = super::chain("FL2", &Told::of(&app, &light, &[]), true);
+        let none = super::chain("FL2", &Told::of(&app, &light, &[]), None, true);
         assert_eq!(none, "Put glass or a surface behind FL2: add a step.");
+    }
+
+    #[test]
+    fn of_two_lights_a_chain_says_how_much_of_each_is_left() {
+        let mut app = App::new();
+        let lamp = app.entry("cie_illuminants/CIE A").expect("shipped");
+        app.apply(Command::Compare(Some(lamp)));
+        let sheet = ChainSheet::of(&app);
+        let second = sheet.second.as_ref().expect("a second light");
+        let words = super::chain("FL2", &sheet.told, Some(("CIE A", second)), true);
+        // What the page shows of a light by itself is what it shows of it as the second one.
+        let alone = ChainSheet::of(&showing("cie_illuminants/CIE A"));
+        let left = |passage: &Passage| percent(passage.total().transmission[0]);
+        assert_eq!(left(second), left(&alone.told.passage));
+        assert_says(&words, &format!(" and {} % of CIE A", left(second)));
+        assert_ne!(left(second), left(&sheet.told.passage));
     }
 
     #[test]

@@ -55,7 +55,7 @@ pub fn figure(value: impl Into<Option<f64>>) -> String {
 /// An error in few letters: less than a ten-thousandth is told as that.
 pub fn error(value: f64) -> String {
     or_dash(value, |value| match value {
-        v if v < 1e-4 => "<.0001".to_owned(),
+        v if v < 1e-4 => "< 0.0001".to_owned(),
         v if v < 0.01 => format!("{v:.4}"),
         v if v < 1.0 => format!("{v:.3}"),
         v if v < 100.0 => format!("{v:.2}"),
@@ -71,11 +71,13 @@ pub fn decimals(value: impl Into<Option<f64>>, digits: usize) -> String {
 /// Shares below this are the rounding of sums, not of a model.
 pub const ROUNDING: f64 = 1e-10;
 
-/// A share in percent, three digits without the sign; a dash for none, 0 for rounding.
+/// A share in percent, two digits without the sign, three where two would make it all; a dash for
+/// none, 0 for rounding.
 pub fn percent(share: impl Into<Option<f64>>) -> String {
     or_dash(share, |share| match share {
         share if share.abs() < ROUNDING => "0".to_owned(),
-        share => figure(100.0 * share),
+        share if share.abs() < 1.0 && share.abs() >= 0.995 => figure(100.0 * share),
+        share => two_digits(100.0 * share),
     })
 }
 
@@ -149,8 +151,12 @@ mod tests {
         assert_eq!(figure(f64::NAN), DASH);
         assert_eq!(figure(0.012_345), "0.0123");
         assert_eq!([percent(1e-12), percent(0.25)], ["0", "25"]);
+        assert_eq!(
+            [percent(0.154_6), percent(0.997), percent(1.0)],
+            ["15", "99.7", "100"]
+        );
         assert_eq!([delta_e(1e-9), delta_e(1.234_5)], ["< 0.01", "1.23"]);
-        assert_eq!(error(1e-9), "<.0001");
+        assert_eq!(error(1e-9), "< 0.0001");
         assert_eq!(error(0.012_34), "0.012");
         assert_eq!(nanoseconds(99.96), "100.0");
     }

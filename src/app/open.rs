@@ -25,7 +25,7 @@ use super::{
     workspace::{self, Restored},
 };
 use crate::{
-    io::{self, Choices, CompositeFile, ReadError, Reading, many},
+    io::{self, Choices, CompositeFile, ReadError, Reading, disk, many},
     spectrum::{Composite, NamedSpectrum, Rect, SpectralImage},
 };
 
@@ -109,23 +109,15 @@ pub fn project_in(name: &str, bytes: &[u8]) -> Option<Loaded> {
 /// The project that a file is, if it is one: JSON of our own, looked for by its format word and
 /// not by its extension.
 pub fn project_at(path: &Path) -> Option<Loaded> {
-    use std::io::Read;
-    // Looking into a pipe would eat its beginning.
-    if !path.is_file() {
-        return None;
-    }
-    let mut head = [0; 512];
-    let mut file = std::fs::File::open(path).ok()?;
-    let count = file.read(&mut head).ok()?;
-    if !looks_like_project(&head[..count]) {
+    if !looks_like_project(&disk::head(path, 512)) {
         return None;
     }
     let name = path.file_name()?.to_string_lossy().into_owned();
     // Too large a one is refused by the reader of files, unread.
-    if file.metadata().ok()?.len() > io::MOST_BYTES {
+    if disk::len(path).ok()? > io::MOST_BYTES {
         return None;
     }
-    let text = std::fs::read_to_string(path).ok()?;
+    let text = String::from_utf8(disk::read(path).ok()?).ok()?;
     Some(project(&name, &text, Some(path.to_owned())))
 }
 

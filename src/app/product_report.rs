@@ -89,13 +89,7 @@ impl Told {
     /// Sends a light through a chain.
     pub fn of(app: &App, lit: &ModelledLight, chain: &[Link]) -> Self {
         let band = lit.band();
-        let once = chain.iter().map(|link| link.once_on_band(band));
-        let factors: Vec<Factor> = once.map(|values| lit.factor(values)).collect();
-        let times: Vec<usize> = chain.iter().map(|link| link.bounces as usize).collect();
-        let met = factors.iter().zip(&times);
-        let each: Vec<Factor> = met
-            .flat_map(|(factor, times)| std::iter::repeat_n(factor.clone(), *times))
-            .collect();
+        let factors = factors(lit, chain);
         Self {
             names: chain.iter().map(Link::words).collect(),
             known: KnownLines::of(
@@ -104,10 +98,31 @@ impl Told {
                 &lit.spike_names(app),
                 chain.iter().map(|link| &*link.entry).zip(&factors),
             ),
-            passage: lit.product().through(&each).grouped(&times),
+            passage: passage(lit, &factors, chain),
             remarks: chain.iter().map(|link| link.remarks(band)).collect(),
         }
     }
+}
+
+/// The steps of a chain, each met once.
+fn factors(lit: &ModelledLight, chain: &[Link]) -> Vec<Factor> {
+    let once = chain.iter().map(|link| link.once_on_band(lit.band()));
+    once.map(|values| lit.factor(values)).collect()
+}
+
+fn passage(lit: &ModelledLight, factors: &[Factor], chain: &[Link]) -> Passage {
+    let times: Vec<usize> = chain.iter().map(|link| link.bounces as usize).collect();
+    let met = factors.iter().zip(&times);
+    let each: Vec<Factor> = met
+        .flat_map(|(factor, times)| std::iter::repeat_n(factor.clone(), *times))
+        .collect();
+    lit.product().through(&each).grouped(&times)
+}
+
+/// The second light behind each step of a chain; `None` where none was chosen.
+pub fn second_passage(app: &App, lit: &ModelledLight, chain: &[Link]) -> Option<Passage> {
+    let second = lit.of_second(app)?;
+    Some(passage(&second, &factors(&second, chain), chain))
 }
 
 /// A stage of a chain in its table: the light first, which nothing forms.

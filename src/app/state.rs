@@ -3,6 +3,7 @@
 mod deriving;
 mod messages;
 mod own;
+mod photographed;
 mod second;
 mod steps;
 
@@ -15,8 +16,10 @@ use super::{
     document::{Document, Subject, WEIGHT_FACTORS, first_light},
     entry::{Entry, bundled_entries},
     history::History,
+    laid::Laid,
     library::{Library, now_called},
     line_names::{ElementLine, LineName},
+    photograph::OnPage,
     product_view::ProductView,
     spike_hand::{self, SpikeAct},
     spike_names::{Told, names_in},
@@ -45,10 +48,12 @@ pub struct App {
     told: Option<Arc<Told>>,
     product: Option<ProductView>,
     surfaces: OnceLock<Option<Surfaces>>,
+    laid: OnceLock<Vec<Laid>>,
     beside: Option<Beside>,
     scale_factor: f64,
     unit: String,
     messages: Vec<Message>,
+    on_page: OnPage,
     /// Steps taken that can be undone, ever.
     steps: u64,
     revision: u64,
@@ -91,7 +96,7 @@ impl App {
         document.bound_patch();
         let tables_for = tables_for(&document);
         let tables = Arc::new(make_tables(&tables_for));
-        let derived = Arc::new(derive(&document, &tables));
+        let derived = Arc::new(derive(&document, &tables, None));
         let mut app = Self {
             document,
             history: History::default(),
@@ -103,10 +108,12 @@ impl App {
             told: None,
             product: None,
             surfaces: OnceLock::new(),
+            laid: OnceLock::new(),
             beside: None,
             scale_factor: 1.0,
             unit: String::new(),
             messages: Vec::new(),
+            on_page: OnPage::default(),
             steps: 0,
             revision: 0,
             changes: 0,
@@ -174,6 +181,13 @@ impl App {
             .as_ref()
     }
 
+    /// How spectra are laid over the subject, in the order of [`Document::laid_over`].
+    pub fn laid(&self) -> impl Iterator<Item = (&Arc<Entry>, Laid)> {
+        let over = || self.document.laid_over();
+        let make = || over().map(|entry| Laid::of(self, entry)).collect();
+        over().zip(self.laid.get_or_init(make).iter().copied())
+    }
+
     /// All atomic lines, for hover.
     pub fn element_lines(&self) -> &'static [ElementLine] {
         Library::bundled().lines()
@@ -184,7 +198,7 @@ impl App {
         self.revision
     }
 
-    /// Grows with every change of the document.
+    /// Grows with every change of the document, and of the photograph on its page.
     pub fn changes(&self) -> u64 {
         self.changes
     }
@@ -395,13 +409,17 @@ impl App {
         if kept == Kept::AllButPages {
             return;
         }
-        if kept == Kept::Nothing {
+        if kept != Kept::AllOrders {
+            self.laid = OnceLock::new();
+        }
+        if kept != Kept::Model {
             let wanted = tables_for(&self.document);
             if wanted != self.tables_for {
                 self.tables = Arc::new(make_tables(&wanted));
                 self.tables_for = wanted;
             }
-            self.derived = Arc::new(derive(&self.document, &self.tables));
+            let curve = (kept == Kept::AllOrders).then(|| &self.derived.curve[..]);
+            self.derived = Arc::new(derive(&self.document, &self.tables, curve));
             self.surfaces = OnceLock::new();
             self.name_spikes();
         }

@@ -2,7 +2,7 @@
 
 /// The day, as `2026-11-23`.
 pub fn today() -> String {
-    let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
+    let since = web_time::SystemTime::now().duration_since(web_time::UNIX_EPOCH);
     let days = since.map_or(0, |since| (since.as_secs() / 86_400) as i64);
     day(days)
 }

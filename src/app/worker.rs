@@ -5,10 +5,56 @@ use std::{
         Arc,
         mpsc::{Receiver, Sender, TryRecvError, channel},
     },
-    thread::{self, JoinHandle},
+    thread,
 };
 
 use crate::study::Progress;
+
+#[cfg(not(target_arch = "wasm32"))]
+type Hand = thread::JoinHandle<()>;
+#[cfg(not(target_arch = "wasm32"))]
+use thread::spawn;
+
+#[cfg(target_arch = "wasm32")]
+pub use turns::take_turn;
+#[cfg(target_arch = "wasm32")]
+use turns::{Hand, spawn};
+
+/// In a browser there are no threads: work waits for its turn between two frames.
+#[cfg(target_arch = "wasm32")]
+mod turns {
+    use std::{cell::RefCell, collections::VecDeque};
+
+    type Work = Box<dyn FnOnce()>;
+
+    thread_local! {
+        static WAITING: RefCell<VecDeque<Work>> = RefCell::default();
+    }
+
+    pub(super) struct Hand;
+
+    impl Hand {
+        pub(super) fn join(self) -> super::thread::Result<()> {
+            while take_turn() {}
+            Ok(())
+        }
+    }
+
+    pub(super) fn spawn(work: impl FnOnce() + 'static) -> Hand {
+        WAITING.with_borrow_mut(|waiting| waiting.push_back(Box::new(work)));
+        Hand
+    }
+
+    /// Does the work that waits longest; `false` where none waits.
+    pub fn take_turn() -> bool {
+        let work = WAITING.with_borrow_mut(VecDeque::pop_front);
+        let is_one = work.is_some();
+        if let Some(work) = work {
+            work();
+        }
+        is_one
+    }
+}
 
 /// Called on another thread when there is something new to draw.
 pub type Wake = Arc<dyn Fn() + Send + Sync>;
@@ -47,7 +93,7 @@ pub struct Worker<T> {
     news: Receiver<T>,
     unread: Vec<T>,
     ended: bool,
-    thread: Option<JoinHandle<()>>,
+    thread: Option<Hand>,
     pub progress: Arc<Progress>,
 }
 
@@ -64,7 +110,7 @@ impl<T: Send + 'static> Worker<T> {
             news,
             unread: Vec::new(),
             ended: false,
-            thread: Some(thread::spawn(move || work(&tell))),
+            thread: Some(spawn(move || work(&tell))),
             progress,
         }
     }
@@ -94,7 +140,7 @@ impl<T: Send + 'static> Worker<T> {
     /// # Errors
     /// The thread broke down.
     pub fn join(mut self) -> thread::Result<Vec<T>> {
-        self.thread.take().map_or(Ok(()), JoinHandle::join)?;
+        self.thread.take().map_or(Ok(()), Hand::join)?;
         Ok(self.news())
     }
 }

@@ -1,6 +1,6 @@
 //! `lessons`: the list, one lesson checked, or a sheet for a class.
 
-use std::{fmt::Write as _, io::Write, path::Path};
+use std::{fmt::Write as _, io::Write, path::Path, sync::Arc};
 
 use serde_json::{Value, json};
 
@@ -143,17 +143,6 @@ fn refuse(name: &str, faults: &[Fault], out: &mut dyn Write) -> Result<(), Refus
     }
 }
 
-/// The page of a step in a window of a laptop's size, light as paper is.
-fn page_picture(pictures: Option<&dyn Pictures>, app: &App, page: Page) -> Option<Vec<u8>> {
-    const SIZE: [u32; 2] = [1280, 640];
-    let preferences = Preferences {
-        page,
-        dark: false,
-        ..Preferences::default()
-    };
-    Some(pictures?.window(app, &preferences, SIZE))
-}
-
 /// A lesson in one of the languages that it has texts in.
 fn in_language(word: &str, code: Option<&str>) -> Result<Lesson, Refusal> {
     let lesson = shelf::named(word).map_err(Refusal::file)?;
@@ -180,7 +169,8 @@ fn sheet(
         _ => Form::Markdown,
     };
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let page = |app: &App, page: Page| page_picture(pictures, app, page);
+    let whole = Arc::new(lesson.clone());
+    let page = |step| pictures?.step(&whole, step);
     let sheet = handout(lesson, readers, form, &stem, &page).map_err(Refusal::file)?;
     let beside = sheet.pictures.iter();
     let beside = beside.map(|(end, picture)| {

@@ -65,13 +65,14 @@ use std::{
     ffi::OsString,
     io::{self, Write},
     path::Path,
+    sync::Arc,
 };
 
 use clap::{CommandFactory, FromArgMatches};
 use serde_json::Value;
 
 use crate::{
-    app::{App, Library, chart::Theme, licences, workspace::Preferences},
+    app::{App, Library, chart::Theme, lessons::Lesson, licences, workspace::Preferences},
     io::shown,
 };
 use arguments::{Arguments, Command};
@@ -107,6 +108,11 @@ pub trait Pictures {
     /// Names of all that the window shows, as screen readers are told them, controls first; `None`
     /// where nobody can tell.
     fn names(&self, _app: &App, _preferences: &Preferences) -> Option<Vec<String>> {
+        None
+    }
+    /// The page of a lesson's step, from 0, as a class sees it when it begins, on paper's white, as
+    /// PNG; `None` where nobody can draw it.
+    fn step(&self, _lesson: &Arc<Lesson>, _step: usize) -> Option<Vec<u8>> {
         None
     }
 }

@@ -8,6 +8,7 @@
 //! lab           CIE 1976 L*a*b* against a white
 //! ciede2000     colour difference
 //! srgb          what a screen shows: IEC 61966-2-1, and how colours outside it are mapped
+//! dichromat     colours as a colour-blind eye sees them
 //! adaptation    Bradford chromatic adaptation, for "adapt to the light"
 //! cct           correlated colour temperature and Duv (Ohno)
 //! blackbody     Planck's law
@@ -27,6 +28,7 @@ pub mod blackbody;
 mod cct;
 mod chromaticity;
 mod ciede2000;
+mod dichromat;
 pub(crate) mod gaussian_cmf;
 mod lab;
 mod matrix;
@@ -45,6 +47,7 @@ pub(crate) use cct::{NoCct, cct_from_xyz, uv_1960_from_kelvin};
 pub use chromaticity::xy_from_xyz;
 pub(crate) use chromaticity::{uv_1960_from_xyz, uv_1976_from_xyz, xyz_from_xy};
 pub use ciede2000::{delta_e_2000, delta_e_of_xyz};
+pub use dichromat::MissingCones;
 pub(crate) use lab::{LAB_EPSILON, LAB_KAPPA, xyz_from_lab};
 pub use lab::{Lab, lab_from_xyz};
 pub use observer::{ColourMatching, Observer, ObserverError, weighting};

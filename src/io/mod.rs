@@ -32,9 +32,11 @@ mod unopened;
 mod write;
 
 pub(crate) mod budget;
+pub(crate) mod disk;
 pub mod many;
 pub(crate) mod stream;
 
+#[cfg(not(target_arch = "wasm32"))]
 use std::io::Read;
 use std::path::Path;
 
@@ -113,21 +115,27 @@ pub fn read_path_as(path: &Path, choices: &Choices) -> Result<Reading, ReadError
         let (found, expected) = unopened::words(path, &error);
         ReadError::new(&name, found, expected)
     };
-    let file = std::fs::File::open(path).map_err(trouble)?;
-    let about = file.metadata().map_err(trouble)?;
-    if about.is_dir() {
-        return Err(ReadError::new(&name, "a folder", "a file"));
-    }
-    if is_device(&file, &about) {
-        return Err(ReadError::new(&name, "a device", "a file"));
-    }
-    if about.len() > text::MOST_BYTES {
-        return Err(ReadError::new(&name, TOO_LARGE, AT_MOST));
-    }
-    let mut bytes = Vec::with_capacity(about.len() as usize);
-    file.take(text::MOST_BYTES + 1)
-        .read_to_end(&mut bytes)
-        .map_err(trouble)?;
+    #[cfg(target_arch = "wasm32")]
+    let bytes = disk::read(path).map_err(trouble)?;
+    #[cfg(not(target_arch = "wasm32"))]
+    let bytes = {
+        let file = disk::open(path).map_err(trouble)?;
+        let about = file.metadata().map_err(trouble)?;
+        if about.is_dir() {
+            return Err(ReadError::new(&name, "a folder", "a file"));
+        }
+        if is_device(&file, &about) {
+            return Err(ReadError::new(&name, "a device", "a file"));
+        }
+        if about.len() > text::MOST_BYTES {
+            return Err(ReadError::new(&name, TOO_LARGE, AT_MOST));
+        }
+        let mut bytes = Vec::with_capacity(about.len() as usize);
+        file.take(text::MOST_BYTES + 1)
+            .read_to_end(&mut bytes)
+            .map_err(trouble)?;
+        bytes
+    };
     read(&Input::at(path, &bytes).deciding(choices))
 }
 
@@ -140,7 +148,7 @@ fn is_device(file: &std::fs::File, about: &std::fs::Metadata) -> bool {
     kind.is_block_device() || kind.is_char_device() && !file.is_terminal()
 }
 
-#[cfg(not(unix))]
+#[cfg(not(any(unix, target_arch = "wasm32")))]
 fn is_device(_: &std::fs::File, _: &std::fs::Metadata) -> bool {
     false
 }

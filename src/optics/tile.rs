@@ -244,7 +244,7 @@ impl Round<'_> {
                 continue;
             }
             let (column, row) = (self.tile.corner[0] + x, self.tile.corner[1] + y);
-            let key = mixed(self.settings.seed, ((row << 32) | column) as u64);
+            let key = mixed(self.settings.seed, ((row as u64) << 32) | column as u64);
             self.at = Pixel {
                 number,
                 column,

@@ -1,6 +1,6 @@
 //! A picture as its numbers, in memory.
 
-use crate::study::{Progress, processors};
+use crate::study::{Progress, processors, side_by_side};
 
 use super::header::{About, Header};
 use super::measure::{Errors, Storage};
@@ -122,10 +122,7 @@ pub fn relit_into(planes: &[f32], pixels: usize, relit: &Relit, out: &mut [f32])
             }
         }
     };
-    std::thread::scope(|scope| {
-        for (part, ((x, y), z)) in parts.enumerate() {
-            let work = &work;
-            scope.spawn(move || work(part * share, [x, y, z]));
-        }
+    side_by_side(parts.enumerate(), |(part, ((x, y), z))| {
+        work(part * share, [x, y, z]);
     });
 }

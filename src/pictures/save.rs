@@ -1,9 +1,9 @@
 //! Files on disk: written beside their place and moved there when they are whole.
 
-use std::io::{BufWriter, Write};
+use std::io::{BufWriter, Seek, SeekFrom, Write};
 use std::path::Path;
 
-use crate::io::{Precision, save_by};
+use crate::io::{Precision, disk::Unfinished, save_by};
 use crate::study::Progress;
 
 use super::compact::{Coder, CompactPlan, write_compact};
@@ -15,13 +15,13 @@ use super::{Operator, PictureError, Pixels};
 /// Writes a file as a whole or not at all, and tells its bytes.
 fn whole(
     path: &Path,
-    write: impl FnOnce(&mut BufWriter<&mut std::fs::File>) -> Result<(), PictureError>,
+    write: impl FnOnce(&mut BufWriter<&mut Unfinished>) -> Result<(), PictureError>,
 ) -> Result<u64, PictureError> {
     save_by(path, |file| {
         let mut out = BufWriter::new(file);
         write(&mut out)?;
         out.flush()?;
-        Ok(out.get_ref().metadata()?.len())
+        Ok(out.get_mut().seek(SeekFrom::End(0))?)
     })
 }
 

@@ -26,7 +26,7 @@ pub use error::Spread;
 pub use goal::Goal;
 pub(crate) use many::{ManyLights, SweptLight};
 pub use measure::{Measure, Verdict};
-pub(crate) use parallel::{in_parallel, processors};
+pub(crate) use parallel::{in_parallel, processors, side_by_side};
 pub use progress::Progress;
 pub(crate) use projected_spectrum::{FitBasis, ProjectedSpectrum};
 pub use race::Race;

@@ -48,6 +48,20 @@ pub(crate) fn in_parallel<T: Sync, R: Send>(
     made.collect()
 }
 
+/// Does `work` on each part, the last one on this thread and every other one on its own.
+pub(crate) fn side_by_side<P: Send>(parts: impl IntoIterator<Item = P>, work: impl Fn(P) + Sync) {
+    let (mut parts, work) = (parts.into_iter().peekable(), &work);
+    thread::scope(|scope| {
+        while let Some(part) = parts.next() {
+            if parts.peek().is_some() {
+                scope.spawn(move || work(part));
+            } else {
+                work(part);
+            }
+        }
+    });
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -60,6 +74,17 @@ mod tests {
             let found = in_parallel(&items, threads, &progress, |i| i * i);
             assert_eq!(found, Some(items.iter().map(|i| i * i).collect()));
         }
+    }
+
+    #[test]
+    fn every_part_is_worked_on_and_the_last_one_here() {
+        let mut values = [0; 7];
+        let here = thread::current().id();
+        side_by_side(values.chunks_mut(3).enumerate(), |(part, values)| {
+            values.fill(part + 1);
+            assert_eq!(thread::current().id() == here, part == 2);
+        });
+        assert_eq!(values, [1, 1, 1, 2, 2, 2, 3]);
     }
 
     #[test]

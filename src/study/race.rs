@@ -9,11 +9,9 @@
 //! Beside the patches, a second set judges that took no part in any choice, and so do narrow
 //! filters between those that choose.
 
-use std::{
-    hint::black_box,
-    sync::Arc,
-    time::{Duration, Instant},
-};
+use std::{hint::black_box, sync::Arc, time::Duration};
+
+use web_time::Instant;
 
 use super::{
     measure::Measure,

@@ -61,7 +61,12 @@ pub(super) fn brief(ui: &mut Ui, app: &App, theme: Theme) {
                     let words = Label::new(words.color(ui.visuals().strong_text_color()));
                     ui.add(words.wrap()).on_hover_text(verdict(app, seen));
                     let (off, of) = (figure(worst.delta_e_2000), of_how_many(app));
-                    let words = format!("ΔE₀₀ {off} at worst{of}");
+                    // Large type has room for the numbers alone.
+                    let is_large = theme.scale > 1.0;
+                    let words = match is_large {
+                        true => format!("ΔE₀₀ {off}"),
+                        false => format!("ΔE₀₀ {off} at worst{of}"),
+                    };
                     ui.add(Label::new(words).truncate());
                     // Without room for it, the words above and the numbers are enough.
                     let has_room = height >= 92.0 && theme.scale <= 1.0;
@@ -71,7 +76,10 @@ pub(super) fn brief(ui: &mut Ui, app: &App, theme: Theme) {
                             .on_hover_text(behind.step.meaning_behind_slit());
                     }
                     let (numbers, instead) = counts(app);
-                    let words = format!("{}, not {instead}", many::numbers(numbers));
+                    let words = match is_large {
+                        true => many::numbers(numbers),
+                        false => format!("{}, not {instead}", many::numbers(numbers)),
+                    };
                     ui.add(Label::new(words).wrap());
                 });
             });

@@ -6,12 +6,19 @@
 
 use std::{
     path::{Path, PathBuf},
-    process::Command,
-    sync::{
-        Arc,
-        atomic::{AtomicBool, Ordering},
-    },
+    sync::Arc,
 };
+#[cfg(not(target_arch = "wasm32"))]
+use std::{
+    process::Command,
+    sync::atomic::{AtomicBool, Ordering},
+};
+
+#[cfg(not(target_arch = "wasm32"))]
+use eframe::egui;
+
+#[cfg(not(target_arch = "wasm32"))]
+use crate::app::open::{Loaded, load_bytes};
 
 /// What the window asks for.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -38,15 +45,20 @@ pub enum Picked {
     Cancelled,
     /// This system shows no dialog.
     NoDialog,
+    /// They come later, as if they were dropped.
+    #[cfg(target_arch = "wasm32")]
+    Later,
 }
 
 /// Shows a dialog and waits for it; called on a thread of its own.
 pub type Picker = Arc<dyn Fn(&Ask) -> Picked + Send + Sync>;
 
 /// Set when the dialog library logged an error.
+#[cfg(not(target_arch = "wasm32"))]
 static DIALOG_FAILED: AtomicBool = AtomicBool::new(false);
 
 /// The desktop's own dialogs.
+#[cfg(not(target_arch = "wasm32"))]
 pub fn system_picker() -> Picker {
     Arc::new(|ask| {
         DIALOG_FAILED.store(false, Ordering::SeqCst);
@@ -83,8 +95,10 @@ pub fn system_picker() -> Picker {
 pub const NO_DIALOG: &str = "This system shows no file dialog (xdg-desktop-portal-gtk or zenity \
     would). Type the path instead, or drop the file on the window.";
 
+#[cfg(not(target_arch = "wasm32"))]
 struct DialogWatch;
 
+#[cfg(not(target_arch = "wasm32"))]
 impl log::Log for DialogWatch {
     fn enabled(&self, metadata: &log::Metadata<'_>) -> bool {
         metadata.level() == log::Level::Error
@@ -100,6 +114,7 @@ impl log::Log for DialogWatch {
 }
 
 /// Listens to the dialog library's log; call once at start. A second logger is left in place.
+#[cfg(not(target_arch = "wasm32"))]
 pub fn watch_dialogs() {
     if log::set_logger(&DialogWatch).is_ok() {
         log::set_max_level(log::LevelFilter::Error);
@@ -110,6 +125,7 @@ pub fn watch_dialogs() {
 pub type Printer = Arc<dyn Fn(&Path) -> Result<(), String> + Send + Sync>;
 
 /// The system's way to open a page.
+#[cfg(not(target_arch = "wasm32"))]
 pub(super) fn system_printer() -> Printer {
     Arc::new(|path| {
         let mut command = if cfg!(target_os = "windows") {
@@ -127,4 +143,27 @@ pub(super) fn system_printer() -> Printer {
             false => Err("the system knows none".to_owned()),
         }
     })
+}
+
+/// Files that were dropped: those with a path, and the others as they were read.
+#[cfg(not(target_arch = "wasm32"))]
+pub(super) fn dropped(ui: &egui::Ui) -> (Vec<PathBuf>, Vec<(String, Loaded)>) {
+    let (mut paths, mut read) = (Vec::new(), Vec::new());
+    for file in ui.input(|i| i.raw.dropped_files.clone()) {
+        let path = file.path().to_owned();
+        if path.is_file() || path.is_dir() {
+            paths.push(path);
+            continue;
+        }
+        let name = path.file_name().map_or_else(
+            || "dropped file".to_owned(),
+            |name| name.to_string_lossy().into_owned(),
+        );
+        let loaded = match file.bytes() {
+            Ok(bytes) => load_bytes(&name, &bytes),
+            Err(why) => Loaded::Refused(format!("{name}: {why}")),
+        };
+        read.push((name, loaded));
+    }
+    (paths, read)
 }

@@ -26,6 +26,10 @@ pub(super) enum Act {
     ResetView,
     /// Dark or light.
     Theme,
+    /// As other eyes see the window.
+    Eyes,
+    /// Targets for fingers, or for a pointer.
+    Touch,
     /// Plot, swatch, patches and sliders alone, large.
     Present,
     /// Into the search field.
@@ -87,6 +91,8 @@ impl Act {
             | Self::ResetPage => 2,
             Self::ResetView
             | Self::Theme
+            | Self::Eyes
+            | Self::Touch
             | Self::Present
             | Self::ZoomIn
             | Self::ZoomOut
@@ -110,7 +116,7 @@ const fn on(modifiers: Modifiers, key: Key, act: Act, words: &'static str) -> Sh
 
 /// Every shortcut with what it does; those with more modifiers first, because a shortcut with
 /// fewer would swallow them.
-pub(super) const SHORTCUTS: [Shortcut; 34] = [
+pub(super) const SHORTCUTS: [Shortcut; 35] = [
     on(CTRL_SHIFT, Key::Z, Act::Redo, "Redo"),
     on(
         CTRL_SHIFT,
@@ -135,6 +141,12 @@ pub(super) const SHORTCUTS: [Shortcut; 34] = [
         Key::K,
         Act::CopyCommand,
         "Copy the command line for this view",
+    ),
+    on(
+        CTRL_SHIFT,
+        Key::D,
+        Act::Eyes,
+        "Colours as a colour-blind eye sees them",
     ),
     on(CTRL, Key::Z, Act::Undo, "Undo"),
     on(CTRL, Key::Y, Act::Redo, "Redo"),

@@ -6,14 +6,12 @@ use egui::{Align, Button, Label, Layout, ProgressBar, Rect, RichText, ScrollArea
 use super::{
     kit::{framed, pressed, pressed_if, sign_button, warning},
     linked::Linked,
-    theme::{Theme, Wake},
-    trial_view::TrialView,
+    theme::Theme,
 };
 use crate::app::{
     App, Memo,
-    lessons::{Run, Shown},
+    lessons::{Lesson, Run, Shown},
     pages::Page,
-    studies::Studies,
 };
 
 /// What the column asks for.
@@ -31,6 +29,8 @@ pub(super) enum Wish {
     ShowMe,
     /// The stage again.
     Again,
+    /// The lesson from its beginning with another of the lights that it may be taken with.
+    With(usize),
     /// Out of the lesson.
     Leave,
 }
@@ -47,7 +47,6 @@ pub(super) struct LessonView {
     shown: Memo<(u64, Page, usize, bool), Shown>,
     /// The step whose reasons were brought into view, once.
     brought: Option<usize>,
-    trial: TrialView,
     linked: Linked,
 }
 
@@ -69,11 +68,10 @@ impl LessonView {
         ui: &mut Ui,
         run: &Run,
         (app, page): (&App, Page),
-        (studies, wake): (&mut Studies, &Wake),
         theme: Theme,
     ) -> Vec<Wish> {
         let key = (app.changes(), page, run.index(), run.is_told());
-        let (trial, linked) = (&mut self.trial, &mut self.linked);
+        let linked = &mut self.linked;
         linked.begin();
         let shown = &*self.shown.get(key, |_| run.shown(app, page));
         let mut wishes = Vec::new();
@@ -100,8 +98,7 @@ impl LessonView {
                 }
                 self.brought = tells.then(|| run.index());
                 if run.is_last() && run.is_told() {
-                    ui.add_space(8.0);
-                    trial.show(ui, run.lesson(), (app, studies, wake), theme);
+                    with_another(ui, run.lesson(), &mut wishes);
                 }
             });
         ui.add_space(6.0);
@@ -142,6 +139,23 @@ fn head(ui: &mut Ui, run: &Run, wishes: &mut Vec<Wish>) {
         });
     });
     ui.separator();
+}
+
+/// The lights that the lesson may be taken with as well: its sentences hold for each of them.
+fn with_another(ui: &mut Ui, lesson: &Lesson, wishes: &mut Vec<Wish>) {
+    if lesson.also.is_empty() {
+        return;
+    }
+    ui.add_space(8.0);
+    ui.label("Take the lesson again with");
+    for (index, light) in lesson.also.iter().enumerate() {
+        let name = light.rsplit('/').next().unwrap_or(light);
+        let button = Button::new(name).wrap();
+        let meaning = "The lesson from its beginning, with this light in place of its own.";
+        if pressed_if(ui, true, button, meaning) {
+            wishes.push(Wish::With(index));
+        }
+    }
 }
 
 /// The step's words; gives where its reasons stand.

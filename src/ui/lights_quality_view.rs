@@ -1,4 +1,4 @@
-//! How good many lights are: a table over the page, the best first.
+//! How good many lights are: a table over the page, sorted by the figure that is clicked.
 
 use eframe::egui;
 use egui::{Context, Key, Modifiers, Ui, vec2};
@@ -27,13 +27,23 @@ pub(super) enum Wish {
 #[derive(Default)]
 pub(super) struct LightsQualityView {
     keys: Vec<String>,
-    shown: Memo<ByAddress<Vec<LightQuality>>, (String, Vec<Row>)>,
+    /// The column by which rows are sorted.
+    by: usize,
+    asked: Memo<(u64, Vec<String>), LightsQualityAsk>,
+    shown: Memo<(ByAddress<Vec<LightQuality>>, usize), Shown>,
 }
+
+/// The sentence, the rows, and each row's light.
+type Shown = (String, Vec<Row>, Vec<usize>);
+
+/// The column of Rf.
+const RF: usize = 2;
 
 impl LightsQualityView {
     /// Opens it on the lights of these keys.
     pub(super) fn open(&mut self, keys: Vec<String>) {
         self.keys = keys;
+        self.by = RF;
     }
 
     /// Draws the window if it is open.
@@ -73,13 +83,18 @@ impl LightsQualityView {
         (app, studies, wake): (&App, &mut Studies, &Wake),
         theme: Theme,
     ) -> Option<Wish> {
-        let ask = LightsQualityAsk::of(app.document(), &self.keys);
+        let key = (app.revision(), self.keys.clone());
+        let make = |(_, keys): &(u64, Vec<String>)| LightsQualityAsk::of(app, keys);
+        let ask = self.asked.get(key, make);
         let job = studies.of::<LightsQualityAsk>();
-        job.put(&ask, wake);
+        job.put(ask, wake);
         progress(ui, job, "Light quality");
         let found = job.result()?.clone();
-        let (said, rows) = &*self.shown.get(ByAddress(found.clone()), |found| {
-            (sentence(&found.0), found.0.iter().map(row).collect())
+        let key = (ByAddress(found.clone()), self.by);
+        let (said, rows, order) = &*self.shown.get(key, |(found, by)| {
+            let order = sorted(&found.0, *by);
+            let rows = order.iter().map(|place| row(&found.0[*place])).collect();
+            (sentence(&found.0), rows, order)
         });
         headline(ui, theme, said.as_str());
         let mut wish = None;
@@ -90,20 +105,45 @@ impl LightsQualityView {
             ));
         }
         ui.add_space(4.0);
-        let columns = [
-            Column::words("Light", "Click to show it.", 3.0),
+        let mut columns = [
+            Column::words("Light", "Click a light to show it.", 3.0),
             Column::words("White", "Colour temperature and tint.", 2.4),
             Column::numbers("Rf", "Colour fidelity of TM-30, 100 at best.", 0.8),
             Column::numbers("Ra", "Colour rendering of CIE 13.3, 100 at best.", 0.8),
             Column::numbers("R9", "Rendering of a strong red, 100 at best.", 0.8),
             Column::numbers("lm/W", "Lumens per watt of radiation.", 0.8),
         ];
-        let table = Table::new(&columns, theme);
+        columns[self.by].decides = true;
+        let table = Table {
+            titles: false,
+            ..Table::new(&columns, theme)
+        };
+        let sorted_by = table.sorting_head(ui);
         let id = "quality of many lights";
         let clicked = table.scrolled(ui, id, f32::INFINITY, rows, &mut |_, _, _| {});
-        let clicked = clicked.and_then(|row| found.get(row));
+        let clicked = clicked.and_then(|row| found.get(*order.get(row)?));
+        self.by = sorted_by.unwrap_or(self.by);
         clicked.map(|light| Wish::Show(light.key.clone())).or(wish)
     }
+}
+
+/// The places of lights by a column: names by the alphabet, whites from warm to cool, figures from
+/// the highest.
+fn sorted(all: &[LightQuality], by: usize) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..all.len()).collect();
+    let figure = |light: &LightQuality| match by {
+        1 => light.kelvin.map(|kelvin| -kelvin),
+        2 => light.rf,
+        3 => light.ra,
+        4 => light.r9,
+        _ => light.efficacy,
+    };
+    let height = |place: &usize| figure(&all[*place]).unwrap_or(f64::NEG_INFINITY);
+    match by {
+        0 => order.sort_by_key(|place| all[*place].name.to_lowercase()),
+        _ => order.sort_by(|a, b| height(b).total_cmp(&height(a))),
+    }
+    order
 }
 
 fn row(light: &LightQuality) -> Row {

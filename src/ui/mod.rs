@@ -10,6 +10,7 @@ mod colour_view;
 mod curve_view;
 mod dialogs;
 mod entry_row;
+mod eyes;
 pub mod files;
 mod foot_view;
 mod greeting_view;
@@ -31,8 +32,10 @@ mod patches_view;
 pub mod picture;
 mod pointing;
 mod rail_view;
+#[cfg_attr(target_arch = "wasm32", path = "web/saver.rs")]
 pub mod saver;
 mod second_chip;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod shell;
 mod spectrum_view;
 mod spikes_view;
@@ -42,6 +45,13 @@ pub mod theme;
 mod top_view;
 mod trial_view;
 pub mod verdict_view;
+#[cfg(target_arch = "wasm32")]
+pub mod web;
 mod window;
 
 pub use window::Window;
+
+#[cfg(not(target_arch = "wasm32"))]
+use files::{dropped, system_picker, system_printer};
+#[cfg(target_arch = "wasm32")]
+use web::{dropped, system_printer};

@@ -34,7 +34,13 @@ pub(super) fn set_choice(ui: &mut Ui, choice: Choice<'_>, app: &App, commands: &
 }
 
 /// The row above the patches: the set, what lies outside the screen's colours, how they are seen.
-pub(super) fn head(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
+/// `whole`: as measured alone, without a model beside it.
+pub(super) fn head(
+    ui: &mut Ui,
+    app: &App,
+    (theme, whole): (Theme, bool),
+    commands: &mut Vec<Command>,
+) {
     if !app.document().is_about_light() {
         let words = format!("{} under six lights", app.document().subject_entry().name());
         ui.add(egui::Label::new(words).truncate());
@@ -56,6 +62,7 @@ pub(super) fn head(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Comm
     };
     let halves = match &app.document().second {
         Some(second) => format!("{} | {}", app.document().light.name(), second.name()),
+        None if whole => String::new(),
         None => "measured | model".to_owned(),
     };
     if ui.available_width() > 420.0 {
@@ -63,7 +70,7 @@ pub(super) fn head(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Comm
         let halves = elided(&halves, (rest / 6.5) as usize);
         ui.label(small(&halves));
     }
-    if let Some(fields) = Fields::of(app) {
+    if let Some(fields) = Fields::of(app, whole) {
         let off = |field: &&Field<'_>| !field.halves.iter().all(|half| half.in_gamut);
         let count = fields.items.iter().filter(off).count();
         if count > 0 && ui.available_width() > 330.0 {
@@ -76,8 +83,13 @@ pub(super) fn head(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Comm
 }
 
 /// The patches themselves, on a ground that is equal to none of them.
-pub(super) fn patches(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
-    let Some(fields) = Fields::of(app) else {
+pub(super) fn patches(
+    ui: &mut Ui,
+    app: &App,
+    (theme, whole): (Theme, bool),
+    commands: &mut Vec<Command>,
+) {
+    let Some(fields) = Fields::of(app, whole) else {
         if app.document().is_about_light() {
             ui.add_space(6.0);
             ui.weak("There is no visible light in this range: surfaces would be black.");
@@ -129,7 +141,8 @@ fn under_lights(ui: &mut Ui, app: &App, theme: Theme) {
 /// A surface of which two halves are seen: measured and by the model, or under two lights.
 struct Field<'a> {
     name: &'a str,
-    delta_e_2000: f64,
+    /// Difference of its halves; none where both are one.
+    delta_e_2000: Option<f64>,
     halves: [&'a Swatch; 2],
 }
 
@@ -141,12 +154,12 @@ struct Fields<'a> {
 
 impl<'a> Fields<'a> {
     /// `None` where no light falls on surfaces.
-    fn of(app: &'a App) -> Option<Self> {
+    fn of(app: &'a App, whole: bool) -> Option<Self> {
         let patches = app.derived().patches.as_ref()?;
         if let Some((second, lit)) = app.document().second.as_ref().zip(app.surfaces_beside()) {
             let field = |lit: &'a Lit| Field {
                 name: &lit.name,
-                delta_e_2000: lit.delta_e_2000,
+                delta_e_2000: Some(lit.delta_e_2000),
                 halves: lit.swatches.each_ref(),
             };
             return Some(Self {
@@ -156,8 +169,11 @@ impl<'a> Fields<'a> {
         }
         let field = |patch: &'a PatchPair| Field {
             name: &patch.name,
-            delta_e_2000: patch.delta_e_2000,
-            halves: [&patch.exact_swatch, &patch.model_swatch],
+            delta_e_2000: (!whole).then_some(patch.delta_e_2000),
+            halves: match whole {
+                true => [&patch.exact_swatch; 2],
+                false => [&patch.exact_swatch, &patch.model_swatch],
+            },
         };
         Some(Self {
             items: patches.items.iter().map(field).collect(),
@@ -167,11 +183,8 @@ impl<'a> Fields<'a> {
 
     /// The place of the surface whose halves differ most.
     fn worst(&self) -> Option<usize> {
-        let all = self
-            .items
-            .iter()
-            .map(|field| field.delta_e_2000)
-            .enumerate();
+        let all = self.items.iter().enumerate();
+        let all = all.filter_map(|(i, field)| Some((i, field.delta_e_2000?)));
         all.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
     }
 }
@@ -194,12 +207,19 @@ fn grid(ui: &mut Ui, app: &App, fields: &Fields<'_>, theme: Theme, commands: &mu
         ui.horizontal(|ui| {
             for (column, patch) in chunk.iter().enumerate() {
                 let index = row * in_row + column;
-                let name = format!("{}: ΔE₀₀ {:.3}", patch.name, patch.delta_e_2000);
                 let [first, second] = patch.halves;
+                let off = patch.delta_e_2000;
+                let name = match off {
+                    Some(off) => format!("{}: ΔE₀₀ {off:.3}", patch.name),
+                    None => format!("{}: {}", patch.name, first.hex()),
+                };
                 let response = swatch::split(ui, vec2(width, height), first, second, &name);
-                swatch::ticks(ui, response.rect, 5.0 * theme.scale);
+                if off.is_some() {
+                    swatch::ticks(ui, response.rect, 5.0 * theme.scale);
+                }
                 // The worst is marked only where it can be seen.
-                let is_worst = Some(index) == worst && Seen::of(patch.delta_e_2000) != Seen::Hardly;
+                let is_seen = off.is_some_and(|off| Seen::of(off) != Seen::Hardly);
+                let is_worst = Some(index) == worst && is_seen;
                 if is_worst {
                     swatch::dot(ui, response.rect, theme.scale);
                 }
@@ -210,13 +230,16 @@ fn grid(ui: &mut Ui, app: &App, fields: &Fields<'_>, theme: Theme, commands: &mu
                     let patch = (selected != Some(index)).then_some(index);
                     commands.push(Command::Patch(patch));
                 }
+                let Some(off) = off else {
+                    response.on_hover_text(name.as_str());
+                    continue;
+                };
                 let mark = if is_worst { " (the worst)" } else { "" };
                 response.on_hover_text(format!(
-                    "{}{mark}: ΔE₀₀ {:.4}, {}\nLeft under {left} {}, right under {right} {}.\n\
+                    "{}{mark}: ΔE₀₀ {off:.4}, {}\nLeft under {left} {}, right under {right} {}.\n\
                      Click to see the light off it in the plot.",
                     patch.name,
-                    patch.delta_e_2000,
-                    Seen::of(patch.delta_e_2000).seen(),
+                    Seen::of(off).seen(),
                     first.hex(),
                     second.hex(),
                 ));

@@ -93,13 +93,12 @@ pub fn names(app: &App, preferences: &Preferences) -> Vec<String> {
 /// Size of the picture of a lesson in their list, points and pixels.
 pub const LESSON: [usize; 2] = [180, 120];
 
-/// The page of a lesson's step as a class sees it, small.
-pub fn of_lesson(lesson: &Arc<Lesson>, dark: bool) -> ColorImage {
-    const WINDOW: egui::Vec2 = egui::vec2(1280.0, 720.0);
-    /// Where the page begins beside the lesson's column and below its title, and by how much it is
-    /// made smaller.
-    const CORNER: [usize; 2] = [364, 84];
-    const SMALLER: usize = 5;
+/// Window in which a lesson's step is drawn, points, and where its page begins beside the column.
+const CLASS: egui::Vec2 = egui::vec2(1280.0, 720.0);
+const COLUMN: usize = 350;
+
+/// The window before a class at a step of a lesson, as it begins or as it ends.
+fn before_class(lesson: &Arc<Lesson>, (step, done): (usize, bool), dark: bool) -> ColorImage {
     let context = egui::Context::default();
     let preferences = Preferences {
         dark,
@@ -109,11 +108,36 @@ pub fn of_lesson(lesson: &Arc<Lesson>, dark: bool) -> ColorImage {
     let no_files = Arc::new(|_: &super::files::Ask| Picked::Cancelled);
     let mut window = Window::new(App::new(), preferences, no_files, None);
     window.quiet = true;
-    window.begin(lesson, lesson.picture.saturating_sub(1), true);
-    let whole = picture_with(&context, WINDOW, 1.0, PASSES, |ui| {
+    window.begin(lesson, step, done);
+    picture_with(&context, CLASS, 1.0, PASSES, |ui| {
         window.show(ui);
         window.studies.finish();
-    });
+    })
+}
+
+/// The page of a lesson's step, from 0, as a class sees it when it begins, nothing covered and
+/// nothing pointed at, on paper's white, as a PNG file.
+pub fn step_png(lesson: &Arc<Lesson>, step: usize) -> Vec<u8> {
+    let mut open = Lesson::clone(lesson);
+    for step in &mut open.steps {
+        (step.veil, step.point) = (false, None);
+    }
+    let whole = before_class(&Arc::new(open), (step, false), false);
+    let [width, _] = whole.size;
+    let rows = whole.pixels.chunks(width);
+    let pixels: Vec<_> = rows.flat_map(|row| &row[COLUMN..]).copied().collect();
+    let size = [width - COLUMN, whole.size[1]];
+    encode_png(&ColorImage::new(size, pixels))
+}
+
+/// The page of a lesson's step as a class sees it, small.
+pub fn of_lesson(lesson: &Arc<Lesson>, dark: bool) -> ColorImage {
+    /// Where the page begins beside the lesson's column and below its title, and by how much it is
+    /// made smaller.
+    const CORNER: [usize; 2] = [COLUMN + 14, 84];
+    const SMALLER: usize = 5;
+    let step = lesson.picture.saturating_sub(1);
+    let whole = before_class(lesson, (step, true), dark);
     let mean = |x: usize, y: usize| {
         let square = (0..SMALLER * SMALLER).map(|at| {
             let left = CORNER[0] + SMALLER * x + at % SMALLER;

@@ -31,9 +31,15 @@ struct Finder {
 impl Finder {
     /// How well a node fits, the best first: what is called so before what only begins so, and a
     /// control before the words beside it.
-    fn fits(&self, node: &Node) -> Option<(bool, bool)> {
+    fn fits(&self, node: &Node, all: &[(NodeId, Node)]) -> Option<(bool, bool)> {
         let wanted = self.wanted.as_deref()?;
-        let names = [node.label(), node.value()].into_iter().flatten();
+        // A slider has its name in the words before it.
+        let before = node.labelled_by().iter();
+        let before = before.filter_map(|by| all.iter().find(|(id, _)| id == by));
+        let named = before.map(|(_, words)| words).chain([node]);
+        let names = named
+            .flat_map(|node| [node.label(), node.value()])
+            .flatten();
         let fitting = names.filter(|name| name.starts_with(wanted));
         let is_words = matches!(node.role(), Role::Label | Role::TextRun);
         fitting.map(|name| (name != wanted, is_words)).min()
@@ -67,7 +73,8 @@ impl Plugin for Finder {
             return;
         };
         let nodes = update.nodes.iter();
-        let fitting = nodes.filter_map(|(id, node)| Some((self.fits(node)?, *id, rect_of(node)?)));
+        let fits = |node: &Node| self.fits(node, &update.nodes);
+        let fitting = nodes.filter_map(|(id, node)| Some((fits(node)?, *id, rect_of(node)?)));
         // Of several with a name the first from above is meant: a slider, not the number beside it.
         let order = |(fits, id, rect): &((bool, bool), NodeId, Rect)| {
             (*fits, rect.top(), rect.left(), id.0)
@@ -77,7 +84,7 @@ impl Plugin for Finder {
             order.unwrap_or(std::cmp::Ordering::Equal)
         });
         let found = first.map(|(_, id, rect)| (id, rect));
-        let around = found.map(|(_, rect)| rect.expand(ROOM));
+        let around = found.map(|(_, rect)| rect.shrink(ROOM));
         let nodes = update.nodes.iter();
         let busy = nodes.filter(|(_, node)| self.wanted.is_some() && is_busy(node));
         let busy = busy.filter_map(|(_, node)| rect_of(node));

@@ -6,8 +6,9 @@ use eframe::egui;
 
 use super::{
     Window,
-    files::{system_picker, watch_dialogs},
+    files::watch_dialogs,
     saver::Saver,
+    system_picker,
     theme::{self, waker},
 };
 use crate::app::{

@@ -1,13 +1,15 @@
 //! How far a model is off, at a glance: both spectra as strips of colour, and four steps of a
 //! difference.
 
+use std::sync::Arc;
+
 use eframe::egui;
 use egui::{
-    Align, Align2, CornerRadius, Layout, Rect, RichText, Sense, Stroke, StrokeKind, Ui, vec2,
+    Align, Align2, CornerRadius, Id, Layout, Rect, RichText, Sense, Stroke, StrokeKind, Ui, vec2,
 };
 
 use super::{
-    kit::{drawing, named_choice},
+    kit::{drawing, kept, named_choice},
     swatch,
     theme::{Theme, grey, of_seen},
 };
@@ -22,8 +24,10 @@ const STRIP_NAME: &str = "Through a prism: measured above, model below";
 /// Both spectra as strips of colour, the model's below the light's: what only an instrument sees.
 pub(super) fn through_a_prism(ui: &mut Ui, app: &App, theme: Theme) {
     let colours = match app.document().is_about_light() {
-        true => behind_slit::strip(app),
-        false => Vec::new(),
+        true => kept(ui, Id::unique("through a prism"), app.revision(), || {
+            Arc::new(behind_slit::strip(app))
+        }),
+        false => Arc::default(),
     };
     if colours.is_empty() {
         return;

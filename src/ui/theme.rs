@@ -84,7 +84,7 @@ impl Theme {
         let presented = |factor| if preferences.presents() { factor } else { 1.0 };
         Self {
             dark,
-            line: 1.6 * presented(PRESENT_LINES),
+            line: 1.6 * presented(PRESENT_LINES).max(preferences.grown),
             ground: grey(if dark { 18 } else { 255 }),
             faint: faint(dark),
             swatch_ground: swatch_ground(dark),
@@ -181,8 +181,31 @@ pub fn apply(context: &Context, preferences: &Preferences) {
         style.spacing.slider_width = size(128.0);
         style.spacing.combo_width = size(96.0);
         style.interaction.tooltip_delay = 0.35;
+        style.interaction.interact_radius = 5.0;
+        if preferences.touch == Some(true) {
+            for_fingers(style);
+        }
         colours(&mut style.visuals, theme.dark);
     });
+}
+
+/// The least height of a target for a finger, points.
+pub const FINGER: f32 = 36.0;
+
+/// How far from a target a finger still meets it where no other is nearer, points: what is written
+/// small inside a text stays small and has a target of [`FINGER`].
+pub const NEAR_FINGER: f32 = 12.0;
+
+/// Targets that fingers meet.
+fn for_fingers(style: &mut egui::Style) {
+    let spacing = &mut style.spacing;
+    spacing.interact_size = spacing.interact_size.max(Vec2::splat(FINGER));
+    spacing.button_padding.x = 10.0;
+    spacing.item_spacing = Vec2::splat(8.0);
+    spacing.icon_width = 20.0;
+    spacing.icon_width_inner = 12.0;
+    spacing.scroll.bar_width = 14.0;
+    style.interaction.interact_radius = NEAR_FINGER;
 }
 
 /// Greys of both themes, from the ground up.
@@ -294,6 +317,7 @@ mod tests {
                 visuals.hyperlink_color,
                 theme.faint,
                 theme.warning,
+                theme.ink(Ink::Second),
             ];
             let mut pairs: Vec<(Color32, Color32)> = Vec::new();
             pairs.extend(grounds.iter().flat_map(|g| words.iter().map(|w| (*w, *g))));

@@ -6,6 +6,7 @@ use eframe::egui;
 use egui::{Align, Button, Color32, Layout, RichText, Sense, Ui, vec2};
 
 use super::{
+    eyes,
     keys::Act,
     kit::{cut_words, named, named_choice},
     second_chip, swatch,
@@ -34,6 +35,8 @@ pub(super) enum Wish {
     SaveWindowPng,
     /// Copy something as text.
     Copy(Export),
+    /// Copies a link to the page with this light's model.
+    CopyLink,
     /// Copies the path of the folder of own lessons.
     LessonsFolder,
     /// About, with the licences.
@@ -49,10 +52,12 @@ pub(super) struct Menus<'a> {
     pub has_summary: bool,
     /// Where own lessons are kept.
     pub lessons: Option<&'a Path>,
+    /// Whether this is a page, which a link leads to.
+    pub is_page: bool,
 }
 
 /// How the drawer stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Drawer {
     /// Whether the library is open.
     pub open: bool,
@@ -78,9 +83,11 @@ pub(super) fn show(
             if room == Room::Much {
                 ui.separator();
             }
-            ui.menu_button("Save", |ui| save_menu(ui, menus.dialog_open, wishes))
-                .response
-                .on_hover_text("Save or copy spectrum, model, tables and pictures.");
+            ui.menu_button("Save", |ui| {
+                save_menu(ui, [menus.dialog_open, menus.is_page], wishes)
+            })
+            .response
+            .on_hover_text("Save or copy spectrum, model, tables and pictures.");
             files(ui, preferences, menus, wishes);
             if room == Room::Much {
                 ui.separator();
@@ -225,6 +232,7 @@ fn files(ui: &mut Ui, preferences: &Preferences, menus: Menus<'_>, wishes: &mut 
         dialog_open,
         has_summary,
         lessons,
+        is_page,
     } = menus;
     ui.menu_button("Open", |ui| {
         let mut item = |ui: &mut Ui, is_on: bool, [words, meaning]: [&str; 2], wish: Wish| {
@@ -253,7 +261,9 @@ fn files(ui: &mut Ui, preferences: &Preferences, menus: Menus<'_>, wishes: &mut 
             "Type a path…",
             "Opens a file, or every file of a folder (Ctrl+Shift+O).",
         ];
-        item(ui, true, words, Wish::Act(Act::TypePath));
+        if !is_page {
+            item(ui, true, words, Wish::Act(Act::TypePath));
+        }
         ui.separator();
         let words = [
             "Files opened together…",
@@ -329,7 +339,7 @@ const FIRST: [(&str, &str, Wish); 4] = [
     ),
 ];
 
-fn save_menu(ui: &mut Ui, dialog_open: bool, wishes: &mut Vec<Wish>) {
+fn save_menu(ui: &mut Ui, [dialog_open, is_page]: [bool; 2], wishes: &mut Vec<Wish>) {
     ui.add_enabled_ui(!dialog_open, |ui| {
         for (words, meaning, asked) in FIRST {
             if ui.button(words).on_hover_text(meaning).clicked() {
@@ -355,6 +365,10 @@ fn save_menu(ui: &mut Ui, dialog_open: bool, wishes: &mut Vec<Wish>) {
     item(ui, "Print this page (Ctrl+P)", Act::Print);
     item(ui, "Copy a picture of the window", Act::CopyPicture);
     item(ui, "Copy the command line for this view", Act::CopyCommand);
+    if is_page && ui.button("Copy a link to this view").clicked() {
+        wishes.push(Wish::CopyLink);
+        ui.close();
+    }
     ui.menu_button("Copy as text", |ui| {
         for export in [
             Export::CompositeLine,
@@ -406,8 +420,17 @@ fn looks(ui: &mut Ui, preferences: &Preferences, room: Room, wishes: &mut Vec<Wi
         ui.separator();
         wish(ui, "Larger (Ctrl++)", Wish::Act(Act::ZoomIn));
         wish(ui, "Smaller (Ctrl+-)", Wish::Act(Act::ZoomOut));
+        let words = match preferences.touch {
+            Some(true) => "Targets for a pointer",
+            _ => "Targets for fingers",
+        };
+        wish(ui, words, Wish::Act(Act::Touch));
         let percent = format!("Zoom 100 %, now {:.0} % (Ctrl+0)", 100.0 * preferences.zoom);
         wish(ui, &percent, Wish::Act(Act::ZoomReset));
+        ui.separator();
+        let (_, words) = eyes::next(preferences.without_cones);
+        let words = format!("{words} (Ctrl+Shift+D)");
+        wish(ui, &words, Wish::Act(Act::Eyes));
     });
     named(&help.response, egui::Role::Button, "Help");
     help.response.on_hover_text("Shortcuts, licences, zoom.");

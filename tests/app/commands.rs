@@ -520,6 +520,8 @@ fn what_cannot_change_the_model_derives_nothing_and_what_can_derives_it_anew() {
         let anew = App::with_document(app.document().clone());
         assert_eq!(app.derived(), anew.derived(), "{words}");
         assert_eq!(app.spike_names(), anew.spike_names(), "{words}");
+        let laid = |app: &App| app.laid().map(|(_, laid)| laid).collect::<Vec<_>>();
+        assert_eq!(laid(&app), laid(&anew), "{words}");
         if beside.contains(&words) {
             assert!(Arc::ptr_eq(&before, app.derived()), "{words} derived anew");
         }

@@ -113,6 +113,10 @@ fn setting_of(place: &Place) -> Place {
                 "lines",
                 "pixel",
                 "xy",
+                "slots",
+                "scans",
+                "others",
+                "instruments",
             ]
             .iter()
             .any(|key| is(2, key)) =>

@@ -7,7 +7,7 @@ use spectral_explorer::{
         App, Command, Detector, Document, Entry, FIRST_LIGHT, Gel, Given, Height, Scale, Settings,
         SpikeAct, View,
         charts::quality::OfColours,
-        combining::Verb,
+        combining::{KeptInstrument, Verb},
         design::{
             DeskSurfaces, Telling,
             colour::FromColour,
@@ -193,8 +193,10 @@ pub(crate) fn full_document() -> Document {
 
 pub(crate) fn full_preferences() -> Preferences {
     Preferences {
+        without_cones: Some(spectral_explorer::color::MissingCones::Middle),
         dark: false,
         zoom: 1.3,
+        touch: Some(true),
         present: true,
         recent: vec![PathBuf::from("a lamp.csv"), PathBuf::from("b.spdx")],
         window: Some([1280.0, 800.5]),

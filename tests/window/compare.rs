@@ -1,6 +1,7 @@
 //! A second light: chosen, read in a sentence, known to every page, let go of.
 
-use crate::driver::{Ui, app, assert_written, at_rest, click, is_written, no_files};
+use crate::driver::{Ui, app, assert_written, at_rest, click, is_written, no_files, words};
+use crate::sizes;
 use eframe::egui;
 use egui::{Key, Role};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -118,6 +119,83 @@ fn the_plot_draws_it_over_the_light_with_an_edge_and_the_surfaces_are_split() {
     let ui = on(Page::Spectrum, app);
     assert_written(&ui, "FL2 | LED-B1");
     assert!(!is_written(&ui, "measured | model"));
+}
+
+#[test]
+fn every_page_about_a_light_names_the_second_one_beside_it() {
+    for page in [
+        Page::Spectrum,
+        Page::Chain,
+        Page::Narrow,
+        Page::TwoLights,
+        Page::Metamers,
+        Page::Quality,
+        Page::Chromaticity,
+        Page::Rendition,
+        Page::Mix,
+        Page::Solve,
+        Page::FromColour,
+        Page::Prism,
+        Page::Rainbow,
+    ] {
+        let ui = on(page, compared());
+        let painted = sizes::words(&ui, egui::vec2(1280.0, 800.0));
+        // The chip in the bar is there on every page.
+        let is_told = painted
+            .iter()
+            .any(|words| words.text.contains("LED-B1") && words.text != "vs LED-B1");
+        assert!(is_told, "{page:?}");
+    }
+}
+
+#[test]
+fn on_the_desk_the_second_light_is_a_colour_to_aim_at() {
+    let mut ui = on(Page::Mix, compared());
+    let aim = "The colour that is aimed at";
+    ui.get_by_role_and_label(Role::ComboBox, aim).click();
+    ui.run();
+    click(&mut ui, "the colour of LED-B1");
+    let wish = &app(&ui).document().pages.solve;
+    assert_eq!(wish.light.as_deref(), Some(SECOND));
+}
+
+#[test]
+fn lights_that_were_found_are_compared_in_a_table_that_sorts_by_what_is_clicked() {
+    let mut ui = on(Page::Spectrum, App::new());
+    click(&mut ui, "Library: FL2");
+    let search = ui.get_by_role_and_label(Role::TextInput, "Search the library");
+    search.click();
+    ui.run();
+    ui.event(egui::Event::Text("fluorescent Ra 90".to_owned()));
+    ui.run();
+    ui.get_by(|node| {
+        let label = node.label();
+        label.is_some_and(|label| label.starts_with("Compare the quality of "))
+    })
+    .click();
+    ui.run();
+    ui.state_mut().studies.finish();
+    ui.run();
+    assert_written(&ui, "lights reach 80.");
+    let first = |ui: &Ui| {
+        let rows = words(ui);
+        let rows = rows
+            .into_iter()
+            .filter(|words| words.matches(", ").count() >= 5);
+        rows.map(|row| row.split(", ").map(str::to_owned).collect::<Vec<_>>())
+            .next()
+            .expect("a row")
+    };
+    let by_rf = first(&ui);
+    click(&mut ui, "Sort by lm/W");
+    ui.run();
+    let by_light = first(&ui);
+    assert_ne!(by_rf[0], by_light[0]);
+    let efficacy = |row: &[String]| row.last().and_then(|cell| cell.parse::<f64>().ok());
+    assert!(
+        efficacy(&by_light) > efficacy(&by_rf),
+        "{by_light:?} {by_rf:?}"
+    );
 }
 
 #[test]

@@ -9,10 +9,11 @@ use crate::driver::{
     Ui, app, assert_written, at_rest, click, is_written, no_files, wait_until, words,
 };
 use eframe::egui;
-use egui::{Key, Modifiers, Pos2, Role, vec2};
+use egui::{Key, Modifiers, Pos2, Role, Shape, vec2};
 use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{App, pages::Page, workspace::Preferences},
+    color::{MissingCones, Srgb},
     ui::{Window, look_view::ADD_LINE},
 };
 
@@ -304,5 +305,44 @@ fn every_page_is_presented_as_itself_and_left_to_itself() {
         let preferences = &ui.state().preferences;
         assert!(!preferences.present, "{page:?}");
         assert_eq!(preferences.page, page, "left");
+    }
+}
+
+/// Fills of the rectangles that are painted and have a hue.
+fn coloured_fills(ui: &Ui) -> Vec<[u8; 3]> {
+    fn gather(shape: &Shape, found: &mut Vec<[u8; 3]>) {
+        match shape {
+            Shape::Vec(shapes) => shapes.iter().for_each(|shape| gather(shape, found)),
+            Shape::Rect(rect) if rect.fill.is_opaque() => {
+                let [r, g, b, _] = rect.fill.to_array();
+                if r != g || g != b {
+                    found.push([r, g, b]);
+                }
+            }
+            _ => {}
+        }
+    }
+    let mut found = Vec::new();
+    for clipped in &ui.output().shapes {
+        gather(&clipped.shape, &mut found);
+    }
+    found
+}
+
+#[test]
+fn the_window_is_seen_by_colour_blind_eyes_and_by_others_again() {
+    let mut ui = fresh();
+    let before = coloured_fills(&ui);
+    assert!(before.len() > 24, "{}", before.len());
+    for eyes in [Some(MissingCones::Long), Some(MissingCones::Middle), None] {
+        ui.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::D);
+        ui.run();
+        assert_eq!(ui.state().preferences.without_cones, eyes);
+        let now = coloured_fills(&ui);
+        for rgb in &before {
+            let Srgb(seen) = eyes.map_or(Srgb(*rgb), |eyes| eyes.seen(Srgb(*rgb)));
+            let is_grey = seen[0] == seen[1] && seen[1] == seen[2];
+            assert!(is_grey || now.contains(&seen), "{eyes:?} {rgb:?} {seen:?}");
+        }
     }
 }

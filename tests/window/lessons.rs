@@ -20,7 +20,7 @@ use crate::driver::{
     Ui, app, assert_written, at_rest, click, is_written, no_files, wait_until, words,
 };
 
-fn at(page: Page) -> Ui {
+pub(crate) fn at(page: Page) -> Ui {
     let preferences = Preferences {
         page,
         ..Preferences::default()
@@ -28,7 +28,7 @@ fn at(page: Page) -> Ui {
     at_rest(Window::new(App::new(), preferences, no_files(), None))
 }
 
-fn press(ui: &mut Ui, key: Key) {
+pub(crate) fn press(ui: &mut Ui, key: Key) {
     ui.key_press(key);
     ui.run();
 }
@@ -156,7 +156,7 @@ fn a_slider_does_a_task_in_the_direction_that_the_words_name() {
             let mut ui = at(Page::Lessons);
             begun(&mut ui, lesson, index);
             // Where a step points at the plot its words name the slider.
-            let control = point.control.as_deref().unwrap_or(knobs::ORDER);
+            let control = point.control().unwrap_or(knobs::ORDER);
             ui.get_by_role_and_label(Role::Slider, control).focus();
             ui.run();
             let mut left = 100;
@@ -233,7 +233,7 @@ fn a_lamp_that_is_chosen_in_a_lesson_shines_on_the_surfaces_that_are_looked_at()
 }
 
 /// The window at a step of a lesson.
-fn begun(ui: &mut Ui, lesson: &Lesson, step: usize) {
+pub(crate) fn begun(ui: &mut Ui, lesson: &Lesson, step: usize) {
     ui.state_mut().preferences.lesson_asked = Some(AskedLesson {
         name: lesson.name.clone(),
         step,
@@ -243,7 +243,7 @@ fn begun(ui: &mut Ui, lesson: &Lesson, step: usize) {
 }
 
 /// Where the first control of a name stands, or the first whose name begins so, or else words.
-fn place(ui: &Ui, name: &str) -> Option<Rect> {
+pub(crate) fn place(ui: &Ui, name: &str) -> Option<Rect> {
     let fits = |whole: bool, is_control: bool| {
         let nodes = ui.root().children_recursive();
         let named = nodes.filter(|node| {
@@ -622,89 +622,6 @@ fn presenting_enlarges_the_lessons_own_page_and_stays_through_its_steps() {
     assert!(!ui.state().preferences.presents());
     assert_eq!(ui.state().preferences.page, Page::Chain);
     assert_written(&ui, "Step 2 of 3");
-}
-
-/// The program shows a task until it is done.
-fn watch_until_done(ui: &mut Ui) {
-    for _ in 0..40 {
-        if is_written(ui, "✔") {
-            return;
-        }
-        (0..10).for_each(|_| ui.step());
-    }
-}
-
-#[test]
-fn six_lessons_are_taken_with_every_wrong_answer_too_far_and_back() {
-    let set_back = "What is shown has changed since";
-    for name in ["prism", "light", "gas", "quality", "colour", "samples"] {
-        let lesson = shelf::named(name).expect("shipped");
-        let mut ui = at(Page::Lessons);
-        for (index, step) in lesson.steps.iter().enumerate() {
-            let what = format!("{name}, step {}", index + 1);
-            begun(&mut ui, &lesson, index);
-            let page = ui.state().preferences.page;
-            let set = |ui: &Ui| {
-                let document = app(ui).document();
-                let over = document.laid_over().count();
-                (document.light.name().to_owned(), document.settings, over)
-            };
-            let begun_with = set(&ui);
-            let answers = step
-                .ask
-                .iter()
-                .flat_map(|ask| ask.answers.iter().enumerate());
-            let keys = [Key::Num1, Key::Num2, Key::Num3, Key::Num4];
-            for (place, answer) in answers.filter(|(_, answer)| !answer.right) {
-                press(&mut ui, keys[place]);
-                if step.task.is_some() {
-                    press(&mut ui, Key::Space);
-                    watch_until_done(&mut ui);
-                }
-                assert!(is_written(&ui, "✘"), "{what}: a wrong answer is told");
-                if !answer.because.contains('{') {
-                    assert!(
-                        is_written(&ui, &answer.because),
-                        "{what}: {}",
-                        answer.because
-                    );
-                }
-                click(&mut ui, "Back to the step");
-                assert!(!is_written(&ui, "✘"), "{what}: Reset begins it again");
-                assert!(set(&ui) == begun_with, "{what}: as it began");
-            }
-            if step.task.is_some() {
-                press(&mut ui, Key::Space);
-                watch_until_done(&mut ui);
-                assert!(is_written(&ui, "✔"), "{what}: Show me does it");
-                let control = step
-                    .point
-                    .as_ref()
-                    .and_then(|point| point.control.as_deref());
-                if let Some(slider) = control.filter(|name| [knobs::ORDER, "Centre"].contains(name))
-                {
-                    ui.get_by_role_and_label(Role::Slider, slider).focus();
-                    ui.run();
-                    for _ in 0..25 {
-                        press(&mut ui, Key::ArrowRight);
-                    }
-                    let scene = spectral_explorer::app::lessons::Scene {
-                        app: app(&ui),
-                        page: ui.state().preferences.page,
-                    };
-                    let holds = step.holds(&scene);
-                    assert_eq!(is_written(&ui, set_back), !holds, "{what}: too far");
-                }
-            }
-            press(&mut ui, Key::F5);
-            assert_eq!(ui.state().preferences.page, page, "{what}: F5");
-            press(&mut ui, Key::F5);
-            if index > 0 {
-                click(&mut ui, "Back");
-                assert_written(&ui, &format!("Step {index} of"));
-            }
-        }
-    }
 }
 
 #[test]

@@ -155,22 +155,29 @@ fn says_something(ui: &Ui, size: Vec2, scale: f32) -> bool {
     })
 }
 
+/// Gives the window a size in points; one of few has them by a zoom.
+fn set_size(ui: &mut Ui, size: Vec2) {
+    ui.state_mut().0.preferences.zoom = if size.x < 1000.0 { 1.5 } else { 1.0 };
+    rest(ui);
+    ui.set_size(size);
+}
+
 /// Walks a page through all sizes, with what its computations find.
-fn walk(preferences: Preferences, wrong: &mut Vec<String>) {
+pub(crate) fn walk(preferences: Preferences, sizes: &[[f32; 2]], wrong: &mut Vec<String>) {
     let page = preferences.page;
     let present = if preferences.presents() {
         ", presented"
     } else {
         ""
     };
-    let mut ui = over(preferences, SIZES[0]);
+    let mut ui = over(preferences, sizes[0]);
     for _ in 0..4 {
         ui.state_mut().0.studies.finish();
         rest(&mut ui);
     }
-    for [width, height] in SIZES {
+    for &[width, height] in sizes {
         let size = vec2(width, height);
-        ui.set_size(size);
+        set_size(&mut ui, size);
         rest(&mut ui);
         let case = format!("{}{present} at {width} x {height}", page.title());
         wrong.extend(
@@ -198,7 +205,7 @@ fn assert_sound(place: Place) {
             greeted: true,
             ..Preferences::default()
         };
-        walk(preferences, &mut wrong);
+        walk(preferences, &SIZES, &mut wrong);
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
@@ -257,7 +264,7 @@ fn every_page_knows_the_second_light_and_nothing_collides_or_is_cut() {
         }
         for [width, height] in [[1000.0, 700.0], [1280.0, 800.0], [667.0, 467.0]] {
             let size = vec2(width, height);
-            ui.set_size(size);
+            set_size(&mut ui, size);
             rest(&mut ui);
             let case = format!("{} at {width} x {height}", page.title());
             let found = faults(&ui, page, size).into_iter();
@@ -279,6 +286,30 @@ fn nothing_collides_or_is_cut_while_presenting() {
         greeted: true,
         ..Preferences::default()
     };
-    walk(preferences, &mut wrong);
+    walk(preferences, &SIZES, &mut wrong);
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn a_window_smaller_than_the_smallest_layout_is_scaled_and_a_zoom_is_not_taken_back() {
+    let mut ui = over(Preferences::default(), [1280.0, 800.0]);
+    // Pixels of the window, the zoom that was asked for, and the one that is seen.
+    for (pixels, zoom, seen) in [
+        ([1280.0, 800.0], 1.0, 1.0),
+        ([900.0, 600.0], 1.0, 1.0),
+        ([720.0, 600.0], 1.0, 0.8),
+        ([900.0, 300.0], 1.0, 0.5),
+        ([720.0, 600.0], 1.5, 1.2),
+        ([1280.0, 800.0], 2.5, 2.5),
+    ] {
+        ui.state_mut().0.preferences.zoom = zoom;
+        for _ in 0..4 {
+            // As a window does: it has pixels, and points of the zoom that is seen.
+            let points = egui::Vec2::from(pixels) / ui.ctx.zoom_factor();
+            ui.set_size(points);
+            ui.step();
+        }
+        let now = ui.ctx.zoom_factor();
+        assert!((now - seen).abs() < 1e-4, "{pixels:?} at {zoom}: {now}");
+    }
 }

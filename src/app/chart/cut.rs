@@ -6,6 +6,10 @@ use super::primitive::{Field, Place};
 pub(super) fn cut_segment(ends: [Place; 2], field: Field) -> Option<[Place; 2]> {
     let [from, to] = ends;
     let [low, high] = field.corners();
+    let is_inside = |at: Place| (0..2).all(|k| (low[k]..=high[k]).contains(&at[k]));
+    if is_inside(from) && is_inside(to) {
+        return Some(ends);
+    }
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
     for axis in 0..2 {
         let step = to[axis] - from[axis];

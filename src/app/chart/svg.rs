@@ -4,7 +4,10 @@
 //! ids, which would clash where several charts are pasted into one page), and no number in it is
 //! far outside the picture.
 
-use std::fmt::{self, Write as _};
+use std::{
+    collections::HashSet,
+    fmt::{self, Write as _},
+};
 
 use super::{
     Chart, Dash, Rgb, Theme,
@@ -131,27 +134,47 @@ fn write_lines(
     )
 }
 
-/// A band of many colours as pieces of one colour each; they overlap by a hair, so that nothing of
-/// what is below shines through between them.
+/// A band of many colours as pieces of one colour each. A piece reaches under the next one, whose
+/// smoothed edge would show the ground otherwise.
 fn write_shaded(out: &mut String, corners: &[[f64; 3]], shades: &[[u8; 3]]) -> std::fmt::Result {
-    const HAIR: f64 = 0.3;
-    for (pair, shade) in corners.windows(2).zip(shades) {
-        let [[x, one, other], [x_2, one_2, other_2]] = [pair[0], pair[1]];
-        let x_2 = x_2 + HAIR;
-        let ring = [[x, one], [x_2, one_2], [x_2, other_2], [x, other]];
+    let pieces = corners.len().saturating_sub(1);
+    for (i, shade) in shades.iter().enumerate().take(pieces) {
+        let reach = &corners[i..(i + 3).min(corners.len())];
+        let there = reach.iter().map(|[x, one, _]| [*x, *one]);
+        let back = reach.iter().rev().map(|[x, _, other]| [*x, *other]);
+        let ring: Vec<Place> = there.chain(back).collect();
         let (path, colour) = (path(&ring), hex(*shade));
         writeln!(out, r#"<path d="{path}Z" fill="{colour}"/>"#)?;
     }
     Ok(())
 }
 
+/// How far a field reaches under one that is drawn later and touches it, px: the smoothed edge of
+/// that one would show the ground otherwise.
+const UNDER: f64 = 1.0;
+
 fn write_fields(out: &mut String, fields: &[(Field, Rgb)]) -> fmt::Result {
-    // Neighbours share an edge: smoothed ones would show the ground between them.
+    let place = |[x, y]: [f64; 2]| (px(x), px(y));
+    let (mut starts, mut feet) = (HashSet::new(), HashSet::new());
+    let mut reaching = Vec::with_capacity(fields.len());
+    for (field, colour) in fields.iter().rev() {
+        let Field { left, top, .. } = *field;
+        let (right, bottom) = (field.right(), field.bottom());
+        let under = |is_met: bool| if is_met { UNDER } else { 0.0 };
+        let up = under(feet.contains(&place([left, top])));
+        let right_by = under(starts.contains(&place([right, top])));
+        let down = under(starts.contains(&place([left, bottom])));
+        reaching.push((
+            [left, top - up],
+            [field.width + right_by, field.height + up + down],
+            colour,
+        ));
+        starts.insert(place([left, top]));
+        feet.insert(place([left, bottom]));
+    }
     writeln!(out, r#"<g shape-rendering="crispEdges">"#)?;
-    for (field, colour) in fields {
-        let [left, top] = [field.left, field.top].map(px);
-        let [width, height] = [field.width, field.height].map(px);
-        let colour = hex(*colour);
+    for (corner, size, colour) in reaching.into_iter().rev() {
+        let ([left, top], [width, height], colour) = (corner.map(px), size.map(px), hex(*colour));
         writeln!(
             out,
             r#"<rect x="{left}" y="{top}" width="{width}" height="{height}" fill="{colour}"/>"#
@@ -168,7 +191,7 @@ fn write_pieces(out: &mut String, pieces: &[([Place; 4], [Rgb; 4])]) -> fmt::Res
         let path = path(corners);
         writeln!(
             out,
-            r#"<path d="{path}Z" fill="{colour}" stroke="{colour}" stroke-width=".4"/>"#
+            r#"<path d="{path}Z" fill="{colour}" stroke="{colour}"/>"#
         )?;
     }
     Ok(())

@@ -5,7 +5,7 @@ use crate::{
     app::{
         App,
         chart::{Chart, Dash, Ink, Scale, Series, Shape, stroke},
-        figures::{SMALLEST, Unit, brief},
+        figures::{SMALLEST, Unit, in_column},
         line_names::{ElementLine, LineName},
         spike_names::identified,
         studies::AuctionAsk,
@@ -56,7 +56,7 @@ fn goal_unit(goal: Goal) -> Unit {
 /// A goal's error in words.
 pub fn error_words(goal: Goal, error: f64) -> String {
     let unit = goal_unit(goal);
-    brief(error * unit.factor, unit)
+    in_column(Some(error * unit.factor), unit)
 }
 
 /// Names of the lines on offer, in their order.
@@ -282,9 +282,9 @@ pub fn gain_words(before: f64, now: f64) -> String {
         return "–".to_owned();
     }
     if gain >= 99.95 {
-        ">99.9 %".to_owned()
+        "> 99.9 %".to_owned()
     } else if gain < 0.05 {
-        "<0.1 %".to_owned()
+        "< 0.1 %".to_owned()
     } else {
         format!("{gain:.1} %")
     }

@@ -4,7 +4,6 @@
 use crate::{
     app::{
         chart::{Chart, Dash, Ink, Panel, Series, Shape, stroke},
-        charts::products::chain::strip,
         combining::{Found, LineRow, Part, measurements},
     },
     measurements::{Measurement, Quantity, mean_of, rounded},
@@ -24,7 +23,7 @@ pub fn combined_chart(found: &Found, title: String, parts: &[Part]) -> Chart {
     if is_light && let Ok(band) = Band::new(chart.x_range[0].ceil(), chart.x_range[1].floor()) {
         let area = |points| Series::area("", Ink::Measured, points, Vec::new()).coloured();
         chart.series.extend(curves().map(area));
-        chart.colours = strip(band);
+        chart.colours = band.grid().map(Ink::Wavelength).collect();
     }
     for (index, part) in parts.iter().enumerate() {
         let is_kept = found.scans.get(index).is_none_or(|scan| scan.is_kept);

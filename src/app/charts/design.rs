@@ -16,7 +16,10 @@ use crate::{
         },
         pages::DiagramShows,
     },
-    color::{srgb_from_wavelength, xyz::FIRST_NM},
+    color::{
+        Observer, srgb_from_wavelength,
+        xyz::{FIRST_NM, xyz_from_nm_values},
+    },
     design::{
         mixture::Source,
         solve::{Against, FrontPoint},
@@ -33,8 +36,14 @@ pub fn ground() -> Chart {
     diagram(&[], shows)
 }
 
-/// The diagram with the channels of a desk, what they reach, the mixture and a target.
-pub fn on_diagram(ground: &Chart, desk: &Desk, target: Option<[f64; 2]>) -> Chart {
+/// The diagram with the channels of a desk, what they reach, the mixture, a target, and the second
+/// light with its name.
+pub fn on_diagram(
+    ground: &Chart,
+    desk: &Desk,
+    target: Option<[f64; 2]>,
+    second: Option<(&str, &Desk)>,
+) -> Chart {
     let mut chart = ground.clone();
     let black = [15; 3];
     let point = |name: &str, colour, shape, radius, at| {
@@ -63,7 +72,13 @@ pub fn on_diagram(ground: &Chart, desk: &Desk, target: Option<[f64; 2]>) -> Char
             .series
             .push(point("target", black, Shape::Ring, 9.0, at));
     }
-    if let Some(at) = desk.figures.as_ref().and_then(|figures| figures.uv) {
+    let place = |desk: &Desk| desk.figures.as_ref().and_then(|figures| figures.uv);
+    if let Some((name, at)) = second.and_then(|(name, second)| Some((name, place(second)?))) {
+        chart.series.push(point("", black, Shape::Dot, 7.0, at));
+        let dot = Series::points(name, Ink::Second, Shape::Dot, vec![at]);
+        chart.series.push(dot.sized(5.0));
+    }
+    if let Some(at) = place(desk) {
         chart.series.push(point("", black, Shape::Dot, 7.0, at));
         chart
             .series
@@ -73,8 +88,9 @@ pub fn on_diagram(ground: &Chart, desk: &Desk, target: Option<[f64; 2]>) -> Char
     chart
 }
 
-/// The mixture over the wavelengths; lines as a slit of 5 nm sees them.
-pub fn mixed_spectrum(desk: &Desk) -> Chart {
+/// The mixture over the wavelengths; lines as a slit of 5 nm sees them. A second light is drawn as
+/// bright as the mixture.
+pub fn mixed_spectrum(desk: &Desk, second: Option<(&str, &Desk)>) -> Chart {
     let band = Band::VISIBLE;
     let (channels, powers) = desk.lights();
     let mut smooth = desk.values.clone();
@@ -112,6 +128,14 @@ pub fn mixed_spectrum(desk: &Desk) -> Chart {
         }
     }
     series.push(Series::line("", Ink::Text, points));
+    let luminance = |desk: &Desk| xyz_from_nm_values(&desk.values, Observer::CIE_1931).y;
+    if let Some((name, second)) = second
+        && let equal = luminance(desk) / luminance(second)
+        && equal.is_finite()
+    {
+        let points = on_grid(band, &second.values[first..], equal);
+        series.push(stroke(name, Ink::Second, points, 2.4, Dash::Solid));
+    }
     for (top, power) in lines {
         let colour = srgb_from_wavelength(top[0]).0;
         let label = format!("{:.1}\n{:.0} %", top[0], 100.0 * power / whole);
@@ -220,9 +244,11 @@ mod tests {
     fn the_diagram_has_a_point_for_each_channel_and_the_region_between_them() {
         let desk = Desk::of(App::new().document());
         let ground = ground();
-        let chart = on_diagram(&ground, &desk, Some([0.2, 0.5]));
+        let second = Some(("a lamp", &desk));
+        let chart = on_diagram(&ground, &desk, Some([0.2, 0.5]), second);
         let named = |name: &str| chart.series.iter().any(|series| series.name == name);
         assert!(named("can be mixed") && named("mixture") && named("target"));
+        assert!(named("a lamp"));
         let noted = chart
             .series
             .iter()

@@ -7,7 +7,6 @@ use crate::{
         cells::{Columns, Table, cell, column},
         chart::{Chart, Dash, Ink, Series, Shape},
         figures::Unit,
-        numbers::figure,
         pages::ManyMemory,
         settings::Settings,
         studies::ManyAsk,
@@ -209,7 +208,7 @@ pub fn table(app: &App, ask: &ManyAsk, many: &ManyLights, wanted: Wanted) -> Tab
         .and(enough("numbers", 2))
         .figures("numbers", "2N + 1, and two for each line.")
         .with(format!("{}_at_order_{order}", measure.key), |row| {
-            cell(row.now).shown(figure(row.now.map(|off| measure.shown(off))))
+            cell(row.now).shown(measure.in_column(row.now))
         })
         .figures(format!("with {order}"), measure.meaning);
     Table::new(comments, columns, rows(many, wanted, order))

@@ -6,16 +6,15 @@ use crate::{
         chart::{self, Chart, Dash, Ink, OVERLAY_INKS, Panel, Scale, Series, stroke},
         document::Height,
         entry::Entry,
+        laid::{Laid, top},
         line_names::LineName,
         readings::is_counts,
-        scale::Scale as Switch,
-        spectral_unit::SpectralUnit,
         state::App,
         ticks::short,
     },
     color::srgb_of_fill,
     io::many::{many, numbers},
-    spectrum::{Band, Kind, Line, NamedSpectrum, Sampled},
+    spectrum::{Band, Line, NamedSpectrum, Sampled},
 };
 
 /// Spectra laid over that are named where they stand; more names would hide the curves.
@@ -33,15 +32,18 @@ pub fn spectrum_chart(app: &App) -> Chart {
     let (view, band) = (document.view, derived.band);
     let subject = document.subject_entry();
     let has_subject = app.is_measured_in_range();
-    let mut chart = Chart {
-        title: format!(
-            "{}: {} ({} order {}, {})",
-            subject.name(),
+    let of_model = || {
+        format!(
+            ": {} ({} order {}, {})",
             numbers(derived.numbers()),
             derived.model.smooth().basis.word(),
             derived.model.smooth().order(),
             many(derived.model.lines().len(), "line", "lines"),
-        ),
+        )
+    };
+    let of_model = view.model.then(of_model).unwrap_or_default();
+    let mut chart = Chart {
+        title: format!("{}{of_model}", subject.name()),
         y_label: subject_label(app),
         y_scale: scale(app),
         series: spectrum_series(app),
@@ -89,12 +91,6 @@ pub fn scale(app: &App) -> Scale {
             }
         }
     }
-}
-
-/// The largest measured size on the scale in force.
-fn top(app: &App) -> f64 {
-    let sizes = app.derived().measured.iter().map(|v| v.abs());
-    app.scale_factor() * sizes.fold(0.0, f64::max)
 }
 
 /// Values on the model's grid as points on the scale in force.
@@ -234,60 +230,6 @@ fn labels(app: &App, spikes: &[Line]) -> Vec<String> {
     spikes.iter().zip(app.spike_names()).map(label).collect()
 }
 
-/// Peaks of one absolute unit that differ by more than this have no common height.
-const FAR_APART: f64 = 5.0;
-
-/// How a spectrum is laid over the subject.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Laid {
-    /// On the subject's own scale: its values are multiplied by the factor of the scale alone.
-    Alike(f64),
-    /// A light multiplied so that it has the luminance of the light that is shown.
-    EquallyBright(f64),
-    /// Neither light nor surface: multiplied so that it is as high as the subject.
-    AsHigh(f64),
-    /// Not at all: a share of light and a power have no common axis.
-    Apart,
-}
-
-impl Laid {
-    /// How an entry is laid over the present subject.
-    pub fn of(app: &App, entry: &Entry) -> Self {
-        let document = app.document();
-        let subject = &document.subject_entry().spectrum;
-        let values = entry.spectrum.samples.values().iter().copied();
-        let most = values.fold(0.0, f64::max);
-        let as_high = || Self::AsHigh(if most > 0.0 { top(app) / most } else { 1.0 });
-        match (subject.kind, entry.kind()) {
-            (Kind::Light, Kind::Light) => {}
-            (of, over) if of.is_factor() && over.is_factor() => return Self::Alike(1.0),
-            (of, over) if of.is_factor() || over.is_factor() => {
-                let both = [of, over]
-                    .iter()
-                    .all(|k| k.is_factor() || *k == Kind::Light);
-                return if both { Self::Apart } else { as_high() };
-            }
-            _ => return as_high(),
-        }
-        // A scale that was chosen says itself what is equal.
-        let own = document.scale.factor(&entry.spectrum);
-        if let Some(own) = own.filter(|_| document.scale != Switch::AsMeasured) {
-            return Self::Alike(own);
-        }
-        let ratio = most / top(app);
-        let is_near = (1.0 / FAR_APART..=FAR_APART).contains(&ratio);
-        let is_absolute = SpectralUnit::of(&subject.unit).is_some();
-        if is_absolute && is_near && entry.spectrum.unit == subject.unit {
-            return Self::Alike(1.0);
-        }
-        let per_luminance = |spectrum| Switch::LuminanceHundred.factor(spectrum);
-        let equal = per_luminance(&entry.spectrum).zip(per_luminance(subject));
-        let factor = equal.map(|(over, of)| app.scale_factor() * over / of);
-        let factor = factor.filter(|factor| factor.is_finite() && *factor > 0.0);
-        factor.map_or_else(as_high, Self::EquallyBright)
-    }
-}
-
 /// A curve of samples, interrupted where nothing was measured.
 pub(super) fn broken_at_holes(mut points: Vec<[f64; 2]>, samples: &Sampled) -> Vec<[f64; 2]> {
     for [from, to] in samples.holes() {
@@ -300,7 +242,8 @@ pub(super) fn broken_at_holes(mut points: Vec<[f64; 2]>, samples: &Sampled) -> V
 /// The curve of a spectrum that is laid over the subject, on its axis.
 fn laid_points(app: &App, entry: &Entry) -> Option<Vec<[f64; 2]>> {
     let samples = &entry.spectrum.samples;
-    let factor = match Laid::of(app, entry) {
+    let (_, laid) = app.laid().find(|(over, _)| std::ptr::eq(&***over, entry))?;
+    let factor = match laid {
         Laid::Alike(factor) | Laid::EquallyBright(factor) | Laid::AsHigh(factor) => factor,
         Laid::Apart => return None,
     };

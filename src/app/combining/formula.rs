@@ -159,12 +159,11 @@ pub(super) fn of_ranges(parts: &[Measurement], is_sound: bool) -> Result<Found, 
     };
     let spliced = splice(first, second, is_sound).map_err(said)?;
     let made_by = format!("splice of {} and {}", first.name, second.name);
-    let half = 1.96 * spliced.u * spliced.factor;
     let note = format!(
         "From {} to {} nm both are there: the second is multiplied by {}.",
         spliced.overlap_nm[0],
         spliced.overlap_nm[1],
-        with_half(spliced.factor, Some(half))
+        with_half(spliced.factor, Some(1.96 * spliced.u * spliced.factor))
     );
     let mut found = Found::of(spliced.result.clone(), made_by, doubt_from(parts));
     found.first_nm = parts

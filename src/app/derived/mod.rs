@@ -49,6 +49,8 @@ pub struct Question<'a> {
     pub given: Option<&'a Composite>,
     /// Bring patches to the screen's white.
     pub adaptation: Adaptation,
+    /// The errors of every order, where they are known: another order has the same.
+    pub curve: Option<&'a [OrderPoint]>,
 }
 
 /// Everything derived from one subject and one set of knobs.
@@ -149,7 +151,10 @@ impl Derived {
             exactness: settings.colour_exact.then_some(exactness),
             colour,
             patches,
-            curve: fitted.curve(question, tables),
+            curve: match question.curve {
+                Some(curve) => curve.to_vec(),
+                None => fitted.curve(question, tables),
+            },
             parts: fitted.parts,
             bells: fitted.bells,
             warnings: Vec::new(),

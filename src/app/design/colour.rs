@@ -25,16 +25,34 @@ use crate::{
 
 pub use crate::app::pages::{FromColour, MERCURY_NM, UNDER};
 
+/// A light to look under: its name, its table, and the same for looking.
+type Light = (String, Sampled, Viewing);
+
 /// Those lights with their names: shipped, so that they are prepared once.
-static LIGHTS: LazyLock<Vec<(String, Sampled, Viewing)>> = LazyLock::new(|| {
+static LIGHTS: LazyLock<Vec<Light>> = LazyLock::new(|| {
     let one = |key: &&str| {
         let preset = Library::bundled().find(key).ok()?;
-        let table = preset.spectrum()?.samples.clone();
-        let viewing = Viewing::to_look(&table, OBSERVER).ok()?;
-        Some((preset.name.clone(), table, viewing))
+        light(&preset.name, &preset.spectrum()?.samples)
     };
     UNDER.iter().filter_map(one).collect()
 });
+
+/// None of a light that is not seen.
+fn light(name: &str, table: &Sampled) -> Option<Light> {
+    let viewing = Viewing::to_look(table, OBSERVER).ok()?;
+    Some((name.to_owned(), table.clone(), viewing))
+}
+
+/// The light of a document and the second one, then the usual ones, as many as those.
+fn lights_to_look_under(document: &Document) -> Vec<Light> {
+    let own = std::iter::once(&document.light).chain(&document.second);
+    let own: Vec<Light> = own
+        .filter_map(|entry| light(entry.name(), &entry.spectrum.samples))
+        .collect();
+    let is_new = |usual: &&Light| own.iter().all(|(name, ..)| *name != usual.0);
+    let usual = LIGHTS.iter().filter(is_new).cloned().collect::<Vec<_>>();
+    own.into_iter().chain(usual).take(UNDER.len()).collect()
+}
 
 impl FromColour {
     /// The same about a screen's colour, by itself.
@@ -176,7 +194,7 @@ impl ColourSheet {
             let pairs: Vec<_> = lights.iter().map(|(_, t, v)| (t, v)).collect();
             deviation(&smoothest, measured, &pairs)
         });
-        let under = lights
+        let under = lights_to_look_under(document)
             .iter()
             .map(|light| under(light, &smoothest, fourier.as_ref().ok(), measured))
             .collect();
@@ -233,7 +251,7 @@ fn missing(key: &str) -> String {
 }
 
 fn under(
-    (name, table, viewing): &(String, Sampled, Viewing),
+    (name, table, viewing): &Light,
     smoothest: &Recovered,
     fourier: Option<&Recovered>,
     measured: Option<&Sampled>,
@@ -282,6 +300,27 @@ mod tests {
 
     fn sheet(from: &FromColour) -> ColourSheet {
         ColourSheet::of(from, App::new().document()).expect("a colour under a light")
+    }
+
+    #[test]
+    fn the_light_and_the_second_one_are_the_first_that_it_is_looked_at_under() {
+        let mut app = App::new();
+        let names = |app: &App| {
+            let sheet = ColourSheet::of(&FromColour::default(), app.document());
+            let sheet = sheet.expect("a colour under a light");
+            sheet
+                .under
+                .into_iter()
+                .map(|under| under.light)
+                .collect::<Vec<_>>()
+        };
+        let alone = names(&app);
+        assert_eq!((alone[0].as_str(), alone.len()), ("FL2", UNDER.len()));
+        let second = app.entry("cie_led_1nm/LED-B1").expect("shipped");
+        app.apply(Command::Compare(Some(second)));
+        let both = names(&app);
+        assert_eq!(both[..2], ["FL2", "LED-B1"]);
+        assert_eq!(both[2..], alone[1..UNDER.len() - 1]);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 
 use super::{
     light,
-    mix::{FULL, Mix},
+    mix::{FULL, Mix, MixChannel},
 };
 use crate::{
     app::{
@@ -21,7 +21,7 @@ use crate::{
     },
     design::{
         SampleTables,
-        mixture::{Channel, MixError, mixed},
+        mixture::{Channel, MixError, Source, mixed},
         solve::{MixFigures, Mixer},
     },
 };
@@ -76,7 +76,20 @@ pub struct Desk {
 impl Desk {
     /// The desk of a document.
     pub fn of(document: &Document) -> Self {
-        let mix = document.pages.mix.desk.clone();
+        Self::of_mix(document.pages.mix.desk.clone(), document)
+    }
+
+    /// The second light of a document as a mixture of itself; `None` where none was chosen.
+    pub fn of_second(document: &Document) -> Option<Self> {
+        let key = document.second.as_ref()?.key.clone();
+        let mix = Mix {
+            channels: vec![MixChannel::new(Source::Named(key))],
+            gels: Vec::new(),
+        };
+        Some(Self::of_mix(mix, document))
+    }
+
+    fn of_mix(mix: Mix, document: &Document) -> Self {
         let gels = light::gels_on_nm(&mix.gels, |key| entry_of(document, key));
         let strip =
             |source: &_| light::channel(source, |key| table_of(document, key), gels.as_deref());

@@ -1,4 +1,4 @@
-//! Surfaces under the mixture, beside the same ones under its reference.
+//! Surfaces under the mixture, beside the same ones under its reference or under a second light.
 
 use serde::{Deserialize, Serialize};
 
@@ -51,30 +51,45 @@ impl DeskSurfaces {
     }
 }
 
-/// A surface under the mixture and under a light of the same temperature.
+/// A surface under the mixture, and under a light of the same temperature or the second one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Beside {
     /// Under the mixture, as an eye sees it that is adapted to it.
     pub test: Swatch,
-    /// Under the reference, as an eye sees it that is adapted to that.
-    pub reference: Swatch,
+    /// Under the other light, as an eye sees it that is adapted to that.
+    pub other: Swatch,
     /// Its name and how far the two are apart.
     pub words: String,
 }
 
-/// The surfaces of a choice under the mixture and under its reference: a blackbody, from 5000 K on
-/// daylight, of the same temperature. None without a colour temperature.
-pub fn beside(desk: &Desk, surfaces: DeskSurfaces, document: &Document) -> Vec<Beside> {
-    let Some(rendering) = &desk.rendering else {
+/// The surfaces of a choice under the mixture and under the second light, without one under the
+/// mixture's reference: a blackbody, from 5000 K on daylight, of the same temperature. None under a
+/// light without a colour temperature.
+pub fn beside(
+    desk: &Desk,
+    second: Option<&Desk>,
+    surfaces: DeskSurfaces,
+    document: &Document,
+) -> Vec<Beside> {
+    let (Some(rendering), second) = (&desk.rendering, second.map(|s| (s, s.rendering.as_ref())))
+    else {
         return Vec::new();
     };
+    let (white, values) = match second {
+        None => (rendering.reference_white, rendering.reference.on_nm()),
+        Some((second, Some(of_second))) => (of_second.test_white, second.values.clone()),
+        Some((_, None)) => return Vec::new(),
+    };
+    let whites = [rendering.test_white, white];
     let group = match surfaces {
-        DeskSurfaces::Test => return test_colours(rendering),
+        DeskSurfaces::Test => {
+            let second = second.and_then(|(_, of_second)| of_second);
+            return test_colours(rendering, second, whites);
+        }
         DeskSurfaces::Everyday => EVERYDAY_SET,
         DeskSurfaces::Patches => &document.patch_set,
     };
-    let whites = [rendering.test_white, rendering.reference_white];
-    let lights = [desk.values.clone(), rendering.reference.on_nm()];
+    let lights = [desk.values.clone(), values];
     let items = Library::bundled().group(group).map(|g| &g.items[..]);
     let shipped = items
         .unwrap_or_default()
@@ -86,8 +101,8 @@ pub fn beside(desk: &Desk, surfaces: DeskSurfaces, document: &Document) -> Vec<B
     let found = factors.filter_map(|spectrum| {
         let outside = spectrum.kind.outside();
         let shares = spectrum.samples.on_whole_nm(FIRST_NM, LAST_NM, outside);
-        let [test, reference] = [0, 1].map(|k| under(&lights[k], &shares));
-        Some(one(&spectrum.name, [test?, reference?], whites, None))
+        let [test, other] = [0, 1].map(|k| under(&lights[k], &shares));
+        Some(one(&spectrum.name, [test?, other?], whites, None))
     });
     found.collect()
 }
@@ -100,13 +115,13 @@ fn under(light: &[f64], shares: &[f64]) -> Option<Xyz> {
     xyz.is_finite().then_some(xyz)
 }
 
-fn test_colours(found: &Rendering) -> Vec<Beside> {
-    let whites = [found.test_white, found.reference_white];
+fn test_colours(found: &Rendering, second: Option<&Rendering>, whites: [Xyz; 2]) -> Vec<Beside> {
     let samples = found.samples.iter().zip(RENDERING_NAMES).enumerate();
     samples
         .map(|(i, (sample, name))| {
             let index = format!("R{} {:.0}", i + 1, sample.index);
-            one(name, [sample.test, sample.reference], whites, Some(index))
+            let other = second.map_or(sample.reference, |second| second.samples[i].test);
+            one(name, [sample.test, other], whites, Some(index))
         })
         .collect()
 }
@@ -118,7 +133,7 @@ fn one(name: &str, xyz: [Xyz; 2], whites: [Xyz; 2], index: Option<String>) -> Be
     let index = index.map_or_else(String::new, |index| format!("{index}: "));
     Beside {
         test: seen(0),
-        reference: seen(1),
+        other: seen(1),
         words: format!("{index}{name}, ΔE₀₀ {apart:.1}"),
     }
 }
@@ -150,9 +165,9 @@ mod tests {
     fn the_test_colours_stand_beside_those_of_the_reference() {
         let app = App::new();
         let desk = Desk::of(app.document());
-        let surfaces = beside(&desk, DeskSurfaces::Test, app.document());
+        let surfaces = beside(&desk, None, DeskSurfaces::Test, app.document());
         assert_eq!(surfaces.len(), 15);
-        assert!(surfaces.iter().any(|s| s.test.rgb8 != s.reference.rgb8));
+        assert!(surfaces.iter().any(|s| s.test.rgb8 != s.other.rgb8));
         let words = &surfaces[8].words;
         assert!(words.starts_with("R9 "), "{words}");
     }
@@ -166,12 +181,41 @@ mod tests {
             (DeskSurfaces::Patches, 24),
             (DeskSurfaces::Test, 15),
         ] {
-            let found = beside(&desk, surfaces, app.document());
+            let found = beside(&desk, None, surfaces, app.document());
             assert!(found.len() >= count, "{surfaces:?}: {}", found.len());
             for one in &found {
-                assert_eq!(one.test.rgb8, one.reference.rgb8, "{}", one.words);
+                assert_eq!(one.test.rgb8, one.other.rgb8, "{}", one.words);
                 assert!(one.words.ends_with("ΔE₀₀ 0.0"), "{}", one.words);
             }
+        }
+    }
+
+    #[test]
+    fn with_a_second_light_surfaces_stand_beside_what_they_are_under_that() {
+        let mut app = of_one(Source::Blackbody { kelvin: 3000.0 });
+        let lamp = app.entry("cie_illuminants/CIE A").expect("shipped");
+        app.apply(crate::app::Command::Compare(Some(lamp)));
+        let desk = Desk::of(app.document());
+        let second = Desk::of_second(app.document()).expect("a second light");
+        // The desk's figures of it are those of the light.
+        let kelvin = second
+            .figures
+            .as_ref()
+            .and_then(|f| f.cct)
+            .map(|cct| cct.kelvin);
+        assert!(
+            kelvin.is_some_and(|kelvin| (kelvin - 2856.0).abs() < 2.0),
+            "{kelvin:?}"
+        );
+        for surfaces in DeskSurfaces::ALL {
+            let found = beside(&desk, Some(&second), surfaces, app.document());
+            let itself = beside(&second, Some(&second), surfaces, app.document());
+            assert_eq!(found.len(), itself.len());
+            for (one, of_second) in found.iter().zip(&itself) {
+                assert_eq!(one.other, of_second.test, "{}", one.words);
+                assert_eq!(of_second.test, of_second.other, "{}", of_second.words);
+            }
+            assert!(found.iter().any(|one| one.test.rgb8 != one.other.rgb8));
         }
     }
 
@@ -180,7 +224,7 @@ mod tests {
         let app = of_one(Source::Line { at_nm: 530.0 });
         let desk = Desk::of(app.document());
         for surfaces in DeskSurfaces::ALL {
-            assert!(beside(&desk, surfaces, app.document()).is_empty());
+            assert!(beside(&desk, None, surfaces, app.document()).is_empty());
         }
     }
 }

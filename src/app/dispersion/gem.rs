@@ -3,7 +3,9 @@
 //! A film holds transport and no light. A light that changes is summed anew over the film that is
 //! there; only places of spikes that it has no rays for yet are traced.
 
-use std::{sync::Arc, time::Instant};
+use std::sync::Arc;
+
+use web_time::Instant;
 
 use super::words::listed;
 use crate::{

@@ -18,7 +18,7 @@ pub use colour::{ColourFigure, OF_COLOUR, OF_LIGHT, by_key};
 pub use model::SHARES;
 pub use quality::{OF_QUALITY, QualityFigure, TLCI, of_quantity};
 
-use super::numbers::{fixed, significant};
+use super::numbers::{ROUNDING, fixed, hundredths, or_dash, significant};
 
 /// The unit of a figure where it is shown; files have shares of 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -109,6 +109,11 @@ impl Figure {
         error.map_or_else(|| "–".to_owned(), |e| brief(self.shown(e), self.unit))
     }
 
+    /// An error in a column, whose decimal points stand below each other: `0.09`, `21.4 %`.
+    pub fn in_column(&self, error: Option<f64>) -> String {
+        in_column(error.map(|error| self.shown(error)), self.unit)
+    }
+
     /// Title and unit, for an axis.
     pub fn with_unit(&self) -> String {
         format!("{}, {}", self.title, self.unit.sign)
@@ -123,6 +128,18 @@ pub fn brief(shown: f64, unit: Unit) -> String {
     } else {
         format!("{}{tail}", significant(shown, 3))
     }
+}
+
+/// An error in its unit with the decimals of a column.
+pub fn in_column(shown: Option<f64>, unit: Unit) -> String {
+    let shown = shown.map(|v| if v.abs() < ROUNDING { 0.0 } else { v });
+    if unit != Unit::PERCENT {
+        return format!("{}{}", hundredths(shown), unit.tail);
+    }
+    or_dash(shown, |shown| match shown {
+        v if v > 0.0 && v < 0.05 => "< 0.1 %".to_owned(),
+        v => format!("{} %", fixed(v, 1)),
+    })
 }
 
 const NUMBER: Figure = Figure {
@@ -160,6 +177,16 @@ mod tests {
         assert_eq!(Measure::Own.figure().brief(Some(0.012_345)), "0.0123");
         assert_eq!(Measure::Rms.figure().brief(Some(1e-9)), "< 0.0001 %");
         assert_eq!(Measure::Rms.figure().brief(None), "–");
+        let [own, rms] = [Measure::Own, Measure::Rms].map(Measure::figure);
+        assert_eq!(
+            [0.0928, 13.5, 1e-3, 1e-13].map(|e| own.in_column(Some(e))),
+            ["0.09", "13.50", "< 0.01", "0.00"]
+        );
+        assert_eq!(
+            [0.2137, 0.67, 1e-4].map(|e| rms.in_column(Some(e))),
+            ["21.4 %", "67.0 %", "< 0.1 %"]
+        );
+        assert_eq!([own, rms].map(|figure| figure.in_column(None)), ["–", "–"]);
         assert_eq!(OF_LIGHT[0].figure.written(6503.6), "6504 K");
     }
 }

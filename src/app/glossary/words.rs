@@ -226,12 +226,7 @@ pub const WORDS: &[Word] = &[
     word(
         "Overlay",
         &[],
-        "A spectrum that is compared: drawn over the first: lights of relative units equally bright (of equal luminance), surfaces as they are.",
-    ),
-    word(
-        "Patch",
-        &[],
-        "A surface of known reflectance, shown as it looks under the measured light and under the model.",
+        "A spectrum that is drawn over the first one: lights of relative units equally bright (of equal luminance), surfaces as they are.",
     ),
     word(
         "Phosphor",
@@ -337,6 +332,11 @@ pub const WORDS: &[Word] = &[
         "sRGB",
         &["sRGB"],
         "The colours of ordinary screens. Of a colour outside, what the screen cannot show is cut off: a corner marks it, and what is shown is not the nearest colour.",
+    ),
+    word(
+        "Surface",
+        &[],
+        "Something of known reflectance, shown as it looks under the measured light and under the model.",
     ),
     word(
         "Threshold",

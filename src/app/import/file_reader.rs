@@ -9,7 +9,7 @@ use crate::{
         origin::SourceFile,
         studies::{Job, Stage, Wake, Work},
     },
-    io::{Choices, decode_text, is_binary},
+    io::{Choices, decode_text, disk, is_binary},
 };
 
 /// Files up to this size are read again at once, larger ones on a thread of their own; bytes.
@@ -21,7 +21,7 @@ const HEAD_BYTES: usize = 256 * 1024;
 fn is_small(file: &SourceFile) -> bool {
     let size = match (&file.bytes, &file.path) {
         (Some(bytes), _) => bytes.len() as u64,
-        (None, Some(path)) => std::fs::metadata(path).map_or(0, |about| about.len()),
+        (None, Some(path)) => disk::len(path).unwrap_or(0),
         (None, None) => 0,
     };
     size <= AT_ONCE_BYTES
@@ -53,19 +53,11 @@ fn read(file: &SourceFile, choices: &Choices) -> Result<Opened, String> {
 
 /// The beginning of a file's text; nothing for a binary file.
 pub(super) fn head(file: &SourceFile) -> String {
-    use std::io::Read;
-    let mut bytes = Vec::new();
-    match (&file.bytes, &file.path) {
-        (Some(all), _) => bytes.extend(&all[..all.len().min(HEAD_BYTES)]),
-        (None, Some(path)) => {
-            let read = std::fs::File::open(path)
-                .and_then(|file| file.take(HEAD_BYTES as u64).read_to_end(&mut bytes));
-            if read.is_err() {
-                return String::new();
-            }
-        }
-        (None, None) => {}
-    }
+    let mut bytes = match (&file.bytes, &file.path) {
+        (Some(all), _) => all[..all.len().min(HEAD_BYTES)].to_vec(),
+        (None, Some(path)) => disk::head(path, HEAD_BYTES as u64),
+        (None, None) => Vec::new(),
+    };
     if is_binary(&bytes) {
         return String::new();
     }

@@ -1,20 +1,39 @@
 //! When a task is done: figures within bounds, or what is shown.
 
 use serde::Deserialize;
+use serde_json::{Map, Value};
 
 use super::{
     figures::{Scene, Told, figure, is_known_of},
-    names::{entry, find},
+    names::{PageWord, entry, find},
 };
-use crate::app::pages::Page;
 
-/// One thing that must hold. Exactly one of `figure`, `light`, `surface`, `overlay`, `chain`
-/// and `page` says what it is about.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+/// Subject of a condition, under its key in the file.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(
+    rename = "figure, light, surface, overlay, chain or page",
+    rename_all = "lowercase"
+)]
+pub enum Wanted {
+    /// A figure, by its key, within bounds.
+    Figure(String),
+    /// This light is shown.
+    Light(String),
+    /// This surface or filter is shown.
+    Surface(String),
+    /// This spectrum is laid over it.
+    Overlay(String),
+    /// The light meets these, in this order.
+    Chain(Vec<String>),
+    /// This page is shown.
+    Page(PageWord),
+}
+
+/// One thing that must hold.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 pub struct Condition {
-    /// A figure, by its key.
-    pub figure: Option<String>,
+    #[serde(flatten)]
+    pub wanted: Wanted,
     /// What the figure is of: `model`, or a light; without it what is shown.
     pub of: Option<String>,
     /// More than this.
@@ -25,18 +44,10 @@ pub struct Condition {
     pub equals: Option<f64>,
     /// From the first to the second, both allowed.
     pub between: Option<[f64; 2]>,
-    /// This light is shown.
-    pub light: Option<String>,
-    /// This surface or filter is shown.
-    pub surface: Option<String>,
-    /// This spectrum is laid over it.
-    pub overlay: Option<String>,
-    /// The light meets these, in this order.
-    pub chain: Option<Vec<String>>,
-    /// This page is shown.
-    pub page: Option<String>,
     /// What a lesson calls its figure.
     pub called: Option<String>,
+    #[serde(flatten)]
+    rest: Map<String, Value>,
 }
 
 /// A figure on its way to what a task wants of it.
@@ -49,40 +60,54 @@ pub struct Meter {
 }
 
 impl Condition {
+    /// Its figure, where it is about one.
+    fn figure(&self) -> Option<&str> {
+        match &self.wanted {
+            Wanted::Figure(key) => Some(key),
+            _ => None,
+        }
+    }
+
+    /// Names of the spectra that it wants to be shown.
+    fn names(&self) -> &[String] {
+        match &self.wanted {
+            Wanted::Light(name) | Wanted::Surface(name) | Wanted::Overlay(name) => {
+                std::slice::from_ref(name)
+            }
+            Wanted::Chain(names) => names,
+            Wanted::Figure(_) | Wanted::Page(_) => &[],
+        }
+    }
+
     pub fn holds(&self, scene: &Scene<'_>) -> bool {
         let document = scene.app.document();
         let is = |shown: &crate::app::Entry, name: &str| {
             entry(scene.app, name).is_ok_and(|wanted| wanted.key == shown.key)
         };
-        if let Some(key) = &self.figure {
-            let told = figure(scene, key, self.of.as_deref());
-            return told
-                .ok()
-                .and_then(|told| told.value)
-                .is_some_and(|v| self.is_within(v));
+        match &self.wanted {
+            Wanted::Figure(key) => {
+                let told = figure(scene, key, self.of.as_deref()).ok();
+                let value = told.and_then(|told| told.value);
+                value.is_some_and(|value| self.is_within(value))
+            }
+            Wanted::Light(name) => is(&document.light, name),
+            Wanted::Surface(name) => {
+                !document.is_about_light() && is(document.subject_entry(), name)
+            }
+            Wanted::Overlay(name) => document.laid_over().any(|overlay| is(overlay, name)),
+            Wanted::Chain(names) => {
+                let chain = &document.products.chain;
+                let mut pairs = chain.iter().zip(names);
+                chain.len() == names.len() && pairs.all(|(link, name)| is(&link.entry, name))
+            }
+            Wanted::Page(page) => page.0 == scene.page,
         }
-        if let Some(name) = &self.light {
-            return is(&document.light, name);
-        }
-        if let Some(name) = &self.surface {
-            return !document.is_about_light() && is(document.subject_entry(), name);
-        }
-        if let Some(name) = &self.overlay {
-            return document.laid_over().any(|overlay| is(overlay, name));
-        }
-        if let Some(names) = &self.chain {
-            let chain = &document.products.chain;
-            let mut pairs = chain.iter().zip(names);
-            return chain.len() == names.len() && pairs.all(|(link, name)| is(&link.entry, name));
-        }
-        let page = self.page.as_deref().and_then(Page::of_word);
-        page == Some(scene.page)
     }
 
     /// How far its figure is from its bounds, 0 within them; `None` where it is about none, or has
     /// no value.
     pub fn distance(&self, scene: &Scene<'_>) -> Option<f64> {
-        let told = figure(scene, self.figure.as_ref()?, self.of.as_deref()).ok()?;
+        let told = figure(scene, self.figure()?, self.of.as_deref()).ok()?;
         let value = told.value?;
         let between = self.between.unwrap_or([value; 2]);
         let least = [self.above, self.equals, Some(between[0])];
@@ -94,7 +119,7 @@ impl Condition {
 
     /// Its figure on the way from a distance at the beginning; `None` where it is about none.
     pub fn meter(&self, scene: &Scene<'_>, begun: f64) -> Option<Meter> {
-        let told = figure(scene, self.figure.as_ref()?, self.of.as_deref()).ok()?;
+        let told = figure(scene, self.figure()?, self.of.as_deref()).ok()?;
         let left = self.distance(scene)?;
         let title = self.called.as_deref().unwrap_or(told.title);
         Some(Meter {
@@ -110,7 +135,7 @@ impl Condition {
 
     /// What is there and what was wanted instead, in words.
     pub fn unmet(&self, scene: &Scene<'_>) -> String {
-        if let Some(key) = &self.figure {
+        if let Some(key) = self.figure() {
             return match figure(scene, key, self.of.as_deref()) {
                 Ok(told) => format!(
                     "found {} ({key}) {}, expected {}",
@@ -121,13 +146,11 @@ impl Condition {
                 Err(why) => why,
             };
         }
-        let names = [&self.light, &self.surface, &self.overlay, &self.page];
-        let names = names
-            .into_iter()
-            .flatten()
-            .chain(self.chain.iter().flatten());
-        let names: Vec<&str> = names.map(String::as_str).collect();
-        format!("found other things shown, expected {}", names.join(", "))
+        let names = match &self.wanted {
+            Wanted::Page(page) => page.0.word().to_owned(),
+            _ => self.names().join(", "),
+        };
+        format!("found other things shown, expected {names}")
     }
 
     /// The bounds of its figure in words.
@@ -162,37 +185,24 @@ impl Condition {
     /// # Errors
     /// What was found and what was expected.
     pub fn fault(&self, made: &[&str]) -> Result<(), String> {
-        let names = [&self.light, &self.surface, &self.overlay];
-        let count = names.into_iter().flatten().count()
-            + usize::from(self.figure.is_some())
-            + usize::from(self.chain.is_some())
-            + usize::from(self.page.is_some());
-        if count != 1 {
+        if let Some(key) = self.rest.keys().next() {
             return Err(format!(
-                "found {count} of figure, light, surface, overlay, chain and page in until, expected one"
+                "found the field `{key}` in until, expected one of figure, light, surface, overlay, \
+                 chain and page, and with figure of, above, below, equals, between and called"
             ));
         }
-        let has_bounds = self.above.is_some()
-            || self.below.is_some()
-            || self.equals.is_some()
-            || self.between.is_some();
-        if has_bounds != self.figure.is_some() {
+        let bounds = [self.above, self.below, self.equals];
+        let has_bounds = bounds.iter().any(Option::is_some) || self.between.is_some();
+        if has_bounds != self.figure().is_some() {
             return Err(
                 "found until without bounds of its figure, expected above, below, equals \
                         or between beside a figure alone"
                     .to_owned(),
             );
         }
-        if let Some(key) = &self.figure {
+        if let Some(key) = self.figure() {
             is_known_of(key, self.of.as_deref(), made)?;
         }
-        let chain = self.chain.iter().flatten();
-        for name in names.into_iter().flatten().chain(chain) {
-            find(name, made)?;
-        }
-        match self.page.as_deref().map(|word| (word, Page::of_word(word))) {
-            Some((word, None)) => Err(format!("found the page {word}, expected a page's word")),
-            _ => Ok(()),
-        }
+        self.names().iter().try_for_each(|name| find(name, made))
     }
 }

@@ -8,7 +8,7 @@ use super::{
     handout_pdf,
     proof::{Played, play},
 };
-use crate::app::{App, chart::Theme, charts::spectrum::spectrum_chart, pages::Page};
+use crate::app::{chart::Theme, charts::spectrum::spectrum_chart, pages::Page};
 
 /// Width and height of a drawn plot, px.
 const PLOT: [u32; 2] = [900, 420];
@@ -42,8 +42,8 @@ pub struct Handout {
     pub pictures: Vec<(String, Vec<u8>)>,
 }
 
-/// The page of a step as PNG; `None` where there is no window that could draw it.
-pub type PagePicture<'a> = &'a dyn Fn(&App, Page) -> Option<Vec<u8>>;
+/// The page of a step, from 0, as PNG; `None` where there is no window that could draw it.
+pub type PagePicture<'a> = &'a dyn Fn(usize) -> Option<Vec<u8>>;
 
 /// Writes the sheets of a lesson for some readers, each from a page of its own; the lesson is played
 /// for it. `stem` is the sheet's name without its ending.
@@ -58,13 +58,11 @@ pub fn handout(
     page: PagePicture<'_>,
 ) -> Result<Handout, Fault> {
     let [width, height] = PLOT;
-    let played = play(lesson, |app, on| match on {
-        Page::Spectrum => Some(Picture::Svg(spectrum_chart(app).to_svg(
-            width,
-            height,
-            Theme::Light,
-        ))),
-        _ => page(app, on).map(Picture::Png),
+    let mut steps = 0..;
+    let played = play(lesson, |app, on| {
+        let plot = || spectrum_chart(app).to_svg(width, height, Theme::Light);
+        let drawn = steps.next().and_then(page).map(Picture::Png);
+        drawn.or_else(|| (on == Page::Spectrum).then(|| Picture::Svg(plot())))
     })?;
     let mut blocks = Vec::new();
     for reader in readers {
@@ -175,7 +173,7 @@ fn of_teacher(blocks: &mut Vec<Block>, lesson: &Lesson, played: &[Played<Option<
 }
 
 /// A PNG as an address that holds it.
-fn data_url(png: &[u8]) -> String {
+pub fn data_url(png: &[u8]) -> String {
     format!("data:image/png;base64,{}", BASE64_STANDARD.encode(png))
 }
 
@@ -254,7 +252,7 @@ mod tests {
     use crate::app::lessons::shelf;
 
     fn sheet(lesson: &Lesson, readers: &[Reader], form: Form) -> Handout {
-        handout(lesson, readers, form, "sheet", &|_, _| None).expect("it plays")
+        handout(lesson, readers, form, "sheet", &|_| None).expect("it plays")
     }
 
     fn words(lesson: &Lesson, reader: Reader, form: Form) -> String {

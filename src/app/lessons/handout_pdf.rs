@@ -20,8 +20,9 @@ const MARGIN: f64 = 64.0;
 /// Sizes of a title, a heading, and words.
 const SIZES: [f64; 3] = [24.0, 17.0, 13.5];
 const LEADING: f64 = 1.4;
-/// Height of a picture over its width.
+/// Height of a picture, and of an axis to sketch on, over the width of the words.
 const TALL: f64 = 0.5;
+const AXIS: f64 = 0.34;
 /// Space between two lines to write on.
 const RULED: f64 = 30.0;
 
@@ -89,16 +90,17 @@ impl Pages {
         self.y += 0.4 * size;
     }
 
-    /// Left, top, width and height of the next picture.
-    fn place(&mut self) -> [f64; 4] {
+    /// Left, top, width and height of the next picture, so tall over the width of the words, and
+    /// no wider than it is over its own height.
+    fn place(&mut self, tall: f64, aspect: f64) -> [f64; 4] {
         let width = PAGE[0] - 2.0 * MARGIN;
-        let height = TALL * width;
+        let height = tall * width;
         let top = self.room(height + 8.0);
-        [MARGIN, top, width, height]
+        [MARGIN, top, width.min(aspect * height), height]
     }
 
-    fn svg(&mut self, svg: &str) {
-        let [x, y, width, height] = self.place();
+    fn svg(&mut self, svg: &str, tall: f64) {
+        let [x, y, width, height] = self.place(tall, f64::INFINITY);
         let start = format!("<svg x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"");
         self.body += &framed_svg(bare(svg), &start);
         self.body.push('\n');
@@ -163,14 +165,15 @@ fn height(block: &Block) -> f64 {
         Block::Words(text) => words(text, width, size),
         Block::Led(lead, text) => words(&format!("{lead} {text}"), width, size),
         Block::Choice(_, text) => words(&format!("☐ A. {text}"), width - 16.0, size),
-        Block::Picture(_) | Block::Axis => TALL * width + 8.0,
+        Block::Picture(_) => TALL * width + 8.0,
+        Block::Axis => AXIS * width + 8.0,
         Block::Lines(count) => RULED * *count as f64 + 8.0,
         Block::NewPage => 0.0,
     }
 }
 
-/// Height of a part with those behind it that stand on the same page: words with the picture that
-/// they are about, a question with its answers, a lead with its lines.
+/// Height of a part with those behind it that stand on the same page: words with the picture or the
+/// question that they are about, a question with its answers and the lines under it.
 fn together(blocks: &[Block]) -> f64 {
     let is = |index: usize, of: fn(&Block) -> bool| blocks.get(index).is_some_and(of);
     let is_words = |block: &Block| matches!(block, Block::Words(_));
@@ -181,16 +184,28 @@ fn together(blocks: &[Block]) -> f64 {
             match is(1 + words, is_picture) {
                 true => 2 + words,
                 false if is(0, is_words) => 1,
-                false => 2,
+                false => 1 + words + answered(&blocks[1 + words..]),
             }
         }
-        Some(Block::Led(..)) => {
-            let behind = |block: &Block| matches!(block, Block::Choice(..) | Block::Lines(_));
-            1 + (1..).take_while(|index| is(*index, behind)).count()
-        }
+        Some(Block::Led(..)) => answered(blocks),
         _ => 1,
     };
     blocks.iter().take(count).map(height).sum()
+}
+
+/// How many parts belong to a question or a task at the beginning: its choices, and what is written
+/// under it.
+fn answered(blocks: &[Block]) -> usize {
+    let is_of_it =
+        |block: &&Block| matches!(block, Block::Led(..) | Block::Choice(..) | Block::Lines(_));
+    let all = blocks.iter().take_while(is_of_it).count();
+    let lines = blocks[..all].iter();
+    let lines = lines
+        .clone()
+        .position(|block| matches!(block, Block::Lines(_)));
+    let choices = blocks.iter().skip(1);
+    let choices = choices.take_while(|block| matches!(block, Block::Choice(..)));
+    lines.map_or(1 + choices.count(), |lines| lines + 1)
 }
 
 /// The sheet as PDF.
@@ -219,12 +234,14 @@ pub(super) fn pdf(blocks: &[Block]) -> Result<Vec<u8>, String> {
                 let words = format!("☐ {letter}. {words}");
                 pages.words("", &words, 16.0, size, "normal");
             }
-            Block::Picture(Picture::Svg(svg)) => pages.svg(svg),
+            Block::Picture(Picture::Svg(svg)) => pages.svg(svg, TALL),
             Block::Picture(Picture::Png(png)) => {
-                let place = pages.place();
-                pages.images.push((place, Image::of(png)?));
+                let image = Image::of(png)?;
+                let [wide, high] = image.size.map(|side| side as f64);
+                let place = pages.place(TALL, wide / high);
+                pages.images.push((place, image));
             }
-            Block::Axis => pages.svg(&axis_svg()),
+            Block::Axis => pages.svg(&axis_svg(), AXIS),
             Block::Lines(count) => {
                 for _ in 0..*count {
                     let y = pages.room(RULED) + RULED - 6.0;
@@ -312,4 +329,45 @@ fn bound(pages: &[Page]) -> Result<Vec<u8>, String> {
     let mut bytes = pdf.finish();
     bytes.extend_from_slice(sheet::PDF_TAIL.as_bytes());
     Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_question_stands_on_one_page_with_its_answers_and_the_lines_under_it() {
+        let led = |lead| Block::Led(lead, "Words.".to_owned());
+        let choice = |letter| Block::Choice(letter, "An answer".to_owned());
+        let blocks = [
+            Block::Heading("Step 2".to_owned()),
+            Block::Words("What is said.".to_owned()),
+            led("Predict."),
+            choice('A'),
+            choice('B'),
+            led("Because"),
+            Block::Lines(2),
+            led("Do."),
+            led("What I saw"),
+            Block::Lines(2),
+            Block::Heading("Step 3".to_owned()),
+            Block::Words("What is said.".to_owned()),
+            Block::Axis,
+        ];
+        let whole = |part: &[Block]| part.iter().map(height).sum::<f64>();
+        for (from, to) in [(0, 7), (2, 7), (5, 7), (7, 10), (10, 13)] {
+            assert_eq!(
+                together(&blocks[from..]),
+                whole(&blocks[from..to]),
+                "{from}"
+            );
+        }
+        // A teacher's answers go on behind their reasons, which may stand on the next page.
+        let answered = [
+            led("Predict."),
+            choice('A'),
+            Block::Words("A: why.".to_owned()),
+        ];
+        assert_eq!(together(&answered), whole(&answered[..2]));
+    }
 }

@@ -1,5 +1,5 @@
 //! Spectra that a lesson makes: a mixture of a light's colour, a surface recovered from its
-//! colours, a metamer, a lamp without a label, a light as an instrument records it.
+//! colours, a metamer, a lamp without a label, a light as an instrument or a camera records it.
 
 use std::sync::Arc;
 
@@ -7,7 +7,13 @@ use serde::Deserialize;
 
 use super::names::{entry, light};
 use crate::{
-    app::{App, Command, Entry, command::MadeFor, library::Library, recipe::Recipe},
+    app::{
+        App, Command, Entry,
+        command::MadeFor,
+        library::Library,
+        photograph::{Photograph, example},
+        recipe::Recipe,
+    },
     color::{
         Observer,
         xyz::{FIRST_NM, xyz_from_reflectance},
@@ -76,6 +82,11 @@ pub enum Making {
         #[serde(default)]
         noise_percent: f64,
     },
+    /// The light of the photograph on its page; without one that has wavelengths that of the example.
+    Photographed {
+        /// What it is called.
+        name: String,
+    },
 }
 
 impl Making {
@@ -86,7 +97,8 @@ impl Making {
             | Self::Recovered { name, .. }
             | Self::Metamer { name, .. }
             | Self::Sum { name, .. }
-            | Self::Recorded { name, .. } => name,
+            | Self::Recorded { name, .. }
+            | Self::Photographed { name } => name,
         }
     }
 
@@ -136,6 +148,16 @@ impl Making {
             } => {
                 let spectrum = recorded(name, &*light(app, of)?, *slit_nm, *noise_percent)?;
                 app.apply(Command::Adopt(vec![spectrum]));
+            }
+            Self::Photographed { name } => {
+                let drawn = example().as_ref().as_ref().ok();
+                let drawn = drawn.and_then(|drawn| drawn.found.as_ref().ok());
+                let shown = [app.photograph(), drawn].into_iter().flatten();
+                let spectrum = shown.filter_map(Photograph::spectrum).next();
+                let spectrum =
+                    spectrum.ok_or("found no photograph with wavelengths, expected one")?;
+                let name = name.clone();
+                app.apply(Command::Adopt(vec![NamedSpectrum { name, ..spectrum }]));
             }
         }
         let own = app.document().own.last();

@@ -1,8 +1,26 @@
-//! Spectra by the names that a lesson calls them.
+//! Spectra and pages by the names that a lesson calls them.
 
 use std::sync::Arc;
 
-use crate::app::{App, Entry, library::Library};
+use serde::Deserialize;
+
+use crate::app::{App, Entry, library::Library, pages::Page};
+
+/// A page by its word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(try_from = "String")]
+pub struct PageWord(pub Page);
+
+impl TryFrom<String> for PageWord {
+    type Error = String;
+
+    fn try_from(word: String) -> Result<Self, String> {
+        let words = || Page::all().map(Page::word).collect::<Vec<_>>().join(", ");
+        let page = Page::of_word(&word);
+        page.map(Self)
+            .ok_or_else(|| format!("unknown page {word}, expected one of {}", words()))
+    }
+}
 
 /// The spectrum of a name: one of the person's own first, then of the library.
 ///

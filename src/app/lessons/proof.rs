@@ -8,15 +8,13 @@ use super::{
     figures::Scene,
     format::{Answer, Fault, Lesson, Step},
     languages,
-    names::find,
+    point::Point,
     run::Run,
+    sound::{of_lesson, of_step},
     stage::Stage,
-    words::{self, filled},
+    words::filled,
 };
 use crate::app::{App, pages::Page};
-
-/// Most words that a step says.
-pub(super) const MOST_WORDS: usize = 60;
 
 /// A step as it was played: its words with their figures.
 #[derive(Clone, Debug, PartialEq)]
@@ -119,10 +117,7 @@ pub fn check(lesson: &Lesson, names: Names<'_>) -> Findings {
         if let Some(step) = steps.next() {
             faults.extend(advice::wrong_way(step, &app.document().settings));
             if let Some(names) = names(app, page) {
-                let control = step
-                    .point
-                    .as_ref()
-                    .and_then(|point| point.control.as_deref());
+                let control = step.point.as_ref().and_then(Point::control);
                 faults.extend(control.and_then(|name| absent(name, &names, page)));
                 hints = advice::given_away(step, &names);
             }
@@ -353,89 +348,6 @@ fn names_made(lesson: &Lesson) -> Vec<&str> {
     made.map(|making| making.name()).collect()
 }
 
-fn of_lesson(lesson: &Lesson) -> Result<(), String> {
-    let texts = [
-        ("title", &lesson.title),
-        ("sentence", &lesson.sentence),
-        ("language", &lesson.language),
-        ("teaches", &lesson.teaches),
-        ("remember", &lesson.remember),
-        ("next", &lesson.next),
-    ];
-    if let Some((what, _)) = texts.iter().find(|(_, text)| text.trim().is_empty()) {
-        return Err(format!("found an empty {what}, expected words"));
-    }
-    if !(1..=90).contains(&lesson.minutes) {
-        return Err(format!(
-            "found {} minutes, expected 1 to 90",
-            lesson.minutes
-        ));
-    }
-    if !(1..=lesson.steps.len()).contains(&lesson.picture) {
-        return Err(format!(
-            "found picture {}, expected the number of a step",
-            lesson.picture
-        ));
-    }
-    if lesson.audience.is_empty() {
-        return Err(
-            "found no audience, expected school, university, lighting or graphics".to_owned(),
-        );
-    }
-    if lesson.steps[0].stage.is_none() {
-        return Err("found a first step without a stage, expected one to begin with".to_owned());
-    }
-    let about = lesson.about.iter();
-    let mut lights = about.chain(&lesson.also);
-    lights.try_for_each(|light| find(light, &[]))
-}
-
-fn of_step(step: &Step, made: &[&str]) -> Result<(), String> {
-    let count = step.say.split_whitespace().count();
-    if !(1..=MOST_WORDS).contains(&count) {
-        return Err(format!(
-            "found {count} words in say, expected 1 to {MOST_WORDS}"
-        ));
-    }
-    for text in [&step.say, &step.explain] {
-        words::fault(text, made)?;
-    }
-    if let Some(ask) = &step.ask {
-        let (count, right) = (
-            ask.answers.len(),
-            ask.answers.iter().filter(|a| a.right).count(),
-        );
-        if !(2..=4).contains(&count) {
-            return Err(format!("found {count} answers, expected two to four"));
-        }
-        if right != usize::from(!ask.open) {
-            return Err(format!(
-                "found {right} right answers, expected one, or open and none"
-            ));
-        }
-        if ask
-            .answers
-            .iter()
-            .any(|answer| answer.because.trim().is_empty())
-        {
-            return Err(
-                "found an answer without because, expected why it is right or not".to_owned(),
-            );
-        }
-    }
-    let mut claims = step.claims.iter();
-    claims.try_for_each(|claim| claim.fault(made))?;
-    let Some(task) = &step.task else {
-        return Ok(());
-    };
-    if task.until.is_empty() || task.show.is_empty() {
-        return Err("found a task without until or without show, expected both".to_owned());
-    }
-    task.until
-        .iter()
-        .try_for_each(|condition| condition.fault(made))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -470,9 +382,7 @@ mod tests {
                 assert_eq!(played.len(), lesson.steps.len());
                 let name = &lesson.name;
                 assert!(played.iter().any(|step| step.ask.is_some()), "{name}");
-                // The class's own photograph is a task that no figure of the program tells.
-                let has_task = played.iter().any(|step| step.task.is_some());
-                assert!(has_task || name.starts_with("room"), "{name}");
+                assert!(played.iter().any(|step| step.task.is_some()), "{name}");
                 for step in &played {
                     let words = [&step.say, &step.explain].map(String::as_str).join(" ");
                     assert!(!words.contains(['!', '{', '–']), "{name}: {words}");
@@ -519,6 +429,37 @@ mod tests {
             &why,
             "done with order 40, too, where its claim does not hold: found numbers",
         );
+        for (until, words) in [
+            (
+                r#"{"above":30}"#,
+                "found none of figure, light, surface, overlay, chain or page",
+            ),
+            (
+                r#"{"figure":"order","equals":20,"bellow":3}"#,
+                "found the field `bellow` in until, expected one of figure, light,",
+            ),
+            (
+                r#"{"light":"FL2","page":"look"}"#,
+                "found the field `page` in until",
+            ),
+            (
+                r#"{"figure":3,"above":30}"#,
+                "found integer `3`, expected a string",
+            ),
+            (
+                r#"{"page":"lok"}"#,
+                "found the page lok, expected one of lessons,",
+            ),
+        ] {
+            let why = small(&task(until, order)).expect_err(until);
+            assert!(why.starts_with("small: step 2: "), "{why}");
+            assert_says(&why, words);
+        }
+        let long = |text: &str| text.replace("Why.", &"word ".repeat(61));
+        let explained = r#"{"say":"A.","stage":{},"explain":"Why."}"#;
+        assert!(small(explained).is_ok());
+        let why = small(&long(explained)).expect_err("long");
+        assert_says(&why, "found 61 words in explain, expected 0 to 60");
         let ask = r#"{"say":"A.","stage":{},"ask":{"question":"Q?","answers":[
             {"text":"x","because":"y"},{"text":"z","because":"y"}]}}"#;
         let why = small(ask).expect_err("no right one");

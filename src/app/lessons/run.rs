@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{
-    condition::Meter,
+    condition::{Meter, Wanted},
     figures::Scene,
     format::{Lesson, Step, Task},
     point::Aim,
@@ -189,9 +189,14 @@ impl Run {
         let step = self.step();
         let names_lights = |task: &Task| {
             let mut until = task.until.iter();
-            until.all(|one| one.light.is_some() || one.overlay.is_some())
+            until.all(|one| matches!(one.wanted, Wanted::Light(_) | Wanted::Overlay(_)))
         };
         step.task.as_ref().is_some_and(|task| !names_lights(task))
+    }
+
+    /// Whether the step's task is done with the library or the bar above.
+    pub fn uses_bar(&self) -> bool {
+        self.step().task.is_some() && !self.uses_page()
     }
 
     /// What could not be set.
@@ -389,6 +394,7 @@ impl Run {
     pub fn leave(self, app: &mut App, page: &mut Page) -> Option<String> {
         let is_done = self.is_last() && self.is_told();
         app.apply(Command::Replace(Box::new(self.before)));
+        app.stage_photograph(None);
         app.end_gesture();
         *page = self.before_page;
         is_done.then(|| self.lesson.name.clone())

@@ -211,6 +211,30 @@ mod tests {
     }
 
     #[test]
+    fn minutes_fit_the_steps_and_how_a_class_votes_is_said_to_be_a_guess() {
+        for lesson in shipped() {
+            let (name, steps) = (&lesson.name, lesson.steps.len() as u32);
+            // Reading, predicting, doing and talking take two to four minutes a step.
+            assert!(
+                (2 * steps..=4 * steps).contains(&lesson.minutes),
+                "{name}: {} minutes for {steps} steps",
+                lesson.minutes
+            );
+            let notes = &lesson.notes_for_teachers;
+            let votes = notes.contains("votes");
+            assert_eq!(
+                votes,
+                notes.contains("A guess, not counted in a class: "),
+                "{name}"
+            );
+            assert!(!notes.contains("Expect "), "{name}: {notes}");
+            let published = notes.contains("Published: ");
+            let cited = lesson.sources.iter().any(|one| one.contains("Educ. Res."));
+            assert_eq!(published, cited, "{name}");
+        }
+    }
+
+    #[test]
     fn a_folder_gives_back_what_it_was_to_keep_and_says_what_is_no_lesson() {
         let folder = tempfile::tempdir().expect("a folder");
         let own = folder.path().join("lessons");

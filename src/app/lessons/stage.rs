@@ -6,7 +6,7 @@ use serde_json::{Map, Value};
 
 use super::{
     making::Making,
-    names::{entry, light},
+    names::{PageWord, entry, light},
     parsed::parsed,
 };
 use crate::app::{
@@ -15,6 +15,7 @@ use crate::app::{
     document::{Document, MOST_OVERLAYS, Subject},
     library::Library,
     pages::Page,
+    photograph::Staged,
     products::{Link, MOST_LINKS, Products},
     recipe::Times,
     workspace::earlier::by_page,
@@ -48,7 +49,9 @@ pub struct Stage {
     /// The light that the own one is compared with.
     pub other_light: Option<String>,
     /// The page, by its word.
-    pub page: Option<String>,
+    pub page: Option<PageWord>,
+    /// The picture on the page `photograph`; without it a person's own stays.
+    pub photograph: Option<Staged>,
     /// What the pages remember, by the names in a workspace.
     pub remember: Map<String, Value>,
 }
@@ -199,9 +202,11 @@ impl Stage {
         let mut shown = Page::Spectrum;
         let mut scratch = app.clone();
         scratch.apply(Command::Replace(Box::new(fresh)));
+        scratch.stage_photograph(None);
         made.clear();
         self.change_in(&mut scratch, &mut shown, made)?;
         app.apply(Command::Replace(Box::new(scratch.document().clone())));
+        app.stage_photograph(scratch.staged_photograph());
         app.end_gesture();
         *page = shown;
         Ok(())
@@ -220,6 +225,7 @@ impl Stage {
         let (mut scratch, mut shown) = (app.clone(), *page);
         self.change_in(&mut scratch, &mut shown, made)?;
         app.apply(Command::Replace(Box::new(scratch.document().clone())));
+        app.stage_photograph(scratch.staged_photograph());
         app.end_gesture();
         *page = shown;
         Ok(())
@@ -231,6 +237,9 @@ impl Stage {
         page: &mut Page,
         made: &mut Vec<String>,
     ) -> Result<(), String> {
+        if self.photograph.is_some() {
+            app.stage_photograph(self.photograph);
+        }
         for making in &self.make {
             made.push(making.make(app)?);
         }
@@ -304,9 +313,8 @@ impl Stage {
             app.edit_pages(|pages| pages.mix.desk = mix);
         }
         self.keep(app)?;
-        if let Some(word) = &self.page {
-            *page = Page::of_word(word)
-                .ok_or_else(|| format!("found the page {word}, expected a page's word"))?;
+        if let Some(word) = self.page {
+            *page = word.0;
         }
         Ok(())
     }
@@ -445,7 +453,10 @@ mod tests {
                 json!({"overlays": vec!["FL2"; 500]}),
                 "found 500 overlays, expected at most 100",
             ),
-            (json!({"page": "nowhere"}), "found the page nowhere"),
+            (
+                json!({"page": "nowhere"}),
+                "found the page nowhere, expected one of lessons, ",
+            ),
             (json!({"surface": "FL2"}), "expected a surface"),
             (
                 json!({"remember": {"products": {"narrow": {"width_nm": 5000.0}}}}),
@@ -456,8 +467,9 @@ mod tests {
                 "found narow in products",
             ),
         ] {
-            let why = stage(json).set(&mut app, &mut page, &mut Vec::new());
-            let why = why.expect_err("it is wrong");
+            let set = parsed::<Stage>(json)
+                .and_then(|stage| stage.set(&mut app, &mut page, &mut Vec::new()));
+            let why = set.expect_err("it is wrong");
             assert!(why.contains(words), "{why}");
         }
         assert_eq!(app.revision(), revision);

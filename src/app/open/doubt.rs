@@ -1,13 +1,13 @@
 //! What a file tells of its spectra beside their values: sigma, mask, exposure.
 
-use std::{fs::File, io::Read, sync::Arc};
+use std::sync::Arc;
 
 use crate::{
     app::{
         measured::{is_sigma_of, measurement, own_measurement, spectrum, states_doubt},
         opened::Opened,
     },
-    io::exposure_ms,
+    io::{disk, exposure_ms},
     measurements::Measurement,
     spectrum::NamedSpectrum,
 };
@@ -67,21 +67,14 @@ fn is_that(whole: &Measurement, of: &NamedSpectrum) -> bool {
 
 /// The beginning of a file of text.
 fn text_of(opened: &Opened, most: u64) -> Option<String> {
-    let mut found = Vec::new();
-    match (&opened.bytes, &opened.path) {
+    let found = match (&opened.bytes, &opened.path) {
         (Some(bytes), _) => {
             let count = usize::try_from(most).map_or(bytes.len(), |most| most.min(bytes.len()));
-            found.extend_from_slice(&bytes[..count]);
+            bytes[..count].to_vec()
         }
         // A pipe is empty by now.
-        (None, Some(path)) if path.is_file() => {
-            File::open(path)
-                .ok()?
-                .take(most)
-                .read_to_end(&mut found)
-                .ok()?;
-        }
+        (None, Some(path)) if disk::is_file(path) => disk::head(path, most),
         (None, _) => return None,
-    }
+    };
     Some(String::from_utf8_lossy(&found).into_owned())
 }

@@ -1,12 +1,12 @@
 //! Pictures in few numbers, opened again: every pixel's numbers become bands, and the image is one
 //! as any other.
 
-use std::{fs::File, io::Read, path::Path, sync::Arc};
+use std::{path::Path, sync::Arc};
 
 use super::{Loaded, kept_path};
 use crate::{
     app::opened::Opened,
-    io::{Choices, ReadError, Reading},
+    io::{Choices, ReadError, Reading, disk},
     pictures::{CompactFile, Errors, Picture, PictureError, read_full},
     spectrum::{
         Cube, SpectralImage,
@@ -46,22 +46,12 @@ pub(crate) fn is_few_numbers(path: &Path) -> bool {
 
 /// The bytes of a file that may be such a picture.
 fn bytes_at(path: &Path) -> Option<Vec<u8>> {
-    // Looking into a pipe would eat its beginning.
-    if !path.is_file() {
+    let head = disk::head(path, HEAD as u64);
+    let may_be = head.starts_with(PNG) || is_picture(&head);
+    if !may_be || disk::len(path).ok()? > MOST_FILE {
         return None;
     }
-    let mut file = File::open(path).ok()?;
-    let mut bytes = Vec::new();
-    file.by_ref()
-        .take(HEAD as u64)
-        .read_to_end(&mut bytes)
-        .ok()?;
-    let may_be = bytes.starts_with(PNG) || is_picture(&bytes);
-    if !may_be || file.metadata().ok()?.len() > MOST_FILE {
-        return None;
-    }
-    file.read_to_end(&mut bytes).ok()?;
-    Some(bytes)
+    disk::read(path).ok()
 }
 
 /// What the picture in few numbers at a path holds, as of any other file; `None` where there is

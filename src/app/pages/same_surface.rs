@@ -9,7 +9,7 @@ use super::{Page, Place, Row, row, states::PageState};
 use crate::{
     app::{
         cells::{Columns, Table, cell, column},
-        chart::{Chart, Dash, Ink, Panel, Series},
+        chart::{Chart, Dash, Ink, Panel, Series, stroke},
         charts::{
             products::chain::strip,
             spectrum::{before_provenance, on_grid, over},
@@ -273,10 +273,13 @@ pub fn as_product(app: &App, sheet: &SameSurfaceSheet) -> [Chart; 3] {
     let band = sheet.band;
     let [light, surface, outgoing] = &sheet.names;
     let filled = |title: String, values: &[f64]| {
-        let area = Series::area("", Ink::Measured, on_grid(band, values, 1.0), Vec::new());
+        let points = on_grid(band, values, 1.0);
+        let area = Series::area("", Ink::Measured, points.clone(), Vec::new());
+        // At the ends of the visible range the fill is hardly seen.
+        let edge = stroke("", Ink::Faint, points, 1.0, Dash::Solid);
         Chart {
             title,
-            series: vec![area.coloured()],
+            series: vec![area.coloured(), edge],
             colours: strip(band),
             ..over(band)
         }

@@ -1,10 +1,6 @@
 //! A photograph for the window: the picture and its strip as they are seen, beside what was found.
 
-use std::{
-    fs::File,
-    io::Read,
-    path::{Path, PathBuf},
-};
+use std::path::{Path, PathBuf};
 
 use super::{
     Fit, Instrument, Kept, Known, Photograph, Said,
@@ -16,7 +12,7 @@ use super::{
 };
 use crate::{
     app::{open::few_numbers::is_few_numbers, studies::Question},
-    io::{ReadError, name_of, read_photo},
+    io::{ReadError, disk, name_of, read_photo},
     photographs::picture::Picture,
     spectrum::{Kind, NamedSpectrum, Sampled},
     study::Progress,
@@ -70,24 +66,18 @@ const BOX: &[u8] = b"ftyp";
 
 /// True of a file that begins as that of an instrument does.
 pub fn is_instrument(path: &Path) -> bool {
-    let mut head = [0; 256];
-    let read = path
-        .is_file()
-        .then(|| File::open(path).ok()?.read(&mut head).ok());
-    let head = &head[..read.flatten().unwrap_or(0)];
-    head.windows(FORMAT.len())
+    disk::head(path, 256)
+        .windows(FORMAT.len())
         .any(|part| part == FORMAT.as_bytes())
 }
 
 /// True of a file that is a photograph by what it begins with, and no picture in few numbers.
 pub fn is_photograph(path: &Path) -> bool {
-    let mut head = [0; 12];
-    // Looking into a pipe would eat its beginning.
-    let read =
-        path.is_file() && File::open(path).is_ok_and(|mut file| file.read_exact(&mut head).is_ok());
-    read && (head.starts_with(JPEG)
-        || &head[4..8] == BOX
-        || head.starts_with(PNG) && !is_few_numbers(path))
+    let head = disk::head(path, 12);
+    head.len() == 12
+        && (head.starts_with(JPEG)
+            || &head[4..8] == BOX
+            || head.starts_with(PNG) && !is_few_numbers(path))
 }
 
 impl Question for PhotographAsk {
@@ -99,7 +89,7 @@ impl Question for PhotographAsk {
 }
 
 impl PhotographAsk {
-    fn seen(&self) -> Result<SeenPhotograph, String> {
+    pub(super) fn seen(&self) -> Result<SeenPhotograph, String> {
         let (photo, name, path) = match &self.of {
             PictureOf::File(path) => {
                 let photo = read_photo(path).map_err(|why: ReadError| why.to_string())?;

@@ -8,7 +8,7 @@ use crate::{
     app::{memo::ByAddress, studies::Question},
     color::{Xyz, srgb::linear_from_xyz},
     spectrum::{Cube, SpectralImage, quantile},
-    study::Progress,
+    study::{Progress, processors, side_by_side},
 };
 
 /// Most pixels that are drawn.
@@ -89,13 +89,10 @@ impl Question for RasterAsk {
         progress.expect(height);
         let rows = Rows::new(self, step);
         let mut values = vec![[f32::NAN; 3]; width * height];
-        let threads = std::thread::available_parallelism().map_or(1, |n| n.get());
-        let share = height.div_ceil(threads.min(MOST_THREADS)).max(1);
-        std::thread::scope(|scope| {
-            for (part, into) in values.chunks_mut(share * width).enumerate() {
-                let rows = &rows;
-                scope.spawn(move || rows.fill(part * share, into, width, progress));
-            }
+        let share = height.div_ceil(processors().min(MOST_THREADS)).max(1);
+        let parts = values.chunks_mut(share * width).enumerate();
+        side_by_side(parts, |(part, into)| {
+            rows.fill(part * share, into, width, progress);
         });
         if progress.is_cancelled() {
             return None;

@@ -7,11 +7,13 @@ use super::super::{
     document::{Document, Subject},
     entry::Entry,
     line_names::LineName,
+    settings::Settings,
     spike_names::names_of,
     state::{App, derive, derived_of},
     tables::Tables,
 };
 use crate::{
+    color::{Xyz, xyz_of_parts},
     spectrum::{Band, Composite, Factor, Line},
     study::products::Product,
 };
@@ -25,7 +27,7 @@ pub struct ModelledLight {
     pub tables: Arc<Tables>,
     /// The model with the widths of the lines that its spikes stand for; 0 where none is known.
     model: Composite,
-    settings: super::super::settings::Settings,
+    settings: Settings,
 }
 
 impl ModelledLight {
@@ -42,6 +44,10 @@ impl ModelledLight {
             });
             (Arc::new(derived), Arc::new(tables))
         };
+        Self::with(derived, tables, settings)
+    }
+
+    fn with(derived: Arc<Derived>, tables: Arc<Tables>, settings: Settings) -> Self {
         let lines = derived.parts.spikes.iter().map(|found| Line {
             fwhm_nm: found.width_nm.unwrap_or_default(),
             ..found.spike
@@ -62,7 +68,14 @@ impl ModelledLight {
             subject: Subject::Light,
             ..app.document().clone()
         };
-        derive(&document, &self.tables)
+        derive(&document, &self.tables, None)
+    }
+
+    /// The second light of the state, as the settings model it.
+    pub fn of_second(&self, app: &App) -> Option<Self> {
+        let derived = self.another(app, app.document().second.as_ref()?);
+        let tables = self.tables.clone();
+        Some(Self::with(Arc::new(derived), tables, self.settings))
     }
 
     /// The grid.
@@ -76,6 +89,11 @@ impl ModelledLight {
             return app.spike_names().to_vec();
         }
         names_of(&app.document().light, &self.derived, app.element_lines())
+    }
+
+    /// The colour of values on the grid, value x nm.
+    pub fn xyz(&self, values: &[f64]) -> Xyz {
+        xyz_of_parts(self.band(), values, &[], &self.tables.viewing.weights)
     }
 
     /// Ready to be multiplied as the settings say.

@@ -83,7 +83,7 @@ impl Modeller {
     pub fn sheet(&self, name: String, document: &Document) -> Sheet {
         let is_shared = document.settings == self.about.settings && document.is_about_light();
         let derived = if is_shared {
-            derive(document, &self.tables)
+            derive(document, &self.tables, None)
         } else {
             derived_of(document).0
         };

@@ -5,7 +5,9 @@ use super::{
     look::{Looked, light_of},
     told,
 };
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use web_time::Instant;
 
 use crate::{
     app::{

@@ -4,9 +4,10 @@ use std::sync::Arc;
 
 use crate::{
     app::{
-        derived::{Derived, Question},
+        derived::{Derived, OrderPoint, Question},
         document::Document,
         entry::Entry,
+        settings::Settings,
         studies::Patches,
         tables::{CURVE_ORDER, Tables, Viewing},
     },
@@ -43,6 +44,8 @@ pub(super) fn tables_for(document: &Document) -> TablesFor {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kept {
     Nothing,
+    /// The errors of every order, and how spectra are laid over: the order alone is another one.
+    AllOrders,
     /// Everything of [`Derived`].
     Model,
     /// Everything: pages alone keep something else.
@@ -58,9 +61,23 @@ impl Kept {
         match same_model(before, after) {
             true if with_pages == *after => Self::AllButPages,
             true => Self::Model,
+            false if other_order(before, after) => Self::AllOrders,
             false => Self::Nothing,
         }
     }
+}
+
+/// Whether two documents differ in the order alone, and in no other that the curve must reach.
+fn other_order(before: &Document, after: &Document) -> bool {
+    let with_order = Document {
+        settings: Settings {
+            order: after.settings.order,
+            ..before.settings
+        },
+        ..before.clone()
+    };
+    let reach = |document: &Document| document.settings.effective_order() <= CURVE_ORDER;
+    reach(before) && with_order == *after && reach(after)
 }
 
 /// Whether two documents have the same model, so that nothing of [`Derived`] can differ: only what
@@ -113,11 +130,12 @@ pub(super) fn make_tables(wanted: &TablesFor) -> Tables {
 /// What a document shows, with tables made for it.
 pub(crate) fn derived_of(document: &Document) -> (Derived, Tables) {
     let tables = make_tables(&tables_for(document));
-    (derive(document, &tables), tables)
+    (derive(document, &tables, None), tables)
 }
 
-/// The pure step from a document to what is shown of it.
-pub fn derive(document: &Document, tables: &Tables) -> Derived {
+/// The pure step from a document to what is shown of it. `curve`: the errors of every order, where
+/// they are known already.
+pub fn derive(document: &Document, tables: &Tables, curve: Option<&[OrderPoint]>) -> Derived {
     let settings = document.settings;
     let band = settings.band;
     let subject = document.subject_entry();
@@ -173,6 +191,7 @@ pub fn derive(document: &Document, tables: &Tables) -> Derived {
             edits: &edits,
             given: document.as_given().map(|given| &**given),
             adaptation: document.view.adaptation(),
+            curve,
         },
         tables,
     )

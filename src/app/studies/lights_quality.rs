@@ -3,13 +3,13 @@
 use std::collections::HashSet;
 
 use crate::{
-    app::{Entry, memo::ByAddress, quality_report::light_of, tint},
+    app::{App, Entry, memo::ByAddress, quality_report::light_of, tint},
     color::quality::{EFFICACY, Figures},
     spectrum::Kind,
     study::{Progress, quality::figures_of_many},
 };
 
-use super::{super::document::Document, Question};
+use super::Question;
 
 /// The lights.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,6 +23,7 @@ pub struct LightQuality {
     pub name: String,
     /// Its white: "4220 K, slightly green".
     pub white: Option<String>,
+    pub kelvin: Option<f64>,
     pub rf: Option<f64>,
     pub ra: Option<f64>,
     pub r9: Option<f64>,
@@ -31,11 +32,11 @@ pub struct LightQuality {
 }
 
 impl LightsQualityAsk {
-    /// The lights of a document that have these keys.
-    pub fn of(document: &Document, keys: &[String]) -> Self {
+    /// The lights that have these keys, of the user's own and the shipped ones.
+    pub fn of(app: &App, keys: &[String]) -> Self {
         let keys: HashSet<&str> = keys.iter().map(String::as_str).collect();
-        let own = document.own.iter();
-        let wanted = own.filter(|e| e.kind() == Kind::Light && keys.contains(e.key.as_str()));
+        let all = app.document().own.iter().chain(app.bundled());
+        let wanted = all.filter(|e| e.kind() == Kind::Light && keys.contains(e.key.as_str()));
         Self(wanted.map(|entry| ByAddress(entry.clone())).collect())
     }
 }
@@ -47,6 +48,7 @@ impl LightQuality {
             key: entry.key.clone(),
             name: entry.name().to_owned(),
             white: figures.cct.as_ref().ok().map(|cct| tint::title_words(*cct)),
+            kelvin: figures.cct.as_ref().ok().map(|cct| cct.kelvin),
             rf: figures.fidelity.as_ref().ok().map(|found| found.rf),
             ra: rendering.map(|found| found.ra),
             r9: rendering.map(|found| found.samples[8].index),
@@ -105,10 +107,7 @@ pub fn csv(rows: &[LightQuality]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{
-        app::{App, Command},
-        study::Progress,
-    };
+    use crate::{app::Command, study::Progress};
 
     #[test]
     fn many_lights_are_sorted_by_their_own_figures_and_the_sentence_reads_them_back() {
@@ -116,9 +115,8 @@ mod tests {
         let names = ["cie_fluorescent_1nm/FL2", "cie_illuminants/CIE A"];
         let spectra = names.map(|key| app.entry(key).expect(key).spectrum.clone());
         app.apply(Command::Adopt(spectra.to_vec()));
-        let document = app.document();
-        let keys: Vec<String> = document.own.iter().map(|e| e.key.clone()).collect();
-        let ask = LightsQualityAsk::of(document, &keys);
+        let keys: Vec<String> = app.document().own.iter().map(|e| e.key.clone()).collect();
+        let ask = LightsQualityAsk::of(&app, &keys);
         let rows = ask.answer(&Progress::default()).expect("not cancelled");
         // A blackbody is its own reference.
         assert!(rows[0].name.contains('A') && rows[0].rf.is_some_and(|rf| rf > 99.0));
@@ -131,6 +129,12 @@ mod tests {
             "{said}"
         );
         assert_eq!(csv(&rows).lines().count(), 3);
+        // Shipped lights by their own keys are the same lights.
+        let shipped = LightsQualityAsk::of(&app, &names.map(str::to_owned));
+        let shipped = shipped.answer(&Progress::default()).expect("not cancelled");
+        let figures =
+            |rows: &[LightQuality]| rows.iter().map(|r| (r.rf, r.kelvin)).collect::<Vec<_>>();
+        assert_eq!(figures(&shipped), figures(&rows));
         assert!(sentence(&[]).starts_with("None"));
     }
 }

@@ -10,6 +10,7 @@ use crate::{
         pages::{AskedLesson, Page, Place},
         stored_path,
     },
+    color::MissingCones,
     study::Measure,
 };
 
@@ -19,8 +20,12 @@ use crate::{
 pub struct Preferences {
     /// Dark surroundings.
     pub dark: bool,
+    /// The window is shown as an eye without these cones sees it.
+    pub without_cones: Option<MissingCones>,
     /// Zoom of the whole window, 0.8-2.5.
     pub zoom: f32,
+    /// Targets are large enough for fingers; `None` until the window is touched or a person chooses.
+    pub touch: Option<bool>,
     /// Presenting: plot, swatch, patches and the two sliders alone, large.
     pub present: bool,
     /// Files opened last, newest first.
@@ -67,7 +72,9 @@ impl Default for Preferences {
     fn default() -> Self {
         Self {
             dark: true,
+            without_cones: None,
             zoom: 1.0,
+            touch: None,
             present: false,
             recent: Vec::new(),
             window: None,
@@ -135,6 +142,10 @@ impl Preferences {
 
     /// Puts a file on top of the recent ones.
     pub fn remember_file(&mut self, path: &Path) {
+        // A browser forgets files with the page.
+        if cfg!(target_arch = "wasm32") {
+            return;
+        }
         self.recent.retain(|p| p != path);
         self.recent.insert(0, path.to_owned());
         self.recent.truncate(MOST_RECENT);

@@ -1,13 +1,12 @@
 //! PNG files: pictures as red, green and blue of each pixel, and the chunks they consist of.
 
-use std::fs::File;
 use std::io::{BufRead, BufReader, Seek};
 use std::ops::Range;
 use std::path::Path;
 
 use png::{BitDepth, Decoder, DecodingError, Reader, Transformations};
 
-use crate::io::unopened::words as why_unopened;
+use crate::io::{disk, unopened::words as why_unopened};
 
 /// The first bytes of every PNG file.
 pub(crate) const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
@@ -102,7 +101,7 @@ impl ColourPng {
             let (found, expected) = why_unopened(path, &why);
             format!("found {found}, expected {expected}")
         };
-        let mut file = BufReader::new(File::open(path).map_err(unopened)?);
+        let mut file = BufReader::new(disk::open(path).map_err(unopened)?);
         if !file.fill_buf().map_err(unopened)?.starts_with(SIGNATURE) {
             return Err("found a file of another kind, expected a PNG picture".to_owned());
         }

@@ -65,18 +65,18 @@ pub(crate) fn read_photo(path: &Path) -> Result<Photo, ReadError> {
         let (found, expected) = super::why_unopened(path, &error);
         ReadError::new(&name, found, expected)
     };
-    let about = std::fs::metadata(path).map_err(trouble)?;
-    if !about.is_file() {
+    let size = super::disk::len(path).map_err(trouble)?;
+    if !super::disk::is_file(path) {
         return Err(ReadError::new(&name, "no file", "a JPEG or PNG picture"));
     }
-    if about.len() > MOST_BYTES {
+    if size > MOST_BYTES {
         return Err(ReadError::new(
             &name,
             "more than 512 MiB",
             "a smaller picture",
         ));
     }
-    photo_of(&name, &std::fs::read(path).map_err(trouble)?)
+    photo_of(&name, &super::disk::read(path).map_err(trouble)?)
 }
 
 /// The photograph that bytes hold.

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
+use crate::io::disk::Unfinished;
 use crate::io::error::WriteError;
 use crate::io::input::name_of;
 
@@ -34,14 +35,24 @@ pub fn save_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
 /// Those of `write`, and [`WriteError`] in words.
 pub(crate) fn save_by<T, E: From<WriteError>>(
     path: &Path,
-    write: impl FnOnce(&mut fs::File) -> Result<T, E>,
+    write: impl FnOnce(&mut Unfinished) -> Result<T, E>,
 ) -> Result<T, E> {
-    let refused = |error: Error| E::from(refused(path, &error));
-    let place = Place::of(path).map_err(refused)?;
-    let mut file = place.beside().map_err(refused)?;
-    let written = write(file.as_file_mut())?;
-    place.keep(file).map_err(refused)?;
-    Ok(written)
+    #[cfg(target_arch = "wasm32")]
+    return {
+        let mut file = Unfinished::default();
+        let written = write(&mut file)?;
+        crate::io::disk::save(path, file.into_inner());
+        Ok(written)
+    };
+    #[cfg(not(target_arch = "wasm32"))]
+    {
+        let refused = |error: Error| E::from(refused(path, &error));
+        let place = Place::of(path).map_err(refused)?;
+        let mut file = place.beside().map_err(refused)?;
+        let written = write(file.as_file_mut())?;
+        place.keep(file).map_err(refused)?;
+        Ok(written)
+    }
 }
 
 /// Saves several files: none of them where one has no room.
@@ -53,7 +64,9 @@ pub(crate) fn save_together(files: &[(PathBuf, &[u8])]) -> Result<(), WriteError
         return Ok(());
     };
     save_by(path, |file| {
-        let written = file.write_all(bytes).and_then(|()| file.sync_all());
+        let written = file.write_all(bytes);
+        #[cfg(not(target_arch = "wasm32"))]
+        let written = written.and_then(|()| file.sync_all());
         written.map_err(|error| refused(path, &error))?;
         save_together(others)
     })

@@ -1,6 +1,10 @@
 //! Writing spectra: the available formats.
 
 pub(super) mod argyll;
+#[cfg_attr(
+    target_arch = "wasm32",
+    allow(dead_code, reason = "a browser saves by `disk`")
+)]
 pub(super) mod atomic;
 pub(super) mod csv;
 pub(super) mod exr;

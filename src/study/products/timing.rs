@@ -6,10 +6,9 @@
 //! values do not matter to the time, so made-up ones do. After a warm-up each way is run in
 //! `BATCHES` batches of at least `BATCH`; the figure is the median batch.
 
-use std::{
-    hint::black_box,
-    time::{Duration, Instant},
-};
+use std::{hint::black_box, time::Duration};
+
+use web_time::Instant;
 
 use crate::{
     spectrum::{Band, Basis, Sampling, Series, product::convolve},

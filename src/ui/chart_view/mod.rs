@@ -8,6 +8,7 @@
 
 mod hands;
 mod hit;
+mod kept;
 mod menu;
 pub mod paint;
 mod screen;
@@ -148,7 +149,8 @@ pub(super) fn draw(
         area.min.y = ui.cursor().top();
     }
     let sides = [area.width(), area.height()].map(f64::from);
-    let drawing = Drawing::new(chart, sides, how.looks(theme));
+    let looks = how.looks(theme);
+    let drawing = Drawing::new(chart, sides, looks);
     let origin = area.min.to_vec2();
     for (series, field) in chart.legend_series().iter().zip(&drawing.legend) {
         let rect = paint::rect(origin, *field);
@@ -159,7 +161,7 @@ pub(super) fn draw(
     // What is drawn lies under what egui_plot shows while a hand draws a box.
     let below = ui.painter().add(egui::Shape::Noop);
     let hands = Hands::on(&mut ui, &drawing, origin, id, how);
-    let shapes = paint::shapes(ui.painter(), origin, &drawing.primitives(hands.view));
+    let shapes = kept::shapes(&ui, id, (&drawing, looks), hands.view, origin);
     ui.painter().set(below, egui::Shape::Vec(shapes));
     let name = match chart.title.is_empty() {
         true => "Chart",

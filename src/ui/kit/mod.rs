@@ -3,6 +3,7 @@
 mod choice;
 mod chooser;
 mod form;
+mod kept;
 pub mod knob;
 mod layout;
 mod seen;
@@ -14,6 +15,7 @@ mod words;
 pub use choice::Choice;
 pub use chooser::{Chooser, are_same, factors, found, lights, reflectances, transmittances};
 pub use form::{Form, GROUP, form};
+pub use kept::kept;
 pub use layout::{
     bounded, cell, column, down, figure_grid, line, rolled, scrolled, two_columns, with_panel,
 };

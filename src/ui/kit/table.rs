@@ -5,6 +5,7 @@ use egui::{
     Align, Color32, Label, Rect, RichText, ScrollArea, Sense, TextStyle, Ui, UiBuilder, pos2, vec2,
 };
 
+use super::named_choice;
 use crate::{app::cells, ui::theme::Theme};
 
 /// A column: its title, what it means, and its share of the width.
@@ -217,22 +218,39 @@ impl<'a> Table<'a> {
         }
     }
 
+    /// Titles that sort; returns the column that was clicked.
+    pub fn sorting_head(&self, ui: &mut Ui) -> Option<usize> {
+        ui.scope(|ui| self.titles(ui, true)).inner
+    }
+
     /// Titles.
     pub fn head(&self, ui: &mut Ui) {
-        if !self.titles {
-            return;
+        if self.titles {
+            self.titles(ui, false);
         }
+    }
+
+    fn titles(&self, ui: &mut Ui, sorts: bool) -> Option<usize> {
+        let mut clicked = None;
         ui.spacing_mut().item_spacing.y = 0.0;
         let size = vec2(ui.available_width(), self.row_height(ui));
         let (head, _) = ui.allocate_exact_size(size, Sense::hover());
-        for (column, cell) in self.columns.iter().zip(self.cells(head)) {
+        for (index, (column, cell)) in self.columns.iter().zip(self.cells(head)).enumerate() {
             let text = RichText::new(&column.title).small();
             let text = if column.decides {
                 text.strong().underline()
             } else {
                 text.color(self.theme.faint)
             };
-            let title = put(ui, cell, column.right, text);
+            let mut title = put(ui, cell, column.right, text);
+            if sorts {
+                title = title.interact(Sense::click());
+                let name = format!("Sort by {}", column.title);
+                named_choice(&title, egui::Role::Button, column.decides, &name);
+                if title.clicked() {
+                    clicked = Some(index);
+                }
+            }
             if !column.meaning.is_empty() {
                 title.on_hover_text(&column.meaning);
             }
@@ -240,6 +258,7 @@ impl<'a> Table<'a> {
         let line = head.bottom() - 1.0;
         let colour = ui.visuals().widgets.noninteractive.bg_stroke;
         ui.painter().hline(head.x_range(), line, colour);
+        clicked
     }
 
     /// Rows without titles or stripes, for tables with words between their rows.

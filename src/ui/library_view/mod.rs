@@ -15,7 +15,7 @@ use self::{
 };
 use super::{
     entry_row::{Painted, row_name},
-    kit::{named, named_choice, sign_button, text_field},
+    kit::{named, named_choice, pressed_small, sign_button, text_field},
     theme::Theme,
 };
 use crate::{
@@ -31,6 +31,8 @@ pub(super) struct LibraryView {
     pub wants_search: bool,
     /// The own entry whose file is to be looked at.
     pub wants_reading: Option<String>,
+    /// Keys of the lights whose quality is to be compared.
+    pub wants_quality: Vec<String>,
     /// A click lays a spectrum over the one that is shown.
     compares: bool,
     /// The own entry being renamed, with the text so far.
@@ -85,6 +87,15 @@ impl LibraryView {
         if search.changed() {
             self.at = 0;
         }
+        let lights = lights_together(if searches { &rows } else { &[] }, app);
+        if lights.len() > 1 {
+            let words = format!("Compare the quality of {} lights", lights.len());
+            let meaning = "White, colour rendering and efficacy of each, sorted as you like. \
+                           Search for lights, or choose some by Ctrl and click.";
+            if pressed_small(ui, &words, meaning) {
+                self.wants_quality = lights.iter().map(|light| light.key.clone()).collect();
+            }
+        }
         let typing = search.has_focus() || search.lost_focus();
         let chosen = searches && self.keys(ui, typing, rows.len());
         if chosen && let Some(Row::Item { entry, .. }) = rows.get(self.at) {
@@ -116,10 +127,14 @@ impl LibraryView {
 
     fn search_field(&mut self, ui: &mut Ui) -> Response {
         let words = ["Search the library", "Search spectra"];
-        let search = text_field(ui, &mut self.search, words, f32::INFINITY).on_hover_text(
-            "A name, a family, an element, a use: \"street lamp\", neon, skin (Ctrl+F). Enter \
-             shows the first.",
-        );
+        let mut search = text_field(ui, &mut self.search, words, f32::INFINITY);
+        // While one types it would lie over the first that is found.
+        if !search.has_focus() {
+            search = search.on_hover_text(
+                "A name, a family, an element, a use: \"street lamp\", neon, skin (Ctrl+F). Enter \
+                 shows the first.",
+            );
+        }
         if std::mem::take(&mut self.wants_search) {
             search.request_focus();
         }
@@ -250,6 +265,19 @@ impl LibraryView {
         response.on_hover_ui(|ui| describe(ui, entry));
         command
     }
+}
+
+/// The lights that were found; where nothing was searched, those that are shown.
+fn lights_together<'a>(found: &'a [Row], app: &'a App) -> Vec<&'a Arc<Entry>> {
+    let document = app.document();
+    let items = found.iter().filter_map(|row| match row {
+        Row::Item { entry, .. } => Some(entry),
+        _ => None,
+    });
+    let shown = std::iter::once(&document.light).chain(document.laid_over());
+    let shown = shown.filter(|_| found.is_empty() && document.is_about_light());
+    let all = items.chain(shown);
+    all.filter(|entry| entry.kind() == Kind::Light).collect()
 }
 
 /// What a spectrum that was chosen does: it is shown, or compared with what is shown. A light that

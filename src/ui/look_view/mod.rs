@@ -362,8 +362,9 @@ fn below(
         }
     }
     let mut patches = ui.new_child(UiBuilder::new().max_rect(field));
+    let looks = (theme, !scene.has_knobs());
     if !scene.present {
-        patches.horizontal(|ui| patches_view::head(ui, app, theme, commands));
+        patches.horizontal(|ui| patches_view::head(ui, app, looks, commands));
     }
-    patches_view::patches(&mut patches, app, theme, commands);
+    patches_view::patches(&mut patches, app, looks, commands);
 }

@@ -4,7 +4,7 @@ use eframe::egui;
 use egui::{Align, Button, Color32, Label, Layout, RichText, Ui};
 
 use crate::{
-    app::{App, Command, Height, View, chart::Ink, charts::spectrum::Laid},
+    app::{App, Command, Height, Laid, View, chart::Ink},
     ui::{
         kit::{named, named_choice, pressed},
         theme::Theme,
@@ -195,8 +195,7 @@ fn others(ui: &mut Ui, theme: Theme, view: &mut View) {
 
 /// What lies over the spectrum, and on what scale.
 fn laid_over(app: &App) -> String {
-    let overlays: Vec<_> = app.document().laid_over().collect();
-    let laid: Vec<Laid> = overlays.iter().map(|o| Laid::of(app, o)).collect();
+    let (overlays, laid): (Vec<_>, Vec<_>) = app.laid().unzip();
     let names = match &overlays[..] {
         [one] => one.name().to_owned(),
         _ => format!("{} others", overlays.len()),

@@ -1,12 +1,12 @@
 //! The page "Glossary": the words of the window, to look through and to search.
 
 use eframe::egui;
-use egui::{Label, RichText, Ui};
+use egui::{Align, Label, Layout, RichText, Ui};
 
 use crate::{
-    app::glossary::WORDS,
+    app::glossary::{WORDS, Word},
     ui::{
-        kit::{headline, rolled, text_field},
+        kit::{GROUP, headline, rolled, text_field},
         theme::Theme,
     },
 };
@@ -15,6 +15,16 @@ use crate::{
 #[derive(Default)]
 pub(super) struct GlossaryView {
     search: String,
+}
+
+/// Least and greatest width of a column of words, points.
+const COLUMN: [f32; 2] = [480.0, 720.0];
+
+fn explained(ui: &mut Ui, word: &Word) {
+    let strong = ui.visuals().strong_text_color();
+    ui.label(RichText::new(word.word).color(strong));
+    ui.add(Label::new(word.means).wrap());
+    ui.add_space(6.0);
 }
 
 impl GlossaryView {
@@ -29,18 +39,30 @@ impl GlossaryView {
         let fits = |text: &str| text.to_lowercase().contains(&wanted);
         ui.add_space(6.0);
         rolled(ui, |ui| {
-            ui.set_max_width(ui.available_width().min(720.0));
-            let mut found = false;
-            for one in WORDS.iter().filter(|w| fits(w.word) || fits(w.means)) {
-                found = true;
-                let strong = ui.visuals().strong_text_color();
-                ui.label(RichText::new(one.word).color(strong));
-                ui.add(Label::new(one.means).wrap());
-                ui.add_space(6.0);
-            }
-            if !found {
+            let found: Vec<&Word> = WORDS
+                .iter()
+                .filter(|w| fits(w.word) || fits(w.means))
+                .collect();
+            if found.is_empty() {
                 ui.weak("No word has that in it.");
+                return;
             }
+            let [least, most] = COLUMN.map(|width| width * theme.scale);
+            let columns = (ui.available_width() / least).floor().max(1.0);
+            ui.set_max_width(ui.available_width().min(columns * most));
+            let columns = columns as usize;
+            ui.spacing_mut().item_spacing.x = GROUP;
+            ui.columns(columns, |uis| {
+                for (ui, words) in uis
+                    .iter_mut()
+                    .zip(found.chunks(found.len().div_ceil(columns)))
+                {
+                    // Columns would spread each line over their whole width.
+                    ui.with_layout(Layout::top_down(Align::Min), |ui| {
+                        words.iter().for_each(|word| explained(ui, word));
+                    });
+                }
+            });
         });
     }
 }

@@ -67,7 +67,7 @@ use crate::app::{
     dispersion::GemFile,
     lessons::Lesson,
     pages::{Page, PageStates},
-    photograph::Instrument,
+    photograph::{Instrument, Seen},
     relit::PictureWish,
     studies::{Job, Question, Stage, Studies},
 };
@@ -116,6 +116,10 @@ pub enum PageWish {
     Instrument(Box<Instrument>),
     /// Opens a picture.
     OpenPicture,
+    /// Takes note of a photograph of a spectrum that was read.
+    Photograph(Seen),
+    /// Takes a lesson's picture away from the place of the person's own.
+    OwnPicture,
     /// Shows how the image of this key was read.
     Reading(String),
     /// Begins the lesson of this name.

@@ -89,10 +89,7 @@ fn in_lessons(pages: &mut Pages, ui: &mut Ui, context: &mut PageContext<'_>) -> 
 
 /// Whether the page says what it has to say with one chart.
 fn is_one_chart(page: Page) -> bool {
-    matches!(
-        page,
-        Page::Absorption | Page::Rendition | Page::Coefficients | Page::Auction
-    )
+    matches!(page, Page::Absorption | Page::Rendition | Page::Auction)
 }
 
 /// Whether the page's main picture is no chart, or more than one: it is shown as it is, large.
@@ -109,6 +106,7 @@ fn is_whole(page: Page) -> bool {
             | Page::SameSurface
             | Page::Quality
             | Page::Mix
+            | Page::Solve
             | Page::Image
             | Page::Relit
     )

@@ -211,7 +211,7 @@ fn columns(figures: &[Measure]) -> Vec<Column> {
 }
 
 fn row(point: &SweepPoint, measure: Measure, figures: &[Measure]) -> Row {
-    let brief = |measure: &Measure| measure.figure().brief(point.verdict[*measure]);
+    let told = |measure: &Measure| measure.figure().in_column(point.verdict[*measure]);
     let figure = measure.figure();
     let mut cells = vec![
         point.numbers.to_string(),
@@ -219,7 +219,7 @@ fn row(point: &SweepPoint, measure: Measure, figures: &[Measure]) -> Row {
         point.order.to_string(),
         point.spikes.to_string(),
     ];
-    cells.extend(figures.iter().map(brief));
+    cells.extend(figures.iter().map(told));
     Row {
         cells,
         name: format!(
@@ -229,7 +229,7 @@ fn row(point: &SweepPoint, measure: Measure, figures: &[Measure]) -> Row {
             waves_words(point.order),
             figure.title,
             figure.unit.sign,
-            brief(&measure)
+            told(&measure)
         ),
         note: format!("{}\nClick to take this model.", all_figures(&point.verdict)),
         ..Row::default()

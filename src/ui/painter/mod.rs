@@ -105,7 +105,7 @@ impl Painter {
 
 /// Runs a view without a window and returns what it looks like.
 ///
-/// The view gets `passes` frames, a second apart, so that layouts that need a second look at
+/// The size is in points before any zoom, which the view may set. The view gets `passes` frames, a second apart, so that layouts that need a second look at
 /// themselves and animations are settled in the last one, which is drawn. Fonts and themes that
 /// the view sets in its first frame take effect in the next. See [`picture_with`] for a view that
 /// needs the context beforehand.
@@ -134,7 +134,10 @@ pub fn picture_with(
     let mut scale = pixels_per_point;
     for pass in 0..passes.max(1) {
         let mut input = egui::RawInput {
-            screen_rect: Some(Rect::from_min_size(egui::Pos2::ZERO, size_points)),
+            screen_rect: Some(Rect::from_min_size(
+                egui::Pos2::ZERO,
+                size_points / context.zoom_factor(),
+            )),
             max_texture_side: Some(TEXTURE_SIDE),
             time: Some(pass as f64 * f64::from(PASS_SECONDS)),
             // egui caps an animation's progress to this much a frame.
@@ -148,7 +151,8 @@ pub fn picture_with(
         shapes = std::mem::take(&mut output.shapes);
         scale = output.pixels_per_point;
     }
-    let size_px = [size_points.x, size_points.y].map(|s| (s * scale).round().max(1.0) as usize);
+    let size_px = [size_points.x, size_points.y]
+        .map(|side| (side * pixels_per_point).round().max(1.0) as usize);
     let backdrop = context.global_style().visuals.panel_fill;
     let primitives = context.tessellate(shapes, scale);
     painter.paint(&primitives, size_px, scale, backdrop)

@@ -7,6 +7,7 @@ use super::{
     super::{
         chart_view::{ChartForm, ChartWish},
         dialogs::Dialog,
+        eyes,
         files::Ask,
         keys::{self, Act},
         picture,
@@ -17,11 +18,38 @@ use super::{
     filing::Saving,
 };
 use crate::app::{
-    Command, Settings, Tone, chart, charts::order::curve_chart, command_lines, export::Export,
-    pages::Place, workspace::ZOOMS,
+    Command, Settings, Tone, chart,
+    charts::order::curve_chart,
+    command_lines,
+    export::Export,
+    link::{self, Target},
+    pages::{AskedLesson, Place},
+    workspace::ZOOMS,
 };
 
 impl Window {
+    /// Opens what a link asks for ([`link`]).
+    pub fn follow(&mut self, link: &str) {
+        for target in link::targets(link) {
+            // What is opened is to be seen.
+            self.greets = false;
+            match target {
+                Ok(Target::Page(page)) => self.preferences.page = page,
+                Ok(Target::Light(entry)) => self.app.apply(Command::Show(entry)),
+                Ok(Target::File(loaded)) => self.take(loaded),
+                Ok(Target::Lesson(name)) => {
+                    self.preferences.lesson_asked = Some(AskedLesson {
+                        name,
+                        step: 0,
+                        done: false,
+                    });
+                }
+                Err(why) => self.app.say(Tone::Problem, why),
+            }
+            self.app.end_gesture();
+        }
+    }
+
     /// The window's picture as it would be drawn at a size, without a display.
     pub fn picture(&self, size: [u32; 2]) -> Vec<u8> {
         picture::window_png(&self.app, &self.preferences, size)
@@ -63,6 +91,14 @@ impl Window {
             Act::ThresholdUp => self.edit(|s| s.threshold_percent *= FINER),
             Act::ResetView => self.look.spectrum.reset(),
             Act::Theme => self.preferences.dark = !self.preferences.dark,
+            Act::Eyes => {
+                let (eyes, words) = eyes::next(self.preferences.without_cones);
+                self.preferences.without_cones = eyes;
+                self.app.say(Tone::Info, format!("{words}."));
+            }
+            Act::Touch => {
+                self.preferences.touch = Some(self.preferences.touch != Some(true));
+            }
             Act::Present => self.preferences.present = !self.preferences.present,
             Act::Search => {
                 self.drawer.open = true;
@@ -162,6 +198,12 @@ impl Window {
                     }
                     Err(why) => self.app.say(Tone::Problem, why),
                 }
+            }
+            Wish::CopyLink => {
+                let address = self.address.clone().unwrap_or_default();
+                let link = link::of_view(&self.app, self.preferences.page);
+                context.copy_text(format!("{address}#{link}"));
+                self.app.say(Tone::Info, "Copied: a link to this view.");
             }
             Wish::LessonsFolder => {
                 if let Some(folder) = &self.lessons_folder {

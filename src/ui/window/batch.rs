@@ -146,6 +146,10 @@ impl Window {
         theme: Theme,
         keys_are_free: bool,
     ) {
+        let keys = std::mem::take(&mut self.library.wants_quality);
+        if !keys.is_empty() {
+            self.lights_quality.open(keys);
+        }
         let scene = (&self.app, &mut self.studies, &waker(context));
         let wish = self
             .lights_quality

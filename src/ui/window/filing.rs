@@ -9,6 +9,7 @@ use super::{
     super::{
         chart_view::{ChartForm, ChartWish},
         dialogs::{self, Dialog, Outcome},
+        dropped,
         files::{Ask, NO_DIALOG, Picked},
         pages::LessonFile,
         picture,
@@ -20,7 +21,7 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command, Known, Tone,
+        Command, Known, Tone,
         chart::Theme,
         charts::spectrum::spectrum_chart,
         dispersion::GemFile,
@@ -30,13 +31,12 @@ use crate::{
             Lesson,
             handout::{Form, Reader, handout},
         },
-        open::{Finished, Loaded, load_bytes},
+        open::{Finished, Loaded},
         pages::Page,
         photograph::{Instrument, is_instrument, is_photograph},
         relit::PictureWish,
         sheet,
         worker::{Worker, news_of},
-        workspace::Preferences,
     },
     io::{name_of, save_atomically},
 };
@@ -100,6 +100,7 @@ impl Window {
             .into_iter()
             .partition(|path| is_photograph(path) || is_instrument(path));
         if !pictures.is_empty() {
+            self.app.stage_photograph(None);
             self.preferences.photographs_asked = pictures;
             self.preferences.page = Page::Photograph;
         }
@@ -122,24 +123,7 @@ impl Window {
     pub(super) fn take_in(&mut self, ui: &Ui) {
         self.take_files(ui.ctx());
         self.note_drop(ui.ctx());
-        let dropped = ui.input(|i| i.raw.dropped_files.clone());
-        let (mut paths, mut read) = (Vec::new(), Vec::new());
-        for file in dropped {
-            let path = file.path().to_owned();
-            if path.is_file() || path.is_dir() {
-                paths.push(path);
-                continue;
-            }
-            let name = path.file_name().map_or_else(
-                || "dropped file".to_owned(),
-                |name| name.to_string_lossy().into_owned(),
-            );
-            let loaded = match file.bytes() {
-                Ok(bytes) => load_bytes(&name, &bytes),
-                Err(why) => Loaded::Refused(format!("{name}: {why}")),
-            };
-            read.push((name, loaded));
-        }
+        let (paths, read) = dropped(ui);
         if !read.is_empty() {
             let finished = Finished::of_dropped(read);
             self.tell_refusals(&finished, ui.ctx());
@@ -289,6 +273,8 @@ impl Window {
                     self.write(saving, path, context);
                 }
             }
+            #[cfg(target_arch = "wasm32")]
+            (Picked::Later, _) => {}
             (Picked::Cancelled, _) => self.app.say(Tone::Info, "No file chosen."),
             (Picked::NoDialog, None) => {
                 self.app.say(Tone::Problem, NO_DIALOG);
@@ -335,10 +321,10 @@ impl Window {
                         Ok(lesson.text.clone().into_bytes())
                     }
                     Saving::Lesson(lesson, LessonFile::Pupil) => {
-                        lesson_sheet(lesson, Reader::Pupil, &preferences)
+                        lesson_sheet(lesson, Reader::Pupil)
                     }
                     Saving::Lesson(lesson, LessonFile::Teacher) => {
-                        lesson_sheet(lesson, Reader::Teacher, &preferences)
+                        lesson_sheet(lesson, Reader::Teacher)
                     }
                 };
                 let written = bytes
@@ -395,20 +381,8 @@ fn chart_bytes(wish: &ChartWish, theme: Theme) -> Vec<u8> {
 }
 
 /// A sheet of a lesson as PDF, with pictures of its pages.
-fn lesson_sheet(
-    lesson: &Lesson,
-    reader: Reader,
-    preferences: &Preferences,
-) -> Result<Vec<u8>, String> {
-    const SIZE: [u32; 2] = [1280, 640];
-    let page = |app: &App, page: Page| {
-        let preferences = Preferences {
-            page,
-            dark: false,
-            ..preferences.clone()
-        };
-        Some(picture::window_png(app, &preferences, SIZE))
-    };
+fn lesson_sheet(lesson: &Arc<Lesson>, reader: Reader) -> Result<Vec<u8>, String> {
+    let page = |step| Some(picture::step_png(lesson, step));
     handout(lesson, &[reader], Form::Pdf, &lesson.name, &page)
         .map(|sheet| sheet.bytes)
         .map_err(|why| why.to_string())

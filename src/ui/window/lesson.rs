@@ -10,7 +10,8 @@ use super::{
         lesson_view::Wish,
         pages::LessonsView,
         pointing,
-        theme::{Theme, Wake, waker},
+        theme::{Theme, Wake},
+        top_view::Drawer,
     },
     Window,
     checks::Checked,
@@ -94,7 +95,17 @@ impl Window {
             run.finish(&mut self.app, page);
         }
         self.lesson = Some(run);
-        self.drawer.open = false;
+        self.library.search.clear();
+        self.drawer = Drawer::default();
+    }
+
+    /// Begins a lesson with another of the lights that it may be taken with; it is the same lesson.
+    fn begin_with(&mut self, lesson: &Lesson, light: usize) {
+        let light = lesson.also.get(light);
+        if let Some(Ok(other)) = light.map(|light| lesson.about(light)) {
+            let name = lesson.name.clone();
+            self.begin(&Arc::new(Lesson { name, ..other }), 0, false);
+        }
     }
 
     /// Reads the folder of own lessons whenever their list comes into sight.
@@ -114,14 +125,11 @@ impl Window {
             return;
         };
         let scene = (&self.app, self.preferences.page);
-        let (view, wake) = (&mut self.lesson_view, waker(ui.ctx()));
-        let studies = &mut self.studies;
+        let view = &mut self.lesson_view;
         let mut wishes = Vec::new();
         let frame = plain(ui, Margin::same(12)).fill(ui.visuals().window_fill);
         let panel = fixed(Panel::left("lesson"), frame, width).show(ui, |ui| {
-            in_its_size(ui, |ui| {
-                wishes = view.show(ui, run, scene, (&mut *studies, &wake), theme)
-            });
+            in_its_size(ui, |ui| wishes = view.show(ui, run, scene, theme));
         });
         self.lesson_ends = panel.response.rect.right();
         for wish in wishes {
@@ -221,10 +229,17 @@ impl Window {
                 self.shows_next_at = 0.0;
             }
             Wish::Again => run.set_stage(app, page),
+            Wish::With(light) => {
+                let lesson = run.lesson().clone();
+                self.begin_with(&lesson, light);
+            }
             Wish::Leave => self.leave_lesson(),
         }
         if !matches!(wish, Wish::Choose(_) | Wish::ShowMe) {
             self.lesson_view.close_word();
+            // The next step's lamp is looked for anew.
+            self.library.search.clear();
+            self.drawer = Drawer::default();
         }
         // What stands above and beside was drawn before.
         context.request_repaint();

@@ -22,7 +22,8 @@ use egui::{Context, Ui};
 use super::{
     batch_view::BatchView,
     dialogs::Dialog,
-    files::{Picker, Printer, system_printer},
+    eyes,
+    files::{Picker, Printer},
     import_view::ImportView,
     lesson_view::LessonView,
     library_view::LibraryView,
@@ -32,6 +33,7 @@ use super::{
     pages::Pages,
     palette_view::PaletteView,
     saver::Saver,
+    system_printer,
     theme::{self, Theme},
     top_view::Drawer,
     verdict_view::Side,
@@ -122,6 +124,24 @@ pub struct Window {
     refusal: Option<notices::Refusal>,
     /// Opens a page that prints itself; tests put their own here.
     pub printer: Printer,
+    /// Where the program is a page: its address, without what a link opens.
+    pub address: Option<String>,
+}
+
+/// Size of the smallest layout that stands at its own scale, points before any zoom. A zoom leaves
+/// fewer: who asked for larger type gets it.
+const LEAST_LAYOUT: egui::Vec2 = egui::vec2(900.0, 600.0);
+/// Scaled by less, no word could be read.
+const LEAST_SCALE: f32 = 0.25;
+
+/// The scale at which the smallest layout fits into the window; 1 in a larger one.
+fn fitting(context: &Context) -> f32 {
+    let size = context.viewport_rect().size() * context.zoom_factor();
+    match size.min_elem() > 1.0 {
+        true => (size / LEAST_LAYOUT).min_elem().clamp(LEAST_SCALE, 1.0),
+        // A minimised window has no size.
+        false => 1.0,
+    }
 }
 
 impl Window {
@@ -136,17 +156,17 @@ impl Window {
         Self {
             kept: (app.changes(), preferences.clone()),
             had_second: app.document().second.is_some(),
-            lessons_folder: saver.as_ref().map(|s| s.path().with_file_name("lessons")),
+            lessons_folder: saver
+                .as_ref()
+                .filter(|_| !cfg!(target_arch = "wasm32"))
+                .map(|s| s.path().with_file_name("lessons")),
             lists_lessons: false,
             app,
             preferences,
             picker,
             look: LookView::default(),
             library: LibraryView::default(),
-            drawer: Drawer {
-                open: false,
-                compares: false,
-            },
+            drawer: Drawer::default(),
             side: Side::default(),
             side_open: None,
             menu_open: false,
@@ -179,6 +199,7 @@ impl Window {
             dropped_at: None,
             refusal: None,
             printer: system_printer(),
+            address: None,
         }
     }
 
@@ -210,6 +231,7 @@ impl Window {
     pub fn show(&mut self, ui: &mut Ui) {
         let context = ui.ctx().clone();
         self.preferences.grown = theme::grown(ui.max_rect().size());
+        self.note_touch(&context);
         self.dress(&context);
         let theme = Theme::of(&self.preferences);
         self.menu_open = egui::Popup::is_any_open(&context);
@@ -220,8 +242,11 @@ impl Window {
 
         let shape = self.shape(ui, theme);
         let mut centre = ui.available_rect_before_wrap();
-        if !shape.present {
+        let uses_bar = self.lesson.as_ref().is_some_and(Run::uses_bar);
+        if !shape.present || uses_bar {
             self.bar(ui, shape, &context);
+        }
+        if !shape.present {
             self.foot(ui, shape, theme);
             self.rail(ui, shape, theme);
         }
@@ -258,6 +283,9 @@ impl Window {
         }
         self.preferences.note_page();
         self.keep();
+        if let Some(eyes) = self.preferences.without_cones {
+            eyes::apply(&context, eyes);
+        }
     }
 
     /// Pages that remember what stands beside the light take a second light that was chosen.
@@ -276,21 +304,24 @@ impl Window {
         self.keep();
     }
 
-    /// Fonts once, style whenever the looks change.
+    /// The first touch makes targets large, unless a person chose.
+    fn note_touch(&mut self, context: &Context) {
+        let is_touch = |event: &egui::Event| matches!(event, egui::Event::Touch { .. });
+        if self.preferences.touch.is_none() && context.input(|i| i.events.iter().any(is_touch)) {
+            self.preferences.touch = Some(true);
+        }
+    }
+
+    /// Fonts once, style whenever the looks change; a window that is smaller than the smallest layout
+    /// is scaled.
     fn dress(&mut self, context: &Context) {
         if !self.fonts_installed {
             theme::install_fonts(context);
             self.fonts_installed = true;
         }
+        context.set_zoom_factor(self.preferences.zoom * fitting(context));
         if self.styled_for.as_ref() != Some(&self.preferences) {
-            let zoom_changed = self
-                .styled_for
-                .as_ref()
-                .is_none_or(|p| p.zoom != self.preferences.zoom);
             theme::apply(context, &self.preferences);
-            if zoom_changed {
-                context.set_zoom_factor(self.preferences.zoom);
-            }
             self.styled_for = Some(self.preferences.clone());
         }
     }

@@ -129,6 +129,11 @@ impl Window {
             PageWish::Instrument(instrument) => {
                 self.save(Saving::Instrument(instrument), context);
             }
+            PageWish::Photograph(seen) => self.app.note_photograph(&seen),
+            PageWish::OwnPicture => {
+                self.app.stage_photograph(None);
+                context.request_repaint();
+            }
             PageWish::OpenPicture => self.ask(Ask::Open, None, context),
             PageWish::Reading(key) => {
                 let image = self.app.document().images.iter().find(|i| i.key == key);

@@ -103,6 +103,7 @@ impl Window {
                         dialog_open: self.waiting.is_some(),
                         has_summary: self.batch.has_summary(),
                         lessons: self.lessons_folder.as_deref(),
+                        is_page: self.address.is_some(),
                     };
                     let drawer = &mut self.drawer;
                     top_view::show(ui, &self.app, &self.preferences, drawer, menus, &mut wishes);
@@ -155,7 +156,8 @@ impl Window {
 
     /// The library: beside the page where there is room, else over it.
     pub(super) fn drawer(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) {
-        let pinned = self.preferences.pinned && shape.wide && !shape.present;
+        let may_stay = shape.wide && !shape.present && self.lesson.is_none();
+        let pinned = self.preferences.pinned && may_stay;
         if !self.drawer.open && !pinned {
             return;
         }
@@ -194,10 +196,7 @@ impl Window {
         let is_second = |command: &Command| matches!(command, Command::Compare(_));
         closes |= compares && commands.iter().any(is_second);
         if closes || std::mem::take(&mut self.library.closes) {
-            self.drawer = Drawer {
-                open: false,
-                compares: false,
-            };
+            self.drawer = Drawer::default();
             self.preferences.pinned &= closes;
         }
         self.keep_surface(&mut commands);

@@ -14,6 +14,7 @@ use crate::{
         Tone,
         chart::{Theme, escaped},
         charts::spectrum::spectrum_chart,
+        lessons::handout::data_url,
         pages::Page,
         worker::Worker,
         workspace::Preferences,
@@ -30,8 +31,8 @@ pub(super) enum PrintedAs {
     Png(Vec<u8>),
 }
 
-/// File of a picture of pixels, beside the page.
-const PICTURE: &str = "spectral-explorer-print.png";
+/// Name of the page.
+const FILE: &str = "spectral-explorer-print.html";
 
 /// Size of a page's picture, points.
 const PAGE_SIZE: [u32; 2] = [1280, 800];
@@ -64,13 +65,12 @@ impl Window {
         let printer = Arc::clone(&self.printer);
         self.writing
             .push(Worker::start(&waker(context), move |tell| {
-                let path = std::env::temp_dir().join("spectral-explorer-print.html");
-                let written = match &printed {
-                    PrintedAs::Svg(_) => Ok(()),
-                    PrintedAs::Png(png) => save_atomically(&path.with_file_name(PICTURE), png),
+                let path = match cfg!(target_arch = "wasm32") {
+                    true => FILE.into(),
+                    false => std::env::temp_dir().join(FILE),
                 };
                 let html = page(&title, &printed);
-                let written = written.and_then(|()| save_atomically(&path, html.as_bytes()));
+                let written = save_atomically(&path, html.as_bytes());
                 let opened = written.map_err(|why| why.to_string());
                 let opened = opened.and_then(|()| printer(&path));
                 tell.send(match opened {
@@ -92,7 +92,9 @@ impl Window {
 fn page(title: &str, printed: &PrintedAs) -> String {
     let picture = match printed {
         PrintedAs::Svg(svg) => svg.clone(),
-        PrintedAs::Png(_) => format!("<img alt=\"\" src=\"{PICTURE}\">"),
+        PrintedAs::Png(png) => {
+            format!("<img alt=\"\" src=\"{}\">", data_url(png))
+        }
     };
     let title = escaped(title);
     format!(
@@ -113,6 +115,6 @@ mod tests {
         assert!(html.contains("<svg></svg>") && html.contains("window.print()"));
         assert!(html.contains("A &lt; B"), "{html}");
         let html = page("lamp", &PrintedAs::Png(vec![1, 2, 3]));
-        assert!(html.contains(PICTURE), "{html}");
+        assert!(html.contains("image/png;base64,AQID"), "{html}");
     }
 }

@@ -201,7 +201,9 @@ pub fn absorption_chart(app: &App, (dips, known): (&[DipRow], &[DarkLine])) -> C
         1.3,
         Dash::Dashed,
     );
-    let mut series = vec![area.coloured(), filled_up];
+    // At the ends of the visible range the fill is hardly seen.
+    let edge = stroke("", Ink::Faint, curve(measured), 1.0, Dash::Solid);
+    let mut series = vec![area.coloured(), edge, filled_up];
     // From the curve up to what it would be: a name stands above, where nothing else is.
     let gaps = |name: &str, ink: Ink, gaps: Vec<(f64, String, Option<f64>)>| {
         let height = |values: &[f64], nm: f64| factor * band.interpolate(values, nm);

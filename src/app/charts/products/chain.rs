@@ -2,21 +2,19 @@
 
 use crate::{
     app::{
-        chart::{Chart, Ink, Series},
+        chart::{Chart, Dash, Ink, Series, stroke},
         charts::{
             spectrum::{before_provenance, on_grid, over, spike_stems},
             units::value_label,
         },
-        product_report::Told,
+        product_report::{Told, second_passage},
         products::ModelledLight,
         state::App,
         ticks::short,
     },
     spectrum::{Band, Line},
+    study::products::{Colours, Passage},
 };
-
-/// Points that a small spectrum is drawn with at most.
-const SMALL_POINTS: usize = 120;
 
 /// A place of the chain: the light before it, or behind a factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,20 +43,18 @@ pub struct ChainSheet {
     pub told: Told,
     /// What must be said about each stage, a sentence each.
     pub notes: Vec<Vec<String>>,
-    /// Exact curve and smooth part at each [`Place`], heights 0-1 over the exact peak.
-    pub small_curves: Vec<[Vec<f32>; 2]>,
+    /// The second light behind every stage.
+    pub second: Option<Passage>,
 }
 
 impl ChainSheet {
     /// The chain of a state.
     pub fn of(app: &App) -> Self {
         let light = ModelledLight::of(app);
-        let told = Told::of(app, &light, &app.document().products.chain);
-        let first = small_curves(&light.derived.measured, &light.derived.smooth);
-        let steps = told.passage.steps.iter();
-        let behind = steps.map(|step| small_curves(&step.exact, &step.smooth));
+        let chain = &app.document().products.chain;
+        let told = Told::of(app, &light, chain);
         Self {
-            small_curves: std::iter::once(first).chain(behind).collect(),
+            second: second_passage(app, &light, chain),
             notes: told.stage_notes(&light),
             light,
             told,
@@ -68,6 +64,38 @@ impl ChainSheet {
     /// How many factors there are.
     pub fn stages(&self) -> usize {
         self.told.passage.steps.len()
+    }
+
+    /// The second light's colours at a place, with its passage.
+    pub fn second_at(&self, place: Place) -> Option<(&Passage, Colours)> {
+        let passage = self.second.as_ref()?;
+        let colours = match place {
+            Place::Light => passage.light,
+            Place::Stage(index) => passage.steps.get(index)?.colours,
+        };
+        Some((passage, colours))
+    }
+
+    /// The second light's curve at a place, the lights brought to one luminance before the chain.
+    fn second_curve(&self, app: &App, place: Place) -> Option<Series> {
+        let entry = app.document().second.as_ref()?;
+        let passage = self.second.as_ref()?;
+        let equal = Some(self.told.passage.white.y / passage.white.y);
+        let equal = equal.filter(|ratio| ratio.is_finite())?;
+        let band = self.light.band();
+        let values = match place {
+            Place::Light => &entry.on_band(band),
+            Place::Stage(index) => &passage.steps.get(index)?.exact,
+        };
+        let name = format!("{}, equally bright before", entry.name());
+        let points = on_grid(band, values, equal * self.factor(app));
+        Some(stroke(&name, Ink::Second, points, 2.4, Dash::Solid))
+    }
+
+    fn factor(&self, app: &App) -> f64 {
+        let document = app.document();
+        let factor = document.scale.factor(&document.light.spectrum);
+        factor.unwrap_or(1.0)
     }
 
     /// The model's spikes at a place.
@@ -99,12 +127,13 @@ impl ChainSheet {
         let names = self.told.names.iter().enumerate();
         notes.extend(names.map(|(i, name)| format!("{}. {name}", i + 1)));
         let band = derived.band;
-        let factor = document.scale.factor(&light.spectrum).unwrap_or(1.0);
+        let factor = self.factor(app);
         let curve = |values: &[f64]| on_grid(band, values, factor);
         let mut series = vec![
             Series::line("exact", Ink::Measured, curve(exact)),
             Series::line("smooth part", Ink::Smooth, curve(smooth)),
         ];
+        series.extend(self.second_curve(app, place));
         let (up, down): (Vec<Line>, Vec<Line>) =
             self.spikes(place).iter().partition(|s| s.weight >= 0.0);
         for (name, ink, spikes) in [
@@ -144,22 +173,6 @@ impl ChainSheet {
             .labelled(labels)
             .with_notes(notes)
     }
-}
-
-/// Two curves over the peak of the first, heights 0-1.
-fn small_curves(exact: &[f64], smooth: &[f64]) -> [Vec<f32>; 2] {
-    let top = exact.iter().copied().fold(0.0, f64::max);
-    // A line of 1 nm must not fall between the points that are drawn.
-    let chunk = exact.len().div_ceil(SMALL_POINTS).max(1);
-    let heights = |values: &[f64]| {
-        let highest = |part: &[f64]| part.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let height = |v: f64| {
-            let share = Some(v / top).filter(|share| share.is_finite());
-            share.map_or(0.0, |share| share.clamp(0.0, 1.0) as f32)
-        };
-        values.chunks(chunk).map(|c| height(highest(c))).collect()
-    };
-    [heights(exact), heights(smooth)]
 }
 
 /// The colours of the wavelengths along the axis; none where the range shows none.

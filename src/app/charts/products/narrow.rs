@@ -18,7 +18,7 @@ use crate::{
         products::ModelledLight,
         ticks::extent,
     },
-    color::{Adaptation, Swatch},
+    color::{Adaptation, Swatch, Xyz, srgb::linear_from_xyz},
     io::many::numbers,
     preset::Shelf,
     spectrum::{Band, Kind, gaussian},
@@ -101,6 +101,19 @@ pub struct Behind {
     pub band: Band,
     lit: ModelledLight,
     narrow: Narrow,
+    /// The second light, its values on the grid and its colour.
+    second: Option<(String, Vec<f64>, Xyz)>,
+}
+
+/// The second light behind a filter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SecondBehind {
+    pub name: String,
+    /// `Y` behind the filter over that of the light; `None` without light.
+    pub luminance: Option<f64>,
+    /// Both lights brought to one luminance before the filter, then as bright as colours are
+    /// compared.
+    pub swatch: Swatch,
 }
 
 /// What one filter leaves of the light.
@@ -135,12 +148,40 @@ impl Behind {
             settings.colour_exact,
             &lit.tables.viewing.weights,
         );
+        let band = lit.band();
+        let second = app.document().second.as_ref().map(|entry| {
+            let values = entry.on_band(band);
+            let white = lit.xyz(&values);
+            (entry.name().to_owned(), values, white)
+        });
         Self {
             light: app.document().light.name().to_owned(),
-            band: lit.band(),
+            band,
             narrow,
+            second,
             lit,
         }
+    }
+
+    /// What a filter leaves of the second light; `None` where none was chosen.
+    pub fn second(&self, figures: &Figures, filter: &Filter) -> Option<SecondBehind> {
+        let (name, values, white) = self.second.as_ref()?;
+        let through = values.iter().zip(filter.on_band(self.band));
+        let xyz = self
+            .lit
+            .xyz(&through.map(|(v, share)| v * share).collect::<Vec<_>>());
+        let share = Some(xyz.y / white.y).filter(|share| share.is_finite());
+        let scale = 100.0 / white.y;
+        let gain = self.narrow.gain(figures.ways[0].exact);
+        let swatch = match share {
+            Some(_) => Swatch::of_patch(xyz * (gain * scale), *white * scale, Adaptation::None),
+            None => Swatch::of_light(Xyz::ZERO),
+        };
+        Some(SecondBehind {
+            name: name.clone(),
+            luminance: share,
+            swatch,
+        })
     }
 
     /// Numbers that each representation takes.
@@ -177,16 +218,18 @@ impl Behind {
     }
 
     /// The exact light and the three representations behind a filter, as bright as they are
-    /// compared: exact first. And what they are brightened by.
+    /// compared, or as a screen can show the exact one in its hue: exact first. And what they are
+    /// brightened by.
     pub fn swatches(&self, figures: &Figures) -> ([Swatch; 4], f64) {
         let white = self.narrow.white();
         let exact = figures.ways[0].exact;
         let gain = self.narrow.gain(exact);
+        // Of violet, red and blue cut at the same brightness would be fuchsia.
+        let brightest = linear_from_xyz(exact * (gain / white.y));
+        let gain = gain / brightest.into_iter().fold(1.0, f64::max);
         let scale = 100.0 / white.y;
         let light = white * scale;
-        let seen = |xyz: crate::color::Xyz| {
-            Swatch::of_patch(xyz * (gain * scale), light, Adaptation::None)
-        };
+        let seen = |xyz: Xyz| Swatch::of_patch(xyz * (gain * scale), light, Adaptation::None);
         let [a, b, c] = figures.ways.map(|way| seen(way.model));
         ([seen(exact), a, b, c], gain)
     }
@@ -250,6 +293,14 @@ impl Behind {
             ),
             thin("smooth part", Ink::Smooth, curve(&smooth), Dash::Dashed),
         ];
+        if let Some((name, values, white)) = &self.second
+            && let equal = self.narrow.white().y / white.y
+            && equal.is_finite()
+        {
+            let name = format!("{name}, equally bright before");
+            let points = on_grid(band, values, equal);
+            series.push(thin(&name, Ink::Second, points, Dash::Solid));
+        }
         if !spikes.is_empty() {
             series.push(stems);
         }
@@ -389,4 +440,27 @@ pub fn of(point: &NarrowPoint, way: usize) -> Colours {
 pub fn is_filter(entry: &Entry) -> bool {
     let is_glass = |shelf| shelf == Shelf::Filters && !is_made(&entry.key);
     entry.kind() == Kind::Transmittance && entry.shelf().is_none_or(is_glass)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn light_behind_a_violet_filter_is_shown_violet_and_no_fuchsia() {
+        let app = crate::app::showing("cie_fluorescent_1nm/FL2");
+        let behind = Behind::of(&app);
+        let filter = Filter::Gaussian {
+            centre_nm: 437.0,
+            width_nm: 10.0,
+        };
+        let (swatches, gain) = behind.swatches(&behind.figures(&filter));
+        let [red, green, blue] = swatches[0].rgb8.0;
+        // Blue is full, and red less than half of it in light (186 of 255 encoded).
+        assert!(
+            blue >= 254 && green == 0 && red < 186,
+            "{red} {green} {blue}"
+        );
+        assert!(gain > 1.0);
+    }
 }

@@ -7,7 +7,7 @@ use crate::{
         chart::{Chart, Dash, Ink, Panel, Series, Shape, stroke},
         charts::spectrum::{before_provenance, on_grid, over, spike_stems, table_head},
         derived::less,
-        numbers::{delta_e, figure, hundredths, nanoseconds, or_dash},
+        numbers::{decimals, delta_e, hundredths, nanoseconds, or_dash},
         products::ModelledLight,
         ticks::extent,
     },
@@ -235,7 +235,7 @@ impl Bench {
         type Row<'a> = &'a (SpikeReading, [Option<f64>; 3]);
         let read = |key: &'static str, of: fn(&SpikeReading) -> f64| {
             column(key, move |(reading, _): &Row<'_>| {
-                cell(of(reading)).shown(figure(of(reading)))
+                cell(of(reading)).shown(decimals(of(reading), 4))
             })
         };
         let cost = |way: usize, name: &str| {

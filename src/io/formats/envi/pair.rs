@@ -1,13 +1,12 @@
 //! The two files of an ENVI pair: finding and reading the other one.
 
-use std::fs::{self, File};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use super::header::{self, Header};
 use crate::io::input::name_of;
 use crate::io::text::{self, MOST_BYTES};
-use crate::io::{ReadError, budget};
+use crate::io::{ReadError, budget, disk};
 
 /// Endings of data files, in the order of the search.
 const DATA_ENDINGS: [&str; 15] = [
@@ -27,7 +26,7 @@ pub(crate) fn header_of(data: &Path) -> Option<PathBuf> {
         data.with_extension("HDR"),
     ]
     .into_iter()
-    .find(|path| path != data && path.is_file() && starts_as_header(path))
+    .find(|path| path != data && disk::is_file(path) && starts_as_header(path))
 }
 
 /// The ENVI header that a path is, or that belongs to it.
@@ -47,10 +46,9 @@ fn longer(path: &Path, ending: &str) -> PathBuf {
 
 /// True if a file begins like an ENVI header.
 pub(crate) fn starts_as_header(path: &Path) -> bool {
-    let mut start = [0; 8];
-    let read = File::open(path).and_then(|mut file| file.read(&mut start));
+    let start = disk::head(path, 8);
     let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&start);
-    read.is_ok() && start.starts_with(b"ENVI")
+    start.starts_with(b"ENVI")
 }
 
 /// Reads a header from disk.
@@ -89,9 +87,9 @@ pub(crate) fn place_of_data(path: &Path, need: usize) -> Option<PathBuf> {
     let candidates = DATA_ENDINGS
         .iter()
         .flat_map(|ending| [longer(&stem, ending), longer(&stem, &ending.to_uppercase())]);
-    let mut there = candidates.filter(|candidate| candidate != path && candidate.is_file());
+    let mut there = candidates.filter(|candidate| candidate != path && disk::is_file(candidate));
     let first = there.next()?;
-    let large = |path: &PathBuf| fs::metadata(path).is_ok_and(|about| about.len() >= need as u64);
+    let large = |path: &PathBuf| disk::len(path).is_ok_and(|len| len >= need as u64);
     Some(if large(&first) {
         first
     } else {
@@ -103,13 +101,16 @@ fn read_file(path: &Path, most: u64, at_most: &str) -> Result<Vec<u8>, ReadError
     let name = name_of(path);
     let trouble =
         |error: std::io::Error| ReadError::new(&name, error.to_string(), "a file that can be read");
-    let file = File::open(path).map_err(trouble)?;
-    let size = file.metadata().map_err(trouble)?.len();
+    let size = disk::len(path).map_err(trouble)?;
     if size > most {
         let found = budget::in_words(usize::try_from(size).unwrap_or(usize::MAX));
         return Err(ReadError::new(&name, found, at_most));
     }
     let mut bytes = Vec::with_capacity(size as usize);
-    file.take(most).read_to_end(&mut bytes).map_err(trouble)?;
+    disk::open(path)
+        .map_err(trouble)?
+        .take(most)
+        .read_to_end(&mut bytes)
+        .map_err(trouble)?;
     Ok(bytes)
 }

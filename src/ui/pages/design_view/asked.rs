@@ -95,7 +95,9 @@ fn second(
         check.on_hover_text(
             "The same surface's colours under two lights tell more about it: six numbers.",
         );
-        let key = before.second.as_ref().map_or(UNDER[1], |(_, key)| key);
+        let second = &context.app.document().second;
+        let usual = second.as_ref().map_or(UNDER[1], |entry| &entry.key);
+        let key = before.second.as_ref().map_or(usual, |(_, key)| key);
         let mut chosen = (is_on && before.second.is_none()).then(|| key.to_owned());
         if is_on {
             let light = Chooser {

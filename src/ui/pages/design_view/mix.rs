@@ -5,7 +5,7 @@ use eframe::egui;
 use egui::{Ui, Vec2, vec2};
 
 use super::{
-    DesignView, change, set, strips,
+    DesignView, Second, change, set, strips,
     worth::{self, kept_row, main_figures, surfaces},
 };
 use crate::{
@@ -33,6 +33,9 @@ use crate::{
 
 /// From this width on faders, diagram and figures stand side by side, points.
 const WIDE: f32 = 840.0;
+
+/// From this width on the faders stand beside the diagram, points.
+const PAIR: f32 = 620.0;
 
 /// Parts of the width for the faders and for the figures.
 const PARTS: [f32; 2] = [0.36, 0.27];
@@ -73,12 +76,16 @@ impl DesignView {
             return;
         };
         let lines = self.lines.held().cloned().unwrap_or_default();
+        let second = self.second.held().cloned().flatten();
         let document = context.app.document();
         let key = (context.app.changes(), context.pages.mix.surfaces);
-        let beside = self
-            .beside
-            .get(key, |(_, surfaces)| beside(&desk, *surfaces, document))
-            .clone();
+        let make = |(_, surfaces): &(u64, _)| {
+            let second = second.as_ref().map(|second| &second.desk);
+            beside(&desk, second, *surfaces, document)
+        };
+        let beside = self.beside.get(key, make).clone();
+        let foot = (&beside[..], second.as_ref().map(|second| &second.name[..]));
+        let parts = (&desk, &lines[..], second.as_ref());
         headline(ui, context.theme, desk.headline());
         ui.add_space(GROUP);
         let room = ui.available_size();
@@ -88,27 +95,38 @@ impl DesignView {
         } else if room.x < WIDE * scale {
             scrolled(ui, "mix", |ui| {
                 let width = ui.available_width();
-                self.channels(ui, context, (&desk, &lines), vec2(width, DESK * scale));
-                self.among_colours(ui, context, &desk, vec2(width, DESK * scale));
-                self.worth(ui, context, (&desk, &lines), vec2(width, DESK * scale));
-                surfaces(ui, context, &beside, IN_ROW[0]);
+                let high = DESK * scale;
+                if width >= PAIR * scale {
+                    ui.horizontal_top(|ui| {
+                        ui.spacing_mut().item_spacing.x = GROUP;
+                        let half = vec2((0.5 * (width - GROUP)).floor(), high);
+                        self.channels(ui, context, parts, half);
+                        self.among_colours(ui, context, &desk, half);
+                    });
+                    surfaces(ui, context, foot, IN_ROW[0]);
+                    self.worth(ui, context, parts, vec2(width, high));
+                } else {
+                    self.channels(ui, context, parts, vec2(width, high));
+                    self.among_colours(ui, context, &desk, vec2(width, high));
+                    self.worth(ui, context, parts, vec2(width, high));
+                    surfaces(ui, context, foot, IN_ROW[0]);
+                }
             });
         } else {
             let in_row = IN_ROW[usize::from(room.y < HIGH * scale)];
             let rows = beside.len().div_ceil(in_row).clamp(1, 2);
-            let foot = worth::height(rows) * scale;
-            let high = room.y - foot - GROUP;
+            let high = room.y - worth::height(rows) * scale - GROUP;
             ui.horizontal_top(|ui| {
                 ui.spacing_mut().item_spacing.x = GROUP;
                 let width = room.x - 2.0 * GROUP;
                 let [left, right] = PARTS.map(|part| (part * width).floor());
                 let middle = width - left - right;
-                self.channels(ui, context, (&desk, &lines), vec2(left, high));
+                self.channels(ui, context, parts, vec2(left, high));
                 self.among_colours(ui, context, &desk, vec2(middle, high));
-                self.worth(ui, context, (&desk, &lines), vec2(right, high));
+                self.worth(ui, context, parts, vec2(right, high));
             });
             ui.add_space(GROUP - ui.spacing().item_spacing.y);
-            surfaces(ui, context, &beside, in_row);
+            surfaces(ui, context, foot, in_row);
         }
         self.faders_follow(ui, context, &desk);
     }
@@ -131,7 +149,7 @@ impl DesignView {
         &mut self,
         ui: &mut Ui,
         context: &mut PageContext<'_>,
-        (desk, lines): (&Desk, &[NamedLine]),
+        (desk, lines, second): (&Desk, &[NamedLine], Option<&Second>),
         size: Vec2,
     ) {
         card(ui, size, |ui| {
@@ -147,12 +165,18 @@ impl DesignView {
             strips::chosen(ui, context, (desk, lines), &mut self.chosen);
             ui.add_space(4.0);
             ui.separator();
-            self.aim(ui, context, desk);
+            self.aim(ui, context, desk, second);
         });
     }
 
     /// What is aimed at, and the button that sets the faders for it.
-    fn aim(&mut self, ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
+    fn aim(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut PageContext<'_>,
+        desk: &Desk,
+        second: Option<&Second>,
+    ) {
         ui.horizontal(|ui| {
             ui.label("Aim at");
             let words = context.pages.solve.colour_words(context.app.document());
@@ -163,6 +187,14 @@ impl DesignView {
                 width: 110.0 * context.theme.scale,
             };
             choice.cut(ui, words, |ui| {
+                if let Some(second) = second
+                    && ui
+                        .button(format!("the colour of {}", second.name))
+                        .clicked()
+                {
+                    context.pages.solve.light = Some(second.key.clone());
+                    context.pages.solve.xy = None;
+                }
                 for kelvin in AIMS {
                     if ui.button(format!("{kelvin:.0} K")).clicked() {
                         context.pages.solve = MixWish {
@@ -267,7 +299,7 @@ impl DesignView {
         &mut self,
         ui: &mut Ui,
         context: &mut PageContext<'_>,
-        (desk, lines): (&Desk, &[NamedLine]),
+        (desk, lines, second): (&Desk, &[NamedLine], Option<&Second>),
         size: Vec2,
     ) {
         column(ui, size, |ui| {
@@ -277,17 +309,25 @@ impl DesignView {
             let (rect, response) = drawing(ui, wide, egui::Sense::hover(), name);
             ui.painter()
                 .rect_filled(rect, 4.0, context.theme.swatch_ground);
-            let inner = rect.shrink(8.0);
-            ui.painter()
-                .rect_filled(inner, 3.0, swatch::colour(desk.swatch().rgb8));
-            response
-                .on_hover_text("As it looks beside daylight, as bright as the screen can show it.");
+            let own = swatch::colour(desk.swatch().rgb8);
+            let its = second.map(|second| swatch::colour(second.desk.swatch().rgb8));
+            swatch::paint_split(ui, rect.shrink(8.0), own, its.unwrap_or(own));
+            let words = "as bright as the screen can show it";
+            response.on_hover_text(match second {
+                Some(Second { name, .. }) => {
+                    format!("Left the mixture, right {name}, beside daylight, each {words}.")
+                }
+                None => format!("As it looks beside daylight, {words}."),
+            });
             ui.add_space(8.0);
-            main_figures(ui, context.theme, &desk.main_figures());
+            let figures = desk.main_figures();
+            let of_second = second.map(|second| (&second.name[..], second.desk.main_figures()));
+            main_figures(ui, context.theme, &figures, of_second);
             ui.add_space(8.0);
             let foot = worth::kept_height(ui, size.x, scale) + 10.0;
             let high = (ui.available_height() - foot).max(100.0 * scale);
-            self.spectrum(ui, context, desk, lines, vec2(size.x, high));
+            let second = second.map(Second::named);
+            self.spectrum(ui, context, (desk, lines, second), vec2(size.x, high));
             kept_row(ui, context, desk);
         });
     }
@@ -297,12 +337,11 @@ impl DesignView {
         &mut self,
         ui: &mut Ui,
         context: &mut PageContext<'_>,
-        desk: &Desk,
-        lines: &[NamedLine],
+        (desk, lines, second): (&Desk, &[NamedLine], Option<(&str, &Desk)>),
         size: Vec2,
     ) {
         let key = context.app.changes();
-        let chart = &*self.spectrum.get(key, |_| mixed_spectrum(desk));
+        let chart = &*self.spectrum.get(key, |_| mixed_spectrum(desk, second));
         let mut shown = ChartView::held(ui, chart, "mixed spectrum", size, context.theme);
         context.ask_for_chart(shown.wish.take());
         let Some([at_nm, _]) = shown.dragged else {

@@ -16,7 +16,7 @@ use egui::{DragValue, Slider, Ui, vec2};
 use super::PageContext;
 use crate::{
     app::{
-        App, Memo,
+        App, Document, Entry, Memo,
         chart::Chart,
         charts::design::{ground, on_diagram},
         design::{
@@ -34,10 +34,34 @@ use crate::{
     },
 };
 
+/// The second light: its name, its key, and itself as a desk of one channel.
+#[derive(Clone)]
+struct Second {
+    name: String,
+    key: String,
+    desk: Desk,
+}
+
+impl Second {
+    fn of(document: &Document) -> Option<Self> {
+        let entry = document.second.as_ref()?;
+        Some(Self {
+            name: entry.name().to_owned(),
+            key: entry.key.clone(),
+            desk: Desk::of_second(document)?,
+        })
+    }
+
+    fn named(&self) -> (&str, &Desk) {
+        (&self.name, &self.desk)
+    }
+}
+
 /// What the pages keep from frame to frame.
 #[derive(Default)]
 pub(super) struct DesignView {
     desk: Memo<u64, Desk>,
+    second: Memo<Option<Arc<Entry>>, Option<Second>>,
     lines: Memo<(), Vec<NamedLine>>,
     ground: Memo<(), Chart>,
     diagram: Memo<(u64, Option<[f64; 2]>), Chart>,
@@ -63,7 +87,10 @@ pub(super) struct DesignView {
 impl DesignView {
     /// Brings what is kept up to the document.
     fn refresh(&mut self, app: &App) {
-        self.desk.get(app.changes(), |_| Desk::of(app.document()));
+        let document = app.document();
+        self.desk.get(app.changes(), |_| Desk::of(document));
+        let second = document.second.clone();
+        self.second.get(second, |_| Second::of(document));
         self.lines.get((), |_| named_lines(app.element_lines()));
     }
 
@@ -77,9 +104,14 @@ impl DesignView {
     ) -> ChartResponse {
         let ground = &*self.ground.get((), |()| ground());
         let key = (context.app.changes(), target);
+        let second = self.second.held().and_then(Option::as_ref);
+        let second = second.map(Second::named);
         let desk = self.desk.held();
-        let make =
-            |_: &_| desk.map_or_else(Chart::default, |desk| on_diagram(ground, desk, target));
+        let make = |_: &_| {
+            desk.map_or_else(Chart::default, |desk| {
+                on_diagram(ground, desk, target, second)
+            })
+        };
         let chart = &*self.diagram.get(key, make);
         ChartView::held(ui, chart, "colours of channels", size, context.theme)
     }

@@ -96,11 +96,15 @@ impl DesignView {
         let mut sets = false;
         let room = ui.available_size();
         let scale = context.theme.scale;
-        if room.x >= WIDE * scale {
-            let left = vec2((0.40 * room.x).clamp(330.0 * scale, 520.0 * scale), room.y);
+        if context.theme.presents || room.x >= WIDE * scale {
+            let presents = context.theme.presents;
+            let width = match presents {
+                true => 0.53 * room.x,
+                false => (0.40 * room.x).clamp(330.0 * scale, 520.0 * scale),
+            };
             ui.horizontal_top(|ui| {
                 ui.spacing_mut().item_spacing.x = GROUP;
-                column(ui, left, |ui| {
+                column(ui, vec2(width, room.y), |ui| {
                     ui.spacing_mut().item_spacing.x = 6.0;
                     scrolled(ui, "wish", |ui| {
                         pair(ui, context);
@@ -110,11 +114,14 @@ impl DesignView {
                 ui.vertical(|ui| {
                     ui.spacing_mut().item_spacing.x = 6.0;
                     let width = ui.available_width();
-                    let size = vec2(width, (0.52 * room.y).floor());
+                    let share = if presents { 1.0 } else { 0.52 };
+                    let size = vec2(width, (share * room.y).floor());
                     let mut shown = self.diagram(ui, context, target, size);
                     context.ask_for_chart(shown.wish.take());
-                    let rest = ui.available_height();
-                    front(ui, context, &desk, rest);
+                    if !presents {
+                        let rest = ui.available_height();
+                        front(ui, context, &desk, rest);
+                    }
                 });
             });
         } else {
@@ -150,7 +157,8 @@ fn now_and_solved(ui: &mut Ui, context: &PageContext<'_>, both: [egui::Color32; 
     ui.add_space(GROUP);
 }
 
-/// The wish, and the faders as they are solved for; whether they are to be set so.
+/// The wish, and the faders as they are solved for; whether they are to be set so. Before a class
+/// the wish alone.
 fn wish_and_faders(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
@@ -160,7 +168,9 @@ fn wish_and_faders(
     form(ui, "wish", |form| {
         colour(form, context);
         favour(form, context);
-        floors(form, context);
+        if !context.theme.presents {
+            floors(form, context);
+        }
     });
     ui.add_space(GROUP);
     let mut sets = false;
@@ -176,8 +186,10 @@ fn wish_and_faders(
                 warning(ui, context.theme, "as near as the channels come");
             }
         });
-        ui.add_space(4.0);
-        faders(ui, context, desk, solved);
+        if !context.theme.presents {
+            ui.add_space(4.0);
+            faders(ui, context, desk, solved);
+        }
     }
     sets
 }

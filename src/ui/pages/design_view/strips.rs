@@ -32,7 +32,7 @@ const THICKEST: f64 = 4.0;
 const WHAT: f32 = 110.0;
 
 /// Least and largest distance of two faders, points.
-const APART: [f32; 2] = [48.0, 80.0];
+const APART: [f32; 2] = [48.0, 120.0];
 
 /// Letters of a light's name below its fader.
 const LETTERS: usize = 11;

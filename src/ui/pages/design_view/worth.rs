@@ -7,10 +7,11 @@ use super::set;
 use crate::{
     app::{
         Command, MadeFor,
+        chart::Ink,
         design::{Beside, Desk, DeskSurfaces, MainFigure, mix::Snapshot},
     },
     ui::{
-        kit::{Choice, column, copy_button},
+        kit::{Choice, column, copy_button, named},
         pages::PageContext,
         swatch,
         theme::Theme,
@@ -25,19 +26,35 @@ pub(super) fn height(rows: usize) -> f32 {
     rows as f32 * (SURFACE + 8.0) + 46.0
 }
 
-/// Figures in large type with their names above and a word beside them, three in a row.
-pub(super) fn main_figures(ui: &mut Ui, theme: Theme, figures: &[MainFigure]) {
+/// Figures in large type with their names above and a word beside them, three in a row; below each
+/// that of the second light, which has a name.
+pub(super) fn main_figures(
+    ui: &mut Ui,
+    theme: Theme,
+    figures: &[MainFigure],
+    second: Option<(&str, Vec<MainFigure>)>,
+) {
     let in_row = if ui.available_width() < 290.0 * theme.scale {
         2
     } else {
         3
     };
     let width = ui.available_width() / in_row as f32;
+    // Where there is little room that of the second light takes the place of the word.
+    let below = second.is_some() && in_row == 3;
+    let high = if below { 58.0 } else { 44.0 };
+    let its = |name| {
+        let (light, all) = second.as_ref()?;
+        let figure = all
+            .iter()
+            .find(|figure: &&MainFigure| figure.name == name)?;
+        Some((*light, figure.value.as_str()))
+    };
     for row in figures.chunks(in_row) {
         ui.horizontal_top(|ui| {
             ui.spacing_mut().item_spacing.x = 0.0;
             for figure in row {
-                let size = vec2(width, 44.0 * theme.scale);
+                let size = vec2(width, high * theme.scale);
                 let shown = column(ui, size, |ui| {
                     ui.spacing_mut().item_spacing = vec2(5.0, 1.0);
                     ui.label(RichText::new(figure.name).small().color(theme.faint));
@@ -46,19 +63,44 @@ pub(super) fn main_figures(ui: &mut Ui, theme: Theme, figures: &[MainFigure]) {
                         .strong();
                     ui.horizontal(|ui| {
                         ui.label(value);
-                        let colour = match figure.word {
-                            "low" | "coloured" => theme.warning,
-                            _ => theme.faint,
-                        };
-                        let word = RichText::new(figure.word).small().color(colour);
-                        ui.add(egui::Label::new(word).truncate());
-                    })
-                    .response
+                        match its(figure.name).filter(|_| !below) {
+                            // The unit stands beside the mixture's.
+                            Some((light, value)) => {
+                                let bare = value.trim_end_matches(|c| !char::is_numeric(c));
+                                of_second(ui, theme, (light, bare));
+                            }
+                            None => word_of(ui, theme, figure),
+                        }
+                    });
+                    if let Some(second) = its(figure.name).filter(|_| below) {
+                        of_second(ui, theme, second);
+                    }
+                    ui.response()
                 });
-                shown.on_hover_text(figure.meaning);
+                shown.on_hover_text(match its(figure.name) {
+                    Some((light, value)) => format!("{}\n{light}: {value}.", figure.meaning),
+                    None => figure.meaning.to_owned(),
+                });
             }
         });
     }
+}
+
+/// How good a figure is.
+fn word_of(ui: &mut Ui, theme: Theme, figure: &MainFigure) {
+    let colour = match figure.word {
+        "low" | "coloured" => theme.warning,
+        _ => theme.faint,
+    };
+    let word = RichText::new(figure.word).small().color(colour);
+    ui.add(egui::Label::new(word).truncate());
+}
+
+/// The figure of the second light.
+fn of_second(ui: &mut Ui, theme: Theme, (light, value): (&str, &str)) {
+    let words = RichText::new(value).small().color(theme.ink(Ink::Second));
+    let label = ui.add(egui::Label::new(words).truncate());
+    named(&label, egui::Role::Label, &format!("{light}: {value}"));
 }
 
 /// Width that the row of what is kept needs, points: a narrower one has two.
@@ -97,28 +139,30 @@ pub(super) fn kept_row(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) 
     });
 }
 
-/// Surfaces, at the left as under the mixture, at the right as under its reference.
+/// Surfaces, at the left as under the mixture, at the right as under the second light, without one
+/// as under the mixture's reference.
 pub(super) fn surfaces(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
-    surfaces: &[Beside],
+    (surfaces, second): (&[Beside], Option<&str>),
     in_row: usize,
 ) {
     let scale = context.theme.scale;
     let seen = surfaces.len().min(2 * in_row);
     ui.horizontal(|ui| {
         ui.strong(format!("{seen} surfaces"));
+        let beside = second.unwrap_or("its reference");
         let words = match surfaces.len() {
-            0 => "this light has no reference to stand beside".to_owned(),
+            0 => "a light without a colour temperature has no white to adapt to".to_owned(),
             count if count > seen => {
-                format!("this mixture | its reference; the first {seen} of {count}")
+                format!("this mixture | {beside}; the first {seen} of {count}")
             }
-            _ => "this mixture | its reference".to_owned(),
+            _ => format!("this mixture | {beside}"),
         };
         let label = egui::Label::new(RichText::new(words).small()).truncate();
         ui.add(label).on_hover_text(
-            "The reference is a blackbody, from 5000 K on daylight, of the same temperature. Each \
-             half as an eye adapted to its light sees it.",
+            "Each half as an eye adapted to its light sees it. The reference of a mixture is a \
+             blackbody, from 5000 K on daylight, of the same temperature.",
         );
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let choice = Choice {
@@ -152,7 +196,7 @@ pub(super) fn surfaces(
             ui.horizontal(|ui| {
                 for one in row {
                     let words = &one.words;
-                    let shown = swatch::split(ui, size, &one.test, &one.reference, words);
+                    let shown = swatch::split(ui, size, &one.test, &one.other, words);
                     swatch::ticks(ui, shown.rect, 5.0 * scale);
                     shown.on_hover_text(words);
                 }

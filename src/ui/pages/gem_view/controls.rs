@@ -47,11 +47,13 @@ pub(super) fn show(
         }
     });
     ui.add_space(GROUP);
-    form(ui, "how the gem is seen", |form| looks(form, context));
     let meaning = "Looks at the gem as at first: down on the crown.";
-    if pressed_small(ui, names::FRONT, meaning) {
-        context.pages.gem.look_from_front();
-    }
+    form(ui, "how the gem is seen", |form| {
+        looks(form, context);
+        if form.rest(|ui| pressed_small(ui, names::FRONT, meaning)) {
+            context.pages.gem.look_from_front();
+        }
+    });
     ui.add_space(GROUP);
     form(ui, "gem's light", |form| {
         model::sent(form, &mut context.pages.gem.sent);

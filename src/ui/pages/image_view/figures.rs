@@ -8,7 +8,7 @@ use crate::{
     app::{
         charts::tradeoff::{spikes_words, waves_words},
         derived::Derived,
-        numbers::two_digits,
+        numbers::{hundredths, two_digits},
         picture::{RegionSpectrum, seen_in},
         ticks::short,
     },
@@ -145,9 +145,7 @@ pub(super) fn model(
     };
     let colour = &derived.colour;
     let size = vec2(ui.available_width(), SWATCH * context.theme.scale);
-    let delta_e = colour
-        .delta_e_2000
-        .map_or("–".to_owned(), |d| format!("{d:.3}"));
+    let delta_e = hundredths(colour.delta_e_2000);
     if let (Some(exact), Some(model)) = (colour.exact, colour.model) {
         let (exact, model, scale) = match as_in_picture(region, derived, shown, drawn) {
             Some([exact, model]) => (exact, model, "as bright as in the picture"),

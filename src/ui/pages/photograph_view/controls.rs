@@ -12,6 +12,7 @@ use crate::{
             sentence_parts, table, warnings,
         },
     },
+    io::name_of,
     photographs::Lamp,
     ui::kit::{self, Choice, copy_button, number, pressed, pressed_small},
 };
@@ -24,9 +25,6 @@ impl PhotographView {
         context: &mut PageContext<'_>,
         seen: &SeenPhotograph,
     ) {
-        if self.path.is_none() {
-            nothing_open(ui, context);
-        }
         match &seen.found {
             Ok(found) => {
                 let [what, lines] = sentence_parts(found);
@@ -253,8 +251,29 @@ impl Default for KnownLight {
     }
 }
 
-/// What the page is for, and how to begin.
-fn nothing_open(ui: &mut Ui, context: &mut PageContext<'_>) {
+/// The first step in little room.
+pub(super) fn begin(ui: &mut Ui, context: &mut PageContext<'_>) {
+    ui.horizontal_wrapped(|ui| {
+        ui.strong("An example, drawn by the program.");
+        opens(ui, context);
+    });
+}
+
+fn opens(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let meaning = "Opens a picture of a spectrum, JPEG or PNG.";
+    if kit::pressed(ui, names::OPEN, meaning) {
+        context.wishes.push(PageWish::OpenPicture);
+    }
+}
+
+/// What the page is for, and how to begin, over an example.
+pub(super) fn nothing_open(ui: &mut Ui, context: &mut PageContext<'_>) {
+    purpose(ui, context);
+    ui.add_space(12.0);
+    ui.strong("An example, drawn by the program");
+}
+
+fn purpose(ui: &mut Ui, context: &mut PageContext<'_>) {
     kit::headline(
         ui,
         context.theme,
@@ -267,15 +286,21 @@ fn nothing_open(ui: &mut Ui, context: &mut PageContext<'_>) {
          bulb with the same set-up fixes what the camera makes of them.",
     );
     ui.add_space(6.0);
-    if kit::pressed(
-        ui,
-        names::OPEN,
-        "Opens a picture of a spectrum, JPEG or PNG.",
-    ) {
-        context.wishes.push(PageWish::OpenPicture);
-    }
+    opens(ui, context);
     ui.add_space(4.0);
     ui.weak("The picture stays on this computer; the place where it was taken is never read.");
-    ui.add_space(12.0);
-    ui.strong("An example, drawn by the program");
+}
+
+impl PhotographView {
+    /// A lesson waits for a picture; one that was there before it can be had back.
+    pub(super) fn nothing_yet(&self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        purpose(ui, context);
+        let path = self.own.path.as_deref();
+        let meaning = path.map(|path| format!("Shows {} again.", name_of(path)));
+        if let Some(meaning) = meaning
+            && pressed(ui, names::OWN, &meaning)
+        {
+            context.wishes.push(PageWish::OwnPicture);
+        }
+    }
 }

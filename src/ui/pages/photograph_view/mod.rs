@@ -17,8 +17,8 @@ use super::{PageContext, PageWish, progress};
 use crate::io::name_of;
 use crate::{
     app::photograph::{
-        Instrument, ManyAsk, PhotographAsk, PictureOf, Pixels, ResponseAsk, Said, SeenPhotograph,
-        is_instrument,
+        Instrument, ManyAsk, PhotographAsk, PictureOf, Pixels, ResponseAsk, Said, Seen,
+        SeenPhotograph, Staged, is_instrument,
     },
     ui::{
         kit::{self, drawing},
@@ -30,6 +30,7 @@ use crate::{
 /// What people and tests call the controls.
 pub mod names {
     pub const OPEN: &str = "Open a photograph…";
+    pub const OWN: &str = "Back to your picture";
     pub const YES: &str = "Yes";
     pub const NO: &str = "No";
     pub const LAMP: &str = "Lamp";
@@ -48,10 +49,12 @@ const WIDE: f32 = 900.0;
 const WORDS: f32 = 310.0;
 const STRIP: f32 = 26.0;
 const GAP: f32 = 6.0;
+/// Part of the height for the pictures where the words stand below them.
+const NARROW_PICTURES: f32 = 0.72;
 
 /// Pictures on the graphics card.
 struct Drawn {
-    of: Arc<Result<SeenPhotograph, String>>,
+    of: Seen,
     picture: TextureHandle,
     strip: Option<TextureHandle>,
 }
@@ -74,14 +77,26 @@ struct Bench {
     lamp: Option<(PathBuf, Said)>,
 }
 
+/// A picture, and what was said of it.
+#[derive(Default)]
+struct Told {
+    path: Option<PathBuf>,
+    said: Said,
+    /// What was said before, the latest last.
+    past: Vec<Said>,
+}
+
 #[derive(Default)]
 pub struct PhotographView {
     path: Option<PathBuf>,
     said: Said,
     /// What was said before, the latest last.
     past: Vec<Said>,
+    /// The picture of a lesson that stands here, and the person's own meanwhile.
+    staged: Option<Staged>,
+    own: Told,
     /// The last picture that was read, while the next is.
-    seen: Option<Arc<Result<SeenPhotograph, String>>>,
+    seen: Option<Seen>,
     drawn: Option<Drawn>,
     hand: Option<Hand>,
     bench: Option<Bench>,
@@ -106,6 +121,27 @@ impl PhotographView {
         self.path = Some(path);
         (self.past, self.hand) = (Vec::new(), None);
         self.by_hand = by_hand::ByHandState::default();
+    }
+
+    /// Puts a lesson's picture in the place of the person's own, or gives the place back.
+    fn follow(&mut self, staged: Option<Staged>) {
+        if self.staged == staged {
+            return;
+        }
+        let mut now = Told {
+            path: self.path.take(),
+            said: std::mem::take(&mut self.said),
+            past: std::mem::take(&mut self.past),
+        };
+        if self.staged.is_none() {
+            self.own = std::mem::take(&mut now);
+        }
+        if staged.is_none() {
+            let own = std::mem::take(&mut self.own);
+            (self.path, self.said, self.past) = (own.path, own.said, own.past);
+        }
+        self.staged = staged;
+        self.hand = None;
     }
 
     /// Pictures and instruments that were opened or dropped: of several pictures the last is shown,
@@ -152,9 +188,14 @@ impl PhotographView {
 
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        self.follow(context.app.staged_photograph());
         let asked = std::mem::take(context.photographs_asked);
         if !asked.is_empty() {
             self.take_all(asked);
+        }
+        if self.staged == Some(Staged::Nothing) {
+            self.nothing_yet(ui, context);
+            return;
         }
         let ask = PhotographAsk {
             of: (self.path.clone()).map_or(PictureOf::Example, PictureOf::File),
@@ -164,7 +205,11 @@ impl PhotographView {
         if let Some(found) = job.result_for(&ask) {
             self.seen = Some(found.clone());
         }
+        let is_read = job.result_for(&ask).is_some();
         progress(ui, job, "The photograph");
+        let read = self.seen.as_ref().filter(|_| is_read);
+        let wish = read.cloned().map(PageWish::Photograph);
+        context.wishes.extend(wish);
         if let Some(trouble) = &self.trouble {
             kit::warning(ui, context.theme, trouble.clone());
         }
@@ -192,8 +237,13 @@ impl PhotographView {
         let room = ui.available_size();
         if room.x < WIDE * scale {
             kit::scrolled(ui, "photograph", |ui| {
+                if self.path.is_none() {
+                    controls::begin(ui, context);
+                }
+                // What is written of a picture is read after it was seen.
+                self.pictures(ui, context.theme, seen, room.y * NARROW_PICTURES);
+                ui.add_space(GAP);
                 self.words(ui, context, seen);
-                self.pictures(ui, context.theme, seen, room.y * 0.9);
                 if let Ok(found) = &seen.found {
                     table::show(ui, found, context.theme);
                 }
@@ -203,6 +253,9 @@ impl PhotographView {
         ui.horizontal_top(|ui| {
             kit::column(ui, vec2(WORDS * scale, room.y), |ui| {
                 kit::scrolled(ui, "photograph words", |ui| {
+                    if self.path.is_none() {
+                        controls::nothing_open(ui, context);
+                    }
                     self.words(ui, context, seen);
                     if let Ok(found) = &seen.found {
                         table::show(ui, found, context.theme);
@@ -239,7 +292,7 @@ impl PhotographView {
     }
 
     /// The textures, made anew with the picture.
-    fn load(&mut self, ui: &Ui, of: &Arc<Result<SeenPhotograph, String>>, seen: &SeenPhotograph) {
+    fn load(&mut self, ui: &Ui, of: &Seen, seen: &SeenPhotograph) {
         let is_it = |drawn: &Drawn| Arc::ptr_eq(&drawn.of, of);
         if self.drawn.as_ref().is_some_and(is_it) {
             return;

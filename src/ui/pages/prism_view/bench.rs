@@ -214,8 +214,13 @@ fn handle(
     named(&response, egui::Role::Slider, &format!("{title}, drawn"));
     let is_held = response.hovered() || response.dragged();
     knob(painter, at, is_held, theme);
-    let beside = at + vec2(0.0, 0.7 * HANDLE * theme.scale);
-    let words = (beside, egui::Align2::CENTER_TOP, &*grip.words, grey(190));
+    let away = 0.7 * HANDLE * theme.scale;
+    let (beside, align) = match grip.handle {
+        // Below it the light passes.
+        Handle::Slit => (at - vec2(away, 0.0), egui::Align2::RIGHT_CENTER),
+        Handle::Apex => (at + vec2(0.0, away), egui::Align2::CENTER_TOP),
+    };
+    let words = (beside, align, &*grip.words, grey(190));
     write(ui, painter, words, taken);
     let by = response.drag_delta();
     if is_held {

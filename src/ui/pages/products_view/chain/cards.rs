@@ -11,6 +11,7 @@ use super::{super::change, choose, chosen, knobs, move_link, names};
 use crate::{
     app::{
         Command,
+        chart::Ink,
         charts::products::chain::{ChainSheet, Place},
         product_report::scaled,
         ticks::short,
@@ -20,14 +21,45 @@ use crate::{
         kit::{Chooser, down, lights, named_choice},
         pages::PageContext,
         swatch,
+        theme::Theme,
     },
 };
 
-/// Width of a card and of the arrow between two, height of its swatch and of all of it, points.
-const CARD: f32 = 172.0;
+/// Least and greatest width of a card, and width of the arrow between two, points.
+const CARD: [f32; 2] = [204.0, 240.0];
+const LEAST_PRESENTED: f32 = 166.0;
 const ARROW: f32 = 58.0;
-const SWATCH: f32 = 96.0;
-pub(super) const HEIGHT: f32 = 202.0;
+
+/// Sizes of the cards, points.
+#[derive(Clone, Copy)]
+struct Sizes {
+    card: Vec2,
+    arrow: f32,
+    swatch: f32,
+}
+
+impl Sizes {
+    /// Cards share the width; before a class they have no buttons, so that the spectrum has room.
+    fn of(theme: Theme, stages: usize, room: f32) -> Self {
+        let [least, most] = match theme.presents {
+            true => [LEAST_PRESENTED, CARD[1]],
+            false => CARD,
+        }
+        .map(|width| width * theme.scale);
+        let arrow = ARROW * theme.scale;
+        // The last card's edge is inside.
+        let share = (room - 4.0 - arrow * stages as f32) / (stages + 1) as f32;
+        let [swatch, high] = match theme.presents {
+            true => [72.0, 152.0],
+            false => [96.0, 202.0],
+        };
+        Self {
+            card: vec2(share.clamp(least, most).floor(), high * theme.scale),
+            arrow,
+            swatch: swatch * theme.scale,
+        }
+    }
+}
 
 /// All cards, the light's first; `held` is the stage that the pointer holds.
 pub(super) fn show(
@@ -36,18 +68,19 @@ pub(super) fn show(
     sheet: &ChainSheet,
     held: &mut Option<usize>,
 ) {
+    let count = sheet.stages();
+    let sizes = Sizes::of(context.theme, count, ui.available_width());
     ScrollArea::horizontal()
         .id_salt("cards of the chain")
         .auto_shrink([false, true])
         .show(ui, |ui| {
             ui.horizontal_top(|ui| {
                 ui.spacing_mut().item_spacing.x = 0.0;
-                card(ui, context, sheet, Place::Light);
-                let count = sheet.stages();
+                card(ui, context, sheet, Place::Light, sizes);
                 let mut rects = Vec::with_capacity(count);
                 for index in 0..count {
-                    arrow(ui, context, sheet, index);
-                    let response = card(ui, context, sheet, Place::Stage(index));
+                    arrow(ui, context, sheet, index, sizes);
+                    let response = card(ui, context, sheet, Place::Stage(index), sizes);
                     if response.drag_started() {
                         *held = Some(index);
                     }
@@ -59,11 +92,12 @@ pub(super) fn show(
 }
 
 /// From one swatch to the next, with the share of the light that the step lets through.
-fn arrow(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet, index: usize) {
-    let scale = context.theme.scale;
-    let (rect, response) = ui.allocate_exact_size(vec2(ARROW, HEIGHT) * scale, Sense::hover());
-    let step = &sheet.told.passage.steps[index];
-    let y = rect.top() + (32.0 + 0.5 * SWATCH) * scale;
+fn arrow(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet, index: usize, sizes: Sizes) {
+    let size = vec2(sizes.arrow, sizes.card.y);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+    let passages = std::iter::once(&sheet.told.passage).chain(&sheet.second);
+    let steps = passages.filter_map(|passage| passage.steps.get(index));
+    let y = rect.top() + 32.0 * context.theme.scale + 0.5 * sizes.swatch;
     let ink = context.theme.faint;
     let ends = [rect.left() + 7.0, rect.right() - 7.0];
     let tip = egui::pos2(ends[1], y);
@@ -72,13 +106,30 @@ fn arrow(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet, index: usiz
         ui.painter()
             .line_segment([tip, tip + vec2(-5.0, up)], (1.5, ink));
     }
-    let words = step.transmission[0].map_or("–".to_owned(), percent);
+    let shares: Vec<String> = steps
+        .map(|step| step.transmission[0].map_or("–".to_owned(), percent))
+        .collect();
     let font = egui::TextStyle::Body.resolve(ui.style());
-    let at = egui::pos2(rect.center().x, y - 4.0);
-    let colour = ui.visuals().strong_text_color();
-    ui.painter()
-        .text(at, egui::Align2::CENTER_BOTTOM, words, font, colour);
-    response.on_hover_text("Share of the brightness that this step lets through, exact.");
+    let inks = [
+        ui.visuals().strong_text_color(),
+        context.theme.ink(Ink::Second),
+    ];
+    // Of two lights the first above the arrow, the second below it.
+    let places = [
+        (y - 4.0, egui::Align2::CENTER_BOTTOM),
+        (y + 4.0, egui::Align2::CENTER_TOP),
+    ];
+    for ((words, ink), (y, align)) in shares.iter().zip(inks).zip(places) {
+        let at = egui::pos2(rect.center().x, y);
+        ui.painter().text(at, align, words, font.clone(), ink);
+    }
+    response.on_hover_text(match shares.len() {
+        1 => "Share of the brightness that this step lets through, exact.",
+        _ => {
+            "Share of the brightness that this step lets through, above of the light, below of \
+              the second one, exact."
+        }
+    });
 }
 
 /// A share in two digits.
@@ -145,6 +196,7 @@ fn card(
     context: &mut PageContext<'_>,
     sheet: &ChainSheet,
     place: Place,
+    sizes: Sizes,
 ) -> egui::Response {
     let count = sheet.stages();
     let is_chosen = chosen(context, count) == place;
@@ -176,13 +228,13 @@ fn card(
                 .corner_radius(4)
                 .inner_margin(Margin::symmetric(8, 6))
                 .show(ui, |ui| {
-                    let size = vec2(CARD, HEIGHT) * context.theme.scale - vec2(18.0, 14.0);
+                    let size = sizes.card - vec2(18.0, 14.0);
                     ui.set_min_size(size);
                     ui.set_max_size(size);
                     ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
                     ui.vertical(|ui| match place {
-                        Place::Light => light_card(ui, context, sheet),
-                        Place::Stage(index) => stage_card(ui, context, sheet, index),
+                        Place::Light => light_card(ui, context, sheet, sizes),
+                        Place::Stage(index) => stage_card(ui, context, sheet, index, sizes),
                     });
                 });
         })
@@ -198,7 +250,7 @@ fn card(
     response
 }
 
-fn light_card(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet) {
+fn light_card(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet, sizes: Sizes) {
     let app = context.app;
     let chosen = Chooser {
         name: names::LIGHT,
@@ -212,11 +264,23 @@ fn light_card(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet) {
         context.commands.push(Command::Show(entry));
     }
     let light = sheet.told.passage.light;
-    swatch_of(ui, context, sheet, Place::Light, &light);
-    ui.weak("the light");
+    swatch_of(ui, context, sheet, (Place::Light, &light), sizes);
+    let words = match &app.document().second {
+        Some(second) => {
+            RichText::new(format!("right {}", second.name())).color(context.theme.ink(Ink::Second))
+        }
+        None => RichText::new("the light").weak(),
+    };
+    ui.add(Label::new(words).truncate());
 }
 
-fn stage_card(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet, index: usize) {
+fn stage_card(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    sheet: &ChainSheet,
+    index: usize,
+    sizes: Sizes,
+) {
     let app = context.app;
     let chain = &app.document().products.chain;
     let (Some(link), Some(step)) = (chain.get(index), sheet.told.passage.steps.get(index)) else {
@@ -231,17 +295,27 @@ fn stage_card(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet, in
             link.entry.key, link.entry.spectrum.source
         ));
     });
-    swatch_of(ui, context, sheet, Place::Stage(index), &step.colours);
-    let left = match (scaled(&sheet.told.passage, step.colours.exact), index) {
-        (Some((xyz, _)), _) => format!("{} of the light left", percent(xyz.y / 100.0)),
-        (None, _) => "no visible light".to_owned(),
+    let place = Place::Stage(index);
+    swatch_of(ui, context, sheet, (place, &step.colours), sizes);
+    let second = sheet.second_at(place);
+    let of = std::iter::once((&sheet.told.passage, step.colours)).chain(second);
+    let left: Vec<String> = of
+        .filter_map(|(passage, colours)| scaled(passage, colours.exact))
+        .map(|(xyz, _)| percent(xyz.y / 100.0))
+        .collect();
+    let left = match &left[..] {
+        [] => "no visible light".to_owned(),
+        [one] => format!("{one} of the light left"),
+        more => format!("{} left", more.join(" | ")),
     };
     ui.add(Label::new(RichText::new(left).weak()).truncate());
     ui.horizontal(|ui| {
         knobs::thickness(ui, context, link, index);
         knobs::times(ui, context, link, index);
     });
-    order(ui, context, (chain.len(), index));
+    if !context.theme.presents {
+        order(ui, context, (chain.len(), index));
+    }
 }
 
 /// The buttons that move a step or take it out.
@@ -273,36 +347,50 @@ fn order(ui: &mut Ui, context: &mut PageContext<'_>, (count, index): (usize, usi
     });
 }
 
-/// The swatch of a place, exact and by the model; a click chooses it.
+/// The swatch of a place, exact and by the model, or of two lights, each exact; a click chooses it.
 fn swatch_of(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
     sheet: &ChainSheet,
-    place: Place,
-    colours: &Colours,
+    (place, colours): (Place, &Colours),
+    sizes: Sizes,
 ) {
     let passage = &sheet.told.passage;
-    let both = [colours.exact, colours.model].map(|xyz| scaled(passage, xyz));
-    let size = Vec2::new(ui.available_width(), SWATCH * context.theme.scale);
-    let [Some(exact), Some(model)] = both else {
+    let exact = scaled(passage, colours.exact);
+    let second = sheet.second_at(place);
+    let other = match &second {
+        Some((passage, colours)) => scaled(passage, colours.exact),
+        None => scaled(passage, colours.model),
+    };
+    let size = Vec2::new(ui.available_width(), sizes.swatch);
+    let (Some(exact), Some(other)) = (exact, other) else {
         let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
         ui.painter().rect_filled(rect, 3.0, Color32::BLACK);
         return;
     };
-    let name = match place {
-        Place::Light => "Light, exact and model".to_owned(),
-        Place::Stage(index) => format!("Step {}, exact and model", index + 1),
+    let document = context.app.document();
+    let halves = match &document.second {
+        Some(second) => format!("{} and {}", document.light.name(), second.name()),
+        None => "exact and model".to_owned(),
     };
-    let response = swatch::split(ui, size, &exact.1, &model.1, &name);
+    let name = match place {
+        Place::Light => format!("Light, {halves}"),
+        Place::Stage(index) => format!("Step {}, {halves}", index + 1),
+    };
+    let response = swatch::split(ui, size, &exact.1, &other.1, &name);
     if response.clicked() {
         choose(context, place);
     }
+    let [left, right] = match &document.second {
+        Some(second) => [document.light.name(), second.name()],
+        None => ["exact", "the model"],
+    };
     response.on_hover_text(format!(
-        "Left exact {}, right the model {}, the light's Y as the screen's white.\nY {} and {} of \
+        "Left {left} {}, right {right} {}, the light's Y as the screen's white.\nY {} and {} of \
          the light's 100.",
         exact.1.hex(),
-        model.1.hex(),
+        other.1.hex(),
         short(exact.0.y),
-        short(model.0.y),
+        short(other.0.y),
     ));
 }

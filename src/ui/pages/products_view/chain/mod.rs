@@ -32,6 +32,9 @@ pub mod names {
     pub const MODEL: &str = "The model, step by step";
 }
 
+/// Least height of the spectrum before a class, points.
+const LEAST_PRESENTED: f32 = 110.0;
+
 /// Least height of the spectrum, and height of a fold that is shut, points.
 const SPECTRUM: f32 = 220.0;
 const FOLDED: f32 = 30.0;
@@ -51,12 +54,12 @@ impl ChainView {
         let app = context.app;
         let revision = app.revision();
         let sheet = &*self.sheet.get(revision, |_| ChainSheet::of(app));
-        let light = app.document().light.name();
-        headline(
-            ui,
-            context.theme,
-            headlines::chain(light, &sheet.told, context.app.document().view.model),
-        );
+        let document = app.document();
+        let light = document.light.name();
+        let second = document.second.as_ref().map(|entry| entry.name());
+        let second = second.zip(sheet.second.as_ref());
+        let words = headlines::chain(light, &sheet.told, second, document.view.model);
+        headline(ui, context.theme, words);
         ui.add_space(GROUP);
         let (held, chart) = (&mut self.held, &mut self.chart);
         let scale = context.theme.scale;
@@ -71,9 +74,15 @@ impl ChainView {
             ui.add_space(GROUP);
             let place = chosen(context, sheet.stages());
             let chart = chart.get((revision, place), |_| sheet.chart(app, place));
-            let left = room - (ui.cursor().top() - top) - FOLDED * scale;
-            let size = vec2(ui.available_width(), left.max(SPECTRUM * scale));
-            context.chart(ui, chart, "chain", size);
+            let left = room - (ui.cursor().top() - top);
+            let width = ui.available_width();
+            if context.theme.presents {
+                let least = LEAST_PRESENTED * scale;
+                context.chart(ui, chart, "chain", vec2(width, left.max(least)));
+                return;
+            }
+            let high = (left - FOLDED * scale).max(SPECTRUM * scale);
+            context.chart(ui, chart, "chain", vec2(width, high));
             fold(ui, "model", names::MODEL, |ui| {
                 model::show(ui, context, sheet, place);
             });
@@ -170,7 +179,7 @@ fn head(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &ChainSheet) {
         if count > 0 && pressed(ui, names::CLEAR, meaning) {
             change(context, |products| products.chain.clear());
         }
-        if count > 1 {
+        if count > 1 && !context.theme.presents {
             ui.weak("Drag cards into another order, or use their arrows.");
         }
     });

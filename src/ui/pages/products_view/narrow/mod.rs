@@ -9,7 +9,9 @@ use crate::{
     app::{
         App, Memo,
         chart::Chart,
-        charts::products::narrow::{Behind, Figures, Filter, FilterRow, WAY_MEANINGS, WAYS},
+        charts::products::narrow::{
+            Behind, Figures, Filter, FilterRow, SecondBehind, WAY_MEANINGS, WAYS,
+        },
         headlines,
         numbers::{delta_e, figure, percent},
         pages::{NarrowMemory, PASS_WIDTHS_NM},
@@ -38,12 +40,15 @@ pub mod names {
     pub const LUMINANCE: &str = "luminance";
 }
 
+/// What one filter leaves of the light and of the second one, and the two charts.
+type Shown = (Figures, Option<SecondBehind>, [Chart; 2]);
+
 /// The part and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct NarrowView {
     behind: Memo<u64, (Behind, Vec<FilterRow>)>,
     curve: Memo<(u64, f64), Vec<NarrowPoint>>,
-    shown: Memo<(u64, NarrowMemory), (Figures, [Chart; 2])>,
+    shown: Memo<(u64, NarrowMemory), Shown>,
     grip: Option<band_pass::Grip>,
 }
 
@@ -65,7 +70,7 @@ impl NarrowView {
                 behind.curve(*width_nm)
             });
         let key = (revision, memory);
-        let (figures, [light, errors]) = &*self.shown.get(key, |(_, memory)| {
+        let (figures, second, [light, errors]) = &*self.shown.get(key, |(_, memory)| {
             let marked = match &filter {
                 Filter::Gaussian { centre_nm, .. } => Some(*centre_nm),
                 Filter::Real(_) => None,
@@ -73,7 +78,9 @@ impl NarrowView {
             let width_nm = memory.width_nm;
             let light = behind.light_chart(app, &filter);
             let errors = behind.error_chart(app, curve, memory.luminance, width_nm, marked);
-            (behind.figures(&filter), [light, errors])
+            let figures = behind.figures(&filter);
+            let second = behind.second(&figures, &filter);
+            (figures, second, [light, errors])
         });
         headline(
             ui,
@@ -96,12 +103,12 @@ impl NarrowView {
                     let size = vec2(ui.available_width(), height);
                     band_pass::errors(ui, context, band, errors, size);
                 });
-                fields(ui, context, behind, figures);
+                fields(ui, context, behind, (figures, second.as_ref()));
             } else {
                 let height = (0.37 * room.y).clamp(210.0 * scale, 380.0 * scale);
                 let size = vec2(width, height);
                 band_pass::light(ui, context, band, light, size, grip);
-                fields(ui, context, behind, figures);
+                fields(ui, context, behind, (figures, second.as_ref()));
                 band_pass::errors(ui, context, band, errors, size);
             }
             filters(ui, context, behind, rows);
@@ -214,34 +221,41 @@ fn filters(ui: &mut Ui, context: &mut PageContext<'_>, behind: &Behind, rows: &[
 }
 
 /// The exact light and the three representations behind the filter, side by side.
-fn fields(ui: &mut Ui, context: &PageContext<'_>, behind: &Behind, figures: &Figures) {
+fn fields(
+    ui: &mut Ui,
+    context: &PageContext<'_>,
+    behind: &Behind,
+    (figures, second): (&Figures, Option<&SecondBehind>),
+) {
     ui.add_space(2.0);
     if !behind.has_colour() {
         return;
     }
     let (swatches, gain) = behind.swatches(figures);
-    let sentence = format!(
-        "{} % of the luminance comes through.",
-        percent(figures.luminance)
-    );
+    let own = percent(figures.luminance);
+    let sentence = match second {
+        None => format!("{own} % of the luminance comes through."),
+        Some(second) => format!(
+            "{own} % of the luminance comes through, of {} {} %.",
+            second.name,
+            percent(second.luminance)
+        ),
+    };
     ui.add(egui::Label::new(sentence).truncate())
-        .on_hover_text(format!(
-            "Shown {} times as bright as it is, as the colours are compared.",
-            figure(gain)
-        ));
+        .on_hover_text(format!("Shown {} times as bright as it is.", figure(gain)));
     ui.horizontal(|ui| {
         let spacing = 8.0;
         ui.spacing_mut().item_spacing.x = spacing;
-        let width = ((ui.available_width() - 3.0 * spacing) / 4.0).floor();
-        let height = 30.0 * context.theme.scale;
-        field(
-            ui,
-            vec2(width, height),
-            &swatches[0],
-            "exact",
-            "",
-            "Measured light, exact filter.",
-        );
+        let count = if second.is_some() { 5.0 } else { 4.0 };
+        let width = ((ui.available_width() - (count - 1.0) * spacing) / count).floor();
+        let size = vec2(width, 30.0 * context.theme.scale);
+        let meaning = "Measured light, exact filter.";
+        let words = second.map_or("", |_| &behind.light);
+        field(ui, size, &swatches[0], "exact", words, meaning);
+        if let Some(second) = second {
+            let meaning = format!("{meaning} Both lights equally bright before the filter.");
+            field(ui, size, &second.swatch, "exact", &second.name, &meaning);
+        }
         for (way, colours) in figures.ways.iter().enumerate() {
             let words = format!("ΔE₀₀ {}", delta_e(colours.delta_e_2000));
             let luminance = colours.luminance_error.map_or_else(
@@ -249,14 +263,7 @@ fn fields(ui: &mut Ui, context: &PageContext<'_>, behind: &Behind, figures: &Fig
                 |error| format!("luminance {:+.2} %", 100.0 * error),
             );
             let meaning = format!("{}\n{words}, {luminance}.", WAY_MEANINGS[way]);
-            field(
-                ui,
-                vec2(width, height),
-                &swatches[way + 1],
-                WAYS[way],
-                &words,
-                &meaning,
-            );
+            field(ui, size, &swatches[way + 1], WAYS[way], &words, &meaning);
         }
     });
     ui.add_space(4.0);
