@@ -116,6 +116,7 @@ fn setting_of(place: &Place) -> Place {
                 "slots",
                 "scans",
                 "others",
+                "instruments",
             ]
             .iter()
             .any(|key| is(2, key)) =>

@@ -7,7 +7,7 @@ use spectral_explorer::{
         App, Command, Detector, Document, Entry, FIRST_LIGHT, Gel, Given, Height, Scale, Settings,
         SpikeAct, View,
         charts::quality::OfColours,
-        combining::Verb,
+        combining::{KeptInstrument, Verb},
         design::{
             DeskSurfaces, Telling,
             colour::FromColour,
@@ -20,7 +20,7 @@ use spectral_explorer::{
             FieldChoice, GemColour, GemMemory, ImageMemory, LightPart, Look, ManyMemory,
             NarrowMemory, Page, PageStates, PrismMemory, RainbowMemory, RelitMemory,
             ResamplingMemory, SameSurfaceMemory, Show, Spread, TwoLightsMemory, WaysShown,
-            WordsMemory, combine::KeptInstrument,
+            WordsMemory,
         },
         products::{Link, Products},
         workspace::Preferences,

@@ -1,17 +1,48 @@
 //! An instrument's response: learnt from a known light, and taken off a reading.
 
+use serde::{Deserialize, Serialize};
+
 use super::{
     parts::{doubt_from, with_noise},
     result::Found,
     said,
 };
 use crate::{
-    app::today,
+    app::{instruments, today},
     measurements::{
         Formula, Instrument, Kernel, Known, Measurement, Options, Quantity, axis_of, combine,
         learn, slit_of,
     },
 };
+
+/// An instrument that was learnt.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct KeptInstrument {
+    pub name: String,
+    /// The known light, the day, what its axis is off by, its slit.
+    pub about: String,
+    /// The text of its file.
+    pub text: String,
+}
+
+impl KeptInstrument {
+    pub fn of(instrument: &Instrument) -> Self {
+        let axis = instrument.axis.as_ref();
+        let axis = axis.map(|axis| format!("axis {:+.1} nm at 550 nm", axis.at_550_nm));
+        let slit = instrument
+            .slit
+            .map(|slit| format!("slit {:.1} nm", slit.fwhm_nm));
+        let known = format!("by {}", instrument.known);
+        let about = [Some(known), Some(instrument.date.clone()), axis, slit];
+        let about: Vec<String> = about.into_iter().flatten().collect();
+        Self {
+            name: instrument.name.clone(),
+            about: about.join(", "),
+            text: instruments::text(instrument),
+        }
+    }
+}
 
 /// Coldest and hottest known light, K.
 const KELVIN: std::ops::RangeInclusive<f64> = 1000.0..=25_000.0;

@@ -20,7 +20,7 @@ use crate::measurements::{Formula, Slit};
 
 pub use act::Act;
 pub use example::{Drawn, example};
-pub use instrument::{known_of_words, learnt};
+pub use instrument::{KeptInstrument, known_of_words, learnt};
 pub use parts::{Part, measurements};
 pub use result::{Found, LineRow, ScanRow, doubts_of};
 pub use scans::of_change;

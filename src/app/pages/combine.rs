@@ -15,8 +15,8 @@ use crate::{
         chart::Chart,
         charts::combined::{combined_chart, readings_chart},
         combining::{
-            Act, Drawn, Found, Part, ScanRow, Verb, example, learnt, measurements, of_change,
-            table::tables, words,
+            Act, Drawn, Found, KeptInstrument, Part, ScanRow, Verb, example, learnt, measurements,
+            of_change, table::tables, words,
         },
         entry::Entry,
         instruments,
@@ -25,7 +25,7 @@ use crate::{
         state::App,
         studies::Question,
     },
-    measurements::{Instrument, Kernel, Known, Normalise},
+    measurements::{Kernel, Known, Normalise},
     study::Progress,
 };
 
@@ -78,35 +78,6 @@ pub struct CombineState {
     pub kelvin_doubt: f64,
 }
 
-/// An instrument that was learnt.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct KeptInstrument {
-    pub name: String,
-    /// The known light, the day, what its axis is off by, its slit.
-    pub about: String,
-    /// The text of its file.
-    pub text: String,
-}
-
-impl KeptInstrument {
-    fn of(instrument: &Instrument) -> Self {
-        let axis = instrument.axis.as_ref();
-        let axis = axis.map(|axis| format!("axis {:+.1} nm at 550 nm", axis.at_550_nm));
-        let slit = instrument
-            .slit
-            .map(|slit| format!("slit {:.1} nm", slit.fwhm_nm));
-        let known = format!("by {}", instrument.known);
-        let about = [Some(known), Some(instrument.date.clone()), axis, slit];
-        let about: Vec<String> = about.into_iter().flatten().collect();
-        Self {
-            name: instrument.name.clone(),
-            about: about.join(", "),
-            text: instruments::text(instrument),
-        }
-    }
-}
-
 impl Default for CombineState {
     fn default() -> Self {
         Self {
@@ -149,9 +120,6 @@ impl PageState for CombineState {
 
     fn settle(&mut self) {
         self.instruments.truncate(MOST_INSTRUMENTS);
-        self.instrument = self
-            .instrument
-            .min(self.instruments.len().saturating_sub(1));
     }
 
     fn forget(&mut self, key: &str) {
@@ -200,7 +168,10 @@ impl CombineState {
                 shape,
             },
             Verb::Corrected => {
-                let kept = self.instruments.get(self.instrument)?;
+                let kept = self
+                    .instruments
+                    .get(self.instrument)
+                    .or(self.instruments.first())?;
                 let instrument = instruments::json_of(&kept.text).ok()?;
                 Act::Corrected { instrument }
             }
