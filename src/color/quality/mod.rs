@@ -13,6 +13,7 @@
 //! absolute     what absolute values mean: lux and the like
 //! alpha_opic   the five alpha-opic quantities (CIE S 026)
 //! photons      PPFD and ePPFD per 100 lx
+//! blue_share   power of 415-455 nm over that of all
 //! dominant     dominant and complementary wavelength, purity
 //! similarity   SSI (SMPTE ST 2122)
 //! single       figures that are one number, each in the file of its quantity
@@ -30,6 +31,7 @@
 mod absolute;
 mod alpha_opic;
 mod appearance;
+mod blue_share;
 pub mod diagram;
 mod dominant;
 mod fidelity;
@@ -75,4 +77,4 @@ pub use shape::shape;
 pub(crate) use single::Single;
 
 /// Every figure that is one number, in the order of reports.
-pub(crate) const SINGLES: [Single; 2] = [EFFICACY, SP_RATIO];
+pub(crate) const SINGLES: [Single; 3] = [EFFICACY, SP_RATIO, blue_share::BLUE_SHARE];
