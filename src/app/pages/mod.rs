@@ -16,6 +16,7 @@ mod look;
 mod many;
 mod mix;
 mod narrow;
+pub mod orders;
 mod page;
 mod place;
 mod prism;
@@ -51,6 +52,7 @@ pub use known_lamps::WordsMemory;
 pub use look::{LookState, SPENDABLE};
 pub use many::ManyMemory;
 pub use mix::MixState;
+pub use orders::OrdersState;
 pub use narrow::{NarrowMemory, PASS_WIDTHS_NM};
 pub use place::Place;
 pub use prism::{Beside, Handle, PrismMemory, STOPS};
@@ -145,6 +147,8 @@ pub enum Page {
     Glossary,
     /// The paper's claims, measured on this spectrum.
     Truth,
+    /// What every order leaves out.
+    Orders,
 }
 
 /// All that is fixed about a page.
@@ -237,6 +241,7 @@ const ROWS: &[Row] = &[
     known_lamps::ROW,
     resampling::ROW,
     bounces::ROW,
+    orders::ROW,
     learn::TRUTH,
     image::ROW,
     image::PHOTOGRAPH,
@@ -267,6 +272,7 @@ states! {
     known_lamps: WordsMemory = KnownLamps,
     resampling: ResamplingMemory = Resampling,
     bounces: BouncesMemory = Bounces,
+    orders: OrdersState = Orders,
     image: ImageMemory = Image,
     prism: PrismMemory = Prism,
     rainbow: RainbowMemory = Rainbow,

@@ -10,6 +10,7 @@ mod known_lamps_view;
 mod lesson_cards;
 mod lessons_view;
 mod many_view;
+mod orders_view;
 pub mod photograph_view;
 pub(super) mod presented;
 mod prism_view;
@@ -31,6 +32,7 @@ use glossary_view::GlossaryView;
 use image_view::ImageView;
 use known_lamps_view::KnownLampsView;
 use many_view::ManyView;
+use orders_view::OrdersView;
 use photograph_view::PhotographView;
 use prism_view::PrismView;
 use products_view::{
@@ -227,6 +229,7 @@ const DRAWN: &[(Page, Draw)] = &[
         p.of::<ResamplingView>().show(ui, c)
     }),
     (Page::Bounces, |p, ui, c| p.of::<BouncesView>().show(ui, c)),
+    (Page::Orders, |p, ui, c| p.of::<OrdersView>().show(ui, c)),
     (Page::Image, |p, ui, c| p.of::<ImageView>().show(ui, c)),
     (Page::Photograph, |p, ui, c| {
         p.of::<PhotographView>().show(ui, c)
