@@ -56,6 +56,30 @@ pub fn words_chart(name: &str, found: &EncodedLight) -> Chart {
     }
 }
 
+/// Of each known lamp its part of the power, the largest first.
+pub fn parts_chart(found: &EncodedLight) -> Chart {
+    let sum = |values: &[f64]| values.iter().sum::<f64>();
+    let whole = sum(&found.decoded);
+    let mut parts: Vec<(&str, f64)> = found
+        .parts
+        .iter()
+        .map(|(name, values)| (*name, 100.0 * sum(values) / whole))
+        .collect();
+    parts.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let shares = parts.iter().enumerate();
+    let shares = shares.map(|(i, (_, share))| [i as f64, *share]).collect();
+    let names = parts.iter().enumerate();
+    Chart {
+        title: "Parts of the power".to_owned(),
+        x_label: "Lamp".to_owned(),
+        y_label: "Share of the power (%)".to_owned(),
+        x_range: [-0.5, parts.len() as f64 - 0.5],
+        x_names: names.map(|(i, (name, _))| (i as f64, (*name).to_owned())).collect(),
+        series: vec![Series::line("share", Ink::Model, shares)],
+        ..Chart::default()
+    }
+}
+
 /// Lines that tower over the mean this many times are drawn over an axis of roots.
 const TOWERS: f64 = 6.0;
 

@@ -8,7 +8,7 @@ use crate::{
     app::{
         ByAddress, Memo, WordsShown,
         chart::Chart,
-        charts::known_lamps::words_chart,
+        charts::known_lamps::{parts_chart, words_chart},
         pages::WordsMemory,
         studies::{EncodeAsk, EncodedLight, most_numbers},
     },
@@ -65,6 +65,10 @@ impl KnownLampsView {
                     (shown, words_chart(name, encoded))
                 });
                 headline(ui, context.theme, &words.sentence);
+                if !encoded.parts.is_empty() {
+                    let size = vec2(ui.available_width(), 120.0);
+                    context.chart(ui, &parts_chart(encoded), "parts", size);
+                }
                 ui.add_space(GROUP);
                 controls(ui, context);
                 ui.add_space(GROUP);
