@@ -127,6 +127,7 @@ pub(super) fn groups() -> Vec<Group> {
     let all = [
         ("Helium-neon laser", red),
         ("Green laser pointer", Some(GREEN_NM)),
+        ("Blue argon laser", Some(487.99)),
     ];
     let made = all.into_iter().filter_map(|(name, at_nm)| {
         let notes = vec!["Made by this program: one line and nothing else.".to_owned()];
