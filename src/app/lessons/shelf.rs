@@ -12,7 +12,7 @@ use super::{
 use crate::io::{decode_text, is_binary, save_atomically, shown, stream::bytes_of_file};
 
 /// Files of the shipped lessons by their names, in the order of the list: path after path.
-pub const FILES: [(&str, &str); 20] = [
+pub const FILES: [(&str, &str); 21] = [
     ("prism", include_str!("../../../lessons/prism.json")),
     ("light", include_str!("../../../lessons/light.json")),
     ("missing", include_str!("../../../lessons/missing.json")),
@@ -25,6 +25,7 @@ pub const FILES: [(&str, &str); 20] = [
     ("quality", include_str!("../../../lessons/quality.json")),
     ("white", include_str!("../../../lessons/white.json")),
     ("tint", include_str!("../../../lessons/tint.json")),
+    ("pink", include_str!("../../../lessons/pink.json")),
     ("which", include_str!("../../../lessons/which.json")),
     ("waves", include_str!("../../../lessons/waves.json")),
     ("colour", include_str!("../../../lessons/colour.json")),
@@ -41,7 +42,7 @@ pub const FILES: [(&str, &str); 20] = [
 /// The paths through the shipped lessons: a title each, and how many of [`FILES`] follow it.
 pub const PATHS: [(&str, usize); 3] = [
     ("School", 9),
-    ("Lighting", 4),
+    ("Lighting", 5),
     ("University and graphics", 7),
 ];
 
