@@ -100,6 +100,8 @@ pub(super) enum Command {
     Follow(Follow),
     /// Print what files hold and how they were read.
     Read(Read),
+    /// Print the lines of a spectrum.
+    Peaks(Peaks),
     /// List the shipped spectra.
     List(List),
     /// List the lessons, check one, or write a sheet for a class.
@@ -136,7 +138,7 @@ impl Command {
             Self::Render(options) => Some(options.pick.files),
             Self::Plot(options) => Some(options.pick.files),
             Self::Convert(options) => Some(options.pick.files),
-            Self::Decode(_) | Self::Photo(_) | Self::List(_) | Self::Lessons(_) => None,
+            Self::Decode(_) | Self::Peaks(_) | Self::Photo(_) | Self::List(_) | Self::Lessons(_) => None,
         }
     }
 
@@ -165,6 +167,7 @@ impl Command {
             | Self::Fit(_)
             | Self::Follow(_)
             | Self::Read(_)
+            | Self::Peaks(_)
             | Self::List(_)
             | Self::Lessons(_) => None,
         }
@@ -348,6 +351,15 @@ pub(super) struct Product {
     /// luminance_error, folded_share, depth.
     #[arg(long)]
     pub json: bool,
+}
+
+/// Options of `peaks`.
+#[derive(Args, Debug)]
+pub(super) struct Peaks {
+    /// A file (- is standard input), a preset's name (FL2, "CIE D65") or group/name
+    /// (paper/Mercury).
+    #[arg(value_name = "INPUT")]
+    pub input: OsString,
 }
 
 /// Options of `list`.

@@ -34,6 +34,7 @@ mod material;
 mod mix;
 mod no_display;
 mod options;
+mod peaks;
 mod photo;
 mod photo_words;
 mod picture;
@@ -193,6 +194,7 @@ fn carry_out(
             Command::Fit(options) => fit::run(&options, out, inputs)?,
             Command::Follow(options) => follow::run(&options, out, inputs)?,
             Command::Read(options) => read::run(&options, out, inputs)?,
+            Command::Peaks(options) => peaks::run(&options, out, inputs)?,
             Command::List(options) => list::run(options, out, inputs)?,
             Command::Lessons(options) => lessons::run(&options, pictures, out)?,
             Command::Render(options) => render::run(&options, pictures, out, inputs)?,
