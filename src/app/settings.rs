@@ -44,6 +44,8 @@ pub struct Settings {
     pub threshold_percent: f64,
     /// Widest line, full width at half maximum, nm.
     pub max_width_nm: f64,
+    /// How much stricter the threshold is than it says, percent.
+    pub strictness_percent: f64,
     /// Look for absorption lines too.
     pub dips: bool,
     /// Which detector runs.
@@ -71,6 +73,7 @@ impl Default for Settings {
             wide_lines: false,
             threshold_percent: 0.5,
             max_width_nm: 10.0,
+            strictness_percent: 0.0,
             dips: false,
             detector: Detector::Energy,
             gradient_percent: 100.0 * DEFAULT_GRADIENT,
@@ -95,8 +98,17 @@ impl Settings {
         Reach::Within(0.1, 50.0), 2 " %/nm",
         "Least slope of a line's flanks, percent of the largest value per nm.");
 
+    pub const STRICTNESS: Knob<Self> = Knob::<Self>::new(
+        ("strictness_percent", "strictness"),
+        "How much stricter the threshold is than it says, percent.",
+        Reach::Within(0.0, 100.0),
+        |settings| &mut settings.strictness_percent,
+    )
+    .shown(0, " %");
+
     /// Its numbers, each with its option on the command line; "" where it has none.
-    pub const KNOBS: [(&str, Knob<Self>); 4] = [
+    pub const KNOBS: [(&str, Knob<Self>); 5] = [
+        ("strictness", Self::STRICTNESS),
         ("order", Self::ORDER),
         ("threshold", Self::THRESHOLD),
         ("max-width", Self::WIDTH),
@@ -194,7 +206,7 @@ impl Settings {
     /// What the default detector is asked for.
     pub fn spike_settings(self) -> SpikeSettings {
         SpikeSettings {
-            threshold: self.threshold_percent / 100.0,
+            threshold: self.threshold_percent / 100.0 * (1.0 + self.strictness_percent / 100.0),
             max_width_nm: self.max_width_nm,
             dips: self.dips,
         }

@@ -126,6 +126,10 @@ pub(super) struct ModelOptions {
     #[arg(long, value_name = "PERCENT", allow_hyphen_values = true,
         value_parser = |word: &str| words::value_of(&Settings::THRESHOLD, word))]
     pub threshold: Option<f64>,
+    /// How much stricter the threshold is, 0 to 100 % [default: 0].
+    #[arg(long, value_name = "PERCENT", allow_hyphen_values = true,
+        value_parser = |word: &str| words::value_of(&Settings::STRICTNESS, word))]
+    pub strictness: Option<f64>,
     /// Widest line, full width at half maximum, 1 to 50 nm [default: 10].
     #[arg(long, value_name = "NM", allow_hyphen_values = true,
         value_parser = |word: &str| words::value_of(&Settings::WIDTH, word))]
@@ -174,6 +178,7 @@ impl ModelOptions {
         match option {
             "--order" => self.order = None,
             "--threshold" => self.threshold = None,
+            "--strictness" => self.strictness = None,
             "--max-width" => self.max_width = None,
             "--basis" => self.basis = None,
             "--colour-exact" => self.colour_exact = false,
@@ -200,6 +205,7 @@ impl ModelOptions {
             order,
             threshold,
             max_width,
+            strictness,
             basis,
             colour_exact,
             plain,
@@ -221,6 +227,7 @@ impl ModelOptions {
             spikes: settings.spikes && !no_spikes,
             wide_lines: settings.wide_lines || wide_lines,
             threshold_percent: threshold.unwrap_or(settings.threshold_percent),
+            strictness_percent: strictness.unwrap_or(settings.strictness_percent),
             max_width_nm: max_width.unwrap_or(settings.max_width_nm),
             dips: settings.dips || dips,
             detector: settings.detector,

@@ -119,6 +119,7 @@ pub(crate) fn full_document() -> Document {
         wide_lines: true,
         threshold_percent: 1.0 / 3.0,
         max_width_nm: 7.7,
+        strictness_percent: 5.0,
         dips: true,
         detector: Detector::Gradient,
         gradient_percent: 3.3,

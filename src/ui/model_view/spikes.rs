@@ -84,4 +84,6 @@ pub(super) fn spike_rows(ui: &mut Ui, settings: &mut Settings) {
         reach_words(&Settings::WIDTH)
     );
     slider_row(ui, settings.spikes, names::WIDTH, slider, &meaning);
+    let strict = knob::slider(&Settings::STRICTNESS, settings);
+    slider_row(ui, true, "Strictness", strict, Settings::STRICTNESS.meaning);
 }
