@@ -98,13 +98,9 @@ impl Settings {
         Reach::Within(0.1, 50.0), 2 " %/nm",
         "Least slope of a line's flanks, percent of the largest value per nm.");
 
-    pub const STRICTNESS: Knob<Self> = Knob::<Self>::new(
-        ("strictness_percent", "strictness"),
-        "How much stricter the threshold is than it says, percent.",
-        Reach::Within(0.0, 100.0),
-        |settings| &mut settings.strictness_percent,
-    )
-    .shown(0, " %");
+    pub const STRICTNESS: Knob<Self> = knob!(strictness_percent: "strictness",
+        Reach::Within(0.0, 100.0), 0 " %",
+        "How much stricter the threshold is than it says, percent.");
 
     /// Its numbers, each with its option on the command line; "" where it has none.
     pub const KNOBS: [(&str, Knob<Self>); 5] = [

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Page, Place, Row,
-    knob::{Knob, Reach},
+    knob::{Knob, Reach, knob},
     row,
     states::PageState,
 };
@@ -41,12 +41,8 @@ impl Default for OrdersState {
 }
 
 impl OrdersState {
-    pub const HIGHEST: Knob<Self> = Knob::<Self>::new(
-        ("highest", "Highest order"),
-        "The last order that is tried.",
-        Reach::Within(1.0, 40.0),
-        |state| &mut state.highest,
-    );
+    pub const HIGHEST: Knob<Self> = knob!(highest: "Highest order", Reach::Within(1.0, 40.0), 0 "",
+        "The last order that is tried.");
 }
 
 impl PageState for OrdersState {
