@@ -85,6 +85,8 @@ pub mod streams;
 pub mod study;
 #[cfg(feature = "window")]
 pub mod ui;
+#[cfg(all(target_arch = "wasm32", feature = "window"))]
+mod web;
 
 // Tests of the core that need its inside: as a program of their own they would make all of it public.
 #[cfg(test)]

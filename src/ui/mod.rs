@@ -42,6 +42,7 @@ mod spikes_view;
 mod steps_view;
 mod swatch;
 pub mod theme;
+mod top_menus;
 mod top_view;
 mod trial_view;
 pub mod verdict_view;

@@ -2,7 +2,6 @@
 
 use std::{
     cell::{OnceCell, RefCell},
-    ffi::OsString,
     path::{Path, PathBuf},
     sync::Arc,
 };
@@ -23,7 +22,6 @@ use crate::{
         worker::take_turn,
         workspace::{self, Preferences},
     },
-    cli,
     io::disk,
 };
 
@@ -87,17 +85,6 @@ pub fn follow(link: String) {
 #[wasm_bindgen]
 pub fn hide() {
     saver::write();
-}
-
-/// Runs a command of the command line; what it prints.
-#[wasm_bindgen]
-pub fn command(words: Vec<String>) -> String {
-    let program = std::iter::once(cli::PROGRAM.to_owned());
-    let words = program.chain(words).map(OsString::from);
-    let (mut out, mut err) = (Vec::new(), Vec::new());
-    cli::run(words, None, &mut out, &mut err);
-    out.append(&mut err);
-    String::from_utf8_lossy(&out).into_owned()
 }
 
 /// Starts the window on a canvas.
