@@ -112,6 +112,6 @@ mod tests {
         assert_eq!(opened.composite_of(0).as_deref(), Some(&model));
         assert!(opened.guesses.is_empty(), "nothing is asked");
         let red = of_view(&showing("colorchecker_ohta/red"), Page::Spectrum);
-        assert_eq!(red, "page=spectrum");
+        assert_eq!(red, "page=look");
     }
 }

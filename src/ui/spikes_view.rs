@@ -28,7 +28,7 @@ pub(super) fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAc
         egui::Grid::new("spikes")
             .num_columns(7)
             .striped(true)
-            .spacing([8.0 * theme.scale, 2.0])
+            .spacing([5.0 * theme.scale, 2.0])
             .show(ui, |ui| {
                 titles(ui, app);
                 for (index, spike) in spikes.iter().enumerate() {

@@ -200,6 +200,8 @@ pub const NEAR_FINGER: f32 = 12.0;
 fn for_fingers(style: &mut egui::Style) {
     style.spacing.scroll.bar_width = 14.0;
     style.interaction.interact_radius = NEAR_FINGER;
+    // A name beside a slider takes no finger from it, and a page is moved by its words.
+    style.interaction.selectable_labels = false;
 }
 
 /// Greys of both themes, from the ground up.

@@ -37,7 +37,7 @@ pub(super) fn show(
         ui.spacing_mut().item_spacing.x = if room == Room::Little { 4.0 } else { 8.0 };
         if preferences.touch == Some(true) {
             ui.spacing_mut().interact_size.y = FINGER;
-            ui.spacing_mut().button_padding.x = 14.0;
+            ui.spacing_mut().button_padding.x = 16.0;
         }
         // From the right: the light's name has what is left.
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {

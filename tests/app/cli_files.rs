@@ -913,10 +913,12 @@ fn devices_and_pipes_are_no_pictures_and_no_lessons() {
 fn a_sheet_of_a_lesson_is_written_with_all_of_its_pictures_or_not_at_all() {
     let desk = Desk::new();
     // Nothing can be written where a folder stands.
-    fs::create_dir(desk.path("s-1.svg")).expect("a folder");
+    for name in ["s-1.svg", "s-1.png"] {
+        fs::create_dir(desk.path(name)).expect("a folder");
+    }
     desk.refused(&["lessons", "handout", "light", "--out", "s.md"]);
     let left = fs::read_dir(desk.path(".")).expect("a folder").count();
-    assert_eq!(left, 1, "the folder alone");
+    assert_eq!(left, 2, "the folders alone");
 }
 
 #[test]

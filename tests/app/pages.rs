@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 use spectral_explorer::app::{
     App, Command, Document,
-    pages::{CombineState, PageStates},
+    pages::{CombineState, LiveMemory, PageStates},
     workspace::{self, Preferences},
 };
 
@@ -212,6 +212,7 @@ fn opens_as(text: &str, document: &Document, preferences: Option<&Preferences>) 
     document.pages.tradeoff.every_way = false;
     document.pages.relit.under = None;
     document.pages.combine = CombineState::default();
+    document.pages.live = LiveMemory::default();
     assert_eq!(restored.document.pages, document.pages);
     let now = workspace::to_json(&restored.document, restored.preferences.as_ref());
     assert_eq!(now, workspace::to_json(&document, preferences));

@@ -117,6 +117,7 @@ fn setting_of(place: &Place) -> Place {
                 "scans",
                 "others",
                 "instruments",
+                "figures",
             ]
             .iter()
             .any(|key| is(2, key)) =>

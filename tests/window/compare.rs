@@ -144,7 +144,8 @@ fn every_page_about_a_light_names_the_second_one_beside_it() {
         let is_told = painted
             .iter()
             .any(|words| words.text.contains("LED-B1") && words.text != "vs LED-B1");
-        assert!(is_told, "{page:?}");
+        let all: Vec<&str> = painted.iter().map(|words| &words.text[..]).collect();
+        assert!(is_told, "{page:?}: {all:?}");
     }
 }
 

@@ -267,7 +267,8 @@ fn a_recording_is_played_with_what_is_clipped_and_its_course() {
         &ui,
         "Waterfall: wavelengths from left to right, 0:00:00.0 above",
     );
-    click(&mut ui, names::AS_LIGHT);
+    ui.get_by_role_and_label(Role::CheckBox, names::AS_LIGHT)
+        .click();
     ui.run();
     // A recording that is not there is told in words.
     click(&mut ui, names::STOP);

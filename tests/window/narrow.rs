@@ -6,7 +6,7 @@ use crate::{
     soft_renderer::SoftRenderer,
 };
 use eframe::egui;
-use egui::{Rect, Role, pos2, vec2};
+use egui::{Rect, Role, Vec2, pos2, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use spectral_explorer::{
     app::{App, pages::Place, workspace::Preferences},
@@ -18,16 +18,23 @@ const SMALL: [f32; 2] = [512.0, 320.0];
 
 /// The window over preferences, at rest, its computations still going on.
 pub(crate) fn over(preferences: Preferences, size: [f32; 2]) -> Ui {
+    let pixels = Vec2::from(size) * preferences.zoom;
     let mut window = Window::new(App::new(), preferences, no_files(), None);
     window.quiet = true;
     let mut ui: Ui = display(size, 0.02, 40)
         .renderer(SoftRenderer::default())
         .build_eframe(|_| Shown(window));
-    rest(&mut ui);
-    // The zoom has changed the size in points meanwhile.
-    ui.set_size(size.into());
+    give(&mut ui, pixels);
     rest(&mut ui);
     ui
+}
+
+/// Gives the window pixels, as a system does: they are points of the zoom that is seen.
+pub(crate) fn give(ui: &mut Ui, pixels: Vec2) {
+    for _ in 0..4 {
+        ui.set_size(pixels / ui.ctx.zoom_factor());
+        ui.step();
+    }
 }
 
 fn zoomed() -> Preferences {

@@ -5,7 +5,7 @@ use std::fmt;
 
 use crate::{
     driver::Ui,
-    narrow::{everything, over, rest},
+    narrow::{everything, give, over, rest},
 };
 use eframe::egui;
 use egui::{Rect, Role, Shape, Vec2, epaint::ClippedShape, vec2};
@@ -303,12 +303,7 @@ fn a_window_smaller_than_the_smallest_layout_is_scaled_and_a_zoom_is_not_taken_b
         ([1280.0, 800.0], 2.5, 2.5),
     ] {
         ui.state_mut().0.preferences.zoom = zoom;
-        for _ in 0..4 {
-            // As a window does: it has pixels, and points of the zoom that is seen.
-            let points = egui::Vec2::from(pixels) / ui.ctx.zoom_factor();
-            ui.set_size(points);
-            ui.step();
-        }
+        give(&mut ui, pixels.into());
         let now = ui.ctx.zoom_factor();
         assert!((now - seen).abs() < 1e-4, "{pixels:?} at {zoom}: {now}");
     }

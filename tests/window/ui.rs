@@ -7,6 +7,7 @@ use std::{
 };
 
 use crate::driver::{Shown, Ui, app, assert_written, at_rest, click, no_files, wait_until, words};
+use crate::narrow::give;
 use crate::plain::plain;
 use crate::soft_renderer::SoftRenderer;
 use eframe::egui;
@@ -1599,8 +1600,7 @@ fn small_and_large_windows_are_drawn() {
         [400.0, 300.0],
         [1280.0, 800.0],
     ] {
-        ui.set_size(size.into());
-        ui.run();
+        give(&mut ui, size.into());
         ui.run();
         assert_sound(&ui, "a window of another size");
     }

@@ -138,7 +138,9 @@ impl Window {
         }
         self.open_files(paths, waker(ui.ctx()));
         let answered = self.waiting.as_mut().and_then(|w| w.picked.news().pop());
-        if let Some((picked, waiting)) = answered.zip(self.waiting.take_if(|_| true)) {
+        if let Some(picked) = answered
+            && let Some(waiting) = self.waiting.take()
+        {
             match waiting.follows {
                 Some(what) => self.picked_to_follow(what, picked),
                 None => self.picked(picked, waiting.saving, ui.ctx()),

@@ -5,16 +5,16 @@ use eframe::egui;
 use egui::{Ui, Vec2, vec2};
 
 use super::{
-    DesignView, Second, change, set, strips,
+    DesignView, Second,
+    adding::add_row,
+    change, set, strips,
     worth::{self, kept_row, main_figures, surfaces},
 };
 use crate::{
     app::{
-        Gel,
         charts::design::{held_at, mixed_spectrum},
         design::{
             Desk, beside,
-            mix::{MOST_CHANNELS, MOST_GELS, MixChannel},
             named_lines::{NamedLine, snapped},
             wish::MixWish,
         },
@@ -22,10 +22,7 @@ use crate::{
     design::{mixture::Source, solve::Care},
     ui::{
         chart_view::{ChartResponse, ChartView},
-        kit::{
-            Choice, Chooser, GROUP, column, drawing, framed, headline, lights, scrolled,
-            transmittances,
-        },
+        kit::{Choice, GROUP, column, drawing, framed, headline, scrolled},
         pages::PageContext,
         swatch,
     },
@@ -380,81 +377,4 @@ fn card(ui: &mut Ui, size: Vec2, add: impl FnOnce(&mut Ui)) {
             add(ui);
         });
     });
-}
-
-/// What joins the desk.
-fn add_row(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, lines: &[NamedLine]) {
-    let mut new = None;
-    let is_full = desk.mix.channels.len() >= MOST_CHANNELS;
-    ui.add_enabled_ui(!is_full, |ui| {
-        ui.horizontal_wrapped(|ui| {
-            ui.weak("Add");
-            let line = ui.menu_button("Line", |ui| {
-                if let Some(line) = strips::line_menu(ui, lines) {
-                    new = Some(Source::Line { at_nm: line });
-                }
-            });
-            line.response
-                .on_hover_text("A line without width, at the place of one that has a name.");
-            let mut button = |title: &str, meaning: &str, source: Source| {
-                if ui.button(title).on_hover_text(meaning).clicked() {
-                    new = Some(source);
-                }
-            };
-            button(
-                "LED",
-                "A Gaussian with a centre and a full width at half its height.",
-                Source::Gauss {
-                    centre_nm: 500.0,
-                    fwhm_nm: 20.0,
-                },
-            );
-            button(
-                "Blackbody",
-                "The light of a glowing body of a temperature.",
-                Source::Blackbody { kelvin: 2700.0 },
-            );
-            button(
-                "Daylight",
-                "Daylight of a temperature, by the CIE's components.",
-                Source::Daylight { kelvin: 6500.0 },
-            );
-            let chosen = Chooser {
-                name: "A light to mix",
-                meaning: "Any light of the library, shipped or your own, as a channel.",
-                says: "Any light",
-                offers: lights,
-                width: 70.0 * context.theme.scale,
-            }
-            .show(ui, context.app);
-            if let Some(light) = chosen {
-                new = Some(Source::Named(light.key.clone()));
-            }
-            add_gel(ui, context, desk);
-        });
-    });
-    if let Some(source) = new {
-        change(context, |mix| mix.channels.push(MixChannel::new(source)));
-    }
-}
-
-/// What joins the gels.
-fn add_gel(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
-    if desk.mix.gels.len() >= MOST_GELS {
-        return;
-    }
-    let gel = Chooser {
-        name: "A gel before the lamps",
-        meaning: "A filter or glass of the library, or of a file that was opened, before all \
-                  channels.",
-        says: "Gel",
-        offers: transmittances,
-        width: 40.0 * context.theme.scale,
-    }
-    .show(ui, context.app);
-    if let Some(gel) = gel {
-        let key = gel.key.clone();
-        let thickness = 1.0;
-        change(context, |mix| mix.gels.push(Gel { key, thickness }));
-    }
 }

@@ -1,5 +1,6 @@
 //! The place "Design": lights that are mixed, solved for, and made from colours.
 
+mod adding;
 mod asked;
 mod colour;
 mod mix;
