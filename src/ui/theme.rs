@@ -182,6 +182,8 @@ pub fn apply(context: &Context, preferences: &Preferences) {
         style.spacing.combo_width = size(96.0);
         style.interaction.tooltip_delay = 0.35;
         style.interaction.interact_radius = 5.0;
+        // A name beside a slider takes no finger from it, and a page is moved by its words.
+        style.interaction.selectable_labels = preferences.touch != Some(true);
         if preferences.touch == Some(true) {
             for_fingers(style);
         }
@@ -200,8 +202,6 @@ pub const NEAR_FINGER: f32 = 12.0;
 fn for_fingers(style: &mut egui::Style) {
     style.spacing.scroll.bar_width = 14.0;
     style.interaction.interact_radius = NEAR_FINGER;
-    // A name beside a slider takes no finger from it, and a page is moved by its words.
-    style.interaction.selectable_labels = false;
 }
 
 /// Greys of both themes, from the ground up.

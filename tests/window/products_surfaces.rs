@@ -306,7 +306,7 @@ fn open(app: App, page: Page, size: [f32; 2]) -> Ui {
 fn settle(ui: &mut Ui) {
     for _ in 0..200 {
         ui.run_steps(2);
-        if ui.query_by_label_contains("is being computed").is_none() {
+        if ui.query_by_label_contains("Computing: ").is_none() {
             return;
         }
         std::thread::sleep(std::time::Duration::from_millis(20));

@@ -35,9 +35,14 @@ pub fn newest(shown: &Shown, peak: Option<&Measurement>) -> Chart {
     let least = values.iter().copied().fold(0.0, f64::min);
     let top = top_over(most);
     let is_light = shown.of.quantity == Quantity::Light;
+    // Alone it is what the title says.
+    let name = match peak.is_none() && shown.clipped.is_empty() {
+        true => "",
+        false => "newest",
+    };
     let mut series = vec![match is_light {
-        true => Series::area("newest", Ink::Measured, points(&shown.of), Vec::new()).coloured(),
-        false => Series::line("newest", Ink::Measured, points(&shown.of)),
+        true => Series::area(name, Ink::Measured, points(&shown.of), Vec::new()).coloured(),
+        false => Series::line(name, Ink::Measured, points(&shown.of)),
     }];
     if let Some(peak) = peak {
         series.push(Series::line("highest so far", Ink::Second, points(peak)));
@@ -143,13 +148,13 @@ pub fn over_time(tracks: &Tracks, track: Track) -> Chart {
         let at = lines.get(index).filter(|_| track == Track::Lines);
         match at {
             Some(nm) => Series::line(format!("{nm:.1} nm"), Ink::Wavelength(*nm), points),
-            None => Series::line(track_words(track).0, Ink::Measured, points),
+            None => Series::line("", Ink::Measured, points),
         }
     });
     let series: Vec<Series> = series.collect();
-    let is_empty = series.iter().all(|series| series.marks.points().is_empty());
+    let is_empty = series.iter().all(|series| series.marks.points().len() < 2);
     let mut chart = Chart {
-        title: "Over time".to_owned(),
+        title: format!("{} over time", track_words(track).0),
         x_label: format!("Time ({unit})"),
         y_label: match track {
             Track::Y => "Y".to_owned(),
@@ -162,7 +167,7 @@ pub fn over_time(tracks: &Tracks, track: Track) -> Chart {
         blank: match (is_empty, track) {
             (false, _) => String::new(),
             (true, Track::Lines) => "No line was found yet.".to_owned(),
-            (true, _) => "Nothing was told yet.".to_owned(),
+            (true, _) => "A course begins with the second spectrum of a light.".to_owned(),
         },
         ..Chart::default()
     };
@@ -189,7 +194,7 @@ pub fn ends_ms(tracks: &Tracks) -> [f64; 2] {
 pub const WATERFALL_NM: [f64; 2] = [380.0, 780.0];
 
 /// The stream over time in the colours of its wavelengths, the first frame above: a row for a
-/// moment, as bright as the light was there; pixels row by row, none before the first frame.
+/// moment, as bright as the light was there; pixels row by row, none while there is no light.
 pub fn waterfall(tracks: &Tracks, [width, height]: [usize; 2]) -> Vec<Rgb> {
     let count = tracks.len();
     if count == 0 || width < 2 || height < 2 {
@@ -207,6 +212,9 @@ pub fn waterfall(tracks: &Tracks, [width, height]: [usize; 2]) -> Vec<Rgb> {
         .collect();
     tops.sort_by(f64::total_cmp);
     let top = tops[(tops.len() - 1) * 98 / 100];
+    if tops.last() == Some(&0.0) {
+        return Vec::new();
+    }
     let [from, to] = WATERFALL_NM;
     let nm = |x: usize| from + (to - from) * x as f64 / (width - 1) as f64;
     let colours: Vec<Rgb> = (0..width).map(|x| srgb_of_fill(nm(x)).0).collect();

@@ -141,7 +141,10 @@ pub(super) fn draw(
 ) -> ChartResponse {
     let (whole, _) = ui.allocate_exact_size(size.max(LEAST_SIZE), Sense::hover());
     let mut area = whole;
-    let mut ui = ui.new_child(UiBuilder::new().max_rect(whole).id_salt(id));
+    // The head is above the drawing in a row of charts too.
+    let down = Layout::top_down(Align::Min);
+    let builder = UiBuilder::new().max_rect(whole).layout(down).id_salt(id);
+    let mut ui = ui.new_child(builder);
     ui.spacing_mut().item_spacing.y = 2.0;
     let mut wish = None;
     if how.titled {

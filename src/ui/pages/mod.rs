@@ -323,6 +323,8 @@ pub fn progress<K: Clone + PartialEq + 'static, T: Send + 'static>(
     job: &mut Job<K, T>,
     what: &str,
 ) {
+    // In a sentence, one thing or several.
+    let name = what.replacen("The ", "the ", 1);
     match job.stage() {
         Stage::Idle | Stage::Done => {}
         Stage::Running(share) => {
@@ -338,15 +340,15 @@ pub fn progress<K: Clone + PartialEq + 'static, T: Send + 'static>(
                     job.cancel();
                 }
                 ui.weak(if job.result().is_some() {
-                    format!("{what} is being computed; the last result stays until then.")
+                    format!("Computing: {name}. The last result stays until then.")
                 } else {
-                    format!("{what} is being computed.")
+                    format!("Computing: {name}.")
                 });
             });
         }
         Stage::Cancelled => {
             ui.horizontal(|ui| {
-                ui.weak(format!("{what} was cancelled."));
+                ui.weak(format!("Cancelled: {name}."));
                 if ui.small_button("Compute").clicked() {
                     job.retry();
                 }

@@ -141,7 +141,13 @@ fn paint(ui: &mut Ui, drawn: &Drawn, high: f32) {
     let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
     match &drawn.waterfall {
         Some(texture) => drop(painter.image(texture.id(), picture, whole, egui::Color32::WHITE)),
-        None => drop(painter.rect_filled(picture, 0.0, egui::Color32::BLACK)),
+        None => {
+            painter.rect_filled(picture, 0.0, egui::Color32::BLACK);
+            let words = "There was no light yet.".to_owned();
+            let font = FontId::proportional(12.0);
+            let ink = egui::Color32::from_gray(180);
+            painter.text(picture.center(), Align2::CENTER_CENTER, words, font, ink);
+        }
     }
     for (words, y, align) in [
         (first, picture.top(), Align2::RIGHT_TOP),
