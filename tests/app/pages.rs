@@ -214,6 +214,12 @@ fn opens_as(text: &str, document: &Document, preferences: Option<&Preferences>) 
     document.pages.combine = CombineState::default();
     document.pages.live = LiveMemory::default();
     assert_eq!(restored.document.pages, document.pages);
+    let preferences = preferences.map(|preferences| Preferences {
+        touch: None,
+        without_cones: None,
+        ..preferences.clone()
+    });
+    let preferences = preferences.as_ref();
     let now = workspace::to_json(&restored.document, restored.preferences.as_ref());
     assert_eq!(now, workspace::to_json(&document, preferences));
 }

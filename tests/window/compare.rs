@@ -140,7 +140,11 @@ fn every_page_about_a_light_names_the_second_one_beside_it() {
         Page::Prism,
         Page::Rainbow,
     ] {
-        let mut ui = on(page, compared());
+        // Chosen in the window: the prism and the rainbow follow the choice.
+        let mut ui = on(page, App::new());
+        let second = app(&ui).entry(SECOND).expect("shipped");
+        ui.state_mut().0.app.apply(Command::Compare(Some(second)));
+        ui.run();
         // The chip in the bar is there on every page. What takes longer is waited for.
         wait_until(&mut ui, page.title(), |ui| {
             sizes::words(ui, egui::vec2(1280.0, 800.0))
