@@ -139,7 +139,7 @@ pub fn two_lights([first, second]: [&str; 2], lit: Option<&[Lit]>) -> String {
         some => format!("{some} of {} surfaces change", lit.len()),
     };
     format!(
-        "From {first} to {second} {how_many} visibly, \"{}\" most (ΔE₀₀ {:.1}).",
+        "From {first} to {second}, {how_many} visibly, \"{}\" most (ΔE₀₀ {:.1}).",
         most.name, most.delta_e_2000
     )
 }
@@ -150,7 +150,7 @@ pub fn metamers([first, second]: [&str; 2], names: &[String; 2], delta_e_2000: [
     let [alike, apart] = delta_e_2000;
     let how = |delta| Seen::of(delta).of_two();
     format!(
-        "Under {first} {one} and {other} {} (ΔE₀₀ {alike:.1}); under {second} they {} ({apart:.1}).",
+        "Under {first}, {one} and {other} {} (ΔE₀₀ {alike:.1}); under {second} they {} ({apart:.1}).",
         how(alike),
         how(apart)
     )
@@ -202,7 +202,7 @@ pub fn paper(subject: &str, rows: &[Row]) -> String {
     if open > 0 {
         parts.push(format!("{open} cannot be measured here"));
     }
-    format!("On {subject} {}.", parts.join(", "))
+    format!("On {subject}, {}.", parts.join(", "))
 }
 
 /// What the pixels chosen of an image are.
@@ -296,7 +296,7 @@ mod tests {
         let claims = Claims::of(&App::new());
         let rows = truth_table(&claims);
         let words = paper(&claims.subject, &rows);
-        assert!(words.starts_with("On FL2 "), "{words}");
+        assert!(words.starts_with("On FL2, "), "{words}");
         let counted: usize = words
             .replace("of the paper's 6", "")
             .split_whitespace()

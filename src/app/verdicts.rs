@@ -61,7 +61,7 @@ const SEEN: [SeenWords; 4] = [
         "hard to see",
         "CIEDE2000 below 1: hard to see, not invisible. Half of the observers see 0.8, practised \
          ones less (Paravina et al. 2015, ISO/TR 28642).",
-        "Below 2 %: within the doubt of good spectroradiometers.",
+        "Below 2 %: within the uncertainty of good spectroradiometers.",
     ]),
     seen_words([
         "Slight",

@@ -3,7 +3,8 @@
 //! The detector asks for eight standard deviations of the second differences, which see white noise
 //! alone: an instrument that smooths its tables makes lines of noise. Two tests stop that. Noise
 //! makes as many dips as peaks, so that a line must stand twice as high as the deepest narrow dip but
-//! one near it: noise makes many, a lamp's own dip between two strong lines is alone; and where scans tell sigma and memory, its weight must be six of its own doubts.
+//! one near it: noise makes many, a lamp's own dip between two strong lines is alone. And where scans
+//! tell sigma and memory, the line's weight must be six of its own doubts.
 
 use nalgebra::{DMatrix, DVector};
 

@@ -36,7 +36,7 @@ pub(super) enum Wish {
 }
 
 /// Size of what is read, points: on a desk and at a projector.
-const TYPE: [f32; 2] = [18.0, 28.0];
+const TYPE: [f32; 2] = [18.0, 24.0];
 
 /// Height of the faded edge of what is scrolled, points.
 const FADE: f32 = 28.0;
@@ -47,6 +47,10 @@ pub(super) struct LessonView {
     shown: Memo<(u64, Page, usize, bool), Shown>,
     /// The step whose reasons were brought into view, once.
     brought: Option<usize>,
+    /// The step whose question was brought into view before a class, once.
+    asked: Option<usize>,
+    /// Whether the control that the step points at is not on the page, as where it is presented.
+    pub(super) is_out_of_sight: bool,
     linked: Linked,
 }
 
@@ -88,7 +92,14 @@ impl LessonView {
             .max_height((ui.available_height() - foot).max(80.0))
             .show(ui, |ui| {
                 ui.set_max_width(ui.available_width() - 10.0);
-                let end = body(ui, (run, shown), linked, theme, &mut wishes);
+                let is_out_of_sight = self.is_out_of_sight && theme.presents;
+                let step = (run, shown, is_out_of_sight);
+                let [asked, end] = body(ui, step, linked, theme, &mut wishes);
+                if theme.presents && self.asked != Some(run.index()) {
+                    // A class votes on answers that it can read.
+                    ui.scroll_to_rect(asked, None);
+                    self.asked = Some(run.index());
+                }
                 let tells = run.is_told() && !run.begins_told();
                 // What lies at the lower edge is faded.
                 ui.add_space(FADE);
@@ -159,25 +170,31 @@ fn with_another(ui: &mut Ui, lesson: &Lesson, wishes: &mut Vec<Wish>) {
     });
 }
 
-/// The step's words; gives where its reasons stand.
+/// The step's words; gives where its question and its task stand, and its reasons.
 fn body(
     ui: &mut Ui,
-    (run, shown): (&Run, &Shown),
+    (run, shown, is_out_of_sight): (&Run, &Shown, bool),
     linked: &mut Linked,
     theme: Theme,
     wishes: &mut Vec<Wish>,
-) -> Rect {
+) -> [Rect; 2] {
     let [ink, strong] = [ui.visuals().text_color(), ui.visuals().strong_text_color()];
     linked.text(ui, &shown.say, ink);
     if let Some(trouble) = run.trouble() {
         warning(ui, theme, format!("This step could not be set: {trouble}."));
     }
+    let mut asked = Rect::from_pos(ui.cursor().min);
     if let Some(question) = &shown.question {
         ui.add_space(8.0);
         framed(ui, |ui| {
             linked.text(ui, question, strong);
             ui.add_space(4.0);
             for (index, answer) in shown.answers.iter().enumerate() {
+                // Once it is told, a class reads the right one and the one that it chose.
+                let is_read = answer.1 || run.chosen() == Some(index) || is_open(run);
+                if theme.presents && run.is_told() && !is_read {
+                    continue;
+                }
                 self::answer(ui, run, (index, answer), theme, wishes);
             }
             if !run.is_told() && shown.task.is_none() {
@@ -216,9 +233,15 @@ fn body(
                 if pressed_if(ui, !run.is_showing(), show, meaning) {
                     wishes.push(Wish::ShowMe);
                 }
+                if is_out_of_sight {
+                    let words = "Its control is not on the presented page: press Show me, or F5 \
+                                 for the whole window.";
+                    ui.add(Label::new(RichText::new(words).color(theme.faint)).wrap());
+                }
             }
         });
     }
+    asked = asked.with_max_y(ui.cursor().top());
     let mut end = Rect::from_pos(ui.cursor().min);
     if !shown.explain.is_empty() {
         ui.add_space(8.0);
@@ -234,7 +257,12 @@ fn body(
         });
         end = end.union(ui.min_rect().with_min_y(end.top()));
     }
-    end
+    [asked, end]
+}
+
+/// Whether a question has no right answer.
+fn is_open(run: &Run) -> bool {
+    run.step().ask.as_ref().is_some_and(|ask| ask.open)
 }
 
 /// One answer: to be chosen, and once told with a sign, never by colour alone.
@@ -246,7 +274,7 @@ fn answer(
     wishes: &mut Vec<Wish>,
 ) {
     let is_chosen = run.chosen() == Some(index);
-    let is_open = run.step().ask.as_ref().is_some_and(|ask| ask.open);
+    let is_open = is_open(run);
     let sign = match (run.is_told() && !is_open, right) {
         (true, true) => "✔ ",
         (true, false) if is_chosen => "✘ ",

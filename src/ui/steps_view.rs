@@ -24,9 +24,11 @@ const STRIP_NAME: &str = "Through a prism: measured above, model below";
 /// Both spectra as strips of colour, the model's below the light's: what only an instrument sees.
 pub(super) fn through_a_prism(ui: &mut Ui, app: &App, theme: Theme) {
     let colours = match app.document().is_about_light() {
-        true => kept(ui, Id::unique("through a prism"), app.revision(), || {
-            Arc::new(behind_slit::strip(app))
-        }),
+        true => {
+            let id = Id::unique("through a prism");
+            let make = || Arc::new(behind_slit::strip(app));
+            kept(ui.ctx(), id, app.revision(), make)
+        }
         false => Arc::default(),
     };
     if colours.is_empty() {

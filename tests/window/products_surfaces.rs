@@ -372,7 +372,7 @@ fn a_list_on_the_page_chooses_the_second_light_for_all_pages() {
         ui.query_by_label_contains("No second light is chosen")
             .is_none()
     );
-    ui.get_by_label_contains("From FL2 to FL11 ");
+    ui.get_by_label_contains("From FL2 to FL11, ");
 }
 
 #[test]
@@ -433,13 +433,13 @@ fn a_teacher_makes_an_example_and_reads_the_verdict() {
     ui.get_by_label(same_surface::names::MAKE).click();
     ui.run_steps(4);
     settle(&mut ui);
-    ui.get_by_label("✔ S3 = S1 S2 holds");
+    ui.get_by_label("✔ light × surface = spectrum: holds");
     ui.get_by_label(same_surface::names::TWICE).click();
     ui.run_steps(4);
     ui.get_by_label(same_surface::names::MAKE).click();
     ui.run_steps(4);
     settle(&mut ui);
-    ui.get_by_label("✘ S3 = S1 S2 does not hold");
+    ui.get_by_label("✘ light × surface = spectrum: does not hold");
     // The best of the list is taken as the surface.
     ui.query_all_by_label_contains(": residual ")
         .next()

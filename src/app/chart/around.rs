@@ -58,7 +58,12 @@ impl Drawing<'_> {
             }
             Marks::Points { radius, shape, .. } => {
                 let radius = (sound_px(*radius) * looks.scale).min(5.0);
-                out.push(form(middle, radius, *shape, colour));
+                // On paper of its own colour it has an edge, as it has in the plot.
+                let own = series.colour.of(looks.theme);
+                if own != colour {
+                    out.push(form(middle, radius + 1.2, *shape, colour));
+                }
+                out.push(form(middle, radius, *shape, own));
             }
             // The colour bar tells what its colours mean.
             Marks::Cells { .. } | Marks::Ground { .. } | Marks::Words { .. } => {}

@@ -32,7 +32,7 @@ pub fn combined_chart(found: &Found, title: String, parts: &[Part]) -> Chart {
             false => ("left out", Dash::Dotted),
         };
         if (part.of.quantity, &part.of.unit) == (of.quantity, &of.unit) {
-            chart.series.extend(thin(&part.of, name, Ink::Faint, dash));
+            chart.series.extend(thin(&part.of, name, Ink::Smooth, dash));
         }
     }
     chart.series.extend(doubted(of, "95 %", 1.0));

@@ -83,7 +83,7 @@ pub fn sentence(many: &ManyLights, wanted: Wanted) -> String {
     match ways.map(|way| way.order(many)) {
         [Some(with), Some((order, _))] if order == with.0 => {
             format!(
-                "{} Lines are not needed for that.",
+                "{} As many waves without lines do it too.",
                 enough(with, with_lines)
             )
         }

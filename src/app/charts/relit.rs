@@ -54,7 +54,7 @@ pub fn error_chart(looked: &Looked, now: usize) -> Chart {
     series.push(Series::points("", Ink::Spikes, Shape::Dot, marked).sized(5.0));
     Chart {
         title: if is_of_colour {
-            "95 % of ΔE₀₀ under six lights".to_owned()
+            "ΔE₀₀ of 95 % of the pixels, six lights".to_owned()
         } else {
             "Spectra: relative rms, %".to_owned()
         },

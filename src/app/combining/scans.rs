@@ -58,7 +58,7 @@ pub(super) fn of_scans(parts: &[Measurement], keep_all: bool) -> Result<Found, S
         ));
     }
     if kept.len() == LEAST_SCANS {
-        notes.push("The doubt is of 3 scans only.".to_owned());
+        notes.push("The uncertainty is that of 3 scans only.".to_owned());
     }
     let lines = lines_of_scans(&repeats.mean, &kept).map_err(said)?;
     Ok(Found {

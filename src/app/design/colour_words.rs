@@ -56,8 +56,8 @@ impl ColourSheet {
         let spread = self.spread().map_or_else(String::new, |spread| {
             let per_cent = 100.0 * spread;
             format!(
-                " Two surfaces that match it under {light} can differ by up to {per_cent:.0} \
-                 points of reflectance, averaged over wavelength."
+                " At a single wavelength, two surfaces that match it under {light} can differ by \
+                 {per_cent:.0} points of reflectance (averaged over wavelength)."
             )
         });
         format!("{first}{spread}")

@@ -71,7 +71,7 @@ impl GemShown {
             }
         };
         let words = format!(
-            "{seen}; {:.1} % brighter than the screen, {:.1} % purer than it shows",
+            "{seen}; of the picture {:.1} % is brighter and {:.1} % purer than a screen can show",
             100.0 * shown.share_too_bright,
             100.0 * shown.share_outside
         );

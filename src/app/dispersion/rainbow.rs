@@ -151,8 +151,7 @@ fn sentence(light: &Light, bows: &[(Line, Bows)], sky: &Sky, disc: bool) -> Stri
         places.len() - touching(&places).len()
     };
     format!(
-        "If {name} were the sun: each of its {} makes a bow of its own, {} in the first rainbow and \
-         {} in the second.",
+        "If {name} were the sun, its {} would show as {} in the first rainbow and {} in the second.",
         many(bows.len(), "line", "lines"),
         many(stripes(false), "stripe", "stripes"),
         stripes(true),

@@ -196,7 +196,7 @@ fn sigma_question(opened: &Opened) -> Option<Question> {
     Some(Question::new(
         "The sd column is",
         "A column called sd, std, sigma, u or error may be the standard deviation of the one before \
-         it: the doubt of every figure follows from it.",
+         it: the uncertainty of every figure follows from it.",
         answers([false, true], takes, Flip::TakeSigma, words),
         by_hand_or(takes, "its title may mean either"),
     ))

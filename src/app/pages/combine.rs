@@ -34,7 +34,7 @@ pub(super) const ROW: Row = row(
     Place::Look,
     ("Combine", "combine"),
     "instrument",
-    "One's own measurements with their doubt: means of scans, differences, quotients, slits.",
+    "Your own measurements with their uncertainty: means of scans, differences, quotients, slits.",
 );
 
 /// Keys of the light and the filter that stand beside the library's light in examples.
@@ -136,7 +136,7 @@ impl CombineState {
         "Full width at half of the slit's top.");
     pub const KELVIN: Knob<Self> = knob!(kelvin: "Temperature", Reach::Within(1000.0, 25_000.0), 0 " K",
         "Colour temperature of the known light; of daylight 4000 K or more.");
-    pub const DOUBT: Knob<Self> = knob!(kelvin_doubt: "Its doubt", Reach::Within(0.0, 1000.0), 0 " K",
+    pub const DOUBT: Knob<Self> = knob!(kelvin_doubt: "Its uncertainty", Reach::Within(0.0, 1000.0), 0 " K",
         "Standard uncertainty of the temperature; every light that is corrected shares it.");
 
     /// What is done with the spectra; `None` for a comparison and for what is learnt, which make no

@@ -16,7 +16,7 @@ pub(super) const ROW: Row = row(
     Place::Picture,
     ("Rainbow", "rainbow"),
     "prism",
-    "The light in drops of water: both bows, every line a stripe of its own.",
+    "The light in drops of water: both bows, and where each line stands in them.",
 )
 .under(Page::Prism);
 

@@ -39,7 +39,7 @@ pub(super) const ROW: Row = row(
     Place::Through,
     ("Same surface?", "same-surface"),
     "filters",
-    "Is a spectrum the light off a surface? S3 = S1 × S2.",
+    "Is a spectrum the light off a surface? The first spectrum times the surface must be the second.",
 )
 .once(&["check"]);
 
@@ -295,7 +295,7 @@ pub fn as_product(app: &App, sheet: &SameSurfaceSheet) -> [Chart; 3] {
         let line = Series::line("the product", Ink::Spikes, expected);
         last.series.push(line.dashed(Dash::Dashed));
     }
-    last.y_label = "Relative power".to_owned();
+    last.y_label = "Behind a slit of 10 nm, scaled".to_owned();
     let lit = ModelledLight::of(app);
     [
         Chart {

@@ -97,7 +97,7 @@ fn called(best: &Solution) -> String {
 
 fn lines(photograph: &Photograph, best: &Solution) -> String {
     format!(
-        "{}; {} lines, {:.1} nm (left out {:.1})",
+        "{}; {} lines fit within {:.1} nm (within {:.1} where each is left out in turn)",
         told(photograph, best),
         best.matches.len(),
         best.rms_nm(),

@@ -50,10 +50,10 @@ pub fn trust_line(turned: &Turned) -> String {
     let (light, percent) = (&turned.light, 100.0 * blind);
     let noise = format!("noise of the bands moves colours by about ΔE₀₀ {noise:.2}");
     match trust.verdict {
-        Verdict::Good => format!("{light} can be trusted here: {noise}."),
+        Verdict::Good => format!("Colours under {light} are reliable here: {noise}."),
         Verdict::Care | Verdict::Refused => format!(
-            "{light} with care: {percent:.0} % of its colour falls where the picture was in the \
-             dark; {noise}."
+            "Colours under {light} are uncertain: {percent:.0} % of its colour falls where the \
+             picture was in the dark; {noise}."
         ),
     }
 }

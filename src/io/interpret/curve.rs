@@ -43,10 +43,14 @@ impl Trouble {
         }
     }
 
-    fn too_few(points: usize) -> Self {
+    fn too_few(points: usize, missing: usize) -> Self {
         let points = many(points, "point", "points");
         let found = format!("{points} with a wavelength and a value");
-        Self::new(found, "at least 2", None)
+        let expected = match missing {
+            0 => "at least 2",
+            _ => "at least 2 (numbers of 1e30 and more stand for missing values)",
+        };
+        Self::new(found, expected, None)
     }
 }
 
@@ -102,7 +106,7 @@ pub(crate) fn clean_within(
     let missed = many(missing, "missing value", "missing values");
     notes.extend((missing > 0).then(|| format!("{missed} dropped")));
     match points.len() {
-        few @ 0..2 => return Err(Trouble::too_few(few)),
+        few @ 0..2 => return Err(Trouble::too_few(few, missing)),
         many if many > MOST_SAMPLES => {
             let most = format!("at most {MOST_SAMPLES}");
             return Err(Trouble::new(format!("{many} points"), most, None));
@@ -116,7 +120,7 @@ pub(crate) fn clean_within(
     })?;
     average_doubles(&mut points, &mut notes);
     let (nm, values) = points.iter().copied().unzip();
-    let samples = Sampled::new(nm, values).map_err(|_| Trouble::too_few(points.len()))?;
+    let samples = Sampled::new(nm, values).map_err(|_| Trouble::too_few(points.len(), missing))?;
     Ok(Cleaned { samples, notes })
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use eframe::egui;
 use egui::{Align2, ComboBox, Key, PopupCloseBehavior, ScrollArea, Sense, Ui, Vec2, vec2};
 
-use super::{named, text_field};
+use super::{kept, named, text_field};
 use crate::{
     app::{App, Entry, Families, search::Index},
     preset::Shelf,
@@ -154,8 +154,15 @@ fn shelves(app: &App, offers: fn(&Entry) -> bool) -> Vec<Line> {
     lines
 }
 
-/// What can be searched, and the user's own spectra that it was made for.
-type Searched = Option<(Vec<Arc<Entry>>, Arc<Index>)>;
+/// Spectra that are told apart by their places in memory, not by their values.
+#[derive(Clone)]
+struct Very(Vec<Arc<Entry>>);
+
+impl PartialEq for Very {
+    fn eq(&self, other: &Self) -> bool {
+        are_same(&self.0, &other.0)
+    }
+}
 
 /// Whether two lists hold the very same spectra.
 pub fn are_same(some: &[Arc<Entry>], others: &[Arc<Entry>]) -> bool {
@@ -166,13 +173,8 @@ pub fn are_same(some: &[Arc<Entry>], others: &[Arc<Entry>]) -> bool {
 pub fn found(context: &egui::Context, app: &App, search: &str) -> Vec<Arc<Entry>> {
     let own = &app.document().own;
     let id = egui::Id::unique("what is searched");
-    let kept: Searched = context.data(|data| data.get_temp::<Searched>(id)).flatten();
-    let kept = kept.filter(|(of, _)| are_same(of, own));
-    let (_, index) = kept.unwrap_or_else(|| {
-        let index = Arc::new(Index::of(own.iter().chain(app.bundled())));
-        let made = (own.clone(), index);
-        context.data_mut(|data| data.insert_temp::<Searched>(id, Some(made.clone())));
-        made
+    let index = kept(context, id, Very(own.clone()), || {
+        Arc::new(Index::of(own.iter().chain(app.bundled())))
     });
     let found = index.search(search).into_iter();
     found.map(|row| row.entry).collect()

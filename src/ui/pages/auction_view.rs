@@ -32,11 +32,11 @@ const WIDE: f32 = 1080.0;
 
 /// How the auction goes.
 const RULES: &str = "A wave and a line cost two numbers each; one more number gives all lines \
-                     their own widths. At every price all single purchases after the eight best \
-                     models are tried, all pairs after the best one, and every count of waves with \
-                     none, one, two ... of the heaviest lines; sold is the model of lowest error, \
-                     or one within a twentieth of it that keeps what was bought before. Otherwise \
-                     something is given back.";
+                     their own widths. At every price these are tried: one purchase more for \
+                     each of the eight best models so far, two more for the best, and every count \
+                     of waves with none, one, two ... of the heaviest lines. The model of lowest \
+                     error is sold, or one within a twentieth of it that keeps what was bought \
+                     before; otherwise something is given back.";
 
 /// Largest weight of a goal.
 const MOST_WEIGHT: f64 = 100.0;
@@ -138,7 +138,7 @@ impl Sheet {
 /// Goal and budget.
 fn controls(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
     ui.horizontal_wrapped(|ui| {
-        ui.label("Make small")
+        ui.label("Lower the error of")
             .on_hover_text("The error that each purchase lowers most.");
         for (i, (_, plain)) in Goal::PLAIN.into_iter().enumerate() {
             let named = (Goal::MEASURES[i], NAMES[i]);
@@ -209,7 +209,7 @@ fn columns() -> Vec<Column> {
         Column::numbers("numbers", "Spent so far.", 1.15),
         Column::words("bought", "The use of two more numbers, or four.", 3.6),
         Column::words(
-            "gave back",
+            "given back",
             "Parts that the better model at this price does without.",
             3.0,
         ),

@@ -25,7 +25,7 @@ use crate::app::{
 
 /// Width of the column, and what it is of the window: while presenting, and at most.
 const WIDTH: f32 = 348.0;
-const PRESENTED: f32 = 0.272;
+const PRESENTED: f32 = 0.36;
 const MOST_OF_WINDOW: f32 = 0.42;
 
 /// How long each thing that the program shows stands, seconds.
@@ -42,7 +42,7 @@ impl Window {
         }
         // At a projector the words are larger, and the plot must not shrink to a strip.
         let width = match self.preferences.presents() {
-            true => (PRESENTED * window).clamp(WIDTH, 1.5 * WIDTH),
+            true => (PRESENTED * window).clamp(WIDTH, 2.0 * WIDTH),
             false => WIDTH * theme.scale,
         };
         width.min(MOST_OF_WINDOW * window)
@@ -148,6 +148,7 @@ impl Window {
             _ => None,
         };
         let (named, busy) = pointing::find(context, name);
+        self.lesson_view.is_out_of_sight = name.is_some() && named.is_none();
         let Some((aim, label)) = aim else { return };
         let around = match aim {
             Aim::Named(_) => named,

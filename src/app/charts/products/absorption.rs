@@ -178,7 +178,7 @@ fn table(app: &App, dips: &[DipRow]) -> Table {
         .titled(
             "line",
             "Named only where it is safe. A known line without a weight is seen in the curve, but \
-             takes less than the least share: it is no number of the model.",
+             the search did not take it: it is no number of the model.",
         )
         .with("below zero", |dip| {
             cell(if dip.below_zero { "yes" } else { "no" })
@@ -229,7 +229,7 @@ pub fn absorption_chart(app: &App, (dips, known): (&[DipRow], &[DarkLine])) -> C
     if !known.is_empty() {
         let known = known.iter();
         let known = known.map(|line| (line.at_nm(), line.name.to_owned(), Some(line.depth)));
-        let name = "known, below the threshold";
+        let name = "known, not in the model";
         series.push(gaps(name, Ink::Residual, known.collect()));
     }
     if !dips.is_empty() {

@@ -264,7 +264,10 @@ pub fn against_order(found: &OrderFigures, chosen: Chosen) -> Chart {
     Chart {
         title: format!("{} against waves", chosen.title()),
         x_label: "Waves".to_owned(),
-        y_label: chosen.title().to_owned(),
+        y_label: match chosen {
+            Chosen::Cct => "CCT (K)".to_owned(),
+            other => other.title().to_owned(),
+        },
         x_range: [0.0, shown.min(last)],
         series,
         ..Chart::default()

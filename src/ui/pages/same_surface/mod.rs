@@ -290,7 +290,11 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
         Sameness::Holds => ui.visuals().strong_text_color(),
         Sameness::DoesNotHold | Sameness::Unknown => context.theme.warning,
     };
-    let words = format!("{} S3 = S1 S2 {}", verdict.sign(), verdict.told());
+    let words = format!(
+        "{} light × surface = spectrum: {}",
+        verdict.sign(),
+        verdict.told()
+    );
     ui.label(RichText::new(words).strong().color(colour));
     ui.add_space(2.0);
     egui::Grid::new("verdicts")
