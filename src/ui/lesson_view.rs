@@ -36,7 +36,7 @@ pub(super) enum Wish {
 }
 
 /// Size of what is read, points: on a desk and at a projector.
-const TYPE: [f32; 2] = [18.0, 24.0];
+const TYPE: [f32; 2] = [18.0, 28.0];
 
 /// Height of the faded edge of what is scrolled, points.
 const FADE: f32 = 28.0;
@@ -97,7 +97,7 @@ impl LessonView {
                 let [asked, end] = body(ui, step, linked, theme, &mut wishes);
                 if theme.presents && self.asked != Some(run.index()) {
                     // A class votes on answers that it can read.
-                    ui.scroll_to_rect(asked, None);
+                    ui.scroll_to_rect(asked.with_max_y(asked.bottom() + FADE), None);
                     self.asked = Some(run.index());
                 }
                 let tells = run.is_told() && !run.begins_told();

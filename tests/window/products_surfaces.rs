@@ -385,7 +385,7 @@ fn a_metamer_is_made_for_a_surface_and_can_be_kept() {
         .app
         .pages_follow(|pages| pages.two_lights.patch = 8);
     ui.run_steps(4);
-    ui.get_by_label_contains("Under FL2 moderate red and its twin look alike");
+    ui.get_by_label_contains("Under FL2, moderate red and its twin look alike");
     ui.get_by_role_and_label(Role::Slider, metamers::names::ROOM);
     ui.get_by_label(metamers::names::KEEP).click();
     ui.run_steps(4);

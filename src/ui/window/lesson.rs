@@ -25,7 +25,7 @@ use crate::app::{
 
 /// Width of the column, and what it is of the window: while presenting, and at most.
 const WIDTH: f32 = 348.0;
-const PRESENTED: f32 = 0.36;
+const PRESENTED: f32 = 0.4;
 const MOST_OF_WINDOW: f32 = 0.42;
 
 /// How long each thing that the program shows stands, seconds.
