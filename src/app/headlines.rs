@@ -36,14 +36,14 @@ pub fn dark_lines(app: &App, dips: &[DipRow]) -> String {
     match dips.len() {
         0 => format!("{name} has no dark line that takes {least} % of its power or more."),
         1 => format!(
-            "{name} has 1 dark line, which has {} name.",
+            "The model keeps 1 dark line of {name}, {} a name.",
             match dips.iter().all(|dip| dip.name.is_some()) {
-                true => "a",
-                false => "no",
+                true => "with",
+                false => "without",
             }
         ),
         count => format!(
-            "{name} has {}, {} of them named.",
+            "The model keeps {} of {name}, {} of them named.",
             many(count, "dark line", "dark lines"),
             match dips.iter().filter(|dip| dip.name.is_some()).count() {
                 0 => "none".to_owned(),

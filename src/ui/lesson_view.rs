@@ -161,7 +161,7 @@ fn with_another(ui: &mut Ui, lesson: &Lesson, wishes: &mut Vec<Wish>) {
     ui.label("Take the lesson again with");
     ui.horizontal_wrapped(|ui| {
         for (index, light) in lesson.also.iter().enumerate() {
-            let name = light.rsplit('/').next().unwrap_or(light);
+            let name = light.split_once('/').map_or(&light[..], |(_, name)| name);
             let meaning = "The lesson from its beginning, with this light in place of its own.";
             if pressed(ui, name, meaning) {
                 wishes.push(Wish::With(index));

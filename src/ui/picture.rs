@@ -93,12 +93,16 @@ pub fn names(app: &App, preferences: &Preferences) -> Vec<String> {
 /// Size of the picture of a lesson in their list, points and pixels.
 pub const LESSON: [usize; 2] = [180, 120];
 
-/// Window in which a lesson's step is drawn, points, and where its page begins beside the column.
-const CLASS: egui::Vec2 = egui::vec2(1280.0, 720.0);
-const COLUMN: usize = 350;
+/// Window in which a lesson's step is drawn, points: its page is 930 wide.
+const CLASS: egui::Vec2 = egui::vec2(1550.0, 720.0);
 
-/// The window before a class at a step of a lesson, as it begins or as it ends.
-fn before_class(lesson: &Arc<Lesson>, (step, done): (usize, bool), dark: bool) -> ColorImage {
+/// The window before a class at a step of a lesson, as it begins or as it ends, and where the page
+/// begins in it beside the lesson's column.
+fn before_class(
+    lesson: &Arc<Lesson>,
+    (step, done): (usize, bool),
+    dark: bool,
+) -> (ColorImage, usize) {
     let context = egui::Context::default();
     let preferences = Preferences {
         dark,
@@ -109,10 +113,12 @@ fn before_class(lesson: &Arc<Lesson>, (step, done): (usize, bool), dark: bool) -
     let mut window = Window::new(App::new(), preferences, no_files, None);
     window.quiet = true;
     window.begin(lesson, step, done);
-    picture_with(&context, CLASS, 1.0, PASSES, |ui| {
+    let picture = picture_with(&context, CLASS, 1.0, PASSES, |ui| {
         window.show(ui);
         window.studies.finish();
-    })
+    });
+    // Behind the line at the column's edge.
+    (picture, window.lesson_ends().ceil() as usize + 2)
 }
 
 /// The page of a lesson's step, from 0, as a class sees it when it begins, nothing covered and
@@ -122,25 +128,25 @@ pub fn step_png(lesson: &Arc<Lesson>, step: usize) -> Vec<u8> {
     for step in &mut open.steps {
         (step.veil, step.point) = (false, None);
     }
-    let whole = before_class(&Arc::new(open), (step, false), false);
+    let (whole, column) = before_class(&Arc::new(open), (step, false), false);
     let [width, _] = whole.size;
     let rows = whole.pixels.chunks(width);
-    let pixels: Vec<_> = rows.flat_map(|row| &row[COLUMN..]).copied().collect();
-    let size = [width - COLUMN, whole.size[1]];
+    let pixels: Vec<_> = rows.flat_map(|row| &row[column..]).copied().collect();
+    let size = [width - column, whole.size[1]];
     encode_png(&ColorImage::new(size, pixels))
 }
 
 /// The page of a lesson's step as a class sees it, small.
 pub fn of_lesson(lesson: &Arc<Lesson>, dark: bool) -> ColorImage {
-    /// Where the page begins beside the lesson's column and below its title, and by how much it is
-    /// made smaller.
-    const CORNER: [usize; 2] = [COLUMN + 14, 84];
+    /// Where the picture begins beside the lesson's column and below the page's title, and by how
+    /// much it is made smaller.
+    const CORNER: [usize; 2] = [14, 84];
     const SMALLER: usize = 5;
     let step = lesson.picture.saturating_sub(1);
-    let whole = before_class(lesson, (step, true), dark);
+    let (whole, column) = before_class(lesson, (step, true), dark);
     let mean = |x: usize, y: usize| {
         let square = (0..SMALLER * SMALLER).map(|at| {
-            let left = CORNER[0] + SMALLER * x + at % SMALLER;
+            let left = column + CORNER[0] + SMALLER * x + at % SMALLER;
             let top = CORNER[1] + SMALLER * y + at / SMALLER;
             whole.pixels[left.min(whole.size[0] - 1) + top * whole.size[0]]
         });
@@ -178,4 +184,24 @@ pub fn chart_png(chart: &Chart, size: [u32; 2], theme: Theme) -> Vec<u8> {
         ui.painter().extend(shapes);
     });
     encode_png(&image)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::lessons::shelf;
+
+    #[test]
+    fn the_picture_of_a_step_is_of_its_page_alone() {
+        for name in ["light", "prism"] {
+            let lesson = shelf::named(name).expect("shipped");
+            let (whole, column) = before_class(&lesson, (0, false), false);
+            let width = whole.size[0];
+            assert!((900..960).contains(&(width - column)), "{name}: {column}");
+            // The page's margin: no word of the column, nor its edge.
+            let margin = whole.pixels.chunks(width).map(|row| row[column]);
+            let first = whole.pixels[column];
+            assert!(margin.into_iter().all(|pixel| pixel == first), "{name}");
+        }
+    }
 }

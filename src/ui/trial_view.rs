@@ -20,6 +20,8 @@ use crate::app::{
 #[derive(Default)]
 pub(super) struct TrialView {
     chosen: Option<Arc<Entry>>,
+    /// The lesson that it was chosen for.
+    of: String,
 }
 
 impl TrialView {
@@ -39,6 +41,9 @@ impl TrialView {
             offers: lights,
             width: ui.available_width().min(260.0 * theme.scale),
         };
+        if self.of != lesson.name {
+            (self.chosen, self.of) = (None, lesson.name.clone());
+        }
         let chosen = chooser.show(ui, app);
         self.chosen = chosen.or_else(|| self.chosen.take());
         let Some(light) = &self.chosen else { return };

@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 use spectral_explorer::app::{
     App, Command, Document,
-    pages::{CombineState, LiveMemory, PageStates},
+    pages::PageStates,
     workspace::{self, Preferences},
 };
 
@@ -207,21 +207,37 @@ fn of_a_project(document: Document) -> Document {
 fn opens_as(text: &str, document: &Document, preferences: Option<&Preferences>) {
     let restored = workspace::from_json(text).expect("a file of ours");
     assert!(restored.losses.is_empty(), "{:?}", restored.losses);
-    // What that version did not have is as at first.
+    let tree = |document: &Document, preferences: Option<&Preferences>| -> Value {
+        let text = workspace::to_json(document, preferences).expect("text");
+        serde_json::from_str(&text).expect("JSON")
+    };
+    let now = tree(&restored.document, restored.preferences.as_ref());
+    // Its name is that of a field of another page, too.
     let mut document = document.clone();
-    document.pages.tradeoff.every_way = false;
     document.pages.relit.under = None;
-    document.pages.combine = CombineState::default();
-    document.pages.live = LiveMemory::default();
-    assert_eq!(restored.document.pages, document.pages);
-    let preferences = preferences.map(|preferences| Preferences {
-        touch: None,
-        without_cones: None,
-        ..preferences.clone()
-    });
-    let preferences = preferences.as_ref();
-    let now = workspace::to_json(&restored.document, restored.preferences.as_ref());
-    assert_eq!(now, workspace::to_json(&document, preferences));
+    let then = tree(&document, preferences);
+    let usual = preferences.map(|_| Preferences::default());
+    let first = tree(App::new().document(), usual.as_ref());
+    same_but_for_what_is_new(text, &mut Vec::new(), [&now, &then, &first]);
+}
+
+/// Now as then; what that version did not have, by a name that its file lacks, as at first.
+fn same_but_for_what_is_new(text: &str, at: &mut Vec<String>, [now, then, first]: [&Value; 3]) {
+    let is_new = |name: &String| !text.contains(&format!("\"{name}\":"));
+    match (now, then) {
+        _ if now == then => {}
+        _ if now == first && at.iter().any(is_new) => {}
+        (Value::Object(now), Value::Object(then)) => {
+            assert!(now.keys().eq(then.keys()), "{at:?}");
+            for (key, now) in now {
+                at.push(key.clone());
+                let first = first.get(key).unwrap_or(&Value::Null);
+                same_but_for_what_is_new(text, at, [now, &then[key], first]);
+                at.pop();
+            }
+        }
+        _ => panic!("{at:?}: {now} in place of {then}"),
+    }
 }
 
 #[test]

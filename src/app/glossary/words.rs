@@ -83,7 +83,7 @@ pub const WORDS: &[Word] = &[
     word(
         "D65",
         &["D65", "CIE D65"],
-        "The CIE's standard daylight, 6504 kelvin.",
+        "The CIE's standard daylight, about 6500 kelvin.",
     ),
     word(
         "Delta E (ΔE₀₀)",

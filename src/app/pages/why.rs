@@ -36,7 +36,7 @@ impl Default for WhyState {
 
 impl PageState for WhyState {
     const KNOBS: &'static [Knob<Self>] = &[
-        knob!(partial_order: "Sum up to N", Reach::Within(0.0, 100.0), 0 "",
+        knob!(partial_order: "Sum of waves up to", Reach::Within(0.0, 100.0), 0 "",
             "The order up to which the terms are summed."),
         knob!(channel: "Bars of", Reach::Within(0.0, 2.0), 0 "",
             "The colour-matching function whose terms are drawn: 0 for X, 1 for Y, 2 for Z."),

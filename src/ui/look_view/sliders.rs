@@ -341,7 +341,7 @@ fn acts(ui: &mut Ui, (budget, busy): (&mut usize, bool), theme: Theme, asked: &m
     number(ui, count, names::BUDGET)
         .on_hover_text("Most numbers that Automatic may spend, 1 to 101.");
     // In a narrow window the buttons need the room.
-    if ui.available_width() >= 190.0 * theme.scale {
+    if ui.available_width() >= 170.0 * theme.scale {
         ui.label("numbers");
     }
     let meaning = "Basis, colour-exact, widest line, dark lines, range, observer, products.";

@@ -92,7 +92,7 @@ impl AuctionView {
         if stage == Stage::Done {
             take_last(ui, context, sheet, fresh);
         }
-        ui.add_space(6.0);
+        ui.add_space(14.0);
         lay_out(ui, context, sheet, fresh);
     }
 }

@@ -48,10 +48,10 @@ const LEAST_ROW: f32 = 204.0;
 
 /// Names of controls, shared with the tests that use them.
 pub mod names {
-    pub const PARTIAL: &str = "Sum up to N";
+    pub const PARTIAL: &str = "Sum of waves up to";
     pub const PLAY: &str = "▶ Play";
     pub const STOP: &str = "■ Stop";
-    pub const ORDERS: &str = "Order by order";
+    pub const ORDERS: &str = "Wave by wave";
 }
 
 #[derive(Default)]

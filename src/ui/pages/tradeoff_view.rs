@@ -109,7 +109,7 @@ impl TradeoffView {
             }
         });
         controls(ui, context, measure);
-        ui.add_space(6.0);
+        ui.add_space(14.0);
         lay_out(ui, context, sheet, fresh);
     }
 }

@@ -48,6 +48,11 @@ impl Window {
         width.min(MOST_OF_WINDOW * window)
     }
 
+    /// Where the lesson's column ends, points.
+    pub(in crate::ui) fn lesson_ends(&self) -> f32 {
+        self.lesson_ends
+    }
+
     /// Begins a lesson that was asked for, and shows the next thing where one is being shown.
     pub(super) fn lesson_goes_on(&mut self, context: &Context) {
         self.read_own_lessons();

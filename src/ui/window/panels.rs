@@ -240,7 +240,9 @@ impl Window {
             let tells = self.tells_verdict();
             if !shape.present {
                 let page = &mut self.preferences.page;
-                let has_line = tells && page.has_model_line() && self.side_open != Some(true);
+                // In a lesson it could be the answer.
+                let is_free = self.lesson.is_none() && self.side_open != Some(true);
+                let has_line = tells && page.has_model_line() && is_free;
                 let mut opens = false;
                 if page.place().tabs().count() > 1 || has_line {
                     let beside = has_line && ui.available_width() >= LINE_BESIDE;
