@@ -7,9 +7,10 @@ use clap::Args;
 
 use crate::{
     cli::{
-        options::{ModelOptions, PickOptions},
+        options::{FileOptions, ModelOptions, PickOptions},
         words,
     },
+    spectrum::Kind,
     study::Goal,
 };
 
