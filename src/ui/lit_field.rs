@@ -129,10 +129,12 @@ pub(super) fn from_references(lit: &[&Lit], lights: &[&str]) -> String {
 /// What the halves of the fields are, in a line.
 pub(super) fn caption(lights: &[&str]) -> String {
     match lights {
-        [light] => format!("left {light}, right its reference; below the difference, ΔE₀₀"),
+        [light] => format!(
+            "left {light}, right its reference; below the difference ΔE₀₀, each by its own white"
+        ),
         [first, second, ..] => format!(
             "left {first}, right {second}, the strip below each its reference; below the \
-             differences from them, ΔE₀₀"
+             differences ΔE₀₀ from them, each by its own white"
         ),
         [] => String::new(),
     }

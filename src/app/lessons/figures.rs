@@ -8,8 +8,8 @@ use super::{
 };
 use crate::{
     app::{
-        figures::{Unit, brief},
-        numbers::{DASH, figure as figure_words, or_dash},
+        figures::Unit,
+        numbers::{DASH, figure as figure_words, or_dash, two_digits},
         quality::QualityShown,
         quality_report::{Row, light_of, rows},
     },
@@ -94,7 +94,10 @@ pub fn figure(scene: &Scene<'_>, key: &str, of: Option<&str>) -> Result<Told, St
         return Ok(Told {
             title: measure.figure().title,
             value,
-            words: measure.figure().brief(value),
+            words: match unit == Unit::DELTA_E {
+                true => told("", value, unit).words,
+                false => measure.figure().brief(value),
+            },
             unit: (unit.factor, unit.tail.to_owned()),
         });
     }
@@ -136,7 +139,7 @@ fn told(title: &'static str, value: Option<f64>, unit: Unit) -> Told {
         Some(value) if value.fract() == 0.0 && unit == Unit::NONE => format!("{value}"),
         // More digits would be of what nobody sees.
         Some(value) if unit == Unit::DELTA_E && value < 0.01 => "less than 0.01".to_owned(),
-        Some(value) if unit == Unit::DELTA_E => brief(value, unit),
+        Some(value) if unit == Unit::DELTA_E => two_digits(value),
         Some(value) => format!("{}{}", figure_words(value * unit.factor), unit.tail),
     };
     Told {
