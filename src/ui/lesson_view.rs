@@ -10,7 +10,7 @@ use super::{
 };
 use crate::app::{
     App, Memo,
-    lessons::{Lesson, Run, Shown},
+    lessons::{Lesson, Run, Shown, shelf},
     pages::Page,
 };
 
@@ -31,6 +31,8 @@ pub(super) enum Wish {
     Again,
     /// The lesson from its beginning with another of the lights that it may be taken with.
     With(usize),
+    /// The lesson that follows in the list.
+    Onward(&'static str),
     /// Out of the lesson.
     Leave,
 }
@@ -308,6 +310,14 @@ fn foot_line(ui: &mut Ui, run: &Run, wishes: &mut Vec<Wish>) {
                 };
                 if pressed(ui, "Finish", meaning) {
                     wishes.push(Wish::Leave);
+                }
+                let next = shelf::after(&run.lesson().name).filter(|_| run.is_told());
+                if let Some(next) = next {
+                    let button = Button::new("Next lesson").selected(true);
+                    let meaning = "Ends this lesson and begins the one that follows in the list.";
+                    if pressed_if(ui, true, button, meaning) {
+                        wishes.push(Wish::Onward(next));
+                    }
                 }
                 return;
             }

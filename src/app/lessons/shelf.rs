@@ -45,6 +45,12 @@ pub const PATHS: [(&str, usize); 3] = [
     ("University and graphics", 7),
 ];
 
+/// The lesson that follows a shipped one in the list; none after the last, and for others.
+pub fn after(name: &str) -> Option<&'static str> {
+    let place = FILES.iter().position(|(own, _)| *own == name)?;
+    FILES.get(place + 1).map(|(next, _)| *next)
+}
+
 /// The shipped lessons; one that cannot be read is left out, and a test finds it.
 pub fn shipped() -> &'static [Arc<Lesson>] {
     static SHIPPED: LazyLock<Vec<Arc<Lesson>>> = LazyLock::new(|| {
@@ -208,6 +214,10 @@ mod tests {
             titles.push(&known.expect("shipped").title);
         }
         assert!(named("no such lesson").is_err());
+        let mut order = vec![FILES[0].0];
+        order.extend(std::iter::successors(after(FILES[0].0), |name| after(name)));
+        assert!(order.iter().eq(FILES.iter().map(|(name, _)| name)));
+        assert_eq!(after("my lesson"), None);
     }
 
     #[test]

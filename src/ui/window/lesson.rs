@@ -239,6 +239,7 @@ impl Window {
                 let lesson = run.lesson().clone();
                 self.begin_with(&lesson, light);
             }
+            Wish::Onward(next) => self.begin_lesson(next.to_owned(), context),
             Wish::Leave => self.leave_lesson(),
         }
         if !matches!(wish, Wish::Choose(_) | Wish::ShowMe) {

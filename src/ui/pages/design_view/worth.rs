@@ -104,7 +104,7 @@ fn of_second(ui: &mut Ui, theme: Theme, (light, value): (&str, &str)) {
 }
 
 /// Width that the row of what is kept needs, points: a narrower one has two.
-const KEPT: f32 = 290.0;
+const KEPT: f32 = 348.0;
 
 /// Height of what is kept in a width, points.
 pub(super) fn kept_height(ui: &Ui, width: f32, scale: f32) -> f32 {
@@ -128,6 +128,7 @@ pub(super) fn kept_row(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) 
             let place = MadeFor::Shown;
             context.commands.push(Command::Make { recipe, place });
         }
+        ui.weak("Save as");
         kept(ui, context, desk);
         copy_button(
             ui,
