@@ -55,7 +55,12 @@ pub(super) fn kind_label(kind: Kind, unit: &str) -> String {
 
 /// A unit, or what stands for one where there is none.
 fn unit_or_value(unit: &str) -> String {
-    if unit.is_empty() { "value" } else { unit }.to_owned()
+    if unit.is_empty() {
+        "Value, no unit stated"
+    } else {
+        unit
+    }
+    .to_owned()
 }
 
 #[cfg(test)]
@@ -72,7 +77,7 @@ mod tests {
                 "relative (weights in % of the power)",
                 "Relative power per nm",
             ),
-            ("", "value"),
+            ("", "Value, no unit stated"),
             ("counts", "counts"),
         ] {
             assert_eq!(value_label(unit), label, "{unit}");

@@ -131,8 +131,8 @@ impl Side {
         self.white()?;
         if found.is_too_far() {
             return Err(format!(
-                "CIE 13.3 does not vouch for the {figure} of {}, whose colour is {:.4} from its \
-                 reference in CIE 1960 uv",
+                "No {figure}: too far from white. CIE 13.3 does not hold for {}, whose colour is \
+                 {:.4} from its reference in CIE 1960 uv",
                 self.name, found.distance
             ));
         }

@@ -172,7 +172,7 @@ fn serial(path: &Path, baud: u32, through: &Through) -> Result<Box<dyn Source>, 
 
 /// What a build without serial ports says.
 #[cfg(not(feature = "serial"))]
-pub const NO_SERIAL: &str =
+const NO_SERIAL: &str =
     "found a build without serial ports, expected one with the feature serial";
 
 #[cfg(not(feature = "serial"))]

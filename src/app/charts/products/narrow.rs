@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::{chain::strip, resampling::thin};
 use crate::{
     app::{
-        App, Entry,
+        App, Entry, Families,
         cells::{Columns, Table, cell},
         chart::{Chart, Dash, Ink, Scale, Series, Shape},
         charts::{
@@ -240,11 +240,23 @@ impl Behind {
         self.narrow.curve(width_nm, step)
     }
 
-    /// Every shipped filter glass and every transmittance of the user's own.
+    /// Every transmittance of the user's own and every shipped filter: gels, then glasses.
     pub fn table(&self, app: &App) -> Vec<FilterRow> {
         let own = app.document().own.iter();
-        own.chain(app.bundled())
+        let mut filters: Vec<&Arc<Entry>> = own
+            .chain(app.bundled())
             .filter(|entry| is_filter(entry))
+            .collect();
+        let families = Families::shipped();
+        filters.sort_by_key(|entry| {
+            let own = families.family_of(&entry.key).map(|family| &family.key);
+            families
+                .all()
+                .iter()
+                .position(|family| Some(&family.key) == own)
+        });
+        filters
+            .into_iter()
             .map(|entry| FilterRow {
                 figures: self.figures(&Filter::Real(entry.clone())),
                 entry: entry.clone(),

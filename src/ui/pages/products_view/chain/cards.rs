@@ -50,7 +50,7 @@ impl Sizes {
         // The last card's edge is inside.
         let share = (room - 4.0 - arrow * stages as f32) / (stages + 1) as f32;
         let [swatch, high] = match theme.presents {
-            true => [72.0, 152.0],
+            true => [40.0, 120.0],
             false => [96.0, 202.0],
         };
         Self {

@@ -33,7 +33,7 @@ pub mod names {
 }
 
 /// Least height of the spectrum before a class, points.
-const LEAST_PRESENTED: f32 = 110.0;
+const LEAST_PRESENTED: f32 = 140.0;
 
 /// Least height of the spectrum, and height of a fold that is shut, points.
 const SPECTRUM: f32 = 220.0;
@@ -67,8 +67,10 @@ impl ChainView {
         let room = ui.available_height();
         scrolled(ui, "chain", |ui| {
             let top = ui.cursor().top();
-            head(ui, context, sheet);
-            ui.add_space(6.0);
+            if !context.theme.presents {
+                head(ui, context, sheet);
+                ui.add_space(6.0);
+            }
             self::cards::show(ui, context, sheet, held);
             trouble(ui, context, sheet);
             ui.add_space(GROUP);
