@@ -73,6 +73,18 @@ impl Saver {
         self.keep_by(Instant::now(), (document, preferences, waiting));
     }
 
+    /// The same, and it is written before anything else happens.
+    pub fn keep_and_wait(
+        &self,
+        document: &Document,
+        preferences: &Preferences,
+        waiting: &[StoredImage],
+    ) {
+        self.keep_with(document, preferences, waiting);
+        // Where it fails the next writing fails too, and tells it.
+        write();
+    }
+
     /// Hands over what is to be written soon: what follows within a moment is written with it.
     pub fn keep_soon(
         &self,
