@@ -172,8 +172,7 @@ fn serial(path: &Path, baud: u32, through: &Through) -> Result<Box<dyn Source>, 
 
 /// What a build without serial ports says.
 #[cfg(not(feature = "serial"))]
-const NO_SERIAL: &str =
-    "found a build without serial ports, expected one with the feature serial";
+const NO_SERIAL: &str = "found a build without serial ports, expected one with the feature serial";
 
 #[cfg(not(feature = "serial"))]
 fn serial(_: &Path, _: u32, _: &Through) -> Result<Box<dyn Source>, NotFollowed> {
