@@ -88,6 +88,9 @@ impl Window {
             Picked::Paths(paths) => paths.into_iter().next(),
             Picked::Cancelled => return self.app.say(Tone::Info, "No file chosen."),
             Picked::NoDialog => return self.app.say(Tone::Problem, NO_DIALOG),
+            // A page follows nothing.
+            #[cfg(target_arch = "wasm32")]
+            Picked::Later => return,
         };
         let Some(path) = path else { return };
         let source = match what {
