@@ -86,7 +86,7 @@ pub mod study;
 #[cfg(feature = "window")]
 pub mod ui;
 #[cfg(all(target_arch = "wasm32", feature = "window"))]
-mod web;
+pub mod web;
 
 // Tests of the core that need its inside: as a program of their own they would make all of it public.
 #[cfg(test)]
