@@ -129,6 +129,12 @@ impl Families {
         self.family(own.or_else(|| Some(self.table_of(id)?.family.as_str()))?)
     }
 
+    /// Where the family of a shipped spectrum stands among all.
+    pub fn place_of(&self, id: &str) -> Option<usize> {
+        let own = &self.family_of(id)?.key;
+        self.all.iter().position(|family| family.key == *own)
+    }
+
     /// What is said of a shipped spectrum, or of the twin that it is shown as.
     pub fn item(&self, id: &str) -> Option<&Item> {
         self.items

@@ -129,14 +129,11 @@ fn shelves(app: &App, offers: fn(&Entry) -> bool) -> Vec<Line> {
         .chain(app.bundled())
         .filter(|entry| offers(entry))
         .collect();
-    let families = Families::shipped();
     let place = |entry: &Arc<Entry>| {
         let shelf = entry.shelf()?;
         let place = Shelf::ALL.iter().position(|s| *s == shelf)?;
         Some(if shelf == Shelf::Filters {
-            let own = families.family_of(&entry.key).map(|family| &family.key);
-            let mut all = families.all().iter();
-            (0, all.position(|family| Some(&family.key) == own))
+            (0, Families::shipped().place_of(&entry.key))
         } else {
             (place + 1, None)
         })

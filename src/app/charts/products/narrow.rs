@@ -242,26 +242,14 @@ impl Behind {
 
     /// Every transmittance of the user's own and every shipped filter: gels, then glasses.
     pub fn table(&self, app: &App) -> Vec<FilterRow> {
-        let own = app.document().own.iter();
-        let mut filters: Vec<&Arc<Entry>> = own
-            .chain(app.bundled())
-            .filter(|entry| is_filter(entry))
-            .collect();
-        let families = Families::shipped();
-        filters.sort_by_key(|entry| {
-            let own = families.family_of(&entry.key).map(|family| &family.key);
-            families
-                .all()
-                .iter()
-                .position(|family| Some(&family.key) == own)
-        });
-        filters
-            .into_iter()
-            .map(|entry| FilterRow {
-                figures: self.figures(&Filter::Real(entry.clone())),
-                entry: entry.clone(),
-            })
-            .collect()
+        let all = app.document().own.iter().chain(app.bundled());
+        let mut filters: Vec<_> = all.filter(|entry| is_filter(entry)).collect();
+        filters.sort_by_key(|entry| Families::shipped().place_of(&entry.key));
+        let row = |entry: &Arc<Entry>| FilterRow {
+            figures: self.figures(&Filter::Real(entry.clone())),
+            entry: entry.clone(),
+        };
+        filters.into_iter().map(row).collect()
     }
 
     /// The light, its model and the filter over them.
