@@ -41,7 +41,9 @@ fn produce(address: &str, frames: u32) -> io::Result<()> {
             .map(|i| 0.5 + 0.4 * (0.01 * i as f64).sin() + noise(i))
             .collect();
         let time_ms = now_ms();
-        writeln!(stream, "{{\"time_ms\":{time_ms},\"values\":{values:?}}}")?;
+        // A line at once: written in pieces, each number would be a packet of its own.
+        let line = format!("{{\"time_ms\":{time_ms},\"values\":{values:?}}}\n");
+        stream.write_all(line.as_bytes())?;
     }
     Ok(())
 }
