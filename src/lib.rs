@@ -32,6 +32,7 @@
 //! # Rooms
 //!
 //! ```text
+//! languages  what a person reads, translated    catalogs numbers
 //! spectrum   what a spectrum is                 band sampled basis spikes composite product chain
 //! preset     the shipped spectra's file format, read once
 //! color      from spectrum to colour            observer xyz lab ciede2000 srgb cct patches quality
@@ -66,6 +67,12 @@
     not(feature = "window"),
     allow(dead_code, unused_imports, reason = "what the window alone calls")
 )]
+
+#[macro_use]
+extern crate tr;
+
+#[macro_use]
+pub mod languages;
 
 pub mod app;
 pub mod cli;
